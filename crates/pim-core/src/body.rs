@@ -1,0 +1,172 @@
+//! Who collides: bodies, where they stand, how they move.
+
+use nalgebra::Vector2;
+use real::Real;
+
+use crate::error::{self, InvalidInput};
+
+/// A rigid body in the plane: mass and yaw inertia, or fixed to the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body<T = f64> {
+    // All four are zero for a fixed body, so that the equations need no case of their own for it:
+    // it takes an impulse without moving and carries no kinetic energy.
+    mass: T,
+    yaw_inertia: T,
+    inverse_mass: T,
+    inverse_yaw_inertia: T,
+}
+
+impl<T: Real> Body<T> {
+    /// A vehicle of mass m (kg) and yaw inertia I about its CG (kg·m²).
+    ///
+    /// # Errors
+    /// Where either is not a finite number greater than zero.
+    pub fn new(mass: T, yaw_inertia: T) -> Result<Self, InvalidInput> {
+        error::positive("mass", mass.value())?;
+        error::positive("yaw inertia", yaw_inertia.value())?;
+        Ok(Self { mass, yaw_inertia, inverse_mass: T::ONE / mass, inverse_yaw_inertia: T::ONE / yaw_inertia })
+    }
+
+    /// A barrier, pole or wall: 1/m = 0 and 1/I = 0.
+    #[must_use]
+    pub fn fixed() -> Self {
+        Self { mass: T::ZERO, yaw_inertia: T::ZERO, inverse_mass: T::ZERO, inverse_yaw_inertia: T::ZERO }
+    }
+
+    /// Whether this is a barrier.
+    #[must_use]
+    pub fn is_fixed(&self) -> bool {
+        self.inverse_mass == T::ZERO
+    }
+
+    /// (1/kg) 1/m, zero for a fixed body.
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse_mass(&self) -> T {
+        self.inverse_mass
+    }
+
+    /// (1/(kg·m²)) 1/I, zero for a fixed body.
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse_yaw_inertia(&self) -> T {
+        self.inverse_yaw_inertia
+    }
+
+    /// (J) kinetic energy in the given motion.
+    #[inline(always)]
+    #[must_use]
+    pub fn kinetic_energy(&self, motion: &Motion<T>) -> T {
+        let v = motion.velocity;
+        // T = ½ m v² + ½ I ω²
+        (self.mass * (v.x * v.x + v.y * v.y) + self.yaw_inertia * motion.yaw_rate * motion.yaw_rate) * 0.5
+    }
+}
+
+/// How a body moves: scene velocity of its CG and yaw rate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion<T = f64> {
+    /// (m/s) velocity of the CG in the scene frame.
+    pub velocity: Vector2<T>,
+    /// (rad/s) yaw rate, counter-clockwise positive.
+    pub yaw_rate: T,
+}
+
+impl<T: Real> Motion<T> {
+    /// At rest.
+    #[must_use]
+    pub fn rest() -> Self {
+        Self { velocity: Vector2::new(T::ZERO, T::ZERO), yaw_rate: T::ZERO }
+    }
+
+    /// Moving at `speed` (m/s) along `heading` (rad) without yaw.
+    #[must_use]
+    pub fn along(heading: T, speed: T) -> Self {
+        let (sin, cos) = heading.sin_cos();
+        Self { velocity: Vector2::new(speed * cos, speed * sin), yaw_rate: T::ZERO }
+    }
+
+    /// The same with a yaw rate (rad/s).
+    #[must_use]
+    pub fn with_yaw_rate(self, yaw_rate: T) -> Self {
+        Self { yaw_rate, ..self }
+    }
+}
+
+/// One of the two bodies in its place: heading, and the arm from its CG to the contact point C.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Participant<T = f64> {
+    pub(crate) body: Body<T>,
+    /// Unit vector of the body's own forward axis in the scene.
+    pub(crate) forward: Vector2<T>,
+    /// r: vector from the CG to C in the scene.
+    pub(crate) arm: Vector2<T>,
+}
+
+impl<T: Real> Participant<T> {
+    /// A body with heading θ (rad) whose contact point lies at (`forward`, `left`) (m) of its CG, in its own axes.
+    ///
+    /// # Errors
+    /// Where a number is not finite.
+    pub fn new(body: Body<T>, heading: T, forward: T, left: T) -> Result<Self, InvalidInput> {
+        error::angle("heading", heading.value())?;
+        error::finite("forward distance to the contact point", forward.value())?;
+        error::finite("left distance to the contact point", left.value())?;
+        let (sin, cos) = heading.sin_cos();
+        let arm = Vector2::new(forward * cos - left * sin, forward * sin + left * cos);
+        Ok(Self { body, forward: Vector2::new(cos, sin), arm })
+    }
+
+    /// The same with the contact point in polar form: `distance` d (m) from the CG, at `angle` φ (rad) from the heading θ.
+    ///
+    /// # Errors
+    /// Where a number is not finite.
+    pub fn polar(body: Body<T>, heading: T, distance: T, angle: T) -> Result<Self, InvalidInput> {
+        error::angle("contact angle", angle.value())?;
+        let (sin, cos) = angle.sin_cos();
+        Self::new(body, heading, distance * cos, distance * sin)
+    }
+
+    /// A barrier of which nothing is known but that it stands there. The crush plane's normal is then oriented by
+    /// the other body's arm alone.
+    #[must_use]
+    pub fn barrier() -> Self {
+        Self {
+            body: Body::fixed(),
+            forward: Vector2::new(T::ONE, T::ZERO),
+            arm: Vector2::new(T::ZERO, T::ZERO),
+        }
+    }
+
+    /// The body.
+    #[must_use]
+    pub fn body(&self) -> &Body<T> {
+        &self.body
+    }
+
+    /// Unit vector of the body's own forward axis in the scene frame.
+    #[must_use]
+    pub fn forward(&self) -> Vector2<T> {
+        self.forward
+    }
+
+    /// (m) vector from the CG to the contact point C in the scene frame, r of theory, section 1.
+    #[must_use]
+    pub fn arm(&self) -> Vector2<T> {
+        self.arm
+    }
+
+    /// (rad) principal direction of the force that gives the body `impulse` (N·s, scene frame): the direction
+    /// *from which* it comes, clockwise positive from the heading, in (−π, π]. 0 is struck squarely in front,
+    /// π/2 from the right.
+    #[inline(always)]
+    #[must_use]
+    pub fn pdof(&self, impulse: Vector2<T>) -> T {
+        let f = self.forward;
+        let ahead = impulse.x * f.x + impulse.y * f.y;
+        let left = impulse.y * f.x - impulse.x * f.y;
+        // The force comes from −P; clockwise from the heading is to the right: PDOF = atan2(P_left, −P_ahead).
+        // Adding zero turns −0 into +0, so that a push from straight behind is +π and never −π.
+        (left + 0.0).atan2(-ahead)
+    }
+}

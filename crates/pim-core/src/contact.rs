@@ -1,0 +1,198 @@
+//! Where two bodies meet: arms, crush plane, and the inverse mass that C feels.
+
+use nalgebra::Vector2;
+use real::Real;
+
+use crate::body::{Body, Motion, Participant};
+use crate::error::{self, InvalidInput};
+
+/// Below this share of the distance between the CGs, rounding decides on which side of the crush plane they lie.
+const NORMAL_RESOLUTION: f64 = 1e-12;
+
+/// A vector at C in the axes of the crush plane: along its normal n and along t, which is n turned by +90°.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NormalTangential<T = f64> {
+    /// Component along n.
+    pub normal: T,
+    /// Component along t.
+    pub tangential: T,
+}
+
+impl<T: Real> NormalTangential<T> {
+    #[inline(always)]
+    fn of(v: Vector2<T>, n: Vector2<T>) -> Self {
+        Self { normal: v.x * n.x + v.y * n.y, tangential: v.y * n.x - v.x * n.y }
+    }
+
+    /// The scalar cross product: a × b = a_n b_t − a_t b_n.
+    #[inline(always)]
+    fn cross(self, b: Self) -> T {
+        self.normal * b.tangential - self.tangential * b.normal
+    }
+
+    /// The same vector in the scene frame, for the normal n.
+    #[inline(always)]
+    pub(crate) fn in_scene(self, n: Vector2<T>) -> Vector2<T> {
+        Vector2::new(self.normal * n.x - self.tangential * n.y, self.normal * n.y + self.tangential * n.x)
+    }
+}
+
+/// (1/kg) the contact inverse-mass matrix K in n–t axes: U = u + K P. Symmetric and positive definite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InverseMass<T = f64> {
+    /// k_nn.
+    pub nn: T,
+    /// k_nt = k_tn.
+    pub nt: T,
+    /// k_tt.
+    pub tt: T,
+}
+
+impl<T: Real> InverseMass<T> {
+    #[inline(always)]
+    fn new(bodies: [&Body<T>; 2], arms: [NormalTangential<T>; 2]) -> Self {
+        let [b1, b2] = bodies;
+        let [r1, r2] = arms;
+        let (j1, j2) = (b1.inverse_yaw_inertia(), b2.inverse_yaw_inertia());
+        let translation = b1.inverse_mass() + b2.inverse_mass();
+        // K = (1/m₁ + 1/m₂) 1 + ρ₁ρ₁ᵀ/I₁ + ρ₂ρ₂ᵀ/I₂,  ρᵢ = (−r_it, r_in)
+        Self {
+            nn: translation + r1.tangential * r1.tangential * j1 + r2.tangential * r2.tangential * j2,
+            nt: -(r1.normal * r1.tangential * j1) - r2.normal * r2.tangential * j2,
+            tt: translation + r1.normal * r1.normal * j1 + r2.normal * r2.normal * j2,
+        }
+    }
+
+    /// (1/kg²) det K, always positive.
+    #[inline(always)]
+    #[must_use]
+    pub fn determinant(&self) -> T {
+        self.nn * self.tt - self.nt * self.nt
+    }
+
+    /// (m/s) K P: the change of the relative velocity at C that the impulse P (N·s) brings.
+    #[inline(always)]
+    #[must_use]
+    pub fn velocity_change(&self, impulse: NormalTangential<T>) -> NormalTangential<T> {
+        NormalTangential {
+            normal: self.nn * impulse.normal + self.nt * impulse.tangential,
+            tangential: self.nt * impulse.normal + self.tt * impulse.tangential,
+        }
+    }
+}
+
+/// The geometry of a collision: two participants, the crush plane between them, and what follows from these alone.
+///
+/// The same contact serves every velocity and every impact law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact<T = f64> {
+    participants: [Participant<T>; 2],
+    normal: Vector2<T>,
+    arms: [NormalTangential<T>; 2],
+    inverse_mass: InverseMass<T>,
+}
+
+impl<T: Real> Contact<T> {
+    /// Two participants that meet at C on a crush plane whose normal has the scene angle Γ = `crush_plane` (rad).
+    /// Γ and Γ + π describe the same plane: n is oriented from vehicle 2 towards vehicle 1, n·(r_2 − r_1) > 0.
+    ///
+    /// # Errors
+    /// Where Γ is not finite, both bodies are fixed, or the normal cannot be oriented.
+    pub fn new(participants: [Participant<T>; 2], crush_plane: T) -> Result<Self, InvalidInput> {
+        error::angle("crush plane angle", crush_plane.value())?;
+        let [p1, p2] = &participants;
+        if p1.body.is_fixed() && p2.body.is_fixed() {
+            return Err(InvalidInput::BothFixed);
+        }
+        let (sin, cos) = crush_plane.sin_cos();
+        let n = Vector2::new(cos, sin);
+        // From CG 2 to CG 1: r₂ − r₁.
+        let between = p2.arm - p1.arm;
+        let along = NormalTangential::of(between, n);
+        let distance = (between.x * between.x + between.y * between.y).sqrt();
+        if along.normal.abs() <= distance * NORMAL_RESOLUTION {
+            return Err(InvalidInput::NormalUndefined { crush_plane: crush_plane.value() });
+        }
+        let normal = if along.normal > T::ZERO { n } else { -n };
+        let arms = [NormalTangential::of(p1.arm, normal), NormalTangential::of(p2.arm, normal)];
+        let inverse_mass = InverseMass::new([&p1.body, &p2.body], arms);
+        Ok(Self { participants, normal, arms, inverse_mass })
+    }
+
+    /// Vehicle 1 and vehicle 2.
+    #[must_use]
+    pub fn participants(&self) -> &[Participant<T>; 2] {
+        &self.participants
+    }
+
+    /// Unit normal n of the crush plane in the scene frame, oriented from vehicle 2 towards vehicle 1.
+    #[must_use]
+    pub fn normal(&self) -> Vector2<T> {
+        self.normal
+    }
+
+    /// (m) the arms r_1 and r_2 in n–t axes: (d_d, d_c) and (d_b, d_a) of the paper's Eq 2.
+    #[must_use]
+    pub fn arms(&self) -> [NormalTangential<T>; 2] {
+        self.arms
+    }
+
+    /// A scene vector in the axes of the crush plane.
+    #[inline(always)]
+    #[must_use]
+    pub fn resolve(&self, scene: Vector2<T>) -> NormalTangential<T> {
+        NormalTangential::of(scene, self.normal)
+    }
+
+    /// The contact inverse-mass matrix K.
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse_mass(&self) -> InverseMass<T> {
+        self.inverse_mass
+    }
+
+    /// Whether the crush plane through C lies between the two CGs: n·r_1 < 0 < n·r_2. Where it does not, one of the
+    /// vehicles would be pushed through the plane: the geometry deserves a second look. A barrier has no CG that
+    /// could be on the wrong side.
+    #[must_use]
+    pub fn separates_centres(&self) -> bool {
+        let [p1, p2] = &self.participants;
+        let [r1, r2] = self.arms;
+        (p1.body.is_fixed() || r1.normal < T::ZERO) && (p2.body.is_fixed() || r2.normal > T::ZERO)
+    }
+
+    /// (m/s) u: velocity of vehicle 1 relative to vehicle 2 at C in the given motions.
+    #[inline(always)]
+    #[must_use]
+    pub fn relative_velocity(&self, motions: &[Motion<T>; 2]) -> NormalTangential<T> {
+        let [m1, m2] = motions;
+        let [r1, r2] = self.arms;
+        let v = self.resolve(m1.velocity - m2.velocity);
+        // u = (v₁ + ω₁×r₁) − (v₂ + ω₂×r₂),  ω×r = ω (−r_t, r_n)
+        NormalTangential {
+            normal: v.normal - m1.yaw_rate * r1.tangential + m2.yaw_rate * r2.tangential,
+            tangential: v.tangential + m1.yaw_rate * r1.normal - m2.yaw_rate * r2.normal,
+        }
+    }
+
+    /// The motion of both bodies after vehicle 1 took `impulse` (N·s) at C and vehicle 2 its opposite.
+    #[inline(always)]
+    pub(crate) fn after(&self, motions: &[Motion<T>; 2], impulse: NormalTangential<T>) -> [Motion<T>; 2] {
+        let p = impulse.in_scene(self.normal);
+        let [m1, m2] = motions;
+        let [b1, b2] = [&self.participants[0].body, &self.participants[1].body];
+        let [r1, r2] = self.arms;
+        [
+            // V₁ = v₁ + P/m₁,  Ω₁ = ω₁ + (r₁×P)/I₁
+            Motion {
+                velocity: m1.velocity + p * b1.inverse_mass(),
+                yaw_rate: m1.yaw_rate + r1.cross(impulse) * b1.inverse_yaw_inertia(),
+            },
+            // V₂ = v₂ − P/m₂,  Ω₂ = ω₂ − (r₂×P)/I₂
+            Motion {
+                velocity: m2.velocity - p * b2.inverse_mass(),
+                yaw_rate: m2.yaw_rate - r2.cross(impulse) * b2.inverse_yaw_inertia(),
+            },
+        ]
+    }
+}

@@ -1,0 +1,144 @@
+//! What can be wrong with a collision, and why an impact has no answer.
+
+/// An input that no body, contact or law can have.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum InvalidInput {
+    /// NaN or infinite.
+    #[error("the {what} must be a finite number, and is {value}")]
+    NotFinite {
+        /// Which quantity.
+        what: &'static str,
+        /// Its value, in SI units.
+        value: f64,
+    },
+    /// Zero or negative where physics asks for a positive number.
+    #[error("the {what} must be greater than zero, and is {value}")]
+    NotPositive {
+        /// Which quantity.
+        what: &'static str,
+        /// Its value, in SI units.
+        value: f64,
+    },
+    /// Outside the interval that the quantity is defined on.
+    #[error("the {what} must lie between {low} and {high}, and is {value}")]
+    OutOfRange {
+        /// Which quantity.
+        what: &'static str,
+        /// Its value, in SI units.
+        value: f64,
+        /// Smallest allowed value.
+        low: f64,
+        /// Largest allowed value.
+        high: f64,
+    },
+    /// Two fixed bodies cannot collide.
+    #[error("both bodies are fixed: at least one must be able to move")]
+    BothFixed,
+    /// A fixed body was given a velocity or a yaw rate.
+    #[error("body {body} is fixed and cannot have a velocity or a yaw rate")]
+    FixedBodyMoves {
+        /// 1 or 2.
+        body: usize,
+    },
+    /// The crush plane runs along the line between the two CGs, so that neither of its normals points from
+    /// vehicle 2 towards vehicle 1.
+    #[error(
+        "the crush plane normal at {crush_plane} rad is perpendicular to the line between the centres of \
+         gravity, so that it cannot be oriented from vehicle 2 towards vehicle 1"
+    )]
+    NormalUndefined {
+        /// (rad) the crush plane angle Γ.
+        crush_plane: f64,
+    },
+}
+
+/// Why a well-formed collision has no impact.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ImpactError {
+    /// An input is impossible.
+    #[error(transparent)]
+    Invalid(#[from] InvalidInput),
+    /// u_n ≥ 0: the contact points do not approach each other.
+    #[error(
+        "the vehicles do not approach each other at the contact point: the normal relative velocity u_n is \
+         {u_n:.6} m/s and would have to be negative; check the headings, the speeds and the crush plane"
+    )]
+    NotApproaching {
+        /// (m/s) normal component of the relative velocity at C before impact.
+        u_n: f64,
+    },
+    /// k_nn + μ k_nt ≤ 0: the geometry jams before the normal velocity can reverse.
+    #[error(
+        "the contact jams: with the impulse ratio μ = {impulse_ratio:.6} the impulse would have to be infinite \
+         or negative, since k_nn + μ k_nt = {k_nn:.6e} + {impulse_ratio:.6} × {k_nt:.6e} 1/kg is not positive; \
+         this geometry needs μ {} {:.6}", if *.k_nt > 0.0 { "above" } else { "below" }, -.k_nn / .k_nt
+    )]
+    Jam {
+        /// μ = P_t/P_n.
+        impulse_ratio: f64,
+        /// (1/kg) normal entry of the contact inverse-mass matrix.
+        k_nn: f64,
+        /// (1/kg) its off-diagonal entry.
+        k_nt: f64,
+    },
+    /// A common tangential velocity at C would need P_n ≤ 0: the vehicles would have to pull at each other.
+    #[error(
+        "a common tangential velocity would need the vehicles to pull at each other (P_n = {normal_impulse:.6} \
+         N·s): the tangential velocity is too large for this geometry; give a friction limit or an impulse \
+         ratio instead"
+    )]
+    Pulling {
+        /// (N·s) the normal impulse that the conditions ask for.
+        normal_impulse: f64,
+    },
+    /// E_L < 0: the coefficients create energy.
+    #[error(
+        "the coefficients create energy: the energy loss would be {loss:.6e} J, of which {normal_work:.6e} J is \
+         the work of the normal and {tangential_work:.6e} J that of the tangential impulse; check the \
+         restitution and the sign of the impulse ratio"
+    )]
+    EnergyCreated {
+        /// (J) the energy loss E_L.
+        loss: f64,
+        /// (J) W_n.
+        normal_work: f64,
+        /// (J) W_t.
+        tangential_work: f64,
+    },
+    /// The numbers are too large or too small for double precision.
+    #[error("the impact leaves the range of double precision: the {what} would be {value}")]
+    Overflow {
+        /// Which quantity.
+        what: &'static str,
+        /// Its value, in SI units: infinite or NaN.
+        value: f64,
+    },
+}
+
+/// Refuses NaN and infinities.
+pub(crate) fn finite(what: &'static str, value: f64) -> Result<(), InvalidInput> {
+    if value.is_finite() { Ok(()) } else { Err(InvalidInput::NotFinite { what, value }) }
+}
+
+/// Refuses all but finite numbers greater than zero.
+pub(crate) fn positive(what: &'static str, value: f64) -> Result<(), InvalidInput> {
+    finite(what, value)?;
+    if value > 0.0 { Ok(()) } else { Err(InvalidInput::NotPositive { what, value }) }
+}
+
+/// Refuses all but numbers from `low` to `high`.
+pub(crate) fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<(), InvalidInput> {
+    finite(what, value)?;
+    if (low..=high).contains(&value) {
+        Ok(())
+    } else {
+        Err(InvalidInput::OutOfRange { what, value, low, high })
+    }
+}
+
+/// Refuses angles that are not finite or lie beyond what [`real::Real::sin_cos`] reduces exactly.
+pub(crate) fn angle(what: &'static str, value: f64) -> Result<(), InvalidInput> {
+    within(what, value, -real::elementary::SIN_COS_LIMIT, real::elementary::SIN_COS_LIMIT)
+}

@@ -1,0 +1,201 @@
+//! The impact itself: from the approach to the motion after it, and where the energy went.
+
+use nalgebra::Vector2;
+use real::Real;
+
+use crate::body::Motion;
+use crate::contact::{Contact, NormalTangential};
+use crate::error::{self, ImpactError, InvalidInput};
+use crate::law::{CriticalRatio, Law};
+
+/// E_L below zero by more than this share of what the impulses exchange, |P|·(|u| + |U|) in each direction, is energy created; less is
+/// rounding. The works themselves are no measure: with e = 1 and no friction they are nothing but rounding.
+const ENERGY_ROUNDING: f64 = 1e-12;
+
+/// Everything that an impact does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outcome<T = f64> {
+    /// (N·s) impulse P on vehicle 1, along n and t. Vehicle 2 receives −P.
+    pub impulse: NormalTangential<T>,
+    /// (N·s) the same in the scene frame.
+    pub impulse_vector: Vector2<T>,
+    /// μ = P_t/P_n.
+    pub impulse_ratio: T,
+    /// μ_c: the ratio at which the final tangential velocity at C is zero. `None` where the sliding is so fast that
+    /// no push, however rough the surfaces, could end it.
+    pub critical_impulse_ratio: Option<T>,
+    /// (m/s) u: velocity of vehicle 1 relative to vehicle 2 at C before impact.
+    pub approach: NormalTangential<T>,
+    /// (m/s) U: the same after impact.
+    pub separation: NormalTangential<T>,
+    /// Motion of both vehicles before impact.
+    pub before: [Motion<T>; 2],
+    /// Motion of both vehicles after impact.
+    pub after: [Motion<T>; 2],
+    /// (m/s) ΔV vectors V − v of the two CGs in the scene frame.
+    pub delta_v: [Vector2<T>; 2],
+    /// (rad) scene angle of the impulse on vehicle 1, in (−π, π].
+    pub impulse_direction: T,
+    /// (rad) principal direction of force of each vehicle, see [`Participant::pdof`](crate::Participant::pdof).
+    pub pdof: [T; 2],
+    /// The energy balance.
+    pub energy: Energy<T>,
+}
+
+impl<T: Real> Outcome<T> {
+    /// (m/s) |ΔV| of both vehicles.
+    #[inline(always)]
+    #[must_use]
+    pub fn delta_v_magnitude(&self) -> [T; 2] {
+        self.delta_v.map(|dv| (dv.x * dv.x + dv.y * dv.y).sqrt())
+    }
+}
+
+/// (J) the energy balance of an impact: `before` − `after` = `loss` = `normal_work` + `tangential_work`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Energy<T = f64> {
+    /// (J) kinetic energy of both vehicles before impact.
+    pub before: T,
+    /// (J) the same after impact.
+    pub after: T,
+    /// (J) E_L, the kinetic energy that the impact takes.
+    pub loss: T,
+    /// (J) W_n, the energy taken by the normal impulse: the crush energy (dissipated).
+    pub normal_work: T,
+    /// (J) W_t, the energy taken by the tangential impulse. Negative where it gives energy back.
+    pub tangential_work: T,
+}
+
+/// (J) W_n: the energy that the normal impulse takes out of the vehicles.
+///
+/// By Kelvin's theorem an impulse does work equal to itself times the mean of the velocities, before and after, of its
+/// point of application (SAE 980025, Eq 4).
+#[inline(always)]
+#[must_use]
+pub fn normal_work<T: Real>(
+    approach: NormalTangential<T>,
+    impulse: NormalTangential<T>,
+    separation: NormalTangential<T>,
+) -> T {
+    // W_n = −½ P_n (u_n + U_n)
+    -(impulse.normal * (approach.normal + separation.normal)) * 0.5
+}
+
+/// (J) W_t: the energy that the tangential impulse takes out of the vehicles (SAE 980025, Eq 4).
+#[inline(always)]
+#[must_use]
+pub fn tangential_work<T: Real>(
+    approach: NormalTangential<T>,
+    impulse: NormalTangential<T>,
+    separation: NormalTangential<T>,
+) -> T {
+    // W_t = −½ P_t (u_t + U_t)
+    -(impulse.tangential * (approach.tangential + separation.tangential)) * 0.5
+}
+
+fn representable<T: Real>(what: &'static str, value: T) -> Result<(), ImpactError> {
+    if value.is_finite() { Ok(()) } else { Err(ImpactError::Overflow { what, value: value.value() }) }
+}
+
+impl<T: Real> Contact<T> {
+    /// (m/s) U = u + K P: the relative velocity at C after the impulse P.
+    #[inline(always)]
+    #[must_use]
+    pub fn separation(
+        &self,
+        approach: NormalTangential<T>,
+        impulse: NormalTangential<T>,
+    ) -> NormalTangential<T> {
+        let change = self.inverse_mass().velocity_change(impulse);
+        // U = u + K P
+        NormalTangential {
+            normal: approach.normal + change.normal,
+            tangential: approach.tangential + change.tangential,
+        }
+    }
+
+    /// What the collision does to both vehicles under `law`, given their motions before it.
+    ///
+    /// # Errors
+    /// [`ImpactError`]: the vehicles do not approach, the contact jams, they would have to pull at each other, the
+    /// coefficients create energy, or a motion is not one that the body can have.
+    pub fn impact(&self, motions: [Motion<T>; 2], law: &Law<T>) -> Result<Outcome<T>, ImpactError> {
+        self.check(&motions)?;
+        let k = self.inverse_mass();
+        let u = self.relative_velocity(&motions);
+        representable("normal relative velocity", u.normal)?;
+        if u.normal >= T::ZERO {
+            return Err(ImpactError::NotApproaching { u_n: u.normal.value() });
+        }
+        let impulse = law.impulse(k, u);
+        if let Some(refusal) = law.refusal(k, u, impulse) {
+            return Err(refusal);
+        }
+        let outcome = self.outcome(motions, law, u, impulse);
+        let Energy { before, loss, normal_work, tangential_work, .. } = outcome.energy;
+        representable("initial kinetic energy", before)?;
+        representable("energy loss", loss)?;
+        let (p, after) = (outcome.impulse, outcome.separation);
+        let exchanged = p.normal.abs() * (u.normal.abs() + after.normal.abs())
+            + p.tangential.abs() * (u.tangential.abs() + after.tangential.abs());
+        if loss < -(exchanged * ENERGY_ROUNDING) {
+            return Err(ImpactError::EnergyCreated {
+                loss: loss.value(),
+                normal_work: normal_work.value(),
+                tangential_work: tangential_work.value(),
+            });
+        }
+        Ok(outcome)
+    }
+
+    fn check(&self, motions: &[Motion<T>; 2]) -> Result<(), InvalidInput> {
+        for (i, (participant, motion)) in self.participants().iter().zip(motions).enumerate() {
+            error::finite("velocity along x", motion.velocity.x.value())?;
+            error::finite("velocity along y", motion.velocity.y.value())?;
+            error::finite("yaw rate", motion.yaw_rate.value())?;
+            if participant.body().is_fixed() && *motion != Motion::rest() {
+                return Err(InvalidInput::FixedBodyMoves { body: i + 1 });
+            }
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn outcome(
+        &self,
+        before: [Motion<T>; 2],
+        law: &Law<T>,
+        approach: NormalTangential<T>,
+        impulse: NormalTangential<T>,
+    ) -> Outcome<T> {
+        let [p1, p2] = self.participants();
+        let separation = self.separation(approach, impulse);
+        let after = self.after(&before, impulse);
+        let impulse_vector = impulse.in_scene(self.normal());
+        let normal_work = normal_work(approach, impulse, separation);
+        let tangential_work = tangential_work(approach, impulse, separation);
+        Outcome {
+            impulse,
+            impulse_vector,
+            impulse_ratio: impulse.tangential / impulse.normal,
+            critical_impulse_ratio: CriticalRatio::new(self.inverse_mass(), approach, law.restitution())
+                .value(),
+            approach,
+            separation,
+            before,
+            after,
+            // ΔV_i = ±P/m_i
+            delta_v: [impulse_vector * p1.body().inverse_mass(), -impulse_vector * p2.body().inverse_mass()],
+            impulse_direction: (impulse_vector.y + 0.0).atan2(impulse_vector.x),
+            pdof: [p1.pdof(impulse_vector), p2.pdof(-impulse_vector)],
+            energy: Energy {
+                before: p1.body().kinetic_energy(&before[0]) + p2.body().kinetic_energy(&before[1]),
+                after: p1.body().kinetic_energy(&after[0]) + p2.body().kinetic_energy(&after[1]),
+                // E_L = W_n + W_t
+                loss: normal_work + tangential_work,
+                normal_work,
+                tangential_work,
+            },
+        }
+    }
+}
