@@ -1,0 +1,121 @@
+//! Velocity changes from the crush energy of both vehicles.
+
+use real::Real;
+
+use crate::error::{self, CrushError};
+
+/// What the velocity change of a vehicle depends on, besides the energy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inertia<T = f64> {
+    inverse_mass: T,
+    effective_mass_ratio: T,
+    inverse_effective_mass: T,
+}
+
+impl<T: Real> Inertia<T> {
+    /// A vehicle of mass m (kg) and yaw inertia I (kg·m²) that is hit by a force whose line of action passes its CG
+    /// at the distance h = `moment_arm` (m).
+    ///
+    /// # Errors
+    /// Where the mass or the inertia is not positive, or the arm is not finite.
+    pub fn new(mass: T, yaw_inertia: T, moment_arm: T) -> Result<Self, CrushError> {
+        error::positive("mass", mass.value())?;
+        error::positive("yaw inertia", yaw_inertia.value())?;
+        error::finite("moment arm", moment_arm.value())?;
+        // k² = I/m
+        let k2 = yaw_inertia / mass;
+        // γ = k²/(k² + h²)
+        let effective_mass_ratio = k2 / (k2 + moment_arm * moment_arm);
+        Ok(Self {
+            inverse_mass: T::ONE / mass,
+            effective_mass_ratio,
+            inverse_effective_mass: T::ONE / (effective_mass_ratio * mass),
+        })
+    }
+
+    /// A barrier: it takes no velocity.
+    #[must_use]
+    pub fn fixed() -> Self {
+        Self { inverse_mass: T::ZERO, effective_mass_ratio: T::ONE, inverse_effective_mass: T::ZERO }
+    }
+
+    /// γ = k²/(k² + h²): the share of the mass that a force at the distance h from the CG has to move.
+    #[inline(always)]
+    #[must_use]
+    pub fn effective_mass_ratio(&self) -> T {
+        self.effective_mass_ratio
+    }
+}
+
+/// (m/s) ΔV_1 and ΔV_2 for the energy E = E_1 + E_2 (J) of both vehicles' crush, in the common normal velocity that
+/// CRASH3 assumes (e = 0).
+///
+/// # References
+/// SAE 980025, Eq 6 and Eq 7.
+///
+/// # Errors
+/// Where the energy is negative or not finite, or both vehicles are fixed.
+pub fn delta_v<T: Real>(energy: T, vehicles: [Inertia<T>; 2]) -> Result<[T; 2], CrushError> {
+    error::not_negative("crush energy", energy.value())?;
+    let [v1, v2] = vehicles;
+    let inverse = v1.inverse_effective_mass + v2.inverse_effective_mass;
+    if inverse == T::ZERO {
+        return Err(CrushError::BothFixed);
+    }
+    // Eq 6, ΔV₁ = √( 2 γ₁ E / (m₁ (1 + γ₁m₁/γ₂m₂)) ), is J/m₁ with the impulse
+    // J = √( 2E / (1/γ₁m₁ + 1/γ₂m₂) ), which serves Eq 7 and barriers as well.
+    let impulse = (energy * 2.0 / inverse).sqrt();
+    Ok([impulse * v1.inverse_mass, impulse * v2.inverse_mass])
+}
+
+/// Which energy the crush stands for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum EnergyBasis {
+    /// The energy that the normal impulse dissipated, W_n: SAE 980025.
+    #[default]
+    Dissipated,
+    /// The energy absorbed at maximum engagement, W_n/(1−e²), part of which comes back as restitution: what stiffness
+    /// coefficients fitted to barrier tests by impact speed give (Ziernicki & Rose, SAE 2005-01-1200).
+    Absorbed,
+}
+
+impl EnergyBasis {
+    /// The factor on CRASH3's ΔV (e = 0) that takes the restitution e into account.
+    ///
+    /// # Errors
+    /// Where e lies outside [0, 1).
+    pub fn restitution_factor<T: Real>(self, e: T) -> Result<T, CrushError> {
+        if !(0.0..1.0).contains(&e.value()) {
+            return Err(CrushError::Restitution { value: e.value() });
+        }
+        Ok(match self {
+            // √( (1+e)/(1−e) )
+            Self::Dissipated => ((e + 1.0) / (T::ONE - e)).sqrt(),
+            // 1 + e
+            Self::Absorbed => e + 1.0,
+        })
+    }
+
+    /// (J) the energy W_n that the normal impulse has to dissipate when the crush energy of both vehicles is `energy` (J) on this
+    /// basis and the restitution is e.
+    #[inline(always)]
+    #[must_use]
+    pub fn dissipated<T: Real>(self, energy: T, e: T) -> T {
+        match self {
+            Self::Dissipated => energy,
+            // W_n = E (1−e²)
+            Self::Absorbed => energy * (T::ONE - e * e),
+        }
+    }
+}
+
+/// (m/s) energy equivalent speed: the speed at which the vehicle's kinetic energy equals its crush energy E (J).
+///
+/// # Errors
+/// Where the energy is negative, the mass (kg) is not positive, or one of them is not finite.
+pub fn energy_equivalent_speed<T: Real>(energy: T, mass: T) -> Result<T, CrushError> {
+    error::not_negative("crush energy", energy.value())?;
+    error::positive("mass", mass.value())?;
+    // EES = √( 2E/m )
+    Ok((energy * 2.0 / mass).sqrt())
+}

@@ -1,0 +1,58 @@
+//! CRASH3 damage analysis: crush energy and velocity changes from measured crush.
+//!
+//! ```
+//! use crash3::{Inertia, Profile, Stiffness, crush_energy, delta_v};
+//!
+//! // SAE 980025, appendix: the front of the GMC Jimmy (SI units).
+//! let depths = [21.3, 20.3, 13.8, 11.3, 5.3, 4.8].map(|inch| inch * 0.0254);
+//! let profile = Profile::equally_spaced(depths.to_vec(), 65.0 * 0.0254)?;
+//! let stiffness = Stiffness::from_ab(58_740.0, 633_000.0)?;
+//! let energy = crush_energy(&profile, &stiffness);
+//! assert!((energy / 1.02e5 - 1.0).abs() < 0.005); // the paper: 1.02e5 N·m
+//!
+//! // Both vehicles' energies move both of them (the paper's 1.41e5 N·m in all).
+//! let jimmy = Inertia::new(1676.5, 3304.1, 0.646)?;
+//! let altima = Inertia::new(1548.1, 2935.3, 0.592)?;
+//! let [dv1, dv2] = delta_v(1.41e5, [jimmy, altima])?;
+//! assert!((1676.5 * dv1 - 1548.1 * dv2).abs() < 1e-9); // equal and opposite momenta
+//! # Ok::<(), crash3::CrushError>(())
+//! ```
+//!
+//! The types: a [`Profile`] of depths and a [`Stiffness`] give [`crush_energy`] and [`peak_force`]; an [`ObliqueCorrection`] raises the energy of
+//! a force that is not normal to the damaged [`Side`]; two [`Inertia`]s turn the sum of both vehicles' energies into [`delta_v`]; [`EnergyBasis`]
+//! says what restitution does to that. Each number may be any [`Real`]; plain `f64` is the default.
+//!
+//! | code | symbol | meaning | unit |
+//! |---|---|---|---|
+//! | `depths` | C_j | residual crush at station j | m |
+//! | `width` | L; w_j | width of the damage; of one zone between stations | m |
+//! | `a`, `b`, `g` | A, B, G | stiffness: force per width A + B C, energy per width G before crush | N/m, N/m², N |
+//! | `d0`, `d1` | d_0, d_1 | the same: A = d_0 d_1, B = d_1², G = d_0²/2 | √N, √N/m |
+//! | `oblique_angle` | α | between the force and the normal of the damaged side | rad |
+//! | `pdof` | PDOF | direction from which the force comes, clockwise from the heading | rad |
+//! | `moment_arm` | h | distance from the CG to the force's line of action | m |
+//! | `effective_mass_ratio` | γ | k²/(k² + h²) | – |
+//!
+//! # What it does not do
+//!
+//! It finds no direction of force: the PDOF is an input (`pim-core` computes it from impulse and momentum). It knows no units
+//! other than SI and no tables of stiffness.
+//!
+//! # References
+//!
+//! R. M. Brach and R. M. Brach, SAE 980025 (1998), "Analysis of the CRASH3 damage algorithm", called *the paper*.
+
+mod delta_v;
+mod direction;
+mod energy;
+mod error;
+mod profile;
+mod stiffness;
+
+pub use delta_v::{EnergyBasis, Inertia, delta_v, energy_equivalent_speed};
+pub use direction::{Side, moment_arm};
+pub use energy::{ObliqueCorrection, ObliqueFactor, crush_energy, peak_force};
+pub use error::CrushError;
+pub use profile::{Profile, Zone};
+pub use real::Real;
+pub use stiffness::Stiffness;

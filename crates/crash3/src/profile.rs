@@ -1,0 +1,80 @@
+//! What was measured: depths of crush along the damaged side.
+
+use real::Real;
+
+use crate::error::{self, CrushError};
+
+/// A crush profile: residual crush depths C_1 … C_N at stations along the damage, linear between them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Profile<T = f64> {
+    depths: Vec<T>,
+    spacings: Vec<T>,
+}
+
+/// One trapezoid of a profile, between two neighbouring stations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Zone<T = f64> {
+    /// (m) w_j, distance between the stations.
+    pub width: T,
+    /// (m) depths C_j and C_{j+1} at its two ends.
+    pub depths: [T; 2],
+}
+
+impl<T: Real> Profile<T> {
+    /// N `depths` (m) at equal spacing over the damage width L = `width` (m): w = L/(N−1).
+    ///
+    /// # Errors
+    /// Where there are fewer than two stations, a depth is negative, or the width is not positive.
+    pub fn equally_spaced(depths: Vec<T>, width: T) -> Result<Self, CrushError> {
+        error::positive("damage width", width.value())?;
+        let stations = depths.len();
+        if stations < 2 {
+            return Err(CrushError::TooFewStations { stations });
+        }
+        #[expect(clippy::cast_precision_loss, reason = "station counts are small")]
+        let intervals = (stations - 1) as f64;
+        Self::new(depths, vec![width / intervals; stations - 1])
+    }
+
+    /// N `depths` (m) with the N−1 `spacings` (m) between their stations.
+    ///
+    /// # Errors
+    /// Where there are fewer than two stations, the numbers of depths and spacings do not fit, a depth is negative, or
+    /// a spacing is not positive.
+    pub fn new(depths: Vec<T>, spacings: Vec<T>) -> Result<Self, CrushError> {
+        if depths.len() < 2 {
+            return Err(CrushError::TooFewStations { stations: depths.len() });
+        }
+        if spacings.len() != depths.len() - 1 {
+            return Err(CrushError::SpacingCount { stations: depths.len(), spacings: spacings.len() });
+        }
+        for depth in &depths {
+            error::not_negative("crush depth", depth.value())?;
+        }
+        for spacing in &spacings {
+            error::positive("spacing between stations", spacing.value())?;
+        }
+        Ok(Self { depths, spacings })
+    }
+
+    /// (m) the depths C_1 … C_N.
+    #[must_use]
+    pub fn depths(&self) -> &[T] {
+        &self.depths
+    }
+
+    /// (m) L, the width of the damage.
+    #[must_use]
+    pub fn width(&self) -> T {
+        self.spacings.iter().fold(T::ZERO, |sum, &w| sum + w)
+    }
+
+    /// The trapezoids between neighbouring stations.
+    #[inline(always)]
+    pub fn zones(&self) -> impl Iterator<Item = Zone<T>> {
+        self.spacings
+            .iter()
+            .zip(self.depths.windows(2))
+            .map(|(&width, ends)| Zone { width, depths: [ends[0], ends[1]] })
+    }
+}
