@@ -1,0 +1,83 @@
+//! Why no speed reconciles the crush energy with the impact.
+
+use pim_core::{ImpactError, InvalidInput};
+
+/// Why a reconciliation has no answer.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReconcileError {
+    /// There is nothing to match.
+    #[error(
+        "the crush energy must be greater than zero, and is {energy} J: without crush there is no speed to find"
+    )]
+    NoCrushEnergy {
+        /// (J) the crush energy.
+        energy: f64,
+    },
+    /// e = 1: W_n is zero at every speed.
+    #[error(
+        "with a restitution of {restitution} the normal impulse takes no energy at any speed, so that no speed \
+         can match the crush energy; a vehicle that stays crushed has a restitution below 1"
+    )]
+    NoRestitutionLoss {
+        /// e.
+        restitution: f64,
+    },
+    /// The vehicle whose speed is sought is a barrier.
+    #[error("vehicle {vehicle} is fixed and has no speed that could be found")]
+    Fixed {
+        /// 1 or 2.
+        vehicle: usize,
+    },
+    /// The vehicle moves along the crush plane, so that its speed does not change u_n.
+    #[error(
+        "vehicle {vehicle} heads along the crush plane (the cosine between its heading and the normal is \
+         {cosine:.1e}), so that its speed does not change the normal work; find the other vehicle's speed instead"
+    )]
+    SpeedWithoutEffect {
+        /// 1 or 2.
+        vehicle: usize,
+        /// Cosine of the angle between heading and normal.
+        cosine: f64,
+    },
+    /// W_n stays away from the crush energy at every speed at which the vehicles approach.
+    #[error(
+        "no speed of vehicle {vehicle} makes the work of the normal impulse equal to {energy:.1} J while the \
+         vehicles approach and push; check the crush energy, the other vehicle's speed and the crush plane"
+    )]
+    NotReached {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (J) the normal work sought.
+        energy: f64,
+    },
+    /// A speed gives the energy, but no impact can happen like this.
+    #[error("at {speed:.4} m/s vehicle {vehicle} would give the crush energy, but: {reason}")]
+    Inadmissible {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (m/s) the speed.
+        speed: f64,
+        /// What is wrong with the impact at that speed.
+        reason: ImpactError,
+    },
+    /// No impact is possible at any speed.
+    #[error(transparent)]
+    Impact(#[from] ImpactError),
+    /// The root-finder stopped short of its tolerance.
+    #[error(
+        "the search for the speed did not settle: {last:.9} m/s still misses the crush energy by {residual:.3e} J"
+    )]
+    NotConverged {
+        /// (m/s) last speed tried.
+        last: f64,
+        /// (J) what is missing there.
+        residual: f64,
+    },
+}
+
+impl From<InvalidInput> for ReconcileError {
+    fn from(invalid: InvalidInput) -> Self {
+        Self::Impact(invalid.into())
+    }
+}

@@ -1,0 +1,44 @@
+//! Finds the speed that makes the work of the normal impulse equal the crush energy.
+//!
+//! ```
+//! use pim_core::{Body, Contact, Law, Motion, Participant, Tangential};
+//! use reconcile::{EnergyBasis, Problem, Unknown};
+//!
+//! // SAE 980025, appendix: how fast was the GMC Jimmy, if both vehicles' crush took 1.41e5 N·m?
+//! let jimmy = Participant::polar(Body::new(1676.5, 3304.1)?, 180_f64.to_radians(), 1.920, -22.4_f64.to_radians())?;
+//! let altima = Participant::polar(Body::new(1548.1, 2935.3)?, 67_f64.to_radians(), 1.158, -39_f64.to_radians())?;
+//! let contact = Contact::new([jimmy, altima], -23_f64.to_radians())?;
+//! let motions = [Motion::rest(), Motion::along(67_f64.to_radians(), 4.4704)];
+//! let law = Law::new(0.3, Tangential::Critical)?;
+//!
+//! let problem = Problem::new(contact, law, motions, Unknown::Speed1, 1.41e5, EnergyBasis::Dissipated)?;
+//! let answer = problem.solve()?;
+//! assert!((answer.speed - 22.9).abs() < 0.05); // the paper: 22.9 m/s
+//! assert!((answer.outcome.energy.normal_work - 1.41e5).abs() < 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! The types: a [`Problem`] is a collision with one [`Unknown`] speed; solving it gives a [`Reconciliation`], which holds the speed, all
+//! admissible [`Roots`], the impact at that speed, and the [`Method`] that found it.
+//!
+//! # Guarantees
+//!
+//! - The relative velocity at C is affine in the speed. With μ given or μ = μ_c, W_n is then quadratic in it and the answer is a closed form;
+//!   otherwise Brent's method ([`brent`]) refines brackets from a scan. Both agree to 1e-10 where both apply.
+//! - An admissible speed is one at which the vehicles approach, push, and lose energy. Of several, the answer is the one with the
+//!   slowest approach, and all are listed.
+//! - Nothing is allocated.
+//!
+//! # What it does not do
+//!
+//! It finds one speed along a heading, from the energy alone. It does not measure crush (see `crash3`), nor does it use
+//! rest positions or momentum after impact.
+
+mod brent;
+mod error;
+mod problem;
+
+pub use brent::{MAX_STEPS, RootError, brent};
+pub use crash3::EnergyBasis;
+pub use error::ReconcileError;
+pub use problem::{Iteration, Iterations, Method, Problem, Reconciliation, Roots, Unknown};
