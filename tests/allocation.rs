@@ -1,0 +1,70 @@
+//! The equations allocate nothing: neither an impact nor the search for a speed.
+
+use allocation_counter::measure;
+use pim_core::{ImpactError, Tangential};
+use reconcile::{EnergyBasis, Problem, Unknown};
+
+use crate::scenes::{Car, Scene};
+
+fn collision(tangential: Tangential) -> Scene {
+    let car = Car {
+        fixed: false,
+        mass: 1500.0,
+        yaw_radius: 1.4,
+        heading: 0.0,
+        distance: 1.9,
+        angle: 0.3,
+        velocity: [20.0, 0.0],
+        yaw_rate: 0.2,
+    };
+    let other = Car { heading: 2.4, velocity: [-8.0, 7.0], mass: 1100.0, ..car };
+    Scene { cars: [car, other], crush_plane: 3.0, restitution: 0.2, tangential }
+}
+
+const LAWS: [Tangential; 4] = [
+    Tangential::Critical,
+    Tangential::Ratio(0.1),
+    Tangential::FractionOfCritical(0.8),
+    Tangential::Friction(0.3),
+];
+
+#[test]
+fn an_impact_allocates_nothing() {
+    for law in LAWS {
+        let scene = collision(law);
+        let info = measure(|| {
+            scene.impact().unwrap();
+        });
+        assert_eq!(info.count_total, 0, "{law:?}");
+    }
+    // Neither does a refusal.
+    let parting = collision(LAWS[0]).with_cars(|car| Car { velocity: car.velocity.map(|v| -v), ..car });
+    let info = measure(|| assert!(matches!(parting.impact(), Err(ImpactError::NotApproaching { .. }))));
+    assert_eq!(info.count_total, 0);
+}
+
+#[test]
+fn a_search_for_a_speed_allocates_nothing() {
+    for law in LAWS {
+        let scene = collision(law);
+        let info = measure(|| {
+            let problem = Problem::new(
+                scene.contact(),
+                scene.law(),
+                scene.motions(),
+                Unknown::Speed1,
+                1e5,
+                EnergyBasis::Dissipated,
+            )
+            .unwrap();
+            problem.solve().unwrap();
+            problem.root_finder().unwrap();
+        });
+        assert_eq!(info.count_total, 0, "{law:?}");
+    }
+}
+
+#[test]
+fn the_counter_counts() {
+    assert_eq!(measure(|| drop(std::hint::black_box(vec![1_u8]))).count_total, 1);
+}

@@ -1,0 +1,33 @@
+//! Tests across the crates, in one binary.
+//!
+//! What is expected comes from a source (the paper, with its misprints mended as docs/theory.md has them) or from a method that shares no code with
+//! the crates: [`oracle`] solves the raw equations of impulse and momentum for the random collisions of [`scenes`].
+
+#![expect(clippy::disallowed_methods, reason = "an oracle shares no function with what it judges")]
+
+#[cfg(test)]
+mod allocation;
+#[cfg(test)]
+mod compare;
+#[cfg(test)]
+mod coulomb;
+#[cfg(test)]
+mod crush;
+#[cfg(test)]
+mod derivatives;
+#[cfg(test)]
+mod invariants;
+#[cfg(test)]
+mod oracle;
+#[cfg(test)]
+mod paper_equations;
+#[cfg(test)]
+mod paper_example;
+#[cfg(test)]
+mod reconciliation;
+#[cfg(test)]
+mod refusals;
+#[cfg(test)]
+mod root_finding;
+#[cfg(test)]
+mod scenes;

@@ -1,0 +1,510 @@
+//! The speed that makes the normal work equal the crush energy, against the impacts that it undoes and the roots that
+//! [`oracle`](crate::oracle) gives.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use pim_core::{Body, Contact, ImpactError, InvalidInput, Law, Motion, Participant, Tangential};
+use proptest::prelude::*;
+use reconcile::{EnergyBasis, MAX_STEPS, Method, Problem, ReconcileError, Unknown};
+
+use crate::compare::{assert_close, assert_relative};
+use crate::oracle::{Condition, Verdict, approach, solve, verdict};
+use crate::scenes::{Car, Scene, for_all, scene};
+
+/// A collision of which one vehicle moves along its heading, at a speed to be found.
+#[derive(Clone, Copy, Debug)]
+struct Case {
+    scene: Scene,
+    unknown: Unknown,
+    speed: f64,
+    basis: EnergyBasis,
+}
+
+impl Case {
+    fn car(&self) -> usize {
+        self.unknown.index()
+    }
+
+    fn at(&self, speed: f64) -> Scene {
+        self.scene.at_speed(self.car(), speed)
+    }
+
+    /// The problem to which the crush energy of both vehicles is the one that dissipates `normal_work`.
+    fn problem(&self, normal_work: f64) -> Problem {
+        let e = self.scene.restitution;
+        let energy = match self.basis {
+            EnergyBasis::Dissipated => normal_work,
+            EnergyBasis::Absorbed => normal_work / (1.0 - e * e),
+        };
+        // What the velocity of the unknown is must not matter.
+        let scene = self.at(f64::MAX);
+        Problem::new(scene.contact(), scene.law(), scene.motions(), self.unknown, energy, self.basis).unwrap()
+    }
+
+    /// (m/s) how well a speed can be known: the size of what u_n is a difference of, over what a speed of 1 m/s adds to u_n.
+    fn speed_scale(&self) -> f64 {
+        let size: f64 = self
+            .scene
+            .cars
+            .iter()
+            .map(|car| car.velocity[0].hypot(car.velocity[1]) + (car.yaw_rate * car.distance).abs())
+            .sum();
+        size / self.slope().abs()
+    }
+
+    /// du_n/ds.
+    fn slope(&self) -> f64 {
+        approach(&self.at(1.0))[0] - approach(&self.at(0.0))[0]
+    }
+
+    /// (J) the normal work of the impact at a speed, if there is one.
+    fn work(&self, speed: f64) -> Option<f64> {
+        match verdict(&self.at(speed)) {
+            Verdict::Impact(effects) => Some(effects.normal_work),
+            _ => None,
+        }
+    }
+
+    /// (m/s) the approach speed at which a frictionless impact would take this normal work.
+    fn frictionless(&self, normal_work: f64) -> f64 {
+        let effects = solve(&self.scene, Condition::Ratio(0.0));
+        -effects.approach[0] * (normal_work / effects.normal_work).sqrt()
+    }
+}
+
+fn case(tangential: impl Strategy<Value = Tangential>) -> impl Strategy<Value = Case> {
+    let unknown = prop_oneof![Just(Unknown::Speed1), Just(Unknown::Speed2)];
+    let basis = prop_oneof![Just(EnergyBasis::Dissipated), Just(EnergyBasis::Absorbed)];
+    let restitution = prop_oneof![1 => Just(0.0), 4 => 0.0..0.95];
+    (scene(), tangential, unknown, basis, restitution, -60.0..60.0).prop_map(
+        |(scene, tangential, unknown, basis, restitution, speed)| {
+            let mut scene = Scene { tangential, restitution, ..scene };
+            // A barrier's speed cannot be sought: seek the other's.
+            let unknown = match (scene.cars[0].fixed, scene.cars[1].fixed) {
+                (true, _) => Unknown::Speed2,
+                (_, true) => Unknown::Speed1,
+                _ => unknown,
+            };
+            scene = scene.at_speed(unknown.index(), speed);
+            let approaching = scene.approaching();
+            let speed = if approaching == scene { speed } else { -speed };
+            Case { scene: approaching, unknown, speed, basis }
+        },
+    )
+}
+
+fn all_laws() -> impl Strategy<Value = Tangential> {
+    crate::scenes::tangential()
+}
+
+/// Whether the original speed can be told from its neighbours to 1e-9: not where the vehicle hardly moves along the normal, nor
+/// where W_n has an extremum.
+fn is_well_conditioned(case: &Case, work: f64) -> bool {
+    let step = 1e-4 * case.speed_scale() * approach(&case.scene)[0].abs().min(1.0);
+    let change = match (case.work(case.speed + step), case.work(case.speed - step)) {
+        (Some(high), Some(low)) => (high - low).abs() / work,
+        _ => return false,
+    };
+    case.slope().abs() > 0.02 && change > 1e-6
+}
+
+#[test]
+fn reconciliation_undoes_an_impact() {
+    for_all(10_000, 0.6, case(all_laws()), |case| {
+        let Ok(outcome) = case.scene.impact() else { return false };
+        let work = outcome.energy.normal_work;
+        if !is_well_conditioned(&case, work) {
+            return false;
+        }
+        let problem = case.problem(work);
+        assert_relative("W_n", problem.normal_work_sought(), work, 1e-14);
+        assert_relative("W_n", problem.normal_work(case.speed), work, 1e-8);
+        let answer = problem.solve().unwrap();
+        let error = |speed: &f64| (speed - case.speed).abs();
+        let nearest = answer.roots.speeds().iter().map(error).fold(f64::INFINITY, f64::min);
+        assert!(nearest <= 1e-9 * case.speed_scale(), "{nearest} {:?} {:?}", answer.roots, answer.method);
+        true
+    });
+}
+
+#[test]
+fn the_answer_gives_the_energy_back() {
+    for_all(10_000, 0.6, (case(all_laws()), 0.05..20.0), |(case, factor)| {
+        let Ok(outcome) = case.scene.impact() else { return false };
+        let problem = case.problem(outcome.energy.normal_work * factor);
+        let Ok(answer) = problem.solve() else { return false };
+        assert_eq!(answer.normal_work, problem.normal_work_sought());
+        // W_n goes with the square of an approach speed that is a difference of larger ones.
+        let size = 1.0 + case.speed_scale() * case.slope().abs() / answer.outcome.approach.normal.abs();
+        assert_relative("W_n", answer.outcome.energy.normal_work, answer.normal_work, 1e-12 * size + 1e-9);
+        assert_eq!(answer.speed, answer.roots.speeds()[0]);
+        assert_eq!(answer.outcome.before, problem.motions(answer.speed));
+        // What it answers is what the impact does at that speed.
+        let expected = case.at(answer.speed).impact().unwrap();
+        let (dv, expected) = (answer.outcome.delta_v_magnitude(), expected.delta_v_magnitude());
+        for i in 0..2 {
+            assert_close("ΔV", dv[i], expected[i], 1e-9 * case.speed_scale() * size);
+        }
+        // From the slowest approach to the fastest, each with that energy.
+        assert!(answer.roots.count() <= 4);
+        let approaches: Vec<f64> =
+            answer.roots.speeds().iter().map(|&speed| -approach(&case.at(speed))[0]).collect();
+        assert!(approaches.is_sorted(), "{approaches:?}");
+        for &speed in answer.roots.speeds() {
+            assert_relative("W_n", problem.normal_work(speed), answer.normal_work, 1e-12 * size + 1e-9);
+        }
+        if let Method::RootFinder(iterations) = answer.method {
+            assert!(iterations.as_slice().len() <= MAX_STEPS);
+            if let Some(last) = iterations.as_slice().last() {
+                assert_close("the last step", last.speed, answer.speed, 1e-9 * case.speed_scale());
+                assert_relative("its W_n", last.normal_work, answer.normal_work, 1e-6);
+            }
+        }
+        true
+    });
+}
+
+/// The admissible speeds of a case, each found from the raw equations: with one regime of the law given, P_n and u_n are affine in
+/// the speed, and W_n = −½ (1−e) u_n P_n is a quadratic in it.
+fn expected_roots(case: &Case, normal_work: f64) -> Vec<f64> {
+    let regimes = match case.scene.tangential {
+        Tangential::Critical => vec![Condition::CommonTangential],
+        Tangential::Ratio(mu) => vec![Condition::Ratio(mu)],
+        Tangential::Friction(0.0) => vec![Condition::Ratio(0.0)],
+        Tangential::Friction(limit) => {
+            vec![Condition::CommonTangential, Condition::Ratio(limit), Condition::Ratio(-limit)]
+        }
+        Tangential::FractionOfCritical(_) => return scanned_roots(case, normal_work),
+    };
+    let mut roots = Vec::new();
+    for regime in regimes {
+        let reach = 50.0;
+        let [zero, far] = [0.0, reach].map(|speed| solve(&case.at(speed), regime));
+        let affine = |zero: f64, far: f64| [zero, (far - zero) / reach];
+        let p = affine(zero.impulse[0], far.impulse[0]);
+        let u = affine(zero.approach[0], far.approach[0]);
+        let half = -0.5 * (1.0 - case.scene.restitution);
+        let [c, b, a] =
+            [half * u[0] * p[0] - normal_work, half * (u[0] * p[1] + u[1] * p[0]), half * u[1] * p[1]];
+        let discriminant = b * b - 4.0 * a * c;
+        if discriminant < 0.0 {
+            continue;
+        }
+        let q = -0.5 * (b + discriminant.sqrt().copysign(b));
+        roots.extend([q / a, c / q].into_iter().filter(|&speed| {
+            // The law must be in this regime there, and the impact possible.
+            case.work(speed).is_some_and(|work| (work / normal_work - 1.0).abs() < 1e-6)
+        }));
+    }
+    sorted(case, roots)
+}
+
+/// The same by brute force where W_n is no quadratic: changes of sign on a fine grid, halved until nothing is left between.
+fn scanned_roots(case: &Case, normal_work: f64) -> Vec<f64> {
+    let (slope, touch) = (case.slope(), approach(&case.at(0.0))[0]);
+    let speed = |x: f64| -(x + touch) / slope;
+    // Whether or not energy is created, W_n is a function of the approach speed x; where no push is possible no work is done.
+    let missing = |x: f64| match verdict(&case.at(speed(x))) {
+        Verdict::Impact(effects) | Verdict::EnergyCreated(effects) => effects.normal_work - normal_work,
+        _ => -normal_work,
+    };
+    let frictionless = case.frictionless(normal_work);
+    let grid = 3000;
+    let samples: Vec<f64> = std::iter::once(1e-12)
+        .chain((0..=grid).map(|i| frictionless * 1024_f64.powf(2.0 * f64::from(i) / f64::from(grid) - 1.0)))
+        .collect();
+    let mut roots = Vec::new();
+    for pair in samples.windows(2) {
+        let [mut low, mut high] = [pair[0], pair[1]];
+        let sign = missing(low) < 0.0;
+        if sign == (missing(high) < 0.0) {
+            continue;
+        }
+        for _ in 0..100 {
+            let middle = 0.5 * (low + high);
+            if (missing(middle) < 0.0) == sign {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        if matches!(verdict(&case.at(speed(low))), Verdict::Impact(_)) {
+            roots.push(speed(low));
+        }
+    }
+    sorted(case, roots)
+}
+
+/// From the slowest approach to the fastest.
+fn sorted(case: &Case, mut roots: Vec<f64>) -> Vec<f64> {
+    roots.sort_by(|&a, &b| approach(&case.at(b))[0].total_cmp(&approach(&case.at(a))[0]));
+    roots
+}
+
+/// Whether the numbers of roots can be compared: no two of them so near that rounding decides whether they exist, none beyond the
+/// root-finder's scan, and none at the border of what is possible.
+fn is_decided(case: &Case, normal_work: f64, roots: &[f64]) -> bool {
+    let frictionless = case.frictionless(normal_work);
+    let x = |speed: f64| -approach(&case.at(speed))[0];
+    let apart = roots.windows(2).all(|pair| (x(pair[1]) / x(pair[0]) - 1.0).abs() > 1e-3);
+    let within = roots.iter().all(|&speed| x(speed) < 1000.0 * frictionless);
+    // The same energy but for a millionth has the same number of roots.
+    let stable = [1.0 - 1e-6, 1.0 + 1e-6]
+        .into_iter()
+        .all(|factor| expected_roots(case, normal_work * factor).len() == roots.len());
+    case.slope().abs() > 0.02 && apart && within && stable
+}
+
+#[track_caller]
+fn assert_roots(case: &Case, normal_work: f64) -> Option<usize> {
+    let expected = expected_roots(case, normal_work);
+    if !is_decided(case, normal_work, &expected) {
+        return None;
+    }
+    let problem = case.problem(normal_work);
+    let mut methods = vec![problem.root_finder()];
+    methods.extend(problem.closed_form());
+    methods.push(problem.solve());
+    for answer in methods {
+        match answer {
+            Ok(answer) => {
+                assert_eq!(answer.roots.count(), expected.len(), "{:?} {expected:?}", answer.roots);
+                for (&actual, &expected) in answer.roots.speeds().iter().zip(&expected) {
+                    let scale = case.speed_scale() + actual.abs();
+                    assert_close("a root", actual, expected, 1e-9 * scale);
+                }
+            }
+            Err(error) => assert!(expected.is_empty(), "{error} {expected:?}"),
+        }
+    }
+    Some(expected.len())
+}
+
+/// Over random energies, the roots are the oracle's: their number and their values.
+#[track_caller]
+fn assert_all_roots(cases: u32, least_kept: f64, law: impl Strategy<Value = Tangential>) {
+    for_all(cases, least_kept, (case(law), -3.0..3.0), |(case, exponent)| {
+        let pushed = solve(&case.scene, Condition::Ratio(0.0)).normal_work;
+        assert_roots(&case, pushed * f64::exp(exponent)).is_some()
+    });
+}
+
+#[test]
+fn the_roots_for_a_common_tangential_velocity_are_all_there() {
+    assert_all_roots(3000, 0.8, Just(Tangential::Critical));
+}
+
+#[test]
+fn the_roots_for_a_given_ratio_are_all_there() {
+    assert_all_roots(3000, 0.8, (-1.5..1.5).prop_map(Tangential::Ratio));
+}
+
+#[test]
+fn the_roots_under_friction_are_all_there() {
+    assert_all_roots(
+        5000,
+        0.8,
+        prop_oneof![
+            1 => Just(Tangential::Friction(0.0)),
+            9 => (0.0..2.0).prop_map(Tangential::Friction),
+        ],
+    );
+}
+
+#[test]
+fn the_roots_for_a_fraction_of_the_critical_ratio_are_all_there() {
+    assert_all_roots(150, 0.8, (0.0..=1.0).prop_map(Tangential::FractionOfCritical));
+}
+
+#[test]
+fn closed_form_and_root_finder_agree() {
+    let laws = prop_oneof![Just(Tangential::Critical), (-1.5..1.5).prop_map(Tangential::Ratio)];
+    for_all(5000, 0.6, (case(laws), -3.0..3.0), |(case, exponent): (Case, f64)| {
+        let work = solve(&case.scene, Condition::Ratio(0.0)).normal_work * exponent.exp();
+        let expected = expected_roots(&case, work);
+        if !is_decided(&case, work, &expected) {
+            return false;
+        }
+        let problem = case.problem(work);
+        match (problem.closed_form().unwrap(), problem.root_finder()) {
+            (Ok(closed), Ok(found)) => {
+                assert!(matches!(closed.method, Method::ClosedForm));
+                assert!(matches!(found.method, Method::RootFinder(_)));
+                assert_eq!(closed.roots.count(), found.roots.count());
+                for (&a, &b) in closed.roots.speeds().iter().zip(found.roots.speeds()) {
+                    assert_close("the speed", b, a, 1e-10 * (case.speed_scale() + a.abs()));
+                }
+                true
+            }
+            (Err(_), Err(_)) => false,
+            (closed, found) => panic!("{closed:?} {found:?}"),
+        }
+    });
+}
+
+#[test]
+fn only_laws_with_a_quadratic_have_a_closed_form() {
+    for (law, closed) in [
+        (Tangential::Critical, true),
+        (Tangential::Ratio(0.1), true),
+        (Tangential::FractionOfCritical(0.5), false),
+        (Tangential::Friction(0.5), false),
+    ] {
+        let problem = against_a_wall(law, 5.0, 1.5).unwrap();
+        assert_eq!(problem.closed_form().is_some(), closed);
+    }
+}
+
+/// Unit mass and unit radius of gyration, C at r = (−1, −1) of the CG, a wall along x below it, a heading of 3 across for 1 down, e = 0.
+///
+/// By hand, along n = +y and t = −x: k_nn = k_tt = 2, k_nt = 1, det K = 3. With the yaw rate ω, u = −(ω + s/√10, ω + 3s/√10); in the
+/// approach speed x = ω + s/√10 that is u_t = 2ω − 3x, so that a common velocity takes P_n = (2x + u_t)/3 = (2ω − x)/3 and
+/// W_n = x (2ω − x)/6.
+fn against_a_wall(law: Tangential, yaw_rate: f64, energy: f64) -> Result<Problem, ReconcileError> {
+    let heading = f64::atan2(-1.0, 3.0);
+    let car = Car {
+        fixed: false,
+        mass: 1.0,
+        yaw_radius: 1.0,
+        heading,
+        distance: 2_f64.sqrt(),
+        angle: -0.75 * PI - heading,
+        velocity: [0.0; 2],
+        yaw_rate,
+    };
+    let contact = Contact::new([car.participant(), Participant::barrier()], FRAC_PI_2).unwrap();
+    let law = Law::new(0.0, law).unwrap();
+    let motions = [Motion::rest().with_yaw_rate(yaw_rate), Motion::rest()];
+    Problem::new(contact, law, motions, Unknown::Speed1, energy, EnergyBasis::Dissipated)
+}
+
+/// With ω = 5 the work is x (10 − x)/6: 1.5 J at x = 1 and at x = 9, and never more than 25/6 J.
+#[test]
+fn a_common_velocity_may_have_two_speeds_or_none() {
+    let problem = against_a_wall(Tangential::Critical, 5.0, 1.5).unwrap();
+    for answer in [problem.solve().unwrap(), problem.root_finder().unwrap()] {
+        let expected = [-4.0 * 10_f64.sqrt(), 4.0 * 10_f64.sqrt()];
+        assert_eq!(answer.roots.count(), 2);
+        for (&speed, expected) in answer.roots.speeds().iter().zip(expected) {
+            assert_relative("the speed", speed, expected, 1e-12);
+        }
+        // The slower approach is the answer.
+        assert_relative("the speed", answer.speed, expected[0], 1e-12);
+        assert_relative("u_n", answer.outcome.approach.normal, -1.0, 1e-12);
+        assert_relative("P_n", answer.outcome.impulse.normal, 3.0, 1e-12);
+    }
+    for x in [1.0, 2.0, 7.0] {
+        let work = problem.normal_work((x - 5.0) * 10_f64.sqrt());
+        assert_relative("W_n", work, x * (10.0 - x) / 6.0, 1e-12);
+    }
+
+    let near = against_a_wall(Tangential::Critical, 5.0, 25.0 / 6.0 - 1e-3).unwrap();
+    assert_eq!(near.solve().unwrap().roots.count(), 2);
+    assert_eq!(near.root_finder().unwrap().roots.count(), 2);
+    let beyond = against_a_wall(Tangential::Critical, 5.0, 25.0 / 6.0 + 1e-3).unwrap();
+    let expected = ReconcileError::NotReached { vehicle: 1, energy: 25.0 / 6.0 + 1e-3 };
+    assert_eq!(beyond.solve().unwrap_err(), expected);
+    assert_eq!(beyond.root_finder().unwrap_err(), expected);
+    let text = expected.to_string();
+    assert!(text.contains("no speed of vehicle 1") && text.contains("4.2 J"), "{text}");
+}
+
+#[test]
+fn a_ratio_that_jams_says_so() {
+    // k_nn + μ k_nt = 2 + μ.
+    let problem = against_a_wall(Tangential::Ratio(-2.5), 5.0, 1.5).unwrap();
+    let error = problem.solve().unwrap_err();
+    assert!(
+        matches!(error, ReconcileError::Impact(ImpactError::Jam { impulse_ratio: -2.5, .. })),
+        "{error:?}"
+    );
+    assert!(problem.root_finder().is_err());
+    assert!(against_a_wall(Tangential::Ratio(-1.9), 0.0, 1.5).is_ok());
+}
+
+/// With e = 0.9 and a μ that drives the sliding, the speed exists but the impact there creates energy.
+#[test]
+fn a_speed_that_creates_energy_is_refused_by_name() {
+    let body = Body::new(1500.0, 2700.0).unwrap();
+    let contact =
+        Contact::new([Participant::new(body, 0.3, 2.0, 0.0).unwrap(), Participant::barrier()], 0.0).unwrap();
+    // n = −x: with the heading 0.3 the car slides along +y, which is −t; friction against that has μ > 0.
+    let law = Law::new(0.9, Tangential::Ratio(-1.5)).unwrap();
+    let motions = [Motion::rest(), Motion::rest()];
+    let problem = Problem::new(contact, law, motions, Unknown::Speed1, 1e4, EnergyBasis::Dissipated).unwrap();
+    for answer in [problem.solve(), problem.root_finder()] {
+        let error = answer.unwrap_err();
+        let ReconcileError::Inadmissible { vehicle, speed, reason } = error else { panic!("{error:?}") };
+        assert_eq!(vehicle, 1);
+        assert!(speed > 0.0);
+        assert!(matches!(reason, ImpactError::EnergyCreated { .. }), "{reason:?}");
+        assert!(error.to_string().contains("create energy"));
+    }
+}
+
+fn head_on(
+    places: [Participant; 2],
+    unknown: Unknown,
+    e: f64,
+    energy: f64,
+) -> Result<Problem, ReconcileError> {
+    let contact = Contact::new(places, 0.0).unwrap();
+    let law = Law::new(e, Tangential::Critical).unwrap();
+    Problem::new(contact, law, [Motion::rest(); 2], unknown, energy, EnergyBasis::Dissipated)
+}
+
+fn places(heading: f64) -> [Participant; 2] {
+    let body = Body::new(1500.0, 2700.0).unwrap();
+    [
+        Participant::new(body, 0.0, 2.0, 0.0).unwrap(),
+        Participant::new(body, heading, -2.0 * heading.cos(), 2.0 * heading.sin()).unwrap(),
+    ]
+}
+
+#[test]
+fn problems_without_an_answer_are_refused() {
+    for energy in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let refused = head_on(places(PI), Unknown::Speed1, 0.3, energy);
+        assert!(
+            matches!(refused, Err(ReconcileError::NoCrushEnergy { energy: named }) if named.to_bits() == energy.to_bits()),
+            "{refused:?}"
+        );
+    }
+    assert_eq!(
+        head_on(places(PI), Unknown::Speed1, 1.0, 1e5).unwrap_err(),
+        ReconcileError::NoRestitutionLoss { restitution: 1.0 }
+    );
+    assert!(head_on(places(PI), Unknown::Speed1, 0.99, 1e5).is_ok());
+
+    let [car, _] = places(PI);
+    let wall = Participant::barrier();
+    let fixed = |vehicle| ReconcileError::Fixed { vehicle };
+    assert_eq!(head_on([car, wall], Unknown::Speed2, 0.3, 1e5).unwrap_err(), fixed(2));
+    assert_eq!(head_on([wall, car], Unknown::Speed1, 0.3, 1e5).unwrap_err(), fixed(1));
+    assert!(head_on([car, wall], Unknown::Speed1, 0.3, 1e5).is_ok());
+
+    // Vehicle 2 heads along the crush plane: its speed adds nothing to u_n.
+    let across = places(FRAC_PI_2);
+    let refused = head_on(across, Unknown::Speed2, 0.3, 1e5).unwrap_err();
+    assert!(
+        matches!(refused, ReconcileError::SpeedWithoutEffect { vehicle: 2, cosine } if cosine.abs() < 1e-15),
+        "{refused:?}"
+    );
+    assert!(head_on(across, Unknown::Speed1, 0.3, 1e5).is_ok());
+    assert!(head_on(places(FRAC_PI_2 - 1e-6), Unknown::Speed2, 0.3, 1e5).is_ok());
+
+    let invalid: ReconcileError = InvalidInput::BothFixed.into();
+    assert_eq!(invalid, ReconcileError::Impact(ImpactError::Invalid(InvalidInput::BothFixed)));
+}
+
+/// By hand, head-on and central with equal masses: W_n = ½ m̄ (1−e²) v², m̄ = 750 kg.
+#[test]
+fn a_central_impact_by_hand() {
+    for (unknown, sign) in [(Unknown::Speed1, 1.0), (Unknown::Speed2, 1.0)] {
+        let energy = 0.5 * 750.0 * (1.0 - 0.09) * 400.0;
+        let problem = head_on(places(PI), unknown, 0.3, energy).unwrap();
+        assert_relative("the speed", problem.solve().unwrap().speed, sign * 20.0, 1e-13);
+        assert_relative("the speed", problem.root_finder().unwrap().speed, sign * 20.0, 1e-12);
+    }
+    assert_eq!([Unknown::Speed1.index(), Unknown::Speed2.index()], [0, 1]);
+}

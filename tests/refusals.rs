@@ -1,0 +1,230 @@
+//! What bodies, contacts, laws and impacts refuse, and that the refusal says enough to act on it.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use pim_core::{Body, Contact, ImpactError, InvalidInput, Law, Motion, Participant, Tangential, Vector2};
+
+use crate::compare::assert_close;
+use crate::oracle::{Effects, Verdict, verdict};
+use crate::scenes::{Scene, for_all, scene_under};
+
+const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+fn car() -> Body {
+    Body::new(1500.0, 2700.0).unwrap()
+}
+
+/// Head-on, along x, C two metres ahead of each.
+fn head_on() -> Contact {
+    Contact::new(
+        [Participant::new(car(), 0.0, 2.0, 0.3).unwrap(), Participant::new(car(), PI, 2.0, 0.3).unwrap()],
+        0.0,
+    )
+    .unwrap()
+}
+
+fn towards_each_other() -> [Motion; 2] {
+    [Motion::along(0.0, 10.0), Motion::along(PI, 10.0)]
+}
+
+#[test]
+fn masses_and_inertias_are_positive() {
+    for bad in [0.0, -0.0, -1.0] {
+        assert_eq!(Body::new(bad, 1.0), Err(InvalidInput::NotPositive { what: "mass", value: bad }));
+        assert_eq!(Body::new(1.0, bad), Err(InvalidInput::NotPositive { what: "yaw inertia", value: bad }));
+    }
+    for bad in NOT_FINITE {
+        assert!(matches!(Body::new(bad, 1.0), Err(InvalidInput::NotFinite { what: "mass", .. })));
+        assert!(matches!(Body::new(1.0, bad), Err(InvalidInput::NotFinite { what: "yaw inertia", .. })));
+    }
+    assert!(!car().is_fixed());
+    assert!(Body::<f64>::fixed().is_fixed());
+    assert_eq!(
+        Body::new(-3.0, 1.0).unwrap_err().to_string(),
+        "the mass must be greater than zero, and is -3"
+    );
+}
+
+#[test]
+fn places_are_finite() {
+    for bad in NOT_FINITE {
+        let refused = |result: Result<Participant, InvalidInput>, name: &str| {
+            assert!(
+                matches!(result, Err(InvalidInput::NotFinite { what, .. }) if what.contains(name)),
+                "{result:?}"
+            );
+        };
+        refused(Participant::new(car(), bad, 1.0, 1.0), "heading");
+        refused(Participant::new(car(), 0.0, bad, 1.0), "forward");
+        refused(Participant::new(car(), 0.0, 1.0, bad), "left");
+        refused(Participant::polar(car(), bad, 1.0, 1.0), "heading");
+        refused(Participant::polar(car(), 0.0, bad, 1.0), "distance");
+        refused(Participant::polar(car(), 0.0, 1.0, bad), "angle");
+        let places = *head_on().participants();
+        assert!(
+            matches!(Contact::new(places, bad), Err(InvalidInput::NotFinite { what, .. }) if what.contains("crush plane"))
+        );
+    }
+}
+
+#[test]
+fn angles_are_those_that_can_be_reduced() {
+    let beyond = 2.0 * real::elementary::SIN_COS_LIMIT;
+    let refused = |error: InvalidInput| {
+        assert!(matches!(error, InvalidInput::OutOfRange { value, .. } if value == beyond));
+    };
+    refused(Participant::new(car(), beyond, 1.0, 1.0).unwrap_err());
+    refused(Participant::polar(car(), 0.0, 1.0, beyond).unwrap_err());
+    refused(Contact::new(*head_on().participants(), beyond).unwrap_err());
+}
+
+#[test]
+fn two_barriers_do_not_collide() {
+    let wall = Participant::barrier();
+    assert_eq!(Contact::new([wall, wall], 0.0), Err(InvalidInput::BothFixed));
+    let placed = Participant::new(Body::fixed(), 1.0, 2.0, 3.0).unwrap();
+    assert_eq!(Contact::new([wall, placed], 0.0), Err(InvalidInput::BothFixed));
+}
+
+#[test]
+fn a_normal_across_the_centres_has_no_direction() {
+    // Both CGs on the x axis: the normal along y points to neither.
+    let places =
+        [Participant::new(car(), 0.0, 2.0, 0.0).unwrap(), Participant::new(car(), PI, 2.0, 0.0).unwrap()];
+    assert_eq!(
+        Contact::new(places, FRAC_PI_2),
+        Err(InvalidInput::NormalUndefined { crush_plane: FRAC_PI_2 })
+    );
+    // Nor does any normal, where both CGs are at C.
+    let at_c = Participant::new(car(), 0.0, 0.0, 0.0).unwrap();
+    assert!(matches!(Contact::new([at_c, at_c], 0.3), Err(InvalidInput::NormalUndefined { .. })));
+    // A ten-millionth of a radian is direction enough.
+    assert!(Contact::new(places, FRAC_PI_2 - 1e-7).is_ok());
+}
+
+#[test]
+fn coefficients_lie_in_their_ranges() {
+    let e = |e: f64| Law::new(e, Tangential::Critical);
+    let fraction = |f: f64| Law::new(0.3, Tangential::FractionOfCritical(f));
+    let friction = |limit: f64| Law::new(0.3, Tangential::Friction(limit));
+    let ratio = |mu: f64| Law::new(0.3, Tangential::Ratio(mu));
+    for bad in NOT_FINITE {
+        for law in [e(bad), fraction(bad), friction(bad), ratio(bad)] {
+            assert!(matches!(law, Err(InvalidInput::NotFinite { .. })), "{law:?}");
+        }
+    }
+    let just_above = 1.0 + f64::EPSILON;
+    for bad in [-1e-300, just_above] {
+        let refusal = |what| InvalidInput::OutOfRange { what, value: bad, low: 0.0, high: 1.0 };
+        assert_eq!(e(bad), Err(refusal("coefficient of restitution")));
+        assert_eq!(fraction(bad), Err(refusal("fraction of the critical impulse ratio")));
+    }
+    assert!(matches!(friction(-1e-300), Err(InvalidInput::OutOfRange { low: 0.0, .. })));
+    for good in [0.0, 1.0] {
+        assert_eq!(e(good).unwrap().restitution(), good);
+        assert!(fraction(good).is_ok());
+        assert!(friction(3.0 * good).is_ok());
+    }
+    assert_eq!(ratio(-2.0).unwrap().tangential(), Tangential::Ratio(-2.0));
+    assert_eq!(
+        e(1.5).unwrap_err().to_string(),
+        "the coefficient of restitution must lie between 0 and 1, and is 1.5"
+    );
+}
+
+#[test]
+fn motions_are_finite_and_barriers_rest() {
+    let law = Law::new(0.3, Tangential::Critical).unwrap();
+    let contact = head_on();
+    for bad in NOT_FINITE {
+        for vehicle in 0..2 {
+            for (what, motion) in [
+                ("velocity along x", Motion { velocity: Vector2::new(bad, 0.0), yaw_rate: 0.0 }),
+                ("velocity along y", Motion { velocity: Vector2::new(0.0, bad), yaw_rate: 0.0 }),
+                ("yaw rate", Motion::rest().with_yaw_rate(bad)),
+            ] {
+                let mut motions = towards_each_other();
+                motions[vehicle] = motion;
+                let refusal = contact.impact(motions, &law);
+                assert!(
+                    matches!(refusal, Err(ImpactError::Invalid(InvalidInput::NotFinite { what: named, .. })) if named == what),
+                    "{refusal:?}"
+                );
+            }
+        }
+    }
+    let mut places = *contact.participants();
+    for body in [1, 2] {
+        places[body - 1] = Participant::new(Body::fixed(), 0.0, 0.0, 0.0).unwrap();
+        if body == 2 {
+            places[0] = contact.participants()[0];
+        }
+        let wall = Contact::new(places, 0.0).unwrap();
+        let mut motions = towards_each_other();
+        motions[body - 1] = Motion::rest();
+        assert!(wall.impact(motions, &law).is_ok());
+        for moving in [Motion::along(0.0, 1.0), Motion::rest().with_yaw_rate(0.1)] {
+            motions[body - 1] = moving;
+            assert_eq!(
+                wall.impact(motions, &law),
+                Err(ImpactError::Invalid(InvalidInput::FixedBodyMoves { body }))
+            );
+        }
+    }
+}
+
+#[test]
+fn vehicles_that_part_or_rest_do_not_collide() {
+    let law = Law::new(0.3, Tangential::Critical).unwrap();
+    let parting = head_on()
+        .impact(towards_each_other().map(|motion| Motion { velocity: -motion.velocity, ..motion }), &law);
+    let Err(ImpactError::NotApproaching { u_n }) = parting else { panic!("{parting:?}") };
+    assert_close("u_n", u_n, 20.0, 1e-12);
+    let resting = head_on().impact([Motion::rest(); 2], &law);
+    assert_eq!(resting, Err(ImpactError::NotApproaching { u_n: 0.0 }));
+}
+
+#[test]
+fn numbers_beyond_double_precision_are_no_impact() {
+    let law = Law::new(0.3, Tangential::Critical).unwrap();
+    for speed in [1e200, 1e308] {
+        let result = head_on().impact([Motion::along(0.0, speed), Motion::along(PI, speed)], &law);
+        assert!(
+            matches!(result, Err(ImpactError::Overflow { value, .. }) if !value.is_finite()),
+            "{result:?}"
+        );
+    }
+}
+
+/// The jam's message names the ratio at which it ends: a little to the other side of it there is an impulse.
+#[test]
+fn a_jam_ends_where_its_message_says() {
+    use proptest::prelude::*;
+    let law = prop_oneof![-4.0..-1.0, 1.0..4.0].prop_map(Tangential::Ratio);
+    for_all(5000, 0.05, scene_under(law), |scene| {
+        let Err(jam @ ImpactError::Jam { impulse_ratio, k_nn, k_nt }) = scene.impact() else { return false };
+        let border = -k_nn / k_nt;
+        let text = jam.to_string();
+        let (side, inside) = if k_nt > 0.0 { ("above", 1e-6) } else { ("below", -1e-6) };
+        assert!(text.contains(&format!("needs μ {side} {border:.6}")), "{text}");
+        assert!((impulse_ratio - border) * inside <= 0.0);
+        let at = |mu: f64| Scene { tangential: Tangential::Ratio(mu), ..scene };
+        // Next to the jam the impulse is enormous and may well create energy, but it exists.
+        assert!(!matches!(verdict(&at(border + inside)), Verdict::Jam));
+        assert!(matches!(verdict(&at(border - inside)), Verdict::Jam));
+        assert!(!matches!(at(border + inside).impact(), Err(ImpactError::Jam { .. })));
+        assert!(matches!(at(border - inside).impact(), Err(ImpactError::Jam { .. })));
+        true
+    });
+}
+
+/// A frictionless push is always possible: no refusal but the energy's, and with e = 0 not even that.
+#[test]
+fn a_frictionless_plastic_impact_is_always_possible() {
+    use proptest::prelude::*;
+    for_all(5000, 1.0, scene_under(Just(Tangential::Ratio(0.0))), |scene| {
+        let outcome = Scene { restitution: 0.0, ..scene }.impact().unwrap();
+        assert!(Effects::from(&outcome).loss > 0.0);
+        true
+    });
+}

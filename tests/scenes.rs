@@ -1,0 +1,244 @@
+//! Random collisions over the physical domain.
+
+use std::cell::Cell;
+use std::f64::consts::PI;
+use std::fmt::Debug;
+
+use pim_core::{Body, Contact, ImpactError, Law, Motion, Outcome, Participant, Tangential, Vector2};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngAlgorithm, RngSeed, TestRng, TestRunner};
+
+use crate::oracle;
+
+/// One vehicle or barrier, in plain numbers: SI, radians.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Car {
+    pub(crate) fixed: bool,
+    pub(crate) mass: f64,
+    /// k of I = m k².
+    pub(crate) yaw_radius: f64,
+    pub(crate) heading: f64,
+    /// From the CG to C, and its angle from the heading.
+    pub(crate) distance: f64,
+    pub(crate) angle: f64,
+    pub(crate) velocity: [f64; 2],
+    pub(crate) yaw_rate: f64,
+}
+
+impl Car {
+    /// 1/m.
+    pub(crate) fn inverse_mass(&self) -> f64 {
+        if self.fixed { 0.0 } else { 1.0 / self.mass }
+    }
+
+    /// 1/I.
+    pub(crate) fn inverse_yaw_inertia(&self) -> f64 {
+        if self.fixed { 0.0 } else { 1.0 / (self.mass * self.yaw_radius * self.yaw_radius) }
+    }
+
+    pub(crate) fn participant(&self) -> Participant {
+        let body = if self.fixed {
+            Body::fixed()
+        } else {
+            Body::new(self.mass, self.mass * self.yaw_radius * self.yaw_radius).unwrap()
+        };
+        Participant::polar(body, self.heading, self.distance, self.angle).unwrap()
+    }
+
+    fn motion(&self) -> Motion {
+        Motion { velocity: Vector2::new(self.velocity[0], self.velocity[1]), yaw_rate: self.yaw_rate }
+    }
+
+    /// The same, moving along its heading.
+    pub(crate) fn at_speed(self, speed: f64) -> Self {
+        Self { velocity: [speed * self.heading.cos(), speed * self.heading.sin()], ..self }
+    }
+}
+
+/// A collision in plain numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Scene {
+    pub(crate) cars: [Car; 2],
+    pub(crate) crush_plane: f64,
+    pub(crate) restitution: f64,
+    pub(crate) tangential: Tangential,
+}
+
+impl Scene {
+    pub(crate) fn contact(&self) -> Contact {
+        Contact::new(self.cars.map(|car| car.participant()), self.crush_plane).unwrap()
+    }
+
+    pub(crate) fn law(&self) -> Law {
+        Law::new(self.restitution, self.tangential).unwrap()
+    }
+
+    pub(crate) fn motions(&self) -> [Motion; 2] {
+        self.cars.map(|car| car.motion())
+    }
+
+    pub(crate) fn impact(&self) -> Result<Outcome, ImpactError> {
+        self.contact().impact(self.motions(), &self.law())
+    }
+
+    pub(crate) fn has_barrier(&self) -> bool {
+        self.cars.iter().any(|car| car.fixed)
+    }
+
+    pub(crate) fn with_cars(self, change: impl Fn(Car) -> Car) -> Self {
+        Self { cars: self.cars.map(change), ..self }
+    }
+
+    /// The same with one car's speed along its heading.
+    pub(crate) fn at_speed(mut self, car: usize, speed: f64) -> Self {
+        self.cars[car] = self.cars[car].at_speed(speed);
+        self
+    }
+
+    /// The same film run so that the contact points approach each other.
+    pub(crate) fn approaching(self) -> Self {
+        if oracle::approach(&self)[0] < 0.0 {
+            self
+        } else {
+            self.with_cars(|car| Car { velocity: car.velocity.map(|v| -v), yaw_rate: -car.yaw_rate, ..car })
+        }
+    }
+}
+
+/// From 500 kg to 40 t, as many light as heavy.
+fn mass() -> impl Strategy<Value = f64> {
+    (500_f64.ln()..40_000_f64.ln()).prop_map(f64::exp)
+}
+
+fn car() -> impl Strategy<Value = Car> {
+    (mass(), 0.5..4.0, -PI..PI, -4.0..4.0, -4.0..4.0, 0.0..60.0, -PI..PI, -6.0..6.0).prop_map(
+        |(mass, yaw_radius, heading, forward, left, speed, course, yaw_rate): (
+            f64,
+            f64,
+            f64,
+            f64,
+            f64,
+            f64,
+            f64,
+            f64,
+        )| Car {
+            fixed: false,
+            mass,
+            yaw_radius,
+            heading,
+            distance: forward.hypot(left),
+            angle: left.atan2(forward),
+            velocity: [speed * course.cos(), speed * course.sin()],
+            yaw_rate,
+        },
+    )
+}
+
+/// One of ten collisions has a barrier as vehicle 1, one as vehicle 2.
+fn barrier() -> impl Strategy<Value = Option<usize>> {
+    prop_oneof![8 => Just(None), 1 => Just(Some(0)), 1 => Just(Some(1))]
+}
+
+fn restitution() -> impl Strategy<Value = f64> {
+    prop_oneof![1 => Just(0.0), 1 => Just(1.0), 8 => 0.0..1.0]
+}
+
+/// All four tangential conditions, with the borders of their coefficients.
+pub(crate) fn tangential() -> impl Strategy<Value = Tangential> {
+    prop_oneof![
+        5 => Just(Tangential::Critical),
+        1 => Just(Tangential::Ratio(0.0)),
+        4 => (-1.5..1.5).prop_map(Tangential::Ratio),
+        1 => Just(Tangential::FractionOfCritical(0.0)),
+        1 => Just(Tangential::FractionOfCritical(1.0)),
+        3 => (0.0..1.0).prop_map(Tangential::FractionOfCritical),
+        1 => Just(Tangential::Friction(0.0)),
+        4 => (0.0..1.5).prop_map(Tangential::Friction),
+    ]
+}
+
+/// Any collision whose crush plane can be oriented, approaching or not.
+pub(crate) fn any_scene() -> impl Strategy<Value = Scene> {
+    ([car(), car()], barrier(), -PI..PI, restitution(), tangential())
+        .prop_map(|(mut cars, barrier, crush_plane, restitution, tangential)| {
+            if let Some(i) = barrier {
+                cars[i] = Car { fixed: true, velocity: [0.0; 2], yaw_rate: 0.0, ..cars[i] };
+            }
+            Scene { cars, crush_plane, restitution, tangential }
+        })
+        .prop_filter("the normal must be far from undefined", |scene| oracle::orientation(scene) > 1e-6)
+}
+
+/// Any collision in which the contact points approach each other.
+pub(crate) fn scene() -> impl Strategy<Value = Scene> {
+    any_scene().prop_map(Scene::approaching)
+}
+
+/// The same under one of the laws with the given tangential conditions.
+pub(crate) fn scene_under(law: impl Strategy<Value = Tangential>) -> impl Strategy<Value = Scene> {
+    (scene(), law).prop_map(|(scene, tangential)| Scene { tangential, ..scene })
+}
+
+/// Runs `test` on `cases` values. It returns whether the value was one that it says something about, and at least the
+/// share `least_kept` of them must be.
+#[track_caller]
+pub(crate) fn for_all<S: Strategy<Value: Debug>>(
+    cases: u32,
+    least_kept: f64,
+    strategy: S,
+    test: impl Fn(S::Value) -> bool,
+) {
+    let kept = Cell::new(0_u32);
+    // A failure prints the smallest input that fails, to the last bit: that belongs into a test, not into a file of seeds.
+    let config = Config { cases, failure_persistence: None, ..Config::default() };
+    let result = TestRunner::new(config).run(&strategy, |value| {
+        kept.set(kept.get() + u32::from(test(value)));
+        Ok(())
+    });
+    if let Err(failure) = result {
+        panic!("{failure}");
+    }
+    let share = f64::from(kept.get()) / f64::from(cases);
+    assert!(share >= least_kept, "only {share} of the samples were kept");
+}
+
+/// The domain is what it says: every tangential condition, barriers on both sides, crush planes that need to be turned
+/// and others, and most collisions have an impact.
+#[test]
+fn random_collisions_cover_the_domain() {
+    let mut runner = TestRunner::new_with_rng(
+        Config { rng_seed: RngSeed::Fixed(1), ..Config::default() },
+        TestRng::deterministic_rng(RngAlgorithm::ChaCha),
+    );
+    let count = 4000;
+    let scenes: Vec<Scene> = (0..count)
+        .map(|_| scene().new_tree(&mut runner).unwrap())
+        .map(|tree| proptest::strategy::ValueTree::current(&tree))
+        .collect();
+    let share = |which: &dyn Fn(&Scene) -> bool| {
+        f64::from(u32::try_from(scenes.iter().filter(|scene| which(scene)).count()).unwrap())
+            / f64::from(count)
+    };
+    let with_law = |law: fn(&Tangential) -> bool| {
+        let all = share(&|scene| law(&scene.tangential));
+        let kept = share(&|scene| law(&scene.tangential) && scene.impact().is_ok());
+        (all, kept / all)
+    };
+    for (law, least_kept) in [
+        ((|law| matches!(law, Tangential::Critical)) as fn(&Tangential) -> bool, 0.8),
+        // Half of the ratios have the sign that creates energy.
+        (|law| matches!(law, Tangential::Ratio(_)), 0.5),
+        (|law| matches!(law, Tangential::FractionOfCritical(_)), 0.8),
+        (|law| matches!(law, Tangential::Friction(_)), 0.95),
+    ] {
+        let (all, kept) = with_law(law);
+        assert!(all > 0.2 && kept > least_kept, "{all} {kept}");
+    }
+    assert!(share(&|scene| scene.cars[0].fixed) > 0.07);
+    assert!(share(&|scene| scene.cars[1].fixed) > 0.07);
+    let given = |scene: &Scene| {
+        let n = scene.contact().normal();
+        n.x * scene.crush_plane.cos() + n.y * scene.crush_plane.sin() > 0.0
+    };
+    assert!((share(&given) - 0.5).abs() < 0.05);
+}
