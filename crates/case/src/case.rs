@@ -1,0 +1,285 @@
+//! What a case file says, in the units in which it says it.
+
+use crash3::{EnergyBasis, ObliqueCorrection, Side};
+use pim_core::{Real, Tangential};
+use reconcile::Unknown;
+
+use crate::quantity::Quantity;
+use crate::units::{STANDARD_GRAVITY, UnitSystem};
+
+/// A whole case: two vehicles, and what is known of the impact. [`Case::parse`](Case::parse) reads it,
+/// [`Case::to_toml`](Case::to_toml) writes it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Case {
+    /// A line to put over the report.
+    pub title: Option<String>,
+    /// Where the data come from.
+    pub source: Option<String>,
+    /// `[vehicle1]` and `[vehicle2]`.
+    pub vehicles: [Vehicle; 2],
+    /// `[impact]`.
+    pub impact: Option<Impact>,
+    /// `[reconstruct]`.
+    pub reconstruct: Option<Reconstruct>,
+}
+
+/// A vehicle or, with [`fixed`](Vehicle::fixed), a barrier. What a computation needs beyond what is given is
+/// for that computation to demand.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Vehicle {
+    /// Make and model.
+    pub name: Option<String>,
+    /// A barrier: it has neither mass nor motion nor crush.
+    pub fixed: bool,
+    /// `mass` or `weight`.
+    pub mass: Option<Mass>,
+    /// `yaw_inertia` or `yaw_radius`.
+    pub yaw: Option<YawInertia>,
+    /// (rad) scene angle of the vehicle's forward axis, counter-clockwise.
+    pub heading: Option<Quantity>,
+    /// From the centre of gravity to the point where the impulse acts.
+    pub contact: Option<ContactPoint>,
+    /// `speed` or `velocity`, before the impact.
+    pub motion: Option<Velocity>,
+    /// (rad/s) yaw rate before the impact, counter-clockwise; 0 where absent.
+    pub yaw_rate: Option<Quantity>,
+    /// The body seen from above.
+    pub outline: Option<Outline>,
+    /// `[vehicleN.crush]`.
+    pub crush: Option<Crush>,
+}
+
+/// How a vehicle's mass is given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mass {
+    /// (kg) `mass`.
+    Mass(Quantity),
+    /// (N) `weight`.
+    Weight(Quantity),
+}
+
+impl Mass {
+    /// (kg) the mass; a weight is divided by [`STANDARD_GRAVITY`].
+    #[must_use]
+    pub fn kg(&self) -> f64 {
+        match self {
+            Self::Mass(mass) => mass.si(),
+            // m = W / g
+            Self::Weight(weight) => weight.si() / STANDARD_GRAVITY,
+        }
+    }
+}
+
+/// How a vehicle's yaw moment of inertia is given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum YawInertia {
+    /// (kg·m²) `yaw_inertia`.
+    Inertia(Quantity),
+    /// (m) `yaw_radius`, the radius of gyration k: I = m k².
+    Radius(Quantity),
+}
+
+impl YawInertia {
+    /// (kg·m²) the inertia of a vehicle of the given mass (kg).
+    #[must_use]
+    pub fn kg_m2(&self, mass: f64) -> f64 {
+        match self {
+            Self::Inertia(inertia) => inertia.si(),
+            // I = m k²
+            Self::Radius(radius) => mass * radius.si() * radius.si(),
+        }
+    }
+}
+
+/// Where the impulse acts, from the centre of gravity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ContactPoint {
+    /// Distance and direction.
+    Polar {
+        /// (m) distance.
+        distance: Quantity,
+        /// (rad) angle from the vehicle's heading, counter-clockwise.
+        angle: Quantity,
+    },
+    /// Along the vehicle's own axes.
+    Cartesian {
+        /// (m) forward.
+        x: Quantity,
+        /// (m) left.
+        y: Quantity,
+    },
+}
+
+impl ContactPoint {
+    /// (m) forward and left of the centre of gravity.
+    #[must_use]
+    pub fn forward_left(&self) -> [f64; 2] {
+        match self {
+            Self::Polar { distance, angle } => {
+                let (sin, cos) = Real::sin_cos(angle.si());
+                // (d cos φ, d sin φ)
+                [distance.si() * cos, distance.si() * sin]
+            }
+            Self::Cartesian { x, y } => [x.si(), y.si()],
+        }
+    }
+}
+
+/// Velocity of the centre of gravity before the impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Velocity {
+    /// (m/s) along the heading; negative when reversing.
+    Speed(Quantity),
+    /// In the scene.
+    Vector {
+        /// (m/s) along the scene's x.
+        x: Quantity,
+        /// (m/s) along the scene's y.
+        y: Quantity,
+    },
+}
+
+/// The body seen from above: enough to draw it and to see whether the contact point lies on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outline {
+    /// (m) of the body.
+    pub length: Quantity,
+    /// (m) of the body.
+    pub width: Quantity,
+    /// (m) from the centre of gravity forward to the front bumper.
+    pub cg_to_front: Quantity,
+}
+
+/// The damage to one side of a vehicle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Crush {
+    /// The damaged side.
+    pub side: Side,
+    /// (m) of the whole damage; absent where the spacing gives it.
+    pub width: Option<Quantity>,
+    /// (m) at two stations or more: left to right on front and rear, rear to front on the sides.
+    pub depths: Vec<Quantity>,
+    /// (m) between neighbouring stations, one fewer than depths; equal spacing where absent.
+    pub spacing: Option<Vec<Quantity>>,
+    /// The stiffness of that side.
+    pub stiffness: StiffnessForm,
+    /// (m) from the vehicle's axis to the middle of the damage.
+    pub offset: Option<Quantity>,
+    /// (rad) principal direction of force, clockwise from the heading: replaces the derived one.
+    pub pdof: Option<Quantity>,
+    /// (rad) between the force and the normal of the damaged side: replaces the derived one.
+    pub oblique_angle: Option<Quantity>,
+    /// (m) from the centre of gravity to the line of action: replaces the derived one.
+    pub moment_arm: Option<Quantity>,
+    /// How the energy is corrected for an oblique force; absent means [`ObliqueCorrection::Capped`].
+    pub oblique: Option<ObliqueCorrection>,
+}
+
+/// How a stiffness is given; both forms are the same straight line of force against crush.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StiffnessForm {
+    /// Keys `A`, `B`, `G`.
+    Crush {
+        /// (N/m) force per width at which crush begins.
+        a: Quantity,
+        /// (N/m²) force per width and depth.
+        b: Quantity,
+        /// (N) energy per width without crush; A²/2B where absent.
+        g: Option<Quantity>,
+    },
+    /// Keys `d0`, `d1`, `G`.
+    Root {
+        /// (√N) A/√B.
+        d0: Quantity,
+        /// (√N/m) √B.
+        d1: Quantity,
+        /// (N) energy per width without crush; d₀²/2 where absent.
+        g: Option<Quantity>,
+    },
+}
+
+/// How the two vehicles met.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impact {
+    /// (rad) Γ, scene angle of the normal of the crush plane.
+    pub crush_plane: Quantity,
+    /// (–) coefficient of restitution, 0 to 1.
+    pub restitution: f64,
+    /// What happens along the crush plane.
+    pub tangential: Tangential,
+}
+
+/// What is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reconstruct {
+    /// The unknown.
+    pub find: Unknown,
+    /// The energy that the crush energy is compared with.
+    pub energy_basis: EnergyBasis,
+}
+
+impl Case {
+    /// The custom in which most of the case's quantities are written; SI where they tie.
+    #[must_use]
+    pub fn unit_system(&self) -> UnitSystem {
+        let (mut si, mut us) = (0_usize, 0_usize);
+        for quantity in self.quantities() {
+            match quantity.unit().system() {
+                Some(UnitSystem::Si) => si += 1,
+                Some(UnitSystem::Us) => us += 1,
+                None => {}
+            }
+        }
+        if us > si { UnitSystem::Us } else { UnitSystem::Si }
+    }
+
+    fn quantities(&self) -> Vec<Quantity> {
+        let mut all: Vec<Quantity> = self.vehicles.iter().flat_map(Vehicle::quantities).collect();
+        all.extend(self.impact.iter().map(|impact| impact.crush_plane));
+        all
+    }
+}
+
+impl Vehicle {
+    fn quantities(&self) -> Vec<Quantity> {
+        let mut all = Vec::new();
+        all.extend(self.mass.map(|(Mass::Mass(q) | Mass::Weight(q))| q));
+        all.extend(self.yaw.map(|(YawInertia::Inertia(q) | YawInertia::Radius(q))| q));
+        all.extend(self.heading);
+        all.extend(self.yaw_rate);
+        match self.contact {
+            Some(
+                ContactPoint::Polar { distance: first, angle: second }
+                | ContactPoint::Cartesian { x: first, y: second },
+            ) => {
+                all.extend([first, second]);
+            }
+            None => {}
+        }
+        match self.motion {
+            Some(Velocity::Speed(speed)) => all.push(speed),
+            Some(Velocity::Vector { x, y }) => all.extend([x, y]),
+            None => {}
+        }
+        if let Some(Outline { length, width, cg_to_front }) = self.outline {
+            all.extend([length, width, cg_to_front]);
+        }
+        if let Some(crush) = &self.crush {
+            all.extend(crush.quantities());
+        }
+        all
+    }
+}
+
+impl Crush {
+    fn quantities(&self) -> Vec<Quantity> {
+        let mut all = self.depths.clone();
+        all.extend(self.spacing.iter().flatten());
+        let (StiffnessForm::Crush { a: first, b: second, g }
+        | StiffnessForm::Root { d0: first, d1: second, g }) = self.stiffness;
+        all.extend([first, second]);
+        let optional = [g, self.width, self.offset, self.pdof, self.oblique_angle, self.moment_arm];
+        all.extend(optional.into_iter().flatten());
+        all
+    }
+}

@@ -1,0 +1,133 @@
+//! What is wrong with a case file, and the text that shows it.
+
+use std::error::Error;
+use std::fmt;
+use std::ops::Range;
+
+use annotate_snippets::{
+    AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet, normalize_untrusted_str,
+};
+
+use crate::problem::Problem;
+use crate::source::Source;
+
+/// How many problems are shown in full; the others are counted.
+const SHOWN: usize = 20;
+
+/// (bytes) a longer line is not printed: its place is named instead.
+const LONGEST_LINE: usize = 2000;
+
+/// One problem and its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diagnostic {
+    span: Option<Range<usize>>,
+    problem: Problem,
+}
+
+impl Diagnostic {
+    pub(crate) fn new(span: Option<Range<usize>>, problem: Problem) -> Self {
+        Self { span, problem }
+    }
+
+    /// (bytes) where in the text; `None` where the file as a whole is meant.
+    #[must_use]
+    pub fn span(&self) -> Option<Range<usize>> {
+        self.span.clone()
+    }
+
+    /// What is wrong.
+    #[must_use]
+    pub fn problem(&self) -> &Problem {
+        &self.problem
+    }
+
+    fn render(&self, source: &Source) -> String {
+        let title = Level::ERROR.primary_title(self.problem.to_string());
+        let place = self.place(source);
+        let help = self.problem.help().map(|help| Level::HELP.message(normalize_untrusted_str(&help)));
+        let group: Group<'_> = title.element(place).elements(help);
+        Renderer::plain().render(&[group])
+    }
+
+    /// The line and the caret under the value. One line: a value of many lines is shown by its first.
+    fn place<'a>(&self, source: &'a Source) -> Element<'a> {
+        let name = normalize_untrusted_str(source.name());
+        let text = source.text();
+        let Some(span) = &self.span else {
+            return Origin::path(name).into();
+        };
+        let start = floor_char_boundary(text, span.start);
+        let end = floor_char_boundary(text, span.end.max(start));
+        let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
+        // A byte order mark is no column.
+        let line_start = if text[line_start..start].starts_with('\u{feff}') {
+            line_start + '\u{feff}'.len_utf8()
+        } else {
+            line_start
+        };
+        let line_end = text[start..].find('\n').map_or(text.len(), |newline| start + newline);
+        let line = text[line_start..line_end].trim_end_matches('\r');
+        let number = text[..line_start].matches('\n').count() + 1;
+        if line.len() > LONGEST_LINE {
+            let column = text[line_start..start].chars().count() + 1;
+            return Origin::path(name).line(number).char_column(column).into();
+        }
+        let from = (start - line_start).min(line.len());
+        let to = (end - line_start).clamp(from, line.len());
+        Snippet::source(line)
+            .path(name)
+            .line_start(number)
+            .annotation(AnnotationKind::Primary.span(from..to))
+            .into()
+    }
+}
+
+fn floor_char_boundary(text: &str, index: usize) -> usize {
+    let index = index.min(text.len());
+    (0..=index).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
+}
+
+/// Everything that is wrong with a case file, in the order of the text. Its `Display` is what a user should see.
+#[derive(Clone, Debug)]
+pub struct Diagnostics {
+    source: Source,
+    list: Vec<Diagnostic>,
+}
+
+impl Diagnostics {
+    pub(crate) fn new(source: Source, mut list: Vec<Diagnostic>) -> Self {
+        // What concerns the whole file comes last.
+        list.sort_by_key(|diagnostic| diagnostic.span().map_or(usize::MAX, |span| span.start));
+        list.dedup();
+        Self { source, list }
+    }
+
+    /// The problems, in the order of the text; what concerns the whole file comes last.
+    #[must_use]
+    pub fn list(&self) -> &[Diagnostic] {
+        &self.list
+    }
+
+    /// The text they are about.
+    #[must_use]
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+}
+
+impl fmt::Display for Diagnostics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, diagnostic) in self.list.iter().take(SHOWN).enumerate() {
+            if index > 0 {
+                f.write_str("\n\n")?;
+            }
+            f.write_str(&diagnostic.render(&self.source))?;
+        }
+        match self.list.len().saturating_sub(SHOWN) {
+            0 => Ok(()),
+            more => write!(f, "\n\nand {more} more"),
+        }
+    }
+}
+
+impl Error for Diagnostics {}

@@ -1,0 +1,122 @@
+//! The case file: a collision in TOML, with units, and with errors that point at the value.
+//!
+//! ```
+//! use case::{Case, Mass};
+//!
+//! let text = r#"
+//!     [vehicle1]
+//!     name   = "1994 GMC Jimmy"
+//!     weight = "3696 lb"
+//!     speed  = "75 ft/s"
+//!
+//!     [vehicle2]
+//!     name   = "1995 Nissan Altima"
+//!     mass   = "1548 kg"
+//!     speed  = "10 mph"
+//! "#;
+//! let file = Case::parse("collision.toml", text)?;
+//! let mass = file.case.vehicles[0].mass.as_ref().map(Mass::kg);
+//! assert!(mass.is_some_and(|kg| (kg - 1676.48).abs() < 0.01)); // 3696 × 0.453 592 37
+//!
+//! // Every problem of a file is reported at once, each with its line, its column and what to write instead.
+//! let wrong = text.replace("75 ft/s", "75 feets/s").replace("weight", "wieght");
+//! let errors = Case::parse("collision.toml", &wrong).unwrap_err().to_string();
+//! assert!(errors.contains(r#"did you mean "weight"?"#));
+//! assert!(errors.contains(r#""75 feets/s" has an unknown unit "feets/s""#));
+//! assert!(errors.contains("collision.toml:5:14"));
+//! # Ok::<(), case::Diagnostics>(())
+//! ```
+//!
+//! The types: [`Case::parse`] gives a [`CaseFile`], which is a [`Case`] and the [`Source`] it came from, or
+//! [`Diagnostics`]. A case holds [`Quantity`]s, as they were written; [`Quantity::si`] is where a unit is converted.
+//! [`Case::to_toml`] writes a case back. A computation that finds fault with a well-formed case places its error
+//! with [`CaseFile::problem`].
+//!
+//! # The file
+//!
+//! A dimensioned value is a string with its unit; a plain number is dimensionless. Unknown keys are errors.
+//!
+//! | table | keys |
+//! |---|---|
+//! | top | `title`, `source` |
+//! | `[vehicle1]`, `[vehicle2]`, both needed | `name`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `heading`; `speed` or `velocity = { x, y }`; `yaw_rate`; `contact = { distance, angle }` or `{ x, y }`; `length`, `width`, `cg_to_front`: all or none; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact` and the outline |
+//! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of or beside the width (to 0.1 %); `stiffness = { d0, d1 }` or `{ A, B }`, either with `G`; `offset`; `pdof`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"` |
+//! | `[impact]` | `crush_plane`; `restitution`, 0 to 1; `tangential`: `"critical"`, `{ ratio }`, `{ fraction }` or `{ friction }` |
+//! | `[reconstruct]` | `find`: `"vehicle1.speed"`, `"vehicle2.speed"`; `energy_basis`: `"dissipated"` (also where absent), `"absorbed"` |
+//!
+//! Which of the optional keys have to be there depends on what is computed, and is checked there.
+//!
+//! # Units
+//!
+//! Between the units of a product, a space, `·`, `*` and `-` mean the same, and so do `^2`, `²` and a bare `2`, and `√lb`,
+//! `sqrt(lb)`, `lb^½` and `lb^0.5`. Upper and lower case differ. `lbf` is `lb` wherever that is a force.
+//!
+#![doc = include_str!("units.md")]
+//!
+//! The tables above are what the program accepts:
+//!
+//! ```
+//! use case::{Dimension, Quantity};
+//!
+//! let tables = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/units.md"));
+//! let mut accepted = 0;
+//! for row in tables.lines().filter(|row| row.contains('`')) {
+//!     let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();
+//!     let ticked = |cell: &str| -> Vec<String> { cell.split('`').skip(1).step_by(2).map(str::to_owned).collect() };
+//!     if let [name, spellings, value] = cells[..] {
+//!         let dimension = Dimension::ALL.into_iter().find(|known| known.name() == name).ok_or(name)?;
+//!         for spelling in ticked(spellings) {
+//!             let one = Quantity::parse(&format!("1 {spelling}"), dimension).map_err(|error| error.help())?;
+//!             let si = value.split(' ').next().and_then(|number| number.parse().ok());
+//!             assert_eq!(Some(one.si()), si, "{spelling}");
+//!             accepted += 1;
+//!         }
+//!     } else {
+//!         let words = [ticked(cells[0]), ticked(cells[1])].concat();
+//!         // Some words are units only as a part of one: "mi" of "mi/h", "s" of "m/s".
+//!         let meaning = |word: &String| {
+//!             let parts = [word.clone(), format!("{word}/h"), format!("km/{word}"), format!("m/{word}")];
+//!             Dimension::ALL.into_iter().find_map(|d| parts.iter().find_map(|part| d.unit(part)))
+//!         };
+//!         let units: Vec<_> = words.iter().map(meaning).collect();
+//!         assert!(units.iter().all(|unit| unit.is_some() && *unit == units[0]), "{words:?}");
+//!         accepted += words.len();
+//!     }
+//! }
+//! assert!(accepted > 80);
+//! # Ok::<(), String>(())
+//! ```
+//!
+//! # What it does not do
+//!
+//! No equations, no files, no defaults beyond those named above, no arithmetic with units: a unit that is not in the
+//! table is refused. It keeps no comments: a case that is written back has lost them.
+//!
+//! # References
+//!
+//! A. Thompson and B. N. Taylor, *Guide for the Use of the International System of Units (SI)*, NIST Special
+//! Publication 811 (2008), appendix B.8: the factors.
+
+mod case;
+mod diagnostic;
+mod model;
+mod nearest;
+mod problem;
+mod quantity;
+mod read;
+mod schema;
+mod source;
+mod units;
+mod write;
+
+pub use case::{
+    Case, ContactPoint, Crush, Impact, Mass, Outline, Reconstruct, StiffnessForm, Vehicle, Velocity,
+    YawInertia,
+};
+pub use diagnostic::{Diagnostic, Diagnostics};
+pub use model::{Collision, CrushOnly, Damage, ImpactInput, Inertia, ReconstructionInput, Subject};
+pub use problem::Problem;
+pub use quantity::{Quantity, QuantityError};
+pub use read::CaseFile;
+pub use source::Source;
+pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};

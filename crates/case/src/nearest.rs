@@ -1,0 +1,36 @@
+//! Which known word a misspelt one was meant to be.
+
+/// (bytes) words longer than this are no misspelling of anything we know, and not worth the comparison.
+pub(crate) const LONGEST: usize = 64;
+
+/// How many slips a word of this length may have and still be recognised; a single letter resembles everything.
+pub(crate) fn allowance(word: &str) -> usize {
+    match word.chars().count() {
+        0 | 1 => 0,
+        2..=4 => 1,
+        5..=8 => 2,
+        _ => 3,
+    }
+}
+
+/// The candidate nearest to `word`, the first of equals, if it is near enough to be worth asking.
+pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    if word.len() > LONGEST {
+        return None;
+    }
+    let plain = |text: &str| text.to_lowercase().replace(['-', ' '], "_");
+    let wanted = plain(word);
+    let (distance, candidate) = candidates
+        .map(|candidate| (strsim::damerau_levenshtein(&wanted, &plain(candidate)), candidate))
+        .min_by_key(|(distance, _)| *distance)?;
+    (distance <= allowance(&wanted)).then_some(candidate)
+}
+
+/// A list as a sentence needs it: "a", "a and b", "a, b and c".
+pub(crate) fn join(words: &[&str], last: &str) -> String {
+    match words {
+        [] => String::new(),
+        [only] => (*only).to_owned(),
+        [head @ .., tail] => format!("{} {last} {tail}", head.join(", ")),
+    }
+}

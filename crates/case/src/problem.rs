@@ -1,0 +1,233 @@
+//! The problems a case file can have, each with its sentence and its remedy.
+
+use thiserror::Error;
+
+use crate::nearest::join;
+use crate::quantity::{Limit, Quantity, QuantityError, dimension_help, format_limit, format_number};
+use crate::units::Dimension;
+
+/// What is wrong at one place of a case file. `Display` says what, [`Problem::help`] what to write instead.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[expect(missing_docs, reason = "the fields carry the names of what the sentence above them says")]
+pub enum Problem {
+    /// The file is too large to be a case.
+    #[error("the file has {bytes} bytes, more than the {limit} a case file may have")]
+    TooLarge { bytes: usize, limit: usize },
+    /// Not TOML.
+    #[error("this is not valid TOML: {message}")]
+    Syntax { message: String },
+    /// A key that no table, or not this one, has.
+    #[error("{table} has no key \"{key}\"")]
+    UnknownKey {
+        table: String,
+        key: String,
+        nearest: Option<&'static str>,
+        belongs: Option<String>,
+        known: Vec<&'static str>,
+    },
+    /// A table that a case does not have.
+    #[error("a case has no table [{table}]")]
+    UnknownTable { table: String, nearest: Option<&'static str> },
+    /// A table that every case has.
+    #[error("the table [{table}] is missing")]
+    MissingTable { table: &'static str },
+    /// A key that its table needs.
+    #[error("{table} has no \"{key}\"")]
+    MissingKey { table: String, key: &'static str, example: &'static str },
+    /// A number where text is due, and the like.
+    #[error("\"{path}\" is {found}, but has to be {wanted}")]
+    WrongType { path: String, found: &'static str, wanted: &'static str, example: &'static str },
+    /// A table written with double brackets, or otherwise as a list.
+    #[error("[{path}] is {found}, but has to be a table")]
+    NotATable { path: String, found: &'static str },
+    /// A dimensioned value without quotes and unit.
+    #[error("\"{path}\" is the bare number {number}, but needs a unit")]
+    BareNumber { path: String, number: String, dimension: Dimension, example: &'static str },
+    /// A plain number in quotes.
+    #[error("\"{path}\" is the string \"{text}\", but has to be a plain number")]
+    QuotedNumber { path: String, text: String, example: String },
+    /// A quantity that cannot be read.
+    #[error("{0}")]
+    Quantity(QuantityError),
+    /// Several quantities in one string that cannot be told apart.
+    #[error("\"{text}\" is not a list of numbers with one unit at its end")]
+    BadList { text: String, dimension: Dimension, example: &'static str },
+    /// Zero or less where that makes no sense.
+    #[error("{path} is {value}, but has to be greater than zero")]
+    NotPositive { path: String, value: Quantity, why: &'static str },
+    /// Less than zero where that makes no sense.
+    #[error("{path} is {value}, but must not be negative")]
+    Negative { path: String, value: Quantity },
+    /// Positive, but next to nothing.
+    #[error("{path} is {value}, too small to be real")]
+    TooSmall { path: String, value: Quantity },
+    /// An angle that has to be acute.
+    #[error("\"{path}\" is {value}, but has to lie between -{limit} and {limit}")]
+    NotAcute { path: String, value: Quantity, limit: &'static str },
+    /// A plain number outside of its range.
+    #[error("\"{path}\" is {}, but has to be {range}", format_number(*value))]
+    OutOfRange { path: String, value: f64, range: &'static str, example: &'static str },
+    /// A text that is empty.
+    #[error("\"{path}\" is empty")]
+    EmptyText { path: String, example: &'static str },
+    /// A word that is none of the choices.
+    #[error("\"{path}\" is \"{word}\", which is none of its choices")]
+    UnknownChoice { path: String, word: String, nearest: Option<&'static str>, choices: String },
+    /// Two keys for one thing.
+    #[error("{table} gives both \"{first}\" and \"{second}\"")]
+    Both { table: String, first: &'static str, second: &'static str },
+    /// Keys that make up none of the forms a value can take.
+    #[error("\"{path}\" gives {}, which is not one of its complete forms", list(given))]
+    NoForm { path: String, given: Vec<&'static str>, forms: &'static str },
+    /// A key that a barrier cannot have.
+    #[error("{table} is fixed, and a fixed object has no {key}")]
+    FixedHas { table: String, key: &'static str },
+    /// Two barriers.
+    #[error("both vehicles are fixed, so nothing can collide")]
+    BothFixed,
+    /// The unknown is the speed of a barrier.
+    #[error("\"reconstruct.find\" asks for the speed of [{vehicle}], which is fixed")]
+    FindsFixed { vehicle: &'static str, other: &'static str },
+    /// An outline with parts missing.
+    #[error("{table} gives {} of the outline, but not {}", list(given), list(missing))]
+    HalfOutline { table: String, given: Vec<&'static str>, missing: Vec<&'static str> },
+    /// Too few depths.
+    #[error("\"{path}\" has {count} of the two stations that a profile needs at least")]
+    TooFewStations { path: String, count: usize },
+    /// Too many depths.
+    #[error("\"{path}\" has {count} values, more than the {limit} that are accepted")]
+    TooMany { path: String, count: usize, limit: usize },
+    /// Widths and depths that do not match.
+    #[error("\"{path}\" has {spacings} widths for {stations} depths, but {} are needed", stations - 1)]
+    SpacingCount { path: String, spacings: usize, stations: usize },
+    /// A width that is not the sum of the spacing.
+    #[error("\"{path}\" is {width}, but the spacing adds up to {sum}")]
+    WidthMismatch { path: String, width: Quantity, sum: String },
+    /// Something that a computation finds wrong with a well-formed case.
+    #[error("{message}")]
+    CrossCheck { message: String, help: Option<String> },
+}
+
+impl Problem {
+    /// What to write instead, as a sentence without its full stop.
+    #[must_use]
+    pub fn help(&self) -> Option<String> {
+        let help = match self {
+            Self::TooLarge { .. } => "a case is a page of text; is this the right file?".to_owned(),
+            Self::Syntax { message } => return syntax_help(message).map(str::to_owned),
+            Self::UnknownKey { belongs, nearest, known, table, .. } => match (belongs, nearest) {
+                (Some(belongs), _) => format!("it belongs in {belongs}"),
+                (None, Some(nearest)) => format!("did you mean \"{nearest}\"?"),
+                (None, None) => format!("the keys of {table} are {}", join(known, "and")),
+            },
+            Self::UnknownTable { nearest: Some(nearest), .. } => format!("did you mean [{nearest}]?"),
+            Self::UnknownTable { table, nearest: None } if table.starts_with("vehicle") => {
+                "a case has two vehicles: [vehicle1] and [vehicle2]".to_owned()
+            }
+            Self::UnknownTable { table, .. } if table == "crush" => {
+                "write [vehicle1.crush] or [vehicle2.crush]".to_owned()
+            }
+            Self::UnknownTable { .. } => "the tables of a case are [vehicle1], [vehicle1.crush], [vehicle2], [vehicle2.crush], [impact] and \
+                 [reconstruct]"
+                .to_owned(),
+            Self::MissingTable { table } => format!(
+                "a case has two vehicles: add [{table}]; a barrier is a vehicle with the one line fixed = true"
+            ),
+            Self::MissingKey { example, .. } => format!("add a line such as {example}"),
+            Self::WrongType { example, .. } => format!("write for example {example}"),
+            Self::NotATable { path, found: "a list" } => {
+                format!("write [{path}], with single brackets, on a line of its own")
+            }
+            Self::NotATable { path, .. } => format!("write [{path}] on a line of its own, and its keys below"),
+            Self::BareNumber { dimension, example, .. } => format!(
+                "write number and unit as a string, for example {example}; {}",
+                dimension_help(*dimension)
+            ),
+            Self::QuotedNumber { example, .. } => format!("write {example}, without quotes"),
+            Self::Quantity(error) => error.help(),
+            Self::BadList { text, dimension, example } => {
+                let comma = if text.contains(',') { ", and no commas" } else { "" };
+                format!(
+                    "write decimal numbers with spaces between them{comma}, and the unit once after the last: {example}; {}",
+                    dimension_help(*dimension)
+                )
+            }
+            Self::NotPositive { why: "", value, .. } => format!(
+                "write {} of at least {}",
+                value.dimension(),
+                format_limit(value.dimension().least_positive(), value.unit(), Limit::Least)
+            ),
+            Self::NotPositive { why, .. } => (*why).to_owned(),
+            Self::Negative { value, .. } => format!("write {} of zero or more", value.dimension()),
+            Self::NotAcute { .. } => {
+                "it is the angle between the force and the normal of the damaged side: 0 deg for a force square to it".to_owned()
+            }
+            Self::OutOfRange { example, .. } => format!("write for example {example}"),
+            Self::TooMany { .. } => "measure at fewer stations: a profile needs no more".to_owned(),
+            Self::TooSmall { value, .. } => format!(
+                "{} has to be at least {} here; check the number and its unit",
+                value.dimension(),
+                format_limit(value.dimension().least_positive(), value.unit(), Limit::Least)
+            ),
+            Self::EmptyText { example, .. } => {
+                format!("write for example {example}, or leave the line out")
+            }
+            Self::UnknownChoice { choices, nearest: Some(nearest), .. } => {
+                format!("write {choices}; did you mean \"{nearest}\"?")
+            }
+            Self::UnknownChoice { choices, .. } => format!("write {choices}"),
+            Self::Both { first, second, .. } => format!("keep one of the two: {first} or {second}"),
+            Self::NoForm { forms, .. } => format!("write {forms}"),
+            Self::FixedHas { key, .. } => {
+                format!("remove {key} or, if this is a vehicle that can move, fixed = true")
+            }
+            Self::BothFixed => "remove fixed = true from the one that can move".to_owned(),
+            Self::FindsFixed { other, .. } => format!("write find = \"{other}.speed\""),
+            Self::HalfOutline { missing, .. } => format!(
+                "add {}: the body can be drawn, and the contact point be checked, only with all three of length, width and \
+                 cg_to_front; or leave all three out",
+                list(missing)
+            ),
+            Self::TooFewStations { .. } => "measure the depth at both ends of the damage at least".to_owned(),
+            Self::SpacingCount { .. } => {
+                "a spacing is the width between two neighbouring stations, so there is one fewer than depths; leave it out where \
+                 the stations are equally spaced"
+                    .to_owned()
+            }
+            Self::WidthMismatch { .. } => {
+                "the two may differ by 0.1 %; correct one of them, or leave the width out".to_owned()
+            }
+            Self::CrossCheck { help, .. } => return help.clone(),
+        };
+        Some(help)
+    }
+}
+
+fn list(keys: &[&str]) -> String {
+    if keys.is_empty() { "nothing".to_owned() } else { join(keys, "and") }
+}
+
+/// What we say where the parser calls the absence of a value a string without quotes.
+pub(crate) const NO_VALUE: &str = "there is no value after the equals sign";
+
+/// What to do about the TOML errors that a hand-written case is likely to have.
+fn syntax_help(message: &str) -> Option<&'static str> {
+    const HELP: &[(&str, &str)] = &[
+        (NO_VALUE, "text and quantities stand between quotes, as in speed = \"10 mph\""),
+        ("duplicate key", "each key and each table may stand only once; remove one of the two"),
+        ("must be quoted", "write the value between quotes, as in \"10 mph\""),
+        ("invalid boolean", "write text and quantities between quotes; true and false stand alone"),
+        (
+            "array",
+            "write a list as [\"21.3 in\", \"20.3 in\"], with commas between its values and a ] at its end",
+        ),
+        ("inline table", "write a table in one line as { x = \"1.78 m\", y = \"-0.73 m\" }"),
+        ("basic string", "end the text with a quote on the same line, and write a backslash as \\\\"),
+        ("literal string", "end the text with a quote on the same line"),
+        ("recursion", "no value of a case needs tables nested so deeply"),
+        ("recurse", "no value of a case needs tables nested so deeply"),
+        ("key with no value", "write key = value; a comment begins with #"),
+        ("newline", "write one key = value per line; text and quantities stand between quotes"),
+    ];
+    HELP.iter().find(|(part, _)| message.contains(part)).map(|(_, help)| *help)
+}

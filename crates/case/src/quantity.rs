@@ -1,0 +1,366 @@
+//! A number with its unit, as it was written.
+
+use std::fmt;
+
+use thiserror::Error;
+
+use crate::nearest::join;
+use crate::units::{Dimension, Unit, nearest_unit};
+
+/// A number with its unit, as the case file gives it. Always finite and within [`Dimension::bound`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    number: f64,
+    unit: &'static Unit,
+}
+
+impl Quantity {
+    /// A number in a unit of the table.
+    ///
+    /// # Errors
+    ///
+    /// [`QuantityError::NotFinite`] and [`QuantityError::OutOfBounds`].
+    pub fn new(number: f64, unit: &'static Unit) -> Result<Self, QuantityError> {
+        let quantity = Self { number, unit };
+        let value = format!("{} {unit}", format_number(number));
+        if !number.is_finite() {
+            return Err(QuantityError::NotFinite { value });
+        }
+        if quantity.si().abs() > unit.dimension().bound() {
+            return Err(QuantityError::OutOfBounds { value, unit });
+        }
+        Ok(quantity)
+    }
+
+    /// Reads a text such as `"6.3 ft"`, which has to be of the given dimension.
+    ///
+    /// ```
+    /// use case::{Dimension, Quantity};
+    /// let distance = Quantity::parse("6.3 ft", Dimension::Length)?;
+    /// assert!((distance.si() - 1.92024).abs() < 1e-12); // NIST SP 811: 1 ft = 0.3048 m
+    /// assert_eq!(distance.to_string(), "6.3 ft");
+    /// # Ok::<(), case::QuantityError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Every variant of [`QuantityError`]: each says what is wrong and, by [`QuantityError::help`], what to write.
+    pub fn parse(text: &str, dimension: Dimension) -> Result<Self, QuantityError> {
+        let text = text.trim();
+        if text.is_empty() {
+            return Err(QuantityError::Empty { dimension });
+        }
+        let (number, rest) = split_number(text);
+        let Some(number) = number else {
+            return Err(not_a_number(text, dimension));
+        };
+        let unit = find_unit(text, rest.trim(), dimension)?;
+        if number.is_infinite() {
+            // As written: "inf mph" would not show the user's own digits.
+            return Err(QuantityError::NotFinite { value: shorten(text) });
+        }
+        Self::new(number, unit)
+    }
+
+    /// The number as written.
+    #[must_use]
+    pub fn number(&self) -> f64 {
+        self.number
+    }
+
+    /// The unit as written.
+    #[must_use]
+    pub fn unit(&self) -> &'static Unit {
+        self.unit
+    }
+
+    /// What it measures.
+    #[must_use]
+    pub fn dimension(&self) -> Dimension {
+        self.unit.dimension()
+    }
+
+    /// The value in SI ([`Dimension::si_unit`]).
+    #[must_use]
+    pub fn si(&self) -> f64 {
+        self.number * self.unit.factor()
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", format_number(self.number), self.unit)
+    }
+}
+
+/// The unit that `spelling` names in `dimension`, or the error that tells why not; `text` is the whole value.
+pub(crate) fn find_unit(
+    text: &str,
+    spelling: &str,
+    dimension: Dimension,
+) -> Result<&'static Unit, QuantityError> {
+    if let Some(unit) = dimension.unit(spelling) {
+        return Ok(unit);
+    }
+    let value = shorten(text);
+    if spelling.is_empty() {
+        return Err(QuantityError::MissingUnit { value, dimension });
+    }
+    // What goes on as a number was meant as one: "6,3 ft", "5 1/2 in", "3.5.2 m".
+    let after_sign = spelling.strip_prefix([',', '.', '/', '_', '\'']).unwrap_or(spelling);
+    if after_sign.starts_with(|c: char| c.is_ascii_digit()) {
+        return Err(bad_number(value, dimension));
+    }
+    let found: Vec<Dimension> =
+        Dimension::ALL.into_iter().filter(|other| other.unit(spelling).is_some()).collect();
+    let spelling = shorten(spelling);
+    if found.is_empty() {
+        Err(QuantityError::UnknownUnit { value, spelling, dimension })
+    } else {
+        Err(QuantityError::WrongDimension { value, spelling, found, dimension })
+    }
+}
+
+pub(crate) fn not_a_number(text: &str, dimension: Dimension) -> QuantityError {
+    let value = shorten(text);
+    if dimension.unit(text).is_some() {
+        QuantityError::MissingNumber { value, dimension }
+    } else {
+        bad_number(value, dimension)
+    }
+}
+
+fn bad_number(value: String, dimension: Dimension) -> QuantityError {
+    if value.contains(',') {
+        QuantityError::Comma { value, dimension }
+    } else {
+        QuantityError::BadNumber { value, dimension }
+    }
+}
+
+/// Takes the longest number off the front: sign, digits, point, exponent. The number is `None` where there is none.
+pub(crate) fn split_number(text: &str) -> (Option<f64>, &str) {
+    let digits = |s: &str| s.len() - s.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    // The minus sign of print (U+2212) comes in with text copied from a paper.
+    let (sign, unsigned) = match text.strip_prefix(['-', '−']) {
+        Some(unsigned) => (-1.0, unsigned),
+        None => (1.0, text.strip_prefix('+').unwrap_or(text)),
+    };
+    let whole = digits(unsigned);
+    let mut end = whole;
+    if unsigned[end..].starts_with('.') {
+        let fraction = digits(&unsigned[end + 1..]);
+        if whole + fraction == 0 {
+            return (None, text);
+        }
+        end += 1 + fraction;
+    }
+    if end == 0 {
+        return (None, text);
+    }
+    if let Some(exponent) = unsigned[end..].strip_prefix(['e', 'E']) {
+        let unsigned_exponent = exponent.strip_prefix(['+', '-']).unwrap_or(exponent);
+        let length = digits(unsigned_exponent);
+        if length > 0 {
+            end += 1 + (exponent.len() - unsigned_exponent.len()) + length;
+        }
+    }
+    let (number, rest) = unsigned.split_at(end);
+    (number.parse::<f64>().ok().map(|magnitude| sign * magnitude), rest)
+}
+
+/// The shortest text that reads back as the same number.
+pub(crate) fn format_number(number: f64) -> String {
+    let text = format!("{number:?}");
+    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
+}
+
+/// What an error text quotes of a value: all of it, unless it is too long to read.
+pub(crate) fn shorten(text: &str) -> String {
+    const LONGEST: usize = 60;
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+/// Which side of a limit is accepted.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Limit {
+    Most,
+    Least,
+}
+
+/// A limit, in the user's unit, rounded to four digits towards the side on which it is itself accepted.
+pub(crate) fn format_limit(si: f64, unit: &Unit, limit: Limit) -> String {
+    // Fifteen digits: the rounding of the division is gone, and what is left decides the direction.
+    let digits = format!("{:.14e}", si / unit.factor());
+    let (mantissa, exponent) = digits.split_once('e').unwrap_or((&digits, "0"));
+    let (four, rest) = mantissa.split_at(mantissa.len().min("9.999".len()));
+    let number = |text: &str| text.replace('.', "").parse::<u32>().unwrap_or_default();
+    let is_between = limit == Limit::Least && rest.contains(|c| c != '0');
+    let last = number(four) + u32::from(is_between);
+    let text = format!("{last}e{}", exponent.parse::<i32>().unwrap_or_default() - 3);
+    let shortest = text.parse::<f64>().map_or(text, format_number);
+    format!("{shortest} {unit}")
+}
+
+/// Why a text is not a quantity of the wanted dimension.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum QuantityError {
+    /// Nothing between the quotes.
+    #[error("the value is empty")]
+    Empty {
+        /// What was wanted.
+        dimension: Dimension,
+    },
+    /// A unit alone.
+    #[error("\"{value}\" is a unit without a number")]
+    MissingNumber {
+        /// The whole text.
+        value: String,
+        /// What was wanted.
+        dimension: Dimension,
+    },
+    /// A number alone.
+    #[error("\"{value}\" has no unit")]
+    MissingUnit {
+        /// The whole text.
+        value: String,
+        /// What was wanted.
+        dimension: Dimension,
+    },
+    /// It does not begin with a number.
+    #[error("\"{value}\" does not begin with a number that can be read")]
+    BadNumber {
+        /// The whole text.
+        value: String,
+        /// What was wanted.
+        dimension: Dimension,
+    },
+    /// A comma between digits: a decimal comma, or a separator of thousands.
+    #[error("\"{value}\" has a comma in its number")]
+    Comma {
+        /// The whole text.
+        value: String,
+        /// What was wanted.
+        dimension: Dimension,
+    },
+    /// No dimension has this unit.
+    #[error("\"{value}\" has an unknown unit \"{spelling}\"")]
+    UnknownUnit {
+        /// The whole text.
+        value: String,
+        /// The unit in it.
+        spelling: String,
+        /// What was wanted.
+        dimension: Dimension,
+    },
+    /// The unit measures something else.
+    #[error("\"{value}\" is {}, but {dimension} is wanted here", alternatives(found))]
+    WrongDimension {
+        /// The whole text.
+        value: String,
+        /// The unit in it.
+        spelling: String,
+        /// What that unit measures.
+        found: Vec<Dimension>,
+        /// What was wanted.
+        dimension: Dimension,
+    },
+    /// Not a number, or infinite.
+    #[error("\"{value}\" is not a finite number")]
+    NotFinite {
+        /// The whole value.
+        value: String,
+    },
+    /// Beyond [`Dimension::bound`].
+    #[error("\"{value}\" is beyond what is plausible for {}", unit.dimension())]
+    OutOfBounds {
+        /// The whole value.
+        value: String,
+        /// Its unit.
+        unit: &'static Unit,
+    },
+}
+
+impl QuantityError {
+    /// What to write instead.
+    #[must_use]
+    pub fn help(&self) -> String {
+        match self {
+            Self::Empty { dimension } => {
+                format!(
+                    "write number and unit, as in \"6.3 {}\"; {}",
+                    first_unit(*dimension),
+                    dimension_help(*dimension)
+                )
+            }
+            Self::MissingUnit { value, dimension } => {
+                format!(
+                    "add the unit, as in \"{value} {}\"; {}",
+                    first_unit(*dimension),
+                    dimension_help(*dimension)
+                )
+            }
+            Self::MissingNumber { value, dimension } => {
+                format!("write the number before the unit: \"1 {value}\"; {}", dimension_help(*dimension))
+            }
+            Self::Comma { value, .. } => {
+                let (point, none) = (value.replace(',', "."), value.replace(',', ""));
+                let thousands = value
+                    .split(',')
+                    .skip(1)
+                    .all(|group| group.bytes().take_while(u8::is_ascii_digit).count() == 3);
+                if thousands {
+                    format!("write \"{none}\", or \"{point}\" if a decimal comma was meant")
+                } else {
+                    format!("write a decimal point: \"{point}\"")
+                }
+            }
+            Self::BadNumber { dimension, .. } => format!(
+                "write a decimal number and a unit, as in \"6.3 {}\"; {}",
+                first_unit(*dimension),
+                dimension_help(*dimension)
+            ),
+            Self::UnknownUnit { spelling, dimension, .. } => match nearest_unit(spelling, *dimension) {
+                Some(unit) => format!("{}; did you mean \"{unit}\"?", dimension_help(*dimension)),
+                None => dimension_help(*dimension),
+            },
+            Self::WrongDimension { value, found, dimension, .. } => {
+                let key = match (dimension, &found[..]) {
+                    (Dimension::Weight, [Dimension::Mass]) => Some("mass"),
+                    (Dimension::Mass, [Dimension::Weight, ..]) => Some("weight"),
+                    (Dimension::Inertia, [Dimension::Length]) => Some("yaw_radius"),
+                    (Dimension::Length, [Dimension::Inertia]) => Some("yaw_inertia"),
+                    _ => None,
+                };
+                match key {
+                    Some(key) => format!("{}; or give {key} = \"{value}\"", dimension_help(*dimension)),
+                    None => dimension_help(*dimension),
+                }
+            }
+            Self::NotFinite { .. } => "write a finite decimal number".to_owned(),
+            Self::OutOfBounds { unit, .. } => format!(
+                "the largest magnitude accepted for {} is {}; check the number and its unit",
+                unit.dimension(),
+                format_limit(unit.dimension().bound(), unit, Limit::Most)
+            ),
+        }
+    }
+}
+
+/// "a speed is written with one of m/s, km/h, mph, ft/s, kn".
+pub(crate) fn dimension_help(dimension: Dimension) -> String {
+    let units: Vec<_> = dimension.units().iter().map(Unit::spelling).collect();
+    format!("{dimension} is written with one of {}", units.join(", "))
+}
+
+fn first_unit(dimension: Dimension) -> &'static str {
+    dimension.units().first().map_or("", Unit::spelling)
+}
+
+fn alternatives(dimensions: &[Dimension]) -> String {
+    let names: Vec<&str> = dimensions.iter().map(|dimension| dimension.name()).collect();
+    join(&names, "or")
+}

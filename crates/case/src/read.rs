@@ -1,0 +1,171 @@
+//! Reading a case: TOML to a spanned tree, and the tree to a [`Case`], with every problem on the way.
+
+mod tree;
+mod values;
+mod vehicle;
+
+use toml::de::DeTable;
+
+use crate::case::{Case, Impact, Reconstruct, Vehicle};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::problem::Problem;
+use crate::quantity::Quantity;
+use crate::schema::{IMPACT, RECONSTRUCT, TANGENTIAL, TOP};
+use crate::source::{Source, Spans};
+use crate::units::Dimension;
+use crash3::EnergyBasis;
+use pim_core::Tangential;
+use reconcile::Unknown;
+use tree::{Reader, Table};
+use values::Sign;
+
+/// (bytes) the largest file read: a case is a page of text, and its profile at most some thousand stations.
+const LARGEST: usize = 10_000_000;
+
+/// A case and the text it came from.
+#[derive(Clone, Debug)]
+pub struct CaseFile {
+    /// What the file says.
+    pub case: Case,
+    /// The file, for problems that show only in a computation.
+    pub source: Source,
+}
+
+impl CaseFile {
+    /// A problem with a well-formed case, placed at a key such as `"vehicle1.crush.width"` or a table such as
+    /// `"vehicle1"`; where that is absent, at the nearest table around it.
+    #[must_use]
+    pub fn problem(&self, path: &str, message: impl Into<String>, help: Option<String>) -> Diagnostic {
+        Diagnostic::new(self.source.nearest_span(path), Problem::CrossCheck { message: message.into(), help })
+    }
+
+    /// Ends a round of such checks.
+    ///
+    /// # Errors
+    ///
+    /// The problems, if there are any.
+    pub fn accept(&self, problems: Vec<Diagnostic>) -> Result<(), Diagnostics> {
+        if problems.is_empty() { Ok(()) } else { Err(Diagnostics::new(self.source.clone(), problems)) }
+    }
+}
+
+impl Case {
+    /// Reads the text of a case file; `name` is what errors call it.
+    ///
+    /// ```
+    /// let file = case::Case::parse("barrier.toml", r#"
+    ///     [vehicle1]
+    ///     mass  = "1676 kg"
+    ///     speed = "35 mph"
+    ///     [vehicle2]
+    ///     fixed = true
+    /// "#)?;
+    /// assert!(file.case.vehicles[1].fixed);
+    ///
+    /// let error = case::Case::parse("barrier.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
+    /// assert!(error.to_string().contains("barrier.toml:2:9"));
+    /// # Ok::<(), case::Diagnostics>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// All problems of the file at once: see [`Problem`] for the kinds.
+    pub fn parse(name: &str, text: &str) -> Result<CaseFile, Diagnostics> {
+        if text.len() > LARGEST {
+            let source = Source::new(name, "", Spans::default());
+            let problem = Problem::TooLarge { bytes: text.len(), limit: LARGEST };
+            return Err(Diagnostics::new(source, vec![Diagnostic::new(None, problem)]));
+        }
+        let (document, errors) = DeTable::parse_recoverable(text);
+        let mut reader = Reader::new(text);
+        let case = reader.case(document.get_ref());
+        let (spans, problems) = reader.finish(&errors);
+        let source = Source::new(name, text, spans);
+        match case {
+            Some(case) if problems.is_empty() => Ok(CaseFile { case, source }),
+            _ => Err(Diagnostics::new(source, problems)),
+        }
+    }
+}
+
+impl<'t> Reader<'t> {
+    fn case(&mut self, document: &'t DeTable<'t>) -> Option<Case> {
+        let top = self.document(document, &TOP);
+        let title = self.text(&top, "title");
+        let source = self.text(&top, "source");
+        let first = self.vehicle(&top, "vehicle1");
+        let second = self.vehicle(&top, "vehicle2");
+        let impact = self.child(&top, "impact", &IMPACT).map(|table| self.impact(&table));
+        let reconstruct = self.child(&top, "reconstruct", &RECONSTRUCT).map(|table| self.reconstruct(&table));
+
+        let vehicles = [first?, second?];
+        if let [Vehicle { fixed: true, .. }, Vehicle { fixed: true, .. }] = vehicles {
+            self.report_path("vehicle2.fixed", Problem::BothFixed);
+        } else if let Some(Some(Reconstruct { find, .. })) = reconstruct {
+            let (vehicle, other, name) = match find {
+                Unknown::Speed1 => (&vehicles[0], "vehicle2", "vehicle1"),
+                Unknown::Speed2 => (&vehicles[1], "vehicle1", "vehicle2"),
+            };
+            if vehicle.fixed {
+                self.report_path("reconstruct.find", Problem::FindsFixed { vehicle: name, other });
+            }
+        }
+        Some(Case { title, source, vehicles, impact: optional(impact)?, reconstruct: optional(reconstruct)? })
+    }
+
+    fn impact(&mut self, table: &Table<'t>) -> Option<Impact> {
+        self.require(table, &["crush_plane", "restitution", "tangential"]);
+        let crush_plane = self.quantity(table, "crush_plane", Dimension::Angle, Sign::Any);
+        let restitution = self.number(table, "restitution", "between 0 and 1", |e| (0.0..=1.0).contains(&e));
+        let tangential = self.tangential(table);
+        Some(Impact { crush_plane: crush_plane?, restitution: restitution?, tangential: tangential? })
+    }
+
+    fn tangential(&mut self, impact: &Table<'t>) -> Option<Tangential> {
+        const FORMS: &str =
+            "tangential = \"critical\", { ratio = 0.37 }, { fraction = 0.9 } or { friction = 0.5 }";
+        if impact.is_string("tangential") {
+            return self.choice_among(impact, "tangential", &[("critical", Tangential::Critical)], FORMS);
+        }
+        let table =
+            self.inline(impact, "tangential", &TANGENTIAL, "\"critical\" or a table in braces", FORMS)?;
+        match table.given(&["ratio", "fraction", "friction"])[..] {
+            ["ratio"] => {
+                self.number(&table, "ratio", "a finite number", f64::is_finite).map(Tangential::Ratio)
+            }
+            ["fraction"] => self
+                .number(&table, "fraction", "between 0 and 1", |f| (0.0..=1.0).contains(&f))
+                .map(Tangential::FractionOfCritical),
+            ["friction"] => self
+                .number(&table, "friction", "a finite number, zero or more", |f| f >= 0.0 && f.is_finite())
+                .map(Tangential::Friction),
+            _ => self.no_form(&table, FORMS),
+        }
+    }
+
+    fn reconstruct(&mut self, table: &Table<'t>) -> Option<Reconstruct> {
+        self.require(table, &["find"]);
+        let find = self.choice(
+            table,
+            "find",
+            &[("vehicle1.speed", Unknown::Speed1), ("vehicle2.speed", Unknown::Speed2)],
+        );
+        let choices = [("dissipated", EnergyBasis::Dissipated), ("absorbed", EnergyBasis::Absorbed)];
+        let energy_basis = self.choice(table, "energy_basis", &choices);
+        Some(Reconstruct { find: find?, energy_basis: energy_basis.unwrap_or_default() })
+    }
+}
+
+/// A part that is there has to be sound; one that is not there is no fault.
+fn optional<T>(part: Option<Option<T>>) -> Option<Option<T>> {
+    match part {
+        Some(None) => None,
+        Some(sound) => Some(sound),
+        None => Some(None),
+    }
+}
+
+/// Whether two quantities of one dimension differ by more than the share `tolerance` of the first.
+fn differ(first: &Quantity, second_si: f64, tolerance: f64) -> bool {
+    (first.si() - second_si).abs() > tolerance * first.si()
+}

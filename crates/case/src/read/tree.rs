@@ -1,0 +1,228 @@
+//! The spanned tree: tables, their keys, and the problems of both.
+
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue, Error};
+
+use crate::diagnostic::Diagnostic;
+use crate::nearest::nearest;
+use crate::problem::{NO_VALUE, Problem};
+use crate::quantity::shorten;
+use crate::schema::Schema;
+use crate::source::Spans;
+
+/// Walks the tree, and remembers where everything stood and what was wrong with it.
+pub(super) struct Reader<'t> {
+    pub(super) text: &'t str,
+    spans: Spans,
+    problems: Vec<Diagnostic>,
+}
+
+/// One table of the file.
+pub(super) struct Table<'t> {
+    pub(super) path: String,
+    pub(super) schema: &'static Schema,
+    entries: &'t DeTable<'t>,
+    /// Known keys for which a misspelt one stands: to call them missing as well would be noise.
+    meant: Vec<&'static str>,
+}
+
+impl<'t> Table<'t> {
+    pub(super) fn get(&self, key: &str) -> Option<&'t Spanned<DeValue<'t>>> {
+        self.entries.get(key)
+    }
+
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.get(key).is_some()
+    }
+
+    pub(super) fn is_string(&self, key: &str) -> bool {
+        self.get(key).is_some_and(|value| value.get_ref().is_str())
+    }
+
+    /// Those of the keys that are there.
+    pub(super) fn given(&self, keys: &[&'static str]) -> Vec<&'static str> {
+        keys.iter().copied().filter(|key| self.has(key)).collect()
+    }
+
+    /// The path of a key, as `vehicle1.crush.width`.
+    pub(super) fn path_of(&self, key: &str) -> String {
+        if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
+    }
+
+    /// How an error text calls the table.
+    pub(super) fn label(&self) -> String {
+        if self.path.is_empty() { "the top of the file".to_owned() } else { format!("[{}]", self.path) }
+    }
+}
+
+impl<'t> Reader<'t> {
+    pub(super) fn new(text: &'t str) -> Self {
+        Self { text, spans: Spans::default(), problems: Vec::new() }
+    }
+
+    pub(super) fn report(&mut self, span: Range<usize>, problem: Problem) {
+        self.problems.push(Diagnostic::new(Some(span), problem));
+    }
+
+    /// Reports a problem at a key, or at the table that should have it.
+    pub(super) fn report_path(&mut self, path: &str, problem: Problem) {
+        let span = self.spans.nearest(path);
+        self.problems.push(Diagnostic::new(span, problem));
+    }
+
+    /// The document itself, as a table.
+    pub(super) fn document(&mut self, entries: &'t DeTable<'t>, schema: &'static Schema) -> Table<'t> {
+        self.open(String::new(), entries, schema)
+    }
+
+    /// A table below another; absent tables and wrong types are `None`, and the latter are reported.
+    pub(super) fn child(
+        &mut self,
+        parent: &Table<'t>,
+        key: &'static str,
+        schema: &'static Schema,
+    ) -> Option<Table<'t>> {
+        let value = parent.get(key)?;
+        let path = parent.path_of(key);
+        if let Some(entries) = value.get_ref().as_table() {
+            return Some(self.open(path, entries, schema));
+        }
+        self.report(value.span(), Problem::NotATable { path, found: kind(value.get_ref()) });
+        None
+    }
+
+    /// A table in one line; `forms` is what the value may look like.
+    pub(super) fn inline(
+        &mut self,
+        parent: &Table<'t>,
+        key: &'static str,
+        schema: &'static Schema,
+        wanted: &'static str,
+        forms: &'static str,
+    ) -> Option<Table<'t>> {
+        let value = parent.get(key)?;
+        let path = parent.path_of(key);
+        if let Some(entries) = value.get_ref().as_table() {
+            return Some(self.open(path, entries, schema));
+        }
+        self.report(
+            value.span(),
+            Problem::WrongType { path, found: kind(value.get_ref()), wanted, example: forms },
+        );
+        None
+    }
+
+    fn open(&mut self, path: String, entries: &'t DeTable<'t>, schema: &'static Schema) -> Table<'t> {
+        let mut table = Table { path, schema, entries, meant: Vec::new() };
+        for (key, value) in entries {
+            let name: &str = key.get_ref();
+            if schema.has(name) {
+                self.spans.insert(table.path_of(name), value.span());
+                continue;
+            }
+            let meant = nearest(name, schema.names());
+            table.meant.extend(meant);
+            let is_table = value.get_ref().is_table() && self.text[value.span()].starts_with('[');
+            let belongs = Schema::belongs(name);
+            let problem = if table.path.is_empty() && is_table && (belongs.is_none() || name == "crush") {
+                // "vehicle3" resembles both vehicles, and is neither.
+                let nearest =
+                    meant.filter(|_| !name.trim_end_matches(|c: char| c.is_ascii_digit()).eq("vehicle"));
+                Problem::UnknownTable { table: shorten(name), nearest }
+            } else {
+                Problem::UnknownKey {
+                    table: table.label(),
+                    key: shorten(name),
+                    nearest: meant,
+                    belongs,
+                    known: schema.names().collect(),
+                }
+            };
+            self.report(key.span(), problem);
+        }
+        table
+    }
+
+    /// Reports the keys that the table has to have and has not.
+    pub(super) fn require(&mut self, table: &Table<'t>, keys: &[&'static str]) {
+        for key in keys {
+            if !table.has(key) {
+                self.missing(table, key);
+            }
+        }
+    }
+
+    pub(super) fn missing(&mut self, table: &Table<'t>, key: &'static str) {
+        if table.meant.contains(&key) {
+            return;
+        }
+        let problem = if table.path.is_empty() {
+            Problem::MissingTable { table: key }
+        } else {
+            Problem::MissingKey { table: table.label(), key, example: table.schema.example(key) }
+        };
+        self.report_path(&table.path_of(key), problem);
+    }
+
+    /// Reports a table whose keys make up none of its forms, unless a misspelt key explains that.
+    pub(super) fn no_form<T>(&mut self, table: &Table<'t>, forms: &'static str) -> Option<T> {
+        if table.meant.is_empty() {
+            let names: Vec<&'static str> = table.schema.names().collect();
+            let given = table.given(&names);
+            self.report_path(&table.path, Problem::NoForm { path: table.path.clone(), given, forms });
+        }
+        None
+    }
+
+    /// The places of all keys, and the problems: those of TOML, and those of the tree that do not follow from them.
+    pub(super) fn finish(self, errors: &[Error]) -> (Spans, Vec<Diagnostic>) {
+        let mut errors: Vec<_> = errors.iter().map(|error| (error.span(), error.message())).collect();
+        errors.sort_by_key(|(span, _)| span.as_ref().map_or(0, |span| span.start));
+
+        let newlines: Vec<usize> = self.text.match_indices('\n').map(|(at, _)| at).collect();
+        let line = |span: &Option<Range<usize>>| {
+            span.as_ref().map(|span| newlines.partition_point(|&newline| newline < span.start))
+        };
+        let mut all = Vec::new();
+        let mut broken_lines = BTreeSet::new();
+        let mut in_array = false;
+        for (span, message) in errors {
+            // The first error of a line causes the others, and an unclosed list makes every later line an error.
+            let first_of_line = broken_lines.insert(line(&span));
+            let follows = in_array && message.contains("array");
+            in_array |= message.contains("array");
+            if first_of_line && !follows {
+                let no_value =
+                    message.contains("must be quoted") && span.as_ref().is_some_and(Range::is_empty);
+                let message = if no_value { NO_VALUE } else { message }.to_owned();
+                all.push(Diagnostic::new(span, Problem::Syntax { message }));
+            }
+        }
+        // What could not be read may be what seems to be missing.
+        let is_whole = all.is_empty();
+        let from_tree = self.problems.into_iter().filter(|diagnostic| {
+            let is_missing = matches!(
+                diagnostic.problem(),
+                Problem::MissingTable { .. } | Problem::MissingKey { .. } | Problem::NoForm { .. }
+            );
+            (is_whole || !is_missing) && !broken_lines.contains(&line(&diagnostic.span()))
+        });
+        all.extend(from_tree);
+        (self.spans, all)
+    }
+}
+
+/// What a value is, as an error text says it.
+pub(super) fn kind(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "a string",
+        DeValue::Integer(_) | DeValue::Float(_) => "a plain number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date or time",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}

@@ -1,0 +1,332 @@
+//! The values of keys: quantities, lists of them, plain numbers, texts and choices.
+
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::DeValue;
+
+use super::tree::{Reader, Table, kind};
+use crate::nearest::{join, nearest};
+use crate::problem::Problem;
+use crate::quantity::{Quantity, QuantityError, find_unit, not_a_number, shorten, split_number};
+use crate::units::Dimension;
+
+/// The largest number of stations: far more than any scan of a vehicle gives.
+const MOST_STATIONS: usize = 10_000;
+
+/// Which signs a quantity may have.
+#[derive(Clone, Copy)]
+pub(super) enum Sign {
+    Any,
+    NotNegative,
+    Positive,
+    /// Positive, for a reason that is worth saying.
+    PositiveBecause(&'static str),
+}
+
+impl<'t> Reader<'t> {
+    /// A string with its unit; absent is `None`, and what is wrong is reported.
+    pub(super) fn quantity(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        dimension: Dimension,
+        sign: Sign,
+    ) -> Option<Quantity> {
+        let value = table.get(key)?;
+        let text = self.quantity_text(table, key, value, dimension, "a string with number and unit")?;
+        match Quantity::parse(text, dimension) {
+            Ok(quantity) => self.signed(&named(&table.path_of(key)), value.span(), quantity, sign),
+            Err(error) => {
+                self.report(value.span(), Problem::Quantity(error));
+                None
+            }
+        }
+    }
+
+    /// Several quantities: one string with the unit at its end, or a list of strings.
+    pub(super) fn quantities(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        dimension: Dimension,
+        sign: Sign,
+    ) -> Option<Vec<Quantity>> {
+        let value = table.get(key)?;
+        let read = match value.get_ref() {
+            DeValue::Array(array) => {
+                let element = |(index, element): (usize, &'t Spanned<DeValue<'t>>)| {
+                    let text = self.quantity_text(table, key, element, dimension, "a list of strings")?;
+                    match Quantity::parse(text, dimension) {
+                        Ok(quantity) => {
+                            let path = format!("value {} of {}", index + 1, named(&table.path_of(key)));
+                            self.signed(&path, element.span(), quantity, sign)
+                        }
+                        Err(error) => {
+                            self.report(element.span(), Problem::Quantity(error));
+                            None
+                        }
+                    }
+                };
+                // Every element is looked at before the first fault ends it.
+                array
+                    .iter()
+                    .take(MOST_STATIONS + 1)
+                    .enumerate()
+                    .map(element)
+                    .collect::<Vec<Option<Quantity>>>()
+            }
+            _ => {
+                let wanted = "a string with numbers and a unit, or a list of strings";
+                let text = self.quantity_text(table, key, value, dimension, wanted)?;
+                self.split_quantities(table, key, value, text, dimension, sign)?
+            }
+        };
+        let count = match value.get_ref() {
+            DeValue::Array(array) => array.len(),
+            _ => read.len(),
+        };
+        if count > MOST_STATIONS {
+            let problem = Problem::TooMany { path: table.path_of(key), count, limit: MOST_STATIONS };
+            self.report(value.span(), problem);
+            return None;
+        }
+        read.into_iter().collect()
+    }
+
+    fn split_quantities(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        value: &'t Spanned<DeValue<'t>>,
+        text: &'t str,
+        dimension: Dimension,
+        sign: Sign,
+    ) -> Option<Vec<Option<Quantity>>> {
+        let (numbers, unit) = leading_numbers(text);
+        let bad_list =
+            || Problem::BadList { text: shorten(text), dimension, example: table.schema.example(key) };
+        let problem = if text.trim().is_empty() {
+            Some(Problem::Quantity(QuantityError::Empty { dimension }))
+        } else if numbers.is_empty() {
+            Some(Problem::Quantity(not_a_number(text.trim(), dimension)))
+        } else if unit.contains(',') || unit.split_whitespace().any(|word| split_number(word).0.is_some()) {
+            Some(bad_list())
+        } else {
+            None
+        };
+        if let Some(problem) = problem {
+            self.report(value.span(), problem);
+            return None;
+        }
+        let unit = match find_unit(text.trim(), unit, dimension) {
+            Ok(unit) => unit,
+            Err(error) => {
+                self.report(value.span(), Problem::Quantity(error));
+                return None;
+            }
+        };
+        let one = |(index, (number, at)): (usize, (f64, Range<usize>))| {
+            let span = self.inside(value, text, at);
+            match Quantity::new(number, unit) {
+                Ok(quantity) => {
+                    let path = format!("value {} of {}", index + 1, named(&table.path_of(key)));
+                    self.signed(&path, span, quantity, sign)
+                }
+                Err(error) => {
+                    self.report(span, Problem::Quantity(error));
+                    None
+                }
+            }
+        };
+        Some(numbers.into_iter().enumerate().map(one).collect())
+    }
+
+    /// The place of a part of a string, where the string stands in the file as it reads; else the whole string.
+    fn inside(&self, value: &Spanned<DeValue<'_>>, text: &str, part: Range<usize>) -> Range<usize> {
+        let span = value.span();
+        let start = span.start + 1;
+        if self.text.get(start..start + text.len()) == Some(text) {
+            start + part.start..start + part.end
+        } else {
+            span
+        }
+    }
+
+    fn quantity_text(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        value: &'t Spanned<DeValue<'t>>,
+        dimension: Dimension,
+        wanted: &'static str,
+    ) -> Option<&'t str> {
+        let path = table.path_of(key);
+        let example = table.schema.example(key);
+        let problem = match value.get_ref() {
+            DeValue::String(text) => return Some(text),
+            DeValue::Integer(_) | DeValue::Float(_) => {
+                let number = shorten(&self.text[value.span()]);
+                Problem::BareNumber { path, number, dimension, example }
+            }
+            other => Problem::WrongType { path, found: kind(other), wanted, example },
+        };
+        self.report(value.span(), problem);
+        None
+    }
+
+    fn signed(&mut self, path: &str, span: Range<usize>, value: Quantity, sign: Sign) -> Option<Quantity> {
+        let path = path.to_owned();
+        let least = value.dimension().least_positive();
+        let problem = match sign {
+            Sign::Any => return Some(value),
+            Sign::NotNegative if value.number() < 0.0 => Problem::Negative { path, value },
+            Sign::NotNegative => return Some(value),
+            Sign::Positive if value.number() <= 0.0 => Problem::NotPositive { path, value, why: "" },
+            Sign::PositiveBecause(why) if value.number() <= 0.0 => Problem::NotPositive { path, value, why },
+            Sign::Positive | Sign::PositiveBecause(_) if value.si() < least => {
+                Problem::TooSmall { path, value }
+            }
+            Sign::Positive | Sign::PositiveBecause(_) => return Some(value),
+        };
+        self.report(span, problem);
+        None
+    }
+
+    /// A plain number for which `accepts` holds; `range` says in words what that is.
+    pub(super) fn number(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        range: &'static str,
+        accepts: impl Fn(f64) -> bool,
+    ) -> Option<f64> {
+        let value = table.get(key)?;
+        let path = table.path_of(key);
+        let example = table.schema.example(key);
+        let written = match value.get_ref() {
+            DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse::<f64>().ok(),
+            DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
+            _ => None,
+        };
+        let problem = match (written, value.get_ref()) {
+            (Some(number), _) if accepts(number) => return Some(number),
+            (Some(value), _) => Problem::OutOfRange { path, value, range, example },
+            (None, DeValue::String(text)) => {
+                let example = match text.trim().parse::<f64>() {
+                    Ok(_) => format!("{key} = {}", text.trim()),
+                    Err(_) => example.to_owned(),
+                };
+                Problem::QuotedNumber { path, text: shorten(text), example }
+            }
+            (None, DeValue::Integer(_)) => Problem::WrongType {
+                path,
+                found: "not written in decimal digits",
+                wanted: "a decimal number",
+                example,
+            },
+            (None, other) => {
+                Problem::WrongType { path, found: kind(other), wanted: "a plain number", example }
+            }
+        };
+        self.report(value.span(), problem);
+        None
+    }
+
+    /// A text that is not empty.
+    pub(super) fn text(&mut self, table: &Table<'t>, key: &'static str) -> Option<String> {
+        let value = table.get(key)?;
+        let path = table.path_of(key);
+        let example = table.schema.example(key);
+        let problem = match value.get_ref() {
+            DeValue::String(text) if !text.trim().is_empty() => return Some(text.to_string()),
+            DeValue::String(_) => Problem::EmptyText { path, example },
+            other => Problem::WrongType { path, found: kind(other), wanted: "a text in quotes", example },
+        };
+        self.report(value.span(), problem);
+        None
+    }
+
+    /// True or false; absent is false.
+    pub(super) fn flag(&mut self, table: &Table<'t>, key: &'static str) -> bool {
+        let Some(value) = table.get(key) else { return false };
+        if let Some(flag) = value.get_ref().as_bool() {
+            return flag;
+        }
+        let problem = Problem::WrongType {
+            path: table.path_of(key),
+            found: kind(value.get_ref()),
+            wanted: "true or false",
+            example: table.schema.example(key),
+        };
+        self.report(value.span(), problem);
+        false
+    }
+
+    /// One of a few words.
+    pub(super) fn choice<T: Copy>(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        choices: &[(&'static str, T)],
+    ) -> Option<T> {
+        let quoted: Vec<String> = choices.iter().map(|(name, _)| format!("\"{name}\"")).collect();
+        let quoted: Vec<&str> = quoted.iter().map(String::as_str).collect();
+        self.choice_among(table, key, choices, &join(&quoted, "or"))
+    }
+
+    /// The same, where words are not all that the value may be: `forms` says what it may.
+    pub(super) fn choice_among<T: Copy>(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        choices: &[(&'static str, T)],
+        forms: &str,
+    ) -> Option<T> {
+        let value = table.get(key)?;
+        let path = table.path_of(key);
+        let problem = match value.get_ref() {
+            DeValue::String(word) => {
+                if let Some((_, choice)) = choices.iter().find(|(name, _)| name == word) {
+                    return Some(*choice);
+                }
+                let names = || choices.iter().map(|(name, _)| *name);
+                Problem::UnknownChoice {
+                    path,
+                    word: shorten(word),
+                    nearest: nearest(word, names()),
+                    choices: forms.to_owned(),
+                }
+            }
+            other => Problem::WrongType {
+                path,
+                found: kind(other),
+                wanted: "a word in quotes",
+                example: table.schema.example(key),
+            },
+        };
+        self.report(value.span(), problem);
+        None
+    }
+}
+
+/// A key as an error text names it.
+pub(super) fn named(path: &str) -> String {
+    format!("\"{path}\"")
+}
+
+/// The numbers at the beginning of a text, each with its place, and what comes after the last.
+fn leading_numbers(text: &str) -> (Vec<(f64, Range<usize>)>, &str) {
+    let mut numbers = Vec::new();
+    let mut rest = text.trim_start();
+    while let (Some(number), after) = split_number(rest) {
+        let end = text.len() - after.len();
+        numbers.push((number, text.len() - rest.len()..end));
+        rest = after.trim_start();
+        if rest.len() == after.len() {
+            // No space: what follows is not a further number, but a unit, or a typo such as "1.2.3".
+            break;
+        }
+    }
+    (numbers, rest.trim())
+}

@@ -1,0 +1,145 @@
+//! The tables of a case file and their keys, each with the line an error text shows.
+
+use crate::nearest::join;
+
+/// One key: its name, and an example of the line that sets it.
+pub(crate) struct Key {
+    pub(crate) name: &'static str,
+    pub(crate) example: &'static str,
+}
+
+const fn key(name: &'static str, example: &'static str) -> Key {
+    Key { name, example }
+}
+
+/// A table: its keys, and how an error text says where they belong.
+pub(crate) struct Schema {
+    pub(crate) place: &'static str,
+    pub(crate) keys: &'static [Key],
+}
+
+pub(crate) static TOP: Schema = Schema {
+    place: "the lines above the first table",
+    keys: &[
+        key("title", "title = \"Intersection collision\""),
+        key("source", "source = \"police report\""),
+        key("vehicle1", "[vehicle1]"),
+        key("vehicle2", "[vehicle2]"),
+        key("impact", "[impact]"),
+        key("reconstruct", "[reconstruct]"),
+    ],
+};
+
+pub(crate) static VEHICLE: Schema = Schema {
+    place: "[vehicle1] or [vehicle2]",
+    keys: &[
+        key("name", "name = \"1994 GMC Jimmy\""),
+        key("fixed", "fixed = true"),
+        key("mass", "mass = \"1676 kg\""),
+        key("weight", "weight = \"3696 lb\""),
+        key("yaw_inertia", "yaw_inertia = \"2437 lb ft s^2\""),
+        key("yaw_radius", "yaw_radius = \"1.40 m\""),
+        key("heading", "heading = \"180 deg\""),
+        key("speed", "speed = \"10 mph\""),
+        key("velocity", "velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }"),
+        key("yaw_rate", "yaw_rate = \"0 deg/s\""),
+        key("contact", "contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }"),
+        key("length", "length = \"4.32 m\""),
+        key("width", "width = \"1.74 m\""),
+        key("cg_to_front", "cg_to_front = \"2.02 m\""),
+        key("crush", "[vehicle1.crush]"),
+    ],
+};
+
+pub(crate) static CRUSH: Schema = Schema {
+    place: "[vehicle1.crush] or [vehicle2.crush]",
+    keys: &[
+        key("side", "side = \"front\""),
+        key("width", "width = \"65 in\""),
+        key("depths", "depths = \"21.3 20.3 13.8 11.3 5.3 4.8 in\""),
+        key("spacing", "spacing = \"13 13 13 13 13 in\""),
+        key("stiffness", "stiffness = { d0 = \"35 lb^0.5\", d1 = \"115 lb^0.5/ft\" }"),
+        key("offset", "offset = \"12 in\""),
+        key("pdof", "pdof = \"2.7 deg\""),
+        key("oblique_angle", "oblique_angle = \"20 deg\""),
+        key("moment_arm", "moment_arm = \"2.1 ft\""),
+        key("oblique", "oblique = \"capped\""),
+    ],
+};
+
+pub(crate) static IMPACT: Schema = Schema {
+    place: "[impact]",
+    keys: &[
+        key("crush_plane", "crush_plane = \"-23 deg\""),
+        key("restitution", "restitution = 0.3"),
+        key("tangential", "tangential = \"critical\""),
+    ],
+};
+
+pub(crate) static RECONSTRUCT: Schema = Schema {
+    place: "[reconstruct]",
+    keys: &[key("find", "find = \"vehicle1.speed\""), key("energy_basis", "energy_basis = \"dissipated\"")],
+};
+
+pub(crate) static CONTACT: Schema = Schema {
+    place: "contact = { … } of a vehicle",
+    keys: &[
+        key("distance", "distance = \"6.3 ft\""),
+        key("angle", "angle = \"-22.4 deg\""),
+        key("x", "x = \"1.78 m\""),
+        key("y", "y = \"-0.73 m\""),
+    ],
+};
+
+pub(crate) static VELOCITY: Schema = Schema {
+    place: "velocity = { … } of a vehicle",
+    keys: &[key("x", "x = \"-75 ft/s\""), key("y", "y = \"0 ft/s\"")],
+};
+
+pub(crate) static STIFFNESS: Schema = Schema {
+    place: "stiffness = { … } of a crush table",
+    keys: &[
+        key("A", "A = \"587 N/cm\""),
+        key("B", "B = \"63.3 N/cm^2\""),
+        key("d0", "d0 = \"35 lb^0.5\""),
+        key("d1", "d1 = \"115 lb^0.5/ft\""),
+        key("G", "G = \"612 lb\""),
+    ],
+};
+
+pub(crate) static TANGENTIAL: Schema = Schema {
+    place: "tangential = { … } of [impact]",
+    keys: &[
+        key("ratio", "ratio = 0.37"),
+        key("fraction", "fraction = 0.9"),
+        key("friction", "friction = 0.5"),
+    ],
+};
+
+static ALL: [&Schema; 9] =
+    [&TOP, &VEHICLE, &CRUSH, &IMPACT, &RECONSTRUCT, &CONTACT, &VELOCITY, &STIFFNESS, &TANGENTIAL];
+
+impl Schema {
+    pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.keys.iter().map(|key| key.name)
+    }
+
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.names().any(|known| known == name)
+    }
+
+    /// The example line of a key of this table.
+    pub(crate) fn example(&self, name: &str) -> &'static str {
+        self.keys.iter().find(|key| key.name == name).map_or("", |key| key.example)
+    }
+
+    /// Where a key that this table does not have belongs.
+    pub(crate) fn belongs(name: &str) -> Option<String> {
+        let places: Vec<&str> =
+            ALL.iter().filter(|schema| schema.has(name)).map(|schema| schema.place).collect();
+        if places == [TOP.place] && TOP.example(name).starts_with('[') {
+            return Some(format!("a table of its own, {}", TOP.example(name)));
+        }
+        (!places.is_empty()).then(|| join(&places, "or"))
+    }
+}

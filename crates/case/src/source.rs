@@ -1,0 +1,62 @@
+//! The text of a case file, and where each value stands in it.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// (bytes) where each key's value, or each table's header, stands.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Spans(BTreeMap<String, Range<usize>>);
+
+impl Spans {
+    pub(crate) fn insert(&mut self, path: String, span: Range<usize>) {
+        self.0.insert(path, span);
+    }
+
+    pub(crate) fn get(&self, path: &str) -> Option<Range<usize>> {
+        self.0.get(path).cloned()
+    }
+
+    /// The place of the key or, where it is absent, of the nearest table around it.
+    pub(crate) fn nearest(&self, path: &str) -> Option<Range<usize>> {
+        self.get(path).or_else(|| self.nearest(path.rsplit_once('.')?.0))
+    }
+}
+
+/// A case file's name, text and the places of its keys.
+#[derive(Clone, Debug)]
+pub struct Source {
+    name: String,
+    text: String,
+    spans: Spans,
+}
+
+impl Source {
+    pub(crate) fn new(name: &str, text: &str, spans: Spans) -> Self {
+        Self { name: name.to_owned(), text: text.to_owned(), spans }
+    }
+
+    /// The name under which the file was read.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The whole text.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// (bytes) where the value of a key such as `"vehicle1.crush.width"` stands, or the header of a table such
+    /// as `"vehicle1"`.
+    #[must_use]
+    pub fn span(&self, path: &str) -> Option<Range<usize>> {
+        self.spans.get(path)
+    }
+
+    /// (bytes) where a key stands or, where it is absent, the nearest table around it. `None` is the file itself.
+    #[must_use]
+    pub fn nearest_span(&self, path: &str) -> Option<Range<usize>> {
+        self.spans.nearest(path)
+    }
+}

@@ -1,0 +1,131 @@
+//! Spellings: what is forgiven, and which unit a misspelt one was meant to be.
+
+use super::{Dimension, Unit};
+
+/// Words that stand for a unit's short form, wherever that form stands: "feet/second" is "ft/s".
+pub(super) const WORDS: &[(&str, &[&str])] = &[
+    ("m", &["meter", "meters", "metre", "metres"]),
+    ("ft", &["foot", "feet"]),
+    ("in", &["inch", "inches"]),
+    ("mi", &["mile", "miles"]),
+    ("kg", &["kilogram", "kilograms", "kgs"]),
+    ("lb", &["lbs", "pound", "pounds"]),
+    ("slug", &["slugs"]),
+    ("s", &["sec", "second", "seconds"]),
+    ("h", &["hr", "hour", "hours"]),
+    ("deg", &["°", "degree", "degrees"]),
+    ("rad", &["radian", "radians"]),
+    ("kn", &["knot", "knots"]),
+];
+
+/// Signs that stand for another way to type the same, replaced in this order.
+const SIGNS: &[(&str, &str)] = &[
+    ("²", "^2"),
+    ("^(1/2)", "^0.5"),
+    ("^1/2", "^0.5"),
+    ("^½", "^0.5"),
+    ("½", "^0.5"),
+    ("^.5", "^0.5"),
+    ("·", " "),
+    ("⋅", " "),
+    ("*", " "),
+    ("-", " "),
+];
+
+/// Brings a unit into the form in which the table spells it; the result need not be in the table.
+pub(super) fn normalise(spelling: &str, dimension: Dimension) -> String {
+    let mut text = spelling.to_owned();
+    for (sign, plain) in SIGNS {
+        text = text.replace(sign, plain);
+    }
+    for root in ["√(", "sqrt("] {
+        while let Some((before, after)) = text.split_once(root) {
+            let Some((inside, rest)) = after.split_once(')') else { break };
+            text = format!("{before}{}^0.5{rest}", inside.trim());
+        }
+    }
+    while let Some((before, after)) = text.split_once('√') {
+        let end = after.find(|c: char| !c.is_alphabetic()).unwrap_or(after.len());
+        let (inside, rest) = after.split_at(end);
+        text = format!("{before}{inside}^0.5{rest}");
+    }
+
+    let mut out = String::new();
+    let mut rest = text.as_str();
+    while let Some(first) = rest.chars().next() {
+        let end = rest.find(|c: char| is_word(c) != is_word(first)).unwrap_or(rest.len());
+        let (piece, tail) = rest.split_at(end);
+        if is_word(first) {
+            out.push_str(short_word(piece, dimension));
+        } else {
+            // A square typed without its sign: "N/cm2".
+            if piece.starts_with('2') && out.ends_with(char::is_alphabetic) {
+                out.push('^');
+            }
+            out.push_str(piece);
+        }
+        rest = tail;
+    }
+    let mut words = out.split_whitespace();
+    let mut joined = words.next().unwrap_or_default().to_owned();
+    for word in words {
+        if !(word.starts_with(['/', '^']) || joined.ends_with(['/', '^'])) {
+            joined.push(' ');
+        }
+        joined.push_str(word);
+    }
+    joined
+}
+
+fn is_word(c: char) -> bool {
+    c.is_alphabetic() || c == '°'
+}
+
+fn short_word(word: &str, dimension: Dimension) -> &str {
+    // A pound-force is a force: as a mass it stays what it is, and is refused.
+    if word == "lbf" && dimension != Dimension::Mass {
+        return "lb";
+    }
+    WORDS.iter().find(|(_, long)| long.contains(&word)).map_or(word, |(short, _)| short)
+}
+
+/// The unit of `dimension` that `spelling` most resembles, if one alone is near enough to be worth asking.
+pub(crate) fn nearest_unit(spelling: &str, dimension: Dimension) -> Option<&'static Unit> {
+    if spelling.len() > crate::nearest::LONGEST {
+        return None;
+    }
+    let wanted = normalise(&mend_words(spelling), dimension).to_lowercase();
+    let distance = |known: &str| {
+        let known = known.to_lowercase();
+        // A slip seldom hits the first letter, and "Grad", German for a degree, is not nearly "rad".
+        let same_start = wanted.chars().next() == known.chars().next();
+        if same_start { strsim::damerau_levenshtein(&wanted, &known) } else { usize::MAX }
+    };
+    let ranked = dimension.units().iter().map(|unit| {
+        let distances = unit.spellings().map(distance);
+        (distances.min().unwrap_or(usize::MAX), unit)
+    });
+    let mut ranked: Vec<_> = ranked.collect();
+    ranked.sort_by_key(|(distance, _)| *distance);
+    match ranked[..] {
+        [(nearest, _), (second, _), ..] if nearest == second => None,
+        [(distance, unit), ..] => (distance <= crate::nearest::allowance(&wanted)).then_some(unit),
+        [] => None,
+    }
+}
+
+/// Replaces a misspelt long word by the word it resembles: "feets/s" becomes "feet/s".
+fn mend_words(spelling: &str) -> String {
+    let long = || WORDS.iter().flat_map(|(_, long)| long.iter().copied()).filter(|word| word.len() > 3);
+    let mut out = String::new();
+    for piece in spelling.split_inclusive(|c| !is_word(c)) {
+        let word = piece.trim_end_matches(|c| !is_word(c));
+        out.push_str(if word.len() > 3 {
+            crate::nearest::nearest(word, long()).unwrap_or(word)
+        } else {
+            word
+        });
+        out.push_str(&piece[word.len()..]);
+    }
+    out
+}

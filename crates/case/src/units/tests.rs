@@ -1,0 +1,269 @@
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use super::spelling::WORDS;
+use super::{Dimension, STANDARD_GRAVITY, Unit};
+use crate::quantity::{Limit, Quantity, QuantityError, format_limit, format_number};
+
+/// (–) half a unit of the seventh digit, the precision to which SP 811 prints what it does not print exactly.
+const PRINTED: f64 = 5e-7;
+
+fn factor(dimension: Dimension, spelling: &str) -> f64 {
+    dimension.unit(spelling).unwrap_or_else(|| panic!("{dimension} has no unit {spelling}")).factor()
+}
+
+#[track_caller]
+fn assert_factor(dimension: Dimension, spelling: &str, expected: f64, tolerance: f64) {
+    let ours = factor(dimension, spelling);
+    let error = (ours / expected - 1.0).abs();
+    assert!(error <= tolerance, "{spelling}: {ours} against {expected}, relative error {error:e}");
+}
+
+/// NIST Special Publication 811 (2008), appendix B.8; the values in bold there are exact.
+#[test]
+fn factors_agree_with_nist_sp_811() {
+    use Dimension::*;
+    // Exact: equal to the last bit but one, which the product of two constants may cost.
+    for (dimension, spelling, exact) in [
+        (Length, "ft", 3.048e-1),
+        (Length, "in", 2.54e-2),
+        (Mass, "lb", 4.535_923_7e-1),
+        (Mass, "t", 1e3),
+        (Speed, "mph", 4.4704e-1),
+        (Speed, "ft/s", 3.048e-1),
+        (Weight, "kgf", 9.80665),
+        (StiffnessB, "N/mm^2", 1e6),
+        (StiffnessB, "N/cm^2", 1e4),
+        (StiffnessB, "kPa", 1e3),
+        (StiffnessA, "N/cm", 1e2),
+        (StiffnessA, "N/mm", 1e3),
+        (StiffnessA, "kN/m", 1e3),
+        (RootForcePerLength, "N^0.5/cm", 1e2),
+    ] {
+        assert_factor(dimension, spelling, exact, f64::EPSILON);
+    }
+    for (dimension, spelling, printed) in [
+        (Mass, "slug", 1.459_390e1),
+        (Weight, "lb", 4.448_222),
+        (StiffnessG, "lb", 4.448_222),
+        (Speed, "km/h", 2.777_778e-1),
+        (Speed, "kn", 5.144_444e-1),
+        (Angle, "deg", 1.745_329e-2),
+        (YawRate, "rpm", 1.047_198e-1),
+        (YawRate, "deg/s", 1.745_329e-2),
+        // foot pound-force and inch pound-force, and the square second is the SI's own
+        (Inertia, "lb ft s^2", 1.355_818),
+        (Inertia, "lb in s^2", 1.129_848e-1),
+        (Inertia, "slug ft^2", 1.355_818),
+        (StiffnessA, "lb/in", 1.751_268e2),
+        (StiffnessA, "lb/ft", 1.459_390e1),
+        (StiffnessB, "psi", 6.894_757e3),
+        (StiffnessB, "psf", 4.788_026e1),
+    ] {
+        assert_factor(dimension, spelling, printed, PRINTED);
+    }
+}
+
+/// The roots have no row in SP 811: their squares have.
+#[test]
+fn squared_roots_agree_with_nist_sp_811() {
+    let squared = |dimension, spelling| factor(dimension, spelling) * factor(dimension, spelling);
+    let close = |ours: f64, printed: f64| (ours / printed - 1.0).abs() <= PRINTED;
+    assert!(close(squared(Dimension::RootForce, "lb^0.5"), 4.448_222));
+    // d1² is a B: lbf/ft² and lbf/in².
+    assert!(close(squared(Dimension::RootForcePerLength, "lb^0.5/ft"), 4.788_026e1));
+    assert!(close(squared(Dimension::RootForcePerLength, "lb^0.5/in"), 6.894_757e3));
+    // The literal is the correctly rounded root of the exact pound-force.
+    assert_eq!(factor(Dimension::RootForce, "lb^0.5"), 4.448_221_615_260_5_f64.sqrt());
+}
+
+#[test]
+fn every_dimension_has_its_si_unit_with_factor_one() {
+    for dimension in Dimension::ALL {
+        assert_eq!(factor(dimension, dimension.si_unit()), 1.0, "{dimension}");
+        assert!(dimension.units().iter().all(|unit| unit.dimension() == dimension));
+    }
+}
+
+#[test]
+fn a_weight_in_pounds_is_a_mass_in_pounds() {
+    let mass = factor(Dimension::Weight, "lb") / STANDARD_GRAVITY;
+    assert!((mass / factor(Dimension::Mass, "lb") - 1.0).abs() < 2.0 * f64::EPSILON);
+}
+
+#[test]
+fn no_spelling_means_two_units() {
+    for dimension in Dimension::ALL {
+        let mut rows: BTreeMap<String, &Unit> = BTreeMap::new();
+        for unit in dimension.units() {
+            for spelling in unit.spellings() {
+                let normal = super::normalise(spelling, dimension);
+                if let Some(other) = rows.insert(normal, unit) {
+                    assert_eq!(other, unit, "{spelling} means two units of {dimension}");
+                }
+                assert_eq!(dimension.unit(spelling), Some(unit), "{spelling} is not found");
+            }
+        }
+    }
+    let mut meanings = BTreeMap::new();
+    for (short, long) in WORDS {
+        for word in std::iter::once(short).chain(*long) {
+            assert_eq!(meanings.insert(word, short), None, "{word} means two words");
+        }
+    }
+}
+
+#[test]
+fn what_does_not_change_the_meaning_is_forgiven() {
+    use Dimension::*;
+    for (dimension, written, canonical) in [
+        (Inertia, "lb·ft·s²", "lb ft s^2"),
+        (Inertia, "ft-lb-s^2", "lb ft s^2"),
+        (Inertia, "lbf*ft*sec^2", "lb ft s^2"),
+        (Inertia, "slug-ft²", "slug ft^2"),
+        (Inertia, "kg m2", "kg m^2"),
+        (Inertia, "kg·m²", "kg m^2"),
+        (StiffnessB, "N/cm²", "N/cm^2"),
+        (StiffnessB, "lbs / in2", "lb/in^2"),
+        (StiffnessA, "pounds/inch", "lb/in"),
+        (RootForce, "√lb", "lb^0.5"),
+        (RootForce, "sqrt(lbf)", "lb^0.5"),
+        (RootForce, "√(N)", "N^0.5"),
+        (RootForce, "lb^(1/2)", "lb^0.5"),
+        (RootForce, "lb^½", "lb^0.5"),
+        (RootForcePerLength, "√lb/ft", "lb^0.5/ft"),
+        (RootForcePerLength, "sqrt(lb)/in", "lb^0.5/in"),
+        (Speed, "feet/second", "ft/s"),
+        (Speed, "miles/hour", "mph"),
+        (Angle, "°", "deg"),
+        (YawRate, "°/s", "deg/s"),
+    ] {
+        let unit = dimension.unit(written).map(Unit::spelling);
+        assert_eq!(unit, Some(canonical), "{written}");
+    }
+}
+
+#[test]
+fn what_changes_the_meaning_is_not() {
+    use Dimension::*;
+    for (dimension, written) in [
+        (Mass, "lbf"),
+        (Length, "M"),
+        (Speed, "ft s"),
+        (Inertia, "lb ft^2"),
+        (Inertia, "lb ft"),
+        (StiffnessA, "N/cm^2"),
+        (StiffnessB, "N/cm"),
+        (RootForce, "lb"),
+        (Weight, "kg"),
+        (Length, ""),
+    ] {
+        assert_eq!(dimension.unit(written), None, "{written}");
+    }
+}
+
+#[test]
+fn the_nearest_unit_is_the_one_that_was_meant() {
+    use super::nearest_unit;
+    let nearest = |written, dimension| nearest_unit(written, dimension).map(Unit::spelling);
+    assert_eq!(nearest("feets/s", Dimension::Speed), Some("ft/s"));
+    assert_eq!(nearest("kmh", Dimension::Speed), Some("km/h"));
+    assert_eq!(nearest("MPH", Dimension::Speed), Some("mph"));
+    assert_eq!(nearest("lb ft s", Dimension::Inertia), Some("lb ft s^2"));
+    // "m/h" is one slip from three units, and "Grad" is German for a degree.
+    assert_eq!(nearest("m/h", Dimension::Speed), None);
+    assert_eq!(nearest("Grad", Dimension::Angle), None);
+}
+
+#[test]
+fn numbers_are_read_as_they_are_written() {
+    for (text, number) in [
+        ("6.3 ft", 6.3),
+        ("6.3ft", 6.3),
+        ("  -6.3   ft ", -6.3),
+        ("−6.3 ft", -6.3),
+        ("+6.3 ft", 6.3),
+        (".5 ft", 0.5),
+        ("5. ft", 5.0),
+        ("1e2 ft", 100.0),
+        ("1.5E-1ft", 0.15),
+    ] {
+        let quantity =
+            Quantity::parse(text, Dimension::Length).unwrap_or_else(|error| panic!("{text}: {error}"));
+        assert_eq!(quantity.number(), number, "{text}");
+    }
+    for text in [
+        "--6 ft", "-+6 ft", "+-6 ft", ". ft", "- ft", "e5 ft", "nan ft", "inf ft", "6 3 ft", "1_000 ft",
+        "0x10 ft",
+    ] {
+        assert!(Quantity::parse(text, Dimension::Length).is_err(), "{text}");
+    }
+}
+
+#[test]
+fn the_bound_is_accepted_and_named_in_the_users_unit() {
+    for dimension in Dimension::ALL {
+        for unit in dimension.units() {
+            let Err(error) = Quantity::new(1e30, unit) else { panic!("{unit} has no bound") };
+            let help = error.help();
+            let limit = help.split(" is ").nth(1).and_then(|rest| rest.split(';').next()).unwrap_or_default();
+            let limit = Quantity::parse(limit, dimension)
+                .unwrap_or_else(|error| panic!("the limit {limit} is refused: {error}"));
+            let share = limit.si() / dimension.bound();
+            assert!((0.999..=1.0 + 1e-12).contains(&share), "{limit}: {share} of the bound");
+        }
+    }
+    for dimension in Dimension::ALL {
+        for unit in dimension.units() {
+            let limit = format_limit(dimension.least_positive(), unit, Limit::Least);
+            let share = Quantity::parse(&limit, dimension).unwrap().si() / dimension.least_positive();
+            assert!((1.0 - 1e-12..=1.001).contains(&share), "{limit}: {share} of the smallest");
+        }
+    }
+    // 1000 m is 3280.84 ft, and 0.000 001 m is 0.000 003 280 84 ft (SP 811: 0.3048 m).
+    let foot = Dimension::Length.unit("ft").unwrap();
+    assert_eq!(format_limit(1e3, foot, Limit::Most), "3280 ft");
+    assert_eq!(format_limit(1e-6, foot, Limit::Least), "3.281e-6 ft");
+    let error = Quantity::new(f64::NAN, foot).unwrap_err();
+    assert!(matches!(error, QuantityError::NotFinite { .. }), "{error:?}");
+}
+
+/// The tables of the documentation, written from the tables of the program.
+fn documentation() -> String {
+    let ticked = |words: &mut dyn Iterator<Item = &str>| {
+        words.map(|word| format!("`{word}`")).collect::<Vec<_>>().join(" ")
+    };
+    let mut text = String::from("| quantity | spellings | is |\n|---|---|---|\n");
+    for dimension in Dimension::ALL {
+        for unit in dimension.units() {
+            let spellings = ticked(&mut unit.spellings());
+            let factor = format_number(unit.factor());
+            writeln!(text, "| {dimension} | {spellings} | {factor} {} |", dimension.si_unit()).unwrap();
+        }
+    }
+    text.push_str("\nIn any unit, a word may stand for its short form:\n\n| short | words |\n|---|---|\n");
+    for (short, long) in WORDS {
+        writeln!(text, "| `{short}` | {} |", ticked(&mut long.iter().copied())).unwrap();
+    }
+    text.push_str(
+        "\nBeyond these limits a value is refused; the smallest holds where a value has to be positive:\n\n\
+         | quantity | smallest | largest |\n|---|---|---|\n",
+    );
+    for dimension in Dimension::ALL {
+        let [least, most] = [dimension.least_positive(), dimension.bound()].map(format_number);
+        writeln!(text, "| {dimension} | {least} {unit} | {most} {unit} |", unit = dimension.si_unit())
+            .unwrap();
+    }
+    text
+}
+
+#[test]
+fn the_documentation_lists_these_units() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/units.md");
+    let wanted = documentation();
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::write(path, &wanted).unwrap();
+    }
+    let written = std::fs::read_to_string(path).unwrap();
+    assert!(written == wanted, "src/units.md differs from the table; UPDATE=1 writes it anew:\n{wanted}");
+}

@@ -1,0 +1,196 @@
+//! Writing a case back: the layout of the documentation's example, the user's own units and numbers.
+
+use crate::case::{
+    Case, ContactPoint, Crush, Impact, Mass, Outline, Reconstruct, StiffnessForm, Vehicle, Velocity,
+    YawInertia,
+};
+use crate::quantity::{Quantity, format_number};
+use crash3::EnergyBasis;
+use crash3::ObliqueCorrection;
+use crash3::Side;
+use pim_core::Tangential;
+use reconcile::Unknown;
+
+impl Case {
+    /// The case as a file. Reading that file gives the same case: the same numbers, in the same units.
+    #[must_use]
+    pub fn to_toml(&self) -> String {
+        let mut top = Lines::new(None);
+        top.optional("title", self.title.as_deref().map(quoted));
+        top.optional("source", self.source.as_deref().map(quoted));
+        let mut tables = vec![top];
+        for (vehicle, name) in self.vehicles.iter().zip(["vehicle1", "vehicle2"]) {
+            tables.push(vehicle_lines(vehicle, name));
+            tables.extend(vehicle.crush.as_ref().map(|crush| crush_lines(crush, name)));
+        }
+        tables.extend(self.impact.as_ref().map(impact_lines));
+        tables.extend(self.reconstruct.as_ref().map(reconstruct_lines));
+        let texts: Vec<String> = tables.iter().map(Lines::to_text).filter(|text| !text.is_empty()).collect();
+        texts.join("\n")
+    }
+}
+
+/// One table: its header, and keys whose equals signs stand below each other.
+struct Lines {
+    header: Option<String>,
+    lines: Vec<(&'static str, String)>,
+}
+
+impl Lines {
+    fn new(header: Option<String>) -> Self {
+        Self { header, lines: Vec::new() }
+    }
+
+    fn line(&mut self, key: &'static str, value: String) {
+        self.lines.push((key, value));
+    }
+
+    fn optional(&mut self, key: &'static str, value: Option<String>) {
+        self.lines.extend(value.map(|value| (key, value)));
+    }
+
+    fn to_text(&self) -> String {
+        let width = self.lines.iter().map(|(key, _)| key.len()).max().unwrap_or(0);
+        let header = self.header.iter().map(|header| format!("[{header}]\n"));
+        header.chain(self.lines.iter().map(|(key, value)| format!("{key:width$} = {value}\n"))).collect()
+    }
+}
+
+fn vehicle_lines(vehicle: &Vehicle, name: &str) -> Lines {
+    let mut table = Lines::new(Some(name.to_owned()));
+    table.optional("name", vehicle.name.as_deref().map(quoted));
+    table.optional("fixed", vehicle.fixed.then(|| "true".to_owned()));
+    match vehicle.mass {
+        Some(Mass::Mass(mass)) => table.line("mass", string(mass)),
+        Some(Mass::Weight(weight)) => table.line("weight", string(weight)),
+        None => {}
+    }
+    match vehicle.yaw {
+        Some(YawInertia::Inertia(inertia)) => table.line("yaw_inertia", string(inertia)),
+        Some(YawInertia::Radius(radius)) => table.line("yaw_radius", string(radius)),
+        None => {}
+    }
+    table.optional("heading", vehicle.heading.map(string));
+    match vehicle.motion {
+        Some(Velocity::Speed(speed)) => table.line("speed", string(speed)),
+        Some(Velocity::Vector { x, y }) => table.line("velocity", inline(&[("x", Some(x)), ("y", Some(y))])),
+        None => {}
+    }
+    table.optional("yaw_rate", vehicle.yaw_rate.map(string));
+    let contact = vehicle.contact.map(|contact| match contact {
+        ContactPoint::Polar { distance, angle } => {
+            inline(&[("distance", Some(distance)), ("angle", Some(angle))])
+        }
+        ContactPoint::Cartesian { x, y } => inline(&[("x", Some(x)), ("y", Some(y))]),
+    });
+    table.optional("contact", contact);
+    if let Some(Outline { length, width, cg_to_front }) = vehicle.outline {
+        table.line("length", string(length));
+        table.line("width", string(width));
+        table.line("cg_to_front", string(cg_to_front));
+    }
+    table
+}
+
+fn crush_lines(crush: &Crush, vehicle: &str) -> Lines {
+    let mut table = Lines::new(Some(format!("{vehicle}.crush")));
+    let side = match crush.side {
+        Side::Front => "front",
+        Side::Rear => "rear",
+        Side::Left => "left",
+        Side::Right => "right",
+    };
+    table.line("side", quoted(side));
+    table.optional("width", crush.width.map(string));
+    table.line("depths", list(&crush.depths));
+    table.optional("spacing", crush.spacing.as_deref().map(list));
+    let stiffness = match crush.stiffness {
+        StiffnessForm::Crush { a, b, g } => inline(&[("A", Some(a)), ("B", Some(b)), ("G", g)]),
+        StiffnessForm::Root { d0, d1, g } => inline(&[("d0", Some(d0)), ("d1", Some(d1)), ("G", g)]),
+    };
+    table.line("stiffness", stiffness);
+    table.optional("offset", crush.offset.map(string));
+    table.optional("pdof", crush.pdof.map(string));
+    table.optional("oblique_angle", crush.oblique_angle.map(string));
+    table.optional("moment_arm", crush.moment_arm.map(string));
+    let oblique = crush.oblique.map(|oblique| match oblique {
+        ObliqueCorrection::Capped => "capped",
+        ObliqueCorrection::Uncapped => "uncapped",
+        ObliqueCorrection::None => "none",
+    });
+    table.optional("oblique", oblique.map(quoted));
+    table
+}
+
+fn impact_lines(impact: &Impact) -> Lines {
+    let mut table = Lines::new(Some("impact".to_owned()));
+    table.line("crush_plane", string(impact.crush_plane));
+    table.line("restitution", format_number(impact.restitution));
+    let number = |key: &str, value: f64| format!("{{ {key} = {} }}", format_number(value));
+    let tangential = match impact.tangential {
+        Tangential::Critical => quoted("critical"),
+        Tangential::Ratio(ratio) => number("ratio", ratio),
+        Tangential::FractionOfCritical(fraction) => number("fraction", fraction),
+        Tangential::Friction(friction) => number("friction", friction),
+    };
+    table.line("tangential", tangential);
+    table
+}
+
+fn reconstruct_lines(reconstruct: &Reconstruct) -> Lines {
+    let mut table = Lines::new(Some("reconstruct".to_owned()));
+    let find = match reconstruct.find {
+        Unknown::Speed1 => "vehicle1.speed",
+        Unknown::Speed2 => "vehicle2.speed",
+    };
+    table.line("find", quoted(find));
+    let basis = match reconstruct.energy_basis {
+        EnergyBasis::Dissipated => "dissipated",
+        EnergyBasis::Absorbed => "absorbed",
+    };
+    table.line("energy_basis", quoted(basis));
+    table
+}
+
+fn string(quantity: Quantity) -> String {
+    quoted(&quantity.to_string())
+}
+
+/// A table in braces, without the keys that have no value.
+fn inline(pairs: &[(&str, Option<Quantity>)]) -> String {
+    let given: Vec<String> = pairs
+        .iter()
+        .filter_map(|(key, quantity)| quantity.map(|quantity| format!("{key} = {}", string(quantity))))
+        .collect();
+    format!("{{ {} }}", given.join(", "))
+}
+
+/// One string where all share a unit, else a list of strings.
+fn list(quantities: &[Quantity]) -> String {
+    if let [first, rest @ ..] = quantities
+        && rest.iter().all(|quantity| quantity.unit() == first.unit())
+    {
+        let numbers: Vec<String> =
+            quantities.iter().map(|quantity| format_number(quantity.number())).collect();
+        return quoted(&format!("{} {}", numbers.join(" "), first.unit()));
+    }
+    let strings: Vec<String> = quantities.iter().copied().map(string).collect();
+    format!("[{}]", strings.join(", "))
+}
+
+/// A basic TOML string.
+fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => out.extend(['\\', c]),
+            '\n' => out.push_str("\\n"),
+            '\t' => out.push_str("\\t"),
+            // TOML forbids the other control characters in a string.
+            c if c.is_ascii_control() => out.push_str(&format!("\\u{:04X}", u32::from(c))),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}

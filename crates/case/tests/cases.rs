@@ -1,0 +1,794 @@
+//! Reading, writing back, and surviving whatever is in a file.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests fail by panicking"
+)]
+
+use std::fs;
+use std::path::Path;
+
+use case::{
+    Case, CaseFile, ContactPoint, Crush, Dimension, Impact, Mass, Outline, Problem, Quantity, Reconstruct,
+    StiffnessForm, Unit, UnitSystem, Vehicle, Velocity, YawInertia,
+};
+use crash3::EnergyBasis;
+use crash3::ObliqueCorrection;
+use crash3::Side;
+use pim_core::Tangential;
+use proptest::collection::vec;
+use proptest::option;
+use proptest::prelude::*;
+use proptest::sample::{Index, select};
+use reconcile::Unknown;
+
+fn fixtures() -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
+}
+
+fn paper() -> String {
+    fs::read_to_string(fixtures().join("sae-980025.toml")).unwrap()
+}
+
+#[track_caller]
+fn read(text: &str) -> CaseFile {
+    Case::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+fn quantity(text: &str, dimension: Dimension) -> Quantity {
+    Quantity::parse(text, dimension).unwrap()
+}
+
+/// The problems of a text that has to be refused.
+#[track_caller]
+fn problems(text: &str) -> Vec<Problem> {
+    let errors = Case::parse("case.toml", text).expect_err("the case is accepted");
+    errors.list().iter().map(|diagnostic| diagnostic.problem().clone()).collect()
+}
+
+/// SAE 980025, appendix: the paper prints metric values beside some of its own.
+#[test]
+fn the_papers_example_is_read() {
+    let case = read(&paper()).case;
+    let [jimmy, altima] = &case.vehicles;
+    assert_eq!(jimmy.name.as_deref(), Some("1994 GMC Jimmy"));
+    // 3696 lb and 3413 lb, with NIST SP 811's exact pound of 0.453 592 37 kg.
+    assert!((jimmy.mass.unwrap().kg() - 3696.0 * 0.453_592_37).abs() < 1e-9);
+    assert!((altima.mass.unwrap().kg() - 3413.0 * 0.453_592_37).abs() < 1e-9);
+    let Some(YawInertia::Inertia(inertia)) = jimmy.yaw else { panic!("{:?}", jimmy.yaw) };
+    // SP 811: 1 ft·lbf = 1.355 818 J.
+    assert!((inertia.si() / (2437.0 * 1.355_818) - 1.0).abs() < 5e-7);
+    assert_eq!(jimmy.motion, None);
+    let Some(Velocity::Speed(speed)) = altima.motion else { panic!("{:?}", altima.motion) };
+    assert!((speed.si() - 4.4704).abs() < 1e-12);
+    let crush = [jimmy.crush.as_ref().unwrap(), altima.crush.as_ref().unwrap()];
+    assert_eq!([crush[0].side, crush[1].side], [Side::Front, Side::Right]);
+    // "Crush Width: Veh 1, 1.65 m (65 in); Veh 2, 2.13 m (84 in)"
+    for (crush, printed) in crush.iter().zip([1.65, 2.13]) {
+        assert!((crush.width.unwrap().si() - printed).abs() < 0.005);
+        assert_eq!(crush.depths.len(), 6);
+    }
+    // "A = 587.4 N/cm, B = 63.3 N/cm²; A = 339.3 N/cm, B = 28.8 N/cm²" beside d_0 and d_1: A = d_0 d_1, B = d_1².
+    for (crush, [a, b]) in crush.iter().zip([[587.4e2, 63.3e4], [339.3e2, 28.8e4]]) {
+        let StiffnessForm::Root { d0, d1, g: None } = crush.stiffness else {
+            panic!("{:?}", crush.stiffness)
+        };
+        assert!((d0.si() * d1.si() / a - 1.0).abs() < 2e-3, "A {} against {a}", d0.si() * d1.si());
+        assert!((d1.si() * d1.si() / b - 1.0).abs() < 2e-3, "B {} against {b}", d1.si() * d1.si());
+    }
+    let impact = case.impact.unwrap();
+    assert_eq!((impact.restitution, impact.tangential), (0.3, Tangential::Critical));
+    assert!((impact.crush_plane.si() + 23.0 * std::f64::consts::PI / 180.0).abs() < 1e-15);
+    let wanted = Reconstruct { find: Unknown::Speed1, energy_basis: EnergyBasis::Dissipated };
+    assert_eq!(case.reconstruct, Some(wanted));
+    assert_eq!(case.unit_system(), UnitSystem::Us);
+}
+
+/// Every form that the paper's example does not use.
+const OTHER_FORMS: &str = r#"
+[vehicle1]
+mass = "1500 kg"
+yaw_radius = "1.4 m"
+heading = "0 rad"
+velocity = { x = "-20 m/s", y = "1.5 m/s" }
+yaw_rate = "-5 deg/s"
+contact = { x = "1.78 m", y = "-0.73 m" }
+length = "4.5 m"
+width = "1.75 m"
+cg_to_front = "2 m"
+[vehicle1.crush]
+side = "left"
+spacing = ["10 cm", "0.2 m"]
+depths = ["0 cm", "100 mm", "0.1 m"]
+stiffness = { A = "587 N/cm", B = "0 N/cm^2", G = "2.5 kN" }
+offset = "-30 cm"
+pdof = "-90 deg"
+oblique_angle = "-20 deg"
+moment_arm = "0 m"
+oblique = "none"
+[vehicle2]
+fixed = true
+heading = "90 deg"
+[impact]
+crush_plane = "0 deg"
+restitution = 0
+tangential = { friction = 0.5 }
+[reconstruct]
+find = "vehicle1.speed"
+energy_basis = "absorbed"
+"#;
+
+#[test]
+fn the_other_forms_are_read() {
+    let case = read(OTHER_FORMS).case;
+    let length = |text| quantity(text, Dimension::Length);
+    let speed = |text| quantity(text, Dimension::Speed);
+    let angle = |text| quantity(text, Dimension::Angle);
+    let vehicle = Vehicle {
+        name: None,
+        fixed: false,
+        mass: Some(Mass::Mass(quantity("1500 kg", Dimension::Mass))),
+        yaw: Some(YawInertia::Radius(length("1.4 m"))),
+        heading: Some(angle("0 rad")),
+        contact: Some(ContactPoint::Cartesian { x: length("1.78 m"), y: length("-0.73 m") }),
+        motion: Some(Velocity::Vector { x: speed("-20 m/s"), y: speed("1.5 m/s") }),
+        yaw_rate: Some(quantity("-5 deg/s", Dimension::YawRate)),
+        outline: Some(Outline {
+            length: length("4.5 m"),
+            width: length("1.75 m"),
+            cg_to_front: length("2 m"),
+        }),
+        crush: Some(Crush {
+            side: Side::Left,
+            width: None,
+            depths: vec![length("0 cm"), length("100 mm"), length("0.1 m")],
+            spacing: Some(vec![length("10 cm"), length("0.2 m")]),
+            stiffness: StiffnessForm::Crush {
+                a: quantity("587 N/cm", Dimension::StiffnessA),
+                b: quantity("0 N/cm^2", Dimension::StiffnessB),
+                g: Some(quantity("2.5 kN", Dimension::StiffnessG)),
+            },
+            offset: Some(length("-30 cm")),
+            pdof: Some(angle("-90 deg")),
+            oblique_angle: Some(angle("-20 deg")),
+            moment_arm: Some(length("0 m")),
+            oblique: Some(ObliqueCorrection::None),
+        }),
+    };
+    let wall = Vehicle { fixed: true, heading: Some(angle("90 deg")), ..Vehicle::default() };
+    let expected = Case {
+        title: None,
+        source: None,
+        vehicles: [vehicle, wall],
+        impact: Some(Impact {
+            crush_plane: angle("0 deg"),
+            restitution: 0.0,
+            tangential: Tangential::Friction(0.5),
+        }),
+        reconstruct: Some(Reconstruct { find: Unknown::Speed1, energy_basis: EnergyBasis::Absorbed }),
+    };
+    assert_eq!(case, expected);
+    assert_eq!(case.unit_system(), UnitSystem::Si);
+}
+
+#[test]
+fn a_tie_of_units_is_si() {
+    let text =
+        "[vehicle1]\nmass = \"1 kg\"\nheading = \"1 deg\"\n[vehicle2]\nmass = \"1 lb\"\nyaw_rate = \"1 rpm\"";
+    assert_eq!(read(text).case.unit_system(), UnitSystem::Si);
+    assert_eq!(read(&text.replace("1 kg", "1 slug")).case.unit_system(), UnitSystem::Us);
+}
+
+#[test]
+fn the_layout_is_the_documented_one() {
+    let case = read(&paper()).case;
+    let expected = r#"title  = "Intersection collision, GMC Jimmy and Nissan Altima"
+source = "SAE 980025, appendix"
+
+[vehicle1]
+name        = "1994 GMC Jimmy"
+weight      = "3696 lb"
+yaw_inertia = "2437 lb ft s^2"
+heading     = "180 deg"
+contact     = { distance = "6.3 ft", angle = "-22.4 deg" }
+
+[vehicle1.crush]
+side      = "front"
+width     = "65 in"
+depths    = "21.3 20.3 13.8 11.3 5.3 4.8 in"
+stiffness = { d0 = "35 lb^0.5", d1 = "115 lb^0.5/ft" }
+
+[vehicle2]
+name        = "1995 Nissan Altima"
+weight      = "3413 lb"
+yaw_inertia = "2165 lb ft s^2"
+heading     = "67 deg"
+speed       = "10 mph"
+contact     = { distance = "3.8 ft", angle = "-39 deg" }
+
+[vehicle2.crush]
+side      = "right"
+width     = "84 in"
+depths    = "3 15.8 13.5 6.7 3.3 5 in"
+stiffness = { d0 = "30 lb^0.5", d1 = "77.5 lb^0.5/ft" }
+
+[impact]
+crush_plane = "-23 deg"
+restitution = 0.3
+tangential  = "critical"
+
+[reconstruct]
+find         = "vehicle1.speed"
+energy_basis = "dissipated"
+"#;
+    assert_eq!(case.to_toml(), expected);
+}
+
+#[test]
+fn every_valid_fixture_is_read_and_written_back() {
+    let mut read_files = 0;
+    for entry in fs::read_dir(fixtures()).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|extension| extension == "toml") {
+            let case = read(&fs::read_to_string(&path).unwrap()).case;
+            assert_eq!(read(&case.to_toml()).case, case, "{}", path.display());
+            read_files += 1;
+        }
+    }
+    assert!(read_files > 0);
+    let case = read(OTHER_FORMS).case;
+    assert_eq!(read(&case.to_toml()).case, case);
+}
+
+#[test]
+fn the_limits_themselves_are_accepted() {
+    let with = |old: &str, new: &str| {
+        assert!(OTHER_FORMS.contains(old), "{old}");
+        Case::parse("case.toml", &OTHER_FORMS.replace(old, new))
+    };
+    let accepted = |old, new| with(old, new).map(|_| ()).map_err(|errors| errors.to_string());
+    let refused = |old, new| with(old, new).is_err();
+    assert_eq!(accepted("restitution = 0\n", "restitution = 1\n"), Ok(()));
+    assert!(refused("restitution = 0\n", "restitution = -0.001\n"));
+    assert_eq!(accepted("{ friction = 0.5 }", "{ fraction = 1.0 }"), Ok(()));
+    assert!(refused("{ friction = 0.5 }", "{ fraction = 1.001 }"));
+    assert_eq!(accepted("{ friction = 0.5 }", "{ ratio = -3 }"), Ok(()));
+    assert!(refused("{ friction = 0.5 }", "{ ratio = inf }"));
+    assert!(refused("{ friction = 0.5 }", "{ friction = inf }"));
+    assert_eq!(accepted("\"-20 deg\"", "\"-89.9 deg\""), Ok(()));
+    assert!(refused("\"-20 deg\"", "\"-90 deg\""));
+    assert!(refused("\"-20 deg\"", "\"1.5708 rad\""));
+    assert!(refused("G = \"2.5 kN\"", "G = \"-1 N\""));
+    assert!(refused("B = \"0 N/cm^2\"", "B = \"-1 N/cm^2\""));
+    assert!(refused("B = \"0 N/cm^2\"", "B = \"1e-300 N/cm^2\""));
+    assert!(refused("A = \"587 N/cm\"", "A = \"-1 N/cm\""));
+    assert!(refused("moment_arm = \"0 m\"", "moment_arm = \"-1 m\""));
+    // 0.3 m of spacing: the width may differ by 0.1 %.
+    assert_eq!(accepted("side = \"left\"", "side = \"left\"\nwidth = \"30.02 cm\""), Ok(()));
+    assert!(refused("side = \"left\"", "side = \"left\"\nwidth = \"30.04 cm\""));
+    assert!(refused("side = \"left\"", "side = \"left\"\nwidth = \"29.96 cm\""));
+}
+
+/// Every key that may not have every sign, with a line that sets it to zero.
+#[test]
+fn every_key_has_its_sign() {
+    let vehicle = |line: &str| format!("[vehicle1]\n{line}\n[vehicle2]\n");
+    let crush = |line: &str| {
+        let rest = [("depths", "\"1 1 m\""), ("stiffness", "{ d0 = \"1 N^0.5\", d1 = \"1 N^0.5/m\" }")];
+        let rest = rest.iter().filter(|(key, _)| !line.starts_with(key));
+        let rest: String = rest.map(|(key, value)| format!("{key} = {value}\n")).collect();
+        let width =
+            if line.starts_with("width") || line.starts_with("spacing") { "" } else { "width = \"1 m\"\n" };
+        format!("[vehicle1]\n[vehicle1.crush]\nside = \"rear\"\n{width}{rest}{line}\n[vehicle2]\n")
+    };
+    let outline = |length: &str, width: &str, front: &str| {
+        vehicle(&format!("length = \"{length} m\"\nwidth = \"{width} m\"\ncg_to_front = \"{front} m\""))
+    };
+    let positive = [
+        vehicle("mass = \"0 kg\""),
+        vehicle("weight = \"0 lb\""),
+        vehicle("yaw_inertia = \"0 kg m^2\""),
+        vehicle("yaw_radius = \"0 m\""),
+        outline("0", "2", "2"),
+        outline("4", "0", "2"),
+        outline("4", "2", "0"),
+        crush("width = \"0 m\""),
+        crush("spacing = \"0 m\""),
+        crush("stiffness = { d0 = \"1 N^0.5\", d1 = \"0 N^0.5/m\" }"),
+        crush("stiffness = { A = \"1 N/m\", B = \"0 N/m^2\" }"),
+    ];
+    for zero in &positive {
+        assert!(matches!(problems(zero)[..], [Problem::NotPositive { .. }]), "{zero}");
+        read(&zero.replace("\"0 ", "\"1 "));
+        assert!(
+            matches!(problems(&zero.replace("\"0 ", "\"-1 "))[..], [Problem::NotPositive { .. }]),
+            "{zero}"
+        );
+        // Smaller than any limit, and still a number.
+        let tiny = problems(&zero.replace("\"0 ", "\"5e-324 "));
+        assert!(matches!(tiny[..], [Problem::TooSmall { .. }]), "{zero}: {tiny:?}");
+    }
+    let not_negative = [
+        vehicle("contact = { distance = \"0 m\", angle = \"1 deg\" }"),
+        crush("depths = \"0 1 m\""),
+        crush("moment_arm = \"0 m\""),
+        crush("stiffness = { d0 = \"0 N^0.5\", d1 = \"1 N^0.5/m\" }"),
+        crush("stiffness = { d0 = \"1 N^0.5\", d1 = \"1 N^0.5/m\", G = \"0 N\" }"),
+        crush("stiffness = { A = \"0 N/m\", B = \"1 N/m^2\" }"),
+        crush("stiffness = { A = \"1 N/m\", B = \"0 N/m^2\", G = \"1 N\" }"),
+    ];
+    for zero in &not_negative {
+        read(zero);
+        assert!(matches!(problems(&zero.replace("\"0 ", "\"-1 "))[..], [Problem::Negative { .. }]), "{zero}");
+    }
+}
+
+#[test]
+fn a_fixed_object_has_nothing_that_moves() {
+    let with = |line: &str| format!("[vehicle1]\n[vehicle2]\nfixed = true\n{line}\n");
+    let crush = "[vehicle2.crush]\nside = \"rear\"\nwidth = \"1 m\"\ndepths = \"1 1 m\"\n\
+                 stiffness = { d0 = \"1 N^0.5\", d1 = \"1 N^0.5/m\" }";
+    for (key, line) in [
+        ("mass", "mass = \"1 kg\""),
+        ("weight", "weight = \"1 lb\""),
+        ("yaw_inertia", "yaw_inertia = \"1 kg m^2\""),
+        ("yaw_radius", "yaw_radius = \"1 m\""),
+        ("speed", "speed = \"0 mph\""),
+        ("velocity", "velocity = { x = \"0 m/s\", y = \"0 m/s\" }"),
+        ("yaw_rate", "yaw_rate = \"0 deg/s\""),
+        ("crush", crush),
+    ] {
+        assert_eq!(problems(&with(line)), [Problem::FixedHas { table: "[vehicle2]".to_owned(), key }]);
+        read(&with(line).replace("fixed = true", "fixed = false"));
+    }
+    read(&with("name = \"wall\"\nheading = \"90 deg\"\ncontact = { x = \"0 m\", y = \"0 m\" }"));
+}
+
+#[test]
+fn a_profile_has_two_to_ten_thousand_stations() {
+    let with = |depths: String| {
+        let text = OTHER_FORMS.replace("spacing = [\"10 cm\", \"0.2 m\"]", "width = \"1 m\"");
+        text.replace("[\"0 cm\", \"100 mm\", \"0.1 m\"]", &depths)
+    };
+    let string = |count: usize| with(format!("\"{} cm\"", vec!["1"; count].join(" ")));
+    let list = |count: usize| with(format!("[{}]", vec!["\"1 cm\""; count].join(", ")));
+    for count in [2, 10_000] {
+        for text in [string(count), list(count)] {
+            assert_eq!(read(&text).case.vehicles[0].crush.as_ref().unwrap().depths.len(), count);
+        }
+    }
+    for text in [string(1), list(1)] {
+        assert!(matches!(problems(&text)[..], [Problem::TooFewStations { count: 1, .. }]));
+    }
+    for text in [string(10_001), list(10_001)] {
+        assert!(matches!(problems(&text)[..], [Problem::TooMany { count: 10_001, limit: 10_000, .. }]));
+    }
+    assert!(matches!(problems(&list(0))[..], [Problem::TooFewStations { count: 0, .. }]));
+}
+
+#[test]
+fn all_problems_are_reported_at_once() {
+    let text = OTHER_FORMS
+        .replace("\"1500 kg\"", "1500")
+        .replace("yaw_rate = \"-5 deg/s\"", "yaw_rate = -5 deg/s")
+        .replace("side = \"left\"", "syde = \"left\"")
+        .replace("restitution = 0", "restitution = 2");
+    let found = problems(&text);
+    assert!(
+        matches!(
+            found[..],
+            [
+                Problem::BareNumber { .. },
+                Problem::Syntax { .. },
+                Problem::UnknownKey { nearest: Some("side"), .. },
+                Problem::OutOfRange { .. }
+            ]
+        ),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn a_misspelt_key_is_not_missing_as_well() {
+    let vehicles = "[vehicle1]\n[vehicel2]\n";
+    assert!(matches!(problems(vehicles)[..], [Problem::UnknownTable { nearest: Some("vehicle2"), .. }]));
+}
+
+#[test]
+fn a_file_of_ten_megabytes_is_read_and_a_larger_one_is_not() {
+    let padded = |length: usize| format!("{OTHER_FORMS}#{}", "x".repeat(length - OTHER_FORMS.len() - 1));
+    assert!(Case::parse("case.toml", &padded(10_000_000)).is_ok());
+    let found = problems(&padded(10_000_001));
+    assert_eq!(found, [Problem::TooLarge { bytes: 10_000_001, limit: 10_000_000 }]);
+}
+
+/// What is quick for a word of ten letters can be quadratic in its length.
+#[test]
+fn a_megabyte_of_one_value_is_refused_at_once() {
+    let unit =
+        |part: &str| format!("[vehicle1]\nmass = \"1 {}\"\n[vehicle2]", part.repeat(1_000_000 / part.len()));
+    for text in [unit("√("), unit("√"), unit("sqrt(a)"), unit("lb "), unit("x")] {
+        assert!(matches!(
+            problems(&text)[..],
+            [Problem::Quantity(
+                case::QuantityError::UnknownUnit { .. } | case::QuantityError::BadNumber { .. }
+            )]
+        ));
+    }
+    let key = format!("{} = 1\n[vehicle1]\n[vehicle2]", "k".repeat(1_000_000));
+    assert!(matches!(problems(&key)[..], [Problem::UnknownKey { nearest: None, .. }]));
+}
+
+#[test]
+fn deep_nesting_is_refused() {
+    for text in
+        ["[", "{a=", "a.", "[[", "\"\"."].map(|part| format!("a = {0}\n{0}a = 1", part.repeat(20_000)))
+    {
+        assert!(matches!(problems(&text)[0], Problem::Syntax { .. }));
+    }
+    let dotted = format!("[vehicle1]\n{}a = 1\n[vehicle2]", "mass.".repeat(10_000));
+    assert!(!problems(&dotted).is_empty());
+}
+
+#[test]
+fn a_cross_check_points_at_the_value() {
+    let file = read(&paper());
+    let at = |path: &str| file.problem(path, "m", None).span().map(|span| &file.source.text()[span]);
+    assert_eq!(at("vehicle1.crush.width"), Some("\"65 in\""));
+    assert_eq!(at("vehicle2.contact.angle"), Some("\"-39 deg\""));
+    assert_eq!(at("vehicle2"), Some("[vehicle2]"));
+    assert_eq!(at("vehicle1.speed"), Some("[vehicle1]"), "absent: the table that should have it");
+    assert_eq!(at("vehicle2.crush.pdof"), Some("[vehicle2.crush]"));
+    assert_eq!(at("uncertainty.samples"), None, "absent with all its tables: the file");
+
+    assert!(file.accept(Vec::new()).is_ok());
+    let later = file.problem("vehicle2.speed", "too fast", Some("brake".to_owned()));
+    let earlier = file.problem("vehicle1.heading", "wrong way", None);
+    let text = file.accept(vec![later, earlier]).unwrap_err().to_string();
+    let places = ["heading     = \"180 deg\"", "speed       = \"10 mph\""].map(|line| {
+        let above = file.source.text().split(line).next().unwrap();
+        format!("case.toml:{}:15", above.lines().count() + 1)
+    });
+    let positions = places.map(|place| text.find(&place).unwrap_or_else(|| panic!("{place}: {text}")));
+    assert!(positions[0] < positions[1], "{text}");
+    assert!(text.contains("error: too fast") && text.contains("help: brake"), "{text}");
+}
+
+// ---- generated cases ----
+
+#[derive(Clone, Copy, PartialEq)]
+enum Signs {
+    Any,
+    NotNegative,
+    Positive,
+}
+
+fn unit_of(dimension: Dimension) -> impl Strategy<Value = &'static Unit> {
+    any::<Index>().prop_map(move |index| index.get(dimension.units()))
+}
+
+/// Magnitudes over the whole accepted range; long fractions and short ones; zero and minus where allowed.
+fn any_quantity(dimension: Dimension, range: Signs) -> impl Strategy<Value = Quantity> {
+    let decade = |si: f64| format!("{si:e}").split('e').nth(1).unwrap().parse::<i32>().unwrap();
+    let magnitude = (1.0..10.0_f64, decade(dimension.least_positive())..=decade(dimension.bound()))
+        .prop_map(|(mantissa, exponent)| format!("{mantissa}e{exponent}").parse::<f64>().unwrap());
+    (unit_of(dimension), magnitude, any::<bool>(), 0..10_u8).prop_filter_map(
+        "rounding may leave the range",
+        move |(unit, magnitude, is_short, kind)| {
+            let number = magnitude / unit.factor();
+            let number = if is_short { format!("{number:.2e}").parse().unwrap() } else { number };
+            let number = match (range, kind) {
+                (Signs::Any | Signs::NotNegative, 0) => 0.0,
+                (Signs::Any, 1..5) => -number,
+                _ => number,
+            };
+            let quantity = Quantity::new(number, unit).ok()?;
+            (range != Signs::Positive || quantity.si() >= dimension.least_positive()).then_some(quantity)
+        },
+    )
+}
+
+fn words() -> impl Strategy<Value = String> {
+    prop_oneof![
+        "[ -~]{1,30}",
+        "\\PC{1,12}",
+        vec(any::<char>(), 1..12).prop_map(|chars| chars.into_iter().collect()),
+        Just("quote \" backslash \\ tab \t return \r\n nul \0 delete \u{7f}".to_owned()),
+    ]
+    .prop_filter("a text is not empty", |text: &String| !text.trim().is_empty())
+}
+
+fn any_stiffness() -> impl Strategy<Value = StiffnessForm> {
+    use Signs::{NotNegative, Positive};
+    let a = || any_quantity(Dimension::StiffnessA, NotNegative);
+    let g = || any_quantity(Dimension::StiffnessG, NotNegative);
+    prop_oneof![
+        (a(), any_quantity(Dimension::StiffnessB, Positive), option::of(g()))
+            .prop_map(|(a, b, g)| StiffnessForm::Crush { a, b, g }),
+        (a(), unit_of(Dimension::StiffnessB), g()).prop_map(|(a, unit, g)| StiffnessForm::Crush {
+            a,
+            b: Quantity::new(0.0, unit).unwrap(),
+            g: Some(g)
+        }),
+        (
+            any_quantity(Dimension::RootForce, NotNegative),
+            any_quantity(Dimension::RootForcePerLength, Positive),
+            option::of(g())
+        )
+            .prop_map(|(d0, d1, g)| StiffnessForm::Root { d0, d1, g }),
+    ]
+}
+
+/// Depths with or without one unit, and a width, a spacing, or both in agreement.
+fn any_profile() -> impl Strategy<Value = (Option<Quantity>, Vec<Quantity>, Option<Vec<Quantity>>)> {
+    let depth = || any_quantity(Dimension::Length, Signs::NotNegative);
+    let share_unit = |quantities: Vec<Quantity>, is_shared: bool| -> Vec<Quantity> {
+        let unit = quantities[0].unit();
+        if !is_shared {
+            return quantities;
+        }
+        quantities.iter().map(|q| Quantity::new(q.number().min(1.0), unit).unwrap()).collect()
+    };
+    let width = any_quantity(Dimension::Length, Signs::Positive);
+    let gaps = vec((unit_of(Dimension::Length), 1_u32..1000), 7);
+    (vec(depth(), 2..8), any::<[bool; 3]>(), width, gaps).prop_map(
+        move |(depths, [depths_share, has_width, has_spacing], width, gaps)| {
+            let depths = share_unit(depths, depths_share);
+            if !has_spacing {
+                return (Some(width), depths, None);
+            }
+            let gaps = gaps.iter().take(depths.len() - 1);
+            let spacing: Vec<Quantity> = gaps
+                .map(|(unit, mm)| Quantity::new(f64::from(*mm) / 1000.0 / unit.factor(), unit).unwrap())
+                .collect();
+            let metre = Dimension::Length.unit("m").unwrap();
+            let sum = Quantity::new(spacing.iter().map(Quantity::si).sum(), metre).unwrap();
+            (has_width.then_some(sum), depths, Some(spacing))
+        },
+    )
+}
+
+fn any_crush() -> impl Strategy<Value = Crush> {
+    let side = select(vec![Side::Front, Side::Rear, Side::Left, Side::Right]);
+    let oblique = option::of(select(vec![
+        ObliqueCorrection::Capped,
+        ObliqueCorrection::Uncapped,
+        ObliqueCorrection::None,
+    ]));
+    let degree = Dimension::Angle.unit("deg").unwrap();
+    let acute = (-89.99..89.99_f64).prop_map(move |number| Quantity::new(number, degree).unwrap());
+    let angle = any_quantity(Dimension::Angle, Signs::Any);
+    let offset = any_quantity(Dimension::Length, Signs::Any);
+    let arm = any_quantity(Dimension::Length, Signs::NotNegative);
+    let optional = (option::of(offset), option::of(angle), option::of(acute), option::of(arm));
+    (side, any_profile(), any_stiffness(), optional, oblique).prop_map(
+        |(side, (width, depths, spacing), stiffness, (offset, pdof, oblique_angle, moment_arm), oblique)| {
+            Crush {
+                side,
+                width,
+                depths,
+                spacing,
+                stiffness,
+                offset,
+                pdof,
+                oblique_angle,
+                moment_arm,
+                oblique,
+            }
+        },
+    )
+}
+
+fn any_vehicle() -> impl Strategy<Value = Vehicle> {
+    use Signs::{Any, NotNegative, Positive};
+    let length = |range| any_quantity(Dimension::Length, range);
+    let speed = || any_quantity(Dimension::Speed, Any);
+    let angle = || any_quantity(Dimension::Angle, Any);
+    let mass = prop_oneof![
+        any_quantity(Dimension::Mass, Positive).prop_map(Mass::Mass),
+        any_quantity(Dimension::Weight, Positive).prop_map(Mass::Weight),
+    ];
+    let yaw = prop_oneof![
+        any_quantity(Dimension::Inertia, Positive).prop_map(YawInertia::Inertia),
+        length(Positive).prop_map(YawInertia::Radius),
+    ];
+    let contact = prop_oneof![
+        (length(NotNegative), angle()).prop_map(|(distance, angle)| ContactPoint::Polar { distance, angle }),
+        (length(Any), length(Any)).prop_map(|(x, y)| ContactPoint::Cartesian { x, y }),
+    ];
+    let motion = prop_oneof![
+        speed().prop_map(Velocity::Speed),
+        (speed(), speed()).prop_map(|(x, y)| Velocity::Vector { x, y }),
+    ];
+    let outline = (length(Positive), length(Positive), length(Positive))
+        .prop_map(|(length, width, cg_to_front)| Outline { length, width, cg_to_front });
+    let of_both = (option::of(words()), option::of(angle()), option::of(contact), option::of(outline));
+    let yaw_rate = any_quantity(Dimension::YawRate, Any);
+    let of_vehicles = (
+        option::of(mass),
+        option::of(yaw),
+        option::of(motion),
+        option::of(yaw_rate),
+        option::of(any_crush()),
+    );
+    (of_both, of_vehicles).prop_map(
+        |((name, heading, contact, outline), (mass, yaw, motion, yaw_rate, crush))| Vehicle {
+            name,
+            fixed: false,
+            mass,
+            yaw,
+            heading,
+            contact,
+            motion,
+            yaw_rate,
+            outline,
+            crush,
+        },
+    )
+}
+
+fn any_case() -> impl Strategy<Value = Case> {
+    let tangential = prop_oneof![
+        Just(Tangential::Critical),
+        (-1e9..1e9_f64).prop_map(Tangential::Ratio),
+        (0.0..=1.0_f64).prop_map(Tangential::FractionOfCritical),
+        (0.0..1e9_f64).prop_map(Tangential::Friction),
+    ];
+    let impact = (any_quantity(Dimension::Angle, Signs::Any), 0.0..=1.0_f64, tangential)
+        .prop_map(|(crush_plane, restitution, tangential)| Impact { crush_plane, restitution, tangential });
+    let bases = vec![EnergyBasis::Dissipated, EnergyBasis::Absorbed];
+    let reconstruct = (select(vec![Unknown::Speed1, Unknown::Speed2]), select(bases))
+        .prop_map(|(find, energy_basis)| Reconstruct { find, energy_basis });
+    let vehicles = [any_vehicle(), any_vehicle()];
+    let texts = [option::of(words()), option::of(words())];
+    let barrier = option::of(0..2_usize);
+    (texts, vehicles, barrier, option::of(impact), option::of(reconstruct)).prop_map(
+        |([title, source], mut vehicles, barrier, impact, mut reconstruct)| {
+            if let Some(index) = barrier {
+                let Vehicle { name, heading, contact, outline, .. } = vehicles[index].clone();
+                vehicles[index] =
+                    Vehicle { name, fixed: true, heading, contact, outline, ..Vehicle::default() };
+                let moving = [Unknown::Speed2, Unknown::Speed1][index];
+                reconstruct = reconstruct.map(|wanted| Reconstruct { find: moving, ..wanted });
+            }
+            Case { title, source, vehicles, impact, reconstruct }
+        },
+    )
+}
+
+/// One thing that happens to a file.
+#[derive(Clone, Debug)]
+enum Change {
+    Delete(Index, usize),
+    Insert(Index, &'static str),
+    Digit(Index, char),
+    Line(Index, Index),
+}
+
+fn any_change() -> impl Strategy<Value = Change> {
+    let odd = [
+        "\"",
+        "'",
+        "[",
+        "]",
+        "{",
+        "}",
+        "=",
+        ".",
+        ",",
+        "#",
+        "\n",
+        "\r\n",
+        "\\",
+        "\0",
+        "\u{feff}",
+        "\u{202e}",
+        "é",
+        "🚗",
+        "−",
+        "√",
+        "^",
+        "½",
+        "\t",
+        "e999",
+        "nan",
+        "[[",
+        "\"\"\"",
+        "-",
+        "1_0",
+        "0x",
+        "fixed = true\n",
+        "speed = 1\n",
+        " ",
+    ];
+    let digit = select("0123456789.-".chars().collect::<Vec<char>>());
+    prop_oneof![
+        (any::<Index>(), 1..40_usize).prop_map(|(at, length)| Change::Delete(at, length)),
+        (any::<Index>(), select(odd.to_vec())).prop_map(|(at, text)| Change::Insert(at, text)),
+        (any::<Index>(), digit).prop_map(|(at, digit)| Change::Digit(at, digit)),
+        (any::<Index>(), any::<Index>()).prop_map(|(from, to)| Change::Line(from, to)),
+    ]
+}
+
+fn apply(text: &str, change: &Change) -> String {
+    let mut chars: Vec<char> = text.chars().collect();
+    if chars.is_empty() {
+        return String::new();
+    }
+    match change {
+        Change::Delete(at, length) => {
+            let at = at.index(chars.len());
+            chars.drain(at..(at + length).min(chars.len()));
+        }
+        Change::Insert(at, text) => {
+            let at = at.index(chars.len());
+            chars.splice(at..at, text.chars());
+        }
+        Change::Digit(at, digit) => {
+            let digits: Vec<usize> = (0..chars.len()).filter(|&i| chars[i].is_ascii_digit()).collect();
+            if !digits.is_empty() {
+                chars[*at.get(&digits)] = *digit;
+            }
+        }
+        Change::Line(from, to) => {
+            let mut lines: Vec<&str> = text.split_inclusive('\n').collect();
+            let line = *from.get(&lines);
+            lines.insert(to.index(lines.len()), line);
+            return lines.concat();
+        }
+    }
+    chars.into_iter().collect()
+}
+
+/// No text may do more than be refused with reasons; a case that is accepted can be written back.
+fn survives(text: &str) -> Result<(), TestCaseError> {
+    match Case::parse("case.toml", text) {
+        Ok(file) => {
+            let written = file.case.to_toml();
+            let again = Case::parse("written.toml", &written).map(|file| file.case);
+            prop_assert_eq!(again.map_err(|errors| errors.to_string()), Ok(file.case));
+        }
+        Err(errors) => {
+            prop_assert!(!errors.list().is_empty(), "refused without a reason");
+            let rendered = errors.to_string();
+            prop_assert!(rendered.starts_with("error: "), "{}", rendered);
+            let controls = rendered.chars().filter(|c| c.is_control() && *c != '\n').count();
+            prop_assert_eq!(controls, 0, "control characters reach the terminal: {:?}", rendered);
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 512, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn writing_and_reading_gives_the_same_case(case in any_case()) {
+        let text = case.to_toml();
+        let again = Case::parse("written.toml", &text).map(|file| file.case);
+        prop_assert_eq!(again.map_err(|errors| errors.to_string()), Ok(case), "{}", text);
+    }
+
+    #[test]
+    fn a_damaged_file_is_survived(changes in vec(any_change(), 1..12), is_paper in any::<bool>()) {
+        let mut text = if is_paper { paper() } else { OTHER_FORMS.to_owned() };
+        for change in &changes {
+            text = apply(&text, change);
+        }
+        survives(&text)?;
+    }
+
+    #[test]
+    fn any_text_is_survived(text in any::<String>()) {
+        survives(&text)?;
+    }
+
+    #[test]
+    fn any_value_is_survived(value in "[-+−.,eE0-9 √½^/()a-z²·°_*]{0,24}", key in 0..6_usize) {
+        let key = ["mass", "yaw_inertia", "heading", "speed", "yaw_rate", "length"][key];
+        survives(&format!("[vehicle1]\n{key} = \"{value}\"\n[vehicle2]\n"))?;
+        survives(&format!("[vehicle1.crush]\ndepths = \"{value}\"\nstiffness = {{ d0 = \"{value}\" }}\n[vehicle2]\n"))?;
+    }
+}
