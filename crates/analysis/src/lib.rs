@@ -1,0 +1,180 @@
+//! From a case to a finished analysis: reconstruct, impact or crush, with every warning that a careful reconstructionist would raise.
+//!
+//! ```
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let text = include_str!("../../../fixtures/sae-980025.toml");
+//! let file = case::Case::parse("sae-980025.toml", text)?;
+//! let analysis = analysis::reconstruct(&file)?;
+//! let found = analysis.found.as_ref().ok_or("a reconstruction finds a speed")?;
+//! assert!((found.speed - 22.9).abs() < 0.05); // SAE 980025, appendix: 22.9 m/s
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
+//! [`Warning`]s. A [`Failure`] says whether the file or the physics is to blame.
+//!
+//! # What it does not do
+//!
+//! It adds no equation: those stand in `pim-core`, `crash3` and `reconcile`. It reads no file and writes no text (`case`, `report`).
+
+mod damage;
+mod warning;
+
+pub use damage::{Crash3, Damage, Oblique};
+pub use warning::Warning;
+
+use case::{CaseFile, Collision, Diagnostics, Subject};
+use crash3::{CrushError, EnergyBasis};
+use pim_core::{Contact, ImpactError, Law, Outcome};
+use reconcile::{Iteration, Method, Problem, ReconcileError, Unknown};
+
+/// A finished analysis.
+#[derive(Clone, Debug)]
+pub struct Analysis {
+    /// What the crush energy stands for.
+    pub basis: EnergyBasis,
+    /// The speed found, in a reconstruction.
+    pub found: Option<Found>,
+    /// The impact; none in an analysis of damage alone.
+    pub impact: Option<Impact>,
+    /// Both vehicles.
+    pub vehicles: [Vehicle; 2],
+    /// CRASH3's answer, where the damage of all vehicles is known.
+    pub crash3: Option<Crash3>,
+    /// What a careful reader should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// A speed that reconciles crush and impact.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// Whose speed.
+    pub unknown: Unknown,
+    /// (m/s) the speed along the heading.
+    pub speed: f64,
+    /// (m/s) all admissible speeds, from the slowest approach to the fastest.
+    pub admissible: Vec<f64>,
+    /// (J) crush energy of both vehicles.
+    pub crush_energy: f64,
+    /// (J) normal work sought: the crush energy, less what restitution gives back where the basis is absorbed energy.
+    pub normal_work: f64,
+    /// The steps of the root-finder; none where a closed form gave the answer.
+    pub iterations: Vec<Iteration>,
+}
+
+/// An impact with what it was computed from.
+#[derive(Clone, Debug)]
+pub struct Impact {
+    /// The geometry.
+    pub contact: Contact,
+    /// The impact law.
+    pub law: Law,
+    /// What happened.
+    pub outcome: Outcome,
+}
+
+/// One vehicle.
+#[derive(Clone, Debug)]
+pub struct Vehicle {
+    /// What the file says of it.
+    pub subject: Subject,
+    /// Its damage.
+    pub damage: Option<Damage>,
+}
+
+/// Why there is no analysis.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// The file lacks something or contradicts itself.
+    #[error(transparent)]
+    Case(#[from] Diagnostics),
+    /// No speed reconciles crush and impact.
+    #[error(transparent)]
+    Reconcile(#[from] ReconcileError),
+    /// The impact has no answer.
+    #[error(transparent)]
+    Impact(#[from] ImpactError),
+    /// The damage has no answer.
+    #[error(transparent)]
+    Crush(#[from] CrushError),
+}
+
+/// Finds the speed that makes the work of the normal impulse equal the crush energy.
+///
+/// # Errors
+/// [`Failure`].
+pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
+    let input = file.reconstruction()?;
+    let Collision { contact, law, motions, vehicles } = input.collision;
+    let crush_energy = vehicles
+        .iter()
+        .filter_map(|vehicle| vehicle.damage.as_ref())
+        .map(|damage| crash3::crush_energy(&damage.profile, &damage.stiffness))
+        .sum();
+    let problem = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)?;
+    let answer = problem.solve()?;
+    let found = Found {
+        unknown: input.unknown,
+        speed: answer.speed,
+        admissible: answer.roots.speeds().to_vec(),
+        crush_energy,
+        normal_work: answer.normal_work,
+        iterations: match &answer.method {
+            Method::ClosedForm => Vec::new(),
+            Method::RootFinder(iterations) => iterations.as_slice().to_vec(),
+        },
+    };
+    let mut warnings = warning::of_found(&found, input.given_speed);
+    let impact = Impact { contact, law, outcome: answer.outcome };
+    collided(file, impact, vehicles, input.basis, &mut warnings).map(|analysis| Analysis {
+        found: Some(found),
+        warnings,
+        ..analysis
+    })
+}
+
+/// What the impact does, both speeds given.
+///
+/// # Errors
+/// [`Failure`].
+pub fn impact(file: &CaseFile) -> Result<Analysis, Failure> {
+    let input = file.impact()?;
+    let Collision { contact, law, motions, vehicles } = input.collision;
+    let impact = Impact { contact, law, outcome: contact.impact(motions, &law)? };
+    let mut warnings = Vec::new();
+    collided(file, impact, vehicles, input.basis, &mut warnings)
+        .map(|analysis| Analysis { warnings, ..analysis })
+}
+
+/// CRASH3 alone: energies and velocity changes from the damage and the PDOF that the file gives.
+///
+/// # Errors
+/// [`Failure`].
+pub fn crush(file: &CaseFile) -> Result<Analysis, Failure> {
+    let input = file.crush()?;
+    let vehicles = damage::assess(input.vehicles, [None, None])?;
+    let crash3 = damage::crash3(&vehicles, input.basis, input.restitution)?;
+    let mut warnings = Vec::new();
+    warning::of_damage(&vehicles, &mut warnings);
+    Ok(Analysis { basis: input.basis, found: None, impact: None, vehicles, crash3, warnings })
+}
+
+fn collided(
+    file: &CaseFile,
+    impact: Impact,
+    subjects: [Subject; 2],
+    basis: EnergyBasis,
+    warnings: &mut Vec<Warning>,
+) -> Result<Analysis, Failure> {
+    let vehicles = damage::assess(subjects, impact.outcome.pdof.map(Some))?;
+    let crash3 = damage::crash3(&vehicles, basis, Some(impact.law.restitution()))?;
+    warning::of_impact(&impact, warnings);
+    warning::of_outlines(file, &vehicles, warnings);
+    warning::of_damage(&vehicles, warnings);
+    warning::of_directions(&impact, &vehicles, warnings);
+    if let Some(crash3) = &crash3 {
+        warning::of_delta_v(&impact, crash3, warnings);
+    }
+    Ok(Analysis { basis, found: None, impact: Some(impact), vehicles, crash3, warnings: Vec::new() })
+}

@@ -1,0 +1,201 @@
+//! What a careful reconstructionist would raise.
+
+use case::CaseFile;
+use pim_core::Outcome;
+
+use crate::damage::Crash3;
+use crate::{Found, Impact, Vehicle};
+
+/// Newton's third law: the peak forces of the two vehicles should be the same. Stiffness and crush are uncertain, but not by
+/// more than this factor.
+const FORCE_RATIO: f64 = 2.0;
+/// (rad) how far a PDOF judged by eye may be from the computed one: 10°.
+const PDOF_DIFFERENCE: f64 = 10.0 * std::f64::consts::PI / 180.0;
+/// Restitution falls with closing speed: above [`FAST_CLOSING`], more than this is not seen in vehicle collisions.
+const HIGH_RESTITUTION: f64 = 0.3;
+/// (m/s)
+const FAST_CLOSING: f64 = 15.0;
+/// How far CRASH3's ΔV may be from that of the impact.
+const DELTA_V_DIFFERENCE: f64 = 0.1;
+/// (m) how far the contact point may be outside of the outline: the roundness of a bumper.
+const OUTLINE_TOLERANCE: f64 = 0.05;
+
+/// Something that does not stop the analysis but should be known to who defends it. Values are in SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Warning {
+    /// The crush plane does not separate the two CGs.
+    PlaneDoesNotSeparate,
+    /// The contact point lies outside of the vehicle's outline.
+    ContactOutside {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (m) by how much.
+        distance: f64,
+    },
+    /// More restitution than a collision of this speed has.
+    HighRestitution {
+        /// e.
+        restitution: f64,
+        /// (m/s) closing speed at C.
+        closing_speed: f64,
+    },
+    /// The peak forces of the two vehicles differ by more than a factor of 2.
+    ForceBalance {
+        /// (N) peak forces.
+        forces: [f64; 2],
+    },
+    /// The PDOF that the file gives is not that of the impulse.
+    PdofDiffers {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (rad) as given.
+        given: f64,
+        /// (rad) as computed.
+        computed: f64,
+    },
+    /// α was limited to 45°.
+    AngleCapped {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (rad) α.
+        oblique_angle: f64,
+    },
+    /// The force does not push on the side that is said to be damaged.
+    SideNotPushed {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (rad) α.
+        oblique_angle: f64,
+    },
+    /// CRASH3's ΔV is not that of the impact.
+    DeltaVDiffers {
+        /// (m/s) ΔV of the impact.
+        impact: [f64; 2],
+        /// (m/s) CRASH3's, corrected for oblique forces where possible.
+        crash3: [f64; 2],
+    },
+    /// More than one speed gives the crush energy.
+    SeveralSpeeds {
+        /// (m/s) all of them; the answer is the first.
+        speeds: Vec<f64>,
+    },
+    /// The speed found is negative.
+    MovesBackward {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (m/s) the speed found.
+        speed: f64,
+    },
+    /// The file gives a speed for the vehicle whose speed was to be found.
+    GivenSpeedUnused {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (m/s) as given.
+        given: f64,
+        /// (m/s) as found.
+        found: f64,
+    },
+}
+
+impl Warning {
+    /// The code that names this warning in JSON and text.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::PlaneDoesNotSeparate => "crush-plane",
+            Self::ContactOutside { .. } => "contact-outside",
+            Self::HighRestitution { .. } => "high-restitution",
+            Self::ForceBalance { .. } => "force-balance",
+            Self::PdofDiffers { .. } => "pdof-differs",
+            Self::AngleCapped { .. } => "angle-capped",
+            Self::SideNotPushed { .. } => "side-not-pushed",
+            Self::DeltaVDiffers { .. } => "delta-v-differs",
+            Self::SeveralSpeeds { .. } => "several-speeds",
+            Self::MovesBackward { .. } => "moves-backward",
+            Self::GivenSpeedUnused { .. } => "given-speed-unused",
+        }
+    }
+}
+
+pub(crate) fn of_found(found: &Found, given_speed: Option<f64>) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let vehicle = found.unknown.index() + 1;
+    if let Some(given) = given_speed {
+        warnings.push(Warning::GivenSpeedUnused { vehicle, given, found: found.speed });
+    }
+    if found.admissible.len() > 1 {
+        warnings.push(Warning::SeveralSpeeds { speeds: found.admissible.clone() });
+    }
+    if found.speed < 0.0 {
+        warnings.push(Warning::MovesBackward { vehicle, speed: found.speed });
+    }
+    warnings
+}
+
+pub(crate) fn of_impact(impact: &Impact, warnings: &mut Vec<Warning>) {
+    if !impact.contact.separates_centres() {
+        warnings.push(Warning::PlaneDoesNotSeparate);
+    }
+    let restitution = impact.law.restitution();
+    let closing_speed = -impact.outcome.approach.normal;
+    if restitution > HIGH_RESTITUTION && closing_speed > FAST_CLOSING {
+        warnings.push(Warning::HighRestitution { restitution, closing_speed });
+    }
+}
+
+pub(crate) fn of_outlines(file: &CaseFile, vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
+    for (i, (vehicle, known)) in vehicles.iter().zip(&file.case.vehicles).enumerate() {
+        let (Some([forward, left]), Some(outline)) = (vehicle.subject.contact, &known.outline) else {
+            continue;
+        };
+        let front = outline.cg_to_front.si();
+        let ahead = (forward - front).max(front - outline.length.si() - forward);
+        let aside = left.abs() - outline.width.si() / 2.0;
+        let distance = ahead.max(aside);
+        if distance > OUTLINE_TOLERANCE {
+            warnings.push(Warning::ContactOutside { vehicle: i + 1, distance });
+        }
+    }
+}
+
+pub(crate) fn of_damage(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
+    let mut peak_forces = [None; 2];
+    for (i, vehicle) in vehicles.iter().enumerate() {
+        let Some(damage) = &vehicle.damage else { continue };
+        let oblique_angle = damage.oblique_angle;
+        match damage.oblique {
+            Some(oblique) => {
+                peak_forces[i] = Some(oblique.peak_force);
+                if oblique.factor.capped {
+                    warnings.push(Warning::AngleCapped { vehicle: i + 1, oblique_angle });
+                }
+            }
+            None => warnings.push(Warning::SideNotPushed { vehicle: i + 1, oblique_angle }),
+        }
+    }
+    if let [Some(f1), Some(f2)] = peak_forces
+        && f1.max(f2) > FORCE_RATIO * f1.min(f2)
+    {
+        warnings.push(Warning::ForceBalance { forces: [f1, f2] });
+    }
+}
+
+pub(crate) fn of_directions(impact: &Impact, vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
+    for (i, (vehicle, &computed)) in vehicles.iter().zip(&impact.outcome.pdof).enumerate() {
+        let Some(given) = vehicle.subject.damage.as_ref().and_then(|damage| damage.pdof) else { continue };
+        // The difference of two directions, the short way round.
+        let (sin, cos) = pim_core::Real::sin_cos(given - computed);
+        if pim_core::Real::atan2(sin, cos).abs() > PDOF_DIFFERENCE {
+            warnings.push(Warning::PdofDiffers { vehicle: i + 1, given, computed });
+        }
+    }
+}
+
+pub(crate) fn of_delta_v(impact: &Impact, crash3: &Crash3, warnings: &mut Vec<Warning>) {
+    let of_impact = Outcome::delta_v_magnitude(&impact.outcome);
+    let of_crash3 = crash3.corrected.map_or(crash3.delta_v, |corrected| corrected.delta_v);
+    let differs = |(a, b): (f64, f64)| (a - b).abs() > DELTA_V_DIFFERENCE * a;
+    if of_impact.into_iter().zip(of_crash3).any(differs) {
+        warnings.push(Warning::DeltaVDiffers { impact: of_impact, crash3: of_crash3 });
+    }
+}
