@@ -1,0 +1,216 @@
+//! A finished analysis as JSON, in SI units and radians.
+
+use analysis::{Analysis, Impact};
+use case::Case;
+use serde::Serialize;
+
+use crate::Units;
+use crate::warnings;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    title: &'a str,
+    energy_basis: &'static str,
+    warnings: Vec<WarningBlock>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    found: Option<FoundBlock>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    impact: Option<ImpactBlock>,
+    vehicle1: VehicleBlock,
+    vehicle2: VehicleBlock,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    crash3: Option<Crash3Block>,
+}
+
+#[derive(Serialize)]
+struct WarningBlock {
+    code: &'static str,
+    message: String,
+}
+
+#[derive(Serialize)]
+struct FoundBlock {
+    quantity: &'static str,
+    value: f64,
+    admissible_roots: usize,
+    roots: Vec<f64>,
+    method: &'static str,
+    iterations: Vec<IterationBlock>,
+}
+
+#[derive(Serialize)]
+struct IterationBlock {
+    speed: f64,
+    normal_work: f64,
+}
+
+#[derive(Serialize)]
+struct ImpactBlock {
+    restitution: f64,
+    impulse_ratio: f64,
+    critical_impulse_ratio: Option<f64>,
+    normal_impulse: f64,
+    tangential_impulse: f64,
+    impulse: [f64; 2],
+    impulse_direction: f64,
+    normal: [f64; 2],
+    normal_velocity: [f64; 2],
+    tangential_velocity: [f64; 2],
+    initial_energy: f64,
+    final_energy: f64,
+    energy_loss: f64,
+    normal_work: f64,
+    tangential_work: f64,
+}
+
+/// Of a vehicle, or of a fixed object. Keys that do not apply are left out.
+#[derive(Serialize)]
+struct VehicleBlock {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fixed: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speed: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    velocity: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    yaw_rate: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    final_velocity: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    final_yaw_rate: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    delta_v: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    delta_v_vector: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pdof: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    crush_energy: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    oblique_angle: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    oblique_factor: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    corrected_crush_energy: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ees: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    peak_force: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Crash3Block {
+    crush_energy: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    corrected_crush_energy: Option<f64>,
+    moment_arm: [f64; 2],
+    effective_mass_ratio: [f64; 2],
+    delta_v: [f64; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    corrected_delta_v: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    restitution_factor: Option<f64>,
+}
+
+/// The analysis as indented JSON, ending in a line break.
+///
+/// # Errors
+/// Where serialisation fails, which no analysis causes.
+pub fn json(case: &Case, analysis: &Analysis) -> Result<String, serde_json::Error> {
+    let [vehicle1, vehicle2] = [0, 1].map(|i| vehicle(case, analysis, i));
+    let document = Document {
+        title: case.title.as_deref().unwrap_or_default(),
+        energy_basis: crate::basis_name(analysis.basis),
+        warnings: analysis
+            .warnings
+            .iter()
+            .map(|warning| WarningBlock {
+                code: warning.code(),
+                message: warnings::message(warning, Units::Si),
+            })
+            .collect(),
+        found: analysis.found.as_ref().map(|found| FoundBlock {
+            quantity: crate::unknown_name(found.unknown),
+            value: plain(found.speed),
+            admissible_roots: found.admissible.len(),
+            roots: found.admissible.iter().copied().map(plain).collect(),
+            method: if found.iterations.is_empty() { "closed form" } else { "root finder" },
+            iterations: found
+                .iterations
+                .iter()
+                .map(|step| IterationBlock { speed: plain(step.speed), normal_work: plain(step.normal_work) })
+                .collect(),
+        }),
+        impact: analysis.impact.as_ref().map(impact),
+        vehicle1,
+        vehicle2,
+        crash3: analysis.crash3.as_ref().map(|crash3| Crash3Block {
+            crush_energy: crash3.crush_energy,
+            corrected_crush_energy: crash3.corrected.map(|corrected| corrected.crush_energy),
+            moment_arm: crash3.moment_arm,
+            effective_mass_ratio: crash3.effective_mass_ratio,
+            delta_v: crash3.delta_v,
+            corrected_delta_v: crash3.corrected.map(|corrected| corrected.delta_v),
+            restitution_factor: crash3.restitution_factor,
+        }),
+    };
+    Ok(serde_json::to_string_pretty(&document)? + "\n")
+}
+
+fn impact(impact: &Impact) -> ImpactBlock {
+    let outcome = &impact.outcome;
+    ImpactBlock {
+        restitution: impact.law.restitution(),
+        impulse_ratio: plain(outcome.impulse_ratio),
+        critical_impulse_ratio: outcome.critical_impulse_ratio.map(plain),
+        normal_impulse: outcome.impulse.normal,
+        tangential_impulse: plain(outcome.impulse.tangential),
+        impulse: plain_pair(outcome.impulse_vector.into()),
+        impulse_direction: plain(outcome.impulse_direction),
+        normal: plain_pair(impact.contact.normal().into()),
+        normal_velocity: plain_pair([outcome.approach.normal, outcome.separation.normal]),
+        tangential_velocity: plain_pair([outcome.approach.tangential, outcome.separation.tangential]),
+        initial_energy: outcome.energy.before,
+        final_energy: outcome.energy.after,
+        energy_loss: plain(outcome.energy.loss),
+        normal_work: plain(outcome.energy.normal_work),
+        tangential_work: plain(outcome.energy.tangential_work),
+    }
+}
+
+fn vehicle(case: &Case, analysis: &Analysis, i: usize) -> VehicleBlock {
+    let fixed = case.vehicles[i].fixed;
+    let moves = analysis.impact.as_ref().filter(|_| !fixed).map(|impact| &impact.outcome);
+    let damage = analysis.vehicles[i].damage.as_ref();
+    let oblique = damage.and_then(|damage| damage.oblique);
+    let given_pdof = damage.and_then(|damage| damage.pdof);
+    VehicleBlock {
+        name: case.vehicles[i].name.clone(),
+        fixed: fixed.then_some(true),
+        speed: moves.map(|_| plain(crate::speed(analysis, i))),
+        velocity: moves.map(|outcome| plain_pair(outcome.before[i].velocity.into())),
+        yaw_rate: moves.map(|outcome| plain(outcome.before[i].yaw_rate)),
+        final_velocity: moves.map(|outcome| plain_pair(outcome.after[i].velocity.into())),
+        final_yaw_rate: moves.map(|outcome| plain(outcome.after[i].yaw_rate)),
+        delta_v: moves.map(|outcome| outcome.delta_v_magnitude()[i]),
+        delta_v_vector: moves.map(|outcome| plain_pair(outcome.delta_v[i].into())),
+        pdof: moves.map(|outcome| outcome.pdof[i]).or(given_pdof).map(plain),
+        crush_energy: damage.map(|damage| damage.crush_energy),
+        oblique_angle: damage.map(|damage| plain(damage.oblique_angle)),
+        oblique_factor: oblique.map(|oblique| oblique.factor.factor),
+        corrected_crush_energy: oblique.map(|oblique| oblique.corrected_crush_energy),
+        ees: damage.map(|damage| damage.ees),
+        peak_force: oblique.map(|oblique| oblique.peak_force),
+    }
+}
+
+/// No minus before zero.
+fn plain(value: f64) -> f64 {
+    value + 0.0
+}
+
+fn plain_pair(values: [f64; 2]) -> [f64; 2] {
+    values.map(plain)
+}

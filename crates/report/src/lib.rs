@@ -1,0 +1,67 @@
+//! A finished analysis as text for people and as JSON for programs.
+//!
+//! ```
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let file = case::Case::parse("sae-980025.toml", include_str!("../../../fixtures/sae-980025.toml"))?;
+//! let analysis = analysis::reconstruct(&file)?;
+//! let text = report::text(&file.case, &analysis, report::Units::Us);
+//! assert!(text.contains("75.03 ft/s")); // SAE 980025: 75 ft/s
+//! let json = report::json(&file.case, &analysis)?;
+//! assert!(json.contains("\"admissible_roots\": 1"));
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! The functions: [`text`] in the [`Units`] of the reader, where every figure names its equation; [`json`] in SI units and radians, with keys that are kept;
+//! [`message`], the sentence of a warning. Results are converted to other units here and nowhere else.
+//!
+//! # What it does not do
+//!
+//! It computes nothing, and it draws no pictures.
+
+mod json;
+mod text;
+mod units;
+mod warnings;
+
+pub use json::json;
+pub use text::text;
+pub use units::Units;
+pub use warnings::message;
+
+use analysis::Analysis;
+use crash3::{EnergyBasis, Side};
+use reconcile::Unknown;
+
+fn basis_name(basis: EnergyBasis) -> &'static str {
+    match basis {
+        EnergyBasis::Dissipated => "dissipated",
+        EnergyBasis::Absorbed => "absorbed",
+    }
+}
+
+fn unknown_name(unknown: Unknown) -> &'static str {
+    match unknown {
+        Unknown::Speed1 => "vehicle1.speed",
+        Unknown::Speed2 => "vehicle2.speed",
+    }
+}
+
+fn side_name(side: Side) -> &'static str {
+    match side {
+        Side::Front => "front",
+        Side::Right => "right",
+        Side::Rear => "rear",
+        Side::Left => "left",
+    }
+}
+
+/// (m/s) speed before impact, negative where the vehicle moves backwards; zero for a fixed object.
+fn speed(analysis: &Analysis, vehicle: usize) -> f64 {
+    analysis.impact.as_ref().map_or(0.0, |impact| {
+        let velocity = impact.outcome.before[vehicle].velocity;
+        let forward = impact.contact.participants()[vehicle].forward();
+        let size = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
+        if velocity.x * forward.x + velocity.y * forward.y < 0.0 { -size } else { size }
+    })
+}

@@ -1,0 +1,375 @@
+//! A finished analysis as text for the terminal and the file.
+
+use analysis::{Analysis, Crash3, Damage, Found, Impact};
+use case::{Case, Velocity};
+use crash3::EnergyBasis;
+use pim_core::{Outcome, Tangential};
+
+use crate::units::{Quantity, Units, number};
+use crate::warnings;
+
+const LABEL: usize = 32;
+const COLUMN: usize = 27;
+const LINE: usize = 98;
+
+/// The analysis as text of at most 98 columns.
+#[must_use]
+pub fn text(case: &Case, analysis: &Analysis, units: Units) -> String {
+    let mut page = Page { units, text: String::new() };
+    page.title(case);
+    if let Some(found) = &analysis.found {
+        page.found(found, analysis.basis);
+    }
+    page.inputs(case, analysis);
+    if let Some(impact) = &analysis.impact {
+        page.impact(impact);
+        page.motion(case, analysis, &impact.outcome);
+        page.energy(&impact.outcome);
+    }
+    page.damage(analysis);
+    if let Some(crash3) = &analysis.crash3 {
+        page.crash3(crash3);
+    }
+    page.warnings(analysis);
+    page.sources();
+    page.text
+}
+
+struct Page {
+    units: Units,
+    text: String,
+}
+
+impl Page {
+    fn line(&mut self, line: &str) {
+        self.text.push_str(line.trim_end());
+        self.text.push('\n');
+    }
+
+    fn heading(&mut self, heading: &str, columns: [&str; 3]) {
+        self.line("");
+        let [first, second, source] = columns;
+        self.row(heading, first, second, source);
+        self.line(&"─".repeat(LINE));
+    }
+
+    fn row(&mut self, label: &str, first: &str, second: &str, source: &str) {
+        self.line(&format!("{label:<LABEL$}{first:<COLUMN$}{second:<COLUMN$}{source}"));
+    }
+
+    /// A row with one value that may be long.
+    fn wide(&mut self, label: &str, value: &str, source: &str) {
+        self.line(&format!("{label:<LABEL$}{value:<width$}{source}", width = 2 * COLUMN));
+    }
+
+    /// A row of which each vehicle has a value or a dash.
+    fn pair(&mut self, label: &str, values: [Option<String>; 2], source: &str) {
+        if values.iter().any(Option::is_some) {
+            let [first, second] = values.map(|value| value.unwrap_or_else(|| "–".to_owned()));
+            self.row(label, &first, &second, source);
+        }
+    }
+
+    fn paragraph(&mut self, text: &str) {
+        let mut line = String::new();
+        for word in text.split_whitespace() {
+            if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > LINE {
+                self.line(&line);
+                line.clear();
+            }
+            if !line.is_empty() {
+                line.push(' ');
+            }
+            line.push_str(word);
+        }
+        self.line(&line);
+    }
+
+    fn title(&mut self, case: &Case) {
+        self.line(case.title.as_deref().unwrap_or("Untitled case"));
+        if let Some(source) = &case.source {
+            self.line(&format!("Source: {source}"));
+        }
+        self.line("");
+    }
+
+    fn found(&mut self, found: &Found, basis: EnergyBasis) {
+        let vehicle = found.unknown.index() + 1;
+        let units = self.units;
+        self.line(&format!("Speed of vehicle {vehicle}: {}", both_speeds(units, found.speed)));
+        let energy = units.format(Quantity::Energy, found.crush_energy);
+        let basis = match basis {
+            EnergyBasis::Dissipated => "which the normal impulse dissipates".to_owned(),
+            EnergyBasis::Absorbed => format!(
+                "absorbed at maximum engagement, of which the normal impulse dissipates {}",
+                units.format(Quantity::Energy, found.normal_work)
+            ),
+        };
+        let roots = match found.admissible.len() {
+            1 => "One admissible speed".to_owned(),
+            several => format!("{several} admissible speeds"),
+        };
+        let method = match found.iterations.len() {
+            0 => "in closed form".to_owned(),
+            steps => format!("by root-finding in {steps} steps"),
+        };
+        self.paragraph(&format!(
+            "At this speed the work of the normal impulse equals the crush energy of both vehicles, {energy}, {basis}. \
+             {roots}, found {method} (theory 6)."
+        ));
+    }
+
+    fn inputs(&mut self, case: &Case, analysis: &Analysis) {
+        let units = self.units;
+        self.heading("Inputs as understood", ["vehicle 1", "vehicle 2", ""]);
+        let vehicles = &case.vehicles;
+        let known = |f: &dyn Fn(usize) -> Option<String>| [f(0), f(1)];
+        self.pair("name", known(&|i| vehicles[i].name.clone()), "");
+        self.pair("fixed object", known(&|i| vehicles[i].fixed.then(|| "yes".to_owned())), "");
+        let inertia = |i: usize| analysis.vehicles[i].subject.inertia;
+        self.pair("mass", known(&|i| inertia(i).map(|v| units.format(Quantity::Mass, v.mass))), "");
+        self.pair(
+            "yaw inertia",
+            known(&|i| inertia(i).map(|v| units.format(Quantity::YawInertia, v.yaw_inertia))),
+            "",
+        );
+        let angle = |q: &case::Quantity| units.format(Quantity::Angle, q.si());
+        self.pair("heading θ", known(&|i| vehicles[i].heading.as_ref().map(angle)), "");
+        self.pair(
+            "contact point C, forward",
+            known(&|i| analysis.vehicles[i].subject.contact.map(|c| units.format(Quantity::Length, c[0]))),
+            "",
+        );
+        self.pair(
+            "contact point C, left",
+            known(&|i| analysis.vehicles[i].subject.contact.map(|c| units.format(Quantity::Length, c[1]))),
+            "",
+        );
+        let sought = |i: usize| analysis.found.as_ref().is_some_and(|found| found.unknown.index() == i);
+        self.pair(
+            "speed",
+            known(&|i| match &vehicles[i].motion {
+                _ if sought(i) => Some("sought".to_owned()),
+                Some(Velocity::Speed(speed)) => Some(both_speeds(units, speed.si())),
+                Some(Velocity::Vector { x, y }) => {
+                    Some(units.format_vector(Quantity::Speed, [x.si(), y.si()]))
+                }
+                None => None,
+            }),
+            "",
+        );
+        self.pair(
+            "yaw rate",
+            known(&|i| vehicles[i].yaw_rate.as_ref().map(|q| units.format(Quantity::YawRate, q.si()))),
+            "",
+        );
+        let damage = |i: usize| vehicles[i].crush.as_ref().zip(analysis.vehicles[i].damage.as_ref());
+        self.pair(
+            "damaged side, width",
+            known(&|i| {
+                damage(i).map(|(crush, damage)| {
+                    format!(
+                        "{}, {}",
+                        crate::side_name(crush.side),
+                        units.format(Quantity::Crush, damage.width)
+                    )
+                })
+            }),
+            "",
+        );
+        let stiffness = |i: usize| damage(i).map(|(_, damage)| damage.stiffness);
+        self.pair(
+            "stiffness A",
+            known(&|i| stiffness(i).map(|s| units.format(Quantity::StiffnessA, s.a()))),
+            "",
+        );
+        self.pair(
+            "stiffness B",
+            known(&|i| stiffness(i).map(|s| units.format(Quantity::StiffnessB, s.b()))),
+            "",
+        );
+        self.pair(
+            "stiffness G",
+            known(&|i| stiffness(i).map(|s| units.format(Quantity::StiffnessG, s.g()))),
+            "",
+        );
+        for (i, vehicle) in analysis.vehicles.iter().enumerate() {
+            if let Some(damage) = &vehicle.damage {
+                let depths = units.format_all(Quantity::Crush, &damage.depths);
+                self.wide(&format!("crush depths, vehicle {}", i + 1), &depths, "");
+            }
+        }
+        if let Some(impact) = &case.impact {
+            self.wide("crush plane Γ", &angle(&impact.crush_plane), "");
+            self.wide("restitution e", &impact.restitution.to_string(), "");
+            let tangential = match impact.tangential {
+                Tangential::Critical => "critical: common tangential velocity".to_owned(),
+                Tangential::Ratio(mu) => format!("impulse ratio {mu}"),
+                Tangential::FractionOfCritical(f) => format!("{f} of the critical impulse ratio"),
+                Tangential::Friction(limit) => format!("friction limit {limit}"),
+            };
+            self.wide("tangential condition", &tangential, "");
+        }
+    }
+
+    fn impact(&mut self, impact: &Impact) {
+        let units = self.units;
+        let outcome = &impact.outcome;
+        self.heading("Impact", ["along n", "along t", "source"]);
+        let speed = |si: f64| units.format(Quantity::Speed, si);
+        let [u, v] = [outcome.approach, outcome.separation];
+        self.row("relative velocity before, u", &speed(u.normal), &speed(u.tangential), "theory 1");
+        self.row("relative velocity after, U", &speed(v.normal), &speed(v.tangential), "theory 2");
+        let impulse = |si: f64| units.format(Quantity::Impulse, si);
+        let p = outcome.impulse;
+        self.row("impulse on vehicle 1, P", &impulse(p.normal), &impulse(p.tangential), "theory 3");
+        self.wide("impulse ratio μ = P_t/P_n", &number(outcome.impulse_ratio, 4), "theory 3");
+        let critical = outcome
+            .critical_impulse_ratio
+            .map_or_else(|| "none: no push ends the sliding".to_owned(), |critical| number(critical, 4));
+        self.wide("critical impulse ratio μ_c", &critical, "theory 3");
+        self.wide(
+            "direction of the impulse",
+            &format!("{} in the scene", units.format(Quantity::Angle, outcome.impulse_direction)),
+            "theory 2",
+        );
+    }
+
+    fn motion(&mut self, case: &Case, analysis: &Analysis, outcome: &Outcome) {
+        let units = self.units;
+        self.heading("Motion", ["vehicle 1", "vehicle 2", "source"]);
+        let each = |f: &dyn Fn(usize) -> String| [0, 1].map(|i| (!case.vehicles[i].fixed).then(|| f(i)));
+        let vector = |v: pim_core::Vector2<f64>| units.format_vector(Quantity::Speed, v.into());
+        self.pair("speed before", each(&|i| both_speeds(units, crate::speed(analysis, i))), "");
+        self.pair("velocity before, v", each(&|i| vector(outcome.before[i].velocity)), "");
+        self.pair("velocity after, V", each(&|i| vector(outcome.after[i].velocity)), "theory 2");
+        self.pair(
+            "yaw rate before, ω",
+            each(&|i| units.format(Quantity::YawRate, outcome.before[i].yaw_rate)),
+            "",
+        );
+        self.pair(
+            "yaw rate after, Ω",
+            each(&|i| units.format(Quantity::YawRate, outcome.after[i].yaw_rate)),
+            "theory 2",
+        );
+        self.pair("ΔV", each(&|i| both_speeds(units, outcome.delta_v_magnitude()[i])), "theory 2");
+        self.pair(
+            "PDOF, clockwise from heading",
+            each(&|i| units.format(Quantity::Angle, outcome.pdof[i])),
+            "theory 4",
+        );
+    }
+
+    fn energy(&mut self, outcome: &Outcome) {
+        let energy = outcome.energy;
+        self.heading("Energy", ["", "share of initial", "source"]);
+        for (label, value, source) in [
+            ("initial kinetic energy", energy.before, "theory 4"),
+            ("final kinetic energy", energy.after, "theory 4"),
+            ("energy loss E_L", energy.loss, "theory 4"),
+            ("  normal work W_n (crush)", energy.normal_work, "Eq 4"),
+            ("  tangential work W_t", energy.tangential_work, "Eq 4"),
+        ] {
+            let share = format!("{} %", number(100.0 * value / energy.before, 1));
+            self.row(label, &self.units.format(Quantity::Energy, value), &share, source);
+        }
+    }
+
+    fn damage(&mut self, analysis: &Analysis) {
+        let units = self.units;
+        let damage = [0, 1].map(|i| analysis.vehicles[i].damage.as_ref());
+        if damage.iter().all(Option::is_none) {
+            return;
+        }
+        self.heading("Damage", ["vehicle 1", "vehicle 2", "source"]);
+        let each = |f: &dyn Fn(&Damage) -> Option<String>| damage.map(|damage| damage.and_then(f));
+        let energy = |si: f64| units.format(Quantity::Energy, si);
+        self.pair("crush energy E", each(&|d| Some(energy(d.crush_energy))), "Eq 5");
+        self.pair("energy equivalent speed", each(&|d| Some(both_speeds(units, d.ees))), "theory 5");
+        self.pair(
+            "angle to the normal α",
+            each(&|d| Some(units.format(Quantity::Angle, d.oblique_angle))),
+            "theory 5",
+        );
+        self.pair(
+            "oblique correction factor",
+            each(&|d| {
+                d.oblique.map(|oblique| {
+                    let capped = if oblique.factor.capped { " (capped)" } else { "" };
+                    format!("{}{capped}", number(oblique.factor.factor, 4))
+                })
+            }),
+            "Eq 8",
+        );
+        self.pair(
+            "corrected crush energy",
+            each(&|d| d.oblique.map(|oblique| energy(oblique.corrected_crush_energy))),
+            "Eq 8",
+        );
+        self.pair(
+            "peak force",
+            each(&|d| d.oblique.map(|oblique| units.format(Quantity::Force, oblique.peak_force))),
+            "theory 5",
+        );
+    }
+
+    fn crash3(&mut self, crash3: &Crash3) {
+        let units = self.units;
+        self.heading("CRASH3's own answer", ["vehicle 1", "vehicle 2", "source"]);
+        self.wide("crush energy", &units.format(Quantity::Energy, crash3.crush_energy), "Eq 5");
+        let speed = |si: f64| both_speeds(units, si);
+        let pair = |values: [String; 2]| values.map(Some);
+        self.pair(
+            "moment arm h",
+            pair(crash3.moment_arm.map(|h| units.format(Quantity::Length, h))),
+            "theory 5",
+        );
+        self.pair(
+            "effective mass ratio γ",
+            pair(crash3.effective_mass_ratio.map(|ratio| number(ratio, 4))),
+            "theory 5",
+        );
+        self.pair("ΔV uncorrected", pair(crash3.delta_v.map(speed)), "Eq 6, 7");
+        if let Some(corrected) = crash3.corrected {
+            let energy = units.format(Quantity::Energy, corrected.crush_energy);
+            self.wide("corrected crush energy", &energy, "Eq 8");
+            self.pair("ΔV corrected", pair(corrected.delta_v.map(speed)), "Eq 6, 7, 8");
+            if let Some(factor) = crash3.restitution_factor {
+                self.pair(
+                    "ΔV corrected, with restitution",
+                    pair(corrected.delta_v.map(|dv| speed(dv * factor))),
+                    "theory 5",
+                );
+            }
+        }
+    }
+
+    fn warnings(&mut self, analysis: &Analysis) {
+        self.line("");
+        if analysis.warnings.is_empty() {
+            self.line("No warnings.");
+        }
+        for warning in &analysis.warnings {
+            self.paragraph(&format!(
+                "warning [{}]: {}",
+                warning.code(),
+                warnings::message(warning, self.units)
+            ));
+        }
+    }
+
+    fn sources(&mut self) {
+        self.line("");
+        self.paragraph(
+            "Sources: Eq n is equation n of Brach & Brach, SAE 980025 (1998), its misprints mended; theory n is section n of \
+             docs/theory.md. Angles and yaw rates are counter-clockwise positive, PDOF and α clockwise; n points from \
+             vehicle 2 to vehicle 1.",
+        );
+    }
+}
+
+/// A speed as the equations have it and as drivers know it, like `75.03 ft/s = 51.16 mph`.
+fn both_speeds(units: Units, si: f64) -> String {
+    format!("{} = {}", units.format(Quantity::Speed, si), units.road_speed(si))
+}

@@ -1,0 +1,155 @@
+//! From SI units to those of the reader: the only place where results are converted.
+
+use std::f64::consts::PI;
+
+use case::{Case, UnitSystem};
+
+/// The units that text speaks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Units {
+    /// m/s, km/h, N, J, kg, m.
+    Si,
+    /// mph, ft/s, lb, ft-lb, in.
+    Us,
+}
+
+/// A unit to print in: its name, its size in SI units, and how many decimals make sense.
+#[derive(Clone, Copy)]
+struct Display {
+    name: &'static str,
+    size: f64,
+    decimals: usize,
+}
+
+const fn unit(name: &'static str, size: f64, decimals: usize) -> Display {
+    Display { name, size, decimals }
+}
+
+const FOOT: f64 = 0.3048;
+const INCH: f64 = 0.0254;
+const POUND: f64 = 0.453_592_37;
+const POUND_FORCE: f64 = 4.448_221_615_260_5;
+const MILE_PER_HOUR: f64 = 0.447_04;
+const DEGREE: f64 = PI / 180.0;
+
+/// A quantity that can be printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// m/s
+    Speed,
+    /// m
+    Length,
+    /// m, of depths and widths of damage
+    Crush,
+    /// kg
+    Mass,
+    /// kg·m²
+    YawInertia,
+    /// rad
+    Angle,
+    /// rad/s
+    YawRate,
+    /// J
+    Energy,
+    /// N·s
+    Impulse,
+    /// N
+    Force,
+    /// N/m
+    StiffnessA,
+    /// N/m²
+    StiffnessB,
+    /// N
+    StiffnessG,
+}
+
+impl Units {
+    /// Those that most of the case is written in.
+    #[must_use]
+    pub fn of_case(case: &Case) -> Self {
+        match case.unit_system() {
+            UnitSystem::Si => Self::Si,
+            UnitSystem::Us => Self::Us,
+        }
+    }
+
+    fn display(self, quantity: Quantity) -> Display {
+        match (quantity, self) {
+            (Quantity::Speed, Self::Si) => unit("m/s", 1.0, 2),
+            (Quantity::Speed, Self::Us) => unit("ft/s", FOOT, 2),
+            (Quantity::Length, Self::Si) => unit("m", 1.0, 3),
+            (Quantity::Length, Self::Us) => unit("ft", FOOT, 2),
+            (Quantity::Crush, Self::Si) => unit("cm", 0.01, 1),
+            (Quantity::Crush, Self::Us) => unit("in", INCH, 1),
+            (Quantity::Mass, Self::Si) => unit("kg", 1.0, 1),
+            (Quantity::Mass, Self::Us) => unit("lb", POUND, 0),
+            (Quantity::YawInertia, Self::Si) => unit("kg·m²", 1.0, 0),
+            (Quantity::YawInertia, Self::Us) => unit("lb·ft·s²", POUND_FORCE * FOOT, 0),
+            (Quantity::Angle, _) => unit("°", DEGREE, 1),
+            (Quantity::YawRate, _) => unit("rad/s", 1.0, 2),
+            (Quantity::Energy, Self::Si) => unit("J", 1.0, 0),
+            (Quantity::Energy, Self::Us) => unit("ft·lb", FOOT * POUND_FORCE, 0),
+            (Quantity::Impulse, Self::Si) => unit("N·s", 1.0, 0),
+            (Quantity::Impulse, Self::Us) => unit("lb·s", POUND_FORCE, 0),
+            (Quantity::Force, Self::Si) => unit("kN", 1000.0, 1),
+            (Quantity::Force, Self::Us) => unit("lb", POUND_FORCE, 0),
+            (Quantity::StiffnessA, Self::Si) => unit("N/cm", 100.0, 1),
+            (Quantity::StiffnessA, Self::Us) => unit("lb/in", POUND_FORCE / INCH, 1),
+            (Quantity::StiffnessB, Self::Si) => unit("N/cm²", 10_000.0, 2),
+            (Quantity::StiffnessB, Self::Us) => unit("lb/in²", POUND_FORCE / (INCH * INCH), 2),
+            (Quantity::StiffnessG, Self::Si) => unit("N", 1.0, 0),
+            (Quantity::StiffnessG, Self::Us) => unit("lb", POUND_FORCE, 1),
+        }
+    }
+
+    /// An SI value with its unit, like `75.03 ft/s`.
+    #[must_use]
+    pub fn format(self, quantity: Quantity, si: f64) -> String {
+        let Display { name, size, decimals } = self.display(quantity);
+        let space = if name == "°" { "" } else { " " };
+        format!("{}{space}{name}", number(si / size, decimals))
+    }
+
+    /// SI values with one unit behind them all, like `21.3 20.3 13.8 in`.
+    #[must_use]
+    pub fn format_all(self, quantity: Quantity, si: &[f64]) -> String {
+        let Display { name, size, decimals } = self.display(quantity);
+        let numbers: Vec<String> = si.iter().map(|value| number(value / size, decimals)).collect();
+        format!("{} {name}", numbers.join(" "))
+    }
+
+    /// A vector in the scene, like `(-75.03, 0.00) ft/s`.
+    #[must_use]
+    pub fn format_vector(self, quantity: Quantity, [x, y]: [f64; 2]) -> String {
+        let Display { name, size, decimals } = self.display(quantity);
+        format!("({}, {}) {name}", number(x / size, decimals), number(y / size, decimals))
+    }
+
+    /// A speed as drivers know it, like `51.16 mph`.
+    #[must_use]
+    pub fn road_speed(self, si: f64) -> String {
+        match self {
+            Self::Si => format!("{} km/h", number(si * 3.6, 1)),
+            Self::Us => format!("{} mph", number(si / MILE_PER_HOUR, 2)),
+        }
+    }
+}
+
+/// A number with the given decimals, thousands set apart by commas, and no minus before zero.
+pub(crate) fn number(value: f64, decimals: usize) -> String {
+    let plain = format!("{:.decimals$}", value.abs());
+    let (whole, fraction) = plain.split_once('.').map_or((plain.as_str(), None), |(w, f)| (w, Some(f)));
+    let mut grouped = String::new();
+    for (i, digit) in whole.chars().enumerate() {
+        if i > 0 && (whole.len() - i).is_multiple_of(3) {
+            grouped.push(',');
+        }
+        grouped.push(digit);
+    }
+    let negative = value < 0.0 && plain.bytes().any(|b| (b'1'..=b'9').contains(&b));
+    let sign = if negative { "-" } else { "" };
+    match fraction {
+        Some(fraction) => format!("{sign}{grouped}.{fraction}"),
+        None => format!("{sign}{grouped}"),
+    }
+}
