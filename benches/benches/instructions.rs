@@ -1,0 +1,105 @@
+//! Instructions per operation, by gungraun under valgrind. `benches/compare-commits` reads the counts.
+#![expect(missing_docs, reason = "gungraun's macros generate public items without documentation")]
+
+use std::fmt::Display;
+use std::io::{Write, stderr};
+use std::process::exit;
+
+use case::{Case, CaseFile, Diagnostics};
+use crash3::{Profile, Stiffness, crush_energy};
+use deltav_benches::{CASE_FILE, Example, FRACTION, FRICTION, RATIO, Refused};
+use gungraun::{library_benchmark, library_benchmark_group, main};
+use pim_core::{Contact, ImpactError, InvalidInput, Law, Motion, Outcome, Participant, Tangential};
+use reconcile::{Problem, ReconcileError, Reconciliation};
+
+type Impact = ([Motion; 2], Law, Contact);
+type Meeting = ([Participant; 2], f64, [Motion; 2], Law);
+
+/// An operation that gives up is quick: without an end to the run its count would pass for an improvement.
+fn accepted<T, E: Display>(result: Result<T, E>) -> T {
+    result.unwrap_or_else(|refusal| {
+        // Nothing is left to report to where standard error is closed.
+        let _ = writeln!(stderr(), "{refusal}");
+        exit(1)
+    })
+}
+
+/// By reference, so that neither a copy nor a drop of the input is counted.
+fn kept<T>(input: Result<T, Refused>) -> &'static T {
+    Box::leak(Box::new(accepted(input)))
+}
+
+fn check<T, E: Display>(result: Result<T, E>) {
+    accepted(result);
+}
+
+fn impact_input(tangential: Tangential) -> &'static Impact {
+    kept(Example::new().and_then(|example| Ok((example.motions, Example::law(tangential)?, example.contact))))
+}
+
+fn meeting_input(tangential: Tangential) -> &'static Meeting {
+    kept(Example::new().and_then(|example| {
+        let Example { participants, crush_plane, motions, .. } = example;
+        Ok((participants, crush_plane, motions, Example::law(tangential)?))
+    }))
+}
+
+fn damage_input() -> &'static (Profile, Stiffness) {
+    kept(Example::new().map(|example| {
+        let [damage, _] = example.damage;
+        damage
+    }))
+}
+
+fn problem_input(tangential: Tangential) -> &'static Problem {
+    kept(Example::new().and_then(|example| example.problem(tangential)))
+}
+
+#[library_benchmark(setup = impact_input, teardown = check)]
+#[bench::critical(Tangential::Critical)]
+#[bench::ratio(RATIO)]
+#[bench::fraction(FRACTION)]
+#[bench::friction(FRICTION)]
+fn impact((motions, law, contact): &'static Impact) -> Result<Outcome, ImpactError> {
+    contact.impact(*motions, law)
+}
+
+#[library_benchmark(setup = meeting_input, teardown = check)]
+#[bench::critical(Tangential::Critical)]
+fn contact_and_impact(
+    (participants, crush_plane, motions, law): &'static Meeting,
+) -> Result<Result<Outcome, ImpactError>, InvalidInput> {
+    Contact::new(*participants, *crush_plane).map(|contact| contact.impact(*motions, law))
+}
+
+#[library_benchmark(setup = damage_input)]
+#[bench::six_stations()]
+fn crush((profile, stiffness): &'static (Profile, Stiffness)) -> f64 {
+    crush_energy(profile, stiffness)
+}
+
+#[library_benchmark(setup = problem_input, teardown = check)]
+#[bench::critical(Tangential::Critical)]
+fn closed_form(problem: &'static Problem) -> Result<Reconciliation, ReconcileError> {
+    problem.solve()
+}
+
+#[library_benchmark(setup = problem_input, teardown = check)]
+#[bench::critical(Tangential::Critical)]
+#[bench::friction(FRICTION)]
+fn root_finder(problem: &'static Problem) -> Result<Reconciliation, ReconcileError> {
+    problem.root_finder()
+}
+
+#[library_benchmark(teardown = check)]
+#[bench::sae_980025(CASE_FILE)]
+fn parse((name, text): (&str, &str)) -> Result<CaseFile, Diagnostics> {
+    Case::parse(name, text)
+}
+
+library_benchmark_group!(
+    name = deltav,
+    benchmarks = [impact, contact_and_impact, crush, closed_form, root_finder, parse]
+);
+
+main!(library_benchmark_groups = deltav);

@@ -1,0 +1,182 @@
+//! Benchmarks of deltav, on the paper's example (SAE 980025, appendix; theory, section 7).
+//!
+//! | bench target | measures | run with |
+//! |---|---|---|
+//! | `times` | time, by criterion: for people | `cargo bench -p deltav-benches` |
+//! | `instructions` | instructions executed, by gungraun under valgrind: for comparisons | `benches/compare-commits` |
+//!
+//! Both measure the same operations: an impact under each tangential condition, the same with the geometry of the contact
+//! included, a crush energy, a reconciliation in closed form and by the root-finder, the reading of a case file.
+//!
+//! # Time
+//!
+//! ```text
+//! cargo bench -p deltav-benches                                   # everything
+//! cargo bench -p deltav-benches -- impact                         # what has "impact" in its name
+//! cargo bench -p deltav-benches -- --save-baseline before         # … then, after a change:
+//! cargo bench -p deltav-benches -- --baseline before
+//! ```
+//!
+//! Time on a shared machine swings by 30 %. It tells what a thing costs, not whether a small change made it slower.
+//!
+//! # Instructions
+//!
+//! ```text
+//! benches/compare-commits BASE [HEAD] [--limit 2%]
+//! ```
+//!
+//! compares two commits in one run, and exits with 1 if one of the counts grew by more than the limit. No count is
+//! kept anywhere: counts move with toolchain and CPU, so only two that were taken together can be compared. It needs valgrind,
+//! which is why the target stands behind the feature `instructions`; what else it needs it installs below `target/`.
+
+use crash3::{CrushError, Profile, Stiffness, crush_energy};
+use pim_core::{Body, Contact, InvalidInput, Law, Motion, Participant, Tangential};
+use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
+
+/// (m) one inch.
+const INCH: f64 = 0.0254;
+/// (m) one foot.
+const FOOT: f64 = 0.3048;
+/// (kg) the mass that weighs one pound.
+const POUND: f64 = 0.453_592_37;
+/// (N) one pound of force: a pound under the standard gravity of 9.80665 m/s².
+const POUND_FORCE: f64 = POUND * 9.806_65;
+/// (m/s) one mile per hour.
+const MILE_PER_HOUR: f64 = 0.447_04;
+
+/// (m/s) the speed of vehicle 1 in the impacts measured: 75 ft/s.
+const JIMMY_SPEED: f64 = 75.0 * FOOT;
+
+/// Name and text of the paper's example as a case file.
+pub const CASE_FILE: (&str, &str) = ("sae-980025.toml", include_str!("../../fixtures/sae-980025.toml"));
+
+/// The example does not pass a constructor's checks.
+#[derive(Debug, thiserror::Error)]
+#[error("the paper's example is refused: {0}")]
+pub enum Refused {
+    /// By `pim-core`.
+    Impact(#[from] InvalidInput),
+    /// By `crash3`.
+    Crush(#[from] CrushError),
+    /// By `reconcile`.
+    Reconcile(#[from] ReconcileError),
+}
+
+/// The paper's example in SI units: a 1994 GMC Jimmy (vehicle 1) meets a 1995 Nissan Altima (vehicle 2).
+#[derive(Clone, Debug)]
+pub struct Example {
+    /// Both vehicles in their places.
+    pub participants: [Participant; 2],
+    /// (rad) Γ.
+    pub crush_plane: f64,
+    /// The contact that these make.
+    pub contact: Contact,
+    /// Motions before impact, vehicle 1 at the 75 ft/s that the paper finds.
+    pub motions: [Motion; 2],
+    /// Crush of both vehicles, six stations each.
+    pub damage: [(Profile, Stiffness); 2],
+}
+
+impl Example {
+    /// The example.
+    ///
+    /// # Errors
+    /// Where a constructor refuses its values, which would be a change of that constructor.
+    pub fn new() -> Result<Self, Refused> {
+        // ERRATUM (theory, section 8): the appendix prints θ₁ = 0 with vₓ = −75 ft/s. The heading is 180°.
+        let headings = [180.0_f64.to_radians(), 67.0_f64.to_radians()];
+        let jimmy = Body::new(3696.0 * POUND, 2437.0 * POUND_FORCE * FOOT)?;
+        let altima = Body::new(3413.0 * POUND, 2165.0 * POUND_FORCE * FOOT)?;
+        let participants = [
+            Participant::polar(jimmy, headings[0], 6.3 * FOOT, -22.4_f64.to_radians())?,
+            Participant::polar(altima, headings[1], 3.8 * FOOT, -39.0_f64.to_radians())?,
+        ];
+        let crush_plane = -23.0_f64.to_radians();
+        Ok(Self {
+            participants,
+            crush_plane,
+            contact: Contact::new(participants, crush_plane)?,
+            motions: [
+                Motion::along(headings[0], JIMMY_SPEED),
+                Motion::along(headings[1], 10.0 * MILE_PER_HOUR),
+            ],
+            damage: [
+                damage([21.3, 20.3, 13.8, 11.3, 5.3, 4.8], 65.0, 35.0, 115.0)?,
+                damage([3.0, 15.8, 13.5, 6.7, 3.3, 5.0], 84.0, 30.0, 77.5)?,
+            ],
+        })
+    }
+
+    /// The example's restitution, e = 0.3, with the given tangential condition.
+    ///
+    /// # Errors
+    /// Where [`Law::new`] refuses the condition.
+    pub fn law(tangential: Tangential) -> Result<Law, Refused> {
+        Ok(Law::new(0.3, tangential)?)
+    }
+
+    /// The search for the speed of vehicle 1 under the given tangential condition.
+    ///
+    /// # Errors
+    /// Where [`Problem::new`] refuses the example.
+    pub fn problem(&self, tangential: Tangential) -> Result<Problem, Refused> {
+        let energy = self.damage.iter().map(|(profile, stiffness)| crush_energy(profile, stiffness)).sum();
+        let law = Self::law(tangential)?;
+        let basis = EnergyBasis::Dissipated;
+        Ok(Problem::new(self.contact, law, self.motions, Unknown::Speed1, energy, basis)?)
+    }
+}
+
+/// Depths and width in inches, d_0 in √lbf, d_1 in √lbf/ft.
+fn damage(depths: [f64; 6], width: f64, d0: f64, d1: f64) -> Result<(Profile, Stiffness), CrushError> {
+    let depths = depths.map(|depth| depth * INCH).to_vec();
+    let root_force = POUND_FORCE.sqrt();
+    Ok((
+        Profile::equally_spaced(depths, width * INCH)?,
+        Stiffness::from_d0_d1(d0 * root_force, d1 * root_force / FOOT)?,
+    ))
+}
+
+/// The impulse ratio that the paper prints.
+pub const RATIO: Tangential = Tangential::Ratio(0.371);
+/// Nine tenths of the critical ratio, which is 0.36885 in the example.
+pub const FRACTION: Tangential = Tangential::FractionOfCritical(0.9);
+/// Rougher than the critical ratio asks for, so that the surfaces hold at the speed found.
+pub const FRICTION: Tangential = Tangential::Friction(0.5);
+
+/// Every tangential condition that the law knows, and a name for its benchmark.
+pub const TANGENTIAL_CONDITIONS: [(&str, Tangential); 4] =
+    [("critical", Tangential::Critical), ("ratio", RATIO), ("fraction", FRACTION), ("friction", FRICTION)];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// That both targets measure the paper's example and not something like it: theory, section 7.
+    #[test]
+    fn the_example_is_the_papers() {
+        let example = Example::new().unwrap();
+        let energies = example.damage.each_ref().map(|(profile, stiffness)| crush_energy(profile, stiffness));
+        for (energy, expected) in energies.into_iter().zip([102_165.0, 38_657.0]) {
+            assert!((energy - expected).abs() < 0.5, "{energy} J, expected {expected} J");
+        }
+
+        let problem = example.problem(Tangential::Critical).unwrap();
+        for answer in [problem.solve().unwrap(), problem.root_finder().unwrap()] {
+            assert!((answer.speed - 22.869).abs() < 5e-4, "{} m/s", answer.speed);
+            assert!((answer.outcome.impulse_ratio - 0.36885).abs() < 5e-6, "{answer:?}");
+        }
+        // Friction that is rough enough for the critical ratio gives the critical law's answer.
+        let rough = example.problem(FRICTION).unwrap().solve().unwrap();
+        assert!((rough.speed - 22.869).abs() < 5e-4, "{} m/s", rough.speed);
+    }
+
+    #[test]
+    fn every_condition_has_an_impact() {
+        let example = Example::new().unwrap();
+        for (name, tangential) in TANGENTIAL_CONDITIONS {
+            let outcome = example.contact.impact(example.motions, &Example::law(tangential).unwrap());
+            assert!(outcome.is_ok(), "{name}: {outcome:?}");
+        }
+    }
+}
