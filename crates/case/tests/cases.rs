@@ -417,6 +417,10 @@ fn a_megabyte_of_one_value_is_refused_at_once() {
             )]
         ));
     }
+    let count = 500_000;
+    let depths =
+        OTHER_FORMS.replace("[\"0 cm\", \"100 mm\", \"0.1 m\"]", &format!("\"{}cm\"", "1 ".repeat(count)));
+    assert!(matches!(problems(&depths)[..], [Problem::TooMany { count: 500_000, .. }]));
     let key = format!("{} = 1\n[vehicle1]\n[vehicle2]", "k".repeat(1_000_000));
     assert!(matches!(problems(&key)[..], [Problem::UnknownKey { nearest: None, .. }]));
 }

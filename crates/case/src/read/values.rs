@@ -55,6 +55,7 @@ impl<'t> Reader<'t> {
         let value = table.get(key)?;
         let read = match value.get_ref() {
             DeValue::Array(array) => {
+                self.not_too_many(table, key, value, array.len())?;
                 let element = |(index, element): (usize, &'t Spanned<DeValue<'t>>)| {
                     let text = self.quantity_text(table, key, element, dimension, "a list of strings")?;
                     match Quantity::parse(text, dimension) {
@@ -69,12 +70,7 @@ impl<'t> Reader<'t> {
                     }
                 };
                 // Every element is looked at before the first fault ends it.
-                array
-                    .iter()
-                    .take(MOST_STATIONS + 1)
-                    .enumerate()
-                    .map(element)
-                    .collect::<Vec<Option<Quantity>>>()
+                array.iter().enumerate().map(element).collect::<Vec<Option<Quantity>>>()
             }
             _ => {
                 let wanted = "a string with numbers and a unit, or a list of strings";
@@ -82,16 +78,22 @@ impl<'t> Reader<'t> {
                 self.split_quantities(table, key, value, text, dimension, sign)?
             }
         };
-        let count = match value.get_ref() {
-            DeValue::Array(array) => array.len(),
-            _ => read.len(),
-        };
-        if count > MOST_STATIONS {
-            let problem = Problem::TooMany { path: table.path_of(key), count, limit: MOST_STATIONS };
-            self.report(value.span(), problem);
-            return None;
-        }
         read.into_iter().collect()
+    }
+
+    fn not_too_many(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        value: &'t Spanned<DeValue<'t>>,
+        count: usize,
+    ) -> Option<()> {
+        if count <= MOST_STATIONS {
+            return Some(());
+        }
+        let problem = Problem::TooMany { path: table.path_of(key), count, limit: MOST_STATIONS };
+        self.report(value.span(), problem);
+        None
     }
 
     fn split_quantities(
@@ -126,8 +128,10 @@ impl<'t> Reader<'t> {
                 return None;
             }
         };
+        self.not_too_many(table, key, value, numbers.len())?;
+        let start = self.start_of_text(value, text);
         let one = |(index, (number, at)): (usize, (f64, Range<usize>))| {
-            let span = self.inside(value, text, at);
+            let span = start.map_or(value.span(), |start| start + at.start..start + at.end);
             match Quantity::new(number, unit) {
                 Ok(quantity) => {
                     let path = format!("value {} of {}", index + 1, named(&table.path_of(key)));
@@ -142,15 +146,10 @@ impl<'t> Reader<'t> {
         Some(numbers.into_iter().enumerate().map(one).collect())
     }
 
-    /// The place of a part of a string, where the string stands in the file as it reads; else the whole string.
-    fn inside(&self, value: &Spanned<DeValue<'_>>, text: &str, part: Range<usize>) -> Range<usize> {
-        let span = value.span();
-        let start = span.start + 1;
-        if self.text.get(start..start + text.len()) == Some(text) {
-            start + part.start..start + part.end
-        } else {
-            span
-        }
+    /// Where a string begins, if it stands in the file as it reads, without escapes.
+    fn start_of_text(&self, value: &Spanned<DeValue<'_>>, text: &str) -> Option<usize> {
+        let start = value.span().start + 1;
+        (self.text.get(start..start + text.len()) == Some(text)).then_some(start)
     }
 
     fn quantity_text(
