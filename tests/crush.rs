@@ -295,7 +295,7 @@ fn the_moment_arm_is_the_one_that_the_impact_turns_the_vehicle_with() {
         }
         for (i, car) in scene.cars.iter().enumerate().filter(|(_, car)| !car.fixed) {
             let (sin, cos) = car.angle.sin_cos();
-            let h = moment_arm([car.distance * cos, car.distance * sin], outcome.pdof[i]);
+            let h = moment_arm([car.distance * cos, car.distance * sin], outcome.pdof()[i]);
             let turn = outcome.after[i].yaw_rate - outcome.before[i].yaw_rate;
             let moment = (turn * car.mass * car.yaw_radius * car.yaw_radius).abs();
             // Yaw rates of some rad/s are known to 1e-15.

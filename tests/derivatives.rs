@@ -129,7 +129,7 @@ fn chain<T: Real>(
         outcome.energy.loss,
         outcome.after[0].yaw_rate,
         outcome.after[1].velocity.y,
-        outcome.pdof[0],
+        outcome.pdof()[0],
         crash1 * factor,
     ]
 }

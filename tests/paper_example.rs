@@ -87,7 +87,7 @@ fn moment_arms() -> [f64; 2] {
     [0, 1].map(|i| {
         let angle = CONTACT_ANGLES[i].to_radians();
         let distance = CONTACT_DISTANCES[i] * FOOT;
-        moment_arm([distance * angle.cos(), distance * angle.sin()], outcome.pdof[i])
+        moment_arm([distance * angle.cos(), distance * angle.sin()], outcome.pdof()[i])
     })
 }
 

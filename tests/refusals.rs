@@ -194,6 +194,14 @@ fn numbers_beyond_double_precision_are_no_impact() {
             "{result:?}"
         );
     }
+    // The vehicles approach at 20 m/s, in a scene whose own speed has no square.
+    let boosted = towards_each_other()
+        .map(|motion| Motion { velocity: motion.velocity + Vector2::new(0.0, 1e200), ..motion });
+    let result = head_on().impact(boosted, &law);
+    assert!(
+        matches!(result, Err(ImpactError::Overflow { what: "initial kinetic energy", .. })),
+        "{result:?}"
+    );
 }
 
 /// The jam's message names the ratio at which it ends: a little to the other side of it there is an impulse.

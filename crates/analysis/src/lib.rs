@@ -167,7 +167,7 @@ fn collided(
     basis: EnergyBasis,
     warnings: &mut Vec<Warning>,
 ) -> Result<Analysis, Failure> {
-    let vehicles = damage::assess(subjects, impact.outcome.pdof.map(Some))?;
+    let vehicles = damage::assess(subjects, impact.outcome.pdof().map(Some))?;
     let crash3 = damage::crash3(&vehicles, basis, Some(impact.law.restitution()))?;
     warning::of_impact(&impact, warnings);
     warning::of_outlines(file, &vehicles, warnings);

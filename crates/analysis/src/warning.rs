@@ -181,7 +181,7 @@ pub(crate) fn of_damage(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
 }
 
 pub(crate) fn of_directions(impact: &Impact, vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
-    for (i, (vehicle, &computed)) in vehicles.iter().zip(&impact.outcome.pdof).enumerate() {
+    for (i, (vehicle, computed)) in vehicles.iter().zip(impact.outcome.pdof()).enumerate() {
         let Some(given) = vehicle.subject.damage.as_ref().and_then(|damage| damage.pdof) else { continue };
         // The difference of two directions, the short way round.
         let (sin, cos) = pim_core::Real::sin_cos(given - computed);

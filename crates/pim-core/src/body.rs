@@ -155,18 +155,4 @@ impl<T: Real> Participant<T> {
     pub fn arm(&self) -> Vector2<T> {
         self.arm
     }
-
-    /// (rad) principal direction of the force that gives the body `impulse` (N·s, scene frame): the direction
-    /// *from which* it comes, clockwise positive from the heading, in (−π, π]. 0 is struck squarely in front,
-    /// π/2 from the right.
-    #[inline(always)]
-    #[must_use]
-    pub fn pdof(&self, impulse: Vector2<T>) -> T {
-        let f = self.forward;
-        let ahead = impulse.x * f.x + impulse.y * f.y;
-        let left = impulse.y * f.x - impulse.x * f.y;
-        // The force comes from −P; clockwise from the heading is to the right: PDOF = atan2(P_left, −P_ahead).
-        // Adding zero turns −0 into +0, so that a push from straight behind is +π and never −π.
-        (left + 0.0).atan2(-ahead)
-    }
 }

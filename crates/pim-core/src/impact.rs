@@ -34,21 +34,48 @@ pub struct Outcome<T = f64> {
     pub after: [Motion<T>; 2],
     /// (m/s) ΔV vectors V − v of the two CGs in the scene frame.
     pub delta_v: [Vector2<T>; 2],
-    /// (rad) scene angle of the impulse on vehicle 1, in (−π, π].
-    pub impulse_direction: T,
-    /// (rad) principal direction of force of each vehicle, see [`Participant::pdof`](crate::Participant::pdof).
-    pub pdof: [T; 2],
+    /// Unit vectors of both vehicles' forward axes in the scene.
+    pub forward: [Vector2<T>; 2],
     /// The energy balance.
     pub energy: Energy<T>,
 }
 
 impl<T: Real> Outcome<T> {
+    /// (rad) scene angle of the impulse on vehicle 1, in (−π, π].
+    #[inline(always)]
+    #[must_use]
+    pub fn impulse_direction(&self) -> T {
+        // Adding zero turns −0 into +0, so that an impulse along −x is at +π.
+        (self.impulse_vector.y + 0.0).atan2(self.impulse_vector.x)
+    }
+
+    /// (rad) principal direction of force of both vehicles, see [`pdof`].
+    #[inline(always)]
+    #[must_use]
+    pub fn pdof(&self) -> [T; 2] {
+        let [f1, f2] = self.forward;
+        [pdof(f1, self.impulse_vector), pdof(f2, -self.impulse_vector)]
+    }
+
     /// (m/s) |ΔV| of both vehicles.
     #[inline(always)]
     #[must_use]
     pub fn delta_v_magnitude(&self) -> [T; 2] {
         self.delta_v.map(|dv| (dv.x * dv.x + dv.y * dv.y).sqrt())
     }
+}
+
+/// (rad) principal direction of the force that gives a vehicle `impulse` (N·s, scene frame), for the unit vector `forward` of its forward
+/// axis: the direction *from which* the force comes, clockwise positive from the heading, in (−π, π]. 0 is struck squarely
+/// in front, π/2 from the right.
+#[inline(always)]
+#[must_use]
+pub fn pdof<T: Real>(forward: Vector2<T>, impulse: Vector2<T>) -> T {
+    let ahead = impulse.x * forward.x + impulse.y * forward.y;
+    let left = impulse.y * forward.x - impulse.x * forward.y;
+    // The force comes from −P; clockwise from the heading is to the right: PDOF = atan2(P_left, −P_ahead).
+    // Adding zero turns −0 into +0, so that a push from straight behind is +π and never −π.
+    (left + 0.0).atan2(-ahead)
 }
 
 /// (J) the energy balance of an impact: `before` − `after` = `loss` = `normal_work` + `tangential_work`.
@@ -186,8 +213,7 @@ impl<T: Real> Contact<T> {
             after,
             // ΔV_i = ±P/m_i
             delta_v: [impulse_vector * p1.body().inverse_mass(), -impulse_vector * p2.body().inverse_mass()],
-            impulse_direction: (impulse_vector.y + 0.0).atan2(impulse_vector.x),
-            pdof: [p1.pdof(impulse_vector), p2.pdof(-impulse_vector)],
+            forward: [p1.forward(), p2.forward()],
             energy: Energy {
                 before: p1.body().kinetic_energy(&before[0]) + p2.body().kinetic_energy(&before[1]),
                 after: p1.body().kinetic_energy(&after[0]) + p2.body().kinetic_energy(&after[1]),

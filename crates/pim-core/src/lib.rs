@@ -70,7 +70,7 @@ mod law;
 pub use body::{Body, Motion, Participant};
 pub use contact::{Contact, InverseMass, NormalTangential};
 pub use error::{ImpactError, InvalidInput};
-pub use impact::{Energy, Outcome, normal_work, tangential_work};
+pub use impact::{Energy, Outcome, normal_work, pdof, tangential_work};
 pub use law::{Law, Tangential};
 pub use nalgebra::{self, Vector2};
 pub use real::Real;

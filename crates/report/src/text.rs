@@ -230,7 +230,7 @@ impl Page {
         self.wide("critical impulse ratio μ_c", &critical, "theory 3");
         self.wide(
             "direction of the impulse",
-            &format!("{} in the scene", units.format(Quantity::Angle, outcome.impulse_direction)),
+            &format!("{} in the scene", units.format(Quantity::Angle, outcome.impulse_direction())),
             "theory 2",
         );
     }
@@ -256,7 +256,7 @@ impl Page {
         self.pair("ΔV", each(&|i| both_speeds(units, outcome.delta_v_magnitude()[i])), "theory 2");
         self.pair(
             "PDOF, clockwise from heading",
-            each(&|i| units.format(Quantity::Angle, outcome.pdof[i])),
+            each(&|i| units.format(Quantity::Angle, outcome.pdof()[i])),
             "theory 4",
         );
     }
