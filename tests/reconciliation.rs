@@ -508,3 +508,40 @@ fn a_central_impact_by_hand() {
     }
     assert_eq!([Unknown::Speed1.index(), Unknown::Speed2.index()], [0, 1]);
 }
+
+/// Between the speeds at which friction holds the surfaces together W_n has a hump that is narrower than a step of the scan: three
+/// speeds give the same energy, and the mirror image of the collision has the same three.
+#[test]
+fn friction_may_have_three_speeds_close_together() {
+    let truck = Car {
+        fixed: false,
+        mass: 33_000.0,
+        yaw_radius: 1.0,
+        heading: 0.0,
+        distance: 0.0,
+        angle: 0.0,
+        velocity: [45.0, 12.0],
+        yaw_rate: 0.0,
+    };
+    let light = Car { mass: 500.0, yaw_radius: 0.5, heading: 0.44, distance: 3.5, angle: 0.56, ..truck };
+    let scene = Scene {
+        cars: [truck, light.at_speed(40.0)],
+        crush_plane: -0.73,
+        restitution: 0.0,
+        tangential: Tangential::Friction(0.365),
+    };
+    let mirrored = Scene { crush_plane: -scene.crush_plane, ..scene }.with_cars(|car| Car {
+        heading: -car.heading,
+        angle: -car.angle,
+        velocity: [car.velocity[0], -car.velocity[1]],
+        ..car
+    });
+    for scene in [scene, mirrored] {
+        let case = Case { scene, unknown: Unknown::Speed2, speed: 40.0, basis: EnergyBasis::Dissipated };
+        for (energy, roots) in
+            [(440.0, 1), (460.0, 3), (470.0, 3), (480.0, 3), (490.0, 3), (500.0, 3), (520.0, 1)]
+        {
+            assert_eq!(assert_roots(&case, energy), Some(roots), "{energy}");
+        }
+    }
+}

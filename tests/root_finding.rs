@@ -91,9 +91,16 @@ fn every_bracket_gets_an_answer() {
             return false;
         }
         let count = Cell::new(0_usize);
+        let bracket = Cell::new([-1.0, 1.0]);
+        let observe = |x: f64, y: f64| {
+            count.set(count.get() + 1);
+            let [low, high] = bracket.get();
+            assert!(low <= x && x <= high, "{x} is outside of {low} to {high}");
+            bracket.set(if (y < 0.0) == (ends[0] < 0.0) { [x, high] } else { [low, x] });
+        };
         // A root at zero has no relative distance.
         let tolerance = 1e-15;
-        let root = brent(f, [-1.0, 1.0], tolerance, |_, _| count.set(count.get() + 1)).unwrap();
+        let root = brent(f, [-1.0, 1.0], tolerance, observe).unwrap();
         assert!(count.get() <= MAX_STEPS);
         // The sign changes within the stated distance.
         let near = 4.0 * f64::EPSILON * root.abs() + tolerance;

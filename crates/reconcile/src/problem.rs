@@ -423,7 +423,7 @@ impl Problem<f64> {
     ///
     /// W_n − E is scanned outwards from the speed at which the vehicles just touch (u_n = 0, where W_n = 0), with both sides of
     /// every border at which the law's regime changes among the samples: between two of them W_n is smooth. A change of sign is a bracket for
-    /// Brent's method, and so is each side of an extremum between two samples that reaches the other sign.
+    /// Brent's method, and so is each side of a maximum between two samples that reaches E.
     ///
     /// # Errors
     /// [`ReconcileError`].
@@ -431,11 +431,7 @@ impl Problem<f64> {
         let k = self.contact.inverse_mass();
         let e = self.law.restitution();
         let frictionless = (2.0 * self.energy * k.nn / (1.0 - e * e)).sqrt();
-        // Without a push no work is done, whatever the law's conditions alone would say.
-        let missing = |x: f64| {
-            let work = self.work_at(self.line.velocity(x));
-            if work > 0.0 { work - self.energy } else { -self.energy }
-        };
+        let missing = |x: f64| self.work_at(self.line.velocity(x)) - self.energy;
 
         let mut search = Search::new(self);
         let mut last = (0.0, -self.energy);
@@ -454,29 +450,27 @@ impl Problem<f64> {
     }
 
     /// Both sides of the approach speeds at which the law's regime changes, in ascending order; infinite where there is none.
-    fn borders(&self) -> [f64; 6] {
+    fn borders(&self) -> [f64; 4] {
         let sticking = self.law.with_common_tangential_velocity();
         let k = self.contact.inverse_mass();
         let [at_touch, at_one] = [0.0, 1.0].map(|x| sticking.impulse(k, self.line.velocity(x)));
-        // The impulse that would make the tangential velocities equal is affine in x: where its part P_t − c P_n is zero.
-        let zero = |part: fn(NormalTangential, f64) -> f64, c: f64| {
-            let (zero, one) = (part(at_touch, c), part(at_one, c));
+        // The impulse that would make the tangential velocities equal is affine in x: where a part of it is zero.
+        let zero = |part: &dyn Fn(NormalTangential) -> f64| {
+            let (zero, one) = (part(at_touch), part(at_one));
             let x = zero / (zero - one);
             if x.is_finite() { x } else { f64::INFINITY }
         };
-        let excess = |p: NormalTangential, c: f64| p.tangential - c * p.normal;
-        let borders = match self.law.tangential() {
-            // Friction holds the surfaces together from −limit to limit; beyond, it turns about where P_t does.
-            Tangential::Friction(limit) => [zero(excess, -limit), zero(excess, 0.0), zero(excess, limit)],
+        let [a, b] = match self.law.tangential() {
+            // Friction holds the surfaces together from P_t = −limit P_n to P_t = limit P_n.
+            Tangential::Friction(limit) => {
+                [zero(&|p| p.tangential + limit * p.normal), zero(&|p| p.tangential - limit * p.normal)]
+            }
             // A push ends at P_n = 0.
-            Tangential::FractionOfCritical(_) => [zero(|p, _| p.normal, 0.0), f64::INFINITY, f64::INFINITY],
-            Tangential::Critical | Tangential::Ratio(_) => [f64::INFINITY; 3],
+            Tangential::FractionOfCritical(_) => [zero(&|p| p.normal), f64::INFINITY],
+            Tangential::Critical | Tangential::Ratio(_) => [f64::INFINITY; 2],
         };
-        let [a, b, c] = borders;
-        let mut sides = [a, b, c, a, b, c];
-        for (i, side) in sides.iter_mut().enumerate() {
-            *side *= if i < 3 { 1.0 - BORDER_WIDTH } else { 1.0 + BORDER_WIDTH };
-        }
+        let (before, after) = (1.0 - BORDER_WIDTH, 1.0 + BORDER_WIDTH);
+        let mut sides = [a * before, a * after, b * before, b * after];
         sides.sort_by(f64::total_cmp);
         sides
     }
@@ -493,11 +487,9 @@ impl Problem<f64> {
         *last = high;
         if opposite(low.1, high.1) {
             self.bracketed(missing, [low.0, high.0], search)
-        } else if let Some(turn) = turning_point(missing, [low, high])
-            && opposite(turn.1, low.1)
-        {
-            self.bracketed(missing, [low.0, turn.0], search)?;
-            self.bracketed(missing, [turn.0, high.0], search)
+        } else if let Some(top) = hump(missing, [low, high]) {
+            self.bracketed(missing, [low.0, top], search)?;
+            self.bracketed(missing, [top, high.0], search)
         } else {
             Ok(())
         }
@@ -518,7 +510,7 @@ impl Problem<f64> {
                 search.consider(self.line.speed(x), Method::RootFinder(iterations));
                 Ok(())
             }
-            // The sign changed at a pole, where the contact jams, or at a jump, where friction turns about.
+            // The sign changed at a pole, where the contact jams.
             Ok(_) | Err(RootError::NotBracketed { .. }) => Ok(()),
             Err(RootError::NotConverged { last, residual }) => {
                 Err(ReconcileError::NotConverged { last: self.line.speed(last), residual })
@@ -531,24 +523,24 @@ fn opposite(a: f64, b: f64) -> bool {
     (a < 0.0 && b >= 0.0) || (a >= 0.0 && b < 0.0)
 }
 
-/// The extremum of `f` towards zero between two samples of one sign, by golden section; `None` where a parabola through them and their middle
-/// has none.
-fn turning_point(f: &impl Fn(f64) -> f64, [low, high]: [(f64, f64); 2]) -> Option<(f64, f64)> {
-    let sign = if low.1 < 0.0 { 1.0 } else { -1.0 };
+/// A point between two samples below zero at which `f` is not, by golden section; `None` where there is none, or where a parabola
+/// through both and their middle has no maximum. Between the borders W_n has one maximum at most, and while the vehicles push no minimum.
+fn hump(f: &impl Fn(f64) -> f64, [low, high]: [(f64, f64); 2]) -> Option<f64> {
     let middle = 0.5 * (low.0 + high.0);
-    let mut best = (middle, f(middle));
+    let f_middle = f(middle);
     // The parabola's slopes at both ends, times the distance between them: −3f₀ + 4f_½ − f₁ and f₀ − 4f_½ + 3f₁.
-    let rises = sign * (4.0 * best.1 - 3.0 * low.1 - high.1) > 0.0;
-    let falls = sign * (low.1 - 4.0 * best.1 + 3.0 * high.1) < 0.0;
-    if !(rises && falls) {
+    let rises = 4.0 * f_middle - 3.0 * low.1 - high.1 > 0.0;
+    let falls = low.1 - 4.0 * f_middle + 3.0 * high.1 < 0.0;
+    if !(low.1 < 0.0 && rises && falls) {
         return None;
     }
     let inverse_golden = (5_f64.sqrt() - 1.0) / 2.0;
     let (mut a, mut b) = (low.0, high.0);
-    while best.1 * sign < 0.0 && b - a > f64::EPSILON.sqrt() * b {
+    let mut best = (middle, f_middle);
+    while best.1 < 0.0 && b - a > f64::EPSILON.sqrt() * b {
         let (left, right) = (b - (b - a) * inverse_golden, a + (b - a) * inverse_golden);
         let (f_left, f_right) = (f(left), f(right));
-        if sign * f_left > sign * f_right {
+        if f_left > f_right {
             b = right;
             best = (left, f_left);
         } else {
@@ -556,5 +548,5 @@ fn turning_point(f: &impl Fn(f64) -> f64, [low, high]: [(f64, f64); 2]) -> Optio
             best = (right, f_right);
         }
     }
-    Some(best)
+    (best.1 >= 0.0).then_some(best.0)
 }
