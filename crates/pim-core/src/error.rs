@@ -45,7 +45,8 @@ pub enum InvalidInput {
     /// vehicle 2 towards vehicle 1.
     #[error(
         "the crush plane normal at {crush_plane} rad is perpendicular to the line between the centres of \
-         gravity, so that it cannot be oriented from vehicle 2 towards vehicle 1"
+         gravity, so that it cannot be oriented from vehicle 2 towards vehicle 1; check the crush plane's angle, the \
+         headings and the contact points"
     )]
     NormalUndefined {
         /// (rad) the crush plane angle Γ.
@@ -73,7 +74,8 @@ pub enum ImpactError {
     #[error(
         "the contact jams: with the impulse ratio μ = {impulse_ratio:.6} the impulse would have to be infinite \
          or negative, since k_nn + μ k_nt = {k_nn:.6e} + {impulse_ratio:.6} × {k_nt:.6e} 1/kg is not positive; \
-         this geometry needs μ {} {:.6}", if *.k_nt > 0.0 { "above" } else { "below" }, -.k_nn / .k_nt
+         this geometry needs μ {} {:.6}: check its sign and its decimal point, and the contact points, or give a friction limit \
+         instead, against which nothing jams", if *.k_nt > 0.0 { "above" } else { "below" }, -.k_nn / .k_nt
     )]
     Jam {
         /// μ = P_t/P_n.
@@ -86,8 +88,8 @@ pub enum ImpactError {
     /// A common tangential velocity at C would need P_n ≤ 0: the vehicles would have to pull at each other.
     #[error(
         "a common tangential velocity would need the vehicles to pull at each other (P_n = {normal_impulse:.6} \
-         N·s): the tangential velocity is too large for this geometry; give a friction limit or an impulse \
-         ratio instead"
+         N·s): they slide too fast for this geometry; check the contact points and the crush plane, or, if the \
+         surfaces did slide until they parted, give a friction limit or an impulse ratio instead"
     )]
     Pulling {
         /// (N·s) the normal impulse that the conditions ask for.
@@ -96,8 +98,8 @@ pub enum ImpactError {
     /// E_L < 0: the coefficients create energy.
     #[error(
         "the coefficients create energy: the energy loss would be {loss:.6e} J, of which {normal_work:.6e} J is \
-         the work of the normal and {tangential_work:.6e} J that of the tangential impulse; check the \
-         restitution and the sign of the impulse ratio"
+         the work of the normal and {tangential_work:.6e} J that of the tangential impulse; check that the impulse \
+         ratio has the sign that opposes the sliding, and lower its size or the restitution"
     )]
     EnergyCreated {
         /// (J) the energy loss E_L.
@@ -108,7 +110,10 @@ pub enum ImpactError {
         tangential_work: f64,
     },
     /// The numbers are too large or too small for double precision.
-    #[error("the impact leaves the range of double precision: the {what} would be {value}")]
+    #[error(
+        "the impact leaves the range of double precision: the {what} would be {value}; check the speeds, masses and \
+         inertias, and their units"
+    )]
     Overflow {
         /// Which quantity.
         what: &'static str,

@@ -8,7 +8,8 @@ use pim_core::{ImpactError, InvalidInput};
 pub enum ReconcileError {
     /// There is nothing to match.
     #[error(
-        "the crush energy must be greater than zero, and is {energy} J: without crush there is no speed to find"
+        "the crush energy must be greater than zero, and is {energy} J: without crush there is no speed to find; check \
+         the depths and the stiffness of both vehicles"
     )]
     NoCrushEnergy {
         /// (J) the crush energy.
@@ -17,14 +18,16 @@ pub enum ReconcileError {
     /// e = 1: W_n is zero at every speed.
     #[error(
         "with a restitution of {restitution} the normal impulse takes no energy at any speed, so that no speed \
-         can match the crush energy; a vehicle that stays crushed has a restitution below 1"
+         can match the crush energy; give a restitution below 1, as vehicles that stay crushed have"
     )]
     NoRestitutionLoss {
         /// e.
         restitution: f64,
     },
     /// The vehicle whose speed is sought is a barrier.
-    #[error("vehicle {vehicle} is fixed and has no speed that could be found")]
+    #[error(
+        "vehicle {vehicle} is fixed and has no speed that could be found; find the other vehicle's speed"
+    )]
     Fixed {
         /// 1 or 2.
         vehicle: usize,
@@ -32,7 +35,8 @@ pub enum ReconcileError {
     /// The vehicle moves along the crush plane, so that its speed does not change u_n.
     #[error(
         "vehicle {vehicle} heads along the crush plane (the cosine between its heading and the normal is \
-         {cosine:.1e}), so that its speed does not change the normal work; find the other vehicle's speed instead"
+         {cosine:.1e}), so that its speed does not change the normal work; check its heading and the crush plane, or find \
+         the other vehicle's speed instead"
     )]
     SpeedWithoutEffect {
         /// 1 or 2.
@@ -43,7 +47,8 @@ pub enum ReconcileError {
     /// W_n stays away from the crush energy at every speed at which the vehicles approach.
     #[error(
         "no speed of vehicle {vehicle} makes the work of the normal impulse equal to {energy:.1} J while the \
-         vehicles approach and push; check the crush energy, the other vehicle's speed and the crush plane"
+         vehicles approach and push; check the contact points, the crush plane, the headings, the yaw rates and the crush \
+         energy, or give a friction limit as the tangential condition"
     )]
     NotReached {
         /// 1 or 2.
@@ -66,7 +71,8 @@ pub enum ReconcileError {
     Impact(#[from] ImpactError),
     /// The root-finder stopped short of its tolerance.
     #[error(
-        "the search for the speed did not settle: {last:.9} m/s still misses the crush energy by {residual:.3e} J"
+        "the search for the speed did not settle: {last:.9} m/s still misses the crush energy by {residual:.3e} J; check \
+         the input for extreme values, or try another tangential condition"
     )]
     NotConverged {
         /// (m/s) last speed tried.

@@ -1,0 +1,400 @@
+//! Every warning, on both sides of its threshold: what raises it, with which values, and what just does not.
+//!
+//! The values follow from the geometry and the arithmetic that stand beside each case.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+#![expect(clippy::disallowed_methods, reason = "an oracle shares no function with what it judges")]
+
+use std::f64::consts::PI;
+
+use analysis::{Analysis, Failure, Warning};
+use case::{Case, CaseFile};
+
+const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
+const PAPER_FORWARD: &str = include_str!("../../../fixtures/sae-980025-impact.toml");
+
+type Analyse = fn(&CaseFile) -> Result<Analysis, Failure>;
+
+fn warnings(analyse: Analyse, text: &str) -> Vec<Warning> {
+    let file = Case::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    analyse(&file).unwrap_or_else(|error| panic!("{error}")).warnings
+}
+
+/// The warnings with that code.
+fn raised(analyse: Analyse, text: &str, code: &str) -> Vec<Warning> {
+    warnings(analyse, text).into_iter().filter(|warning| warning.code() == code).collect()
+}
+
+/// `text` with one place replaced.
+#[track_caller]
+fn with(text: &str, old: &str, new: &str) -> String {
+    assert_eq!(text.matches(old).count(), 1, "{old:?} has to stand once in the case");
+    text.replace(old, new)
+}
+
+#[track_caller]
+fn assert_close(what: &str, actual: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (actual - expected).abs() <= tolerance,
+        "{what}: {actual} is not {expected} within {tolerance:e}"
+    );
+}
+
+/// A case of damage alone: equal cars but for the damage, each `side, depth in m, direction of force` of a crush of 1.5 m width
+/// and the same depth throughout, with A = 40 kN/m and B = 500 kN/m².
+fn damaged([first, second]: [(&str, f64, &str); 2]) -> String {
+    let vehicle = |i: usize, (side, depth, force): (&str, f64, &str)| {
+        format!(
+            "[vehicle{i}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\n[vehicle{i}.crush]\nside = \"{side}\"\nwidth = \"1.5 m\"\n\
+             depths = \"{depth} {depth} m\"\nstiffness = {{ A = \"40 kN/m\", B = \"500 kN/m^2\" }}\nmoment_arm = \"0 m\"\n{force}\n"
+        )
+    };
+    vehicle(1, first) + &vehicle(2, second)
+}
+
+/// (J) energy of a crush of 0.3 m depth in [`damaged`]: L (A C + B C²/2 + A²/2B) = L B/2 (C + A/B)² = 1.5 · 250,000 · 0.38².
+const ENERGY: f64 = 54_150.0;
+
+/// A car of 1500 kg that meets a wall squarely, its CG behind C: `car` is its number, `heading` and `forward` (m) say where it
+/// looks and where C is, `speed` is in m/s; its crush is that of [`ENERGY`].
+fn against_a_wall(car: usize, forward: f64, speed: f64, crush: &str) -> String {
+    let wall = 3 - car;
+    format!(
+        "[vehicle{wall}]\nfixed = true\n[vehicle{car}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"40 deg\"\n\
+         speed = \"{speed} m/s\"\ncontact = {{ x = \"{forward} m\", y = \"0 m\" }}\n[vehicle{car}.crush]\nwidth = \"1.5 m\"\n\
+         depths = \"0.3 0.3 m\"\nstiffness = {{ A = \"40 kN/m\", B = \"500 kN/m^2\" }}\n{crush}\n\
+         [impact]\ncrush_plane = \"40 deg\"\nrestitution = 0\ntangential = \"critical\"\n"
+    )
+}
+
+/// CRASH3 has no restitution (e = 0.3 here), so that its ΔV is well below; all else of the example is in order.
+#[test]
+fn the_papers_example_raises_one_warning() {
+    let [Warning::DeltaVDiffers { impact, crash3 }] = &warnings(analysis::reconstruct, PAPER)[..] else {
+        panic!("{:?}", warnings(analysis::reconstruct, PAPER));
+    };
+    // docs/theory.md and the paper's appendix: 27.18 and 29.44 mph by the impact; about 27 and 29 ft/s by CRASH3.
+    for (actual, expected) in impact.iter().zip([27.18, 29.44]) {
+        assert_close("ΔV", actual / 0.44704, expected, 0.005);
+    }
+    for (actual, expected) in crash3.iter().zip([27.4, 29.7]) {
+        assert_close("CRASH3's ΔV", actual / 0.3048, expected, 0.05);
+    }
+    assert_eq!(warnings(analysis::impact, PAPER_FORWARD), []);
+}
+
+/// r_1 points to 180° − 22.4° = 157.6° and r_2 to 67° − 39° = 28°: n·r_1 < 0 < n·r_2 for Γ from 28° − 90° = −62° to 157.6° − 90° = 67.6°.
+#[test]
+fn crush_plane() {
+    for (angle, expected) in
+        [("-61.9", 0), ("-62.1", 1), ("67.5", 0), ("67.7", 1), ("247.5", 0), ("247.7", 1)]
+    {
+        let text = with(PAPER_FORWARD, "\"-23 deg\"", &format!("\"{angle} deg\""));
+        // Friction, because a common tangential velocity is out of reach in the steepest of these.
+        let text = with(&text, "\"critical\"", "{ friction = 0.4 }");
+        let found = raised(analysis::impact, &text, "crush-plane");
+        assert_eq!(found, vec![Warning::PlaneDoesNotSeparate; expected], "{angle}°");
+    }
+}
+
+/// The outline reaches 2.0 m forward, 2.5 m back and 0.9 m to each side; 5 cm beyond are allowed.
+#[test]
+fn contact_outside() {
+    let outline = "length = \"4.5 m\"\nwidth = \"1.8 m\"\ncg_to_front = \"2.0 m\"\n";
+    let contacts = [
+        (1, "{ distance = \"6.3 ft\", angle = \"-22.4 deg\" }"),
+        (2, "{ distance = \"3.8 ft\", angle = \"-39 deg\" }"),
+    ];
+    for (vehicle, contact) in contacts {
+        let text = with(PAPER, &format!("[vehicle{vehicle}]\n"), &format!("[vehicle{vehicle}]\n{outline}"));
+        // The speed sought goes either way, so that the vehicles meet wherever the points are; friction has an answer everywhere.
+        let text = with(&text, "\"critical\"", "{ friction = 0.4 }");
+        for ([x, y], beyond) in [
+            ([2.049, 0.5], None),
+            ([2.051, 0.5], Some(0.051)),
+            ([-2.549, 0.5], None),
+            ([-2.551, 0.5], Some(0.051)),
+            ([0.5, 0.949], None),
+            ([0.5, 0.951], Some(0.051)),
+            ([0.5, -0.949], None),
+            ([0.5, -0.951], Some(0.051)),
+            // Past a corner the larger of the two counts.
+            ([2.1, 1.2], Some(0.3)),
+        ] {
+            let moved = with(&text, contact, &format!("{{ x = \"{x} m\", y = \"{y} m\" }}"));
+            let found = raised(analysis::reconstruct, &moved, "contact-outside");
+            match (&found[..], beyond) {
+                ([], None) => {}
+                ([Warning::ContactOutside { vehicle: named, distance }], Some(beyond)) => {
+                    assert_eq!(*named, vehicle);
+                    assert_close("distance", *distance, beyond, 1e-12);
+                }
+                _ => panic!("vehicle {vehicle}, [{x}, {y}]: {found:?}"),
+            }
+        }
+    }
+}
+
+/// Vehicle 2 drives along the crush plane (67° + 23° = 90°), so that the closing speed is that of vehicle 1 times cos 23°.
+#[test]
+fn high_restitution() {
+    let at = |restitution: f64, closing: f64| {
+        let speed = closing / 23_f64.to_radians().cos();
+        let text = with(PAPER_FORWARD, "\"75 ft/s\"", &format!("\"{speed} m/s\""));
+        raised(
+            analysis::impact,
+            &with(&text, "restitution = 0.3", &format!("restitution = {restitution}")),
+            "high-restitution",
+        )
+    };
+    let found = at(0.301, 15.01);
+    let [Warning::HighRestitution { restitution, closing_speed }] = found[..] else { panic!("{found:?}") };
+    assert_eq!(restitution, 0.301);
+    assert_close("closing speed", closing_speed, 15.01, 1e-12);
+    assert_eq!(at(0.3, 15.01), []);
+    assert_eq!(at(0.301, 14.99), []);
+    assert_eq!(at(0.9, 14.99), []);
+    assert_eq!(at(0.3, 30.0), []);
+}
+
+/// F = L (A + B C) / cos α: 1.5 m · 190 kN/m = 285 kN at 0.3 m, half of that at 0.11 m.
+#[test]
+fn force_balance() {
+    let at = |c1: f64, a1: &str, c2: f64, a2: &str| {
+        let force = |angle: &str| format!("oblique_angle = \"{angle} deg\"\noblique = \"uncapped\"");
+        raised(
+            analysis::crush,
+            &damaged([("front", c1, &force(a1)), ("rear", c2, &force(a2))]),
+            "force-balance",
+        )
+    };
+    assert_eq!(at(0.3, "0", 0.1101, "0"), []);
+    assert_eq!(at(0.1101, "0", 0.3, "0"), []);
+    for (found, expected) in [
+        (at(0.3, "0", 0.1099, "0"), [285_000.0, 142_425.0]),
+        (at(0.1099, "0", 0.3, "0"), [142_425.0, 285_000.0]),
+        // cos 60° = ½ makes two of one and one of two.
+        (at(0.31, "60", 0.3, "0"), [585_000.0, 285_000.0]),
+    ] {
+        let [Warning::ForceBalance { forces }] = found[..] else { panic!("{found:?}") };
+        for (actual, expected) in forces.into_iter().zip(expected) {
+            assert_close("peak force", actual, expected, 1e-6);
+        }
+    }
+    assert_eq!(at(0.11, "60", 0.3, "0"), []);
+}
+
+/// A car that meets a wall squarely with its front has a PDOF of 0°, with its rear one of 180°.
+#[test]
+fn pdof_differs() {
+    for car in [1, 2] {
+        for (forward, speed, side, computed, given, expected) in [
+            (2.0, 10.0, "front", 0.0, 9.99, false),
+            (2.0, 10.0, "front", 0.0, 10.01, true),
+            (2.0, 10.0, "front", 0.0, -9.99, false),
+            (2.0, 10.0, "front", 0.0, -10.01, true),
+            // 360° and a little is that little.
+            (2.0, 10.0, "front", 0.0, 369.99, false),
+            (-2.0, -10.0, "rear", 180.0, 170.01, false),
+            (-2.0, -10.0, "rear", 180.0, 169.99, true),
+            // The short way round.
+            (-2.0, -10.0, "rear", 180.0, -170.01, false),
+            (-2.0, -10.0, "rear", 180.0, -169.99, true),
+        ] {
+            let text =
+                against_a_wall(car, forward, speed, &format!("side = \"{side}\"\npdof = \"{given} deg\""));
+            let found = raised(analysis::impact, &text, "pdof-differs");
+            match (&found[..], expected) {
+                ([], false) => {}
+                ([Warning::PdofDiffers { vehicle, given: named, computed: pdof }], true) => {
+                    assert_eq!(*vehicle, car);
+                    assert_close("given", *named, f64::to_radians(given), 1e-14);
+                    // −180° and 180° are one direction, and rounding decides between them.
+                    assert_close("computed", (pdof - f64::to_radians(computed)).sin(), 0.0, 1e-14);
+                    assert_close("computed", pdof.abs(), f64::to_radians(computed), 1e-14);
+                }
+                _ => panic!("car {car}, {given}°: {found:?}"),
+            }
+        }
+        // Without one in the file there is nothing to compare.
+        assert_eq!(
+            raised(analysis::impact, &against_a_wall(car, 2.0, 10.0, "side = \"front\""), "pdof-differs"),
+            []
+        );
+    }
+}
+
+#[test]
+fn angle_capped() {
+    let at = |vehicle: usize, angle: &str, correction: &str| {
+        let mut damage =
+            [("front", 0.3, "oblique_angle = \"0 deg\""), ("left", 0.3, "oblique_angle = \"0 deg\"")];
+        let force = format!("oblique_angle = \"{angle} deg\"\noblique = \"{correction}\"");
+        damage[vehicle - 1].2 = &force;
+        raised(analysis::crush, &damaged(damage), "angle-capped")
+    };
+    for vehicle in [1, 2] {
+        for (angle, expected) in [("45.01", 45.01), ("-45.01", -45.01), ("80", 80.0)] {
+            let found = at(vehicle, angle, "capped");
+            let [Warning::AngleCapped { vehicle: named, oblique_angle }] = found[..] else {
+                panic!("{found:?}")
+            };
+            assert_eq!(named, vehicle);
+            assert_close("α", oblique_angle, f64::to_radians(expected), 1e-14);
+            assert_eq!(at(vehicle, angle, "uncapped"), []);
+            assert_eq!(at(vehicle, angle, "none"), []);
+        }
+        for angle in ["45", "-45", "44.99", "0"] {
+            assert_eq!(at(vehicle, angle, "capped"), []);
+        }
+    }
+}
+
+/// A force pushes on a side where it makes less than 90° with its normal: which PDOF that is depends on the side.
+#[test]
+fn side_not_pushed() {
+    for (side, pdof, angle) in [
+        ("front", 89.9, None),
+        ("front", 90.1, Some(90.1)),
+        ("front", -90.1, Some(-90.1)),
+        ("front", 90.0, Some(90.0)),
+        ("right", 0.1, None),
+        ("right", -0.1, Some(-90.1)),
+        ("right", 179.9, None),
+        ("right", -179.9, Some(90.1)),
+        ("rear", 90.1, None),
+        ("rear", -90.1, None),
+        ("rear", 89.9, Some(-90.1)),
+        ("left", -0.1, None),
+        ("left", 0.1, Some(90.1)),
+    ] {
+        for vehicle in [1, 2] {
+            // Whether or not its energy would be corrected for the angle.
+            for correction in ["capped", "uncapped", "none"] {
+                let force = format!("pdof = \"{pdof} deg\"\noblique = \"{correction}\"");
+                let mut damage = [("front", 0.3, "pdof = \"0 deg\""); 2];
+                damage[vehicle - 1] = (side, 0.3, &force);
+                let found = raised(analysis::crush, &damaged(damage), "side-not-pushed");
+                match (&found[..], angle) {
+                    ([], None) => {}
+                    ([Warning::SideNotPushed { vehicle: named, oblique_angle }], Some(angle)) => {
+                        assert_eq!(*named, vehicle);
+                        assert_close("α", *oblique_angle, f64::to_radians(angle), 1e-13);
+                    }
+                    _ => panic!("{side}, {pdof}°: {found:?}"),
+                }
+            }
+        }
+    }
+}
+
+/// A car that meets a wall squarely with e = 0 loses its speed, and √(2E/m) is what CRASH3 says of it: equal to 10 % for speeds from that
+/// divided by 1.1 to that divided by 0.9.
+#[test]
+fn delta_v_differs() {
+    let crash3 = (2.0 * ENERGY / 1500.0_f64).sqrt();
+    for car in [1, 2] {
+        let at = |speed: f64, force: &str| {
+            let text = against_a_wall(car, 2.0, speed, &format!("side = \"front\"\n{force}"));
+            raised(analysis::impact, &text, "delta-v-differs")
+        };
+        for (speed, factor, force) in [
+            (crash3 / 0.9 + 1e-3, 1.0, ""),
+            (crash3 / 1.1 - 1e-3, 1.0, ""),
+            // tan 45° doubles the energy.
+            (crash3, 2.0, "oblique_angle = \"45 deg\""),
+            // A force that does not push on the side leaves the energy as it is.
+            (crash3 / 0.9 + 1e-3, 1.0, "pdof = \"100 deg\"\nmoment_arm = \"0 m\""),
+        ] {
+            let found = at(speed, force);
+            let [Warning::DeltaVDiffers { impact, crash3: named }] = found[..] else {
+                panic!("{speed}: {found:?}")
+            };
+            assert_close("ΔV", impact[car - 1], speed, 1e-12 * speed);
+            assert_close("CRASH3's ΔV", named[car - 1], crash3 * f64::sqrt(factor), 1e-12 * crash3);
+            assert_eq!([impact[2 - car], named[2 - car]], [0.0, 0.0]);
+        }
+        assert_eq!(at(crash3 / 0.9 - 1e-3, ""), []);
+        assert_eq!(at(crash3 / 1.1 + 1e-3, ""), []);
+        assert_eq!(at(crash3 * 2_f64.sqrt(), "oblique_angle = \"45 deg\""), []);
+        assert_eq!(at(crash3, "pdof = \"100 deg\"\nmoment_arm = \"0 m\""), []);
+    }
+}
+
+/// Mass 1 kg and radius of gyration 1 m, C at (−1, −1) m of the CG in the scene, a wall below, e = 0, a yaw rate ω of 5 rad/s, and a
+/// heading of `across` for 1 down. The crush, 1 m deep and wide with A = 0 and B = 3 N/m², took 1.5 J.
+fn spinning(across: f64) -> String {
+    let heading = f64::atan2(-1.0, across);
+    format!(
+        "[vehicle1]\nmass = \"1 kg\"\nyaw_radius = \"1 m\"\nyaw_rate = \"5 rad/s\"\nheading = \"{heading} rad\"\n\
+         contact = {{ distance = \"{} m\", angle = \"{} rad\" }}\n[vehicle1.crush]\nside = \"right\"\nwidth = \"1 m\"\n\
+         depths = \"1 1 m\"\nstiffness = {{ A = \"0 N/m\", B = \"3 N/m^2\" }}\n[vehicle2]\nfixed = true\n[impact]\n\
+         crush_plane = \"90 deg\"\nrestitution = 0\ntangential = \"critical\"\n[reconstruct]\nfind = \"vehicle1.speed\"\n",
+        2_f64.sqrt(),
+        -0.75 * PI - heading,
+    )
+}
+
+/// By hand, along n = +y and t = −x: k_nn = k_tt = 2 and k_nt = 1, u = −(ω + s′, ω + a s′) where a is `across` and s′ = s/√(a² + 1). In the
+/// approach speed x = ω + s′ a common tangential velocity takes P_n = ((2 − a) x + (a − 1) ω)/3, so that W_n = x P_n/2 = 1.5 J
+/// is (2 − a) x² + (a − 1) ω x − 9 = 0: two positive roots for a > 2 and one for a < 2.
+#[test]
+fn several_speeds() {
+    for across in [2.1_f64, 3.0] {
+        let (square, linear) = (2.0 - across, 5.0 * (across - 1.0));
+        let root = (linear * linear + 36.0 * square).sqrt();
+        let expected = [1.0, -1.0].map(|sign| {
+            let x = (-linear + sign * root) / (2.0 * square);
+            (x - 5.0) * (across * across + 1.0_f64).sqrt()
+        });
+        let found = raised(analysis::reconstruct, &spinning(across), "several-speeds");
+        let [Warning::SeveralSpeeds { speeds }] = &found[..] else { panic!("{found:?}") };
+        assert_eq!(speeds.len(), 2);
+        for (actual, expected) in speeds.iter().zip(expected) {
+            assert_close("speed", *actual, expected, 1e-10 * expected.abs());
+        }
+    }
+    assert_eq!(raised(analysis::reconstruct, &spinning(1.9), "several-speeds"), []);
+}
+
+/// Two equal cars head-on, e = 0: W_n = ½ (m/2) x² takes the crush energy of both at the closing speed x = √(8 E/m).
+/// Where the one drives faster than that, the other has to have backed away.
+#[test]
+fn moves_backward() {
+    let closing = (8.0 * ENERGY / 1500.0_f64).sqrt();
+    for sought in [1, 2] {
+        let at = |known: f64| {
+            let other = 3 - sought;
+            let places = "contact = { x = \"2 m\", y = \"0 m\" }";
+            let text = damaged([("front", 0.3, "pdof = \"0 deg\""), ("front", 0.3, "pdof = \"0 deg\"")]);
+            let text = with(&text, "[vehicle1]\n", &format!("[vehicle1]\nheading = \"0 deg\"\n{places}\n"));
+            let text = with(&text, "[vehicle2]\n", &format!("[vehicle2]\nheading = \"180 deg\"\n{places}\n"));
+            let text = with(
+                &text,
+                &format!("[vehicle{other}]\n"),
+                &format!("[vehicle{other}]\nspeed = \"{known} m/s\"\n"),
+            );
+            let text = text
+                + "[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0\ntangential = \"critical\"\n"
+                + &format!("[reconstruct]\nfind = \"vehicle{sought}.speed\"\n");
+            raised(analysis::reconstruct, &text, "moves-backward")
+        };
+        assert_eq!(at(closing - 1e-3), []);
+        let found = at(closing + 1e-3);
+        let [Warning::MovesBackward { vehicle, speed }] = found[..] else { panic!("{found:?}") };
+        assert_eq!(vehicle, sought);
+        assert_close("speed", speed, -1e-3, 1e-12);
+    }
+}
+
+#[test]
+fn given_speed_unused() {
+    assert_eq!(raised(analysis::reconstruct, PAPER, "given-speed-unused"), []);
+    let text = with(PAPER, "[vehicle1]\n", "[vehicle1]\nspeed = \"70 ft/s\"\n");
+    let found = raised(analysis::reconstruct, &text, "given-speed-unused");
+    let [Warning::GivenSpeedUnused { vehicle, given, found }] = found[..] else { panic!("{found:?}") };
+    assert_eq!(vehicle, 1);
+    assert_close("given", given, 70.0 * 0.3048, 1e-12);
+    // docs/theory.md: 75.03 ft/s.
+    assert_close("found", found, 75.03 * 0.3048, 0.005 * 0.3048);
+}

@@ -1,0 +1,524 @@
+//! The JSON that the program prints: its keys, the values of the paper's example, and that neither the frame, the labels nor the units of a
+//! case change them. Everything goes through the program, from text to text.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+#![expect(clippy::disallowed_methods, reason = "an oracle shares no function with what it judges")]
+
+use std::collections::BTreeMap;
+use std::f64::consts::{PI, TAU};
+use std::fs;
+use std::io::Write as _;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+use serde_json::Value;
+
+/// The example's own file, as the program reads it.
+const PAPER_FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/sae-980025.toml");
+const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
+
+/// Runs the program, with a case on standard input.
+fn deltav(arguments: &[&str], input: &[u8]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_deltav"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A program that does not read its standard input closes it.
+    let _ = child.stdin.take().unwrap().write_all(input);
+    child.wait_with_output().unwrap()
+}
+
+/// What the program prints, where nothing is wrong.
+#[track_caller]
+fn printed(arguments: &[&str], input: &str) -> Vec<u8> {
+    let output = deltav(arguments, input.as_bytes());
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!((output.status.code(), &*message), (Some(0), ""));
+    output.stdout
+}
+
+#[track_caller]
+fn json(command: &str, case: &str) -> Value {
+    serde_json::from_slice(&printed(&[command, "-", "--format", "json"], case)).unwrap()
+}
+
+/// What the program says to standard error, where it ends with status 2 and prints nothing.
+#[track_caller]
+fn refused(arguments: &[&str], input: &[u8]) -> String {
+    let output = deltav(arguments, input);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert_eq!(output.stdout, b"");
+    String::from_utf8(output.stderr).unwrap()
+}
+
+fn temporary(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+/// `text` with one place replaced.
+#[track_caller]
+fn with(text: &str, old: &str, new: &str) -> String {
+    assert_eq!(text.matches(old).count(), 1, "{old:?} has to stand once in the case");
+    text.replace(old, new)
+}
+
+/// What a key holds.
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    Text,
+    Count,
+    Number,
+    Pair,
+}
+use Kind::{Count, Number, Pair, Text};
+
+const FOUND: [(&str, Kind); 3] = [("quantity", Text), ("value", Number), ("admissible_roots", Count)];
+const IMPACT: [(&str, Kind); 13] = [
+    ("restitution", Number),
+    ("impulse_ratio", Number),
+    ("critical_impulse_ratio", Number),
+    ("normal_impulse", Number),
+    ("tangential_impulse", Number),
+    ("impulse", Pair),
+    ("normal_velocity", Pair),
+    ("tangential_velocity", Pair),
+    ("initial_energy", Number),
+    ("final_energy", Number),
+    ("energy_loss", Number),
+    ("normal_work", Number),
+    ("tangential_work", Number),
+];
+const MOTION: [(&str, Kind); 8] = [
+    ("speed", Number),
+    ("velocity", Pair),
+    ("yaw_rate", Number),
+    ("final_velocity", Pair),
+    ("final_yaw_rate", Number),
+    ("delta_v", Number),
+    ("delta_v_vector", Pair),
+    ("pdof", Number),
+];
+const CRUSH: [(&str, Kind); 5] = [
+    ("crush_energy", Number),
+    ("oblique_angle", Number),
+    ("oblique_factor", Number),
+    ("corrected_crush_energy", Number),
+    ("ees", Number),
+];
+const CRASH3: [(&str, Kind); 6] = [
+    ("crush_energy", Number),
+    ("corrected_crush_energy", Number),
+    ("moment_arm", Pair),
+    ("effective_mass_ratio", Pair),
+    ("delta_v", Pair),
+    ("corrected_delta_v", Pair),
+];
+
+/// Asserts that the object at `pointer` has these keys, each with its kind of value.
+#[track_caller]
+fn assert_keys(document: &Value, pointer: &str, keys: &[(&str, Kind)]) {
+    for (key, kind) in keys {
+        let value = document.pointer(&format!("{pointer}/{key}"));
+        let fits = value.is_some_and(|value| match kind {
+            Text => value.is_string(),
+            Count => value.is_u64(),
+            Number => value.is_number(),
+            Pair => value.as_array().is_some_and(|pair| pair.len() == 2 && pair.iter().all(Value::is_number)),
+        });
+        assert!(fits, "{pointer}/{key} has to be {kind:?}, and is {value:?}");
+    }
+}
+
+/// Asserts that nothing is null, which is how JSON writes NaN and infinities.
+#[track_caller]
+fn assert_no_null(document: &Value) {
+    match document {
+        Value::Null => panic!("null in the document"),
+        Value::Array(elements) => elements.iter().for_each(assert_no_null),
+        Value::Object(keys) => keys.values().for_each(assert_no_null),
+        Value::Bool(_) | Value::Number(_) | Value::String(_) => {}
+    }
+}
+
+#[track_caller]
+fn number(document: &Value, pointer: &str) -> f64 {
+    let value = document.pointer(pointer).and_then(Value::as_f64);
+    value.unwrap_or_else(|| panic!("{pointer} is no number"))
+}
+
+/// Asserts that a value is what was printed, within half a unit of the last digit printed; `unit` is that of the print.
+#[track_caller]
+fn assert_printed(document: &Value, pointer: &str, printed: &str, unit: f64) {
+    let decimals = printed.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let half = 0.5 * 10_f64.powi(-i32::try_from(decimals).unwrap());
+    let (actual, expected) = (number(document, pointer) / unit, printed.parse::<f64>().unwrap());
+    assert!((actual - expected).abs() <= half, "{pointer} is {actual}, printed {printed}");
+}
+
+#[test]
+fn every_key_of_the_example_is_there() {
+    let document = json("reconstruct", PAPER);
+    assert_no_null(&document);
+    assert_keys(&document, "", &[("title", Text), ("energy_basis", Text)]);
+    assert_keys(&document, "/warnings/0", &[("code", Text), ("message", Text)]);
+    assert_keys(&document, "/found", &FOUND);
+    assert_keys(&document, "/impact", &IMPACT);
+    for vehicle in ["/vehicle1", "/vehicle2"] {
+        assert_keys(&document, vehicle, &MOTION);
+        assert_keys(&document, vehicle, &CRUSH);
+    }
+    assert_keys(&document, "/crash3", &CRASH3);
+}
+
+/// The figures of docs/theory.md for the paper's example, which follow from its equations solved with other code.
+#[test]
+fn the_example_has_the_known_values() {
+    const FOOT: f64 = 0.3048;
+    const MPH: f64 = 0.44704;
+    let document = json("reconstruct", PAPER);
+    for (pointer, expected) in [
+        ("/title", "Intersection collision, GMC Jimmy and Nissan Altima"),
+        ("/energy_basis", "dissipated"),
+        ("/found/quantity", "vehicle1.speed"),
+        ("/warnings/0/code", "delta-v-differs"),
+    ] {
+        assert_eq!(document.pointer(pointer).and_then(Value::as_str), Some(expected), "{pointer}");
+    }
+    assert_eq!(document.pointer("/warnings/1"), None);
+    assert_eq!(document.pointer("/found/admissible_roots").and_then(Value::as_u64), Some(1));
+    for (pointer, printed, unit) in [
+        ("/found/value", "22.869", 1.0),
+        ("/found/value", "75.03", FOOT),
+        ("/impact/restitution", "0.3", 1.0),
+        ("/impact/impulse_ratio", "0.36885", 1.0),
+        ("/impact/critical_impulse_ratio", "0.36885", 1.0),
+        ("/impact/normal_impulse", "19112.9", 1.0),
+        ("/impact/tangential_impulse", "7049.8", 1.0),
+        ("/impact/impulse/0", "20348.1", 1.0),
+        ("/impact/impulse/1", "-978.6", 1.0),
+        ("/impact/normal_velocity/0", "-21.05", 1.0),
+        ("/impact/normal_velocity/1", "6.32", 1.0),
+        ("/impact/tangential_velocity/0", "-13.41", 1.0),
+        ("/impact/tangential_velocity/1", "0.0", 1.0),
+        ("/impact/initial_energy", "453862", 1.0),
+        ("/impact/final_energy", "265785", 1.0),
+        ("/impact/energy_loss", "188076", 1.0),
+        ("/impact/normal_work", "140821", 1.0),
+        ("/impact/tangential_work", "47255", 1.0),
+        ("/vehicle1/speed", "22.869", 1.0),
+        ("/vehicle1/velocity/0", "-22.869", 1.0),
+        ("/vehicle1/velocity/1", "0.000", 1.0),
+        ("/vehicle1/yaw_rate", "0.0", 1.0),
+        ("/vehicle1/final_velocity/0", "-35.21", FOOT),
+        ("/vehicle1/final_velocity/1", "-1.92", FOOT),
+        ("/vehicle1/final_yaw_rate", "-3.98", 1.0),
+        ("/vehicle1/delta_v", "12.15", 1.0),
+        ("/vehicle1/delta_v", "27.18", MPH),
+        ("/vehicle1/pdof", "0.048", 1.0),
+        ("/vehicle1/crush_energy", "102165", 1.0),
+        ("/vehicle1/oblique_angle", "0.048", 1.0),
+        ("/vehicle1/oblique_factor", "1.002", 1.0),
+        ("/vehicle1/corrected_crush_energy", "1024", 100.0),
+        ("/vehicle1/ees", "11.04", 1.0),
+        ("/vehicle2/speed", "10", MPH),
+        // 10 mph along 67°, with the mended sign of the appendix.
+        ("/vehicle2/velocity/0", "5.7", FOOT),
+        ("/vehicle2/velocity/1", "13.5", FOOT),
+        ("/vehicle2/yaw_rate", "0.0", 1.0),
+        ("/vehicle2/final_velocity/0", "-37.39", FOOT),
+        ("/vehicle2/final_velocity/1", "15.57", FOOT),
+        ("/vehicle2/final_yaw_rate", "4.11", 1.0),
+        ("/vehicle2/delta_v", "29.44", MPH),
+        ("/vehicle2/crush_energy", "38657", 1.0),
+        ("/crash3/crush_energy", "140821", 1.0),
+        ("/crash3/moment_arm/0", "0.646", 1.0),
+        ("/crash3/moment_arm/1", "0.592", 1.0),
+        ("/crash3/effective_mass_ratio/0", "0.825", 1.0),
+        ("/crash3/effective_mass_ratio/1", "0.844", 1.0),
+        ("/crash3/delta_v/0", "8.2", 1.0),
+        ("/crash3/delta_v/1", "8.9", 1.0),
+        ("/crash3/delta_v/0", "26.9", FOOT),
+        ("/crash3/delta_v/1", "29.2", FOOT),
+    ] {
+        assert_printed(&document, pointer, printed, unit);
+    }
+
+    // What is printed nowhere follows from what is.
+    let at = |pointer: &str| number(&document, pointer);
+    for (pointer, expected) in [
+        // The impulse comes from −P₂ = P₁: clockwise from the heading of 67° to where it comes from.
+        ("/vehicle2/pdof", 67_f64.to_radians() - at("/impact/impulse/1").atan2(at("/impact/impulse/0"))),
+        ("/vehicle2/oblique_angle", at("/vehicle2/pdof") - PI / 2.0),
+        ("/vehicle2/oblique_factor", 1.0 + at("/vehicle2/oblique_angle").tan().powi(2)),
+        ("/vehicle2/corrected_crush_energy", at("/vehicle2/crush_energy") * at("/vehicle2/oblique_factor")),
+        ("/vehicle2/ees", (2.0 * at("/vehicle2/crush_energy") / (3413.0 * 0.45359237)).sqrt()),
+        (
+            "/crash3/corrected_crush_energy",
+            at("/vehicle1/corrected_crush_energy") + at("/vehicle2/corrected_crush_energy"),
+        ),
+    ] {
+        assert!(
+            (at(pointer) / expected - 1.0).abs() <= 1e-12,
+            "{pointer} is {}, not {expected}",
+            at(pointer)
+        );
+    }
+    let growth = (at("/crash3/corrected_crush_energy") / at("/crash3/crush_energy")).sqrt();
+    for i in 0..2 {
+        let ratio = at(&format!("/crash3/corrected_delta_v/{i}")) / at(&format!("/crash3/delta_v/{i}"));
+        assert!((ratio / growth - 1.0).abs() <= 1e-12);
+        let (after, before) =
+            (at(&format!("/vehicle1/final_velocity/{i}")), at(&format!("/vehicle1/velocity/{i}")));
+        assert!((at(&format!("/vehicle1/delta_v_vector/{i}")) - (after - before)).abs() <= 1e-12);
+        let (after, before) =
+            (at(&format!("/vehicle2/final_velocity/{i}")), at(&format!("/vehicle2/velocity/{i}")));
+        assert!((at(&format!("/vehicle2/delta_v_vector/{i}")) - (after - before)).abs() <= 1e-12);
+    }
+}
+
+#[test]
+fn an_impact_finds_nothing() {
+    let document = json("impact", include_str!("../../../fixtures/sae-980025-impact.toml"));
+    assert_no_null(&document);
+    assert_eq!(document.get("found"), None);
+    assert_keys(&document, "/impact", &IMPACT);
+    for vehicle in ["/vehicle1", "/vehicle2"] {
+        assert_keys(&document, vehicle, &MOTION);
+    }
+}
+
+#[test]
+fn damage_alone_has_crash3_and_the_crush_keys() {
+    let document = json("crush", include_str!("../../../fixtures/sae-980025-crush.toml"));
+    assert_no_null(&document);
+    assert_eq!((document.get("found"), document.get("impact")), (None, None));
+    assert_keys(&document, "/crash3", &CRASH3);
+    for vehicle in ["/vehicle1", "/vehicle2"] {
+        assert_keys(&document, vehicle, &CRUSH);
+        assert_eq!(document.pointer(&format!("{vehicle}/velocity")), None);
+    }
+    // The paper: 1.16e5 and 7.31e4 N·m with the angles of this case, 27.6 and 29.9 ft/s with its arms.
+    assert_printed(&document, "/vehicle1/corrected_crush_energy", "1.16", 1e5);
+    assert_printed(&document, "/vehicle2/corrected_crush_energy", "7.31", 1e4);
+    assert_printed(&document, "/crash3/delta_v/0", "27.6", 0.3048);
+    assert_printed(&document, "/crash3/delta_v/1", "29.9", 0.3048);
+}
+
+#[test]
+fn every_way_in_and_out_has_the_same_bytes() {
+    for format in ["json", "text"] {
+        let from_file = printed(&["reconstruct", PAPER_FILE, "--format", format], "");
+        assert!(from_file.len() > 1000);
+        assert_eq!(from_file, printed(&["reconstruct", PAPER_FILE, "--format", format], ""));
+        assert_eq!(from_file, printed(&["reconstruct", "-", "--format", format], PAPER));
+
+        let path = temporary(&format!("out.{format}"));
+        // An older and longer file leaves nothing behind.
+        fs::write(&path, vec![b'x'; 100_000]).unwrap();
+        let arguments = ["reconstruct", PAPER_FILE, "--format", format, "-o", path.to_str().unwrap()];
+        assert_eq!(printed(&arguments, ""), b"");
+        assert_eq!(fs::read(&path).unwrap(), from_file);
+    }
+}
+
+/// Every number of a document, and every text, under its path. A pair of numbers stays together.
+fn leaves(document: &Value) -> BTreeMap<String, Value> {
+    fn collect(path: &str, value: &Value, into: &mut BTreeMap<String, Value>) {
+        match value {
+            Value::Object(keys) => {
+                for (key, value) in keys {
+                    collect(&format!("{path}/{key}"), value, into);
+                }
+            }
+            // The sentences name vehicles and round numbers.
+            Value::Array(_) if path == "/warnings" => {}
+            other => {
+                into.insert(path.to_owned(), other.clone());
+            }
+        }
+    }
+    let mut into = BTreeMap::new();
+    collect("", document, &mut into);
+    into
+}
+
+/// Asserts agreement to 1e-9, in a list relative to its largest number.
+#[track_caller]
+fn assert_same(actual: &BTreeMap<String, Value>, expected: &BTreeMap<String, Value>) {
+    assert!(actual.keys().eq(expected.keys()), "{:?} is not {:?}", actual.keys(), expected.keys());
+    for (path, expected) in expected {
+        let actual = &actual[path];
+        let numbers = |value: &Value| match value {
+            Value::Array(elements) => elements.iter().map(Value::as_f64).collect(),
+            other => vec![other.as_f64()],
+        };
+        let (a, b) = (numbers(actual), numbers(expected));
+        assert_eq!(a.len(), b.len(), "{path}");
+        let scale = b.iter().flatten().fold(0.0, |largest: f64, number| largest.max(number.abs()));
+        for pair in a.into_iter().zip(b) {
+            match pair {
+                (Some(a), Some(b)) => {
+                    assert!((a - b).abs() <= 1e-9 * scale, "{path}: {actual} is not {expected}");
+                }
+                _ => assert_eq!(actual, expected, "{path}"),
+            }
+        }
+    }
+}
+
+/// The vectors of a document in the scene frame.
+const VECTORS: [&str; 8] = [
+    "/impact/impulse",
+    "/impact/normal",
+    "/vehicle1/velocity",
+    "/vehicle1/final_velocity",
+    "/vehicle1/delta_v_vector",
+    "/vehicle2/velocity",
+    "/vehicle2/final_velocity",
+    "/vehicle2/delta_v_vector",
+];
+
+fn pair(value: &Value) -> [f64; 2] {
+    [0, 1].map(|i| value[i].as_f64().unwrap())
+}
+
+/// Asserts that a case gives the expected document, and the one warning of the example.
+#[track_caller]
+fn assert_case_gives(case: &str, expected: &BTreeMap<String, Value>) {
+    let document = json("reconstruct", case);
+    let codes: Vec<_> =
+        document["warnings"].as_array().unwrap().iter().map(|warning| &warning["code"]).collect();
+    assert_eq!(codes, ["delta-v-differs"]);
+    assert_same(&leaves(&document), expected);
+}
+
+#[test]
+fn the_frame_of_the_scene_does_not_matter() {
+    let mut expected = leaves(&json("reconstruct", PAPER));
+    let (sin, cos) = 77_f64.to_radians().sin_cos();
+    for path in VECTORS {
+        let [x, y] = pair(&expected[path]);
+        expected.insert(path.to_owned(), [x * cos - y * sin, x * sin + y * cos].to_vec().into());
+    }
+    let direction = expected["/impact/impulse_direction"].as_f64().unwrap() + 77_f64.to_radians();
+    assert!(direction.abs() < PI);
+    expected.insert("/impact/impulse_direction".to_owned(), direction.into());
+
+    let case = with(PAPER, "heading     = \"180 deg\"", "heading     = \"257 deg\"");
+    let case = with(&case, "heading     = \"67 deg\"", "heading     = \"144 deg\"");
+    assert_case_gives(&with(&case, "\"-23 deg\"", "\"54 deg\""), &expected);
+}
+
+#[test]
+fn both_normals_describe_the_same_plane() {
+    let expected = leaves(&json("reconstruct", PAPER));
+    assert_case_gives(&with(PAPER, "\"-23 deg\"", "\"157 deg\""), &expected);
+    assert_case_gives(&with(PAPER, "\"-23 deg\"", "\"-203 deg\""), &expected);
+}
+
+/// Vehicle 1 is vehicle 2: n and t turn round, and P acts on the other.
+#[test]
+fn the_labels_do_not_matter() {
+    let swap = |text: &str| {
+        text.replace("vehicle1", "vehicle0").replace("vehicle2", "vehicle1").replace("vehicle0", "vehicle2")
+    };
+    let expected = leaves(&json("reconstruct", PAPER)).into_iter().map(|(path, value)| {
+        let value = match path.as_str() {
+            "/found/quantity" => "vehicle2.speed".into(),
+            "/impact/impulse" | "/impact/normal" => pair(&value).map(|component| -component).to_vec().into(),
+            "/impact/impulse_direction" => {
+                let turned = value.as_f64().unwrap() + PI;
+                (if turned > PI { turned - TAU } else { turned }).into()
+            }
+            "/crash3/moment_arm"
+            | "/crash3/effective_mass_ratio"
+            | "/crash3/delta_v"
+            | "/crash3/corrected_delta_v" => {
+                let [first, second] = pair(&value);
+                [second, first].to_vec().into()
+            }
+            _ => value,
+        };
+        (swap(&path), value)
+    });
+    assert_case_gives(&swap(PAPER), &expected.collect());
+}
+
+/// The same case in SI units, with the definitions of the foot, the pound, the mile and standard gravity.
+#[test]
+fn the_units_do_not_matter() {
+    const FOOT: f64 = 0.3048;
+    const INCH: f64 = 0.0254;
+    const POUND: f64 = 0.453_592_37;
+    const POUND_FORCE: f64 = POUND * 9.80665;
+    let expected = leaves(&json("reconstruct", PAPER));
+    let case = [
+        ("weight      = \"3696 lb\"", format!("mass = \"{} kg\"", 3696.0 * POUND)),
+        ("weight      = \"3413 lb\"", format!("mass = \"{} kg\"", 3413.0 * POUND)),
+        ("\"2437 lb ft s^2\"", format!("\"{} kg m^2\"", 2437.0 * POUND_FORCE * FOOT)),
+        ("\"2165 lb ft s^2\"", format!("\"{} kg m^2\"", 2165.0 * POUND_FORCE * FOOT)),
+        ("heading     = \"180 deg\"", format!("heading = \"{PI} rad\"")),
+        ("heading     = \"67 deg\"", format!("heading = \"{} rad\"", 67.0 * PI / 180.0)),
+        (
+            "\"6.3 ft\", angle = \"-22.4 deg\"",
+            format!("\"{} m\", angle = \"{} rad\"", 6.3 * FOOT, -22.4 * PI / 180.0),
+        ),
+        (
+            "\"3.8 ft\", angle = \"-39 deg\"",
+            format!("\"{} m\", angle = \"{} rad\"", 3.8 * FOOT, -39.0 * PI / 180.0),
+        ),
+        ("\"10 mph\"", format!("\"{} m/s\"", 10.0 * 1609.344 / 3600.0)),
+        ("\"65 in\"", format!("\"{} cm\"", 65.0 * 2.54)),
+        ("\"84 in\"", format!("\"{} mm\"", 84.0 * 25.4)),
+        (
+            "\"21.3 20.3 13.8 11.3 5.3 4.8 in\"",
+            metres([21.3, 20.3, 13.8, 11.3, 5.3, 4.8].map(|depth| depth * INCH)),
+        ),
+        (
+            "\"3.0 15.8 13.5 6.7 3.3 5.0 in\"",
+            metres([3.0, 15.8, 13.5, 6.7, 3.3, 5.0].map(|depth| depth * INCH)),
+        ),
+        ("{ d0 = \"35 lb^0.5\", d1 = \"115 lb^0.5/ft\" }", crush_stiffness(35.0, 115.0, POUND_FORCE, FOOT)),
+        ("{ d0 = \"30 lb^0.5\", d1 = \"77.5 lb^0.5/ft\" }", crush_stiffness(30.0, 77.5, POUND_FORCE, FOOT)),
+        ("\"-23 deg\"", format!("\"{} rad\"", -23.0 * PI / 180.0)),
+    ]
+    .into_iter()
+    .fold(PAPER.to_owned(), |case, (old, new)| with(&case, old, &new));
+    assert_case_gives(&case, &expected);
+}
+
+fn metres(depths: [f64; 6]) -> String {
+    format!("[{}]", depths.map(|depth| format!("\"{depth} m\"")).join(", "))
+}
+
+/// A = d_0 d_1 and B = d_1², from √lbf and √lbf/ft to SI units.
+fn crush_stiffness(d0: f64, d1: f64, pound_force: f64, foot: f64) -> String {
+    let (a, b) = (d0 * d1 * pound_force / foot, d1 * d1 * pound_force / (foot * foot));
+    format!("{{ A = \"{a} N/m\", B = \"{b} N/m^2\" }}")
+}
+
+#[test]
+fn what_is_no_text_is_refused_with_its_place() {
+    // "Caf\xe9" is Latin-1.
+    let bytes = b"title = \"Caf\xe9\"\n";
+    let expected = "is not a text file in UTF-8: byte 12 is the first that does not fit; save it as UTF-8\n";
+    let path = temporary("latin-1.toml");
+    fs::write(&path, bytes).unwrap();
+    let path = path.to_str().unwrap();
+    assert_eq!(refused(&["reconstruct", path], b""), format!("error: {path} {expected}"));
+    assert_eq!(refused(&["crush", "-"], bytes), format!("error: standard input {expected}"));
+}
+
+#[test]
+fn a_folder_is_no_case() {
+    let folder = env!("CARGO_TARGET_TMPDIR");
+    for command in ["reconstruct", "impact", "crush"] {
+        let message = refused(&[command, folder], b"");
+        // What follows is the operating system's.
+        assert!(message.starts_with(&format!("error: cannot read the case file {folder}: ")), "{message}");
+        assert_eq!(message.lines().count(), 1);
+    }
+}
