@@ -131,6 +131,9 @@ fn reconciliation_undoes_an_impact() {
 fn the_answer_gives_the_energy_back() {
     for_all(10_000, 0.6, (case(all_laws()), 0.05..20.0), |(case, factor)| {
         let Ok(outcome) = case.scene.impact() else { return false };
+        if case.slope().abs() < 0.02 {
+            return false;
+        }
         let problem = case.problem(outcome.energy.normal_work * factor);
         let Ok(answer) = problem.solve() else { return false };
         assert_eq!(answer.normal_work, problem.normal_work_sought());
@@ -165,8 +168,8 @@ fn the_answer_gives_the_energy_back() {
 }
 
 /// The admissible speeds of a case, each found from the raw equations: with one regime of the law given, P_n and u_n are affine in
-/// the speed, and W_n = −½ (1−e) u_n P_n is a quadratic in it.
-fn expected_roots(case: &Case, normal_work: f64) -> Vec<f64> {
+/// the speed, and W_n = −½ (1−e) u_n P_n is a quadratic in it. `None` where rounding decides.
+fn expected_roots(case: &Case, normal_work: f64) -> Option<Vec<f64>> {
     let regimes = match case.scene.tangential {
         Tangential::Critical => vec![Condition::CommonTangential],
         Tangential::Ratio(mu) => vec![Condition::Ratio(mu)],
@@ -174,7 +177,7 @@ fn expected_roots(case: &Case, normal_work: f64) -> Vec<f64> {
         Tangential::Friction(limit) => {
             vec![Condition::CommonTangential, Condition::Ratio(limit), Condition::Ratio(-limit)]
         }
-        Tangential::FractionOfCritical(_) => return scanned_roots(case, normal_work),
+        Tangential::FractionOfCritical(_) => return Some(scanned_roots(case, normal_work)),
     };
     let mut roots = Vec::new();
     for regime in regimes {
@@ -191,12 +194,21 @@ fn expected_roots(case: &Case, normal_work: f64) -> Vec<f64> {
             continue;
         }
         let q = -0.5 * (b + discriminant.sqrt().copysign(b));
-        roots.extend([q / a, c / q].into_iter().filter(|&speed| {
+        for speed in [q / a, c / q] {
+            // A product of differences that leave less than a millionth of their terms decides nothing.
+            let left = |part: [f64; 2]| {
+                (part[0] + part[1] * speed).abs() / (part[0].abs() + (part[1] * speed).abs())
+            };
+            if left(u) < 1e-6 || left(p) < 1e-6 {
+                return None;
+            }
             // The law must be in this regime there, and the impact possible.
-            case.work(speed).is_some_and(|work| (work / normal_work - 1.0).abs() < 1e-6)
-        }));
+            if case.work(speed).is_some_and(|work| (work / normal_work - 1.0).abs() < 1e-6) {
+                roots.push(speed);
+            }
+        }
     }
-    sorted(case, roots)
+    Some(sorted(case, roots))
 }
 
 /// The same by brute force where W_n is no quadratic: changes of sign on a fine grid, halved until nothing is left between.
@@ -251,13 +263,13 @@ fn is_decided(case: &Case, normal_work: f64, roots: &[f64]) -> bool {
     // The same energy but for a millionth has the same number of roots.
     let stable = [1.0 - 1e-6, 1.0 + 1e-6]
         .into_iter()
-        .all(|factor| expected_roots(case, normal_work * factor).len() == roots.len());
+        .all(|factor| expected_roots(case, normal_work * factor).is_some_and(|all| all.len() == roots.len()));
     case.slope().abs() > 0.02 && apart && within && stable
 }
 
 #[track_caller]
 fn assert_roots(case: &Case, normal_work: f64) -> Option<usize> {
-    let expected = expected_roots(case, normal_work);
+    let expected = expected_roots(case, normal_work)?;
     if !is_decided(case, normal_work, &expected) {
         return None;
     }
@@ -321,8 +333,7 @@ fn closed_form_and_root_finder_agree() {
     let laws = prop_oneof![Just(Tangential::Critical), (-1.5..1.5).prop_map(Tangential::Ratio)];
     for_all(5000, 0.6, (case(laws), -3.0..3.0), |(case, exponent): (Case, f64)| {
         let work = solve(&case.scene, Condition::Ratio(0.0)).normal_work * exponent.exp();
-        let expected = expected_roots(&case, work);
-        if !is_decided(&case, work, &expected) {
+        if !expected_roots(&case, work).is_some_and(|expected| is_decided(&case, work, &expected)) {
             return false;
         }
         let problem = case.problem(work);

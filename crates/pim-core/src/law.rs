@@ -75,14 +75,7 @@ impl<T: Real> Law<T> {
     #[must_use]
     pub fn impulse(&self, k: InverseMass<T>, u: NormalTangential<T>) -> NormalTangential<T> {
         match self.tangential {
-            Tangential::Critical => {
-                // U_t = 0 and U_n = −e u_n are linear in P: P_n = −D/det K, P_t = −N/det K, with μ_c = N/D.
-                let critical = CriticalRatio::new(k, u, self.restitution);
-                NormalTangential {
-                    normal: -critical.denominator / k.determinant(),
-                    tangential: -critical.numerator / k.determinant(),
-                }
-            }
+            Tangential::Critical => CriticalRatio::new(k, u, self.restitution).impulse(k),
             Tangential::Ratio(mu) => self.with_ratio(k, u, mu),
             Tangential::FractionOfCritical(f) => {
                 let critical = CriticalRatio::new(k, u, self.restitution);
@@ -90,7 +83,11 @@ impl<T: Real> Law<T> {
             }
             Tangential::Friction(limit) => {
                 let critical = CriticalRatio::new(k, u, self.restitution);
-                self.with_ratio(k, u, critical.limited(limit))
+                if critical.needs_at_most(limit) {
+                    critical.impulse(k)
+                } else {
+                    self.with_ratio(k, u, critical.sliding(limit))
+                }
             }
         }
     }
@@ -160,16 +157,29 @@ impl<T: Real> CriticalRatio<T> {
         if self.is_push() { Some(self.numerator / self.denominator) } else { None }
     }
 
-    /// μ under Coulomb's limit: μ_c where the limit allows it, else the limit against the sliding.
+    /// The impulse that gives a common tangential velocity.
+    #[inline(always)]
+    fn impulse(&self, k: InverseMass<T>) -> NormalTangential<T> {
+        // U_t = 0 and U_n = −e u_n are linear in P: P_n = −D/det K, P_t = −N/det K
+        NormalTangential {
+            normal: -self.denominator / k.determinant(),
+            tangential: -self.numerator / k.determinant(),
+        }
+    }
+
+    /// Whether friction of at most `limit` can give a common tangential velocity.
+    #[inline(always)]
+    fn needs_at_most(&self, limit: T) -> bool {
+        self.is_push() & (self.numerator.abs() <= limit * -self.denominator)
+    }
+
+    /// μ of surfaces that slide to the end: the limit, against the sliding.
     ///
     /// The usual rule sign(μ_c) min(|μ_c|, limit) holds only where μ_c is reached by a push. Beyond, μ_c has jumped through
     /// infinity to the other sign, and the rule would let friction drive the sliding. The direction is that of −N:
     /// without friction U_t = N/k_nn.
     #[inline(always)]
-    fn limited(&self, limit: T) -> T {
-        let size = self.numerator.abs();
-        let sticks = self.is_push() & (size <= limit * -self.denominator);
-        let sliding = if self.numerator > T::ZERO { -limit } else { limit };
-        if sticks { self.numerator / self.denominator } else { sliding }
+    fn sliding(&self, limit: T) -> T {
+        if self.numerator > T::ZERO { -limit } else { limit }
     }
 }

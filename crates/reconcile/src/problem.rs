@@ -431,7 +431,9 @@ impl Problem<f64> {
         let k = self.contact.inverse_mass();
         let e = self.law.restitution();
         let frictionless = (2.0 * self.energy * k.nn / (1.0 - e * e)).sqrt();
-        let missing = |x: f64| self.work_at(self.line.velocity(x)) - self.energy;
+        // Where the vehicles just touch no work is done, whatever the quotient of two zeros.
+        let missing =
+            |x: f64| if x == 0.0 { -self.energy } else { self.work_at(self.line.velocity(x)) - self.energy };
 
         let mut search = Search::new(self);
         let mut last = (0.0, -self.energy);
