@@ -137,8 +137,11 @@ fn the_answer_gives_the_energy_back() {
         let problem = case.problem(outcome.energy.normal_work * factor);
         let Ok(answer) = problem.solve() else { return false };
         assert_eq!(answer.normal_work, problem.normal_work_sought());
-        // W_n goes with the square of an approach speed that is a difference of larger ones.
-        let size = 1.0 + case.speed_scale() * case.slope().abs() / answer.outcome.approach.normal.abs();
+        // W_n follows from differences of speeds of this scale, which are rounded.
+        let scale = case.speed_scale() + answer.speed.abs();
+        let step = 1e-6 * scale;
+        let rise = problem.normal_work(answer.speed + step) - problem.normal_work(answer.speed - step);
+        let size = 1.0 + (rise / (2.0 * step) * scale / answer.normal_work).abs();
         assert_relative("W_n", answer.outcome.energy.normal_work, answer.normal_work, 1e-12 * size + 1e-9);
         assert_eq!(answer.speed, answer.roots.speeds()[0]);
         assert_eq!(answer.outcome.before, problem.motions(answer.speed));

@@ -440,8 +440,10 @@ impl Problem<f64> {
         let mut borders = self.borders().into_iter().peekable();
         let mut next = frictionless * SCAN_START;
         for _ in 0..SCAN_SAMPLES {
-            while let Some(x) = borders.next_if(|&x| x < next) {
-                if x > last.0 {
+            // Whatever is not a number stands at either end of the order.
+            while let Some(x) = borders.next_if(|&x| x < next || x.is_nan()) {
+                // Nearer to zero a border is the rounding of one at zero.
+                if x > last.0.max(frictionless * BORDER_WIDTH) {
                     self.between(&missing, &mut last, x, &mut search)?;
                 }
             }
@@ -451,28 +453,36 @@ impl Problem<f64> {
         search.finish()
     }
 
-    /// Both sides of the approach speeds at which the law's regime changes, in ascending order; infinite where there is none.
-    fn borders(&self) -> [f64; 4] {
+    /// Both sides of the approach speeds at which the law's regime changes or W_n turns, in ascending order; not a number or infinite where
+    /// there is none. Between two of them W_n is monotonic.
+    fn borders(&self) -> [f64; 8] {
         let sticking = self.law.with_common_tangential_velocity();
         let k = self.contact.inverse_mass();
-        let [at_touch, at_one] = [0.0, 1.0].map(|x| sticking.impulse(k, self.line.velocity(x)));
-        // The impulse that would make the tangential velocities equal is affine in x: where a part of it is zero.
-        let zero = |part: &dyn Fn(NormalTangential) -> f64| {
-            let (zero, one) = (part(at_touch), part(at_one));
-            let x = zero / (zero - one);
-            if x.is_finite() { x } else { f64::INFINITY }
+        let [touch, one] = [0.0, 1.0].map(|x| sticking.impulse(k, self.line.velocity(x)));
+        // The impulse that would make the tangential velocities equal is affine in x, and so is each part c_n P_n + c_t P_t of it.
+        let part = |c_n: f64, c_t: f64| {
+            let at_touch = c_n * touch.normal + c_t * touch.tangential;
+            [at_touch, c_n * one.normal + c_t * one.tangential - at_touch]
         };
-        let [a, b] = match self.law.tangential() {
-            // Friction holds the surfaces together from P_t = −limit P_n to P_t = limit P_n.
+        let zero = |[p0, p1]: [f64; 2]| -p0 / p1;
+        let [p0, p1] = part(1.0, 0.0);
+        let [a, b, c, d] = match self.law.tangential() {
+            // Friction holds the surfaces together from P_t = −limit P_n to P_t = limit P_n, and there W_n ∝ x P_n.
             Tangential::Friction(limit) => {
-                [zero(&|p| p.tangential + limit * p.normal), zero(&|p| p.tangential - limit * p.normal)]
+                [zero(part(limit, 1.0)), zero(part(-limit, 1.0)), zero([p0, 2.0 * p1]), f64::NAN]
             }
-            // A push ends at P_n = 0.
-            Tangential::FractionOfCritical(_) => [zero(&|p| p.normal), f64::INFINITY],
-            Tangential::Critical | Tangential::Ratio(_) => [f64::INFINITY; 2],
+            // W_n ∝ x² P_n/Q with Q = k_nn P_n + f k_nt P_t: a push ends at P_n = 0, the contact jams at Q = 0, and W_n turns where
+            // 2 P_n Q + x (P_n' Q − P_n Q') = 0.
+            Tangential::FractionOfCritical(f) => {
+                let [q0, q1] = part(k.nn, f * k.nt);
+                let [low, high] = quadratic([2.0 * p0 * q0, 3.0 * p1 * q0 + p0 * q1, 2.0 * p1 * q1]);
+                [zero([p0, p1]), zero([q0, q1]), low, high]
+            }
+            Tangential::Critical | Tangential::Ratio(_) => [f64::NAN; 4],
         };
         let (before, after) = (1.0 - BORDER_WIDTH, 1.0 + BORDER_WIDTH);
-        let mut sides = [a * before, a * after, b * before, b * after];
+        let mut sides =
+            [a * before, a * after, b * before, b * after, c * before, c * after, d * before, d * after];
         sides.sort_by(f64::total_cmp);
         sides
     }
@@ -514,11 +524,19 @@ impl Problem<f64> {
             }
             // The sign changed at a pole, where the contact jams.
             Ok(_) | Err(RootError::NotBracketed { .. }) => Ok(()),
+            Err(RootError::NotConverged { residual, .. }) if !residual.is_finite() => Ok(()),
             Err(RootError::NotConverged { last, residual }) => {
                 Err(ReconcileError::NotConverged { last: self.line.speed(last), residual })
             }
         }
     }
+}
+
+/// The real roots of c₀ + c₁ x + c₂ x², not numbers where there are none.
+fn quadratic([c0, c1, c2]: [f64; 3]) -> [f64; 2] {
+    // q = −½ (c₁ ± √(c₁² − 4 c₀ c₂)) with the sign that does not cancel; the roots are q/c₂ and c₀/q
+    let q = -0.5 * (c1 + (c1 * c1 - 4.0 * c0 * c2).sqrt().copysign(c1));
+    [q / c2, c0 / q]
 }
 
 fn opposite(a: f64, b: f64) -> bool {
