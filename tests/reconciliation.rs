@@ -197,7 +197,7 @@ fn expected_roots(case: &Case, normal_work: f64) -> Option<Vec<f64>> {
             continue;
         }
         let q = -0.5 * (b + discriminant.sqrt().copysign(b));
-        for speed in [q / a, c / q] {
+        for speed in [q / a, c / q].into_iter().filter(|speed| speed.abs() <= 1000.0) {
             // A product of differences that leave less than a millionth of their terms decides nothing.
             let left = |part: [f64; 2]| {
                 (part[0] + part[1] * speed).abs() / (part[0].abs() + (part[1] * speed).abs())
@@ -243,7 +243,7 @@ fn scanned_roots(case: &Case, normal_work: f64) -> Vec<f64> {
                 high = middle;
             }
         }
-        if matches!(verdict(&case.at(speed(low))), Verdict::Impact(_)) {
+        if speed(low).abs() <= 1000.0 && matches!(verdict(&case.at(speed(low))), Verdict::Impact(_)) {
             roots.push(speed(low));
         }
     }

@@ -110,12 +110,10 @@ impl CaseFile {
             }
         }
         demand.finish(collision.zip(unknown).map(|(collision, unknown)| ReconstructionInput {
-            given_speed: self.case.vehicles[unknown.index()].motion.as_ref().and_then(
-                |motion| match motion {
-                    Velocity::Speed(speed) => Some(speed.si()),
-                    Velocity::Vector { .. } => None,
-                },
-            ),
+            given_speed: self.case.vehicles[unknown.index()].motion.map(|motion| match motion {
+                Velocity::Speed(speed) => speed.si(),
+                Velocity::Vector { x, y } => (x.si() * x.si() + y.si() * y.si()).sqrt(),
+            }),
             collision,
             unknown,
             basis: self.energy_basis(),

@@ -31,14 +31,14 @@ pub(crate) enum Command {
     #[command(
         long_about = "Compute what an impact does, both speeds given.\n\n\
             Planar impact mechanics forward: impulse, motion after, ΔV, PDOF and energy. Damage is assessed beside it where the case has it.",
-        after_help = "Example:\n  deltav impact fixtures/forward.toml"
+        after_help = "Example:\n  deltav impact fixtures/sae-980025-impact.toml"
     )]
     Impact(Arguments),
     /// Compute crush energy and ΔV from damage and PDOF alone (CRASH3)
     #[command(
         long_about = "Compute crush energy and ΔV from damage and PDOF alone (CRASH3).\n\n\
             Each damaged vehicle needs a PDOF in its crush table, as no impact is computed that could give it.",
-        after_help = "Example:\n  deltav crush fixtures/damage-only.toml"
+        after_help = "Example:\n  deltav crush fixtures/sae-980025-crush.toml"
     )]
     Crush(Arguments),
 }

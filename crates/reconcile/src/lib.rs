@@ -25,7 +25,7 @@
 //!
 //! - The relative velocity at C is affine in the speed. With μ given or μ = μ_c, W_n is then quadratic in it and the answer is a closed form;
 //!   otherwise Brent's method ([`brent`]) refines brackets from a scan. Both agree to 1e-10 where both apply.
-//! - An admissible speed is one at which the vehicles approach, push, and lose energy. Of several, the answer is the one with the
+//! - An admissible speed is one of at most 1000 m/s at which the vehicles approach, push, and lose energy. Of several, the answer is the one with the
 //!   slowest approach, and all are listed.
 //! - Nothing is allocated.
 //!

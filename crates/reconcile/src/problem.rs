@@ -15,6 +15,9 @@ const LEAST_COSINE: f64 = 1e-9;
 /// measurement of crush resolves.
 const ENERGY_MATCH: f64 = 1e-9;
 
+/// (m/s) no vehicle is faster: beyond, a root is one of the equations alone.
+const FASTEST: f64 = 1000.0;
+
 /// Which vehicle's speed along its heading is sought.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unknown {
@@ -368,6 +371,9 @@ impl<'a, T: Real> Search<'a, T> {
     }
 
     fn consider(&mut self, speed: T, method: Method) {
+        if speed.abs() > T::from(FASTEST) {
+            return;
+        }
         let problem = self.problem;
         match problem.contact.impact(problem.motions(speed), &problem.law) {
             Ok(outcome) => {
