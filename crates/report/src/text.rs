@@ -114,7 +114,7 @@ impl Page {
             steps => format!("by root-finding in {steps} steps"),
         };
         self.paragraph(&format!(
-            "At this speed the work of the normal impulse equals the crush energy of both vehicles, {energy}, {basis}. \
+            "At this speed the work of the normal impulse equals the crush energy, {energy}, {basis}. \
              {roots}, found {method} (theory 6)."
         ));
     }
@@ -178,6 +178,44 @@ impl Page {
             "",
         );
         let stiffness = |i: usize| damage(i).map(|(_, damage)| damage.stiffness);
+        let crush = |i: usize| vehicles[i].crush.as_ref();
+        let crush_length = |q: case::Quantity| units.format(Quantity::Crush, q.si());
+        self.pair(
+            "damage offset from the axis",
+            known(&|i| crush(i).and_then(|crush| crush.offset).map(crush_length)),
+            "",
+        );
+        self.pair("PDOF as given", known(&|i| crush(i).and_then(|crush| crush.pdof).map(|q| angle(&q))), "");
+        self.pair(
+            "angle α as given",
+            known(&|i| crush(i).and_then(|crush| crush.oblique_angle).map(|q| angle(&q))),
+            "",
+        );
+        self.pair(
+            "moment arm h as given",
+            known(&|i| {
+                crush(i).and_then(|crush| crush.moment_arm).map(|q| units.format(Quantity::Length, q.si()))
+            }),
+            "",
+        );
+        self.pair(
+            "outline, length by width",
+            known(&|i| {
+                vehicles[i].outline.map(|outline| {
+                    let [length, width] =
+                        [outline.length, outline.width].map(|q| units.format(Quantity::Length, q.si()));
+                    format!("{length} by {width}")
+                })
+            }),
+            "",
+        );
+        self.pair(
+            "CG to the front",
+            known(&|i| {
+                vehicles[i].outline.map(|outline| units.format(Quantity::Length, outline.cg_to_front.si()))
+            }),
+            "",
+        );
         self.pair(
             "stiffness A",
             known(&|i| stiffness(i).map(|s| units.format(Quantity::StiffnessA, s.a()))),
