@@ -125,13 +125,10 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
             Method::RootFinder(iterations) => iterations.as_slice().to_vec(),
         },
     };
-    let mut warnings = warning::of_found(&found, input.given_speed);
+    let warnings = warning::of_found(&found, input.given_speed);
     let impact = Impact { contact, law, outcome: answer.outcome };
-    collided(file, impact, vehicles, input.basis, &mut warnings).map(|analysis| Analysis {
-        found: Some(found),
-        warnings,
-        ..analysis
-    })
+    let analysis = collided(file, impact, vehicles, input.basis, warnings)?;
+    Ok(Analysis { found: Some(found), ..analysis })
 }
 
 /// What the impact does, both speeds given.
@@ -142,9 +139,7 @@ pub fn impact(file: &CaseFile) -> Result<Analysis, Failure> {
     let input = file.impact()?;
     let Collision { contact, law, motions, vehicles } = input.collision;
     let impact = Impact { contact, law, outcome: contact.impact(motions, &law)? };
-    let mut warnings = Vec::new();
-    collided(file, impact, vehicles, input.basis, &mut warnings)
-        .map(|analysis| Analysis { warnings, ..analysis })
+    collided(file, impact, vehicles, input.basis, Vec::new())
 }
 
 /// CRASH3 alone: energies and velocity changes from the damage and the PDOF that the file gives.
@@ -165,16 +160,16 @@ fn collided(
     impact: Impact,
     subjects: [Subject; 2],
     basis: EnergyBasis,
-    warnings: &mut Vec<Warning>,
+    mut warnings: Vec<Warning>,
 ) -> Result<Analysis, Failure> {
     let vehicles = damage::assess(subjects, impact.outcome.pdof().map(Some))?;
     let crash3 = damage::crash3(&vehicles, basis, Some(impact.law.restitution()))?;
-    warning::of_impact(&impact, warnings);
-    warning::of_outlines(file, &vehicles, warnings);
-    warning::of_damage(&vehicles, warnings);
-    warning::of_directions(&impact, &vehicles, warnings);
+    warning::of_impact(&impact, &mut warnings);
+    warning::of_outlines(file, &vehicles, &mut warnings);
+    warning::of_damage(&vehicles, &mut warnings);
+    warning::of_directions(&impact, &vehicles, &mut warnings);
     if let Some(crash3) = &crash3 {
-        warning::of_delta_v(&impact, crash3, warnings);
+        warning::of_delta_v(&impact, crash3, &mut warnings);
     }
-    Ok(Analysis { basis, found: None, impact: Some(impact), vehicles, crash3, warnings: Vec::new() })
+    Ok(Analysis { basis, found: None, impact: Some(impact), vehicles, crash3, warnings })
 }
