@@ -19,6 +19,8 @@ mod derivatives;
 #[cfg(test)]
 mod invariants;
 #[cfg(test)]
+mod laws;
+#[cfg(test)]
 mod oracle;
 #[cfg(test)]
 mod paper_equations;
@@ -28,6 +30,8 @@ mod paper_example;
 mod reconciliation;
 #[cfg(test)]
 mod refusals;
+#[cfg(test)]
+mod restitution;
 #[cfg(test)]
 mod root_finding;
 #[cfg(test)]
