@@ -11,6 +11,8 @@
 //! # }
 //! ```
 //!
+//! [`compare`] puts the answers of all impact laws and of CRASH3 side by side.
+//!
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
 //! [`Warning`]s. A [`Failure`] says whether the file or the physics is to blame.
 //!
@@ -18,9 +20,11 @@
 //!
 //! It adds no equation: those stand in `pim-core`, `crash3` and `reconcile`. It reads no file and writes no text (`case`, `report`).
 
+mod compare;
 mod damage;
 mod warning;
 
+pub use compare::{Comparison, Crash3Row, LawRow, compare};
 pub use damage::{Crash3, Damage, Oblique};
 pub use warning::Warning;
 
@@ -68,7 +72,7 @@ pub struct Found {
 pub struct Impact {
     /// The geometry.
     pub contact: Contact,
-    /// The impact law.
+    /// The impact law, with the restitution of this closing speed where that varies.
     pub law: Law,
     /// What happened.
     pub outcome: Outcome,
@@ -106,13 +110,16 @@ pub enum Failure {
 /// [`Failure`].
 pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     let input = file.reconstruction()?;
-    let Collision { contact, law, motions, vehicles } = input.collision;
+    let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
     let crush_energy = vehicles
         .iter()
         .filter_map(|vehicle| vehicle.damage.as_ref())
         .map(|damage| crash3::crush_energy(&damage.profile, &damage.stiffness))
         .sum();
-    let problem = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)?;
+    let mut problem = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)?;
+    if let Some(curve) = &restitution_curve {
+        problem = problem.with_restitution_curve(curve);
+    }
     let answer = problem.solve()?;
     let found = Found {
         unknown: input.unknown,
@@ -126,7 +133,7 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
         },
     };
     let warnings = warning::of_found(&found, input.given_speed);
-    let impact = Impact { contact, law, outcome: answer.outcome };
+    let impact = Impact { contact, law: answer.law, outcome: answer.outcome };
     let analysis = collided(file, impact, vehicles, input.basis, warnings)?;
     Ok(Analysis { found: Some(found), ..analysis })
 }
@@ -137,7 +144,11 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
 /// [`Failure`].
 pub fn impact(file: &CaseFile) -> Result<Analysis, Failure> {
     let input = file.impact()?;
-    let Collision { contact, law, motions, vehicles } = input.collision;
+    let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
+    let law = match restitution_curve {
+        Some(curve) => curve.law(law, -contact.approach(&motions).velocity.normal),
+        None => law,
+    };
     let impact = Impact { contact, law, outcome: contact.impact(motions, &law)? };
     collided(file, impact, vehicles, input.basis, Vec::new())
 }

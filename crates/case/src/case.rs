@@ -5,6 +5,7 @@ use pim_core::{Real, Tangential};
 use reconcile::Unknown;
 
 use crate::quantity::Quantity;
+use crate::schema::LawName;
 use crate::units::{STANDARD_GRAVITY, UnitSystem};
 
 /// A whole case: two vehicles, and what is known of the impact. [`Case::parse`](Case::parse) reads it,
@@ -199,14 +200,107 @@ pub enum StiffnessForm {
 }
 
 /// How the two vehicles met.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Impact {
     /// (rad) Γ, scene angle of the normal of the crush plane.
     pub crush_plane: Quantity,
-    /// (–) coefficient of restitution, 0 to 1.
-    pub restitution: f64,
-    /// What happens along the crush plane.
-    pub tangential: Tangential,
+    /// `law` and its keys.
+    pub law: ImpactLaw,
+}
+
+/// The impact law that `law` names; [`pim_core::Law`] has their conditions and what each assumes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ImpactLaw {
+    /// `law = "brach"`, or no `law`.
+    Brach {
+        /// Normal to the crush plane.
+        restitution: Restitution,
+        /// Along the crush plane: one of the first four conditions of [`Tangential`]. The others belong to other laws; no file can say
+        /// them, and what [`Case::to_toml`] writes of them is refused when it is read.
+        tangential: Tangential,
+        /// (–) moment coefficient of restitution, −1 to 1; −1 (no moment impulse) where absent.
+        moment_restitution: Option<f64>,
+    },
+    /// `law = "woolley"`.
+    Woolley {
+        /// (m/s) U_t − u_t of a sideswipe; where absent, a common velocity at C.
+        tangential_velocity_change: Option<Quantity>,
+    },
+    /// `law = "ishikawa"`.
+    Ishikawa {
+        /// Normal to the crush plane.
+        restitution: Restitution,
+        /// (–) coefficient of restitution along the crush plane, −1 to 1.
+        tangential_restitution: f64,
+    },
+    /// `law = "kudlich-slibar"`.
+    KudlichSlibar {
+        /// In both directions while friction suffices.
+        restitution: Restitution,
+        /// (–) largest coefficient of friction, zero or more.
+        friction: f64,
+    },
+}
+
+impl ImpactLaw {
+    /// The value of `law`, such as `"brach"`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        let name = match self {
+            Self::Brach { .. } => LawName::Brach,
+            Self::Woolley { .. } => LawName::Woolley,
+            Self::Ishikawa { .. } => LawName::Ishikawa,
+            Self::KudlichSlibar { .. } => LawName::KudlichSlibar,
+        };
+        name.name()
+    }
+
+    /// `restitution`; `None` under Woolley's law, which has no such key: there e = 0.
+    #[must_use]
+    pub fn restitution(&self) -> Option<&Restitution> {
+        match self {
+            Self::Brach { restitution, .. }
+            | Self::Ishikawa { restitution, .. }
+            | Self::KudlichSlibar { restitution, .. } => Some(restitution),
+            Self::Woolley { .. } => None,
+        }
+    }
+
+    /// (–) the friction limit, under a law that has one.
+    #[must_use]
+    pub fn friction(&self) -> Option<f64> {
+        match self {
+            Self::Brach { tangential: Tangential::Friction(friction), .. }
+            | Self::KudlichSlibar { friction, .. } => Some(*friction),
+            _ => None,
+        }
+    }
+}
+
+/// How a coefficient of restitution is given.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Restitution {
+    /// (–) the same at every closing speed, 0 to 1.
+    Constant(f64),
+    /// Keys `speeds`, `values`: linear between the points, constant outside of them.
+    OfClosingSpeed {
+        /// (m/s) closing speeds at C along the normal, ascending from zero or more; at least one.
+        speeds: Vec<Quantity>,
+        /// (–) coefficients of restitution, 0 to 1, as many as speeds.
+        values: Vec<f64>,
+    },
+}
+
+impl Restitution {
+    /// The points (closing speed in m/s, coefficient of restitution) of a curve, `None` for a constant.
+    pub(crate) fn points(&self) -> Option<Vec<(f64, f64)>> {
+        match self {
+            Self::Constant(_) => None,
+            Self::OfClosingSpeed { speeds, values } => {
+                Some(speeds.iter().map(Quantity::si).zip(values.iter().copied()).collect())
+            }
+        }
+    }
 }
 
 /// What is looked for.
@@ -235,7 +329,20 @@ impl Case {
 
     fn quantities(&self) -> Vec<Quantity> {
         let mut all: Vec<Quantity> = self.vehicles.iter().flat_map(Vehicle::quantities).collect();
-        all.extend(self.impact.iter().map(|impact| impact.crush_plane));
+        all.extend(self.impact.iter().flat_map(Impact::quantities));
+        all
+    }
+}
+
+impl Impact {
+    fn quantities(&self) -> Vec<Quantity> {
+        let mut all = vec![self.crush_plane];
+        if let ImpactLaw::Woolley { tangential_velocity_change } = self.law {
+            all.extend(tangential_velocity_change);
+        }
+        if let Some(Restitution::OfClosingSpeed { speeds, .. }) = self.law.restitution() {
+            all.extend(speeds);
+        }
         all
     }
 }

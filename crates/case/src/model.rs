@@ -3,11 +3,12 @@
 use std::f64::consts::{PI, TAU};
 
 use crash3::{EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness};
-use pim_core::{Body, Contact, Law, Motion, Participant, Vector2};
+use pim_core::{Body, Contact, Law, Motion, Participant, RestitutionCurve, Vector2};
 use reconcile::Unknown;
 
 use crate::{
-    CaseFile, ContactPoint, Crush, Diagnostic, Diagnostics, Quantity, StiffnessForm, Vehicle, Velocity,
+    CaseFile, ContactPoint, Crush, Diagnostic, Diagnostics, ImpactLaw, Quantity, Restitution, StiffnessForm,
+    Vehicle, Velocity,
 };
 
 /// Two vehicles that collide, as the mechanics need them.
@@ -15,8 +16,10 @@ use crate::{
 pub struct Collision {
     /// The geometry.
     pub contact: Contact,
-    /// The impact law.
+    /// The impact law; where there is a curve of restitution, with the coefficient of its first point.
     pub law: Law,
+    /// The coefficient of restitution by closing speed, which replaces that of the law.
+    pub restitution_curve: Option<RestitutionCurve>,
     /// Motions before impact. A vehicle whose speed is sought is at rest here but for its yaw rate.
     pub motions: [Motion; 2],
     /// What is known of each vehicle.
@@ -91,7 +94,7 @@ pub struct CrushOnly {
     pub vehicles: [Subject; 2],
     /// The energy basis.
     pub basis: EnergyBasis,
-    /// e, if the file has one.
+    /// e, if the file has one that does not depend on the closing speed; 0 under Woolley's law.
     pub restitution: Option<f64>,
 }
 
@@ -146,7 +149,12 @@ impl CaseFile {
         demand.finish(v1.zip(v2).map(|(v1, v2)| CrushOnly {
             vehicles: [v1, v2],
             basis: self.energy_basis(),
-            restitution: self.case.impact.as_ref().map(|impact| impact.restitution),
+            restitution: self.case.impact.as_ref().and_then(|impact| match impact.law.restitution() {
+                Some(Restitution::Constant(e)) => Some(*e),
+                Some(Restitution::OfClosingSpeed { .. }) => None,
+                // Woolley: U_n = 0
+                None => Some(0.0),
+            }),
         }))
     }
 
@@ -214,7 +222,8 @@ impl Demand<'_> {
         let law = self.law();
         let ([v1, v2], [p1, p2], [m1, m2]) = (vehicles, participants, motions);
         let contact = self.contact([p1?, p2?])?;
-        Some(Collision { contact, law: law?, motions: [m1?, m2?], vehicles: [v1?, v2?] })
+        let (law, restitution_curve) = law?;
+        Some(Collision { contact, law, restitution_curve, motions: [m1?, m2?], vehicles: [v1?, v2?] })
     }
 
     fn subject(&mut self, i: usize) -> Option<Subject> {
@@ -295,12 +304,38 @@ impl Demand<'_> {
         Some(motion.with_yaw_rate(yaw_rate))
     }
 
-    fn law(&mut self) -> Option<Law> {
+    fn law(&mut self) -> Option<(Law, Option<RestitutionCurve>)> {
         let Some(impact) = &self.file.case.impact else {
             self.missing("impact", "a table [impact] with crush_plane, restitution and tangential");
             return None;
         };
-        self.accepted("impact", Law::new(impact.restitution, impact.tangential))
+        let curve = match impact.law.restitution().and_then(Restitution::points) {
+            Some(points) => Some(self.accepted("impact.restitution", RestitutionCurve::new(points))?),
+            None => None,
+        };
+        let e = |restitution: &Restitution| match restitution {
+            Restitution::Constant(e) => *e,
+            Restitution::OfClosingSpeed { values, .. } => values.first().copied().unwrap_or_default(),
+        };
+        let law = match &impact.law {
+            ImpactLaw::Brach { restitution, tangential, moment_restitution } => {
+                Law::new(e(restitution), *tangential).and_then(|law| match moment_restitution {
+                    Some(e_m) => law.with_moment_restitution(*e_m),
+                    None => Ok(law),
+                })
+            }
+            ImpactLaw::Woolley { tangential_velocity_change: None } => Ok(Law::woolley()),
+            ImpactLaw::Woolley { tangential_velocity_change: Some(change) } => {
+                Law::woolley_sideswipe(change.si())
+            }
+            ImpactLaw::Ishikawa { restitution, tangential_restitution } => {
+                Law::ishikawa(e(restitution), *tangential_restitution)
+            }
+            ImpactLaw::KudlichSlibar { restitution, friction } => {
+                Law::kudlich_slibar(e(restitution), *friction)
+            }
+        };
+        Some((self.accepted("impact", law)?, curve))
     }
 
     fn contact(&mut self, participants: [Participant; 2]) -> Option<Contact> {

@@ -71,10 +71,77 @@ pub(crate) static IMPACT: Schema = Schema {
     place: "[impact]",
     keys: &[
         key("crush_plane", "crush_plane = \"-23 deg\""),
+        key("law", "law = \"brach\""),
         key("restitution", "restitution = 0.3"),
         key("tangential", "tangential = \"critical\""),
+        key("moment_restitution", "moment_restitution = -0.5"),
+        key("tangential_velocity_change", "tangential_velocity_change = \"5 m/s\""),
+        key("tangential_restitution", "tangential_restitution = -0.2"),
+        key("friction", "friction = 0.5"),
     ],
 };
+
+/// The impact laws that `law` of [impact] can name.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum LawName {
+    Brach,
+    Woolley,
+    Ishikawa,
+    KudlichSlibar,
+}
+
+impl LawName {
+    pub(crate) const ALL: [Self; 4] = [Self::Brach, Self::Woolley, Self::Ishikawa, Self::KudlichSlibar];
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Brach => "brach",
+            Self::Woolley => "woolley",
+            Self::Ishikawa => "ishikawa",
+            Self::KudlichSlibar => "kudlich-slibar",
+        }
+    }
+
+    /// The keys of [impact] that the law has to have, besides crush_plane.
+    pub(crate) fn needed(self) -> &'static [&'static str] {
+        match self {
+            Self::Brach => &["restitution", "tangential"],
+            Self::Woolley => &[],
+            Self::Ishikawa => &["restitution", "tangential_restitution"],
+            Self::KudlichSlibar => &["restitution", "friction"],
+        }
+    }
+
+    /// The key that it may have.
+    pub(crate) fn optional(self) -> Option<&'static str> {
+        match self {
+            Self::Brach => Some("moment_restitution"),
+            Self::Woolley => Some("tangential_velocity_change"),
+            Self::Ishikawa | Self::KudlichSlibar => None,
+        }
+    }
+
+    pub(crate) fn uses(self, key: &str) -> bool {
+        key == "crush_plane"
+            || key == "law"
+            || self.needed().contains(&key)
+            || self.optional().is_some_and(|own| own == key)
+    }
+
+    /// Its keys in words.
+    pub(crate) fn keys(self) -> String {
+        let needed = [&["crush_plane"], self.needed()].concat();
+        match self.optional() {
+            Some(key) => format!("{} and, if wanted, {key}", needed.join(", ")),
+            None => join(&needed, "and"),
+        }
+    }
+
+    /// The laws that use a key.
+    pub(crate) fn of_key(key: &str) -> Vec<&'static str> {
+        Self::ALL.into_iter().filter(|law| law.uses(key)).map(Self::name).collect()
+    }
+}
 
 pub(crate) static RECONSTRUCT: Schema = Schema {
     place: "[reconstruct]",
@@ -116,8 +183,23 @@ pub(crate) static TANGENTIAL: Schema = Schema {
     ],
 };
 
-static ALL: [&Schema; 9] =
-    [&TOP, &VEHICLE, &CRUSH, &IMPACT, &RECONSTRUCT, &CONTACT, &VELOCITY, &STIFFNESS, &TANGENTIAL];
+pub(crate) static RESTITUTION: Schema = Schema {
+    place: "restitution = { … } of [impact]",
+    keys: &[key("speeds", "speeds = \"2 5 10 20 m/s\""), key("values", "values = [0.3, 0.2, 0.12, 0.05]")],
+};
+
+static ALL: [&Schema; 10] = [
+    &TOP,
+    &VEHICLE,
+    &CRUSH,
+    &IMPACT,
+    &RECONSTRUCT,
+    &CONTACT,
+    &VELOCITY,
+    &STIFFNESS,
+    &TANGENTIAL,
+    &RESTITUTION,
+];
 
 impl Schema {
     pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> + use<> {

@@ -1,10 +1,11 @@
 //! Writing a case back: the layout of the documentation's example, the user's own units and numbers.
 
 use crate::case::{
-    Case, ContactPoint, Crush, Impact, Mass, Outline, Reconstruct, StiffnessForm, Vehicle, Velocity,
-    YawInertia,
+    Case, ContactPoint, Crush, Impact, ImpactLaw, Mass, Outline, Reconstruct, Restitution, StiffnessForm,
+    Vehicle, Velocity, YawInertia,
 };
 use crate::quantity::{Quantity, format_number};
+use crate::schema::LawName;
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
 use crash3::Side;
@@ -125,16 +126,50 @@ fn crush_lines(crush: &Crush, vehicle: &str) -> Lines {
 fn impact_lines(impact: &Impact) -> Lines {
     let mut table = Lines::new(Some("impact".to_owned()));
     table.line("crush_plane", string(impact.crush_plane));
-    table.line("restitution", format_number(impact.restitution));
+    let law = impact.law.name();
+    // A file without `law` has the default.
+    if law != LawName::Brach.name() {
+        table.line("law", quoted(law));
+    }
+    table.optional("restitution", impact.law.restitution().map(restitution));
+    match &impact.law {
+        ImpactLaw::Brach { tangential: condition, moment_restitution, .. } => {
+            table.line("tangential", tangential(*condition));
+            table.optional("moment_restitution", moment_restitution.map(format_number));
+        }
+        ImpactLaw::Woolley { tangential_velocity_change } => {
+            table.optional("tangential_velocity_change", tangential_velocity_change.map(string));
+        }
+        ImpactLaw::Ishikawa { tangential_restitution, .. } => {
+            table.line("tangential_restitution", format_number(*tangential_restitution));
+        }
+        ImpactLaw::KudlichSlibar { friction, .. } => table.line("friction", format_number(*friction)),
+    }
+    table
+}
+
+fn restitution(restitution: &Restitution) -> String {
+    match restitution {
+        Restitution::Constant(e) => format_number(*e),
+        Restitution::OfClosingSpeed { speeds, values } => {
+            let values: Vec<String> = values.iter().copied().map(format_number).collect();
+            format!("{{ speeds = {}, values = [{}] }}", list(speeds), values.join(", "))
+        }
+    }
+}
+
+fn tangential(tangential: Tangential) -> String {
     let number = |key: &str, value: f64| format!("{{ {key} = {} }}", format_number(value));
-    let tangential = match impact.tangential {
+    match tangential {
         Tangential::Critical => quoted("critical"),
         Tangential::Ratio(ratio) => number("ratio", ratio),
         Tangential::FractionOfCritical(fraction) => number("fraction", fraction),
         Tangential::Friction(friction) => number("friction", friction),
-    };
-    table.line("tangential", tangential);
-    table
+        // Conditions of other laws: better refused than read back as something else.
+        Tangential::VelocityChange(_) | Tangential::Restitution(_) | Tangential::FullOrSliding(_) => {
+            "{}".to_owned()
+        }
+    }
 }
 
 fn reconstruct_lines(reconstruct: &Reconstruct) -> Lines {

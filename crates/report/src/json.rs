@@ -5,6 +5,7 @@ use case::Case;
 use serde::Serialize;
 
 use crate::Units;
+use crate::comparison::regime_name;
 use crate::warnings;
 
 #[derive(Serialize)]
@@ -46,6 +47,9 @@ struct IterationBlock {
 
 #[derive(Serialize)]
 struct ImpactBlock {
+    law: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    regime: Option<&'static str>,
     restitution: f64,
     impulse_ratio: f64,
     critical_impulse_ratio: Option<f64>,
@@ -61,6 +65,10 @@ struct ImpactBlock {
     energy_loss: f64,
     normal_work: f64,
     tangential_work: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    moment_impulse: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    moment_work: Option<f64>,
 }
 
 /// Of a vehicle, or of a fixed object. Keys that do not apply are left out.
@@ -143,7 +151,7 @@ pub fn json(case: &Case, analysis: &Analysis) -> Result<String, serde_json::Erro
                 .map(|step| IterationBlock { speed: plain(step.speed), normal_work: plain(step.normal_work) })
                 .collect(),
         }),
-        impact: analysis.impact.as_ref().map(impact),
+        impact: analysis.impact.as_ref().map(|of| impact(case, of)),
         vehicle1,
         vehicle2,
         crash3: analysis.crash3.as_ref().map(|crash3| Crash3Block {
@@ -159,9 +167,12 @@ pub fn json(case: &Case, analysis: &Analysis) -> Result<String, serde_json::Erro
     Ok(serde_json::to_string_pretty(&document)? + "\n")
 }
 
-fn impact(impact: &Impact) -> ImpactBlock {
+fn impact(case: &Case, impact: &Impact) -> ImpactBlock {
     let outcome = &impact.outcome;
+    let has_moment = impact.law.has_moment();
     ImpactBlock {
+        law: case.impact.as_ref().map_or("brach", |given| given.law.name()),
+        regime: outcome.regime.map(regime_name),
         restitution: impact.law.restitution(),
         impulse_ratio: plain(outcome.impulse_ratio),
         critical_impulse_ratio: outcome.critical_impulse_ratio.map(plain),
@@ -177,6 +188,8 @@ fn impact(impact: &Impact) -> ImpactBlock {
         energy_loss: plain(outcome.energy.loss),
         normal_work: plain(outcome.energy.normal_work),
         tangential_work: plain(outcome.energy.tangential_work),
+        moment_impulse: has_moment.then(|| plain(outcome.moment_impulse)),
+        moment_work: has_moment.then(|| plain(outcome.energy.moment_work)),
     }
 }
 

@@ -19,11 +19,14 @@
 //!
 //! It computes nothing, and it draws no pictures.
 
+mod comparison;
 mod json;
+mod law;
 mod text;
 mod units;
 mod warnings;
 
+pub use comparison::{comparison_json, comparison_text};
 pub use json::json;
 pub use text::text;
 pub use units::Units;

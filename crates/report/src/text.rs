@@ -3,14 +3,15 @@
 use analysis::{Analysis, Crash3, Damage, Found, Impact};
 use case::{Case, Velocity};
 use crash3::EnergyBasis;
-use pim_core::{Outcome, Tangential};
+use pim_core::{Outcome, Regime};
 
+use crate::law;
 use crate::units::{Quantity, Units, number};
 use crate::warnings;
 
 const LABEL: usize = 32;
 const COLUMN: usize = 27;
-const LINE: usize = 98;
+pub(crate) const LINE: usize = 98;
 
 /// The analysis as text of at most 98 columns.
 #[must_use]
@@ -33,6 +34,24 @@ pub fn text(case: &Case, analysis: &Analysis, units: Units) -> String {
     page.warnings(analysis);
     page.sources();
     page.text
+}
+
+/// A paragraph in lines of at most 98 columns.
+pub(crate) fn wrapped(text: &str) -> String {
+    let mut lines = String::new();
+    let mut column = 0;
+    for word in text.split_whitespace() {
+        let width = word.chars().count();
+        if column > 0 {
+            let (separator, start) = if column + 1 + width > LINE { ('\n', 0) } else { (' ', column + 1) };
+            lines.push(separator);
+            column = start;
+        }
+        lines.push_str(word);
+        column += width;
+    }
+    lines.push('\n');
+    lines
 }
 
 struct Page {
@@ -71,18 +90,7 @@ impl Page {
     }
 
     fn paragraph(&mut self, text: &str) {
-        let mut line = String::new();
-        for word in text.split_whitespace() {
-            if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > LINE {
-                self.line(&line);
-                line.clear();
-            }
-            if !line.is_empty() {
-                line.push(' ');
-            }
-            line.push_str(word);
-        }
-        self.line(&line);
+        self.text.push_str(&wrapped(text));
     }
 
     fn title(&mut self, case: &Case) {
@@ -239,14 +247,8 @@ impl Page {
         }
         if let Some(impact) = &case.impact {
             self.wide("crush plane Γ", &angle(&impact.crush_plane), "");
-            self.wide("restitution e", &impact.restitution.to_string(), "");
-            let tangential = match impact.tangential {
-                Tangential::Critical => "critical: common tangential velocity".to_owned(),
-                Tangential::Ratio(mu) => format!("impulse ratio {mu}"),
-                Tangential::FractionOfCritical(f) => format!("{f} of the critical impulse ratio"),
-                Tangential::Friction(limit) => format!("friction limit {limit}"),
-            };
-            self.wide("tangential condition", &tangential, "");
+            self.wide("impact law", law::name(&impact.law), "");
+            self.wide("coefficients", &law::coefficients(&impact.law, units), "");
         }
     }
 
@@ -261,6 +263,19 @@ impl Page {
         let impulse = |si: f64| units.format(Quantity::Impulse, si);
         let p = outcome.impulse;
         self.row("impulse on vehicle 1, P", &impulse(p.normal), &impulse(p.tangential), "theory 3");
+        if impact.law.has_moment() {
+            let moment = units.format(Quantity::MomentImpulse, outcome.moment_impulse);
+            self.wide("moment impulse on vehicle 1, M", &moment, "theory 3");
+        }
+        let e = (impact.law.restitution() * 1e4).round() / 1e4;
+        self.wide("restitution e", &e.to_string(), "");
+        if let Some(regime) = outcome.regime {
+            let regime = match regime {
+                Regime::Full => "sufficient for the tangential condition",
+                Regime::Sliding => "insufficient: the surfaces slide to the end",
+            };
+            self.wide("friction", regime, "theory 3");
+        }
         self.wide("impulse ratio μ = P_t/P_n", &number(outcome.impulse_ratio, 4), "theory 3");
         let critical = outcome
             .critical_impulse_ratio
@@ -302,13 +317,17 @@ impl Page {
     fn energy(&mut self, outcome: &Outcome) {
         let energy = outcome.energy;
         self.heading("Energy", ["", "share of initial", "source"]);
-        for (label, value, source) in [
+        let mut rows = vec![
             ("initial kinetic energy", energy.before, "theory 4"),
             ("final kinetic energy", energy.after, "theory 4"),
             ("energy loss E_L", energy.loss, "theory 4"),
             ("  normal work W_n (crush)", energy.normal_work, "Eq 4"),
             ("  tangential work W_t", energy.tangential_work, "Eq 4"),
-        ] {
+        ];
+        if outcome.moment_impulse != 0.0 {
+            rows.push(("  moment work W_m", energy.moment_work, "theory 4"));
+        }
+        for (label, value, source) in rows {
             let share = format!("{} %", number(100.0 * value / energy.before, 1));
             self.row(label, &self.units.format(Quantity::Energy, value), &share, source);
         }

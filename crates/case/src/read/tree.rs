@@ -42,6 +42,20 @@ impl<'t> Table<'t> {
         self.get(key).is_some_and(|value| value.get_ref().is_str())
     }
 
+    pub(super) fn is_table_or_list(&self, key: &str) -> bool {
+        self.get(key).is_some_and(|value| value.get_ref().is_table() || value.get_ref().is_array())
+    }
+
+    /// Whether a misspelt key stands for this one.
+    pub(super) fn means(&self, key: &str) -> bool {
+        self.meant.contains(&key)
+    }
+
+    /// Where the key itself stands, not its value; nowhere if it is absent.
+    pub(super) fn key_span(&self, key: &str) -> Range<usize> {
+        self.entries.keys().find(|name| name.get_ref() == key).map(Spanned::span).unwrap_or_default()
+    }
+
     /// Those of the keys that are there.
     pub(super) fn given(&self, keys: &[&'static str]) -> Vec<&'static str> {
         keys.iter().copied().filter(|key| self.has(key)).collect()
@@ -156,7 +170,7 @@ impl<'t> Reader<'t> {
     }
 
     pub(super) fn missing(&mut self, table: &Table<'t>, key: &'static str) {
-        if table.meant.contains(&key) {
+        if table.means(key) {
             return;
         }
         let problem = if table.path.is_empty() {
@@ -206,7 +220,12 @@ impl<'t> Reader<'t> {
         let from_tree = self.problems.into_iter().filter(|diagnostic| {
             let is_missing = matches!(
                 diagnostic.problem(),
-                Problem::MissingTable { .. } | Problem::MissingKey { .. } | Problem::NoForm { .. }
+                Problem::MissingTable { .. }
+                    | Problem::MissingKey { .. }
+                    | Problem::MissingKeyOfLaw { .. }
+                    // The line that names another law may be the one that could not be read.
+                    | Problem::KeyOfOtherLaw { is_default: true, .. }
+                    | Problem::NoForm { .. }
             );
             (is_whole || !is_missing) && !broken_lines.contains(&line(&diagnostic.span()))
         });
