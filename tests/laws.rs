@@ -15,6 +15,16 @@ fn impact(scene: &Scene, law: Law) -> Option<Outcome> {
     scene.contact().impact(scene.motions(), &law).ok()
 }
 
+/// The same to the last bit, but for μ_c, which a law that asks for it has from its impulse and the others compute beside it.
+#[track_caller]
+fn assert_equal(a: &Outcome, b: &Outcome) {
+    assert_eq!(Outcome { critical_impulse_ratio: b.critical_impulse_ratio, ..*a }, *b);
+    match (a.critical_impulse_ratio, b.critical_impulse_ratio) {
+        (Some(a), Some(b)) => assert_close("μ_c", a, b, 1e-9 * (1.0 + b.abs())),
+        (a, b) => assert_eq!(a, b),
+    }
+}
+
 #[test]
 fn two_laws_that_slide_are_the_same() {
     for_all(20_000, 0.15, scene_under((0.0..1.0).prop_map(Tangential::FullOrSliding)), |scene| {
@@ -22,7 +32,9 @@ fn two_laws_that_slide_are_the_same() {
         let other = scene.under(Tangential::Friction(limit));
         let (Ok(a), Ok(b)) = (scene.impact(), other.impact()) else { return false };
         let both = a.regime == Some(Regime::Sliding) && b.regime == Some(Regime::Sliding);
-        assert!(!both || a == b, "{a:?} {b:?}");
+        if both {
+            assert_equal(&a, &b);
+        }
         both
     });
 }
@@ -69,7 +81,7 @@ fn a_sideswipe_that_ends_the_sliding_is_woolley_s() {
         let scene = Scene { restitution: 0.0, ..scene };
         let Some(common) = impact(&scene, Law::woolley()) else { return false };
         let law = Law::woolley_sideswipe(-common.approach.tangential).unwrap();
-        assert_eq!(impact(&scene, law), Some(common));
+        assert_equal(&impact(&scene, law).unwrap(), &common);
         true
     });
 }
@@ -78,9 +90,12 @@ fn a_sideswipe_that_ends_the_sliding_is_woolley_s() {
 fn ishikawa_without_tangential_restitution_is_brach() {
     for_all(5000, 0.8, scene_under(Just(Tangential::Critical)), |scene| {
         let law = Law::ishikawa(scene.restitution, 0.0).unwrap();
-        let outcome = impact(&scene, law);
-        assert_eq!(outcome, scene.impact().ok());
-        outcome.is_some()
+        match (impact(&scene, law), scene.impact()) {
+            (Some(ishikawa), Ok(brach)) => assert_equal(&ishikawa, &brach),
+            (None, Err(_)) => return false,
+            (ishikawa, brach) => panic!("{ishikawa:?} {brach:?}"),
+        }
+        true
     });
 }
 

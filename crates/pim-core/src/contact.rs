@@ -90,17 +90,29 @@ impl<T: Real> InverseMass<T> {
         self.nn * self.tt - self.nt * self.nt
     }
 
-    /// The relative motion at C after the impulse P (N·s) and the moment impulse M (N·m·s): U = u + K P, Ω_1 − Ω_2 likewise.
+    /// The relative motion at C after the impulse P (N·s) and the moment impulse M (N·m·s).
     #[inline(always)]
     #[must_use]
     pub fn separation(&self, approach: Approach<T>, p: NormalTangential<T>, moment: T) -> Approach<T> {
-        let u = approach.velocity;
         Approach {
-            velocity: NormalTangential {
-                normal: u.normal + self.nn * p.normal + self.nt * p.tangential + self.nm * moment,
-                tangential: u.tangential + self.nt * p.normal + self.tt * p.tangential + self.tm * moment,
-            },
+            velocity: self.separation_velocity(approach.velocity, p, moment),
+            // Ω₁ − Ω₂ = ω₁ − ω₂ + k_nm P_n + k_tm P_t + k_mm M
             spin: approach.spin + self.nm * p.normal + self.tm * p.tangential + self.mm * moment,
+        }
+    }
+
+    /// (m/s) its velocity alone.
+    #[inline(always)]
+    pub(crate) fn separation_velocity(
+        &self,
+        u: NormalTangential<T>,
+        p: NormalTangential<T>,
+        moment: T,
+    ) -> NormalTangential<T> {
+        // U = u + K P + (k_nm, k_tm) M
+        NormalTangential {
+            normal: u.normal + self.nn * p.normal + self.nt * p.tangential + self.nm * moment,
+            tangential: u.tangential + self.nt * p.normal + self.tt * p.tangential + self.tm * moment,
         }
     }
 }
@@ -113,7 +125,7 @@ pub struct Contact<T = f64> {
     participants: [Participant<T>; 2],
     normal: Vector2<T>,
     arms: [NormalTangential<T>; 2],
-    inverse_mass: InverseMass<T>,
+    pub(crate) inverse_mass: InverseMass<T>,
 }
 
 impl<T: Real> Contact<T> {

@@ -4,9 +4,9 @@ use nalgebra::Vector2;
 use real::Real;
 
 use crate::body::Motion;
-use crate::contact::{Approach, Contact, NormalTangential};
+use crate::contact::{Contact, NormalTangential};
 use crate::error::{self, ImpactError, InvalidInput};
-use crate::law::{Law, LawImpulse, Regime};
+use crate::law::{Law, LawImpulse, Regime, Solution};
 
 /// E_L below zero by more than this share of what the impulses exchange, |P|·(|u| + |U|) in each direction and the moment's likewise, is energy created; less is
 /// rounding. The works themselves are no measure: with e = 1 and no friction they are nothing but rounding.
@@ -127,9 +127,15 @@ fn tangential_work<T: Real>(
 
 /// (J) W_m: the energy that the moment impulse takes out of the vehicles.
 #[inline(always)]
-fn moment_work<T: Real>(approach: Approach<T>, moment: T, separation: Approach<T>) -> T {
+fn moment_work<T: Real>(before: &[Motion<T>; 2], moment: T, after: &[Motion<T>; 2]) -> T {
     // W_m = −½ M (ω₁ − ω₂ + Ω₁ − Ω₂)
-    -(moment * (approach.spin + separation.spin)) * 0.5
+    -(moment * (spin(before) + spin(after))) * 0.5
+}
+
+/// (rad/s) yaw rate of vehicle 1 relative to vehicle 2.
+#[inline(always)]
+fn spin<T: Real>([one, two]: &[Motion<T>; 2]) -> T {
+    one.yaw_rate - two.yaw_rate
 }
 
 fn representable<T: Real>(what: &'static str, value: T) -> Result<(), ImpactError> {
@@ -144,27 +150,28 @@ impl<T: Real> Contact<T> {
     /// coefficients create energy, or a motion is not one that the body can have.
     pub fn impact(&self, motions: [Motion<T>; 2], law: &Law<T>) -> Result<Outcome<T>, ImpactError> {
         self.check(&motions)?;
-        let k = self.inverse_mass();
+        let k = &self.inverse_mass;
         let approach = self.approach(&motions);
         let u_n = approach.velocity.normal;
         representable("normal relative velocity", u_n)?;
         if u_n >= T::ZERO {
             return Err(ImpactError::NotApproaching { u_n: u_n.value() });
         }
-        let impulse = law.impulse(&k, approach);
-        let critical = law.critical_impulse(&k, approach);
-        if let Some(refusal) = law.refusal(&k, impulse.linear, critical) {
-            return Err(refusal);
+        let solution = law.solve(k, approach);
+        if !law.pushes(&solution) {
+            return Err(law.refusal(k, &solution));
         }
-        let outcome = self.outcome(motions, approach, impulse, critical);
+        let outcome = self.outcome(motions, approach.velocity, solution);
         let Energy { before, loss, normal_work, tangential_work, moment_work, .. } = outcome.energy;
         representable("initial kinetic energy", before)?;
         representable("energy loss", loss)?;
         let (p, u, v) = (outcome.impulse, outcome.approach, outcome.separation);
-        let spin = |[m1, m2]: &[Motion<T>; 2]| m1.yaw_rate - m2.yaw_rate;
-        let exchanged = p.normal.abs() * (u.normal.abs() + v.normal.abs())
-            + p.tangential.abs() * (u.tangential.abs() + v.tangential.abs())
-            + outcome.moment_impulse.abs() * (spin(&outcome.before).abs() + spin(&outcome.after).abs());
+        let mut exchanged = p.normal.abs() * (u.normal.abs() + v.normal.abs())
+            + p.tangential.abs() * (u.tangential.abs() + v.tangential.abs());
+        if law.has_moment() {
+            let [before, after] = [spin(&outcome.before), spin(&outcome.after)];
+            exchanged += outcome.moment_impulse.abs() * (before.abs() + after.abs());
+        }
         if loss < -(exchanged * ENERGY_ROUNDING) {
             return Err(ImpactError::EnergyCreated {
                 loss: loss.value(),
@@ -192,18 +199,16 @@ impl<T: Real> Contact<T> {
     fn outcome(
         &self,
         before: [Motion<T>; 2],
-        approach: Approach<T>,
-        LawImpulse { linear: impulse, moment, regime }: LawImpulse<T>,
-        critical: NormalTangential<T>,
+        u: NormalTangential<T>,
+        Solution { impulse: LawImpulse { linear: impulse, moment, regime }, critical }: Solution<T>,
     ) -> Outcome<T> {
         let [p1, p2] = self.participants();
-        let separation = self.inverse_mass().separation(approach, impulse, moment);
+        let v = self.inverse_mass.separation_velocity(u, impulse, moment);
         let after = self.after(&before, impulse, moment);
         let impulse_vector = impulse.in_scene(self.normal());
-        let (u, v) = (approach.velocity, separation.velocity);
         let normal_work = normal_work(u, impulse, v);
         let tangential_work = tangential_work(u, impulse, v);
-        let moment_work = moment_work(approach, moment, separation);
+        let moment_work = moment_work(&before, moment, &after);
         Outcome {
             impulse,
             impulse_vector,

@@ -198,41 +198,58 @@ impl<T: Real> Law<T> {
     #[inline(always)]
     #[must_use]
     pub fn impulse(&self, k: &InverseMass<T>, approach: Approach<T>) -> LawImpulse<T> {
-        let conditions =
-            Conditions { k, approach, restitution: self.restitution, moment: self.moment_restitution };
+        self.solve(k, approach).impulse
+    }
+
+    #[inline(always)]
+    pub(crate) fn solve(&self, k: &InverseMass<T>, approach: Approach<T>) -> Solution<T> {
+        let conditions = self.conditions(k, approach);
         let u_t = approach.velocity.tangential;
-        let (impulse, regime) = match self.tangential {
-            Tangential::Critical => (conditions.with_change(-u_t), None),
-            Tangential::Ratio(mu) => (conditions.with_ratio(mu), None),
+        let of = |impulse: LawImpulse<T>| Solution { impulse, critical: conditions.critical_direction() };
+        match self.tangential {
+            Tangential::Critical => {
+                let impulse = conditions.with_change(-u_t);
+                Solution { impulse, critical: impulse.linear }
+            }
+            Tangential::Ratio(mu) => of(conditions.with_ratio(mu)),
             Tangential::FractionOfCritical(f) => {
                 let critical = conditions.with_change(-u_t).linear;
-                (conditions.with_ratio(f * critical.tangential / critical.normal), None)
+                let impulse = conditions.with_ratio(f * critical.tangential / critical.normal);
+                Solution { impulse, critical }
             }
-            Tangential::Friction(limit) => conditions.limited(-u_t, limit),
-            Tangential::VelocityChange(change) => (conditions.with_change(change), None),
-            Tangential::Restitution(e_t) => (conditions.with_change(-((e_t + 1.0) * u_t)), None),
-            Tangential::FullOrSliding(limit) => conditions.limited(-((self.restitution + 1.0) * u_t), limit),
-        };
-        LawImpulse { linear: impulse.linear, moment: impulse.moment, regime }
+            Tangential::Friction(limit) => {
+                let full = conditions.with_change(-u_t);
+                Solution { impulse: conditions.limited(full, limit), critical: full.linear }
+            }
+            Tangential::VelocityChange(change) => of(conditions.with_change(change)),
+            Tangential::Restitution(e_t) => of(conditions.with_change(-((e_t + 1.0) * u_t))),
+            Tangential::FullOrSliding(limit) => {
+                let full = conditions.with_change(-((self.restitution + 1.0) * u_t));
+                of(conditions.limited(full, limit))
+            }
+        }
     }
 
-    /// The impulse that the same law asks for to give a common tangential velocity: its ratio is μ_c, if it is a push.
     #[inline(always)]
-    pub(crate) fn critical_impulse(&self, k: &InverseMass<T>, approach: Approach<T>) -> NormalTangential<T> {
-        let conditions =
-            Conditions { k, approach, restitution: self.restitution, moment: self.moment_restitution };
-        conditions.with_change(-approach.velocity.tangential).linear
+    fn conditions<'a>(&self, k: &'a InverseMass<T>, approach: Approach<T>) -> Conditions<'a, T> {
+        Conditions { k, approach, restitution: self.restitution, moment: self.moment_restitution }
     }
 
-    /// Why this law has no impulse for an approach, as far as its conditions decide that.
-    pub(crate) fn refusal(
-        &self,
-        k: &InverseMass<T>,
-        impulse: NormalTangential<T>,
-        critical: NormalTangential<T>,
-    ) -> Option<ImpactError> {
+    /// Whether the law has an impulse that pushes. A fraction of μ_c needs a push that gives μ_c, too.
+    #[inline(always)]
+    pub(crate) fn pushes(&self, solution: &Solution<T>) -> bool {
+        let is_fraction = matches!(self.tangential, Tangential::FractionOfCritical(_));
+        solution.impulse.linear.normal > T::ZERO && (solution.critical.normal > T::ZERO || !is_fraction)
+    }
+
+    /// Why it has none.
+    #[cold]
+    pub(crate) fn refusal(&self, k: &InverseMass<T>, solution: &Solution<T>) -> ImpactError {
+        let impulse = solution.impulse.linear;
         let (asks_for, ratio) = match self.tangential {
-            Tangential::FractionOfCritical(_) if critical.normal <= T::ZERO => (critical, None),
+            Tangential::FractionOfCritical(_) if solution.critical.normal <= T::ZERO => {
+                (solution.critical, None)
+            }
             Tangential::Ratio(mu) => (impulse, Some(mu)),
             // Where these do not push, they slide.
             Tangential::FractionOfCritical(_) | Tangential::Friction(_) | Tangential::FullOrSliding(_) => {
@@ -242,16 +259,13 @@ impl<T: Real> Law<T> {
                 (impulse, None)
             }
         };
-        if asks_for.normal > T::ZERO {
-            return None;
-        }
         // A moment impulse may pull where nothing jams.
-        Some(match ratio {
+        match ratio {
             Some(mu) if k.nn + mu * k.nt <= T::ZERO => {
                 ImpactError::Jam { impulse_ratio: mu.value(), k_nn: k.nn.value(), k_nt: k.nt.value() }
             }
             _ => ImpactError::Pulling { normal_impulse: asks_for.normal.value() },
-        })
+        }
     }
 }
 
@@ -266,9 +280,11 @@ pub struct LawImpulse<T = f64> {
     pub regime: Option<Regime>,
 }
 
-struct Impulse<T> {
-    linear: NormalTangential<T>,
-    moment: T,
+/// The impulse of a law, and beside it the one that the same law asks for to give a common tangential velocity, up to a positive factor: its ratio
+/// is μ_c, if it is a push.
+pub(crate) struct Solution<T> {
+    pub(crate) impulse: LawImpulse<T>,
+    pub(crate) critical: NormalTangential<T>,
 }
 
 /// The conditions that all laws share: the normal one, and the moment's.
@@ -282,7 +298,7 @@ struct Conditions<'a, T> {
 impl<T: Real> Conditions<'_, T> {
     /// U_n = −e u_n and U_t − u_t = `change`.
     #[inline(always)]
-    fn with_change(&self, change: T) -> Impulse<T> {
+    fn with_change(&self, change: T) -> LawImpulse<T> {
         let k = self.k;
         let det = k.determinant();
         // K P = (−(1+e) u_n, U_t − u_t)
@@ -295,7 +311,7 @@ impl<T: Real> Conditions<'_, T> {
 
     /// U_n = −e u_n and P_t = μ P_n.
     #[inline(always)]
-    fn with_ratio(&self, mu: T) -> Impulse<T> {
+    fn with_ratio(&self, mu: T) -> LawImpulse<T> {
         let k = self.k;
         // P_n = −(1+e) u_n / (k_nn + μ k_nt) = −(1+e) m̄ q u_n
         let solve = |normal: T| {
@@ -303,6 +319,18 @@ impl<T: Real> Conditions<'_, T> {
             NormalTangential { normal: p_n, tangential: mu * p_n }
         };
         self.with_moment(solve(self.normal_change()), || solve(-self.k.nm))
+    }
+
+    /// The impulse that gives a common tangential velocity, up to a positive factor.
+    #[inline(always)]
+    fn critical_direction(&self) -> NormalTangential<T> {
+        let u_t = self.approach.velocity.tangential;
+        if self.moment != -T::ONE {
+            return self.with_change(-u_t).linear;
+        }
+        let (k, normal) = (self.k, self.normal_change());
+        // det K · K⁻¹ (−(1+e) u_n, −u_t)
+        NormalTangential { normal: k.tt * normal + k.nt * u_t, tangential: -(k.nn * u_t) - k.nt * normal }
     }
 
     /// (m/s) U_n − u_n.
@@ -318,9 +346,9 @@ impl<T: Real> Conditions<'_, T> {
         &self,
         plain: NormalTangential<T>,
         correction: impl FnOnce() -> NormalTangential<T>,
-    ) -> Impulse<T> {
+    ) -> LawImpulse<T> {
         if self.moment == -T::ONE {
-            return Impulse { linear: plain, moment: T::ZERO };
+            return LawImpulse { linear: plain, moment: T::ZERO, regime: None };
         }
         let k = self.k;
         let correction = correction();
@@ -329,30 +357,30 @@ impl<T: Real> Conditions<'_, T> {
         let common = -(self.approach.spin + spin(plain)) / (k.mm + spin(correction));
         // M = (1 + e_m) M_c
         let moment = (self.moment + 1.0) * common;
-        Impulse {
+        LawImpulse {
             linear: NormalTangential {
                 normal: plain.normal + moment * correction.normal,
                 tangential: plain.tangential + moment * correction.tangential,
             },
             moment,
+            regime: None,
         }
     }
 
-    /// The change of tangential velocity if friction of at most `limit` can bring it about, else sliding.
+    /// The `full` impulse if friction of at most `limit` can bring it about, else that of sliding.
     ///
     /// The usual rule for the direction of sliding, the sign of μ_c, holds only where μ_c is reached by a push. Beyond, μ_c has
     /// jumped through infinity to the other sign, and the rule would let friction drive the sliding. The direction is
     /// against the U_t that there would be without friction.
     #[inline(always)]
-    fn limited(&self, change: T, limit: T) -> (Impulse<T>, Option<Regime>) {
-        let full = self.with_change(change);
+    fn limited(&self, full: LawImpulse<T>, limit: T) -> LawImpulse<T> {
         let p = full.linear;
         if p.normal > T::ZERO && p.tangential.abs() <= limit * p.normal {
-            return (full, Some(Regime::Full));
+            return LawImpulse { regime: Some(Regime::Full), ..full };
         }
         let free = self.with_ratio(T::ZERO);
         let sliding = self.k.separation(self.approach, free.linear, free.moment).velocity.tangential;
         let mu = if sliding > T::ZERO { -limit } else { limit };
-        (self.with_ratio(mu), Some(Regime::Sliding))
+        LawImpulse { regime: Some(Regime::Sliding), ..self.with_ratio(mu) }
     }
 }
