@@ -19,6 +19,8 @@ mod derivatives;
 #[cfg(test)]
 mod invariants;
 #[cfg(test)]
+mod line_of_action;
+#[cfg(test)]
 mod oracle;
 #[cfg(test)]
 mod paper_equations;
@@ -32,3 +34,5 @@ mod refusals;
 mod root_finding;
 #[cfg(test)]
 mod scenes;
+#[cfg(test)]
+mod structures;
