@@ -87,7 +87,13 @@ struct VehicleBlock {
     #[serde(skip_serializing_if = "Option::is_none")]
     pdof: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    stiffness_source: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    crush_source: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     crush_energy: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    crush_energy_bounds: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     oblique_angle: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -197,7 +203,17 @@ fn vehicle(case: &Case, analysis: &Analysis, i: usize) -> VehicleBlock {
         delta_v: moves.map(|outcome| outcome.delta_v_magnitude()[i]),
         delta_v_vector: moves.map(|outcome| plain_pair(outcome.delta_v[i].into())),
         pdof: moves.map(|outcome| outcome.pdof()[i]).or(given_pdof).map(plain),
+        stiffness_source: analysis.vehicles[i]
+            .subject
+            .damage
+            .as_ref()
+            .map(|given| crate::stiffness_source(given.stiffness_source, given.side)),
+        crush_source: damage
+            .map(|damage| if damage.inferred.is_some() { "force balance" } else { "measured" }),
         crush_energy: damage.map(|damage| damage.crush_energy),
+        crush_energy_bounds: damage
+            .and_then(|damage| damage.inferred?.range)
+            .map(|range| [range.lowest.energy, range.highest.energy]),
         oblique_angle: damage.map(|damage| plain(damage.oblique_angle)),
         oblique_factor: oblique.map(|oblique| oblique.factor.factor),
         corrected_crush_energy: oblique.map(|oblique| oblique.corrected_crush_energy),
