@@ -71,7 +71,8 @@ fn a_barrier_test_gives_its_energy_back_through_the_file() {
         1.6,
     )
     .unwrap();
-    let kinetic = 0.5 * 1400.0 * (56.0_f64 / 3.6).powi(2);
+    let speed = 56.0 / 3.6;
+    let kinetic = 0.5 * 1400.0 * speed * speed;
     let energy = |stiffness: &str| {
         let (structure, source) = read_stiffness(stiffness);
         let Structure::Uniform(stiffness) = structure else { panic!("uniform") };
@@ -150,6 +151,14 @@ fn one_pdof_and_two_headings_give_the_other_pdof() {
     // From the scene's −30° on vehicle 1, so from 150° on vehicle 2: 60° to the left of its heading.
     assert!((first.pdof.unwrap().to_degrees() - 30.0).abs() < 1e-12);
     assert!((second.pdof.unwrap().to_degrees() + 60.0).abs() < 1e-12);
+    // And the other way round: vehicle 2 is struck from 60° on its left, so vehicle 1 from 30° on its right.
+    let left =
+        format!("side = \"left\"\nwidth = \"2 m\"\ndepths = \"0.2 0.1 m\"\n{stiff}\npdof = \"10 o'clock\"");
+    let [first, _] = damages(&cars([
+        (&format!("{YAW}\nheading = \"0 deg\""), &format!("{FRONT}\n{stiff}")),
+        (&format!("{YAW}\nheading = \"90 deg\""), &left),
+    ]));
+    assert!((first.pdof.unwrap().to_degrees() - 30.0).abs() < 1e-12);
     // The back of the clock lies in (−180°, 180°]; 12 is straight ahead.
     for (clock, degrees) in
         [("2 o'clock", 60.0), ("6 o’clock", 180.0), ("9  o'clock ", -90.0), ("12 o'clock", 0.0)]
