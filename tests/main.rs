@@ -21,6 +21,8 @@ mod invariants;
 #[cfg(test)]
 mod laws;
 #[cfg(test)]
+mod line_of_action;
+#[cfg(test)]
 mod oracle;
 #[cfg(test)]
 mod paper_equations;
@@ -36,3 +38,5 @@ mod restitution;
 mod root_finding;
 #[cfg(test)]
 mod scenes;
+#[cfg(test)]
+mod structures;

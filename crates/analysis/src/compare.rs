@@ -1,26 +1,21 @@
 //! One case under every impact law: how much does the answer depend on that choice?
 
 use case::{Case, CaseFile, Dimension, ImpactLaw, Quantity, Restitution};
-use crash3::{Inertia, ObliqueCorrection, delta_v};
 use pim_core::Tangential;
 
+use crate::damage::ASSUMED_FRICTION;
 use crate::{Analysis, Failure, impact, reconstruct};
 
-/// What is assumed of friction where the case says nothing: a usual value for sheet metal on sheet metal.
-const ASSUMED_FRICTION: f64 = 0.5;
 /// What is assumed of tangential restitution: surfaces that interlock do not rebound along each other.
 const ASSUMED_TANGENTIAL_RESTITUTION: f64 = 0.0;
 
 /// The answers of all laws to one case.
 #[derive(Debug)]
 pub struct Comparison {
-    /// The case under its own law.
+    /// The case under its own law, and CRASH3's answer under every correction for oblique forces.
     pub own: Analysis,
     /// One row a law, for the others.
     pub laws: Vec<LawRow>,
-    /// CRASH3 without restitution, uncorrected, corrected as CRASH3 does, and corrected without its limit. Empty where the damage of a
-    /// vehicle is not known, and without the corrected rows where a force does not push on its damaged side.
-    pub crash3: Vec<Crash3Row>,
 }
 
 /// One law's answer.
@@ -32,17 +27,6 @@ pub struct LawRow {
     pub assumed: &'static str,
     /// The answer, or why there is none.
     pub answer: Result<Analysis, Failure>,
-}
-
-/// CRASH3's ΔV under one correction for oblique forces.
-#[derive(Clone, Copy, Debug)]
-pub struct Crash3Row {
-    /// The correction.
-    pub correction: ObliqueCorrection,
-    /// (J) crush energy of both vehicles, corrected.
-    pub crush_energy: f64,
-    /// (m/s) velocity changes.
-    pub delta_v: [f64; 2],
 }
 
 /// Solves the case under its own law and under every other, with the case's own coefficients where they fit and stated assumptions where not. A case
@@ -62,7 +46,7 @@ pub fn compare(file: &CaseFile) -> Result<Comparison, Failure> {
             LawRow { law, assumed, answer: solve(&other) }
         })
         .collect();
-    Ok(Comparison { crash3: crash3_rows(&own)?, own, laws })
+    Ok(Comparison { own, laws })
 }
 
 fn solve(file: &CaseFile) -> Result<Analysis, Failure> {
@@ -120,25 +104,4 @@ fn is_same(a: &ImpactLaw, b: &ImpactLaw) -> bool {
         law => law,
     };
     without_moment(a) == without_moment(b)
-}
-
-fn crash3_rows(own: &Analysis) -> Result<Vec<Crash3Row>, Failure> {
-    let Some(crash3) = &own.crash3 else { return Ok(Vec::new()) };
-    let mut rows = Vec::new();
-    for correction in [ObliqueCorrection::None, ObliqueCorrection::Capped, ObliqueCorrection::Uncapped] {
-        let mut crush_energy = 0.0;
-        for damage in own.vehicles.iter().filter_map(|vehicle| vehicle.damage.as_ref()) {
-            // A force that does not push on its side has no corrected energy: that is a warning of the case's own analysis.
-            let Ok(oblique) = correction.factor(damage.oblique_angle) else { return Ok(rows) };
-            crush_energy += damage.crush_energy * oblique.factor;
-        }
-        let mut inertias = [Inertia::fixed(); 2];
-        for (i, vehicle) in own.vehicles.iter().enumerate() {
-            if let Some(inertia) = vehicle.subject.inertia {
-                inertias[i] = Inertia::new(inertia.mass, inertia.yaw_inertia, crash3.moment_arm[i])?;
-            }
-        }
-        rows.push(Crash3Row { correction, crush_energy, delta_v: delta_v(crush_energy, inertias)? });
-    }
-    Ok(rows)
 }

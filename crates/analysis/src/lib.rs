@@ -24,8 +24,8 @@ mod compare;
 mod damage;
 mod warning;
 
-pub use compare::{Comparison, Crash3Row, LawRow, compare};
-pub use damage::{Crash3, Damage, Oblique};
+pub use compare::{Comparison, LawRow, compare};
+pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
 pub use warning::Warning;
 
 use case::{CaseFile, Collision, Diagnostics, Subject};
@@ -111,10 +111,11 @@ pub enum Failure {
 pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     let input = file.reconstruction()?;
     let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
-    let crush_energy = vehicles
+    // The uncorrected energies do not depend on the impact; a force balance takes its directions from the file.
+    let crush_energy = damage::assess(vehicles.clone(), [None, None])?
         .iter()
         .filter_map(|vehicle| vehicle.damage.as_ref())
-        .map(|damage| crash3::crush_energy(&damage.profile, &damage.stiffness))
+        .map(|damage| damage.crush_energy)
         .sum();
     let mut problem = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)?;
     if let Some(curve) = &restitution_curve {
@@ -134,7 +135,7 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     };
     let warnings = warning::of_found(&found, input.given_speed);
     let impact = Impact { contact, law: answer.law, outcome: answer.outcome };
-    let analysis = collided(file, impact, vehicles, input.basis, warnings)?;
+    let analysis = collided(impact, vehicles, input.basis, warnings)?;
     Ok(Analysis { found: Some(found), ..analysis })
 }
 
@@ -150,7 +151,7 @@ pub fn impact(file: &CaseFile) -> Result<Analysis, Failure> {
         None => law,
     };
     let impact = Impact { contact, law, outcome: contact.impact(motions, &law)? };
-    collided(file, impact, vehicles, input.basis, Vec::new())
+    collided(impact, vehicles, input.basis, Vec::new())
 }
 
 /// CRASH3 alone: energies and velocity changes from the damage and the PDOF that the file gives.
@@ -162,12 +163,12 @@ pub fn crush(file: &CaseFile) -> Result<Analysis, Failure> {
     let vehicles = damage::assess(input.vehicles, [None, None])?;
     let crash3 = damage::crash3(&vehicles, input.basis, input.restitution)?;
     let mut warnings = Vec::new();
+    warning::of_assumptions(&vehicles, &mut warnings);
     warning::of_damage(&vehicles, &mut warnings);
     Ok(Analysis { basis: input.basis, found: None, impact: None, vehicles, crash3, warnings })
 }
 
 fn collided(
-    file: &CaseFile,
     impact: Impact,
     subjects: [Subject; 2],
     basis: EnergyBasis,
@@ -176,7 +177,8 @@ fn collided(
     let vehicles = damage::assess(subjects, impact.outcome.pdof().map(Some))?;
     let crash3 = damage::crash3(&vehicles, basis, Some(impact.law.restitution()))?;
     warning::of_impact(&impact, &mut warnings);
-    warning::of_outlines(file, &vehicles, &mut warnings);
+    warning::of_outlines(&vehicles, &mut warnings);
+    warning::of_assumptions(&vehicles, &mut warnings);
     warning::of_damage(&vehicles, &mut warnings);
     warning::of_directions(&impact, &vehicles, &mut warnings);
     if let Some(crash3) = &crash3 {

@@ -1,6 +1,8 @@
 //! What a case file says, in the units in which it says it.
 
-use crash3::{EnergyBasis, ObliqueCorrection, Side};
+use std::f64::consts::PI;
+
+use crash3::{CrushError, EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, Structure};
 use pim_core::{Real, Tangential};
 use reconcile::Unknown;
 
@@ -36,6 +38,12 @@ pub struct Vehicle {
     pub mass: Option<Mass>,
     /// `yaw_inertia` or `yaw_radius`.
     pub yaw: Option<YawInertia>,
+    /// CRASH3's size class, 1 to 6: stands in for yaw inertia and outline where they are not given.
+    pub class: Option<u8>,
+    /// (m) between the axles: with the length, for the yaw inertia where neither that nor a class is given.
+    pub wheelbase: Option<Quantity>,
+    /// (m) of the body, where it is known without the rest of the outline.
+    pub length: Option<Quantity>,
     /// (rad) scene angle of the vehicle's forward axis, counter-clockwise.
     pub heading: Option<Quantity>,
     /// From the centre of gravity to the point where the impulse acts.
@@ -156,18 +164,20 @@ pub struct Outline {
 pub struct Crush {
     /// The damaged side.
     pub side: Side,
-    /// (m) of the whole damage; absent where the spacing gives it.
+    /// The vehicle could not be inspected: its crush follows from the force that the other vehicle's crush shows. It has no depths then.
+    pub from_force_balance: bool,
+    /// (m) of the whole damage; absent where the spacing gives it, or where it is not known of an inferred crush.
     pub width: Option<Quantity>,
-    /// (m) at two stations or more: left to right on front and rear, rear to front on the sides.
+    /// (m) at two stations or more: left to right on front and rear, rear to front on the sides. Empty where the crush is inferred.
     pub depths: Vec<Quantity>,
     /// (m) between neighbouring stations, one fewer than depths; equal spacing where absent.
     pub spacing: Option<Vec<Quantity>>,
     /// The stiffness of that side.
     pub stiffness: StiffnessForm,
-    /// (m) from the vehicle's axis to the middle of the damage.
+    /// (m) of the middle of the damage: left of the vehicle's axis on front and rear, forward of the CG on the sides.
     pub offset: Option<Quantity>,
-    /// (rad) principal direction of force, clockwise from the heading: replaces the derived one.
-    pub pdof: Option<Quantity>,
+    /// Principal direction of force, clockwise from the heading: replaces the derived one.
+    pub pdof: Option<Pdof>,
     /// (rad) between the force and the normal of the damaged side: replaces the derived one.
     pub oblique_angle: Option<Quantity>,
     /// (m) from the centre of gravity to the line of action: replaces the derived one.
@@ -176,10 +186,44 @@ pub struct Crush {
     pub oblique: Option<ObliqueCorrection>,
 }
 
-/// How a stiffness is given; both forms are the same straight line of force against crush.
+/// How a principal direction of force is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Pdof {
+    /// (rad) clockwise from the heading.
+    Angle(Quantity),
+    /// The hour of a clock, 1 to 12, on which the vehicle points to 12.
+    Clock(u8),
+}
+
+impl Pdof {
+    /// (rad) clockwise from the heading.
+    #[must_use]
+    pub fn rad(&self) -> f64 {
+        match self {
+            Self::Angle(angle) => angle.si(),
+            // 30° an hour
+            Self::Clock(hour) => f64::from(*hour) * PI / 6.0,
+        }
+    }
+}
+
+/// How the stiffness of a damaged side is given.
+#[derive(Clone, Debug, PartialEq)]
 pub enum StiffnessForm {
-    /// Keys `A`, `B`, `G`.
+    /// Its coefficients.
+    Line(StiffnessLine),
+    /// Key `category`: that of CRASH3's table for the damaged side, 1 to 5.
+    Category(u8),
+    /// Key `test`: fitted to a barrier test.
+    Test(BarrierTest),
+    /// Key `zones`: coefficients of their own for each interval between two stations.
+    Zones(Vec<StiffnessLine>),
+}
+
+/// Force per width as a straight line over crush; both forms are the same line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StiffnessLine {
+    /// Keys `A`, `B`, `G`, `limit`.
     Crush {
         /// (N/m) force per width at which crush begins.
         a: Quantity,
@@ -187,8 +231,10 @@ pub enum StiffnessForm {
         b: Quantity,
         /// (N) energy per width without crush; A²/2B where absent.
         g: Option<Quantity>,
+        /// (N/m) force per width beyond which the line is flat.
+        limit: Option<Quantity>,
     },
-    /// Keys `d0`, `d1`, `G`.
+    /// Keys `d0`, `d1`, `G`, `limit`.
     Root {
         /// (√N) A/√B.
         d0: Quantity,
@@ -196,7 +242,86 @@ pub enum StiffnessForm {
         d1: Quantity,
         /// (N) energy per width without crush; d₀²/2 where absent.
         g: Option<Quantity>,
+        /// (N/m) force per width beyond which the line is flat.
+        limit: Option<Quantity>,
     },
+}
+
+/// A full-width barrier test to which the stiffness is fitted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BarrierTest {
+    /// `mass` or `weight` of the tested car.
+    pub mass: Mass,
+    /// (m/s) against the barrier.
+    pub speed: Quantity,
+    /// (m) of the damage.
+    pub width: Quantity,
+    /// (m) residual crush at equally spaced stations.
+    pub depths: Vec<Quantity>,
+    /// (m/s) at which no crush would have remained.
+    pub no_damage_speed: Quantity,
+    /// How the line is put through the test.
+    pub fit: Fit,
+}
+
+/// How a stiffness is fitted to a barrier test.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Fit {
+    /// Gives the test's kinetic energy back.
+    #[default]
+    Exact,
+    /// Through the mean crush: the common shortcut, which over-predicts.
+    Mean,
+}
+
+impl StiffnessForm {
+    /// The stiffness of the damaged side, in SI units.
+    ///
+    /// # Errors
+    /// What no structure, no table and no test can have.
+    pub fn structure(&self, side: Side) -> Result<Structure, CrushError> {
+        match self {
+            Self::Line(line) => line.stiffness().map(Structure::Uniform),
+            Self::Category(category) => Stiffness::from_category(side, *category).map(Structure::Uniform),
+            Self::Test(test) => test.stiffness().map(Structure::Uniform),
+            Self::Zones(zones) => {
+                zones.iter().map(StiffnessLine::stiffness).collect::<Result<_, _>>().map(Structure::Zones)
+            }
+        }
+    }
+}
+
+impl StiffnessLine {
+    pub(crate) fn stiffness(&self) -> Result<Stiffness, CrushError> {
+        let (rising, limit) = match self {
+            Self::Crush { a, b, g: None, limit } => (Stiffness::from_ab(a.si(), b.si())?, limit),
+            Self::Crush { a, b, g: Some(g), limit } => (Stiffness::from_abg(a.si(), b.si(), g.si())?, limit),
+            Self::Root { d0, d1, g: None, limit } => (Stiffness::from_d0_d1(d0.si(), d1.si())?, limit),
+            Self::Root { d0, d1, g: Some(g), limit } => {
+                (Stiffness::from_d0_d1_g(d0.si(), d1.si(), g.si())?, limit)
+            }
+        };
+        limit.map_or(Ok(rising), |limit| rising.with_limit(limit.si()))
+    }
+
+    fn quantities(&self) -> impl Iterator<Item = Quantity> + use<> {
+        let (Self::Crush { a: first, b: second, g, limit } | Self::Root { d0: first, d1: second, g, limit }) =
+            *self;
+        [Some(first), Some(second), g, limit].into_iter().flatten()
+    }
+}
+
+impl BarrierTest {
+    pub(crate) fn stiffness(&self) -> Result<Stiffness, CrushError> {
+        let depths = self.depths.iter().map(Quantity::si).collect();
+        let profile = Profile::equally_spaced(depths, self.width.si())?;
+        let test =
+            crash3::BarrierTest::new(self.mass.kg(), self.speed.si(), profile, self.no_damage_speed.si())?;
+        match self.fit {
+            Fit::Exact => test.fit(),
+            Fit::Mean => test.fit_mean(),
+        }
+    }
 }
 
 /// How the two vehicles met.
@@ -352,8 +477,7 @@ impl Vehicle {
         let mut all = Vec::new();
         all.extend(self.mass.map(|(Mass::Mass(q) | Mass::Weight(q))| q));
         all.extend(self.yaw.map(|(YawInertia::Inertia(q) | YawInertia::Radius(q))| q));
-        all.extend(self.heading);
-        all.extend(self.yaw_rate);
+        all.extend([self.wheelbase, self.length, self.heading, self.yaw_rate].into_iter().flatten());
         match self.contact {
             Some(
                 ContactPoint::Polar { distance: first, angle: second }
@@ -382,10 +506,21 @@ impl Crush {
     fn quantities(&self) -> Vec<Quantity> {
         let mut all = self.depths.clone();
         all.extend(self.spacing.iter().flatten());
-        let (StiffnessForm::Crush { a: first, b: second, g }
-        | StiffnessForm::Root { d0: first, d1: second, g }) = self.stiffness;
-        all.extend([first, second]);
-        let optional = [g, self.width, self.offset, self.pdof, self.oblique_angle, self.moment_arm];
+        match &self.stiffness {
+            StiffnessForm::Line(line) => all.extend(line.quantities()),
+            StiffnessForm::Zones(zones) => all.extend(zones.iter().flat_map(StiffnessLine::quantities)),
+            StiffnessForm::Category(_) => {}
+            StiffnessForm::Test(test) => {
+                let (Mass::Mass(mass) | Mass::Weight(mass)) = test.mass;
+                all.extend([mass, test.speed, test.width, test.no_damage_speed]);
+                all.extend(&test.depths);
+            }
+        }
+        let pdof = match self.pdof {
+            Some(Pdof::Angle(angle)) => Some(angle),
+            Some(Pdof::Clock(_)) | None => None,
+        };
+        let optional = [self.width, self.offset, pdof, self.oblique_angle, self.moment_arm];
         all.extend(optional.into_iter().flatten());
         all
     }

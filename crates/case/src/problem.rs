@@ -1,5 +1,6 @@
 //! The problems a case file can have, each with its sentence and its remedy.
 
+use crash3::CrushError;
 use thiserror::Error;
 
 use crate::nearest::join;
@@ -136,6 +137,24 @@ pub enum Problem {
     /// A width that is not the sum of the spacing.
     #[error("\"{path}\" is {width}, but the spacing adds up to {sum}")]
     WidthMismatch { path: String, width: Quantity, sum: String },
+    /// As many stiffnesses as zones.
+    #[error("\"{path}\" gives the stiffness of {zones} of the {} zones between {stations} depths", stations - 1)]
+    ZoneCount { path: String, zones: usize, stations: usize },
+    /// Not an hour.
+    #[error("\"{path}\" is \"{text}\", but the hours of a clock are 1 to 12")]
+    NotAnHour { path: String, text: String },
+    /// An inferred crush with what only a measured one has.
+    #[error("{table} takes its crush from the force balance, and then has no {key}")]
+    InferredHas { table: String, key: &'static str },
+    /// Both crushes inferred from each other.
+    #[error("both vehicles take their crush from the force balance, so nothing was measured")]
+    BothInferred,
+    /// A crush inferred from one that is not there.
+    #[error("[{vehicle}.crush] takes its crush from the force balance, but [{other}] has no measured crush")]
+    NothingMeasured { vehicle: &'static str, other: &'static str },
+    /// What the engine refuses of a stiffness.
+    #[error("{error}")]
+    Stiffness { error: CrushError, remedy: &'static str },
     /// Something that a computation finds wrong with a well-formed case.
     #[error("{message}")]
     CrossCheck { message: String, help: Option<String> },
@@ -243,6 +262,24 @@ impl Problem {
                  the stations are equally spaced"
                     .to_owned()
             }
+            Self::ZoneCount { .. } => {
+                "a zone lies between two neighbouring stations, so there is one fewer than depths; in the order of the depths"
+                    .to_owned()
+            }
+            Self::NotAnHour { .. } => {
+                "write the full hour, as pdof = \"2 o'clock\": the vehicle points to 12, and 3 o'clock is from its right; or an angle"
+                    .to_owned()
+            }
+            Self::InferredHas { key, .. } => {
+                format!("remove {key} or, if the damage was measured, from_force_balance = true")
+            }
+            Self::BothInferred => {
+                "give width and depths of the vehicle that was inspected, and remove its from_force_balance".to_owned()
+            }
+            Self::NothingMeasured { other, .. } => {
+                format!("add [{other}.crush] with side, width, depths and stiffness")
+            }
+            Self::Stiffness { remedy, .. } => (*remedy).to_owned(),
             Self::WidthMismatch { .. } => {
                 "the two may differ by 0.1 %; correct one of them, or leave the width out".to_owned()
             }

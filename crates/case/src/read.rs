@@ -108,7 +108,27 @@ impl<'t> Reader<'t> {
                 self.report_path("reconstruct.find", Problem::FindsFixed { vehicle: name, other });
             }
         }
+        self.evidence(&vehicles);
         Some(Case { title, source, vehicles, impact: optional(impact)?, reconstruct: optional(reconstruct)? })
+    }
+
+    /// A crush that is inferred needs one that was measured.
+    fn evidence(&mut self, vehicles: &[Vehicle; 2]) {
+        let inferred = vehicles.each_ref().map(|v| v.crush.as_ref().is_some_and(|c| c.from_force_balance));
+        let problem = |i: usize| {
+            let names = ["vehicle1", "vehicle2"];
+            Problem::NothingMeasured { vehicle: names[i], other: names[1 - i] }
+        };
+        match inferred {
+            [true, true] => self.report_path("vehicle2.crush.from_force_balance", Problem::BothInferred),
+            [true, false] if vehicles[1].crush.is_none() => {
+                self.report_path("vehicle1.crush.from_force_balance", problem(0));
+            }
+            [false, true] if vehicles[0].crush.is_none() => {
+                self.report_path("vehicle2.crush.from_force_balance", problem(1));
+            }
+            _ => {}
+        }
     }
 
     fn reconstruct(&mut self, table: &Table<'t>) -> Option<Reconstruct> {

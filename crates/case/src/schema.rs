@@ -39,6 +39,8 @@ pub(crate) static VEHICLE: Schema = Schema {
         key("weight", "weight = \"3696 lb\""),
         key("yaw_inertia", "yaw_inertia = \"2437 lb ft s^2\""),
         key("yaw_radius", "yaw_radius = \"1.40 m\""),
+        key("class", "class = 3"),
+        key("wheelbase", "wheelbase = \"2.62 m\""),
         key("heading", "heading = \"180 deg\""),
         key("speed", "speed = \"10 mph\""),
         key("velocity", "velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }"),
@@ -58,6 +60,7 @@ pub(crate) static CRUSH: Schema = Schema {
         key("width", "width = \"65 in\""),
         key("depths", "depths = \"21.3 20.3 13.8 11.3 5.3 4.8 in\""),
         key("spacing", "spacing = \"13 13 13 13 13 in\""),
+        key("from_force_balance", "from_force_balance = true"),
         key("stiffness", "stiffness = { d0 = \"35 lb^0.5\", d1 = \"115 lb^0.5/ft\" }"),
         key("offset", "offset = \"12 in\""),
         key("pdof", "pdof = \"2.7 deg\""),
@@ -171,8 +174,46 @@ pub(crate) static STIFFNESS: Schema = Schema {
         key("d0", "d0 = \"35 lb^0.5\""),
         key("d1", "d1 = \"115 lb^0.5/ft\""),
         key("G", "G = \"612 lb\""),
+        key("limit", "limit = \"250 kN/m\""),
+        key("category", "category = 4"),
+        key(
+            "test",
+            "test = { mass = \"1500 kg\", speed = \"56 km/h\", width = \"1.6 m\", depths = \"42 50 54 54 50 42 cm\", no_damage_speed = \"8 km/h\" }",
+        ),
+        key(
+            "zones",
+            "zones = [{ A = \"587 N/cm\", B = \"63.3 N/cm^2\" }, { A = \"400 N/cm\", B = \"50 N/cm^2\" }]",
+        ),
     ],
 };
+
+pub(crate) static ZONE: Schema = Schema {
+    place: "zones = [{ … }] of a stiffness",
+    keys: &[
+        key("A", "A = \"587 N/cm\""),
+        key("B", "B = \"63.3 N/cm^2\""),
+        key("d0", "d0 = \"35 lb^0.5\""),
+        key("d1", "d1 = \"115 lb^0.5/ft\""),
+        key("G", "G = \"612 lb\""),
+        key("limit", "limit = \"250 kN/m\""),
+    ],
+};
+
+pub(crate) static TEST: Schema = Schema {
+    place: "test = { … } of a stiffness",
+    keys: &[
+        key("mass", "mass = \"1500 kg\""),
+        key("weight", "weight = \"3300 lb\""),
+        key("speed", "speed = \"56 km/h\""),
+        key("width", "width = \"1.6 m\""),
+        key("depths", "depths = \"42 50 54 54 50 42 cm\""),
+        key("no_damage_speed", "no_damage_speed = \"8 km/h\""),
+        key("fit", "fit = \"exact\""),
+    ],
+};
+
+pub(crate) static OBLIQUE: Schema =
+    Schema { place: "oblique = { … } of a crush table", keys: &[key("friction", "friction = 0.5")] };
 
 pub(crate) static TANGENTIAL: Schema = Schema {
     place: "tangential = { … } of [impact]",

@@ -11,8 +11,9 @@ use std::fs;
 use std::path::Path;
 
 use case::{
-    Case, CaseFile, Collision, ContactPoint, Crush, Dimension, Impact, ImpactLaw, Mass, Outline, Problem,
-    Quantity, Reconstruct, Restitution, StiffnessForm, Unit, UnitSystem, Vehicle, Velocity, YawInertia,
+    BarrierTest, Case, CaseFile, Collision, ContactPoint, Crush, Dimension, Evidence, Fit, Impact, ImpactLaw,
+    Mass, Outline, Pdof, Problem, Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Unit,
+    UnitSystem, Vehicle, Velocity, YawInertia,
 };
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
@@ -72,7 +73,8 @@ fn the_papers_example_is_read() {
     }
     // "A = 587.4 N/cm, B = 63.3 N/cm²; A = 339.3 N/cm, B = 28.8 N/cm²" beside d_0 and d_1: A = d_0 d_1, B = d_1².
     for (crush, [a, b]) in crush.iter().zip([[587.4e2, 63.3e4], [339.3e2, 28.8e4]]) {
-        let StiffnessForm::Root { d0, d1, g: None } = crush.stiffness else {
+        let StiffnessForm::Line(StiffnessLine::Root { d0, d1, g: None, limit: None }) = crush.stiffness
+        else {
             panic!("{:?}", crush.stiffness)
         };
         assert!((d0.si() * d1.si() / a - 1.0).abs() < 2e-3, "A {} against {a}", d0.si() * d1.si());
@@ -140,6 +142,9 @@ fn the_other_forms_are_read() {
         fixed: false,
         mass: Some(Mass::Mass(quantity("1500 kg", Dimension::Mass))),
         yaw: Some(YawInertia::Radius(length("1.4 m"))),
+        class: None,
+        wheelbase: None,
+        length: None,
         heading: Some(angle("0 rad")),
         contact: Some(ContactPoint::Cartesian { x: length("1.78 m"), y: length("-0.73 m") }),
         motion: Some(Velocity::Vector { x: speed("-20 m/s"), y: speed("1.5 m/s") }),
@@ -151,16 +156,18 @@ fn the_other_forms_are_read() {
         }),
         crush: Some(Crush {
             side: Side::Left,
+            from_force_balance: false,
             width: None,
             depths: vec![length("0 cm"), length("100 mm"), length("0.1 m")],
             spacing: Some(vec![length("10 cm"), length("0.2 m")]),
-            stiffness: StiffnessForm::Crush {
+            stiffness: StiffnessForm::Line(StiffnessLine::Crush {
                 a: quantity("587 N/cm", Dimension::StiffnessA),
                 b: quantity("0 N/cm^2", Dimension::StiffnessB),
                 g: Some(quantity("2.5 kN", Dimension::StiffnessG)),
-            },
+                limit: None,
+            }),
             offset: Some(length("-30 cm")),
-            pdof: Some(angle("-90 deg")),
+            pdof: Some(Pdof::Angle(angle("-90 deg"))),
             oblique_angle: Some(angle("-20 deg")),
             moment_arm: Some(length("0 m")),
             oblique: Some(ObliqueCorrection::None),
@@ -423,7 +430,8 @@ fn the_fixtures_of_the_laws_can_be_reconstructed() {
         let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
         let crush = vehicles.map(|vehicle| {
             let damage = vehicle.damage.unwrap();
-            crash3::crush_energy(&damage.profile, &damage.stiffness)
+            let Evidence::Measured { profile, structure } = damage.evidence else { panic!("{name}") };
+            structure.crush_energy(&profile).unwrap()
         });
         let energy: f64 = crush.iter().sum();
         let problem =
@@ -793,24 +801,68 @@ fn words() -> impl Strategy<Value = String> {
     .prop_filter("a text is not empty", |text: &String| !text.trim().is_empty())
 }
 
-fn any_stiffness() -> impl Strategy<Value = StiffnessForm> {
+fn any_line() -> impl Strategy<Value = StiffnessLine> {
     use Signs::{NotNegative, Positive};
     let a = || any_quantity(Dimension::StiffnessA, NotNegative);
     let g = || any_quantity(Dimension::StiffnessG, NotNegative);
+    let limit = || option::of(a());
     prop_oneof![
-        (a(), any_quantity(Dimension::StiffnessB, Positive), option::of(g()))
-            .prop_map(|(a, b, g)| StiffnessForm::Crush { a, b, g }),
-        (a(), unit_of(Dimension::StiffnessB), g()).prop_map(|(a, unit, g)| StiffnessForm::Crush {
+        (a(), any_quantity(Dimension::StiffnessB, Positive), option::of(g()), limit())
+            .prop_map(|(a, b, g, limit)| StiffnessLine::Crush { a, b, g, limit }),
+        (a(), unit_of(Dimension::StiffnessB), g()).prop_map(|(a, unit, g)| StiffnessLine::Crush {
             a,
             b: Quantity::new(0.0, unit).unwrap(),
-            g: Some(g)
+            g: Some(g),
+            limit: None
         }),
         (
             any_quantity(Dimension::RootForce, NotNegative),
             any_quantity(Dimension::RootForcePerLength, Positive),
-            option::of(g())
+            option::of(g()),
+            limit()
         )
-            .prop_map(|(d0, d1, g)| StiffnessForm::Root { d0, d1, g }),
+            .prop_map(|(d0, d1, g, limit)| StiffnessLine::Root { d0, d1, g, limit }),
+    ]
+    .prop_filter("a limit is not below A", |line| {
+        let (a, limit) = match line {
+            StiffnessLine::Crush { a, limit, .. } => (a.si(), limit),
+            StiffnessLine::Root { d0, d1, limit, .. } => (d0.si() * d1.si(), limit),
+        };
+        limit.is_none_or(|limit| limit.si() >= a)
+    })
+}
+
+fn any_test() -> impl Strategy<Value = BarrierTest> {
+    let parse = |text: String, dimension| Quantity::parse(&text, dimension).unwrap();
+    let mass = prop_oneof![
+        (500..5000_u32).prop_map(move |kg| Mass::Mass(parse(format!("{kg} kg"), Dimension::Mass))),
+        (5..50_u32).prop_map(move |kn| Mass::Weight(parse(format!("{kn} kN"), Dimension::Weight))),
+    ];
+    let fit = select(vec![Fit::Exact, Fit::Mean]);
+    (mass, 20..90_u32, 100..200_u32, vec(1..90_u32, 2..8), 0..19_u32, fit).prop_map(
+        move |(mass, speed, width, depths, no_damage, fit)| BarrierTest {
+            mass,
+            speed: parse(format!("{speed} km/h"), Dimension::Speed),
+            width: parse(format!("{width} cm"), Dimension::Length),
+            depths: depths.iter().map(|cm| parse(format!("{cm} cm"), Dimension::Length)).collect(),
+            no_damage_speed: parse(format!("{no_damage} km/h"), Dimension::Speed),
+            fit,
+        },
+    )
+}
+
+/// With as many zones as the profile has, if it has any.
+fn any_stiffness(zones: usize) -> impl Strategy<Value = StiffnessForm> {
+    let zones = if zones == 0 {
+        any_line().prop_map(StiffnessForm::Line).boxed()
+    } else {
+        vec(any_line(), zones).prop_map(StiffnessForm::Zones).boxed()
+    };
+    prop_oneof![
+        4 => any_line().prop_map(StiffnessForm::Line),
+        1 => (1..=5_u8).prop_map(StiffnessForm::Category),
+        1 => any_test().prop_map(StiffnessForm::Test),
+        1 => zones,
     ]
 }
 
@@ -849,17 +901,33 @@ fn any_crush() -> impl Strategy<Value = Crush> {
         ObliqueCorrection::Capped,
         ObliqueCorrection::Uncapped,
         ObliqueCorrection::None,
+        ObliqueCorrection::Secant,
+        ObliqueCorrection::Friction(0.55),
     ]));
     let degree = Dimension::Angle.unit("deg").unwrap();
     let acute = (-89.99..89.99_f64).prop_map(move |number| Quantity::new(number, degree).unwrap());
-    let angle = any_quantity(Dimension::Angle, Signs::Any);
+    let angle = prop_oneof![
+        3 => any_quantity(Dimension::Angle, Signs::Any).prop_map(Pdof::Angle),
+        1 => (1..=12_u8).prop_map(Pdof::Clock),
+    ];
     let offset = any_quantity(Dimension::Length, Signs::Any);
     let arm = any_quantity(Dimension::Length, Signs::NotNegative);
     let optional = (option::of(offset), option::of(angle), option::of(acute), option::of(arm));
-    (side, any_profile(), any_stiffness(), optional, oblique).prop_map(
-        |(side, (width, depths, spacing), stiffness, (offset, pdof, oblique_angle, moment_arm), oblique)| {
+    let profile_and_stiffness = (any_profile(), any::<bool>()).prop_flat_map(|(profile, inferred)| {
+        let zones = if inferred { 0 } else { profile.1.len() - 1 };
+        let profile = if inferred { (profile.0, Vec::new(), None) } else { profile };
+        (Just(profile), any_stiffness(zones))
+    });
+    (side, profile_and_stiffness, optional, oblique).prop_map(
+        |(
+            side,
+            ((width, depths, spacing), stiffness),
+            (offset, pdof, oblique_angle, moment_arm),
+            oblique,
+        )| {
             Crush {
                 side,
+                from_force_balance: depths.is_empty(),
                 width,
                 depths,
                 spacing,
@@ -897,6 +965,7 @@ fn any_vehicle() -> impl Strategy<Value = Vehicle> {
     ];
     let outline = (length(Positive), length(Positive), length(Positive))
         .prop_map(|(length, width, cg_to_front)| Outline { length, width, cg_to_front });
+    let typical = (option::of(1..=6_u8), option::of(length(Positive)), option::of(length(Positive)));
     let of_both = (option::of(words()), option::of(angle()), option::of(contact), option::of(outline));
     let yaw_rate = any_quantity(Dimension::YawRate, Any);
     let of_vehicles = (
@@ -906,12 +975,19 @@ fn any_vehicle() -> impl Strategy<Value = Vehicle> {
         option::of(yaw_rate),
         option::of(any_crush()),
     );
-    (of_both, of_vehicles).prop_map(
-        |((name, heading, contact, outline), (mass, yaw, motion, yaw_rate, crush))| Vehicle {
+    (of_both, of_vehicles, typical).prop_map(
+        |(
+            (name, heading, contact, outline),
+            (mass, yaw, motion, yaw_rate, crush),
+            (class, wheelbase, length),
+        )| Vehicle {
             name,
             fixed: false,
             mass,
             yaw,
+            class,
+            wheelbase,
+            length: length.filter(|_| wheelbase.is_some() && outline.is_none()),
             heading,
             contact,
             motion,
@@ -984,6 +1060,13 @@ fn any_case() -> impl Strategy<Value = Case> {
                     Vehicle { name, fixed: true, heading, contact, outline, ..Vehicle::default() };
                 let moving = [Unknown::Speed2, Unknown::Speed1][index];
                 reconstruct = reconstruct.map(|wanted| Reconstruct { find: moving, ..wanted });
+            }
+            // A crush can be inferred only from one that was measured.
+            for (i, other) in [(0, 1), (1, 0)] {
+                let measured = |v: &Vehicle| v.crush.as_ref().is_some_and(|crush| !crush.from_force_balance);
+                if !measured(&vehicles[i]) && !measured(&vehicles[other]) {
+                    vehicles[i].crush = None;
+                }
             }
             Case { title, source, vehicles, impact, reconstruct }
         },

@@ -377,7 +377,7 @@ fn a_comparison_has_the_answer_of_each_law() {
     let own = json("reconstruct", PAPER);
     assert_eq!(rows[0]["law"], "Brach, common tangential velocity");
     assert_eq!(rows[0]["found"], own["found"]["value"]);
-    assert_eq!(rows.len(), 10);
+    assert_eq!(rows.len(), 12);
     // A row is what a case of its own says.
     let woolley = law("woolley");
     assert_row(row("Woolley"), &woolley);
@@ -450,6 +450,11 @@ fn leaves(document: &Value) -> BTreeMap<String, Value> {
             }
             // The sentences name vehicles and round numbers.
             Value::Array(_) if path == "/warnings" => {}
+            Value::Array(elements) if elements.iter().any(Value::is_object) => {
+                for (i, element) in elements.iter().enumerate() {
+                    collect(&format!("{path}/{i}"), element, into);
+                }
+            }
             other => {
                 into.insert(path.to_owned(), other.clone());
             }
@@ -555,6 +560,10 @@ fn the_labels_do_not_matter() {
                 let [first, second] = pair(&value);
                 [second, first].to_vec().into()
             }
+            path if path.starts_with("/crash3/corrections") && value.is_array() => {
+                let [first, second] = pair(&value);
+                [second, first].to_vec().into()
+            }
             _ => value,
         };
         (swap(&path), value)
@@ -569,7 +578,11 @@ fn the_units_do_not_matter() {
     const INCH: f64 = 0.0254;
     const POUND: f64 = 0.453_592_37;
     const POUND_FORCE: f64 = POUND * 9.80665;
-    let expected = leaves(&json("reconstruct", PAPER));
+    let mut expected = leaves(&json("reconstruct", PAPER));
+    // The other case gives the stiffness in its other form, and the report says in which.
+    for vehicle in ["/vehicle1", "/vehicle2"] {
+        expected.insert(format!("{vehicle}/stiffness_source"), Value::from("A and B as given"));
+    }
     let case = [
         ("weight      = \"3696 lb\"", format!("mass = \"{} kg\"", 3696.0 * POUND)),
         ("weight      = \"3413 lb\"", format!("mass = \"{} kg\"", 3413.0 * POUND)),

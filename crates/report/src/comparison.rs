@@ -1,6 +1,6 @@
 //! The answers of several laws side by side, as text and as JSON.
 
-use analysis::{Analysis, Comparison, Crash3Row};
+use analysis::{Analysis, Comparison, Correction};
 use case::Case;
 use crash3::ObliqueCorrection;
 use pim_core::Regime;
@@ -71,7 +71,8 @@ fn rows(case: &Case, comparison: &Comparison, units: Units) -> Vec<Row> {
         let coefficients = law::coefficients(&row.law, units);
         Row { law: law::name(&row.law), coefficients, assumed: row.assumed, values, error, ..Row::default() }
     });
-    let mut rows: Vec<Row> = laws.chain(comparison.crash3.iter().map(crash3_row)).collect();
+    let corrections = comparison.own.crash3.iter().flat_map(|crash3| &crash3.corrections);
+    let mut rows: Vec<Row> = laws.chain(corrections.map(crash3_row)).collect();
     for row in &mut rows {
         row.found_difference = row.values.found.zip(own.values.found).map(|(found, own)| found - own);
         row.delta_v_difference =
@@ -107,15 +108,18 @@ pub(crate) fn regime_name(regime: Regime) -> &'static str {
     }
 }
 
-fn crash3_row(row: &Crash3Row) -> Row {
+fn crash3_row(row: &Correction) -> Row {
     let law = match row.correction {
         ObliqueCorrection::None => "CRASH3, uncorrected",
         ObliqueCorrection::Capped => "CRASH3, corrected",
         ObliqueCorrection::Uncapped => "CRASH3, corrected, no cap",
+        ObliqueCorrection::Friction(_) => "CRASH3, friction-limited",
+        ObliqueCorrection::Secant => "CRASH3, 1/cos α",
     };
     let values =
         Values { delta_v: Some(row.delta_v), energy_loss: Some(row.crush_energy), ..Values::default() };
-    Row { law, coefficients: "common normal velocity".to_owned(), values, ..Row::default() }
+    let coefficients = format!("common normal velocity; energy times {}", law::correction(row.correction));
+    Row { law, coefficients, values, ..Row::default() }
 }
 
 /// The comparison as indented JSON, ending in a line break: `{"title": …, "rows": [{"law": …, "found": …, "delta_v": […], …}]}`. The

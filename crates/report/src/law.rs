@@ -1,6 +1,7 @@
 //! Impact laws and their coefficients in words.
 
 use case::{ImpactLaw, Restitution};
+use crash3::ObliqueCorrection;
 use pim_core::Tangential;
 
 use crate::units::{Quantity, Units};
@@ -60,5 +61,27 @@ fn restitution(restitution: &Restitution, units: Units) -> String {
                 .collect();
             points.join(", ")
         }
+    }
+}
+
+/// The correction's name in the case file.
+pub(crate) fn correction_name(correction: ObliqueCorrection) -> &'static str {
+    match correction {
+        ObliqueCorrection::None => "none",
+        ObliqueCorrection::Capped => "capped",
+        ObliqueCorrection::Uncapped => "uncapped",
+        ObliqueCorrection::Friction(_) => "friction",
+        ObliqueCorrection::Secant => "secant",
+    }
+}
+
+/// Its factor on the crush energy of an oblique force.
+pub(crate) fn correction(correction: ObliqueCorrection) -> String {
+    match correction {
+        ObliqueCorrection::None => "1".to_owned(),
+        ObliqueCorrection::Capped => "1 + tan²α ≤ 2".to_owned(),
+        ObliqueCorrection::Uncapped => "1 + tan²α".to_owned(),
+        ObliqueCorrection::Friction(mu) => format!("1 + min(tan α, {mu}) tan α"),
+        ObliqueCorrection::Secant => "1/cos α".to_owned(),
     }
 }

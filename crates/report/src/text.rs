@@ -1,8 +1,8 @@
 //! A finished analysis as text for the terminal and the file.
 
 use analysis::{Analysis, Crash3, Damage, Found, Impact};
-use case::{Case, Velocity};
-use crash3::EnergyBasis;
+use case::{Case, Pdof, Velocity, YawSource};
+use crash3::{EnergyBasis, Stiffness, Structure};
 use pim_core::{Outcome, Regime};
 
 use crate::law;
@@ -141,6 +141,15 @@ impl Page {
             known(&|i| inertia(i).map(|v| units.format(Quantity::YawInertia, v.yaw_inertia))),
             "",
         );
+        self.pair(
+            "yaw inertia from",
+            known(&|i| match inertia(i).map(|v| v.yaw_source) {
+                Some(YawSource::Class(class)) => Some(format!("CRASH3's class {class}")),
+                Some(YawSource::Burg) => Some("Burg's estimate".to_owned()),
+                Some(YawSource::Given) | None => None,
+            }),
+            "",
+        );
         let angle = |q: &case::Quantity| units.format(Quantity::Angle, q.si());
         self.pair("heading θ", known(&|i| vehicles[i].heading.as_ref().map(angle)), "");
         self.pair(
@@ -185,7 +194,6 @@ impl Page {
             }),
             "",
         );
-        let stiffness = |i: usize| damage(i).map(|(_, damage)| damage.stiffness);
         let crush = |i: usize| vehicles[i].crush.as_ref();
         let crush_length = |q: case::Quantity| units.format(Quantity::Crush, q.si());
         self.pair(
@@ -193,7 +201,16 @@ impl Page {
             known(&|i| crush(i).and_then(|crush| crush.offset).map(crush_length)),
             "",
         );
-        self.pair("PDOF as given", known(&|i| crush(i).and_then(|crush| crush.pdof).map(|q| angle(&q))), "");
+        self.pair(
+            "PDOF as given",
+            known(&|i| {
+                crush(i).and_then(|crush| crush.pdof).map(|pdof| match pdof {
+                    Pdof::Angle(given) => angle(&given),
+                    Pdof::Clock(hour) => format!("{hour} o'clock"),
+                })
+            }),
+            "",
+        );
         self.pair(
             "angle α as given",
             known(&|i| crush(i).and_then(|crush| crush.oblique_angle).map(|q| angle(&q))),
@@ -206,41 +223,19 @@ impl Page {
             }),
             "",
         );
+        let dimensions = |i: usize| analysis.vehicles[i].subject.dimensions;
+        let length = |si: f64| units.format(Quantity::Length, si);
         self.pair(
             "outline, length by width",
-            known(&|i| {
-                vehicles[i].outline.map(|outline| {
-                    let [length, width] =
-                        [outline.length, outline.width].map(|q| units.format(Quantity::Length, q.si()));
-                    format!("{length} by {width}")
-                })
-            }),
+            known(&|i| dimensions(i).map(|d| format!("{} by {}", length(d.length), length(d.width)))),
             "",
         );
-        self.pair(
-            "CG to the front",
-            known(&|i| {
-                vehicles[i].outline.map(|outline| units.format(Quantity::Length, outline.cg_to_front.si()))
-            }),
-            "",
-        );
-        self.pair(
-            "stiffness A",
-            known(&|i| stiffness(i).map(|s| units.format(Quantity::StiffnessA, s.a()))),
-            "",
-        );
-        self.pair(
-            "stiffness B",
-            known(&|i| stiffness(i).map(|s| units.format(Quantity::StiffnessB, s.b()))),
-            "",
-        );
-        self.pair(
-            "stiffness G",
-            known(&|i| stiffness(i).map(|s| units.format(Quantity::StiffnessG, s.g()))),
-            "",
-        );
+        self.pair("CG to the front", known(&|i| dimensions(i).map(|d| length(d.cg_to_front))), "");
+        self.stiffness(analysis);
         for (i, vehicle) in analysis.vehicles.iter().enumerate() {
-            if let Some(damage) = &vehicle.damage {
+            if let Some(damage) = &vehicle.damage
+                && damage.inferred.is_none()
+            {
                 let depths = units.format_all(Quantity::Crush, &damage.depths);
                 self.wide(&format!("crush depths, vehicle {}", i + 1), &depths, "");
             }
@@ -249,6 +244,46 @@ impl Page {
             self.wide("crush plane Γ", &angle(&impact.crush_plane), "");
             self.wide("impact law", law::name(&impact.law), "");
             self.wide("coefficients", &law::coefficients(&impact.law, units), "");
+        }
+    }
+
+    /// Coefficients in one row where they are the same all along the side, else in one row for each vehicle and coefficient.
+    fn stiffness(&mut self, analysis: &Analysis) {
+        let units = self.units;
+        let damage = [0, 1].map(|i| analysis.vehicles[i].damage.as_ref());
+        let source = [0, 1].map(|i| {
+            analysis.vehicles[i]
+                .subject
+                .damage
+                .as_ref()
+                .map(|d| crate::stiffness_source(d.stiffness_source, d.side))
+        });
+        self.pair("stiffness from", source, "");
+        type Coefficient = (&'static str, Quantity, fn(&Stiffness) -> Option<f64>);
+        let coefficients: [Coefficient; 4] = [
+            ("stiffness A", Quantity::StiffnessA, |s| Some(s.a())),
+            ("stiffness B", Quantity::StiffnessB, |s| Some(s.b())),
+            ("stiffness G", Quantity::StiffnessG, |s| Some(s.g())),
+            ("limit of the force per width", Quantity::StiffnessA, Stiffness::limit),
+        ];
+        for (label, quantity, of) in coefficients {
+            let uniform = damage.map(|damage| match damage.map(|damage| &damage.structure) {
+                Some(Structure::Uniform(stiffness)) => of(stiffness).map(|si| units.format(quantity, si)),
+                Some(Structure::Zones(_)) | None => None,
+            });
+            self.pair(label, uniform, "");
+        }
+        for (i, damage) in damage.into_iter().enumerate() {
+            let Some(Structure::Zones(zones)) = damage.map(|damage| &damage.structure) else { continue };
+            for (label, quantity, of) in coefficients {
+                if zones.iter().any(|zone| of(zone).is_some()) {
+                    let values: Vec<String> = zones
+                        .iter()
+                        .map(|zone| of(zone).map_or_else(|| "–".to_owned(), |si| units.format(quantity, si)))
+                        .collect();
+                    self.paragraph(&format!("{label} by zone, vehicle {}: {}", i + 1, values.join(", ")));
+                }
+            }
         }
     }
 
@@ -342,7 +377,21 @@ impl Page {
         self.heading("Damage", ["vehicle 1", "vehicle 2", "source"]);
         let each = |f: &dyn Fn(&Damage) -> Option<String>| damage.map(|damage| damage.and_then(f));
         let energy = |si: f64| units.format(Quantity::Energy, si);
+        if damage.iter().flatten().any(|damage| damage.inferred.is_some()) {
+            let evidence =
+                |d: &Damage| if d.inferred.is_some() { "inferred from the force" } else { "measured" };
+            self.pair("the crush was", each(&|d| Some(evidence(d).to_owned())), "theory 5");
+            let bounds = |d: &Damage| {
+                let range = d.inferred?.range?;
+                Some(format!("{} to {}", energy(range.lowest.energy), energy(range.highest.energy)))
+            };
+            self.pair("crush energy, bounds", each(&bounds), "theory 5");
+        }
         self.pair("crush energy E", each(&|d| Some(energy(d.crush_energy))), "Eq 5");
+        if analysis.impact.is_none() {
+            let pdof = |d: &Damage| d.pdof.map(|pdof| units.format(Quantity::Angle, pdof));
+            self.pair("PDOF, clockwise from heading", each(&pdof), "theory 5");
+        }
         self.pair("energy equivalent speed", each(&|d| Some(both_speeds(units, d.ees))), "theory 5");
         self.pair(
             "angle to the normal α",
@@ -399,6 +448,15 @@ impl Page {
                     "theory 5",
                 );
             }
+        }
+        self.heading(
+            "CRASH3 by oblique correction",
+            ["ΔV 1, without restitution", "ΔV 2, without restitution", "source"],
+        );
+        for row in &crash3.corrections {
+            let factor = law::correction(row.correction);
+            let label = format!("{:<9}{factor}", law::correction_name(row.correction));
+            self.pair(&label, pair(row.delta_v.map(speed)), "theory 5");
         }
     }
 

@@ -129,6 +129,39 @@ impl<'t> Reader<'t> {
         None
     }
 
+    /// A list of tables; `forms` is what the value may look like.
+    pub(super) fn tables(
+        &mut self,
+        parent: &Table<'t>,
+        key: &'static str,
+        schema: &'static Schema,
+        forms: &'static str,
+    ) -> Option<Vec<Table<'t>>> {
+        let value = parent.get(key)?;
+        let path = parent.path_of(key);
+        let wrong = |path: String, found: &DeValue<'_>, wanted: &'static str| Problem::WrongType {
+            path,
+            found: kind(found),
+            wanted,
+            example: forms,
+        };
+        let Some(array) = value.get_ref().as_array() else {
+            self.report(value.span(), wrong(path, value.get_ref(), "a list of tables in braces"));
+            return None;
+        };
+        let mut tables = Vec::new();
+        for (index, element) in array.iter().enumerate() {
+            let path = format!("{path}[{}]", index + 1);
+            if let Some(entries) = element.get_ref().as_table() {
+                self.spans.insert(path.clone(), element.span());
+                tables.push(self.open(path, entries, schema));
+            } else {
+                self.report(element.span(), wrong(path, element.get_ref(), "a table in braces"));
+            }
+        }
+        (tables.len() == array.len()).then_some(tables)
+    }
+
     fn open(&mut self, path: String, entries: &'t DeTable<'t>, schema: &'static Schema) -> Table<'t> {
         let mut table = Table { path, schema, entries, meant: Vec::new() };
         for (key, value) in entries {

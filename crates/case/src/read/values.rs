@@ -279,6 +279,18 @@ impl<'t> Reader<'t> {
         read.into_iter().collect()
     }
 
+    /// A whole number from 1 to `last`; `range` says so in words.
+    pub(super) fn counted(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        range: &'static str,
+        last: u8,
+    ) -> Option<u8> {
+        let of = |number: f64| (1..=last).find(|&whole| f64::from(whole) == number);
+        self.number(table, key, range, |number| of(number).is_some()).and_then(of)
+    }
+
     /// A text that is not empty.
     pub(super) fn text(&mut self, table: &Table<'t>, key: &'static str) -> Option<String> {
         let value = table.get(key)?;
