@@ -1,96 +1,9 @@
-//! The equations carry derivatives: a number of our own in place of `f64`.
-
-use std::cmp::Ordering;
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+//! The equations carry derivatives: [`Dual`] in place of `f64`.
 
 use crash3::{EnergyBasis, Inertia, Profile, Stiffness, crush_energy, delta_v};
 use pim_core::{Body, Contact, Law, Motion, Participant, Real, Tangential};
+use real::Dual;
 use reconcile::{Problem, Unknown};
-
-use crate::compare::assert_relative;
-
-/// A value and its derivative with respect to one input.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Dual(f64, f64);
-
-impl PartialOrd for Dual {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        self.0.partial_cmp(&other.0)
-    }
-}
-
-impl From<f64> for Dual {
-    fn from(value: f64) -> Self {
-        Self(value, 0.0)
-    }
-}
-
-impl Neg for Dual {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self(-self.0, -self.1)
-    }
-}
-
-/// (x, y) → its value and derivative, for a number and an `f64` on the right.
-macro_rules! operator {
-    ($Op:ident $op:ident $Assign:ident $assign:ident: |$x:ident, $y:ident| $value:expr, $derivative:expr) => {
-        impl $Op for Dual {
-            type Output = Self;
-            fn $op(self, other: Self) -> Self {
-                let ($x, $y) = (self, other);
-                Self($value, $derivative)
-            }
-        }
-        impl $Op<f64> for Dual {
-            type Output = Self;
-            fn $op(self, other: f64) -> Self {
-                self.$op(Self::from(other))
-            }
-        }
-        impl $Assign for Dual {
-            fn $assign(&mut self, other: Self) {
-                *self = self.$op(other);
-            }
-        }
-    };
-}
-
-operator!(Add add AddAssign add_assign: |x, y| x.0 + y.0, x.1 + y.1);
-operator!(Sub sub SubAssign sub_assign: |x, y| x.0 - y.0, x.1 - y.1);
-operator!(Mul mul MulAssign mul_assign: |x, y| x.0 * y.0, x.1 * y.0 + x.0 * y.1);
-operator!(Div div DivAssign div_assign: |x, y| x.0 / y.0, (x.1 * y.0 - x.0 * y.1) / (y.0 * y.0));
-
-impl Real for Dual {
-    const ZERO: Self = Self(0.0, 0.0);
-    const ONE: Self = Self(1.0, 0.0);
-
-    fn value(self) -> f64 {
-        self.0
-    }
-    fn sqrt(self) -> Self {
-        Self(Real::sqrt(self.0), 0.5 * self.1 / Real::sqrt(self.0))
-    }
-    fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = Real::sin_cos(self.0);
-        (Self(sin, cos * self.1), Self(cos, -sin * self.1))
-    }
-    fn atan2(self, x: Self) -> Self {
-        Self(Real::atan2(self.0, x.0), (self.1 * x.0 - self.0 * x.1) / (self.0 * self.0 + x.0 * x.0))
-    }
-    fn abs(self) -> Self {
-        if self.0 < 0.0 { -self } else { self }
-    }
-    fn min(self, other: Self) -> Self {
-        if self.0 <= other.0 { self } else { other }
-    }
-    fn max(self, other: Self) -> Self {
-        if self.0 >= other.0 { self } else { other }
-    }
-    fn is_finite(self) -> bool {
-        self.0.is_finite() && self.1.is_finite()
-    }
-}
 
 /// What the derivatives are taken by: restitution, mass of vehicle 1, crush plane, heading of vehicle 2, stiffness B.
 const INPUTS: [f64; 5] = [0.3, 1676.5, -0.4014, 1.1694, 633e3];
@@ -146,7 +59,7 @@ fn derivatives_are_differences_in_the_limit() {
         let scales: Vec<f64> = scales.collect();
         for input in 0..INPUTS.len() {
             let mut duals = INPUTS.map(Dual::from);
-            duals[input].1 = 1.0;
+            duals[input].derivative = 1.0;
             let duals = chain(duals, dual_law, basis);
 
             let step = INPUTS[input] * 1e-4;
@@ -158,29 +71,17 @@ fn derivatives_are_differences_in_the_limit() {
             // Central differences at one and two steps, combined so that their error is of fourth order.
             let [low2, low, high, high2] = [-2.0, -1.0, 1.0, 2.0].map(shifted);
             for i in 0..values.len() {
-                assert_eq!(duals[i].0.to_bits(), values[i].to_bits(), "value {i}");
+                assert_eq!(duals[i].value.to_bits(), values[i].to_bits(), "value {i}");
                 let difference = (8.0 * (high[i] - low[i]) - (high2[i] - low2[i])) / (12.0 * step);
                 // A change of the input by itself changes the output by this much: the scale of a derivative near zero.
                 let scale = scales[i] / INPUTS[input].abs();
-                let error = (duals[i].1 - difference).abs();
+                let error = (duals[i].derivative - difference).abs();
                 assert!(
                     error <= 1e-6 * difference.abs().max(1e-3 * scale),
                     "output {i} by input {input}: {} is not {difference}",
-                    duals[i].1
+                    duals[i].derivative
                 );
             }
         }
     }
-}
-
-/// The number itself, on functions whose derivatives are known.
-#[test]
-fn the_dual_number_differentiates() {
-    let x = Dual(0.7, 1.0);
-    let (sin, cos) = x.sin_cos();
-    assert_relative("sin′", sin.1, 0.7_f64.cos(), 1e-15);
-    assert_relative("cos′", cos.1, -0.7_f64.sin(), 1e-15);
-    assert_relative("√′", x.sqrt().1, 0.5 / 0.7_f64.sqrt(), 1e-15);
-    assert_relative("(1/x)′", (Dual::ONE / x).1, -1.0 / 0.49, 1e-15);
-    assert_relative("atan′", x.atan2(Dual::ONE).1, 1.0 / 1.49, 1e-15);
 }

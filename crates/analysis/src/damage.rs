@@ -6,55 +6,57 @@ use crash3::{
     UniformCrush,
 };
 
+use pim_core::Real;
+
 use crate::Vehicle;
 
 /// What the damage of one vehicle says.
 #[derive(Clone, Debug)]
-pub struct Damage {
+pub struct Damage<T = f64> {
     /// (m) width of the damage.
-    pub width: f64,
+    pub width: T,
     /// (m) depths of crush; none where the crush was inferred.
-    pub depths: Vec<f64>,
+    pub depths: Vec<T>,
     /// What the crush was inferred to be, where it was not measured.
-    pub inferred: Option<Inferred>,
+    pub inferred: Option<Inferred<T>>,
     /// The stiffness.
-    pub structure: Structure,
+    pub structure: Structure<T>,
     /// (J) crush energy, uncorrected.
-    pub crush_energy: f64,
+    pub crush_energy: T,
     /// (m/s) energy equivalent speed of the uncorrected crush energy.
-    pub ees: f64,
+    pub ees: T,
     /// (rad) the PDOF that the correction and the moment arm follow from: the file's, else that of the impact.
-    pub pdof: Option<f64>,
+    pub pdof: Option<T>,
     /// (rad) α: angle between the force and the normal of the damaged side.
-    pub oblique_angle: f64,
+    pub oblique_angle: T,
     /// The correction for it; none where the force does not push on the damaged side.
-    pub oblique: Option<Oblique>,
+    pub oblique: Option<Oblique<T>>,
     /// (m) h: distance of the force's line of action from the CG.
-    pub moment_arm: f64,
+    pub moment_arm: T,
     /// (m) centroid of the damage, forward and left of the CG, where the force was taken to act through it.
-    pub centroid: Option<[f64; 2]>,
+    pub centroid: Option<[T; 2]>,
 }
 
 /// A crush inferred from the force on the other vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inferred {
+pub struct Inferred<T = f64> {
     /// (N) the peak force of the other vehicle.
-    pub force: f64,
+    pub force: T,
     /// The crush whose energy is used.
-    pub crush: UniformCrush,
+    pub crush: UniformCrush<T>,
     /// The bounds, where the width is not known.
-    pub range: Option<CrushRange>,
+    pub range: Option<CrushRange<T>>,
 }
 
 /// What follows for an oblique force that pushes on the damaged side.
 #[derive(Clone, Copy, Debug)]
-pub struct Oblique {
+pub struct Oblique<T = f64> {
     /// The factor on the crush energy.
-    pub factor: ObliqueFactor,
+    pub factor: ObliqueFactor<T>,
     /// (J) crush energy with that factor.
-    pub corrected_crush_energy: f64,
+    pub corrected_crush_energy: T,
     /// (N) peak force.
-    pub peak_force: f64,
+    pub peak_force: T,
 }
 
 /// What is assumed of friction where the case says nothing: a usual value for sheet metal on sheet metal.
@@ -102,7 +104,10 @@ pub struct Corrected {
 }
 
 /// Assesses the damage of both vehicles; `pdof` (rad) are those of the impact, which serve where the file gives none.
-pub(crate) fn assess([s1, s2]: [Subject; 2], [p1, p2]: [Option<f64>; 2]) -> Result<[Vehicle; 2], CrushError> {
+pub(crate) fn assess<T: Real>(
+    [s1, s2]: [Subject<T>; 2],
+    [p1, p2]: [Option<T>; 2],
+) -> Result<[Vehicle<T>; 2], CrushError> {
     // The one whose crush was measured comes first: the other's may have to be inferred from it.
     if s1.damage.as_ref().is_some_and(|damage| matches!(damage.evidence, Evidence::ForceBalance { .. })) {
         let second = vehicle(s2, p2, None)?;
@@ -113,25 +118,25 @@ pub(crate) fn assess([s1, s2]: [Subject; 2], [p1, p2]: [Option<f64>; 2]) -> Resu
     Ok([first, second])
 }
 
-fn vehicle(
-    subject: Subject,
-    computed_pdof: Option<f64>,
-    other: Option<&Damage>,
-) -> Result<Vehicle, CrushError> {
+fn vehicle<T: Real>(
+    subject: Subject<T>,
+    computed_pdof: Option<T>,
+    other: Option<&Damage<T>>,
+) -> Result<Vehicle<T>, CrushError> {
     let (Some(given), Some(inertia)) = (&subject.damage, subject.inertia) else {
         return Ok(Vehicle { subject, damage: None });
     };
     let pdof = given.pdof.or(computed_pdof);
     // A file that gives no PDOF gives the angle and the arm themselves: `case` sees to that.
     let oblique_angle =
-        given.oblique_angle.or(pdof.map(|pdof| given.side.oblique_angle(pdof))).unwrap_or_default();
+        given.oblique_angle.or(pdof.map(|pdof| given.side.oblique_angle(pdof))).unwrap_or(T::ZERO);
     let (profile, structure, inferred) = match &given.evidence {
         Evidence::Measured { profile, structure } => (profile.clone(), structure.clone(), None),
         Evidence::ForceBalance { stiffness, width } => {
             // A file with a force balance has a measured crush as well: `case` sees to that.
             let Some(other) = other else { return Ok(Vehicle { subject, damage: None }) };
             let Some(Oblique { peak_force: force, .. }) = other.oblique else {
-                return Err(CrushError::NotPushing { angle: other.oblique_angle });
+                return Err(CrushError::NotPushing { angle: other.oblique_angle.value() });
             };
             let inferred = match *width {
                 InferredWidth::Given(width) => {
@@ -161,7 +166,7 @@ fn vehicle(
     };
     let line = subject.contact.or(centroid).zip(pdof);
     let moment_arm =
-        given.moment_arm.or(line.map(|(point, pdof)| crash3::moment_arm(point, pdof))).unwrap_or_default();
+        given.moment_arm.or(line.map(|(point, pdof)| crash3::moment_arm(point, pdof))).unwrap_or(T::ZERO);
     // An inferred crush has the force that it was inferred from, and less energy than w G where that leaves no residual crush.
     let (crush_energy, peak_force) = match &inferred {
         Some(inferred) => (inferred.crush.energy, Ok(inferred.force)),
@@ -188,6 +193,13 @@ fn vehicle(
         centroid,
     };
     Ok(Vehicle { subject, damage: Some(damage) })
+}
+
+/// (J) of both vehicles.
+pub(crate) fn crush_energy<T: Real>(vehicles: &[Vehicle<T>; 2]) -> T {
+    let energies =
+        vehicles.iter().filter_map(|vehicle| vehicle.damage.as_ref()).map(|damage| damage.crush_energy);
+    energies.fold(T::ZERO, |sum, energy| sum + energy)
 }
 
 /// CRASH3's answer, or `None` where the damage of a vehicle that can move is not known.

@@ -11,7 +11,7 @@
 //! # }
 //! ```
 //!
-//! [`compare`] puts the answers of all impact laws and of CRASH3 side by side.
+//! [`compare`] puts the answers of all impact laws and of CRASH3 side by side; [`sensitivity`] says how much the answer moves with each estimate.
 //!
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
 //! [`Warning`]s. A [`Failure`] says whether the file or the physics is to blame.
@@ -22,10 +22,12 @@
 
 mod compare;
 mod damage;
+mod sensitivity;
 mod warning;
 
 pub use compare::{Comparison, LawRow, compare};
 pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
+pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
 pub use warning::Warning;
 
 use case::{CaseFile, Collision, Diagnostics, Subject};
@@ -80,11 +82,11 @@ pub struct Impact {
 
 /// One vehicle.
 #[derive(Clone, Debug)]
-pub struct Vehicle {
+pub struct Vehicle<T = f64> {
     /// What the file says of it.
-    pub subject: Subject,
+    pub subject: Subject<T>,
     /// Its damage.
-    pub damage: Option<Damage>,
+    pub damage: Option<Damage<T>>,
 }
 
 /// Why there is no analysis.
@@ -112,11 +114,7 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     let input = file.reconstruction()?;
     let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
     // The uncorrected energies do not depend on the impact; a force balance takes its directions from the file.
-    let crush_energy = damage::assess(vehicles.clone(), [None, None])?
-        .iter()
-        .filter_map(|vehicle| vehicle.damage.as_ref())
-        .map(|damage| damage.crush_energy)
-        .sum();
+    let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
     let mut problem = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)?;
     if let Some(curve) = &restitution_curve {
         problem = problem.with_restitution_curve(curve);

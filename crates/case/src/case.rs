@@ -8,20 +8,20 @@ use reconcile::Unknown;
 
 use crate::quantity::Quantity;
 use crate::schema::LawName;
-use crate::units::{STANDARD_GRAVITY, UnitSystem};
+use crate::units::{STANDARD_GRAVITY, Unit, UnitSystem};
 
 /// A whole case: two vehicles, and what is known of the impact. [`Case::parse`](Case::parse) reads it,
 /// [`Case::to_toml`](Case::to_toml) writes it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Case {
+pub struct Case<T = f64> {
     /// A line to put over the report.
     pub title: Option<String>,
     /// Where the data come from.
     pub source: Option<String>,
     /// `[vehicle1]` and `[vehicle2]`.
-    pub vehicles: [Vehicle; 2],
+    pub vehicles: [Vehicle<T>; 2],
     /// `[impact]`.
-    pub impact: Option<Impact>,
+    pub impact: Option<Impact<T>>,
     /// `[reconstruct]`.
     pub reconstruct: Option<Reconstruct>,
 }
@@ -29,48 +29,48 @@ pub struct Case {
 /// A vehicle or, with [`fixed`](Vehicle::fixed), a barrier. What a computation needs beyond what is given is
 /// for that computation to demand.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Vehicle {
+pub struct Vehicle<T = f64> {
     /// Make and model.
     pub name: Option<String>,
     /// A barrier: it has neither mass nor motion nor crush.
     pub fixed: bool,
     /// `mass` or `weight`.
-    pub mass: Option<Mass>,
+    pub mass: Option<Mass<T>>,
     /// `yaw_inertia` or `yaw_radius`.
-    pub yaw: Option<YawInertia>,
+    pub yaw: Option<YawInertia<T>>,
     /// CRASH3's size class, 1 to 6: stands in for yaw inertia and outline where they are not given.
     pub class: Option<u8>,
     /// (m) between the axles: with the length, for the yaw inertia where neither that nor a class is given.
-    pub wheelbase: Option<Quantity>,
+    pub wheelbase: Option<Quantity<T>>,
     /// (m) of the body, where it is known without the rest of the outline.
-    pub length: Option<Quantity>,
+    pub length: Option<Quantity<T>>,
     /// (rad) scene angle of the vehicle's forward axis, counter-clockwise.
-    pub heading: Option<Quantity>,
+    pub heading: Option<Quantity<T>>,
     /// From the centre of gravity to the point where the impulse acts.
-    pub contact: Option<ContactPoint>,
+    pub contact: Option<ContactPoint<T>>,
     /// `speed` or `velocity`, before the impact.
-    pub motion: Option<Velocity>,
+    pub motion: Option<Velocity<T>>,
     /// (rad/s) yaw rate before the impact, counter-clockwise; 0 where absent.
-    pub yaw_rate: Option<Quantity>,
+    pub yaw_rate: Option<Quantity<T>>,
     /// The body seen from above.
-    pub outline: Option<Outline>,
+    pub outline: Option<Outline<T>>,
     /// `[vehicleN.crush]`.
-    pub crush: Option<Crush>,
+    pub crush: Option<Crush<T>>,
 }
 
 /// How a vehicle's mass is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Mass {
+pub enum Mass<T = f64> {
     /// (kg) `mass`.
-    Mass(Quantity),
+    Mass(Quantity<T>),
     /// (N) `weight`.
-    Weight(Quantity),
+    Weight(Quantity<T>),
 }
 
-impl Mass {
+impl<T: Real> Mass<T> {
     /// (kg) the mass; a weight is divided by [`STANDARD_GRAVITY`].
     #[must_use]
-    pub fn kg(&self) -> f64 {
+    pub fn kg(&self) -> T {
         match self {
             Self::Mass(mass) => mass.si(),
             // m = W / g
@@ -81,17 +81,17 @@ impl Mass {
 
 /// How a vehicle's yaw moment of inertia is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum YawInertia {
+pub enum YawInertia<T = f64> {
     /// (kg·m²) `yaw_inertia`.
-    Inertia(Quantity),
+    Inertia(Quantity<T>),
     /// (m) `yaw_radius`, the radius of gyration k: I = m k².
-    Radius(Quantity),
+    Radius(Quantity<T>),
 }
 
-impl YawInertia {
+impl<T: Real> YawInertia<T> {
     /// (kg·m²) the inertia of a vehicle of the given mass (kg).
     #[must_use]
-    pub fn kg_m2(&self, mass: f64) -> f64 {
+    pub fn kg_m2(&self, mass: T) -> T {
         match self {
             Self::Inertia(inertia) => inertia.si(),
             // I = m k²
@@ -102,30 +102,30 @@ impl YawInertia {
 
 /// Where the impulse acts, from the centre of gravity.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ContactPoint {
+pub enum ContactPoint<T = f64> {
     /// Distance and direction.
     Polar {
         /// (m) distance.
-        distance: Quantity,
+        distance: Quantity<T>,
         /// (rad) angle from the vehicle's heading, counter-clockwise.
-        angle: Quantity,
+        angle: Quantity<T>,
     },
     /// Along the vehicle's own axes.
     Cartesian {
         /// (m) forward.
-        x: Quantity,
+        x: Quantity<T>,
         /// (m) left.
-        y: Quantity,
+        y: Quantity<T>,
     },
 }
 
-impl ContactPoint {
+impl<T: Real> ContactPoint<T> {
     /// (m) forward and left of the centre of gravity.
     #[must_use]
-    pub fn forward_left(&self) -> [f64; 2] {
+    pub fn forward_left(&self) -> [T; 2] {
         match self {
             Self::Polar { distance, angle } => {
-                let (sin, cos) = Real::sin_cos(angle.si());
+                let (sin, cos) = angle.si().sin_cos();
                 // (d cos φ, d sin φ)
                 [distance.si() * cos, distance.si() * sin]
             }
@@ -136,130 +136,130 @@ impl ContactPoint {
 
 /// Velocity of the centre of gravity before the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Velocity {
+pub enum Velocity<T = f64> {
     /// (m/s) along the heading; negative when reversing.
-    Speed(Quantity),
+    Speed(Quantity<T>),
     /// In the scene.
     Vector {
         /// (m/s) along the scene's x.
-        x: Quantity,
+        x: Quantity<T>,
         /// (m/s) along the scene's y.
-        y: Quantity,
+        y: Quantity<T>,
     },
 }
 
 /// The body seen from above: enough to draw it and to see whether the contact point lies on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Outline {
+pub struct Outline<T = f64> {
     /// (m) of the body.
-    pub length: Quantity,
+    pub length: Quantity<T>,
     /// (m) of the body.
-    pub width: Quantity,
+    pub width: Quantity<T>,
     /// (m) from the centre of gravity forward to the front bumper.
-    pub cg_to_front: Quantity,
+    pub cg_to_front: Quantity<T>,
 }
 
 /// The damage to one side of a vehicle.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Crush {
+pub struct Crush<T = f64> {
     /// The damaged side.
     pub side: Side,
     /// The vehicle could not be inspected: its crush follows from the force that the other vehicle's crush shows. It has no depths then.
     pub from_force_balance: bool,
     /// (m) of the whole damage; absent where the spacing gives it, or where it is not known of an inferred crush.
-    pub width: Option<Quantity>,
+    pub width: Option<Quantity<T>>,
     /// (m) at two stations or more: left to right on front and rear, rear to front on the sides. Empty where the crush is inferred.
-    pub depths: Vec<Quantity>,
+    pub depths: Vec<Quantity<T>>,
     /// (m) between neighbouring stations, one fewer than depths; equal spacing where absent.
-    pub spacing: Option<Vec<Quantity>>,
+    pub spacing: Option<Vec<Quantity<T>>>,
     /// The stiffness of that side.
-    pub stiffness: StiffnessForm,
+    pub stiffness: StiffnessForm<T>,
     /// (m) of the middle of the damage: left of the vehicle's axis on front and rear, forward of the CG on the sides.
-    pub offset: Option<Quantity>,
+    pub offset: Option<Quantity<T>>,
     /// Principal direction of force, clockwise from the heading: replaces the derived one.
-    pub pdof: Option<Pdof>,
+    pub pdof: Option<Pdof<T>>,
     /// (rad) between the force and the normal of the damaged side: replaces the derived one.
-    pub oblique_angle: Option<Quantity>,
+    pub oblique_angle: Option<Quantity<T>>,
     /// (m) from the centre of gravity to the line of action: replaces the derived one.
-    pub moment_arm: Option<Quantity>,
+    pub moment_arm: Option<Quantity<T>>,
     /// How the energy is corrected for an oblique force; absent means [`ObliqueCorrection::Capped`].
-    pub oblique: Option<ObliqueCorrection>,
+    pub oblique: Option<ObliqueCorrection<T>>,
 }
 
 /// How a principal direction of force is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Pdof {
+pub enum Pdof<T = f64> {
     /// (rad) clockwise from the heading.
-    Angle(Quantity),
+    Angle(Quantity<T>),
     /// The hour of a clock, 1 to 12, on which the vehicle points to 12.
     Clock(u8),
 }
 
-impl Pdof {
+impl<T: Real> Pdof<T> {
     /// (rad) clockwise from the heading.
     #[must_use]
-    pub fn rad(&self) -> f64 {
+    pub fn rad(&self) -> T {
         match self {
             Self::Angle(angle) => angle.si(),
             // 30° an hour
-            Self::Clock(hour) => f64::from(*hour) * PI / 6.0,
+            Self::Clock(hour) => T::from(f64::from(*hour) * PI / 6.0),
         }
     }
 }
 
 /// How the stiffness of a damaged side is given.
 #[derive(Clone, Debug, PartialEq)]
-pub enum StiffnessForm {
+pub enum StiffnessForm<T = f64> {
     /// Its coefficients.
-    Line(StiffnessLine),
+    Line(StiffnessLine<T>),
     /// Key `category`: that of CRASH3's table for the damaged side, 1 to 5.
     Category(u8),
     /// Key `test`: fitted to a barrier test.
-    Test(BarrierTest),
+    Test(BarrierTest<T>),
     /// Key `zones`: coefficients of their own for each interval between two stations.
-    Zones(Vec<StiffnessLine>),
+    Zones(Vec<StiffnessLine<T>>),
 }
 
 /// Force per width as a straight line over crush; both forms are the same line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum StiffnessLine {
+pub enum StiffnessLine<T = f64> {
     /// Keys `A`, `B`, `G`, `limit`.
     Crush {
         /// (N/m) force per width at which crush begins.
-        a: Quantity,
+        a: Quantity<T>,
         /// (N/m²) force per width and depth.
-        b: Quantity,
+        b: Quantity<T>,
         /// (N) energy per width without crush; A²/2B where absent.
-        g: Option<Quantity>,
+        g: Option<Quantity<T>>,
         /// (N/m) force per width beyond which the line is flat.
-        limit: Option<Quantity>,
+        limit: Option<Quantity<T>>,
     },
     /// Keys `d0`, `d1`, `G`, `limit`.
     Root {
         /// (√N) A/√B.
-        d0: Quantity,
+        d0: Quantity<T>,
         /// (√N/m) √B.
-        d1: Quantity,
+        d1: Quantity<T>,
         /// (N) energy per width without crush; d₀²/2 where absent.
-        g: Option<Quantity>,
+        g: Option<Quantity<T>>,
         /// (N/m) force per width beyond which the line is flat.
-        limit: Option<Quantity>,
+        limit: Option<Quantity<T>>,
     },
 }
 
 /// A full-width barrier test to which the stiffness is fitted.
 #[derive(Clone, Debug, PartialEq)]
-pub struct BarrierTest {
+pub struct BarrierTest<T = f64> {
     /// `mass` or `weight` of the tested car.
-    pub mass: Mass,
+    pub mass: Mass<T>,
     /// (m/s) against the barrier.
-    pub speed: Quantity,
+    pub speed: Quantity<T>,
     /// (m) of the damage.
-    pub width: Quantity,
+    pub width: Quantity<T>,
     /// (m) residual crush at equally spaced stations.
-    pub depths: Vec<Quantity>,
+    pub depths: Vec<Quantity<T>>,
     /// (m/s) at which no crush would have remained.
-    pub no_damage_speed: Quantity,
+    pub no_damage_speed: Quantity<T>,
     /// How the line is put through the test.
     pub fit: Fit,
 }
@@ -274,12 +274,12 @@ pub enum Fit {
     Mean,
 }
 
-impl StiffnessForm {
+impl<T: Real> StiffnessForm<T> {
     /// The stiffness of the damaged side, in SI units.
     ///
     /// # Errors
     /// What no structure, no table and no test can have.
-    pub fn structure(&self, side: Side) -> Result<Structure, CrushError> {
+    pub fn structure(&self, side: Side) -> Result<Structure<T>, CrushError> {
         match self {
             Self::Line(line) => line.stiffness().map(Structure::Uniform),
             Self::Category(category) => Stiffness::from_category(side, *category).map(Structure::Uniform),
@@ -291,8 +291,8 @@ impl StiffnessForm {
     }
 }
 
-impl StiffnessLine {
-    pub(crate) fn stiffness(&self) -> Result<Stiffness, CrushError> {
+impl<T: Real> StiffnessLine<T> {
+    pub(crate) fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
         let (rising, limit) = match self {
             Self::Crush { a, b, g: None, limit } => (Stiffness::from_ab(a.si(), b.si())?, limit),
             Self::Crush { a, b, g: Some(g), limit } => (Stiffness::from_abg(a.si(), b.si(), g.si())?, limit),
@@ -303,16 +303,10 @@ impl StiffnessLine {
         };
         limit.map_or(Ok(rising), |limit| rising.with_limit(limit.si()))
     }
-
-    fn quantities(&self) -> impl Iterator<Item = Quantity> + use<> {
-        let (Self::Crush { a: first, b: second, g, limit } | Self::Root { d0: first, d1: second, g, limit }) =
-            *self;
-        [Some(first), Some(second), g, limit].into_iter().flatten()
-    }
 }
 
-impl BarrierTest {
-    pub(crate) fn stiffness(&self) -> Result<Stiffness, CrushError> {
+impl<T: Real> BarrierTest<T> {
+    pub(crate) fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
         let depths = self.depths.iter().map(Quantity::si).collect();
         let profile = Profile::equally_spaced(depths, self.width.si())?;
         let test =
@@ -326,48 +320,48 @@ impl BarrierTest {
 
 /// How the two vehicles met.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Impact {
+pub struct Impact<T = f64> {
     /// (rad) Γ, scene angle of the normal of the crush plane.
-    pub crush_plane: Quantity,
+    pub crush_plane: Quantity<T>,
     /// `law` and its keys.
-    pub law: ImpactLaw,
+    pub law: ImpactLaw<T>,
 }
 
 /// The impact law that `law` names; [`pim_core::Law`] has their conditions and what each assumes.
 #[derive(Clone, Debug, PartialEq)]
-pub enum ImpactLaw {
+pub enum ImpactLaw<T = f64> {
     /// `law = "brach"`, or no `law`.
     Brach {
         /// Normal to the crush plane.
-        restitution: Restitution,
+        restitution: Restitution<T>,
         /// Along the crush plane: one of the first four conditions of [`Tangential`]. The others belong to other laws; no file can say
         /// them, and what [`Case::to_toml`] writes of them is refused when it is read.
-        tangential: Tangential,
+        tangential: Tangential<T>,
         /// (–) moment coefficient of restitution, −1 to 1; −1 (no moment impulse) where absent.
-        moment_restitution: Option<f64>,
+        moment_restitution: Option<T>,
     },
     /// `law = "woolley"`.
     Woolley {
         /// (m/s) U_t − u_t of a sideswipe; where absent, a common velocity at C.
-        tangential_velocity_change: Option<Quantity>,
+        tangential_velocity_change: Option<Quantity<T>>,
     },
     /// `law = "ishikawa"`.
     Ishikawa {
         /// Normal to the crush plane.
-        restitution: Restitution,
+        restitution: Restitution<T>,
         /// (–) coefficient of restitution along the crush plane, −1 to 1.
-        tangential_restitution: f64,
+        tangential_restitution: T,
     },
     /// `law = "kudlich-slibar"`.
     KudlichSlibar {
         /// In both directions while friction suffices.
-        restitution: Restitution,
+        restitution: Restitution<T>,
         /// (–) largest coefficient of friction, zero or more.
-        friction: f64,
+        friction: T,
     },
 }
 
-impl ImpactLaw {
+impl<T: Copy> ImpactLaw<T> {
     /// The value of `law`, such as `"brach"`.
     #[must_use]
     pub fn name(&self) -> &'static str {
@@ -382,7 +376,7 @@ impl ImpactLaw {
 
     /// `restitution`; `None` under Woolley's law, which has no such key: there e = 0.
     #[must_use]
-    pub fn restitution(&self) -> Option<&Restitution> {
+    pub fn restitution(&self) -> Option<&Restitution<T>> {
         match self {
             Self::Brach { restitution, .. }
             | Self::Ishikawa { restitution, .. }
@@ -393,7 +387,7 @@ impl ImpactLaw {
 
     /// (–) the friction limit, under a law that has one.
     #[must_use]
-    pub fn friction(&self) -> Option<f64> {
+    pub fn friction(&self) -> Option<T> {
         match self {
             Self::Brach { tangential: Tangential::Friction(friction), .. }
             | Self::KudlichSlibar { friction, .. } => Some(*friction),
@@ -404,21 +398,21 @@ impl ImpactLaw {
 
 /// How a coefficient of restitution is given.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Restitution {
+pub enum Restitution<T = f64> {
     /// (–) the same at every closing speed, 0 to 1.
-    Constant(f64),
+    Constant(T),
     /// Keys `speeds`, `values`: linear between the points, constant outside of them.
     OfClosingSpeed {
         /// (m/s) closing speeds at C along the normal, ascending from zero or more; at least one.
-        speeds: Vec<Quantity>,
+        speeds: Vec<Quantity<T>>,
         /// (–) coefficients of restitution, 0 to 1, as many as speeds.
-        values: Vec<f64>,
+        values: Vec<T>,
     },
 }
 
-impl Restitution {
+impl<T: Real> Restitution<T> {
     /// The points (closing speed in m/s, coefficient of restitution) of a curve, `None` for a constant.
-    pub(crate) fn points(&self) -> Option<Vec<(f64, f64)>> {
+    pub(crate) fn points(&self) -> Option<Vec<(T, T)>> {
         match self {
             Self::Constant(_) => None,
             Self::OfClosingSpeed { speeds, values } => {
@@ -442,86 +436,11 @@ impl Case {
     #[must_use]
     pub fn unit_system(&self) -> UnitSystem {
         let (mut si, mut us) = (0_usize, 0_usize);
-        for quantity in self.quantities() {
-            match quantity.unit().system() {
-                Some(UnitSystem::Si) => si += 1,
-                Some(UnitSystem::Us) => us += 1,
-                None => {}
-            }
-        }
+        self.map(|number| match number.unit.and_then(Unit::system) {
+            Some(UnitSystem::Si) => si += 1,
+            Some(UnitSystem::Us) => us += 1,
+            None => {}
+        });
         if us > si { UnitSystem::Us } else { UnitSystem::Si }
-    }
-
-    fn quantities(&self) -> Vec<Quantity> {
-        let mut all: Vec<Quantity> = self.vehicles.iter().flat_map(Vehicle::quantities).collect();
-        all.extend(self.impact.iter().flat_map(Impact::quantities));
-        all
-    }
-}
-
-impl Impact {
-    fn quantities(&self) -> Vec<Quantity> {
-        let mut all = vec![self.crush_plane];
-        if let ImpactLaw::Woolley { tangential_velocity_change } = self.law {
-            all.extend(tangential_velocity_change);
-        }
-        if let Some(Restitution::OfClosingSpeed { speeds, .. }) = self.law.restitution() {
-            all.extend(speeds);
-        }
-        all
-    }
-}
-
-impl Vehicle {
-    fn quantities(&self) -> Vec<Quantity> {
-        let mut all = Vec::new();
-        all.extend(self.mass.map(|(Mass::Mass(q) | Mass::Weight(q))| q));
-        all.extend(self.yaw.map(|(YawInertia::Inertia(q) | YawInertia::Radius(q))| q));
-        all.extend([self.wheelbase, self.length, self.heading, self.yaw_rate].into_iter().flatten());
-        match self.contact {
-            Some(
-                ContactPoint::Polar { distance: first, angle: second }
-                | ContactPoint::Cartesian { x: first, y: second },
-            ) => {
-                all.extend([first, second]);
-            }
-            None => {}
-        }
-        match self.motion {
-            Some(Velocity::Speed(speed)) => all.push(speed),
-            Some(Velocity::Vector { x, y }) => all.extend([x, y]),
-            None => {}
-        }
-        if let Some(Outline { length, width, cg_to_front }) = self.outline {
-            all.extend([length, width, cg_to_front]);
-        }
-        if let Some(crush) = &self.crush {
-            all.extend(crush.quantities());
-        }
-        all
-    }
-}
-
-impl Crush {
-    fn quantities(&self) -> Vec<Quantity> {
-        let mut all = self.depths.clone();
-        all.extend(self.spacing.iter().flatten());
-        match &self.stiffness {
-            StiffnessForm::Line(line) => all.extend(line.quantities()),
-            StiffnessForm::Zones(zones) => all.extend(zones.iter().flat_map(StiffnessLine::quantities)),
-            StiffnessForm::Category(_) => {}
-            StiffnessForm::Test(test) => {
-                let (Mass::Mass(mass) | Mass::Weight(mass)) = test.mass;
-                all.extend([mass, test.speed, test.width, test.no_damage_speed]);
-                all.extend(&test.depths);
-            }
-        }
-        let pdof = match self.pdof {
-            Some(Pdof::Angle(angle)) => Some(angle),
-            Some(Pdof::Clock(_)) | None => None,
-        };
-        let optional = [self.width, self.offset, pdof, self.oblique_angle, self.moment_arm];
-        all.extend(optional.into_iter().flatten());
-        all
     }
 }

@@ -107,6 +107,7 @@
 
 mod case;
 mod diagnostic;
+mod input;
 mod model;
 mod nearest;
 mod problem;
@@ -122,6 +123,7 @@ pub use case::{
     Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
 };
 pub use diagnostic::{Diagnostic, Diagnostics};
+pub use input::Input;
 pub use model::{
     Collision, CrushOnly, Damage, Dimensions, Evidence, ImpactInput, Inertia, InferredWidth,
     ReconstructionInput, StiffnessSource, Subject, YawSource,

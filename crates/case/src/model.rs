@@ -5,49 +5,49 @@ use std::f64::consts::{PI, TAU};
 use crash3::{
     DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, Structure, VehicleClass,
 };
-use pim_core::{Body, Contact, Law, Motion, Participant, RestitutionCurve, Vector2};
+use pim_core::{Body, Contact, Law, Motion, Participant, Real, RestitutionCurve, Vector2};
 use reconcile::Unknown;
 
 use crate::{
-    CaseFile, ContactPoint, Crush, Diagnostic, Diagnostics, Fit, ImpactLaw, Quantity, Restitution,
+    Case, CaseFile, ContactPoint, Crush, Diagnostic, Diagnostics, Fit, ImpactLaw, Quantity, Restitution,
     StiffnessForm, StiffnessLine, Vehicle, Velocity,
 };
 
 /// Two vehicles that collide, as the mechanics need them.
 #[derive(Clone, Debug)]
-pub struct Collision {
+pub struct Collision<T = f64> {
     /// The geometry.
-    pub contact: Contact,
+    pub contact: Contact<T>,
     /// The impact law; where there is a curve of restitution, with the coefficient of its first point.
-    pub law: Law,
+    pub law: Law<T>,
     /// The coefficient of restitution by closing speed, which replaces that of the law.
-    pub restitution_curve: Option<RestitutionCurve>,
+    pub restitution_curve: Option<RestitutionCurve<T>>,
     /// Motions before impact. A vehicle whose speed is sought is at rest here but for its yaw rate.
-    pub motions: [Motion; 2],
+    pub motions: [Motion<T>; 2],
     /// What is known of each vehicle.
-    pub vehicles: [Subject; 2],
+    pub vehicles: [Subject<T>; 2],
 }
 
 /// One vehicle, as far as the file and the command have it.
 #[derive(Clone, Debug)]
-pub struct Subject {
+pub struct Subject<T = f64> {
     /// Mass and yaw inertia, or `None` for a fixed object.
-    pub inertia: Option<Inertia>,
+    pub inertia: Option<Inertia<T>>,
     /// (m) contact point C forward and left of the CG.
-    pub contact: Option<[f64; 2]>,
+    pub contact: Option<[T; 2]>,
     /// The body seen from above.
-    pub dimensions: Option<Dimensions>,
+    pub dimensions: Option<Dimensions<T>>,
     /// The damage.
-    pub damage: Option<Damage>,
+    pub damage: Option<Damage<T>>,
 }
 
 /// Mass and yaw inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inertia {
+pub struct Inertia<T = f64> {
     /// (kg) mass.
-    pub mass: f64,
+    pub mass: T,
     /// (kg·m²) yaw inertia.
-    pub yaw_inertia: f64,
+    pub yaw_inertia: T,
     /// Where that comes from.
     pub yaw_source: YawSource,
 }
@@ -65,21 +65,21 @@ pub enum YawSource {
 
 /// The body seen from above.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Dimensions {
+pub struct Dimensions<T = f64> {
     /// (m) of the body.
-    pub length: f64,
+    pub length: T,
     /// (m) of the body.
-    pub width: f64,
+    pub width: T,
     /// (m) from the CG forward to the front of the body.
-    pub cg_to_front: f64,
+    pub cg_to_front: T,
     /// CRASH3's size class, where the file gives that and not the dimensions.
     pub class: Option<u8>,
 }
 
-impl Dimensions {
+impl<T: Real> Dimensions<T> {
     /// (m) distance of a side's face from the CG.
     #[must_use]
-    pub fn face(&self, side: Side) -> f64 {
+    pub fn face(&self, side: Side) -> T {
         match side {
             Side::Front => self.cg_to_front,
             Side::Rear => self.length - self.cg_to_front,
@@ -89,7 +89,7 @@ impl Dimensions {
 
     /// (m) length of a side's face.
     #[must_use]
-    pub fn extent(&self, side: Side) -> f64 {
+    pub fn extent(&self, side: Side) -> T {
         match side {
             Side::Front | Side::Rear => self.width,
             Side::Left | Side::Right => self.length,
@@ -99,57 +99,57 @@ impl Dimensions {
 
 /// Damage, and what the file says of the force that made it.
 #[derive(Clone, Debug)]
-pub struct Damage {
+pub struct Damage<T = f64> {
     /// The damaged side.
     pub side: Side,
     /// What the crush is known from.
-    pub evidence: Evidence,
+    pub evidence: Evidence<T>,
     /// Where its stiffness comes from.
     pub stiffness_source: StiffnessSource,
     /// The damaged face and the place of the damage on it, where the dimensions of the vehicle are known.
-    pub face: Option<DamagedFace>,
+    pub face: Option<DamagedFace<T>>,
     /// Whether the file says where on the face the damage lies; if not, its middle is taken to lie on the axis or beside the CG.
     pub offset_given: bool,
     /// How oblique forces are corrected.
-    pub correction: ObliqueCorrection,
+    pub correction: ObliqueCorrection<T>,
     /// (rad) PDOF as given.
-    pub pdof: Option<f64>,
+    pub pdof: Option<T>,
     /// (rad) α as given.
-    pub oblique_angle: Option<f64>,
+    pub oblique_angle: Option<T>,
     /// (m) h as given.
-    pub moment_arm: Option<f64>,
+    pub moment_arm: Option<T>,
 }
 
 /// What a crush is known from.
 #[derive(Clone, Debug)]
-pub enum Evidence {
+pub enum Evidence<T = f64> {
     /// It was measured.
     Measured {
         /// Depths along the side.
-        profile: Profile,
+        profile: Profile<T>,
         /// What the side resisted with.
-        structure: Structure,
+        structure: Structure<T>,
     },
     /// It is to be inferred from the force on the other vehicle.
     ForceBalance {
         /// What the side resisted with.
-        stiffness: Stiffness,
+        stiffness: Stiffness<T>,
         /// The width of the damage.
-        width: InferredWidth,
+        width: InferredWidth<T>,
     },
 }
 
 /// The width of a damage that was not measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum InferredWidth {
+pub enum InferredWidth<T = f64> {
     /// (m) known all the same, from photographs for example.
-    Given(f64),
+    Given(T),
     /// Not known: only the vehicle's dimensions bound it.
     Bounded {
         /// (m) length of the side.
-        widest: f64,
+        widest: T,
         /// (m) from the face to the CG.
-        deepest: f64,
+        deepest: T,
     },
 }
 
@@ -170,35 +170,35 @@ pub enum StiffnessSource {
 
 /// What `reconstruct` works on.
 #[derive(Clone, Debug)]
-pub struct ReconstructionInput {
+pub struct ReconstructionInput<T = f64> {
     /// The collision, of which one speed is unknown.
-    pub collision: Collision,
+    pub collision: Collision<T>,
     /// Which one.
     pub unknown: Unknown,
     /// The energy basis.
     pub basis: EnergyBasis,
     /// (m/s) the speed that the file gives for the unknown all the same.
-    pub given_speed: Option<f64>,
+    pub given_speed: Option<T>,
 }
 
 /// What `impact` works on.
 #[derive(Clone, Debug)]
-pub struct ImpactInput {
+pub struct ImpactInput<T = f64> {
     /// The collision, of which all is known.
-    pub collision: Collision,
+    pub collision: Collision<T>,
     /// The energy basis, for CRASH3 beside it.
     pub basis: EnergyBasis,
 }
 
 /// What `crush` works on.
 #[derive(Clone, Debug)]
-pub struct CrushOnly {
+pub struct CrushOnly<T = f64> {
     /// Both vehicles; the damage of each that is not fixed has a PDOF, or both an oblique angle and a moment arm.
-    pub vehicles: [Subject; 2],
+    pub vehicles: [Subject<T>; 2],
     /// The energy basis.
     pub basis: EnergyBasis,
     /// e, if the file has one that does not depend on the closing speed; 0 under Woolley's law.
-    pub restitution: Option<f64>,
+    pub restitution: Option<T>,
 }
 
 impl CaseFile {
@@ -207,7 +207,18 @@ impl CaseFile {
     /// # Errors
     /// Everything that is missing or does not fit together, with the place where it belongs.
     pub fn reconstruction(&self) -> Result<ReconstructionInput, Diagnostics> {
-        let mut demand = Demand { file: self, command: "reconstruct", problems: Vec::new() };
+        self.reconstruction_with(&self.case)
+    }
+
+    /// The same with other numbers, see [`Case::map`].
+    ///
+    /// # Errors
+    /// As [`reconstruction`](Self::reconstruction).
+    pub fn reconstruction_with<T: Real>(
+        &self,
+        case: &Case<T>,
+    ) -> Result<ReconstructionInput<T>, Diagnostics> {
+        let mut demand = Demand { file: self, case, command: "reconstruct", problems: Vec::new() };
         let unknown = demand.unknown();
         let mut collision = demand.collision(unknown);
         for (i, vehicle) in self.case.vehicles.iter().enumerate() {
@@ -219,11 +230,11 @@ impl CaseFile {
             // The crush energy has to be known before the impact is, and so has the direction of the force.
             demand.directions_for_balance();
             if let Some(collision) = &mut collision {
-                self.fill_opposite_pdof(&mut collision.vehicles);
+                fill_opposite_pdof(headings(case), &mut collision.vehicles);
             }
         }
         demand.finish(collision.zip(unknown).map(|(collision, unknown)| ReconstructionInput {
-            given_speed: self.case.vehicles[unknown.index()].motion.map(|motion| match motion {
+            given_speed: case.vehicles[unknown.index()].motion.map(|motion| match motion {
                 Velocity::Speed(speed) => speed.si(),
                 Velocity::Vector { x, y } => (x.si() * x.si() + y.si() * y.si()).sqrt(),
             }),
@@ -238,7 +249,7 @@ impl CaseFile {
     /// # Errors
     /// Everything that is missing or does not fit together, with the place where it belongs.
     pub fn impact(&self) -> Result<ImpactInput, Diagnostics> {
-        let mut demand = Demand { file: self, command: "impact", problems: Vec::new() };
+        let mut demand = Demand { file: self, case: &self.case, command: "impact", problems: Vec::new() };
         let collision = demand.collision(None);
         demand.finish(collision.map(|collision| ImpactInput { collision, basis: self.energy_basis() }))
     }
@@ -248,7 +259,7 @@ impl CaseFile {
     /// # Errors
     /// Everything that is missing or does not fit together, with the place where it belongs.
     pub fn crush(&self) -> Result<CrushOnly, Diagnostics> {
-        let mut demand = Demand { file: self, command: "crush", problems: Vec::new() };
+        let mut demand = Demand { file: self, case: &self.case, command: "crush", problems: Vec::new() };
         let vehicles = [demand.subject(0), demand.subject(1)];
         for (i, vehicle) in self.case.vehicles.iter().enumerate() {
             if !vehicle.fixed {
@@ -258,7 +269,7 @@ impl CaseFile {
         let [v1, v2] = vehicles;
         demand.finish(v1.zip(v2).map(|(v1, v2)| {
             let mut vehicles = [v1, v2];
-            self.fill_opposite_pdof(&mut vehicles);
+            fill_opposite_pdof(headings(&self.case), &mut vehicles);
             CrushOnly {
                 vehicles,
                 basis: self.energy_basis(),
@@ -272,54 +283,56 @@ impl CaseFile {
         }))
     }
 
-    /// Where one PDOF and both headings are given, the other PDOF follows by Newton's third law.
-    fn fill_opposite_pdof(&self, vehicles: &mut [Subject; 2]) {
-        let [Some(h1), Some(h2)] = self.headings() else { return };
-        let given = vehicles.each_ref().map(|vehicle| vehicle.damage.as_ref().and_then(|damage| damage.pdof));
-        let follows = [
-            given[1].map(|pdof| crash3::opposite_pdof(pdof, [h2, h1])),
-            given[0].map(|pdof| crash3::opposite_pdof(pdof, [h1, h2])),
-        ];
-        for (vehicle, follows) in vehicles.iter_mut().zip(follows) {
-            if let Some(damage) = &mut vehicle.damage {
-                damage.pdof = damage.pdof.or(follows);
-            }
-        }
-    }
-
-    /// (rad)
-    fn headings(&self) -> [Option<f64>; 2] {
-        self.case.vehicles.each_ref().map(|vehicle| vehicle.heading.as_ref().map(Quantity::si))
-    }
-
     fn energy_basis(&self) -> EnergyBasis {
         self.case.reconstruct.as_ref().map_or(EnergyBasis::Dissipated, |reconstruct| reconstruct.energy_basis)
     }
 }
 
+/// Where one PDOF and both headings are given, the other PDOF follows by Newton's third law.
+fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: &mut [Subject<T>; 2]) {
+    let [Some(h1), Some(h2)] = headings else { return };
+    let given = vehicles.each_ref().map(|vehicle| vehicle.damage.as_ref().and_then(|damage| damage.pdof));
+    let follows = [
+        given[1].map(|pdof| crash3::opposite_pdof(pdof, [h2, h1])),
+        given[0].map(|pdof| crash3::opposite_pdof(pdof, [h1, h2])),
+    ];
+    for (vehicle, follows) in vehicles.iter_mut().zip(follows) {
+        if let Some(damage) = &mut vehicle.damage {
+            damage.pdof = damage.pdof.or(follows);
+        }
+    }
+}
+
+/// (rad)
+fn headings<T: Real>(case: &Case<T>) -> [Option<T>; 2] {
+    case.vehicles.each_ref().map(|vehicle| vehicle.heading.as_ref().map(Quantity::si))
+}
+
 /// (rad) the same direction in (−π, π].
-fn wrapped(angle: f64) -> f64 {
+fn wrapped<T: Real>(angle: T) -> T {
     // φ − 2π ⌈(φ − π)/2π⌉
-    angle - TAU * ((angle - PI) / TAU).ceil()
+    angle - TAU * ((angle.value() - PI) / TAU).ceil()
 }
 
 const CRUSH_EXAMPLE: &str = "a table with side, width, depths and stiffness";
 
 /// Collects what a command needs, and everything that stands in its way.
-struct Demand<'a> {
+struct Demand<'a, T> {
     file: &'a CaseFile,
+    /// The file's case, or the same with other numbers.
+    case: &'a Case<T>,
     command: &'static str,
     problems: Vec<Diagnostic>,
 }
 
-impl Demand<'_> {
+impl<T: Real> Demand<'_, T> {
     fn missing(&mut self, path: &str, example: &str) {
         let message = format!("`{path}` is missing: `deltav {}` needs it", self.command);
         let help = format!("give {example}");
         self.problems.push(self.file.problem(path, message, Some(help)));
     }
 
-    fn given<T: Copy>(&mut self, value: Option<T>, path: &str, example: &str) -> Option<T> {
+    fn given<V: Copy>(&mut self, value: Option<V>, path: &str, example: &str) -> Option<V> {
         if value.is_none() {
             self.missing(path, example);
         }
@@ -327,7 +340,7 @@ impl Demand<'_> {
     }
 
     /// Turns the engine's refusal into a problem of the key that caused it.
-    fn accepted<T>(&mut self, path: &str, result: Result<T, impl std::fmt::Display>) -> Option<T> {
+    fn accepted<V>(&mut self, path: &str, result: Result<V, impl std::fmt::Display>) -> Option<V> {
         match result {
             Ok(value) => Some(value),
             Err(error) => {
@@ -337,7 +350,7 @@ impl Demand<'_> {
         }
     }
 
-    fn finish<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
+    fn finish<V>(self, value: Option<V>) -> Result<V, Diagnostics> {
         match value {
             Some(value) if self.problems.is_empty() => Ok(value),
             _ => Err(Diagnostics::new(self.file.source.clone(), self.problems)),
@@ -345,11 +358,11 @@ impl Demand<'_> {
     }
 
     fn unknown(&mut self) -> Option<Unknown> {
-        let find = self.file.case.reconstruct.as_ref().map(|reconstruct| reconstruct.find);
+        let find = self.case.reconstruct.as_ref().map(|reconstruct| reconstruct.find);
         self.given(find, "reconstruct.find", "`find = \"vehicle1.speed\"` in a table [reconstruct]")
     }
 
-    fn collision(&mut self, unknown: Option<Unknown>) -> Option<Collision> {
+    fn collision(&mut self, unknown: Option<Unknown>) -> Option<Collision<T>> {
         let vehicles = [self.subject(0), self.subject(1)];
         let inertias =
             vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.inertia));
@@ -362,8 +375,8 @@ impl Demand<'_> {
         Some(Collision { contact, law, restitution_curve, motions: [m1?, m2?], vehicles: [v1?, v2?] })
     }
 
-    fn subject(&mut self, i: usize) -> Option<Subject> {
-        let vehicle = &self.file.case.vehicles[i];
+    fn subject(&mut self, i: usize) -> Option<Subject<T>> {
+        let vehicle = &self.case.vehicles[i];
         let contact = vehicle.contact.as_ref().map(ContactPoint::forward_left);
         let class = self.class(i, vehicle);
         let dimensions = dimensions(vehicle, class);
@@ -378,14 +391,19 @@ impl Demand<'_> {
         Some(Subject { inertia: Some(inertia?), contact, dimensions, damage })
     }
 
-    fn class(&mut self, i: usize, vehicle: &Vehicle) -> Option<(u8, VehicleClass)> {
+    fn class(&mut self, i: usize, vehicle: &Vehicle<T>) -> Option<(u8, VehicleClass)> {
         let class = vehicle.class?;
         self.accepted(&format!("vehicle{}.class", i + 1), VehicleClass::new(class))
             .map(|known| (class, known))
     }
 
     /// What the file gives goes before the class, and the class before Burg's estimate.
-    fn inertia(&mut self, i: usize, vehicle: &Vehicle, class: Option<(u8, VehicleClass)>) -> Option<Inertia> {
+    fn inertia(
+        &mut self,
+        i: usize,
+        vehicle: &Vehicle<T>,
+        class: Option<(u8, VehicleClass)>,
+    ) -> Option<Inertia<T>> {
         let table = format!("vehicle{}", i + 1);
         let mass = vehicle.mass.as_ref().map(crate::Mass::kg);
         let mass =
@@ -415,16 +433,16 @@ impl Demand<'_> {
         None
     }
 
-    fn participant(&mut self, i: usize, inertia: Option<Inertia>) -> Option<Participant> {
+    fn participant(&mut self, i: usize, inertia: Option<Inertia<T>>) -> Option<Participant<T>> {
         let table = format!("vehicle{}", i + 1);
-        let vehicle = &self.file.case.vehicles[i];
+        let vehicle = &self.case.vehicles[i];
         let heading = vehicle.heading.as_ref().map(Quantity::si);
         let contact = vehicle.contact.as_ref().map(ContactPoint::forward_left);
         if vehicle.fixed {
             // Heading and contact point of a fixed object are optional; they only help to orient the crush plane's normal.
             return match contact {
                 Some([forward, left]) => {
-                    let placed = Participant::new(Body::fixed(), heading.unwrap_or_default(), forward, left);
+                    let placed = Participant::new(Body::fixed(), heading.unwrap_or(T::ZERO), forward, left);
                     self.accepted(&format!("{table}.contact"), placed)
                 }
                 None => Some(Participant::barrier()),
@@ -442,13 +460,13 @@ impl Demand<'_> {
         self.accepted(&table, Participant::new(body, heading, forward, left))
     }
 
-    fn motion(&mut self, i: usize, unknown: Option<Unknown>) -> Option<Motion> {
+    fn motion(&mut self, i: usize, unknown: Option<Unknown>) -> Option<Motion<T>> {
         let table = format!("vehicle{}", i + 1);
-        let vehicle = &self.file.case.vehicles[i];
+        let vehicle = &self.case.vehicles[i];
         if vehicle.fixed {
             return Some(Motion::rest());
         }
-        let yaw_rate = vehicle.yaw_rate.as_ref().map_or(0.0, Quantity::si);
+        let yaw_rate = vehicle.yaw_rate.as_ref().map_or(T::ZERO, Quantity::si);
         if unknown.is_some_and(|unknown| unknown.index() == i) {
             return Some(Motion::rest().with_yaw_rate(yaw_rate));
         }
@@ -459,13 +477,13 @@ impl Demand<'_> {
         };
         let motion = match velocity {
             Velocity::Speed(speed) => Motion::along(vehicle.heading.as_ref()?.si(), speed.si()),
-            Velocity::Vector { x, y } => Motion { velocity: Vector2::new(x.si(), y.si()), yaw_rate: 0.0 },
+            Velocity::Vector { x, y } => Motion { velocity: Vector2::new(x.si(), y.si()), yaw_rate: T::ZERO },
         };
         Some(motion.with_yaw_rate(yaw_rate))
     }
 
-    fn law(&mut self) -> Option<(Law, Option<RestitutionCurve>)> {
-        let Some(impact) = &self.file.case.impact else {
+    fn law(&mut self) -> Option<(Law<T>, Option<RestitutionCurve<T>>)> {
+        let Some(impact) = &self.case.impact else {
             self.missing("impact", "a table [impact] with crush_plane, restitution and tangential");
             return None;
         };
@@ -473,9 +491,9 @@ impl Demand<'_> {
             Some(points) => Some(self.accepted("impact.restitution", RestitutionCurve::new(points))?),
             None => None,
         };
-        let e = |restitution: &Restitution| match restitution {
+        let e = |restitution: &Restitution<T>| match restitution {
             Restitution::Constant(e) => *e,
-            Restitution::OfClosingSpeed { values, .. } => values.first().copied().unwrap_or_default(),
+            Restitution::OfClosingSpeed { values, .. } => values.first().copied().unwrap_or(T::ZERO),
         };
         let law = match &impact.law {
             ImpactLaw::Brach { restitution, tangential, moment_restitution } => {
@@ -498,12 +516,12 @@ impl Demand<'_> {
         Some((self.accepted("impact", law)?, curve))
     }
 
-    fn contact(&mut self, participants: [Participant; 2]) -> Option<Contact> {
-        let crush_plane = self.file.case.impact.as_ref()?.crush_plane.si();
+    fn contact(&mut self, participants: [Participant<T>; 2]) -> Option<Contact<T>> {
+        let crush_plane = self.case.impact.as_ref()?.crush_plane.si();
         self.accepted("impact.crush_plane", Contact::new(participants, crush_plane))
     }
 
-    fn damage(&mut self, i: usize, crush: &Crush, dimensions: Option<Dimensions>) -> Option<Damage> {
+    fn damage(&mut self, i: usize, crush: &Crush<T>, dimensions: Option<Dimensions<T>>) -> Option<Damage<T>> {
         let path = |key: &str| format!("vehicle{}.crush.{key}", i + 1);
         let structure = self.accepted(&path("stiffness"), crush.stiffness.structure(crush.side));
         let evidence = if crush.from_force_balance {
@@ -521,7 +539,7 @@ impl Demand<'_> {
         let face = match dimensions {
             Some(dimensions) => {
                 let face =
-                    DamagedFace::new(crush.side, dimensions.face(crush.side), offset.unwrap_or_default());
+                    DamagedFace::new(crush.side, dimensions.face(crush.side), offset.unwrap_or(T::ZERO));
                 Some(self.accepted(&format!("vehicle{}.cg_to_front", i + 1), face)?)
             }
             None => None,
@@ -545,7 +563,7 @@ impl Demand<'_> {
         })
     }
 
-    fn profile(&mut self, i: usize, crush: &Crush) -> Option<Profile> {
+    fn profile(&mut self, i: usize, crush: &Crush<T>) -> Option<Profile<T>> {
         let path = |key: &str| format!("vehicle{}.crush.{key}", i + 1);
         let depths = crush.depths.iter().map(Quantity::si).collect();
         let profile = match (&crush.spacing, &crush.width) {
@@ -562,9 +580,9 @@ impl Demand<'_> {
     fn inferred_width(
         &mut self,
         i: usize,
-        crush: &Crush,
-        dimensions: Option<Dimensions>,
-    ) -> Option<InferredWidth> {
+        crush: &Crush<T>,
+        dimensions: Option<Dimensions<T>>,
+    ) -> Option<InferredWidth<T>> {
         if let Some(width) = &crush.width {
             return Some(InferredWidth::Given(width.si()));
         }
@@ -585,16 +603,16 @@ impl Demand<'_> {
     /// Whether the file gives the PDOF of a vehicle, or that of the other and both headings.
     fn has_pdof(&self, i: usize) -> bool {
         let given = |i: usize| {
-            self.file.case.vehicles[i].crush.as_ref().is_some_and(|crush: &Crush| crush.pdof.is_some())
+            self.case.vehicles[i].crush.as_ref().is_some_and(|crush: &Crush<T>| crush.pdof.is_some())
         };
-        given(i) || (given(1 - i) && self.file.headings().iter().all(Option::is_some))
+        given(i) || (given(1 - i) && headings(self.case).iter().all(Option::is_some))
     }
 
     /// A force balance between two crushes needs the angle at which the force meets each.
     fn directions_for_balance(&mut self) {
         for i in [0, 1] {
             let has_angle =
-                self.file.case.vehicles[i].crush.as_ref().is_some_and(|crush| crush.oblique_angle.is_some());
+                self.case.vehicles[i].crush.as_ref().is_some_and(|crush| crush.oblique_angle.is_some());
             if !has_angle && !self.has_pdof(i) {
                 self.missing(
                     &format!("vehicle{}.crush.pdof", i + 1),
@@ -606,7 +624,7 @@ impl Demand<'_> {
     }
 
     /// `crush` has no impulse to take the direction of the force from.
-    fn direction_of_force(&mut self, i: usize, vehicle: &Vehicle) {
+    fn direction_of_force(&mut self, i: usize, vehicle: &Vehicle<T>) {
         let table = format!("vehicle{}", i + 1);
         let Some(crush) = &vehicle.crush else {
             self.missing(&format!("{table}.crush"), CRUSH_EXAMPLE);
@@ -628,11 +646,11 @@ impl Demand<'_> {
     }
 }
 
-fn has_dimensions(vehicle: &Vehicle) -> bool {
+fn has_dimensions<T>(vehicle: &Vehicle<T>) -> bool {
     vehicle.outline.is_some() || vehicle.class.is_some()
 }
 
-fn dimensions(vehicle: &Vehicle, class: Option<(u8, VehicleClass)>) -> Option<Dimensions> {
+fn dimensions<T: Real>(vehicle: &Vehicle<T>, class: Option<(u8, VehicleClass)>) -> Option<Dimensions<T>> {
     let given = vehicle.outline.map(|outline| Dimensions {
         length: outline.length.si(),
         width: outline.width.si(),
@@ -640,9 +658,9 @@ fn dimensions(vehicle: &Vehicle, class: Option<(u8, VehicleClass)>) -> Option<Di
         class: None,
     });
     given.or(class.map(|(class, known)| Dimensions {
-        length: known.length,
-        width: known.width,
-        cg_to_front: known.cg_to_front,
+        length: T::from(known.length),
+        width: T::from(known.width),
+        cg_to_front: T::from(known.cg_to_front),
         class: Some(class),
     }))
 }

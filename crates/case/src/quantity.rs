@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use pim_core::Real;
 use thiserror::Error;
 
 use crate::nearest::join;
@@ -9,9 +10,42 @@ use crate::units::{Dimension, Unit, nearest_unit};
 
 /// A number with its unit, as the case file gives it. Always finite and within [`Dimension::bound`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Quantity {
-    number: f64,
+pub struct Quantity<T = f64> {
+    number: T,
     unit: &'static Unit,
+}
+
+impl<T: Copy> Quantity<T> {
+    /// The number as written.
+    #[must_use]
+    pub fn number(&self) -> T {
+        self.number
+    }
+
+    /// The unit as written.
+    #[must_use]
+    pub fn unit(&self) -> &'static Unit {
+        self.unit
+    }
+
+    /// What it measures.
+    #[must_use]
+    pub fn dimension(&self) -> Dimension {
+        self.unit.dimension()
+    }
+
+    /// Another number in the same unit.
+    pub(crate) fn with<U>(&self, number: U) -> Quantity<U> {
+        Quantity { number, unit: self.unit }
+    }
+}
+
+impl<T: Real> Quantity<T> {
+    /// The value in SI ([`Dimension::si_unit`]).
+    #[must_use]
+    pub fn si(&self) -> T {
+        self.number * self.unit.factor()
+    }
 }
 
 impl Quantity {
@@ -69,30 +103,6 @@ impl Quantity {
             return Err(QuantityError::NotFinite { value: shorten(text) });
         }
         Self::new(number, unit)
-    }
-
-    /// The number as written.
-    #[must_use]
-    pub fn number(&self) -> f64 {
-        self.number
-    }
-
-    /// The unit as written.
-    #[must_use]
-    pub fn unit(&self) -> &'static Unit {
-        self.unit
-    }
-
-    /// What it measures.
-    #[must_use]
-    pub fn dimension(&self) -> Dimension {
-        self.unit.dimension()
-    }
-
-    /// The value in SI ([`Dimension::si_unit`]).
-    #[must_use]
-    pub fn si(&self) -> f64 {
-        self.number * self.unit.factor()
     }
 }
 

@@ -50,6 +50,37 @@ pub(crate) enum Command {
         after_help = "Example:\n  deltav compare fixtures/sae-980025.toml"
     )]
     Compare(Arguments),
+    /// Say how much the answer moves with each estimate
+    #[command(
+        long_about = "Say how much the answer moves with each estimate.\n\n\
+            A case with [reconstruct] gets the exact derivative of the speed found and of both velocity changes by each number of the file, in that \
+            number's own unit and in per cent per per cent, the most influential first. Any case whose damage and directions of force are \
+            known gets a sweep of the PDOF: CRASH3's answer for lines of action turned to both sides, positive counter-clockwise.",
+        after_help = "Examples:\n  deltav sensitivity fixtures/sae-980025.toml\n  \
+            deltav sensitivity fixtures/sae-980025.toml --pdof-step 10 --pdof-steps 1 --format json"
+    )]
+    Sensitivity(SensitivityArguments),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SensitivityArguments {
+    #[command(flatten)]
+    pub(crate) arguments: Arguments,
+
+    /// Degrees from one direction of force to the next
+    #[arg(long, value_name = "DEGREES", default_value_t = 5.0, value_parser = degrees)]
+    pub(crate) pdof_step: f64,
+
+    /// Directions of force to each side of the nominal one
+    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(0..=180))]
+    pub(crate) pdof_steps: u32,
+}
+
+fn degrees(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(degrees) if degrees > 0.0 && degrees <= 180.0 => Ok(degrees),
+        _ => Err("give degrees above 0 and up to 180, such as 5".to_owned()),
+    }
 }
 
 #[derive(Debug, Args)]

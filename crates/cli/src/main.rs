@@ -7,9 +7,9 @@ use std::io::{self, ErrorKind, Read as _, Write as _};
 use std::path::Path;
 use std::process::ExitCode;
 
-use analysis::{Analysis, Failure};
+use analysis::{Analysis, Failure, Sweep};
 use anyhow::{Context as _, Result};
-use arguments::{Arguments, Command, Format, UnitSystem};
+use arguments::{Arguments, Command, Format, SensitivityArguments, UnitSystem};
 use case::{Case, CaseFile};
 use clap::Parser as _;
 use report::Units;
@@ -25,6 +25,7 @@ fn main() -> ExitCode {
         Command::Impact(arguments) => report_analysis(&arguments, analysis::impact),
         Command::Crush(arguments) => report_analysis(&arguments, analysis::crush),
         Command::Compare(arguments) => report_comparison(&arguments),
+        Command::Sensitivity(arguments) => report_sensitivity(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -58,6 +59,19 @@ fn report_comparison(arguments: &Arguments) -> Result<()> {
     let output = match arguments.format {
         Format::Text => report::comparison_text(&file.case, &comparison, units(arguments, &file)),
         Format::Json => report::comparison_json(&file.case, &comparison)?,
+    };
+    write(arguments.output.as_deref(), &output)
+}
+
+fn report_sensitivity(
+    SensitivityArguments { arguments, pdof_step, pdof_steps }: &SensitivityArguments,
+) -> Result<()> {
+    let file = case_file(arguments)?;
+    let sweep = Sweep { step: pdof_step.to_radians(), steps: *pdof_steps };
+    let sensitivity = analysis::sensitivity(&file, sweep)?;
+    let output = match arguments.format {
+        Format::Text => report::sensitivity_text(&file.case, &sensitivity, units(arguments, &file)),
+        Format::Json => report::sensitivity_json(&file.case, &sensitivity)?,
     };
     write(arguments.output.as_deref(), &output)
 }

@@ -21,7 +21,8 @@
 //!
 //! | item | is |
 //! |---|---|
-//! | [`Real`] | the operations that the equations use; implemented for `f64` |
+//! | [`Real`] | the operations that the equations use; implemented for `f64` and [`Dual`] |
+//! | [`Dual`] | a number that carries its derivative |
 //! | [`elementary::sin_cos`] | sine and cosine of an angle in radians, up to [`elementary::SIN_COS_LIMIT`] |
 //! | [`elementary::atan2`] | angle of a vector in radians, over all of `f64` |
 //!
@@ -43,7 +44,10 @@
 //! No logarithm, exponential or power: only what the equations use. No `f64 * T`: write the constant on the right, `x * 0.5`.
 //! No complex numbers, no `f32`, and no reduction of angles beyond [`elementary::SIN_COS_LIMIT`].
 
+mod dual;
 pub mod elementary;
+
+pub use dual::Dual;
 
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};

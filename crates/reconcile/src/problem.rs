@@ -293,6 +293,26 @@ impl<'a, T: Real> Problem<'a, T> {
         self.work_at(&self.law(-approach.velocity.normal), approach)
     }
 
+    /// (J) what the normal work at the given speed (m/s) is above the one sought there: zero at every root. Its derivatives by an
+    /// input p and by the speed are those of the root, ds/dp = −(∂/∂p)/(∂/∂s), whatever method found it.
+    #[inline(always)]
+    #[must_use]
+    pub fn residual(&self, speed: T) -> T {
+        let approach = self.contact.approach(&self.motions(speed));
+        let law = self.law(-approach.velocity.normal);
+        self.work_at(&law, approach) - self.sought(&law)
+    }
+
+    /// The impact at the given speed (m/s), and the law there.
+    ///
+    /// # Errors
+    /// [`ImpactError`].
+    pub fn impact(&self, speed: T) -> Result<(Law<T>, Outcome<T>), ImpactError> {
+        let motions = self.motions(speed);
+        let law = self.law(-self.contact.approach(&motions).velocity.normal);
+        self.contact.impact(motions, &law).map(|outcome| (law, outcome))
+    }
+
     #[inline(always)]
     fn work_at(&self, law: &Law<T>, approach: Approach<T>) -> T {
         let u = approach.velocity;
@@ -403,10 +423,8 @@ impl<'a, T: Real> Search<'a, T> {
             return;
         }
         let problem = self.problem;
-        let motions = problem.motions(speed);
-        let law = problem.law(-problem.contact.approach(&motions).velocity.normal);
-        match problem.contact.impact(motions, &law) {
-            Ok(outcome) => {
+        match problem.impact(speed) {
+            Ok((law, outcome)) => {
                 self.roots.push(speed);
                 if self.first.is_none() {
                     self.first = Some((speed, law, outcome, method));

@@ -22,12 +22,14 @@
 mod comparison;
 mod json;
 mod law;
+mod sensitivity;
 mod text;
 mod units;
 mod warnings;
 
 pub use comparison::{comparison_json, comparison_text};
 pub use json::json;
+pub use sensitivity::{sensitivity_json, sensitivity_text};
 pub use text::text;
 pub use units::Units;
 pub use warnings::message;

@@ -114,6 +114,11 @@ impl Units {
         format!("{}{space}{name}", number(si / size, decimals))
     }
 
+    /// An SI value in the unit.
+    pub(crate) fn value(self, quantity: Quantity, si: f64) -> f64 {
+        si / self.display(quantity).size
+    }
+
     /// The unit's name.
     pub(crate) fn name(self, quantity: Quantity) -> &'static str {
         self.display(quantity).name
@@ -172,5 +177,16 @@ pub(crate) fn number(value: f64, decimals: usize) -> String {
     match fraction {
         Some(fraction) => format!("{sign}{grouped}.{fraction}"),
         None => format!("{sign}{grouped}"),
+    }
+}
+
+/// A number with so many significant digits, as a decimal where that is not long.
+pub(crate) fn significant(value: f64, digits: usize) -> String {
+    let scientific = format!("{value:.*e}", digits - 1);
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    match exponent.map(|exponent| i32::try_from(digits).unwrap_or(i32::MAX) - 1 - exponent) {
+        // Up to six decimals, and no digits before the point beyond those asked for.
+        Some(decimals @ 0..=6) => format!("{value:.*}", usize::try_from(decimals).unwrap_or_default()),
+        _ => scientific,
     }
 }

@@ -1,0 +1,222 @@
+//! How much the answer moves with each estimate: exact derivatives, and a sweep of the direction of force.
+
+use case::{Case, CaseFile, Dimension, Input};
+use crash3::ObliqueCorrection;
+use pim_core::Real;
+use real::Dual;
+use reconcile::Problem;
+
+use crate::damage::{self, Crash3};
+use crate::{Analysis, Failure, crush, impact, reconstruct};
+
+/// (rad) 1°.
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// How the answer moves.
+#[derive(Debug)]
+pub struct Sensitivity {
+    /// The answer itself.
+    pub nominal: Analysis,
+    /// The derivatives of a reconstruction, for each output from the most to the least influential input; none for a case without `[reconstruct]`.
+    pub derivatives: Vec<Derivative>,
+    /// CRASH3's answer for turned directions of force, from the most clockwise to the most counter-clockwise; empty where the damage or the
+    /// PDOF of a vehicle is not known.
+    pub pdof_sweep: Vec<SweepRow>,
+}
+
+/// A result that is differentiated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// (m/s) the speed found.
+    Speed {
+        /// 1 or 2.
+        vehicle: usize,
+    },
+    /// (m/s) ΔV of the impact.
+    DeltaV {
+        /// 1 or 2.
+        vehicle: usize,
+    },
+}
+
+/// ∂(output)/∂(input), all other inputs as given.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Derivative {
+    /// What moves.
+    pub output: Output,
+    /// (SI) its value.
+    pub output_value: f64,
+    /// What moves it.
+    pub input: Input,
+    /// (SI per SI) the derivative.
+    pub value: f64,
+}
+
+impl Derivative {
+    /// Per cent per per cent: ∂(ln output)/∂(ln input). `None` for an angle, the zero of which is a matter of choice, and for an input of zero.
+    #[must_use]
+    pub fn relative(&self) -> Option<f64> {
+        // (x/y) ∂y/∂x
+        (!self.is_by_angle() && self.input.number != 0.0)
+            .then(|| self.value * self.input.si() / self.output_value)
+    }
+
+    /// The relative change of the output for 1 % of the input, or for 1° of an angle: what inputs of every kind can be ranked by.
+    #[must_use]
+    pub fn influence(&self) -> f64 {
+        if self.is_by_angle() {
+            self.value * DEGREE / self.output_value
+        } else {
+            self.relative().unwrap_or_default() / 100.0
+        }
+    }
+
+    fn is_by_angle(&self) -> bool {
+        self.input.unit.is_some_and(|unit| unit.dimension() == Dimension::Angle)
+    }
+}
+
+/// CRASH3's answer for one turned direction of force.
+#[derive(Clone, Debug)]
+pub struct SweepRow {
+    /// (rad) by how much the line of action is turned about its points, counter-clockwise.
+    pub change: f64,
+    /// (rad) PDOF of both vehicles; none of a fixed object.
+    pub pdof: [Option<f64>; 2],
+    /// CRASH3's answer with the arms and angles of that direction.
+    pub crash3: Crash3,
+}
+
+/// The directions of a sweep: `steps` of `step` (rad) to each side of the nominal one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sweep {
+    /// (rad) from one direction to the next.
+    pub step: f64,
+    /// How many to each side.
+    pub steps: u32,
+}
+
+/// Differentiates a case with `[reconstruct]` and sweeps the direction of force of any case whose damage is known.
+///
+/// The derivatives are exact: the same equations are evaluated on numbers that carry their derivative. Where the speed found is a root s of the residual
+/// R(s, p) = W_n − E, its derivative by an input p is −(∂R/∂p)/(∂R/∂s), whatever method found it.
+///
+/// # Errors
+/// [`Failure`] where the case has no answer.
+pub fn sensitivity(file: &CaseFile, sweep: Sweep) -> Result<Sensitivity, Failure> {
+    let (nominal, derivatives) = if file.case.reconstruct.is_some() {
+        let nominal = reconstruct(file)?;
+        let derivatives = derivatives(file, &nominal)?;
+        (nominal, derivatives)
+    } else if file.case.impact.is_some() && file.case.vehicles.iter().all(|v| v.fixed || v.motion.is_some()) {
+        (impact(file)?, Vec::new())
+    } else {
+        (crush(file)?, Vec::new())
+    };
+    let pdof_sweep = pdof_sweep(&nominal, sweep)?;
+    Ok(Sensitivity { nominal, derivatives, pdof_sweep })
+}
+
+fn derivatives(file: &CaseFile, nominal: &Analysis) -> Result<Vec<Derivative>, Failure> {
+    let Some(found) = &nominal.found else { return Ok(Vec::new()) };
+    let constant = |input: &Input| Dual::from(input.number);
+    let by_speed = at(file, &file.case.map(|input| constant(&input)), |problem| {
+        Ok(problem.residual(Dual::variable(found.speed)).derivative)
+    })?;
+    let vehicle = found.unknown.index() + 1;
+    let outputs = [Output::Speed { vehicle }, Output::DeltaV { vehicle: 1 }, Output::DeltaV { vehicle: 2 }];
+    let mut derivatives = Vec::new();
+    for (i, input) in file.case.inputs().into_iter().enumerate() {
+        let mut index = 0;
+        // Of all numbers one varies, and does so by one of its SI unit.
+        let case = file.case.map(|other| {
+            let derivative = if index == i { 1.0 / other.factor() } else { 0.0 };
+            index += 1;
+            Dual { value: other.number, derivative }
+        });
+        let [speed, dv1, dv2] = at(file, &case, |problem| {
+            let by_input = problem.residual(Dual::from(found.speed)).derivative;
+            // ds/dp = −(∂R/∂p)/(∂R/∂s)
+            let speed = Dual { value: found.speed, derivative: -(by_input / by_speed) };
+            let (_, outcome) = problem.impact(speed)?;
+            let [dv1, dv2] = outcome.delta_v_magnitude();
+            Ok([speed, dv1, dv2])
+        })?;
+        for (output, dual) in outputs.into_iter().zip([speed, dv1, dv2]) {
+            let (output_value, value) = (dual.value(), dual.derivative);
+            derivatives.push(Derivative { output, output_value, input: input.clone(), value });
+        }
+    }
+    let order = |output: Output| outputs.iter().position(|other| *other == output);
+    // A fixed object has no ΔV that could move.
+    derivatives.retain(|derivative| derivative.output_value != 0.0);
+    derivatives.sort_by(|a, b| {
+        let influence = b.influence().abs().total_cmp(&a.influence().abs());
+        order(a.output).cmp(&order(b.output)).then(influence)
+    });
+    Ok(derivatives)
+}
+
+/// The problem that a case poses, with other numbers.
+fn at<T: Real, R>(
+    file: &CaseFile,
+    case: &Case<T>,
+    evaluate: impl FnOnce(&Problem<'_, T>) -> Result<R, Failure>,
+) -> Result<R, Failure> {
+    let input = file.reconstruction_with(case)?;
+    let collision = input.collision;
+    let crush_energy = damage::crush_energy(&damage::assess(collision.vehicles, [None, None])?);
+    let problem = Problem::new(
+        collision.contact,
+        collision.law,
+        collision.motions,
+        input.unknown,
+        crush_energy,
+        input.basis,
+    )?;
+    match &collision.restitution_curve {
+        Some(curve) => evaluate(&problem.with_restitution_curve(curve)),
+        None => evaluate(&problem),
+    }
+}
+
+fn pdof_sweep(nominal: &Analysis, sweep: Sweep) -> Result<Vec<SweepRow>, Failure> {
+    let mut rows = Vec::new();
+    if nominal.crash3.is_none() {
+        return Ok(rows);
+    }
+    let nominal_pdof =
+        nominal.vehicles.each_ref().map(|vehicle| vehicle.damage.as_ref().and_then(|damage| damage.pdof));
+    let restitution = nominal.impact.as_ref().map(|impact| impact.law.restitution());
+    let steps = i64::from(sweep.steps);
+    for step in -steps..=steps {
+        #[expect(clippy::cast_precision_loss, reason = "a u32 is exact in f64")]
+        let change = step as f64 * sweep.step;
+        // A line of action that turns counter-clockwise turns both PDOFs, which count clockwise, the other way.
+        let pdof = nominal_pdof.map(|pdof| pdof.map(|pdof| pdof - change));
+        let mut subjects = nominal.vehicles.each_ref().map(|vehicle| vehicle.subject.clone());
+        for (subject, pdof) in subjects.iter_mut().zip(pdof) {
+            let Some(damage) = &mut subject.damage else { continue };
+            // Without a PDOF, or without a point that the force acts through, there is nothing to turn.
+            if pdof.is_none() || (subject.contact.is_none() && damage.face.is_none()) {
+                return Ok(Vec::new());
+            }
+            damage.pdof = pdof;
+            damage.oblique_angle = None;
+            damage.moment_arm = None;
+        }
+        let vehicles = damage::assess(subjects, [None, None])?;
+        if let Some(crash3) = damage::crash3(&vehicles, nominal.basis, restitution)? {
+            rows.push(SweepRow { change, pdof, crash3 });
+        }
+    }
+    Ok(rows)
+}
+
+impl SweepRow {
+    /// The row of one correction for oblique forces; none where a force does not push on its damaged side.
+    #[must_use]
+    pub fn corrected(&self, correction: ObliqueCorrection) -> Option<[f64; 2]> {
+        self.crash3.corrections.iter().find(|row| row.correction == correction).map(|row| row.delta_v)
+    }
+}

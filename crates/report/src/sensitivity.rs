@@ -1,0 +1,191 @@
+//! How much the answer moves with each estimate, as text and as JSON.
+
+use analysis::{Derivative, Output, Sensitivity};
+use case::Case;
+use crash3::ObliqueCorrection;
+use serde::Serialize;
+
+use crate::text::{LINE, wrapped};
+use crate::units::{Quantity, Units, number, significant};
+
+#[derive(Serialize)]
+struct Document<'a> {
+    title: &'a str,
+    derivatives: Vec<DerivativeBlock<'a>>,
+    pdof_sweep: Vec<SweepBlock>,
+}
+
+/// SI per SI.
+#[derive(Serialize)]
+struct DerivativeBlock<'a> {
+    output: String,
+    input: &'a str,
+    value: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    relative: Option<f64>,
+    influence: f64,
+}
+
+/// SI and radians.
+#[derive(Serialize)]
+struct SweepBlock {
+    change: f64,
+    pdof: [Option<f64>; 2],
+    moment_arm: [f64; 2],
+    uncorrected_delta_v: [f64; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    delta_v: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    capped_delta_v: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uncapped_delta_v: Option<[f64; 2]>,
+}
+
+/// The sensitivity as indented JSON, ending in a line break: `{"derivatives": [{"output": …, "input": …, "value": …}], "pdof_sweep": [{"change": …,
+/// "delta_v": […]}]}`. Derivatives are SI per SI, `relative` is per cent per per cent, and
+/// `influence` the relative change for 1 % of the input, or for 1° of an angle, by which they are ranked.
+///
+/// # Errors
+/// Where serialisation fails, which no sensitivity causes.
+pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String, serde_json::Error> {
+    let document = Document {
+        title: case.title.as_deref().unwrap_or_default(),
+        derivatives: sensitivity
+            .derivatives
+            .iter()
+            .map(|row| DerivativeBlock {
+                output: output_path(row.output),
+                input: &row.input.path,
+                value: row.value + 0.0,
+                relative: row.relative().map(|relative| relative + 0.0),
+                influence: row.influence() + 0.0,
+            })
+            .collect(),
+        pdof_sweep: sensitivity
+            .pdof_sweep
+            .iter()
+            .map(|row| SweepBlock {
+                change: row.change + 0.0,
+                pdof: row.pdof,
+                moment_arm: row.crash3.moment_arm,
+                uncorrected_delta_v: row.crash3.delta_v,
+                delta_v: row.crash3.corrected.map(|corrected| corrected.delta_v),
+                capped_delta_v: row.corrected(ObliqueCorrection::Capped),
+                uncapped_delta_v: row.corrected(ObliqueCorrection::Uncapped),
+            })
+            .collect(),
+    };
+    Ok(serde_json::to_string_pretty(&document)? + "\n")
+}
+
+fn output_path(output: Output) -> String {
+    match output {
+        Output::Speed { vehicle } => format!("vehicle{vehicle}.speed"),
+        Output::DeltaV { vehicle } => format!("vehicle{vehicle}.delta_v"),
+    }
+}
+
+/// The sensitivity as tables.
+#[must_use]
+pub fn sensitivity_text(case: &Case, sensitivity: &Sensitivity, units: Units) -> String {
+    let mut text = format!("{}\n", case.title.as_deref().unwrap_or("Untitled case"));
+    for group in sensitivity.derivatives.chunk_by(|a, b| a.output == b.output) {
+        derivatives(&mut text, group, units);
+    }
+    if !sensitivity.derivatives.is_empty() {
+        text.push('\n');
+        text.push_str(&wrapped(
+            "Each derivative is exact, with all other numbers as given (theory 6). The influence, by which they are ranked, is the change of the result \
+             in % for 1 % of the input, or for 1° of an angle, whose zero is a matter of choice.",
+        ));
+    }
+    sweep(&mut text, sensitivity, units);
+    text
+}
+
+fn derivatives(text: &mut String, group: &[Derivative], units: Units) {
+    let Some(first) = group.first() else { return };
+    let name = match first.output {
+        Output::Speed { vehicle } => format!("Speed of vehicle {vehicle}"),
+        Output::DeltaV { vehicle } => format!("ΔV of vehicle {vehicle}"),
+    };
+    let value = units.format(Quantity::Speed, first.output_value);
+    text.push_str(&format!(
+        "\n{:<62}{:>24}{:>12}\n",
+        format!("{name}, {value}"),
+        "change per unit",
+        "% per %"
+    ));
+    text.push_str(&"─".repeat(LINE));
+    text.push('\n');
+    for row in group.iter().filter(|row| row.value != 0.0) {
+        let (unit, per) = match row.input.unit {
+            Some(unit) => (format!(" {unit}"), format!("/({unit})")),
+            None => (String::new(), String::new()),
+        };
+        let given = format!("{}{unit}", row.input.number);
+        // In the result's unit per one of the input's own.
+        let change = significant(units.value(Quantity::Speed, row.value * row.input.factor()), 4);
+        let change = format!("{change} {}{per}", units.name(Quantity::Speed));
+        let relative = row.relative().map_or_else(|| "–".to_owned(), |relative| number(relative, 3));
+        let influence = number(100.0 * row.influence(), 2);
+        text.push_str(&format!(
+            "{:<34}{given:<16}{change:>28}{relative:>10}{influence:>10}\n",
+            row.input.path
+        ));
+    }
+    let without: Vec<&str> =
+        group.iter().filter(|row| row.value == 0.0).map(|row| row.input.path.as_str()).collect();
+    if !without.is_empty() {
+        text.push_str(&wrapped(&format!("no influence: {}", without.join(", "))));
+    }
+}
+
+fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units) {
+    if sensitivity.pdof_sweep.is_empty() {
+        text.push('\n');
+        text.push_str(&wrapped(
+            "No sweep of the PDOF: it needs the damage and the PDOF of both vehicles, and of each its contact point or its outline.",
+        ));
+        return;
+    }
+    let speed = units.name(Quantity::Speed);
+    text.push_str(&format!(
+        "\n{:<22}{:>9}{:>9}{:>10}{:>12}{:>12}{:>12}{:>12}\n",
+        "PDOF sweep, CRASH3", "PDOF 1", "PDOF 2", "ΔV", "uncorrected", "corrected", "capped", "uncapped"
+    ));
+    text.push_str(&format!(
+        "{:<22}{:>9}{:>9}{:>10}{speed:>12}{speed:>12}{speed:>12}{speed:>12}\n",
+        "change, °", "°", "°", "vehicle"
+    ));
+    text.push_str(&"─".repeat(LINE));
+    text.push('\n');
+    for row in &sensitivity.pdof_sweep {
+        let angle =
+            |pdof: Option<f64>| pdof.map_or("–".to_owned(), |pdof| units.plain(Quantity::Angle, pdof));
+        let nominal = if row.change == 0.0 { " (nominal)" } else { "" };
+        let change = format!("{}{nominal}", units.signed(Quantity::Angle, row.change));
+        let directions = format!("{change:<22}{:>9}{:>9}", angle(row.pdof[0]), angle(row.pdof[1]));
+        for vehicle in [0, 1] {
+            let cell = |dv: Option<[f64; 2]>| {
+                let dv = dv.map(|dv| units.plain(Quantity::Speed, dv[vehicle]));
+                format!("{:>12}", dv.unwrap_or_else(|| "–".to_owned()))
+            };
+            let cells = [
+                Some(row.crash3.delta_v),
+                row.crash3.corrected.map(|corrected| corrected.delta_v),
+                row.corrected(ObliqueCorrection::Capped),
+                row.corrected(ObliqueCorrection::Uncapped),
+            ]
+            .map(cell)
+            .concat();
+            let directions = if vehicle == 0 { directions.as_str() } else { "" };
+            text.push_str(&format!("{directions:<40}{:>10}{cells}\n", vehicle + 1));
+        }
+    }
+    text.push('\n');
+    text.push_str(&wrapped(
+        "The lines of action are turned about the points through which the forces act, positive counter-clockwise as in Table 3 of SAE 980025; moment arms \
+         and angles to the damaged sides follow. \"corrected\" is by the correction that the case asks for; all are without restitution (Eq 6–8).",
+    ));
+}
