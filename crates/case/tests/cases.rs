@@ -229,15 +229,17 @@ energy_basis = "dissipated"
 #[test]
 fn every_valid_fixture_is_read_and_written_back() {
     let mut read_files = 0;
-    for entry in fs::read_dir(fixtures()).unwrap() {
+    let folders = [fixtures(), fixtures().join("no-answer"), fixtures().join("ricsac")];
+    for entry in folders.iter().flat_map(|folder| fs::read_dir(folder).unwrap()) {
         let path = entry.unwrap().path();
-        if path.extension().is_some_and(|extension| extension == "toml") {
+        // What the papers print of the RICSAC collisions is no case.
+        if path.extension().is_some_and(|extension| extension == "toml") && !path.ends_with("published.toml") {
             let case = read(&fs::read_to_string(&path).unwrap()).case;
             assert_eq!(read(&case.to_toml()).case, case, "{}", path.display());
             read_files += 1;
         }
     }
-    assert!(read_files > 0);
+    assert!(read_files > 20, "{read_files}");
     let case = read(OTHER_FORMS).case;
     assert_eq!(read(&case.to_toml()).case, case);
 }
