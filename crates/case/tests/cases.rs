@@ -233,7 +233,8 @@ fn every_valid_fixture_is_read_and_written_back() {
     for entry in folders.iter().flat_map(|folder| fs::read_dir(folder).unwrap()) {
         let path = entry.unwrap().path();
         // What the papers print of the RICSAC collisions is no case.
-        if path.extension().is_some_and(|extension| extension == "toml") && !path.ends_with("published.toml") {
+        if path.extension().is_some_and(|extension| extension == "toml") && !path.ends_with("published.toml")
+        {
             let case = read(&fs::read_to_string(&path).unwrap()).case;
             assert_eq!(read(&case.to_toml()).case, case, "{}", path.display());
             read_files += 1;
