@@ -330,6 +330,22 @@ fn the_reconstructions_are_those_of_an_independent_bisection() {
     }
 }
 
+/// The page says that category 2 (SAE 870045, Table 1) on the struck side would make the speeds found higher still.
+#[test]
+fn the_stiffer_side_would_make_the_speeds_higher() {
+    let category1 = "{ A = \"77 lb/in\", B = \"37 lb/in^2\", G = \"81 lb\" }";
+    let category2 = "{ A = \"140 lb/in\", B = \"67 lb/in^2\", G = \"148 lb\" }";
+    for test in [1, 6, 7] {
+        let found = |data: &Data| {
+            let lines = validate(data).unwrap().reconstructions;
+            lines.iter().find(|line| line.test == test).map(|line| (line.found, line.true_speed)).unwrap()
+        };
+        let (softer, true_speed) = found(&Data::built_in());
+        let (stiffer, _) = found(&with_case(test, category1, category2));
+        assert!(true_speed < softer && softer < stiffer, "test {test}: {true_speed}, {softer}, {stiffer}");
+    }
+}
+
 /// x̄ ± t s √(1 + 1/n), by hand: of 1, 2, 3 and 6, x̄ = 3, s² = 14/3, t = 3.182 for three degrees of freedom.
 #[test]
 fn the_error_rate_is_that_of_the_textbook() {
