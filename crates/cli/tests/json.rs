@@ -523,9 +523,9 @@ fn a_folder_is_no_case() {
     }
 }
 
-/// What the issue of the validation promises to its readers, in m/s.
+/// The keys that readers of the comparison rely on, speeds in m/s.
 #[test]
-fn the_validation_has_the_promised_keys() {
+fn the_validation_has_its_keys() {
     let validation: Value = serde_json::from_slice(&printed(&["validate", "--format", "json"], "")).unwrap();
     let list = |key: &str| validation[key].as_array().unwrap().clone();
     assert_eq!(list("failed"), Vec::<Value>::new());

@@ -7,7 +7,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use thiserror::Error;
 use validation::{FOOT_PER_SECOND, Row, Validation};
 
-use super::label::{Area, place};
+use super::label::{Area, Wanted, place};
 
 /// A plot could not be drawn.
 #[derive(Debug, Error)]
@@ -136,12 +136,12 @@ fn panel(
     }));
     let labelled: Vec<(&Point, &String)> =
         points.iter().filter_map(|point| point.label.as_ref().map(|label| (point, label))).collect();
-    let wanted: Vec<((i32, i32), (i32, i32))> = labelled
+    let wanted: Vec<Wanted> = labelled
         .iter()
         .map(|(point, label)| {
             // (px) half of some 7 px a digit, and of 12 px of height.
             let digits = i32::try_from(label.chars().count()).unwrap_or(i32::MAX / 8);
-            (pixel(point.at), (digits * 7 / 2 + 1, 6))
+            Wanted { point: pixel(point.at), half: (digits * 7 / 2 + 1, 6) }
         })
         .collect();
     let (left, bottom) = pixel((0.0, 0.0));
@@ -162,6 +162,14 @@ fn panel(
         root.draw(&Text::new((*label).clone(), at, text(12, HPos::Center))).map_err(failed)?;
     }
     Ok(())
+}
+
+/// Where axes end that hold all points: the next five beyond the greatest number.
+fn end(points: &[&[Point]]) -> f64 {
+    let greatest =
+        points.iter().copied().flatten().map(|point| point.at.0.max(point.at.1)).fold(0.0, f64::max);
+    // Room for a label beyond the last point.
+    (greatest * 1.04 / 5.0).ceil() * 5.0
 }
 
 fn legend(
@@ -211,9 +219,10 @@ pub fn computed_against_measured(validation: &Validation) -> Result<String, Plot
         let (panels, _) = root.split_vertically(620);
         let (left, right) = panels.split_horizontally(620);
         let axes = ["measured ΔV (ft/s)", "computed ΔV (ft/s)"];
-        panel(&root, &left, "PIM, total ΔV", axes, 65.0, &points(Row::PimTotal))?;
-        let title = "CRASH3, corrected ΔV from the published profiles";
-        panel(&root, &right, title, axes, 65.0, &points(Row::CrashCorrected))?;
+        let (pim, crash3) = (points(Row::PimTotal), points(Row::CrashCorrected));
+        let end = end(&[&pim, &crash3]);
+        panel(&root, &left, "PIM, total ΔV", axes, end, &pim)?;
+        panel(&root, &right, "CRASH3, corrected ΔV from the published profiles", axes, end, &crash3)?;
         let names: Vec<(Marker, bool, &str, i32)> = geometries
             .iter()
             .zip(Marker::ALL)
@@ -250,7 +259,7 @@ pub fn reconstructed_speed(validation: &Validation) -> Result<String, PlotError>
         root.fill(&WHITE).map_err(failed)?;
         let (top, _) = root.split_vertically(620);
         let axes = ["true speed of vehicle 1 (m/s)", "reconstructed speed of vehicle 1 (m/s)"];
-        panel(&root, &top, "Speed from crush energy", axes, 24.0, &points)?;
+        panel(&root, &top, "Speed from crush energy", axes, end(&[&points]), &points)?;
         let entries = [
             (Marker::Circle, true, "published profiles", 160),
             (Marker::Triangle, false, "energy implied by the paper", 220),
