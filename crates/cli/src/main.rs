@@ -85,26 +85,26 @@ impl std::fmt::Display for NotReproduced {
 impl std::error::Error for NotReproduced {}
 
 fn validate(arguments: &ValidateArguments) -> Result<()> {
-    let validation = validation::validate(&Data::built_in())?;
+    show(&validation::validate(&Data::built_in())?, arguments)
+}
+
+/// Writes everything first: what fails is to be seen in full.
+fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
     let output = match arguments.format {
-        PageFormat::Text => report::validation_text(&validation),
-        PageFormat::Json => report::validation_json(&validation)?,
-        PageFormat::Markdown => report::validation_markdown(&validation),
+        PageFormat::Text => report::validation_text(validation),
+        PageFormat::Json => report::validation_json(validation)?,
+        PageFormat::Markdown => report::validation_markdown(validation),
     };
     write(arguments.output.as_deref(), &output)?;
     if let Some(folder) = &arguments.plots {
         let plots = [
-            ("computed-against-measured.svg", report::computed_against_measured(&validation)?),
-            ("reconstructed-speed.svg", report::reconstructed_speed(&validation)?),
+            ("computed-against-measured.svg", report::computed_against_measured(validation)?),
+            ("reconstructed-speed.svg", report::reconstructed_speed(validation)?),
         ];
         for (name, plot) in plots {
             write(Some(&folder.join(name)), &plot)?;
         }
     }
-    verdict(&validation)
-}
-
-fn verdict(validation: &Validation) -> Result<()> {
     let failures = validation.failures();
     match failures.first() {
         None => Ok(()),
@@ -148,18 +148,27 @@ fn write(path: Option<&Path>, output: &str) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use super::{NO_ANSWER, lead_and_status, verdict};
+    use std::fs;
+
+    use crate::arguments::{PageFormat, ValidateArguments};
+
+    use super::{NO_ANSWER, lead_and_status, show};
 
     #[test]
-    fn a_claim_that_fails_ends_with_status_1() {
+    fn a_claim_that_fails_ends_with_status_1_after_the_page_is_written() {
+        let page = std::env::temp_dir().join(format!("deltav-failing-{}.txt", std::process::id()));
+        let arguments =
+            ValidateArguments { format: PageFormat::Text, output: Some(page.clone()), plots: None };
         let mut validation = validation::validate(&validation::Data::built_in()).unwrap();
-        assert!(verdict(&validation).is_ok());
+        assert!(show(&validation, &arguments).is_ok());
         validation.energies[3].normal.ours *= 1.02;
-        let error = verdict(&validation).unwrap_err();
+        let error = show(&validation, &arguments).unwrap_err();
         assert_eq!(
             error.to_string(),
             "1 of 231 numbers that are claimed to reproduce do not; the first: SAE 871993, Table 1, test 5, normal loss"
         );
         assert_eq!(lead_and_status(&error), ("error: ", NO_ANSWER));
+        assert!(fs::read_to_string(&page).unwrap().contains("Failing: SAE 871993, Table 1, test 5, normal"));
+        fs::remove_file(&page).unwrap();
     }
 }

@@ -545,6 +545,19 @@ fn the_validation_has_its_keys() {
         assert!((number("difference") - (number("ours") - number("paper"))).abs() < 1e-9, "{row}");
         assert_eq!(row["claims"][i]["reproduces"], true);
     }
+    let mut rows: Vec<String> =
+        list("table2").iter().map(|row| row["row"].as_str().unwrap().to_owned()).collect();
+    rows.sort();
+    rows.dedup();
+    let expected = [
+        "crash_corrected",
+        "crash_corrected_implied",
+        "crash_uncorrected",
+        "crash_uncorrected_implied",
+        "pim_crush",
+        "pim_total",
+    ];
+    assert_eq!(rows, expected);
     // The true speed is the test speed of the case, and what is found is what `reconstruct` finds.
     let case = include_str!("../../../fixtures/ricsac/08.toml");
     let alone = json("reconstruct", case);

@@ -82,7 +82,9 @@ fn all_44_numbers_of_pim_come_out() {
         for (of, place) in [(Row::PimCrush, 0), (Row::PimTotal, 2)] {
             let cells = row(&validation, test, of);
             assert_feet_per_second(&format!("test {test}, {of:?}"), &cells, &printed[place..place + 2], 0.1);
-            assert!(cells.iter().all(Cell::is_claimed));
+            // The claim itself is no wider.
+            let narrow = |cell: &Cell| matches!(cell.claim, Claim::Reproduces { tolerance } if tolerance < 0.1001 * FOOT_PER_SECOND);
+            assert!(cells.iter().all(narrow));
             numbers += cells.len();
         }
     }
@@ -144,6 +146,21 @@ fn crash3_from_the_implied_energies_comes_out() {
             let what = format!("test {test}, {of:?}");
             assert_feet_per_second(&what, &cells, &printed[place..place + 2], tolerance);
             assert!(cells.iter().all(Cell::is_claimed));
+        }
+    }
+}
+
+/// Where Table 3 does not hold the test, the energy is shared as the profiles share it: differences from print (ft/s) by an independent
+/// calculation of the same.
+#[test]
+fn the_shares_of_the_energy_are_those_of_the_profiles() {
+    let validation = built_in();
+    for (test, expected) in
+        [(8, [-0.054, -0.027]), (9, [-0.095, -0.026]), (11, [0.308, -0.306]), (12, [-0.042, -0.009])]
+    {
+        let cells = row(&validation, test, Row::CrashCorrectedImplied);
+        for (cell, expected) in cells.iter().zip(expected) {
+            assert!((cell.difference() / FOOT_PER_SECOND - expected).abs() < 0.001, "test {test}: {cell:?}");
         }
     }
 }
