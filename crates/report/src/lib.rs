@@ -22,17 +22,17 @@
 //!
 //! It computes nothing, and it draws no vehicles.
 
-mod comparison;
 mod json;
+mod staged;
 mod text;
 mod units;
 mod warnings;
 
-pub use comparison::{
+pub use json::json;
+pub use staged::{
     PlotError, computed_against_measured, reconstructed_speed, validation_headline, validation_json,
     validation_markdown, validation_text,
 };
-pub use json::json;
 pub use text::text;
 pub use units::Units;
 pub use warnings::message;
