@@ -18,14 +18,17 @@ fn collision(tangential: Tangential) -> Scene {
         yaw_rate: 0.2,
     };
     let other = Car { heading: 2.4, velocity: [-8.0, 7.0], mass: 1100.0, ..car };
-    Scene { cars: [car, other], crush_plane: 3.0, restitution: 0.2, tangential }
+    Scene { cars: [car, other], crush_plane: 3.0, restitution: 0.2, tangential, moment: -0.5 }
 }
 
-const LAWS: [Tangential; 4] = [
+const LAWS: [Tangential; 7] = [
     Tangential::Critical,
     Tangential::Ratio(0.1),
     Tangential::FractionOfCritical(0.8),
     Tangential::Friction(0.3),
+    Tangential::VelocityChange(1.0),
+    Tangential::Restitution(0.1),
+    Tangential::FullOrSliding(0.3),
 ];
 
 #[test]

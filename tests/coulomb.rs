@@ -40,7 +40,7 @@ fn friction_leaves_no_collision_without_an_impulse() {
 /// Unit mass and unit radius of gyration, C one metre ahead and one to the left of the CG; a wall along x.
 ///
 /// Its arms along n and t are r_n = −1, r_t = 1, so that by hand k_nn = 2, k_nt = 1, k_tt = 2 and det K = 3. It comes in with u = (−1, −8).
-fn steep_sideswipe(tangential: Tangential) -> Scene {
+pub(crate) fn steep_sideswipe(tangential: Tangential) -> Scene {
     let wall = Car {
         fixed: true,
         mass: 1.0,
@@ -59,7 +59,13 @@ fn steep_sideswipe(tangential: Tangential) -> Scene {
         velocity: [8.0, -1.0],
         ..wall
     };
-    Scene { cars: [car, wall], crush_plane: std::f64::consts::FRAC_PI_2, restitution: 0.0, tangential }
+    Scene {
+        cars: [car, wall],
+        crush_plane: std::f64::consts::FRAC_PI_2,
+        restitution: 0.0,
+        tangential,
+        moment: -1.0,
+    }
 }
 
 /// ERRATUM (theory, section 3): sign(μ_c) min(|μ_c|, μ_max) holds only where μ_c is reached by a push.
@@ -72,7 +78,7 @@ fn the_sign_of_an_unreachable_critical_ratio_is_the_wrong_one() {
     let sticking = solve(&scene, Condition::CommonTangential);
     assert_close("P_n", sticking.impulse[0], -2.0, 1e-12);
     assert_close("μ_c", sticking.ratio, -2.5, 1e-12);
-    assert!(matches!(verdict(&Scene { tangential: Tangential::Critical, ..scene }), Verdict::Pulling));
+    assert!(matches!(verdict(&Scene { tangential: Tangential::Critical, ..scene }), Verdict::Pulling(_)));
 
     // The rule gives μ = −½: P_n = 1/(k_nn + μ k_nt) = 2/3, P_t = −1/3, U_t = −8 + 2/3 − 2/3 = −8. Friction pushes the way it slides.
     let by_rule = sticking.ratio.signum() * sticking.ratio.abs().min(limit);

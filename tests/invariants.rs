@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::mem::discriminant;
 
-use pim_core::{Contact, ImpactError, Law, Motion, Outcome, Participant, Tangential, Vector2, pdof};
+use pim_core::{Contact, ImpactError, Law, Motion, Outcome, Participant, Regime, Tangential, Vector2, pdof};
 use proptest::prelude::*;
 
 use crate::compare::{assert_close, assert_direction};
@@ -26,7 +26,8 @@ fn the_works_of_the_impulses_are_the_energy_loss() {
         let Some((outcome, effects, scale)) = impact(&scene) else { return false };
         let tolerance = (scale.energy + scale.work) * ROUNDING;
         let energy = outcome.energy;
-        assert_close("W_n + W_t", energy.normal_work + energy.tangential_work, energy.loss, tolerance);
+        let works = energy.normal_work + energy.tangential_work + energy.moment_work;
+        assert_close("W_n + W_t + W_m", works, energy.loss, tolerance);
         assert_close("T − T′", energy.before - energy.after, energy.loss, tolerance);
         // The kinetic energies again, from the motions.
         let sum = |motions: [([f64; 2], f64); 2]| {
@@ -118,7 +119,7 @@ fn the_normal_velocity_is_reversed_by_the_restitution() {
 #[test]
 fn the_impulse_ratio_is_the_one_asked_for() {
     for_all(20_000, 0.7, scene(), |scene| {
-        let Some((_, effects, scale)) = impact(&scene) else { return false };
+        let Some((outcome, effects, scale)) = impact(&scene) else { return false };
         let [p_n, p_t] = effects.impulse;
         let tolerance = scale.impulse * ROUNDING;
         match scene.tangential {
@@ -137,7 +138,26 @@ fn the_impulse_ratio_is_the_one_asked_for() {
                 assert_close("μ", effects.ratio, f * critical, scale.ratio * ROUNDING);
             }
             Tangential::Friction(limit) => assert!(p_t.abs() <= limit * p_n + tolerance),
+            Tangential::VelocityChange(change) => {
+                let actual = effects.separation[1] - effects.approach[1];
+                assert_close("U_t − u_t", actual, change, scale.velocity * ROUNDING);
+            }
+            Tangential::Restitution(e_t) => {
+                let expected = -e_t * effects.approach[1];
+                assert_close("U_t", effects.separation[1], expected, scale.velocity * ROUNDING);
+            }
+            Tangential::FullOrSliding(limit) => match outcome.regime {
+                Some(Regime::Full) => {
+                    let expected = -scene.restitution * effects.approach[1];
+                    assert_close("U_t", effects.separation[1], expected, scale.velocity * ROUNDING);
+                    assert!(p_t.abs() <= limit * p_n + tolerance);
+                }
+                Some(Regime::Sliding) => assert_close("|P_t|", p_t.abs(), limit * p_n, tolerance),
+                None => panic!("a law with a limit says whether it was reached"),
+            },
         }
+        let limited = matches!(scene.tangential, Tangential::Friction(_) | Tangential::FullOrSliding(_));
+        assert_eq!(outcome.regime.is_some(), limited);
         true
     });
 }
@@ -259,6 +279,7 @@ fn the_labels_of_the_vehicles_do_not_matter() {
         let swap = |[a, b]: [[f64; 2]; 2]| [b, a];
         assert_equivalent(&scene, &other, |effects, _| Effects {
             // n, t, the force and the relative velocity all turn about: their components stay.
+            moment: -effects.moment,
             impulse_vector: effects.impulse_vector.map(|p| -p),
             impulse_direction: effects.impulse_direction + PI,
             velocities: swap(effects.velocities),
@@ -286,6 +307,7 @@ fn a_mirror_changes_the_hand_and_nothing_else() {
             crush_plane: -scene.crush_plane,
             tangential: match scene.tangential {
                 Tangential::Ratio(mu) => Tangential::Ratio(-mu),
+                Tangential::VelocityChange(change) => Tangential::VelocityChange(-change),
                 law => law,
             },
             ..scene
@@ -305,6 +327,7 @@ fn a_mirror_changes_the_hand_and_nothing_else() {
             velocities: effects.velocities.map(flip),
             delta_v: effects.delta_v.map(flip),
             yaw_rates: effects.yaw_rates.map(|yaw| -yaw),
+            moment: -effects.moment,
             ratio: -effects.ratio,
             critical_ratio: effects.critical_ratio.map(|mu| -mu),
             impulse_direction: -effects.impulse_direction,
@@ -408,7 +431,13 @@ fn struck(forward: f64, left: f64, course: f64) -> Scene {
         yaw_rate: 0.0,
     };
     let bullet = Car { heading: course, distance: 2.0, angle: 0.0, ..target }.at_speed(10.0);
-    Scene { cars: [target, bullet], crush_plane: course, restitution: 0.2, tangential: Tangential::Critical }
+    Scene {
+        cars: [target, bullet],
+        crush_plane: course,
+        restitution: 0.2,
+        tangential: Tangential::Critical,
+        moment: -1.0,
+    }
 }
 
 #[test]

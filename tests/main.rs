@@ -19,6 +19,10 @@ mod derivatives;
 #[cfg(test)]
 mod invariants;
 #[cfg(test)]
+mod laws;
+#[cfg(test)]
+mod line_of_action;
+#[cfg(test)]
 mod oracle;
 #[cfg(test)]
 mod paper_equations;
@@ -29,6 +33,10 @@ mod reconciliation;
 #[cfg(test)]
 mod refusals;
 #[cfg(test)]
+mod restitution;
+#[cfg(test)]
 mod root_finding;
 #[cfg(test)]
 mod scenes;
+#[cfg(test)]
+mod structures;

@@ -1,7 +1,7 @@
 //! An independent brute-force solve of the equations of impulse and momentum, in scene coordinates.
 //!
-//! Eight unknowns, V₁x V₁y Ω₁ V₂x V₂y Ω₂ Px Py, and eight equations: linear and angular momentum of each vehicle, one normal and one
-//! tangential condition. Nothing here knows the matrix K or the ratio μ_c, except what says how much rounding may grow.
+//! Nine unknowns, V₁x V₁y Ω₁ V₂x V₂y Ω₂ Px Py M, and nine equations: linear and angular momentum of each vehicle, one normal and one
+//! tangential condition, and one on the moment impulse. Nothing here knows the matrix K or the ratio μ_c, except what says how much rounding may grow.
 
 use std::f64::consts::PI;
 
@@ -60,6 +60,21 @@ pub(crate) enum Condition {
     CommonTangential,
     /// P_t = μ P_n.
     Ratio(f64),
+    /// U_t − u_t = Δ.
+    Change(f64),
+    /// U_t = −e_t u_t.
+    Restitution(f64),
+    /// P = −(1+ε) K⁻¹ u in both components, the normal one too: 1+ε times the impulse that leaves U = 0.
+    Full,
+}
+
+/// The condition on the moment impulse of one solve.
+#[derive(Clone, Copy, Debug)]
+enum MomentCondition {
+    /// M given.
+    Given(f64),
+    /// Ω₁ = Ω₂.
+    CommonYaw,
 }
 
 /// Everything that an impact does, in plain numbers.
@@ -82,6 +97,8 @@ pub(crate) struct Effects {
     pub(crate) loss: f64,
     pub(crate) normal_work: f64,
     pub(crate) tangential_work: f64,
+    pub(crate) moment: f64,
+    pub(crate) moment_work: f64,
 }
 
 impl From<&Outcome> for Effects {
@@ -104,6 +121,8 @@ impl From<&Outcome> for Effects {
             loss: outcome.energy.loss,
             normal_work: outcome.energy.normal_work,
             tangential_work: outcome.energy.tangential_work,
+            moment: outcome.moment_impulse,
+            moment_work: outcome.energy.moment_work,
         }
     }
 }
@@ -116,8 +135,8 @@ pub(crate) enum Verdict {
     NotApproaching,
     /// P_t = μ P_n would need P_n ≤ 0.
     Jam,
-    /// A common tangential velocity would need P_n ≤ 0.
-    Pulling,
+    /// The conditions would need this P_n ≤ 0, and not because of a jam.
+    Pulling(f64),
     /// The kinetic energy would rise.
     EnergyCreated(Effects),
 }
@@ -159,38 +178,60 @@ pub(crate) fn kinetic_energy(car: &Car, velocity: Vector, yaw_rate: f64) -> f64 
     }
 }
 
-/// The motion that satisfies U_n = −e u_n and the tangential condition, whether or not a collision can have it.
+/// The motion that satisfies U_n = −e u_n, the tangential condition and the moment's, whether or not a collision can have it.
 pub(crate) fn solve(scene: &Scene, condition: Condition) -> Effects {
+    if scene.moment == -1.0 {
+        return solve_with(scene, condition, MomentCondition::Given(0.0));
+    }
+    // M = (1 + e_m) M_c
+    let common = solve_with(scene, condition, MomentCondition::CommonYaw).moment;
+    solve_with(scene, condition, MomentCondition::Given((1.0 + scene.moment) * common))
+}
+
+fn solve_with(scene: &Scene, condition: Condition, moment: MomentCondition) -> Effects {
     let [c1, c2] = scene.cars;
     let [r1, r2] = [arm(&c1), arm(&c2)];
     let [n, t] = axes(scene);
     let u = approach(scene);
     // The velocity of vehicle 1 at C relative to vehicle 2 along an axis is linear in V₁x V₁y Ω₁ V₂x V₂y Ω₂.
-    let relative =
-        |axis: Vector| [axis[0], axis[1], cross(r1, axis), -axis[0], -axis[1], -cross(r2, axis), 0.0, 0.0];
-    let tangential = match condition {
-        Condition::CommonTangential => relative(t),
-        Condition::Ratio(mu) => {
-            let [x, y] = [t[0] - mu * n[0], t[1] - mu * n[1]];
-            [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x, y]
-        }
+    let relative = |axis: Vector| {
+        [axis[0], axis[1], cross(r1, axis), -axis[0], -axis[1], -cross(r2, axis), 0.0, 0.0, 0.0]
     };
+    let along = |[x, y]: Vector| [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x, y, 0.0];
     // The impulse is counted in multiples of this, so that all columns are of one size.
     let unit = 1.0 / (c1.inverse_mass() + c2.inverse_mass());
     let [w1, w2] = [c1.inverse_mass() * unit, c2.inverse_mass() * unit];
     let [j1, j2] = [c1.inverse_yaw_inertia() * unit, c2.inverse_yaw_inertia() * unit];
+    let (mut normal, mut normal_value) = (relative(n), -scene.restitution * u[0]);
+    let (tangential, tangential_value) = match condition {
+        Condition::CommonTangential => (relative(t), 0.0),
+        Condition::Ratio(mu) => (along([t[0] - mu * n[0], t[1] - mu * n[1]]), 0.0),
+        Condition::Change(change) => (relative(t), u[1] + change),
+        Condition::Restitution(e_t) => (relative(t), -e_t * u[1]),
+        Condition::Full => {
+            let plastic = Scene { restitution: 0.0, ..*scene };
+            let p = solve_with(&plastic, Condition::CommonTangential, moment).impulse;
+            let [p_n, p_t] = p.map(|p| (1.0 + scene.restitution) * p / unit);
+            (normal, normal_value) = (along(n), p_n);
+            (along(t), p_t)
+        }
+    };
+    let (turning, turning_value) = match moment {
+        MomentCondition::Given(moment) => ([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0], moment / unit),
+        MomentCondition::CommonYaw => ([0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0], 0.0),
+    };
     let equations = [
-        // V₁ − P/m₁ = v₁,  Ω₁ − (r₁×P)/I₁ = ω₁
-        [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w1, 0.0],
-        [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w1],
-        [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, r1[1] * j1, -r1[0] * j1],
-        // V₂ + P/m₂ = v₂,  Ω₂ + (r₂×P)/I₂ = ω₂
-        [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, w2, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, w2],
-        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, -r2[1] * j2, r2[0] * j2],
-        // U_n = −e u_n
-        relative(n),
+        // V₁ − P/m₁ = v₁,  Ω₁ − (r₁×P + M)/I₁ = ω₁
+        [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w1, 0.0, 0.0],
+        [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -w1, 0.0],
+        [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, r1[1] * j1, -r1[0] * j1, -j1],
+        // V₂ + P/m₂ = v₂,  Ω₂ + (r₂×P + M)/I₂ = ω₂
+        [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, w2, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, w2, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, -r2[1] * j2, r2[0] * j2, j2],
+        normal,
         tangential,
+        turning,
     ];
     let right = [
         c1.velocity[0],
@@ -199,12 +240,13 @@ pub(crate) fn solve(scene: &Scene, condition: Condition) -> Effects {
         c2.velocity[0],
         c2.velocity[1],
         c2.yaw_rate,
-        -scene.restitution * u[0],
-        0.0,
+        normal_value,
+        tangential_value,
+        turning_value,
     ];
-    let [v1x, v1y, o1, v2x, v2y, o2, px, py] = eliminate(equations, right);
+    let [v1x, v1y, o1, v2x, v2y, o2, px, py, m] = eliminate(equations, right);
     let p = [px * unit, py * unit];
-    let after = [v1x, v1y, o1, v2x, v2y, o2, 0.0, 0.0];
+    let after = [v1x, v1y, o1, v2x, v2y, o2, 0.0, 0.0, 0.0];
     let separation = [n, t].map(|axis| relative(axis).iter().zip(after).map(|(a, x)| a * x).sum());
     let velocities = [[v1x, v1y], [v2x, v2y]];
     let yaw_rates = [o1, o2];
@@ -217,6 +259,7 @@ pub(crate) fn solve(scene: &Scene, condition: Condition) -> Effects {
         (0..2).map(|i| kinetic_energy(&scene.cars[i], velocities[i], yaw_rates[i])).sum::<f64>();
     // Kelvin: the impulse times the mean of the velocities before and after of the points on which it acts.
     let work = |i: usize| -0.5 * impulse[i] * (u[i] + separation[i]);
+    let moment = m * unit;
     Effects {
         impulse,
         approach: u,
@@ -236,6 +279,8 @@ pub(crate) fn solve(scene: &Scene, condition: Condition) -> Effects {
         loss: energy_before - energy_after,
         normal_work: work(0),
         tangential_work: work(1),
+        moment,
+        moment_work: -0.5 * moment * (c1.yaw_rate - c2.yaw_rate + o1 - o2),
     }
 }
 
@@ -251,12 +296,32 @@ pub(crate) fn coulomb(scene: &Scene, limit: f64) -> Option<(Condition, Effects)>
     if sticking.impulse[0] > 0.0 && sticking.impulse[1].abs() <= limit * sticking.impulse[0] {
         return Some((Condition::CommonTangential, sticking));
     }
+    if scene.moment != -1.0 {
+        // Part of a moment makes the answer a mixture of two, and only the direction without friction is defined for that.
+        return Some(sliding(scene, limit));
+    }
     [limit, -limit].into_iter().map(Condition::Ratio).find_map(|condition| {
         let sliding = solve(scene, condition);
         // Without friction P_t is a rounding error of either sign.
         let opposes = limit == 0.0 || sliding.impulse[1] * sliding.separation[1] <= 0.0;
         (sliding.impulse[0] > 0.0 && opposes).then_some((condition, sliding))
     })
+}
+
+/// Sliding with |P_t| = `limit` P_n, against the tangential velocity that there would be after an impact without friction.
+fn sliding(scene: &Scene, limit: f64) -> (Condition, Effects) {
+    let without_friction = solve(scene, Condition::Ratio(0.0)).separation[1];
+    let condition = Condition::Ratio(if without_friction > 0.0 { -limit } else { limit });
+    (condition, solve(scene, condition))
+}
+
+/// Kudlich and Slibar's law with ε = e: the full impact where friction allows it, else sliding. Which condition holds, and the motion.
+pub(crate) fn kudlich_slibar(scene: &Scene, limit: f64) -> (Condition, Effects) {
+    let full = solve(scene, Condition::Full);
+    if full.impulse[0] > 0.0 && full.impulse[1].abs() <= limit * full.impulse[0] {
+        return (Condition::Full, full);
+    }
+    sliding(scene, limit)
 }
 
 /// What becomes of the collision under the scene's law.
@@ -266,20 +331,29 @@ pub(crate) fn verdict(scene: &Scene) -> Verdict {
     }
     let sticking = solve(scene, Condition::CommonTangential);
     let pushes = sticking.impulse[0] > 0.0;
-    let effects = match scene.tangential {
-        Tangential::Critical if !pushes => return Verdict::Pulling,
-        Tangential::FractionOfCritical(_) if !pushes => return Verdict::Pulling,
-        Tangential::Critical => sticking,
-        Tangential::Ratio(mu) => solve(scene, Condition::Ratio(mu)),
-        Tangential::FractionOfCritical(f) => solve(scene, Condition::Ratio(f * sticking.ratio)),
+    let under = |condition| (condition, solve(scene, condition));
+    let (condition, effects) = match scene.tangential {
+        Tangential::FractionOfCritical(_) if !pushes => return Verdict::Pulling(sticking.impulse[0]),
+        Tangential::Critical => (Condition::CommonTangential, sticking),
+        Tangential::Ratio(mu) => under(Condition::Ratio(mu)),
+        Tangential::FractionOfCritical(f) => under(Condition::Ratio(f * sticking.ratio)),
         Tangential::Friction(limit) => match coulomb(scene, limit) {
-            Some((_, effects)) => effects,
+            Some(answer) => answer,
             None => return Verdict::Jam,
         },
+        Tangential::VelocityChange(change) => under(Condition::Change(change)),
+        Tangential::Restitution(e_t) => under(Condition::Restitution(e_t)),
+        Tangential::FullOrSliding(limit) => kudlich_slibar(scene, limit),
     };
     let effects = Effects { critical_ratio: pushes.then_some(sticking.ratio), ..effects };
     if !(effects.impulse[0] > 0.0 && effects.impulse[0].is_finite()) {
-        Verdict::Jam
+        // A jam is one without a moment impulse too.
+        let plain = solve(&scene.without_moment(), condition).impulse[0];
+        if matches!(condition, Condition::Ratio(_)) && !(plain > 0.0 && plain.is_finite()) {
+            Verdict::Jam
+        } else {
+            Verdict::Pulling(effects.impulse[0])
+        }
     } else if effects.loss < 0.0 {
         Verdict::EnergyCreated(effects)
     } else {
@@ -298,6 +372,7 @@ pub(crate) struct Scale {
     pub(crate) direction: f64,
     pub(crate) energy: f64,
     pub(crate) work: f64,
+    pub(crate) moment: f64,
 }
 
 impl Scale {
@@ -319,6 +394,8 @@ impl Scale {
             .iter()
             .map(|car| car.velocity[0].hypot(car.velocity[1]) + (car.yaw_rate * car.distance).abs())
             .sum();
+        let change =
+            if let Tangential::VelocityChange(change) = scene.tangential { change.abs() } else { 0.0 };
         // μ_c is a quotient of two differences; its denominator is this large against its terms.
         let critical = velocity * (one_plus_e * tt + nt.abs()) / (one_plus_e * u[0] * tt - u[1] * nt).abs();
         let critical_ratio = critical * (1.0 + nn / tt + effects.critical_ratio.unwrap_or(0.0).abs());
@@ -332,11 +409,24 @@ impl Scale {
             Tangential::Ratio(_) | Tangential::Friction(_) => {
                 (given(effects.ratio), 1.0 + effects.ratio.abs())
             }
+            Tangential::FullOrSliding(limit) if (effects.ratio.abs() - limit).abs() <= 1e-9 * limit => {
+                (given(effects.ratio), 1.0 + effects.ratio.abs())
+            }
+            Tangential::VelocityChange(_) | Tangential::Restitution(_) | Tangential::FullOrSliding(_) => {
+                let growth = nn * tt / (nn * tt - nt * nt);
+                let impulse = (velocity + change) / translation * growth * growth * (nn + tt) / translation;
+                (growth, impulse / effects.impulse[0].abs() * (1.0 + effects.ratio.abs()))
+            }
         };
         // The eigenvalues of K lie between 1/m₁ + 1/m₂ and k_nn + k_tt.
         let condition = (nn + tt) / translation;
-        let impulse = velocity / translation * growth * growth * condition;
-        let yaw = |car: &Car| velocity / car.yaw_radius + impulse * car.distance * car.inverse_yaw_inertia();
+        let impulse = (velocity + change) / translation * growth * growth * condition;
+        let turns = Turning::of(scene, effects, [nn, nt, tt], impulse);
+        let impulse = impulse + turns.impulse * growth * condition;
+        let (ratio, critical_ratio) = (ratio * turns.growth, critical_ratio * turns.critical_growth);
+        let yaw = |car: &Car| {
+            velocity / car.yaw_radius + (impulse * car.distance + turns.moment) * car.inverse_yaw_inertia()
+        };
         let yaw_rates = [yaw(&c1), yaw(&c2)];
         let after = |car: &Car| velocity + impulse * car.inverse_mass();
         Self {
@@ -351,7 +441,8 @@ impl Scale {
                 .zip(yaw_rates)
                 .map(|(car, yaw)| kinetic_energy(car, [after(car), 0.0], yaw))
                 .sum(),
-            work: impulse * (velocity + impulse * (nn + tt)),
+            work: impulse * (velocity + impulse * (nn + tt)) + turns.moment * (yaw_rates[0] + yaw_rates[1]),
+            moment: turns.moment,
         }
     }
 
@@ -366,6 +457,55 @@ impl Scale {
             direction: self.direction.max(other.direction),
             energy: self.energy.max(other.energy),
             work: self.work.max(other.work),
+            moment: self.moment.max(other.moment),
+        }
+    }
+}
+
+/// What a moment impulse adds to a [`Scale`].
+struct Turning {
+    /// (N·m·s) size of the moment impulse.
+    moment: f64,
+    /// (N·s) size of the impulse that keeps the conditions in spite of it.
+    impulse: f64,
+    /// How much it can make rounding grow in μ, and in μ_c.
+    growth: f64,
+    critical_growth: f64,
+}
+
+impl Turning {
+    fn of(scene: &Scene, effects: &Effects, [nn, nt, tt]: [f64; 3], impulse: f64) -> Self {
+        if scene.moment == -1.0 {
+            return Self { moment: 0.0, impulse: 0.0, growth: 1.0, critical_growth: 1.0 };
+        }
+        let axes = axes(scene);
+        let mm: f64 = scene.cars.iter().map(Car::inverse_yaw_inertia).sum();
+        let [nm, tm] = axes.map(|axis| {
+            scene.cars.iter().map(|car| cross(arm(car), axis) * car.inverse_yaw_inertia()).sum::<f64>()
+        });
+        let det = nn * tt - nt * nt;
+        let common = [(nt * tm - tt * nm) / det, (nt * nm - nn * tm) / det];
+        let slides = match scene.tangential {
+            Tangential::Critical => false,
+            Tangential::Friction(limit) => (effects.ratio.abs() - limit).abs() <= 1e-9 * limit,
+            _ => true,
+        };
+        let p_n = -nm / (nn + effects.ratio * nt);
+        let kept = if slides { [p_n, effects.ratio * p_n] } else { common };
+        let left = |kept: Vector| (mm + nm * kept[0] + tm * kept[1]).abs();
+        let growth = |kept: Vector| (mm + (nm * kept[0]).abs() + (tm * kept[1]).abs()) / left(kept);
+        let spin =
+            scene.cars.iter().map(|car| car.yaw_rate.abs()).sum::<f64>() + (nm.abs() + tm.abs()) * impulse;
+        let size = |kept: Vector| (1.0 + scene.moment) * spin / left(kept) * growth(kept);
+        let linear = |kept: Vector| size(kept) * (kept[0].abs() + kept[1].abs());
+        let share = |kept: Vector, p_n: f64| {
+            growth(kept) * (1.0 + linear(kept) / impulse) * (1.0 + impulse / p_n.abs())
+        };
+        Self {
+            moment: size(kept),
+            impulse: linear(kept),
+            growth: share(kept, effects.impulse[0]),
+            critical_growth: share(common, solve(scene, Condition::CommonTangential).impulse[0]),
         }
     }
 }
@@ -400,6 +540,8 @@ pub(crate) fn assert_same(actual: &Effects, expected: &Effects, scale: &Scale, t
             scale.direction * tolerance,
         );
     }
+    assert_close("M", actual.moment, expected.moment, scale.moment * tolerance);
+    assert_close("W_m", actual.moment_work, expected.moment_work, scale.work * tolerance);
     assert_close("μ", actual.ratio, expected.ratio, scale.ratio * tolerance);
     match (actual.critical_ratio, expected.critical_ratio) {
         (Some(actual), Some(expected)) => {
@@ -441,23 +583,36 @@ fn impact_is_the_brute_force_solution() {
             }
             (
                 Verdict::EnergyCreated(expected),
-                Err(ImpactError::EnergyCreated { loss, normal_work, tangential_work }),
+                Err(ImpactError::EnergyCreated { loss, normal_work, tangential_work, moment_work }),
             ) => {
                 let scale = Scale::of(&scene, &expected);
                 assert_close("E_L", loss, expected.loss, (scale.energy + scale.work) * 1e-10);
                 assert_close("W_n", normal_work, expected.normal_work, scale.work * 1e-10);
                 assert_close("W_t", tangential_work, expected.tangential_work, scale.work * 1e-10);
+                assert_close("W_m", moment_work, expected.moment_work, scale.work * 1e-10);
                 false
             }
             (Verdict::Jam, Err(ImpactError::Jam { impulse_ratio, k_nn, k_nt })) => {
                 assert!(k_nn + impulse_ratio * k_nt <= 0.0);
-                assert!(matches!(scene.tangential, Tangential::Ratio(mu) if mu == impulse_ratio));
+                match scene.tangential {
+                    Tangential::Ratio(mu) => assert_eq!(impulse_ratio, mu),
+                    Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
+                        assert_close("|μ|", impulse_ratio.abs(), limit, limit * 1e-12);
+                    }
+                    // A share of μ_c jams only where the moment impulse is what makes μ_c a push.
+                    Tangential::FractionOfCritical(_) => assert!(scene.moment > -1.0),
+                    law => panic!("{law:?} gives no ratio"),
+                }
                 false
             }
-            (Verdict::Pulling, Err(ImpactError::Pulling { normal_impulse })) => {
-                let expected = solve(&scene, Condition::CommonTangential);
-                let scale = Scale::of(&Scene { tangential: Tangential::Critical, ..scene }, &expected);
-                assert_close("P_n", normal_impulse, expected.impulse[0], scale.impulse * 1e-10);
+            (Verdict::Pulling(expected), Err(ImpactError::Pulling { normal_impulse })) => {
+                let common = solve(&scene, Condition::CommonTangential);
+                let scene = match scene.tangential {
+                    Tangential::FractionOfCritical(_) => scene.under(Tangential::Critical),
+                    _ => scene,
+                };
+                let scale = Scale::of(&scene, &common);
+                assert_close("P_n", normal_impulse, expected, scale.impulse * 1e-10);
                 false
             }
             (expected, actual) => panic!("{actual:?} is not {expected:?}"),
@@ -497,8 +652,13 @@ fn the_oracle_knows_a_textbook_impact() {
         yaw_rate: 0.0,
     };
     let other = Car { heading: PI, velocity: [-10.0, 0.0], ..car };
-    let scene =
-        Scene { cars: [car, other], crush_plane: 0.0, restitution: 0.5, tangential: Tangential::Ratio(0.0) };
+    let scene = Scene {
+        cars: [car, other],
+        crush_plane: 0.0,
+        restitution: 0.5,
+        tangential: Tangential::Ratio(0.0),
+        moment: -1.0,
+    };
     let Verdict::Impact(effects) = verdict(&scene) else { panic!("an impact") };
     // U = −½ u: each leaves at 5 m/s; P = m ΔV; ¾ of the energy is lost.
     assert_close("P_n", effects.impulse[0], 15_000.0, 1e-9);

@@ -70,7 +70,7 @@ fn energies() -> [f64; 2] {
     })
 }
 
-fn problem() -> Problem {
+fn problem() -> Problem<'static> {
     let [e1, e2] = energies();
     let law = Law::new(RESTITUTION, Tangential::Critical).unwrap();
     let motions = [Motion::rest(), Motion::along(HEADINGS[1].to_radians(), 10.0 * MPH)];

@@ -13,11 +13,11 @@ use crate::scenes::{Car, Scene, for_all, scene};
 
 /// A collision of which one vehicle moves along its heading, at a speed to be found.
 #[derive(Clone, Copy, Debug)]
-struct Case {
-    scene: Scene,
-    unknown: Unknown,
-    speed: f64,
-    basis: EnergyBasis,
+pub(crate) struct Case {
+    pub(crate) scene: Scene,
+    pub(crate) unknown: Unknown,
+    pub(crate) speed: f64,
+    pub(crate) basis: EnergyBasis,
 }
 
 impl Case {
@@ -25,12 +25,12 @@ impl Case {
         self.unknown.index()
     }
 
-    fn at(&self, speed: f64) -> Scene {
+    pub(crate) fn at(&self, speed: f64) -> Scene {
         self.scene.at_speed(self.car(), speed)
     }
 
     /// The problem to which the crush energy of both vehicles is the one that dissipates `normal_work`.
-    fn problem(&self, normal_work: f64) -> Problem {
+    pub(crate) fn problem(&self, normal_work: f64) -> Problem<'static> {
         let e = self.scene.restitution;
         let energy = match self.basis {
             EnergyBasis::Dissipated => normal_work,
@@ -42,7 +42,7 @@ impl Case {
     }
 
     /// (m/s) how well a speed can be known: the size of what u_n is a difference of, over what a speed of 1 m/s adds to u_n.
-    fn speed_scale(&self) -> f64 {
+    pub(crate) fn speed_scale(&self) -> f64 {
         let size: f64 = self
             .scene
             .cars
@@ -53,8 +53,13 @@ impl Case {
     }
 
     /// du_n/ds.
-    fn slope(&self) -> f64 {
+    pub(crate) fn slope(&self) -> f64 {
         approach(&self.at(1.0))[0] - approach(&self.at(0.0))[0]
+    }
+
+    /// Whether the root-finder may overlook two speeds that are near to each other.
+    fn may_overlook(&self) -> bool {
+        matches!(self.scene.tangential, Tangential::FractionOfCritical(_)) && self.scene.moment != -1.0
     }
 
     /// (J) the normal work of the impact at a speed, if there is one.
@@ -67,18 +72,18 @@ impl Case {
 
     /// (m/s) the approach speed at which a frictionless impact would take this normal work.
     fn frictionless(&self, normal_work: f64) -> f64 {
-        let effects = solve(&self.scene, Condition::Ratio(0.0));
+        let effects = solve(&self.scene.without_moment(), Condition::Ratio(0.0));
         -effects.approach[0] * (normal_work / effects.normal_work).sqrt()
     }
 }
 
-fn case(tangential: impl Strategy<Value = Tangential>) -> impl Strategy<Value = Case> {
+pub(crate) fn case(tangential: impl Strategy<Value = Tangential>) -> impl Strategy<Value = Case> {
     let unknown = prop_oneof![Just(Unknown::Speed1), Just(Unknown::Speed2)];
     let basis = prop_oneof![Just(EnergyBasis::Dissipated), Just(EnergyBasis::Absorbed)];
     let restitution = prop_oneof![1 => Just(0.0), 4 => 0.0..0.95];
     (scene(), tangential, unknown, basis, restitution, -60.0..60.0).prop_map(
         |(scene, tangential, unknown, basis, restitution, speed)| {
-            let mut scene = Scene { tangential, restitution, ..scene };
+            let mut scene = Scene { restitution, ..scene }.under(tangential);
             // A barrier's speed cannot be sought: seek the other's.
             let unknown = match (scene.cars[0].fixed, scene.cars[1].fixed) {
                 (true, _) => Unknown::Speed2,
@@ -93,7 +98,7 @@ fn case(tangential: impl Strategy<Value = Tangential>) -> impl Strategy<Value = 
     )
 }
 
-fn all_laws() -> impl Strategy<Value = Tangential> {
+pub(crate) fn all_laws() -> impl Strategy<Value = Tangential> {
     crate::scenes::tangential()
 }
 
@@ -119,11 +124,16 @@ fn reconciliation_undoes_an_impact() {
         let problem = case.problem(work);
         assert_relative("W_n", problem.normal_work_sought(), work, 1e-14);
         assert_relative("W_n", problem.normal_work(case.speed), work, 1e-8);
-        let answer = problem.solve().unwrap();
+        let answer = match problem.solve() {
+            Err(error) if !case.may_overlook() => panic!("{error}"),
+            Err(_) => return false,
+            Ok(answer) => answer,
+        };
         let error = |speed: &f64| (speed - case.speed).abs();
         let nearest = answer.roots.speeds().iter().map(error).fold(f64::INFINITY, f64::min);
-        assert!(nearest <= 1e-9 * case.speed_scale(), "{nearest} {:?} {:?}", answer.roots, answer.method);
-        true
+        let found = nearest <= 1e-9 * case.speed_scale();
+        assert!(found || case.may_overlook(), "{nearest} {:?} {:?}", answer.roots, answer.method);
+        found
     });
 }
 
@@ -181,6 +191,12 @@ fn expected_roots(case: &Case, normal_work: f64) -> Option<Vec<f64>> {
             vec![Condition::CommonTangential, Condition::Ratio(limit), Condition::Ratio(-limit)]
         }
         Tangential::FractionOfCritical(_) => return Some(scanned_roots(case, normal_work)),
+        Tangential::VelocityChange(change) => vec![Condition::Change(change)],
+        Tangential::Restitution(e_t) => vec![Condition::Restitution(e_t)],
+        Tangential::FullOrSliding(0.0) => vec![Condition::Ratio(0.0)],
+        Tangential::FullOrSliding(limit) => {
+            vec![Condition::Full, Condition::Ratio(limit), Condition::Ratio(-limit)]
+        }
     };
     let mut roots = Vec::new();
     for regime in regimes {
@@ -262,7 +278,9 @@ fn is_decided(case: &Case, normal_work: f64, roots: &[f64]) -> bool {
     let frictionless = case.frictionless(normal_work);
     let x = |speed: f64| -approach(&case.at(speed))[0];
     let apart = roots.windows(2).all(|pair| (x(pair[1]) / x(pair[0]) - 1.0).abs() > 1e-3);
-    let within = roots.iter().all(|&speed| x(speed) < 1000.0 * frictionless);
+    // With a moment impulse P_n is a difference, of which a small energy keeps few digits.
+    let reach = if case.scene.moment == -1.0 { 1000.0 } else { 30.0 };
+    let within = roots.iter().all(|&speed| x(speed) < reach * frictionless);
     // The same energy but for a millionth has the same number of roots.
     let stable = [1.0 - 1e-6, 1.0 + 1e-6]
         .into_iter()
@@ -297,21 +315,21 @@ fn assert_roots(case: &Case, normal_work: f64) -> Option<usize> {
 
 /// Over random energies, the roots are the oracle's: their number and their values.
 #[track_caller]
-fn assert_all_roots(cases: u32, least_kept: f64, law: impl Strategy<Value = Tangential>) {
-    for_all(cases, least_kept, (case(law), -3.0..3.0), |(case, exponent)| {
-        let pushed = solve(&case.scene, Condition::Ratio(0.0)).normal_work;
+fn assert_all_roots(cases: u32, least_kept: f64, case: impl Strategy<Value = Case>) {
+    for_all(cases, least_kept, (case, -3.0..3.0), |(case, exponent)| {
+        let pushed = solve(&case.scene.without_moment(), Condition::Ratio(0.0)).normal_work;
         assert_roots(&case, pushed * f64::exp(exponent)).is_some()
     });
 }
 
 #[test]
 fn the_roots_for_a_common_tangential_velocity_are_all_there() {
-    assert_all_roots(3000, 0.8, Just(Tangential::Critical));
+    assert_all_roots(3000, 0.8, case(Just(Tangential::Critical)));
 }
 
 #[test]
 fn the_roots_for_a_given_ratio_are_all_there() {
-    assert_all_roots(3000, 0.8, (-1.5..1.5).prop_map(Tangential::Ratio));
+    assert_all_roots(3000, 0.8, case((-1.5..1.5).prop_map(Tangential::Ratio)));
 }
 
 #[test]
@@ -319,23 +337,68 @@ fn the_roots_under_friction_are_all_there() {
     assert_all_roots(
         5000,
         0.8,
-        prop_oneof![
+        case(prop_oneof![
             1 => Just(Tangential::Friction(0.0)),
             9 => (0.0..2.0).prop_map(Tangential::Friction),
-        ],
+        ]),
+    );
+}
+
+#[test]
+fn the_roots_of_a_full_or_a_sliding_impact_are_all_there() {
+    assert_all_roots(
+        5000,
+        0.8,
+        case(prop_oneof![
+            1 => Just(Tangential::FullOrSliding(0.0)),
+            9 => (0.0..2.0).prop_map(Tangential::FullOrSliding),
+        ]),
+    );
+}
+
+#[test]
+fn the_roots_for_a_tangential_restitution_or_a_change_of_velocity_are_all_there() {
+    assert_all_roots(
+        3000,
+        0.7,
+        case(prop_oneof![
+            (-1.0..1.0).prop_map(Tangential::Restitution),
+            (-20.0..20.0).prop_map(Tangential::VelocityChange),
+        ]),
     );
 }
 
 #[test]
 fn the_roots_for_a_fraction_of_the_critical_ratio_are_all_there() {
-    assert_all_roots(150, 0.8, (0.0..=1.0).prop_map(Tangential::FractionOfCritical));
+    let fraction = (0.0..=1.0).prop_map(Tangential::FractionOfCritical);
+    let plain = case(fraction).prop_map(|case| Case { scene: case.scene.without_moment(), ..case });
+    assert_all_roots(200, 0.8, plain);
+}
+
+/// Speeds that are near to each other may stay unseen, by the oracle's grid too: but in nearly all cases both see the same number.
+#[test]
+fn the_roots_for_a_fraction_of_the_critical_ratio_with_a_moment_impulse_are_mostly_there() {
+    let laws = (0.0..=1.0).prop_map(Tangential::FractionOfCritical);
+    let turning = case(laws).prop_filter("a moment impulse", Case::may_overlook);
+    for_all(200, 0.85, (turning, -3.0..3.0), |(case, exponent): (Case, f64)| {
+        let work = solve(&case.scene.without_moment(), Condition::Ratio(0.0)).normal_work * exponent.exp();
+        let expected = scanned_roots(&case, work);
+        let found = case.problem(work).solve();
+        found.map_or(0, |answer| answer.roots.count()) == expected.len()
+    });
 }
 
 #[test]
 fn closed_form_and_root_finder_agree() {
-    let laws = prop_oneof![Just(Tangential::Critical), (-1.5..1.5).prop_map(Tangential::Ratio)];
-    for_all(5000, 0.6, (case(laws), -3.0..3.0), |(case, exponent): (Case, f64)| {
-        let work = solve(&case.scene, Condition::Ratio(0.0)).normal_work * exponent.exp();
+    let laws = prop_oneof![
+        Just(Tangential::Critical),
+        (-1.5..1.5).prop_map(Tangential::Ratio),
+        (-1.0..1.0).prop_map(Tangential::Restitution),
+        (-20.0..20.0).prop_map(Tangential::VelocityChange),
+    ];
+    // The scenes of Brach's laws have a moment impulse as often as none.
+    for_all(8000, 0.5, (case(laws), -3.0..3.0), |(case, exponent): (Case, f64)| {
+        let work = solve(&case.scene.without_moment(), Condition::Ratio(0.0)).normal_work * exponent.exp();
         if !expected_roots(&case, work).is_some_and(|expected| is_decided(&case, work, &expected)) {
             return false;
         }
@@ -363,6 +426,9 @@ fn only_laws_with_a_quadratic_have_a_closed_form() {
         (Tangential::Ratio(0.1), true),
         (Tangential::FractionOfCritical(0.5), false),
         (Tangential::Friction(0.5), false),
+        (Tangential::VelocityChange(0.5), true),
+        (Tangential::Restitution(0.5), true),
+        (Tangential::FullOrSliding(0.5), false),
     ] {
         let problem = against_a_wall(law, 5.0, 1.5).unwrap();
         assert_eq!(problem.closed_form().is_some(), closed);
@@ -374,7 +440,7 @@ fn only_laws_with_a_quadratic_have_a_closed_form() {
 /// By hand, along n = +y and t = −x: k_nn = k_tt = 2, k_nt = 1, det K = 3. With the yaw rate ω, u = −(ω + s/√10, ω + 3s/√10); in the
 /// approach speed x = ω + s/√10 that is u_t = 2ω − 3x, so that a common velocity takes P_n = (2x + u_t)/3 = (2ω − x)/3 and
 /// W_n = x (2ω − x)/6.
-fn against_a_wall(law: Tangential, yaw_rate: f64, energy: f64) -> Result<Problem, ReconcileError> {
+fn against_a_wall(law: Tangential, yaw_rate: f64, energy: f64) -> Result<Problem<'static>, ReconcileError> {
     let heading = f64::atan2(-1.0, 3.0);
     let car = Car {
         fixed: false,
@@ -456,18 +522,18 @@ fn a_speed_that_creates_energy_is_refused_by_name() {
     }
 }
 
-fn head_on(
+pub(crate) fn head_on(
     places: [Participant; 2],
     unknown: Unknown,
     e: f64,
     energy: f64,
-) -> Result<Problem, ReconcileError> {
+) -> Result<Problem<'static>, ReconcileError> {
     let contact = Contact::new(places, 0.0).unwrap();
     let law = Law::new(e, Tangential::Critical).unwrap();
     Problem::new(contact, law, [Motion::rest(); 2], unknown, energy, EnergyBasis::Dissipated)
 }
 
-fn places(heading: f64) -> [Participant; 2] {
+pub(crate) fn places(heading: f64) -> [Participant; 2] {
     let body = Body::new(1500.0, 2700.0).unwrap();
     [
         Participant::new(body, 0.0, 2.0, 0.0).unwrap(),
@@ -543,6 +609,7 @@ fn friction_may_have_three_speeds_close_together() {
         crush_plane: -0.73,
         restitution: 0.0,
         tangential: Tangential::Friction(0.365),
+        moment: -1.0,
     };
     let mirrored = Scene { crush_plane: -scene.crush_plane, ..scene }.with_cars(|car| Car {
         heading: -car.heading,

@@ -62,6 +62,8 @@ pub(crate) struct Scene {
     pub(crate) crush_plane: f64,
     pub(crate) restitution: f64,
     pub(crate) tangential: Tangential,
+    /// e_m: −1 is no moment impulse.
+    pub(crate) moment: f64,
 }
 
 impl Scene {
@@ -70,7 +72,7 @@ impl Scene {
     }
 
     pub(crate) fn law(&self) -> Law {
-        Law::new(self.restitution, self.tangential).unwrap()
+        Law::new(self.restitution, self.tangential).unwrap().with_moment_restitution(self.moment).unwrap()
     }
 
     pub(crate) fn motions(&self) -> [Motion; 2] {
@@ -83,6 +85,15 @@ impl Scene {
 
     pub(crate) fn has_barrier(&self) -> bool {
         self.cars.iter().any(|car| car.fixed)
+    }
+
+    /// The same under another tangential condition. A moment impulse belongs to Brach's.
+    pub(crate) fn under(self, tangential: Tangential) -> Self {
+        Self { tangential, moment: if is_brach(&tangential) { self.moment } else { -1.0 }, ..self }
+    }
+
+    pub(crate) fn without_moment(self) -> Self {
+        Self { moment: -1.0, ..self }
     }
 
     pub(crate) fn with_cars(self, change: impl Fn(Car) -> Car) -> Self {
@@ -143,7 +154,23 @@ fn restitution() -> impl Strategy<Value = f64> {
     prop_oneof![1 => Just(0.0), 1 => Just(1.0), 8 => 0.0..1.0]
 }
 
-/// All four tangential conditions, with the borders of their coefficients.
+/// Whether a tangential condition is one of Brach's.
+pub(crate) fn is_brach(tangential: &Tangential) -> bool {
+    matches!(
+        tangential,
+        Tangential::Critical
+            | Tangential::Ratio(_)
+            | Tangential::FractionOfCritical(_)
+            | Tangential::Friction(_)
+    )
+}
+
+/// e_m, with its borders; half of them none.
+pub(crate) fn moment() -> impl Strategy<Value = f64> {
+    prop_oneof![6 => Just(-1.0), 1 => Just(0.0), 1 => Just(1.0), 4 => -1.0..1.0]
+}
+
+/// All tangential conditions, with the borders of their coefficients.
 pub(crate) fn tangential() -> impl Strategy<Value = Tangential> {
     prop_oneof![
         5 => Just(Tangential::Critical),
@@ -154,17 +181,23 @@ pub(crate) fn tangential() -> impl Strategy<Value = Tangential> {
         3 => (0.0..1.0).prop_map(Tangential::FractionOfCritical),
         1 => Just(Tangential::Friction(0.0)),
         4 => (0.0..1.5).prop_map(Tangential::Friction),
+        3 => (-20.0..20.0).prop_map(Tangential::VelocityChange),
+        1 => Just(Tangential::Restitution(0.0)),
+        1 => Just(Tangential::Restitution(-1.0)),
+        3 => (-1.0..1.0).prop_map(Tangential::Restitution),
+        1 => Just(Tangential::FullOrSliding(0.0)),
+        4 => (0.0..1.5).prop_map(Tangential::FullOrSliding),
     ]
 }
 
 /// Any collision whose crush plane can be oriented, approaching or not.
 pub(crate) fn any_scene() -> impl Strategy<Value = Scene> {
-    ([car(), car()], barrier(), -PI..PI, restitution(), tangential())
-        .prop_map(|(mut cars, barrier, crush_plane, restitution, tangential)| {
+    ([car(), car()], barrier(), -PI..PI, restitution(), tangential(), moment())
+        .prop_map(|(mut cars, barrier, crush_plane, restitution, tangential, moment)| {
             if let Some(i) = barrier {
                 cars[i] = Car { fixed: true, velocity: [0.0; 2], yaw_rate: 0.0, ..cars[i] };
             }
-            Scene { cars, crush_plane, restitution, tangential }
+            Scene { cars, crush_plane, restitution, tangential, moment }.under(tangential)
         })
         .prop_filter("the normal must be far from undefined", |scene| oracle::orientation(scene) > 1e-6)
 }
@@ -174,9 +207,9 @@ pub(crate) fn scene() -> impl Strategy<Value = Scene> {
     any_scene().prop_map(Scene::approaching)
 }
 
-/// The same under one of the laws with the given tangential conditions.
+/// The same under one of the laws with the given tangential conditions, without a moment impulse.
 pub(crate) fn scene_under(law: impl Strategy<Value = Tangential>) -> impl Strategy<Value = Scene> {
-    (scene(), law).prop_map(|(scene, tangential)| Scene { tangential, ..scene })
+    (scene(), law).prop_map(|(scene, tangential)| scene.under(tangential).without_moment())
 }
 
 /// Runs `test` on `cases` values. It returns whether the value was one that it says something about, and at least the
@@ -234,11 +267,19 @@ fn random_collisions_cover_the_domain() {
         // Half of the ratios have the sign that creates energy.
         (|law| matches!(law, Tangential::Ratio(_)), 0.5),
         (|law| matches!(law, Tangential::FractionOfCritical(_)), 0.8),
-        (|law| matches!(law, Tangential::Friction(_)), 0.95),
+        (|law| matches!(law, Tangential::Friction(_)), 0.8),
+        // Half of the changes have the sign that creates energy.
+        (|law| matches!(law, Tangential::VelocityChange(_)), 0.4),
+        (|law| matches!(law, Tangential::Restitution(_)), 0.5),
+        (|law| matches!(law, Tangential::FullOrSliding(_)), 0.8),
     ] {
         let (all, kept) = with_law(law);
-        assert!(all > 0.2 && kept > least_kept, "{all} {kept}");
+        assert!(all > 0.07 && kept > least_kept, "{all} {kept}");
     }
+    let with_moment = |scene: &Scene| scene.moment > -1.0;
+    assert!(share(&with_moment) > 0.25);
+    assert!(share(&|scene| with_moment(scene) && scene.has_barrier()) > 0.04);
+    assert!(share(&|scene| with_moment(scene) && scene.impact().is_ok()) > 0.15);
     assert!(share(&|scene| scene.cars[0].fixed) > 0.07);
     assert!(share(&|scene| scene.cars[1].fixed) > 0.07);
     let given = |scene: &Scene| {

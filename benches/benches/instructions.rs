@@ -51,7 +51,7 @@ fn damage_input() -> &'static (Profile, Stiffness) {
     }))
 }
 
-fn problem_input(tangential: Tangential) -> &'static Problem {
+fn problem_input(tangential: Tangential) -> &'static Problem<'static> {
     kept(Example::new().and_then(|example| example.problem(tangential)))
 }
 

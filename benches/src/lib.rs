@@ -119,7 +119,7 @@ impl Example {
     ///
     /// # Errors
     /// Where [`Problem::new`] refuses the example.
-    pub fn problem(&self, tangential: Tangential) -> Result<Problem, Refused> {
+    pub fn problem(&self, tangential: Tangential) -> Result<Problem<'static>, Refused> {
         let energy = self.damage.iter().map(|(profile, stiffness)| crush_energy(profile, stiffness)).sum();
         let law = Self::law(tangential)?;
         let basis = EnergyBasis::Dissipated;

@@ -1,7 +1,10 @@
 //! The damage of each vehicle, and CRASH3's answer from both.
 
-use case::Subject;
-use crash3::{CrushError, EnergyBasis, Inertia, ObliqueFactor, Stiffness};
+use case::{Evidence, InferredWidth, Subject};
+use crash3::{
+    CrushError, CrushRange, EnergyBasis, Inertia, ObliqueCorrection, ObliqueFactor, Profile, Structure,
+    UniformCrush,
+};
 
 use crate::Vehicle;
 
@@ -10,10 +13,12 @@ use crate::Vehicle;
 pub struct Damage {
     /// (m) width of the damage.
     pub width: f64,
-    /// (m) depths of crush.
+    /// (m) depths of crush; none where the crush was inferred.
     pub depths: Vec<f64>,
+    /// What the crush was inferred to be, where it was not measured.
+    pub inferred: Option<Inferred>,
     /// The stiffness.
-    pub stiffness: Stiffness,
+    pub structure: Structure,
     /// (J) crush energy, uncorrected.
     pub crush_energy: f64,
     /// (m/s) energy equivalent speed of the uncorrected crush energy.
@@ -26,6 +31,19 @@ pub struct Damage {
     pub oblique: Option<Oblique>,
     /// (m) h: distance of the force's line of action from the CG.
     pub moment_arm: f64,
+    /// (m) centroid of the damage, forward and left of the CG, where the force was taken to act through it.
+    pub centroid: Option<[f64; 2]>,
+}
+
+/// A crush inferred from the force on the other vehicle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inferred {
+    /// (N) the peak force of the other vehicle.
+    pub force: f64,
+    /// The crush whose energy is used.
+    pub crush: UniformCrush,
+    /// The bounds, where the width is not known.
+    pub range: Option<CrushRange>,
 }
 
 /// What follows for an oblique force that pushes on the damaged side.
@@ -39,8 +57,11 @@ pub struct Oblique {
     pub peak_force: f64,
 }
 
+/// What is assumed of friction where the case says nothing: a usual value for sheet metal on sheet metal.
+pub(crate) const ASSUMED_FRICTION: f64 = 0.5;
+
 /// CRASH3's answer.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Crash3 {
     /// (J) crush energy of both vehicles.
     pub crush_energy: f64,
@@ -54,6 +75,21 @@ pub struct Crash3 {
     pub corrected: Option<Corrected>,
     /// The factor on each ΔV that takes restitution into account; none where the restitution is not known or is 1.
     pub restitution_factor: Option<f64>,
+    /// What each correction for oblique forces makes of it; without those that a force that does not push on its damaged side cannot have.
+    pub corrections: Vec<Correction>,
+}
+
+/// CRASH3's ΔV under one correction for oblique forces, with a common normal velocity.
+#[derive(Clone, Copy, Debug)]
+pub struct Correction {
+    /// The correction.
+    pub correction: ObliqueCorrection,
+    /// The factor on each vehicle's crush energy; one for a fixed object.
+    pub factor: [f64; 2],
+    /// (J) crush energy of both vehicles, corrected.
+    pub crush_energy: f64,
+    /// (m/s) velocity changes.
+    pub delta_v: [f64; 2],
 }
 
 /// CRASH3's answer with the correction for oblique forces.
@@ -66,13 +102,22 @@ pub struct Corrected {
 }
 
 /// Assesses the damage of both vehicles; `pdof` (rad) are those of the impact, which serve where the file gives none.
-pub(crate) fn assess(subjects: [Subject; 2], pdof: [Option<f64>; 2]) -> Result<[Vehicle; 2], CrushError> {
-    let [s1, s2] = subjects;
-    let [p1, p2] = pdof;
-    Ok([vehicle(s1, p1)?, vehicle(s2, p2)?])
+pub(crate) fn assess([s1, s2]: [Subject; 2], [p1, p2]: [Option<f64>; 2]) -> Result<[Vehicle; 2], CrushError> {
+    // The one whose crush was measured comes first: the other's may have to be inferred from it.
+    if s1.damage.as_ref().is_some_and(|damage| matches!(damage.evidence, Evidence::ForceBalance { .. })) {
+        let second = vehicle(s2, p2, None)?;
+        return Ok([vehicle(s1, p1, second.damage.as_ref())?, second]);
+    }
+    let first = vehicle(s1, p1, None)?;
+    let second = vehicle(s2, p2, first.damage.as_ref())?;
+    Ok([first, second])
 }
 
-fn vehicle(subject: Subject, computed_pdof: Option<f64>) -> Result<Vehicle, CrushError> {
+fn vehicle(
+    subject: Subject,
+    computed_pdof: Option<f64>,
+    other: Option<&Damage>,
+) -> Result<Vehicle, CrushError> {
     let (Some(given), Some(inertia)) = (&subject.damage, subject.inertia) else {
         return Ok(Vehicle { subject, damage: None });
     };
@@ -80,32 +125,67 @@ fn vehicle(subject: Subject, computed_pdof: Option<f64>) -> Result<Vehicle, Crus
     // A file that gives no PDOF gives the angle and the arm themselves: `case` sees to that.
     let oblique_angle =
         given.oblique_angle.or(pdof.map(|pdof| given.side.oblique_angle(pdof))).unwrap_or_default();
-    let line = subject.contact.zip(pdof);
-    let moment_arm = given
-        .moment_arm
-        .or(line.map(|(contact, pdof)| crash3::moment_arm(contact, pdof)))
-        .unwrap_or_default();
-    let crush_energy = crash3::crush_energy(&given.profile, &given.stiffness);
-    let oblique = match (
-        given.correction.factor(oblique_angle),
-        crash3::peak_force(&given.profile, &given.stiffness, oblique_angle),
-    ) {
+    let (profile, structure, inferred) = match &given.evidence {
+        Evidence::Measured { profile, structure } => (profile.clone(), structure.clone(), None),
+        Evidence::ForceBalance { stiffness, width } => {
+            // A file with a force balance has a measured crush as well: `case` sees to that.
+            let Some(other) = other else { return Ok(Vehicle { subject, damage: None }) };
+            let Some(Oblique { peak_force: force, .. }) = other.oblique else {
+                return Err(CrushError::NotPushing { angle: other.oblique_angle });
+            };
+            let inferred = match *width {
+                InferredWidth::Given(width) => {
+                    let crush = crash3::crush_from_force(force, oblique_angle, width, stiffness)?;
+                    Inferred { force, crush, range: None }
+                }
+                InferredWidth::Bounded { widest, deepest } => {
+                    let range = crash3::crush_range_from_force(
+                        force,
+                        oblique_angle,
+                        stiffness,
+                        other.width,
+                        widest,
+                        deepest,
+                    )?;
+                    Inferred { force, crush: range.nominal, range: Some(range) }
+                }
+            };
+            let UniformCrush { width, depth, .. } = inferred.crush;
+            let profile = Profile::equally_spaced(vec![depth; 2], width)?;
+            (profile, Structure::Uniform(*stiffness), Some(inferred))
+        }
+    };
+    let centroid = match (given.moment_arm, subject.contact, &given.face) {
+        (None, None, Some(face)) => Some(face.centroid(&profile)),
+        _ => None,
+    };
+    let line = subject.contact.or(centroid).zip(pdof);
+    let moment_arm =
+        given.moment_arm.or(line.map(|(point, pdof)| crash3::moment_arm(point, pdof))).unwrap_or_default();
+    // An inferred crush has the force that it was inferred from, and less energy than w G where that leaves no residual crush.
+    let (crush_energy, peak_force) = match &inferred {
+        Some(inferred) => (inferred.crush.energy, Ok(inferred.force)),
+        None => (structure.crush_energy(&profile)?, structure.peak_force(&profile, oblique_angle)),
+    };
+    let oblique = match (given.correction.factor(oblique_angle), peak_force) {
         (Ok(factor), Ok(peak_force)) => {
-            // E' = E (1 + tan²α)
+            // E' = E (1 + tan²α), or the factor of another correction
             Some(Oblique { factor, corrected_crush_energy: crush_energy * factor.factor, peak_force })
         }
         _ => None,
     };
     let damage = Damage {
-        width: given.profile.width(),
-        depths: given.profile.depths().to_vec(),
-        stiffness: given.stiffness,
+        width: profile.width(),
+        depths: if inferred.is_some() { Vec::new() } else { profile.depths().to_vec() },
+        inferred,
+        structure,
         crush_energy,
         ees: crash3::energy_equivalent_speed(crush_energy, inertia.mass)?,
         pdof,
         oblique_angle,
         oblique,
         moment_arm,
+        centroid,
     };
     Ok(Vehicle { subject, damage: Some(damage) })
 }
@@ -120,6 +200,7 @@ pub(crate) fn crash3(
     let mut corrected_energy = Some(0.0);
     let mut inertias = [Inertia::fixed(); 2];
     let mut moment_arm = [0.0; 2];
+    let mut friction = None;
     for (i, vehicle) in vehicles.iter().enumerate() {
         let Some(inertia) = vehicle.subject.inertia else { continue };
         let Some(damage) = &vehicle.damage else { return Ok(None) };
@@ -128,6 +209,11 @@ pub(crate) fn crash3(
             corrected_energy.zip(damage.oblique).map(|(sum, oblique)| sum + oblique.corrected_crush_energy);
         moment_arm[i] = damage.moment_arm;
         inertias[i] = Inertia::new(inertia.mass, inertia.yaw_inertia, damage.moment_arm)?;
+        if let Some(ObliqueCorrection::Friction(given)) =
+            vehicle.subject.damage.as_ref().map(|d| d.correction)
+        {
+            friction = Some(given);
+        }
     }
     let corrected = match corrected_energy {
         Some(crush_energy) => {
@@ -135,6 +221,16 @@ pub(crate) fn crash3(
         }
         None => None,
     };
+    let mut corrections = Vec::new();
+    for correction in [
+        ObliqueCorrection::None,
+        ObliqueCorrection::Capped,
+        ObliqueCorrection::Uncapped,
+        ObliqueCorrection::Friction(friction.unwrap_or(ASSUMED_FRICTION)),
+        ObliqueCorrection::Secant,
+    ] {
+        corrections.extend(corrected_by(correction, vehicles, inertias)?);
+    }
     Ok(Some(Crash3 {
         crush_energy,
         moment_arm,
@@ -142,5 +238,24 @@ pub(crate) fn crash3(
         delta_v: crash3::delta_v(crush_energy, inertias)?,
         corrected,
         restitution_factor: restitution.and_then(|e| basis.restitution_factor(e).ok()),
+        corrections,
     }))
+}
+
+/// `None` where a force does not push on its damaged side.
+fn corrected_by(
+    correction: ObliqueCorrection,
+    vehicles: &[Vehicle; 2],
+    inertias: [Inertia; 2],
+) -> Result<Option<Correction>, CrushError> {
+    let mut crush_energy = 0.0;
+    let mut factor = [1.0; 2];
+    for (i, vehicle) in vehicles.iter().enumerate() {
+        let Some(damage) = &vehicle.damage else { continue };
+        let Ok(oblique) = correction.factor(damage.oblique_angle) else { return Ok(None) };
+        factor[i] = oblique.factor;
+        crush_energy += damage.crush_energy * oblique.factor;
+    }
+    let delta_v = crash3::delta_v(crush_energy, inertias)?;
+    Ok(Some(Correction { correction, factor, crush_energy, delta_v }))
 }

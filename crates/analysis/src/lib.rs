@@ -11,6 +11,8 @@
 //! # }
 //! ```
 //!
+//! [`compare`] puts the answers of all impact laws and of CRASH3 side by side.
+//!
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
 //! [`Warning`]s. A [`Failure`] says whether the file or the physics is to blame.
 //!
@@ -18,10 +20,12 @@
 //!
 //! It adds no equation: those stand in `pim-core`, `crash3` and `reconcile`. It reads no file and writes no text (`case`, `report`).
 
+mod compare;
 mod damage;
 mod warning;
 
-pub use damage::{Crash3, Damage, Oblique};
+pub use compare::{Comparison, LawRow, compare};
+pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
 pub use warning::Warning;
 
 use case::{CaseFile, Collision, Diagnostics, Subject};
@@ -68,7 +72,7 @@ pub struct Found {
 pub struct Impact {
     /// The geometry.
     pub contact: Contact,
-    /// The impact law.
+    /// The impact law, with the restitution of this closing speed where that varies.
     pub law: Law,
     /// What happened.
     pub outcome: Outcome,
@@ -106,13 +110,17 @@ pub enum Failure {
 /// [`Failure`].
 pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     let input = file.reconstruction()?;
-    let Collision { contact, law, motions, vehicles } = input.collision;
-    let crush_energy = vehicles
+    let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
+    // The uncorrected energies do not depend on the impact; a force balance takes its directions from the file.
+    let crush_energy = damage::assess(vehicles.clone(), [None, None])?
         .iter()
         .filter_map(|vehicle| vehicle.damage.as_ref())
-        .map(|damage| crash3::crush_energy(&damage.profile, &damage.stiffness))
+        .map(|damage| damage.crush_energy)
         .sum();
-    let problem = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)?;
+    let mut problem = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)?;
+    if let Some(curve) = &restitution_curve {
+        problem = problem.with_restitution_curve(curve);
+    }
     let answer = problem.solve()?;
     let found = Found {
         unknown: input.unknown,
@@ -126,8 +134,8 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
         },
     };
     let warnings = warning::of_found(&found, input.given_speed);
-    let impact = Impact { contact, law, outcome: answer.outcome };
-    let analysis = collided(file, impact, vehicles, input.basis, warnings)?;
+    let impact = Impact { contact, law: answer.law, outcome: answer.outcome };
+    let analysis = collided(impact, vehicles, input.basis, warnings)?;
     Ok(Analysis { found: Some(found), ..analysis })
 }
 
@@ -137,9 +145,13 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
 /// [`Failure`].
 pub fn impact(file: &CaseFile) -> Result<Analysis, Failure> {
     let input = file.impact()?;
-    let Collision { contact, law, motions, vehicles } = input.collision;
+    let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
+    let law = match restitution_curve {
+        Some(curve) => curve.law(law, -contact.approach(&motions).velocity.normal),
+        None => law,
+    };
     let impact = Impact { contact, law, outcome: contact.impact(motions, &law)? };
-    collided(file, impact, vehicles, input.basis, Vec::new())
+    collided(impact, vehicles, input.basis, Vec::new())
 }
 
 /// CRASH3 alone: energies and velocity changes from the damage and the PDOF that the file gives.
@@ -151,12 +163,12 @@ pub fn crush(file: &CaseFile) -> Result<Analysis, Failure> {
     let vehicles = damage::assess(input.vehicles, [None, None])?;
     let crash3 = damage::crash3(&vehicles, input.basis, input.restitution)?;
     let mut warnings = Vec::new();
+    warning::of_assumptions(&vehicles, &mut warnings);
     warning::of_damage(&vehicles, &mut warnings);
     Ok(Analysis { basis: input.basis, found: None, impact: None, vehicles, crash3, warnings })
 }
 
 fn collided(
-    file: &CaseFile,
     impact: Impact,
     subjects: [Subject; 2],
     basis: EnergyBasis,
@@ -165,7 +177,8 @@ fn collided(
     let vehicles = damage::assess(subjects, impact.outcome.pdof().map(Some))?;
     let crash3 = damage::crash3(&vehicles, basis, Some(impact.law.restitution()))?;
     warning::of_impact(&impact, &mut warnings);
-    warning::of_outlines(file, &vehicles, &mut warnings);
+    warning::of_outlines(&vehicles, &mut warnings);
+    warning::of_assumptions(&vehicles, &mut warnings);
     warning::of_damage(&vehicles, &mut warnings);
     warning::of_directions(&impact, &vehicles, &mut warnings);
     if let Some(crash3) = &crash3 {

@@ -1,6 +1,6 @@
 //! What a careful reconstructionist would raise.
 
-use case::CaseFile;
+use case::YawSource;
 use pim_core::Outcome;
 
 use crate::damage::Crash3;
@@ -86,6 +86,46 @@ pub enum Warning {
         /// (m/s) the speed found.
         speed: f64,
     },
+    /// CRASH3's size class stands in for what is not known of the vehicle.
+    ClassValues {
+        /// 1 or 2.
+        vehicle: usize,
+        /// 1 to 6.
+        class: u8,
+        /// (kg·m²) the yaw inertia, where that was taken from the class.
+        yaw_inertia: Option<f64>,
+        /// (m) length, width and distance from the CG to the front, where those were taken from the class.
+        outline: Option<[f64; 3]>,
+    },
+    /// The yaw inertia was estimated from wheelbase and length.
+    BurgInertia {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (kg·m²) the estimate.
+        yaw_inertia: f64,
+    },
+    /// The crush of the vehicle was not measured.
+    InferredEnergy {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (N) the peak force on the other vehicle.
+        force: f64,
+        /// (m) width of the uniform crush; (m) its depth.
+        crush: [f64; 2],
+        /// (J) its energy.
+        energy: f64,
+        /// (J) the least and the greatest that are possible, where the width is not known.
+        bounds: Option<[f64; 2]>,
+    },
+    /// The force was taken to act through the centroid of the damage.
+    DamageCentroid {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (m) the centroid, forward and left of the CG.
+        point: [f64; 2],
+        /// Whether the file says where on the face the damage lies.
+        offset_given: bool,
+    },
     /// The file gives a speed for the vehicle whose speed was to be found.
     GivenSpeedUnused {
         /// 1 or 2.
@@ -112,6 +152,10 @@ impl Warning {
             Self::DeltaVDiffers { .. } => "delta-v-differs",
             Self::SeveralSpeeds { .. } => "several-speeds",
             Self::MovesBackward { .. } => "moves-backward",
+            Self::ClassValues { .. } => "class-values",
+            Self::BurgInertia { .. } => "burg-inertia",
+            Self::InferredEnergy { .. } => "inferred-energy",
+            Self::DamageCentroid { .. } => "damage-centroid",
             Self::GivenSpeedUnused { .. } => "given-speed-unused",
         }
     }
@@ -143,17 +187,60 @@ pub(crate) fn of_impact(impact: &Impact, warnings: &mut Vec<Warning>) {
     }
 }
 
-pub(crate) fn of_outlines(file: &CaseFile, vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
-    for (i, (vehicle, known)) in vehicles.iter().zip(&file.case.vehicles).enumerate() {
-        let (Some([forward, left]), Some(outline)) = (vehicle.subject.contact, &known.outline) else {
+pub(crate) fn of_outlines(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
+    for (i, vehicle) in vehicles.iter().enumerate() {
+        let (Some([forward, left]), Some(outline)) = (vehicle.subject.contact, vehicle.subject.dimensions)
+        else {
             continue;
         };
-        let front = outline.cg_to_front.si();
-        let ahead = (forward - front).max(front - outline.length.si() - forward);
-        let aside = left.abs() - outline.width.si() / 2.0;
+        let front = outline.cg_to_front;
+        let ahead = (forward - front).max(front - outline.length - forward);
+        let aside = left.abs() - outline.width / 2.0;
         let distance = ahead.max(aside);
         if distance > OUTLINE_TOLERANCE {
             warnings.push(Warning::ContactOutside { vehicle: i + 1, distance });
+        }
+    }
+}
+
+/// What stands in for what is not known.
+pub(crate) fn of_assumptions(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
+    for (i, vehicle) in vehicles.iter().enumerate() {
+        let (number, subject) = (i + 1, &vehicle.subject);
+        let from_class = subject.dimensions.and_then(|dimensions| {
+            let outline = [dimensions.length, dimensions.width, dimensions.cg_to_front];
+            dimensions.class.map(|class| (class, outline))
+        });
+        let (mut class, mut yaw_inertia) = (from_class.map(|(class, _)| class), None);
+        if let Some(inertia) = subject.inertia {
+            match inertia.yaw_source {
+                YawSource::Given => {}
+                YawSource::Class(of_yaw) => {
+                    class = Some(of_yaw);
+                    yaw_inertia = Some(inertia.yaw_inertia);
+                }
+                YawSource::Burg => {
+                    warnings.push(Warning::BurgInertia { vehicle: number, yaw_inertia: inertia.yaw_inertia });
+                }
+            }
+        }
+        if let Some(class) = class {
+            let outline = from_class.map(|(_, outline)| outline);
+            warnings.push(Warning::ClassValues { vehicle: number, class, yaw_inertia, outline });
+        }
+        let Some(damage) = &vehicle.damage else { continue };
+        if let Some(inferred) = damage.inferred {
+            warnings.push(Warning::InferredEnergy {
+                vehicle: number,
+                force: inferred.force,
+                crush: [inferred.crush.width, inferred.crush.depth],
+                energy: inferred.crush.energy,
+                bounds: inferred.range.map(|range| [range.lowest.energy, range.highest.energy]),
+            });
+        }
+        if let Some(point) = damage.centroid {
+            let offset_given = subject.damage.as_ref().is_some_and(|given| given.offset_given);
+            warnings.push(Warning::DamageCentroid { vehicle: number, point, offset_given });
         }
     }
 }

@@ -39,10 +39,18 @@
 //! | table | keys |
 //! |---|---|
 //! | top | `title`, `source` |
-//! | `[vehicle1]`, `[vehicle2]`, both needed | `name`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `heading`; `speed` or `velocity = { x, y }`; `yaw_rate`; `contact = { distance, angle }` or `{ x, y }`; `length`, `width`, `cg_to_front`: all or none; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact` and the outline |
-//! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of or beside the width (to 0.1 %); `stiffness = { d0, d1 }` or `{ A, B }`, either with `G`; `offset`; `pdof`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"` |
-//! | `[impact]` | `crush_plane`; `restitution`, 0 to 1; `tangential`: `"critical"`, `{ ratio }`, `{ fraction }` or `{ friction }` |
+//! | `[vehicle1]`, `[vehicle2]`, both needed | `name`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, for what is not known; `heading`; `speed` or `velocity = { x, y }`; `yaw_rate`; `contact = { distance, angle }` or `{ x, y }`; `length`, `width`, `cg_to_front`: all or none, or `length` alone beside `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact` and the outline |
+//! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of or beside the width (to 0.1 %); `from_force_balance = true` in place of depths, for one vehicle; `stiffness`, see below; `offset`, left of the axis or forward of the CG; `pdof`, an angle or `"2 o'clock"`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"`, `"secant"`, `{ friction = 0.5 }` |
+//! | `stiffness = { … }` | `d0`, `d1` or `A`, `B`, either with `G` and `limit`; or `category`, 1 to 5; or `test = { mass or weight, speed, width, depths, no_damage_speed, fit }`, `fit`: `"exact"` (also where absent), `"mean"`; or `zones = [{ A, B }, …]`, one between each two stations |
+//! | `[impact]` | `crush_plane`; `law`: `"brach"` (also where absent), `"woolley"`, `"ishikawa"`, `"kudlich-slibar"`, and the keys of that law |
+//! | … Brach | `restitution`; `tangential`: `"critical"`, `{ ratio }`, `{ fraction }` or `{ friction }`; `moment_restitution`, −1 (none, also where absent) to 1 |
+//! | … Woolley | nothing more or, for a sideswipe, `tangential_velocity_change` |
+//! | … Ishikawa | `restitution`; `tangential_restitution`, −1 to 1 |
+//! | … Kudlich–Slibar | `restitution`; `friction`, zero or more |
 //! | `[reconstruct]` | `find`: `"vehicle1.speed"`, `"vehicle2.speed"`; `energy_basis`: `"dissipated"` (also where absent), `"absorbed"` |
+//!
+//! A `restitution` is a number from 0 to 1 or, where it depends on the closing speed, `{ speeds = "2 5 10 20 m/s", values = [0.3, 0.2,
+//! 0.12, 0.05] }`: speeds ascend from zero or more, and are listed like depths. A key of another law is an error.
 //!
 //! Which of the optional keys have to be there depends on what is computed, and is checked there.
 //!
@@ -110,11 +118,14 @@ mod units;
 mod write;
 
 pub use case::{
-    Case, ContactPoint, Crush, Impact, Mass, Outline, Reconstruct, StiffnessForm, Vehicle, Velocity,
-    YawInertia,
+    BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass, Outline, Pdof, Reconstruct,
+    Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
 };
 pub use diagnostic::{Diagnostic, Diagnostics};
-pub use model::{Collision, CrushOnly, Damage, ImpactInput, Inertia, ReconstructionInput, Subject};
+pub use model::{
+    Collision, CrushOnly, Damage, Dimensions, Evidence, ImpactInput, Inertia, InferredWidth,
+    ReconstructionInput, StiffnessSource, Subject, YawSource,
+};
 pub use problem::Problem;
 pub use quantity::{Quantity, QuantityError};
 pub use read::CaseFile;

@@ -2,12 +2,15 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crash3::{EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness};
-use pim_core::{Body, Contact, Law, Motion, Participant, Vector2};
+use crash3::{
+    DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, Structure, VehicleClass,
+};
+use pim_core::{Body, Contact, Law, Motion, Participant, RestitutionCurve, Vector2};
 use reconcile::Unknown;
 
 use crate::{
-    CaseFile, ContactPoint, Crush, Diagnostic, Diagnostics, Quantity, StiffnessForm, Vehicle, Velocity,
+    CaseFile, ContactPoint, Crush, Diagnostic, Diagnostics, Fit, ImpactLaw, Quantity, Restitution,
+    StiffnessForm, StiffnessLine, Vehicle, Velocity,
 };
 
 /// Two vehicles that collide, as the mechanics need them.
@@ -15,8 +18,10 @@ use crate::{
 pub struct Collision {
     /// The geometry.
     pub contact: Contact,
-    /// The impact law.
+    /// The impact law; where there is a curve of restitution, with the coefficient of its first point.
     pub law: Law,
+    /// The coefficient of restitution by closing speed, which replaces that of the law.
+    pub restitution_curve: Option<RestitutionCurve>,
     /// Motions before impact. A vehicle whose speed is sought is at rest here but for its yaw rate.
     pub motions: [Motion; 2],
     /// What is known of each vehicle.
@@ -30,6 +35,8 @@ pub struct Subject {
     pub inertia: Option<Inertia>,
     /// (m) contact point C forward and left of the CG.
     pub contact: Option<[f64; 2]>,
+    /// The body seen from above.
+    pub dimensions: Option<Dimensions>,
     /// The damage.
     pub damage: Option<Damage>,
 }
@@ -41,17 +48,68 @@ pub struct Inertia {
     pub mass: f64,
     /// (kg·m²) yaw inertia.
     pub yaw_inertia: f64,
+    /// Where that comes from.
+    pub yaw_source: YawSource,
 }
 
-/// Measured crush, and what the file says of the force that made it.
+/// Where a yaw inertia comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum YawSource {
+    /// The file gives it, or the radius of gyration.
+    Given,
+    /// The radius of gyration of CRASH3's size class.
+    Class(u8),
+    /// Burg's estimate from wheelbase and length.
+    Burg,
+}
+
+/// The body seen from above.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dimensions {
+    /// (m) of the body.
+    pub length: f64,
+    /// (m) of the body.
+    pub width: f64,
+    /// (m) from the CG forward to the front of the body.
+    pub cg_to_front: f64,
+    /// CRASH3's size class, where the file gives that and not the dimensions.
+    pub class: Option<u8>,
+}
+
+impl Dimensions {
+    /// (m) distance of a side's face from the CG.
+    #[must_use]
+    pub fn face(&self, side: Side) -> f64 {
+        match side {
+            Side::Front => self.cg_to_front,
+            Side::Rear => self.length - self.cg_to_front,
+            Side::Left | Side::Right => self.width / 2.0,
+        }
+    }
+
+    /// (m) length of a side's face.
+    #[must_use]
+    pub fn extent(&self, side: Side) -> f64 {
+        match side {
+            Side::Front | Side::Rear => self.width,
+            Side::Left | Side::Right => self.length,
+        }
+    }
+}
+
+/// Damage, and what the file says of the force that made it.
 #[derive(Clone, Debug)]
 pub struct Damage {
     /// The damaged side.
     pub side: Side,
-    /// Depths along it.
-    pub profile: Profile,
-    /// Its stiffness.
-    pub stiffness: Stiffness,
+    /// What the crush is known from.
+    pub evidence: Evidence,
+    /// Where its stiffness comes from.
+    pub stiffness_source: StiffnessSource,
+    /// The damaged face and the place of the damage on it, where the dimensions of the vehicle are known.
+    pub face: Option<DamagedFace>,
+    /// Whether the file says where on the face the damage lies; if not, its middle is taken to lie on the axis or beside the CG.
+    pub offset_given: bool,
     /// How oblique forces are corrected.
     pub correction: ObliqueCorrection,
     /// (rad) PDOF as given.
@@ -60,6 +118,54 @@ pub struct Damage {
     pub oblique_angle: Option<f64>,
     /// (m) h as given.
     pub moment_arm: Option<f64>,
+}
+
+/// What a crush is known from.
+#[derive(Clone, Debug)]
+pub enum Evidence {
+    /// It was measured.
+    Measured {
+        /// Depths along the side.
+        profile: Profile,
+        /// What the side resisted with.
+        structure: Structure,
+    },
+    /// It is to be inferred from the force on the other vehicle.
+    ForceBalance {
+        /// What the side resisted with.
+        stiffness: Stiffness,
+        /// The width of the damage.
+        width: InferredWidth,
+    },
+}
+
+/// The width of a damage that was not measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum InferredWidth {
+    /// (m) known all the same, from photographs for example.
+    Given(f64),
+    /// Not known: only the vehicle's dimensions bound it.
+    Bounded {
+        /// (m) length of the side.
+        widest: f64,
+        /// (m) from the face to the CG.
+        deepest: f64,
+    },
+}
+
+/// Where a stiffness comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StiffnessSource {
+    /// A and B as given.
+    Coefficients,
+    /// d_0 and d_1 as given.
+    Roots,
+    /// A category of CRASH3's table for the damaged side.
+    Category(u8),
+    /// Fitted to a barrier test.
+    Test(Fit),
+    /// Coefficients as given, zone by zone.
+    Zones,
 }
 
 /// What `reconstruct` works on.
@@ -91,7 +197,7 @@ pub struct CrushOnly {
     pub vehicles: [Subject; 2],
     /// The energy basis.
     pub basis: EnergyBasis,
-    /// e, if the file has one.
+    /// e, if the file has one that does not depend on the closing speed; 0 under Woolley's law.
     pub restitution: Option<f64>,
 }
 
@@ -103,10 +209,17 @@ impl CaseFile {
     pub fn reconstruction(&self) -> Result<ReconstructionInput, Diagnostics> {
         let mut demand = Demand { file: self, command: "reconstruct", problems: Vec::new() };
         let unknown = demand.unknown();
-        let collision = demand.collision(unknown);
+        let mut collision = demand.collision(unknown);
         for (i, vehicle) in self.case.vehicles.iter().enumerate() {
             if !vehicle.fixed && vehicle.crush.is_none() {
                 demand.missing(&format!("vehicle{}.crush", i + 1), CRUSH_EXAMPLE);
+            }
+        }
+        if self.case.vehicles.iter().filter_map(|v| v.crush.as_ref()).any(|crush| crush.from_force_balance) {
+            // The crush energy has to be known before the impact is, and so has the direction of the force.
+            demand.directions_for_balance();
+            if let Some(collision) = &mut collision {
+                self.fill_opposite_pdof(&mut collision.vehicles);
             }
         }
         demand.finish(collision.zip(unknown).map(|(collision, unknown)| ReconstructionInput {
@@ -143,11 +256,40 @@ impl CaseFile {
             }
         }
         let [v1, v2] = vehicles;
-        demand.finish(v1.zip(v2).map(|(v1, v2)| CrushOnly {
-            vehicles: [v1, v2],
-            basis: self.energy_basis(),
-            restitution: self.case.impact.as_ref().map(|impact| impact.restitution),
+        demand.finish(v1.zip(v2).map(|(v1, v2)| {
+            let mut vehicles = [v1, v2];
+            self.fill_opposite_pdof(&mut vehicles);
+            CrushOnly {
+                vehicles,
+                basis: self.energy_basis(),
+                restitution: self.case.impact.as_ref().and_then(|impact| match impact.law.restitution() {
+                    Some(Restitution::Constant(e)) => Some(*e),
+                    Some(Restitution::OfClosingSpeed { .. }) => None,
+                    // Woolley: U_n = 0
+                    None => Some(0.0),
+                }),
+            }
         }))
+    }
+
+    /// Where one PDOF and both headings are given, the other PDOF follows by Newton's third law.
+    fn fill_opposite_pdof(&self, vehicles: &mut [Subject; 2]) {
+        let [Some(h1), Some(h2)] = self.headings() else { return };
+        let given = vehicles.each_ref().map(|vehicle| vehicle.damage.as_ref().and_then(|damage| damage.pdof));
+        let follows = [
+            given[1].map(|pdof| crash3::opposite_pdof(pdof, [h2, h1])),
+            given[0].map(|pdof| crash3::opposite_pdof(pdof, [h1, h2])),
+        ];
+        for (vehicle, follows) in vehicles.iter_mut().zip(follows) {
+            if let Some(damage) = &mut vehicle.damage {
+                damage.pdof = damage.pdof.or(follows);
+            }
+        }
+    }
+
+    /// (rad)
+    fn headings(&self) -> [Option<f64>; 2] {
+        self.case.vehicles.each_ref().map(|vehicle| vehicle.heading.as_ref().map(Quantity::si))
     }
 
     fn energy_basis(&self) -> EnergyBasis {
@@ -209,43 +351,71 @@ impl Demand<'_> {
 
     fn collision(&mut self, unknown: Option<Unknown>) -> Option<Collision> {
         let vehicles = [self.subject(0), self.subject(1)];
-        let participants = [self.participant(0), self.participant(1)];
+        let inertias =
+            vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.inertia));
+        let participants = [self.participant(0, inertias[0]), self.participant(1, inertias[1])];
         let motions = [self.motion(0, unknown), self.motion(1, unknown)];
         let law = self.law();
         let ([v1, v2], [p1, p2], [m1, m2]) = (vehicles, participants, motions);
         let contact = self.contact([p1?, p2?])?;
-        Some(Collision { contact, law: law?, motions: [m1?, m2?], vehicles: [v1?, v2?] })
+        let (law, restitution_curve) = law?;
+        Some(Collision { contact, law, restitution_curve, motions: [m1?, m2?], vehicles: [v1?, v2?] })
     }
 
     fn subject(&mut self, i: usize) -> Option<Subject> {
         let vehicle = &self.file.case.vehicles[i];
         let contact = vehicle.contact.as_ref().map(ContactPoint::forward_left);
+        let class = self.class(i, vehicle);
+        let dimensions = dimensions(vehicle, class);
         if vehicle.fixed {
-            return Some(Subject { inertia: None, contact, damage: None });
+            return Some(Subject { inertia: None, contact, dimensions, damage: None });
         }
-        let inertia = self.inertia(i, vehicle);
+        let inertia = self.inertia(i, vehicle, class);
         let damage = match &vehicle.crush {
-            Some(crush) => Some(self.damage(i, crush)?),
+            Some(crush) => Some(self.damage(i, crush, dimensions)?),
             None => None,
         };
-        Some(Subject { inertia: Some(inertia?), contact, damage })
+        Some(Subject { inertia: Some(inertia?), contact, dimensions, damage })
     }
 
-    fn inertia(&mut self, i: usize, vehicle: &Vehicle) -> Option<Inertia> {
+    fn class(&mut self, i: usize, vehicle: &Vehicle) -> Option<(u8, VehicleClass)> {
+        let class = vehicle.class?;
+        self.accepted(&format!("vehicle{}.class", i + 1), VehicleClass::new(class))
+            .map(|known| (class, known))
+    }
+
+    /// What the file gives goes before the class, and the class before Burg's estimate.
+    fn inertia(&mut self, i: usize, vehicle: &Vehicle, class: Option<(u8, VehicleClass)>) -> Option<Inertia> {
         let table = format!("vehicle{}", i + 1);
         let mass = vehicle.mass.as_ref().map(crate::Mass::kg);
         let mass =
             self.given(mass, &format!("{table}.weight"), "`weight = \"3696 lb\"` or `mass = \"1676 kg\"`");
-        let yaw = self.given(
-            vehicle.yaw.as_ref(),
+        let length = vehicle.outline.map(|outline| outline.length).or(vehicle.length);
+        if let Some(yaw) = &vehicle.yaw {
+            let mass = mass?;
+            return Some(Inertia { mass, yaw_inertia: yaw.kg_m2(mass), yaw_source: YawSource::Given });
+        }
+        if let Some((class, known)) = class {
+            let mass = mass?;
+            // I = m k²
+            let yaw_inertia = mass * known.yaw_radius * known.yaw_radius;
+            return Some(Inertia { mass, yaw_inertia, yaw_source: YawSource::Class(class) });
+        }
+        if let Some((wheelbase, length)) = vehicle.wheelbase.zip(length) {
+            let mass = mass?;
+            let estimate = crash3::yaw_inertia_burg(mass, wheelbase.si(), length.si());
+            let yaw_inertia = self.accepted(&format!("{table}.wheelbase"), estimate)?;
+            return Some(Inertia { mass, yaw_inertia, yaw_source: YawSource::Burg });
+        }
+        self.missing(
             &format!("{table}.yaw_inertia"),
-            "`yaw_inertia = \"2437 lb ft s^2\"`, or the radius of gyration: `yaw_radius = \"1.40 m\"`",
+            "`yaw_inertia = \"2437 lb ft s^2\"`, or the radius of gyration: `yaw_radius = \"1.40 m\"`; where neither is known, \
+             CRASH3's size class, `class = 3`, or both `wheelbase` and `length`",
         );
-        let (mass, yaw) = (mass?, yaw?);
-        Some(Inertia { mass, yaw_inertia: yaw.kg_m2(mass) })
+        None
     }
 
-    fn participant(&mut self, i: usize) -> Option<Participant> {
+    fn participant(&mut self, i: usize, inertia: Option<Inertia>) -> Option<Participant> {
         let table = format!("vehicle{}", i + 1);
         let vehicle = &self.file.case.vehicles[i];
         let heading = vehicle.heading.as_ref().map(Quantity::si);
@@ -260,16 +430,15 @@ impl Demand<'_> {
                 None => Some(Participant::barrier()),
             };
         }
-        let inertia = vehicle.mass.as_ref().zip(vehicle.yaw.as_ref());
         let heading = self.given(heading, &format!("{table}.heading"), "`heading = \"180 deg\"`");
         let contact = self.given(
             contact,
             &format!("{table}.contact"),
             "`contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }` or `contact = { x = \"1.78 m\", y = \"-0.73 m\" }`",
         );
-        let (mass, yaw) = inertia?;
+        let Inertia { mass, yaw_inertia, .. } = inertia?;
         let ([forward, left], heading) = (contact?, heading?);
-        let body = self.accepted(&table, Body::new(mass.kg(), yaw.kg_m2(mass.kg())))?;
+        let body = self.accepted(&table, Body::new(mass, yaw_inertia))?;
         self.accepted(&table, Participant::new(body, heading, forward, left))
     }
 
@@ -295,12 +464,38 @@ impl Demand<'_> {
         Some(motion.with_yaw_rate(yaw_rate))
     }
 
-    fn law(&mut self) -> Option<Law> {
+    fn law(&mut self) -> Option<(Law, Option<RestitutionCurve>)> {
         let Some(impact) = &self.file.case.impact else {
             self.missing("impact", "a table [impact] with crush_plane, restitution and tangential");
             return None;
         };
-        self.accepted("impact", Law::new(impact.restitution, impact.tangential))
+        let curve = match impact.law.restitution().and_then(Restitution::points) {
+            Some(points) => Some(self.accepted("impact.restitution", RestitutionCurve::new(points))?),
+            None => None,
+        };
+        let e = |restitution: &Restitution| match restitution {
+            Restitution::Constant(e) => *e,
+            Restitution::OfClosingSpeed { values, .. } => values.first().copied().unwrap_or_default(),
+        };
+        let law = match &impact.law {
+            ImpactLaw::Brach { restitution, tangential, moment_restitution } => {
+                Law::new(e(restitution), *tangential).and_then(|law| match moment_restitution {
+                    Some(e_m) => law.with_moment_restitution(*e_m),
+                    None => Ok(law),
+                })
+            }
+            ImpactLaw::Woolley { tangential_velocity_change: None } => Ok(Law::woolley()),
+            ImpactLaw::Woolley { tangential_velocity_change: Some(change) } => {
+                Law::woolley_sideswipe(change.si())
+            }
+            ImpactLaw::Ishikawa { restitution, tangential_restitution } => {
+                Law::ishikawa(e(restitution), *tangential_restitution)
+            }
+            ImpactLaw::KudlichSlibar { restitution, friction } => {
+                Law::kudlich_slibar(e(restitution), *friction)
+            }
+        };
+        Some((self.accepted("impact", law)?, curve))
     }
 
     fn contact(&mut self, participants: [Participant; 2]) -> Option<Contact> {
@@ -308,7 +503,49 @@ impl Demand<'_> {
         self.accepted("impact.crush_plane", Contact::new(participants, crush_plane))
     }
 
-    fn damage(&mut self, i: usize, crush: &Crush) -> Option<Damage> {
+    fn damage(&mut self, i: usize, crush: &Crush, dimensions: Option<Dimensions>) -> Option<Damage> {
+        let path = |key: &str| format!("vehicle{}.crush.{key}", i + 1);
+        let structure = self.accepted(&path("stiffness"), crush.stiffness.structure(crush.side));
+        let evidence = if crush.from_force_balance {
+            let width = self.inferred_width(i, crush, dimensions)?;
+            match structure? {
+                Structure::Uniform(stiffness) => Evidence::ForceBalance { stiffness, width },
+                // The reader lets no crush without stations have zones between them.
+                Structure::Zones(_) => return None,
+            }
+        } else {
+            let profile = self.profile(i, crush);
+            Evidence::Measured { profile: profile?, structure: structure? }
+        };
+        let offset = crush.offset.as_ref().map(Quantity::si);
+        let face = match dimensions {
+            Some(dimensions) => {
+                let face =
+                    DamagedFace::new(crush.side, dimensions.face(crush.side), offset.unwrap_or_default());
+                Some(self.accepted(&format!("vehicle{}.cg_to_front", i + 1), face)?)
+            }
+            None => None,
+        };
+        Some(Damage {
+            side: crush.side,
+            evidence,
+            stiffness_source: match &crush.stiffness {
+                StiffnessForm::Line(StiffnessLine::Crush { .. }) => StiffnessSource::Coefficients,
+                StiffnessForm::Line(StiffnessLine::Root { .. }) => StiffnessSource::Roots,
+                StiffnessForm::Category(category) => StiffnessSource::Category(*category),
+                StiffnessForm::Test(test) => StiffnessSource::Test(test.fit),
+                StiffnessForm::Zones(_) => StiffnessSource::Zones,
+            },
+            face,
+            offset_given: offset.is_some(),
+            correction: crush.oblique.unwrap_or_default(),
+            pdof: crush.pdof.as_ref().map(|pdof| wrapped(pdof.rad())),
+            oblique_angle: crush.oblique_angle.as_ref().map(Quantity::si),
+            moment_arm: crush.moment_arm.as_ref().map(Quantity::si),
+        })
+    }
+
+    fn profile(&mut self, i: usize, crush: &Crush) -> Option<Profile> {
         let path = |key: &str| format!("vehicle{}.crush.{key}", i + 1);
         let depths = crush.depths.iter().map(Quantity::si).collect();
         let profile = match (&crush.spacing, &crush.width) {
@@ -319,23 +556,53 @@ impl Demand<'_> {
                 return None;
             }
         };
-        let stiffness = match &crush.stiffness {
-            StiffnessForm::Crush { a, b, g: None } => Stiffness::from_ab(a.si(), b.si()),
-            StiffnessForm::Crush { a, b, g: Some(g) } => Stiffness::from_abg(a.si(), b.si(), g.si()),
-            StiffnessForm::Root { d0, d1, g: None } => Stiffness::from_d0_d1(d0.si(), d1.si()),
-            StiffnessForm::Root { d0, d1, g: Some(g) } => Stiffness::from_d0_d1_g(d0.si(), d1.si(), g.si()),
+        self.accepted(&path("depths"), profile)
+    }
+
+    fn inferred_width(
+        &mut self,
+        i: usize,
+        crush: &Crush,
+        dimensions: Option<Dimensions>,
+    ) -> Option<InferredWidth> {
+        if let Some(width) = &crush.width {
+            return Some(InferredWidth::Given(width.si()));
+        }
+        let Some(dimensions) = dimensions else {
+            self.missing(
+                &format!("vehicle{}.crush.width", i + 1),
+                "the width of the damage, which is not to be had from the force; or `length`, `width` and `cg_to_front` of the \
+                 vehicle or its `class`, which bound it",
+            );
+            return None;
         };
-        let profile = self.accepted(&path("depths"), profile);
-        let stiffness = self.accepted(&path("stiffness"), stiffness);
-        Some(Damage {
-            side: crush.side,
-            profile: profile?,
-            stiffness: stiffness?,
-            correction: crush.oblique.unwrap_or_default(),
-            pdof: crush.pdof.as_ref().map(|pdof| wrapped(pdof.si())),
-            oblique_angle: crush.oblique_angle.as_ref().map(Quantity::si),
-            moment_arm: crush.moment_arm.as_ref().map(Quantity::si),
+        Some(InferredWidth::Bounded {
+            widest: dimensions.extent(crush.side),
+            deepest: dimensions.face(crush.side),
         })
+    }
+
+    /// Whether the file gives the PDOF of a vehicle, or that of the other and both headings.
+    fn has_pdof(&self, i: usize) -> bool {
+        let given = |i: usize| {
+            self.file.case.vehicles[i].crush.as_ref().is_some_and(|crush: &Crush| crush.pdof.is_some())
+        };
+        given(i) || (given(1 - i) && self.file.headings().iter().all(Option::is_some))
+    }
+
+    /// A force balance between two crushes needs the angle at which the force meets each.
+    fn directions_for_balance(&mut self) {
+        for i in [0, 1] {
+            let has_angle =
+                self.file.case.vehicles[i].crush.as_ref().is_some_and(|crush| crush.oblique_angle.is_some());
+            if !has_angle && !self.has_pdof(i) {
+                self.missing(
+                    &format!("vehicle{}.crush.pdof", i + 1),
+                    "the direction from which the force came, for the force balance: `pdof` of one vehicle, from which that of the other \
+                     follows, or `oblique_angle` of both",
+                );
+            }
+        }
     }
 
     /// `crush` has no impulse to take the direction of the force from.
@@ -345,16 +612,37 @@ impl Demand<'_> {
             self.missing(&format!("{table}.crush"), CRUSH_EXAMPLE);
             return;
         };
-        if crush.pdof.is_none() && (crush.oblique_angle.is_none() || crush.moment_arm.is_none()) {
+        if !self.has_pdof(i) && (crush.oblique_angle.is_none() || crush.moment_arm.is_none()) {
             self.missing(
                 &format!("{table}.crush.pdof"),
-                "the direction from which the force came, clockwise from the heading: `pdof = \"2.7 deg\"`, or else `oblique_angle` and `moment_arm`",
+                "the direction from which the force came, clockwise from the heading: `pdof = \"2.7 deg\"` or `pdof = \"2 o'clock\"`; the \
+                 other vehicle's will do if both have a `heading`; or else `oblique_angle` and `moment_arm`",
             );
-        } else if crush.moment_arm.is_none() && vehicle.contact.is_none() {
+        } else if crush.moment_arm.is_none() && vehicle.contact.is_none() && !has_dimensions(vehicle) {
             self.missing(
                 &format!("{table}.crush.moment_arm"),
-                "the distance of the force's line of action from the CG: `moment_arm = \"2.1 ft\"`, or else the vehicle's `contact` point",
+                "the distance of the force's line of action from the CG: `moment_arm = \"2.1 ft\"`, or else the vehicle's `contact` point; or, \
+                 for a force through the centroid of the damage, `length`, `width` and `cg_to_front` or `class`",
             );
         }
     }
+}
+
+fn has_dimensions(vehicle: &Vehicle) -> bool {
+    vehicle.outline.is_some() || vehicle.class.is_some()
+}
+
+fn dimensions(vehicle: &Vehicle, class: Option<(u8, VehicleClass)>) -> Option<Dimensions> {
+    let given = vehicle.outline.map(|outline| Dimensions {
+        length: outline.length.si(),
+        width: outline.width.si(),
+        cg_to_front: outline.cg_to_front.si(),
+        class: None,
+    });
+    given.or(class.map(|(class, known)| Dimensions {
+        length: known.length,
+        width: known.width,
+        cg_to_front: known.cg_to_front,
+        class: Some(class),
+    }))
 }

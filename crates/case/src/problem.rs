@@ -1,9 +1,11 @@
 //! The problems a case file can have, each with its sentence and its remedy.
 
+use crash3::CrushError;
 use thiserror::Error;
 
 use crate::nearest::join;
 use crate::quantity::{Limit, Quantity, QuantityError, dimension_help, format_limit, format_number};
+use crate::schema::{LawName, RESTITUTION, TANGENTIAL};
 use crate::units::Dimension;
 
 /// What is wrong at one place of a case file. `Display` says what, [`Problem::help`] what to write instead.
@@ -34,6 +36,26 @@ pub enum Problem {
     /// A key that its table needs.
     #[error("{table} has no \"{key}\"")]
     MissingKey { table: String, key: &'static str, example: &'static str },
+    /// A key of another impact law.
+    #[error("{table} has \"{key}\", which {} does not use", law_in_words(law, *is_default))]
+    KeyOfOtherLaw {
+        table: String,
+        key: &'static str,
+        law: &'static str,
+        is_default: bool,
+        keys: String,
+        owners: Vec<&'static str>,
+    },
+    /// A key that the impact law needs.
+    #[error("{table} has no \"{key}\", which {} needs", law_in_words(law, *is_default))]
+    MissingKeyOfLaw {
+        table: String,
+        key: &'static str,
+        law: &'static str,
+        is_default: bool,
+        keys: String,
+        example: &'static str,
+    },
     /// A number where text is due, and the like.
     #[error("\"{path}\" is {found}, but has to be {wanted}")]
     WrongType { path: String, found: &'static str, wanted: &'static str, example: &'static str },
@@ -44,7 +66,7 @@ pub enum Problem {
     #[error("\"{path}\" is the bare number {number}, but needs a unit")]
     BareNumber { path: String, number: String, dimension: Dimension, example: &'static str },
     /// A plain number in quotes.
-    #[error("\"{path}\" is the string \"{text}\", but has to be a plain number")]
+    #[error("{path} is the string \"{text}\", but has to be a plain number")]
     QuotedNumber { path: String, text: String, example: String },
     /// A quantity that cannot be read.
     #[error("{0}")]
@@ -65,7 +87,7 @@ pub enum Problem {
     #[error("\"{path}\" is {value}, but has to lie between -{limit} and {limit}")]
     NotAcute { path: String, value: Quantity, limit: &'static str },
     /// A plain number outside of its range.
-    #[error("\"{path}\" is {}, but has to be {range}", format_number(*value))]
+    #[error("{path} is {}, but has to be {range}", format_number(*value))]
     OutOfRange { path: String, value: f64, range: &'static str, example: &'static str },
     /// A text that is empty.
     #[error("\"{path}\" is empty")]
@@ -97,12 +119,42 @@ pub enum Problem {
     /// Too many depths.
     #[error("\"{path}\" has {count} values, more than the {limit} that are accepted")]
     TooMany { path: String, count: usize, limit: usize },
+    /// A curve of restitution without a point.
+    #[error(
+        "\"{path}\" is an empty list, but a restitution that depends on the closing speed needs at least one point"
+    )]
+    NoPoints { path: String },
+    /// Speeds and coefficients of restitution that do not match.
+    #[error("\"{path}\" has {values} for {speeds}, but there has to be one value for each speed",
+        values = counted(*values, "value"), speeds = counted(*speeds, "speed"))]
+    ValueCount { path: String, values: usize, speeds: usize },
+    /// Closing speeds out of order.
+    #[error("{path} is {value}, but has to be more than the {before} before it")]
+    NotAscending { path: String, value: Quantity, before: Quantity },
     /// Widths and depths that do not match.
     #[error("\"{path}\" has {spacings} widths for {stations} depths, but {} are needed", stations - 1)]
     SpacingCount { path: String, spacings: usize, stations: usize },
     /// A width that is not the sum of the spacing.
     #[error("\"{path}\" is {width}, but the spacing adds up to {sum}")]
     WidthMismatch { path: String, width: Quantity, sum: String },
+    /// As many stiffnesses as zones.
+    #[error("\"{path}\" gives the stiffness of {zones} of the {} zones between {stations} depths", stations - 1)]
+    ZoneCount { path: String, zones: usize, stations: usize },
+    /// Not an hour.
+    #[error("\"{path}\" is \"{text}\", but the hours of a clock are 1 to 12")]
+    NotAnHour { path: String, text: String },
+    /// An inferred crush with what only a measured one has.
+    #[error("{table} takes its crush from the force balance, and then has no {key}")]
+    InferredHas { table: String, key: &'static str },
+    /// Both crushes inferred from each other.
+    #[error("both vehicles take their crush from the force balance, so nothing was measured")]
+    BothInferred,
+    /// A crush inferred from one that is not there.
+    #[error("[{vehicle}.crush] takes its crush from the force balance, but [{other}] has no measured crush")]
+    NothingMeasured { vehicle: &'static str, other: &'static str },
+    /// What the engine refuses of a stiffness.
+    #[error("{error}")]
+    Stiffness { error: CrushError, remedy: &'static str },
     /// Something that a computation finds wrong with a well-formed case.
     #[error("{message}")]
     CrossCheck { message: String, help: Option<String> },
@@ -115,8 +167,11 @@ impl Problem {
         let help = match self {
             Self::TooLarge { .. } => "a case is a page of text; is this the right file?".to_owned(),
             Self::Syntax { message } => return syntax_help(message).map(str::to_owned),
-            Self::UnknownKey { belongs, nearest, known, table, .. } => match (belongs, nearest) {
-                (Some(belongs), _) => format!("it belongs in {belongs}"),
+            Self::UnknownKey { belongs, nearest, known, table, key } => match (belongs, nearest) {
+                (Some(belongs), None) => format!("it belongs in {belongs}"),
+                (Some(belongs), Some(nearest)) => {
+                    format!("did you mean \"{nearest}\"? \"{key}\" belongs in {belongs}")
+                }
                 (None, Some(nearest)) => format!("did you mean \"{nearest}\"?"),
                 (None, None) => format!("the keys of {table} are {}", join(known, "and")),
             },
@@ -134,6 +189,10 @@ impl Problem {
                 "a case has two vehicles: add [{table}]; a barrier is a vehicle with the one line fixed = true"
             ),
             Self::MissingKey { example, .. } => format!("add a line such as {example}"),
+            Self::KeyOfOtherLaw { key, law, keys, owners, .. } => other_law_help(key, law, keys, owners),
+            Self::MissingKeyOfLaw { example, law, keys, .. } => {
+                format!("add a line such as {example}; law = \"{law}\" uses {keys}")
+            }
             Self::WrongType { example, .. } => format!("write for example {example}"),
             Self::NotATable { path, found: "a list" } => {
                 format!("write [{path}], with single brackets, on a line of its own")
@@ -163,7 +222,7 @@ impl Problem {
                 "it is the angle between the force and the normal of the damaged side: 0 deg for a force square to it".to_owned()
             }
             Self::OutOfRange { example, .. } => format!("write for example {example}"),
-            Self::TooMany { .. } => "measure at fewer stations: a profile needs no more".to_owned(),
+            Self::TooMany { .. } => "give fewer: a profile needs no more stations, and a curve of restitution no more points".to_owned(),
             Self::TooSmall { value, .. } => format!(
                 "{} has to be at least {} here; check the number and its unit",
                 value.dimension(),
@@ -189,11 +248,38 @@ impl Problem {
                 list(missing)
             ),
             Self::TooFewStations { .. } => "measure the depth at both ends of the damage at least".to_owned(),
+            Self::NoPoints { .. } => format!("write for example {RESTITUTION_FORMS}"),
+            Self::ValueCount { .. } => format!(
+                "give both lists the same number of points, as in {} and {}",
+                RESTITUTION.example("speeds"),
+                RESTITUTION.example("values")
+            ),
+            Self::NotAscending { .. } => {
+                "list the points by ascending closing speed, each speed once, with the values in the same order".to_owned()
+            }
             Self::SpacingCount { .. } => {
                 "a spacing is the width between two neighbouring stations, so there is one fewer than depths; leave it out where \
                  the stations are equally spaced"
                     .to_owned()
             }
+            Self::ZoneCount { .. } => {
+                "a zone lies between two neighbouring stations, so there is one fewer than depths; in the order of the depths"
+                    .to_owned()
+            }
+            Self::NotAnHour { .. } => {
+                "write the full hour, as pdof = \"2 o'clock\": the vehicle points to 12, and 3 o'clock is from its right; or an angle"
+                    .to_owned()
+            }
+            Self::InferredHas { key, .. } => {
+                format!("remove {key} or, if the damage was measured, from_force_balance = true")
+            }
+            Self::BothInferred => {
+                "give width and depths of the vehicle that was inspected, and remove its from_force_balance".to_owned()
+            }
+            Self::NothingMeasured { other, .. } => {
+                format!("add [{other}.crush] with side, width, depths and stiffness")
+            }
+            Self::Stiffness { remedy, .. } => (*remedy).to_owned(),
             Self::WidthMismatch { .. } => {
                 "the two may differ by 0.1 %; correct one of them, or leave the width out".to_owned()
             }
@@ -201,6 +287,34 @@ impl Problem {
         };
         Some(help)
     }
+}
+
+/// What `restitution` may look like.
+pub(crate) const RESTITUTION_FORMS: &str =
+    "restitution = 0.3 or restitution = { speeds = \"2 5 10 20 m/s\", values = [0.3, 0.2, 0.12, 0.05] }";
+
+fn law_in_words(law: &str, is_default: bool) -> String {
+    if is_default {
+        format!("the law \"{law}\" (the default, as no law is given)")
+    } else {
+        format!("law = \"{law}\"")
+    }
+}
+
+fn other_law_help(key: &str, law: &str, keys: &str, owners: &[&str]) -> String {
+    let owners: Vec<String> = owners.iter().map(|owner| format!("\"{owner}\"")).collect();
+    let owners: Vec<&str> = owners.iter().map(String::as_str).collect();
+    let help = format!("law = \"{law}\" uses {keys}; {key} belongs to law = {}", join(&owners, "or"));
+    // What is a key of its own under one law is a form of tangential under Brach's.
+    if law == LawName::Brach.name() && TANGENTIAL.has(key) {
+        format!("{help}; here write tangential = {{ {} }}", TANGENTIAL.example(key))
+    } else {
+        help
+    }
+}
+
+fn counted(count: usize, noun: &str) -> String {
+    if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }
 
 fn list(keys: &[&str]) -> String {

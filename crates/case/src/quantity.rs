@@ -32,6 +32,15 @@ impl Quantity {
         Ok(quantity)
     }
 
+    /// A value in SI ([`Dimension::si_unit`]).
+    ///
+    /// # Errors
+    ///
+    /// [`QuantityError::NotFinite`] and [`QuantityError::OutOfBounds`].
+    pub fn from_si(value: f64, dimension: Dimension) -> Result<Self, QuantityError> {
+        Self::new(value, find_unit(dimension.si_unit(), dimension.si_unit(), dimension)?)
+    }
+
     /// Reads a text such as `"6.3 ft"`, which has to be of the given dimension.
     ///
     /// ```

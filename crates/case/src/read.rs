@@ -1,23 +1,21 @@
 //! Reading a case: TOML to a spanned tree, and the tree to a [`Case`], with every problem on the way.
 
+mod impact;
 mod tree;
 mod values;
 mod vehicle;
 
 use toml::de::DeTable;
 
-use crate::case::{Case, Impact, Reconstruct, Vehicle};
+use crate::case::{Case, Reconstruct, Vehicle};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::problem::Problem;
 use crate::quantity::Quantity;
-use crate::schema::{IMPACT, RECONSTRUCT, TANGENTIAL, TOP};
+use crate::schema::{IMPACT, RECONSTRUCT, TOP};
 use crate::source::{Source, Spans};
-use crate::units::Dimension;
 use crash3::EnergyBasis;
-use pim_core::Tangential;
 use reconcile::Unknown;
 use tree::{Reader, Table};
-use values::Sign;
 
 /// (bytes) the largest file read: a case is a page of text, and its profile at most some thousand stations.
 const LARGEST: usize = 10_000_000;
@@ -110,36 +108,26 @@ impl<'t> Reader<'t> {
                 self.report_path("reconstruct.find", Problem::FindsFixed { vehicle: name, other });
             }
         }
+        self.evidence(&vehicles);
         Some(Case { title, source, vehicles, impact: optional(impact)?, reconstruct: optional(reconstruct)? })
     }
 
-    fn impact(&mut self, table: &Table<'t>) -> Option<Impact> {
-        self.require(table, &["crush_plane", "restitution", "tangential"]);
-        let crush_plane = self.quantity(table, "crush_plane", Dimension::Angle, Sign::Any);
-        let restitution = self.number(table, "restitution", "between 0 and 1", |e| (0.0..=1.0).contains(&e));
-        let tangential = self.tangential(table);
-        Some(Impact { crush_plane: crush_plane?, restitution: restitution?, tangential: tangential? })
-    }
-
-    fn tangential(&mut self, impact: &Table<'t>) -> Option<Tangential> {
-        const FORMS: &str =
-            "tangential = \"critical\", { ratio = 0.37 }, { fraction = 0.9 } or { friction = 0.5 }";
-        if impact.is_string("tangential") {
-            return self.choice_among(impact, "tangential", &[("critical", Tangential::Critical)], FORMS);
-        }
-        let table =
-            self.inline(impact, "tangential", &TANGENTIAL, "\"critical\" or a table in braces", FORMS)?;
-        match table.given(&["ratio", "fraction", "friction"])[..] {
-            ["ratio"] => {
-                self.number(&table, "ratio", "a finite number", f64::is_finite).map(Tangential::Ratio)
+    /// A crush that is inferred needs one that was measured.
+    fn evidence(&mut self, vehicles: &[Vehicle; 2]) {
+        let inferred = vehicles.each_ref().map(|v| v.crush.as_ref().is_some_and(|c| c.from_force_balance));
+        let problem = |i: usize| {
+            let names = ["vehicle1", "vehicle2"];
+            Problem::NothingMeasured { vehicle: names[i], other: names[1 - i] }
+        };
+        match inferred {
+            [true, true] => self.report_path("vehicle2.crush.from_force_balance", Problem::BothInferred),
+            [true, false] if vehicles[1].crush.is_none() => {
+                self.report_path("vehicle1.crush.from_force_balance", problem(0));
             }
-            ["fraction"] => self
-                .number(&table, "fraction", "between 0 and 1", |f| (0.0..=1.0).contains(&f))
-                .map(Tangential::FractionOfCritical),
-            ["friction"] => self
-                .number(&table, "friction", "a finite number, zero or more", |f| f >= 0.0 && f.is_finite())
-                .map(Tangential::Friction),
-            _ => self.no_form(&table, FORMS),
+            [false, true] if vehicles[0].crush.is_none() => {
+                self.report_path("vehicle2.crush.from_force_balance", problem(1));
+            }
+            _ => {}
         }
     }
 

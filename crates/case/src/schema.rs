@@ -39,6 +39,8 @@ pub(crate) static VEHICLE: Schema = Schema {
         key("weight", "weight = \"3696 lb\""),
         key("yaw_inertia", "yaw_inertia = \"2437 lb ft s^2\""),
         key("yaw_radius", "yaw_radius = \"1.40 m\""),
+        key("class", "class = 3"),
+        key("wheelbase", "wheelbase = \"2.62 m\""),
         key("heading", "heading = \"180 deg\""),
         key("speed", "speed = \"10 mph\""),
         key("velocity", "velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }"),
@@ -58,6 +60,7 @@ pub(crate) static CRUSH: Schema = Schema {
         key("width", "width = \"65 in\""),
         key("depths", "depths = \"21.3 20.3 13.8 11.3 5.3 4.8 in\""),
         key("spacing", "spacing = \"13 13 13 13 13 in\""),
+        key("from_force_balance", "from_force_balance = true"),
         key("stiffness", "stiffness = { d0 = \"35 lb^0.5\", d1 = \"115 lb^0.5/ft\" }"),
         key("offset", "offset = \"12 in\""),
         key("pdof", "pdof = \"2.7 deg\""),
@@ -71,10 +74,77 @@ pub(crate) static IMPACT: Schema = Schema {
     place: "[impact]",
     keys: &[
         key("crush_plane", "crush_plane = \"-23 deg\""),
+        key("law", "law = \"brach\""),
         key("restitution", "restitution = 0.3"),
         key("tangential", "tangential = \"critical\""),
+        key("moment_restitution", "moment_restitution = -0.5"),
+        key("tangential_velocity_change", "tangential_velocity_change = \"5 m/s\""),
+        key("tangential_restitution", "tangential_restitution = -0.2"),
+        key("friction", "friction = 0.5"),
     ],
 };
+
+/// The impact laws that `law` of [impact] can name.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum LawName {
+    Brach,
+    Woolley,
+    Ishikawa,
+    KudlichSlibar,
+}
+
+impl LawName {
+    pub(crate) const ALL: [Self; 4] = [Self::Brach, Self::Woolley, Self::Ishikawa, Self::KudlichSlibar];
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Brach => "brach",
+            Self::Woolley => "woolley",
+            Self::Ishikawa => "ishikawa",
+            Self::KudlichSlibar => "kudlich-slibar",
+        }
+    }
+
+    /// The keys of [impact] that the law has to have, besides crush_plane.
+    pub(crate) fn needed(self) -> &'static [&'static str] {
+        match self {
+            Self::Brach => &["restitution", "tangential"],
+            Self::Woolley => &[],
+            Self::Ishikawa => &["restitution", "tangential_restitution"],
+            Self::KudlichSlibar => &["restitution", "friction"],
+        }
+    }
+
+    /// The key that it may have.
+    pub(crate) fn optional(self) -> Option<&'static str> {
+        match self {
+            Self::Brach => Some("moment_restitution"),
+            Self::Woolley => Some("tangential_velocity_change"),
+            Self::Ishikawa | Self::KudlichSlibar => None,
+        }
+    }
+
+    pub(crate) fn uses(self, key: &str) -> bool {
+        key == "crush_plane"
+            || key == "law"
+            || self.needed().contains(&key)
+            || self.optional().is_some_and(|own| own == key)
+    }
+
+    /// Its keys in words.
+    pub(crate) fn keys(self) -> String {
+        let needed = [&["crush_plane"], self.needed()].concat();
+        match self.optional() {
+            Some(key) => format!("{} and, if wanted, {key}", needed.join(", ")),
+            None => join(&needed, "and"),
+        }
+    }
+
+    /// The laws that use a key.
+    pub(crate) fn of_key(key: &str) -> Vec<&'static str> {
+        Self::ALL.into_iter().filter(|law| law.uses(key)).map(Self::name).collect()
+    }
+}
 
 pub(crate) static RECONSTRUCT: Schema = Schema {
     place: "[reconstruct]",
@@ -104,8 +174,46 @@ pub(crate) static STIFFNESS: Schema = Schema {
         key("d0", "d0 = \"35 lb^0.5\""),
         key("d1", "d1 = \"115 lb^0.5/ft\""),
         key("G", "G = \"612 lb\""),
+        key("limit", "limit = \"250 kN/m\""),
+        key("category", "category = 4"),
+        key(
+            "test",
+            "test = { mass = \"1500 kg\", speed = \"56 km/h\", width = \"1.6 m\", depths = \"42 50 54 54 50 42 cm\", no_damage_speed = \"8 km/h\" }",
+        ),
+        key(
+            "zones",
+            "zones = [{ A = \"587 N/cm\", B = \"63.3 N/cm^2\" }, { A = \"400 N/cm\", B = \"50 N/cm^2\" }]",
+        ),
     ],
 };
+
+pub(crate) static ZONE: Schema = Schema {
+    place: "zones = [{ … }] of a stiffness",
+    keys: &[
+        key("A", "A = \"587 N/cm\""),
+        key("B", "B = \"63.3 N/cm^2\""),
+        key("d0", "d0 = \"35 lb^0.5\""),
+        key("d1", "d1 = \"115 lb^0.5/ft\""),
+        key("G", "G = \"612 lb\""),
+        key("limit", "limit = \"250 kN/m\""),
+    ],
+};
+
+pub(crate) static TEST: Schema = Schema {
+    place: "test = { … } of a stiffness",
+    keys: &[
+        key("mass", "mass = \"1500 kg\""),
+        key("weight", "weight = \"3300 lb\""),
+        key("speed", "speed = \"56 km/h\""),
+        key("width", "width = \"1.6 m\""),
+        key("depths", "depths = \"42 50 54 54 50 42 cm\""),
+        key("no_damage_speed", "no_damage_speed = \"8 km/h\""),
+        key("fit", "fit = \"exact\""),
+    ],
+};
+
+pub(crate) static OBLIQUE: Schema =
+    Schema { place: "oblique = { … } of a crush table", keys: &[key("friction", "friction = 0.5")] };
 
 pub(crate) static TANGENTIAL: Schema = Schema {
     place: "tangential = { … } of [impact]",
@@ -116,8 +224,23 @@ pub(crate) static TANGENTIAL: Schema = Schema {
     ],
 };
 
-static ALL: [&Schema; 9] =
-    [&TOP, &VEHICLE, &CRUSH, &IMPACT, &RECONSTRUCT, &CONTACT, &VELOCITY, &STIFFNESS, &TANGENTIAL];
+pub(crate) static RESTITUTION: Schema = Schema {
+    place: "restitution = { … } of [impact]",
+    keys: &[key("speeds", "speeds = \"2 5 10 20 m/s\""), key("values", "values = [0.3, 0.2, 0.12, 0.05]")],
+};
+
+static ALL: [&Schema; 10] = [
+    &TOP,
+    &VEHICLE,
+    &CRUSH,
+    &IMPACT,
+    &RECONSTRUCT,
+    &CONTACT,
+    &VELOCITY,
+    &STIFFNESS,
+    &TANGENTIAL,
+    &RESTITUTION,
+];
 
 impl Schema {
     pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> + use<> {

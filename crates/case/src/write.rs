@@ -1,10 +1,11 @@
 //! Writing a case back: the layout of the documentation's example, the user's own units and numbers.
 
 use crate::case::{
-    Case, ContactPoint, Crush, Impact, Mass, Outline, Reconstruct, StiffnessForm, Vehicle, Velocity,
-    YawInertia,
+    BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass, Outline, Pdof, Reconstruct,
+    Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
 };
 use crate::quantity::{Quantity, format_number};
+use crate::schema::LawName;
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
 use crash3::Side;
@@ -70,6 +71,8 @@ fn vehicle_lines(vehicle: &Vehicle, name: &str) -> Lines {
         Some(YawInertia::Radius(radius)) => table.line("yaw_radius", string(radius)),
         None => {}
     }
+    table.optional("class", vehicle.class.map(|class| class.to_string()));
+    table.optional("wheelbase", vehicle.wheelbase.map(string));
     table.optional("heading", vehicle.heading.map(string));
     match vehicle.motion {
         Some(Velocity::Speed(speed)) => table.line("speed", string(speed)),
@@ -84,6 +87,7 @@ fn vehicle_lines(vehicle: &Vehicle, name: &str) -> Lines {
         ContactPoint::Cartesian { x, y } => inline(&[("x", Some(x)), ("y", Some(y))]),
     });
     table.optional("contact", contact);
+    table.optional("length", vehicle.length.map(string));
     if let Some(Outline { length, width, cg_to_front }) = vehicle.outline {
         table.line("length", string(length));
         table.line("width", string(width));
@@ -102,39 +106,119 @@ fn crush_lines(crush: &Crush, vehicle: &str) -> Lines {
     };
     table.line("side", quoted(side));
     table.optional("width", crush.width.map(string));
-    table.line("depths", list(&crush.depths));
+    if crush.from_force_balance {
+        table.line("from_force_balance", "true".to_owned());
+    } else {
+        table.line("depths", list(&crush.depths));
+    }
     table.optional("spacing", crush.spacing.as_deref().map(list));
-    let stiffness = match crush.stiffness {
-        StiffnessForm::Crush { a, b, g } => inline(&[("A", Some(a)), ("B", Some(b)), ("G", g)]),
-        StiffnessForm::Root { d0, d1, g } => inline(&[("d0", Some(d0)), ("d1", Some(d1)), ("G", g)]),
+    let stiffness = match &crush.stiffness {
+        StiffnessForm::Line(line) => stiffness_line(line),
+        StiffnessForm::Category(category) => format!("{{ category = {category} }}"),
+        StiffnessForm::Test(test) => format!("{{ test = {} }}", barrier_test(test)),
+        StiffnessForm::Zones(zones) => {
+            let zones: Vec<String> = zones.iter().map(stiffness_line).collect();
+            format!("{{ zones = [{}] }}", zones.join(", "))
+        }
     };
     table.line("stiffness", stiffness);
     table.optional("offset", crush.offset.map(string));
-    table.optional("pdof", crush.pdof.map(string));
+    let pdof = crush.pdof.map(|pdof| match pdof {
+        Pdof::Angle(angle) => string(angle),
+        Pdof::Clock(hour) => quoted(&format!("{hour} o'clock")),
+    });
+    table.optional("pdof", pdof);
     table.optional("oblique_angle", crush.oblique_angle.map(string));
     table.optional("moment_arm", crush.moment_arm.map(string));
     let oblique = crush.oblique.map(|oblique| match oblique {
-        ObliqueCorrection::Capped => "capped",
-        ObliqueCorrection::Uncapped => "uncapped",
-        ObliqueCorrection::None => "none",
+        ObliqueCorrection::Capped => quoted("capped"),
+        ObliqueCorrection::Uncapped => quoted("uncapped"),
+        ObliqueCorrection::None => quoted("none"),
+        ObliqueCorrection::Secant => quoted("secant"),
+        ObliqueCorrection::Friction(friction) => format!("{{ friction = {} }}", format_number(friction)),
     });
-    table.optional("oblique", oblique.map(quoted));
+    table.optional("oblique", oblique);
     table
+}
+
+fn stiffness_line(line: &StiffnessLine) -> String {
+    match *line {
+        StiffnessLine::Crush { a, b, g, limit } => {
+            inline(&[("A", Some(a)), ("B", Some(b)), ("G", g), ("limit", limit)])
+        }
+        StiffnessLine::Root { d0, d1, g, limit } => {
+            inline(&[("d0", Some(d0)), ("d1", Some(d1)), ("G", g), ("limit", limit)])
+        }
+    }
+}
+
+fn barrier_test(test: &BarrierTest) -> String {
+    let (key, mass) = match test.mass {
+        Mass::Mass(mass) => ("mass", mass),
+        Mass::Weight(weight) => ("weight", weight),
+    };
+    let fit = match test.fit {
+        Fit::Exact => "exact",
+        Fit::Mean => "mean",
+    };
+    format!(
+        "{{ {key} = {}, speed = {}, width = {}, depths = {}, no_damage_speed = {}, fit = {} }}",
+        string(mass),
+        string(test.speed),
+        string(test.width),
+        list(&test.depths),
+        string(test.no_damage_speed),
+        quoted(fit)
+    )
 }
 
 fn impact_lines(impact: &Impact) -> Lines {
     let mut table = Lines::new(Some("impact".to_owned()));
     table.line("crush_plane", string(impact.crush_plane));
-    table.line("restitution", format_number(impact.restitution));
+    let law = impact.law.name();
+    // A file without `law` has the default.
+    if law != LawName::Brach.name() {
+        table.line("law", quoted(law));
+    }
+    table.optional("restitution", impact.law.restitution().map(restitution));
+    match &impact.law {
+        ImpactLaw::Brach { tangential: condition, moment_restitution, .. } => {
+            table.line("tangential", tangential(*condition));
+            table.optional("moment_restitution", moment_restitution.map(format_number));
+        }
+        ImpactLaw::Woolley { tangential_velocity_change } => {
+            table.optional("tangential_velocity_change", tangential_velocity_change.map(string));
+        }
+        ImpactLaw::Ishikawa { tangential_restitution, .. } => {
+            table.line("tangential_restitution", format_number(*tangential_restitution));
+        }
+        ImpactLaw::KudlichSlibar { friction, .. } => table.line("friction", format_number(*friction)),
+    }
+    table
+}
+
+fn restitution(restitution: &Restitution) -> String {
+    match restitution {
+        Restitution::Constant(e) => format_number(*e),
+        Restitution::OfClosingSpeed { speeds, values } => {
+            let values: Vec<String> = values.iter().copied().map(format_number).collect();
+            format!("{{ speeds = {}, values = [{}] }}", list(speeds), values.join(", "))
+        }
+    }
+}
+
+fn tangential(tangential: Tangential) -> String {
     let number = |key: &str, value: f64| format!("{{ {key} = {} }}", format_number(value));
-    let tangential = match impact.tangential {
+    match tangential {
         Tangential::Critical => quoted("critical"),
         Tangential::Ratio(ratio) => number("ratio", ratio),
         Tangential::FractionOfCritical(fraction) => number("fraction", fraction),
         Tangential::Friction(friction) => number("friction", friction),
-    };
-    table.line("tangential", tangential);
-    table
+        // Conditions of other laws: better refused than read back as something else.
+        Tangential::VelocityChange(_) | Tangential::Restitution(_) | Tangential::FullOrSliding(_) => {
+            "{}".to_owned()
+        }
+    }
 }
 
 fn reconstruct_lines(reconstruct: &Reconstruct) -> Lines {

@@ -41,6 +41,15 @@ pub(crate) enum Command {
         after_help = "Example:\n  deltav crush fixtures/sae-980025-crush.toml"
     )]
     Crush(Arguments),
+    /// Put the answers of every impact law and of CRASH3 side by side
+    #[command(
+        long_about = "Put the answers of every impact law and of CRASH3 side by side.\n\n\
+            The case is solved under its own law and under Brach's, Woolley's, Ishikawa's and Kudlich–Slibar's, with its own coefficients where they \
+            fit and stated assumptions where not: how much does the answer depend on that choice? A case with [reconstruct] is \
+            reconstructed under each; one with both speeds is computed forward.",
+        after_help = "Example:\n  deltav compare fixtures/sae-980025.toml"
+    )]
+    Compare(Arguments),
     /// Show the program's own error rate, on staged collisions that it carries
     #[command(
         long_about = "Show the program's own error rate, on staged collisions that it carries.\n\n\

@@ -20,13 +20,12 @@ const NO_ANSWER: u8 = 1;
 /// The case file or the command line is wrong.
 const WRONG_INPUT: u8 = 2;
 
-type Analyse = fn(&CaseFile) -> Result<Analysis, Failure>;
-
 fn main() -> ExitCode {
     let result = match Command::parse() {
-        Command::Reconstruct(arguments) => run(&arguments, analysis::reconstruct),
-        Command::Impact(arguments) => run(&arguments, analysis::impact),
-        Command::Crush(arguments) => run(&arguments, analysis::crush),
+        Command::Reconstruct(arguments) => report_analysis(&arguments, analysis::reconstruct),
+        Command::Impact(arguments) => report_analysis(&arguments, analysis::impact),
+        Command::Crush(arguments) => report_analysis(&arguments, analysis::crush),
+        Command::Compare(arguments) => report_comparison(&arguments),
         Command::Validate(arguments) => validate(&arguments),
     };
     match result {
@@ -51,20 +50,37 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
     }
 }
 
-fn run(arguments: &Arguments, analyse: Analyse) -> Result<()> {
-    let (name, text) = read(&arguments.case)?;
-    let file = Case::parse(&name, &text).map_err(Failure::from)?;
+fn report_analysis(arguments: &Arguments, analyse: fn(&CaseFile) -> Result<Analysis, Failure>) -> Result<()> {
+    let file = case_file(arguments)?;
     let analysis = analyse(&file)?;
-    let units = match arguments.units {
-        Some(UnitSystem::Si) => Units::Si,
-        Some(UnitSystem::Us) => Units::Us,
-        None => Units::of_case(&file.case),
-    };
     let output = match arguments.format {
-        Format::Text => report::text(&file.case, &analysis, units),
+        Format::Text => report::text(&file.case, &analysis, units(arguments, &file)),
         Format::Json => report::json(&file.case, &analysis)?,
     };
     write(arguments.output.as_deref(), &output)
+}
+
+fn report_comparison(arguments: &Arguments) -> Result<()> {
+    let file = case_file(arguments)?;
+    let comparison = analysis::compare(&file)?;
+    let output = match arguments.format {
+        Format::Text => report::comparison_text(&file.case, &comparison, units(arguments, &file)),
+        Format::Json => report::comparison_json(&file.case, &comparison)?,
+    };
+    write(arguments.output.as_deref(), &output)
+}
+
+fn case_file(arguments: &Arguments) -> Result<CaseFile> {
+    let (name, text) = read(&arguments.case)?;
+    Ok(Case::parse(&name, &text).map_err(Failure::from)?)
+}
+
+fn units(arguments: &Arguments, file: &CaseFile) -> Units {
+    match arguments.units {
+        Some(UnitSystem::Si) => Units::Si,
+        Some(UnitSystem::Us) => Units::Us,
+        None => Units::of_case(&file.case),
+    }
 }
 
 /// Claims of the validation that fail: how many of how many, and the first.

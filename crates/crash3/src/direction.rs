@@ -2,7 +2,9 @@
 
 use real::Real;
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use crate::error::{self, CrushError};
+use crate::profile::Profile;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// The damaged side of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,6 +48,16 @@ impl Side {
     }
 }
 
+/// (rad) the PDOF of the other vehicle, in (−π, π], by Newton's third law: the force comes from the opposite direction of the scene.
+/// `pdof` is that of the first of the two `headings` (rad, counter-clockwise), the result that of the second.
+#[must_use]
+pub fn opposite_pdof<T: Real>(pdof: T, [own, other]: [T; 2]) -> T {
+    // The force on the first comes from the scene angle θ₁ − PDOF₁, that on the second from θ₂ − PDOF₂ = θ₁ − PDOF₁ + π.
+    let angle = other - own + pdof - PI;
+    // φ − 2π ⌈(φ − π)/2π⌉
+    angle - TAU * ((angle.value() - PI) / TAU).ceil()
+}
+
 /// (m) h: distance of the CG from the line of action of a force with the given PDOF (rad) through a point that lies at
 /// (`forward`, `left`) (m) of the CG in the vehicle's own axes.
 #[inline(always)]
@@ -54,4 +66,58 @@ pub fn moment_arm<T: Real>([forward, left]: [T; 2], pdof: T) -> T {
     let (sin, cos) = pdof.sin_cos();
     // h = |r × f| with the direction of the push f = (−cos PDOF, sin PDOF) in (forward, left)
     (forward * sin + left * cos).abs()
+}
+
+/// The face of a vehicle that was damaged, and where on it the damage lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DamagedFace<T = f64> {
+    side: Side,
+    distance: T,
+    offset: T,
+}
+
+impl<T: Real> DamagedFace<T> {
+    /// The undamaged face of `side` lies at `distance` (m) from the CG, along its normal; the middle of the damage's width at `offset` (m) along
+    /// the face: to the left of the vehicle's axis on the front and the rear, forward of the CG on the sides.
+    ///
+    /// # Errors
+    /// Where the distance is not positive, or the offset is not finite.
+    pub fn new(side: Side, distance: T, offset: T) -> Result<Self, CrushError> {
+        error::positive("distance of the damaged face from the centre of gravity", distance.value())?;
+        error::finite("offset of the damage", offset.value())?;
+        Ok(Self { side, distance, offset })
+    }
+
+    /// (m) the centroid of the area between the undamaged face and the profile, forward and left of the CG: the point through
+    /// which CRASH3 lets the force act. Depths run from left to right on the front and the rear, from rear to front on the sides.
+    /// Without any crush it is the middle of the damage on the face.
+    #[must_use]
+    pub fn centroid(&self, profile: &Profile<T>) -> [T; 2] {
+        let (mut area, mut moment_along, mut moment_deep) = (T::ZERO, T::ZERO, T::ZERO);
+        let mut start = T::ZERO;
+        for zone in profile.zones() {
+            let [c1, c2] = zone.depths;
+            // a = w (C₁ + C₂)/2
+            let zone_area = zone.width * zone.mean_depth();
+            area += zone_area;
+            // ∫ s C ds = s₁ a + w² (C₁ + 2C₂)/6
+            moment_along += start * zone_area + zone.width * zone.width * (c1 + c2 * 2.0) / 6.0;
+            // ∫ C²/2 ds = w Q/2
+            moment_deep += zone.width * zone.mean_square_depth() / 2.0;
+            start += zone.width;
+        }
+        let middle = start / 2.0;
+        let (along, depth) = if area.value() > 0.0 {
+            (moment_along / area - middle, moment_deep / area)
+        } else {
+            (T::ZERO, T::ZERO)
+        };
+        let outward = self.distance - depth;
+        match self.side {
+            Side::Front => [outward, self.offset - along],
+            Side::Rear => [-outward, self.offset - along],
+            Side::Left => [self.offset + along, outward],
+            Side::Right => [self.offset + along, -outward],
+        }
+    }
 }

@@ -2,9 +2,9 @@
 
 use real::Real;
 
-use crate::error::CrushError;
-use crate::profile::Profile;
-use crate::stiffness::Stiffness;
+use crate::error::{self, CrushError};
+use crate::profile::{Profile, Zone};
+use crate::stiffness::{Stiffness, Structure};
 
 /// (J) the energy that made the crush: the integral of A + B C over depth and width, for a profile that is linear
 /// between its stations.
@@ -17,14 +17,46 @@ use crate::stiffness::Stiffness;
 #[inline(always)]
 #[must_use]
 pub fn crush_energy<T: Real>(profile: &Profile<T>, stiffness: &Stiffness<T>) -> T {
-    let (a, b, g) = (stiffness.a(), stiffness.b(), stiffness.g());
     let mut energy = T::ZERO;
     for zone in profile.zones() {
-        let [c1, c2] = zone.depths;
-        // E = Σⱼ wⱼ [ A (Cⱼ + Cⱼ₊₁)/2 + B (Cⱼ² + Cⱼ Cⱼ₊₁ + Cⱼ₊₁²)/6 + G ]
-        energy += zone.width * (a * (c1 + c2) / 2.0 + b * (c1 * c1 + c1 * c2 + c2 * c2) / 6.0 + g);
+        energy += zone_energy(zone, stiffness);
     }
     energy
+}
+
+#[inline(always)]
+fn zone_energy<T: Real>(Zone { width, depths: [c1, c2] }: Zone<T>, stiffness: &Stiffness<T>) -> T {
+    let g = stiffness.g();
+    let Some((limit, knee)) = stiffness.saturation() else {
+        // E = Σⱼ wⱼ [ A (Cⱼ + Cⱼ₊₁)/2 + B (Cⱼ² + Cⱼ Cⱼ₊₁ + Cⱼ₊₁²)/6 + G ]
+        return width * (rising(stiffness, c1, c2) + g);
+    };
+    let (low, high) = if c1.value() <= c2.value() { (c1, c2) } else { (c2, c1) };
+    if high.value() <= knee.value() {
+        return width * (rising(stiffness, c1, c2) + g);
+    }
+    // e_s = A C_s + B C_s²/2 = (A + F_s) C_s/2
+    let at_knee = (stiffness.a() + limit) * knee / 2.0;
+    if low.value() >= knee.value() {
+        return width * (flat(at_knee, limit, knee, low, high) + g);
+    }
+    // The depth is linear along the zone, so it crosses C_s once: s = (C_s − C_low)/(C_high − C_low) of the width lies below.
+    let below = (knee - low) / (high - low);
+    let mean =
+        below * rising(stiffness, low, knee) + (T::ONE - below) * flat(at_knee, limit, knee, knee, high);
+    width * (mean + g)
+}
+
+/// (N) mean energy per width where the depth goes from C_1 to C_2 and the force rises: A (C_1 + C_2)/2 + B (C_1² + C_1 C_2 + C_2²)/6.
+#[inline(always)]
+fn rising<T: Real>(stiffness: &Stiffness<T>, c1: T, c2: T) -> T {
+    stiffness.a() * (c1 + c2) / 2.0 + stiffness.b() * (c1 * c1 + c1 * c2 + c2 * c2) / 6.0
+}
+
+/// (N) the same where the force has reached its limit: e_s + F_s ((C_1 + C_2)/2 − C_s).
+#[inline(always)]
+fn flat<T: Real>(at_knee: T, limit: T, knee: T, c1: T, c2: T) -> T {
+    at_knee + limit * ((c1 + c2) / 2.0 - knee)
 }
 
 /// (N) the force at maximum crush, for a force at the angle α (rad) to the normal of the damaged side:
@@ -40,17 +72,76 @@ pub fn peak_force<T: Real>(
     let cos = pushing_cosine(oblique_angle)?;
     let mut force = T::ZERO;
     for zone in profile.zones() {
-        let [c1, c2] = zone.depths;
-        // F_n = Σⱼ wⱼ [ A + B (Cⱼ + Cⱼ₊₁)/2 ]
-        force += zone.width * (stiffness.a() + stiffness.b() * (c1 + c2) / 2.0);
+        force += zone_force(zone, stiffness);
     }
     // F = F_n / cos α
     Ok(force / cos)
 }
 
-/// How the energy of a force that is not normal to the damaged side is corrected.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ObliqueCorrection {
+#[inline(always)]
+fn zone_force<T: Real>(Zone { width, depths: [c1, c2] }: Zone<T>, stiffness: &Stiffness<T>) -> T {
+    let (a, b) = (stiffness.a(), stiffness.b());
+    let Some((limit, knee)) = stiffness.saturation() else {
+        // F_n = Σⱼ wⱼ [ A + B (Cⱼ + Cⱼ₊₁)/2 ]
+        return width * (a + b * (c1 + c2) / 2.0);
+    };
+    let (low, high) = if c1.value() <= c2.value() { (c1, c2) } else { (c2, c1) };
+    if high.value() <= knee.value() {
+        return width * (a + b * (c1 + c2) / 2.0);
+    }
+    if low.value() >= knee.value() {
+        return width * limit;
+    }
+    let below = (knee - low) / (high - low);
+    // s (A + B (C_low + C_s)/2) + (1 − s) F_s
+    width * (below * (a + b * (low + knee) / 2.0) + (T::ONE - below) * limit)
+}
+
+impl<T: Real> Structure<T> {
+    /// (J) the energy that made the crush: [`crush_energy`], zone by zone where the stiffness differs along the side.
+    ///
+    /// # Errors
+    /// Where the number of stiffnesses is not that of the profile's zones.
+    pub fn crush_energy(&self, profile: &Profile<T>) -> Result<T, CrushError> {
+        match self {
+            Self::Uniform(stiffness) => Ok(crush_energy(profile, stiffness)),
+            Self::Zones(stiffnesses) => sum(profile, stiffnesses, zone_energy),
+        }
+    }
+
+    /// (N) the force at maximum crush: [`peak_force`], zone by zone where the stiffness differs along the side.
+    ///
+    /// # Errors
+    /// Where the number of stiffnesses is not that of the profile's zones, or |α| ≥ π/2.
+    pub fn peak_force(&self, profile: &Profile<T>, oblique_angle: T) -> Result<T, CrushError> {
+        match self {
+            Self::Uniform(stiffness) => peak_force(profile, stiffness, oblique_angle),
+            Self::Zones(stiffnesses) => {
+                let cos = pushing_cosine(oblique_angle)?;
+                Ok(sum(profile, stiffnesses, zone_force)? / cos)
+            }
+        }
+    }
+}
+
+fn sum<T: Real>(
+    profile: &Profile<T>,
+    stiffnesses: &[Stiffness<T>],
+    of_zone: fn(Zone<T>, &Stiffness<T>) -> T,
+) -> Result<T, CrushError> {
+    let zones = profile.depths().len() - 1;
+    if stiffnesses.len() != zones {
+        return Err(CrushError::ZoneCount { zones, stiffnesses: stiffnesses.len() });
+    }
+    Ok(profile
+        .zones()
+        .zip(stiffnesses)
+        .fold(T::ZERO, |sum, (zone, stiffness)| sum + of_zone(zone, stiffness)))
+}
+
+/// How the energy of a force that is not normal to the damaged side is corrected: the factor on the energy for the angle α.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum ObliqueCorrection<T = f64> {
     /// 1 + tan²α with |α| limited to 45°, so never more than 2: CRASH3.
     #[default]
     Capped,
@@ -58,6 +149,12 @@ pub enum ObliqueCorrection {
     Uncapped,
     /// No correction.
     None,
+    /// 1 + min(|tan α|, μ) |tan α|: the tangential part of the force is limited by the friction coefficient μ ≥ 0. After McHenry and McHenry,
+    /// SAE 861894. That paper could not be consulted for the exact form of its correction: this is the form in which it is
+    /// cited, with the tangential force no greater than the one that tan α asks for.
+    Friction(T),
+    /// 1/cos α: the work of the oblique force along its own line, as in SAE 2006-01-0908.
+    Secant,
 }
 
 /// The corrected share of an oblique force's energy.
@@ -69,30 +166,53 @@ pub struct ObliqueFactor<T = f64> {
     pub capped: bool,
 }
 
-impl ObliqueCorrection {
+impl<T: Real> ObliqueCorrection<T> {
     /// The factor on the crush energy for a force at the angle α (rad) to the normal of the damaged side.
     ///
     /// # References
     /// SAE 980025, Eq 8.
     ///
     /// # Errors
-    /// Where |α| ≥ π/2: such a force does not push on the side. Without correction every angle is accepted.
-    pub fn factor<T: Real>(self, oblique_angle: T) -> Result<ObliqueFactor<T>, CrushError> {
-        if self == Self::None {
-            return Ok(ObliqueFactor { factor: T::ONE, capped: false });
-        }
-        let cos = pushing_cosine(oblique_angle)?;
-        // 1 + tan²α = 1/cos²α
-        let factor = T::ONE / (cos * cos);
-        let capped = self == Self::Capped && factor > T::from(CAP * (1.0 + f64::EPSILON * 4.0));
-        Ok(ObliqueFactor { factor: if capped { T::from(CAP) } else { factor }, capped })
+    /// Where |α| ≥ π/2: such a force does not push on the side. Without correction every angle is accepted. Where the friction
+    /// coefficient is negative or not finite.
+    pub fn factor(self, oblique_angle: T) -> Result<ObliqueFactor<T>, CrushError> {
+        let (factor, capped) = match self {
+            Self::None => (T::ONE, false),
+            Self::Uncapped => (one_plus_tan_squared(oblique_angle)?, false),
+            Self::Capped => {
+                let factor = one_plus_tan_squared(oblique_angle)?;
+                if factor > T::from(CAP * (1.0 + f64::EPSILON * 4.0)) {
+                    (T::from(CAP), true)
+                } else {
+                    (factor, false)
+                }
+            }
+            Self::Friction(friction) => {
+                error::not_negative("friction coefficient of the oblique correction", friction.value())?;
+                let cos = pushing_cosine(oblique_angle)?;
+                let (sin, _) = oblique_angle.sin_cos();
+                let tan = (sin / cos).abs();
+                // 1 + min(|tan α|, μ) |tan α|
+                (tan.min(friction) * tan + 1.0, false)
+            }
+            // 1/cos α
+            Self::Secant => (T::ONE / pushing_cosine(oblique_angle)?, false),
+        };
+        Ok(ObliqueFactor { factor, capped })
     }
 }
 
 /// 1 + tan² 45°.
 const CAP: f64 = 2.0;
 
-fn pushing_cosine<T: Real>(oblique_angle: T) -> Result<T, CrushError> {
+fn one_plus_tan_squared<T: Real>(oblique_angle: T) -> Result<T, CrushError> {
+    let cos = pushing_cosine(oblique_angle)?;
+    // 1 + tan²α = 1/cos²α
+    Ok(T::ONE / (cos * cos))
+}
+
+/// cos α of a force that pushes on the side.
+pub(crate) fn pushing_cosine<T: Real>(oblique_angle: T) -> Result<T, CrushError> {
     let (_, cos) = oblique_angle.sin_cos();
     // A NaN angle fails here too; a cosine of one rounding of π/2 is no push.
     if cos > T::from(1e-9) { Ok(cos) } else { Err(CrushError::NotPushing { angle: oblique_angle.value() }) }

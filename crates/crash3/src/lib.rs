@@ -22,11 +22,17 @@
 //! a force that is not normal to the damaged [`Side`]; two [`Inertia`]s turn the sum of both vehicles' energies into [`delta_v`]; [`EnergyBasis`]
 //! says what restitution does to that. Each number may be any [`Real`]; plain `f64` is the default.
 //!
+//! A stiffness comes from its coefficients, from a [`BarrierTest`] or from CRASH3's table ([`Stiffness::from_category`]); a [`Structure`] is one
+//! that may differ between the stations. The force acts through the centroid of the damage on a [`DamagedFace`]. Where only one vehicle could be
+//! inspected, [`crush_from_force`] infers the other's crush from the force on both. [`VehicleClass`] and [`yaw_inertia_burg`] stand in for
+//! dimensions and inertia that are not known.
+//!
 //! | code | symbol | meaning | unit |
 //! |---|---|---|---|
 //! | `depths` | C_j | residual crush at station j | m |
 //! | `width` | L; w_j | width of the damage; of one zone between stations | m |
 //! | `a`, `b`, `g` | A, B, G | stiffness: force per width A + B C, energy per width G before crush | N/m, N/m², N |
+//! | `limit` | F_s | force per width beyond which A + B C is flat | N/m |
 //! | `d0`, `d1` | d_0, d_1 | the same: A = d_0 d_1, B = d_1², G = d_0²/2 | √N, √N/m |
 //! | `oblique_angle` | α | between the force and the normal of the damaged side | rad |
 //! | `pdof` | PDOF | direction from which the force comes, clockwise from the heading | rad |
@@ -36,23 +42,29 @@
 //! # What it does not do
 //!
 //! It finds no direction of force: the PDOF is an input (`pim-core` computes it from impulse and momentum). It knows no units
-//! other than SI and no tables of stiffness.
+//! other than SI; CRASH3's tables are converted where they stand.
 //!
 //! # References
 //!
 //! R. M. Brach and R. M. Brach, SAE 980025 (1998), "Analysis of the CRASH3 damage algorithm", called *the paper*.
 
+mod barrier_test;
 mod delta_v;
 mod direction;
 mod energy;
 mod error;
+mod force_balance;
 mod profile;
 mod stiffness;
+mod tables;
 
+pub use barrier_test::BarrierTest;
 pub use delta_v::{EnergyBasis, Inertia, delta_v, energy_equivalent_speed};
-pub use direction::{Side, moment_arm};
+pub use direction::{DamagedFace, Side, moment_arm, opposite_pdof};
 pub use energy::{ObliqueCorrection, ObliqueFactor, crush_energy, peak_force};
 pub use error::CrushError;
+pub use force_balance::{CrushRange, UniformCrush, crush_from_force, crush_range_from_force};
 pub use profile::{Profile, Zone};
 pub use real::Real;
-pub use stiffness::Stiffness;
+pub use stiffness::{Stiffness, Structure};
+pub use tables::{BURG_SPREAD, VehicleClass, yaw_inertia_burg};

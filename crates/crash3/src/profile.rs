@@ -20,6 +20,22 @@ pub struct Zone<T = f64> {
     pub depths: [T; 2],
 }
 
+impl<T: Real> Zone<T> {
+    /// (m) mean depth C̄ = (C_1 + C_2)/2.
+    #[inline(always)]
+    pub(crate) fn mean_depth(&self) -> T {
+        let [c1, c2] = self.depths;
+        (c1 + c2) / 2.0
+    }
+
+    /// (m²) mean of the squared depth Q = (C_1² + C_1 C_2 + C_2²)/3.
+    #[inline(always)]
+    pub(crate) fn mean_square_depth(&self) -> T {
+        let [c1, c2] = self.depths;
+        (c1 * c1 + c1 * c2 + c2 * c2) / 3.0
+    }
+}
+
 impl<T: Real> Profile<T> {
     /// N `depths` (m) at equal spacing over the damage width L = `width` (m): w = L/(N−1).
     ///

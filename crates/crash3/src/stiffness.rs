@@ -4,13 +4,14 @@ use real::Real;
 
 use crate::error::{self, CrushError};
 
-/// CRASH3's stiffness coefficients: force per width A + B C, and the energy per width G that is stored before any
-/// crush remains.
+/// CRASH3's stiffness coefficients: force per width A + B C, flat beyond a limit if there is one, and the energy per width G that
+/// is stored before any crush remains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stiffness<T = f64> {
     a: T,
     b: T,
     g: T,
+    limit: Option<T>,
 }
 
 impl<T: Real> Stiffness<T> {
@@ -35,7 +36,7 @@ impl<T: Real> Stiffness<T> {
         error::not_negative("stiffness A", a.value())?;
         error::not_negative("stiffness B", b.value())?;
         error::not_negative("stiffness G", g.value())?;
-        Ok(Self { a, b, g })
+        Ok(Self { a, b, g, limit: None })
     }
 
     /// From d_0 (√N) and d_1 (√N/m), with G = d_0²/2.
@@ -78,4 +79,54 @@ impl<T: Real> Stiffness<T> {
     pub fn g(&self) -> T {
         self.g
     }
+
+    /// The same structure with a force per width that rises no further than F_s = `limit` (N/m).
+    ///
+    /// # Errors
+    /// Where the limit is below A or not finite.
+    pub fn with_limit(self, limit: T) -> Result<Self, CrushError> {
+        error::finite("limit of the force per width", limit.value())?;
+        if limit.value() < self.a.value() {
+            return Err(CrushError::LimitBelowStart { limit: limit.value(), a: self.a.value() });
+        }
+        Ok(Self { limit: Some(limit), ..self })
+    }
+
+    /// (N/m) F_s, the force per width beyond which the structure yields without a further rise.
+    #[inline(always)]
+    #[must_use]
+    pub fn limit(&self) -> Option<T> {
+        self.limit
+    }
+
+    /// (N/m) the force per width at the depth C (m).
+    #[inline(always)]
+    #[must_use]
+    pub fn force_per_width(&self, depth: T) -> T {
+        // f = min(A + B C, F_s)
+        let rising = self.a + self.b * depth;
+        match self.limit {
+            Some(limit) if rising.value() > limit.value() => limit,
+            _ => rising,
+        }
+    }
+
+    /// (N/m) F_s and (m) the depth at which the force reaches it; none where it never does.
+    #[inline(always)]
+    pub(crate) fn saturation(&self) -> Option<(T, T)> {
+        match self.limit {
+            // C_s = (F_s − A)/B
+            Some(limit) if self.b.value() > 0.0 => Some((limit, (limit - self.a) / self.b)),
+            _ => None,
+        }
+    }
+}
+
+/// What a damaged side resists with: the same stiffness all along, or one for each zone between two stations.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Structure<T = f64> {
+    /// The same everywhere.
+    Uniform(Stiffness<T>),
+    /// One for each interval between neighbouring stations, in their order.
+    Zones(Vec<Stiffness<T>>),
 }

@@ -37,15 +37,31 @@ impl<T: Real> NormalTangential<T> {
     }
 }
 
-/// (1/kg) the contact inverse-mass matrix K in n–t axes: U = u + K P. Symmetric and positive definite.
+/// The contact inverse-mass matrix K in n–t axes: U = u + K P. Symmetric and positive definite. A moment impulse at C adds a third
+/// row and column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InverseMass<T = f64> {
-    /// k_nn.
+    /// (1/kg) k_nn.
     pub nn: T,
-    /// k_nt = k_tn.
+    /// (1/kg) k_nt = k_tn.
     pub nt: T,
-    /// k_tt.
+    /// (1/kg) k_tt.
     pub tt: T,
+    /// (1/(kg·m)) k_nm: normal velocity at C for a unit moment impulse, and relative yaw rate for a unit normal impulse.
+    pub nm: T,
+    /// (1/(kg·m)) k_tm: the same for the tangential direction.
+    pub tm: T,
+    /// (1/(kg·m²)) k_mm: relative yaw rate for a unit moment impulse.
+    pub mm: T,
+}
+
+/// How two bodies approach each other at C.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Approach<T = f64> {
+    /// (m/s) u, velocity of vehicle 1 relative to vehicle 2 at C.
+    pub velocity: NormalTangential<T>,
+    /// (rad/s) ω_1 − ω_2, yaw rate of vehicle 1 relative to vehicle 2.
+    pub spin: T,
 }
 
 impl<T: Real> InverseMass<T> {
@@ -60,6 +76,10 @@ impl<T: Real> InverseMass<T> {
             nn: translation + r1.tangential * r1.tangential * j1 + r2.tangential * r2.tangential * j2,
             nt: -(r1.normal * r1.tangential * j1) - r2.normal * r2.tangential * j2,
             tt: translation + r1.normal * r1.normal * j1 + r2.normal * r2.normal * j2,
+            // A unit moment impulse turns vehicle 1 by 1/I₁ and vehicle 2 by −1/I₂; C moves with them by ρᵢ.
+            nm: -(r1.tangential * j1) - r2.tangential * j2,
+            tm: r1.normal * j1 + r2.normal * j2,
+            mm: j1 + j2,
         }
     }
 
@@ -70,13 +90,29 @@ impl<T: Real> InverseMass<T> {
         self.nn * self.tt - self.nt * self.nt
     }
 
-    /// (m/s) K P: the change of the relative velocity at C that the impulse P (N·s) brings.
+    /// The relative motion at C after the impulse P (N·s) and the moment impulse M (N·m·s).
     #[inline(always)]
     #[must_use]
-    pub fn velocity_change(&self, impulse: NormalTangential<T>) -> NormalTangential<T> {
+    pub fn separation(&self, approach: Approach<T>, p: NormalTangential<T>, moment: T) -> Approach<T> {
+        Approach {
+            velocity: self.separation_velocity(approach.velocity, p, moment),
+            // Ω₁ − Ω₂ = ω₁ − ω₂ + k_nm P_n + k_tm P_t + k_mm M
+            spin: approach.spin + self.nm * p.normal + self.tm * p.tangential + self.mm * moment,
+        }
+    }
+
+    /// (m/s) its velocity alone.
+    #[inline(always)]
+    pub(crate) fn separation_velocity(
+        &self,
+        u: NormalTangential<T>,
+        p: NormalTangential<T>,
+        moment: T,
+    ) -> NormalTangential<T> {
+        // U = u + K P + (k_nm, k_tm) M
         NormalTangential {
-            normal: self.nn * impulse.normal + self.nt * impulse.tangential,
-            tangential: self.nt * impulse.normal + self.tt * impulse.tangential,
+            normal: u.normal + self.nn * p.normal + self.nt * p.tangential + self.nm * moment,
+            tangential: u.tangential + self.nt * p.normal + self.tt * p.tangential + self.tm * moment,
         }
     }
 }
@@ -89,7 +125,7 @@ pub struct Contact<T = f64> {
     participants: [Participant<T>; 2],
     normal: Vector2<T>,
     arms: [NormalTangential<T>; 2],
-    inverse_mass: InverseMass<T>,
+    pub(crate) inverse_mass: InverseMass<T>,
 }
 
 impl<T: Real> Contact<T> {
@@ -161,37 +197,45 @@ impl<T: Real> Contact<T> {
         (p1.body.is_fixed() || r1.normal < T::ZERO) && (p2.body.is_fixed() || r2.normal > T::ZERO)
     }
 
-    /// (m/s) u: velocity of vehicle 1 relative to vehicle 2 at C in the given motions.
+    /// How the bodies approach each other at C in the given motions.
     #[inline(always)]
     #[must_use]
-    pub fn relative_velocity(&self, motions: &[Motion<T>; 2]) -> NormalTangential<T> {
+    pub fn approach(&self, motions: &[Motion<T>; 2]) -> Approach<T> {
         let [m1, m2] = motions;
         let [r1, r2] = self.arms;
         let v = self.resolve(m1.velocity - m2.velocity);
-        // u = (v₁ + ω₁×r₁) − (v₂ + ω₂×r₂),  ω×r = ω (−r_t, r_n)
-        NormalTangential {
-            normal: v.normal - m1.yaw_rate * r1.tangential + m2.yaw_rate * r2.tangential,
-            tangential: v.tangential + m1.yaw_rate * r1.normal - m2.yaw_rate * r2.normal,
+        Approach {
+            // u = (v₁ + ω₁×r₁) − (v₂ + ω₂×r₂),  ω×r = ω (−r_t, r_n)
+            velocity: NormalTangential {
+                normal: v.normal - m1.yaw_rate * r1.tangential + m2.yaw_rate * r2.tangential,
+                tangential: v.tangential + m1.yaw_rate * r1.normal - m2.yaw_rate * r2.normal,
+            },
+            spin: m1.yaw_rate - m2.yaw_rate,
         }
     }
 
-    /// The motion of both bodies after vehicle 1 took `impulse` (N·s) at C and vehicle 2 its opposite.
+    /// The motion of both bodies after vehicle 1 took `impulse` (N·s) at C and `moment` (N·m·s), and vehicle 2 their opposites.
     #[inline(always)]
-    pub(crate) fn after(&self, motions: &[Motion<T>; 2], impulse: NormalTangential<T>) -> [Motion<T>; 2] {
+    pub(crate) fn after(
+        &self,
+        motions: &[Motion<T>; 2],
+        impulse: NormalTangential<T>,
+        moment: T,
+    ) -> [Motion<T>; 2] {
         let p = impulse.in_scene(self.normal);
         let [m1, m2] = motions;
         let [b1, b2] = [&self.participants[0].body, &self.participants[1].body];
         let [r1, r2] = self.arms;
         [
-            // V₁ = v₁ + P/m₁,  Ω₁ = ω₁ + (r₁×P)/I₁
+            // V₁ = v₁ + P/m₁,  Ω₁ = ω₁ + (r₁×P + M)/I₁
             Motion {
                 velocity: m1.velocity + p * b1.inverse_mass(),
-                yaw_rate: m1.yaw_rate + r1.cross(impulse) * b1.inverse_yaw_inertia(),
+                yaw_rate: m1.yaw_rate + (r1.cross(impulse) + moment) * b1.inverse_yaw_inertia(),
             },
-            // V₂ = v₂ − P/m₂,  Ω₂ = ω₂ − (r₂×P)/I₂
+            // V₂ = v₂ − P/m₂,  Ω₂ = ω₂ − (r₂×P + M)/I₂
             Motion {
                 velocity: m2.velocity - p * b2.inverse_mass(),
-                yaw_rate: m2.yaw_rate - r2.cross(impulse) * b2.inverse_yaw_inertia(),
+                yaw_rate: m2.yaw_rate - (r2.cross(impulse) + moment) * b2.inverse_yaw_inertia(),
             },
         ]
     }

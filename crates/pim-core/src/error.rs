@@ -32,6 +32,17 @@ pub enum InvalidInput {
         /// Largest allowed value.
         high: f64,
     },
+    /// A curve of restitution needs a point.
+    #[error("a restitution that depends on the closing speed needs at least one point")]
+    NoPoints,
+    /// The speeds of a curve of restitution have to ascend.
+    #[error("the closing speeds of a restitution must ascend from zero: {value} m/s follows {before} m/s")]
+    NotAscending {
+        /// (m/s) the speed before, or zero.
+        before: f64,
+        /// (m/s) the speed that is not above it.
+        value: f64,
+    },
     /// Two fixed bodies cannot collide.
     #[error("both bodies are fixed: at least one must be able to move")]
     BothFixed,
@@ -85,11 +96,12 @@ pub enum ImpactError {
         /// (1/kg) its off-diagonal entry.
         k_nt: f64,
     },
-    /// A common tangential velocity at C would need P_n ≤ 0: the vehicles would have to pull at each other.
+    /// The tangential condition, such as a common tangential velocity at C, would need P_n ≤ 0: the vehicles would have to
+    /// pull at each other.
     #[error(
-        "a common tangential velocity would need the vehicles to pull at each other (P_n = {normal_impulse:.6} \
-         N·s): they slide too fast for this geometry; check the contact points and the crush plane, or, if the \
-         surfaces did slide until they parted, give a friction limit or an impulse ratio instead"
+        "the tangential condition would need the vehicles to pull at each other (P_n = {normal_impulse:.6} N·s): they \
+         slide too fast for this geometry; check the contact points and the crush plane, or, if the surfaces did slide \
+         until they parted, give a friction limit or an impulse ratio instead"
     )]
     Pulling {
         /// (N·s) the normal impulse that the conditions ask for.
@@ -98,8 +110,9 @@ pub enum ImpactError {
     /// E_L < 0: the coefficients create energy.
     #[error(
         "the coefficients create energy: the energy loss would be {loss:.6e} J, of which {normal_work:.6e} J is \
-         the work of the normal and {tangential_work:.6e} J that of the tangential impulse; check that the impulse \
-         ratio has the sign that opposes the sliding, and lower its size or the restitution"
+         the work of the normal, {tangential_work:.6e} J that of the tangential impulse{}; check that \
+         the impulse ratio has the sign that opposes the sliding, and lower its size or the restitution",
+        of_moment(*moment_work)
     )]
     EnergyCreated {
         /// (J) the energy loss E_L.
@@ -108,6 +121,8 @@ pub enum ImpactError {
         normal_work: f64,
         /// (J) W_t.
         tangential_work: f64,
+        /// (J) W_m.
+        moment_work: f64,
     },
     /// The numbers are too large or too small for double precision.
     #[error(
@@ -120,6 +135,11 @@ pub enum ImpactError {
         /// Its value, in SI units: infinite or NaN.
         value: f64,
     },
+}
+
+/// The share of a moment impulse, where there is one.
+fn of_moment(work: f64) -> String {
+    if work == 0.0 { String::new() } else { format!(" and {work:.6e} J that of the moment impulse") }
 }
 
 /// Refuses NaN and infinities.

@@ -6,9 +6,9 @@ use real::Real;
 use crate::body::Motion;
 use crate::contact::{Contact, NormalTangential};
 use crate::error::{self, ImpactError, InvalidInput};
-use crate::law::{CriticalRatio, Law};
+use crate::law::{Law, LawImpulse, Regime, Solution};
 
-/// E_L below zero by more than this share of what the impulses exchange, |P|·(|u| + |U|) in each direction, is energy created; less is
+/// E_L below zero by more than this share of what the impulses exchange, |P|·(|u| + |U|) in each direction and the moment's likewise, is energy created; less is
 /// rounding. The works themselves are no measure: with e = 1 and no friction they are nothing but rounding.
 const ENERGY_ROUNDING: f64 = 1e-12;
 
@@ -19,6 +19,10 @@ pub struct Outcome<T = f64> {
     pub impulse: NormalTangential<T>,
     /// (N·s) the same in the scene frame.
     pub impulse_vector: Vector2<T>,
+    /// (N·m·s) moment impulse M on vehicle 1; zero under a law without one.
+    pub moment_impulse: T,
+    /// Whether the law's friction limit was reached; `None` under a law without one.
+    pub regime: Option<Regime>,
     /// μ = P_t/P_n.
     pub impulse_ratio: T,
     /// μ_c: the ratio at which the final tangential velocity at C is zero. `None` where the sliding is so fast that
@@ -78,7 +82,7 @@ pub fn pdof<T: Real>(forward: Vector2<T>, impulse: Vector2<T>) -> T {
     (left + 0.0).atan2(-ahead)
 }
 
-/// (J) the energy balance of an impact: `before` − `after` = `loss` = `normal_work` + `tangential_work`.
+/// (J) the energy balance of an impact: `before` − `after` = `loss` = `normal_work` + `tangential_work` + `moment_work`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energy<T = f64> {
     /// (J) kinetic energy of both vehicles before impact.
@@ -91,6 +95,8 @@ pub struct Energy<T = f64> {
     pub normal_work: T,
     /// (J) W_t, the energy taken by the tangential impulse. Negative where it gives energy back.
     pub tangential_work: T,
+    /// (J) W_m, the energy taken by the moment impulse.
+    pub moment_work: T,
 }
 
 /// (J) W_n: the energy that the normal impulse takes out of the vehicles.
@@ -110,8 +116,7 @@ pub fn normal_work<T: Real>(
 
 /// (J) W_t: the energy that the tangential impulse takes out of the vehicles (SAE 980025, Eq 4).
 #[inline(always)]
-#[must_use]
-pub fn tangential_work<T: Real>(
+fn tangential_work<T: Real>(
     approach: NormalTangential<T>,
     impulse: NormalTangential<T>,
     separation: NormalTangential<T>,
@@ -120,27 +125,24 @@ pub fn tangential_work<T: Real>(
     -(impulse.tangential * (approach.tangential + separation.tangential)) * 0.5
 }
 
+/// (J) W_m: the energy that the moment impulse takes out of the vehicles.
+#[inline(always)]
+fn moment_work<T: Real>(before: &[Motion<T>; 2], moment: T, after: &[Motion<T>; 2]) -> T {
+    // W_m = −½ M (ω₁ − ω₂ + Ω₁ − Ω₂)
+    -(moment * (spin(before) + spin(after))) * 0.5
+}
+
+/// (rad/s) yaw rate of vehicle 1 relative to vehicle 2.
+#[inline(always)]
+fn spin<T: Real>([one, two]: &[Motion<T>; 2]) -> T {
+    one.yaw_rate - two.yaw_rate
+}
+
 fn representable<T: Real>(what: &'static str, value: T) -> Result<(), ImpactError> {
     if value.is_finite() { Ok(()) } else { Err(ImpactError::Overflow { what, value: value.value() }) }
 }
 
 impl<T: Real> Contact<T> {
-    /// (m/s) U = u + K P: the relative velocity at C after the impulse P.
-    #[inline(always)]
-    #[must_use]
-    pub fn separation(
-        &self,
-        approach: NormalTangential<T>,
-        impulse: NormalTangential<T>,
-    ) -> NormalTangential<T> {
-        let change = self.inverse_mass().velocity_change(impulse);
-        // U = u + K P
-        NormalTangential {
-            normal: approach.normal + change.normal,
-            tangential: approach.tangential + change.tangential,
-        }
-    }
-
     /// What the collision does to both vehicles under `law`, given their motions before it.
     ///
     /// # Errors
@@ -148,28 +150,34 @@ impl<T: Real> Contact<T> {
     /// coefficients create energy, or a motion is not one that the body can have.
     pub fn impact(&self, motions: [Motion<T>; 2], law: &Law<T>) -> Result<Outcome<T>, ImpactError> {
         self.check(&motions)?;
-        let k = self.inverse_mass();
-        let u = self.relative_velocity(&motions);
-        representable("normal relative velocity", u.normal)?;
-        if u.normal >= T::ZERO {
-            return Err(ImpactError::NotApproaching { u_n: u.normal.value() });
+        let k = &self.inverse_mass;
+        let approach = self.approach(&motions);
+        let u_n = approach.velocity.normal;
+        representable("normal relative velocity", u_n)?;
+        if u_n >= T::ZERO {
+            return Err(ImpactError::NotApproaching { u_n: u_n.value() });
         }
-        let impulse = law.impulse(k, u);
-        if let Some(refusal) = law.refusal(k, u, impulse) {
-            return Err(refusal);
+        let solution = law.solve(k, approach);
+        if !law.pushes(&solution) {
+            return Err(law.refusal(k, &solution));
         }
-        let outcome = self.outcome(motions, law, u, impulse);
-        let Energy { before, loss, normal_work, tangential_work, .. } = outcome.energy;
+        let outcome = self.outcome(motions, approach.velocity, solution);
+        let Energy { before, loss, normal_work, tangential_work, moment_work, .. } = outcome.energy;
         representable("initial kinetic energy", before)?;
         representable("energy loss", loss)?;
-        let (p, after) = (outcome.impulse, outcome.separation);
-        let exchanged = p.normal.abs() * (u.normal.abs() + after.normal.abs())
-            + p.tangential.abs() * (u.tangential.abs() + after.tangential.abs());
+        let (p, u, v) = (outcome.impulse, outcome.approach, outcome.separation);
+        let mut exchanged = p.normal.abs() * (u.normal.abs() + v.normal.abs())
+            + p.tangential.abs() * (u.tangential.abs() + v.tangential.abs());
+        if law.has_moment() {
+            let [before, after] = [spin(&outcome.before), spin(&outcome.after)];
+            exchanged += outcome.moment_impulse.abs() * (before.abs() + after.abs());
+        }
         if loss < -(exchanged * ENERGY_ROUNDING) {
             return Err(ImpactError::EnergyCreated {
                 loss: loss.value(),
                 normal_work: normal_work.value(),
                 tangential_work: tangential_work.value(),
+                moment_work: moment_work.value(),
             });
         }
         Ok(outcome)
@@ -191,24 +199,29 @@ impl<T: Real> Contact<T> {
     fn outcome(
         &self,
         before: [Motion<T>; 2],
-        law: &Law<T>,
-        approach: NormalTangential<T>,
-        impulse: NormalTangential<T>,
+        u: NormalTangential<T>,
+        Solution { impulse: LawImpulse { linear: impulse, moment, regime }, critical }: Solution<T>,
     ) -> Outcome<T> {
         let [p1, p2] = self.participants();
-        let separation = self.separation(approach, impulse);
-        let after = self.after(&before, impulse);
+        let v = self.inverse_mass.separation_velocity(u, impulse, moment);
+        let after = self.after(&before, impulse, moment);
         let impulse_vector = impulse.in_scene(self.normal());
-        let normal_work = normal_work(approach, impulse, separation);
-        let tangential_work = tangential_work(approach, impulse, separation);
+        let normal_work = normal_work(u, impulse, v);
+        let tangential_work = tangential_work(u, impulse, v);
+        let moment_work = moment_work(&before, moment, &after);
         Outcome {
             impulse,
             impulse_vector,
+            moment_impulse: moment,
+            regime,
             impulse_ratio: impulse.tangential / impulse.normal,
-            critical_impulse_ratio: CriticalRatio::new(self.inverse_mass(), approach, law.restitution())
-                .value(),
-            approach,
-            separation,
+            critical_impulse_ratio: if critical.normal > T::ZERO {
+                Some(critical.tangential / critical.normal)
+            } else {
+                None
+            },
+            approach: u,
+            separation: v,
             before,
             after,
             // ΔV_i = ±P/m_i
@@ -217,10 +230,11 @@ impl<T: Real> Contact<T> {
             energy: Energy {
                 before: p1.body().kinetic_energy(&before[0]) + p2.body().kinetic_energy(&before[1]),
                 after: p1.body().kinetic_energy(&after[0]) + p2.body().kinetic_energy(&after[1]),
-                // E_L = W_n + W_t
-                loss: normal_work + tangential_work,
+                // E_L = W_n + W_t + W_m
+                loss: normal_work + tangential_work + moment_work,
                 normal_work,
                 tangential_work,
+                moment_work,
             },
         }
     }

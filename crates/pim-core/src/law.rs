@@ -1,39 +1,70 @@
-//! Impact laws: one normal and one tangential condition on the impulse.
+//! Impact laws: each is one normal and one tangential condition on the impulse, with an optional third on the yaw rates.
 
 use real::Real;
 
-use crate::contact::{InverseMass, NormalTangential};
+use crate::contact::{Approach, InverseMass, NormalTangential};
 use crate::error::{self, ImpactError, InvalidInput};
 
-/// The tangential condition of Brach's law: what decides the impulse ratio μ = P_t/P_n.
+/// The tangential condition of an impact law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Tangential<T = f64> {
-    /// μ = μ_c: a common tangential velocity at C after impact, U_t = 0.
+    /// U_t = 0: a common tangential velocity at C after impact, μ = μ_c.
     Critical,
-    /// μ as given.
+    /// P_t = μ P_n with μ as given.
     Ratio(T),
-    /// μ = f μ_c with 0 ≤ f ≤ 1.
+    /// P_t = f μ_c P_n with 0 ≤ f ≤ 1.
     FractionOfCritical(T),
-    /// Coulomb friction: μ = μ_c while friction of at most this coefficient (≥ 0) can hold the surfaces
-    /// together, else they still slide and μ has the limit's size.
+    /// Coulomb friction: U_t = 0 while friction of at most this coefficient (≥ 0) can hold the surfaces together, else
+    /// they still slide and |P_t| has the limit's size.
     Friction(T),
+    /// U_t − u_t as given (m/s).
+    VelocityChange(T),
+    /// U_t = −e_t u_t with −1 ≤ e_t ≤ 1.
+    Restitution(T),
+    /// U_t = −e u_t with the normal coefficient e, while friction of at most this coefficient (≥ 0) can do that, else they slide as
+    /// under [`Friction`](Self::Friction).
+    FullOrSliding(T),
 }
 
-/// Brach's impact law: U_n = −e u_n, and one of four tangential conditions.
+/// Whether an impact law with a friction limit reached the limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Regime {
+    /// Friction sufficed for the law's condition on U_t.
+    Full,
+    /// The surfaces slide to the end, |P_t| = μ P_n.
+    Sliding,
+}
+
+/// An impact law: U_n = −e u_n, one [`Tangential`] condition and, if asked for, a moment impulse.
+///
+/// | law | constructor | normal | tangential | when | what it assumes of the tangential direction |
+/// |---|---|---|---|---|---|
+/// | Brach | [`Law::new`] with [`Critical`](Tangential::Critical) | U_n = −e u_n | U_t = 0 | most collisions that are not sideswipes | the surfaces interlock and end with a common velocity |
+/// | | [`Ratio`](Tangential::Ratio) | | P_t = μ P_n | μ is known, or is to be varied | nothing: the analyst answers for sign and size |
+/// | | [`FractionOfCritical`](Tangential::FractionOfCritical) | | P_t = f μ_c P_n | between frictionless and interlocked | the same share of the interlocking impulse at every speed |
+/// | | [`Friction`](Tangential::Friction) | | U_t = 0, or \|P_t\| = μ P_n | sideswipes, barriers | Coulomb friction against the sliding |
+/// | Woolley | [`Law::woolley`] | U_n = 0 | U_t = 0 | heavy engagement | as Brach with e = 0 and μ_c |
+/// | Woolley, sideswipe | [`Law::woolley_sideswipe`] | U_n = 0 | U_t − u_t given | sideswipes of which the scrape tells the change of speed | the change is known and does not depend on the speeds |
+/// | Ishikawa | [`Law::ishikawa`] | U_n = −e_n u_n | U_t = −e_t u_t | coefficients fitted to tests | rebound along the surface in proportion to the sliding |
+/// | Kudlich–Slibar | [`Law::kudlich_slibar`] | U_n = −ε u_n | U_t = −ε u_t, or \|P_t\| = μ P_n | general purpose, as simulation programs use it | one coefficient for both directions while friction suffices |
 ///
 /// # References
-/// Brach & Brach, SAE 980025, "Summary of planar impact mechanics".
+/// Brach & Brach, SAE 980025, "Summary of planar impact mechanics", which names the others: Woolley (SAE 870046 and 1987), Ishikawa (1985, 1994),
+/// Steffan & Moser (1996, after Kudlich and Slibar). The moment impulse: Brach, *Mechanical Impact Dynamics* (1991).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law<T = f64> {
     restitution: T,
     tangential: Tangential<T>,
+    moment_restitution: T,
 }
 
 impl<T: Real> Law<T> {
-    /// The law with coefficient of restitution e and the given tangential condition.
+    /// The law with coefficient of restitution e and the given tangential condition. With one of the first four conditions it is
+    /// Brach's.
     ///
     /// # Errors
-    /// Where e or the fraction lies outside [0, 1], the friction limit is negative, or a number is not finite.
+    /// Where e or a fraction lies outside [0, 1], a tangential restitution outside [−1, 1], a friction limit is negative, or a number is not
+    /// finite.
     pub fn new(restitution: T, tangential: Tangential<T>) -> Result<Self, InvalidInput> {
         error::within("coefficient of restitution", restitution.value(), 0.0, 1.0)?;
         match tangential {
@@ -42,9 +73,62 @@ impl<T: Real> Law<T> {
             Tangential::FractionOfCritical(f) => {
                 error::within("fraction of the critical impulse ratio", f.value(), 0.0, 1.0)?;
             }
-            Tangential::Friction(limit) => error::within("friction limit", limit.value(), 0.0, f64::MAX)?,
+            Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
+                error::within("friction limit", limit.value(), 0.0, f64::MAX)?;
+            }
+            Tangential::VelocityChange(change) => {
+                error::finite("tangential velocity change", change.value())?;
+            }
+            Tangential::Restitution(e_t) => {
+                error::within("tangential coefficient of restitution", e_t.value(), -1.0, 1.0)?;
+            }
         }
-        Ok(Self { restitution, tangential })
+        Ok(Self { restitution, tangential, moment_restitution: -T::ONE })
+    }
+
+    /// Woolley: a common velocity at C after impact.
+    #[must_use]
+    pub fn woolley() -> Self {
+        Self { restitution: T::ZERO, tangential: Tangential::Critical, moment_restitution: -T::ONE }
+    }
+
+    /// Woolley for sideswipes: a common normal velocity, and a given change U_t − u_t (m/s) of the tangential one.
+    ///
+    /// # Errors
+    /// Where the change is not finite.
+    pub fn woolley_sideswipe(tangential_velocity_change: T) -> Result<Self, InvalidInput> {
+        Self::new(T::ZERO, Tangential::VelocityChange(tangential_velocity_change))
+    }
+
+    /// Ishikawa: a coefficient of restitution in each direction.
+    ///
+    /// # Errors
+    /// Where e_n lies outside [0, 1] or e_t outside [−1, 1].
+    pub fn ishikawa(restitution: T, tangential_restitution: T) -> Result<Self, InvalidInput> {
+        Self::new(restitution, Tangential::Restitution(tangential_restitution))
+    }
+
+    /// Kudlich–Slibar, as Steffan & Moser use it: one coefficient of restitution for both directions while the friction limit allows it.
+    ///
+    /// # Errors
+    /// Where ε lies outside [0, 1] or the friction limit is negative.
+    pub fn kudlich_slibar(restitution: T, friction: T) -> Result<Self, InvalidInput> {
+        Self::new(restitution, Tangential::FullOrSliding(friction))
+    }
+
+    /// The same law with a moment impulse M = (1 + e_m) M_c at C, where M_c is the one that gives a common yaw rate: e_m = −1 is none, e_m = 0 a
+    /// common yaw rate.
+    ///
+    /// # Errors
+    /// Where e_m lies outside [−1, 1].
+    pub fn with_moment_restitution(self, moment_restitution: T) -> Result<Self, InvalidInput> {
+        error::within("moment coefficient of restitution", moment_restitution.value(), -1.0, 1.0)?;
+        Ok(Self { moment_restitution, ..self })
+    }
+
+    /// The same law with a coefficient of restitution that is known to be one.
+    pub(crate) fn restituting(self, restitution: T) -> Self {
+        Self { restitution, ..self }
     }
 
     /// The coefficient of restitution e.
@@ -61,125 +145,242 @@ impl<T: Real> Law<T> {
         self.tangential
     }
 
-    /// The law with the same coefficient of restitution, under which the vehicles end up with a common tangential velocity at C.
+    /// The moment coefficient of restitution e_m; −1 where there is no moment impulse.
     #[inline(always)]
     #[must_use]
-    pub fn with_common_tangential_velocity(&self) -> Self {
-        Self { tangential: Tangential::Critical, ..*self }
+    pub fn moment_restitution(&self) -> T {
+        self.moment_restitution
     }
 
-    /// (N·s) the impulse on vehicle 1 that satisfies both conditions, whether or not it is one that a collision can
-    /// have: [`Contact::impact`](crate::Contact::impact) judges that. A search for a speed needs the impulse on
-    /// both sides of that border.
+    /// Whether the law has a moment impulse: e_m > −1.
     #[inline(always)]
     #[must_use]
-    pub fn impulse(&self, k: InverseMass<T>, u: NormalTangential<T>) -> NormalTangential<T> {
+    pub fn has_moment(&self) -> bool {
+        self.moment_restitution != -T::ONE
+    }
+
+    /// Whether the impulse is affine in the velocities before impact: no limit switches, and the condition on it is linear.
+    #[must_use]
+    pub fn is_affine(&self) -> bool {
         match self.tangential {
-            Tangential::Critical => CriticalRatio::new(k, u, self.restitution).impulse(k),
-            Tangential::Ratio(mu) => self.with_ratio(k, u, mu),
+            Tangential::Critical
+            | Tangential::Ratio(_)
+            | Tangential::VelocityChange(_)
+            | Tangential::Restitution(_) => true,
+            Tangential::FractionOfCritical(_) | Tangential::Friction(_) | Tangential::FullOrSliding(_) => {
+                false
+            }
+        }
+    }
+
+    /// The law with the same coefficients of restitution, under which the condition that a friction limit can prevent is always met; for a
+    /// fraction of μ_c, the one that gives μ_c.
+    #[inline(always)]
+    #[must_use]
+    pub fn without_limit(&self) -> Self {
+        let tangential = match self.tangential {
+            Tangential::Friction(_) | Tangential::FractionOfCritical(_) => Tangential::Critical,
+            Tangential::FullOrSliding(_) => Tangential::Restitution(self.restitution),
+            unlimited => unlimited,
+        };
+        Self { tangential, ..*self }
+    }
+
+    /// The law with the same coefficients of restitution and the impulse ratio μ.
+    #[inline(always)]
+    #[must_use]
+    pub fn with_ratio(&self, mu: T) -> Self {
+        Self { tangential: Tangential::Ratio(mu), ..*self }
+    }
+
+    /// The impulse on vehicle 1 that satisfies the conditions, whether or not it is one that a collision can have:
+    /// [`Contact::impact`](crate::Contact::impact) judges that. A search for a speed needs the impulse on both sides of that border.
+    #[inline(always)]
+    #[must_use]
+    pub fn impulse(&self, k: &InverseMass<T>, approach: Approach<T>) -> LawImpulse<T> {
+        self.solve(k, approach).impulse
+    }
+
+    #[inline(always)]
+    pub(crate) fn solve(&self, k: &InverseMass<T>, approach: Approach<T>) -> Solution<T> {
+        let conditions = self.conditions(k, approach);
+        let u_t = approach.velocity.tangential;
+        let of = |impulse: LawImpulse<T>| Solution { impulse, critical: conditions.critical_direction() };
+        match self.tangential {
+            Tangential::Critical => {
+                let impulse = conditions.with_change(-u_t);
+                Solution { impulse, critical: impulse.linear }
+            }
+            Tangential::Ratio(mu) => of(conditions.with_ratio(mu)),
             Tangential::FractionOfCritical(f) => {
-                let critical = CriticalRatio::new(k, u, self.restitution);
-                self.with_ratio(k, u, f * critical.numerator / critical.denominator)
+                let critical = conditions.with_change(-u_t).linear;
+                let impulse = conditions.with_ratio(f * critical.tangential / critical.normal);
+                Solution { impulse, critical }
             }
             Tangential::Friction(limit) => {
-                let critical = CriticalRatio::new(k, u, self.restitution);
-                if critical.needs_at_most(limit) {
-                    critical.impulse(k)
-                } else {
-                    self.with_ratio(k, u, critical.sliding(limit))
-                }
+                let full = conditions.with_change(-u_t);
+                Solution { impulse: conditions.limited(full, limit), critical: full.linear }
+            }
+            Tangential::VelocityChange(change) => of(conditions.with_change(change)),
+            Tangential::Restitution(e_t) => of(conditions.with_change(-((e_t + 1.0) * u_t))),
+            Tangential::FullOrSliding(limit) => {
+                let full = conditions.with_change(-((self.restitution + 1.0) * u_t));
+                of(conditions.limited(full, limit))
             }
         }
     }
 
-    /// U_n = −e u_n with P_t = μ P_n.
     #[inline(always)]
-    fn with_ratio(&self, k: InverseMass<T>, u: NormalTangential<T>, mu: T) -> NormalTangential<T> {
-        // P_n = −(1+e) u_n / (k_nn + μ k_nt) = −(1+e) m̄ q u_n
-        let normal = -((self.restitution + 1.0) * u.normal) / (k.nn + mu * k.nt);
-        NormalTangential { normal, tangential: mu * normal }
+    fn conditions<'a>(&self, k: &'a InverseMass<T>, approach: Approach<T>) -> Conditions<'a, T> {
+        Conditions { k, approach, restitution: self.restitution, moment: self.moment_restitution }
     }
 
-    /// Why this law has no impulse for an approach u, as far as its conditions decide that.
-    pub(crate) fn refusal(
-        &self,
-        k: InverseMass<T>,
-        u: NormalTangential<T>,
-        impulse: NormalTangential<T>,
-    ) -> Option<ImpactError> {
-        let critical = CriticalRatio::new(k, u, self.restitution);
-        let mu = match self.tangential {
-            Tangential::Critical | Tangential::FractionOfCritical(_) if !critical.is_push() => {
-                let normal_impulse = (-critical.denominator / k.determinant()).value();
-                return Some(ImpactError::Pulling { normal_impulse });
+    /// Whether the law has an impulse that pushes. A fraction of μ_c needs a push that gives μ_c, too.
+    #[inline(always)]
+    pub(crate) fn pushes(&self, solution: &Solution<T>) -> bool {
+        let is_fraction = matches!(self.tangential, Tangential::FractionOfCritical(_));
+        solution.impulse.linear.normal > T::ZERO && (solution.critical.normal > T::ZERO || !is_fraction)
+    }
+
+    /// Why it has none.
+    #[cold]
+    pub(crate) fn refusal(&self, k: &InverseMass<T>, solution: &Solution<T>) -> ImpactError {
+        let impulse = solution.impulse.linear;
+        let (asks_for, ratio) = match self.tangential {
+            Tangential::FractionOfCritical(_) if solution.critical.normal <= T::ZERO => {
+                (solution.critical, None)
             }
-            Tangential::Ratio(mu) => mu,
-            _ => impulse.tangential / impulse.normal,
+            Tangential::Ratio(mu) => (impulse, Some(mu)),
+            // Where these do not push, they slide.
+            Tangential::FractionOfCritical(_) | Tangential::Friction(_) | Tangential::FullOrSliding(_) => {
+                (impulse, Some(impulse.tangential / impulse.normal))
+            }
+            Tangential::Critical | Tangential::VelocityChange(_) | Tangential::Restitution(_) => {
+                (impulse, None)
+            }
         };
-        if impulse.normal > T::ZERO {
-            None
-        } else {
-            Some(ImpactError::Jam { impulse_ratio: mu.value(), k_nn: k.nn.value(), k_nt: k.nt.value() })
+        // A moment impulse may pull where nothing jams.
+        match ratio {
+            Some(mu) if k.nn + mu * k.nt <= T::ZERO => {
+                ImpactError::Jam { impulse_ratio: mu.value(), k_nn: k.nn.value(), k_nt: k.nt.value() }
+            }
+            _ => ImpactError::Pulling { normal_impulse: asks_for.normal.value() },
         }
     }
 }
 
-/// The critical impulse ratio μ_c = N/D, at which the final tangential velocity at C is zero, kept as its two
-/// parts: D = −P_n det K also says whether an impulse that does this would push.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct CriticalRatio<T> {
-    numerator: T,
-    denominator: T,
+/// What a law asks for: impulse and moment impulse on vehicle 1; vehicle 2 receives their opposites.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LawImpulse<T = f64> {
+    /// (N·s) impulse P at C.
+    pub linear: NormalTangential<T>,
+    /// (N·m·s) moment impulse M.
+    pub moment: T,
+    /// Whether a friction limit was reached, under a law that has one.
+    pub regime: Option<Regime>,
 }
 
-impl<T: Real> CriticalRatio<T> {
-    /// For the approach u and the coefficient of restitution e.
+/// The impulse of a law, and beside it the one that the same law asks for to give a common tangential velocity, up to a positive factor: its ratio
+/// is μ_c, if it is a push.
+pub(crate) struct Solution<T> {
+    pub(crate) impulse: LawImpulse<T>,
+    pub(crate) critical: NormalTangential<T>,
+}
+
+/// The conditions that all laws share: the normal one, and the moment's.
+struct Conditions<'a, T> {
+    k: &'a InverseMass<T>,
+    approach: Approach<T>,
+    restitution: T,
+    moment: T,
+}
+
+impl<T: Real> Conditions<'_, T> {
+    /// U_n = −e u_n and U_t − u_t = `change`.
     #[inline(always)]
-    pub(crate) fn new(k: InverseMass<T>, u: NormalTangential<T>, e: T) -> Self {
-        // μ_c = [r A + (1+e) B] / [(1+e)(1+C) + r B],  r = u_t/u_n; both parts multiplied by u_n/m̄:
-        // N = u_t k_nn − (1+e) u_n k_nt,  D = (1+e) u_n k_tt − u_t k_nt
-        let one_plus_e = e + 1.0;
-        Self {
-            numerator: u.tangential * k.nn - one_plus_e * u.normal * k.nt,
-            denominator: one_plus_e * u.normal * k.tt - u.tangential * k.nt,
+    fn with_change(&self, change: T) -> LawImpulse<T> {
+        let k = self.k;
+        let det = k.determinant();
+        // K P = (−(1+e) u_n, U_t − u_t)
+        let solve = |normal: T, tangential: T| NormalTangential {
+            normal: (k.tt * normal - k.nt * tangential) / det,
+            tangential: (k.nn * tangential - k.nt * normal) / det,
+        };
+        self.with_moment(solve(self.normal_change(), change), || solve(-self.k.nm, -self.k.tm))
+    }
+
+    /// U_n = −e u_n and P_t = μ P_n.
+    #[inline(always)]
+    fn with_ratio(&self, mu: T) -> LawImpulse<T> {
+        let k = self.k;
+        // P_n = −(1+e) u_n / (k_nn + μ k_nt) = −(1+e) m̄ q u_n
+        let solve = |normal: T| {
+            let p_n = normal / (k.nn + mu * k.nt);
+            NormalTangential { normal: p_n, tangential: mu * p_n }
+        };
+        self.with_moment(solve(self.normal_change()), || solve(-self.k.nm))
+    }
+
+    /// The impulse that gives a common tangential velocity, up to a positive factor.
+    #[inline(always)]
+    fn critical_direction(&self) -> NormalTangential<T> {
+        let u_t = self.approach.velocity.tangential;
+        if self.moment != -T::ONE {
+            return self.with_change(-u_t).linear;
+        }
+        let (k, normal) = (self.k, self.normal_change());
+        // det K · K⁻¹ (−(1+e) u_n, −u_t)
+        NormalTangential { normal: k.tt * normal + k.nt * u_t, tangential: -(k.nn * u_t) - k.nt * normal }
+    }
+
+    /// (m/s) U_n − u_n.
+    #[inline(always)]
+    fn normal_change(&self) -> T {
+        // −(1+e) u_n
+        -((self.restitution + 1.0) * self.approach.velocity.normal)
+    }
+
+    /// Adds the moment impulse to an impulse P₀ that meets the conditions without one; per unit of moment, `correction` keeps them.
+    #[inline(always)]
+    fn with_moment(
+        &self,
+        plain: NormalTangential<T>,
+        correction: impl FnOnce() -> NormalTangential<T>,
+    ) -> LawImpulse<T> {
+        if self.moment == -T::ONE {
+            return LawImpulse { linear: plain, moment: T::ZERO, regime: None };
+        }
+        let k = self.k;
+        let correction = correction();
+        let spin = |p: NormalTangential<T>| k.nm * p.normal + k.tm * p.tangential;
+        // Ω₁ − Ω₂ = (ω₁ − ω₂) + k_m·(P₀ + M P′) + k_mm M = 0
+        let common = -(self.approach.spin + spin(plain)) / (k.mm + spin(correction));
+        // M = (1 + e_m) M_c
+        let moment = (self.moment + 1.0) * common;
+        LawImpulse {
+            linear: NormalTangential {
+                normal: plain.normal + moment * correction.normal,
+                tangential: plain.tangential + moment * correction.tangential,
+            },
+            moment,
+            regime: None,
         }
     }
 
-    /// Whether the vehicles reach a common tangential velocity by pushing: P_n > 0.
-    #[inline(always)]
-    fn is_push(&self) -> bool {
-        self.denominator < T::ZERO
-    }
-
-    /// μ_c, or `None` where only a pull could give a common tangential velocity.
-    #[inline(always)]
-    pub(crate) fn value(&self) -> Option<T> {
-        if self.is_push() { Some(self.numerator / self.denominator) } else { None }
-    }
-
-    /// The impulse that gives a common tangential velocity.
-    #[inline(always)]
-    fn impulse(&self, k: InverseMass<T>) -> NormalTangential<T> {
-        // U_t = 0 and U_n = −e u_n are linear in P: P_n = −D/det K, P_t = −N/det K
-        NormalTangential {
-            normal: -self.denominator / k.determinant(),
-            tangential: -self.numerator / k.determinant(),
-        }
-    }
-
-    /// Whether friction of at most `limit` can give a common tangential velocity.
-    #[inline(always)]
-    fn needs_at_most(&self, limit: T) -> bool {
-        self.is_push() & (self.numerator.abs() <= limit * -self.denominator)
-    }
-
-    /// μ of surfaces that slide to the end: the limit, against the sliding.
+    /// The `full` impulse if friction of at most `limit` can bring it about, else that of sliding.
     ///
-    /// The usual rule sign(μ_c) min(|μ_c|, limit) holds only where μ_c is reached by a push. Beyond, μ_c has jumped through
-    /// infinity to the other sign, and the rule would let friction drive the sliding. The direction is that of −N:
-    /// without friction U_t = N/k_nn.
+    /// The usual rule for the direction of sliding, the sign of μ_c, holds only where μ_c is reached by a push. Beyond, μ_c has
+    /// jumped through infinity to the other sign, and the rule would let friction drive the sliding. The direction is
+    /// against the U_t that there would be without friction.
     #[inline(always)]
-    fn sliding(&self, limit: T) -> T {
-        if self.numerator > T::ZERO { -limit } else { limit }
+    fn limited(&self, full: LawImpulse<T>, limit: T) -> LawImpulse<T> {
+        let p = full.linear;
+        if p.normal > T::ZERO && p.tangential.abs() <= limit * p.normal {
+            return LawImpulse { regime: Some(Regime::Full), ..full };
+        }
+        let free = self.with_ratio(T::ZERO);
+        let sliding = self.k.separation(self.approach, free.linear, free.moment).velocity.tangential;
+        let mu = if sliding > T::ZERO { -limit } else { limit };
+        LawImpulse { regime: Some(Regime::Sliding), ..self.with_ratio(mu) }
     }
 }

@@ -48,7 +48,13 @@
 //! | `critical_impulse_ratio` | μ_c | the ratio that gives U_t = 0 | – |
 //! | `loss` | E_L | kinetic energy taken by the impact | J |
 //! | `normal_work`, `tangential_work` | W_n, W_t | its two parts | J |
+//! | `moment_impulse`, `moment_work` | M, W_m | moment impulse on vehicle 1, and the part of the loss that it takes | N·m·s, J |
 //! | `pdof` | PDOF | direction from which the force comes, clockwise from the heading | rad |
+//!
+//! # Which impact law?
+//!
+//! [`Law`] has the table: each row's two conditions, its source, when it fits, and what it assumes of the tangential direction. Where restitution depends on
+//! the closing speed, a [`RestitutionCurve`] gives the law its coefficient.
 //!
 //! # What it does not do
 //!
@@ -66,11 +72,13 @@ mod contact;
 mod error;
 mod impact;
 mod law;
+mod restitution;
 
 pub use body::{Body, Motion, Participant};
-pub use contact::{Contact, InverseMass, NormalTangential};
+pub use contact::{Approach, Contact, InverseMass, NormalTangential};
 pub use error::{ImpactError, InvalidInput};
-pub use impact::{Energy, Outcome, normal_work, pdof, tangential_work};
-pub use law::{Law, Tangential};
+pub use impact::{Energy, Outcome, normal_work, pdof};
+pub use law::{Law, LawImpulse, Regime, Tangential};
 pub use nalgebra::{self, Vector2};
 pub use real::Real;
+pub use restitution::RestitutionCurve;

@@ -2,7 +2,8 @@
 
 use crash3::EnergyBasis;
 use pim_core::{
-    Contact, InverseMass, Law, Motion, NormalTangential, Outcome, Real, Tangential, Vector2, normal_work,
+    Approach, Contact, ImpactError, Law, Motion, NormalTangential, Outcome, Real, RestitutionCurve,
+    Tangential, Vector2, normal_work,
 };
 
 use crate::brent::{MAX_STEPS, RootError, brent};
@@ -40,12 +41,14 @@ impl Unknown {
 
 /// A collision of which one speed is unknown and the crush energy is known.
 #[derive(Clone, Copy, Debug)]
-pub struct Problem<T = f64> {
+pub struct Problem<'a, T = f64> {
     contact: Contact<T>,
     law: Law<T>,
+    restitution: Option<&'a RestitutionCurve<T>>,
     motions: [Motion<T>; 2],
     unknown: Unknown,
-    energy: T,
+    crush_energy: T,
+    basis: EnergyBasis,
     line: ApproachLine<T>,
 }
 
@@ -54,6 +57,8 @@ pub struct Problem<T = f64> {
 struct ApproachLine<T> {
     /// u at the speed s = 0.
     at_rest: NormalTangential<T>,
+    /// ω_1 − ω_2, which the speed leaves alone.
+    spin: T,
     /// du/ds.
     slope: NormalTangential<T>,
 }
@@ -72,10 +77,14 @@ impl<T: Real> ApproachLine<T> {
         self.at_rest.tangential + self.at_rest.normal * self.tangential_slope()
     }
 
-    /// u for the approach speed x.
+    /// The approach at the approach speed x.
     #[inline(always)]
-    fn velocity(&self, x: T) -> NormalTangential<T> {
-        NormalTangential { normal: -x, tangential: self.tangential_at_touch() + x * self.tangential_slope() }
+    fn at(&self, x: T) -> Approach<T> {
+        let velocity = NormalTangential {
+            normal: -x,
+            tangential: self.tangential_at_touch() + x * self.tangential_slope(),
+        };
+        Approach { velocity, spin: self.spin }
     }
 
     /// s for the approach speed x.
@@ -93,6 +102,8 @@ pub struct Reconciliation<T = f64> {
     pub speed: T,
     /// All admissible speeds.
     pub roots: Roots<T>,
+    /// The law at the speed found: the given one, with the restitution of this closing speed where that varies.
+    pub law: Law<T>,
     /// The impact at the speed found.
     pub outcome: Outcome<T>,
     /// (J) the normal work that was sought: the crush energy on the basis `dissipated`.
@@ -156,10 +167,16 @@ pub struct Iteration {
 }
 
 /// The steps that led to the speed found.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Iterations {
     steps: [Iteration; MAX_STEPS],
     count: usize,
+}
+
+impl std::fmt::Debug for Iterations {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_list().entries(self.as_slice()).finish()
+    }
 }
 
 impl Iterations {
@@ -181,7 +198,7 @@ impl Iterations {
     }
 }
 
-impl<T: Real> Problem<T> {
+impl<'a, T: Real> Problem<'a, T> {
     /// The speed of `unknown` along its heading is to make W_n equal `crush_energy` (J, of both vehicles) on `basis`.
     /// The velocity that `motions` gives for that vehicle is not used; its yaw rate is.
     ///
@@ -208,7 +225,7 @@ impl<T: Real> Problem<T> {
             return Err(ReconcileError::NoRestitutionLoss { restitution: e.value() });
         }
         motions[unknown.index()].velocity = Vector2::new(T::ZERO, T::ZERO);
-        let at_rest = contact.relative_velocity(&motions);
+        let Approach { velocity: at_rest, spin } = contact.approach(&motions);
         // u is vehicle 1 relative to vehicle 2, so that vehicle 2's speed counts against it.
         let forward = contact.resolve(participant.forward());
         let slope = match unknown {
@@ -221,17 +238,40 @@ impl<T: Real> Problem<T> {
         Ok(Self {
             contact,
             law,
+            restitution: None,
             motions,
             unknown,
-            energy: basis.dissipated(crush_energy, e),
-            line: ApproachLine { at_rest, slope },
+            crush_energy,
+            basis,
+            line: ApproachLine { at_rest, spin, slope },
         })
     }
 
-    /// (J) the normal work sought.
+    /// The same problem with a restitution that depends on the closing speed, in place of the law's own. Only the root-finder solves it.
+    #[must_use]
+    pub fn with_restitution_curve(self, curve: &'a RestitutionCurve<T>) -> Self {
+        Self { restitution: Some(curve), ..self }
+    }
+
+    /// (J) the normal work sought; under a curve of restitution, that for the law's own.
     #[must_use]
     pub fn normal_work_sought(&self) -> T {
-        self.energy
+        self.sought(&self.law)
+    }
+
+    /// The law at the approach speed x (m/s).
+    #[inline(always)]
+    fn law(&self, x: T) -> Law<T> {
+        match self.restitution {
+            None => self.law,
+            Some(curve) => curve.law(self.law, x),
+        }
+    }
+
+    /// (J) the normal work sought under a law.
+    #[inline(always)]
+    fn sought(&self, law: &Law<T>) -> T {
+        self.basis.dissipated(self.crush_energy, law.restitution())
     }
 
     /// The motions before impact at the given speed (m/s) of the unknown.
@@ -249,15 +289,17 @@ impl<T: Real> Problem<T> {
     #[inline(always)]
     #[must_use]
     pub fn normal_work(&self, speed: T) -> T {
-        self.work_at(self.contact.relative_velocity(&self.motions(speed)))
+        let approach = self.contact.approach(&self.motions(speed));
+        self.work_at(&self.law(-approach.velocity.normal), approach)
     }
 
     #[inline(always)]
-    fn work_at(&self, u: NormalTangential<T>) -> T {
-        let impulse = self.law.impulse(self.contact.inverse_mass(), u);
+    fn work_at(&self, law: &Law<T>, approach: Approach<T>) -> T {
+        let u = approach.velocity;
+        let impulse = law.impulse(&self.contact.inverse_mass(), approach).linear;
         // The law's own condition: in a glancing contact u + K P would lose U_n in the rounding of K P.
         // U_n = −e u_n
-        let separation = NormalTangential { normal: -(u.normal * self.law.restitution()), ..u };
+        let separation = NormalTangential { normal: -(u.normal * law.restitution()), ..u };
         normal_work(u, impulse, separation)
     }
 
@@ -268,12 +310,15 @@ impl<T: Real> Problem<T> {
     /// [`ReconcileError`].
     #[must_use]
     pub fn closed_form(&self) -> Option<Result<Reconciliation<T>, ReconcileError>> {
+        if self.restitution.is_some() || !self.law.is_affine() {
+            return None;
+        }
+        // P_n(x) = α x + β
         let k = self.contact.inverse_mass();
-        let approaches = match self.law.tangential() {
-            Tangential::Critical => Approaches::common_tangential(k, &self.law, &self.line, self.energy),
-            Tangential::Ratio(mu) => Approaches::given_ratio(k, &self.law, mu, self.energy),
-            Tangential::FractionOfCritical(_) | Tangential::Friction(_) => return None,
-        };
+        let push = |x: T| self.law.impulse(&k, self.line.at(x)).linear.normal;
+        let beta = push(T::ZERO);
+        let alpha = push(T::ONE) - beta;
+        let approaches = Approaches::new(alpha, beta, self.sought(&self.law), self.law.restitution());
         let mut search = Search::new(self);
         for x in approaches.ascending() {
             search.consider(self.line.speed(x), Method::ClosedForm);
@@ -283,7 +328,7 @@ impl<T: Real> Problem<T> {
             && let Tangential::Ratio(_) = self.law.tangential()
         {
             let speed = self.line.speed(T::ONE);
-            if let Err(jam) = self.contact.impact(self.motions(speed), &self.law) {
+            if let Err(jam @ ImpactError::Jam { .. }) = self.contact.impact(self.motions(speed), &self.law) {
                 return Some(Err(jam.into()));
             }
         }
@@ -302,24 +347,11 @@ struct Approaches<T> {
 }
 
 impl<T: Real> Approaches<T> {
-    /// W_n = ½ (1−e²) x² / (k_nn + μ k_nt) with μ given.
+    /// Where W_n = ½ (1−e) x P_n with P_n = α x + β.
     #[inline(always)]
-    fn given_ratio(k: InverseMass<T>, law: &Law<T>, mu: T, energy: T) -> Self {
-        let e = law.restitution();
-        // x² = 2 W_n (k_nn + μ k_nt) / (1−e²); the root with u_n > 0 is no approach
-        let square = energy * 2.0 * (k.nn + mu * k.nt) / (T::ONE - e * e);
-        if square > T::ZERO { Self::one(square.sqrt()) } else { Self::none() }
-    }
-
-    /// W_n = ½ (1−e) x P_n with P_n = (α x + β)/det K, affine in x.
-    #[inline(always)]
-    fn common_tangential(k: InverseMass<T>, law: &Law<T>, line: &ApproachLine<T>, energy: T) -> Self {
-        let e = law.restitution();
-        // P_n det K = −D = (1+e) x k_tt + u_t(x) k_nt = α x + β
-        let alpha = (e + 1.0) * k.tt + line.tangential_slope() * k.nt;
-        let beta = line.tangential_at_touch() * k.nt;
-        // α x² + β x − c = 0,  c = 2 W_n det K / (1−e); since c > 0, x > 0 means P_n > 0
-        let c = energy * 2.0 * k.determinant() / (T::ONE - e);
+    fn new(alpha: T, beta: T, energy: T, e: T) -> Self {
+        // α x² + β x − c = 0,  c = 2 W_n/(1−e); since c > 0, x > 0 means P_n > 0
+        let c = energy * 2.0 / (T::ONE - e);
         let discriminant = beta * beta + alpha * c * 4.0;
         if discriminant < T::ZERO {
             return Self::none();
@@ -328,7 +360,7 @@ impl<T: Real> Approaches<T> {
         let root = discriminant.sqrt();
         let q = -(if beta < T::ZERO { beta - root } else { beta + root }) * 0.5;
         let mut approaches = Self::none();
-        for x in [q / alpha, -c / q] {
+        for x in [q / alpha, -(c / q)] {
             if x > T::ZERO && x.is_finite() {
                 approaches.push(x);
             }
@@ -338,10 +370,6 @@ impl<T: Real> Approaches<T> {
 
     fn none() -> Self {
         Self { values: [T::ZERO; 2], count: 0 }
-    }
-
-    fn one(x: T) -> Self {
-        Self { values: [x; 2], count: 1 }
     }
 
     fn push(&mut self, x: T) {
@@ -359,14 +387,14 @@ impl<T: Real> Approaches<T> {
 
 /// Judges the speeds that give the energy, in the order of their approach.
 struct Search<'a, T> {
-    problem: &'a Problem<T>,
-    first: Option<(T, Outcome<T>, Method)>,
+    problem: &'a Problem<'a, T>,
+    first: Option<(T, Law<T>, Outcome<T>, Method)>,
     roots: Roots<T>,
     refused: Option<ReconcileError>,
 }
 
 impl<'a, T: Real> Search<'a, T> {
-    fn new(problem: &'a Problem<T>) -> Self {
+    fn new(problem: &'a Problem<'a, T>) -> Self {
         Self { problem, first: None, roots: Roots::none(), refused: None }
     }
 
@@ -375,11 +403,13 @@ impl<'a, T: Real> Search<'a, T> {
             return;
         }
         let problem = self.problem;
-        match problem.contact.impact(problem.motions(speed), &problem.law) {
+        let motions = problem.motions(speed);
+        let law = problem.law(-problem.contact.approach(&motions).velocity.normal);
+        match problem.contact.impact(motions, &law) {
             Ok(outcome) => {
                 self.roots.push(speed);
                 if self.first.is_none() {
-                    self.first = Some((speed, outcome, method));
+                    self.first = Some((speed, law, outcome, method));
                 }
             }
             Err(reason) => {
@@ -396,12 +426,13 @@ impl<'a, T: Real> Search<'a, T> {
     fn finish(self) -> Result<Reconciliation<T>, ReconcileError> {
         let problem = self.problem;
         match self.first {
-            Some((speed, outcome, method)) => {
-                Ok(Reconciliation { speed, roots: self.roots, outcome, normal_work: problem.energy, method })
+            Some((speed, law, outcome, method)) => {
+                let normal_work = problem.sought(&law);
+                Ok(Reconciliation { speed, roots: self.roots, law, outcome, normal_work, method })
             }
             None => Err(self.refused.unwrap_or(ReconcileError::NotReached {
                 vehicle: problem.vehicle(),
-                energy: problem.energy.value(),
+                energy: problem.sought(&problem.law).value(),
             })),
         }
     }
@@ -409,14 +440,21 @@ impl<'a, T: Real> Search<'a, T> {
 
 /// The scan of approach speeds goes from this share of the one that a frictionless impact would need …
 const SCAN_START: f64 = 1.0 / 1024.0;
-/// … by this factor, 2^¼, …
-const SCAN_RATIO: f64 = 1.189_207_115_002_721;
-/// … to 1024 times that speed.
-const SCAN_SAMPLES: usize = 81;
+/// … by this factor, 2^¼, to 1024 times that speed, …
+const SCAN: Scan = Scan { ratio: 1.189_207_115_002_721, samples: 81 };
+/// … or by 2^¹⁄₃₂ where not every turn of W_n is among the borders.
+const FINE_SCAN: Scan = Scan { ratio: 1.021_897_148_654_116_7, samples: 641 };
 /// Both sides of a border between two regimes of a law are sampled at this relative distance from it: far above rounding.
 const BORDER_WIDTH: f64 = 1e-12;
+struct Scan {
+    ratio: f64,
+    samples: usize,
+}
 
-impl Problem<f64> {
+/// How many borders a law has at most.
+const BORDERS: usize = 6;
+
+impl Problem<'_, f64> {
     /// The speed that reconciles impact and crush: in closed form where there is one, else by the root-finder.
     ///
     /// # Errors
@@ -428,24 +466,44 @@ impl Problem<f64> {
     /// The answer by root-finding alone, which serves every law.
     ///
     /// W_n − E is scanned outwards from the speed at which the vehicles just touch (u_n = 0, where W_n = 0), with both sides of
-    /// every border at which the law's regime changes among the samples: between two of them W_n is smooth. A change of sign is a bracket for
-    /// Brent's method, and so is each side of a maximum between two samples that reaches E.
+    /// every border at which the law's regime changes among the samples, and every turn of W_n. A change of sign is a bracket for Brent's method.
+    ///
+    /// Under a curve of restitution, and under a fraction of μ_c with a moment impulse, not all borders are known: the scan is finer, and a
+    /// maximum between two samples that reaches E is looked for, but two speeds nearer to each other than 2 % of the approach speed may stay unseen.
     ///
     /// # Errors
     /// [`ReconcileError`].
     pub fn root_finder(&self) -> Result<Reconciliation, ReconcileError> {
         let k = self.contact.inverse_mass();
-        let e = self.law.restitution();
-        let frictionless = (2.0 * self.energy * k.nn / (1.0 - e * e)).sqrt();
-        // Where the vehicles just touch no work is done, whatever the quotient of two zeros.
-        let missing =
-            |x: f64| if x == 0.0 { -self.energy } else { self.work_at(self.line.velocity(x)) - self.energy };
+        // x² = 2 E k_nn, E absorbed: whatever the restitution, the speed is of this size
+        let share = self.dissipated_share()?;
+        let absorbed = match self.basis {
+            EnergyBasis::Absorbed => self.crush_energy,
+            EnergyBasis::Dissipated => self.crush_energy / share,
+        };
+        let frictionless = (2.0 * absorbed * k.nn).sqrt();
+        let missing = |x: f64| {
+            let law = self.law(x);
+            // Where the vehicles just touch no work is done, whatever the quotient of two zeros; and with e = 1 at no speed.
+            if x == 0.0 || law.restitution() == 1.0 {
+                return -self.crush_energy;
+            }
+            // As a crush energy on the basis: W_n, or W_n/(1−e²)
+            self.work_at(&law, self.line.at(x)) / self.basis.dissipated(1.0, law.restitution())
+                - self.crush_energy
+        };
 
         let mut search = Search::new(self);
-        let mut last = (0.0, -self.energy);
-        let mut borders = self.borders().into_iter().peekable();
+        let mut last = (0.0, -self.crush_energy);
+        let sides = self.borders();
+        // Under a curve of restitution the law is another one at each speed, and W_n has its kinks at the curve's points.
+        let points = self.restitution.map(RestitutionCurve::points);
+        let kinks = points.into_iter().flatten().map(|&(x, _)| x);
+        let borders = if points.is_some() { &[][..] } else { &sides };
+        let mut borders = kinks.chain(borders.iter().copied()).peekable();
         let mut next = frictionless * SCAN_START;
-        for _ in 0..SCAN_SAMPLES {
+        let scan = if self.has_all_turns() { SCAN } else { FINE_SCAN };
+        for _ in 0..scan.samples {
             // Whatever is not a number stands at either end of the order.
             while let Some(x) = borders.next_if(|&x| x < next || x.is_nan()) {
                 // Nearer to zero a border is the rounding of one at zero.
@@ -454,41 +512,83 @@ impl Problem<f64> {
                 }
             }
             self.between(&missing, &mut last, next, &mut search)?;
-            next *= SCAN_RATIO;
+            next *= scan.ratio;
         }
         search.finish()
     }
 
-    /// Both sides of the approach speeds at which the law's regime changes or W_n turns, in ascending order; not a number or infinite where
-    /// there is none. Between two of them W_n is monotonic.
-    fn borders(&self) -> [f64; 8] {
-        let sticking = self.law.with_common_tangential_velocity();
-        let k = self.contact.inverse_mass();
-        let [touch, one] = [0.0, 1.0].map(|x| sticking.impulse(k, self.line.velocity(x)));
-        // The impulse that would make the tangential velocities equal is affine in x, and so is each part c_n P_n + c_t P_t of it.
-        let part = |c_n: f64, c_t: f64| {
-            let at_touch = c_n * touch.normal + c_t * touch.tangential;
-            [at_touch, c_n * one.normal + c_t * one.tangential - at_touch]
+    /// Whether [`borders`](Self::borders) has every turn of W_n.
+    fn has_all_turns(&self) -> bool {
+        let fraction = matches!(self.law.tangential(), Tangential::FractionOfCritical(_));
+        self.restitution.is_none() && !(fraction && self.law.has_moment())
+    }
+
+    /// 1 − e², for a curve at its lowest restitution.
+    fn dissipated_share(&self) -> Result<f64, ReconcileError> {
+        let lowest = match self.restitution {
+            None => self.law.restitution(),
+            Some(curve) => curve.points().iter().map(|&(_, e)| e).fold(1.0, f64::min),
         };
-        let zero = |[p0, p1]: [f64; 2]| -p0 / p1;
-        let [p0, p1] = part(1.0, 0.0);
-        let [a, b, c, d] = match self.law.tangential() {
-            // Friction holds the surfaces together from P_t = −limit P_n to P_t = limit P_n, and there W_n ∝ x P_n.
-            Tangential::Friction(limit) => {
-                [zero(part(limit, 1.0)), zero(part(-limit, 1.0)), zero([p0, 2.0 * p1]), f64::NAN]
+        if lowest == 1.0 {
+            return Err(ReconcileError::NoRestitutionLoss { restitution: lowest });
+        }
+        Ok(1.0 - lowest * lowest)
+    }
+
+    /// Both sides of the approach speeds at which the law's regime changes, jams or W_n turns, in ascending order; not a number or infinite
+    /// where there is none. Those of one coefficient of restitution, without the turns of a fraction of μ_c with a moment impulse.
+    fn borders(&self) -> [f64; 2 * BORDERS] {
+        let k = self.contact.inverse_mass();
+        let (unlimited, frictionless) = (self.law.without_limit(), self.law.with_ratio(0.0));
+        let impulse = |law: &Law, x: f64| law.impulse(&k, self.line.at(x));
+        // The part c_n P_n + c_t P_t of an impulse without a limit, which is affine in x.
+        let part = |law: &Law, c_n: f64, c_t: f64| {
+            affine(|x| {
+                let p = impulse(law, x).linear;
+                c_n * p.normal + c_t * p.tangential
+            })
+        };
+        // W_n ∝ x P_n
+        let turn = |law: &Law| {
+            let [p0, p1] = part(law, 1.0, 0.0);
+            zero([p0, 2.0 * p1])
+        };
+        let borders: [f64; BORDERS] = match self.law.tangential() {
+            // Friction suffices from P_t = −limit P_n to P_t = limit P_n; beyond, it turns about where the sliding does.
+            Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
+                let sliding = affine(|x| {
+                    let free = impulse(&frictionless, x);
+                    k.separation(self.line.at(x), free.linear, free.moment).velocity.tangential
+                });
+                [
+                    zero(part(&unlimited, limit, 1.0)),
+                    zero(part(&unlimited, -limit, 1.0)),
+                    zero(sliding),
+                    turn(&unlimited),
+                    turn(&self.law.with_ratio(limit)),
+                    turn(&self.law.with_ratio(-limit)),
+                ]
             }
             // W_n ∝ x² P_n/Q with Q = k_nn P_n + f k_nt P_t: a push ends at P_n = 0, the contact jams at Q = 0, and W_n turns where
-            // 2 P_n Q + x (P_n' Q − P_n Q') = 0.
+            // 2 P_n Q + x (P_n' Q − P_n Q') = 0. A moment impulse jams where the same of what K leaves to a common yaw rate is zero.
             Tangential::FractionOfCritical(f) => {
-                let [q0, q1] = part(k.nn, f * k.nt);
+                let [p0, p1] = part(&unlimited, 1.0, 0.0);
+                let [q0, q1] = part(&unlimited, k.nn, f * k.nt);
+                let spun = part(&unlimited, k.mm * k.nn - k.nm * k.nm, f * (k.mm * k.nt - k.tm * k.nm));
                 let [low, high] = quadratic([2.0 * p0 * q0, 3.0 * p1 * q0 + p0 * q1, 2.0 * p1 * q1]);
-                [zero([p0, p1]), zero([q0, q1]), low, high]
+                [zero([p0, p1]), zero([q0, q1]), zero(spun), low, high, f64::NAN]
             }
-            Tangential::Critical | Tangential::Ratio(_) => [f64::NAN; 4],
+            Tangential::Critical
+            | Tangential::Ratio(_)
+            | Tangential::VelocityChange(_)
+            | Tangential::Restitution(_) => {
+                [turn(&self.law), f64::NAN, f64::NAN, f64::NAN, f64::NAN, f64::NAN]
+            }
         };
-        let (before, after) = (1.0 - BORDER_WIDTH, 1.0 + BORDER_WIDTH);
-        let mut sides =
-            [a * before, a * after, b * before, b * after, c * before, c * after, d * before, d * after];
+        let mut sides = [0.0; 2 * BORDERS];
+        for (pair, border) in sides.chunks_exact_mut(2).zip(borders) {
+            pair.copy_from_slice(&[border * (1.0 - BORDER_WIDTH), border * (1.0 + BORDER_WIDTH)]);
+        }
         sides.sort_by(f64::total_cmp);
         sides
     }
@@ -505,7 +605,9 @@ impl Problem<f64> {
         *last = high;
         if opposite(low.1, high.1) {
             self.bracketed(missing, [low.0, high.0], search)
-        } else if let Some(top) = hump(missing, [low, high]) {
+        } else if !self.has_all_turns()
+            && let Some(top) = hump(missing, [low, high])
+        {
             self.bracketed(missing, [low.0, top], search)?;
             self.bracketed(missing, [top, high.0], search)
         } else {
@@ -521,10 +623,14 @@ impl Problem<f64> {
     ) -> Result<(), ReconcileError> {
         let mut iterations = Iterations::none();
         let observe = |x: f64, residual: f64| {
-            iterations.push(Iteration { speed: self.line.speed(x), normal_work: residual + self.energy });
+            let law = self.law(x);
+            iterations.push(Iteration {
+                speed: self.line.speed(x),
+                normal_work: self.basis.dissipated(residual + self.crush_energy, law.restitution()),
+            });
         };
         match brent(missing, bracket, 0.0, observe) {
-            Ok(x) if missing(x).abs() <= self.energy * ENERGY_MATCH => {
+            Ok(x) if missing(x).abs() <= self.crush_energy * ENERGY_MATCH => {
                 search.consider(self.line.speed(x), Method::RootFinder(iterations));
                 Ok(())
             }
@@ -536,6 +642,17 @@ impl Problem<f64> {
             }
         }
     }
+}
+
+/// The function's value at 0 and its slope.
+fn affine(f: impl Fn(f64) -> f64) -> [f64; 2] {
+    let at_zero = f(0.0);
+    [at_zero, f(1.0) - at_zero]
+}
+
+/// Where c₀ + c₁ x = 0.
+fn zero([c0, c1]: [f64; 2]) -> f64 {
+    -c0 / c1
 }
 
 /// The real roots of c₀ + c₁ x + c₂ x², not numbers where there are none.
@@ -550,7 +667,7 @@ fn opposite(a: f64, b: f64) -> bool {
 }
 
 /// A point between two samples below zero at which `f` is not, by golden section; `None` where there is none, or where a parabola
-/// through both and their middle has no maximum. Between the borders W_n has one maximum at most, and while the vehicles push no minimum.
+/// through both and their middle has no maximum.
 fn hump(f: &impl Fn(f64) -> f64, [low, high]: [(f64, f64); 2]) -> Option<f64> {
     let middle = 0.5 * (low.0 + high.0);
     let f_middle = f(middle);

@@ -5,6 +5,8 @@ use case::Case;
 use serde::Serialize;
 
 use crate::Units;
+use crate::comparison::regime_name;
+use crate::law;
 use crate::warnings;
 
 #[derive(Serialize)]
@@ -46,6 +48,9 @@ struct IterationBlock {
 
 #[derive(Serialize)]
 struct ImpactBlock {
+    law: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    regime: Option<&'static str>,
     restitution: f64,
     impulse_ratio: f64,
     critical_impulse_ratio: Option<f64>,
@@ -61,6 +66,10 @@ struct ImpactBlock {
     energy_loss: f64,
     normal_work: f64,
     tangential_work: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    moment_impulse: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    moment_work: Option<f64>,
 }
 
 /// Of a vehicle, or of a fixed object. Keys that do not apply are left out.
@@ -87,7 +96,13 @@ struct VehicleBlock {
     #[serde(skip_serializing_if = "Option::is_none")]
     pdof: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    stiffness_source: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    crush_source: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     crush_energy: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    crush_energy_bounds: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     oblique_angle: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -112,6 +127,16 @@ struct Crash3Block {
     corrected_delta_v: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     restitution_factor: Option<f64>,
+    corrections: Vec<CorrectionBlock>,
+}
+
+/// CRASH3's answer under one correction for oblique forces.
+#[derive(Serialize)]
+struct CorrectionBlock {
+    oblique: &'static str,
+    factor: [f64; 2],
+    crush_energy: f64,
+    delta_v: [f64; 2],
 }
 
 /// The analysis as indented JSON, ending in a line break.
@@ -143,7 +168,7 @@ pub fn json(case: &Case, analysis: &Analysis) -> Result<String, serde_json::Erro
                 .map(|step| IterationBlock { speed: plain(step.speed), normal_work: plain(step.normal_work) })
                 .collect(),
         }),
-        impact: analysis.impact.as_ref().map(impact),
+        impact: analysis.impact.as_ref().map(|of| impact(case, of)),
         vehicle1,
         vehicle2,
         crash3: analysis.crash3.as_ref().map(|crash3| Crash3Block {
@@ -154,14 +179,27 @@ pub fn json(case: &Case, analysis: &Analysis) -> Result<String, serde_json::Erro
             delta_v: crash3.delta_v,
             corrected_delta_v: crash3.corrected.map(|corrected| corrected.delta_v),
             restitution_factor: crash3.restitution_factor,
+            corrections: crash3
+                .corrections
+                .iter()
+                .map(|row| CorrectionBlock {
+                    oblique: law::correction_name(row.correction),
+                    factor: row.factor,
+                    crush_energy: row.crush_energy,
+                    delta_v: row.delta_v,
+                })
+                .collect(),
         }),
     };
     Ok(serde_json::to_string_pretty(&document)? + "\n")
 }
 
-fn impact(impact: &Impact) -> ImpactBlock {
+fn impact(case: &Case, impact: &Impact) -> ImpactBlock {
     let outcome = &impact.outcome;
+    let has_moment = impact.law.has_moment();
     ImpactBlock {
+        law: case.impact.as_ref().map_or("brach", |given| given.law.name()),
+        regime: outcome.regime.map(regime_name),
         restitution: impact.law.restitution(),
         impulse_ratio: plain(outcome.impulse_ratio),
         critical_impulse_ratio: outcome.critical_impulse_ratio.map(plain),
@@ -177,6 +215,8 @@ fn impact(impact: &Impact) -> ImpactBlock {
         energy_loss: plain(outcome.energy.loss),
         normal_work: plain(outcome.energy.normal_work),
         tangential_work: plain(outcome.energy.tangential_work),
+        moment_impulse: has_moment.then(|| plain(outcome.moment_impulse)),
+        moment_work: has_moment.then(|| plain(outcome.energy.moment_work)),
     }
 }
 
@@ -197,7 +237,17 @@ fn vehicle(case: &Case, analysis: &Analysis, i: usize) -> VehicleBlock {
         delta_v: moves.map(|outcome| outcome.delta_v_magnitude()[i]),
         delta_v_vector: moves.map(|outcome| plain_pair(outcome.delta_v[i].into())),
         pdof: moves.map(|outcome| outcome.pdof()[i]).or(given_pdof).map(plain),
+        stiffness_source: analysis.vehicles[i]
+            .subject
+            .damage
+            .as_ref()
+            .map(|given| crate::stiffness_source(given.stiffness_source, given.side)),
+        crush_source: damage
+            .map(|damage| if damage.inferred.is_some() { "force balance" } else { "measured" }),
         crush_energy: damage.map(|damage| damage.crush_energy),
+        crush_energy_bounds: damage
+            .and_then(|damage| damage.inferred?.range)
+            .map(|range| [range.lowest.energy, range.highest.energy]),
         oblique_angle: damage.map(|damage| plain(damage.oblique_angle)),
         oblique_factor: oblique.map(|oblique| oblique.factor.factor),
         corrected_crush_energy: oblique.map(|oblique| oblique.corrected_crush_energy),

@@ -22,12 +22,15 @@
 //!
 //! It computes nothing, and it draws no vehicles.
 
+mod comparison;
 mod json;
+mod law;
 mod staged;
 mod text;
 mod units;
 mod warnings;
 
+pub use comparison::{comparison_json, comparison_text};
 pub use json::json;
 pub use staged::{
     PlotError, computed_against_measured, reconstructed_speed, validation_headline, validation_json,
@@ -38,6 +41,7 @@ pub use units::Units;
 pub use warnings::message;
 
 use analysis::Analysis;
+use case::{Fit, StiffnessSource};
 use crash3::{EnergyBasis, Side};
 use reconcile::Unknown;
 
@@ -61,6 +65,26 @@ fn side_name(side: Side) -> &'static str {
         Side::Right => "right",
         Side::Rear => "rear",
         Side::Left => "left",
+    }
+}
+
+/// Where a stiffness comes from, short enough for a column.
+fn stiffness_source(source: StiffnessSource, side: Side) -> String {
+    match source {
+        StiffnessSource::Coefficients => "A and B as given".to_owned(),
+        StiffnessSource::Roots => "d0 and d1 as given".to_owned(),
+        // SAE 870045, Table 1: the one entry of which a digit is in doubt.
+        StiffnessSource::Category(2) if side == Side::Rear => "category 2, rear; G unsure".to_owned(),
+        StiffnessSource::Category(category) => {
+            let side = match side {
+                Side::Left | Side::Right => "side",
+                Side::Front | Side::Rear => side_name(side),
+            };
+            format!("CRASH3 category {category}, {side}")
+        }
+        StiffnessSource::Test(Fit::Exact) => "barrier test, exact fit".to_owned(),
+        StiffnessSource::Test(Fit::Mean) => "barrier test, mean crush".to_owned(),
+        StiffnessSource::Zones => "zone by zone as given".to_owned(),
     }
 }
 

@@ -1,16 +1,17 @@
 //! A finished analysis as text for the terminal and the file.
 
 use analysis::{Analysis, Crash3, Damage, Found, Impact};
-use case::{Case, Velocity};
-use crash3::EnergyBasis;
-use pim_core::{Outcome, Tangential};
+use case::{Case, Pdof, Velocity, YawSource};
+use crash3::{EnergyBasis, Stiffness, Structure};
+use pim_core::{Outcome, Regime};
 
+use crate::law;
 use crate::units::{Quantity, Units, number};
 use crate::warnings;
 
 const LABEL: usize = 32;
 const COLUMN: usize = 27;
-const LINE: usize = 98;
+pub(crate) const LINE: usize = 98;
 
 /// The analysis as text of at most 98 columns.
 #[must_use]
@@ -33,6 +34,24 @@ pub fn text(case: &Case, analysis: &Analysis, units: Units) -> String {
     page.warnings(analysis);
     page.sources();
     page.text
+}
+
+/// A paragraph in lines of at most 98 columns.
+pub(crate) fn wrapped(text: &str) -> String {
+    let mut lines = String::new();
+    let mut column = 0;
+    for word in text.split_whitespace() {
+        let width = word.chars().count();
+        if column > 0 {
+            let (separator, start) = if column + 1 + width > LINE { ('\n', 0) } else { (' ', column + 1) };
+            lines.push(separator);
+            column = start;
+        }
+        lines.push_str(word);
+        column += width;
+    }
+    lines.push('\n');
+    lines
 }
 
 struct Page {
@@ -71,18 +90,7 @@ impl Page {
     }
 
     fn paragraph(&mut self, text: &str) {
-        let mut line = String::new();
-        for word in text.split_whitespace() {
-            if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > LINE {
-                self.line(&line);
-                line.clear();
-            }
-            if !line.is_empty() {
-                line.push(' ');
-            }
-            line.push_str(word);
-        }
-        self.line(&line);
+        self.text.push_str(&wrapped(text));
     }
 
     fn title(&mut self, case: &Case) {
@@ -133,6 +141,15 @@ impl Page {
             known(&|i| inertia(i).map(|v| units.format(Quantity::YawInertia, v.yaw_inertia))),
             "",
         );
+        self.pair(
+            "yaw inertia from",
+            known(&|i| match inertia(i).map(|v| v.yaw_source) {
+                Some(YawSource::Class(class)) => Some(format!("CRASH3's class {class}")),
+                Some(YawSource::Burg) => Some("Burg's estimate".to_owned()),
+                Some(YawSource::Given) | None => None,
+            }),
+            "",
+        );
         let angle = |q: &case::Quantity| units.format(Quantity::Angle, q.si());
         self.pair("heading θ", known(&|i| vehicles[i].heading.as_ref().map(angle)), "");
         self.pair(
@@ -177,7 +194,6 @@ impl Page {
             }),
             "",
         );
-        let stiffness = |i: usize| damage(i).map(|(_, damage)| damage.stiffness);
         let crush = |i: usize| vehicles[i].crush.as_ref();
         let crush_length = |q: case::Quantity| units.format(Quantity::Crush, q.si());
         self.pair(
@@ -185,7 +201,16 @@ impl Page {
             known(&|i| crush(i).and_then(|crush| crush.offset).map(crush_length)),
             "",
         );
-        self.pair("PDOF as given", known(&|i| crush(i).and_then(|crush| crush.pdof).map(|q| angle(&q))), "");
+        self.pair(
+            "PDOF as given",
+            known(&|i| {
+                crush(i).and_then(|crush| crush.pdof).map(|pdof| match pdof {
+                    Pdof::Angle(given) => angle(&given),
+                    Pdof::Clock(hour) => format!("{hour} o'clock"),
+                })
+            }),
+            "",
+        );
         self.pair(
             "angle α as given",
             known(&|i| crush(i).and_then(|crush| crush.oblique_angle).map(|q| angle(&q))),
@@ -198,55 +223,67 @@ impl Page {
             }),
             "",
         );
+        let dimensions = |i: usize| analysis.vehicles[i].subject.dimensions;
+        let length = |si: f64| units.format(Quantity::Length, si);
         self.pair(
             "outline, length by width",
-            known(&|i| {
-                vehicles[i].outline.map(|outline| {
-                    let [length, width] =
-                        [outline.length, outline.width].map(|q| units.format(Quantity::Length, q.si()));
-                    format!("{length} by {width}")
-                })
-            }),
+            known(&|i| dimensions(i).map(|d| format!("{} by {}", length(d.length), length(d.width)))),
             "",
         );
-        self.pair(
-            "CG to the front",
-            known(&|i| {
-                vehicles[i].outline.map(|outline| units.format(Quantity::Length, outline.cg_to_front.si()))
-            }),
-            "",
-        );
-        self.pair(
-            "stiffness A",
-            known(&|i| stiffness(i).map(|s| units.format(Quantity::StiffnessA, s.a()))),
-            "",
-        );
-        self.pair(
-            "stiffness B",
-            known(&|i| stiffness(i).map(|s| units.format(Quantity::StiffnessB, s.b()))),
-            "",
-        );
-        self.pair(
-            "stiffness G",
-            known(&|i| stiffness(i).map(|s| units.format(Quantity::StiffnessG, s.g()))),
-            "",
-        );
+        self.pair("CG to the front", known(&|i| dimensions(i).map(|d| length(d.cg_to_front))), "");
+        self.stiffness(analysis);
         for (i, vehicle) in analysis.vehicles.iter().enumerate() {
-            if let Some(damage) = &vehicle.damage {
+            if let Some(damage) = &vehicle.damage
+                && damage.inferred.is_none()
+            {
                 let depths = units.format_all(Quantity::Crush, &damage.depths);
                 self.wide(&format!("crush depths, vehicle {}", i + 1), &depths, "");
             }
         }
         if let Some(impact) = &case.impact {
             self.wide("crush plane Γ", &angle(&impact.crush_plane), "");
-            self.wide("restitution e", &impact.restitution.to_string(), "");
-            let tangential = match impact.tangential {
-                Tangential::Critical => "critical: common tangential velocity".to_owned(),
-                Tangential::Ratio(mu) => format!("impulse ratio {mu}"),
-                Tangential::FractionOfCritical(f) => format!("{f} of the critical impulse ratio"),
-                Tangential::Friction(limit) => format!("friction limit {limit}"),
-            };
-            self.wide("tangential condition", &tangential, "");
+            self.wide("impact law", law::name(&impact.law), "");
+            self.wide("coefficients", &law::coefficients(&impact.law, units), "");
+        }
+    }
+
+    /// Coefficients in one row where they are the same all along the side, else in one row for each vehicle and coefficient.
+    fn stiffness(&mut self, analysis: &Analysis) {
+        let units = self.units;
+        let damage = [0, 1].map(|i| analysis.vehicles[i].damage.as_ref());
+        let source = [0, 1].map(|i| {
+            analysis.vehicles[i]
+                .subject
+                .damage
+                .as_ref()
+                .map(|d| crate::stiffness_source(d.stiffness_source, d.side))
+        });
+        self.pair("stiffness from", source, "");
+        type Coefficient = (&'static str, Quantity, fn(&Stiffness) -> Option<f64>);
+        let coefficients: [Coefficient; 4] = [
+            ("stiffness A", Quantity::StiffnessA, |s| Some(s.a())),
+            ("stiffness B", Quantity::StiffnessB, |s| Some(s.b())),
+            ("stiffness G", Quantity::StiffnessG, |s| Some(s.g())),
+            ("limit of the force per width", Quantity::StiffnessA, Stiffness::limit),
+        ];
+        for (label, quantity, of) in coefficients {
+            let uniform = damage.map(|damage| match damage.map(|damage| &damage.structure) {
+                Some(Structure::Uniform(stiffness)) => of(stiffness).map(|si| units.format(quantity, si)),
+                Some(Structure::Zones(_)) | None => None,
+            });
+            self.pair(label, uniform, "");
+        }
+        for (i, damage) in damage.into_iter().enumerate() {
+            let Some(Structure::Zones(zones)) = damage.map(|damage| &damage.structure) else { continue };
+            for (label, quantity, of) in coefficients {
+                if zones.iter().any(|zone| of(zone).is_some()) {
+                    let values: Vec<String> = zones
+                        .iter()
+                        .map(|zone| of(zone).map_or_else(|| "–".to_owned(), |si| units.format(quantity, si)))
+                        .collect();
+                    self.paragraph(&format!("{label} by zone, vehicle {}: {}", i + 1, values.join(", ")));
+                }
+            }
         }
     }
 
@@ -261,6 +298,19 @@ impl Page {
         let impulse = |si: f64| units.format(Quantity::Impulse, si);
         let p = outcome.impulse;
         self.row("impulse on vehicle 1, P", &impulse(p.normal), &impulse(p.tangential), "theory 3");
+        if impact.law.has_moment() {
+            let moment = units.format(Quantity::MomentImpulse, outcome.moment_impulse);
+            self.wide("moment impulse on vehicle 1, M", &moment, "theory 3");
+        }
+        let e = (impact.law.restitution() * 1e4).round() / 1e4;
+        self.wide("restitution e", &e.to_string(), "");
+        if let Some(regime) = outcome.regime {
+            let regime = match regime {
+                Regime::Full => "sufficient for the tangential condition",
+                Regime::Sliding => "insufficient: the surfaces slide to the end",
+            };
+            self.wide("friction", regime, "theory 3");
+        }
         self.wide("impulse ratio μ = P_t/P_n", &number(outcome.impulse_ratio, 4), "theory 3");
         let critical = outcome
             .critical_impulse_ratio
@@ -302,13 +352,17 @@ impl Page {
     fn energy(&mut self, outcome: &Outcome) {
         let energy = outcome.energy;
         self.heading("Energy", ["", "share of initial", "source"]);
-        for (label, value, source) in [
+        let mut rows = vec![
             ("initial kinetic energy", energy.before, "theory 4"),
             ("final kinetic energy", energy.after, "theory 4"),
             ("energy loss E_L", energy.loss, "theory 4"),
             ("  normal work W_n (crush)", energy.normal_work, "Eq 4"),
             ("  tangential work W_t", energy.tangential_work, "Eq 4"),
-        ] {
+        ];
+        if outcome.moment_impulse != 0.0 {
+            rows.push(("  moment work W_m", energy.moment_work, "theory 4"));
+        }
+        for (label, value, source) in rows {
             let share = format!("{} %", number(100.0 * value / energy.before, 1));
             self.row(label, &self.units.format(Quantity::Energy, value), &share, source);
         }
@@ -323,7 +377,21 @@ impl Page {
         self.heading("Damage", ["vehicle 1", "vehicle 2", "source"]);
         let each = |f: &dyn Fn(&Damage) -> Option<String>| damage.map(|damage| damage.and_then(f));
         let energy = |si: f64| units.format(Quantity::Energy, si);
+        if damage.iter().flatten().any(|damage| damage.inferred.is_some()) {
+            let evidence =
+                |d: &Damage| if d.inferred.is_some() { "inferred from the force" } else { "measured" };
+            self.pair("the crush was", each(&|d| Some(evidence(d).to_owned())), "theory 5");
+            let bounds = |d: &Damage| {
+                let range = d.inferred?.range?;
+                Some(format!("{} to {}", energy(range.lowest.energy), energy(range.highest.energy)))
+            };
+            self.pair("crush energy, bounds", each(&bounds), "theory 5");
+        }
         self.pair("crush energy E", each(&|d| Some(energy(d.crush_energy))), "Eq 5");
+        if analysis.impact.is_none() {
+            let pdof = |d: &Damage| d.pdof.map(|pdof| units.format(Quantity::Angle, pdof));
+            self.pair("PDOF, clockwise from heading", each(&pdof), "theory 5");
+        }
         self.pair("energy equivalent speed", each(&|d| Some(both_speeds(units, d.ees))), "theory 5");
         self.pair(
             "angle to the normal α",
@@ -380,6 +448,15 @@ impl Page {
                     "theory 5",
                 );
             }
+        }
+        self.heading(
+            "CRASH3 by oblique correction",
+            ["ΔV 1, without restitution", "ΔV 2, without restitution", "source"],
+        );
+        for row in &crash3.corrections {
+            let factor = law::correction(row.correction);
+            let label = format!("{:<9}{factor}", law::correction_name(row.correction));
+            self.pair(&label, pair(row.delta_v.map(speed)), "theory 5");
         }
     }
 

@@ -53,6 +53,8 @@ pub enum Quantity {
     Energy,
     /// N·s
     Impulse,
+    /// N·m·s
+    MomentImpulse,
     /// N
     Force,
     /// N/m
@@ -91,6 +93,8 @@ impl Units {
             (Quantity::Energy, Self::Us) => unit("ft·lb", FOOT * POUND_FORCE, 0),
             (Quantity::Impulse, Self::Si) => unit("N·s", 1.0, 0),
             (Quantity::Impulse, Self::Us) => unit("lb·s", POUND_FORCE, 0),
+            (Quantity::MomentImpulse, Self::Si) => unit("N·m·s", 1.0, 0),
+            (Quantity::MomentImpulse, Self::Us) => unit("ft·lb·s", FOOT * POUND_FORCE, 0),
             (Quantity::Force, Self::Si) => unit("kN", 1000.0, 1),
             (Quantity::Force, Self::Us) => unit("lb", POUND_FORCE, 0),
             (Quantity::StiffnessA, Self::Si) => unit("N/cm", 100.0, 1),
@@ -108,6 +112,23 @@ impl Units {
         let Display { name, size, decimals } = self.display(quantity);
         let space = if name == "°" { "" } else { " " };
         format!("{}{space}{name}", number(si / size, decimals))
+    }
+
+    /// The unit's name.
+    pub(crate) fn name(self, quantity: Quantity) -> &'static str {
+        self.display(quantity).name
+    }
+
+    /// An SI value without its unit, for the columns of a table.
+    pub(crate) fn plain(self, quantity: Quantity, si: f64) -> String {
+        let Display { size, decimals, .. } = self.display(quantity);
+        number(si / size, decimals)
+    }
+
+    /// A difference, with its sign and without its unit.
+    pub(crate) fn signed(self, quantity: Quantity, si: f64) -> String {
+        let plain = self.plain(quantity, si);
+        if plain.starts_with('-') { plain } else { format!("+{plain}") }
     }
 
     /// SI values with one unit behind them all, like `21.3 20.3 13.8 in`.

@@ -9,6 +9,7 @@ use crate::units::{Quantity, Units, number};
 pub fn message(warning: &Warning, units: Units) -> String {
     let speed = |si: f64| units.format(Quantity::Speed, si);
     let angle = |si: f64| units.format(Quantity::Angle, si);
+    let spread = format!("±{} %", number(100.0 * crash3::BURG_SPREAD, 0));
     match warning {
         Warning::PlaneDoesNotSeparate => {
             "the crush plane through the contact point does not lie between the two \
@@ -67,6 +68,60 @@ pub fn message(warning: &Warning, units: Units) -> String {
              crush energy",
             speed(*found)
         ),
+        Warning::ClassValues { vehicle, class, yaw_inertia, outline } => {
+            let mut assumed = Vec::new();
+            if let Some(inertia) = yaw_inertia {
+                assumed.push(format!(
+                    "a yaw inertia of {} (its radius of gyration may be {spread} off)",
+                    units.format(Quantity::YawInertia, *inertia)
+                ));
+            }
+            if let Some(outline) = outline {
+                let [length, width, front] = outline.map(|si| units.format(Quantity::Length, si));
+                assumed.push(format!(
+                    "a body of {length} by {width} with the centre of gravity {front} behind its front"
+                ));
+            }
+            format!(
+                "vehicle {vehicle} was given typical values of CRASH3's size class {class} (SAE 870045, from a poor scan): {}",
+                assumed.join("; ")
+            )
+        }
+        Warning::BurgInertia { vehicle, yaw_inertia } => format!(
+            "the yaw inertia of vehicle {vehicle} was estimated from mass, wheelbase and length (Burg: 0.1269 m · wheelbase · length) as {}; \
+             its radius of gyration may be {spread} off",
+            units.format(Quantity::YawInertia, *yaw_inertia)
+        ),
+        Warning::InferredEnergy { vehicle, force, crush: [width, depth], energy, bounds } => {
+            let crush = if *depth > 0.0 {
+                format!("a uniform crush of {}", units.format(Quantity::Crush, *depth))
+            } else {
+                "no residual crush, only elastic energy".to_owned()
+            };
+            let bounds = bounds.map_or_else(String::new, |bounds| {
+                let [least, most] = bounds.map(|si| units.format(Quantity::Energy, si));
+                format!("; the width is not known, and what is possible lies between {least} and {most}")
+            });
+            format!(
+                "the crush of vehicle {vehicle} was not measured but inferred from the force of {} on the other vehicle: {crush} over {}, {}{bounds}",
+                units.format(Quantity::Force, *force),
+                units.format(Quantity::Crush, *width),
+                units.format(Quantity::Energy, *energy)
+            )
+        }
+        Warning::DamageCentroid { vehicle, point: [forward, left], offset_given } => {
+            let assumed = if *offset_given {
+                ""
+            } else {
+                "; no offset is given, so the middle of the damage was taken to lie on the vehicle's axis or beside its centre of gravity"
+            };
+            format!(
+                "the force on vehicle {vehicle} was taken to act through the centroid of its damage, {} forward and {} left of the \
+                 centre of gravity{assumed}",
+                units.format(Quantity::Length, *forward),
+                units.format(Quantity::Length, *left)
+            )
+        }
         Warning::GivenSpeedUnused { vehicle, given, found } => format!(
             "the file gives vehicle {vehicle} a speed of {}, which was not used: the speed found is {}",
             speed(*given),

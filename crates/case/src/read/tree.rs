@@ -42,6 +42,20 @@ impl<'t> Table<'t> {
         self.get(key).is_some_and(|value| value.get_ref().is_str())
     }
 
+    pub(super) fn is_table_or_list(&self, key: &str) -> bool {
+        self.get(key).is_some_and(|value| value.get_ref().is_table() || value.get_ref().is_array())
+    }
+
+    /// Whether a misspelt key stands for this one.
+    pub(super) fn means(&self, key: &str) -> bool {
+        self.meant.contains(&key)
+    }
+
+    /// Where the key itself stands, not its value; nowhere if it is absent.
+    pub(super) fn key_span(&self, key: &str) -> Range<usize> {
+        self.entries.keys().find(|name| name.get_ref() == key).map(Spanned::span).unwrap_or_default()
+    }
+
     /// Those of the keys that are there.
     pub(super) fn given(&self, keys: &[&'static str]) -> Vec<&'static str> {
         keys.iter().copied().filter(|key| self.has(key)).collect()
@@ -115,6 +129,39 @@ impl<'t> Reader<'t> {
         None
     }
 
+    /// A list of tables; `forms` is what the value may look like.
+    pub(super) fn tables(
+        &mut self,
+        parent: &Table<'t>,
+        key: &'static str,
+        schema: &'static Schema,
+        forms: &'static str,
+    ) -> Option<Vec<Table<'t>>> {
+        let value = parent.get(key)?;
+        let path = parent.path_of(key);
+        let wrong = |path: String, found: &DeValue<'_>, wanted: &'static str| Problem::WrongType {
+            path,
+            found: kind(found),
+            wanted,
+            example: forms,
+        };
+        let Some(array) = value.get_ref().as_array() else {
+            self.report(value.span(), wrong(path, value.get_ref(), "a list of tables in braces"));
+            return None;
+        };
+        let mut tables = Vec::new();
+        for (index, element) in array.iter().enumerate() {
+            let path = format!("{path}[{}]", index + 1);
+            if let Some(entries) = element.get_ref().as_table() {
+                self.spans.insert(path.clone(), element.span());
+                tables.push(self.open(path, entries, schema));
+            } else {
+                self.report(element.span(), wrong(path, element.get_ref(), "a table in braces"));
+            }
+        }
+        (tables.len() == array.len()).then_some(tables)
+    }
+
     fn open(&mut self, path: String, entries: &'t DeTable<'t>, schema: &'static Schema) -> Table<'t> {
         let mut table = Table { path, schema, entries, meant: Vec::new() };
         for (key, value) in entries {
@@ -156,7 +203,7 @@ impl<'t> Reader<'t> {
     }
 
     pub(super) fn missing(&mut self, table: &Table<'t>, key: &'static str) {
-        if table.meant.contains(&key) {
+        if table.means(key) {
             return;
         }
         let problem = if table.path.is_empty() {
@@ -206,7 +253,12 @@ impl<'t> Reader<'t> {
         let from_tree = self.problems.into_iter().filter(|diagnostic| {
             let is_missing = matches!(
                 diagnostic.problem(),
-                Problem::MissingTable { .. } | Problem::MissingKey { .. } | Problem::NoForm { .. }
+                Problem::MissingTable { .. }
+                    | Problem::MissingKey { .. }
+                    | Problem::MissingKeyOfLaw { .. }
+                    // The line that names another law may be the one that could not be read.
+                    | Problem::KeyOfOtherLaw { is_default: true, .. }
+                    | Problem::NoForm { .. }
             );
             (is_whole || !is_missing) && !broken_lines.contains(&line(&diagnostic.span()))
         });

@@ -146,6 +146,20 @@ impl<'t> Reader<'t> {
         Some(numbers.into_iter().enumerate().map(one).collect())
     }
 
+    /// Where one of several quantities stands, in either form that [`quantities`](Self::quantities) reads.
+    pub(super) fn span_of_element(&self, table: &Table<'t>, key: &str, index: usize) -> Range<usize> {
+        let Some(value) = table.get(key) else { return Range::default() };
+        let element = match value.get_ref() {
+            DeValue::Array(array) => array.get(index).map(Spanned::span),
+            DeValue::String(text) => self.start_of_text(value, text).and_then(|start| {
+                let (numbers, _) = leading_numbers(text);
+                numbers.get(index).map(|(_, at)| start + at.start..start + at.end)
+            }),
+            _ => None,
+        };
+        element.unwrap_or(value.span())
+    }
+
     /// Where a string begins, if it stands in the file as it reads, without escapes.
     fn start_of_text(&self, value: &Spanned<DeValue<'_>>, text: &str) -> Option<usize> {
         let start = value.span().start + 1;
@@ -203,33 +217,78 @@ impl<'t> Reader<'t> {
         let value = table.get(key)?;
         let path = table.path_of(key);
         let example = table.schema.example(key);
-        let written = match value.get_ref() {
-            DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse::<f64>().ok(),
-            DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
-            _ => None,
-        };
-        let problem = match (written, value.get_ref()) {
+        let problem = match (plain_number(value.get_ref()), value.get_ref()) {
             (Some(number), _) if accepts(number) => return Some(number),
-            (Some(value), _) => Problem::OutOfRange { path, value, range, example },
+            (Some(value), _) => Problem::OutOfRange { path: named(&path), value, range, example },
             (None, DeValue::String(text)) => {
                 let example = match text.trim().parse::<f64>() {
                     Ok(_) => format!("{key} = {}", text.trim()),
                     Err(_) => example.to_owned(),
                 };
-                Problem::QuotedNumber { path, text: shorten(text), example }
+                Problem::QuotedNumber { path: named(&path), text: shorten(text), example }
             }
-            (None, DeValue::Integer(_)) => Problem::WrongType {
-                path,
-                found: "not written in decimal digits",
-                wanted: "a decimal number",
-                example,
-            },
+            (None, DeValue::Integer(_)) => {
+                Problem::WrongType { path, found: NOT_DECIMAL, wanted: "a decimal number", example }
+            }
             (None, other) => {
                 Problem::WrongType { path, found: kind(other), wanted: "a plain number", example }
             }
         };
         self.report(value.span(), problem);
         None
+    }
+
+    /// A list of plain numbers, each of which `accepts`.
+    pub(super) fn numbers(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        range: &'static str,
+        accepts: impl Fn(f64) -> bool,
+    ) -> Option<Vec<f64>> {
+        const WANTED: &str = "a list of plain numbers";
+        let value = table.get(key)?;
+        let path = table.path_of(key);
+        let example = table.schema.example(key);
+        let Some(array) = value.get_ref().as_array() else {
+            let found = kind(value.get_ref());
+            self.report(value.span(), Problem::WrongType { path, found, wanted: WANTED, example });
+            return None;
+        };
+        self.not_too_many(table, key, value, array.len())?;
+        let element = |(index, element): (usize, &'t Spanned<DeValue<'t>>)| {
+            let place = || format!("value {} of {}", index + 1, named(&path));
+            let problem = match (plain_number(element.get_ref()), element.get_ref()) {
+                (Some(number), _) if accepts(number) => return Some(number),
+                (Some(value), _) => Problem::OutOfRange { path: place(), value, range, example },
+                (None, DeValue::String(text)) => {
+                    let is_number = text.trim().parse::<f64>().is_ok();
+                    let example = if is_number { text.trim() } else { example }.to_owned();
+                    Problem::QuotedNumber { path: place(), text: shorten(text), example }
+                }
+                (None, other) => {
+                    let found = if other.is_integer() { NOT_DECIMAL } else { kind(other) };
+                    Problem::WrongType { path: path.clone(), found, wanted: WANTED, example }
+                }
+            };
+            self.report(element.span(), problem);
+            None
+        };
+        // Every element is looked at before the first fault ends it.
+        let read: Vec<Option<f64>> = array.iter().enumerate().map(element).collect();
+        read.into_iter().collect()
+    }
+
+    /// A whole number from 1 to `last`; `range` says so in words.
+    pub(super) fn counted(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        range: &'static str,
+        last: u8,
+    ) -> Option<u8> {
+        let of = |number: f64| (1..=last).find(|&whole| f64::from(whole) == number);
+        self.number(table, key, range, |number| of(number).is_some()).and_then(of)
     }
 
     /// A text that is not empty.
@@ -306,6 +365,18 @@ impl<'t> Reader<'t> {
         };
         self.report(value.span(), problem);
         None
+    }
+}
+
+/// What a number is that is written with 0x, 0o or 0b.
+const NOT_DECIMAL: &str = "not written in decimal digits";
+
+/// A number in decimal digits without a unit.
+fn plain_number(value: &DeValue<'_>) -> Option<f64> {
+    match value {
+        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
+        DeValue::Float(float) => float.as_str().parse().ok(),
+        _ => None,
     }
 }
 

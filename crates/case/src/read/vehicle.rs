@@ -5,13 +5,16 @@ use std::f64::consts::FRAC_PI_2;
 use super::differ;
 use super::tree::{Reader, Table};
 use super::values::{Sign, named};
-use crate::case::{ContactPoint, Crush, Mass, Outline, StiffnessForm, Vehicle, Velocity, YawInertia};
+use crate::case::{
+    BarrierTest, ContactPoint, Crush, Fit, Mass, Outline, Pdof, StiffnessForm, StiffnessLine, Vehicle,
+    Velocity, YawInertia,
+};
 use crate::problem::Problem;
-use crate::quantity::{Quantity, format_number};
-use crate::schema::{CONTACT, CRUSH, STIFFNESS, VEHICLE, VELOCITY};
+use crate::quantity::{Quantity, format_number, shorten};
+use crate::schema::{CONTACT, CRUSH, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY, ZONE};
 use crate::units::Dimension;
-use crash3::ObliqueCorrection;
-use crash3::Side;
+use crash3::{CrushError, ObliqueCorrection, Side};
+use toml::de::DeValue;
 
 /// (–) by how much the width and the sum of the spacing may differ: both are read from a tape.
 const WIDTH_TOLERANCE: f64 = 1e-3;
@@ -25,24 +28,41 @@ impl<'t> Reader<'t> {
         let table = self.child(top, key, &VEHICLE)?;
         let fixed = self.flag(&table, "fixed");
         if fixed {
-            let never =
-                ["mass", "weight", "yaw_inertia", "yaw_radius", "speed", "velocity", "yaw_rate", "crush"];
+            let never = [
+                "mass",
+                "weight",
+                "yaw_inertia",
+                "yaw_radius",
+                "class",
+                "wheelbase",
+                "speed",
+                "velocity",
+                "yaw_rate",
+                "crush",
+            ];
             for key in table.given(&never) {
                 self.report_path(&table.path_of(key), Problem::FixedHas { table: table.label(), key });
             }
         }
-        Some(Vehicle {
+        let mut vehicle = Vehicle {
             name: self.text(&table, "name"),
             fixed,
             mass: self.mass(&table),
             yaw: self.yaw(&table),
+            class: self.counted(&table, "class", "a whole number from 1 to 6", 6),
+            wheelbase: self.quantity(&table, "wheelbase", Dimension::Length, Sign::Positive),
+            length: None,
             heading: self.quantity(&table, "heading", Dimension::Angle, Sign::Any),
             contact: self.contact(&table),
             motion: self.motion(&table),
             yaw_rate: self.quantity(&table, "yaw_rate", Dimension::YawRate, Sign::Any),
             outline: self.outline(&table),
             crush: self.child(&table, "crush", &CRUSH).and_then(|crush| self.crush(&crush)),
-        })
+        };
+        if vehicle.outline.is_none() && length_alone(&table) {
+            vehicle.length = self.quantity(&table, "length", Dimension::Length, Sign::Positive);
+        }
+        Some(vehicle)
     }
 
     fn mass(&mut self, table: &Table<'t>) -> Option<Mass> {
@@ -90,6 +110,9 @@ impl<'t> Reader<'t> {
     }
 
     fn outline(&mut self, table: &Table<'t>) -> Option<Outline> {
+        if length_alone(table) {
+            return None;
+        }
         let keys = ["length", "width", "cg_to_front"];
         let given = table.given(&keys);
         let missing: Vec<_> = keys.into_iter().filter(|key| !given.contains(key)).collect();
@@ -104,9 +127,17 @@ impl<'t> Reader<'t> {
     }
 
     fn crush(&mut self, table: &Table<'t>) -> Option<Crush> {
-        self.require(table, &["side", "depths", "stiffness"]);
-        if !table.has("spacing") {
-            self.require(table, &["width"]);
+        let from_force_balance = self.flag(table, "from_force_balance");
+        if from_force_balance {
+            self.require(table, &["side", "stiffness"]);
+            for key in table.given(&["depths", "spacing"]) {
+                self.report_path(&table.path_of(key), Problem::InferredHas { table: table.label(), key });
+            }
+        } else {
+            self.require(table, &["side", "depths", "stiffness"]);
+            if !table.has("spacing") {
+                self.require(table, &["width"]);
+            }
         }
         let sides =
             [("front", Side::Front), ("rear", Side::Rear), ("left", Side::Left), ("right", Side::Right)];
@@ -116,8 +147,21 @@ impl<'t> Reader<'t> {
         let spacing = self.quantities(table, "spacing", Dimension::Length, Sign::Positive);
         self.profile(table, width, depths.as_deref(), spacing.as_deref());
         let stiffness = self.stiffness(table);
+        if let Some(StiffnessForm::Zones(zones)) = &stiffness {
+            let path = format!("{}.zones", table.path_of("stiffness"));
+            let problem = match depths.as_ref().map(Vec::len) {
+                _ if from_force_balance => Some(Problem::InferredHas { table: table.label(), key: "zones" }),
+                Some(stations) if stations >= 2 && zones.len() != stations - 1 => {
+                    Some(Problem::ZoneCount { path: path.clone(), zones: zones.len(), stations })
+                }
+                _ => None,
+            };
+            if let Some(problem) = problem {
+                self.report_path(&path, problem);
+            }
+        }
         let offset = self.quantity(table, "offset", Dimension::Length, Sign::Any);
-        let pdof = self.quantity(table, "pdof", Dimension::Angle, Sign::Any);
+        let pdof = self.pdof(table);
         let oblique_angle = self.quantity(table, "oblique_angle", Dimension::Angle, Sign::Any);
         if let Some(value) = oblique_angle
             && value.si().abs() >= FRAC_PI_2
@@ -127,16 +171,13 @@ impl<'t> Reader<'t> {
             self.report_path(&path.clone(), Problem::NotAcute { path, value, limit });
         }
         let moment_arm = self.quantity(table, "moment_arm", Dimension::Length, Sign::NotNegative);
-        let corrections = [
-            ("capped", ObliqueCorrection::Capped),
-            ("uncapped", ObliqueCorrection::Uncapped),
-            ("none", ObliqueCorrection::None),
-        ];
-        let oblique = self.choice(table, "oblique", &corrections);
+        let oblique = self.oblique(table);
+        let depths = if from_force_balance { Vec::new() } else { depths? };
         Some(Crush {
             side: side?,
+            from_force_balance,
             width,
-            depths: depths?,
+            depths,
             spacing,
             stiffness: stiffness?,
             offset,
@@ -187,17 +228,87 @@ impl<'t> Reader<'t> {
         }
     }
 
+    /// An angle, or the hour of a clock.
+    fn pdof(&mut self, crush: &Table<'t>) -> Option<Pdof> {
+        let value = crush.get("pdof")?;
+        let hour = match value.get_ref() {
+            DeValue::String(text) => {
+                text.trim_end().strip_suffix("o'clock").or_else(|| text.trim_end().strip_suffix("o’clock"))
+            }
+            _ => None,
+        };
+        let Some(hour) = hour else {
+            return self.quantity(crush, "pdof", Dimension::Angle, Sign::Any).map(Pdof::Angle);
+        };
+        match hour.trim().parse::<u8>() {
+            Ok(hour @ 1..=12) => Some(Pdof::Clock(hour)),
+            _ => {
+                let text = shorten(&format!("{hour}o'clock"));
+                self.report(value.span(), Problem::NotAnHour { path: crush.path_of("pdof"), text });
+                None
+            }
+        }
+    }
+
+    fn oblique(&mut self, crush: &Table<'t>) -> Option<ObliqueCorrection> {
+        const FORMS: &str = "oblique = \"capped\", \"uncapped\", \"none\", \"secant\" or { friction = 0.5 }";
+        if crush.get("oblique").is_some_and(|value| value.get_ref().is_table()) {
+            let table = self.inline(crush, "oblique", &OBLIQUE, "a word or a table in braces", FORMS)?;
+            return match table.given(&["friction"])[..] {
+                ["friction"] => self
+                    .number(&table, "friction", "a finite number, zero or more", |f| {
+                        f >= 0.0 && f.is_finite()
+                    })
+                    .map(ObliqueCorrection::Friction),
+                _ => self.no_form(&table, FORMS),
+            };
+        }
+        let corrections = [
+            ("capped", ObliqueCorrection::Capped),
+            ("uncapped", ObliqueCorrection::Uncapped),
+            ("none", ObliqueCorrection::None),
+            ("secant", ObliqueCorrection::Secant),
+        ];
+        self.choice_among(crush, "oblique", &corrections, FORMS)
+    }
+
     fn stiffness(&mut self, crush: &Table<'t>) -> Option<StiffnessForm> {
         const FORMS: &str = "stiffness = { d0 = \"35 lb^0.5\", d1 = \"115 lb^0.5/ft\" } or stiffness = { A = \"587 N/cm\", \
-                             B = \"63.3 N/cm^2\" }, each with G = \"612 lb\" if it is known";
+                             B = \"63.3 N/cm^2\" }, each with G = \"612 lb\" if it is known; or { category = 4 }, { test = { … } } or \
+                             { zones = [{ … }, …] }";
+        const TEST_FORMS: &str = "test = { mass = \"1500 kg\", speed = \"56 km/h\", width = \"1.6 m\", \
+                                  depths = \"42 50 54 54 50 42 cm\", no_damage_speed = \"8 km/h\" }";
+        const ZONE_FORMS: &str =
+            "zones = [{ A = \"587 N/cm\", B = \"63.3 N/cm^2\" }, { A = \"400 N/cm\", B = \"50 N/cm^2\" }]";
         let table = self.inline(crush, "stiffness", &STIFFNESS, "a table in braces", FORMS)?;
+        match table.given(&["category", "test", "zones", "A", "B", "d0", "d1", "G", "limit"])[..] {
+            ["category"] => {
+                self.counted(&table, "category", "a whole number from 1 to 5", 5).map(StiffnessForm::Category)
+            }
+            ["test"] => {
+                let test = self.inline(&table, "test", &TEST, "a table in braces", TEST_FORMS)?;
+                self.barrier_test(&test).map(StiffnessForm::Test)
+            }
+            ["zones"] => {
+                let zones = self.tables(&table, "zones", &ZONE, ZONE_FORMS)?;
+                // Every zone is looked at before the first fault ends it.
+                let lines: Vec<Option<StiffnessLine>> =
+                    zones.iter().map(|zone| self.stiffness_line(zone, ZONE_FORMS)).collect();
+                lines.into_iter().collect::<Option<_>>().map(StiffnessForm::Zones)
+            }
+            ["category" | "test" | "zones", ..] => self.no_form(&table, FORMS),
+            _ => self.stiffness_line(&table, FORMS).map(StiffnessForm::Line),
+        }
+    }
+
+    fn stiffness_line(&mut self, table: &Table<'t>, forms: &'static str) -> Option<StiffnessLine> {
         let slope = if table.has("G") {
             Sign::NotNegative
         } else {
             Sign::PositiveBecause("B may be zero only where G is given: without G, G = A²/2B needs it")
         };
-        let a = self.quantity(&table, "A", Dimension::StiffnessA, Sign::NotNegative);
-        let mut b = self.quantity(&table, "B", Dimension::StiffnessB, slope);
+        let a = self.quantity(table, "A", Dimension::StiffnessA, Sign::NotNegative);
+        let mut b = self.quantity(table, "B", Dimension::StiffnessB, slope);
         // B is exactly zero or a stiffness; next to nothing is neither.
         if let Some(value) = b
             && value.number() != 0.0
@@ -207,14 +318,65 @@ impl<'t> Reader<'t> {
             self.report_path(&path, Problem::TooSmall { path: named(&path), value });
             b = None;
         }
-        let d0 = self.quantity(&table, "d0", Dimension::RootForce, Sign::NotNegative);
-        let d1 = self.quantity(&table, "d1", Dimension::RootForcePerLength, Sign::Positive);
-        let g = self.quantity(&table, "G", Dimension::StiffnessG, Sign::NotNegative);
-        match table.given(&["A", "B", "d0", "d1"])[..] {
-            ["A", "B"] => Some(StiffnessForm::Crush { a: a?, b: b?, g }),
-            ["d0", "d1"] => Some(StiffnessForm::Root { d0: d0?, d1: d1?, g }),
-            _ => self.no_form(&table, FORMS),
+        let d0 = self.quantity(table, "d0", Dimension::RootForce, Sign::NotNegative);
+        let d1 = self.quantity(table, "d1", Dimension::RootForcePerLength, Sign::Positive);
+        let g = self.quantity(table, "G", Dimension::StiffnessG, Sign::NotNegative);
+        let limit = self.quantity(table, "limit", Dimension::StiffnessA, Sign::NotNegative);
+        let line = match table.given(&["A", "B", "d0", "d1"])[..] {
+            ["A", "B"] => StiffnessLine::Crush { a: a?, b: b?, g, limit },
+            ["d0", "d1"] => StiffnessLine::Root { d0: d0?, d1: d1?, g, limit },
+            _ => return self.no_form(table, forms),
+        };
+        if let Err(error) = line.stiffness() {
+            let remedy = match error {
+                CrushError::LimitBelowStart { .. } => {
+                    "raise the limit, or leave it out where the force is not known to be limited"
+                }
+                _ => "check the numbers and their units",
+            };
+            let path = table.path_of("limit");
+            self.report_path(&path, Problem::Stiffness { error, remedy });
+            return None;
         }
+        Some(line)
+    }
+
+    fn barrier_test(&mut self, table: &Table<'t>) -> Option<BarrierTest> {
+        self.require(table, &["speed", "width", "depths", "no_damage_speed"]);
+        if !table.has("weight") {
+            self.require(table, &["mass"]);
+        }
+        let mass = self.mass(table);
+        let speed = self.quantity(table, "speed", Dimension::Speed, Sign::Positive);
+        let width = self.quantity(table, "width", Dimension::Length, Sign::Positive);
+        let depths = self.quantities(table, "depths", Dimension::Length, Sign::NotNegative);
+        self.profile(table, width, depths.as_deref(), None);
+        let no_damage_speed = self.quantity(table, "no_damage_speed", Dimension::Speed, Sign::NotNegative);
+        let fit = self.choice(table, "fit", &[("exact", Fit::Exact), ("mean", Fit::Mean)]);
+        let depths = depths.filter(|depths| depths.len() >= 2)?;
+        let test = BarrierTest {
+            mass: mass?,
+            speed: speed?,
+            width: width?,
+            depths,
+            no_damage_speed: no_damage_speed?,
+            fit: fit.unwrap_or_default(),
+        };
+        if let Err(error) = test.stiffness() {
+            let (key, remedy) = match error {
+                CrushError::NoDamageSpeed { .. } => (
+                    "no_damage_speed",
+                    "it is the speed up to which no crush remains, below the speed of the test",
+                ),
+                CrushError::NoCrushInTest => {
+                    ("depths", "give the residual crush that was measured after the test")
+                }
+                _ => ("speed", "check the numbers and their units"),
+            };
+            self.report_path(&table.path_of(key), Problem::Stiffness { error, remedy });
+            return None;
+        }
+        Some(test)
     }
 
     fn not_both(&mut self, table: &Table<'t>, first: &'static str, second: &'static str) {
@@ -223,4 +385,9 @@ impl<'t> Reader<'t> {
         let later = if one.span().start > other.span().start { one } else { other };
         self.report(later.span(), Problem::Both { table: table.label(), first, second });
     }
+}
+
+/// Whether the length stands without the rest of the outline, for the yaw inertia.
+fn length_alone(table: &Table<'_>) -> bool {
+    table.has("wheelbase") && table.given(&["length", "width", "cg_to_front"]) == ["length"]
 }

@@ -1,0 +1,107 @@
+//! One case under every impact law: how much does the answer depend on that choice?
+
+use case::{Case, CaseFile, Dimension, ImpactLaw, Quantity, Restitution};
+use pim_core::Tangential;
+
+use crate::damage::ASSUMED_FRICTION;
+use crate::{Analysis, Failure, impact, reconstruct};
+
+/// What is assumed of tangential restitution: surfaces that interlock do not rebound along each other.
+const ASSUMED_TANGENTIAL_RESTITUTION: f64 = 0.0;
+
+/// The answers of all laws to one case.
+#[derive(Debug)]
+pub struct Comparison {
+    /// The case under its own law, and CRASH3's answer under every correction for oblique forces.
+    pub own: Analysis,
+    /// One row a law, for the others.
+    pub laws: Vec<LawRow>,
+}
+
+/// One law's answer.
+#[derive(Debug)]
+pub struct LawRow {
+    /// The law with its coefficients.
+    pub law: ImpactLaw,
+    /// Of which coefficient the value is assumed, and why that one; empty where all are the case's own.
+    pub assumed: &'static str,
+    /// The answer, or why there is none.
+    pub answer: Result<Analysis, Failure>,
+}
+
+/// Solves the case under its own law and under every other, with the case's own coefficients where they fit and stated assumptions where not. A case
+/// with a `[reconstruct]` table is reconstructed; one with both speeds is computed forward.
+///
+/// # Errors
+/// [`Failure`] where the case has no answer under its own law.
+pub fn compare(file: &CaseFile) -> Result<Comparison, Failure> {
+    let own = solve(file)?;
+    let laws = others(&file.case, &own)
+        .into_iter()
+        .map(|(law, assumed)| {
+            let mut other = file.clone();
+            if let Some(impact) = &mut other.case.impact {
+                impact.law = law.clone();
+            }
+            LawRow { law, assumed, answer: solve(&other) }
+        })
+        .collect();
+    Ok(Comparison { own, laws })
+}
+
+fn solve(file: &CaseFile) -> Result<Analysis, Failure> {
+    if file.case.reconstruct.is_some() { reconstruct(file) } else { impact(file) }
+}
+
+/// Every law but the case's own, each with what is assumed of its coefficients.
+fn others(case: &Case, own: &Analysis) -> Vec<(ImpactLaw, &'static str)> {
+    let Some(impact) = &case.impact else { return Vec::new() };
+    // Woolley's laws say that there is no restitution.
+    let restitution = impact.law.restitution().cloned().unwrap_or(Restitution::Constant(0.0));
+    let brach = |tangential, moment_restitution| ImpactLaw::Brach {
+        restitution: restitution.clone(),
+        tangential,
+        moment_restitution,
+    };
+    let (friction, assumed_friction) = match impact.law.friction() {
+        Some(friction) => (friction, ""),
+        None => (ASSUMED_FRICTION, "the friction limit, a usual one for sheet metal"),
+    };
+    let (tangential_restitution, assumed_restitution) = match impact.law {
+        ImpactLaw::Ishikawa { tangential_restitution, .. } => (tangential_restitution, ""),
+        _ => (ASSUMED_TANGENTIAL_RESTITUTION, "e_t, of surfaces that interlock"),
+    };
+    let mut laws = vec![
+        (brach(Tangential::Critical, None), ""),
+        (brach(Tangential::Friction(friction), None), assumed_friction),
+        (brach(Tangential::Critical, Some(0.0)), "e_m, which leaves a common yaw rate"),
+        (ImpactLaw::Woolley { tangential_velocity_change: None }, ""),
+        (
+            ImpactLaw::Ishikawa { restitution: restitution.clone(), tangential_restitution },
+            assumed_restitution,
+        ),
+        (ImpactLaw::KudlichSlibar { restitution: restitution.clone(), friction }, assumed_friction),
+    ];
+    let is_sideswipe = matches!(impact.law, ImpactLaw::Woolley { tangential_velocity_change: Some(_) });
+    let own_change = own.impact.as_ref().and_then(|impact| {
+        let (u, v) = (impact.outcome.approach, impact.outcome.separation);
+        Quantity::from_si(v.tangential - u.tangential, Dimension::Speed).ok()
+    });
+    if let Some(change) = own_change.filter(|_| !is_sideswipe) {
+        let sideswipe = ImpactLaw::Woolley { tangential_velocity_change: Some(change) };
+        laws.insert(4, (sideswipe, "U_t − u_t, that of the case's own law"));
+    }
+    laws.retain(|(law, _)| !is_same(law, &impact.law));
+    laws
+}
+
+/// Whether two laws have the same conditions: e_m = −1 is the same as none.
+fn is_same(a: &ImpactLaw, b: &ImpactLaw) -> bool {
+    let without_moment = |law: &ImpactLaw| match law.clone() {
+        ImpactLaw::Brach { restitution, tangential, moment_restitution: Some(-1.0) } => {
+            ImpactLaw::Brach { restitution, tangential, moment_restitution: None }
+        }
+        law => law,
+    };
+    without_moment(a) == without_moment(b)
+}

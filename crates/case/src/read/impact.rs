@@ -1,0 +1,154 @@
+//! `[impact]`: the crush plane, and the impact law with its keys.
+
+use super::tree::{Reader, Table};
+use super::values::{Sign, named};
+use crate::case::{Impact, ImpactLaw, Restitution};
+use crate::problem::{Problem, RESTITUTION_FORMS};
+use crate::quantity::Quantity;
+use crate::schema::{LawName, RESTITUTION, TANGENTIAL};
+use crate::units::Dimension;
+use pim_core::Tangential;
+
+impl<'t> Reader<'t> {
+    pub(super) fn impact(&mut self, table: &Table<'t>) -> Option<Impact> {
+        self.require(table, &["crush_plane"]);
+        let crush_plane = self.quantity(table, "crush_plane", Dimension::Angle, Sign::Any);
+        let law = self.law(table);
+        Some(Impact { crush_plane: crush_plane?, law: law? })
+    }
+
+    fn law(&mut self, table: &Table<'t>) -> Option<ImpactLaw> {
+        // A misspelt `law` is not the default either.
+        let is_default = !table.has("law") && !table.means("law");
+        let law = if is_default {
+            Some(LawName::Brach)
+        } else {
+            self.choice(table, "law", &LawName::ALL.map(|law| (law.name(), law)))
+        };
+        if let Some(law) = law {
+            self.keys_of_law(table, law, is_default);
+        }
+        // Of a law that is not known, all keys are looked at.
+        let reads = |key: &str| law.is_none_or(|law| law.uses(key));
+        let restitution = if reads("restitution") { self.restitution(table) } else { None };
+        let tangential = if reads("tangential") { self.tangential(table) } else { None };
+        let mut coefficient = |key| {
+            let accepts = |e: f64| (-1.0..=1.0).contains(&e);
+            if reads(key) { self.number(table, key, "between -1 and 1", accepts) } else { None }
+        };
+        let moment_restitution = coefficient("moment_restitution");
+        let tangential_restitution = coefficient("tangential_restitution");
+        let tangential_velocity_change = if reads("tangential_velocity_change") {
+            self.quantity(table, "tangential_velocity_change", Dimension::Speed, Sign::Any)
+        } else {
+            None
+        };
+        let friction = if reads("friction") { self.friction(table) } else { None };
+        Some(match law? {
+            LawName::Brach => {
+                ImpactLaw::Brach { restitution: restitution?, tangential: tangential?, moment_restitution }
+            }
+            LawName::Woolley => ImpactLaw::Woolley { tangential_velocity_change },
+            LawName::Ishikawa => ImpactLaw::Ishikawa {
+                restitution: restitution?,
+                tangential_restitution: tangential_restitution?,
+            },
+            LawName::KudlichSlibar => {
+                ImpactLaw::KudlichSlibar { restitution: restitution?, friction: friction? }
+            }
+        })
+    }
+
+    /// Whether the law has the keys that it needs, and no others.
+    fn keys_of_law(&mut self, table: &Table<'t>, law: LawName, is_default: bool) {
+        for key in table.schema.names().filter(|key| table.has(key) && !law.uses(key)) {
+            let problem = Problem::KeyOfOtherLaw {
+                table: table.label(),
+                key,
+                law: law.name(),
+                is_default,
+                keys: law.keys(),
+                owners: LawName::of_key(key),
+            };
+            self.report(table.key_span(key), problem);
+        }
+        for key in law.needed().iter().filter(|key| !table.has(key) && !table.means(key)) {
+            let problem = Problem::MissingKeyOfLaw {
+                table: table.label(),
+                key,
+                law: law.name(),
+                is_default,
+                keys: law.keys(),
+                example: table.schema.example(key),
+            };
+            self.report_path(&table.path_of(key), problem);
+        }
+    }
+
+    fn restitution(&mut self, impact: &Table<'t>) -> Option<Restitution> {
+        let accepts = |e: f64| (0.0..=1.0).contains(&e);
+        if !impact.is_table_or_list("restitution") {
+            return self.number(impact, "restitution", "between 0 and 1", accepts).map(Restitution::Constant);
+        }
+        let wanted = "a plain number, or a table of speeds and values";
+        let table = self.inline(impact, "restitution", &RESTITUTION, wanted, RESTITUTION_FORMS)?;
+        let speeds = self.quantities(&table, "speeds", Dimension::Speed, Sign::NotNegative);
+        let values = self.numbers(&table, "values", "between 0 and 1", accepts);
+        if table.given(&["speeds", "values"]).len() < 2 {
+            return self.no_form(&table, RESTITUTION_FORMS);
+        }
+        self.ascending(&table, speeds.as_deref());
+        let (speeds, values) = (speeds?, values?);
+        let path = table.path_of("values");
+        if !speeds.is_empty() && speeds.len() != values.len() {
+            let problem =
+                Problem::ValueCount { path: path.clone(), values: values.len(), speeds: speeds.len() };
+            self.report_path(&path, problem);
+        }
+        Some(Restitution::OfClosingSpeed { speeds, values })
+    }
+
+    /// Whether there are closing speeds, and each is more than the one before.
+    fn ascending(&mut self, table: &Table<'t>, speeds: Option<&[Quantity]>) {
+        let path = table.path_of("speeds");
+        if let Some([]) = speeds {
+            self.report_path(&path.clone(), Problem::NoPoints { path });
+            return;
+        }
+        for (index, pair) in speeds.unwrap_or_default().windows(2).enumerate() {
+            if let [before, value] = *pair
+                && value.si() <= before.si()
+            {
+                let path = format!("value {} of {}", index + 2, named(&path));
+                let span = self.span_of_element(table, "speeds", index + 1);
+                self.report(span, Problem::NotAscending { path, value, before });
+                // The speeds after it may be out of order only because of this one.
+                return;
+            }
+        }
+    }
+
+    fn friction(&mut self, table: &Table<'t>) -> Option<f64> {
+        self.number(table, "friction", "a finite number, zero or more", |f| f >= 0.0 && f.is_finite())
+    }
+
+    fn tangential(&mut self, impact: &Table<'t>) -> Option<Tangential> {
+        const FORMS: &str =
+            "tangential = \"critical\", { ratio = 0.37 }, { fraction = 0.9 } or { friction = 0.5 }";
+        if impact.is_string("tangential") {
+            return self.choice_among(impact, "tangential", &[("critical", Tangential::Critical)], FORMS);
+        }
+        let table =
+            self.inline(impact, "tangential", &TANGENTIAL, "\"critical\" or a table in braces", FORMS)?;
+        match table.given(&["ratio", "fraction", "friction"])[..] {
+            ["ratio"] => {
+                self.number(&table, "ratio", "a finite number", f64::is_finite).map(Tangential::Ratio)
+            }
+            ["fraction"] => self
+                .number(&table, "fraction", "between 0 and 1", |f| (0.0..=1.0).contains(&f))
+                .map(Tangential::FractionOfCritical),
+            ["friction"] => self.friction(&table).map(Tangential::Friction),
+            _ => self.no_form(&table, FORMS),
+        }
+    }
+}

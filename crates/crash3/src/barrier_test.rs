@@ -1,0 +1,84 @@
+//! Stiffness from a barrier test.
+
+use real::Real;
+
+use crate::error::{self, CrushError};
+use crate::profile::Profile;
+use crate::stiffness::Stiffness;
+
+/// A full-width test against a rigid barrier: what it left of the car, and the speed at which it would have left no crush.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BarrierTest<T = f64> {
+    mass: T,
+    speed: T,
+    profile: Profile<T>,
+    no_damage_speed: T,
+}
+
+impl<T: Real> BarrierTest<T> {
+    /// A car of the given `mass` (kg) that struck the barrier at `speed` V (m/s) with the residual crush `profile`. At `no_damage_speed` b_0 (m/s)
+    /// no crush would have remained.
+    ///
+    /// # Errors
+    /// Where mass or speed is not positive, the speed without damage is negative or not below the test's, or there is no crush.
+    pub fn new(mass: T, speed: T, profile: Profile<T>, no_damage_speed: T) -> Result<Self, CrushError> {
+        error::positive("mass", mass.value())?;
+        error::positive("speed of the barrier test", speed.value())?;
+        error::not_negative("speed without damage", no_damage_speed.value())?;
+        if no_damage_speed.value() >= speed.value() {
+            return Err(CrushError::NoDamageSpeed {
+                no_damage_speed: no_damage_speed.value(),
+                speed: speed.value(),
+            });
+        }
+        if profile.depths().iter().all(|depth| depth.value() == 0.0) {
+            return Err(CrushError::NoCrushInTest);
+        }
+        Ok(Self { mass, speed, profile, no_damage_speed })
+    }
+
+    /// The stiffness with which the test's own profile gives the test's kinetic energy ½ m V² back exactly. It gives the energy
+    /// *absorbed* at maximum engagement: see [`EnergyBasis`](crate::EnergyBasis).
+    ///
+    /// # Errors
+    /// Where the numbers are so far apart that no finite stiffness follows.
+    pub fn fit(&self) -> Result<Stiffness<T>, CrushError> {
+        let (b0, v) = (self.no_damage_speed, self.speed);
+        let (mean, mean_square) = self.means();
+        let half = b0 * mean;
+        let rest = v * v - b0 * b0;
+        // Q b₁² + 2 b₀ C̄ b₁ + b₀² − V² = 0, its positive root written without a difference of near equals:
+        // b₁ = (V² − b₀²)/(b₀ C̄ + √(b₀² C̄² + Q (V² − b₀²)))
+        let b1 = rest / (half + (half * half + mean_square * rest).sqrt());
+        self.stiffness(b1)
+    }
+
+    /// The common shortcut: the line V = b_0 + b_1 C through the mean crush, b_1 = (V − b_0)/C̄. The profile's energy then exceeds that of the test
+    /// wherever the crush is not uniform, by some per cent for the usual profiles: offered for comparison.
+    ///
+    /// # Errors
+    /// Where the numbers are so far apart that no finite stiffness follows.
+    pub fn fit_mean(&self) -> Result<Stiffness<T>, CrushError> {
+        let (mean, _) = self.means();
+        // b₁ = (V − b₀)/C̄
+        self.stiffness((self.speed - self.no_damage_speed) / mean)
+    }
+
+    fn stiffness(&self, b1: T) -> Result<Stiffness<T>, CrushError> {
+        let (b0, width) = (self.no_damage_speed, self.profile.width());
+        // A = m b₀ b₁/w,  B = m b₁²/w,  G = A²/2B = m b₀²/2w
+        let per_width = self.mass / width;
+        Stiffness::from_abg(per_width * b0 * b1, per_width * b1 * b1, per_width * b0 * b0 / 2.0)
+    }
+
+    /// (m) C̄ and (m²) Q: mean and mean square of the depth over the width.
+    fn means(&self) -> (T, T) {
+        let (mut mean, mut mean_square) = (T::ZERO, T::ZERO);
+        for zone in self.profile.zones() {
+            mean += zone.width * zone.mean_depth();
+            mean_square += zone.width * zone.mean_square_depth();
+        }
+        let width = self.profile.width();
+        (mean / width, mean_square / width)
+    }
+}

@@ -1,0 +1,166 @@
+//! CRASH3's tables, and estimates, for what is not known of a vehicle. The tables stand here as printed, in inches and pounds, and
+//! become SI units in [`Stiffness::from_category`] and [`VehicleClass::new`], nowhere else.
+//!
+//! Source of both tables: T. D. Day and R. L. Hargens, SAE 870045 (1987), Tables 1 and 2, which give those of NHTSA's CRASH3. They were read
+//! from a poor scan; the doubtful digits:
+//!
+//! | where | the scan reads | taken | because |
+//! |---|---|---|---|
+//! | stiffness, rear, category 2, G | 1074 | 1874 | A²/2B = 1864 |
+//! | class 2, track | 34.6 | 54.6 | between those of its neighbours |
+//! | class 2, width | 61.2 | 67.2 | twice the half width y_s = 33.6 |
+//! | class 4, CG to front axle | 54.1 or 54.7 | 54.7 | not decided |
+//! | classes 5 and 6, width | 79.0 | 79.0 | twice the half width y_s = 39.9 would be 79.8 |
+
+use real::Real;
+
+use crate::direction::Side;
+use crate::error::{self, CrushError};
+use crate::stiffness::Stiffness;
+
+/// (m) the inch, exact.
+const INCH: f64 = 0.0254;
+/// (N) the pound-force, exact.
+const POUND_FORCE: f64 = 4.448_221_615_260_5;
+
+/// A (lb/in), B (lb/in²) and G (lb) of categories 1 to 5.
+type Categories = [[f64; 3]; 5];
+
+const FRONT: Categories = [
+    [302.0, 47.0, 967.0],
+    [259.0, 43.0, 778.0],
+    [317.0, 56.0, 901.0],
+    [356.0, 34.0, 1874.0],
+    [325.0, 37.0, 1429.0],
+];
+const REAR: Categories = [
+    [366.0, 38.0, 1755.0],
+    [391.0, 41.0, 1874.0],
+    [410.0, 44.0, 1931.0],
+    [357.0, 13.0, 4986.0],
+    [297.0, 70.0, 628.0],
+];
+const SIDE: Categories = [
+    [77.0, 37.0, 81.0],
+    [140.0, 67.0, 148.0],
+    [173.0, 57.0, 263.0],
+    [143.0, 50.0, 203.0],
+    [177.0, 47.0, 331.0],
+];
+
+impl<T: Real> Stiffness<T> {
+    /// CRASH3's stiffness category of a side: A, B and a G of its own. One number is doubtful: the table was read from a poor scan,
+    /// in which G of category 2, rear, reads 1074 lb (taken: 1874 lb, as A²/2B = 1864 lb asks).
+    ///
+    /// # References
+    /// SAE 870045, Table 1.
+    ///
+    /// # Errors
+    /// Where the side has no such category.
+    pub fn from_category(side: Side, category: u8) -> Result<Self, CrushError> {
+        let (name, table) = match side {
+            Side::Front => ("front", &FRONT),
+            Side::Rear => ("rear", &REAR),
+            Side::Left | Side::Right => ("side", &SIDE),
+        };
+        let row = usize::from(category).checked_sub(1).and_then(|index| table.get(index));
+        let Some(&[a, b, g]) = row else {
+            return Err(CrushError::NoCategory { category, side: name, known: "1, 2, 3, 4 and 5" });
+        };
+        Self::from_abg(
+            T::from(a * POUND_FORCE / INCH),
+            T::from(b * POUND_FORCE / (INCH * INCH)),
+            T::from(g * POUND_FORCE),
+        )
+    }
+}
+
+/// One row of the class table, in inches and square inches.
+struct Row {
+    track: f64,
+    length: f64,
+    width: f64,
+    cg_to_front_axle: f64,
+    cg_to_rear_axle: f64,
+    cg_to_front: f64,
+    yaw_radius_squared: f64,
+}
+
+const fn row([track, length, width, a, b, xf, rsq]: [f64; 7]) -> Row {
+    Row {
+        track,
+        length,
+        width,
+        cg_to_front_axle: a,
+        cg_to_rear_axle: b,
+        cg_to_front: xf,
+        yaw_radius_squared: rsq,
+    }
+}
+
+const CLASSES: [Row; 6] = [
+    row([51.1, 159.8, 60.8, 45.1, 48.1, 76.0, 2006.0]),
+    row([54.6, 174.9, 67.2, 46.3, 50.1, 83.3, 2951.0]),
+    row([58.9, 196.2, 72.6, 51.3, 53.5, 89.8, 3324.0]),
+    row([61.8, 212.8, 77.0, 54.7, 59.2, 98.8, 3741.0]),
+    row([63.1, 223.7, 79.0, 58.1, 63.0, 101.8, 4040.0]),
+    row([63.7, 229.4, 79.0, 60.1, 65.1, 104.2, 4229.0]),
+];
+
+/// CRASH3's typical passenger car of a size class. The classes go by wheelbase, from 93 in (2.37 m) of class 1 to 125 in (3.18 m) of class 6.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VehicleClass {
+    /// (m) between the axles.
+    pub wheelbase: f64,
+    /// (m) between the wheels of an axle.
+    pub track: f64,
+    /// (m) of the body.
+    pub length: f64,
+    /// (m) of the body.
+    pub width: f64,
+    /// (m) from the CG forward to the front of the body.
+    pub cg_to_front: f64,
+    /// (m) k, yaw radius of gyration.
+    pub yaw_radius: f64,
+}
+
+impl VehicleClass {
+    /// Class 1 to 6. Some digits are doubtful: widths of classes 2, 5 and 6, track of class 2, front axle of class 4 (so its wheelbase).
+    ///
+    /// # References
+    /// SAE 870045, Table 2.
+    ///
+    /// # Errors
+    /// Where there is no such class.
+    pub fn new(class: u8) -> Result<Self, CrushError> {
+        let row = usize::from(class).checked_sub(1).and_then(|index| CLASSES.get(index));
+        let Some(row) = row else {
+            return Err(CrushError::NoClass { class, known: "1, 2, 3, 4, 5 and 6" });
+        };
+        Ok(Self {
+            wheelbase: (row.cg_to_front_axle + row.cg_to_rear_axle) * INCH,
+            track: row.track * INCH,
+            length: row.length * INCH,
+            width: row.width * INCH,
+            cg_to_front: row.cg_to_front * INCH,
+            yaw_radius: row.yaw_radius_squared.sqrt() * INCH,
+        })
+    }
+}
+
+/// By how much of itself the radius of gyration k may be off where [`yaw_inertia_burg`] or a [`VehicleClass`] gives it.
+pub const BURG_SPREAD: f64 = 0.05;
+
+/// (kg·m²) yaw inertia of a passenger car of the given `mass` (kg), `wheelbase` (m) and overall `length` (m), after Burg:
+/// I = 0.1269 m · wheelbase · length. The radius of gyration that follows is taken to be right to about [`BURG_SPREAD`]; those of CRASH3's
+/// older and larger cars ([`VehicleClass`]) are 3 to 15 % greater.
+///
+/// # Errors
+/// Where one of the three is not positive.
+pub fn yaw_inertia_burg<T: Real>(mass: T, wheelbase: T, length: T) -> Result<T, CrushError> {
+    error::positive("mass", mass.value())?;
+    error::positive("wheelbase", wheelbase.value())?;
+    error::positive("length", length.value())?;
+    // I = 0.1269 m l_w l
+    Ok(mass * wheelbase * length * 0.1269)
+}

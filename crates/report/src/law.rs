@@ -1,0 +1,87 @@
+//! Impact laws and their coefficients in words.
+
+use case::{ImpactLaw, Restitution};
+use crash3::ObliqueCorrection;
+use pim_core::Tangential;
+
+use crate::units::{Quantity, Units};
+
+/// The law with its tangential condition.
+pub(crate) fn name(law: &ImpactLaw) -> &'static str {
+    match law {
+        ImpactLaw::Brach { tangential, moment_restitution, .. } => match (tangential, moment_restitution) {
+            (Tangential::Critical, Some(0.0)) => "Brach, common yaw rate",
+            (_, Some(e_m)) if *e_m > -1.0 => "Brach, moment impulse",
+            (Tangential::Ratio(_), _) => "Brach, impulse ratio",
+            (Tangential::FractionOfCritical(_), _) => "Brach, fraction of μ_c",
+            (Tangential::Friction(_), _) => "Brach, friction limit",
+            _ => "Brach, common tangential velocity",
+        },
+        ImpactLaw::Woolley { tangential_velocity_change: None } => "Woolley",
+        ImpactLaw::Woolley { tangential_velocity_change: Some(_) } => "Woolley, sideswipe",
+        ImpactLaw::Ishikawa { .. } => "Ishikawa",
+        ImpactLaw::KudlichSlibar { .. } => "Kudlich–Slibar",
+    }
+}
+
+/// Its coefficients: `e 0.3, μ = μ_c`.
+pub(crate) fn coefficients(law: &ImpactLaw, units: Units) -> String {
+    match law {
+        ImpactLaw::Brach { restitution: e, tangential, moment_restitution } => {
+            let tangential = match tangential {
+                Tangential::Ratio(mu) => format!("μ = {mu}"),
+                Tangential::FractionOfCritical(share) => format!("μ = {share} μ_c"),
+                Tangential::Friction(limit) => format!("μ at most {limit}"),
+                _ => "μ = μ_c".to_owned(),
+            };
+            let moment = moment_restitution.map(|e_m| format!(", e_m {e_m}")).unwrap_or_default();
+            format!("e {}, {tangential}{moment}", restitution(e, units))
+        }
+        ImpactLaw::Woolley { tangential_velocity_change: None } => "e 0, μ = μ_c".to_owned(),
+        ImpactLaw::Woolley { tangential_velocity_change: Some(change) } => {
+            format!("e 0, U_t − u_t = {}", units.format(Quantity::Speed, change.si()))
+        }
+        ImpactLaw::Ishikawa { restitution: e, tangential_restitution } => {
+            format!("e_n {}, e_t {tangential_restitution}", restitution(e, units))
+        }
+        ImpactLaw::KudlichSlibar { restitution: e, friction } => {
+            format!("ε {}, μ at most {friction}", restitution(e, units))
+        }
+    }
+}
+
+fn restitution(restitution: &Restitution, units: Units) -> String {
+    match restitution {
+        Restitution::Constant(e) => e.to_string(),
+        Restitution::OfClosingSpeed { speeds, values } => {
+            let points: Vec<String> = speeds
+                .iter()
+                .zip(values)
+                .map(|(speed, e)| format!("{e} at {}", units.format(Quantity::Speed, speed.si())))
+                .collect();
+            points.join(", ")
+        }
+    }
+}
+
+/// The correction's name in the case file.
+pub(crate) fn correction_name(correction: ObliqueCorrection) -> &'static str {
+    match correction {
+        ObliqueCorrection::None => "none",
+        ObliqueCorrection::Capped => "capped",
+        ObliqueCorrection::Uncapped => "uncapped",
+        ObliqueCorrection::Friction(_) => "friction",
+        ObliqueCorrection::Secant => "secant",
+    }
+}
+
+/// Its factor on the crush energy of an oblique force.
+pub(crate) fn correction(correction: ObliqueCorrection) -> String {
+    match correction {
+        ObliqueCorrection::None => "1".to_owned(),
+        ObliqueCorrection::Capped => "1 + tan²α ≤ 2".to_owned(),
+        ObliqueCorrection::Uncapped => "1 + tan²α".to_owned(),
+        ObliqueCorrection::Friction(mu) => format!("1 + min(tan α, {mu}) tan α"),
+        ObliqueCorrection::Secant => "1/cos α".to_owned(),
+    }
+}
