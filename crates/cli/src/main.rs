@@ -9,12 +9,15 @@ use std::process::ExitCode;
 
 use analysis::{Analysis, Failure, Sweep};
 use anyhow::{Context as _, Result};
-use arguments::{Arguments, Command, Format, SensitivityArguments, UnitSystem};
+use arguments::{
+    Arguments, Command, Format, PageFormat, SensitivityArguments, UnitSystem, ValidateArguments,
+};
 use case::{Case, CaseFile};
 use clap::Parser as _;
 use report::Units;
+use validation::{Data, Validation};
 
-/// The case is well formed, but no answer exists.
+/// The case is well formed, but no answer exists; or a claim of the validation fails.
 const NO_ANSWER: u8 = 1;
 /// The case file or the command line is wrong.
 const WRONG_INPUT: u8 = 2;
@@ -26,20 +29,27 @@ fn main() -> ExitCode {
         Command::Crush(arguments) => report_analysis(&arguments, analysis::crush),
         Command::Compare(arguments) => report_comparison(&arguments),
         Command::Sensitivity(arguments) => report_sensitivity(&arguments),
+        Command::Validate(arguments) => validate(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            // Diagnostics render themselves with the word "error" and their place in the file.
-            let (lead, status) = match error.downcast_ref::<Failure>() {
-                Some(Failure::Case(_)) => ("", WRONG_INPUT),
-                Some(_) => ("error: ", NO_ANSWER),
-                None => ("error: ", WRONG_INPUT),
-            };
+            let (lead, status) = lead_and_status(&error);
             // Nothing is left to be done where standard error is closed.
             let _ = writeln!(io::stderr(), "{lead}{error:#}");
             ExitCode::from(status)
         }
+    }
+}
+
+/// What stands before the message, and the exit status.
+fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
+    match error.downcast_ref::<Failure>() {
+        // Diagnostics render themselves with the word "error" and their place in the file.
+        Some(Failure::Case(_)) => ("", WRONG_INPUT),
+        Some(_) => ("error: ", NO_ANSWER),
+        None if error.is::<NotReproduced>() => ("error: ", NO_ANSWER),
+        None => ("error: ", WRONG_INPUT),
     }
 }
 
@@ -89,6 +99,54 @@ fn units(arguments: &Arguments, file: &CaseFile) -> Units {
     }
 }
 
+/// Claims of the validation that fail: how many of how many, and the first.
+#[derive(Debug)]
+struct NotReproduced {
+    failed: usize,
+    claimed: usize,
+    first: String,
+}
+
+impl std::fmt::Display for NotReproduced {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { failed, claimed, first } = self;
+        write!(f, "{failed} of {claimed} numbers that are claimed to reproduce do not; the first: {first}")
+    }
+}
+
+impl std::error::Error for NotReproduced {}
+
+fn validate(arguments: &ValidateArguments) -> Result<()> {
+    show(&validation::validate(&Data::built_in())?, arguments)
+}
+
+/// Writes everything first: what fails is to be seen in full.
+fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
+    let output = match arguments.format {
+        PageFormat::Text => report::validation_text(validation),
+        PageFormat::Json => report::validation_json(validation)?,
+        PageFormat::Markdown => report::validation_markdown(validation),
+    };
+    write(arguments.output.as_deref(), &output)?;
+    if let Some(folder) = &arguments.plots {
+        let plots = [
+            ("computed-against-measured.svg", report::computed_against_measured(validation)?),
+            ("reconstructed-speed.svg", report::reconstructed_speed(validation)?),
+        ];
+        for (name, plot) in plots {
+            write(Some(&folder.join(name)), &plot)?;
+        }
+    }
+    let failures = validation.failures();
+    match failures.first() {
+        None => Ok(()),
+        Some((first, _)) => {
+            Err(NotReproduced { failed: failures.len(), claimed: validation.claimed(), first: first.clone() }
+                .into())
+        }
+    }
+}
+
 /// The name to show in messages, and the text.
 fn read(path: &Path) -> Result<(String, String)> {
     let (name, bytes) = if path == Path::new("-") {
@@ -117,5 +175,32 @@ fn write(path: Option<&Path>, output: &str) -> Result<()> {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
             written => written.context("cannot write to standard output"),
         },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use crate::arguments::{PageFormat, ValidateArguments};
+
+    use super::{NO_ANSWER, lead_and_status, show};
+
+    #[test]
+    fn a_claim_that_fails_ends_with_status_1_after_the_page_is_written() {
+        let page = std::env::temp_dir().join(format!("deltav-failing-{}.txt", std::process::id()));
+        let arguments =
+            ValidateArguments { format: PageFormat::Text, output: Some(page.clone()), plots: None };
+        let mut validation = validation::validate(&validation::Data::built_in()).unwrap();
+        assert!(show(&validation, &arguments).is_ok());
+        validation.energies[3].normal.ours *= 1.02;
+        let error = show(&validation, &arguments).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "1 of 231 numbers that are claimed to reproduce do not; the first: SAE 871993, Table 1, test 5, normal loss"
+        );
+        assert_eq!(lead_and_status(&error), ("error: ", NO_ANSWER));
+        assert!(fs::read_to_string(&page).unwrap().contains("Failing: SAE 871993, Table 1, test 5, normal"));
+        fs::remove_file(&page).unwrap();
     }
 }

@@ -650,3 +650,73 @@ fn a_folder_is_no_case() {
         assert_eq!(message.lines().count(), 1);
     }
 }
+
+/// The keys that readers of the comparison rely on, speeds in m/s.
+#[test]
+fn the_validation_has_its_keys() {
+    let validation: Value = serde_json::from_slice(&printed(&["validate", "--format", "json"], "")).unwrap();
+    let list = |key: &str| validation[key].as_array().unwrap().clone();
+    assert_eq!(list("failed"), Vec::<Value>::new());
+    assert_eq!(
+        [list("table1").len(), list("table2").len(), list("table3").len(), list("reconstruction").len()],
+        [8, 66, 30, 11]
+    );
+    // SAE 980025, Table 2: total ΔV of PIM in test 1, 15.1 and 22.7 ft/s; measured 18.5 and 22.8 ft/s.
+    let row = list("table2").into_iter().find(|row| row["test"] == 1 && row["row"] == "pim_total").unwrap();
+    for (i, [paper, measured]) in [[15.1, 18.5], [22.7, 22.8]].into_iter().enumerate() {
+        let number = |key: &str| row[key][i].as_f64().unwrap() / 0.3048;
+        assert!(
+            (number("paper") - paper).abs() < 1e-9 && (number("measured") - measured).abs() < 1e-9,
+            "{row}"
+        );
+        assert!((number("ours") - paper).abs() < 0.1, "{row}");
+        assert!((number("difference") - (number("ours") - number("paper"))).abs() < 1e-9, "{row}");
+        assert_eq!(row["claims"][i]["reproduces"], true);
+    }
+    let mut rows: Vec<String> =
+        list("table2").iter().map(|row| row["row"].as_str().unwrap().to_owned()).collect();
+    rows.sort();
+    rows.dedup();
+    let expected = [
+        "crash_corrected",
+        "crash_corrected_implied",
+        "crash_uncorrected",
+        "crash_uncorrected_implied",
+        "pim_crush",
+        "pim_total",
+    ];
+    assert_eq!(rows, expected);
+    // The true speed is the test speed of the case, and what is found is what `reconstruct` finds.
+    let case = include_str!("../../../fixtures/ricsac/08.toml");
+    let alone = json("reconstruct", case);
+    let within = list("reconstruction").into_iter().find(|row| row["test"] == 8).unwrap();
+    assert_eq!(within["found"], alone["found"]["value"]);
+    assert_eq!(within["true"], 9.3);
+    let error = within["found"].as_f64().unwrap() - 9.3;
+    assert!((within["error"].as_f64().unwrap() - error).abs() < 1e-12);
+    // ERRATUM: Table 3 prints 17.77 for 11.77 ft/s.
+    let nominal = list("table3").into_iter().find(|row| row["test"] == 5 && row["turn"] == 0.0).unwrap();
+    assert_eq!(nominal["claims"][0]["erratum"]["printed"], "17.77");
+    assert!(nominal["claims"][1]["erratum"].is_null());
+}
+
+#[test]
+fn the_validation_writes_the_page_and_the_plots_of_the_docs() {
+    let folder = temporary("validation");
+    fs::create_dir_all(&folder).unwrap();
+    let page = folder.join("validation.md");
+    let arguments = [
+        "validate",
+        "--format",
+        "markdown",
+        "-o",
+        page.to_str().unwrap(),
+        "--plots",
+        folder.to_str().unwrap(),
+    ];
+    assert_eq!(printed(&arguments, ""), b"");
+    for name in ["validation.md", "computed-against-measured.svg", "reconstructed-speed.svg"] {
+        let docs = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(name);
+        assert!(fs::read(folder.join(name)).unwrap() == fs::read(docs).unwrap(), "{name}");
+    }
+}

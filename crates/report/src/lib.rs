@@ -1,4 +1,4 @@
-//! A finished analysis as text for people and as JSON for programs.
+//! A finished analysis as text for people and as JSON for programs, and the program's own validation.
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -15,14 +15,18 @@
 //! The functions: [`text`] in the [`Units`] of the reader, where every figure names its equation; [`json`] in SI units and radians, with keys that are kept;
 //! [`message`], the sentence of a warning. Results are converted to other units here and nowhere else.
 //!
+//! [`validation_text`], [`validation_json`] and [`validation_markdown`] write the comparison with the RICSAC collisions;
+//! [`computed_against_measured`] and [`reconstructed_speed`] plot it as SVG.
+//!
 //! # What it does not do
 //!
-//! It computes nothing, and it draws no pictures.
+//! It computes nothing, and it draws no vehicles.
 
 mod comparison;
 mod json;
 mod law;
 mod sensitivity;
+mod staged;
 mod text;
 mod units;
 mod warnings;
@@ -30,6 +34,10 @@ mod warnings;
 pub use comparison::{comparison_json, comparison_text};
 pub use json::json;
 pub use sensitivity::{sensitivity_json, sensitivity_text};
+pub use staged::{
+    PlotError, computed_against_measured, reconstructed_speed, validation_headline, validation_json,
+    validation_markdown, validation_text,
+};
 pub use text::text;
 pub use units::Units;
 pub use warnings::message;

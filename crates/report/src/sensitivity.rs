@@ -110,12 +110,8 @@ fn derivatives(text: &mut String, group: &[Derivative], units: Units) {
         Output::DeltaV { vehicle } => format!("ΔV of vehicle {vehicle}"),
     };
     let value = units.format(Quantity::Speed, first.output_value);
-    text.push_str(&format!(
-        "\n{:<62}{:>24}{:>12}\n",
-        format!("{name}, {value}"),
-        "change per unit",
-        "% per %"
-    ));
+    let title = format!("{name}, {value}");
+    text.push_str(&format!("\n{title:<50}{:>28}{:>10}{:>10}\n", "change per unit", "% per %", "influence"));
     text.push_str(&"─".repeat(LINE));
     text.push('\n');
     for row in group.iter().filter(|row| row.value != 0.0) {

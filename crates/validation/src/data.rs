@@ -1,0 +1,33 @@
+//! The data that the program carries.
+
+/// What is compared: texts, so that a reader can change one and see what follows.
+#[derive(Clone, Debug)]
+pub struct Data {
+    /// The staged collisions: the number of the test, and its case file.
+    pub cases: Vec<(u8, &'static str)>,
+    /// The case of the paper's appendix.
+    pub example: &'static str,
+    /// What the papers print.
+    pub published: &'static str,
+}
+
+macro_rules! ricsac {
+    ($($test:literal: $file:literal),* $(,)?) => {
+        vec![$(($test, include_str!(concat!("../../../fixtures/ricsac/", $file)))),*]
+    };
+}
+
+impl Data {
+    /// `fixtures/ricsac` and `fixtures/sae-980025.toml`, as they were when the program was built.
+    #[must_use]
+    pub fn built_in() -> Self {
+        Self {
+            cases: ricsac![
+                1: "01.toml", 3: "03.toml", 4: "04.toml", 5: "05.toml", 6: "06.toml", 7: "07.toml",
+                8: "08.toml", 9: "09.toml", 10: "10.toml", 11: "11.toml", 12: "12.toml",
+            ],
+            example: include_str!("../../../fixtures/sae-980025.toml"),
+            published: include_str!("../../../fixtures/ricsac/published.toml"),
+        }
+    }
+}

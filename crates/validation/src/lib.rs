@@ -1,0 +1,164 @@
+//! The program's error rate: its results beside the RICSAC staged collisions and beside what the papers print of them.
+//!
+//! ```
+//! let validation = validation::validate(&validation::Data::built_in())?;
+//! assert!(validation.failures().is_empty());
+//! // SAE 980025, Table 1: rms error of PIM over the 60° front to side collisions, 2.73 ft/s.
+//! let rms = validation.table1[0].paper_rows.ours / validation::FOOT_PER_SECOND;
+//! assert!((rms - 2.73).abs() < 0.02);
+//! # Ok::<(), validation::ValidationError>(())
+//! ```
+//!
+//! The types: [`validate`] runs the [`Data`] and gives a [`Validation`], whose tables are made of [`Cell`]s: a number of ours, the paper's, and a
+//! [`Claim`]. What is claimed and fails is listed by [`Validation::failures`]; what is known not to come out carries its reason, and a misprint of
+//! the paper its [`Erratum`]. [`ErrorRate`] says how far computed velocities are from true ones.
+//!
+//! # What the comparison is worth
+//!
+//! e and μ of SAE 871993 were fitted to these very tests, and the distances d_1 and d_2 were solved back from the paper's numbers. So the PIM rows
+//! show that the equations are the paper's, not that they predict a collision. The reconstruction from the published crush profiles is the
+//! test of what the program is for.
+//!
+//! # What it does not do
+//!
+//! It adds no equation of mechanics: every result comes from `analysis`, `crash3`, `pim-core` and `reconcile`. It writes no text (`report`).
+
+mod appendix;
+mod claim;
+mod data;
+mod error;
+mod published;
+mod reconstruction;
+mod staged;
+mod statistics;
+mod tables;
+
+pub use appendix::AppendixFigure;
+pub use claim::{Cell, Claim, Erratum};
+pub use data::Data;
+pub use error::ValidationError;
+pub use published::{DEGREE, FOOT_PER_SECOND, FOOT_POUND, Unit};
+pub use reconstruction::{Choices, Reconstruction, SpeedErrors, TurnedPdof};
+pub use statistics::ErrorRate;
+pub use tables::{DeltaVErrors, EnergyRow, Method, Row, Table1Row, Table2Row, Table3Rms, Table3Row};
+
+use published::Published;
+use staged::Staged;
+
+/// Everything compared.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Validation {
+    /// The paper's Table 1.
+    pub table1: Vec<Table1Row>,
+    /// The paper's Table 2.
+    pub table2: Vec<Table2Row>,
+    /// The paper's Table 3.
+    pub table3: Vec<Table3Row>,
+    /// The last column of the paper's Table 3.
+    pub table3_rms: Vec<Table3Rms>,
+    /// SAE 871993, Table 1.
+    pub energies: Vec<EnergyRow>,
+    /// The paper's appendix.
+    pub appendix: Vec<AppendixFigure>,
+    /// The speed of vehicle 1, found and true.
+    pub reconstructions: Vec<Reconstruction>,
+    /// Velocity changes against measured ones.
+    pub delta_v_errors: DeltaVErrors,
+    /// Reconstructed speeds against true ones.
+    pub speed_errors: SpeedErrors,
+}
+
+/// Runs all collisions and compares.
+///
+/// # Errors
+/// Where the data cannot be run or do not fit together, which those built in can.
+pub fn validate(data: &Data) -> Result<Validation, ValidationError> {
+    let published = Published::read(data)?;
+    let staged = published
+        .collision
+        .iter()
+        .map(|collision| Staged::run(data, collision))
+        .collect::<Result<Vec<_>, _>>()?;
+    let named = published.table1.iter().flat_map(|row| &row.tests);
+    for &test in named.chain(published.table3.iter().flat_map(|half| &half.tests)) {
+        if !staged.iter().any(|staged| staged.printed.test == test) {
+            return Err(ValidationError::NotPrinted { test });
+        }
+    }
+    let table2 = gather(&staged, tables::table2)?;
+    let table3 = gather(&staged, tables::table3)?;
+    let reconstructions = staged.iter().map(reconstruction::reconstruction).collect::<Result<Vec<_>, _>>()?;
+    Ok(Validation {
+        table1: tables::table1(&published, &table2),
+        table3_rms: tables::table3_rms(&published, &table3),
+        energies: staged.iter().map(tables::energies).collect::<Result<_, _>>()?,
+        appendix: appendix::appendix(data, &published)?,
+        delta_v_errors: tables::delta_v_errors(&table2),
+        speed_errors: reconstruction::speed_errors(&reconstructions),
+        table2,
+        table3,
+        reconstructions,
+    })
+}
+
+fn gather<T>(
+    staged: &[Staged],
+    rows: impl Fn(&Staged) -> Result<Vec<T>, ValidationError>,
+) -> Result<Vec<T>, ValidationError> {
+    Ok(staged.iter().map(rows).collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
+}
+
+impl Validation {
+    /// All cells, each with the name of its place.
+    #[must_use]
+    pub fn cells(&self) -> Vec<(String, &Cell)> {
+        let mut cells = Vec::new();
+        for row in &self.table1 {
+            let method = match row.method {
+                Method::Pim => "PIM",
+                Method::Crash3 => "CRASH3",
+            };
+            cells.push((format!("Table 1, {}, {method}", row.geometry), &row.paper_rows));
+        }
+        for row in &self.table2 {
+            let pair = row.cells.iter().enumerate();
+            let place = |i| format!("Table 2, test {}, {:?}, vehicle {}", row.test, row.row, i + 1);
+            cells.extend(pair.map(|(i, cell)| (place(i), cell)));
+        }
+        for row in &self.table3 {
+            let degrees = row.turn / DEGREE;
+            let place = |i| format!("Table 3, test {}, {degrees:+.0}°, vehicle {}", row.test, i + 1);
+            cells.extend(row.cells.iter().enumerate().map(|(i, cell)| (place(i), cell)));
+        }
+        for row in &self.table3_rms {
+            let degrees = row.turn / DEGREE;
+            cells.push((format!("Table 3, rms, tests {:?}, {degrees:+.0}°", row.tests), &row.paper_rows));
+        }
+        for row in &self.energies {
+            let place = |what| format!("SAE 871993, Table 1, test {}, {what}", row.test);
+            cells.push((place("initial energy"), &row.initial));
+            cells.push((place("normal loss"), &row.normal));
+            cells.push((place("tangential loss"), &row.tangential));
+            cells.push((place("total loss"), &row.total));
+        }
+        for figure in &self.appendix {
+            cells.push((format!("appendix, {}", figure.quantity), &figure.cell));
+        }
+        for row in &self.reconstructions {
+            cells.push((format!("reconstruction, test {}, round trip", row.test), &row.round_trip));
+        }
+        cells
+    }
+
+    /// The cells that are claimed to reproduce and do not, each with the name of its place.
+    #[must_use]
+    pub fn failures(&self) -> Vec<(String, &Cell)> {
+        self.cells().into_iter().filter(|(_, cell)| cell.fails()).collect()
+    }
+
+    /// How many cells are claimed to reproduce.
+    #[must_use]
+    pub fn claimed(&self) -> usize {
+        self.cells().iter().filter(|(_, cell)| cell.is_claimed()).count()
+    }
+}
