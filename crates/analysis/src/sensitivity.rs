@@ -193,7 +193,12 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep) -> Result<Vec<SweepRow>, Failure
         #[expect(clippy::cast_precision_loss, reason = "a u32 is exact in f64")]
         let change = step as f64 * sweep.step;
         // A line of action that turns counter-clockwise turns both PDOFs, which count clockwise, the other way.
-        let pdof = nominal_pdof.map(|pdof| pdof.map(|pdof| pdof - change));
+        let pdof = nominal_pdof.map(|pdof| {
+            pdof.map(|pdof| {
+                let (sin, cos) = Real::sin_cos(pdof - change);
+                Real::atan2(sin, cos)
+            })
+        });
         let mut subjects = nominal.vehicles.each_ref().map(|vehicle| vehicle.subject.clone());
         for (subject, pdof) in subjects.iter_mut().zip(pdof) {
             let Some(damage) = &mut subject.damage else { continue };

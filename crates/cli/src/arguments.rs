@@ -82,7 +82,7 @@ pub(crate) struct SensitivityArguments {
     pub(crate) arguments: Arguments,
 
     /// Degrees from one direction of force to the next
-    #[arg(long, value_name = "DEGREES", default_value_t = 5.0, value_parser = degrees)]
+    #[arg(long, value_name = "DEGREES", default_value_t = 5.0, value_parser = degrees, allow_negative_numbers = true)]
     pub(crate) pdof_step: f64,
 
     /// Directions of force to each side of the nominal one
