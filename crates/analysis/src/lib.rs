@@ -20,17 +20,19 @@
 //!
 //! It adds no equation: those stand in `pim-core`, `crash3` and `reconcile`. It reads no file and writes no text (`case`, `report`).
 
+mod checks;
 mod compare;
 mod damage;
 mod sensitivity;
 mod warning;
 
+pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
 pub use warning::Warning;
 
-use case::{CaseFile, Collision, Diagnostics, Subject};
+use case::{CaseFile, Collision, Diagnostics, Quantity, Subject};
 use crash3::{CrushError, EnergyBasis};
 use pim_core::{Contact, ImpactError, Law, Outcome};
 use reconcile::{Iteration, Method, Problem, ReconcileError, Unknown};
@@ -48,6 +50,8 @@ pub struct Analysis {
     pub vehicles: [Vehicle; 2],
     /// CRASH3's answer, where the damage of all vehicles is known.
     pub crash3: Option<Crash3>,
+    /// What was compared with what, content or not.
+    pub checks: Vec<Check>,
     /// What a careful reader should know.
     pub warnings: Vec<Warning>,
 }
@@ -133,8 +137,8 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     };
     let warnings = warning::of_found(&found, input.given_speed);
     let impact = Impact { contact, law: answer.law, outcome: answer.outcome };
-    let analysis = collided(impact, vehicles, input.basis, warnings)?;
-    Ok(Analysis { found: Some(found), ..analysis })
+    let vehicles = damage::assess(vehicles, impact.outcome.pdof().map(Some))?;
+    judged(file, vehicles, input.basis, Some(impact.law.restitution()), (Some(found), Some(impact)), warnings)
 }
 
 /// What the impact does, both speeds given.
@@ -149,7 +153,8 @@ pub fn impact(file: &CaseFile) -> Result<Analysis, Failure> {
         None => law,
     };
     let impact = Impact { contact, law, outcome: contact.impact(motions, &law)? };
-    collided(impact, vehicles, input.basis, Vec::new())
+    let vehicles = damage::assess(vehicles, impact.outcome.pdof().map(Some))?;
+    judged(file, vehicles, input.basis, Some(impact.law.restitution()), (None, Some(impact)), Vec::new())
 }
 
 /// CRASH3 alone: energies and velocity changes from the damage and the PDOF that the file gives.
@@ -159,28 +164,38 @@ pub fn impact(file: &CaseFile) -> Result<Analysis, Failure> {
 pub fn crush(file: &CaseFile) -> Result<Analysis, Failure> {
     let input = file.crush()?;
     let vehicles = damage::assess(input.vehicles, [None, None])?;
-    let crash3 = damage::crash3(&vehicles, input.basis, input.restitution)?;
-    let mut warnings = Vec::new();
-    warning::of_assumptions(&vehicles, &mut warnings);
-    warning::of_damage(&vehicles, &mut warnings);
-    Ok(Analysis { basis: input.basis, found: None, impact: None, vehicles, crash3, warnings })
+    judged(file, vehicles, input.basis, input.restitution, (None, None), Vec::new())
 }
 
-fn collided(
-    impact: Impact,
-    subjects: [Subject; 2],
+/// CRASH3's answer, the checks and the warnings of what was found so far.
+fn judged(
+    file: &CaseFile,
+    vehicles: [Vehicle; 2],
     basis: EnergyBasis,
+    restitution: Option<f64>,
+    (found, impact): (Option<Found>, Option<Impact>),
     mut warnings: Vec<Warning>,
 ) -> Result<Analysis, Failure> {
-    let vehicles = damage::assess(subjects, impact.outcome.pdof().map(Some))?;
-    let crash3 = damage::crash3(&vehicles, basis, Some(impact.law.restitution()))?;
-    warning::of_impact(&impact, &mut warnings);
-    warning::of_outlines(&vehicles, &mut warnings);
+    let crash3 = damage::crash3(&vehicles, basis, restitution)?;
+    let headings = file.case.vehicles.each_ref().map(|vehicle| vehicle.heading.as_ref().map(Quantity::si));
+    // Of a speed that was found from the crush energy it would say nothing that the normal work equals it.
+    let energy = crash3
+        .as_ref()
+        .filter(|_| found.is_none())
+        .map(|crash3| basis.dissipated(crash3.crush_energy, restitution.unwrap_or_default()));
+    let checks = checks::checks(&vehicles, headings, energy, impact.as_ref());
+    if let Some(impact) = &impact {
+        warning::of_impact(impact, &mut warnings);
+        warning::of_outlines(&vehicles, &mut warnings);
+    }
     warning::of_assumptions(&vehicles, &mut warnings);
     warning::of_damage(&vehicles, &mut warnings);
-    warning::of_directions(&impact, &vehicles, &mut warnings);
-    if let Some(crash3) = &crash3 {
-        warning::of_delta_v(&impact, crash3, &mut warnings);
+    if let Some(impact) = &impact {
+        warning::of_directions(impact, &vehicles, &mut warnings);
+        if let Some(crash3) = &crash3 {
+            warning::of_delta_v(impact, crash3, &mut warnings);
+        }
     }
-    Ok(Analysis { basis, found: None, impact: Some(impact), vehicles, crash3, warnings })
+    warning::of_checks(&checks, &vehicles, impact.as_ref(), &mut warnings);
+    Ok(Analysis { basis, found, impact, vehicles, crash3, checks, warnings })
 }

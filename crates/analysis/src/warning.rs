@@ -3,18 +3,19 @@
 use case::YawSource;
 use pim_core::Outcome;
 
+use crate::checks::{Check, CheckedQuantity};
 use crate::damage::Crash3;
 use crate::{Found, Impact, Vehicle};
 
 /// Newton's third law: the peak forces of the two vehicles should be the same. Stiffness and crush are uncertain, but not by
 /// more than this factor.
-const FORCE_RATIO: f64 = 2.0;
+pub(crate) const FORCE_RATIO: f64 = 2.0;
 /// (rad) how far a PDOF judged by eye may be from the computed one: 10°.
-const PDOF_DIFFERENCE: f64 = 10.0 * std::f64::consts::PI / 180.0;
+pub(crate) const PDOF_DIFFERENCE: f64 = 10.0 * std::f64::consts::PI / 180.0;
 /// Restitution falls with closing speed: above [`FAST_CLOSING`], more than this is not seen in vehicle collisions.
-const HIGH_RESTITUTION: f64 = 0.3;
+pub(crate) const HIGH_RESTITUTION: f64 = 0.3;
 /// (m/s)
-const FAST_CLOSING: f64 = 15.0;
+pub(crate) const FAST_CLOSING: f64 = 15.0;
 /// How far CRASH3's ΔV may be from that of the impact.
 const DELTA_V_DIFFERENCE: f64 = 0.1;
 /// (m) how far the contact point may be outside of the outline: the roundness of a bumper.
@@ -126,6 +127,27 @@ pub enum Warning {
         /// Whether the file says where on the face the damage lies.
         offset_given: bool,
     },
+    /// The two directions of force that the file gives are not opposite in the scene.
+    PdofsNotOpposite {
+        /// (rad) by how much.
+        angle: f64,
+    },
+    /// The work of the normal impulse is not the crush energy.
+    DamageEnergyDiffers {
+        /// (J) W_n.
+        normal_work: f64,
+        /// (J) the crush energy on its basis.
+        crush_energy: f64,
+    },
+    /// The line of action passes the CG on the side from which it would turn the vehicle the other way than the impact did.
+    RotationOpposes {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (rad) the PDOF that the line of action has.
+        pdof: f64,
+        /// (rad/s) change of the yaw rate.
+        turned: f64,
+    },
     /// The file gives a speed for the vehicle whose speed was to be found.
     GivenSpeedUnused {
         /// 1 or 2.
@@ -156,6 +178,9 @@ impl Warning {
             Self::BurgInertia { .. } => "burg-inertia",
             Self::InferredEnergy { .. } => "inferred-energy",
             Self::DamageCentroid { .. } => "damage-centroid",
+            Self::PdofsNotOpposite { .. } => "pdofs-not-opposite",
+            Self::DamageEnergyDiffers { .. } => "damage-energy-differs",
+            Self::RotationOpposes { .. } => "rotation-opposes",
             Self::GivenSpeedUnused { .. } => "given-speed-unused",
         }
     }
@@ -274,6 +299,33 @@ pub(crate) fn of_directions(impact: &Impact, vehicles: &[Vehicle; 2], warnings: 
         let (sin, cos) = pim_core::Real::sin_cos(given - computed);
         if pim_core::Real::atan2(sin, cos).abs() > PDOF_DIFFERENCE {
             warnings.push(Warning::PdofDiffers { vehicle: i + 1, given, computed });
+        }
+    }
+}
+
+/// What the checks are not content with and no other warning says.
+pub(crate) fn of_checks(
+    checks: &[Check],
+    vehicles: &[Vehicle; 2],
+    impact: Option<&Impact>,
+    warnings: &mut Vec<Warning>,
+) {
+    for check in checks.iter().filter(|check| !check.passed()) {
+        match (check.quantity, impact) {
+            (CheckedQuantity::PdofsOpposite, _) => {
+                warnings.push(Warning::PdofsNotOpposite { angle: check.value });
+            }
+            (CheckedQuantity::DamageEnergy { normal_work, crush_energy }, _) => {
+                warnings.push(Warning::DamageEnergyDiffers { normal_work, crush_energy });
+            }
+            (CheckedQuantity::Rotation { vehicle }, Some(impact)) => {
+                let [before, after] = [&impact.outcome.before, &impact.outcome.after];
+                if let Some(pdof) = vehicles[vehicle - 1].damage.as_ref().and_then(|damage| damage.pdof) {
+                    let turned = after[vehicle - 1].yaw_rate - before[vehicle - 1].yaw_rate;
+                    warnings.push(Warning::RotationOpposes { vehicle, pdof, turned });
+                }
+            }
+            _ => {}
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Derivatives against central differences, and the sweep against cases with the turned PDOF.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

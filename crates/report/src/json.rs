@@ -1,6 +1,6 @@
 //! A finished analysis as JSON, in SI units and radians.
 
-use analysis::{Analysis, Impact};
+use analysis::{Analysis, CheckedQuantity, Impact};
 use case::Case;
 use serde::Serialize;
 
@@ -14,6 +14,7 @@ struct Document<'a> {
     title: &'a str,
     energy_basis: &'static str,
     warnings: Vec<WarningBlock>,
+    checks: Vec<CheckBlock>,
     #[serde(skip_serializing_if = "Option::is_none")]
     found: Option<FoundBlock>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -22,6 +23,16 @@ struct Document<'a> {
     vehicle2: VehicleBlock,
     #[serde(skip_serializing_if = "Option::is_none")]
     crash3: Option<Crash3Block>,
+}
+
+#[derive(Serialize)]
+struct CheckBlock {
+    code: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vehicle: Option<usize>,
+    value: f64,
+    limit: f64,
+    passed: bool,
 }
 
 #[derive(Serialize)]
@@ -154,6 +165,20 @@ pub fn json(case: &Case, analysis: &Analysis) -> Result<String, serde_json::Erro
             .map(|warning| WarningBlock {
                 code: warning.code(),
                 message: warnings::message(warning, Units::Si),
+            })
+            .collect(),
+        checks: analysis
+            .checks
+            .iter()
+            .map(|check| CheckBlock {
+                code: check.code(),
+                vehicle: match check.quantity {
+                    CheckedQuantity::Rotation { vehicle } => Some(vehicle),
+                    _ => None,
+                },
+                value: plain(check.value),
+                limit: check.limit,
+                passed: check.passed(),
             })
             .collect(),
         found: analysis.found.as_ref().map(|found| FoundBlock {

@@ -1,6 +1,6 @@
 //! A finished analysis as text for the terminal and the file.
 
-use analysis::{Analysis, Crash3, Damage, Found, Impact};
+use analysis::{Analysis, CheckedQuantity, Crash3, Damage, Found, Impact};
 use case::{Case, Pdof, Velocity, YawSource};
 use crash3::{EnergyBasis, Stiffness, Structure};
 use pim_core::{Outcome, Regime};
@@ -29,8 +29,9 @@ pub fn text(case: &Case, analysis: &Analysis, units: Units) -> String {
     }
     page.damage(analysis);
     if let Some(crash3) = &analysis.crash3 {
-        page.crash3(crash3);
+        page.crash3(case, crash3);
     }
+    page.checks(analysis);
     page.warnings(analysis);
     page.sources();
     page.text
@@ -98,12 +99,12 @@ impl Page {
         if let Some(source) = &case.source {
             self.line(&format!("Source: {source}"));
         }
-        self.line("");
     }
 
     fn found(&mut self, found: &Found, basis: EnergyBasis) {
         let vehicle = found.unknown.index() + 1;
         let units = self.units;
+        self.line("");
         self.line(&format!("Speed of vehicle {vehicle}: {}", both_speeds(units, found.speed)));
         let energy = units.format(Quantity::Energy, found.crush_energy);
         let basis = match basis {
@@ -392,7 +393,7 @@ impl Page {
             let pdof = |d: &Damage| d.pdof.map(|pdof| units.format(Quantity::Angle, pdof));
             self.pair("PDOF, clockwise from heading", each(&pdof), "theory 5");
         }
-        self.pair("energy equivalent speed", each(&|d| Some(both_speeds(units, d.ees))), "theory 5");
+        self.pair("energy equivalent speed (EBS)", each(&|d| Some(both_speeds(units, d.ees))), "theory 5");
         self.pair(
             "angle to the normal α",
             each(&|d| Some(units.format(Quantity::Angle, d.oblique_angle))),
@@ -420,12 +421,17 @@ impl Page {
         );
     }
 
-    fn crash3(&mut self, crash3: &Crash3) {
+    fn crash3(&mut self, case: &Case, crash3: &Crash3) {
         let units = self.units;
         self.heading("CRASH3's own answer", ["vehicle 1", "vehicle 2", "source"]);
         self.wide("crush energy", &units.format(Quantity::Energy, crash3.crush_energy), "Eq 5");
-        let speed = |si: f64| both_speeds(units, si);
-        let pair = |values: [String; 2]| values.map(Some);
+        // A fixed object has no arm and no ΔV.
+        let pair = |values: [String; 2]| {
+            let [first, second] = values;
+            let known = |i: usize, value: String| (!case.vehicles[i].fixed).then_some(value);
+            [known(0, first), known(1, second)]
+        };
+        let speeds = |delta_v: [f64; 2], factor: f64| pair(delta_v.map(|dv| both_speeds(units, dv * factor)));
         self.pair(
             "moment arm h",
             pair(crash3.moment_arm.map(|h| units.format(Quantity::Length, h))),
@@ -436,17 +442,16 @@ impl Page {
             pair(crash3.effective_mass_ratio.map(|ratio| number(ratio, 4))),
             "theory 5",
         );
-        self.pair("ΔV uncorrected", pair(crash3.delta_v.map(speed)), "Eq 6, 7");
+        self.pair("ΔV uncorrected", speeds(crash3.delta_v, 1.0), "Eq 6, 7");
+        if let Some(factor) = crash3.restitution_factor {
+            self.pair("ΔV uncorrected, restitution", speeds(crash3.delta_v, factor), "theory 5");
+        }
         if let Some(corrected) = crash3.corrected {
             let energy = units.format(Quantity::Energy, corrected.crush_energy);
             self.wide("corrected crush energy", &energy, "Eq 8");
-            self.pair("ΔV corrected", pair(corrected.delta_v.map(speed)), "Eq 6, 7, 8");
+            self.pair("ΔV corrected", speeds(corrected.delta_v, 1.0), "Eq 6, 7, 8");
             if let Some(factor) = crash3.restitution_factor {
-                self.pair(
-                    "ΔV corrected, with restitution",
-                    pair(corrected.delta_v.map(|dv| speed(dv * factor))),
-                    "theory 5",
-                );
+                self.pair("ΔV corrected, restitution", speeds(corrected.delta_v, factor), "theory 5");
             }
         }
         self.heading(
@@ -456,7 +461,37 @@ impl Page {
         for row in &crash3.corrections {
             let factor = law::correction(row.correction);
             let label = format!("{:<9}{factor}", law::correction_name(row.correction));
-            self.pair(&label, pair(row.delta_v.map(speed)), "theory 5");
+            self.pair(&label, speeds(row.delta_v, 1.0), "theory 5");
+        }
+    }
+
+    fn checks(&mut self, analysis: &Analysis) {
+        if analysis.checks.is_empty() {
+            return;
+        }
+        self.heading("Consistency checks", ["found", "limit", "verdict"]);
+        for check in &analysis.checks {
+            let percent = |share: f64| format!("{} %", number(100.0 * share, 1));
+            let angle = |si: f64| self.units.format(Quantity::Angle, si);
+            let (label, found, limit) = match check.quantity {
+                CheckedQuantity::ForceBalance => {
+                    ("ratio of the peak forces".to_owned(), number(check.value, 2), number(check.limit, 1))
+                }
+                CheckedQuantity::PdofsOpposite => {
+                    ("PDOFs from opposite".to_owned(), angle(check.value), angle(check.limit))
+                }
+                CheckedQuantity::DamageEnergy { .. } => {
+                    ("normal work and crush energy".to_owned(), percent(check.value), percent(check.limit))
+                }
+                CheckedQuantity::Restitution => {
+                    ("restitution".to_owned(), number(check.value, 2), number(check.limit, 1))
+                }
+                CheckedQuantity::Rotation { vehicle } => {
+                    let found = if check.passed() { "with the moment" } else { "against the moment" };
+                    (format!("rotation of vehicle {vehicle}"), found.to_owned(), "with it".to_owned())
+                }
+            };
+            self.row(&label, &found, &limit, if check.passed() { "passed" } else { "see below" });
         }
     }
 

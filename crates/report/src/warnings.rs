@@ -122,6 +122,23 @@ pub fn message(warning: &Warning, units: Units) -> String {
                 units.format(Quantity::Length, *left)
             )
         }
+        Warning::PdofsNotOpposite { angle: off } => format!(
+            "the two directions of force that the file gives are {} from opposite in the scene; by Newton's third law they are opposite, so \
+             check both PDOFs and headings",
+            angle(*off)
+        ),
+        Warning::DamageEnergyDiffers { normal_work, crush_energy } => format!(
+            "the work of the normal impulse, {}, differs from the crush energy that it should equal, {}, by more than 10 %: the speeds \
+             and the damage do not tell of one collision",
+            units.format(Quantity::Energy, *normal_work),
+            units.format(Quantity::Energy, *crush_energy)
+        ),
+        Warning::RotationOpposes { vehicle, pdof, turned } => format!(
+            "the impact turned vehicle {vehicle} by {} in yaw rate, but a force with the PDOF {} through its contact point would turn it the \
+             other way; check PDOF, contact point and crush plane",
+            units.format(Quantity::YawRate, *turned),
+            angle(*pdof)
+        ),
         Warning::GivenSpeedUnused { vehicle, given, found } => format!(
             "the file gives vehicle {vehicle} a speed of {}, which was not used: the speed found is {}",
             speed(*given),

@@ -1,0 +1,130 @@
+//! Consistency of what was given with what was computed: each check says what it compared, whether or not it is content.
+
+use pim_core::Real;
+
+use crate::warning::{FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
+use crate::{Impact, Vehicle};
+
+/// How far the work of the normal impulse may be from the crush energy.
+const ENERGY_DIFFERENCE: f64 = 0.1;
+
+/// One comparison. Values are in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Check {
+    /// What was compared.
+    pub quantity: CheckedQuantity,
+    /// The value found.
+    pub value: f64,
+    /// What it may be at most; for a direction of rotation, at least.
+    pub limit: f64,
+}
+
+/// What a check looks at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CheckedQuantity {
+    /// The ratio of the greater peak force to the lesser: by Newton's third law, 1.
+    ForceBalance,
+    /// (rad) how far the two directions of force that the file gives are from opposite.
+    PdofsOpposite,
+    /// |W_n − E|/E.
+    DamageEnergy {
+        /// (J) W_n.
+        normal_work: f64,
+        /// (J) E, the share of the crush energy that the normal impulse dissipates on the case's basis.
+        crush_energy: f64,
+    },
+    /// e; above 15 m/s of closing speed at most 0.3, else at most 1.
+    Restitution,
+    /// (N·m·s) moment about the CG of the impulse that acts along the given or computed line of action, counted positive in the sense in which the
+    /// yaw rate changed.
+    Rotation {
+        /// 1 or 2.
+        vehicle: usize,
+    },
+}
+
+impl Check {
+    /// Whether the value is within the limit.
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        match self.quantity {
+            CheckedQuantity::Rotation { .. } => self.value >= self.limit,
+            _ => self.value <= self.limit,
+        }
+    }
+
+    /// The name in JSON.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self.quantity {
+            CheckedQuantity::ForceBalance => "force-balance",
+            CheckedQuantity::PdofsOpposite => "pdofs-opposite",
+            CheckedQuantity::DamageEnergy { .. } => "damage-energy",
+            CheckedQuantity::Restitution => "restitution",
+            CheckedQuantity::Rotation { .. } => "rotation",
+        }
+    }
+}
+
+/// All checks that there are values for: headings (rad) and the crush energy (J) on the basis of W_n, as far as they are known.
+pub(crate) fn checks(
+    vehicles: &[Vehicle; 2],
+    headings: [Option<f64>; 2],
+    crush_energy: Option<f64>,
+    impact: Option<&Impact>,
+) -> Vec<Check> {
+    let mut checks = Vec::new();
+    let damage = vehicles.each_ref().map(|vehicle| vehicle.damage.as_ref());
+    let inferred = damage.iter().flatten().any(|damage| damage.inferred.is_some());
+    if let [Some(f1), Some(f2)] = damage.map(|d| d.and_then(|d| d.oblique).map(|oblique| oblique.peak_force))
+        && !inferred
+    {
+        // max F/min F
+        let value = f1.max(f2) / f1.min(f2);
+        checks.push(Check { quantity: CheckedQuantity::ForceBalance, value, limit: FORCE_RATIO });
+    }
+    let given = vehicles.each_ref().map(|v| v.subject.damage.as_ref().and_then(|damage| damage.pdof));
+    if let ([Some(p1), Some(p2)], [Some(h1), Some(h2)]) = (given, headings) {
+        // The force comes from the scene angle θ − PDOF.
+        let (sin, cos) = Real::sin_cos((h1 - p1) - (h2 - p2));
+        let value = Real::atan2(-sin, -cos).abs();
+        checks.push(Check { quantity: CheckedQuantity::PdofsOpposite, value, limit: PDOF_DIFFERENCE });
+    }
+    if let (Some(impact), Some(crush_energy)) = (impact, crush_energy) {
+        let normal_work = impact.outcome.energy.normal_work;
+        // |W_n − E|/E
+        let value = (normal_work - crush_energy).abs() / crush_energy;
+        if value.is_finite() {
+            let quantity = CheckedQuantity::DamageEnergy { normal_work, crush_energy };
+            checks.push(Check { quantity, value, limit: ENERGY_DIFFERENCE });
+        }
+    }
+    if let Some(impact) = impact {
+        let fast = -impact.outcome.approach.normal > FAST_CLOSING;
+        let limit = if fast { HIGH_RESTITUTION } else { 1.0 };
+        let value = impact.law.restitution();
+        checks.push(Check { quantity: CheckedQuantity::Restitution, value, limit });
+        for i in [0, 1] {
+            if let Some(value) = moment_with_rotation(impact, &vehicles[i], i) {
+                let quantity = CheckedQuantity::Rotation { vehicle: i + 1 };
+                checks.push(Check { quantity, value, limit: 0.0 });
+            }
+        }
+    }
+    checks
+}
+
+/// (N·m·s) `None` where the vehicle does not turn, or has no line of action.
+fn moment_with_rotation(impact: &Impact, vehicle: &Vehicle, i: usize) -> Option<f64> {
+    let subject = &vehicle.subject;
+    subject.inertia?;
+    let damage = vehicle.damage.as_ref()?;
+    let [forward, left] = subject.contact.or(damage.centroid)?;
+    let (sin, cos) = Real::sin_cos(damage.pdof?);
+    let p = impact.outcome.impulse_vector;
+    let size = (p.x * p.x + p.y * p.y).sqrt();
+    // r × P with the push P = |P| (−cos PDOF, sin PDOF) in (forward, left)
+    let moment = size * (forward * sin + left * cos);
+    let turned = impact.outcome.after[i].yaw_rate - impact.outcome.before[i].yaw_rate;
+    (turned != 0.0).then(|| if turned < 0.0 { -moment } else { moment })
+}

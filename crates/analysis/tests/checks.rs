@@ -1,0 +1,106 @@
+//! The consistency checks, on both sides of their limits, and the warnings that they raise.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+#![expect(clippy::disallowed_methods, reason = "an oracle shares no function with what it judges")]
+
+use analysis::{Analysis, Check, CheckedQuantity, Failure, Warning, crush, impact, reconstruct};
+use case::{Case, CaseFile};
+
+const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
+
+fn analysis(analyse: fn(&CaseFile) -> Result<Analysis, Failure>, text: &str) -> Analysis {
+    let file = Case::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    analyse(&file).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn check(analysis: &Analysis, code: &str) -> Option<Check> {
+    analysis.checks.iter().copied().find(|check| check.code() == code)
+}
+
+fn raises(analysis: &Analysis, code: &str) -> bool {
+    analysis.warnings.iter().any(|warning| warning.code() == code)
+}
+
+/// Two equal cars that meet head-on, the crush of each 1.5 m wide and 0.3 m deep with A = 40 kN/m and B = 500 kN/m²: 54,150 J each.
+fn head_on(pdof: [f64; 2], speed: f64, restitution: f64) -> String {
+    let vehicle = |i: usize, heading: f64| {
+        format!(
+            "[vehicle{i}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"{heading} deg\"\nspeed = \"{speed} m/s\"\n\
+             contact = {{ x = \"2 m\", y = \"0 m\" }}\n[vehicle{i}.crush]\nside = \"front\"\nwidth = \"1.5 m\"\ndepths = \"0.3 0.3 m\"\n\
+             stiffness = {{ A = \"40 kN/m\", B = \"500 kN/m^2\" }}\npdof = \"{} deg\"\n",
+            pdof[i - 1]
+        )
+    };
+    format!(
+        "{}{}[impact]\ncrush_plane = \"0 deg\"\nrestitution = {restitution}\ntangential = \"critical\"\n",
+        vehicle(1, 0.0),
+        vehicle(2, 180.0)
+    )
+}
+
+#[test]
+fn two_given_directions_of_force_have_to_be_opposite() {
+    for (second, passed) in [(0.0, true), (9.9, true), (10.1, false), (-9.9, true), (-10.1, false)] {
+        // The other way round the circle is the same direction.
+        for turns in [0.0, 360.0] {
+            let analysis = analysis(crush, &head_on([0.0 + turns, second], 5.0, 0.1));
+            let check = check(&analysis, "pdofs-opposite").unwrap();
+            assert!((check.value.to_degrees() - f64::abs(second)).abs() < 1e-9, "{check:?}");
+            assert_eq!(check.passed(), passed, "{second}");
+            assert_eq!(raises(&analysis, "pdofs-not-opposite"), !passed);
+        }
+    }
+}
+
+/// Head-on with equal masses, W_n = m v² (1−e²) for both together, and E = 108,300 J.
+#[test]
+fn the_normal_work_has_to_be_the_crush_energy() {
+    let energy = 2.0 * 54_150.0;
+    for (share, passed) in [(0.89, false), (0.91, true), (1.0, true), (1.09, true), (1.11, false)] {
+        let restitution: f64 = 0.2;
+        let speed = (share * energy / (1500.0 * (1.0 - restitution * restitution))).sqrt();
+        let analysis = analysis(impact, &head_on([0.0, 0.0], speed, restitution));
+        let check = check(&analysis, "damage-energy").unwrap();
+        assert!((check.value - f64::abs(share - 1.0)).abs() < 1e-9, "{check:?}");
+        assert_eq!(check.passed(), passed, "{share}");
+        let expected: Vec<_> =
+            analysis.warnings.iter().filter(|w| matches!(w, Warning::DamageEnergyDiffers { .. })).collect();
+        assert_eq!(expected.is_empty(), passed);
+    }
+    // A speed that was sought by the energy has it: no check.
+    assert_eq!(check(&analysis(reconstruct, PAPER), "damage-energy"), None);
+}
+
+/// The GMC Jimmy is struck 22.4° to the right of its axis: a force from more than 22.4° to the right passes the CG on the other side.
+#[test]
+fn the_line_of_action_has_to_turn_the_vehicle_as_the_impact_does() {
+    let given = |degrees: f64| {
+        let side = "side      = \"front\"";
+        assert_eq!(PAPER.matches(side).count(), 1);
+        PAPER.replace(side, &format!("{side}\npdof      = \"{degrees} deg\""))
+    };
+    for (degrees, passed) in [(2.0, true), (22.3, true), (22.5, false), (40.0, false)] {
+        let analysis = analysis(reconstruct, &given(degrees));
+        let rotations: Vec<Check> =
+            analysis.checks.iter().copied().filter(|check| check.code() == "rotation").collect();
+        let [first, second] = rotations[..] else { panic!("{rotations:?}") };
+        assert_eq!(first.quantity, CheckedQuantity::Rotation { vehicle: 1 });
+        assert_eq!((first.passed(), second.passed()), (passed, true), "{degrees}");
+        // |r × P| = d |P| sin(22.4° − PDOF)
+        let p = analysis.impact.as_ref().unwrap().outcome.impulse_vector;
+        let expected = 6.3 * 0.3048 * f64::hypot(p.x, p.y) * (22.4 - degrees).to_radians().sin();
+        assert!((first.value - expected).abs() < 1e-6, "{} {expected}", first.value);
+        assert_eq!(raises(&analysis, "rotation-opposes"), !passed);
+    }
+}
+
+#[test]
+fn restitution_has_to_be_in_range() {
+    // Both at 7 m/s close at 14 m/s, both at 8 m/s at 16 m/s.
+    for (speed, restitution, passed) in [(7.0, 0.35, true), (8.0, 0.35, false), (8.0, 0.3, true)] {
+        let analysis = analysis(impact, &head_on([0.0, 0.0], speed, restitution));
+        let check = check(&analysis, "restitution").unwrap();
+        assert_eq!((check.value, check.passed()), (restitution, passed));
+        assert_eq!(raises(&analysis, "high-restitution"), !passed);
+    }
+}
