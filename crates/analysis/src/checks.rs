@@ -1,5 +1,8 @@
 //! Consistency of what was given with what was computed: each check says what it compared, whether or not it is content.
 
+use std::f64::consts::PI;
+
+use crash3::principal_angle;
 use pim_core::Real;
 
 use crate::warning::{FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
@@ -86,8 +89,7 @@ pub(crate) fn checks(
     let given = vehicles.each_ref().map(|v| v.subject.damage.as_ref().and_then(|damage| damage.pdof));
     if let ([Some(p1), Some(p2)], [Some(h1), Some(h2)]) = (given, headings) {
         // The force comes from the scene angle θ − PDOF.
-        let (sin, cos) = Real::sin_cos((h1 - p1) - (h2 - p2));
-        let value = Real::atan2(-sin, -cos).abs();
+        let value = principal_angle((h1 - p1) - (h2 - p2) + PI).abs();
         checks.push(Check { quantity: CheckedQuantity::PdofsOpposite, value, limit: PDOF_DIFFERENCE });
     }
     if let (Some(impact), Some(crush_energy)) = (impact, crush_energy) {

@@ -1,7 +1,7 @@
 //! How much the answer moves with each estimate: exact derivatives, and a sweep of the direction of force.
 
 use case::{Case, CaseFile, Dimension, Input};
-use crash3::ObliqueCorrection;
+use crash3::{ObliqueCorrection, principal_angle};
 use pim_core::Real;
 use real::Dual;
 use reconcile::Problem;
@@ -193,12 +193,7 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep) -> Result<Vec<SweepRow>, Failure
         #[expect(clippy::cast_precision_loss, reason = "a u32 is exact in f64")]
         let change = step as f64 * sweep.step;
         // A line of action that turns counter-clockwise turns both PDOFs, which count clockwise, the other way.
-        let pdof = nominal_pdof.map(|pdof| {
-            pdof.map(|pdof| {
-                let (sin, cos) = Real::sin_cos(pdof - change);
-                Real::atan2(sin, cos)
-            })
-        });
+        let pdof = nominal_pdof.map(|pdof| pdof.map(|pdof| principal_angle(pdof - change)));
         let mut subjects = nominal.vehicles.each_ref().map(|vehicle| vehicle.subject.clone());
         for (subject, pdof) in subjects.iter_mut().zip(pdof) {
             let Some(damage) = &mut subject.damage else { continue };

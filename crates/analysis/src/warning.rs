@@ -1,6 +1,7 @@
 //! What a careful reconstructionist would raise.
 
 use case::YawSource;
+use crash3::principal_angle;
 use pim_core::Outcome;
 
 use crate::checks::{Check, CheckedQuantity};
@@ -296,8 +297,7 @@ pub(crate) fn of_directions(impact: &Impact, vehicles: &[Vehicle; 2], warnings: 
     for (i, (vehicle, computed)) in vehicles.iter().zip(impact.outcome.pdof()).enumerate() {
         let Some(given) = vehicle.subject.damage.as_ref().and_then(|damage| damage.pdof) else { continue };
         // The difference of two directions, the short way round.
-        let (sin, cos) = pim_core::Real::sin_cos(given - computed);
-        if pim_core::Real::atan2(sin, cos).abs() > PDOF_DIFFERENCE {
+        if principal_angle(given - computed).abs() > PDOF_DIFFERENCE {
             warnings.push(Warning::PdofDiffers { vehicle: i + 1, given, computed });
         }
     }

@@ -1,7 +1,5 @@
 //! From a case to the types of the engine: what each command demands of the file.
 
-use std::f64::consts::{PI, TAU};
-
 use crash3::{
     DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, Structure, VehicleClass,
 };
@@ -308,12 +306,6 @@ fn headings<T: Real>(case: &Case<T>) -> [Option<T>; 2] {
     case.vehicles.each_ref().map(|vehicle| vehicle.heading.as_ref().map(Quantity::si))
 }
 
-/// (rad) the same direction in (−π, π].
-fn wrapped<T: Real>(angle: T) -> T {
-    // φ − 2π ⌈(φ − π)/2π⌉
-    angle - TAU * ((angle.value() - PI) / TAU).ceil()
-}
-
 const CRUSH_EXAMPLE: &str = "a table with side, width, depths and stiffness";
 
 /// Collects what a command needs, and everything that stands in its way.
@@ -557,7 +549,7 @@ impl<T: Real> Demand<'_, T> {
             face,
             offset_given: offset.is_some(),
             correction: crush.oblique.unwrap_or_default(),
-            pdof: crush.pdof.as_ref().map(|pdof| wrapped(pdof.rad())),
+            pdof: crush.pdof.as_ref().map(|pdof| crash3::principal_angle(pdof.rad())),
             oblique_angle: crush.oblique_angle.as_ref().map(Quantity::si),
             moment_arm: crush.moment_arm.as_ref().map(Quantity::si),
         })

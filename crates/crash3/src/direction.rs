@@ -37,14 +37,7 @@ impl Side {
     #[must_use]
     pub fn oblique_angle<T: Real>(self, pdof: T) -> T {
         // α = PDOF − PDOF of a square hit
-        let angle = pdof - self.square_pdof();
-        if angle > T::from(PI) {
-            angle - 2.0 * PI
-        } else if angle <= T::from(-PI) {
-            angle + 2.0 * PI
-        } else {
-            angle
-        }
+        principal_angle(pdof - self.square_pdof())
     }
 }
 
@@ -53,7 +46,12 @@ impl Side {
 #[must_use]
 pub fn opposite_pdof<T: Real>(pdof: T, [own, other]: [T; 2]) -> T {
     // The force on the first comes from the scene angle θ₁ − PDOF₁, that on the second from θ₂ − PDOF₂ = θ₁ − PDOF₁ + π.
-    let angle = other - own + pdof - PI;
+    principal_angle(other - own + pdof - PI)
+}
+
+/// (rad) the same direction in (−π, π].
+#[must_use]
+pub fn principal_angle<T: Real>(angle: T) -> T {
     // φ − 2π ⌈(φ − π)/2π⌉
     angle - TAU * ((angle.value() - PI) / TAU).ceil()
 }

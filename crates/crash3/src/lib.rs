@@ -60,7 +60,7 @@ mod tables;
 
 pub use barrier_test::BarrierTest;
 pub use delta_v::{EnergyBasis, Inertia, delta_v, energy_equivalent_speed};
-pub use direction::{DamagedFace, Side, moment_arm, opposite_pdof};
+pub use direction::{DamagedFace, Side, moment_arm, opposite_pdof, principal_angle};
 pub use energy::{ObliqueCorrection, ObliqueFactor, crush_energy, peak_force};
 pub use error::CrushError;
 pub use force_balance::{CrushRange, UniformCrush, crush_from_force, crush_range_from_force};
