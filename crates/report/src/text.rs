@@ -74,12 +74,14 @@ impl Page {
     }
 
     fn row(&mut self, label: &str, first: &str, second: &str, source: &str) {
-        self.line(&format!("{label:<LABEL$}{first:<COLUMN$}{second:<COLUMN$}{source}"));
+        // What is too long for its column moves the rest of the row, and is not glued to it.
+        let cell = |text: &str, width: usize| format!("{text:<width$} ", width = width - 1);
+        self.line(&format!("{}{}{}{source}", cell(label, LABEL), cell(first, COLUMN), cell(second, COLUMN)));
     }
 
     /// A row with one value that may be long.
     fn wide(&mut self, label: &str, value: &str, source: &str) {
-        self.line(&format!("{label:<LABEL$}{value:<width$}{source}", width = 2 * COLUMN));
+        self.line(&format!("{label:<LABEL$}{value:<width$} {source}", width = 2 * COLUMN - 1));
     }
 
     /// A row of which each vehicle has a value or a dash.
