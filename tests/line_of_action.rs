@@ -217,9 +217,9 @@ fn the_bounds_hold_every_width_that_is_possible() {
             let range = crush_range_from_force(force, angle, &stiffness, width, widest, deepest).unwrap();
             let narrow = force * angle.cos() / stiffness.force_per_width(deepest);
             let wide = widest.min(force * angle.cos() / a);
-            assert!(
-                range.lowest.energy <= range.nominal.energy && range.nominal.energy <= range.highest.energy
-            );
+            // Without residual crush the nominal width is the widest, but for rounding.
+            assert!(range.lowest.energy <= range.nominal.energy * (1.0 + 1e-12), "{range:?}");
+            assert!(range.nominal.energy <= range.highest.energy * (1.0 + 1e-12), "{range:?}");
             let w = narrow * (1.0 + 1e-9) + share * (wide - narrow) * (1.0 - 1e-9);
             let at = crush_from_force(force, angle, w, &stiffness).unwrap();
             assert!(at.energy >= range.lowest.energy * (1.0 - 1e-9), "{at:?} {range:?}");
