@@ -46,7 +46,7 @@
 //!
 //! # References
 //!
-//! R. M. Brach and R. M. Brach, SAE 980025 (1998), "Analysis of the CRASH3 damage algorithm", called *the paper*.
+//! R. M. Brach and R. M. Brach, *Crush Energy and Planar Impact Mechanics for Accident Reconstruction*, SAE 980025 (1998), called *the paper*.
 
 mod barrier_test;
 mod delta_v;

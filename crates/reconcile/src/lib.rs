@@ -23,10 +23,12 @@
 //!
 //! # Guarantees
 //!
-//! - The relative velocity at C is affine in the speed. With μ given or μ = μ_c, W_n is then quadratic in it and the answer is a closed form;
-//!   otherwise Brent's method ([`brent`]) refines brackets from a scan. Both agree to 1e-10 where both apply.
+//! - The relative velocity at C is affine in the speed. Under an impact law without a limit, W_n is then quadratic in it and the answer is a closed form;
+//!   under a friction limit, a fraction of μ_c or a restitution that depends on the closing speed, Brent's method ([`brent`]) refines brackets from
+//!   a scan. Both agree to 1e-10 where both apply.
 //! - An admissible speed is one of at most 1000 m/s at which the vehicles approach, push, and lose energy. Of several, the answer is the one with the
 //!   slowest approach, and all are listed.
+//! - [`Problem::residual`] gives the exact derivatives of a root, on numbers that carry their derivative.
 //! - Nothing is allocated.
 //!
 //! # What it does not do
