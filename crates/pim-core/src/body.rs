@@ -21,6 +21,7 @@ impl<T: Real> Body<T> {
     ///
     /// # Errors
     /// Where either is not a finite number greater than zero.
+    #[inline(always)]
     pub fn new(mass: T, yaw_inertia: T) -> Result<Self, InvalidInput> {
         error::positive("mass", mass.value())?;
         error::positive("yaw inertia", yaw_inertia.value())?;
@@ -28,12 +29,14 @@ impl<T: Real> Body<T> {
     }
 
     /// A barrier, pole or wall: 1/m = 0 and 1/I = 0.
+    #[inline(always)]
     #[must_use]
     pub fn fixed() -> Self {
         Self { mass: T::ZERO, yaw_inertia: T::ZERO, inverse_mass: T::ZERO, inverse_yaw_inertia: T::ZERO }
     }
 
     /// Whether this is a barrier.
+    #[inline(always)]
     #[must_use]
     pub fn is_fixed(&self) -> bool {
         self.inverse_mass == T::ZERO
@@ -74,12 +77,14 @@ pub struct Motion<T = f64> {
 
 impl<T: Real> Motion<T> {
     /// At rest.
+    #[inline(always)]
     #[must_use]
     pub fn rest() -> Self {
         Self { velocity: Vector2::new(T::ZERO, T::ZERO), yaw_rate: T::ZERO }
     }
 
     /// Moving at `speed` (m/s) along `heading` (rad) without yaw.
+    #[inline(always)]
     #[must_use]
     pub fn along(heading: T, speed: T) -> Self {
         let (sin, cos) = heading.sin_cos();
@@ -87,6 +92,7 @@ impl<T: Real> Motion<T> {
     }
 
     /// The same with a yaw rate (rad/s).
+    #[inline(always)]
     #[must_use]
     pub fn with_yaw_rate(self, yaw_rate: T) -> Self {
         Self { yaw_rate, ..self }
@@ -108,6 +114,7 @@ impl<T: Real> Participant<T> {
     ///
     /// # Errors
     /// Where a number is not finite.
+    #[inline(always)]
     pub fn new(body: Body<T>, heading: T, forward: T, left: T) -> Result<Self, InvalidInput> {
         error::angle("heading", heading.value())?;
         error::finite("forward distance to the contact point", forward.value())?;
@@ -121,6 +128,7 @@ impl<T: Real> Participant<T> {
     ///
     /// # Errors
     /// Where a number is not finite.
+    #[inline(always)]
     pub fn polar(body: Body<T>, heading: T, distance: T, angle: T) -> Result<Self, InvalidInput> {
         error::angle("contact angle", angle.value())?;
         let (sin, cos) = angle.sin_cos();
@@ -129,6 +137,7 @@ impl<T: Real> Participant<T> {
 
     /// A barrier of which nothing is known but that it stands there. The crush plane's normal is then oriented by
     /// the other body's arm alone.
+    #[inline(always)]
     #[must_use]
     pub fn barrier() -> Self {
         Self {
@@ -139,18 +148,21 @@ impl<T: Real> Participant<T> {
     }
 
     /// The body.
+    #[inline(always)]
     #[must_use]
     pub fn body(&self) -> &Body<T> {
         &self.body
     }
 
     /// Unit vector of the body's own forward axis in the scene frame.
+    #[inline(always)]
     #[must_use]
     pub fn forward(&self) -> Vector2<T> {
         self.forward
     }
 
     /// (m) vector from the CG to the contact point C in the scene frame, r of theory, section 1.
+    #[inline(always)]
     #[must_use]
     pub fn arm(&self) -> Vector2<T> {
         self.arm

@@ -134,6 +134,7 @@ impl<T: Real> Contact<T> {
     ///
     /// # Errors
     /// Where Γ is not finite, both bodies are fixed, or the normal cannot be oriented.
+    #[inline(always)]
     pub fn new(participants: [Participant<T>; 2], crush_plane: T) -> Result<Self, InvalidInput> {
         error::angle("crush plane angle", crush_plane.value())?;
         let [p1, p2] = &participants;
@@ -156,6 +157,7 @@ impl<T: Real> Contact<T> {
     }
 
     /// Vehicle 1 and vehicle 2.
+    #[inline(always)]
     #[must_use]
     pub fn participants(&self) -> &[Participant<T>; 2] {
         &self.participants

@@ -143,17 +143,20 @@ fn of_moment(work: f64) -> String {
 }
 
 /// Refuses NaN and infinities.
+#[inline(always)]
 pub(crate) fn finite(what: &'static str, value: f64) -> Result<(), InvalidInput> {
     if value.is_finite() { Ok(()) } else { Err(InvalidInput::NotFinite { what, value }) }
 }
 
 /// Refuses all but finite numbers greater than zero.
+#[inline(always)]
 pub(crate) fn positive(what: &'static str, value: f64) -> Result<(), InvalidInput> {
     finite(what, value)?;
     if value > 0.0 { Ok(()) } else { Err(InvalidInput::NotPositive { what, value }) }
 }
 
 /// Refuses all but numbers from `low` to `high`.
+#[inline(always)]
 pub(crate) fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<(), InvalidInput> {
     finite(what, value)?;
     if (low..=high).contains(&value) {
@@ -164,6 +167,7 @@ pub(crate) fn within(what: &'static str, value: f64, low: f64, high: f64) -> Res
 }
 
 /// Refuses angles that are not finite or lie beyond what [`real::Real::sin_cos`] reduces exactly.
+#[inline(always)]
 pub(crate) fn angle(what: &'static str, value: f64) -> Result<(), InvalidInput> {
     within(what, value, -real::elementary::SIN_COS_LIMIT, real::elementary::SIN_COS_LIMIT)
 }

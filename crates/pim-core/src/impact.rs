@@ -138,6 +138,19 @@ fn spin<T: Real>([one, two]: &[Motion<T>; 2]) -> T {
     one.yaw_rate - two.yaw_rate
 }
 
+/// Whether E_L is below zero by more than rounding.
+#[inline(always)]
+fn creates_energy<T: Real>(outcome: &Outcome<T>, law: &Law<T>) -> bool {
+    let (p, u, v) = (outcome.impulse, outcome.approach, outcome.separation);
+    let mut exchanged = p.normal.abs() * (u.normal.abs() + v.normal.abs())
+        + p.tangential.abs() * (u.tangential.abs() + v.tangential.abs());
+    if law.has_moment() {
+        let [before, after] = [spin(&outcome.before), spin(&outcome.after)];
+        exchanged += outcome.moment_impulse.abs() * (before.abs() + after.abs());
+    }
+    outcome.energy.loss < -(exchanged * ENERGY_ROUNDING)
+}
+
 fn representable<T: Real>(what: &'static str, value: T) -> Result<(), ImpactError> {
     if value.is_finite() { Ok(()) } else { Err(ImpactError::Overflow { what, value: value.value() }) }
 }
@@ -150,37 +163,54 @@ impl<T: Real> Contact<T> {
     /// coefficients create energy, or a motion is not one that the body can have.
     pub fn impact(&self, motions: [Motion<T>; 2], law: &Law<T>) -> Result<Outcome<T>, ImpactError> {
         self.check(&motions)?;
-        let k = &self.inverse_mass;
+        match self.collide(motions, law) {
+            Some(outcome) => Ok(outcome),
+            None => Err(self.refusal(motions, law)),
+        }
+    }
+
+    /// The same without a reason where there is no answer.
+    #[inline(always)]
+    fn collide(&self, motions: [Motion<T>; 2], law: &Law<T>) -> Option<Outcome<T>> {
+        let approach = self.approach(&motions);
+        let solution = law.solve(&self.inverse_mass, approach);
+        let pushes = (approach.velocity.normal < T::ZERO) & law.pushes(&solution);
+        let outcome = self.outcome(motions, approach.velocity, solution);
+        let possible = pushes
+            & outcome.energy.before.is_finite()
+            & outcome.energy.loss.is_finite()
+            & !creates_energy(&outcome, law);
+        if possible { Some(outcome) } else { None }
+    }
+
+    /// Why [`collide`](Self::collide) has no answer.
+    #[cold]
+    fn refusal(&self, motions: [Motion<T>; 2], law: &Law<T>) -> ImpactError {
         let approach = self.approach(&motions);
         let u_n = approach.velocity.normal;
-        representable("normal relative velocity", u_n)?;
+        let solution = law.solve(&self.inverse_mass, approach);
+        if let Err(overflow) = representable("normal relative velocity", u_n) {
+            return overflow;
+        }
         if u_n >= T::ZERO {
-            return Err(ImpactError::NotApproaching { u_n: u_n.value() });
+            return ImpactError::NotApproaching { u_n: u_n.value() };
         }
-        let solution = law.solve(k, approach);
         if !law.pushes(&solution) {
-            return Err(law.refusal(k, &solution));
+            return law.refusal(&self.inverse_mass, &solution);
         }
-        let outcome = self.outcome(motions, approach.velocity, solution);
-        let Energy { before, loss, normal_work, tangential_work, moment_work, .. } = outcome.energy;
-        representable("initial kinetic energy", before)?;
-        representable("energy loss", loss)?;
-        let (p, u, v) = (outcome.impulse, outcome.approach, outcome.separation);
-        let mut exchanged = p.normal.abs() * (u.normal.abs() + v.normal.abs())
-            + p.tangential.abs() * (u.tangential.abs() + v.tangential.abs());
-        if law.has_moment() {
-            let [before, after] = [spin(&outcome.before), spin(&outcome.after)];
-            exchanged += outcome.moment_impulse.abs() * (before.abs() + after.abs());
+        let Energy { before, loss, normal_work, tangential_work, moment_work, .. } =
+            self.outcome(motions, approach.velocity, solution).energy;
+        for (what, value) in [("initial kinetic energy", before), ("energy loss", loss)] {
+            if let Err(overflow) = representable(what, value) {
+                return overflow;
+            }
         }
-        if loss < -(exchanged * ENERGY_ROUNDING) {
-            return Err(ImpactError::EnergyCreated {
-                loss: loss.value(),
-                normal_work: normal_work.value(),
-                tangential_work: tangential_work.value(),
-                moment_work: moment_work.value(),
-            });
+        ImpactError::EnergyCreated {
+            loss: loss.value(),
+            normal_work: normal_work.value(),
+            tangential_work: tangential_work.value(),
+            moment_work: moment_work.value(),
         }
-        Ok(outcome)
     }
 
     fn check(&self, motions: &[Motion<T>; 2]) -> Result<(), InvalidInput> {

@@ -65,6 +65,7 @@ impl<T: Real> Law<T> {
     /// # Errors
     /// Where e or a fraction lies outside [0, 1], a tangential restitution outside [−1, 1], a friction limit is negative, or a number is not
     /// finite.
+    #[inline(always)]
     pub fn new(restitution: T, tangential: Tangential<T>) -> Result<Self, InvalidInput> {
         error::within("coefficient of restitution", restitution.value(), 0.0, 1.0)?;
         match tangential {
@@ -239,7 +240,7 @@ impl<T: Real> Law<T> {
     #[inline(always)]
     pub(crate) fn pushes(&self, solution: &Solution<T>) -> bool {
         let is_fraction = matches!(self.tangential, Tangential::FractionOfCritical(_));
-        solution.impulse.linear.normal > T::ZERO && (solution.critical.normal > T::ZERO || !is_fraction)
+        (solution.impulse.linear.normal > T::ZERO) & ((solution.critical.normal > T::ZERO) | !is_fraction)
     }
 
     /// Why it has none.
@@ -375,7 +376,7 @@ impl<T: Real> Conditions<'_, T> {
     #[inline(always)]
     fn limited(&self, full: LawImpulse<T>, limit: T) -> LawImpulse<T> {
         let p = full.linear;
-        if p.normal > T::ZERO && p.tangential.abs() <= limit * p.normal {
+        if (p.normal > T::ZERO) & (p.tangential.abs() <= limit * p.normal) {
             return LawImpulse { regime: Some(Regime::Full), ..full };
         }
         let free = self.with_ratio(T::ZERO);

@@ -204,6 +204,7 @@ impl<'a, T: Real> Problem<'a, T> {
     ///
     /// # Errors
     /// Where the crush energy is not positive, e = 1, or the speed has no effect on u_n.
+    #[inline(always)]
     pub fn new(
         contact: Contact<T>,
         law: Law<T>,
@@ -333,18 +334,13 @@ impl<'a, T: Real> Problem<'a, T> {
         if self.restitution.is_some() || !self.law.is_affine() {
             return None;
         }
-        // P_n(x) = α x + β
-        let k = self.contact.inverse_mass();
-        let push = |x: T| self.law.impulse(&k, self.line.at(x)).linear.normal;
-        let beta = push(T::ZERO);
-        let alpha = push(T::ONE) - beta;
-        let approaches = Approaches::new(alpha, beta, self.sought(&self.law), self.law.restitution());
+        let approaches = self.approaches();
         let mut search = Search::new(self);
         for x in approaches.ascending() {
             search.consider(self.line.speed(x), Method::ClosedForm);
         }
         // A jam leaves no root at all: say so rather than that none was found.
-        if approaches.count == 0
+        if approaches.ascending().next().is_none()
             && let Tangential::Ratio(_) = self.law.tangential()
         {
             let speed = self.line.speed(T::ONE);
@@ -355,16 +351,24 @@ impl<'a, T: Real> Problem<'a, T> {
         Some(search.finish())
     }
 
+    /// Where W_n has the value sought, under a law without a limit.
+    #[inline(always)]
+    fn approaches(&self) -> Approaches<T> {
+        // P_n(x) = α x + β
+        let k = self.contact.inverse_mass();
+        let push = |x: T| self.law.impulse(&k, self.line.at(x)).linear.normal;
+        let beta = push(T::ZERO);
+        let alpha = push(T::ONE) - beta;
+        Approaches::new(alpha, beta, self.sought(&self.law), self.law.restitution())
+    }
+
     fn vehicle(&self) -> usize {
         self.unknown.index() + 1
     }
 }
 
-/// The approach speeds x = −u_n > 0 at which W_n has the value sought.
-struct Approaches<T> {
-    values: [T; 2],
-    count: usize,
-}
+/// The approach speeds x = −u_n at which W_n has the value sought; not numbers where there are none, and of no use where not positive.
+struct Approaches<T>([T; 2]);
 
 impl<T: Real> Approaches<T> {
     /// Where W_n = ½ (1−e) x P_n with P_n = α x + β.
@@ -372,36 +376,17 @@ impl<T: Real> Approaches<T> {
     fn new(alpha: T, beta: T, energy: T, e: T) -> Self {
         // α x² + β x − c = 0,  c = 2 W_n/(1−e); since c > 0, x > 0 means P_n > 0
         let c = energy * 2.0 / (T::ONE - e);
-        let discriminant = beta * beta + alpha * c * 4.0;
-        if discriminant < T::ZERO {
-            return Self::none();
-        }
         // q = −½ (β ± √…) with the sign that does not cancel; the roots are q/α and −c/q.
-        let root = discriminant.sqrt();
+        let root = (beta * beta + alpha * c * 4.0).sqrt();
         let q = -(if beta < T::ZERO { beta - root } else { beta + root }) * 0.5;
-        let mut approaches = Self::none();
-        for x in [q / alpha, -(c / q)] {
-            if x > T::ZERO && x.is_finite() {
-                approaches.push(x);
-            }
-        }
-        approaches
+        Self([q / alpha, -(c / q)])
     }
 
-    fn none() -> Self {
-        Self { values: [T::ZERO; 2], count: 0 }
-    }
-
-    fn push(&mut self, x: T) {
-        self.values[self.count] = x;
-        self.count += 1;
-        if self.count == 2 && self.values[1] < self.values[0] {
-            self.values.swap(0, 1);
-        }
-    }
-
+    /// Those that are positive, the least first.
     fn ascending(&self) -> impl Iterator<Item = T> {
-        self.values.into_iter().take(self.count)
+        let [a, b] = self.0;
+        let ordered = if b < a { [b, a] } else { [a, b] };
+        ordered.into_iter().filter(|x| *x > T::ZERO && x.is_finite())
     }
 }
 
