@@ -1,6 +1,7 @@
 //! Reading a case: TOML to a spanned tree, and the tree to a [`Case`], with every problem on the way.
 
 mod impact;
+mod range;
 mod tree;
 mod values;
 mod vehicle;
@@ -109,7 +110,10 @@ impl<'t> Reader<'t> {
             }
         }
         self.evidence(&vehicles);
-        Some(Case { title, source, vehicles, impact: optional(impact)?, reconstruct: optional(reconstruct)? })
+        let (impact, reconstruct) = (optional(impact)?, optional(reconstruct)?);
+        let mut case = Case { title, source, vehicles, impact, reconstruct, ranges: Vec::new() };
+        case.ranges = case.inputs().iter().filter_map(|input| self.take_range(&input.path)).collect();
+        Some(case)
     }
 
     /// A crush that is inferred needs one that was measured.
