@@ -38,6 +38,13 @@ impl CaseFile {
         Diagnostic::new(self.source.nearest_span(path), Problem::CrossCheck { message: message.into(), help })
     }
 
+    /// A problem with the case as a whole.
+    #[must_use]
+    pub fn refusal(&self, message: impl Into<String>, help: Option<String>) -> Diagnostics {
+        let problem = Problem::CrossCheck { message: message.into(), help };
+        Diagnostics::new(self.source.clone(), vec![Diagnostic::new(None, problem)])
+    }
+
     /// Ends a round of such checks.
     ///
     /// # Errors

@@ -57,7 +57,12 @@ enum Inputs {
 }
 
 impl Points {
-    pub(crate) fn new(method: Method, seed: u64, inputs: usize, samples: usize) -> Result<Self, InvalidRequest> {
+    pub(crate) fn new(
+        method: Method,
+        seed: u64,
+        inputs: usize,
+        samples: usize,
+    ) -> Result<Self, InvalidRequest> {
         if inputs == 0 {
             return Err(InvalidRequest::NoInputs);
         }
