@@ -181,17 +181,23 @@ pub fn uncertainty(
     plan: &Plan,
     progress: &mut (dyn FnMut(Stage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Uncertainty, Failure> {
-    let inputs = inputs(file)?;
+    let mut inputs = inputs(file)?;
+    // A speed that is sought is no input, even where the file gives one.
+    if let Some(reconstruct) = &file.case.reconstruct {
+        let vehicle = format!("vehicle{}", reconstruct.find.index() + 1);
+        let sought =
+            [format!("{vehicle}.speed"), format!("{vehicle}.velocity.x"), format!("{vehicle}.velocity.y")];
+        inputs.retain(|input| !sought.contains(&input.input.path));
+    }
     if inputs.is_empty() {
         return Err(no_range(file).into());
     }
-    let is_reconstruction = file.case.reconstruct.is_some();
-    let nominal = if is_reconstruction { reconstruct(file)? } else { impact(file)? };
+    let nominal = if file.case.reconstruct.is_some() { reconstruct(file)? } else { impact(file)? };
     let outputs = Output::of(&nominal);
     let central = central(&nominal, &outputs);
     let first_order = first_order(file, &nominal, &outputs, &inputs)?;
 
-    let sample = Sample::new(file, is_reconstruction, &outputs, &central);
+    let sample = Sample::new(file, &inputs, &outputs, &central);
     let model = Function::new(outputs.len(), |numbers: &[f64], results: &mut [f64]| {
         sample.evaluate(numbers, results)
     });
@@ -320,11 +326,11 @@ struct Sample<'a> {
 }
 
 impl<'a> Sample<'a> {
-    fn new(file: &'a CaseFile, is_reconstruction: bool, outputs: &'a [Output], central: &'a [f64]) -> Self {
-        let mut ranges = file.case.ranges.iter().peekable();
+    fn new(file: &'a CaseFile, inputs: &[UncertainInput], outputs: &'a [Output], central: &'a [f64]) -> Self {
+        let mut paths = inputs.iter().map(|input| &input.input.path).peekable();
         let mut is_uncertain = Vec::new();
         let mut case = file.case.map(|input| {
-            is_uncertain.push(ranges.next_if(|range| range.path == input.path).is_some());
+            is_uncertain.push(paths.next_if(|path| **path == input.path).is_some());
             input.number
         });
         case.title = None;
@@ -332,9 +338,18 @@ impl<'a> Sample<'a> {
         for vehicle in &mut case.vehicles {
             vehicle.name = None;
         }
-        Self { file, is_reconstruction, outputs, central, is_uncertain, case }
+        Self {
+            file,
+            is_reconstruction: file.case.reconstruct.is_some(),
+            outputs,
+            central,
+            is_uncertain,
+            case,
+        }
     }
 
+    /// Compiled once: what turns a case into the types of the engine gains nothing from a copy for each instruction set.
+    #[inline(never)]
     fn evaluate(&self, numbers: &[f64], results: &mut [f64]) -> Result<(), u8> {
         self.answer(numbers, results).map_err(|failure| Reason::of(&failure).code())
     }

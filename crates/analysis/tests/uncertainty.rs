@@ -201,6 +201,17 @@ fn a_share_with_a_confidence_becomes_a_deviation() {
     assert!((sd / (243.7 / 1.959_963_985) - 1.0).abs() < 1e-9, "{sd}");
 }
 
+/// What the file says of the speed that is sought is no input.
+#[test]
+fn a_speed_that_is_sought_is_a_result_only() {
+    let given =
+        UNCERTAIN.replacen("contact ", "speed = { low = \"60 ft/s\", high = \"80 ft/s\" }\ncontact ", 1);
+    assert_eq!(read(&given).case.ranges.len(), 32);
+    let result = run(&given, 64);
+    assert_eq!(result.inputs.len(), 31);
+    assert_eq!(result.propagation.columns(), run(UNCERTAIN, 64).propagation.columns());
+}
+
 #[test]
 fn what_makes_no_sense_is_refused() {
     let run = |text: &str, samples| {

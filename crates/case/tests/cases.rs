@@ -330,8 +330,7 @@ fn the_uncertain_example_is_the_papers_at_its_centre() {
     assert!(uncertain.ranges.iter().map(|range| &range.path).eq(&all));
     for ((path, value), (wanted, of_paper)) in numbers(&uncertain).into_iter().zip(numbers(&paper)) {
         assert_eq!(path, wanted);
-        // 0.5·0.2 + 0.5·0.4 is 0.3 to the last digit but one.
-        assert!((value - of_paper).abs() <= 1e-16, "{path}");
+        assert_eq!(value, of_paper, "{path}");
     }
 }
 

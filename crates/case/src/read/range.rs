@@ -160,7 +160,7 @@ impl<'t> Reader<'t> {
                 let (low, high) = (low?, high?);
                 self.rising(place, value, low, high)?;
                 // The middle, in the unit of the low end: (a + b)/2
-                let number = 0.5 * low.number + 0.5 * high.in_unit(low.unit);
+                let number = decimal(0.5 * low.number + 0.5 * high.in_unit(low.unit));
                 Some((Amount { number, ..low }, Spread::Uniform { low, high }))
             }
             ["low", "mode", "high"] => {
@@ -310,4 +310,10 @@ impl<'t> Reader<'t> {
         self.report(value.span(), problem);
         None
     }
+}
+
+/// The number in fifteen digits, as all that are written have them: the middle of 0.2 and 0.4 is 0.3, and not the 0.300 000 000 000 000 04 that the sum
+/// of their halves is.
+fn decimal(number: f64) -> f64 {
+    format!("{number:.14e}").parse().unwrap_or(number)
 }

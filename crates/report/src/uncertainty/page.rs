@@ -111,7 +111,9 @@ impl<'a> Page<'a> {
     /// ± the standard error, in the unit of the value.
     fn error(&self, output: &UncertainOutput, estimate: Estimate) -> String {
         estimate.standard_error.map_or_else(String::new, |error| {
-            format!("±{}", significant(self.units.value(quantity(output.output), error), 2))
+            let error = self.units.value(quantity(output.output), error);
+            // Two digits, and all that stand before the point.
+            format!("±{}", if error < 10.0 { significant(error, 2) } else { number(error, 0) })
         })
     }
 

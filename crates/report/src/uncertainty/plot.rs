@@ -90,9 +90,9 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
         let [_, _, ninety_five, _] = summary.intervals;
         let top = share(most) * 1.08;
         let marks = [
-            (ninety_five.low.value, "2.5 %"),
-            (output.central, "central"),
-            (ninety_five.high.value, "97.5 %"),
+            (ninety_five.low.value, "2.5 %:"),
+            (output.central, "central:"),
+            (ninety_five.high.value, "97.5 %:"),
         ];
         for (si, words) in marks {
             let from = chart.backend_coord(&(value(si), 0.0));

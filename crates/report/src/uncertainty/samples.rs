@@ -19,7 +19,6 @@ pub fn write_samples(uncertainty: &Uncertainty, out: &mut dyn Write) -> io::Resu
         write!(out, ",{}", input.input.path)?;
     }
     for output in &uncertainty.outputs {
-        // What is sought is a result here, and never an input as well.
         write!(out, ",{}", output.output.path())?;
     }
     writeln!(out)?;
