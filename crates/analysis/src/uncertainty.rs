@@ -74,6 +74,39 @@ pub struct UncertainOutput {
     ///
     /// JCGM 100:2008, *Guide to the Expression of Uncertainty in Measurement*, equation 10.
     pub first_order: FirstOrder,
+    /// (SI) what is large for it: below [`NOISE`] of that, its spread is rounding.
+    scale: f64,
+}
+
+/// (–) far above the rounding of any output, and far below any spread that matters.
+const NOISE: f64 = 1e-9;
+
+impl UncertainOutput {
+    /// Whether it varies at all with the inputs, by the derivatives or by the samples' standard deviation.
+    #[must_use]
+    pub fn varies(&self, sampled_sd: f64) -> bool {
+        self.first_order.sd.max(sampled_sd) > NOISE * self.scale
+    }
+
+    /// Whether it varies, and by the derivatives more than 10 % more or less than by the samples.
+    #[must_use]
+    pub fn differs(&self, sampled_sd: f64) -> bool {
+        self.varies(sampled_sd) && self.first_order.differs(sampled_sd)
+    }
+}
+
+/// (SI) what is large for an output: a right angle or so, the closing speed, the energy before the impact.
+fn scale(output: Output, nominal: &Analysis) -> f64 {
+    let outcome = nominal.impact.as_ref().map(|impact| &impact.outcome);
+    match output {
+        Output::Pdof { .. } => 1.0,
+        Output::Speed { .. } | Output::DeltaV { .. } | Output::ClosingSpeed => {
+            outcome.map_or(0.0, |outcome| outcome.approach.normal.abs())
+        }
+        Output::EnergyLoss | Output::NormalWork | Output::TangentialWork => {
+            outcome.map_or(0.0, |outcome| outcome.energy.before)
+        }
+    }
 }
 
 /// Why a sample has no answer.
@@ -217,7 +250,10 @@ pub fn uncertainty(
     };
     let outputs = outputs.into_iter().zip(central).zip(first_order);
     let outputs = outputs
-        .map(|((output, central), first_order)| UncertainOutput { output, central, first_order })
+        .map(|((output, central), first_order)| {
+            let scale = scale(output, &nominal);
+            UncertainOutput { output, central, first_order, scale }
+        })
         .collect();
     Ok(Uncertainty { nominal, settings: plan.settings, inputs, outputs, propagation, tornado, indices })
 }

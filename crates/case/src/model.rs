@@ -658,13 +658,13 @@ impl<T: Real> Demand<'_, T> {
         };
         if !self.has_pdof(i) && (crush.oblique_angle.is_none() || crush.moment_arm.is_none()) {
             self.missing(
-                &format!("{table}.crush.pdof"),
+                format_args!("{table}.crush.pdof"),
                 "the direction from which the force came, clockwise from the heading: `pdof = \"2.7 deg\"` or `pdof = \"2 o'clock\"`; the \
                  other vehicle's will do if both have a `heading`; or else `oblique_angle` and `moment_arm`",
             );
         } else if crush.moment_arm.is_none() && vehicle.contact.is_none() && !has_dimensions(vehicle) {
             self.missing(
-                &format!("{table}.crush.moment_arm"),
+                format_args!("{table}.crush.moment_arm"),
                 "the distance of the force's line of action from the CG: `moment_arm = \"2.1 ft\"`, or else the vehicle's `contact` point; or, \
                  for a force through the centroid of the damage, `length`, `width` and `cg_to_front` or `class`",
             );

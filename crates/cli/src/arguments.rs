@@ -64,11 +64,11 @@ pub(crate) enum Command {
     #[command(
         long_about = "Say between what and what the results lie, where numbers of the case are ranges.\n\n\
             No measurement of a crash is exact. Any number of a case can be a range:\n  \
-            speed       = { value = \"10 mph\", sd = \"1 mph\" }                            normal, standard deviation 1 mph\n  \
-            yaw_inertia = { value = \"2437 lb ft s^2\", within = \"10 %\", confidence = 0.95 }  normal, 95 % within 10 %\n  \
-            restitution = { low = 0.2, high = 0.4 }                                     uniform\n  \
-            width       = { low = \"63 in\", mode = \"65 in\", high = \"66 in\" }             triangular\n  \
-            depths      = { values = \"21.3 20.3 13.8 in\", sd = \"0.5 in\" }               each station by itself\n\n\
+            speed = { value = \"10 mph\", sd = \"1 mph\" }  normal\n  \
+            yaw_radius = { value = \"1.4 m\", within = \"10 %\", confidence = 0.95 }  normal, 95 % within 10 %\n  \
+            restitution = { low = 0.2, high = 0.4 }  uniform\n  \
+            width = { low = \"63 in\", mode = \"65 in\", high = \"66 in\" }  triangular\n  \
+            depths = { values = \"21.3 20.3 13.8 in\", sd = \"0.5 in\" }  each station by itself\n\n\
             Each sample draws all ranges independently of each other and goes through the same equations as `deltav reconstruct` (or, without \
             [reconstruct], `deltav impact`). Printed are mean, standard deviation, median and the intervals that hold 50, 90, 95 and 99 % of the samples, each with the standard error that \
             the number of samples leaves; what was without an answer, by reason; what each input alone does (tornado); and the first-order propagation \

@@ -189,7 +189,7 @@ fn output_block(uncertainty: &Uncertainty, place: usize) -> OutputBlock<'_> {
         interval99: interval(3),
         standard_error: summary.map(errors),
         first_order_sd: output.first_order.sd,
-        first_order_differs: summary.map(|summary| output.first_order.differs(summary.sd.value)),
+        first_order_differs: summary.map(|summary| output.differs(summary.sd.value)),
         tornado: uncertainty
             .tornado
             .bars

@@ -136,10 +136,14 @@ impl<'a> Page<'a> {
                 lines.push(format!("{label:<30}{central:>11}{:>11}{:>11}{:>12}{first:>13}", "–", "–", "–"));
                 continue;
             };
+            if !output.varies(summary.sd.value) {
+                lines.push(format!("{label:<30}{central:>11}{:>58}", "does not vary"));
+                continue;
+            }
             let [mean, median, sd] = [summary.mean, summary.median, summary.sd];
             let of = |estimate: Estimate| self.plain(output, estimate.value);
             let by = 100.0 * (output.first_order.sd / sd.value - 1.0);
-            let differs = if output.first_order.differs(sd.value) {
+            let differs = if output.differs(sd.value) {
                 apart.push(output_name(output.output));
                 format!("{}{} %!", if by < 0.0 { "" } else { "+" }, number(by, 0))
             } else {
@@ -176,7 +180,7 @@ impl<'a> Page<'a> {
         let mut lines = Vec::new();
         for (output, summary) in self.rows() {
             let label = self.label(output);
-            let Some(summary) = summary else { continue };
+            let Some(summary) = summary.filter(|summary| output.varies(summary.sd.value)) else { continue };
             let ends = |low: String, high: String| format!("{low:>8}{high:>9}");
             let values = summary.intervals.map(|interval| {
                 ends(self.plain(output, interval.low.value), self.plain(output, interval.high.value))
@@ -194,6 +198,9 @@ impl<'a> Page<'a> {
     fn histogram(&mut self) {
         let Some(&(output, Some(summary))) = self.rows().first() else { return };
         let Some(column) = self.uncertainty.propagation.columns().first() else { return };
+        if !output.varies(summary.sd.value) {
+            return;
+        }
         let Some(histogram) = Histogram::new(column, summary, CLASSES) else { return };
         let most = histogram.counts.iter().copied().max().unwrap_or_default();
         let title = self.label(output);

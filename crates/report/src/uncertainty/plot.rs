@@ -31,11 +31,11 @@ fn text(size: i32, horizontal: HPos) -> TextStyle<'static> {
 }
 
 /// An output and what to call it.
-fn output<'a>(
-    uncertainty: &'a Uncertainty,
+fn output(
+    uncertainty: &Uncertainty,
     place: usize,
     units: Units,
-) -> Result<(&'a UncertainOutput, String), PlotError> {
+) -> Result<(&UncertainOutput, String), PlotError> {
     let output = uncertainty.outputs.get(place).ok_or_else(|| failed("there is no such output"))?;
     Ok((output, format!("{}, {}", output_name(output.output), units.name(quantity(output.output)))))
 }
@@ -49,6 +49,9 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
     let summary = uncertainty.propagation.summaries().get(place).copied().flatten();
     let column = uncertainty.propagation.columns().get(place);
     let Some((summary, column)) = summary.zip(column) else { return Ok(None) };
+    if !output.varies(summary.sd.value) {
+        return Ok(None);
+    }
     let Some(histogram) = Histogram::new(column, &summary, CLASSES) else { return Ok(None) };
     let value = |si: f64| units.value(quantity(output.output), si);
     #[expect(clippy::cast_precision_loss, reason = "a share to draw")]
