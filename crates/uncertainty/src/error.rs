@@ -80,7 +80,10 @@ pub enum InvalidRequest {
         limit: usize,
     },
     /// A number of samples that tells nothing, or that no point set reaches.
-    #[error("the number of samples must be between {} and {MAX_SAMPLES}, and is {samples}", crate::MIN_SAMPLES)]
+    #[error(
+        "the number of samples must be between {} and {MAX_SAMPLES}, and is {samples}",
+        crate::MIN_SAMPLES
+    )]
     Samples {
         /// Number of samples.
         samples: usize,

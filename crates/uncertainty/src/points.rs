@@ -57,7 +57,12 @@ enum Inputs {
 }
 
 impl Points {
-    pub(crate) fn new(method: Method, seed: u64, inputs: usize, samples: usize) -> Result<Self, InvalidRequest> {
+    pub(crate) fn new(
+        method: Method,
+        seed: u64,
+        inputs: usize,
+        samples: usize,
+    ) -> Result<Self, InvalidRequest> {
         if inputs == 0 {
             return Err(InvalidRequest::NoInputs);
         }
@@ -173,4 +178,6 @@ fn permuted(index: u64, count: u64, key: u64) -> u64 {
 }
 
 #[cfg(test)]
+#[expect(clippy::cast_possible_truncation, reason = "cells that a share in (0, 1) falls into")]
+#[expect(clippy::disallowed_methods, reason = "powers of two and squares, no bits of which are compared")]
 mod tests;

@@ -73,8 +73,7 @@ pub(crate) fn in_order<S: Send, T: Send>(
     let total = spans.iter().map(|span| span.samples).sum();
     let workers = workers().min(spans.len());
     let mut shared = |done: usize, total: usize| progress(done, total);
-    let queue =
-        Mutex::new(Queue { waiting: spans.into_iter().enumerate(), done: 0, progress: &mut shared });
+    let queue = Mutex::new(Queue { waiting: spans.into_iter().enumerate(), done: 0, progress: &mut shared });
     let results = Mutex::new(Vec::new());
     let worker = || {
         let mut own = Vec::new();

@@ -54,8 +54,7 @@ pub struct Summary {
 }
 
 /// The probabilities of the median and of the ends of the intervals, lower and upper in turn.
-const PROBABILITIES: [f64; 1 + 2 * LEVELS.len()] =
-    [0.5, 0.25, 0.75, 0.05, 0.95, 0.025, 0.975, 0.005, 0.995];
+const PROBABILITIES: [f64; 1 + 2 * LEVELS.len()] = [0.5, 0.25, 0.75, 0.05, 0.95, 0.025, 0.975, 0.005, 0.995];
 
 impl Summary {
     /// Of a column in which NaN stands for samples that failed; `None` where fewer than two succeeded.
@@ -157,9 +156,8 @@ impl Quantiles {
                 // Q = x₍ₖ₎ + (h − k)·(x₍ₖ₊₁₎ − x₍ₖ₎), h = (n − 1)p
                 low + (high - low) * place.part
             }),
-            half_distances: places.map(|place| {
-                place.around.map(|(before, after)| 0.5 * (values[after] - values[before]))
-            }),
+            half_distances: places
+                .map(|place| place.around.map(|(before, after)| 0.5 * (values[after] - values[before]))),
         }
     }
 }
@@ -245,7 +243,9 @@ impl Errors {
             means.push(moments.mean);
             sds.push(moments.sd());
             let of_replicate = Quantiles::of(&mut scratch);
-            for ((all, value), probability) in quantiles.iter_mut().zip(of_replicate.values).zip(PROBABILITIES) {
+            for ((all, value), probability) in
+                quantiles.iter_mut().zip(of_replicate.values).zip(PROBABILITIES)
+            {
                 if tail_is_populated(probability, moments.count) {
                     all.push(value);
                 }
@@ -261,8 +261,7 @@ impl Errors {
 
 /// s/√R over the replicates, where all of them have a value.
 fn error_of_mean(of_replicates: &[f64]) -> Option<f64> {
-    (of_replicates.len() == REPLICATES)
-        .then(|| Moments::of(of_replicates).sd() / (REPLICATES as f64).sqrt())
+    (of_replicates.len() == REPLICATES).then(|| Moments::of(of_replicates).sd() / (REPLICATES as f64).sqrt())
 }
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
 //! Propagation: exact answers, standard errors, failures, early ends, the same bits everywhere.
 #![expect(clippy::unwrap_used, reason = "clippy's exemption for tests leaves out the helpers beside them")]
+#![expect(clippy::disallowed_methods, reason = "squares of errors, no bits of which are compared")]
 
 use std::ops::ControlFlow;
 use uncertainty::{
-    Distribution, Function, Instructions, InvalidRequest, LANES, Lanes, Method, Model, NOT_FINITE, Propagation,
-    SUCCEEDED, Sampler, Settings, propagate,
+    Distribution, Function, Instructions, InvalidRequest, LANES, Lanes, Method, Model, NOT_FINITE,
+    Propagation, SUCCEEDED, Sampler, Settings, propagate,
 };
 
 const METHODS: [Method; 3] = [Method::MonteCarlo, Method::LatinHypercube, Method::Sobol];
@@ -49,7 +50,10 @@ fn a_linear_model_is_exact_within_its_standard_errors() {
         for (estimate, exact) in checks {
             let error = estimate.standard_error.unwrap();
             // Student's t with 15 degrees of freedom is beyond 5 once in 6000.
-            assert!((estimate.value - exact).abs() < 5.0 * error, "{method:?}: {estimate:?}, exactly {exact}");
+            assert!(
+                (estimate.value - exact).abs() < 5.0 * error,
+                "{method:?}: {estimate:?}, exactly {exact}"
+            );
             assert!(error < 0.1, "{method:?}: {error}");
         }
     }
@@ -101,7 +105,8 @@ fn even_points_converge_faster() {
         let seeds = 20;
         let squares: f64 = (0..seeds)
             .map(|seed| {
-                let summary = run(&product, &inputs, &Settings::new(method, samples, seed)).summaries()[0].unwrap();
+                let summary =
+                    run(&product, &inputs, &Settings::new(method, samples, seed)).summaries()[0].unwrap();
                 (summary.mean.value - 1.0).powi(2)
             })
             .sum();
@@ -134,10 +139,10 @@ fn failures_are_counted_by_reason() {
     // The sampler makes the inputs again, and the reasons fit them.
     let sampler = Sampler::new(&inputs, &settings).unwrap();
     let mut columns = [[0.0; LANES]];
-    for (block, reasons) in (0..).zip(result.reasons().chunks(LANES)) {
-        sampler.fill(block, &mut columns);
+    for (block, reasons) in result.reasons().chunks(LANES).enumerate() {
+        sampler.fill(block as u64, &mut columns);
         for (lane, (x, reason)) in columns[0].iter().zip(reasons).enumerate() {
-            let y = result.columns()[0][block as usize * LANES + lane];
+            let y = result.columns()[0][block * LANES + lane];
             match *reason {
                 SUCCEEDED => assert_eq!(y, x.sqrt()),
                 3 => assert!(*x < 0.0 && y.is_nan()),
@@ -173,10 +178,14 @@ fn an_early_end_leaves_the_first_samples_of_the_whole_run() {
         assert!(summary.mean.value.abs() < 6.0 * summary.mean.standard_error.unwrap(), "{method:?}");
         assert!(told.is_sorted());
     }
-    let none = propagate(&Linear, &inputs, &Settings::new(Method::Sobol, 100, 4), &mut |_, _| {
-        ControlFlow::Break(())
-    })
-    .unwrap();
+    let none =
+        propagate(
+            &Linear,
+            &inputs,
+            &Settings::new(Method::Sobol, 100, 4),
+            &mut |_, _| ControlFlow::Break(()),
+        )
+        .unwrap();
     assert_eq!((none.evaluated(), none.summaries()[0]), (0, None));
 }
 
@@ -185,13 +194,17 @@ fn hash(result: &Propagation) -> u64 {
     let statistics = result.summaries().iter().flatten().flat_map(|summary| {
         let ends = summary.intervals.into_iter().flat_map(|interval| [interval.low, interval.high]);
         let estimates = [summary.mean, summary.sd, summary.median].into_iter().chain(ends);
-        estimates.flat_map(|estimate| [estimate.value, estimate.standard_error.unwrap_or(-1.0)]).collect::<Vec<_>>()
+        estimates
+            .flat_map(|estimate| [estimate.value, estimate.standard_error.unwrap_or(-1.0)])
+            .collect::<Vec<_>>()
     });
     let samples = result.columns().iter().flatten().copied();
-    samples.chain(statistics).flat_map(|value| value.to_bits().to_le_bytes()).fold(
-        0xCBF2_9CE4_8422_2325,
-        |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3),
-    )
+    samples
+        .chain(statistics)
+        .flat_map(|value| value.to_bits().to_le_bytes())
+        .fold(0xCBF2_9CE4_8422_2325, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3)
+        })
 }
 
 fn of_every_kind() -> [Distribution; 4] {

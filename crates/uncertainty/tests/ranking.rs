@@ -1,12 +1,15 @@
 //! Sensitivity indices and tornado, against functions whose answers are known.
 #![expect(clippy::unwrap_used, reason = "clippy's exemption for tests leaves out the helpers beside them")]
-#![expect(clippy::disallowed_methods, reason = "the Ishigami function has a sine, and no bits of it are compared")]
+#![expect(
+    clippy::disallowed_methods,
+    reason = "the Ishigami function has a sine, and no bits of it are compared"
+)]
 
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use uncertainty::{
-    Distribution, FirstOrder, Function, Indices, InvalidRequest, Method, Model, NOT_FINITE, Sensitivity, Settings,
-    TORNADO_PROBABILITIES, sensitivity, tornado,
+    Distribution, FirstOrder, Function, Indices, InvalidRequest, Method, Model, NOT_FINITE, Sensitivity,
+    Settings, TORNADO_PROBABILITIES, sensitivity, tornado,
 };
 
 const METHODS: [Method; 3] = [Method::MonteCarlo, Method::LatinHypercube, Method::Sobol];
@@ -175,7 +178,9 @@ fn any_number_of_threads_gives_the_same_indices() {
     });
     let of = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| run(&model, &inputs, &Settings::new(Method::MonteCarlo, 10_000, 6))).indices().to_vec()
+        pool.install(|| run(&model, &inputs, &Settings::new(Method::MonteCarlo, 10_000, 6)))
+            .indices()
+            .to_vec()
     };
     let alone = of(1);
     assert!((2..=7).all(|threads| of(threads) == alone));
@@ -196,12 +201,16 @@ fn a_tornado_moves_one_input_at_a_time() {
     });
     let result = tornado(&model, &inputs, &[0.0, 2.0, 4.0], [0.25, 0.75]).unwrap();
     assert_eq!(result.central, Ok(vec![4.0, 0.0]));
-    let outputs: Vec<_> = result.bars.iter().map(|bar| (bar.low.outputs.clone(), bar.high.outputs.clone())).collect();
+    let outputs: Vec<_> =
+        result.bars.iter().map(|bar| (bar.low.outputs.clone(), bar.high.outputs.clone())).collect();
     assert_eq!(outputs[0], (Ok(vec![3.5, -0.5]), Ok(vec![4.5, 0.5])));
     assert_eq!(outputs[1], (Ok(vec![1.0, 0.0]), Ok(vec![9.0, 0.0])));
     assert_eq!(outputs[2], (Ok(vec![4.0, 0.0]), Err(9)));
     assert_eq!((result.bars[1].low.input, result.bars[1].high.input), (1.0, 3.0));
-    assert_eq!((result.bars[1].swing(0), result.bars[2].swing(0), result.bars[0].swing(2)), (Some(8.0), None, None));
+    assert_eq!(
+        (result.bars[1].swing(0), result.bars[2].swing(0), result.bars[0].swing(2)),
+        (Some(8.0), None, None)
+    );
     let order = |output| result.ranked(output).iter().map(|bar| bar.input).collect::<Vec<_>>();
     assert_eq!((order(0), order(1)), (vec![2, 1, 0], vec![2, 0, 1]));
 }

@@ -45,7 +45,8 @@ fn permutations_are_fair() {
         }
     }
     let expected = keys as f64 / COUNT as f64;
-    let chi_squared: f64 = seen.iter().flatten().map(|count: &f64| (count - expected).powi(2) / expected).sum();
+    let chi_squared: f64 =
+        seen.iter().flatten().map(|count: &f64| (count - expected).powi(2) / expected).sum();
     assert!((chi_squared - 225.0).abs() < 5.0 * 21.3, "{chi_squared}");
 }
 

@@ -71,9 +71,9 @@ fn property_a_holds_as_joe_and_kuo_say() {
 #[test]
 fn the_table_is_unchanged() {
     assert_eq!(MAX_INPUTS, 256);
-    let numbers = DIRECTION_NUMBERS.iter().flat_map(|(polynomial, initial)| {
-        std::iter::once(*polynomial).chain(initial.iter().copied())
-    });
+    let numbers = DIRECTION_NUMBERS
+        .iter()
+        .flat_map(|(polynomial, initial)| std::iter::once(*polynomial).chain(initial.iter().copied()));
     let hash = numbers.flat_map(u32::to_le_bytes).fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3)
     });
