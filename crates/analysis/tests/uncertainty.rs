@@ -162,8 +162,9 @@ fn g_follows_from_a_and_b_of_each_sample() {
     let zones = depths.len() - 1;
     let block = first_block(&result);
     let work = place(&result, Output::NormalWork);
-    for lane in 0..LANES {
-        let (a, b) = (block[0][lane] * 100.0, block[1][lane] * 1e4);
+    for (lane, (a, b)) in block[0].iter().zip(&block[1]).enumerate() {
+        // N/cm and N/cm²
+        let (a, b) = (a * 100.0, b * 1e4);
         // ∫ (A C + B C²/2 + A²/2B) dw over trapezoids: ∫C = Δw (C + C')/2, ∫C² = Δw (C² + C C' + C'²)/3
         let step = width / zones as f64;
         let energy: f64 = depths

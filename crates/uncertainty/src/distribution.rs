@@ -203,10 +203,14 @@ impl Distribution {
     pub(crate) fn transform<const N: usize>(&self, lanes: &mut [f64; N]) {
         match self.transform {
             Transform::Normal { centre, scale, start, span, mirrored, low, high } => {
-                for lane in lanes {
+                // x = μ ± σ·Φ⁻¹(Φ(α) + u·(Φ(β) − Φ(α)))
+                for lane in lanes.iter_mut() {
                     let u = if mirrored { 1.0 - *lane } else { *lane };
-                    // x = μ ± σ·Φ⁻¹(Φ(α) + u·(Φ(β) − Φ(α)))
-                    let x = centre + scale * normal::quantile(start + span * u);
+                    *lane = start + span * u;
+                }
+                normal::quantiles(lanes);
+                for lane in lanes {
+                    let x = centre + scale * *lane;
                     let x = if x < low { low } else { x };
                     *lane = if x > high { high } else { x };
                 }

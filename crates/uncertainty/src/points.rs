@@ -178,4 +178,6 @@ fn permuted(index: u64, count: u64, key: u64) -> u64 {
 }
 
 #[cfg(test)]
+#[expect(clippy::cast_possible_truncation, reason = "cells that a share in (0, 1) falls into")]
+#[expect(clippy::disallowed_methods, reason = "powers of two and squares, no bits of which are compared")]
 mod tests;

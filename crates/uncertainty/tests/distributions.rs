@@ -1,5 +1,6 @@
 //! Distributions: exact moments and quantiles, what they refuse, and samples of them.
-#![expect(clippy::unwrap_used, reason = "clippy's exemption for tests leaves out the helpers beside them")]
+#![expect(clippy::excessive_precision, reason = "constants as they were computed, with all their digits")]
+#![expect(clippy::disallowed_methods, reason = "an independent formula, no bits of which are compared")]
 
 use std::ops::ControlFlow;
 use uncertainty::{Distribution, Function, InvalidDistribution, Method, Settings, Shape, propagate};

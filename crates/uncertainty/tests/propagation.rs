@@ -1,5 +1,6 @@
 //! Propagation: exact answers, standard errors, failures, early ends, the same bits everywhere.
 #![expect(clippy::unwrap_used, reason = "clippy's exemption for tests leaves out the helpers beside them")]
+#![expect(clippy::disallowed_methods, reason = "squares of errors, no bits of which are compared")]
 
 use std::ops::ControlFlow;
 use uncertainty::{
@@ -138,10 +139,10 @@ fn failures_are_counted_by_reason() {
     // The sampler makes the inputs again, and the reasons fit them.
     let sampler = Sampler::new(&inputs, &settings).unwrap();
     let mut columns = [[0.0; LANES]];
-    for (block, reasons) in (0..).zip(result.reasons().chunks(LANES)) {
-        sampler.fill(block, &mut columns);
+    for (block, reasons) in result.reasons().chunks(LANES).enumerate() {
+        sampler.fill(block as u64, &mut columns);
         for (lane, (x, reason)) in columns[0].iter().zip(reasons).enumerate() {
-            let y = result.columns()[0][block as usize * LANES + lane];
+            let y = result.columns()[0][block * LANES + lane];
             match *reason {
                 SUCCEEDED => assert_eq!(y, x.sqrt()),
                 3 => assert!(*x < 0.0 && y.is_nan()),

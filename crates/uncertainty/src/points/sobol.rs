@@ -100,4 +100,6 @@ fn directions(input: usize) -> [u64; DIRECTIONS] {
 }
 
 #[cfg(test)]
+#[expect(clippy::cast_possible_truncation, reason = "cells that a share in (0, 1) falls into")]
+#[expect(clippy::disallowed_methods, reason = "powers of two and squares, no bits of which are compared")]
 mod tests;
