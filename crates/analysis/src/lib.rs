@@ -12,7 +12,7 @@
 //! ```
 //!
 //! [`compare`] puts the answers of all impact laws and of CRASH3 side by side; [`sensitivity`] says how much the answer moves with each estimate,
-//! and [`uncertainty`] between what and what it lies where numbers of the case are ranges.
+//! and [`uncertainty()`] between what and what it lies where numbers of the case are ranges.
 //!
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
 //! [`Warning`]s. A [`Failure`] says whether the file or the physics is to blame.

@@ -192,7 +192,7 @@ impl Uncertainty {
     }
 }
 
-/// What [`uncertainty`] is at.
+/// What [`uncertainty()`] is at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// The samples.

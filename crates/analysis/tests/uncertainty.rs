@@ -131,6 +131,18 @@ fn a_linear_case_comes_out_exactly() {
     );
 }
 
+/// ΔV = 1.2 v, the speed in miles per hour, its deviation in those or in km/h: 1 mph is 0.447 04 m/s.
+#[test]
+fn ranges_are_in_their_own_units() {
+    for (sd, si) in [("1 mph", 0.447_04), ("3.6 km/h", 1.0)] {
+        let result = run(&head_on(&format!("{{ value = \"40 mph\", sd = \"{sd}\" }}")), 20_000);
+        let at = place(&result, Output::DeltaV { vehicle: 1 });
+        assert!((result.outputs[at].first_order.sd / (1.2 * si) - 1.0).abs() < 1e-12);
+        let sampled = result.propagation.summaries()[at].unwrap().sd;
+        assert!((sampled.value - 1.2 * si).abs() < 4.0 * sampled.standard_error.unwrap());
+    }
+}
+
 /// A quarter of the speeds is backwards, away from the barrier.
 #[test]
 fn samples_without_an_answer_are_counted_by_reason() {

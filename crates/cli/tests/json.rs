@@ -805,7 +805,12 @@ fn uncertainty_has_its_keys_and_its_samples_are_those_of_the_statistics() {
     let header = lines.next().unwrap();
     assert_eq!(header.len(), 2 + 31 + 9);
     let column = header.iter().position(|name| *name == "vehicle1.speed").unwrap();
-    let mut values: Vec<f64> = lines.map(|line| line[column].parse().unwrap()).collect();
+    let lines: Vec<_> = lines.collect();
+    // Inputs in SI: 3696 lb of 4.448 22 N each, and the mean of 5000 is within four of 222 N/√5000 of it.
+    let weight = header.iter().position(|name| *name == "vehicle1.weight").unwrap();
+    let mean = lines.iter().map(|line| line[weight].parse::<f64>().unwrap()).sum::<f64>() / 5000.0;
+    assert!((mean - 16_440.6).abs() < 12.6, "{mean}");
+    let mut values: Vec<f64> = lines.iter().map(|line| line[column].parse().unwrap()).collect();
     assert_eq!(values.len(), 5000);
     values.sort_by(f64::total_cmp);
     let quantile = |p: f64| {
