@@ -2,12 +2,14 @@
 
 use std::error::Error;
 use std::hint::black_box;
+use std::ops::ControlFlow;
 
 use case::Case;
 use crash3::crush_energy;
-use criterion::Criterion;
+use criterion::{Criterion, Throughput};
 use deltav_benches::{CASE_FILE, Example, FRICTION, TANGENTIAL_CONDITIONS};
 use pim_core::{Contact, Tangential};
+use uncertainty::{Distribution, LANES, Lanes, Method, Model, Settings, propagate};
 
 // Not criterion's own macros: an input that is refused ends the run with its reason.
 fn main() -> Result<(), Box<dyn Error>> {
@@ -16,6 +18,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     crush(&mut criterion)?;
     reconciliation(&mut criterion)?;
     case_file(&mut criterion)?;
+    sampling(&mut criterion)?;
     criterion.final_summary();
     Ok(())
 }
@@ -69,5 +72,53 @@ fn case_file(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     let (name, text) = CASE_FILE;
     Case::parse(name, text)?;
     criterion.bench_function("parse", |b| b.iter(|| Case::parse(black_box(name), black_box(text))));
+    Ok(())
+}
+
+/// A model that costs next to nothing, so that what is measured is the sampling of its inputs and the statistics.
+struct SumOfSquares;
+
+impl Model for SumOfSquares {
+    fn outputs(&self) -> usize {
+        1
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], _reasons: &mut [u8; LANES]) {
+        for output in outputs {
+            *output = [0.0; LANES];
+            for input in inputs {
+                for (sum, value) in output.iter_mut().zip(input) {
+                    *sum += value * value;
+                }
+            }
+        }
+    }
+}
+
+/// 31 normal inputs, as many as the paper's example has. One thread, then all.
+fn sampling(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
+    const SAMPLES: usize = 1 << 17;
+    let inputs = vec![Distribution::normal(1.0, 0.1)?; 31];
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
+    let all = rayon::ThreadPoolBuilder::new().build()?;
+    let mut group = criterion.benchmark_group("samples of 31 inputs");
+    group.throughput(Throughput::Elements(SAMPLES as u64));
+    for (name, method, threads) in [
+        ("Monte Carlo, one thread", Method::MonteCarlo, &one),
+        ("Monte Carlo, all threads", Method::MonteCarlo, &all),
+        ("Latin hypercube, one thread", Method::LatinHypercube, &one),
+        ("Sobol', one thread", Method::Sobol, &one),
+    ] {
+        let settings = Settings::new(method, SAMPLES, 1);
+        let run = || {
+            threads.install(|| {
+                propagate(&SumOfSquares, black_box(&inputs), &settings, &mut |_, _| ControlFlow::Continue(()))
+            })
+        };
+        run()?;
+        group.bench_function(name, |b| b.iter(run));
+    }
+    group.finish();
     Ok(())
 }

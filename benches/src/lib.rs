@@ -6,7 +6,8 @@
 //! | `instructions` | instructions executed, by gungraun under valgrind: for comparisons | `benches/compare-commits` |
 //!
 //! Both measure the same operations: an impact under each tangential condition, the same with the geometry of the contact
-//! included, a crush energy, a reconciliation in closed form and by the root-finder, the reading of a case file.
+//! included, a crush energy, a reconciliation in closed form and by the root-finder, the reading of a case file. The sampling of 31
+//! uncertain inputs is timed only.
 //!
 //! # Time
 //!

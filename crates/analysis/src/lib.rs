@@ -11,7 +11,8 @@
 //! # }
 //! ```
 //!
-//! [`compare`] puts the answers of all impact laws and of CRASH3 side by side; [`sensitivity`] says how much the answer moves with each estimate.
+//! [`compare`] puts the answers of all impact laws and of CRASH3 side by side; [`sensitivity`] says how much the answer moves with each estimate,
+//! and [`uncertainty()`] between what and what it lies where numbers of the case are ranges.
 //!
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
 //! [`Warning`]s. A [`Failure`] says whether the file or the physics is to blame.
@@ -24,17 +25,21 @@ mod checks;
 mod compare;
 mod damage;
 mod sensitivity;
+mod uncertainty;
 mod warning;
 
 pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
+pub use uncertainty::{
+    Plan, REASONS, Reason, Stage, UncertainInput, UncertainOutput, Uncertainty, uncertainty,
+};
 pub use warning::Warning;
 
 use case::{CaseFile, Collision, Diagnostics, Quantity, Subject};
 use crash3::{CrushError, EnergyBasis};
-use pim_core::{Contact, ImpactError, Law, Outcome};
+use pim_core::{Contact, ImpactError, Law, Outcome, Real};
 use reconcile::{Iteration, Method, Problem, ReconcileError, Unknown};
 
 /// A finished analysis.
@@ -108,6 +113,9 @@ pub enum Failure {
     /// The damage has no answer.
     #[error(transparent)]
     Crush(#[from] CrushError),
+    /// Nothing is uncertain, or the samples asked for make no sense.
+    #[error(transparent)]
+    Ranges(#[from] ::uncertainty::InvalidRequest),
 }
 
 /// Finds the speed that makes the work of the normal impulse equal the crush energy.
@@ -147,14 +155,21 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
 /// [`Failure`].
 pub fn impact(file: &CaseFile) -> Result<Analysis, Failure> {
     let input = file.impact()?;
-    let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
-    let law = match restitution_curve {
-        Some(curve) => curve.law(law, -contact.approach(&motions).velocity.normal),
-        None => law,
-    };
-    let impact = Impact { contact, law, outcome: contact.impact(motions, &law)? };
+    let (law, outcome) = collide(&input.collision)?;
+    let Collision { contact, vehicles, .. } = input.collision;
+    let impact = Impact { contact, law, outcome };
     let vehicles = damage::assess(vehicles, impact.outcome.pdof().map(Some))?;
     judged(file, vehicles, input.basis, Some(impact.law.restitution()), (None, Some(impact)), Vec::new())
+}
+
+/// The impact of a collision of which all is known, and the law at its closing speed.
+fn collide<T: Real>(collision: &Collision<T>) -> Result<(Law<T>, Outcome<T>), ImpactError> {
+    let Collision { contact, law, restitution_curve, motions, .. } = collision;
+    let law = match restitution_curve {
+        Some(curve) => curve.law(*law, -contact.approach(motions).velocity.normal),
+        None => *law,
+    };
+    contact.impact(*motions, &law).map(|outcome| (law, outcome))
 }
 
 /// CRASH3 alone: energies and velocity changes from the damage and the PDOF that the file gives.

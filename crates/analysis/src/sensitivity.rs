@@ -2,12 +2,12 @@
 
 use case::{Case, CaseFile, Dimension, Input};
 use crash3::{ObliqueCorrection, principal_angle};
-use pim_core::Real;
+use pim_core::{Outcome, Real};
 use real::Dual;
 use reconcile::Problem;
 
 use crate::damage::{self, Crash3};
-use crate::{Analysis, Failure, crush, impact, reconstruct};
+use crate::{Analysis, Failure, collide, crush, impact, reconstruct};
 
 /// (rad) 1°.
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -37,6 +37,59 @@ pub enum Output {
         /// 1 or 2.
         vehicle: usize,
     },
+    /// (rad) principal direction of force.
+    Pdof {
+        /// 1 or 2.
+        vehicle: usize,
+    },
+    /// (m/s) speed with which the contact points approach each other along the normal.
+    ClosingSpeed,
+    /// (J) kinetic energy that the impact takes.
+    EnergyLoss,
+    /// (J) work of the normal impulse.
+    NormalWork,
+    /// (J) work of the tangential impulse.
+    TangentialWork,
+}
+
+impl Output {
+    /// The outputs of an analysis with an impact: the speed found, if there is one; no ΔV and PDOF of a fixed object.
+    pub(crate) fn of(analysis: &Analysis) -> Vec<Self> {
+        let moves = |vehicle: &usize| analysis.vehicles[vehicle - 1].subject.inertia.is_some();
+        let found = analysis.found.as_ref().map(|found| Self::Speed { vehicle: found.unknown.index() + 1 });
+        let delta_v = [1, 2].into_iter().filter(moves).map(|vehicle| Self::DeltaV { vehicle });
+        let pdof = [1, 2].into_iter().filter(moves).map(|vehicle| Self::Pdof { vehicle });
+        let impact = [Self::ClosingSpeed, Self::EnergyLoss, Self::NormalWork, Self::TangentialWork];
+        found.into_iter().chain(delta_v).chain(pdof).chain(impact).collect()
+    }
+
+    /// Its value in an impact; `found` is the speed found.
+    pub(crate) fn value<T: Real>(self, found: T, outcome: &Outcome<T>) -> T {
+        match self {
+            Self::Speed { .. } => found,
+            Self::DeltaV { vehicle } => outcome.delta_v_magnitude()[vehicle - 1],
+            Self::Pdof { vehicle } => outcome.pdof()[vehicle - 1],
+            // −u_n
+            Self::ClosingSpeed => -outcome.approach.normal,
+            Self::EnergyLoss => outcome.energy.loss,
+            Self::NormalWork => outcome.energy.normal_work,
+            Self::TangentialWork => outcome.energy.tangential_work,
+        }
+    }
+
+    /// The key of the JSON that names it.
+    #[must_use]
+    pub fn path(self) -> String {
+        match self {
+            Self::Speed { vehicle } => format!("vehicle{vehicle}.speed"),
+            Self::DeltaV { vehicle } => format!("vehicle{vehicle}.delta_v"),
+            Self::Pdof { vehicle } => format!("vehicle{vehicle}.pdof"),
+            Self::ClosingSpeed => "impact.closing_speed".to_owned(),
+            Self::EnergyLoss => "impact.energy_loss".to_owned(),
+            Self::NormalWork => "impact.normal_work".to_owned(),
+            Self::TangentialWork => "impact.tangential_work".to_owned(),
+        }
+    }
 }
 
 /// ∂(output)/∂(input), all other inputs as given.
@@ -118,38 +171,20 @@ pub fn sensitivity(file: &CaseFile, sweep: Sweep) -> Result<Sensitivity, Failure
 }
 
 fn derivatives(file: &CaseFile, nominal: &Analysis) -> Result<Vec<Derivative>, Failure> {
-    let Some(found) = &nominal.found else { return Ok(Vec::new()) };
-    let constant = |input: &Input| Dual::from(input.number);
-    let by_speed = at(file, &file.case.map(|input| constant(&input)), |problem| {
-        Ok(problem.residual(Dual::variable(found.speed)).derivative)
-    })?;
-    let vehicle = found.unknown.index() + 1;
-    let outputs = [Output::Speed { vehicle }, Output::DeltaV { vehicle: 1 }, Output::DeltaV { vehicle: 2 }];
+    let outputs: Vec<Output> = Output::of(nominal)
+        .into_iter()
+        .filter(|output| matches!(output, Output::Speed { .. } | Output::DeltaV { .. }))
+        .collect();
     let mut derivatives = Vec::new();
-    for (i, input) in file.case.inputs().into_iter().enumerate() {
-        let mut index = 0;
-        // Of all numbers one varies, and does so by one of its SI unit.
-        let case = file.case.map(|other| {
-            let derivative = if index == i { 1.0 / other.factor() } else { 0.0 };
-            index += 1;
-            Dual { value: other.number, derivative }
-        });
-        let [speed, dv1, dv2] = at(file, &case, |problem| {
-            let by_input = problem.residual(Dual::from(found.speed)).derivative;
-            // ds/dp = −(∂R/∂p)/(∂R/∂s)
-            let speed = Dual { value: found.speed, derivative: -(by_input / by_speed) };
-            let (_, outcome) = problem.impact(speed)?;
-            let [dv1, dv2] = outcome.delta_v_magnitude();
-            Ok([speed, dv1, dv2])
-        })?;
-        for (output, dual) in outputs.into_iter().zip([speed, dv1, dv2]) {
+    for (input, duals) in file.case.inputs().into_iter().zip(gradients(file, nominal, &outputs)?) {
+        for (&output, dual) in outputs.iter().zip(duals) {
             let (output_value, value) = (dual.value(), dual.derivative);
             derivatives.push(Derivative { output, output_value, input: input.clone(), value });
         }
     }
-    let order = |output: Output| outputs.iter().position(|other| *other == output);
-    // A fixed object has no ΔV that could move.
+    // Nothing is a share of zero.
     derivatives.retain(|derivative| derivative.output_value != 0.0);
+    let order = |output: Output| outputs.iter().position(|other| *other == output);
     derivatives.sort_by(|a, b| {
         let influence = b.influence().abs().total_cmp(&a.influence().abs());
         order(a.output).cmp(&order(b.output)).then(influence)
@@ -157,8 +192,52 @@ fn derivatives(file: &CaseFile, nominal: &Analysis) -> Result<Vec<Derivative>, F
     Ok(derivatives)
 }
 
+/// For each input, the outputs and their derivatives by it (SI per SI).
+pub(crate) fn gradients(
+    file: &CaseFile,
+    nominal: &Analysis,
+    outputs: &[Output],
+) -> Result<Vec<Vec<Dual>>, Failure> {
+    let all = |found: Dual, outcome: &Outcome<Dual>| -> Vec<Dual> {
+        outputs.iter().map(|output| output.value(found, outcome)).collect()
+    };
+    let by_speed = match &nominal.found {
+        Some(found) => {
+            let case = file.case.map_numbers(Dual::from);
+            let by_speed =
+                at(file, &case, |problem| Ok(problem.residual(Dual::variable(found.speed)).derivative))?;
+            Some((found.speed, by_speed))
+        }
+        None => None,
+    };
+    let mut gradients = Vec::new();
+    for (i, input) in file.case.inputs().into_iter().enumerate() {
+        let mut index = 0;
+        // Of all numbers one varies, and does so by one of its SI unit.
+        let case = file.case.map_numbers(|value| {
+            let derivative = if index == i { 1.0 / input.factor() } else { 0.0 };
+            index += 1;
+            Dual { value, derivative }
+        });
+        gradients.push(match by_speed {
+            Some((speed, by_speed)) => at(file, &case, |problem| {
+                let by_input = problem.residual(Dual::from(speed)).derivative;
+                // ds/dp = −(∂R/∂p)/(∂R/∂s)
+                let found = Dual { value: speed, derivative: -(by_input / by_speed) };
+                let (_, outcome) = problem.impact(found)?;
+                Ok(all(found, &outcome))
+            })?,
+            None => {
+                let (_, outcome) = collide(&file.impact_with(&case)?.collision)?;
+                all(Dual::from(0.0), &outcome)
+            }
+        });
+    }
+    Ok(gradients)
+}
+
 /// The problem that a case poses, with other numbers.
-fn at<T: Real, R>(
+pub(crate) fn at<T: Real, R>(
     file: &CaseFile,
     case: &Case<T>,
     evaluate: impl FnOnce(&Problem<'_, T>) -> Result<R, Failure>,

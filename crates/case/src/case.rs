@@ -7,6 +7,7 @@ use pim_core::{Real, Tangential};
 use reconcile::Unknown;
 
 use crate::quantity::Quantity;
+use crate::range::Range;
 use crate::schema::LawName;
 use crate::units::{STANDARD_GRAVITY, Unit, UnitSystem};
 
@@ -24,6 +25,9 @@ pub struct Case<T = f64> {
     pub impact: Option<Impact<T>>,
     /// `[reconstruct]`.
     pub reconstruct: Option<Reconstruct>,
+    /// Which of the numbers are not known exactly, in the order of [`inputs`](Case::inputs). The numbers themselves are the central
+    /// values.
+    pub ranges: Vec<Range>,
 }
 
 /// A vehicle or, with [`fixed`](Vehicle::fixed), a barrier. What a computation needs beyond what is given is

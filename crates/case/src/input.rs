@@ -1,5 +1,7 @@
 //! The numbers of a case, each under its path: what derivatives are taken by and what may be uncertain.
 
+use std::fmt::{self, Display};
+
 use crash3::ObliqueCorrection;
 use pim_core::Tangential;
 
@@ -37,15 +39,27 @@ impl Input {
 
 impl Case {
     /// The same case with other numbers in the place of its own, which `replace` is given in the order of [`inputs`](Self::inputs).
+    /// They are certain: no [`ranges`](Case::ranges) are taken over.
     pub fn map<U>(&self, mut replace: impl FnMut(Input) -> U) -> Case<U> {
-        let mut walk = Walk { replace: &mut replace };
+        self.walk(&mut |path, number, unit| replace(Input { path: path.to_string(), number, unit }))
+    }
+
+    /// The same case with other numbers, given in the order of [`inputs`](Self::inputs) beside those that they replace. No path is
+    /// made for any, so that this is quick.
+    pub fn map_numbers<U>(&self, mut replace: impl FnMut(f64) -> U) -> Case<U> {
+        self.walk(&mut |_, number, _| replace(number))
+    }
+
+    fn walk<U>(&self, replace: &mut Replace<'_, U>) -> Case<U> {
+        let mut walk = Walk { replace };
         let [v1, v2] = &self.vehicles;
         Case {
             title: self.title.clone(),
             source: self.source.clone(),
-            vehicles: [walk.vehicle("vehicle1", v1), walk.vehicle("vehicle2", v2)],
+            vehicles: [walk.vehicle(&"vehicle1", v1), walk.vehicle(&"vehicle2", v2)],
             impact: self.impact.as_ref().map(|impact| walk.impact(impact)),
             reconstruct: self.reconstruct,
+            ranges: Vec::new(),
         }
     }
 
@@ -58,31 +72,51 @@ impl Case {
     }
 }
 
-struct Walk<'a, U> {
-    replace: &'a mut dyn FnMut(Input) -> U,
+/// Told the path, the number and its unit.
+type Replace<'a, U> = dyn FnMut(&dyn Display, f64, Option<&'static Unit>) -> U + 'a;
+
+struct Walk<'a, 'r, U> {
+    replace: &'a mut Replace<'r, U>,
 }
 
-impl<U> Walk<'_, U> {
-    fn number(&mut self, path: &str, number: f64) -> U {
-        (self.replace)(Input { path: path.to_owned(), number, unit: None })
+/// The path of a key in a table, spelled only when asked for.
+struct Key<'a>(&'a dyn Display, &'a str);
+
+impl Display for Key<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.0, self.1)
+    }
+}
+
+/// The path of an element of a list, counted from 1.
+struct Element<'a>(&'a dyn Display, usize);
+
+impl Display for Element<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}[{}]", self.0, self.1 + 1)
+    }
+}
+
+impl<U> Walk<'_, '_, U> {
+    fn number(&mut self, path: &dyn Display, number: f64) -> U {
+        (self.replace)(path, number, None)
     }
 
-    fn quantity(&mut self, path: &str, quantity: &Quantity) -> Quantity<U> {
-        let input = Input { path: path.to_owned(), number: quantity.number(), unit: Some(quantity.unit()) };
-        quantity.with((self.replace)(input))
+    fn quantity(&mut self, path: &dyn Display, quantity: &Quantity) -> Quantity<U> {
+        quantity.with((self.replace)(path, quantity.number(), Some(quantity.unit())))
     }
 
-    fn maybe(&mut self, path: &str, quantity: Option<&Quantity>) -> Option<Quantity<U>> {
+    fn maybe(&mut self, path: &dyn Display, quantity: Option<&Quantity>) -> Option<Quantity<U>> {
         quantity.map(|quantity| self.quantity(path, quantity))
     }
 
-    fn list(&mut self, path: &str, quantities: &[Quantity]) -> Vec<Quantity<U>> {
-        let element = |(i, quantity)| self.quantity(&format!("{path}[{}]", i + 1), quantity);
+    fn list(&mut self, path: &dyn Display, quantities: &[Quantity]) -> Vec<Quantity<U>> {
+        let element = |(i, quantity)| self.quantity(&Element(path, i), quantity);
         quantities.iter().enumerate().map(element).collect()
     }
 
-    fn vehicle(&mut self, table: &str, vehicle: &Vehicle) -> Vehicle<U> {
-        let at = |key: &str| format!("{table}.{key}");
+    fn vehicle(&mut self, table: &dyn Display, vehicle: &Vehicle) -> Vehicle<U> {
+        let at = |key| Key(table, key);
         Vehicle {
             name: vehicle.name.clone(),
             fixed: vehicle.fixed,
@@ -122,15 +156,15 @@ impl<U> Walk<'_, U> {
         }
     }
 
-    fn mass(&mut self, table: &str, mass: &Mass) -> Mass<U> {
+    fn mass(&mut self, table: &dyn Display, mass: &Mass) -> Mass<U> {
         match mass {
-            Mass::Mass(q) => Mass::Mass(self.quantity(&format!("{table}.mass"), q)),
-            Mass::Weight(q) => Mass::Weight(self.quantity(&format!("{table}.weight"), q)),
+            Mass::Mass(q) => Mass::Mass(self.quantity(&Key(table, "mass"), q)),
+            Mass::Weight(q) => Mass::Weight(self.quantity(&Key(table, "weight"), q)),
         }
     }
 
-    fn crush(&mut self, table: &str, crush: &Crush) -> Crush<U> {
-        let at = |key: &str| format!("{table}.{key}");
+    fn crush(&mut self, table: &dyn Display, crush: &Crush) -> Crush<U> {
+        let at = |key| Key(table, key);
         Crush {
             side: crush.side,
             from_force_balance: crush.from_force_balance,
@@ -157,15 +191,15 @@ impl<U> Walk<'_, U> {
         }
     }
 
-    fn stiffness(&mut self, table: &str, stiffness: &StiffnessForm) -> StiffnessForm<U> {
+    fn stiffness(&mut self, table: &dyn Display, stiffness: &StiffnessForm) -> StiffnessForm<U> {
         match stiffness {
             StiffnessForm::Line(line) => StiffnessForm::Line(self.line(table, line)),
             StiffnessForm::Category(category) => StiffnessForm::Category(*category),
             StiffnessForm::Test(test) => {
-                let table = format!("{table}.test");
-                let at = |key: &str| format!("{table}.{key}");
+                let table = &Key(table, "test");
+                let at = |key| Key(table, key);
                 StiffnessForm::Test(BarrierTest {
-                    mass: self.mass(&table, &test.mass),
+                    mass: self.mass(table, &test.mass),
                     speed: self.quantity(&at("speed"), &test.speed),
                     width: self.quantity(&at("width"), &test.width),
                     depths: self.list(&at("depths"), &test.depths),
@@ -174,14 +208,15 @@ impl<U> Walk<'_, U> {
                 })
             }
             StiffnessForm::Zones(zones) => {
-                let zone = |(i, line)| self.line(&format!("{table}.zones[{}]", i + 1), line);
+                let zones_path = Key(table, "zones");
+                let zone = |(i, line)| self.line(&Element(&zones_path, i), line);
                 StiffnessForm::Zones(zones.iter().enumerate().map(zone).collect())
             }
         }
     }
 
-    fn line(&mut self, table: &str, line: &StiffnessLine) -> StiffnessLine<U> {
-        let at = |key: &str| format!("{table}.{key}");
+    fn line(&mut self, table: &dyn Display, line: &StiffnessLine) -> StiffnessLine<U> {
+        let at = |key| Key(table, key);
         match line {
             StiffnessLine::Crush { a, b, g, limit } => StiffnessLine::Crush {
                 a: self.quantity(&at("A"), a),
@@ -199,25 +234,26 @@ impl<U> Walk<'_, U> {
     }
 
     fn impact(&mut self, impact: &Impact) -> Impact<U> {
-        let crush_plane = self.quantity("impact.crush_plane", &impact.crush_plane);
+        let crush_plane = self.quantity(&"impact.crush_plane", &impact.crush_plane);
         let law = match &impact.law {
             ImpactLaw::Brach { restitution, tangential, moment_restitution } => ImpactLaw::Brach {
                 restitution: self.restitution(restitution),
                 tangential: self.tangential(*tangential),
                 moment_restitution: moment_restitution
-                    .map(|e_m| self.number("impact.moment_restitution", e_m)),
+                    .map(|e_m| self.number(&"impact.moment_restitution", e_m)),
             },
             ImpactLaw::Woolley { tangential_velocity_change } => ImpactLaw::Woolley {
                 tangential_velocity_change: self
-                    .maybe("impact.tangential_velocity_change", tangential_velocity_change.as_ref()),
+                    .maybe(&"impact.tangential_velocity_change", tangential_velocity_change.as_ref()),
             },
             ImpactLaw::Ishikawa { restitution, tangential_restitution } => ImpactLaw::Ishikawa {
                 restitution: self.restitution(restitution),
-                tangential_restitution: self.number("impact.tangential_restitution", *tangential_restitution),
+                tangential_restitution: self
+                    .number(&"impact.tangential_restitution", *tangential_restitution),
             },
             ImpactLaw::KudlichSlibar { restitution, friction } => ImpactLaw::KudlichSlibar {
                 restitution: self.restitution(restitution),
-                friction: self.number("impact.friction", *friction),
+                friction: self.number(&"impact.friction", *friction),
             },
         };
         Impact { crush_plane, law }
@@ -225,11 +261,11 @@ impl<U> Walk<'_, U> {
 
     fn restitution(&mut self, restitution: &Restitution) -> Restitution<U> {
         match restitution {
-            Restitution::Constant(e) => Restitution::Constant(self.number("impact.restitution", *e)),
+            Restitution::Constant(e) => Restitution::Constant(self.number(&"impact.restitution", *e)),
             Restitution::OfClosingSpeed { speeds, values } => {
-                let speeds = self.list("impact.restitution.speeds", speeds);
+                let speeds = self.list(&"impact.restitution.speeds", speeds);
                 let value =
-                    |(i, e): (usize, &f64)| self.number(&format!("impact.restitution.values[{}]", i + 1), *e);
+                    |(i, e): (usize, &f64)| self.number(&Element(&"impact.restitution.values", i), *e);
                 Restitution::OfClosingSpeed { speeds, values: values.iter().enumerate().map(value).collect() }
             }
         }
@@ -238,19 +274,19 @@ impl<U> Walk<'_, U> {
     fn tangential(&mut self, tangential: Tangential) -> Tangential<U> {
         match tangential {
             Tangential::Critical => Tangential::Critical,
-            Tangential::Ratio(mu) => Tangential::Ratio(self.number("impact.tangential.ratio", mu)),
+            Tangential::Ratio(mu) => Tangential::Ratio(self.number(&"impact.tangential.ratio", mu)),
             Tangential::FractionOfCritical(f) => {
-                Tangential::FractionOfCritical(self.number("impact.tangential.fraction", f))
+                Tangential::FractionOfCritical(self.number(&"impact.tangential.fraction", f))
             }
-            Tangential::Friction(mu) => Tangential::Friction(self.number("impact.tangential.friction", mu)),
+            Tangential::Friction(mu) => Tangential::Friction(self.number(&"impact.tangential.friction", mu)),
             // Conditions of the other laws, which have keys of their own.
             Tangential::VelocityChange(change) => {
-                Tangential::VelocityChange(self.number("impact.tangential_velocity_change", change))
+                Tangential::VelocityChange(self.number(&"impact.tangential_velocity_change", change))
             }
             Tangential::Restitution(e_t) => {
-                Tangential::Restitution(self.number("impact.tangential_restitution", e_t))
+                Tangential::Restitution(self.number(&"impact.tangential_restitution", e_t))
             }
-            Tangential::FullOrSliding(mu) => Tangential::FullOrSliding(self.number("impact.friction", mu)),
+            Tangential::FullOrSliding(mu) => Tangential::FullOrSliding(self.number(&"impact.friction", mu)),
         }
     }
 }

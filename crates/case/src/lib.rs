@@ -54,6 +54,35 @@
 //!
 //! Which of the optional keys have to be there depends on what is computed, and is checked there.
 //!
+//! # Ranges
+//!
+//! Any number can be a range, in the place of the value itself. The case then holds the central value, so that whatever takes a case goes on
+//! with that, and [`Case::ranges`] says how far it may be off.
+//!
+//! | written | means | central value |
+//! |---|---|---|
+//! | `{ value = "10 mph", sd = "1 mph" }` | normal, with that standard deviation | `value` |
+//! | `{ value = "10 mph", within = "10 %", confidence = 0.95 }` | normal, and within 10 % of the value with a probability of 0.95 | `value` |
+//! | `{ low = "8 mph", high = "12 mph" }` | uniform | the middle |
+//! | `{ low = "8 mph", mode = "9 mph", high = "12 mph" }` | triangular | `mode` |
+//! | `{ values = "21.3 20.3 in", sd = "0.5 in" }`, or with `within` and `confidence` | of a list: each normal, independent of the others | `values` |
+//!
+//! A list can also hold ranges one by one: `["21.3 in", { low = "19 in", high = "21 in" }]`. A number without unit has ranges without units:
+//! `restitution = { value = 0.3, sd = 0.05 }`. The ends of a range have to be values that the key accepts; where a normal distribution goes
+//! beyond, it has to be cut at the [`Bounds`].
+//!
+//! ```
+//! let file = case::Case::parse("case.toml", r#"
+//!     [vehicle1]
+//!     speed = { low = "8 mph", high = "12 mph" }
+//!     [vehicle2]
+//!     fixed = true
+//! "#)?;
+//! assert_eq!(file.case.inputs()[0].number, 10.0);
+//! assert_eq!(file.case.ranges[0].path, "vehicle1.speed");
+//! # Ok::<(), case::Diagnostics>(())
+//! ```
+//!
 //! # Units
 //!
 //! Between the units of a product, a space, `·`, `*` and `-` mean the same, and so do `^2`, `²` and a bare `2`, and `√lb`,
@@ -112,6 +141,7 @@ mod model;
 mod nearest;
 mod problem;
 mod quantity;
+mod range;
 mod read;
 mod schema;
 mod source;
@@ -130,6 +160,7 @@ pub use model::{
 };
 pub use problem::Problem;
 pub use quantity::{Quantity, QuantityError};
+pub use range::{Amount, Bounds, Range, Spread};
 pub use read::CaseFile;
 pub use source::Source;
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};

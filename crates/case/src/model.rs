@@ -1,5 +1,7 @@
 //! From a case to the types of the engine: what each command demands of the file.
 
+use std::fmt::{self, Display};
+
 use crash3::{
     DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, Structure, VehicleClass,
 };
@@ -221,7 +223,7 @@ impl CaseFile {
         let mut collision = demand.collision(unknown);
         for (i, vehicle) in self.case.vehicles.iter().enumerate() {
             if !vehicle.fixed && vehicle.crush.is_none() {
-                demand.missing(&format!("vehicle{}.crush", i + 1), CRUSH_EXAMPLE);
+                demand.missing(format_args!("{}.crush", TABLES[i]), CRUSH_EXAMPLE);
             }
         }
         if self.case.vehicles.iter().filter_map(|v| v.crush.as_ref()).any(|crush| crush.from_force_balance) {
@@ -247,7 +249,15 @@ impl CaseFile {
     /// # Errors
     /// Everything that is missing or does not fit together, with the place where it belongs.
     pub fn impact(&self) -> Result<ImpactInput, Diagnostics> {
-        let mut demand = Demand { file: self, case: &self.case, command: "impact", problems: Vec::new() };
+        self.impact_with(&self.case)
+    }
+
+    /// The same with other numbers, see [`Case::map`].
+    ///
+    /// # Errors
+    /// As [`impact`](Self::impact).
+    pub fn impact_with<T: Real>(&self, case: &Case<T>) -> Result<ImpactInput<T>, Diagnostics> {
+        let mut demand = Demand { file: self, case, command: "impact", problems: Vec::new() };
         let collision = demand.collision(None);
         demand.finish(collision.map(|collision| ImpactInput { collision, basis: self.energy_basis() }))
     }
@@ -308,6 +318,19 @@ fn headings<T: Real>(case: &Case<T>) -> [Option<T>; 2] {
 
 const CRUSH_EXAMPLE: &str = "a table with side, width, depths and stiffness";
 
+/// The tables of the vehicles.
+const TABLES: [&str; 2] = ["vehicle1", "vehicle2"];
+
+/// A key in the crush table of a vehicle, spelled only where something is wrong with it: a case is turned into the types of the engine
+/// a million times where its numbers are uncertain.
+struct InCrush(usize, &'static str);
+
+impl Display for InCrush {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.crush.{}", TABLES[self.0], self.1)
+    }
+}
+
 /// Collects what a command needs, and everything that stands in its way.
 struct Demand<'a, T> {
     file: &'a CaseFile,
@@ -318,13 +341,14 @@ struct Demand<'a, T> {
 }
 
 impl<T: Real> Demand<'_, T> {
-    fn missing(&mut self, path: &str, example: &str) {
+    fn missing(&mut self, path: impl Display, example: &str) {
+        let path = &path.to_string();
         let message = format!("`{path}` is missing: `deltav {}` needs it", self.command);
         let help = format!("give {example}");
         self.problems.push(self.file.problem(path, message, Some(help)));
     }
 
-    fn given<V: Copy>(&mut self, value: Option<V>, path: &str, example: &str) -> Option<V> {
+    fn given<V: Copy>(&mut self, value: Option<V>, path: impl Display, example: &str) -> Option<V> {
         if value.is_none() {
             self.missing(path, example);
         }
@@ -332,11 +356,11 @@ impl<T: Real> Demand<'_, T> {
     }
 
     /// Turns the engine's refusal into a problem of the key that caused it.
-    fn accepted<V>(&mut self, path: &str, result: Result<V, impl std::fmt::Display>) -> Option<V> {
+    fn accepted<V>(&mut self, path: impl Display, result: Result<V, impl Display>) -> Option<V> {
         match result {
             Ok(value) => Some(value),
             Err(error) => {
-                self.problems.push(self.file.problem(path, error.to_string(), None));
+                self.problems.push(self.file.problem(&path.to_string(), error.to_string(), None));
                 None
             }
         }
@@ -385,7 +409,7 @@ impl<T: Real> Demand<'_, T> {
 
     fn class(&mut self, i: usize, vehicle: &Vehicle<T>) -> Option<(u8, VehicleClass)> {
         let class = vehicle.class?;
-        self.accepted(&format!("vehicle{}.class", i + 1), VehicleClass::new(class))
+        self.accepted(format_args!("{}.class", TABLES[i]), VehicleClass::new(class))
             .map(|known| (class, known))
     }
 
@@ -396,10 +420,13 @@ impl<T: Real> Demand<'_, T> {
         vehicle: &Vehicle<T>,
         class: Option<(u8, VehicleClass)>,
     ) -> Option<Inertia<T>> {
-        let table = format!("vehicle{}", i + 1);
+        let table = TABLES[i];
         let mass = vehicle.mass.as_ref().map(crate::Mass::kg);
-        let mass =
-            self.given(mass, &format!("{table}.weight"), "`weight = \"3696 lb\"` or `mass = \"1676 kg\"`");
+        let mass = self.given(
+            mass,
+            format_args!("{table}.weight"),
+            "`weight = \"3696 lb\"` or `mass = \"1676 kg\"`",
+        );
         let length = vehicle.outline.map(|outline| outline.length).or(vehicle.length);
         if let Some(yaw) = &vehicle.yaw {
             let mass = mass?;
@@ -414,11 +441,11 @@ impl<T: Real> Demand<'_, T> {
         if let Some((wheelbase, length)) = vehicle.wheelbase.zip(length) {
             let mass = mass?;
             let estimate = crash3::yaw_inertia_burg(mass, wheelbase.si(), length.si());
-            let yaw_inertia = self.accepted(&format!("{table}.wheelbase"), estimate)?;
+            let yaw_inertia = self.accepted(format_args!("{table}.wheelbase"), estimate)?;
             return Some(Inertia { mass, yaw_inertia, yaw_source: YawSource::Burg });
         }
         self.missing(
-            &format!("{table}.yaw_inertia"),
+            format_args!("{table}.yaw_inertia"),
             "`yaw_inertia = \"2437 lb ft s^2\"`, or the radius of gyration: `yaw_radius = \"1.40 m\"`; where neither is known, \
              CRASH3's size class, `class = 3`, or both `wheelbase` and `length`",
         );
@@ -426,7 +453,7 @@ impl<T: Real> Demand<'_, T> {
     }
 
     fn participant(&mut self, i: usize, inertia: Option<Inertia<T>>) -> Option<Participant<T>> {
-        let table = format!("vehicle{}", i + 1);
+        let table = TABLES[i];
         let vehicle = &self.case.vehicles[i];
         let heading = vehicle.heading.as_ref().map(Quantity::si);
         let contact = vehicle.contact.as_ref().map(ContactPoint::forward_left);
@@ -435,25 +462,25 @@ impl<T: Real> Demand<'_, T> {
             return match contact {
                 Some([forward, left]) => {
                     let placed = Participant::new(Body::fixed(), heading.unwrap_or(T::ZERO), forward, left);
-                    self.accepted(&format!("{table}.contact"), placed)
+                    self.accepted(format_args!("{table}.contact"), placed)
                 }
                 None => Some(Participant::barrier()),
             };
         }
-        let heading = self.given(heading, &format!("{table}.heading"), "`heading = \"180 deg\"`");
+        let heading = self.given(heading, format_args!("{table}.heading"), "`heading = \"180 deg\"`");
         let contact = self.given(
             contact,
-            &format!("{table}.contact"),
+            format_args!("{table}.contact"),
             "`contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }` or `contact = { x = \"1.78 m\", y = \"-0.73 m\" }`",
         );
         let Inertia { mass, yaw_inertia, .. } = inertia?;
         let ([forward, left], heading) = (contact?, heading?);
-        let body = self.accepted(&table, Body::new(mass, yaw_inertia))?;
-        self.accepted(&table, Participant::new(body, heading, forward, left))
+        let body = self.accepted(table, Body::new(mass, yaw_inertia))?;
+        self.accepted(table, Participant::new(body, heading, forward, left))
     }
 
     fn motion(&mut self, i: usize, unknown: Option<Unknown>) -> Option<Motion<T>> {
-        let table = format!("vehicle{}", i + 1);
+        let table = TABLES[i];
         let vehicle = &self.case.vehicles[i];
         if vehicle.fixed {
             return Some(Motion::rest());
@@ -464,7 +491,7 @@ impl<T: Real> Demand<'_, T> {
         }
         let Some(velocity) = &vehicle.motion else {
             let example = "`speed = \"10 mph\"` along the heading, or `velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }`";
-            self.missing(&format!("{table}.speed"), example);
+            self.missing(format_args!("{table}.speed"), example);
             return None;
         };
         let motion = match velocity {
@@ -514,8 +541,8 @@ impl<T: Real> Demand<'_, T> {
     }
 
     fn damage(&mut self, i: usize, crush: &Crush<T>, dimensions: Option<Dimensions<T>>) -> Option<Damage<T>> {
-        let path = |key: &str| format!("vehicle{}.crush.{key}", i + 1);
-        let structure = self.accepted(&path("stiffness"), crush.stiffness.structure(crush.side));
+        let path = |key| InCrush(i, key);
+        let structure = self.accepted(path("stiffness"), crush.stiffness.structure(crush.side));
         let evidence = if crush.from_force_balance {
             let width = self.inferred_width(i, crush, dimensions)?;
             match structure? {
@@ -532,7 +559,7 @@ impl<T: Real> Demand<'_, T> {
             Some(dimensions) => {
                 let face =
                     DamagedFace::new(crush.side, dimensions.face(crush.side), offset.unwrap_or(T::ZERO));
-                Some(self.accepted(&format!("vehicle{}.cg_to_front", i + 1), face)?)
+                Some(self.accepted(format_args!("{}.cg_to_front", TABLES[i]), face)?)
             }
             None => None,
         };
@@ -556,17 +583,17 @@ impl<T: Real> Demand<'_, T> {
     }
 
     fn profile(&mut self, i: usize, crush: &Crush<T>) -> Option<Profile<T>> {
-        let path = |key: &str| format!("vehicle{}.crush.{key}", i + 1);
+        let path = |key| InCrush(i, key);
         let depths = crush.depths.iter().map(Quantity::si).collect();
         let profile = match (&crush.spacing, &crush.width) {
             (Some(spacing), _) => Profile::new(depths, spacing.iter().map(Quantity::si).collect()),
             (None, Some(width)) => Profile::equally_spaced(depths, width.si()),
             (None, None) => {
-                self.missing(&path("width"), "`width = \"65 in\"` or `spacing`");
+                self.missing(path("width"), "`width = \"65 in\"` or `spacing`");
                 return None;
             }
         };
-        self.accepted(&path("depths"), profile)
+        self.accepted(path("depths"), profile)
     }
 
     fn inferred_width(
@@ -580,7 +607,7 @@ impl<T: Real> Demand<'_, T> {
         }
         let Some(dimensions) = dimensions else {
             self.missing(
-                &format!("vehicle{}.crush.width", i + 1),
+                format_args!("{}.crush.width", TABLES[i]),
                 "the width of the damage, which is not to be had from the force; or `length`, `width` and `cg_to_front` of the \
                  vehicle or its `class`, which bound it",
             );
@@ -607,7 +634,7 @@ impl<T: Real> Demand<'_, T> {
                 self.case.vehicles[i].crush.as_ref().is_some_and(|crush| crush.oblique_angle.is_some());
             if !has_angle && !self.has_pdof(i) {
                 self.missing(
-                    &format!("vehicle{}.crush.pdof", i + 1),
+                    format_args!("{}.crush.pdof", TABLES[i]),
                     "the direction from which the force came, for the force balance: `pdof` of one vehicle, from which that of the other \
                      follows, or `oblique_angle` of both",
                 );
@@ -617,20 +644,20 @@ impl<T: Real> Demand<'_, T> {
 
     /// `crush` has no impulse to take the direction of the force from.
     fn direction_of_force(&mut self, i: usize, vehicle: &Vehicle<T>) {
-        let table = format!("vehicle{}", i + 1);
+        let table = TABLES[i];
         let Some(crush) = &vehicle.crush else {
-            self.missing(&format!("{table}.crush"), CRUSH_EXAMPLE);
+            self.missing(format_args!("{table}.crush"), CRUSH_EXAMPLE);
             return;
         };
         if !self.has_pdof(i) && (crush.oblique_angle.is_none() || crush.moment_arm.is_none()) {
             self.missing(
-                &format!("{table}.crush.pdof"),
+                format_args!("{table}.crush.pdof"),
                 "the direction from which the force came, clockwise from the heading: `pdof = \"2.7 deg\"` or `pdof = \"2 o'clock\"`; the \
                  other vehicle's will do if both have a `heading`; or else `oblique_angle` and `moment_arm`",
             );
         } else if crush.moment_arm.is_none() && vehicle.contact.is_none() && !has_dimensions(vehicle) {
             self.missing(
-                &format!("{table}.crush.moment_arm"),
+                format_args!("{table}.crush.moment_arm"),
                 "the distance of the force's line of action from the CG: `moment_arm = \"2.1 ft\"`, or else the vehicle's `contact` point; or, \
                  for a force through the centroid of the damage, `length`, `width` and `cg_to_front` or `class`",
             );

@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use crate::nearest::join;
 use crate::quantity::{Limit, Quantity, QuantityError, dimension_help, format_limit, format_number};
+use crate::range::Amount;
 use crate::schema::{LawName, RESTITUTION, TANGENTIAL};
 use crate::units::Dimension;
 
@@ -64,7 +65,7 @@ pub enum Problem {
     NotATable { path: String, found: &'static str },
     /// A dimensioned value without quotes and unit.
     #[error("\"{path}\" is the bare number {number}, but needs a unit")]
-    BareNumber { path: String, number: String, dimension: Dimension, example: &'static str },
+    BareNumber { path: String, number: String, dimension: Dimension, example: String },
     /// A plain number in quotes.
     #[error("{path} is the string \"{text}\", but has to be a plain number")]
     QuotedNumber { path: String, text: String, example: String },
@@ -84,7 +85,7 @@ pub enum Problem {
     #[error("{path} is {value}, too small to be real")]
     TooSmall { path: String, value: Quantity },
     /// An angle that has to be acute.
-    #[error("\"{path}\" is {value}, but has to lie between -{limit} and {limit}")]
+    #[error("{path} is {value}, but has to lie between -{limit} and {limit}")]
     NotAcute { path: String, value: Quantity, limit: &'static str },
     /// A plain number outside of its range.
     #[error("{path} is {}, but has to be {range}", format_number(*value))]
@@ -155,6 +156,24 @@ pub enum Problem {
     /// What the engine refuses of a stiffness.
     #[error("{error}")]
     Stiffness { error: CrushError, remedy: &'static str },
+    /// Keys that make up no range.
+    #[error("{path} gives {}, which is no complete range", list(given))]
+    NoRangeForm { path: String, given: Vec<&'static str>, forms: &'static str },
+    /// A range of something that is no number.
+    #[error("\"{path}\" is a range, but only a number can be one")]
+    NoRange { path: String, example: &'static str },
+    /// The ends of a range in the wrong order.
+    #[error("{path} goes from {low} to {high}, but its low end has to be below its high end")]
+    NotRising { path: String, low: Amount, high: Amount },
+    /// The likeliest value outside of its range.
+    #[error("{path} is likeliest at {mode}, which is not between {low} and {high}")]
+    ModeOutside { path: String, low: Amount, mode: Amount, high: Amount },
+    /// A share of nothing.
+    #[error("{path} is {value}, and a share of zero is no range")]
+    WithinOfZero { path: String, value: Amount },
+    /// Not a percentage.
+    #[error("{path} is \"{text}\", but has to be a percentage")]
+    NotPercent { path: String, text: String },
     /// Something that a computation finds wrong with a well-formed case.
     #[error("{message}")]
     CrossCheck { message: String, help: Option<String> },
@@ -282,6 +301,17 @@ impl Problem {
             Self::Stiffness { remedy, .. } => (*remedy).to_owned(),
             Self::WidthMismatch { .. } => {
                 "the two may differ by 0.1 %; correct one of them, or leave the width out".to_owned()
+            }
+            Self::NoRangeForm { forms, .. } => format!("write {forms}"),
+            Self::NoRange { example, .. } => format!("write for example {example}"),
+            Self::NotRising { low, high, .. } if low.in_unit(high.unit) == high.number => {
+                "write a value that is known exactly without a range".to_owned()
+            }
+            Self::NotRising { .. } => "exchange the two; for an angle, count on beyond 180 deg or below -180 deg".to_owned(),
+            Self::ModeOutside { .. } => "mode is the likeliest value of a triangular distribution, which may stand at an end".to_owned(),
+            Self::WithinOfZero { .. } => "give the standard deviation instead, as sd = …".to_owned(),
+            Self::NotPercent { .. } => {
+                "write number and percent sign, as within = \"10 %\"; a deviation with a unit is written as sd = …".to_owned()
             }
             Self::CrossCheck { help, .. } => return help.clone(),
         };

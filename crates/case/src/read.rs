@@ -1,6 +1,7 @@
 //! Reading a case: TOML to a spanned tree, and the tree to a [`Case`], with every problem on the way.
 
 mod impact;
+mod range;
 mod tree;
 mod values;
 mod vehicle;
@@ -35,6 +36,13 @@ impl CaseFile {
     #[must_use]
     pub fn problem(&self, path: &str, message: impl Into<String>, help: Option<String>) -> Diagnostic {
         Diagnostic::new(self.source.nearest_span(path), Problem::CrossCheck { message: message.into(), help })
+    }
+
+    /// A problem with the case as a whole.
+    #[must_use]
+    pub fn refusal(&self, message: impl Into<String>, help: Option<String>) -> Diagnostics {
+        let problem = Problem::CrossCheck { message: message.into(), help };
+        Diagnostics::new(self.source.clone(), vec![Diagnostic::new(None, problem)])
     }
 
     /// Ends a round of such checks.
@@ -109,7 +117,10 @@ impl<'t> Reader<'t> {
             }
         }
         self.evidence(&vehicles);
-        Some(Case { title, source, vehicles, impact: optional(impact)?, reconstruct: optional(reconstruct)? })
+        let (impact, reconstruct) = (optional(impact)?, optional(reconstruct)?);
+        let mut case = Case { title, source, vehicles, impact, reconstruct, ranges: Vec::new() };
+        case.ranges = case.inputs().iter().filter_map(|input| self.take_range(&input.path)).collect();
+        Some(case)
     }
 
     /// A crush that is inferred needs one that was measured.

@@ -229,6 +229,31 @@ pub(crate) static RESTITUTION: Schema = Schema {
     keys: &[key("speeds", "speeds = \"2 5 10 20 m/s\""), key("values", "values = [0.3, 0.2, 0.12, 0.05]")],
 };
 
+/// Of one quantity; a line of the key itself is the example of its amounts.
+pub(crate) static RANGE: Schema = Schema {
+    place: "a range",
+    keys: &[
+        key("value", "{ value = …, sd = … }"),
+        key("sd", "{ value = …, sd = … }"),
+        key("low", "{ low = …, high = … }"),
+        key("mode", "{ low = …, mode = …, high = … }"),
+        key("high", "{ low = …, high = … }"),
+        key("within", "within = \"10 %\""),
+        key("confidence", "confidence = 0.95"),
+    ],
+};
+
+/// Of several quantities.
+pub(crate) static RANGE_OF_LIST: Schema = Schema {
+    place: "a range of several values",
+    keys: &[
+        key("values", "values = \"21.3 20.3 13.8 in\""),
+        key("sd", "{ values = …, sd = … }"),
+        key("within", "within = \"10 %\""),
+        key("confidence", "confidence = 0.95"),
+    ],
+};
+
 static ALL: [&Schema; 10] = [
     &TOP,
     &VEHICLE,

@@ -1,10 +1,13 @@
 //! Writing a case back: the layout of the documentation's example, the user's own units and numbers.
 
+use std::collections::BTreeMap;
+
 use crate::case::{
     BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass, Outline, Pdof, Reconstruct,
     Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
 };
 use crate::quantity::{Quantity, format_number};
+use crate::range::{Amount, Spread};
 use crate::schema::LawName;
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
@@ -12,20 +15,33 @@ use crash3::Side;
 use pim_core::Tangential;
 use reconcile::Unknown;
 
+/// A number, and what is said of it where it is uncertain.
+#[derive(Clone, Copy)]
+struct Written<'a> {
+    number: f64,
+    spread: Option<&'a Spread>,
+}
+
 impl Case {
     /// The case as a file. Reading that file gives the same case: the same numbers, in the same units.
     #[must_use]
     pub fn to_toml(&self) -> String {
+        let ranges: BTreeMap<&str, &Spread> =
+            self.ranges.iter().map(|range| (range.path.as_str(), &range.spread)).collect();
+        let case = self.map(|input| {
+            let spread = ranges.get(input.path.as_str()).copied();
+            Written { number: input.number, spread }
+        });
         let mut top = Lines::new(None);
-        top.optional("title", self.title.as_deref().map(quoted));
-        top.optional("source", self.source.as_deref().map(quoted));
+        top.optional("title", case.title.as_deref().map(quoted));
+        top.optional("source", case.source.as_deref().map(quoted));
         let mut tables = vec![top];
-        for (vehicle, name) in self.vehicles.iter().zip(["vehicle1", "vehicle2"]) {
+        for (vehicle, name) in case.vehicles.iter().zip(["vehicle1", "vehicle2"]) {
             tables.push(vehicle_lines(vehicle, name));
             tables.extend(vehicle.crush.as_ref().map(|crush| crush_lines(crush, name)));
         }
-        tables.extend(self.impact.as_ref().map(impact_lines));
-        tables.extend(self.reconstruct.as_ref().map(reconstruct_lines));
+        tables.extend(case.impact.as_ref().map(impact_lines));
+        tables.extend(case.reconstruct.as_ref().map(reconstruct_lines));
         let texts: Vec<String> = tables.iter().map(Lines::to_text).filter(|text| !text.is_empty()).collect();
         texts.join("\n")
     }
@@ -57,7 +73,7 @@ impl Lines {
     }
 }
 
-fn vehicle_lines(vehicle: &Vehicle, name: &str) -> Lines {
+fn vehicle_lines(vehicle: &Vehicle<Written<'_>>, name: &str) -> Lines {
     let mut table = Lines::new(Some(name.to_owned()));
     table.optional("name", vehicle.name.as_deref().map(quoted));
     table.optional("fixed", vehicle.fixed.then(|| "true".to_owned()));
@@ -96,7 +112,7 @@ fn vehicle_lines(vehicle: &Vehicle, name: &str) -> Lines {
     table
 }
 
-fn crush_lines(crush: &Crush, vehicle: &str) -> Lines {
+fn crush_lines(crush: &Crush<Written<'_>>, vehicle: &str) -> Lines {
     let mut table = Lines::new(Some(format!("{vehicle}.crush")));
     let side = match crush.side {
         Side::Front => "front",
@@ -135,13 +151,13 @@ fn crush_lines(crush: &Crush, vehicle: &str) -> Lines {
         ObliqueCorrection::Uncapped => quoted("uncapped"),
         ObliqueCorrection::None => quoted("none"),
         ObliqueCorrection::Secant => quoted("secant"),
-        ObliqueCorrection::Friction(friction) => format!("{{ friction = {} }}", format_number(friction)),
+        ObliqueCorrection::Friction(friction) => format!("{{ friction = {} }}", plain(friction)),
     });
     table.optional("oblique", oblique);
     table
 }
 
-fn stiffness_line(line: &StiffnessLine) -> String {
+fn stiffness_line(line: &StiffnessLine<Written<'_>>) -> String {
     match *line {
         StiffnessLine::Crush { a, b, g, limit } => {
             inline(&[("A", Some(a)), ("B", Some(b)), ("G", g), ("limit", limit)])
@@ -152,7 +168,7 @@ fn stiffness_line(line: &StiffnessLine) -> String {
     }
 }
 
-fn barrier_test(test: &BarrierTest) -> String {
+fn barrier_test(test: &BarrierTest<Written<'_>>) -> String {
     let (key, mass) = match test.mass {
         Mass::Mass(mass) => ("mass", mass),
         Mass::Weight(weight) => ("weight", weight),
@@ -172,7 +188,7 @@ fn barrier_test(test: &BarrierTest) -> String {
     )
 }
 
-fn impact_lines(impact: &Impact) -> Lines {
+fn impact_lines(impact: &Impact<Written<'_>>) -> Lines {
     let mut table = Lines::new(Some("impact".to_owned()));
     table.line("crush_plane", string(impact.crush_plane));
     let law = impact.law.name();
@@ -184,31 +200,31 @@ fn impact_lines(impact: &Impact) -> Lines {
     match &impact.law {
         ImpactLaw::Brach { tangential: condition, moment_restitution, .. } => {
             table.line("tangential", tangential(*condition));
-            table.optional("moment_restitution", moment_restitution.map(format_number));
+            table.optional("moment_restitution", moment_restitution.map(plain));
         }
         ImpactLaw::Woolley { tangential_velocity_change } => {
             table.optional("tangential_velocity_change", tangential_velocity_change.map(string));
         }
         ImpactLaw::Ishikawa { tangential_restitution, .. } => {
-            table.line("tangential_restitution", format_number(*tangential_restitution));
+            table.line("tangential_restitution", plain(*tangential_restitution));
         }
-        ImpactLaw::KudlichSlibar { friction, .. } => table.line("friction", format_number(*friction)),
+        ImpactLaw::KudlichSlibar { friction, .. } => table.line("friction", plain(*friction)),
     }
     table
 }
 
-fn restitution(restitution: &Restitution) -> String {
+fn restitution(restitution: &Restitution<Written<'_>>) -> String {
     match restitution {
-        Restitution::Constant(e) => format_number(*e),
+        Restitution::Constant(e) => plain(*e),
         Restitution::OfClosingSpeed { speeds, values } => {
-            let values: Vec<String> = values.iter().copied().map(format_number).collect();
+            let values: Vec<String> = values.iter().copied().map(plain).collect();
             format!("{{ speeds = {}, values = [{}] }}", list(speeds), values.join(", "))
         }
     }
 }
 
-fn tangential(tangential: Tangential) -> String {
-    let number = |key: &str, value: f64| format!("{{ {key} = {} }}", format_number(value));
+fn tangential(tangential: Tangential<Written<'_>>) -> String {
+    let number = |key: &str, value: Written<'_>| format!("{{ {key} = {} }}", plain(value));
     match tangential {
         Tangential::Critical => quoted("critical"),
         Tangential::Ratio(ratio) => number("ratio", ratio),
@@ -236,12 +252,55 @@ fn reconstruct_lines(reconstruct: &Reconstruct) -> Lines {
     table
 }
 
-fn string(quantity: Quantity) -> String {
-    quoted(&quantity.to_string())
+/// A quantity with its unit, or a range.
+fn string(quantity: Quantity<Written<'_>>) -> String {
+    let Written { number, spread } = quantity.number();
+    amount(Amount { number, unit: Some(quantity.unit()) }, spread)
+}
+
+/// A number without a unit, or a range.
+fn plain(Written { number, spread }: Written<'_>) -> String {
+    amount(Amount { number, unit: None }, spread)
+}
+
+fn amount(value: Amount, spread: Option<&Spread>) -> String {
+    let one = single(value);
+    match spread {
+        None => one,
+        Some(Spread::Uniform { low, high }) => {
+            format!("{{ low = {}, high = {} }}", single(*low), single(*high))
+        }
+        Some(Spread::Triangular { low, high }) => {
+            format!("{{ low = {}, mode = {one}, high = {} }}", single(*low), single(*high))
+        }
+        Some(about @ (Spread::Normal { .. } | Spread::Within { .. })) => {
+            format!("{{ value = {one}, {} }}", spread_about(about).unwrap_or_default())
+        }
+    }
+}
+
+/// The keys beside `value`; none where the spread has no such key.
+fn spread_about(spread: &Spread) -> Option<String> {
+    match spread {
+        Spread::Normal { sd } => Some(format!("sd = {}", single(*sd))),
+        Spread::Within { percent, confidence } => Some(format!(
+            "within = \"{} %\", confidence = {}",
+            format_number(*percent),
+            format_number(*confidence)
+        )),
+        Spread::Uniform { .. } | Spread::Triangular { .. } => None,
+    }
+}
+
+fn single(amount: Amount) -> String {
+    match amount.unit {
+        Some(_) => quoted(&amount.to_string()),
+        None => amount.to_string(),
+    }
 }
 
 /// A table in braces, without the keys that have no value.
-fn inline(pairs: &[(&str, Option<Quantity>)]) -> String {
+fn inline(pairs: &[(&str, Option<Quantity<Written<'_>>>)]) -> String {
     let given: Vec<String> = pairs
         .iter()
         .filter_map(|(key, quantity)| quantity.map(|quantity| format!("{key} = {}", string(quantity))))
@@ -249,17 +308,33 @@ fn inline(pairs: &[(&str, Option<Quantity>)]) -> String {
     format!("{{ {} }}", given.join(", "))
 }
 
-/// One string where all share a unit, else a list of strings.
-fn list(quantities: &[Quantity]) -> String {
-    if let [first, rest @ ..] = quantities
-        && rest.iter().all(|quantity| quantity.unit() == first.unit())
-    {
-        let numbers: Vec<String> =
-            quantities.iter().map(|quantity| format_number(quantity.number())).collect();
-        return quoted(&format!("{} {}", numbers.join(" "), first.unit()));
+/// One string where all share a unit, else a list of strings; where all share a spread, with that beside it.
+fn list(quantities: &[Quantity<Written<'_>>]) -> String {
+    let Some((first, rest)) = quantities.split_first() else { return "[]".to_owned() };
+    let spread = first.number().spread;
+    let shared = match spread {
+        None => Some(None),
+        Some(spread) => spread_about(spread).map(Some),
+    };
+    let shared = shared.filter(|_| rest.iter().all(|quantity| quantity.number().spread == spread));
+    let Some(shared) = shared else {
+        let each: Vec<String> = quantities.iter().copied().map(string).collect();
+        return format!("[{}]", each.join(", "));
+    };
+    let numbers = quantities.iter().map(|quantity| format_number(quantity.number().number));
+    let values = if rest.iter().all(|quantity| quantity.unit() == first.unit()) {
+        quoted(&format!("{} {}", numbers.collect::<Vec<_>>().join(" "), first.unit()))
+    } else {
+        let strings: Vec<String> = numbers
+            .zip(quantities)
+            .map(|(number, quantity)| quoted(&format!("{number} {}", quantity.unit())))
+            .collect();
+        format!("[{}]", strings.join(", "))
+    };
+    match shared {
+        Some(spread) => format!("{{ values = {values}, {spread} }}"),
+        None => values,
     }
-    let strings: Vec<String> = quantities.iter().copied().map(string).collect();
-    format!("[{}]", strings.join(", "))
 }
 
 /// A basic TOML string.

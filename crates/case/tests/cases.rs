@@ -11,9 +11,9 @@ use std::fs;
 use std::path::Path;
 
 use case::{
-    BarrierTest, Case, CaseFile, Collision, ContactPoint, Crush, Dimension, Evidence, Fit, Impact, ImpactLaw,
-    Mass, Outline, Pdof, Problem, Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Unit,
-    UnitSystem, Vehicle, Velocity, YawInertia,
+    Amount, BarrierTest, Bounds, Case, CaseFile, Collision, ContactPoint, Crush, Dimension, Evidence, Fit,
+    Impact, ImpactLaw, Mass, Outline, Pdof, Problem, Quantity, Reconstruct, Restitution, Spread,
+    StiffnessForm, StiffnessLine, Unit, UnitSystem, Vehicle, Velocity, YawInertia,
 };
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
@@ -31,6 +31,10 @@ fn fixtures() -> std::path::PathBuf {
 
 fn paper() -> String {
     fs::read_to_string(fixtures().join("sae-980025.toml")).unwrap()
+}
+
+fn uncertain() -> String {
+    fs::read_to_string(fixtures().join("sae-980025-uncertain.toml")).unwrap()
 }
 
 #[track_caller]
@@ -187,9 +191,162 @@ fn the_other_forms_are_read() {
             },
         }),
         reconstruct: Some(Reconstruct { find: Unknown::Speed1, energy_basis: EnergyBasis::Absorbed }),
+        ranges: Vec::new(),
     };
     assert_eq!(case, expected);
     assert_eq!(case.unit_system(), UnitSystem::Si);
+}
+
+/// Every form of a range, at a number of every kind of place.
+const RANGES: &str = r#"
+[vehicle1]
+mass = { value = "1500 kg", sd = "50 lb" }
+yaw_radius = { low = "1.3 m", mode = "1.4 m", high = "150 cm" }
+heading = { low = "0 rad", high = "90 deg" }
+velocity = { x = { value = "-20 m/s", within = "5 %", confidence = 0.9 }, y = "1.5 m/s" }
+contact = { x = "1.78 m", y = { value = "-0.73 m", sd = "0.1 m" } }
+[vehicle1.crush]
+side = "left"
+spacing = { values = "10 20 cm", sd = "1 cm" }
+depths = [{ low = "1 cm", high = "3 cm" }, "4 cm", { value = "0 cm", sd = "5 mm" }]
+stiffness = { zones = [{ A = "587 N/cm", B = { value = "63.3 N/cm^2", sd = "5 N/cm^2" } }, { A = "400 N/cm", B = "50 N/cm^2" }] }
+oblique_angle = { value = "-20 deg", sd = "5 deg" }
+oblique = { friction = { value = 0.5, sd = 0.1 } }
+[vehicle2]
+mass = "1400 kg"
+[vehicle2.crush]
+side = "front"
+width = "1.5 m"
+depths = { values = ["10 cm", "0.2 m"], within = "10 %", confidence = 0.5 }
+stiffness = { test = { mass = "1500 kg", speed = { value = "56 km/h", sd = "1 km/h" }, width = "1.6 m", depths = { values = "42 50 cm", sd = "2 cm" }, no_damage_speed = "8 km/h" } }
+[impact]
+crush_plane = "0 deg"
+restitution = { speeds = "2 5 m/s", values = [{ low = 0.2, high = 0.4 }, 0.2] }
+tangential = { fraction = { low = 0.8, mode = 1.0, high = 1.0 } }
+"#;
+
+/// What the file says of each uncertain number: its path, central value (in the unit written) and spread.
+#[test]
+fn ranges_are_read_beside_the_central_values() {
+    use Dimension::{Angle, Length, Mass, Speed};
+    let case = read(RANGES).case;
+    let of = |number, unit: Option<&'static Unit>| Amount { number, unit };
+    let quantity = |number, dimension: Dimension, unit: &str| of(number, Some(dimension.unit(unit).unwrap()));
+    let metres = |number, unit| quantity(number, Length, unit);
+    let normal = |sd| Spread::Normal { sd };
+    let uniform = |low, high| Spread::Uniform { low, high };
+    let b = |number| quantity(number, Dimension::StiffnessB, "N/cm^2");
+    let within = Spread::Within { percent: 10.0, confidence: 0.5 };
+    let third = Spread::Within { percent: 5.0, confidence: 0.9 };
+    // The middle of 0 rad and 90° is π/4 rad, in the unit of the low end.
+    let eighth = std::f64::consts::FRAC_PI_4;
+    let crush = "vehicle1.crush";
+    let test = "vehicle2.crush.stiffness.test";
+    let expected = [
+        ("vehicle1.mass".to_owned(), 1500.0, normal(quantity(50.0, Mass, "lb")), Bounds::Positive),
+        (
+            "vehicle1.yaw_radius".to_owned(),
+            1.4,
+            Spread::Triangular { low: metres(1.3, "m"), high: metres(150.0, "cm") },
+            Bounds::Positive,
+        ),
+        (
+            "vehicle1.heading".to_owned(),
+            eighth,
+            uniform(quantity(0.0, Angle, "rad"), quantity(90.0, Angle, "deg")),
+            Bounds::None,
+        ),
+        ("vehicle1.contact.y".to_owned(), -0.73, normal(metres(0.1, "m")), Bounds::None),
+        ("vehicle1.velocity.x".to_owned(), -20.0, third, Bounds::None),
+        (
+            format!("{crush}.depths[1]"),
+            2.0,
+            uniform(metres(1.0, "cm"), metres(3.0, "cm")),
+            Bounds::NotNegative,
+        ),
+        (format!("{crush}.depths[3]"), 0.0, normal(metres(5.0, "mm")), Bounds::NotNegative),
+        (format!("{crush}.spacing[1]"), 10.0, normal(metres(1.0, "cm")), Bounds::Positive),
+        (format!("{crush}.spacing[2]"), 20.0, normal(metres(1.0, "cm")), Bounds::Positive),
+        (format!("{crush}.stiffness.zones[1].B"), 63.3, normal(b(5.0)), Bounds::Positive),
+        (format!("{crush}.oblique_angle"), -20.0, normal(quantity(5.0, Angle, "deg")), Bounds::Acute),
+        (format!("{crush}.oblique.friction"), 0.5, normal(of(0.1, None)), Bounds::NotNegative),
+        ("vehicle2.crush.depths[1]".to_owned(), 10.0, within, Bounds::NotNegative),
+        ("vehicle2.crush.depths[2]".to_owned(), 0.2, within, Bounds::NotNegative),
+        (format!("{test}.speed"), 56.0, normal(quantity(1.0, Speed, "km/h")), Bounds::Positive),
+        (format!("{test}.depths[1]"), 42.0, normal(metres(2.0, "cm")), Bounds::NotNegative),
+        (format!("{test}.depths[2]"), 50.0, normal(metres(2.0, "cm")), Bounds::NotNegative),
+        (
+            "impact.restitution.values[1]".to_owned(),
+            0.3,
+            uniform(of(0.2, None), of(0.4, None)),
+            Bounds::BelowOne,
+        ),
+        (
+            "impact.tangential.fraction".to_owned(),
+            1.0,
+            Spread::Triangular { low: of(0.8, None), high: of(1.0, None) },
+            Bounds::Share,
+        ),
+    ];
+    let inputs = case.inputs();
+    let read: Vec<_> = case
+        .ranges
+        .iter()
+        .map(|range| {
+            let input = inputs.iter().find(|input| input.path == range.path).unwrap();
+            (range.path.clone(), input.number, range.spread, range.bounds)
+        })
+        .collect();
+    assert_eq!(read.len(), expected.len());
+    for ((path, number, spread, bounds), expected) in read.into_iter().zip(expected) {
+        assert!((number - expected.1).abs() < 1e-15, "{path} {number}");
+        assert_eq!((path, spread, bounds), (expected.0, expected.2, expected.3));
+    }
+}
+
+#[test]
+fn ranges_are_written_back() {
+    for text in [RANGES.to_owned(), uncertain()] {
+        let case = read(&text).case;
+        let written = case.to_toml();
+        assert_eq!(read(&written).case, case, "{written}");
+    }
+    let written = read(&uncertain()).case.to_toml();
+    assert!(
+        written.contains("{ values = \"21.3 20.3 13.8 11.3 5.3 4.8 in\", sd = \"0.5 in\" }"),
+        "{written}"
+    );
+}
+
+/// Ranges do not move the central values, which are all that the other commands use.
+#[test]
+fn the_uncertain_example_is_the_papers_at_its_centre() {
+    let uncertain = read(&uncertain()).case;
+    let numbers =
+        |case: &Case| case.inputs().iter().map(|input| (input.path.clone(), input.si())).collect::<Vec<_>>();
+    let paper = read(&paper()).case;
+    assert_eq!(uncertain.ranges.len(), 31);
+    let all: Vec<String> = uncertain.inputs().into_iter().map(|input| input.path).collect();
+    assert!(uncertain.ranges.iter().map(|range| &range.path).eq(&all));
+    for ((path, value), (wanted, of_paper)) in numbers(&uncertain).into_iter().zip(numbers(&paper)) {
+        assert_eq!(path, wanted);
+        assert_eq!(value, of_paper, "{path}");
+    }
+}
+
+#[test]
+fn bounds_are_those_of_physics() {
+    let metre = Dimension::Length.unit("m");
+    let degree = Dimension::Angle.unit("deg");
+    assert_eq!(Bounds::None.interval(metre), [f64::NEG_INFINITY, f64::INFINITY]);
+    assert_eq!(Bounds::NotNegative.interval(metre), [0.0, f64::INFINITY]);
+    let [least, most] = Bounds::Positive.interval(metre);
+    assert!(0.0 < least && least <= 1e-6 && most.is_infinite());
+    let [zero, below_one] = Bounds::BelowOne.interval(None);
+    assert!(zero == 0.0 && (0.999..1.0).contains(&below_one));
+    let [left, right] = Bounds::Acute.interval(degree);
+    assert!(left == -right && (89.999..90.0).contains(&right));
+    assert_eq!(Bounds::Coefficient.interval(None), [-1.0, 1.0]);
 }
 
 /// The paper's example with other lines in `[impact]`.
@@ -1071,7 +1228,7 @@ fn any_case() -> impl Strategy<Value = Case> {
                     vehicles[i].crush = None;
                 }
             }
-            Case { title, source, vehicles, impact, reconstruct }
+            Case { title, source, vehicles, impact, reconstruct, ranges: Vec::new() }
         },
     )
 }
@@ -1199,11 +1356,13 @@ proptest! {
     }
 
     #[test]
-    fn a_damaged_file_is_survived(changes in vec(any_change(), 1..12), base in 0..4_u8) {
+    fn a_damaged_file_is_survived(changes in vec(any_change(), 1..12), base in 0..6_u8) {
         let mut text = match base {
             0 => paper(),
             1 => OTHER_FORMS.to_owned(),
             2 => with_impact(CURVE),
+            3 => RANGES.to_owned(),
+            4 => uncertain(),
             _ => with_impact("law = \"kudlich-slibar\"\nrestitution = 0.3\nfriction = 0.5"),
         };
         for change in &changes {

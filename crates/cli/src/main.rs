@@ -1,20 +1,24 @@
 //! `deltav`: arguments, files and exit codes. All else is in the libraries.
 
 mod arguments;
+mod progress;
 
 use std::fs;
-use std::io::{self, ErrorKind, Read as _, Write as _};
+use std::io::{self, BufWriter, ErrorKind, Read as _, Write as _};
 use std::path::Path;
 use std::process::ExitCode;
 
-use analysis::{Analysis, Failure, Sweep};
+use analysis::{Analysis, Failure, Plan, Sweep, Uncertainty};
 use anyhow::{Context as _, Result};
 use arguments::{
-    Arguments, Command, Format, PageFormat, SensitivityArguments, UnitSystem, ValidateArguments,
+    Arguments, Command, Format, PageFormat, SensitivityArguments, UncertaintyArguments, UnitSystem,
+    ValidateArguments,
 };
 use case::{Case, CaseFile};
 use clap::Parser as _;
+use rayon::ThreadPoolBuilder;
 use report::Units;
+use uncertainty::{Method, Settings};
 use validation::{Data, Validation};
 
 /// The case is well formed, but no answer exists; or a claim of the validation fails.
@@ -29,6 +33,7 @@ fn main() -> ExitCode {
         Command::Crush(arguments) => report_analysis(&arguments, analysis::crush),
         Command::Compare(arguments) => report_comparison(&arguments),
         Command::Sensitivity(arguments) => report_sensitivity(&arguments),
+        Command::Uncertainty(arguments) => report_uncertainty(&arguments),
         Command::Validate(arguments) => validate(&arguments),
     };
     match result {
@@ -47,6 +52,7 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
     match error.downcast_ref::<Failure>() {
         // Diagnostics render themselves with the word "error" and their place in the file.
         Some(Failure::Case(_)) => ("", WRONG_INPUT),
+        Some(Failure::Ranges(_)) => ("error: ", WRONG_INPUT),
         Some(_) => ("error: ", NO_ANSWER),
         None if error.is::<NotReproduced>() => ("error: ", NO_ANSWER),
         None => ("error: ", WRONG_INPUT),
@@ -84,6 +90,49 @@ fn report_sensitivity(
         Format::Json => report::sensitivity_json(&file.case, &sensitivity)?,
     };
     write(arguments.output.as_deref(), &output)
+}
+
+fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
+    let file = case_file(&arguments.arguments)?;
+    let uncertainty = propagate(&file, arguments)?;
+    let units = units(&arguments.arguments, &file);
+    if let Some(path) = &arguments.samples_out {
+        let cannot = || format!("cannot write the samples to {}", path.display());
+        let mut out = BufWriter::new(fs::File::create(path).with_context(cannot)?);
+        report::write_samples(&uncertainty, &mut out).and_then(|()| out.flush()).with_context(cannot)?;
+    }
+    if let Some(folder) = &arguments.plots {
+        for (place, output) in uncertainty.outputs.iter().enumerate() {
+            let name = output.output.path();
+            let tornado = report::tornado(&uncertainty, place, units)?;
+            write(Some(&folder.join(format!("tornado-{name}.svg"))), &tornado)?;
+            if let Some(histogram) = report::histogram(&uncertainty, place, units)? {
+                write(Some(&folder.join(format!("histogram-{name}.svg"))), &histogram)?;
+            }
+        }
+    }
+    let output = match arguments.arguments.format {
+        Format::Text => report::uncertainty_text(&file.case, &uncertainty, units),
+        Format::Json => report::uncertainty_json(&file.case, &uncertainty)?,
+    };
+    write(arguments.arguments.output.as_deref(), &output)
+}
+
+fn propagate(file: &CaseFile, arguments: &UncertaintyArguments) -> Result<Uncertainty> {
+    let method = match arguments.method {
+        arguments::Method::MonteCarlo => Method::MonteCarlo,
+        arguments::Method::LatinHypercube => Method::LatinHypercube,
+        arguments::Method::Sobol => Method::Sobol,
+    };
+    let settings = Settings::new(method, arguments.samples, arguments.seed);
+    let plan = Plan { settings, index_rows: arguments.sobol };
+    // Without a number, rayon takes one thread for each processor.
+    let threads = arguments.threads.map_or(0, usize::from);
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start the threads")?;
+    let mut progress = progress::Progress::new()?;
+    Ok(pool.install(|| {
+        analysis::uncertainty(file, &plan, &mut |stage, done, total| progress.at(stage, done, total))
+    })?)
 }
 
 fn case_file(arguments: &Arguments) -> Result<CaseFile> {

@@ -749,3 +749,193 @@ fn the_validation_writes_the_page_and_the_plots_of_the_docs() {
         assert!(fs::read(folder.join(name)).unwrap() == fs::read(docs).unwrap(), "{name}");
     }
 }
+
+const UNCERTAIN_FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/sae-980025-uncertain.toml");
+
+/// The same bytes for any number of threads, of every kind of output.
+#[test]
+fn uncertainty_does_not_depend_on_the_number_of_threads() {
+    for method in ["monte-carlo", "latin-hypercube", "sobol"] {
+        let run = |threads: &str| {
+            let samples = temporary(&format!("samples-{method}-{threads}.csv"));
+            let arguments = [
+                "uncertainty",
+                UNCERTAIN_FILE,
+                "--samples",
+                "10000",
+                "--seed",
+                "5",
+                "--sobol=256",
+                "--format",
+                "json",
+                "--method",
+                method,
+                "--threads",
+                threads,
+                "--samples-out",
+                samples.to_str().unwrap(),
+            ];
+            (printed(&arguments, ""), fs::read(&samples).unwrap())
+        };
+        let one = run("1");
+        assert_eq!(one, run("2"), "{method}");
+        assert_eq!(one, run("3"), "{method}");
+    }
+}
+
+#[test]
+fn uncertainty_has_its_keys_and_its_samples_are_those_of_the_statistics() {
+    let samples = temporary("samples.csv");
+    let arguments = [
+        "uncertainty",
+        UNCERTAIN_FILE,
+        "--samples",
+        "5000",
+        "--seed",
+        "3",
+        "--sobol=512",
+        "--format",
+        "json",
+        "--samples-out",
+        samples.to_str().unwrap(),
+    ];
+    let result: Value = serde_json::from_slice(&printed(&arguments, "")).unwrap();
+    assert_eq!(result["samples"], 5000);
+    assert_eq!(result["seed"], 3);
+    let failed: u64 =
+        result["failed"].as_object().unwrap().values().map(|count| count.as_u64().unwrap()).sum();
+    assert_eq!(result["succeeded"].as_u64().unwrap() + failed, 5000);
+    let outputs: Vec<&String> = result["outputs"].as_object().unwrap().keys().collect();
+    let names = [
+        "vehicle1.speed",
+        "vehicle1.delta_v",
+        "vehicle2.delta_v",
+        "vehicle1.pdof",
+        "vehicle2.pdof",
+        "impact.closing_speed",
+        "impact.energy_loss",
+        "impact.normal_work",
+        "impact.tangential_work",
+    ];
+    let mut sorted = names.to_vec();
+    sorted.sort_unstable();
+    assert_eq!(outputs, sorted);
+
+    // The central value is that of the other commands to the last digit.
+    let speed = &result["outputs"]["vehicle1.speed"];
+    let reconstructed = json("reconstruct", &fs::read_to_string(UNCERTAIN_FILE).unwrap());
+    assert_eq!(speed["central"], reconstructed["found"]["value"]);
+    assert_eq!(result["outputs"]["vehicle2.pdof"]["central"], reconstructed["vehicle2"]["pdof"]);
+    assert_eq!(result["outputs"]["impact.energy_loss"]["central"], reconstructed["impact"]["energy_loss"]);
+
+    // Statistics of the samples as written, by another way: sorting, and NumPy's quantiles.
+    let text = fs::read_to_string(&samples).unwrap();
+    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().unwrap();
+    assert_eq!(header.len(), 2 + 31 + 9);
+    let column = header.iter().position(|name| *name == "vehicle1.speed").unwrap();
+    let lines: Vec<_> = lines.collect();
+    // Inputs in SI: 3696 lb of 4.448 22 N each, and the mean of 5000 is within four of 222 N/√5000 of it.
+    let weight = header.iter().position(|name| *name == "vehicle1.weight").unwrap();
+    let mean = lines.iter().map(|line| line[weight].parse::<f64>().unwrap()).sum::<f64>() / 5000.0;
+    assert!((mean - 16_440.6).abs() < 12.6, "{mean}");
+    let mut values: Vec<f64> = lines.iter().map(|line| line[column].parse().unwrap()).collect();
+    assert_eq!(values.len(), 5000);
+    values.sort_by(f64::total_cmp);
+    let quantile = |p: f64| {
+        let place = p * 4999.0;
+        #[expect(clippy::cast_possible_truncation, reason = "a place below 5000")]
+        let (below, share) = (place.floor() as usize, place.fract());
+        values[below] + share * (values[below + 1] - values[below])
+    };
+    let near = |value: &Value, wanted: f64| {
+        let value = value.as_f64().unwrap();
+        assert!((value - wanted).abs() < 1e-9 * wanted.abs(), "{value} against {wanted}");
+    };
+    let mean = values.iter().sum::<f64>() / 5000.0;
+    near(&speed["mean"], mean);
+    near(&speed["sd"], (values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / 4999.0).sqrt());
+    near(&speed["median"], quantile(0.5));
+    for (key, low, high) in [
+        ("interval50", 0.25, 0.75),
+        ("interval90", 0.05, 0.95),
+        ("interval95", 0.025, 0.975),
+        ("interval99", 0.005, 0.995),
+    ] {
+        near(&speed[key][0], quantile(low));
+        near(&speed[key][1], quantile(high));
+    }
+
+    // The plane of the crush is what matters most, and the shares of a nearly linear model add up to one.
+    let indices = result["sensitivity"].as_array().unwrap();
+    assert_eq!(indices.len(), 31);
+    assert_eq!(result["sensitivity"], speed["sensitivity"]);
+    let total = |index: &&Value| index["total"].as_f64().unwrap();
+    let most = indices.iter().max_by(|one, other| total(one).total_cmp(&total(other))).unwrap();
+    assert_eq!(most["input"], "impact.crush_plane");
+    assert!(
+        indices.iter().all(|index| index["first_order"].is_number() && index["total_interval95"].is_array())
+    );
+    let sum: f64 = indices.iter().map(|index| total(&index)).sum();
+    assert!((0.9..1.15).contains(&sum), "{sum}");
+    let shares: f64 =
+        speed["tornado"].as_array().unwrap().iter().map(|bar| bar["share"].as_f64().unwrap()).sum();
+    assert!((shares - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn samples_without_an_answer_say_why() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/wide-ranges.toml");
+    let samples = temporary("samples-failed.csv");
+    let arguments = [
+        "uncertainty",
+        file,
+        "--samples",
+        "1000",
+        "--format",
+        "json",
+        "--samples-out",
+        samples.to_str().unwrap(),
+    ];
+    let result: Value = serde_json::from_slice(&printed(&arguments, "")).unwrap();
+    let text = fs::read_to_string(&samples).unwrap();
+    let failed =
+        text.lines().filter(|line| line.contains(",not_approaching,") && line.ends_with(",,,,,")).count();
+    assert_eq!(result["failed"]["not_approaching"], failed);
+    // Φ(−1) of 1000, give or take four of √(n p (1 − p)) = 11.6: Abramowitz & Stegun, table 26.1
+    assert!((failed as f64 - 158.7).abs() < 46.2, "{failed}");
+    let energy = &result["outputs"]["impact.energy_loss"];
+    assert_eq!(energy["first_order_differs"], true);
+    // The force comes along the normal, whatever its size: what moves the PDOF is rounding.
+    assert_eq!(result["outputs"]["vehicle1.pdof"]["first_order_differs"], false);
+    // A normal distribution of 0.1 ± 0.1 has Φ(1) = 0.841 345 above zero.
+    let restitution = &result["inputs"].as_array().unwrap()[2];
+    assert_eq!(restitution["input"], "impact.restitution");
+    assert!((restitution["truncated"]["kept"].as_f64().unwrap() - 0.841_344_746).abs() < 1e-8);
+}
+
+#[test]
+fn uncertainty_draws_every_result() {
+    let folder = temporary("plots");
+    fs::create_dir_all(&folder).unwrap();
+    printed(
+        &[
+            "uncertainty",
+            UNCERTAIN_FILE,
+            "--samples",
+            "1000",
+            "--plots",
+            folder.to_str().unwrap(),
+            "-o",
+            temporary("u.txt").to_str().unwrap(),
+        ],
+        "",
+    );
+    for name in ["histogram-vehicle1.speed.svg", "tornado-vehicle2.pdof.svg"] {
+        let drawn = fs::read_to_string(folder.join(name)).unwrap();
+        assert!(drawn.starts_with("<svg") && drawn.ends_with("</svg>\n"), "{name}");
+    }
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 18);
+    let drawn = fs::read_to_string(folder.join("tornado-vehicle1.speed.svg")).unwrap();
+    assert!(drawn.contains("impact.crush_plane"));
+}

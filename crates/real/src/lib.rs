@@ -25,6 +25,7 @@
 //! | [`Dual`] | a number that carries its derivative |
 //! | [`elementary::sin_cos`] | sine and cosine of an angle in radians, up to [`elementary::SIN_COS_LIMIT`] |
 //! | [`elementary::atan2`] | angle of a vector in radians, over all of `f64` |
+//! | [`elementary::ln`], [`elementary::exp`] | natural logarithm and exponential, over all of `f64`; for sampling, not part of [`Real`] |
 //!
 //! # Same bits everywhere
 //!
@@ -41,7 +42,7 @@
 //!
 //! # What it does not do
 //!
-//! No logarithm, exponential or power: only what the equations use. No `f64 * T`: write the constant on the right, `x * 0.5`.
+//! No logarithm or exponential of a [`Real`], no power: only what the equations use. No `f64 * T`: write the constant on the right, `x * 0.5`.
 //! No complex numbers, no `f32`, and no reduction of angles beyond [`elementary::SIN_COS_LIMIT`].
 
 mod dual;

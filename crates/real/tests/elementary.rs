@@ -1,17 +1,22 @@
-//! Sine, cosine and arctangent against 256-bit arithmetic, their identities and special values, and their bits.
+//! Sine, cosine, arctangent, logarithm and exponential against 256-bit arithmetic, their identities and special values, and their bits.
 #![expect(clippy::unwrap_used, reason = "clippy's exemption for tests leaves out the helpers beside them")]
 #![expect(clippy::disallowed_methods, reason = "powers of two are exact")]
 
 use astro_float::{BigFloat, Consts, RoundingMode, WORD_BIT_SIZE};
 use proptest::prelude::{ProptestConfig, Strategy, any, prop_assert, prop_assert_eq, proptest};
-use real::elementary::{SIN_COS_LIMIT, atan2, sin_cos};
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use real::elementary::{SIN_COS_LIMIT, atan2, exp, ln, sin_cos};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, LN_2, PI, SQRT_2};
 use std::hint::black_box;
 
 /// (ulp) what the documentation of `sin_cos` says was found.
 const SIN_COS_BOUND: f64 = 0.8;
 /// (ulp) what the documentation of `atan2` says was found.
 const ATAN2_BOUND: f64 = 0.7;
+
+/// (ulp) what the documentation of `ln` says was found.
+const LN_BOUND: f64 = 0.7;
+/// (ulp) what the documentation of `exp` says was found.
+const EXP_BOUND: f64 = 0.95;
 
 /// (bit) of the reference values: 53, and what cancels next to a multiple of π/2, twice over.
 const PRECISION: usize = 256;
@@ -102,6 +107,16 @@ impl Oracle {
         let angle = if x < 0.0 { self.pi.sub(&slope, PRECISION, NEAREST) } else { slope };
         let exact = if y < 0.0 { angle.neg() } else { angle };
         ulps(atan2(y, x), &exact)
+    }
+
+    /// For positive finite arguments other than 1.
+    fn ln_error(&mut self, x: f64) -> f64 {
+        ulps(ln(x), &big(x).ln(PRECISION, NEAREST, &mut self.constants))
+    }
+
+    /// For arguments whose exponential is neither zero nor infinite.
+    fn exp_error(&mut self, x: f64) -> f64 {
+        ulps(exp(x), &big(x).exp(PRECISION, NEAREST, &mut self.constants))
     }
 }
 
@@ -401,6 +416,91 @@ fn atan2_of_special_values() {
     }
 }
 
+#[test]
+fn ln_of_all_positive_numbers() {
+    let mut oracle = Oracle::new();
+    let mut worst = Worst::new();
+    let mut random = Random(10);
+    for _ in 0..20_000 {
+        // From the least subnormal number to the greatest of all, and then the subnormal ones alone.
+        let x = random.with_exponent(0, 2046).abs();
+        worst.note(x, oracle.ln_error(x));
+        let x = random.with_exponent(0, 0).abs();
+        worst.note(x, oracle.ln_error(x));
+    }
+    for x in [f64::from_bits(1), f64::MIN_POSITIVE.next_down(), f64::MIN_POSITIVE, f64::MAX] {
+        worst.note(x, oracle.ln_error(x));
+    }
+    worst.assert_below(LN_BOUND);
+}
+
+/// Around 1 the logarithm has its own magnitude, and at √½ and √2 the formula changes.
+#[test]
+fn ln_near_one_and_where_the_formula_changes() {
+    let mut oracle = Oracle::new();
+    let mut worst = Worst::new();
+    let mut random = Random(11);
+    for _ in 0..40_000 {
+        let x = 1.0 + random.with_exponent(1023 - 52, 1023 - 2);
+        if x != 1.0 {
+            worst.note(x, oracle.ln_error(x));
+        }
+        let x = 1.0 + 0.5 * random.signed_unit();
+        worst.note(x, oracle.ln_error(x));
+    }
+    for power in -1022..1023 {
+        let x = SQRT_2 * 2.0_f64.powi(power);
+        for x in neighbours(x, 2).into_iter().chain(neighbours(2.0_f64.powi(power), 2)) {
+            if x != 1.0 {
+                worst.note(x, oracle.ln_error(x));
+            }
+        }
+    }
+    worst.assert_below(LN_BOUND);
+}
+
+#[test]
+fn exp_over_the_whole_range() {
+    let mut oracle = Oracle::new();
+    let mut worst = Worst::new();
+    let mut random = Random(12);
+    for _ in 0..20_000 {
+        // ln of the greatest f64 and of the least one.
+        let x = 709.78 * random.signed_unit();
+        worst.note(x, oracle.exp_error(x));
+        let x = -708.0 - 37.0 * random.signed_unit().abs();
+        worst.note(x, oracle.exp_error(x));
+        let x = random.with_exponent(1023 - 60, 1023);
+        worst.note(x, oracle.exp_error(x));
+    }
+    // Where k changes.
+    for odd in (-2147_i32..2047).step_by(2) {
+        for x in neighbours(f64::from(odd) * 0.5 * LN_2, 2) {
+            worst.note(x, oracle.exp_error(x));
+        }
+    }
+    worst.assert_below(EXP_BOUND);
+}
+
+/// IEEE 754-2019, 9.2.1, and C23, F.10.3.
+#[test]
+fn ln_and_exp_of_special_values() {
+    assert_eq!(ln(1.0).to_bits(), 0.0_f64.to_bits());
+    assert_eq!((ln(0.0), ln(-0.0)), (f64::NEG_INFINITY, f64::NEG_INFINITY));
+    assert_eq!(ln(f64::INFINITY), f64::INFINITY);
+    for x in [-f64::from_bits(1), -1.0, f64::NEG_INFINITY, f64::NAN, -f64::NAN] {
+        assert!(ln(x).is_nan(), "at {x}");
+    }
+    assert_eq!((exp(0.0), exp(-0.0)), (1.0, 1.0));
+    assert_eq!((exp(f64::INFINITY), exp(f64::NEG_INFINITY)), (f64::INFINITY, 0.0));
+    // ln of the greatest f64 is 709.782712893384…, of half of the least −745.133219101941….
+    assert_eq!((exp(709.79), exp(1e300)), (f64::INFINITY, f64::INFINITY));
+    assert!(exp(709.78) < f64::INFINITY);
+    assert_eq!((exp(-745.14), exp(-1e300)), (0.0, 0.0));
+    assert_eq!(exp(-745.13), f64::from_bits(1));
+    assert!(exp(f64::NAN).is_nan());
+}
+
 /// Any bits at all: infinities, NaN and subnormal numbers too.
 fn any_bits() -> impl Strategy<Value = f64> {
     any::<u64>().prop_map(f64::from_bits)
@@ -447,14 +547,28 @@ proptest! {
     }
 
     #[test]
+    fn logarithm_undoes_exponential(x in -700.0..700.0_f64) {
+        // An ulp of the power moves its logarithm by at most ε, and the logarithm is rounded itself.
+        prop_assert!((ln(exp(x)) - x).abs() <= 2.0 * f64::EPSILON * (1.0 + x.abs()));
+    }
+
+    #[test]
     fn a_lane_of_a_loop_has_the_bits_of_a_call(seed in any::<u64>()) {
         let mut random = Random(seed);
         let angles: [f64; 64] = std::array::from_fn(|_| 100.0 * random.signed_unit());
         let lengths: [f64; 64] = std::array::from_fn(|_| random.finite());
         let mut lanes = [(0.0, 0.0, 0.0); 64];
+        let mut powers = [(0.0, 0.0); 64];
         for ((lane, &angle), &length) in lanes.iter_mut().zip(&angles).zip(&lengths) {
             let (sin, cos) = sin_cos(angle);
             *lane = (sin, cos, atan2(length, angle));
+        }
+        for ((power, &angle), &length) in powers.iter_mut().zip(&angles).zip(&lengths) {
+            *power = (exp(angle), ln(length));
+        }
+        for ((power, &angle), &length) in powers.iter().zip(&angles).zip(&lengths) {
+            let (angle, length) = (black_box(angle), black_box(length));
+            prop_assert!(same(power.0, exp(angle)) && same(power.1, ln(length)));
         }
         for ((lane, &angle), &length) in lanes.iter().zip(&angles).zip(&lengths) {
             let (angle, length) = (black_box(angle), black_box(length));
@@ -478,7 +592,7 @@ fn the_hash_is_right() {
 }
 
 /// The pins say nothing about accuracy, which the tests above measure. They guarantee that the bits stay: 100 000 sines and cosines and 100 000
-/// arctangents are the same on every platform, at every optimisation level and after every change of compiler. A red pin
+/// arctangents, logarithms and exponentials each are the same on every platform, at every optimisation level and after every change of compiler. A red pin
 /// means that reports made before and after (or here and there) may differ in their last digits: find out why, and
 /// renew it only for a change of the functions that was meant.
 #[test]
@@ -501,4 +615,20 @@ fn bits_are_pinned() {
         }
     }
     assert_eq!(hash, 0x822F_049E_6BFD_B05E, "atan2: 0x{hash:016X}");
+
+    let mut hash = FNV_START;
+    for _ in 0..50_000 {
+        for x in [1.0 + random.signed_unit(), random.finite().abs()] {
+            hash = fnv1a(hash, &ln(x).to_bits().to_le_bytes());
+        }
+    }
+    assert_eq!(hash, 0x8EAC_19A0_0642_CF8B, "ln: 0x{hash:016X}");
+
+    let mut hash = FNV_START;
+    for _ in 0..50_000 {
+        for x in [750.0 * random.signed_unit(), random.with_exponent(980, 1026)] {
+            hash = fnv1a(hash, &exp(x).to_bits().to_le_bytes());
+        }
+    }
+    assert_eq!(hash, 0xC431_06F3_3C59_310B, "exp: 0x{hash:016X}");
 }

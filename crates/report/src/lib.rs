@@ -18,6 +18,9 @@
 //! [`validation_text`], [`validation_json`] and [`validation_markdown`] write the comparison with the RICSAC collisions;
 //! [`computed_against_measured`] and [`reconstructed_speed`] plot it as SVG.
 //!
+//! [`uncertainty_text`] and [`uncertainty_json`] say between what and what the results of a case with ranges lie; [`histogram`] and [`tornado`] plot
+//! that, and [`write_samples`] gives the samples themselves.
+//!
 //! # What it does not do
 //!
 //! It computes nothing, and it draws no vehicles.
@@ -28,6 +31,7 @@ mod law;
 mod sensitivity;
 mod staged;
 mod text;
+mod uncertainty;
 mod units;
 mod warnings;
 
@@ -39,6 +43,7 @@ pub use staged::{
     validation_markdown, validation_text,
 };
 pub use text::text;
+pub use uncertainty::{histogram, tornado, uncertainty_json, uncertainty_text, write_samples};
 pub use units::Units;
 pub use warnings::message;
 

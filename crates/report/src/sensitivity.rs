@@ -54,7 +54,7 @@ pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String
             .derivatives
             .iter()
             .map(|row| DerivativeBlock {
-                output: output_path(row.output),
+                output: row.output.path(),
                 input: &row.input.path,
                 value: row.value + 0.0,
                 relative: row.relative().map(|relative| relative + 0.0),
@@ -78,13 +78,6 @@ pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String
     Ok(serde_json::to_string_pretty(&document)? + "\n")
 }
 
-fn output_path(output: Output) -> String {
-    match output {
-        Output::Speed { vehicle } => format!("vehicle{vehicle}.speed"),
-        Output::DeltaV { vehicle } => format!("vehicle{vehicle}.delta_v"),
-    }
-}
-
 /// The sensitivity as tables.
 #[must_use]
 pub fn sensitivity_text(case: &Case, sensitivity: &Sensitivity, units: Units) -> String {
@@ -103,12 +96,22 @@ pub fn sensitivity_text(case: &Case, sensitivity: &Sensitivity, units: Units) ->
     text
 }
 
-fn derivatives(text: &mut String, group: &[Derivative], units: Units) {
-    let Some(first) = group.first() else { return };
-    let name = match first.output {
+/// An output, as a heading calls it.
+pub(crate) fn output_name(output: Output) -> String {
+    match output {
         Output::Speed { vehicle } => format!("Speed of vehicle {vehicle}"),
         Output::DeltaV { vehicle } => format!("ΔV of vehicle {vehicle}"),
-    };
+        Output::Pdof { vehicle } => format!("PDOF of vehicle {vehicle}"),
+        Output::ClosingSpeed => "Closing speed".to_owned(),
+        Output::EnergyLoss => "Energy loss".to_owned(),
+        Output::NormalWork => "Normal work".to_owned(),
+        Output::TangentialWork => "Tangential work".to_owned(),
+    }
+}
+
+fn derivatives(text: &mut String, group: &[Derivative], units: Units) {
+    let Some(first) = group.first() else { return };
+    let name = output_name(first.output);
     let value = units.format(Quantity::Speed, first.output_value);
     let title = format!("{name}, {value}");
     text.push_str(&format!("\n{title:<50}{:>28}{:>10}{:>10}\n", "change per unit", "% per %", "influence"));

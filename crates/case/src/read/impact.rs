@@ -1,10 +1,12 @@
 //! `[impact]`: the crush plane, and the impact law with its keys.
 
+use super::range::is_range;
 use super::tree::{Reader, Table};
 use super::values::{Sign, named};
 use crate::case::{Impact, ImpactLaw, Restitution};
 use crate::problem::{Problem, RESTITUTION_FORMS};
 use crate::quantity::Quantity;
+use crate::range::Bounds;
 use crate::schema::{LawName, RESTITUTION, TANGENTIAL};
 use crate::units::Dimension;
 use pim_core::Tangential;
@@ -33,8 +35,7 @@ impl<'t> Reader<'t> {
         let restitution = if reads("restitution") { self.restitution(table) } else { None };
         let tangential = if reads("tangential") { self.tangential(table) } else { None };
         let mut coefficient = |key| {
-            let accepts = |e: f64| (-1.0..=1.0).contains(&e);
-            if reads(key) { self.number(table, key, "between -1 and 1", accepts) } else { None }
+            if reads(key) { self.number(table, key, Bounds::Coefficient) } else { None }
         };
         let moment_restitution = coefficient("moment_restitution");
         let tangential_restitution = coefficient("tangential_restitution");
@@ -86,14 +87,13 @@ impl<'t> Reader<'t> {
     }
 
     fn restitution(&mut self, impact: &Table<'t>) -> Option<Restitution> {
-        let accepts = |e: f64| (0.0..=1.0).contains(&e);
-        if !impact.is_table_or_list("restitution") {
-            return self.number(impact, "restitution", "between 0 and 1", accepts).map(Restitution::Constant);
+        if !impact.is_table_or_list("restitution") || is_range(impact, "restitution") {
+            return self.number(impact, "restitution", Bounds::BelowOne).map(Restitution::Constant);
         }
         let wanted = "a plain number, or a table of speeds and values";
         let table = self.inline(impact, "restitution", &RESTITUTION, wanted, RESTITUTION_FORMS)?;
         let speeds = self.quantities(&table, "speeds", Dimension::Speed, Sign::NotNegative);
-        let values = self.numbers(&table, "values", "between 0 and 1", accepts);
+        let values = self.numbers(&table, "values", Bounds::BelowOne);
         if table.given(&["speeds", "values"]).len() < 2 {
             return self.no_form(&table, RESTITUTION_FORMS);
         }
@@ -129,7 +129,7 @@ impl<'t> Reader<'t> {
     }
 
     fn friction(&mut self, table: &Table<'t>) -> Option<f64> {
-        self.number(table, "friction", "a finite number, zero or more", |f| f >= 0.0 && f.is_finite())
+        self.number(table, "friction", Bounds::NotNegative)
     }
 
     fn tangential(&mut self, impact: &Table<'t>) -> Option<Tangential> {
@@ -141,12 +141,10 @@ impl<'t> Reader<'t> {
         let table =
             self.inline(impact, "tangential", &TANGENTIAL, "\"critical\" or a table in braces", FORMS)?;
         match table.given(&["ratio", "fraction", "friction"])[..] {
-            ["ratio"] => {
-                self.number(&table, "ratio", "a finite number", f64::is_finite).map(Tangential::Ratio)
+            ["ratio"] => self.number(&table, "ratio", Bounds::None).map(Tangential::Ratio),
+            ["fraction"] => {
+                self.number(&table, "fraction", Bounds::Share).map(Tangential::FractionOfCritical)
             }
-            ["fraction"] => self
-                .number(&table, "fraction", "between 0 and 1", |f| (0.0..=1.0).contains(&f))
-                .map(Tangential::FractionOfCritical),
             ["friction"] => self.friction(&table).map(Tangential::Friction),
             _ => self.no_form(&table, FORMS),
         }

@@ -1,7 +1,7 @@
 //! The spanned tree: tables, their keys, and the problems of both.
 
-use std::collections::BTreeSet;
-use std::ops::Range;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range as Span;
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Error};
@@ -10,6 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::nearest::nearest;
 use crate::problem::{NO_VALUE, Problem};
 use crate::quantity::shorten;
+use crate::range::Range;
 use crate::schema::Schema;
 use crate::source::Spans;
 
@@ -18,6 +19,7 @@ pub(super) struct Reader<'t> {
     pub(super) text: &'t str,
     spans: Spans,
     problems: Vec<Diagnostic>,
+    ranges: BTreeMap<String, Range>,
 }
 
 /// One table of the file.
@@ -46,13 +48,18 @@ impl<'t> Table<'t> {
         self.get(key).is_some_and(|value| value.get_ref().is_table() || value.get_ref().is_array())
     }
 
+    /// Whether a misspelt key explains what is missing.
+    pub(super) fn has_misspelt(&self) -> bool {
+        !self.meant.is_empty()
+    }
+
     /// Whether a misspelt key stands for this one.
     pub(super) fn means(&self, key: &str) -> bool {
         self.meant.contains(&key)
     }
 
     /// Where the key itself stands, not its value; nowhere if it is absent.
-    pub(super) fn key_span(&self, key: &str) -> Range<usize> {
+    pub(super) fn key_span(&self, key: &str) -> Span<usize> {
         self.entries.keys().find(|name| name.get_ref() == key).map(Spanned::span).unwrap_or_default()
     }
 
@@ -74,11 +81,21 @@ impl<'t> Table<'t> {
 
 impl<'t> Reader<'t> {
     pub(super) fn new(text: &'t str) -> Self {
-        Self { text, spans: Spans::default(), problems: Vec::new() }
+        Self { text, spans: Spans::default(), problems: Vec::new(), ranges: BTreeMap::new() }
     }
 
-    pub(super) fn report(&mut self, span: Range<usize>, problem: Problem) {
+    pub(super) fn report(&mut self, span: Span<usize>, problem: Problem) {
         self.problems.push(Diagnostic::new(Some(span), problem));
+    }
+
+    /// Remembers that a number is uncertain, and where that stands.
+    pub(super) fn add_range(&mut self, span: Span<usize>, range: Range) {
+        self.spans.insert(range.path.clone(), span);
+        self.ranges.insert(range.path.clone(), range);
+    }
+
+    pub(super) fn take_range(&mut self, path: &str) -> Option<Range> {
+        self.ranges.remove(path)
     }
 
     /// Reports a problem at a key, or at the table that should have it.
@@ -162,7 +179,12 @@ impl<'t> Reader<'t> {
         (tables.len() == array.len()).then_some(tables)
     }
 
-    fn open(&mut self, path: String, entries: &'t DeTable<'t>, schema: &'static Schema) -> Table<'t> {
+    pub(super) fn open(
+        &mut self,
+        path: String,
+        entries: &'t DeTable<'t>,
+        schema: &'static Schema,
+    ) -> Table<'t> {
         let mut table = Table { path, schema, entries, meant: Vec::new() };
         for (key, value) in entries {
             let name: &str = key.get_ref();
@@ -230,7 +252,7 @@ impl<'t> Reader<'t> {
         errors.sort_by_key(|(span, _)| span.as_ref().map_or(0, |span| span.start));
 
         let newlines: Vec<usize> = self.text.match_indices('\n').map(|(at, _)| at).collect();
-        let line = |span: &Option<Range<usize>>| {
+        let line = |span: &Option<Span<usize>>| {
             span.as_ref().map(|span| newlines.partition_point(|&newline| newline < span.start))
         };
         let mut all = Vec::new();
@@ -243,7 +265,7 @@ impl<'t> Reader<'t> {
             in_array |= message.contains("array");
             if first_of_line && !follows {
                 let no_value =
-                    message.contains("must be quoted") && span.as_ref().is_some_and(Range::is_empty);
+                    message.contains("must be quoted") && span.as_ref().is_some_and(Span::is_empty);
                 let message = if no_value { NO_VALUE } else { message }.to_owned();
                 all.push(Diagnostic::new(span, Problem::Syntax { message }));
             }
@@ -259,6 +281,7 @@ impl<'t> Reader<'t> {
                     // The line that names another law may be the one that could not be read.
                     | Problem::KeyOfOtherLaw { is_default: true, .. }
                     | Problem::NoForm { .. }
+                    | Problem::NoRangeForm { .. }
             );
             (is_whole || !is_missing) && !broken_lines.contains(&line(&diagnostic.span()))
         });

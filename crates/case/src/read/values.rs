@@ -1,5 +1,6 @@
 //! The values of keys: quantities, lists of them, plain numbers, texts and choices.
 
+use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 
 use toml::Spanned;
@@ -9,6 +10,7 @@ use super::tree::{Reader, Table, kind};
 use crate::nearest::{join, nearest};
 use crate::problem::Problem;
 use crate::quantity::{Quantity, QuantityError, find_unit, not_a_number, shorten, split_number};
+use crate::range::Bounds;
 use crate::units::Dimension;
 
 /// The largest number of stations: far more than any scan of a vehicle gives.
@@ -22,10 +24,48 @@ pub(super) enum Sign {
     Positive,
     /// Positive, for a reason that is worth saying.
     PositiveBecause(&'static str),
+    /// Less than a right angle to either side.
+    Acute,
+}
+
+impl Sign {
+    pub(super) fn bounds(self) -> Bounds {
+        match self {
+            Self::Any => Bounds::None,
+            Self::NotNegative => Bounds::NotNegative,
+            Self::Positive | Self::PositiveBecause(_) => Bounds::Positive,
+            Self::Acute => Bounds::Acute,
+        }
+    }
+}
+
+/// A key of a number, or an element of its list.
+pub(super) struct Place {
+    /// Its path.
+    pub(super) path: String,
+    /// How an error text calls it.
+    pub(super) name: String,
+    /// The line that sets the key.
+    pub(super) example: &'static str,
+}
+
+impl Place {
+    pub(super) fn of_key(table: &Table<'_>, key: &str) -> Self {
+        let path = table.path_of(key);
+        Self { name: named(&path), path, example: table.schema.example(key) }
+    }
+
+    fn element(&self, index: usize) -> Self {
+        Self {
+            path: format!("{}[{}]", self.path, index + 1),
+            name: format!("value {} of {}", index + 1, self.name),
+            example: self.example,
+        }
+    }
 }
 
 impl<'t> Reader<'t> {
-    /// A string with its unit; absent is `None`, and what is wrong is reported.
+    /// A string with its unit, or a range; absent is `None`, and what is wrong is reported.
     pub(super) fn quantity(
         &mut self,
         table: &Table<'t>,
@@ -34,9 +74,36 @@ impl<'t> Reader<'t> {
         sign: Sign,
     ) -> Option<Quantity> {
         let value = table.get(key)?;
-        let text = self.quantity_text(table, key, value, dimension, "a string with number and unit")?;
+        let place = Place::of_key(table, key);
+        self.quantity_or_range(&place, value, dimension, sign, "a string with number and unit")
+    }
+
+    fn quantity_or_range(
+        &mut self,
+        place: &Place,
+        value: &'t Spanned<DeValue<'t>>,
+        dimension: Dimension,
+        sign: Sign,
+        wanted: &'static str,
+    ) -> Option<Quantity> {
+        if value.get_ref().is_table() {
+            return self.range_of_quantity(place, value, dimension, sign);
+        }
+        self.certain_quantity(place, value, dimension, sign, wanted)
+    }
+
+    /// A string with its unit.
+    pub(super) fn certain_quantity(
+        &mut self,
+        place: &Place,
+        value: &'t Spanned<DeValue<'t>>,
+        dimension: Dimension,
+        sign: Sign,
+        wanted: &'static str,
+    ) -> Option<Quantity> {
+        let text = self.quantity_text(place, value, dimension, wanted)?;
         match Quantity::parse(text, dimension) {
-            Ok(quantity) => self.signed(&named(&table.path_of(key)), value.span(), quantity, sign),
+            Ok(quantity) => self.signed(&place.name, value.span(), quantity, sign),
             Err(error) => {
                 self.report(value.span(), Problem::Quantity(error));
                 None
@@ -44,7 +111,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Several quantities: one string with the unit at its end, or a list of strings.
+    /// Several quantities: one string with the unit at its end, a list of strings and ranges, or a table with the one or the other and a
+    /// spread for all.
     pub(super) fn quantities(
         &mut self,
         table: &Table<'t>,
@@ -53,61 +121,62 @@ impl<'t> Reader<'t> {
         sign: Sign,
     ) -> Option<Vec<Quantity>> {
         let value = table.get(key)?;
+        let place = Place::of_key(table, key);
+        if value.get_ref().is_table() {
+            return self.range_of_quantities(&place, value, dimension, sign);
+        }
+        self.listed_quantities(&place, value, dimension, sign)
+    }
+
+    /// One string with the unit at its end, or a list.
+    pub(super) fn listed_quantities(
+        &mut self,
+        place: &Place,
+        value: &'t Spanned<DeValue<'t>>,
+        dimension: Dimension,
+        sign: Sign,
+    ) -> Option<Vec<Quantity>> {
         let read = match value.get_ref() {
             DeValue::Array(array) => {
-                self.not_too_many(table, key, value, array.len())?;
+                self.not_too_many(&place.path, value, array.len())?;
                 let element = |(index, element): (usize, &'t Spanned<DeValue<'t>>)| {
-                    let text = self.quantity_text(table, key, element, dimension, "a list of strings")?;
-                    match Quantity::parse(text, dimension) {
-                        Ok(quantity) => {
-                            let path = format!("value {} of {}", index + 1, named(&table.path_of(key)));
-                            self.signed(&path, element.span(), quantity, sign)
-                        }
-                        Err(error) => {
-                            self.report(element.span(), Problem::Quantity(error));
-                            None
-                        }
-                    }
+                    // What is no quantity at all is no element, but makes the whole key wrong.
+                    let of_element = place.element(index);
+                    let path = if element.get_ref().is_table() { &of_element.path } else { &place.path };
+                    let at = Place { path: path.clone(), ..of_element };
+                    self.quantity_or_range(&at, element, dimension, sign, "a list of strings")
                 };
                 // Every element is looked at before the first fault ends it.
                 array.iter().enumerate().map(element).collect::<Vec<Option<Quantity>>>()
             }
             _ => {
                 let wanted = "a string with numbers and a unit, or a list of strings";
-                let text = self.quantity_text(table, key, value, dimension, wanted)?;
-                self.split_quantities(table, key, value, text, dimension, sign)?
+                let text = self.quantity_text(place, value, dimension, wanted)?;
+                self.split_quantities(place, value, text, dimension, sign)?
             }
         };
         read.into_iter().collect()
     }
 
-    fn not_too_many(
-        &mut self,
-        table: &Table<'t>,
-        key: &'static str,
-        value: &'t Spanned<DeValue<'t>>,
-        count: usize,
-    ) -> Option<()> {
+    fn not_too_many(&mut self, path: &str, value: &'t Spanned<DeValue<'t>>, count: usize) -> Option<()> {
         if count <= MOST_STATIONS {
             return Some(());
         }
-        let problem = Problem::TooMany { path: table.path_of(key), count, limit: MOST_STATIONS };
+        let problem = Problem::TooMany { path: path.to_owned(), count, limit: MOST_STATIONS };
         self.report(value.span(), problem);
         None
     }
 
     fn split_quantities(
         &mut self,
-        table: &Table<'t>,
-        key: &'static str,
+        place: &Place,
         value: &'t Spanned<DeValue<'t>>,
         text: &'t str,
         dimension: Dimension,
         sign: Sign,
     ) -> Option<Vec<Option<Quantity>>> {
         let (numbers, unit) = leading_numbers(text);
-        let bad_list =
-            || Problem::BadList { text: shorten(text), dimension, example: table.schema.example(key) };
+        let bad_list = || Problem::BadList { text: shorten(text), dimension, example: place.example };
         let problem = if text.trim().is_empty() {
             Some(Problem::Quantity(QuantityError::Empty { dimension }))
         } else if numbers.is_empty() {
@@ -128,15 +197,12 @@ impl<'t> Reader<'t> {
                 return None;
             }
         };
-        self.not_too_many(table, key, value, numbers.len())?;
+        self.not_too_many(&place.path, value, numbers.len())?;
         let start = self.start_of_text(value, text);
         let one = |(index, (number, at)): (usize, (f64, Range<usize>))| {
             let span = start.map_or(value.span(), |start| start + at.start..start + at.end);
             match Quantity::new(number, unit) {
-                Ok(quantity) => {
-                    let path = format!("value {} of {}", index + 1, named(&table.path_of(key)));
-                    self.signed(&path, span, quantity, sign)
-                }
+                Ok(quantity) => self.signed(&place.element(index).name, span, quantity, sign),
                 Err(error) => {
                     self.report(span, Problem::Quantity(error));
                     None
@@ -149,6 +215,11 @@ impl<'t> Reader<'t> {
     /// Where one of several quantities stands, in either form that [`quantities`](Self::quantities) reads.
     pub(super) fn span_of_element(&self, table: &Table<'t>, key: &str, index: usize) -> Range<usize> {
         let Some(value) = table.get(key) else { return Range::default() };
+        self.span_in(values_of(value), index)
+    }
+
+    /// Where one of a list of quantities stands.
+    pub(super) fn span_in(&self, value: &Spanned<DeValue<'t>>, index: usize) -> Range<usize> {
         let element = match value.get_ref() {
             DeValue::Array(array) => array.get(index).map(Spanned::span),
             DeValue::String(text) => self.start_of_text(value, text).and_then(|start| {
@@ -168,19 +239,17 @@ impl<'t> Reader<'t> {
 
     fn quantity_text(
         &mut self,
-        table: &Table<'t>,
-        key: &'static str,
+        place: &Place,
         value: &'t Spanned<DeValue<'t>>,
         dimension: Dimension,
         wanted: &'static str,
     ) -> Option<&'t str> {
-        let path = table.path_of(key);
-        let example = table.schema.example(key);
+        let (path, example) = (place.path.clone(), place.example);
         let problem = match value.get_ref() {
             DeValue::String(text) => return Some(text),
             DeValue::Integer(_) | DeValue::Float(_) => {
                 let number = shorten(&self.text[value.span()]);
-                Problem::BareNumber { path, number, dimension, example }
+                Problem::BareNumber { path, number, dimension, example: example.to_owned() }
             }
             other => Problem::WrongType { path, found: kind(other), wanted, example },
         };
@@ -188,11 +257,22 @@ impl<'t> Reader<'t> {
         None
     }
 
-    fn signed(&mut self, path: &str, span: Range<usize>, value: Quantity, sign: Sign) -> Option<Quantity> {
+    pub(super) fn signed(
+        &mut self,
+        path: &str,
+        span: Range<usize>,
+        value: Quantity,
+        sign: Sign,
+    ) -> Option<Quantity> {
         let path = path.to_owned();
         let least = value.dimension().least_positive();
         let problem = match sign {
             Sign::Any => return Some(value),
+            Sign::Acute if value.si().abs() < FRAC_PI_2 => return Some(value),
+            Sign::Acute => {
+                let limit = if value.unit().spelling() == "rad" { "1.5708 rad" } else { "90 deg" };
+                Problem::NotAcute { path, value, limit }
+            }
             Sign::NotNegative if value.number() < 0.0 => Problem::Negative { path, value },
             Sign::NotNegative => return Some(value),
             Sign::Positive if value.number() <= 0.0 => Problem::NotPositive { path, value, why: "" },
@@ -206,26 +286,35 @@ impl<'t> Reader<'t> {
         None
     }
 
+    /// A plain number within the bounds, or a range.
+    pub(super) fn number(&mut self, table: &Table<'t>, key: &'static str, bounds: Bounds) -> Option<f64> {
+        let value = table.get(key)?;
+        let place = Place::of_key(table, key);
+        if value.get_ref().is_table() {
+            return self.range_of_number(&place, value, bounds);
+        }
+        self.certain_number(&place, key, value, words(bounds), |number| accepts(bounds, number))
+    }
+
     /// A plain number for which `accepts` holds; `range` says in words what that is.
-    pub(super) fn number(
+    pub(super) fn certain_number(
         &mut self,
-        table: &Table<'t>,
-        key: &'static str,
+        place: &Place,
+        key: &str,
+        value: &'t Spanned<DeValue<'t>>,
         range: &'static str,
         accepts: impl Fn(f64) -> bool,
     ) -> Option<f64> {
-        let value = table.get(key)?;
-        let path = table.path_of(key);
-        let example = table.schema.example(key);
+        let (path, name, example) = (place.path.clone(), place.name.clone(), place.example);
         let problem = match (plain_number(value.get_ref()), value.get_ref()) {
             (Some(number), _) if accepts(number) => return Some(number),
-            (Some(value), _) => Problem::OutOfRange { path: named(&path), value, range, example },
+            (Some(value), _) => Problem::OutOfRange { path: name, value, range, example },
             (None, DeValue::String(text)) => {
                 let example = match text.trim().parse::<f64>() {
                     Ok(_) => format!("{key} = {}", text.trim()),
                     Err(_) => example.to_owned(),
                 };
-                Problem::QuotedNumber { path: named(&path), text: shorten(text), example }
+                Problem::QuotedNumber { path: name, text: shorten(text), example }
             }
             (None, DeValue::Integer(_)) => {
                 Problem::WrongType { path, found: NOT_DECIMAL, wanted: "a decimal number", example }
@@ -238,28 +327,30 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// A list of plain numbers, each of which `accepts`.
+    /// A list of plain numbers within the bounds, and of ranges.
     pub(super) fn numbers(
         &mut self,
         table: &Table<'t>,
         key: &'static str,
-        range: &'static str,
-        accepts: impl Fn(f64) -> bool,
+        bounds: Bounds,
     ) -> Option<Vec<f64>> {
         const WANTED: &str = "a list of plain numbers";
         let value = table.get(key)?;
-        let path = table.path_of(key);
-        let example = table.schema.example(key);
+        let whole = Place::of_key(table, key);
+        let (path, example, range) = (whole.path.clone(), whole.example, words(bounds));
         let Some(array) = value.get_ref().as_array() else {
             let found = kind(value.get_ref());
             self.report(value.span(), Problem::WrongType { path, found, wanted: WANTED, example });
             return None;
         };
-        self.not_too_many(table, key, value, array.len())?;
+        self.not_too_many(&path, value, array.len())?;
         let element = |(index, element): (usize, &'t Spanned<DeValue<'t>>)| {
-            let place = || format!("value {} of {}", index + 1, named(&path));
+            if element.get_ref().is_table() {
+                return self.range_of_number(&whole.element(index), element, bounds);
+            }
+            let place = || whole.element(index).name;
             let problem = match (plain_number(element.get_ref()), element.get_ref()) {
-                (Some(number), _) if accepts(number) => return Some(number),
+                (Some(number), _) if accepts(bounds, number) => return Some(number),
                 (Some(value), _) => Problem::OutOfRange { path: place(), value, range, example },
                 (None, DeValue::String(text)) => {
                     let is_number = text.trim().parse::<f64>().is_ok();
@@ -287,13 +378,17 @@ impl<'t> Reader<'t> {
         range: &'static str,
         last: u8,
     ) -> Option<u8> {
+        let value = table.get(key)?;
+        self.not_a_range(table, key, value)?;
         let of = |number: f64| (1..=last).find(|&whole| f64::from(whole) == number);
-        self.number(table, key, range, |number| of(number).is_some()).and_then(of)
+        let place = Place::of_key(table, key);
+        self.certain_number(&place, key, value, range, |number| of(number).is_some()).and_then(of)
     }
 
     /// A text that is not empty.
     pub(super) fn text(&mut self, table: &Table<'t>, key: &'static str) -> Option<String> {
         let value = table.get(key)?;
+        self.not_a_range(table, key, value)?;
         let path = table.path_of(key);
         let example = table.schema.example(key);
         let problem = match value.get_ref() {
@@ -310,6 +405,9 @@ impl<'t> Reader<'t> {
         let Some(value) = table.get(key) else { return false };
         if let Some(flag) = value.get_ref().as_bool() {
             return flag;
+        }
+        if self.not_a_range(table, key, value).is_none() {
+            return false;
         }
         let problem = Problem::WrongType {
             path: table.path_of(key),
@@ -342,6 +440,7 @@ impl<'t> Reader<'t> {
         forms: &str,
     ) -> Option<T> {
         let value = table.get(key)?;
+        self.not_a_range(table, key, value)?;
         let path = table.path_of(key);
         let problem = match value.get_ref() {
             DeValue::String(word) => {
@@ -366,6 +465,28 @@ impl<'t> Reader<'t> {
         self.report(value.span(), problem);
         None
     }
+}
+
+/// What a plain number has to be, in words.
+pub(super) fn words(bounds: Bounds) -> &'static str {
+    match bounds {
+        Bounds::None | Bounds::Acute => "a finite number",
+        Bounds::NotNegative => "a finite number, zero or more",
+        Bounds::Positive => "a finite number, greater than zero",
+        Bounds::Share | Bounds::BelowOne => "between 0 and 1",
+        Bounds::Coefficient => "between -1 and 1",
+    }
+}
+
+/// A case may say e = 1, and learns from the mechanics that no speed follows from it.
+pub(super) fn accepts(bounds: Bounds, number: f64) -> bool {
+    let [low, high] = if bounds == Bounds::BelowOne { [0.0, 1.0] } else { bounds.interval(None) };
+    number.is_finite() && (low..=high).contains(&number)
+}
+
+/// The list itself, where it stands beside a spread.
+pub(super) fn values_of<'t>(value: &'t Spanned<DeValue<'t>>) -> &'t Spanned<DeValue<'t>> {
+    value.get_ref().as_table().and_then(|table| table.get("values")).unwrap_or(value)
 }
 
 /// What a number is that is written with 0x, 0o or 0b.

@@ -1,7 +1,5 @@
 //! `[vehicle1]`, `[vehicle2]` and their damage.
 
-use std::f64::consts::FRAC_PI_2;
-
 use super::differ;
 use super::tree::{Reader, Table};
 use super::values::{Sign, named};
@@ -11,6 +9,7 @@ use crate::case::{
 };
 use crate::problem::Problem;
 use crate::quantity::{Quantity, format_number, shorten};
+use crate::range::Bounds;
 use crate::schema::{CONTACT, CRUSH, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY, ZONE};
 use crate::units::Dimension;
 use crash3::{CrushError, ObliqueCorrection, Side};
@@ -162,14 +161,7 @@ impl<'t> Reader<'t> {
         }
         let offset = self.quantity(table, "offset", Dimension::Length, Sign::Any);
         let pdof = self.pdof(table);
-        let oblique_angle = self.quantity(table, "oblique_angle", Dimension::Angle, Sign::Any);
-        if let Some(value) = oblique_angle
-            && value.si().abs() >= FRAC_PI_2
-        {
-            let path = table.path_of("oblique_angle");
-            let limit = if value.unit().spelling() == "rad" { "1.5708 rad" } else { "90 deg" };
-            self.report_path(&path.clone(), Problem::NotAcute { path, value, limit });
-        }
+        let oblique_angle = self.quantity(table, "oblique_angle", Dimension::Angle, Sign::Acute);
         let moment_arm = self.quantity(table, "moment_arm", Dimension::Length, Sign::NotNegative);
         let oblique = self.oblique(table);
         let depths = if from_force_balance { Vec::new() } else { depths? };
@@ -255,11 +247,9 @@ impl<'t> Reader<'t> {
         if crush.get("oblique").is_some_and(|value| value.get_ref().is_table()) {
             let table = self.inline(crush, "oblique", &OBLIQUE, "a word or a table in braces", FORMS)?;
             return match table.given(&["friction"])[..] {
-                ["friction"] => self
-                    .number(&table, "friction", "a finite number, zero or more", |f| {
-                        f >= 0.0 && f.is_finite()
-                    })
-                    .map(ObliqueCorrection::Friction),
+                ["friction"] => {
+                    self.number(&table, "friction", Bounds::NotNegative).map(ObliqueCorrection::Friction)
+                }
                 _ => self.no_form(&table, FORMS),
             };
         }

@@ -14,6 +14,12 @@ use super::label::{Area, Wanted, place};
 #[error("the plot cannot be drawn: {0}")]
 pub struct PlotError(String);
 
+impl PlotError {
+    pub(crate) fn new(error: impl std::fmt::Display) -> Self {
+        Self(error.to_string())
+    }
+}
+
 type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
@@ -70,7 +76,7 @@ fn text(size: i32, horizontal: HPos) -> TextStyle<'static> {
 }
 
 fn failed(error: impl std::fmt::Display) -> PlotError {
-    PlotError(error.to_string())
+    PlotError::new(error)
 }
 
 fn draw_marker(

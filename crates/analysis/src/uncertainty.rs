@@ -1,0 +1,453 @@
+//! Between what and what the answer lies, where numbers of the case are ranges.
+
+use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
+
+use ::uncertainty::{
+    Distribution, FirstOrder, Function, InvalidDistribution, Progress, Propagation, Settings,
+    TORNADO_PROBABILITIES, Tornado, Truncation,
+};
+use case::{Bounds, Case, CaseFile, Diagnostics, Input, Range, Spread};
+use pim_core::{ImpactError, Outcome};
+use reconcile::ReconcileError;
+
+use crate::sensitivity::{Output, at, gradients};
+use crate::{Analysis, Failure, collide, impact, reconstruct};
+
+/// What is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Plan {
+    /// How many samples, from which seed, by which method.
+    pub settings: Settings,
+    /// Rows for the variance-based indices, each with as many evaluations as there are uncertain inputs and two more; none are
+    /// computed without.
+    pub index_rows: Option<usize>,
+}
+
+/// A case whose ranges went through the equations.
+#[derive(Debug)]
+pub struct Uncertainty {
+    /// The case at its central values.
+    pub nominal: Analysis,
+    /// How the samples were laid, and how many were asked for.
+    pub settings: Settings,
+    /// The numbers that are ranges, in the order of the file.
+    pub inputs: Vec<UncertainInput>,
+    /// What was computed of each sample.
+    pub outputs: Vec<UncertainOutput>,
+    /// The samples of the outputs (SI), in their order, and the failures by [`Reason::code`].
+    pub propagation: Propagation,
+    /// One input at a time, from low to high.
+    pub tornado: Tornado,
+    /// Sobol' indices, if asked for, of the outputs in their order.
+    pub indices: Option<::uncertainty::Sensitivity>,
+}
+
+/// A number that is a range.
+#[derive(Clone, Debug)]
+pub struct UncertainInput {
+    /// The number itself, which is the central value.
+    pub input: Input,
+    /// How it is distributed, in the unit in which it is written.
+    pub distribution: Distribution,
+    /// Where physics ends it.
+    pub bounds: Bounds,
+}
+
+impl UncertainInput {
+    /// The cut, where physics takes away some of the normal distribution that the file gives.
+    #[must_use]
+    pub fn truncation(&self) -> Option<Truncation> {
+        self.distribution.truncation().filter(|truncation| truncation.kept < 1.0)
+    }
+}
+
+/// A result that the ranges make uncertain.
+#[derive(Clone, Debug)]
+pub struct UncertainOutput {
+    /// Which one.
+    pub output: Output,
+    /// (SI) its value at the central values.
+    pub central: f64,
+    /// (SI) its standard deviation by the derivatives at the central values, and the share of each input in its square: the law of propagation of
+    /// uncertainty of the GUM.
+    ///
+    /// JCGM 100:2008, *Guide to the Expression of Uncertainty in Measurement*, equation 10.
+    pub first_order: FirstOrder,
+    /// (SI) what is large for it: below [`NOISE`] of that, its spread is rounding.
+    scale: f64,
+}
+
+/// (–) far above the rounding of any output, and far below any spread that matters.
+const NOISE: f64 = 1e-9;
+
+impl UncertainOutput {
+    /// Whether it varies at all with the inputs, by the derivatives or by the samples' standard deviation.
+    #[must_use]
+    pub fn varies(&self, sampled_sd: f64) -> bool {
+        self.first_order.sd.max(sampled_sd) > NOISE * self.scale
+    }
+
+    /// Whether it varies, and by the derivatives more than 10 % more or less than by the samples.
+    #[must_use]
+    pub fn differs(&self, sampled_sd: f64) -> bool {
+        self.varies(sampled_sd) && self.first_order.differs(sampled_sd)
+    }
+}
+
+/// (SI) what is large for an output: a right angle or so, the closing speed, the energy before the impact.
+fn scale(output: Output, nominal: &Analysis) -> f64 {
+    let outcome = nominal.impact.as_ref().map(|impact| &impact.outcome);
+    match output {
+        Output::Pdof { .. } => 1.0,
+        Output::Speed { .. } | Output::DeltaV { .. } | Output::ClosingSpeed => {
+            outcome.map_or(0.0, |outcome| outcome.approach.normal.abs())
+        }
+        Output::EnergyLoss | Output::NormalWork | Output::TangentialWork => {
+            outcome.map_or(0.0, |outcome| outcome.energy.before)
+        }
+    }
+}
+
+/// Why a sample has no answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// The contact points do not approach each other.
+    NotApproaching,
+    /// No speed reconciles crush and impact.
+    NoRoot,
+    /// The coefficients would create energy.
+    EnergyCreated,
+    /// The contact jams.
+    Jam,
+    /// The vehicles would have to pull at each other.
+    Pulling,
+    /// Something else, such as a stiffness that cannot be.
+    Other,
+}
+
+/// All reasons.
+pub const REASONS: [Reason; 6] = [
+    Reason::NotApproaching,
+    Reason::NoRoot,
+    Reason::EnergyCreated,
+    Reason::Jam,
+    Reason::Pulling,
+    Reason::Other,
+];
+
+impl Reason {
+    /// The code by which the engine counts it.
+    #[must_use]
+    pub fn code(self) -> u8 {
+        match self {
+            Self::NotApproaching => 1,
+            Self::NoRoot => 2,
+            Self::EnergyCreated => 3,
+            Self::Jam => 4,
+            Self::Pulling => 5,
+            Self::Other => 6,
+        }
+    }
+
+    /// The reason of a code: what the engine itself refuses, a result that is not finite, is one of the others.
+    #[must_use]
+    pub fn of_code(code: u8) -> Self {
+        REASONS.into_iter().find(|reason| reason.code() == code).unwrap_or(Self::Other)
+    }
+
+    fn of(failure: &Failure) -> Self {
+        match failure {
+            Failure::Impact(error)
+            | Failure::Reconcile(ReconcileError::Inadmissible { reason: error, .. }) => {
+                Self::of_impact(error)
+            }
+            Failure::Reconcile(
+                ReconcileError::NotReached { .. }
+                | ReconcileError::NoCrushEnergy { .. }
+                | ReconcileError::NoRestitutionLoss { .. }
+                | ReconcileError::SpeedWithoutEffect { .. },
+            ) => Self::NoRoot,
+            Failure::Reconcile(_) | Failure::Case(_) | Failure::Crush(_) | Failure::Ranges(_) => Self::Other,
+        }
+    }
+
+    fn of_impact(error: &ImpactError) -> Self {
+        match error {
+            ImpactError::NotApproaching { .. } => Self::NotApproaching,
+            ImpactError::EnergyCreated { .. } => Self::EnergyCreated,
+            ImpactError::Jam { .. } => Self::Jam,
+            ImpactError::Pulling { .. } => Self::Pulling,
+            _ => Self::Other,
+        }
+    }
+}
+
+impl Uncertainty {
+    /// How many samples failed for a reason.
+    #[must_use]
+    pub fn failed(&self, reason: Reason) -> usize {
+        let failures = self.propagation.failures().iter();
+        failures.filter(|(code, _)| Reason::of_code(**code) == reason).map(|(_, count)| count).sum()
+    }
+}
+
+/// What [`uncertainty()`] is at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// The samples.
+    Samples,
+    /// The rows for the indices.
+    Indices,
+}
+
+/// Propagates the ranges of a case through `reconstruct` or, where it asks for no speed and gives both, through `impact`.
+///
+/// Every sample goes through the functions that the central values go through. A range of A or B moves G, where the file does not give that: G =
+/// A²/2B of each sample. PDOFs are counted on beyond ±180°, so that they lie about the central one. `progress` is told what is done of how much, and may end
+/// the run.
+///
+/// # Errors
+/// [`Failure`] where the case has no answer at its central values, where nothing is a range, and where a range or the plan makes no sense.
+pub fn uncertainty(
+    file: &CaseFile,
+    plan: &Plan,
+    progress: &mut (dyn FnMut(Stage, usize, usize) -> ControlFlow<()> + Send),
+) -> Result<Uncertainty, Failure> {
+    let mut inputs = inputs(file)?;
+    // A speed that is sought is no input, even where the file gives one.
+    if let Some(reconstruct) = &file.case.reconstruct {
+        let vehicle = format!("vehicle{}", reconstruct.find.index() + 1);
+        let sought =
+            [format!("{vehicle}.speed"), format!("{vehicle}.velocity.x"), format!("{vehicle}.velocity.y")];
+        inputs.retain(|input| !sought.contains(&input.input.path));
+    }
+    if inputs.is_empty() {
+        return Err(no_range(file).into());
+    }
+    let nominal = if file.case.reconstruct.is_some() { reconstruct(file)? } else { impact(file)? };
+    let outputs = Output::of(&nominal);
+    let central = central(&nominal, &outputs);
+    let first_order = first_order(file, &nominal, &outputs, &inputs)?;
+
+    let sample = Sample::new(file, &inputs, &outputs, &central);
+    let model = Function::new(outputs.len(), |numbers: &[f64], results: &mut [f64]| {
+        sample.evaluate(numbers, results)
+    });
+    let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
+    let numbers: Vec<f64> = inputs.iter().map(|input| input.input.number).collect();
+    let tornado = ::uncertainty::tornado(&model, &distributions, &numbers, TORNADO_PROBABILITIES)?;
+    let of_samples: &mut Progress<'_> = &mut |done, total| progress(Stage::Samples, done, total);
+    let propagation = ::uncertainty::propagate(&model, &distributions, &plan.settings, of_samples)?;
+    let is_ended = propagation.evaluated() < propagation.requested();
+    let indices = match plan.index_rows {
+        Some(samples) if !is_ended => {
+            let settings = Settings { samples, ..plan.settings };
+            let of_indices: &mut Progress<'_> = &mut |done, total| progress(Stage::Indices, done, total);
+            Some(::uncertainty::sensitivity(&model, &distributions, &settings, of_indices)?)
+        }
+        _ => None,
+    };
+    let outputs = outputs.into_iter().zip(central).zip(first_order);
+    let outputs = outputs
+        .map(|((output, central), first_order)| {
+            let scale = scale(output, &nominal);
+            UncertainOutput { output, central, first_order, scale }
+        })
+        .collect();
+    Ok(Uncertainty { nominal, settings: plan.settings, inputs, outputs, propagation, tornado, indices })
+}
+
+/// The ranges of the case, as the engine takes them.
+fn inputs(file: &CaseFile) -> Result<Vec<UncertainInput>, Diagnostics> {
+    let mut ranges = file.case.ranges.iter().peekable();
+    let mut inputs = Vec::new();
+    let mut problems = Vec::new();
+    for input in file.case.inputs() {
+        let Some(range) = ranges.next_if(|range| range.path == input.path) else { continue };
+        match distribution(&input, range) {
+            Ok(distribution) => inputs.push(UncertainInput { input, distribution, bounds: range.bounds }),
+            Err(error) => problems.push(file.problem(&range.path, error.to_string(), None)),
+        }
+    }
+    file.accept(problems)?;
+    Ok(inputs)
+}
+
+/// What to write where nothing is a range, shown at a number of the case.
+fn no_range(file: &CaseFile) -> Diagnostics {
+    let inputs = file.case.inputs();
+    let example = inputs.iter().find_map(|input| {
+        let unit = input.unit.filter(|_| input.number != 0.0)?;
+        let (table, key) = input.path.rsplit_once('.')?;
+        let value = format!("{} {unit}", input.number);
+        Some(format!("in [{table}] {key} = {{ value = \"{value}\", within = \"5 %\", confidence = 0.95 }}"))
+    });
+    let forms = "{ value = …, sd = … }, { low = …, high = … } and { low = …, mode = …, high = … }, and of depths { values = …, sd = … }";
+    let help = match example {
+        Some(example) => {
+            format!("give at least one number as a range, for example {example}; the other forms are {forms}")
+        }
+        None => format!("give at least one number as a range; the forms are {forms}"),
+    };
+    file.refusal("no number of this case is a range, so that nothing is uncertain", Some(help))
+}
+
+fn distribution(input: &Input, range: &Range) -> Result<Distribution, InvalidDistribution> {
+    let value = input.number;
+    let normal = |sd| match range.bounds {
+        Bounds::None => Distribution::normal(value, sd),
+        bounds => {
+            let [low, high] = bounds.interval(input.unit);
+            Distribution::truncated_normal(value, sd, low, high)
+        }
+    };
+    match range.spread {
+        Spread::Normal { sd } => normal(sd.in_unit(input.unit)),
+        Spread::Within { percent, confidence } => {
+            // P(|x − μ| < p μ) = c  ⇒  σ = p |μ| / Φ⁻¹((1 + c)/2)
+            let z = Distribution::normal(0.0, 1.0)?.quantile(0.5 * (1.0 + confidence));
+            normal(percent / 100.0 * value.abs() / z)
+        }
+        Spread::Uniform { low, high } => {
+            Distribution::uniform(low.in_unit(input.unit), high.in_unit(input.unit))
+        }
+        Spread::Triangular { low, high } => {
+            Distribution::triangular(low.in_unit(input.unit), value, high.in_unit(input.unit))
+        }
+    }
+}
+
+/// (SI) the outputs at the central values.
+fn central(nominal: &Analysis, outputs: &[Output]) -> Vec<f64> {
+    let found = nominal.found.as_ref().map_or(0.0, |found| found.speed);
+    let outcome = nominal.impact.as_ref().map(|impact| &impact.outcome);
+    outcome
+        .map_or_else(Vec::new, |outcome| outputs.iter().map(|output| output.value(found, outcome)).collect())
+}
+
+fn first_order(
+    file: &CaseFile,
+    nominal: &Analysis,
+    outputs: &[Output],
+    inputs: &[UncertainInput],
+) -> Result<Vec<FirstOrder>, Failure> {
+    let gradients = gradients(file, nominal, outputs)?;
+    let all = file.case.inputs();
+    let rows: Vec<_> = all
+        .iter()
+        .zip(&gradients)
+        .filter(|(input, _)| inputs.iter().any(|uncertain| uncertain.input.path == input.path))
+        .map(|(_, row)| row)
+        .collect();
+    let sds: Vec<f64> = inputs.iter().map(|input| input.distribution.sd() * input.input.factor()).collect();
+    let of = |output: usize| {
+        let derivatives: Vec<f64> = rows.iter().map(|row| row[output].derivative).collect();
+        FirstOrder::new(&derivatives, &sds)
+    };
+    Ok((0..outputs.len()).map(of).collect::<Result<_, _>>()?)
+}
+
+/// What turns the uncertain numbers of a sample into its outputs.
+struct Sample<'a> {
+    file: &'a CaseFile,
+    is_reconstruction: bool,
+    outputs: &'a [Output],
+    /// (SI) at the central values.
+    central: &'a [f64],
+    /// Of each number of the case, whether it is uncertain.
+    is_uncertain: Vec<bool>,
+    /// The case without its texts, which no sample needs.
+    case: Case,
+}
+
+impl<'a> Sample<'a> {
+    fn new(file: &'a CaseFile, inputs: &[UncertainInput], outputs: &'a [Output], central: &'a [f64]) -> Self {
+        let mut paths = inputs.iter().map(|input| &input.input.path).peekable();
+        let mut is_uncertain = Vec::new();
+        let mut case = file.case.map(|input| {
+            is_uncertain.push(paths.next_if(|path| **path == input.path).is_some());
+            input.number
+        });
+        case.title = None;
+        case.source = None;
+        for vehicle in &mut case.vehicles {
+            vehicle.name = None;
+        }
+        Self {
+            file,
+            is_reconstruction: file.case.reconstruct.is_some(),
+            outputs,
+            central,
+            is_uncertain,
+            case,
+        }
+    }
+
+    /// Compiled once: what turns a case into the types of the engine gains nothing from a copy for each instruction set.
+    #[inline(never)]
+    fn evaluate(&self, numbers: &[f64], results: &mut [f64]) -> Result<(), u8> {
+        self.answer(numbers, results).map_err(|failure| Reason::of(&failure).code())
+    }
+
+    fn answer(&self, numbers: &[f64], results: &mut [f64]) -> Result<(), Failure> {
+        let mut numbers = numbers.iter();
+        let mut is_uncertain = self.is_uncertain.iter();
+        let case = self.case.map_numbers(|central| match is_uncertain.next() {
+            Some(true) => numbers.next().copied().unwrap_or(central),
+            _ => central,
+        });
+        if self.is_reconstruction {
+            at(self.file, &case, |problem| {
+                let answer = problem.solve()?;
+                self.write(answer.speed, &answer.outcome, results);
+                Ok(())
+            })
+        } else {
+            let (_, outcome) = collide(&self.file.impact_with(&case)?.collision)?;
+            self.write(0.0, &outcome, results);
+            Ok(())
+        }
+    }
+
+    fn write(&self, found: f64, outcome: &Outcome, results: &mut [f64]) {
+        for ((output, central), result) in self.outputs.iter().zip(self.central).zip(results) {
+            let value = output.value(found, outcome);
+            *result = match output {
+                Output::Pdof { .. } => beside(value, *central),
+                _ => value,
+            };
+        }
+    }
+}
+
+/// (rad) the same direction within half a turn of another.
+fn beside(angle: f64, other: f64) -> f64 {
+    if angle - other > PI {
+        angle - TAU
+    } else if angle - other < -PI {
+        angle + TAU
+    } else {
+        angle
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{REASONS, Reason, beside};
+
+    #[test]
+    fn directions_are_counted_on_beyond_half_a_turn() {
+        assert!((beside(-3.1, 3.1) - 3.183_185_307).abs() < 1e-9); // 2π − 3.1
+        assert!((beside(3.1, -3.1) + 3.183_185_307).abs() < 1e-9);
+        assert_eq!(beside(0.3, -0.2), 0.3);
+    }
+
+    #[test]
+    fn reasons_have_codes_of_their_own() {
+        for reason in REASONS {
+            assert_eq!(Reason::of_code(reason.code()), reason);
+        }
+        assert_eq!(Reason::of_code(::uncertainty::NOT_FINITE), Reason::Other);
+    }
+}

@@ -1,0 +1,238 @@
+//! Ranges through the equations: against exact answers, and against the same numbers written into a file.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests fail by panicking"
+)]
+
+use std::ops::ControlFlow;
+
+use analysis::{Failure, Output, Plan, Reason, Uncertainty, impact, reconstruct, uncertainty};
+use case::{Case, CaseFile};
+use uncertainty::{LANES, Lanes, Method, Sampler, Settings, Shape};
+
+const UNCERTAIN: &str = include_str!("../../../fixtures/sae-980025-uncertain.toml");
+
+fn read(text: &str) -> CaseFile {
+    Case::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+fn plan(samples: usize) -> Plan {
+    Plan { settings: Settings::new(Method::MonteCarlo, samples, 1), index_rows: None }
+}
+
+fn run(text: &str, samples: usize) -> Uncertainty {
+    uncertainty(&read(text), &plan(samples), &mut |_, _, _| ControlFlow::Continue(())).unwrap()
+}
+
+/// Place of an output.
+fn place(result: &Uncertainty, output: Output) -> usize {
+    result.outputs.iter().position(|other| other.output == output).unwrap()
+}
+
+/// The inputs of the first block of samples.
+fn first_block(result: &Uncertainty) -> Vec<Lanes> {
+    let distributions: Vec<_> = result.inputs.iter().map(|input| input.distribution).collect();
+    let mut columns = vec![[0.0; LANES]; distributions.len()];
+    Sampler::new(&distributions, &result.settings).unwrap().fill(0, &mut columns);
+    columns
+}
+
+/// A vehicle of 1500 kg head-on into a barrier, its forward axis along −n.
+const HEAD_ON: &str = r#"
+[vehicle1]
+mass = "1500 kg"
+yaw_inertia = "2500 kg m^2"
+heading = "180 deg"
+contact = { x = "2 m", y = "0 m" }
+speed = SPEED
+[vehicle2]
+fixed = true
+[impact]
+crush_plane = "0 deg"
+restitution = 0.2
+tangential = "critical"
+"#;
+
+fn head_on(speed: &str) -> String {
+    HEAD_ON.replace("SPEED", speed)
+}
+
+#[test]
+fn a_central_value_is_that_of_the_other_commands_to_the_last_bit() {
+    let result = run(UNCERTAIN, 64);
+    let found = reconstruct(&read(UNCERTAIN)).unwrap().found.unwrap().speed;
+    assert_eq!(result.outputs[0].output, Output::Speed { vehicle: 1 });
+    assert_eq!(result.outputs[0].central.to_bits(), found.to_bits());
+    for (central, output) in result.tornado.central.as_ref().unwrap().iter().zip(&result.outputs) {
+        assert_eq!(central.to_bits(), output.central.to_bits(), "{}", output.output.path());
+    }
+    let forward = head_on("{ value = \"20 m/s\", sd = \"1 m/s\" }");
+    let delta_v = impact(&read(&forward)).unwrap().impact.unwrap().outcome.delta_v_magnitude()[0];
+    let result = run(&forward, 64);
+    assert_eq!(
+        result.outputs[place(&result, Output::DeltaV { vehicle: 1 })].central.to_bits(),
+        delta_v.to_bits()
+    );
+}
+
+/// Every sample is what `reconstruct` makes of a file with its numbers.
+#[test]
+fn a_sample_is_the_reconstruction_of_its_numbers() {
+    let file = read(UNCERTAIN);
+    let result = run(UNCERTAIN, 64);
+    let block = first_block(&result);
+    for lane in 0..LANES {
+        let mut columns = block.iter();
+        let mut paths = file.case.ranges.iter().map(|range| &range.path).peekable();
+        let sample = file.case.map(|input| match paths.next_if(|path| **path == input.path) {
+            Some(_) => columns.next().unwrap()[lane],
+            None => input.number,
+        });
+        let written = read(&sample.to_toml());
+        assert!(written.case.ranges.is_empty());
+        let found = reconstruct(&written).unwrap().found.unwrap().speed;
+        assert_eq!(result.propagation.columns()[0][lane].to_bits(), found.to_bits(), "sample {lane}");
+    }
+}
+
+/// ΔV = (1 + e) v, so that its distribution is the speed's, stretched.
+#[test]
+fn a_linear_case_comes_out_exactly() {
+    let result = run(&head_on("{ value = \"20 m/s\", sd = \"1 m/s\" }"), 20_000);
+    let at = place(&result, Output::DeltaV { vehicle: 1 });
+    let output = &result.outputs[at];
+    assert!((output.central - 24.0).abs() < 1e-12);
+    assert!((output.first_order.sd - 1.2).abs() < 1e-12);
+    let summary = result.propagation.summaries()[at].unwrap();
+    assert!((summary.mean.value - 24.0).abs() < 4.0 * summary.mean.standard_error.unwrap());
+    assert!((summary.sd.value - 1.2).abs() < 4.0 * summary.sd.standard_error.unwrap());
+    // 95 %: μ ± 1.959 964 σ
+    let interval = summary.intervals[2];
+    for (end, exact) in [(interval.low, 24.0 - 1.959_964 * 1.2), (interval.high, 24.0 + 1.959_964 * 1.2)] {
+        assert!((end.value - exact).abs() < 4.0 * end.standard_error.unwrap(), "{} {exact}", end.value);
+    }
+    // W_n = m v² (1 − e²)/2; dW_n/dv = m v (1 − e²) = 1500 · 20 · 0.96
+    let work = &result.outputs[place(&result, Output::NormalWork)];
+    assert!((work.first_order.sd / 28_800.0 - 1.0).abs() < 1e-12, "{}", work.first_order.sd);
+    let paths: Vec<String> = result.outputs.iter().map(|output| output.output.path()).collect();
+    assert_eq!(
+        paths,
+        [
+            "vehicle1.delta_v",
+            "vehicle1.pdof",
+            "impact.closing_speed",
+            "impact.energy_loss",
+            "impact.normal_work",
+            "impact.tangential_work"
+        ]
+    );
+}
+
+/// ΔV = 1.2 v, the speed in miles per hour, its deviation in those or in km/h: 1 mph is 0.447 04 m/s.
+#[test]
+fn ranges_are_in_their_own_units() {
+    for (sd, si) in [("1 mph", 0.447_04), ("3.6 km/h", 1.0)] {
+        let result = run(&head_on(&format!("{{ value = \"40 mph\", sd = \"{sd}\" }}")), 20_000);
+        let at = place(&result, Output::DeltaV { vehicle: 1 });
+        assert!((result.outputs[at].first_order.sd / (1.2 * si) - 1.0).abs() < 1e-12);
+        let sampled = result.propagation.summaries()[at].unwrap().sd;
+        assert!((sampled.value - 1.2 * si).abs() < 4.0 * sampled.standard_error.unwrap());
+    }
+}
+
+/// A quarter of the speeds is backwards, away from the barrier.
+#[test]
+fn samples_without_an_answer_are_counted_by_reason() {
+    let result = run(&head_on("{ low = \"-1 m/s\", high = \"3 m/s\" }"), 10_000);
+    let failed = result.failed(Reason::NotApproaching);
+    // √(n p (1 − p)) = 43.3
+    assert!((2500.0 - failed as f64).abs() < 4.0 * 43.3, "{failed}");
+    assert_eq!(result.propagation.succeeded(), 10_000 - failed);
+    let columns = result.propagation.columns();
+    let backwards = columns[0].iter().filter(|value| value.is_nan()).count();
+    assert_eq!(backwards, failed);
+    // The direction of force is 0 for each that approaches.
+    assert!(columns[1].iter().all(|pdof| pdof.is_nan() || pdof.abs() < 1e-12));
+}
+
+/// A vehicle with A and B as ranges: without G, each sample has G = A²/2B.
+#[test]
+fn g_follows_from_a_and_b_of_each_sample() {
+    let barrier = include_str!("../../../fixtures/barrier.toml").replace("absorbed", "dissipated");
+    let from = barrier.find("stiffness = {").unwrap();
+    let line = barrier[from..].lines().next().unwrap();
+    let ranges = "stiffness = { A = { low = \"300 N/cm\", high = \"600 N/cm\" }, B = { value = \"40 N/cm^2\", sd = \"4 N/cm^2\" } }";
+    let text = barrier.replace(line, ranges);
+    let result = run(&text, 64);
+    let file = read(&text);
+    let crush = file.case.vehicles[0].crush.as_ref().unwrap();
+    let width = crush.width.unwrap().si();
+    let depths: Vec<f64> = crush.depths.iter().map(case::Quantity::si).collect();
+    let zones = depths.len() - 1;
+    let block = first_block(&result);
+    let work = place(&result, Output::NormalWork);
+    for (lane, (a, b)) in block[0].iter().zip(&block[1]).enumerate() {
+        // N/cm and N/cm²
+        let (a, b) = (a * 100.0, b * 1e4);
+        // ∫ (A C + B C²/2 + A²/2B) dw over trapezoids: ∫C = Δw (C + C')/2, ∫C² = Δw (C² + C C' + C'²)/3
+        let step = width / zones as f64;
+        let energy: f64 = depths
+            .windows(2)
+            .map(|pair| {
+                let (c, d) = (pair[0], pair[1]);
+                step * (a * (c + d) / 2.0 + b * (c * c + c * d + d * d) / 6.0 + a * a / (2.0 * b))
+            })
+            .sum();
+        let value = result.propagation.columns()[work][lane];
+        assert!((value / energy - 1.0).abs() < 1e-9, "{value} {energy}");
+    }
+}
+
+#[test]
+fn physics_cuts_what_cannot_be() {
+    let text = UNCERTAIN.replace("5.3 4.8 in\", sd = \"0.5 in\"", "5.3 0.5 in\", sd = \"0.5 in\"");
+    let result = run(&text, 64);
+    let cut: Vec<_> =
+        result.inputs.iter().filter(|input| input.truncation().is_some_and(|cut| cut.kept < 0.999)).collect();
+    assert_eq!(cut.len(), 1);
+    assert_eq!(cut[0].input.path, "vehicle1.crush.depths[6]");
+    // Φ(1), Abramowitz & Stegun, table 26.1
+    assert!((cut[0].truncation().unwrap().kept - 0.841_344_746_1).abs() < 1e-9);
+    assert!(first_block(&result).iter().all(|column| column.iter().all(|value| value.is_finite())));
+}
+
+/// ±10 % with 95 %: σ = 0.1 μ/1.959 963 985 (Abramowitz & Stegun, table 26.5).
+#[test]
+fn a_share_with_a_confidence_becomes_a_deviation() {
+    let result = run(UNCERTAIN, 64);
+    let input = result.inputs.iter().find(|input| input.input.path == "vehicle1.yaw_inertia").unwrap();
+    let Shape::Normal { mean, sd } = input.distribution.shape() else { panic!("{:?}", input.distribution) };
+    assert_eq!(mean, 2437.0);
+    assert!((sd / (243.7 / 1.959_963_985) - 1.0).abs() < 1e-9, "{sd}");
+}
+
+/// What the file says of the speed that is sought is no input.
+#[test]
+fn a_speed_that_is_sought_is_a_result_only() {
+    let given =
+        UNCERTAIN.replacen("contact ", "speed = { low = \"60 ft/s\", high = \"80 ft/s\" }\ncontact ", 1);
+    assert_eq!(read(&given).case.ranges.len(), 32);
+    let result = run(&given, 64);
+    assert_eq!(result.inputs.len(), 31);
+    assert_eq!(result.propagation.columns(), run(UNCERTAIN, 64).propagation.columns());
+}
+
+#[test]
+fn what_makes_no_sense_is_refused() {
+    let run = |text: &str, samples| {
+        uncertainty(&read(text), &plan(samples), &mut |_, _, _| ControlFlow::Continue(()))
+    };
+    let error = run(include_str!("../../../fixtures/sae-980025.toml"), 64).unwrap_err();
+    assert!(matches!(error, Failure::Case(_)), "{error}");
+    assert!(error.to_string().contains("weight = { value = \"3696 lb\", within = \"5 %\""), "{error}");
+    let error = run(UNCERTAIN, 0).unwrap_err();
+    assert!(matches!(error, Failure::Ranges(_)), "{error}");
+}

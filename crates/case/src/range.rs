@@ -1,0 +1,129 @@
+//! What a case says of a number that is not known exactly.
+
+use std::fmt;
+
+use crate::quantity::format_number;
+use crate::units::Unit;
+
+/// An uncertain number of a case: one of [`Case::inputs`](crate::Case::inputs), and what is known of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Range {
+    /// Path of the number, as [`Input::path`](crate::Input::path).
+    pub path: String,
+    /// What the file says of it.
+    pub spread: Spread,
+    /// Where physics ends it.
+    pub bounds: Bounds,
+}
+
+/// How far a number may be off. The number itself is kept by the [`Case`](crate::Case), as its central value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Spread {
+    /// `{ value, sd }`: normally distributed about the central value.
+    Normal {
+        /// Standard deviation, greater than zero.
+        sd: Amount,
+    },
+    /// `{ low, high }`: anything between the two; the central value is their middle.
+    Uniform {
+        /// Least value.
+        low: Amount,
+        /// Greatest value.
+        high: Amount,
+    },
+    /// `{ low, mode, high }`: between the two, likeliest at the central value.
+    Triangular {
+        /// Least value.
+        low: Amount,
+        /// Greatest value.
+        high: Amount,
+    },
+    /// `{ value, within, confidence }`: normally distributed, and closer to the central value than a share of it with this probability.
+    Within {
+        /// (%) of the central value, greater than zero.
+        percent: f64,
+        /// Probability, between 0 and 1.
+        confidence: f64,
+    },
+}
+
+/// A number with the unit in which it was written; none where it has none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Amount {
+    /// The number as written.
+    pub number: f64,
+    /// The unit as written.
+    pub unit: Option<&'static Unit>,
+}
+
+impl Amount {
+    /// The number in another unit of the same dimension: as written, where that is its own.
+    #[must_use]
+    pub fn in_unit(&self, unit: Option<&'static Unit>) -> f64 {
+        match (self.unit, unit) {
+            (Some(own), Some(other)) if own != other => self.number * own.factor() / other.factor(),
+            _ => self.number,
+        }
+    }
+}
+
+impl fmt::Display for Amount {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&format_number(self.number))?;
+        self.unit.map_or(Ok(()), |unit| write!(f, " {unit}"))
+    }
+}
+
+/// Where physics ends a quantity: no sample lies beyond. A normal distribution is cut there; the ends of the others lie within.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bounds {
+    /// Nowhere.
+    None,
+    /// Zero or more.
+    NotNegative,
+    /// More than zero.
+    Positive,
+    /// From 0 to 1.
+    Share,
+    /// From 0 to less than 1: a coefficient of restitution.
+    BelowOne,
+    /// From −1 to 1.
+    Coefficient,
+    /// Between a right angle to either side.
+    Acute,
+}
+
+impl Bounds {
+    /// The least and the greatest value, in the given unit; infinite where there is none.
+    #[must_use]
+    pub fn interval(self, unit: Option<&'static Unit>) -> [f64; 2] {
+        let least = |unit: &Unit| unit.dimension().least_positive() / unit.factor();
+        match self {
+            Self::None => [f64::NEG_INFINITY, f64::INFINITY],
+            Self::NotNegative => [0.0, f64::INFINITY],
+            Self::Positive => [unit.map_or(f64::MIN_POSITIVE, least), f64::INFINITY],
+            Self::Share => [0.0, 1.0],
+            Self::BelowOne => [0.0, 1.0_f64.next_down()],
+            Self::Coefficient => [-1.0, 1.0],
+            Self::Acute => {
+                let right = std::f64::consts::FRAC_PI_2 / unit.map_or(1.0, Unit::factor);
+                // The rounding of the division must not reach the right angle itself.
+                [-right.next_down().next_down(), right.next_down().next_down()]
+            }
+        }
+    }
+}
+
+impl fmt::Display for Bounds {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::None => "any value",
+            Self::NotNegative => "zero or more",
+            Self::Positive => "greater than zero",
+            Self::Share => "0 to 1",
+            Self::BelowOne => "0 to less than 1",
+            Self::Coefficient => "-1 to 1",
+            Self::Acute => "less than a right angle",
+        })
+    }
+}

@@ -1,0 +1,319 @@
+//! Numbers that are not known exactly: `{ value, sd }`, `{ low, high }`, `{ low, mode, high }`, `{ value, within, confidence }`.
+
+use toml::Spanned;
+use toml::de::DeValue;
+
+use super::tree::{Reader, Table, kind};
+use super::values::{Place, Sign, accepts, named, words};
+use crate::problem::Problem;
+use crate::quantity::{Quantity, shorten, split_number};
+use crate::range::{Amount, Bounds, Range, Spread};
+use crate::schema::{RANGE, RANGE_OF_LIST, RESTITUTION, Schema};
+use crate::units::{Dimension, Unit};
+
+const FORMS: &str = "{ value = …, sd = … }, { low = …, high = … }, { low = …, mode = …, high = … } or \
+                     { value = …, within = \"10 %\", confidence = 0.95 }";
+const LIST_FORMS: &str = "{ values = …, sd = … } or { values = …, within = \"10 %\", confidence = 0.95 }; values that are not all known \
+                          equally well are a list: [{ value = …, sd = … }, …]";
+
+/// What the numbers of a range are.
+#[derive(Clone, Copy)]
+enum Kind {
+    Quantity(Dimension, Sign),
+    Number(Bounds),
+}
+
+/// Whether a value is a table with a key of a range, and none of a curve of restitution.
+pub(super) fn is_range(table: &Table<'_>, key: &str) -> bool {
+    let entries = table.get(key).and_then(|value| value.get_ref().as_table());
+    let has =
+        |schema: &Schema| entries.is_some_and(|entries| entries.keys().any(|key| schema.has(key.get_ref())));
+    has(&RANGE) && !has(&RESTITUTION)
+}
+
+impl<'t> Reader<'t> {
+    /// Reports a range where there can be none.
+    pub(super) fn not_a_range(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        value: &'t Spanned<DeValue<'t>>,
+    ) -> Option<()> {
+        if !is_range(table, key) {
+            return Some(());
+        }
+        let problem = Problem::NoRange { path: table.path_of(key), example: table.schema.example(key) };
+        self.report(value.span(), problem);
+        None
+    }
+
+    /// The central value.
+    pub(super) fn range_of_quantity(
+        &mut self,
+        place: &Place,
+        value: &'t Spanned<DeValue<'t>>,
+        dimension: Dimension,
+        sign: Sign,
+    ) -> Option<Quantity> {
+        let (central, spread) = self.range(place, value, Kind::Quantity(dimension, sign))?;
+        let unit = central.unit?;
+        self.add_range(value.span(), Range { path: place.path.clone(), spread, bounds: sign.bounds() });
+        Quantity::new(central.number, unit).ok()
+    }
+
+    /// The central value.
+    pub(super) fn range_of_number(
+        &mut self,
+        place: &Place,
+        value: &'t Spanned<DeValue<'t>>,
+        bounds: Bounds,
+    ) -> Option<f64> {
+        let (central, spread) = self.range(place, value, Kind::Number(bounds))?;
+        self.add_range(value.span(), Range { path: place.path.clone(), spread, bounds });
+        Some(central.number)
+    }
+
+    /// The central values of several that are known equally well.
+    pub(super) fn range_of_quantities(
+        &mut self,
+        place: &Place,
+        value: &'t Spanned<DeValue<'t>>,
+        dimension: Dimension,
+        sign: Sign,
+    ) -> Option<Vec<Quantity>> {
+        let table = self.range_table(place, value, &RANGE_OF_LIST)?;
+        let kind = Kind::Quantity(dimension, sign);
+        let values = table.get("values").and_then(|list| {
+            let place = Place { example: place.example, ..Place::of_key(&table, "values") };
+            self.certain_quantities(&place, list, dimension, sign).map(|values| (list, values))
+        });
+        let spread = self.spread_about(&table, kind);
+        let is_complete = matches!(
+            table.given(&["values", "sd", "within", "confidence"])[..],
+            ["values", "sd"] | ["values", "within", "confidence"]
+        );
+        if !is_complete {
+            return self.no_range(&table, value, LIST_FORMS);
+        }
+        let ((list, values), spread) = (values?, spread?);
+        for (index, value) in values.iter().enumerate() {
+            let amount = Amount { number: value.number(), unit: Some(value.unit()) };
+            let span = self.span_in(list, index);
+            let name = format!("value {} of {}", index + 1, named(&table.path_of("values")));
+            self.not_within_zero(&name, span.clone(), amount, spread)?;
+            let path = format!("{}[{}]", place.path, index + 1);
+            self.add_range(span, Range { path, spread, bounds: sign.bounds() });
+        }
+        Some(values)
+    }
+
+    /// A list without ranges in it.
+    fn certain_quantities(
+        &mut self,
+        place: &Place,
+        list: &'t Spanned<DeValue<'t>>,
+        dimension: Dimension,
+        sign: Sign,
+    ) -> Option<Vec<Quantity>> {
+        let nested =
+            list.get_ref().as_array().and_then(|list| list.iter().find(|one| one.get_ref().is_table()));
+        if let Some(nested) = nested {
+            let wanted = "a list of strings, as all of them have the spread beside it";
+            let found = kind(nested.get_ref());
+            let example = RANGE_OF_LIST.example("values");
+            self.report(
+                nested.span(),
+                Problem::WrongType { path: place.path.clone(), found, wanted, example },
+            );
+            return None;
+        }
+        self.listed_quantities(place, list, dimension, sign)
+    }
+
+    fn range_table(
+        &mut self,
+        place: &Place,
+        value: &'t Spanned<DeValue<'t>>,
+        schema: &'static Schema,
+    ) -> Option<Table<'t>> {
+        let entries = value.get_ref().as_table()?;
+        Some(self.open(place.path.clone(), entries, schema))
+    }
+
+    fn range(
+        &mut self,
+        place: &Place,
+        value: &'t Spanned<DeValue<'t>>,
+        kind: Kind,
+    ) -> Option<(Amount, Spread)> {
+        let table = self.range_table(place, value, &RANGE)?;
+        let central = self.amount(&table, "value", kind);
+        let spread = self.spread_about(&table, kind);
+        let [low, mode, high] = ["low", "mode", "high"].map(|key| self.amount(&table, key, kind));
+        match table.given(&["value", "sd", "low", "mode", "high", "within", "confidence"])[..] {
+            ["value", "sd"] | ["value", "within", "confidence"] => {
+                let (central, spread) = (central?, spread?);
+                self.not_within_zero(&named(&table.path_of("value")), value.span(), central, spread)?;
+                Some((central, spread))
+            }
+            ["low", "high"] => {
+                let (low, high) = (low?, high?);
+                self.rising(place, value, low, high)?;
+                // The middle, in the unit of the low end: (a + b)/2
+                let number = decimal(0.5 * low.number + 0.5 * high.in_unit(low.unit));
+                Some((Amount { number, ..low }, Spread::Uniform { low, high }))
+            }
+            ["low", "mode", "high"] => {
+                let (low, mode, high) = (low?, mode?, high?);
+                self.rising(place, value, low, high)?;
+                if !(low.in_unit(mode.unit)..=high.in_unit(mode.unit)).contains(&mode.number) {
+                    let path = place.name.clone();
+                    self.report_path(&table.path_of("mode"), Problem::ModeOutside { path, low, mode, high });
+                    return None;
+                }
+                Some((mode, Spread::Triangular { low, high }))
+            }
+            _ => self.no_range(&table, value, FORMS),
+        }
+    }
+
+    fn rising(
+        &mut self,
+        place: &Place,
+        value: &'t Spanned<DeValue<'t>>,
+        low: Amount,
+        high: Amount,
+    ) -> Option<()> {
+        if low.in_unit(high.unit) < high.number && low.number < high.in_unit(low.unit) {
+            return Some(());
+        }
+        self.report(value.span(), Problem::NotRising { path: place.name.clone(), low, high });
+        None
+    }
+
+    fn not_within_zero(
+        &mut self,
+        name: &str,
+        span: std::ops::Range<usize>,
+        value: Amount,
+        spread: Spread,
+    ) -> Option<()> {
+        if value.number != 0.0 || !matches!(spread, Spread::Within { .. }) {
+            return Some(());
+        }
+        self.report(span, Problem::WithinOfZero { path: name.to_owned(), value });
+        None
+    }
+
+    fn no_range<T>(
+        &mut self,
+        table: &Table<'t>,
+        value: &'t Spanned<DeValue<'t>>,
+        forms: &'static str,
+    ) -> Option<T> {
+        if !table.has_misspelt() {
+            let names: Vec<&'static str> = table.schema.names().collect();
+            let (path, given) = (named(&table.path), table.given(&names));
+            self.report(value.span(), Problem::NoRangeForm { path, given, forms });
+        }
+        None
+    }
+
+    /// One number of a range.
+    fn amount(&mut self, table: &Table<'t>, key: &'static str, range: Kind) -> Option<Amount> {
+        let value = table.get(key)?;
+        let place = Place::of_key(table, key);
+        if value.get_ref().is_table() {
+            let found = kind(value.get_ref());
+            let problem =
+                Problem::WrongType { path: place.path, found, wanted: "a single value", example: FORMS };
+            self.report(value.span(), problem);
+            return None;
+        }
+        match range {
+            Kind::Quantity(dimension, _)
+                if matches!(value.get_ref(), DeValue::Integer(_) | DeValue::Float(_)) =>
+            {
+                let number = shorten(&self.text[value.span()]);
+                let unit = dimension.units().first().map_or("", Unit::spelling);
+                let example = format!("{key} = \"{number} {unit}\"");
+                self.report(
+                    value.span(),
+                    Problem::BareNumber { path: place.path, number, dimension, example },
+                );
+                None
+            }
+            Kind::Quantity(dimension, sign) => {
+                let wanted = "a string with number and unit";
+                let quantity = self.certain_quantity(&place, value, dimension, sign, wanted)?;
+                Some(Amount { number: quantity.number(), unit: Some(quantity.unit()) })
+            }
+            Kind::Number(bounds) => {
+                let accepted = |number| accepts(bounds, number);
+                let example = match key {
+                    "low" | "high" => "{ low = 0.2, high = 0.4 }",
+                    "mode" => "{ low = 0.2, mode = 0.3, high = 0.4 }",
+                    _ => "{ value = 0.3, sd = 0.05 }",
+                };
+                let place = Place { example, ..place };
+                let number = self.certain_number(&place, key, value, words(bounds), accepted)?;
+                Some(Amount { number, unit: None })
+            }
+        }
+    }
+
+    /// `sd`, or `within` and `confidence`.
+    fn spread_about(&mut self, table: &Table<'t>, range: Kind) -> Option<Spread> {
+        const WHY: &str =
+            "a standard deviation is greater than zero; write a value that is known exactly without it";
+        let deviation = match range {
+            Kind::Quantity(dimension, _) => Kind::Quantity(dimension, Sign::PositiveBecause(WHY)),
+            Kind::Number(_) => Kind::Number(Bounds::Positive),
+        };
+        let sd = self.amount(table, "sd", deviation).map(|sd| Spread::Normal { sd });
+        let percent = self.percent(table);
+        let confidence = table.get("confidence").and_then(|value| {
+            let place = Place::of_key(table, "confidence");
+            let inside = |number: f64| 0.0 < number && number < 1.0;
+            self.certain_number(&place, "confidence", value, "greater than 0 and less than 1", inside)
+        });
+        let within = percent.zip(confidence);
+        sd.or(within.map(|(percent, confidence)| Spread::Within { percent, confidence }))
+    }
+
+    fn percent(&mut self, table: &Table<'t>) -> Option<f64> {
+        let value = table.get("within")?;
+        let (path, example) = (table.path_of("within"), table.schema.example("within"));
+        let problem = match value.get_ref() {
+            DeValue::String(text) => match split_number(text.trim()) {
+                (Some(number), rest) if rest.trim() == "%" && number.is_finite() => {
+                    if number > 0.0 {
+                        return Some(number);
+                    }
+                    Problem::OutOfRange {
+                        path: named(&path),
+                        value: number,
+                        range: "greater than zero",
+                        example,
+                    }
+                }
+                _ => Problem::NotPercent { path: named(&path), text: shorten(text) },
+            },
+            DeValue::Integer(_) | DeValue::Float(_) => {
+                let text = shorten(&self.text[value.span()]);
+                Problem::NotPercent { path: named(&path), text }
+            }
+            other => {
+                Problem::WrongType { path, found: kind(other), wanted: "a percentage in quotes", example }
+            }
+        };
+        self.report(value.span(), problem);
+        None
+    }
+}
+
+/// The number in fifteen digits, as all that are written have them: the middle of 0.2 and 0.4 is 0.3, and not the 0.300 000 000 000 000 04 that the sum
+/// of their halves is.
+fn decimal(number: f64) -> f64 {
+    format!("{number:.14e}").parse().unwrap_or(number)
+}

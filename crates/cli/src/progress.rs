@@ -1,0 +1,75 @@
+//! How far a long run is, and its end by Ctrl-C.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use analysis::Stage;
+use anyhow::{Context as _, Result};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// A shorter run needs no bar.
+const LONG: Duration = Duration::from_secs(1);
+
+/// A bar on the terminal of standard error, nothing where that is none; and whether Ctrl-C was pressed.
+pub(crate) struct Progress {
+    began: Instant,
+    ended: Arc<AtomicBool>,
+    bar: Option<(Stage, ProgressBar)>,
+}
+
+impl Progress {
+    /// From now on Ctrl-C does not end the program, but the run; a second one does.
+    pub(crate) fn new() -> Result<Self> {
+        let ended = Arc::new(AtomicBool::new(false));
+        let pressed = Arc::clone(&ended);
+        ctrlc::set_handler(move || {
+            if pressed.swap(true, Ordering::Relaxed) {
+                // As shells report a program that a signal ended: 128 and the number of the signal.
+                std::process::exit(130);
+            }
+        })
+        .context("cannot listen to Ctrl-C")?;
+        Ok(Self { began: Instant::now(), ended, bar: None })
+    }
+
+    /// Draws the bar; breaks after Ctrl-C.
+    pub(crate) fn at(&mut self, stage: Stage, done: usize, total: usize) -> ControlFlow<()> {
+        if self.began.elapsed() > LONG {
+            self.draw(stage, done as u64, total as u64);
+        }
+        if self.ended.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn draw(&mut self, stage: Stage, done: u64, total: u64) {
+        if let Some((drawn, bar)) = &self.bar
+            && *drawn == stage
+        {
+            bar.set_position(done);
+            return;
+        }
+        let words = match stage {
+            Stage::Samples => "samples",
+            Stage::Indices => "rows for the indices",
+        };
+        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr());
+        let template =
+            format!("{{wide_bar}} {{human_pos}} of {{human_len}} {words}, {{eta}} left; Ctrl-C ends");
+        if let Ok(style) = ProgressStyle::with_template(&template) {
+            bar.set_style(style);
+        }
+        bar.set_position(done);
+        if let Some((_, before)) = self.bar.replace((stage, bar)) {
+            before.finish_and_clear();
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if let Some((_, bar)) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}

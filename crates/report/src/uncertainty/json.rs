@@ -1,0 +1,244 @@
+//! As JSON for programs.
+
+use std::collections::BTreeMap;
+
+use ::uncertainty::{Bar, End, Estimate, Indices, LEVELS, Shape, Summary};
+use analysis::{REASONS, UncertainInput, Uncertainty};
+use case::Case;
+use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
+
+use super::{method_name, reason_name};
+
+#[derive(Serialize)]
+struct Document<'a> {
+    title: &'a str,
+    samples: usize,
+    requested: usize,
+    seed: u64,
+    method: &'static str,
+    succeeded: usize,
+    failed: BTreeMap<&'static str, usize>,
+    inputs: Vec<InputBlock<'a>>,
+    outputs: InOrder<OutputBlock<'a>>,
+    /// Of the first output.
+    sensitivity: Vec<IndexBlock<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    index_rows: Option<RowsBlock>,
+}
+
+/// An object whose keys keep their order.
+struct InOrder<T>(Vec<(String, T)>);
+
+impl<T: Serialize> Serialize for InOrder<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (key, value) in &self.0 {
+            map.serialize_entry(key, value)?;
+        }
+        map.end()
+    }
+}
+
+/// SI.
+#[derive(Serialize)]
+struct InputBlock<'a> {
+    input: &'a str,
+    distribution: &'static str,
+    central: f64,
+    mean: f64,
+    sd: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    truncated: Option<TruncationBlock>,
+}
+
+#[derive(Serialize)]
+struct TruncationBlock {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    low: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    high: Option<f64>,
+    kept: f64,
+}
+
+/// SI and radians; without the statistics where fewer than two samples have an answer.
+#[derive(Serialize)]
+struct OutputBlock<'a> {
+    central: f64,
+    mean: Option<f64>,
+    sd: Option<f64>,
+    median: Option<f64>,
+    interval50: Option<[f64; 2]>,
+    interval90: Option<[f64; 2]>,
+    interval95: Option<[f64; 2]>,
+    interval99: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    standard_error: Option<ErrorBlock>,
+    first_order_sd: f64,
+    first_order_differs: Option<bool>,
+    tornado: Vec<BarBlock<'a>>,
+    sensitivity: Vec<IndexBlock<'a>>,
+}
+
+/// From the sampling itself.
+#[derive(Serialize)]
+struct ErrorBlock {
+    mean: Option<f64>,
+    sd: Option<f64>,
+    median: Option<f64>,
+    interval50: [Option<f64>; 2],
+    interval90: [Option<f64>; 2],
+    interval95: [Option<f64>; 2],
+    interval99: [Option<f64>; 2],
+}
+
+/// The input at its 2.5 % and 97.5 % quantile, and the output there; `share` is that of its first-order variance.
+#[derive(Serialize)]
+struct BarBlock<'a> {
+    input: &'a str,
+    low: [Option<f64>; 2],
+    high: [Option<f64>; 2],
+    share: f64,
+}
+
+#[derive(Serialize)]
+struct RowsBlock {
+    rows: usize,
+    used: usize,
+    evaluations: usize,
+}
+
+#[derive(Serialize)]
+struct IndexBlock<'a> {
+    input: &'a str,
+    first_order: f64,
+    total: f64,
+    first_order_interval95: Option<[f64; 2]>,
+    total_interval95: Option<[f64; 2]>,
+}
+
+/// The uncertainty as indented JSON, ending in a line break: `{"samples": N, "seed": S, "failed": {…}, "outputs": {"vehicle1.speed": {"mean": …,
+/// "sd": …, "median": …, "interval95": [lo, hi], …}, …}, "sensitivity": [{"input": …, "first_order": …, "total": …}]}`. SI units and
+/// radians. `samples` are those evaluated; `sensitivity` is that of the first output, and each output has its own.
+///
+/// # Errors
+/// Where serialisation fails, which no uncertainty causes.
+pub fn uncertainty_json(case: &Case, uncertainty: &Uncertainty) -> Result<String, serde_json::Error> {
+    let propagation = &uncertainty.propagation;
+    let outputs = (0..uncertainty.outputs.len()).map(|place| {
+        let output = &uncertainty.outputs[place];
+        (output.output.path(), output_block(uncertainty, place))
+    });
+    let document = Document {
+        title: case.title.as_deref().unwrap_or_default(),
+        samples: propagation.evaluated(),
+        requested: propagation.requested(),
+        seed: uncertainty.settings.seed,
+        method: method_name(uncertainty.settings.method),
+        succeeded: propagation.succeeded(),
+        failed: REASONS.map(|reason| (reason_name(reason), uncertainty.failed(reason))).into(),
+        inputs: uncertainty.inputs.iter().map(input_block).collect(),
+        outputs: InOrder(outputs.collect()),
+        sensitivity: indices(uncertainty, 0),
+        index_rows: uncertainty.indices.as_ref().map(|indices| RowsBlock {
+            rows: indices.rows(),
+            used: indices.used(),
+            evaluations: indices.evaluations(),
+        }),
+    };
+    Ok(serde_json::to_string_pretty(&document)? + "\n")
+}
+
+fn input_block(input: &UncertainInput) -> InputBlock<'_> {
+    let UncertainInput { input: number, distribution, .. } = input;
+    let factor = number.factor();
+    let bound = |bound: f64| bound.is_finite().then_some(bound * factor);
+    InputBlock {
+        input: &number.path,
+        distribution: match distribution.shape() {
+            Shape::Normal { .. } => "normal",
+            Shape::Uniform { .. } => "uniform",
+            Shape::Triangular { .. } => "triangular",
+            _ => "other",
+        },
+        central: number.si(),
+        mean: distribution.mean() * factor,
+        sd: distribution.sd() * factor,
+        truncated: input.truncation().map(|cut| TruncationBlock {
+            low: bound(cut.low),
+            high: bound(cut.high),
+            kept: cut.kept,
+        }),
+    }
+}
+
+fn output_block(uncertainty: &Uncertainty, place: usize) -> OutputBlock<'_> {
+    let output = &uncertainty.outputs[place];
+    let summary = uncertainty.propagation.summaries()[place].as_ref();
+    let interval = |level: usize| {
+        summary.map(|summary| [summary.intervals[level].low.value, summary.intervals[level].high.value])
+    };
+    OutputBlock {
+        central: output.central,
+        mean: summary.map(|summary| summary.mean.value),
+        sd: summary.map(|summary| summary.sd.value),
+        median: summary.map(|summary| summary.median.value),
+        interval50: interval(0),
+        interval90: interval(1),
+        interval95: interval(2),
+        interval99: interval(3),
+        standard_error: summary.map(errors),
+        first_order_sd: output.first_order.sd,
+        first_order_differs: summary.map(|summary| output.differs(summary.sd.value)),
+        tornado: uncertainty
+            .tornado
+            .bars
+            .iter()
+            .map(|bar| bar_block(uncertainty, bar, place, output.first_order.shares[bar.input]))
+            .collect(),
+        sensitivity: indices(uncertainty, place),
+    }
+}
+
+fn errors(summary: &Summary) -> ErrorBlock {
+    // The levels are 50, 90, 95 and 99 %, in this order.
+    const { assert!(LEVELS.len() == 4) };
+    let of = |estimate: Estimate| estimate.standard_error;
+    let [interval50, interval90, interval95, interval99] =
+        summary.intervals.map(|interval| [of(interval.low), of(interval.high)]);
+    ErrorBlock {
+        mean: of(summary.mean),
+        sd: of(summary.sd),
+        median: of(summary.median),
+        interval50,
+        interval90,
+        interval95,
+        interval99,
+    }
+}
+
+fn bar_block<'a>(uncertainty: &'a Uncertainty, bar: &Bar, place: usize, share: f64) -> BarBlock<'a> {
+    let input = &uncertainty.inputs[bar.input].input;
+    let end = |end: &End| {
+        let output = end.outputs.as_ref().ok().and_then(|outputs| outputs.get(place).copied());
+        [Some(end.input * input.factor()), output]
+    };
+    BarBlock { input: &input.path, low: end(&bar.low), high: end(&bar.high), share }
+}
+
+fn indices(uncertainty: &Uncertainty, place: usize) -> Vec<IndexBlock<'_>> {
+    let all = uncertainty.indices.as_ref().and_then(|indices| indices.indices().get(place)?.as_ref());
+    let Some(all) = all else { return Vec::new() };
+    uncertainty
+        .inputs
+        .iter()
+        .zip(all)
+        .map(|(input, Indices { first_order, total })| IndexBlock {
+            input: &input.input.path,
+            first_order: first_order.value,
+            total: total.value,
+            first_order_interval95: first_order.interval95(),
+            total_interval95: total.interval95(),
+        })
+        .collect()
+}

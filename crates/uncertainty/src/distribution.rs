@@ -1,0 +1,259 @@
+//! What is known of an input: a distribution, made from what an engineer can say.
+
+use crate::error::InvalidDistribution;
+use crate::model::Lanes;
+use crate::normal;
+
+/// The least share of a normal distribution that its bounds may leave.
+///
+/// Where they leave less, nearly all of what was said of the value is impossible: value, deviation or bounds are mistaken.
+pub const MIN_KEPT: f64 = 1e-6;
+
+/// The shape, with the numbers it was made from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Shape {
+    /// A value with a standard deviation, before any [`Truncation`].
+    Normal {
+        /// (unit of the input) μ.
+        mean: f64,
+        /// (unit of the input) σ.
+        sd: f64,
+    },
+    /// Anything between two bounds, none likelier than another.
+    Uniform {
+        /// (unit of the input) least value.
+        low: f64,
+        /// (unit of the input) greatest value.
+        high: f64,
+    },
+    /// Between two bounds, likeliest at a value between.
+    Triangular {
+        /// (unit of the input) least value.
+        low: f64,
+        /// (unit of the input) likeliest value.
+        mode: f64,
+        /// (unit of the input) greatest value.
+        high: f64,
+    },
+}
+
+/// Bounds that cut a normal distribution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Truncation {
+    /// (unit of the input) least value, or −∞.
+    pub low: f64,
+    /// (unit of the input) greatest value, or +∞.
+    pub high: f64,
+    /// Share of the normal distribution between the bounds; 1 where they are too far out to be noticed.
+    pub kept: f64,
+}
+
+/// Distribution of one input.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Distribution {
+    shape: Shape,
+    truncation: Option<Truncation>,
+    transform: Transform,
+}
+
+/// How a share u in (0, 1) becomes a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Transform {
+    /// centre + scale·Φ⁻¹(start + span·u), with 1 − u for u where mirrored, held in [low, high].
+    ///
+    /// Bounds above the mean are mirrored to below it, where Φ keeps its digits.
+    Normal { centre: f64, scale: f64, start: f64, span: f64, mirrored: bool, low: f64, high: f64 },
+    /// low + span·u, held below high.
+    Uniform { low: f64, span: f64, high: f64 },
+    /// low + √(u·rise) up to the mode's share, high − √((1 − u)·fall) from there on.
+    Triangular { low: f64, high: f64, rise: f64, fall: f64, share: f64 },
+}
+
+impl Distribution {
+    /// Normal, with mean and standard deviation.
+    ///
+    /// # Errors
+    /// Where a number is not finite or `sd` is not greater than zero.
+    pub fn normal(mean: f64, sd: f64) -> Result<Self, InvalidDistribution> {
+        for (name, value) in [("mean", mean), ("standard deviation", sd)] {
+            finite(name, value)?;
+        }
+        if sd <= 0.0 {
+            return Err(InvalidDistribution::NoDeviation { sd });
+        }
+        // Samples lie within 8.3 standard deviations.
+        finite("end of the range", mean.abs() + 10.0 * sd)?;
+        let (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
+        let transform =
+            Transform::Normal { centre: mean, scale: sd, start: 0.0, span: 1.0, mirrored: false, low, high };
+        Ok(Self { shape: Shape::Normal { mean, sd }, truncation: None, transform })
+    }
+
+    /// Normal, known to lie in [low, high]: the part of the distribution outside of it is cut away, and the rest takes its share.
+    ///
+    /// `mean` and `sd` are those before the cut; [`mean`](Self::mean) and [`sd`](Self::sd) tell what the cut makes of them. Either bound may be infinite.
+    ///
+    /// # Errors
+    /// As [`normal`](Self::normal); where a bound is NaN or `low` is not below `high`; where the bounds leave a share below [`MIN_KEPT`].
+    pub fn truncated_normal(mean: f64, sd: f64, low: f64, high: f64) -> Result<Self, InvalidDistribution> {
+        let whole = Self::normal(mean, sd)?;
+        for (name, value) in [("lower bound", low), ("upper bound", high)] {
+            if value.is_nan() {
+                return Err(InvalidDistribution::NotFinite { name, value });
+            }
+        }
+        ordered(low, high)?;
+
+        // α = (low − μ)/σ, β = (high − μ)/σ
+        let (alpha, beta) = ((low - mean) / sd, (high - mean) / sd);
+        let mirrored = alpha + beta > 0.0;
+        let (below, above) = if mirrored { (-beta, -alpha) } else { (alpha, beta) };
+        let start = normal::cumulative(below);
+        let kept = normal::cumulative(above) - start;
+        if kept < MIN_KEPT {
+            return Err(InvalidDistribution::NothingKept { mean, sd, low, high, kept });
+        }
+        let scale = if mirrored { -sd } else { sd };
+        let transform = Transform::Normal { centre: mean, scale, start, span: kept, mirrored, low, high };
+        Ok(Self { truncation: Some(Truncation { low, high, kept }), transform, ..whole })
+    }
+
+    /// Uniform between two bounds.
+    ///
+    /// # Errors
+    /// Where a number is not finite or `low` is not below `high`.
+    pub fn uniform(low: f64, high: f64) -> Result<Self, InvalidDistribution> {
+        bounds(low, high)?;
+        let transform = Transform::Uniform { low, span: high - low, high };
+        Ok(Self { shape: Shape::Uniform { low, high }, truncation: None, transform })
+    }
+
+    /// Triangular between two bounds, likeliest at the mode, which may stand on a bound.
+    ///
+    /// # Errors
+    /// Where a number is not finite, `low` is not below `high` or the mode is outside.
+    pub fn triangular(low: f64, mode: f64, high: f64) -> Result<Self, InvalidDistribution> {
+        finite("mode", mode)?;
+        bounds(low, high)?;
+        if !(low..=high).contains(&mode) {
+            return Err(InvalidDistribution::ModeOutside { low, mode, high });
+        }
+        let width = high - low;
+        // F(mode) = (mode − low)/(high − low)
+        let share = (mode - low) / width;
+        let (rise, fall) = (width * (mode - low), width * (high - mode));
+        finite("square of the width", width * width)?;
+        let transform = Transform::Triangular { low, high, rise, fall, share };
+        Ok(Self { shape: Shape::Triangular { low, mode, high }, truncation: None, transform })
+    }
+
+    /// The shape and the numbers it was made from.
+    #[must_use]
+    pub fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    /// The bounds that cut a normal distribution, for a report to say so.
+    #[must_use]
+    pub fn truncation(&self) -> Option<Truncation> {
+        self.truncation
+    }
+
+    /// (unit of the input) the value that a share `u` of the distribution lies below, for 0 ≤ u ≤ 1.
+    #[must_use]
+    pub fn quantile(&self, u: f64) -> f64 {
+        let mut lanes = [u];
+        self.transform(&mut lanes);
+        lanes[0]
+    }
+
+    /// (unit of the input) mean, after truncation.
+    #[must_use]
+    pub fn mean(&self) -> f64 {
+        self.moments().0
+    }
+
+    /// (unit of the input) standard deviation, after truncation.
+    #[must_use]
+    pub fn sd(&self) -> f64 {
+        self.moments().1
+    }
+
+    fn moments(&self) -> (f64, f64) {
+        match (self.shape, self.truncation) {
+            (Shape::Normal { mean, sd }, None) => (mean, sd),
+            (Shape::Normal { mean, sd }, Some(Truncation { low, high, .. })) => {
+                let (shift, factor) = normal::truncated_moments((low - mean) / sd, (high - mean) / sd);
+                (mean + sd * shift, sd * factor)
+            }
+            // μ = (a + b)/2, σ² = (b − a)²/12
+            (Shape::Uniform { low, high }, _) => (0.5 * low + 0.5 * high, (high - low) / 12.0_f64.sqrt()),
+            // μ = (a + c + b)/3, σ² = (a² + b² + c² − ab − ac − bc)/18 = ((b − a)² + (c − a)² − (b − a)(c − a))/18
+            (Shape::Triangular { low, mode, high }, _) => {
+                let (width, rise) = (high - low, mode - low);
+                let variance = (width * width + rise * rise - width * rise) / 18.0;
+                (low / 3.0 + mode / 3.0 + high / 3.0, variance.sqrt())
+            }
+        }
+    }
+
+    /// Shares in (0, 1) become values. The same bits for a lane as for a call alone.
+    #[inline(always)]
+    pub(crate) fn transform<const N: usize>(&self, lanes: &mut [f64; N]) {
+        match self.transform {
+            Transform::Normal { centre, scale, start, span, mirrored, low, high } => {
+                // x = μ ± σ·Φ⁻¹(Φ(α) + u·(Φ(β) − Φ(α)))
+                for lane in lanes.iter_mut() {
+                    let u = if mirrored { 1.0 - *lane } else { *lane };
+                    *lane = start + span * u;
+                }
+                normal::quantiles(lanes);
+                for lane in lanes {
+                    let x = centre + scale * *lane;
+                    let x = if x < low { low } else { x };
+                    *lane = if x > high { high } else { x };
+                }
+            }
+            Transform::Uniform { low, span, high } => {
+                for lane in lanes {
+                    // x = a + u·(b − a)
+                    let x = low + span * *lane;
+                    *lane = if x > high { high } else { x };
+                }
+            }
+            Transform::Triangular { low, high, rise, fall, share } => {
+                for lane in lanes {
+                    let u = *lane;
+                    // x = a + √(u(b − a)(c − a)) below the mode, b − √((1 − u)(b − a)(b − c)) above
+                    let rising = low + (u * rise).sqrt();
+                    let falling = high - ((1.0 - u) * fall).sqrt();
+                    *lane = if u < share { rising } else { falling };
+                }
+            }
+        }
+    }
+}
+
+/// The transform of a whole block.
+#[inline(always)]
+pub(crate) fn transform_block(distributions: &[Distribution], columns: &mut [Lanes]) {
+    for (distribution, column) in distributions.iter().zip(columns) {
+        distribution.transform(column);
+    }
+}
+
+fn finite(name: &'static str, value: f64) -> Result<(), InvalidDistribution> {
+    if value.is_finite() { Ok(()) } else { Err(InvalidDistribution::NotFinite { name, value }) }
+}
+
+fn ordered(low: f64, high: f64) -> Result<(), InvalidDistribution> {
+    if low < high { Ok(()) } else { Err(InvalidDistribution::Empty { low, high }) }
+}
+
+fn bounds(low: f64, high: f64) -> Result<(), InvalidDistribution> {
+    for (name, value) in [("lower bound", low), ("upper bound", high), ("width of the range", high - low)] {
+        finite(name, value)?;
+    }
+    ordered(low, high)
+}

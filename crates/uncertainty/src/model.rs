@@ -1,0 +1,99 @@
+//! What is propagated: any function of the inputs.
+
+use std::collections::BTreeMap;
+
+/// Number of samples that a model is given at once.
+pub const LANES: usize = 64;
+
+/// One number of each sample of a block.
+pub type Lanes = [f64; LANES];
+
+/// The reason code of a sample that has an answer.
+pub const SUCCEEDED: u8 = 0;
+
+/// The reason code of a sample that the model let pass although an output is infinite or NaN. The model's own codes lie between.
+pub const NOT_FINITE: u8 = u8::MAX;
+
+/// How many samples failed, by reason code.
+pub type Failures = BTreeMap<u8, usize>;
+
+/// A function of the inputs that is evaluated for [`LANES`] samples at once.
+///
+/// Marked `#[inline(always)]`, without panics, and made of functions that are so too, [`evaluate`](Self::evaluate) is compiled for each
+/// instruction set that [`crate::Instructions`] knows, and its loop over the lanes is vectorised. It must answer by its inputs
+/// alone, and every lane by itself; then the results have the same bits for any number of threads. [`Function`] makes a model of a function of one
+/// sample.
+pub trait Model: Sync {
+    /// Number of outputs.
+    fn outputs(&self) -> usize;
+
+    /// Evaluates a block: `inputs` and `outputs` hold a column for each input and output. A sample without an answer gets its
+    /// reason, from 1 to 254, in `reasons`, which come as [`SUCCEEDED`]; its outputs do not matter then.
+    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]);
+}
+
+/// A model made of a function of one sample.
+#[derive(Clone, Debug)]
+pub struct Function<F> {
+    outputs: usize,
+    function: F,
+}
+
+impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Function<F> {
+    /// The function reads the inputs of a sample and writes its outputs, or fails with a reason from 1 to 254.
+    pub fn new(outputs: usize, function: F) -> Self {
+        Self { outputs, function }
+    }
+}
+
+impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Model for Function<F> {
+    fn outputs(&self) -> usize {
+        self.outputs
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
+        let mut sample = vec![0.0; inputs.len()];
+        let mut answer = vec![0.0; outputs.len()];
+        for (lane, reason) in reasons.iter_mut().enumerate() {
+            for (value, column) in sample.iter_mut().zip(inputs) {
+                *value = column[lane];
+            }
+            match (self.function)(&sample, &mut answer) {
+                Ok(()) => {
+                    for (value, column) in answer.iter().zip(outputs.iter_mut()) {
+                        column[lane] = *value;
+                    }
+                }
+                Err(code) => *reason = code,
+            }
+        }
+    }
+}
+
+/// Evaluates a block, and marks the samples whose outputs are not all finite.
+#[inline(always)]
+pub(crate) fn evaluate<M: Model>(
+    model: &M,
+    inputs: &[Lanes],
+    outputs: &mut [Lanes],
+    reasons: &mut [u8; LANES],
+) {
+    *reasons = [SUCCEEDED; LANES];
+    model.evaluate(inputs, outputs, reasons);
+    for column in outputs {
+        for (value, reason) in column.iter().zip(reasons.iter_mut()) {
+            let failed = *reason == SUCCEEDED && !value.is_finite();
+            *reason = if failed { NOT_FINITE } else { *reason };
+        }
+    }
+}
+
+/// Counts the reasons of samples that failed.
+pub(crate) fn count_failures(failures: &mut Failures, reasons: &[u8]) {
+    for &reason in reasons {
+        if reason != SUCCEEDED {
+            *failures.entry(reason).or_default() += 1;
+        }
+    }
+}

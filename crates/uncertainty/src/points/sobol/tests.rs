@@ -1,0 +1,166 @@
+use super::{DIRECTION_NUMBERS, DIRECTIONS, MAX_INPUTS, Sobol, directions, point};
+use crate::points::REPLICATES;
+
+/// The point as a number.
+fn plain(input: usize, index: u64) -> f64 {
+    point(&directions(input), index).reverse_bits() as f64 / 2.0_f64.powi(64)
+}
+
+/// Points 1 to 3 in any dimension begin with ½, and points 4 to 7 of the first dimensions are printed in S. Joe and F. Y. Kuo,
+/// *Notes on generating Sobol' sequences* (2008), in Gray-code order; here by index.
+#[test]
+fn the_first_points_are_those_of_sobol() {
+    let first: Vec<f64> = (0..8).map(|index| plain(0, index)).collect();
+    assert_eq!(first, [0.0, 0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875]);
+    // m = 1, 3, 5, …: v = 0.1, 0.11, 0.101 in binary.
+    let second: Vec<f64> = (0..8).map(|index| plain(1, index)).collect();
+    assert_eq!(second, [0.0, 0.5, 0.75, 0.25, 0.625, 0.125, 0.375, 0.875]);
+    // Degree 3, m = 1, 3, 1, then 2²·a₂m₂ ⊕ 2³m₁ ⊕ m₁ = 12 ⊕ 8 ⊕ 1 = 5, with x³ + x + 1: v₄ = 5/16.
+    let third: Vec<f64> = [1, 2, 4, 8].map(|index| plain(3, index)).to_vec();
+    assert_eq!(third, [0.5, 0.75, 0.125, 0.3125]);
+}
+
+/// A polynomial of degree s is primitive if x has the order 2ˢ − 1 modulo it.
+#[test]
+fn the_polynomials_are_primitive_and_differ() {
+    let mut seen = Vec::new();
+    for (polynomial, initial) in DIRECTION_NUMBERS {
+        let degree = initial.len();
+        assert_eq!(polynomial >> degree, 1, "{polynomial:b} is not of degree {degree}");
+        let mut power = 1;
+        let mut order = 0;
+        loop {
+            power <<= 1;
+            if power >> degree == 1 {
+                power ^= polynomial;
+            }
+            order += 1;
+            if power == 1 || order == 1 << degree {
+                break;
+            }
+        }
+        assert_eq!(order, (1 << degree) - 1, "{polynomial:b} is not primitive");
+        assert!(!seen.contains(&polynomial), "{polynomial:b} stands twice");
+        seen.push(polynomial);
+        for (place, m) in initial.iter().enumerate() {
+            assert!(m % 2 == 1 && *m < 2 << place, "{m} is no number for place {place}");
+        }
+    }
+}
+
+/// Sobol's property A, which Joe and Kuo say holds for their first 1111 dimensions: the first digits of the first d direction numbers
+/// in d dimensions are linearly independent, so that the first 2ᵈ points have one in each of the halves' products.
+#[test]
+fn property_a_holds_as_joe_and_kuo_say() {
+    // With more dimensions than direction numbers here, the matrix is not square; take as many as there are numbers, from each place on.
+    for dimensions in 1..=DIRECTIONS {
+        let rows = (0..dimensions).map(|input| {
+            directions(input)[..dimensions].iter().fold(0, |row, direction| (row << 1) | (direction & 1))
+        });
+        let mut basis: Vec<u64> = Vec::new();
+        for row in rows {
+            let reduced = basis.iter().fold(row, |row, &other| row.min(row ^ other));
+            assert_ne!(reduced, 0, "{dimensions} dimensions depend on each other");
+            basis.push(reduced);
+            basis.sort_unstable_by(|first, second| second.cmp(first));
+        }
+    }
+}
+
+/// FNV-1a over the table as it was taken from Joe and Kuo's file: the tests above do not see each digit.
+#[test]
+fn the_table_is_unchanged() {
+    assert_eq!(MAX_INPUTS, 256);
+    let numbers = DIRECTION_NUMBERS
+        .iter()
+        .flat_map(|(polynomial, initial)| std::iter::once(*polynomial).chain(initial.iter().copied()));
+    let hash = numbers.flat_map(u32::to_le_bytes).fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3)
+    });
+    assert_eq!(hash, 0x9778_A5D1_26C9_A245, "0x{hash:016X}");
+}
+
+/// Every power-of-two block of points has one point in each of as many equal intervals, scrambled or not, in every input.
+#[test]
+fn each_block_is_stratified_in_every_input() {
+    for input in 0..MAX_INPUTS {
+        let sobol = Sobol::new(input, 77);
+        let mut shares = [0.0; REPLICATES];
+        for power in [1, 4, 9] {
+            let count = 1_usize << power;
+            for block in 0..3 {
+                let mut filled = vec![[false; REPLICATES]; count];
+                for index in block * count..(block + 1) * count {
+                    sobol.fill(index as u64, &mut shares);
+                    for (replicate, share) in shares.iter().enumerate() {
+                        let cell = (share * count as f64) as usize;
+                        assert!(!filled[cell][replicate], "input {input}, {count} points");
+                        filled[cell][replicate] = true;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The first two inputs are a (0, 2)-sequence (Sobol' 1967): one point in each elementary rectangle, whatever its shape, scrambled too.
+#[test]
+fn the_first_two_inputs_fill_every_elementary_rectangle() {
+    let (first, second) = (Sobol::new(0, 3), Sobol::new(1, 4));
+    let count = 256;
+    let mut shares = [[0.0; REPLICATES]; 2];
+    let mut points = Vec::new();
+    for index in 0..count {
+        first.fill(index, &mut shares[0]);
+        second.fill(index, &mut shares[1]);
+        points.push(shares);
+    }
+    for replicate in 0..REPLICATES {
+        for columns in [1, 2, 4, 8, 16, 32, 64, 128, 256] {
+            let rows = 256 / columns;
+            let mut filled = [false; 256];
+            for [x, y] in &points {
+                let column = (x[replicate] * f64::from(columns)) as u32;
+                let row = (y[replicate] * f64::from(rows)) as u32;
+                let cell = (column * rows + row) as usize;
+                assert!(!filled[cell]);
+                filled[cell] = true;
+            }
+        }
+    }
+}
+
+/// Owen's scrambling moves each point to anywhere, and takes every branch of the tree of digits with its own coin.
+#[test]
+fn scrambling_is_uniform_and_its_coins_are_independent() {
+    let seeds = 4096_u64;
+    let mut shares = [0.0; REPLICATES];
+    // Whether digit k (from 1) of the points with the first digits 0… and 1… is turned.
+    let mut turned = [[0_u32; 12]; 2];
+    let mut both = [0_u32; 12];
+    let mut sum = 0.0;
+    for seed in 0..seeds {
+        let sobol = Sobol::new(0, seed);
+        let digits = [0, 1].map(|index| {
+            sobol.fill(index, &mut shares);
+            shares[0]
+        });
+        sum += digits[0];
+        for place in 1..=12_i32 {
+            let digit = |share: f64| ((share * 2.0_f64.powi(place)) as u64) % 2 == 1;
+            let [zero, one] = digits.map(digit);
+            let number = (place - 1) as usize;
+            turned[0][number] += u32::from(zero);
+            turned[1][number] += u32::from(one);
+            both[number] += u32::from(zero == one);
+        }
+    }
+    // Five standard deviations of a fair coin's count, √(n/4) each, and of a uniform mean, 1/√(12n).
+    let limit = 5.0 * (seeds as f64 / 4.0).sqrt();
+    let fair = |count: u32| (f64::from(count) - seeds as f64 / 2.0).abs() < limit;
+    assert!(turned.iter().flatten().all(|&count| fair(count)), "{turned:?}");
+    // The first digit has one coin: never equal. All others have one each.
+    assert_eq!(both[0], 0);
+    assert!(both[1..].iter().all(|&count| fair(count)), "{both:?}");
+    assert!((sum / seeds as f64 - 0.5).abs() < 5.0 / (12.0 * seeds as f64).sqrt());
+}

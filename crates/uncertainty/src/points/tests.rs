@@ -1,0 +1,161 @@
+use super::{MAX_SOBOL_INPUTS, Method, Points, REPLICATES, permuted};
+use crate::InvalidRequest;
+use crate::model::LANES;
+
+const METHODS: [Method; 3] = [Method::MonteCarlo, Method::LatinHypercube, Method::Sobol];
+
+/// Shares of each input, a column for each.
+fn columns(method: Method, seed: u64, inputs: usize, samples: usize) -> Vec<Vec<f64>> {
+    let points = Points::new(method, seed, inputs, samples).unwrap();
+    let mut columns = vec![Vec::new(); inputs];
+    let mut block = vec![[0.0; LANES]; inputs];
+    for number in 0..samples.div_ceil(LANES) {
+        points.fill(number as u64, &mut block);
+        for (column, lanes) in columns.iter_mut().zip(&block) {
+            column.extend(lanes);
+        }
+    }
+    for column in &mut columns {
+        column.truncate(samples);
+    }
+    columns
+}
+
+#[test]
+fn permutations_are_bijections() {
+    for count in [1, 2, 3, 4, 5, 7, 8, 9, 63, 64, 65, 1000, 4097] {
+        for key in 0..4 {
+            let mut places: Vec<u64> = (0..count).map(|index| permuted(index, count, key)).collect();
+            places.sort_unstable();
+            assert!(places.into_iter().eq(0..count), "{count} with key {key}");
+        }
+    }
+}
+
+/// Over many keys each index must go everywhere alike: χ² with 15² degrees of freedom (rows and columns are fixed), mean 225, standard
+/// deviation √450 = 21.2.
+#[test]
+fn permutations_are_fair() {
+    const COUNT: usize = 16;
+    let keys = 10_000;
+    let mut seen = [[0.0; COUNT]; COUNT];
+    for key in 0..keys {
+        for (index, row) in (0..).zip(&mut seen) {
+            row[permuted(index, COUNT as u64, key) as usize] += 1.0;
+        }
+    }
+    let expected = keys as f64 / COUNT as f64;
+    let chi_squared: f64 =
+        seen.iter().flatten().map(|count: &f64| (count - expected).powi(2) / expected).sum();
+    assert!((chi_squared - 225.0).abs() < 5.0 * 21.3, "{chi_squared}");
+}
+
+#[test]
+fn latin_hypercube_has_one_point_in_each_stratum_of_each_replicate() {
+    // Also where the replicates are not of equal size.
+    for samples in [64, 65, 1000, 4096, 10_007] {
+        for column in columns(Method::LatinHypercube, 5, 3, samples) {
+            for replicate in 0..REPLICATES {
+                let points: Vec<f64> = column.iter().skip(replicate).step_by(REPLICATES).copied().collect();
+                let mut strata: Vec<usize> =
+                    points.iter().map(|share| (share * points.len() as f64) as usize).collect();
+                strata.sort_unstable();
+                assert!(strata.into_iter().eq(0..points.len()), "{samples} samples");
+            }
+        }
+    }
+}
+
+/// The greatest distance between the distribution of the points and the uniform one, times √n.
+fn kolmogorov_smirnov(mut column: Vec<f64>) -> f64 {
+    column.sort_unstable_by(f64::total_cmp);
+    let count = column.len() as f64;
+    let distance = |(index, share): (usize, &f64)| {
+        let (below, above) = (index as f64 / count, (index as f64 + 1.0) / count);
+        (share - below).max(above - share)
+    };
+    column.iter().enumerate().map(distance).fold(0.0, f64::max) * count.sqrt()
+}
+
+#[test]
+fn all_points_are_uniform() {
+    for method in METHODS {
+        for seed in 0..5 {
+            for column in columns(method, seed, 8, 20_000) {
+                assert!(column.iter().all(|share| *share > 0.0 && *share < 1.0));
+                let distance = kolmogorov_smirnov(column);
+                // Kolmogorov: beyond 2.2 once in 8000. The stratified ones keep far below 1.
+                let limit = if method == Method::MonteCarlo { 2.2 } else { 0.2 };
+                assert!(distance < limit, "{method:?}: {distance}");
+                assert!(method != Method::MonteCarlo || distance > 0.3, "{distance} is too even for chance");
+            }
+        }
+    }
+}
+
+#[test]
+fn inputs_and_neighbouring_samples_are_not_correlated() {
+    let samples = 20_000;
+    // Five standard deviations, 1/√n.
+    let limit = 5.0 / (samples as f64).sqrt();
+    let correlation = |first: &[f64], second: &[f64]| {
+        let products: f64 = first.iter().zip(second).map(|(x, y)| (x - 0.5) * (y - 0.5)).sum();
+        12.0 * products / first.len() as f64
+    };
+    for method in METHODS {
+        let columns = columns(method, 11, 31, samples);
+        for (number, first) in columns.iter().enumerate() {
+            assert!((correlation(first, first) - 1.0).abs() < 0.05);
+            for second in &columns[number + 1..] {
+                assert!(correlation(first, second).abs() < limit, "{method:?}");
+            }
+            if method != Method::Sobol {
+                assert!(correlation(&first[1..], &first[..samples - 1]).abs() < limit, "{method:?}");
+            }
+        }
+        // Another seed, other points; for scrambled ones the mean over 16 replicates, each as below.
+        let others = self::columns(method, 12, 2, samples);
+        let limit = if method == Method::Sobol { 5.0 * (18.0_f64 / 31.0 / 16.0).sqrt() } else { limit };
+        assert!(correlation(&columns[0], &others[0]).abs() < limit, "{method:?}");
+    }
+}
+
+/// Each replicate must be independent of the others, or their spread would tell nothing.
+#[test]
+fn replicates_are_not_correlated() {
+    let (samples, inputs) = (1 << 14, 8);
+    let pairs = inputs * REPLICATES * (REPLICATES - 1) / 2;
+    for method in METHODS {
+        let mut correlations = Vec::new();
+        for column in columns(method, 13, inputs, samples) {
+            let of = |replicate: usize| column.iter().skip(replicate).step_by(REPLICATES);
+            for first in 0..REPLICATES {
+                for second in first + 1..REPLICATES {
+                    let products: f64 = of(first).zip(of(second)).map(|(x, y)| (x - 0.5) * (y - 0.5)).sum();
+                    correlations.push(12.0 * products / (samples / REPLICATES) as f64);
+                }
+            }
+        }
+        assert_eq!(correlations.len(), pairs);
+        // Variance of one: 1/n, but for scrambled points that of the coins of the digits, Σ (3/4ᵏ)²/2ᵏ⁻¹ = 18/31.
+        let variance = if method == Method::Sobol { 18.0 / 31.0 } else { REPLICATES as f64 / samples as f64 };
+        let mean = correlations.iter().sum::<f64>() / pairs as f64;
+        let squares = correlations.iter().map(|correlation| correlation * correlation).sum::<f64>();
+        assert!(mean.abs() < 5.0 * (variance / pairs as f64).sqrt(), "{method:?}: {mean}");
+        let ratio = squares / (pairs as f64 * variance);
+        assert!((0.75..1.3).contains(&ratio), "{method:?}: {ratio}");
+    }
+}
+
+#[test]
+fn requests_out_of_range_are_refused() {
+    let refusal = |method, inputs, samples| Points::new(method, 1, inputs, samples).unwrap_err();
+    assert_eq!(refusal(Method::MonteCarlo, 0, 100), InvalidRequest::NoInputs);
+    assert_eq!(refusal(Method::MonteCarlo, 1, 63), InvalidRequest::Samples { samples: 63 });
+    assert_eq!(
+        refusal(Method::Sobol, MAX_SOBOL_INPUTS + 1, 64),
+        InvalidRequest::TooManyInputs { inputs: 257, limit: 256 }
+    );
+    assert!(Points::new(Method::Sobol, 1, MAX_SOBOL_INPUTS, 64).is_ok());
+    assert!(Points::new(Method::LatinHypercube, 1, 1000, 64).is_ok());
+}

@@ -1,0 +1,166 @@
+//! Running spans of samples: in order, on one thread or several, with the instructions that the CPU has.
+
+use std::ops::ControlFlow;
+use std::sync::{Mutex, PoisonError};
+
+use fearless_simd::Level;
+
+/// An instruction set of this CPU, for which a model's loops are compiled. All give the same bits; they differ in speed.
+#[derive(Clone, Copy, Debug)]
+pub struct Instructions(Level);
+
+impl Instructions {
+    /// The best that this CPU has.
+    #[must_use]
+    pub fn best() -> Self {
+        Self(Level::new())
+    }
+
+    /// All that this CPU has, the best first, for tests that compare them.
+    #[must_use]
+    pub fn available() -> Vec<Self> {
+        let best = Level::new();
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        let others = [
+            best.as_avx512().map(Level::Avx512),
+            best.as_avx2().map(Level::Avx2),
+            best.as_sse4_2().map(Level::Sse4_2),
+            best.as_sse2().map(Level::Sse2),
+        ];
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        let others = [Some(best)];
+        others.into_iter().flatten().map(Self).collect()
+    }
+
+    /// For `dispatch!`. What it is given must be one call of a function that is `#[inline(always)]`: a closure of ours would be compiled once, for the
+    /// least of the instructions.
+    pub(crate) fn level(self) -> Level {
+        self.0
+    }
+}
+
+impl Default for Instructions {
+    fn default() -> Self {
+        Self::best()
+    }
+}
+
+/// Told how many samples are done, of how many, whenever a span of some thousand samples begins; it ends the run by
+/// [`ControlFlow::Break`]. May be called from any thread, by one at a time.
+pub type Progress<'a> = dyn FnMut(usize, usize) -> ControlFlow<()> + Send + 'a;
+
+/// A span of work, and how many samples it holds.
+pub(crate) struct Span<S> {
+    pub(crate) samples: usize,
+    pub(crate) work: S,
+}
+
+/// What the workers share.
+struct Queue<'a, I> {
+    waiting: I,
+    done: usize,
+    progress: &'a mut Progress<'a>,
+}
+
+/// Does the spans in their order until `progress` breaks, and returns their results in order.
+///
+/// A span that is begun is finished. So what comes back belongs to the first spans, without a gap.
+pub(crate) fn in_order<S: Send, T: Send>(
+    spans: Vec<Span<S>>,
+    work: impl Fn(S) -> T + Sync,
+    progress: &mut Progress<'_>,
+) -> Vec<T> {
+    let total = spans.iter().map(|span| span.samples).sum();
+    let workers = workers().min(spans.len());
+    let mut shared = |done: usize, total: usize| progress(done, total);
+    let queue = Mutex::new(Queue { waiting: spans.into_iter().enumerate(), done: 0, progress: &mut shared });
+    let results = Mutex::new(Vec::new());
+    let worker = || {
+        let mut own = Vec::new();
+        let mut finished = 0;
+        loop {
+            let mut queue = queue.lock().unwrap_or_else(PoisonError::into_inner);
+            queue.done += finished;
+            let done = queue.done;
+            if queue.waiting.len() == 0 || (queue.progress)(done, total).is_break() {
+                // Nobody begins another span.
+                queue.waiting.by_ref().for_each(drop);
+                break;
+            }
+            let Some((index, span)) = queue.waiting.next() else { break };
+            drop(queue);
+            finished = span.samples;
+            own.push((index, work(span.work)));
+        }
+        results.lock().unwrap_or_else(PoisonError::into_inner).append(&mut own);
+    };
+    on_threads(workers, &worker);
+    let mut results = results.into_inner().unwrap_or_else(PoisonError::into_inner);
+    results.sort_unstable_by_key(|(index, _)| *index);
+    results.into_iter().map(|(_, result)| result).collect()
+}
+
+/// The results of `work` for each item, in order.
+pub(crate) fn for_each<S: Sync, T: Send>(items: &[S], work: impl Fn(&S) -> T + Sync) -> Vec<T> {
+    let spans = items.iter().map(|item| Span { samples: 0, work: item }).collect();
+    in_order(spans, work, &mut |_, _| ControlFlow::Continue(()))
+}
+
+#[cfg(feature = "parallel")]
+fn workers() -> usize {
+    rayon::current_num_threads()
+}
+
+#[cfg(not(feature = "parallel"))]
+fn workers() -> usize {
+    1
+}
+
+#[cfg(feature = "parallel")]
+fn on_threads(workers: usize, worker: &(impl Fn() + Sync)) {
+    rayon::scope(|scope| {
+        for _ in 1..workers {
+            scope.spawn(|_| worker());
+        }
+        worker();
+    });
+}
+
+#[cfg(not(feature = "parallel"))]
+fn on_threads(_workers: usize, worker: &(impl Fn() + Sync)) {
+    worker();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Span, in_order};
+    use std::ops::ControlFlow;
+
+    fn spans(count: u64) -> Vec<Span<u64>> {
+        (0..count).map(|work| Span { samples: 10, work }).collect()
+    }
+
+    #[test]
+    fn results_come_in_order_and_progress_counts_up() {
+        let mut seen = Vec::new();
+        let results = in_order(spans(100), |work| work * work, &mut |done, total| {
+            seen.push((done, total));
+            ControlFlow::Continue(())
+        });
+        assert!(results.into_iter().eq((0..100).map(|work| work * work)));
+        assert_eq!(seen.len(), 100);
+        assert_eq!(seen[0], (0, 1000));
+        assert!(seen.is_sorted() && seen.iter().all(|&(done, total)| done < 1000 && total == 1000));
+    }
+
+    #[test]
+    fn a_break_leaves_the_first_spans() {
+        let mut calls = 0;
+        let results = in_order(spans(100), |work| work, &mut |_, _| {
+            calls += 1;
+            if calls > 7 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        assert!(results.into_iter().eq(0..7));
+        assert_eq!(calls, 8);
+    }
+}

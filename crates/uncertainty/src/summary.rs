@@ -1,0 +1,268 @@
+//! Statistics of a column of samples, each with its standard error.
+//!
+//! # References
+//!
+//! R. J. Hyndman and Y. Fan, *Sample quantiles in statistical packages*, American Statistician 50 (1996): quantiles are their type 7, as in NumPy.
+//! M. G. Kendall and A. Stuart, *The Advanced Theory of Statistics*, volume 1, sections 10.5 and 14: standard errors of moments; order statistics.
+
+use crate::model::LANES;
+use crate::points::{Method, REPLICATES};
+
+/// Levels of the intervals of a [`Summary`].
+pub const LEVELS: [f64; 4] = [0.5, 0.9, 0.95, 0.99];
+
+/// A standard error of a quantile needs as many samples expected beyond it: (in each replicate).
+const TAIL_SAMPLES: f64 = 5.0;
+
+/// A statistic and how well the samples tell it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// (unit of the output) the statistic.
+    pub value: f64,
+    /// (unit of the output) its standard error from sampling; `None` where there are too few samples to tell.
+    pub standard_error: Option<f64>,
+}
+
+/// The range between two quantiles, with equal shares beyond either end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// Share of the samples in between.
+    pub level: f64,
+    /// (unit of the output) lower end.
+    pub low: Estimate,
+    /// (unit of the output) upper end.
+    pub high: Estimate,
+}
+
+/// Statistics of one output.
+///
+/// Monte Carlo: the standard error of the mean is s/√n, that of s follows from the fourth moment, that of a quantile from the order
+/// statistics one binomial standard deviation of the count to either side. Latin hypercube and Sobol': all follow from the spread of the statistic between the
+/// [`REPLICATES`] independent point sets, s/√16; with 15 degrees of freedom they are themselves uncertain by a fifth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Summary {
+    /// Number of samples that succeeded.
+    pub samples: usize,
+    /// (unit of the output) arithmetic mean.
+    pub mean: Estimate,
+    /// (unit of the output) standard deviation, with n − 1.
+    pub sd: Estimate,
+    /// (unit of the output) median.
+    pub median: Estimate,
+    /// At each of [`LEVELS`].
+    pub intervals: [Interval; LEVELS.len()],
+}
+
+/// The probabilities of the median and of the ends of the intervals, lower and upper in turn.
+const PROBABILITIES: [f64; 1 + 2 * LEVELS.len()] = [0.5, 0.25, 0.75, 0.05, 0.95, 0.025, 0.975, 0.005, 0.995];
+
+impl Summary {
+    /// Of a column in which NaN stands for samples that failed; `None` where fewer than two succeeded.
+    pub(crate) fn of(column: &[f64], method: Method) -> Option<Self> {
+        let mut values: Vec<f64> = column.iter().copied().filter(|value| !value.is_nan()).collect();
+        if values.len() < 2 {
+            return None;
+        }
+        let moments = Moments::of(&values);
+        let quantiles = Quantiles::of(&mut values);
+        let errors = match method {
+            Method::MonteCarlo => Errors::by_formula(&moments, &quantiles),
+            Method::LatinHypercube | Method::Sobol => Errors::by_replicates(column, values),
+        };
+
+        let quantile = |place: usize| Estimate {
+            value: quantiles.values[place],
+            standard_error: errors.quantiles[place],
+        };
+        let interval = |place: usize| Interval {
+            level: LEVELS[place],
+            low: quantile(2 * place + 1),
+            high: quantile(2 * place + 2),
+        };
+        Some(Self {
+            samples: moments.count,
+            mean: Estimate { value: moments.mean, standard_error: errors.mean },
+            sd: Estimate { value: moments.sd(), standard_error: errors.sd },
+            median: quantile(0),
+            intervals: std::array::from_fn(interval),
+        })
+    }
+}
+
+/// Number, mean and sums of powers of the deviations from it.
+struct Moments {
+    count: usize,
+    mean: f64,
+    squares: f64,
+    fourth_powers: f64,
+}
+
+impl Moments {
+    fn of(values: &[f64]) -> Self {
+        let count = values.len() as f64;
+        let mean = sum(values, |x| x) / count;
+        let squares = sum(values, |x| (x - mean) * (x - mean));
+        let fourth_powers = sum(values, |x| {
+            let square = (x - mean) * (x - mean);
+            square * square
+        });
+        Self { count: values.len(), mean, squares, fourth_powers }
+    }
+
+    fn sd(&self) -> f64 {
+        // s² = Σ(x − x̄)²/(n − 1)
+        (self.squares / (self.count as f64 - 1.0)).sqrt()
+    }
+}
+
+/// Σ f(x) in a fixed order, of sums over eight lanes and over spans, which keeps the rounding small.
+fn sum(values: &[f64], f: impl Fn(f64) -> f64) -> f64 {
+    const SPAN: usize = 64 * LANES;
+    let mut total = 0.0;
+    for span in values.chunks(SPAN) {
+        let mut lanes = [0.0; 8];
+        let (blocks, rest) = span.as_chunks::<8>();
+        for block in blocks {
+            for (lane, &value) in lanes.iter_mut().zip(block) {
+                *lane += f(value);
+            }
+        }
+        let rest: f64 = rest.iter().map(|&value| f(value)).sum();
+        let lanes: f64 = lanes.into_iter().sum();
+        total += lanes + rest;
+    }
+    total
+}
+
+/// The quantiles at [`PROBABILITIES`], and the order statistics around them.
+struct Quantiles {
+    values: [f64; PROBABILITIES.len()],
+    /// Half of the distance between the order statistics next to each, a binomial standard deviation of the count away.
+    half_distances: [Option<f64>; PROBABILITIES.len()],
+}
+
+impl Quantiles {
+    /// Puts the values that are needed in their places.
+    fn of(values: &mut [f64]) -> Self {
+        let count = values.len();
+        let places = PROBABILITIES.map(|probability| Place::of(probability, count));
+        let mut wanted: Vec<usize> = places.iter().flat_map(Place::wanted).collect();
+        wanted.sort_unstable();
+        wanted.dedup();
+        select(values, 0, &wanted);
+        Self {
+            values: places.each_ref().map(|place| {
+                let (low, high) = (values[place.below], values[place.above]);
+                // Q = x₍ₖ₎ + (h − k)·(x₍ₖ₊₁₎ − x₍ₖ₎), h = (n − 1)p
+                low + (high - low) * place.part
+            }),
+            half_distances: places
+                .map(|place| place.around.map(|(before, after)| 0.5 * (values[after] - values[before]))),
+        }
+    }
+}
+
+/// Where a quantile stands among the ordered values.
+struct Place {
+    below: usize,
+    above: usize,
+    part: f64,
+    around: Option<(usize, usize)>,
+}
+
+impl Place {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between zero and the count")]
+    fn of(probability: f64, count: usize) -> Self {
+        let last = count - 1;
+        let position = last as f64 * probability;
+        let below = position.floor();
+        let around = tail_is_populated(probability, count).then(|| {
+            // √(np(1 − p))
+            let deviation = (count as f64 * probability * (1.0 - probability)).sqrt();
+            let before = (position - deviation).round().max(0.0) as usize;
+            let after = ((position + deviation).round() as usize).min(last);
+            (before, after)
+        });
+        let index = below as usize;
+        Self { below: index, above: (index + 1).min(last), part: position - below, around }
+    }
+
+    fn wanted(&self) -> impl Iterator<Item = usize> + use<> {
+        let around = self.around.map(|(before, after)| [before, after]);
+        [self.below, self.above].into_iter().chain(around.into_iter().flatten())
+    }
+}
+
+/// Whether enough samples lie beyond a quantile for its standard error.
+fn tail_is_populated(probability: f64, count: usize) -> bool {
+    count as f64 * probability.min(1.0 - probability) >= TAIL_SAMPLES
+}
+
+/// Puts the wanted places of the ordered values right, the middle one first and the others inside its halves. `values` begin at `start`.
+fn select(values: &mut [f64], start: usize, wanted: &[usize]) {
+    let (before, [middle, after @ ..]) = wanted.split_at(wanted.len() / 2) else { return };
+    let place = middle - start;
+    let (low, _, high) = values.select_nth_unstable_by(place, f64::total_cmp);
+    select(low, start, before);
+    select(high, middle + 1, after);
+}
+
+/// Standard errors of the statistics.
+struct Errors {
+    mean: Option<f64>,
+    sd: Option<f64>,
+    quantiles: [Option<f64>; PROBABILITIES.len()],
+}
+
+impl Errors {
+    fn by_formula(moments: &Moments, quantiles: &Quantiles) -> Self {
+        let count = moments.count as f64;
+        let sd = moments.sd();
+        // s/√n
+        let mean = sd / count.sqrt();
+        // Var(s²) = (m₄ − s⁴(n − 3)/(n − 1))/n, Var(s) ≈ Var(s²)/4s²
+        let fourth = moments.fourth_powers / count;
+        let variance = (fourth - sd * sd * sd * sd * (count - 3.0) / (count - 1.0)) / count;
+        let of_sd = if sd > 0.0 { variance.max(0.0).sqrt() / (2.0 * sd) } else { 0.0 };
+        Self { mean: Some(mean), sd: Some(of_sd), quantiles: quantiles.half_distances }
+    }
+
+    /// `scratch` is any vector, for its memory.
+    fn by_replicates(column: &[f64], mut scratch: Vec<f64>) -> Self {
+        let mut means = Vec::with_capacity(REPLICATES);
+        let mut sds = Vec::with_capacity(REPLICATES);
+        let mut quantiles = PROBABILITIES.map(|_| Vec::with_capacity(REPLICATES));
+        for replicate in 0..REPLICATES {
+            scratch.clear();
+            let own = column.iter().skip(replicate).step_by(REPLICATES);
+            scratch.extend(own.copied().filter(|value| !value.is_nan()));
+            if scratch.len() < 2 {
+                continue;
+            }
+            let moments = Moments::of(&scratch);
+            means.push(moments.mean);
+            sds.push(moments.sd());
+            let of_replicate = Quantiles::of(&mut scratch);
+            for ((all, value), probability) in
+                quantiles.iter_mut().zip(of_replicate.values).zip(PROBABILITIES)
+            {
+                if tail_is_populated(probability, moments.count) {
+                    all.push(value);
+                }
+            }
+        }
+        Self {
+            mean: error_of_mean(&means),
+            sd: error_of_mean(&sds),
+            quantiles: quantiles.map(|all| error_of_mean(&all)),
+        }
+    }
+}
+
+/// s/√R over the replicates, where all of them have a value.
+fn error_of_mean(of_replicates: &[f64]) -> Option<f64> {
+    (of_replicates.len() == REPLICATES).then(|| Moments::of(of_replicates).sd() / (REPLICATES as f64).sqrt())
+}
+
+#[cfg(test)]
+mod tests;

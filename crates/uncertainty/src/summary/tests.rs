@@ -1,0 +1,92 @@
+use super::{Estimate, Place, Quantiles, Summary, select, sum};
+use crate::points::Method;
+
+/// 0, 1, … 100 in disorder.
+fn hundred() -> Vec<f64> {
+    (0..=100).map(|index| f64::from(index * 37 % 101)).collect()
+}
+
+/// Of 0, 1, … 100 the quantile at p is 100p by any type that interpolates like NumPy's; the variance is n(n + 1)/12, n = 101.
+#[test]
+fn the_statistics_of_a_hundred_numbers() {
+    let summary = Summary::of(&hundred(), Method::MonteCarlo).unwrap();
+    assert_eq!(summary.samples, 101);
+    assert_eq!(summary.mean.value, 50.0);
+    assert!((summary.sd.value - (101.0_f64 * 102.0 / 12.0).sqrt()).abs() < 1e-13);
+    assert_eq!(summary.median.value, 50.0);
+    let ends = summary.intervals.map(|interval| (interval.level, interval.low.value, interval.high.value));
+    let expected = [(0.5, 25.0, 75.0), (0.9, 5.0, 95.0), (0.95, 2.5, 97.5), (0.99, 0.5, 99.5)];
+    for (found, expected) in ends.into_iter().zip(expected) {
+        assert_eq!(found.0, expected.0);
+        assert!((found.1 - expected.1).abs() < 1e-12 && (found.2 - expected.2).abs() < 1e-12);
+    }
+    // Median: √(101/4) = 5.02, so the order statistics 45 and 55, half of whose distance is 5.
+    assert_eq!(summary.median.standard_error, Some(5.0));
+    // At 5 % five values lie below, at 2.5 % not.
+    assert!(summary.intervals[1].low.standard_error.is_some());
+    assert_eq!(summary.intervals[2].low.standard_error, None);
+    // s/√n = √(n(n + 1)/12/n) = √(102/12)
+    assert!((summary.mean.standard_error.unwrap() - (102.0_f64 / 12.0).sqrt()).abs() < 1e-13);
+}
+
+#[test]
+fn failed_samples_are_left_out() {
+    let mut column = hundred();
+    for place in [0, 50, 101] {
+        column.insert(place, f64::NAN);
+    }
+    assert_eq!(Summary::of(&column, Method::MonteCarlo), Summary::of(&hundred(), Method::MonteCarlo));
+    assert_eq!(Summary::of(&[1.0, f64::NAN], Method::MonteCarlo), None);
+    assert_eq!(Summary::of(&[], Method::Sobol), None);
+}
+
+#[test]
+fn a_constant_has_no_uncertainty() {
+    for method in [Method::MonteCarlo, Method::LatinHypercube] {
+        let summary = Summary::of(&vec![3.0; 16_000], method).unwrap();
+        let certain = |value| Estimate { value, standard_error: Some(0.0) };
+        assert_eq!((summary.mean, summary.sd, summary.median), (certain(3.0), certain(0.0), certain(3.0)));
+        assert_eq!(summary.intervals[3].high, certain(3.0));
+    }
+}
+
+/// Replicate r holds the number r throughout: s = √(16·17/12) of the numbers 0 … 15, over √16.
+#[test]
+fn replicates_give_the_standard_error() {
+    let column: Vec<f64> = (0..16_000).map(|index| f64::from(index % 16)).collect();
+    let summary = Summary::of(&column, Method::Sobol).unwrap();
+    let expected = (16.0_f64 * 17.0 / 12.0).sqrt() / 4.0;
+    for estimate in [summary.mean, summary.median, summary.intervals[2].low] {
+        assert!((estimate.standard_error.unwrap() - expected).abs() < 1e-13);
+    }
+    assert_eq!(summary.sd.standard_error, Some(0.0));
+    // 1000 in each replicate: five beyond the ends of the 99 % interval, just. A sample less in one of them is too few.
+    assert!(summary.intervals[3].low.standard_error.is_some());
+    assert_eq!(Summary::of(&column[1..], Method::Sobol).unwrap().intervals[3].low.standard_error, None);
+    // No replicate but one.
+    let mut lonely = vec![f64::NAN; 1600];
+    lonely.iter_mut().step_by(16).for_each(|value| *value = 1.0);
+    assert_eq!(Summary::of(&lonely, Method::Sobol).unwrap().mean.standard_error, None);
+}
+
+#[test]
+fn selection_puts_all_places_right() {
+    let mut values = hundred();
+    let wanted = [0, 3, 4, 50, 51, 99, 100];
+    select(&mut values, 0, &wanted);
+    for place in wanted {
+        assert_eq!(values[place], place as f64);
+    }
+    // Two values: every place exists.
+    let quantiles = Quantiles::of(&mut [2.0, 1.0]);
+    assert_eq!(quantiles.values[0], 1.5);
+    assert_eq!(Place::of(0.995, 2).above, 1);
+}
+
+#[test]
+fn sums_take_every_value_once() {
+    for count in [0, 1, 7, 8, 9, 4095, 4096, 4097, 10_000] {
+        let values: Vec<f64> = (1..=count).map(f64::from).collect();
+        assert_eq!(sum(&values, |x| x), f64::from(count) * f64::from(count + 1) / 2.0);
+    }
+}

@@ -1,0 +1,282 @@
+//! Propagation: exact answers, standard errors, failures, early ends, the same bits everywhere.
+#![expect(clippy::unwrap_used, reason = "clippy's exemption for tests leaves out the helpers beside them")]
+#![expect(clippy::disallowed_methods, reason = "squares of errors, no bits of which are compared")]
+
+use std::ops::ControlFlow;
+use uncertainty::{
+    Distribution, Function, Instructions, InvalidRequest, LANES, Lanes, Method, Model, NOT_FINITE,
+    Propagation, SUCCEEDED, Sampler, Settings, propagate,
+};
+
+const METHODS: [Method; 3] = [Method::MonteCarlo, Method::LatinHypercube, Method::Sobol];
+
+fn run<M: Model>(model: &M, inputs: &[Distribution], settings: &Settings) -> Propagation {
+    propagate(model, inputs, settings, &mut |_, _| ControlFlow::Continue(())).unwrap()
+}
+
+fn normal(mean: f64, sd: f64) -> Distribution {
+    Distribution::normal(mean, sd).unwrap()
+}
+
+/// 3x₀ − 2x₁ + 10 and x₀: by blocks, as a vectorised model is.
+struct Linear;
+
+impl Model for Linear {
+    fn outputs(&self) -> usize {
+        2
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], _reasons: &mut [u8; LANES]) {
+        for lane in 0..LANES {
+            outputs[0][lane] = inputs[0][lane] * 3.0 - inputs[1][lane] * 2.0 + 10.0;
+            outputs[1][lane] = inputs[0][lane];
+        }
+    }
+}
+
+/// Of N(1, 1) and N(2, 2): mean 3 − 4 + 10 = 9, standard deviation √(9 + 16) = 5, quantiles 9 ± 5z.
+#[test]
+fn a_linear_model_is_exact_within_its_standard_errors() {
+    for method in METHODS {
+        let result = run(&Linear, &[normal(1.0, 1.0), normal(2.0, 2.0)], &Settings::new(method, 1 << 17, 9));
+        let summary = result.summaries()[0].unwrap();
+        // z at 75, 95, 97.5 and 99.5 % (mpmath).
+        let z = [0.674_489_750_196_082, 1.644_853_626_951_472, 1.959_963_984_540_054, 2.575_829_303_548_901];
+        let mut checks = vec![(summary.mean, 9.0), (summary.sd, 5.0), (summary.median, 9.0)];
+        for (interval, z) in summary.intervals.iter().zip(z) {
+            checks.extend([(interval.low, 9.0 - 5.0 * z), (interval.high, 9.0 + 5.0 * z)]);
+        }
+        for (estimate, exact) in checks {
+            let error = estimate.standard_error.unwrap();
+            // Student's t with 15 degrees of freedom is beyond 5 once in 6000.
+            assert!(
+                (estimate.value - exact).abs() < 5.0 * error,
+                "{method:?}: {estimate:?}, exactly {exact}"
+            );
+            assert!(error < 0.1, "{method:?}: {error}");
+        }
+    }
+}
+
+/// What is stated as a standard error must be what repetition with other seeds shows.
+#[test]
+fn standard_errors_are_the_spread_over_seeds() {
+    let seeds = 200;
+    let inputs = [normal(1.0, 0.5), Distribution::uniform(0.0, 2.0).unwrap(), normal(0.0, 1.0)];
+    let model = Function::new(1, |x: &[f64], y: &mut [f64]| {
+        y[0] = x[0] * x[0] + x[1] + 0.5 * x[2];
+        Ok(())
+    });
+    for method in METHODS {
+        // Value and stated error of mean, deviation, median and the ends of the 90 % interval.
+        let mut estimates: [Vec<(f64, f64)>; 5] = Default::default();
+        for seed in 0..seeds {
+            let summary = run(&model, &inputs, &Settings::new(method, 1 << 12, seed)).summaries()[0].unwrap();
+            let [_, interval, ..] = summary.intervals;
+            let all = [summary.mean, summary.sd, summary.median, interval.low, interval.high];
+            for (list, estimate) in estimates.iter_mut().zip(all) {
+                list.push((estimate.value, estimate.standard_error.unwrap()));
+            }
+        }
+        for (number, list) in estimates.iter().enumerate() {
+            let count = list.len() as f64;
+            let mean = list.iter().map(|(value, _)| value).sum::<f64>() / count;
+            let spread = list.iter().map(|(value, _)| (value - mean).powi(2)).sum::<f64>() / (count - 1.0);
+            let stated = list.iter().map(|(_, error)| error * error).sum::<f64>() / count;
+            // The spread of 200 is uncertain by 1/√400 = 5 %, four times over; quantiles of a replicate of 256 are a
+            // little biased against those of the whole, so that their errors come out somewhat great.
+            let ratio = (stated / spread).sqrt();
+            assert!((0.8..1.25).contains(&ratio), "{method:?}, estimate {number}: {ratio}");
+        }
+    }
+}
+
+/// On a smooth function, Latin hypercube and Sobol' points must do better than chance, by far.
+#[test]
+fn even_points_converge_faster() {
+    let inputs = vec![Distribution::uniform(0.0, 1.0).unwrap(); 5];
+    // Π (1 + (xᵢ − ½)/2), mean 1
+    let product = Function::new(1, |x: &[f64], y: &mut [f64]| {
+        y[0] = x.iter().map(|x| 1.0 + 0.5 * (x - 0.5)).product();
+        Ok(())
+    });
+    let error = |method, samples| {
+        let seeds = 20;
+        let squares: f64 = (0..seeds)
+            .map(|seed| {
+                let summary =
+                    run(&product, &inputs, &Settings::new(method, samples, seed)).summaries()[0].unwrap();
+                (summary.mean.value - 1.0).powi(2)
+            })
+            .sum();
+        (squares / seeds as f64).sqrt()
+    };
+    let [chance, latin, sobol] = METHODS.map(|method| error(method, 1 << 14));
+    assert!(latin < chance / 3.0, "{latin}, by chance {chance}");
+    assert!(sobol < chance / 50.0, "{sobol}, by chance {chance}");
+    // Four times the points halve an error by chance, and divide that of scrambled Sobol' points by nearly 8 (Owen 1997).
+    let finer = error(Method::Sobol, 1 << 16);
+    assert!(finer < sobol / 4.0, "{finer} after {sobol}");
+}
+
+#[test]
+fn failures_are_counted_by_reason() {
+    // √x fails below 0 with reason 3, and above 0.75 it forgets to say so.
+    let inputs = [Distribution::uniform(-1.0, 1.0).unwrap()];
+    let model = Function::new(1, |x: &[f64], y: &mut [f64]| {
+        y[0] = if x[0] > 0.75 { f64::NAN } else { x[0].sqrt() };
+        if x[0] < 0.0 { Err(3) } else { Ok(()) }
+    });
+    // Sixteen replicates of 64 strata each: exactly half fail, and an eighth is not finite.
+    let settings = Settings::new(Method::LatinHypercube, 1024, 2);
+    let result = run(&model, &inputs, &settings);
+    assert_eq!(result.failures().iter().collect::<Vec<_>>(), [(&3, &512), (&NOT_FINITE, &128)]);
+    assert_eq!((result.requested(), result.evaluated(), result.succeeded()), (1024, 1024, 384));
+    assert_eq!(result.summaries()[0].unwrap().samples, 384);
+    assert!(result.summaries()[0].unwrap().mean.value < 0.75_f64.sqrt());
+
+    // The sampler makes the inputs again, and the reasons fit them.
+    let sampler = Sampler::new(&inputs, &settings).unwrap();
+    let mut columns = [[0.0; LANES]];
+    for (block, reasons) in result.reasons().chunks(LANES).enumerate() {
+        sampler.fill(block as u64, &mut columns);
+        for (lane, (x, reason)) in columns[0].iter().zip(reasons).enumerate() {
+            let y = result.columns()[0][block * LANES + lane];
+            match *reason {
+                SUCCEEDED => assert_eq!(y, x.sqrt()),
+                3 => assert!(*x < 0.0 && y.is_nan()),
+                reason => assert!(reason == NOT_FINITE && *x > 0.75 && y.is_nan()),
+            }
+        }
+    }
+
+    let never = Function::new(1, |_: &[f64], _: &mut [f64]| Err(1));
+    let result = run(&never, &inputs, &settings);
+    assert_eq!((result.succeeded(), result.summaries()[0]), (0, None));
+}
+
+#[test]
+fn an_early_end_leaves_the_first_samples_of_the_whole_run() {
+    let inputs = [normal(0.0, 1.0), normal(5.0, 2.0)];
+    for method in METHODS {
+        let settings = Settings::new(method, 50_000, 4);
+        let whole = run(&Linear, &inputs, &settings);
+        let mut told = Vec::new();
+        let part = propagate(&Linear, &inputs, &settings, &mut |done, total| {
+            told.push(done);
+            assert_eq!(total, 50_000);
+            if told.len() > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })
+        .unwrap();
+        // Spans of 4096.
+        assert_eq!((part.requested(), part.evaluated()), (50_000, 3 * 4096));
+        for (part, whole) in part.columns().iter().zip(whole.columns()) {
+            assert_eq!(*part, whole[..3 * 4096]);
+        }
+        let summary = part.summaries()[1].unwrap();
+        assert!(summary.mean.value.abs() < 6.0 * summary.mean.standard_error.unwrap(), "{method:?}");
+        assert!(told.is_sorted());
+    }
+    let none =
+        propagate(
+            &Linear,
+            &inputs,
+            &Settings::new(Method::Sobol, 100, 4),
+            &mut |_, _| ControlFlow::Break(()),
+        )
+        .unwrap();
+    assert_eq!((none.evaluated(), none.summaries()[0]), (0, None));
+}
+
+/// FNV-1a, 64 bits, over all samples and statistics.
+fn hash(result: &Propagation) -> u64 {
+    let statistics = result.summaries().iter().flatten().flat_map(|summary| {
+        let ends = summary.intervals.into_iter().flat_map(|interval| [interval.low, interval.high]);
+        let estimates = [summary.mean, summary.sd, summary.median].into_iter().chain(ends);
+        estimates
+            .flat_map(|estimate| [estimate.value, estimate.standard_error.unwrap_or(-1.0)])
+            .collect::<Vec<_>>()
+    });
+    let samples = result.columns().iter().flatten().copied();
+    samples
+        .chain(statistics)
+        .flat_map(|value| value.to_bits().to_le_bytes())
+        .fold(0xCBF2_9CE4_8422_2325, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3)
+        })
+}
+
+fn of_every_kind() -> [Distribution; 4] {
+    [
+        normal(1.0, 0.25),
+        Distribution::truncated_normal(0.3, 0.2, 0.0, 1.0).unwrap(),
+        Distribution::uniform(-1.0, 4.0).unwrap(),
+        Distribution::triangular(0.0, 1.0, 3.0).unwrap(),
+    ]
+}
+
+/// Two outputs of all four inputs, one of them by division.
+struct Mixed;
+
+impl Model for Mixed {
+    fn outputs(&self) -> usize {
+        2
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
+        for lane in 0..LANES {
+            let [a, b, c, d] = [0, 1, 2, 3].map(|input: usize| inputs[input][lane]);
+            outputs[0][lane] = a * b + c / (d + 1.0);
+            outputs[1][lane] = a - c;
+            reasons[lane] = if c > 3.9 { 7 } else { SUCCEEDED };
+        }
+    }
+}
+
+/// The pins say nothing about being right, which the tests above do. They guarantee that the bits stay the same on every platform, for any number of threads, for
+/// each instruction set, with and without the feature `parallel`, and at every optimisation level. Renew them only for a change that was meant.
+#[test]
+fn bits_are_pinned_for_every_instruction_set() {
+    let available = Instructions::available();
+    assert!(!available.is_empty());
+    let pins = [0x06B2_0925_7DE0_EBD8, 0xCDC9_05D5_A89B_3CD4, 0x39C0_47A5_6263_713E];
+    let hashes = METHODS.map(|method| {
+        let hashes: Vec<u64> = available
+            .iter()
+            .map(|&instructions| {
+                let settings = Settings { instructions, ..Settings::new(method, 20_011, 42) };
+                hash(&run(&Mixed, &of_every_kind(), &settings))
+            })
+            .collect();
+        assert!(hashes.iter().all(|hash| *hash == hashes[0]), "{method:?}: {hashes:x?}");
+        hashes[0]
+    });
+    assert_eq!(hashes, pins, "{hashes:#018X?}");
+}
+
+/// Needs the feature `parallel`, which the benchmarks switch on for the whole workspace.
+#[cfg(feature = "parallel")]
+#[test]
+fn any_number_of_threads_gives_the_same_bits() {
+    let settings = Settings::new(Method::LatinHypercube, 30_001, 5);
+    let hashes: Vec<u64> = (1..=7)
+        .map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| hash(&run(&Mixed, &of_every_kind(), &settings)))
+        })
+        .collect();
+    assert!(hashes.iter().all(|hash| *hash == hashes[0]), "{hashes:x?}");
+}
+
+#[test]
+fn requests_that_make_no_sense_are_refused() {
+    let refusal = |inputs: &[Distribution], samples| {
+        let settings = Settings::new(Method::MonteCarlo, samples, 1);
+        propagate(&Linear, inputs, &settings, &mut |_, _| ControlFlow::Continue(())).unwrap_err()
+    };
+    assert_eq!(refusal(&[], 1000), InvalidRequest::NoInputs);
+    let few = refusal(&[normal(0.0, 1.0); 2], 10);
+    assert_eq!(few.to_string(), "the number of samples must be between 64 and 4294967296, and is 10");
+}
