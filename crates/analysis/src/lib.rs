@@ -11,7 +11,8 @@
 //! # }
 //! ```
 //!
-//! [`compare`] puts the answers of all impact laws and of CRASH3 side by side; [`sensitivity`] says how much the answer moves with each estimate.
+//! [`compare`] puts the answers of all impact laws and of CRASH3 side by side; [`sensitivity`] says how much the answer moves with each estimate;
+//! [`work_curve`] is the work of the normal impulse over the speed, for a drawing.
 //!
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
 //! [`Warning`]s. A [`Failure`] says whether the file or the physics is to blame.
@@ -21,11 +22,13 @@
 //! It adds no equation: those stand in `pim-core`, `crash3` and `reconcile`. It reads no file and writes no text (`case`, `report`).
 
 mod compare;
+mod curve;
 mod damage;
 mod sensitivity;
 mod warning;
 
 pub use compare::{Comparison, LawRow, compare};
+pub use curve::{WorkPoint, work_curve};
 pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
 pub use warning::Warning;

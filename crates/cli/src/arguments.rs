@@ -60,6 +60,16 @@ pub(crate) enum Command {
             deltav sensitivity fixtures/sae-980025.toml --pdof-step 10 --pdof-steps 1 --format json"
     )]
     Sensitivity(SensitivityArguments),
+    /// Draw the scene, the damage, the reconciliation or the energy, as SVG or PNG
+    #[command(
+        long_about = "Draw the scene, the damage, the reconciliation or the energy, as SVG or PNG.\n\n\
+            A case with [reconstruct] is reconstructed first; another with both speeds is computed forward; one without [impact] has its damage alone to draw. \
+            Scene and damage are to scale. A vehicle without length, width and cg_to_front or class is drawn with the outline of the CRASH3 size class \
+            whose radius of gyration is nearest to its own; the legend says so.",
+        after_help = "Examples:\n  deltav draw fixtures/sae-980025.toml --what scene -o scene.svg\n  \
+            deltav draw fixtures/sae-980025.toml --what energy -o energy.png"
+    )]
+    Draw(DrawArguments),
     /// Show the program's own error rate, on staged collisions that it carries
     #[command(
         long_about = "Show the program's own error rate, on staged collisions that it carries.\n\n\
@@ -74,6 +84,36 @@ pub(crate) enum Command {
             Exit status: 0 all that is claimed comes out; 1 something that is claimed does not."
     )]
     Validate(ValidateArguments),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DrawArguments {
+    /// The case file (TOML), or - for standard input
+    pub(crate) case: PathBuf,
+
+    /// What to draw
+    #[arg(long, value_enum)]
+    pub(crate) what: What,
+
+    /// Units of the drawing; without this, those that most of the case file is written in
+    #[arg(long, value_enum)]
+    pub(crate) units: Option<UnitSystem>,
+
+    /// Write to FILE, whose name ends in .svg or .png; without this, SVG to standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum What {
+    /// Plan view at impact: outlines, contact point, crush plane, impulse, velocities, PDOF
+    Scene,
+    /// Each damaged vehicle with its crush profile in place
+    Damage,
+    /// Work of the normal impulse over the speed sought
+    Reconciliation,
+    /// Where the initial kinetic energy went
+    Energy,
 }
 
 #[derive(Debug, Args)]

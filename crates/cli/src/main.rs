@@ -1,6 +1,7 @@
 //! `deltav`: arguments, files and exit codes. All else is in the libraries.
 
 mod arguments;
+mod draw;
 
 use std::fs;
 use std::io::{self, ErrorKind, Read as _, Write as _};
@@ -14,7 +15,7 @@ use arguments::{
 };
 use case::{Case, CaseFile};
 use clap::Parser as _;
-use report::Units;
+use report::{DrawingError, Units};
 use validation::{Data, Validation};
 
 /// The case is well formed, but no answer exists; or a claim of the validation fails.
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
         Command::Crush(arguments) => report_analysis(&arguments, analysis::crush),
         Command::Compare(arguments) => report_comparison(&arguments),
         Command::Sensitivity(arguments) => report_sensitivity(&arguments),
+        Command::Draw(arguments) => draw::draw(&arguments),
         Command::Validate(arguments) => validate(&arguments),
     };
     match result {
@@ -49,25 +51,26 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
         Some(Failure::Case(_)) => ("", WRONG_INPUT),
         Some(_) => ("error: ", NO_ANSWER),
         None if error.is::<NotReproduced>() => ("error: ", NO_ANSWER),
+        None if error.is::<DrawingError>() => ("error: ", NO_ANSWER),
         None => ("error: ", WRONG_INPUT),
     }
 }
 
 fn report_analysis(arguments: &Arguments, analyse: fn(&CaseFile) -> Result<Analysis, Failure>) -> Result<()> {
-    let file = case_file(arguments)?;
+    let file = case_file(&arguments.case)?;
     let analysis = analyse(&file)?;
     let output = match arguments.format {
-        Format::Text => report::text(&file.case, &analysis, units(arguments, &file)),
+        Format::Text => report::text(&file.case, &analysis, units(arguments.units, &file)),
         Format::Json => report::json(&file.case, &analysis)?,
     };
     write(arguments.output.as_deref(), &output)
 }
 
 fn report_comparison(arguments: &Arguments) -> Result<()> {
-    let file = case_file(arguments)?;
+    let file = case_file(&arguments.case)?;
     let comparison = analysis::compare(&file)?;
     let output = match arguments.format {
-        Format::Text => report::comparison_text(&file.case, &comparison, units(arguments, &file)),
+        Format::Text => report::comparison_text(&file.case, &comparison, units(arguments.units, &file)),
         Format::Json => report::comparison_json(&file.case, &comparison)?,
     };
     write(arguments.output.as_deref(), &output)
@@ -76,23 +79,23 @@ fn report_comparison(arguments: &Arguments) -> Result<()> {
 fn report_sensitivity(
     SensitivityArguments { arguments, pdof_step, pdof_steps }: &SensitivityArguments,
 ) -> Result<()> {
-    let file = case_file(arguments)?;
+    let file = case_file(&arguments.case)?;
     let sweep = Sweep { step: pdof_step.to_radians(), steps: *pdof_steps };
     let sensitivity = analysis::sensitivity(&file, sweep)?;
     let output = match arguments.format {
-        Format::Text => report::sensitivity_text(&file.case, &sensitivity, units(arguments, &file)),
+        Format::Text => report::sensitivity_text(&file.case, &sensitivity, units(arguments.units, &file)),
         Format::Json => report::sensitivity_json(&file.case, &sensitivity)?,
     };
     write(arguments.output.as_deref(), &output)
 }
 
-fn case_file(arguments: &Arguments) -> Result<CaseFile> {
-    let (name, text) = read(&arguments.case)?;
+fn case_file(path: &Path) -> Result<CaseFile> {
+    let (name, text) = read(path)?;
     Ok(Case::parse(&name, &text).map_err(Failure::from)?)
 }
 
-fn units(arguments: &Arguments, file: &CaseFile) -> Units {
-    match arguments.units {
+fn units(asked: Option<UnitSystem>, file: &CaseFile) -> Units {
+    match asked {
         Some(UnitSystem::Si) => Units::Si,
         Some(UnitSystem::Us) => Units::Us,
         None => Units::of_case(&file.case),
@@ -165,12 +168,13 @@ fn read(path: &Path) -> Result<(String, String)> {
     Ok((name, text))
 }
 
-fn write(path: Option<&Path>, output: &str) -> Result<()> {
+fn write(path: Option<&Path>, output: impl AsRef<[u8]>) -> Result<()> {
+    let output = output.as_ref();
     match path {
         Some(path) => {
             fs::write(path, output).with_context(|| format!("cannot write the output to {}", path.display()))
         }
-        None => match io::stdout().write_all(output.as_bytes()) {
+        None => match io::stdout().write_all(output) {
             // Whoever reads has read enough, as `head` does.
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
             written => written.context("cannot write to standard output"),

@@ -23,6 +23,7 @@
 //! It computes nothing, and it draws no vehicles.
 
 mod comparison;
+mod drawing;
 mod json;
 mod law;
 mod sensitivity;
@@ -32,6 +33,7 @@ mod units;
 mod warnings;
 
 pub use comparison::{comparison_json, comparison_text};
+pub use drawing::{Drawing, DrawingError, Subject, drawing};
 pub use json::json;
 pub use sensitivity::{sensitivity_json, sensitivity_text};
 pub use staged::{
