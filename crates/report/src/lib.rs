@@ -28,6 +28,7 @@ mod json;
 mod law;
 mod sensitivity;
 mod staged;
+mod steps;
 mod text;
 mod units;
 mod warnings;
@@ -40,6 +41,7 @@ pub use staged::{
     PlotError, computed_against_measured, reconstructed_speed, validation_headline, validation_json,
     validation_markdown, validation_text,
 };
+pub use steps::{Step, StepGroup, steps};
 pub use text::text;
 pub use units::Units;
 pub use warnings::message;

@@ -82,7 +82,7 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
     legend::scale_bar(&mut canvas, "scale", Point::new(EDGE + 4.0, bottom + 14.0), bar, "");
     let fill = canvas.pattern("crushed");
     let entries = [
-        (Sample::Box(CRUSHED, fill), "crushed: between the face and the profile".to_owned()),
+        (Sample::Box(CRUSHED, fill), "crushed area of the side".to_owned()),
         (Sample::Line(CRUSHED), "profile through the stations C1, C2 …".to_owned()),
         (Sample::CentreOfGravity, "CG: centre of gravity".to_owned()),
     ];
@@ -177,6 +177,8 @@ impl Panel<'_> {
         let side = vehicle.crush.as_ref().map_or("", |crush| crate::side_name(crush.side));
         let width = units.format(Quantity::Crush, damage.width);
         let mut sentences = vec![font::cut(&format!("Vehicle {number}{name}"), SMALL, most)];
+        // The unit does not go to a line of its own.
+        let unit = &format!(" {}", units.name(Quantity::Crush));
         let crush = match &damage.inferred {
             Some(inferred) => format!(
                 "{side}, {width} wide; inferred from the force: {} deep",
@@ -185,7 +187,9 @@ impl Panel<'_> {
             None => format!(
                 "{side}, {width} wide; C1 to C{}: {}",
                 damage.depths.len(),
-                units.format_all(Quantity::Crush, &damage.depths)
+                units
+                    .format_all(Quantity::Crush, &damage.depths)
+                    .replace(unit, &format!("\u{a0}{}", unit.trim_start()))
             ),
         };
         sentences.extend(font::lines(&format!("Damage: {crush}."), SMALL, most));

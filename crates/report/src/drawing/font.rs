@@ -40,7 +40,7 @@ pub(super) fn cut(text: &str, size: f64, most: f64) -> String {
 /// The text in lines of at most the given width (px), broken at blanks.
 pub(super) fn lines(text: &str, size: f64, most: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
+    for word in text.split(' ') {
         match lines.last_mut() {
             Some(line) if width(&format!("{line} {word}"), size) <= most => {
                 line.push(' ');

@@ -14,9 +14,9 @@ use crate::units::{Quantity, number};
 /// Steps of the curve.
 const SAMPLES: usize = 240;
 /// (px) of the plot.
-const PLOT: Rect = Rect::new(EDGE + 92.0, HEADER + 16.0, WIDTH - EDGE - 16.0, HEADER + 400.0);
+const PLOT: Rect = Rect::new(EDGE + 92.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 418.0);
 /// (px) height of the page.
-const HEIGHT: f64 = HEADER + 540.0;
+const HEIGHT: f64 = HEADER + 556.0;
 /// How far the plot reaches above the highest work of interest.
 const ABOVE: f64 = 1.45;
 /// The root itself.
@@ -62,8 +62,8 @@ pub(super) fn draw(file: &CaseFile, analysis: &Analysis, units: Units) -> Result
     };
     let energy = units.format(Quantity::Energy, found.normal_work);
     let entries = [
-        (Sample::Line(CURVE), "W_n: work of the normal impulse".to_owned()),
-        (Sample::Line(LEVEL), format!("W_n sought: {energy}")),
+        (Sample::Line(CURVE), "Wₙ: work of the normal impulse".to_owned()),
+        (Sample::Line(LEVEL), format!("Wₙ sought: {energy}")),
         (Sample::Dot(None, BLACK), format!("the speed found: {answer}")),
         (Sample::Dot(Some(THIN), WHITE), steps),
     ];
@@ -136,8 +136,8 @@ impl Axes {
         let below = Point::new(PLOT.center().x, PLOT.y1 + 40.0);
         let speed = format!("speed of vehicle {vehicle} ({})", units.name(Quantity::Speed));
         canvas.text(below, &speed, SMALL, Anchor::Middle, GREY);
-        let above = Point::new(EDGE, PLOT.y0 - 2.0);
-        let work = format!("W_n ({})", units.name(Quantity::Energy));
+        let above = Point::new(EDGE, PLOT.y0 - 16.0);
+        let work = format!("Wₙ ({})", units.name(Quantity::Energy));
         canvas.text(above, &work, SMALL, Anchor::Start, GREY);
     }
 

@@ -7,7 +7,7 @@ use kurbo::{Affine, BezPath, Point, Rect, Vec2};
 use super::canvas::{Anchor, Canvas, Head, SMALL};
 use super::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use super::pens::{
-    self, AFTER, AXIS, BEFORE, BLACK, FILL, GREY, HEADING, IMPULSE, OUTLINE, PALE, PDOF, PLANE, Pen, THIN,
+    AFTER, AXIS, BEFORE, BLACK, FILL, GREY, HEADING, IMPULSE, OUTLINE, PALE, PDOF, PLANE, Pen, THIN,
 };
 use super::vehicle::{Body, placed};
 use super::{Drawing, DrawingError, Subject, font};
@@ -27,8 +27,8 @@ const AXES: f64 = 52.0;
 const MARGIN: f64 = 34.0;
 /// (px/m) the largest scale: a small vehicle does not fill the page.
 const LARGEST: f64 = 130.0;
-/// (m) half the length of the wall that stands for a fixed object without an outline, and its thickness.
-const WALL: f64 = 2.6;
+/// (m) how far the wall that stands for a fixed object without an outline reaches beyond the vehicle at it, and its thickness.
+const WALL: f64 = 0.7;
 const WALL_DEPTH: f64 = 0.5;
 /// (m/s) below this there is no arrow.
 const SLOWEST: f64 = 1e-6;
@@ -81,18 +81,21 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
     let arrows = Arrows { impact, per_speed };
     let (scale, origin) = fit(&scene, &arrows);
 
-    let mut page = Page { canvas: Canvas::new(Subject::Scene.name(), WIDTH, 0.0), units, scale, origin };
-    // The height follows from the legend.
-    let entries = Page::entries(&scene);
     let bar_row = HEADER + SCENE + 30.0;
-    let height = bar_row + 22.0 + 24.0 * (entries.len().div_ceil(3) as f64 + 0.5) + 10.0;
-    page.canvas = Canvas::new(Subject::Scene.name(), WIDTH, height);
-
+    #[expect(clippy::cast_precision_loss, reason = "a legend has few entries")]
+    let rows = (7 + scene.len()).div_ceil(3) as f64;
+    let height = bar_row + 22.0 + 24.0 * (rows + 0.5) + 10.0;
+    let canvas = Canvas::new(Subject::Scene.name(), WIDTH, height);
+    let mut page = Page { canvas, units, scale, origin, wall: wall_ends(&scene, impact) };
     let title = case.title.as_deref().unwrap_or("Untitled case");
     legend::header(&mut page.canvas, title, "Plan view at impact, to scale");
+    // The bodies lie over each other: all areas first, so that no edge is hidden.
+    for (i, placed) in scene.iter().enumerate() {
+        page.area(placed, impact, i);
+    }
     page.plane(impact);
     for (i, placed) in scene.iter().enumerate() {
-        page.outline(placed, impact, i);
+        page.edge(placed, i);
     }
     page.axes(impact);
     for (i, placed) in scene.iter().enumerate().filter(|(_, placed)| !placed.fixed) {
@@ -100,11 +103,12 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
     }
     page.impulse(impact);
     for (i, placed) in scene.iter().enumerate() {
-        page.name(case, placed, i);
+        page.name(case, impact, placed, i);
     }
     page.frame();
     page.canvas.place_labels(area());
     page.scales(bar_row, &arrows);
+    let entries = page.entries(&scene);
     legend::legend(&mut page.canvas, bar_row + 22.0, 3, &entries);
     Ok(Drawing::new(
         Subject::Scene,
@@ -163,7 +167,10 @@ fn fit(scene: &[Placed; 2], arrows: &Arrows) -> (f64, Point) {
                 let there = placed_on_page(placed, Point::ZERO, scale);
                 points.extend(body.corners().map(|corner| (there * corner).to_vec2()));
             } else if placed.fixed {
-                points.extend(wall(arrows.impact, i).map(|corner| flipped(corner) * scale));
+                points.extend(
+                    wall(arrows.impact, wall_ends(scene, arrows.impact), i)
+                        .map(|corner| flipped(corner) * scale),
+                );
             }
             if !placed.fixed {
                 points.push(cg);
@@ -202,12 +209,28 @@ fn placed_on_page(placed: &Placed, origin: Point, scale: f64) -> Affine {
 }
 
 /// (m) the corners of the wall that stands for a fixed object: on the far side of the crush plane.
-fn wall(impact: &Impact, i: usize) -> [Vec2; 4] {
+fn wall(impact: &Impact, [low, high]: [f64; 2], i: usize) -> [Vec2; 4] {
     let n = vec2(impact.contact.normal());
     let t = Vec2::new(-n.y, n.x);
     // n points from vehicle 2 to vehicle 1.
     let away = if i == 0 { n } else { -n };
-    [t * WALL, t * WALL + away * WALL_DEPTH, -t * WALL + away * WALL_DEPTH, -t * WALL]
+    [t * high, t * high + away * WALL_DEPTH, t * low + away * WALL_DEPTH, t * low]
+}
+
+/// (m) how far a wall reaches along t from C: beyond the whole of the other vehicle.
+fn wall_ends(scene: &[Placed; 2], impact: &Impact) -> [f64; 2] {
+    let n = vec2(impact.contact.normal());
+    let t = Vec2::new(-n.y, n.x);
+    let mut ends = [-WALL, WALL];
+    for placed in scene {
+        let Some(body) = &placed.body else { continue };
+        let left = Vec2::new(-placed.forward.y, placed.forward.x);
+        for corner in body.corners() {
+            let along = (placed.cg + placed.forward * corner.x + left * corner.y).dot(t);
+            ends = [ends[0].min(along - WALL), ends[1].max(along + WALL)];
+        }
+    }
+    ends
 }
 
 struct Page {
@@ -215,6 +238,8 @@ struct Page {
     units: Units,
     scale: f64,
     origin: Point,
+    /// (m) along t from C, where there is a wall.
+    wall: [f64; 2],
 }
 
 impl Page {
@@ -246,25 +271,30 @@ impl Page {
         self.canvas.label(b, "crush plane", GREY);
     }
 
-    fn outline(&mut self, placed: &Placed, impact: &Impact, i: usize) {
-        let Some(body) = &placed.body else {
-            if placed.fixed {
-                self.canvas.define_stripes("wall", GREY, PALE, 45, 8.0);
-                let mut path = BezPath::new();
-                for (k, corner) in wall(impact, i).into_iter().enumerate() {
-                    let corner = self.at(corner);
-                    if k == 0 { path.move_to(corner) } else { path.line_to(corner) }
-                }
-                path.close_path();
-                let fill = self.canvas.pattern("wall");
-                self.canvas.path(&format!("outline-{}", i + 1), &path, Some(THIN), &fill);
+    fn area(&mut self, placed: &Placed, impact: &Impact, i: usize) {
+        if let Some(body) = &placed.body {
+            let there = placed_on_page(placed, self.origin, self.scale);
+            self.canvas.path("", &(there * body.outline()), None, FILL[i]);
+        } else if placed.fixed {
+            self.canvas.define_stripes("wall", GREY, PALE, 45, 8.0);
+            let mut path = BezPath::new();
+            for (k, corner) in wall(impact, self.wall, i).into_iter().enumerate() {
+                let corner = self.at(corner);
+                if k == 0 { path.move_to(corner) } else { path.line_to(corner) }
             }
-            return;
-        };
+            path.close_path();
+            let fill = self.canvas.pattern("wall");
+            self.canvas.path(&format!("outline-{}", i + 1), &path, Some(THIN), &fill);
+        }
+    }
+
+    fn edge(&mut self, placed: &Placed, i: usize) {
+        let Some(body) = &placed.body else { return };
         let there = placed_on_page(placed, self.origin, self.scale);
-        self.canvas.path(&format!("outline-{}", i + 1), &(there * body.outline()), Some(OUTLINE[i]), FILL[i]);
+        let id = format!("outline-{}", i + 1);
+        self.canvas.path(&id, &(there * body.outline()), Some(OUTLINE[i]), "none");
         let edge = Pen { width: 1.0, ..OUTLINE[i] };
-        self.canvas.path("", &(there * body.windscreen()), Some(edge), pens::WHITE);
+        self.canvas.path("", &(there * body.windscreen()), Some(edge), "none");
     }
 
     fn axes(&mut self, impact: &Impact) {
@@ -318,7 +348,7 @@ impl Page {
         self.canvas.label(tip, &text, BLACK);
     }
 
-    fn name(&mut self, case: &Case, placed: &Placed, i: usize) {
+    fn name(&mut self, case: &Case, impact: &Impact, placed: &Placed, i: usize) {
         let name = case.vehicles[i].name.as_deref();
         let number = i + 1;
         let text = match (name, placed.fixed) {
@@ -327,8 +357,19 @@ impl Page {
             (None, false) => format!("vehicle {number}"),
         };
         let at = match &placed.body {
-            Some(body) => placed_on_page(placed, self.origin, self.scale) * body.middle(),
-            None => self.at(placed.cg),
+            // Well away from C, where the arrows are.
+            Some(body) => {
+                let there = placed_on_page(placed, self.origin, self.scale);
+                let length = body.dimensions.length;
+                let ends =
+                    [0.36, -0.36].map(|share| there * (body.middle() + Vec2::new(share * length, 0.0)));
+                let [front, rear] = ends.map(|end| (end - self.origin).hypot());
+                if front > rear { ends[0] } else { ends[1] }
+            }
+            None => {
+                let [_, outer, inner, _] = wall(impact, self.wall, i).map(|corner| self.at(corner));
+                outer.midpoint(inner)
+            }
         };
         self.canvas.label(at, &font::cut(&text, SMALL, 240.0), BLACK);
     }
@@ -356,7 +397,7 @@ impl Page {
         legend::scale_bar(&mut self.canvas, "velocity-scale", at, velocity, " for the arrows of velocity");
     }
 
-    fn entries(scene: &[Placed; 2]) -> Vec<(Sample, String)> {
+    fn entries(&self, scene: &[Placed; 2]) -> Vec<(Sample, String)> {
         let mut entries = vec![
             (Sample::Arrow(BEFORE, Head::Filled), "v: velocity of the CG before impact".to_owned()),
             (Sample::Arrow(AFTER, Head::Open), "V: velocity of the CG after impact".to_owned()),
@@ -374,7 +415,11 @@ impl Page {
                     format!("outline {}: CRASH3 class {class}{why}", i + 1)
                 }
                 (Some(_), _) => format!("outline {}, as given", i + 1),
-                (None, true) => format!("{}: fixed object", i + 1),
+                (None, true) => {
+                    let fill = self.canvas.pattern("wall");
+                    entries.push((Sample::Box(THIN, fill), format!("{}: fixed object", i + 1)));
+                    continue;
+                }
                 (None, false) => continue,
             };
             entries.push((Sample::Box(OUTLINE[i], FILL[i].to_owned()), text));
