@@ -24,23 +24,24 @@ pub(crate) enum Command {
             Varies the speed that [reconstruct] names until the work of the normal impulse equals the crush energy of both \
             vehicles.",
         after_help = "Example:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
-            deltav reconstruct fixtures/sae-980025.toml --format json -o result.json"
+            deltav reconstruct fixtures/sae-980025.toml --format json -o result.json\n  \
+            deltav reconstruct fixtures/sae-980025.toml --format html -o report.html"
     )]
-    Reconstruct(Arguments),
+    Reconstruct(ReportArguments),
     /// Compute what an impact does, both speeds given
     #[command(
         long_about = "Compute what an impact does, both speeds given.\n\n\
             Planar impact mechanics forward: impulse, motion after, ΔV, PDOF and energy. Damage is assessed beside it where the case has it.",
         after_help = "Example:\n  deltav impact fixtures/sae-980025-impact.toml"
     )]
-    Impact(Arguments),
+    Impact(ReportArguments),
     /// Compute crush energy and ΔV from damage and PDOF alone (CRASH3)
     #[command(
         long_about = "Compute crush energy and ΔV from damage and PDOF alone (CRASH3).\n\n\
             Each damaged vehicle needs a PDOF in its crush table, as no impact is computed that could give it.",
         after_help = "Example:\n  deltav crush fixtures/sae-980025-crush.toml"
     )]
-    Crush(Arguments),
+    Crush(ReportArguments),
     /// Put the answers of every impact law and of CRASH3 side by side
     #[command(
         long_about = "Put the answers of every impact law and of CRASH3 side by side.\n\n\
@@ -84,6 +85,33 @@ pub(crate) enum Command {
             Exit status: 0 all that is claimed comes out; 1 something that is claimed does not."
     )]
     Validate(ValidateArguments),
+}
+
+/// Of the commands that have a report to hand over.
+#[derive(Debug, Args)]
+pub(crate) struct ReportArguments {
+    /// The case file (TOML), or - for standard input
+    pub(crate) case: PathBuf,
+
+    /// Text for people, JSON in SI units and radians for programs, or a report to hand over: one HTML file with drawings, or Markdown
+    #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
+    pub(crate) format: ReportFormat,
+
+    /// Units of the text; without this, those that most of the case file is written in
+    #[arg(long, value_enum)]
+    pub(crate) units: Option<UnitSystem>,
+
+    /// Write to FILE instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ReportFormat {
+    Text,
+    Json,
+    Html,
+    Markdown,
 }
 
 #[derive(Debug, Args)]

@@ -11,7 +11,8 @@ use std::process::ExitCode;
 use analysis::{Analysis, Failure, Sweep};
 use anyhow::{Context as _, Result};
 use arguments::{
-    Arguments, Command, Format, PageFormat, SensitivityArguments, UnitSystem, ValidateArguments,
+    Arguments, Command, Format, PageFormat, ReportArguments, ReportFormat, SensitivityArguments, UnitSystem,
+    ValidateArguments,
 };
 use case::{Case, CaseFile};
 use clap::Parser as _;
@@ -56,12 +57,18 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
     }
 }
 
-fn report_analysis(arguments: &Arguments, analyse: fn(&CaseFile) -> Result<Analysis, Failure>) -> Result<()> {
+fn report_analysis(
+    arguments: &ReportArguments,
+    analyse: fn(&CaseFile) -> Result<Analysis, Failure>,
+) -> Result<()> {
     let file = case_file(&arguments.case)?;
     let analysis = analyse(&file)?;
+    let units = units(arguments.units, &file);
     let output = match arguments.format {
-        Format::Text => report::text(&file.case, &analysis, units(arguments.units, &file)),
-        Format::Json => report::json(&file.case, &analysis)?,
+        ReportFormat::Text => report::text(&file.case, &analysis, units),
+        ReportFormat::Json => report::json(&file.case, &analysis)?,
+        ReportFormat::Html => report::html(&file, &analysis, units)?,
+        ReportFormat::Markdown => report::markdown(&file, &analysis, units)?,
     };
     write(arguments.output.as_deref(), &output)
 }

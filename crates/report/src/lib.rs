@@ -26,6 +26,7 @@ mod comparison;
 mod drawing;
 mod json;
 mod law;
+mod page;
 mod sensitivity;
 mod staged;
 mod steps;
@@ -36,6 +37,7 @@ mod warnings;
 pub use comparison::{comparison_json, comparison_text};
 pub use drawing::{Drawing, DrawingError, Subject, drawing};
 pub use json::json;
+pub use page::{html, markdown};
 pub use sensitivity::{sensitivity_json, sensitivity_text};
 pub use staged::{
     PlotError, computed_against_measured, reconstructed_speed, validation_headline, validation_json,

@@ -384,7 +384,7 @@ impl Collision<'_> {
 
     fn approach(&self) -> Vec<Step> {
         let outcome = &self.impact.outcome;
-        let (u, gamma) = (outcome.approach, self.gamma);
+        let u = outcome.approach;
         let mut steps = Vec::new();
         let found = self.analysis.found.as_ref();
         for (i, ..) in self.moving() {
