@@ -92,18 +92,24 @@ fn given(
 /// (digits) that say that a number is rounded.
 const DIGITS: usize = 6;
 
-/// A number as it is printed: exact where that takes fewer than six digits, else with six.
+/// What is smaller is the rounding of a zero: no quantity of a collision is as small in SI units.
+const NOTHING: f64 = 1e-12;
+
+/// A number as it is printed: exact where that takes fewer than six digits, else with six. What a conversion of units leaves in the
+/// thirteenth digit does not count.
 fn digits(value: f64) -> String {
-    let value = if value == 0.0 { 0.0 } else { value };
-    let shortest = format!("{value}");
-    let significant_digits =
-        shortest.trim_start_matches(['-', '0', '.']).chars().filter(char::is_ascii_digit).count();
-    let text = if significant_digits < DIGITS && value.abs() < 1e6 && (value == 0.0 || value.abs() >= 1e-5) {
-        shortest
-    } else {
-        rounded(value)
+    let value = if value.abs() < NOTHING { 0.0 } else { value };
+    let text = match format!("{value:.11e}").parse::<f64>() {
+        Ok(plain) if is_short(plain) => format!("{plain}"),
+        _ => rounded(value),
     };
     text.replace('-', "−")
+}
+
+fn is_short(value: f64) -> bool {
+    let text = format!("{value}");
+    let digits = text.trim_start_matches(['-', '0', '.']).chars().filter(char::is_ascii_digit).count();
+    digits < DIGITS && (value == 0.0 || (1e-5..1e6).contains(&value.abs()))
 }
 
 /// Six significant digits; a factor of a power of ten only where the number would be long.

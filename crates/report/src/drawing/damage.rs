@@ -18,8 +18,8 @@ const ROOM: f64 = 430.0;
 const MARGIN: f64 = 44.0;
 /// (px/m)
 const LARGEST: f64 = 130.0;
-/// (px) the least distance between the names of two stations.
-const APART: f64 = 24.0;
+/// (px) the least distance between the names of two stations, with one figure and with more.
+const APART: [f64; 2] = [19.0, 30.0];
 /// (px) how far beyond the face the names of stations stand.
 const BESIDE: f64 = 20.0;
 /// (px) height of a line of the captions.
@@ -142,12 +142,13 @@ impl Panel<'_> {
     fn stations(&self, canvas: &mut Canvas, face: &[Point], crushed: &[Point]) {
         let outward = Vec2::new(-self.profile.outward.y, -self.profile.outward.x);
         let shortest = face.windows(2).map(|pair| (pair[1] - pair[0]).hypot()).fold(f64::INFINITY, f64::min);
+        let apart = if face.len() < 10 { APART[0] } else { APART[1] };
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "a small positive number"
         )]
-        let every = (APART / shortest.max(0.1)).ceil().max(1.0) as usize;
+        let every = (apart / shortest.max(0.1)).ceil().max(1.0) as usize;
         let last = face.len().saturating_sub(1);
         for (j, (&on_face, &deep)) in face.iter().zip(crushed).enumerate() {
             canvas.dot("", deep, 2.2, None, BLACK);

@@ -39,10 +39,6 @@ pub(super) fn draw(file: &CaseFile, analysis: &Analysis, units: Units) -> Result
     axes.curve(&mut canvas, "sought", &curve, LEVEL, |point| point.sought);
     axes.curve(&mut canvas, "work", &curve, CURVE, |point| point.normal_work);
     let top = |energy: f64| axes.at(0.0, energy).y.clamp(PLOT.y0, PLOT.y1);
-    for step in &found.iterations {
-        let at = Point::new(axes.at(step.speed, 0.0).x, top(step.normal_work));
-        canvas.dot("", at, 3.0, Some(THIN), WHITE);
-    }
     for &speed in found.admissible.iter().skip(1) {
         let at = axes.at(speed, axes.sought(&curve, speed));
         canvas.dot("", at, 6.0, Some(ROOT), WHITE);
@@ -50,7 +46,12 @@ pub(super) fn draw(file: &CaseFile, analysis: &Analysis, units: Units) -> Result
     }
     let root = axes.at(found.speed, found.normal_work);
     canvas.line("", root, Point::new(root.x, PLOT.y1), Pen { dashes: "2 3", ..THIN });
-    canvas.dot("root", root, 5.0, None, BLACK);
+    canvas.dot("root", root, 6.0, None, BLACK);
+    // Over the root: the last steps are all on it.
+    for step in &found.iterations {
+        let at = Point::new(axes.at(step.speed, 0.0).x, top(step.normal_work));
+        canvas.dot("", at, 3.0, Some(THIN), WHITE);
+    }
     let answer =
         format!("{} = {}", units.format(Quantity::Speed, found.speed), units.road_speed(found.speed));
     canvas.label(root, &answer, BLACK);

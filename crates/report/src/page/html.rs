@@ -20,9 +20,9 @@ table { border-collapse: collapse; width: 100%; margin: 0.4rem 0 1.2rem; font-si
 th, td { text-align: left; vertical-align: top; padding: 0.28rem 0.6rem 0.28rem 0; border-bottom: 1px solid #ccc; overflow-wrap: anywhere; }
 thead th { border-bottom: 1.5px solid #111; }
 tbody th { font-weight: normal; }
-.steps .name { width: 24%; }
-.steps .value { width: 20%; }
-.steps .source { width: 11%; }
+.steps .name { width: 20%; }
+.steps .value { width: 17%; }
+.steps .source { width: 9%; }
 .steps .numbers { color: #444; }
 .result { font-weight: bold; }
 .number { font-variant-numeric: tabular-nums; }
@@ -31,7 +31,10 @@ pre { font-size: 0.78rem; line-height: 1.4; white-space: pre-wrap; overflow-wrap
 .digest { font-size: 0.85rem; }
 @page { margin: 16mm 15mm; }
 @media print {
-  body { font-size: 10.5pt; max-width: none; padding: 0; }
+  body { font-size: 10pt; line-height: 1.4; max-width: none; padding: 0; }
+  table { font-size: 8pt; }
+  th, td { padding-top: 0.15rem; padding-bottom: 0.15rem; }
+  pre { font-size: 7.5pt; }
   h2, h3, caption { break-after: avoid; }
   figure, table, tr, li, .answer { break-inside: avoid; }
   thead { display: table-header-group; }
@@ -180,7 +183,7 @@ fn steps(group: &StepGroup) -> Markup {
 fn row(step: &Step) -> Markup {
     html! {
         tr {
-            th scope="row" { (step.name) }
+            th scope="row" { (subscripts(&step.name)) }
             td {
                 (subscripts(&step.symbol))
                 @if !step.formula.is_empty() {

@@ -6,8 +6,26 @@ use super::Table;
 use crate::units::significant;
 
 pub(super) fn table(file: &CaseFile) -> Table {
-    let rows =
-        file.case.inputs().iter().map(|input| vec![input.path.clone(), own(input), si(input)]).collect();
+    let mut rows: Vec<Vec<String>> = Vec::new();
+    for input in file.case.inputs() {
+        // The stations of a profile stand in one row, as in the file.
+        let (path, first) = match input.path.strip_suffix("[1]") {
+            Some(list) => (list.to_owned(), true),
+            None => (input.path.split('[').next().unwrap_or_default().to_owned(), !input.path.ends_with(']')),
+        };
+        match rows.last_mut() {
+            Some(row) if !first && row.first() == Some(&path) => {
+                for (cell, more) in row.iter_mut().skip(1).zip([own(&input), si(&input)]) {
+                    cell.push_str(", ");
+                    cell.push_str(&more);
+                }
+            }
+            _ => {
+                let path = if first { path } else { input.path.clone() };
+                rows.push(vec![path, own(&input), si(&input)]);
+            }
+        }
+    }
     Table {
         caption: "Inputs as understood",
         header: ["key in the case file", "as given", "in SI units"].map(str::to_owned).to_vec(),

@@ -33,7 +33,9 @@ pub(super) fn groups(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
         group("Speed", analysis.found.as_ref().map_or_else(Vec::new, |found| collision.speed(found))),
         group("Approach", collision.approach()),
         group("Impulse", collision.impulse()),
-        group("Motion after impact", collision.motion()),
+        group("Impulse in the scene", collision.impulse_in_scene()),
+        group("Motion of vehicle 1 after impact", collision.motion(0)),
+        group("Motion of vehicle 2 after impact", collision.motion(1)),
         group("Energy balance", collision.energy()),
     ]
 }
@@ -690,10 +692,10 @@ impl Collision<'_> {
         ]
     }
 
-    fn motion(&self) -> Vec<Step> {
+    fn impulse_in_scene(&self) -> Vec<Step> {
         let (outcome, gamma) = (&self.impact.outcome, self.gamma);
-        let (p_, vector, arms) = (outcome.impulse, outcome.impulse_vector, self.impact.contact.arms());
-        let mut steps = vec![
+        let (p_, vector) = (outcome.impulse, outcome.impulse_vector);
+        vec![
             step(
                 "impulse on vehicle 1 along x",
                 "P_x",
@@ -722,8 +724,14 @@ impl Collision<'_> {
                 "N·s",
                 "theory 1",
             ),
-        ];
-        for (i, m, inertia) in self.moving() {
+        ]
+    }
+
+    fn motion(&self, i: usize) -> Vec<Step> {
+        let outcome = &self.impact.outcome;
+        let (p_, vector, arms) = (outcome.impulse, outcome.impulse_vector, self.impact.contact.arms());
+        let mut steps = Vec::new();
+        if let Some((m, inertia)) = self.inertia[i] {
             let k = i + 1;
             let (before, after) = (outcome.before[i], outcome.after[i]);
             let sign = if i == 0 { "+" } else { "−" };
