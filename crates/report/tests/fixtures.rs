@@ -1,5 +1,8 @@
 //! What every valid case of the fixtures has to fulfil: drawings, and substitutions that come out.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+#![allow(clippy::disallowed_methods, reason = "the calculator and the measures are not those of the program")]
+
 #[path = "fixtures/drawings.rs"]
 mod drawings;
 #[path = "fixtures/evaluate.rs"]
