@@ -12,7 +12,8 @@
 //! ```
 //!
 //! [`compare`] puts the answers of all impact laws and of CRASH3 side by side; [`sensitivity`] says how much the answer moves with each estimate,
-//! and [`uncertainty()`] between what and what it lies where numbers of the case are ranges.
+//! and [`uncertainty()`] between what and what it lies where numbers of the case are ranges; [`work_curve`] is the work of the normal impulse over the
+//! speed, for a drawing.
 //!
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
 //! [`Warning`]s. A [`Failure`] says whether the file or the physics is to blame.
@@ -23,6 +24,7 @@
 
 mod checks;
 mod compare;
+mod curve;
 mod damage;
 mod sensitivity;
 mod uncertainty;
@@ -30,6 +32,7 @@ mod warning;
 
 pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
+pub use curve::{WorkPoint, work_curve};
 pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
 pub use uncertainty::{

@@ -24,23 +24,24 @@ pub(crate) enum Command {
             Varies the speed that [reconstruct] names until the work of the normal impulse equals the crush energy of both \
             vehicles.",
         after_help = "Example:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
-            deltav reconstruct fixtures/sae-980025.toml --format json -o result.json"
+            deltav reconstruct fixtures/sae-980025.toml --format json -o result.json\n  \
+            deltav reconstruct fixtures/sae-980025.toml --format html -o report.html"
     )]
-    Reconstruct(Arguments),
+    Reconstruct(ReportArguments),
     /// Compute what an impact does, both speeds given
     #[command(
         long_about = "Compute what an impact does, both speeds given.\n\n\
             Planar impact mechanics forward: impulse, motion after, ΔV, PDOF and energy. Damage is assessed beside it where the case has it.",
         after_help = "Example:\n  deltav impact fixtures/sae-980025-impact.toml"
     )]
-    Impact(Arguments),
+    Impact(ReportArguments),
     /// Compute crush energy and ΔV from damage and PDOF alone (CRASH3)
     #[command(
         long_about = "Compute crush energy and ΔV from damage and PDOF alone (CRASH3).\n\n\
             Each damaged vehicle needs a PDOF in its crush table, as no impact is computed that could give it.",
         after_help = "Example:\n  deltav crush fixtures/sae-980025-crush.toml"
     )]
-    Crush(Arguments),
+    Crush(ReportArguments),
     /// Put the answers of every impact law and of CRASH3 side by side
     #[command(
         long_about = "Put the answers of every impact law and of CRASH3 side by side.\n\n\
@@ -79,6 +80,16 @@ pub(crate) enum Command {
             Ctrl-C ends the sampling, and prints the results so far."
     )]
     Uncertainty(UncertaintyArguments),
+    /// Draw the scene, the damage, the reconciliation or the energy, as SVG or PNG
+    #[command(
+        long_about = "Draw the scene, the damage, the reconciliation or the energy, as SVG or PNG.\n\n\
+            A case with [reconstruct] is reconstructed first; another with both speeds is computed forward; one without [impact] has its damage alone to draw. \
+            Scene and damage are to scale. A vehicle without length, width and cg_to_front or class is drawn with the outline of the CRASH3 size class \
+            whose radius of gyration is nearest to its own; the legend says so.",
+        after_help = "Examples:\n  deltav draw fixtures/sae-980025.toml --what scene -o scene.svg\n  \
+            deltav draw fixtures/sae-980025.toml --what energy -o energy.png"
+    )]
+    Draw(DrawArguments),
     /// Show the program's own error rate, on staged collisions that it carries
     #[command(
         long_about = "Show the program's own error rate, on staged collisions that it carries.\n\n\
@@ -93,6 +104,63 @@ pub(crate) enum Command {
             Exit status: 0 all that is claimed comes out; 1 something that is claimed does not."
     )]
     Validate(ValidateArguments),
+}
+
+/// Of the commands that have a report to hand over.
+#[derive(Debug, Args)]
+pub(crate) struct ReportArguments {
+    /// The case file (TOML), or - for standard input
+    pub(crate) case: PathBuf,
+
+    /// Text for people, JSON in SI units and radians for programs, or a report to hand over: one HTML file with drawings, or Markdown
+    #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
+    pub(crate) format: ReportFormat,
+
+    /// Units of the text; without this, those that most of the case file is written in
+    #[arg(long, value_enum)]
+    pub(crate) units: Option<UnitSystem>,
+
+    /// Write to FILE instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ReportFormat {
+    Text,
+    Json,
+    Html,
+    Markdown,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DrawArguments {
+    /// The case file (TOML), or - for standard input
+    pub(crate) case: PathBuf,
+
+    /// What to draw
+    #[arg(long, value_enum)]
+    pub(crate) what: What,
+
+    /// Units of the drawing; without this, those that most of the case file is written in
+    #[arg(long, value_enum)]
+    pub(crate) units: Option<UnitSystem>,
+
+    /// Write to FILE, whose name ends in .svg or .png; without this, SVG to standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum What {
+    /// Plan view at impact: outlines, contact point, crush plane, impulse, velocities, PDOF
+    Scene,
+    /// Each damaged vehicle with its crush profile in place
+    Damage,
+    /// Work of the normal impulse over the speed sought
+    Reconciliation,
+    /// Where the initial kinetic energy went
+    Energy,
 }
 
 #[derive(Debug, Args)]

@@ -1,6 +1,7 @@
 //! `deltav`: arguments, files and exit codes. All else is in the libraries.
 
 mod arguments;
+mod draw;
 mod progress;
 
 use std::fs;
@@ -11,13 +12,13 @@ use std::process::ExitCode;
 use analysis::{Analysis, Failure, Plan, Sweep, Uncertainty};
 use anyhow::{Context as _, Result};
 use arguments::{
-    Arguments, Command, Format, PageFormat, SensitivityArguments, UncertaintyArguments, UnitSystem,
-    ValidateArguments,
+    Arguments, Command, Format, PageFormat, ReportArguments, ReportFormat, SensitivityArguments,
+    UncertaintyArguments, UnitSystem, ValidateArguments,
 };
 use case::{Case, CaseFile};
 use clap::Parser as _;
 use rayon::ThreadPoolBuilder;
-use report::Units;
+use report::{DrawingError, Units};
 use uncertainty::{Method, Settings};
 use validation::{Data, Validation};
 
@@ -34,6 +35,7 @@ fn main() -> ExitCode {
         Command::Compare(arguments) => report_comparison(&arguments),
         Command::Sensitivity(arguments) => report_sensitivity(&arguments),
         Command::Uncertainty(arguments) => report_uncertainty(&arguments),
+        Command::Draw(arguments) => draw::draw(&arguments),
         Command::Validate(arguments) => validate(&arguments),
     };
     match result {
@@ -55,25 +57,32 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
         Some(Failure::Ranges(_)) => ("error: ", WRONG_INPUT),
         Some(_) => ("error: ", NO_ANSWER),
         None if error.is::<NotReproduced>() => ("error: ", NO_ANSWER),
+        None if error.is::<DrawingError>() => ("error: ", NO_ANSWER),
         None => ("error: ", WRONG_INPUT),
     }
 }
 
-fn report_analysis(arguments: &Arguments, analyse: fn(&CaseFile) -> Result<Analysis, Failure>) -> Result<()> {
-    let file = case_file(arguments)?;
+fn report_analysis(
+    arguments: &ReportArguments,
+    analyse: fn(&CaseFile) -> Result<Analysis, Failure>,
+) -> Result<()> {
+    let file = case_file(&arguments.case)?;
     let analysis = analyse(&file)?;
+    let units = units(arguments.units, &file);
     let output = match arguments.format {
-        Format::Text => report::text(&file.case, &analysis, units(arguments, &file)),
-        Format::Json => report::json(&file.case, &analysis)?,
+        ReportFormat::Text => report::text(&file.case, &analysis, units),
+        ReportFormat::Json => report::json(&file.case, &analysis)?,
+        ReportFormat::Html => report::html(&file, &analysis, units)?,
+        ReportFormat::Markdown => report::markdown(&file, &analysis, units)?,
     };
     write(arguments.output.as_deref(), &output)
 }
 
 fn report_comparison(arguments: &Arguments) -> Result<()> {
-    let file = case_file(arguments)?;
+    let file = case_file(&arguments.case)?;
     let comparison = analysis::compare(&file)?;
     let output = match arguments.format {
-        Format::Text => report::comparison_text(&file.case, &comparison, units(arguments, &file)),
+        Format::Text => report::comparison_text(&file.case, &comparison, units(arguments.units, &file)),
         Format::Json => report::comparison_json(&file.case, &comparison)?,
     };
     write(arguments.output.as_deref(), &output)
@@ -82,20 +91,20 @@ fn report_comparison(arguments: &Arguments) -> Result<()> {
 fn report_sensitivity(
     SensitivityArguments { arguments, pdof_step, pdof_steps }: &SensitivityArguments,
 ) -> Result<()> {
-    let file = case_file(arguments)?;
+    let file = case_file(&arguments.case)?;
     let sweep = Sweep { step: pdof_step.to_radians(), steps: *pdof_steps };
     let sensitivity = analysis::sensitivity(&file, sweep)?;
     let output = match arguments.format {
-        Format::Text => report::sensitivity_text(&file.case, &sensitivity, units(arguments, &file)),
+        Format::Text => report::sensitivity_text(&file.case, &sensitivity, units(arguments.units, &file)),
         Format::Json => report::sensitivity_json(&file.case, &sensitivity)?,
     };
     write(arguments.output.as_deref(), &output)
 }
 
 fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
-    let file = case_file(&arguments.arguments)?;
+    let file = case_file(&arguments.arguments.case)?;
     let uncertainty = propagate(&file, arguments)?;
-    let units = units(&arguments.arguments, &file);
+    let units = units(arguments.arguments.units, &file);
     if let Some(path) = &arguments.samples_out {
         let cannot = || format!("cannot write the samples to {}", path.display());
         let mut out = BufWriter::new(fs::File::create(path).with_context(cannot)?);
@@ -135,13 +144,13 @@ fn propagate(file: &CaseFile, arguments: &UncertaintyArguments) -> Result<Uncert
     })?)
 }
 
-fn case_file(arguments: &Arguments) -> Result<CaseFile> {
-    let (name, text) = read(&arguments.case)?;
+fn case_file(path: &Path) -> Result<CaseFile> {
+    let (name, text) = read(path)?;
     Ok(Case::parse(&name, &text).map_err(Failure::from)?)
 }
 
-fn units(arguments: &Arguments, file: &CaseFile) -> Units {
-    match arguments.units {
+fn units(asked: Option<UnitSystem>, file: &CaseFile) -> Units {
+    match asked {
         Some(UnitSystem::Si) => Units::Si,
         Some(UnitSystem::Us) => Units::Us,
         None => Units::of_case(&file.case),
@@ -214,12 +223,13 @@ fn read(path: &Path) -> Result<(String, String)> {
     Ok((name, text))
 }
 
-fn write(path: Option<&Path>, output: &str) -> Result<()> {
+fn write(path: Option<&Path>, output: impl AsRef<[u8]>) -> Result<()> {
+    let output = output.as_ref();
     match path {
         Some(path) => {
             fs::write(path, output).with_context(|| format!("cannot write the output to {}", path.display()))
         }
-        None => match io::stdout().write_all(output.as_bytes()) {
+        None => match io::stdout().write_all(output) {
             // Whoever reads has read enough, as `head` does.
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
             written => written.context("cannot write to standard output"),

@@ -1,4 +1,4 @@
-//! A finished analysis as text for people and as JSON for programs, and the program's own validation.
+//! A finished analysis as text for people, as JSON for programs, as a report to hand over and as drawings; and the program's own validation.
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -15,6 +15,22 @@
 //! The functions: [`text`] in the [`Units`] of the reader, where every figure names its equation; [`json`] in SI units and radians, with keys that are kept;
 //! [`message`], the sentence of a warning. Results are converted to other units here and nowhere else.
 //!
+//! [`html`] is the report to hand over, one self-contained file; [`markdown`] the same without drawings. Both show the [`steps`]: every result with its
+//! equation, the numbers put into it, and its source.
+//!
+//! ```
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # let file = case::Case::parse("sae-980025.toml", include_str!("../../../fixtures/sae-980025.toml"))?;
+//! # let analysis = analysis::reconstruct(&file)?;
+//! let scene = report::drawing(&file, &analysis, report::Units::Us, report::Subject::Scene)?;
+//! assert!(scene.svg().starts_with("<svg"));
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! [`drawing`] draws a [`Subject`]: the scene and the damage to scale, the reconciliation, the energy. A [`Drawing`] is SVG, or PNG with the letters of
+//! DejaVu Sans, which the crate carries. Colours are told apart with any colour vision, and dashes, heads and hatching say the same in grey.
+//!
 //! [`validation_text`], [`validation_json`] and [`validation_markdown`] write the comparison with the RICSAC collisions;
 //! [`computed_against_measured`] and [`reconstructed_speed`] plot it as SVG.
 //!
@@ -23,25 +39,31 @@
 //!
 //! # What it does not do
 //!
-//! It computes nothing, and it draws no vehicles.
+//! It computes nothing that the analysis does not hold, but the sums that a step of the report shows on the way. No terminal, no files.
 
 mod comparison;
+mod drawing;
 mod json;
 mod law;
+mod page;
 mod sensitivity;
 mod staged;
+mod steps;
 mod text;
 mod uncertainty;
 mod units;
 mod warnings;
 
 pub use comparison::{comparison_json, comparison_text};
+pub use drawing::{Drawing, DrawingError, Subject, drawing};
 pub use json::json;
+pub use page::{html, markdown};
 pub use sensitivity::{sensitivity_json, sensitivity_text};
 pub use staged::{
     PlotError, computed_against_measured, reconstructed_speed, validation_headline, validation_json,
     validation_markdown, validation_text,
 };
+pub use steps::{Step, StepGroup, steps};
 pub use text::text;
 pub use uncertainty::{histogram, tornado, uncertainty_json, uncertainty_text, write_samples};
 pub use units::Units;

@@ -114,6 +114,11 @@ impl Units {
         format!("{}{space}{name}", number(si / size, decimals))
     }
 
+    /// The unit's size in SI units.
+    pub(crate) fn size(self, quantity: Quantity) -> f64 {
+        self.display(quantity).size
+    }
+
     /// An SI value in the unit.
     pub(crate) fn value(self, quantity: Quantity, si: f64) -> f64 {
         si / self.display(quantity).size

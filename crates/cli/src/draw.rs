@@ -1,0 +1,57 @@
+//! `deltav draw`.
+
+use std::path::Path;
+
+use analysis::{Analysis, Failure};
+use anyhow::{Result, bail};
+use case::CaseFile;
+use report::Subject;
+
+use crate::arguments::{DrawArguments, What};
+
+pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
+    let image = Image::of(arguments.output.as_deref())?;
+    let file = crate::case_file(&arguments.case)?;
+    let subject = match arguments.what {
+        What::Scene => Subject::Scene,
+        What::Damage => Subject::Damage,
+        What::Reconciliation => Subject::Reconciliation,
+        What::Energy => Subject::Energy,
+    };
+    let drawing = report::drawing(&file, &analyse(&file)?, crate::units(arguments.units, &file), subject)?;
+    let path = arguments.output.as_deref();
+    match image {
+        Image::Svg => crate::write(path, drawing.svg()),
+        Image::Png => crate::write(path, drawing.png()?),
+    }
+}
+
+/// As far as the case goes.
+fn analyse(file: &CaseFile) -> Result<Analysis, Failure> {
+    if file.case.reconstruct.is_some() {
+        analysis::reconstruct(file)
+    } else if file.case.impact.is_some() && file.case.vehicles.iter().all(|v| v.fixed || v.motion.is_some()) {
+        analysis::impact(file)
+    } else {
+        analysis::crush(file)
+    }
+}
+
+enum Image {
+    Svg,
+    Png,
+}
+
+impl Image {
+    fn of(path: Option<&Path>) -> Result<Self> {
+        let Some(path) = path else { return Ok(Self::Svg) };
+        match path.extension().map(|ending| ending.to_ascii_lowercase()) {
+            Some(ending) if ending == "svg" => Ok(Self::Svg),
+            Some(ending) if ending == "png" => Ok(Self::Png),
+            _ => bail!(
+                "{} ends neither in .svg nor in .png: its name says which of the two is written",
+                path.display()
+            ),
+        }
+    }
+}

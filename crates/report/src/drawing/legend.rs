@@ -1,0 +1,85 @@
+//! What stands above and below a drawing: its title, the legend, the scale bar.
+
+use kurbo::{Point, Rect};
+
+use super::canvas::{Anchor, Canvas, Head, LARGE, SMALL};
+use super::font;
+use super::pens::{BLACK, GREY, Pen, THIN};
+use super::ticks;
+
+/// (px) width of all drawings.
+pub(super) const WIDTH: f64 = 960.0;
+/// (px) white edge.
+pub(super) const EDGE: f64 = 24.0;
+/// (px) from the top to what is drawn below the title.
+pub(super) const HEADER: f64 = 66.0;
+/// (px) height of a line of the legend.
+const ROW: f64 = 24.0;
+/// (px) width of a sample in the legend.
+const SAMPLE: f64 = 40.0;
+
+/// The title and a line below it.
+pub(super) fn header(canvas: &mut Canvas, title: &str, below: &str) {
+    let most = WIDTH - 2.0 * EDGE;
+    canvas.text(Point::new(EDGE, 30.0), &font::cut(title, LARGE, most), LARGE, Anchor::Start, BLACK);
+    canvas.text(Point::new(EDGE, 52.0), &font::cut(below, SMALL, most), SMALL, Anchor::Start, GREY);
+}
+
+/// A sample of what the drawing uses.
+pub(super) enum Sample {
+    Arrow(Pen, Head),
+    Line(Pen),
+    /// A filled box with its edge.
+    Box(Pen, String),
+    CentreOfGravity,
+    Dot(Option<Pen>, &'static str),
+}
+
+/// The legend in columns of equal width, from `top` downwards. Gives the place below it.
+pub(super) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(Sample, String)]) -> f64 {
+    let columns = columns.max(1);
+    #[expect(clippy::cast_precision_loss, reason = "a legend has few entries")]
+    let width = (WIDTH - 2.0 * EDGE) / columns as f64;
+    canvas.grid(Point::new(EDGE, top), Point::new(WIDTH - EDGE, top), THIN);
+    let rows = entries.len().div_ceil(columns);
+    for (i, (sample, text)) in entries.iter().enumerate() {
+        #[expect(clippy::cast_precision_loss, reason = "a legend has few entries")]
+        let (column, row) = ((i % columns) as f64, (i / columns) as f64);
+        let (x, y) = (EDGE + column * width, top + (row + 0.8) * ROW);
+        let (from, to) = (Point::new(x, y), Point::new(x + SAMPLE, y));
+        let middle = Point::new(x + SAMPLE / 2.0, y);
+        match sample {
+            Sample::Arrow(pen, head) => canvas.arrow("", from, to, *pen, *head),
+            Sample::Line(pen) => canvas.line("", from, to, *pen),
+            Sample::Box(pen, fill) => {
+                canvas.rect("", Rect::from_center_size(middle, (SAMPLE - 6.0, 14.0)), Some(*pen), fill);
+            }
+            Sample::CentreOfGravity => canvas.centre_of_gravity("", middle),
+            Sample::Dot(pen, fill) => canvas.dot("", middle, 5.0, *pen, fill),
+        }
+        let left = x + SAMPLE + 8.0;
+        let most = width - SAMPLE - 16.0;
+        canvas.text(Point::new(left, y + 4.5), &font::cut(text, SMALL, most), SMALL, Anchor::Start, BLACK);
+    }
+    #[expect(clippy::cast_precision_loss, reason = "a legend has few entries")]
+    let height = (rows as f64 + 0.5) * ROW;
+    top + height
+}
+
+/// A bar of round length: `pixels` for each unit named `unit`, which is `si` in SI units. Gives the place to the right of its text.
+pub(super) fn scale_bar(
+    canvas: &mut Canvas,
+    id: &str,
+    at: Point,
+    (pixels, unit, si): (f64, &str, f64),
+    what: &str,
+) -> f64 {
+    let (length, decimals) = ticks::round(150.0 / pixels);
+    let end = Point::new(at.x + length * pixels, at.y);
+    let pen = Pen { colour: BLACK, width: 2.0, dashes: "" };
+    canvas.scale(id, at, end, length * si, pen);
+    let text = format!("{length:.decimals$} {unit}{what}");
+    let left = end.x + 10.0;
+    canvas.text(Point::new(left, at.y + 4.5), &text, SMALL, Anchor::Start, BLACK);
+    left + font::width(&text, SMALL)
+}

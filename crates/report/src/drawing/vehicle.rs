@@ -1,0 +1,142 @@
+//! The outline of a vehicle, and its damage in place.
+
+use analysis::{Damage, Vehicle};
+use case::{Case, Dimensions};
+use crash3::{Side, VehicleClass};
+use kurbo::{Affine, BezPath, Point, Rect, RoundedRect, Shape as _, Vec2};
+
+/// The body seen from above, in its own axes: x forward, y left of the CG (m).
+#[derive(Clone, Copy)]
+pub(super) struct Body {
+    pub(super) dimensions: Dimensions,
+    /// The CRASH3 class whose typical outline stands in for one that is not known.
+    pub(super) assumed: Option<u8>,
+}
+
+/// The class whose outline stands in where not even the yaw inertia is known.
+const MIDDLE_CLASS: u8 = 3;
+
+impl Body {
+    /// The vehicle's own outline, else that of the CRASH3 class whose radius of gyration is nearest; `None` for a fixed object without one.
+    pub(super) fn of(vehicle: &Vehicle) -> Option<Self> {
+        if let Some(dimensions) = vehicle.subject.dimensions {
+            return Some(Self { dimensions, assumed: dimensions.class });
+        }
+        let inertia = vehicle.subject.inertia?;
+        // k = √(I/m)
+        let radius = (inertia.yaw_inertia / inertia.mass).sqrt();
+        let distance = |class: &VehicleClass| (class.yaw_radius - radius).abs();
+        let nearest = (1..=6)
+            .filter_map(|class| VehicleClass::new(class).ok().map(|known| (class, known)))
+            .min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)));
+        let (class, known) =
+            nearest.or_else(|| VehicleClass::new(MIDDLE_CLASS).ok().map(|c| (MIDDLE_CLASS, c)))?;
+        let dimensions = Dimensions {
+            length: known.length,
+            width: known.width,
+            cg_to_front: known.cg_to_front,
+            class: Some(class),
+        };
+        Some(Self { dimensions, assumed: Some(class) })
+    }
+
+    fn bounds(&self) -> Rect {
+        let Dimensions { length, width, cg_to_front, .. } = self.dimensions;
+        Rect::new(cg_to_front - length, -width / 2.0, cg_to_front, width / 2.0)
+    }
+
+    /// The body with rounded corners.
+    pub(super) fn outline(&self) -> BezPath {
+        let bounds = self.bounds();
+        let radius = 0.12 * bounds.height();
+        RoundedRect::from_rect(bounds, radius).to_path(1e-3)
+    }
+
+    /// The windscreen: what tells front from rear.
+    pub(super) fn windscreen(&self) -> BezPath {
+        let Rect { x1: front, y0: right, y1: left, .. } = self.bounds();
+        let length = self.dimensions.length;
+        let (ahead, behind) = (front - 0.26 * length, front - 0.36 * length);
+        let mut path = BezPath::new();
+        path.move_to((ahead, right * 0.78));
+        path.quad_to((ahead + 0.04 * length, 0.0), (ahead, left * 0.78));
+        path.line_to((behind, left * 0.66));
+        path.quad_to((behind + 0.03 * length, 0.0), (behind, right * 0.66));
+        path.close_path();
+        path
+    }
+
+    pub(super) fn corners(&self) -> [Point; 4] {
+        let Rect { x0, y0, x1, y1 } = self.bounds();
+        [Point::new(x0, y0), Point::new(x1, y0), Point::new(x1, y1), Point::new(x0, y1)]
+    }
+
+    /// The middle of the front.
+    pub(super) fn front(&self) -> Point {
+        Point::new(self.dimensions.cg_to_front, 0.0)
+    }
+
+    pub(super) fn middle(&self) -> Point {
+        self.bounds().center()
+    }
+}
+
+/// The damage in the axes of the vehicle (m).
+pub(super) struct Profile {
+    /// Stations on the undamaged face.
+    pub(super) face: Vec<Point>,
+    /// The same stations as deep as the crush.
+    pub(super) crushed: Vec<Point>,
+    /// Out of the vehicle.
+    pub(super) outward: Vec2,
+}
+
+/// Where the crush of vehicle `i` lies on its body.
+pub(super) fn profile(
+    case: &Case,
+    vehicle: &Vehicle,
+    body: &Body,
+    damage: &Damage,
+    i: usize,
+) -> Option<Profile> {
+    let crush = case.vehicles[i].crush.as_ref()?;
+    let side = vehicle.subject.damage.as_ref()?.side;
+    let offset = crush.offset.as_ref().map_or(0.0, case::Quantity::si);
+    let (depths, spacings) = match &damage.inferred {
+        Some(inferred) => (vec![inferred.crush.depth; 2], vec![inferred.crush.width]),
+        None => {
+            let intervals = damage.depths.len().saturating_sub(1);
+            #[expect(clippy::cast_precision_loss, reason = "station counts are small")]
+            let equal = vec![damage.width / intervals.max(1) as f64; intervals];
+            let given = crush.spacing.as_ref().map(|s| s.iter().map(case::Quantity::si).collect());
+            (damage.depths.clone(), given.unwrap_or(equal))
+        }
+    };
+    let outward = match side {
+        Side::Front => Vec2::new(1.0, 0.0),
+        Side::Rear => Vec2::new(-1.0, 0.0),
+        Side::Left => Vec2::new(0.0, 1.0),
+        Side::Right => Vec2::new(0.0, -1.0),
+    };
+    // Stations run from left to right on front and rear, from rear to front on the sides; the offset is to the left, or forward.
+    let (along, start) = match side {
+        Side::Front | Side::Rear => (Vec2::new(0.0, -1.0), Vec2::new(0.0, offset)),
+        Side::Left | Side::Right => (Vec2::new(1.0, 0.0), Vec2::new(offset, 0.0)),
+    };
+    let start = start + outward * body.dimensions.face(side) - along * (damage.width / 2.0);
+    let mut face = Vec::new();
+    let mut done = 0.0;
+    for j in 0..depths.len() {
+        face.push((start + along * done).to_point());
+        done += spacings.get(j).copied().unwrap_or(0.0);
+    }
+    let crushed = face.iter().zip(&depths).map(|(at, depth)| *at - outward * *depth).collect();
+    Some(Profile { face, crushed, outward })
+}
+
+/// From the axes of a vehicle whose forward axis is `forward` (a unit vector of the scene, y upwards) and whose CG is at `cg` (px) to the page.
+pub(super) fn placed(forward: Vec2, cg: Point, scale: f64) -> Affine {
+    let (c, s) = (forward.x * scale, forward.y * scale);
+    // (x, y) ↦ CG + scale (x cos θ − y sin θ, −(x sin θ + y cos θ)): the page's y runs downwards.
+    Affine::new([c, -s, -s, -c, cg.x, cg.y])
+}

@@ -1,0 +1,120 @@
+//! The page as Markdown.
+
+use super::{Page, Table};
+use crate::steps::StepGroup;
+
+pub(super) fn write(page: &Page) -> String {
+    let mut out = String::new();
+    let mut put = |text: &str| {
+        out.push_str(text);
+        out.push('\n');
+    };
+    put(&format!("# {}\n", escaped(&page.title)));
+    if let Some(source) = &page.source {
+        put(&format!("Source: {}\n", escaped(source)));
+    }
+    put(&format!("**{}**\n", escaped(&page.answer)));
+    for (name, value) in &page.identification {
+        put(&format!("- {name}: {}", escaped(value)));
+    }
+    put("");
+    put(&table(&page.results));
+    for drawing in &page.drawings {
+        let what = drawing.subject().name();
+        put(&format!("- {what}: {}", escaped(drawing.description())));
+    }
+    put("\n## Method\n");
+    for paragraph in &page.method {
+        put(&format!("{}\n", escaped(paragraph)));
+    }
+    put("## Inputs\n");
+    put(&table(&page.inputs));
+    put("## Results step by step\n");
+    put(
+        "Numbers are in SI units and degrees; one with fewer than six digits is exact, one with six is rounded. atan2(y, x) is the angle of the point (x, y).\n",
+    );
+    for group in &page.steps {
+        put(&steps(group));
+    }
+    if let Some(energy) = &page.energy {
+        put("## Energy balance\n");
+        put(&table(energy));
+    }
+    if let Some(crash3) = &page.crash3 {
+        put("## Comparison with CRASH3\n");
+        put(&table(crash3));
+    }
+    put("## Warnings and assumptions\n");
+    if page.warnings.is_empty() {
+        put("No warnings.\n");
+    }
+    for (code, message) in &page.warnings {
+        put(&format!("- warning [{code}]: {}.", escaped(message)));
+    }
+    for assumption in &page.assumptions {
+        put(&format!("- {}", escaped(assumption)));
+    }
+    put("\n## Case file\n");
+    put(&format!(
+        "The whole of {}; from it alone the program gives this report again.\n",
+        escaped(&page.case_name)
+    ));
+    let fence = fence(&page.case_text);
+    let end = if page.case_text.ends_with('\n') { "" } else { "\n" };
+    put(&format!("{fence}toml\n{}{end}{fence}", page.case_text));
+    out
+}
+
+fn table(table: &Table) -> String {
+    let line = |cells: &[String]| {
+        let cells: Vec<String> = cells.iter().map(|cell| format!(" {} |", escaped(cell))).collect();
+        format!("|{}\n", cells.concat())
+    };
+    let mut text = line(&table.header);
+    text.push_str(&format!("|{}\n", " --- |".repeat(table.header.len())));
+    for row in &table.rows {
+        text.push_str(&line(row));
+    }
+    text
+}
+
+fn steps(group: &StepGroup) -> String {
+    let mut text = format!("### {}\n\n```text\n", group.title);
+    for step in &group.steps {
+        let unit = if step.unit.is_empty() { String::new() } else { format!(" {}", step.unit) };
+        text.push_str(&format!("{} ({})\n", step.name, step.source));
+        let indent = " ".repeat(step.symbol.chars().count());
+        if step.formula.is_empty() {
+            text.push_str(&format!("  {} = {}{unit}\n", step.symbol, step.printed));
+        } else {
+            text.push_str(&format!(
+                "  {} = {}\n  {indent} = {}\n  {indent} = {}{unit}\n",
+                step.symbol, step.formula, step.substitution, step.printed
+            ));
+        }
+    }
+    text.push_str("```\n");
+    text
+}
+
+/// Longer than any run of backticks in the text.
+fn fence(text: &str) -> String {
+    let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
+    "`".repeat(longest.max(2) + 1)
+}
+
+/// Characters that Markdown would take as its own; a line of a table ends with the line.
+fn escaped(text: &str) -> String {
+    let mut out = String::new();
+    for letter in text.chars() {
+        match letter {
+            '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '|' | '#' => {
+                out.push('\\');
+                out.push(letter);
+            }
+            '\n' | '\r' => out.push(' '),
+            letter => out.push(letter),
+        }
+    }
+    out
+}

@@ -1,0 +1,164 @@
+//! The results one by one, each with its equation and the numbers put into it: what a reader with a calculator can check.
+//!
+//! All numbers of a substitution are in SI units and degrees. A number that is not exact is printed with six significant digits, one with five or fewer
+//! is exact; each printed result follows from the printed numbers within their rounding.
+
+mod collision;
+mod crash3;
+mod damage;
+
+use analysis::Analysis;
+use case::Case;
+
+use crate::units::significant;
+
+/// One result.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// What it is, such as `crush energy of vehicle 1`.
+    pub name: String,
+    /// Its symbol, such as `E_1`; `_` begins a subscript.
+    pub symbol: String,
+    /// The equation's right side in symbols; empty where the value is given or solved for.
+    pub formula: String,
+    /// The same with numbers and units: `·` multiplies, a unit follows its number after a no-break space. Empty as the formula is.
+    pub substitution: String,
+    /// The program's own result, in `unit`.
+    pub value: f64,
+    /// The unit of the result; empty for a pure number.
+    pub unit: &'static str,
+    /// The result as printed, without its unit.
+    pub printed: String,
+    /// Where the equation stands: `Eq 5` of SAE 980025, or `theory 3`, a section of docs/theory.md.
+    pub source: &'static str,
+}
+
+/// Steps that belong together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StepGroup {
+    /// Its heading.
+    pub title: String,
+    /// In the order of the calculation.
+    pub steps: Vec<Step>,
+}
+
+/// All steps of an analysis, in the order in which one follows from the other.
+#[must_use]
+pub fn steps(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
+    let mut groups = damage::groups(case, analysis);
+    groups.extend(collision::groups(case, analysis));
+    groups.extend(crash3::groups(case, analysis));
+    groups.retain(|group| !group.steps.is_empty());
+    groups
+}
+
+fn group(title: impl Into<String>, steps: Vec<Step>) -> StepGroup {
+    StepGroup { title: title.into(), steps }
+}
+
+/// A result with its equation.
+fn step(
+    name: impl Into<String>,
+    symbol: impl Into<String>,
+    formula: impl Into<String>,
+    substitution: String,
+    value: f64,
+    unit: &'static str,
+    source: &'static str,
+) -> Step {
+    Step {
+        name: name.into(),
+        symbol: symbol.into(),
+        formula: formula.into(),
+        substitution,
+        value,
+        unit,
+        printed: digits(value),
+        source,
+    }
+}
+
+/// A number of the case or of a table, as it goes into the equations.
+fn given(
+    name: impl Into<String>,
+    symbol: impl Into<String>,
+    value: f64,
+    unit: &'static str,
+    source: &'static str,
+) -> Step {
+    step(name, symbol, "", String::new(), value, unit, source)
+}
+
+/// (digits) that say that a number is rounded.
+const DIGITS: usize = 6;
+
+/// What is smaller is the rounding of a zero: no quantity of a collision is as small in SI units.
+const NOTHING: f64 = 1e-12;
+
+/// A number as it is printed: exact where that takes fewer than six digits, else with six. What a conversion of units leaves in the
+/// thirteenth digit does not count.
+fn digits(value: f64) -> String {
+    let value = if value.abs() < NOTHING { 0.0 } else { value };
+    let text = match format!("{value:.11e}").parse::<f64>() {
+        Ok(plain) if is_short(plain) => format!("{plain}"),
+        _ => rounded(value),
+    };
+    text.replace('-', "−")
+}
+
+fn is_short(value: f64) -> bool {
+    let text = format!("{value}");
+    let digits = text.trim_start_matches(['-', '0', '.']).chars().filter(char::is_ascii_digit).count();
+    digits < DIGITS && (value == 0.0 || (1e-5..1e6).contains(&value.abs()))
+}
+
+/// Six significant digits; a factor of a power of ten only where the number would be long.
+fn rounded(value: f64) -> String {
+    if (1e5..1e12).contains(&value.abs()) {
+        return format!("{value:.0}");
+    }
+    let text = significant(value, DIGITS);
+    if !text.contains('e') {
+        return text;
+    }
+    let scientific = format!("{value:.*e}", DIGITS - 1);
+    match scientific.split_once('e') {
+        Some((mantissa, exponent)) => format!("{mantissa}·10{}", superscript(exponent)),
+        None => scientific,
+    }
+}
+
+fn superscript(exponent: &str) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    exponent
+        .chars()
+        .map(|c| match c.to_digit(10) {
+            Some(digit) => usize::try_from(digit).ok().and_then(|d| RAISED.get(d).copied()).unwrap_or(c),
+            None => '⁻',
+        })
+        .collect()
+}
+
+/// A number with its unit, in parentheses where it is negative or a product.
+fn n(value: f64, unit: &str) -> String {
+    let text = with_unit(value, unit);
+    if text.starts_with('−') || text.contains('·') && text.contains("10") && !text.contains('\u{a0}') {
+        format!("({text})")
+    } else {
+        text
+    }
+}
+
+/// A number with its unit in parentheses, to be raised to a power.
+fn p(value: f64, unit: &str) -> String {
+    format!("({})", with_unit(value, unit))
+}
+
+fn with_unit(value: f64, unit: &str) -> String {
+    if unit.is_empty() { digits(value) } else { format!("{}\u{a0}{unit}", digits(value)) }
+}
+
+/// An angle as the argument of a function.
+fn angle(rad: f64) -> String {
+    format!("({}\u{a0}°)", digits(rad.to_degrees()))
+}

@@ -1,0 +1,53 @@
+//! What every valid case of the fixtures has to fulfil: drawings, and substitutions that come out.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+#![allow(clippy::disallowed_methods, reason = "the calculator and the measures are not those of the program")]
+
+#[path = "fixtures/drawings.rs"]
+mod drawings;
+#[path = "fixtures/evaluate.rs"]
+mod evaluate;
+#[path = "fixtures/pages.rs"]
+mod pages;
+#[path = "fixtures/substitutions.rs"]
+mod substitutions;
+
+use std::fs;
+use std::path::PathBuf;
+
+use analysis::Analysis;
+use case::{Case, CaseFile};
+
+/// Every analysis that a valid case allows, with the name of the case.
+fn analyses() -> Vec<(String, CaseFile, Analysis)> {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
+    let mut analyses = Vec::new();
+    for folder in ["", "laws", "ricsac"] {
+        let mut paths: Vec<PathBuf> =
+            fs::read_dir(root.join(folder)).unwrap().map(|entry| entry.unwrap().path()).collect();
+        paths.sort();
+        for path in paths.into_iter().filter(|path| path.extension().is_some_and(|e| e == "toml")) {
+            let text = fs::read_to_string(&path).unwrap();
+            // What is not a case: the numbers that the papers print.
+            let Ok(file) = Case::parse(&path.display().to_string(), &text) else {
+                assert!(path.ends_with("published.toml"), "{}", path.display());
+                continue;
+            };
+            let of = |kind: &str| format!("{} {kind}", path.file_name().unwrap().display());
+            let results = [
+                ("reconstruct", analysis::reconstruct(&file)),
+                ("impact", analysis::impact(&file)),
+                ("crush", analysis::crush(&file)),
+            ];
+            let before = analyses.len();
+            for (kind, result) in results {
+                if let Ok(analysis) = result {
+                    analyses.push((of(kind), file.clone(), analysis));
+                }
+            }
+            assert!(analyses.len() > before, "{} has no answer", path.display());
+        }
+    }
+    assert!(analyses.len() > 30, "only {} analyses", analyses.len());
+    analyses
+}
