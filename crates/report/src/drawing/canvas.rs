@@ -330,7 +330,12 @@ impl Canvas {
             let mut best = (f64::INFINITY, at);
             for centre in candidates(at, size) {
                 let area = Rect::from_center_size(centre, size).inflate(3.0, 1.0);
-                let cost = self.cost(area, bounds) + 0.6 * gap(at, area);
+                let far = 0.6 * gap(at, area);
+                // Most places are too far to be better, whatever lies there.
+                if far >= best.0 {
+                    continue;
+                }
+                let cost = self.cost(area, bounds) + far;
                 if cost < best.0 {
                     best = (cost, centre);
                 }
