@@ -450,7 +450,7 @@ fn a_comparison_begins_with_the_case_s_own_law_and_has_it_once() {
 
 #[test]
 fn laws_without_an_answer_say_why() {
-    let document = json("compare", include_str!("../../../fixtures/sideswipe.toml"));
+    let document = json("compare", include_str!("../../../fixtures/no-answer/only-with-friction.toml"));
     assert_no_null(&document);
     let rows = document["rows"].as_array().unwrap();
     let error = |name: &str| rows.iter().find(|row| row["law"] == name).and_then(|row| row.get("error"));
