@@ -3,9 +3,11 @@
 mod arguments;
 mod draw;
 mod progress;
+mod terminal;
 
 use std::fs;
 use std::io::{self, BufWriter, ErrorKind, Read as _, Write as _};
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -18,9 +20,12 @@ use arguments::{
 use case::{Case, CaseFile};
 use clap::Parser as _;
 use rayon::ThreadPoolBuilder;
-use report::{DrawingError, Units};
+use report::{DrawingError, Supplement, Units};
 use uncertainty::{Method, Settings};
 use validation::{Data, Validation};
+
+/// Samples behind the uncertainty in a report: enough for three digits, in a blink.
+const SUPPLEMENT_SAMPLES: usize = 20_000;
 
 /// The case is well formed, but no answer exists; or a claim of the validation fails.
 const NO_ANSWER: u8 = 1;
@@ -70,12 +75,39 @@ fn report_analysis(
     let analysis = analyse(&file)?;
     let units = units(arguments.units, &file);
     let output = match arguments.format {
+        ReportFormat::Text if arguments.output.is_none() => {
+            return terminal::print(|columns| match columns {
+                Some(columns) => report::text_within(&file.case, &analysis, units, columns),
+                None => report::text(&file.case, &analysis, units),
+            });
+        }
         ReportFormat::Text => report::text(&file.case, &analysis, units),
         ReportFormat::Json => report::json(&file.case, &analysis)?,
-        ReportFormat::Html => report::html(&file, &analysis, units)?,
-        ReportFormat::Markdown => report::markdown(&file, &analysis, units)?,
+        ReportFormat::Html => report::html(&file, &analysis, supplements(&file, &analysis, units)?, units)?,
+        ReportFormat::Markdown => {
+            report::markdown(&file, &analysis, supplements(&file, &analysis, units)?, units)?
+        }
     };
     write(arguments.output.as_deref(), &output)
+}
+
+/// What ranges of the case make of the answer, for a report to hand over.
+fn supplements(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec<Supplement>> {
+    if file.case.ranges.is_empty() || analysis.impact.is_none() {
+        return Ok(Vec::new());
+    }
+    let plan = Plan { settings: Settings::new(Method::MonteCarlo, SUPPLEMENT_SAMPLES, 1), index_rows: None };
+    let uncertainty = analysis::uncertainty(file, &plan, &mut |_, _, _| ControlFlow::Continue(()))?;
+    let mut supplements = vec![Supplement {
+        title: "Uncertainty",
+        text: report::uncertainty_text(&file.case, &uncertainty, units),
+    }];
+    if analysis.found.is_some() {
+        let sensitivity = analysis::sensitivity(file, Sweep { step: 5_f64.to_radians(), steps: 2 })?;
+        let text = report::sensitivity_text(&file.case, &sensitivity, units);
+        supplements.push(Supplement { title: "Sensitivity", text });
+    }
+    Ok(supplements)
 }
 
 fn report_comparison(arguments: &Arguments) -> Result<()> {

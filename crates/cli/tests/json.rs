@@ -330,6 +330,21 @@ fn a_pole_gives_the_barrier_speed_and_one_velocity_change() {
     assert_eq!(at("/crash3/delta_v/1"), 0.0);
 }
 
+/// A case with ranges has their uncertainty and the sensitivity in the report to hand over, word for word as the commands print them.
+#[test]
+fn ranges_are_in_the_report_to_hand_over() {
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    let uncertain = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/sae-980025-uncertain.toml");
+    let page = text(printed(&["reconstruct", uncertain, "--format", "markdown"], ""));
+    let uncertainty = text(printed(&["uncertainty", uncertain, "--samples", "20000"], ""));
+    let sensitivity = text(printed(&["sensitivity", uncertain], ""));
+    assert!(page.contains(uncertainty.trim_end()) && page.contains(sensitivity.trim_end()));
+    let html = text(printed(&["reconstruct", uncertain, "--format", "html"], ""));
+    assert!(html.contains("<h2>Uncertainty</h2>") && html.contains("<h2>Sensitivity</h2>"));
+    let certain = text(printed(&["reconstruct", PAPER_FILE, "--format", "markdown"], ""));
+    assert!(!certain.contains("## Uncertainty"));
+}
+
 #[test]
 fn every_way_in_and_out_has_the_same_bytes() {
     for format in ["json", "text"] {

@@ -57,14 +57,14 @@ mod warnings;
 pub use comparison::{comparison_json, comparison_text};
 pub use drawing::{Drawing, DrawingError, Subject, drawing};
 pub use json::json;
-pub use page::{html, markdown};
+pub use page::{Supplement, html, markdown};
 pub use sensitivity::{sensitivity_json, sensitivity_text};
 pub use staged::{
     PlotError, computed_against_measured, reconstructed_speed, validation_headline, validation_json,
     validation_markdown, validation_text,
 };
 pub use steps::{Step, StepGroup, steps};
-pub use text::text;
+pub use text::{text, text_within};
 pub use uncertainty::{histogram, tornado, uncertainty_json, uncertainty_text, write_samples};
 pub use units::Units;
 pub use warnings::message;

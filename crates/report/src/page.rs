@@ -31,8 +31,18 @@ struct Page {
     crash3: Option<Table>,
     warnings: Vec<(&'static str, String)>,
     assumptions: Vec<String>,
+    supplements: Vec<Supplement>,
     case_name: String,
     case_text: String,
+}
+
+/// A part of the report that comes as text in columns, such as that of `deltav uncertainty`.
+#[derive(Clone, Debug)]
+pub struct Supplement {
+    /// Its heading.
+    pub title: &'static str,
+    /// Its lines.
+    pub text: String,
 }
 
 /// A table; its first column names the rows.
@@ -46,20 +56,35 @@ struct Table {
 ///
 /// # Errors
 /// [`DrawingError::Analysis`] where the curve of the reconciliation cannot be computed.
-pub fn html(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<String, DrawingError> {
-    Ok(html::write(&Page::new(file, analysis, units)?))
+pub fn html(
+    file: &CaseFile,
+    analysis: &Analysis,
+    supplements: Vec<Supplement>,
+    units: Units,
+) -> Result<String, DrawingError> {
+    Ok(html::write(&Page::new(file, analysis, supplements, units)?))
 }
 
 /// The report as Markdown. Its drawings are not in it: `deltav draw` makes them.
 ///
 /// # Errors
 /// As [`html`].
-pub fn markdown(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<String, DrawingError> {
-    Ok(markdown::write(&Page::new(file, analysis, units)?))
+pub fn markdown(
+    file: &CaseFile,
+    analysis: &Analysis,
+    supplements: Vec<Supplement>,
+    units: Units,
+) -> Result<String, DrawingError> {
+    Ok(markdown::write(&Page::new(file, analysis, supplements, units)?))
 }
 
 impl Page {
-    fn new(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Self, DrawingError> {
+    fn new(
+        file: &CaseFile,
+        analysis: &Analysis,
+        supplements: Vec<Supplement>,
+        units: Units,
+    ) -> Result<Self, DrawingError> {
         let case = &file.case;
         let mut drawings = Vec::new();
         for subject in Subject::ALL {
@@ -102,6 +127,7 @@ impl Page {
                 .map(|warning| (warning.code(), warnings::message(warning, units)))
                 .collect(),
             assumptions: assumptions(file, analysis, units),
+            supplements,
             case_name: file.source.name().to_owned(),
             case_text: file.source.text().to_owned(),
         })

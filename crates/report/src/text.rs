@@ -10,13 +10,21 @@ use crate::units::{Quantity, Units, number};
 use crate::warnings;
 
 const LABEL: usize = 32;
-const COLUMN: usize = 27;
+/// Of the last column of a table, the source.
+const SOURCE: usize = 12;
 pub(crate) const LINE: usize = 98;
 
-/// The analysis as text of at most 98 columns.
+/// The analysis as text of 98 columns.
 #[must_use]
 pub fn text(case: &Case, analysis: &Analysis, units: Units) -> String {
-    let mut page = Page { units, text: String::new() };
+    text_within(case, analysis, units, LINE)
+}
+
+/// The same for a terminal of so many columns: no narrower than 88, which the values need, and no wider than 120, which the eye can follow.
+#[must_use]
+pub fn text_within(case: &Case, analysis: &Analysis, units: Units, columns: usize) -> String {
+    let width = columns.clamp(88, 120);
+    let mut page = Page { units, width, text: String::new() };
     page.title(case);
     if let Some(found) = &analysis.found {
         page.found(found, analysis.basis);
@@ -39,12 +47,16 @@ pub fn text(case: &Case, analysis: &Analysis, units: Units) -> String {
 
 /// A paragraph in lines of at most 98 columns.
 pub(crate) fn wrapped(text: &str) -> String {
+    wrapped_within(text, LINE)
+}
+
+fn wrapped_within(text: &str, line: usize) -> String {
     let mut lines = String::new();
     let mut column = 0;
     for word in text.split_whitespace() {
         let width = word.chars().count();
         if column > 0 {
-            let (separator, start) = if column + 1 + width > LINE { ('\n', 0) } else { (' ', column + 1) };
+            let (separator, start) = if column + 1 + width > line { ('\n', 0) } else { (' ', column + 1) };
             lines.push(separator);
             column = start;
         }
@@ -57,6 +69,8 @@ pub(crate) fn wrapped(text: &str) -> String {
 
 struct Page {
     units: Units,
+    /// Of a line.
+    width: usize,
     text: String,
 }
 
@@ -66,22 +80,32 @@ impl Page {
         self.text.push('\n');
     }
 
+    /// Columns of each of the two values of a row.
+    fn column(&self) -> usize {
+        (self.width - LABEL - SOURCE) / 2
+    }
+
     fn heading(&mut self, heading: &str, columns: [&str; 3]) {
         self.line("");
         let [first, second, source] = columns;
         self.row(heading, first, second, source);
-        self.line(&"─".repeat(LINE));
+        self.line(&"─".repeat(self.width));
     }
 
     fn row(&mut self, label: &str, first: &str, second: &str, source: &str) {
         // What is too long for its column moves the rest of the row, and is not glued to it.
         let cell = |text: &str, width: usize| format!("{text:<width$} ", width = width - 1);
-        self.line(&format!("{}{}{}{source}", cell(label, LABEL), cell(first, COLUMN), cell(second, COLUMN)));
+        self.line(&format!(
+            "{}{}{}{source}",
+            cell(label, LABEL),
+            cell(first, self.column()),
+            cell(second, self.column())
+        ));
     }
 
     /// A row with one value that may be long.
     fn wide(&mut self, label: &str, value: &str, source: &str) {
-        self.line(&format!("{label:<LABEL$}{value:<width$} {source}", width = 2 * COLUMN - 1));
+        self.line(&format!("{label:<LABEL$}{value:<width$} {source}", width = 2 * self.column() - 1));
     }
 
     /// A row of which each vehicle has a value or a dash.
@@ -93,7 +117,7 @@ impl Page {
     }
 
     fn paragraph(&mut self, text: &str) {
-        self.text.push_str(&wrapped(text));
+        self.text.push_str(&wrapped_within(text, self.width));
     }
 
     fn title(&mut self, case: &Case) {

@@ -35,6 +35,7 @@ pre { font-size: 0.78rem; line-height: 1.4; white-space: pre-wrap; overflow-wrap
   table { font-size: 8pt; }
   th, td { padding-top: 0.15rem; padding-bottom: 0.15rem; }
   pre { font-size: 7.5pt; }
+  .supplement pre { font-size: 6.2pt; white-space: pre; }
   h2, h3, caption { break-after: avoid; }
   figure, table, tr, li, .answer { break-inside: avoid; }
   thead { display: table-header-group; }
@@ -115,6 +116,9 @@ fn body(page: &Page) -> Markup {
         }
         @if let Some(crash3) = &page.crash3 {
             section { h2 { "Comparison with CRASH3" } (table(crash3)) }
+        }
+        @for supplement in &page.supplements {
+            section class="supplement" { h2 { (supplement.title) } pre { (supplement.text) } }
         }
         section {
             h2 { "Warnings and assumptions" }

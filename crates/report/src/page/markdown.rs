@@ -44,6 +44,11 @@ pub(super) fn write(page: &Page) -> String {
         put("## Comparison with CRASH3\n");
         put(&table(crash3));
     }
+    for supplement in &page.supplements {
+        put(&format!("## {}\n", supplement.title));
+        let fence = fence(&supplement.text);
+        put(&format!("{fence}text\n{}\n{fence}\n", supplement.text.trim_end()));
+    }
     put("## Warnings and assumptions\n");
     if page.warnings.is_empty() {
         put("No warnings.\n");
