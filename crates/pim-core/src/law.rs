@@ -206,29 +206,32 @@ impl<T: Real> Law<T> {
     pub(crate) fn solve(&self, k: &InverseMass<T>, approach: Approach<T>) -> Solution<T> {
         let conditions = self.conditions(k, approach);
         let u_t = approach.velocity.tangential;
-        let of = |impulse: LawImpulse<T>| Solution { impulse, critical: conditions.critical_direction() };
-        match self.tangential {
+        let (impulse, critical) = match self.tangential {
             Tangential::Critical => {
                 let impulse = conditions.with_change(-u_t);
-                Solution { impulse, critical: impulse.linear }
+                (impulse, impulse.linear)
             }
-            Tangential::Ratio(mu) => of(conditions.with_ratio(mu)),
+            Tangential::Ratio(mu) => (conditions.with_ratio(mu), conditions.critical_direction()),
             Tangential::FractionOfCritical(f) => {
                 let critical = conditions.with_change(-u_t).linear;
-                let impulse = conditions.with_ratio(f * critical.tangential / critical.normal);
-                Solution { impulse, critical }
+                (conditions.with_ratio(f * critical.tangential / critical.normal), critical)
             }
             Tangential::Friction(limit) => {
                 let full = conditions.with_change(-u_t);
-                Solution { impulse: conditions.limited(full, limit), critical: full.linear }
+                (conditions.limited(full, limit), full.linear)
             }
-            Tangential::VelocityChange(change) => of(conditions.with_change(change)),
-            Tangential::Restitution(e_t) => of(conditions.with_change(-((e_t + 1.0) * u_t))),
+            Tangential::VelocityChange(change) => {
+                (conditions.with_change(change), conditions.critical_direction())
+            }
+            Tangential::Restitution(e_t) => {
+                (conditions.with_change(-((e_t + 1.0) * u_t)), conditions.critical_direction())
+            }
             Tangential::FullOrSliding(limit) => {
                 let full = conditions.with_change(-((self.restitution + 1.0) * u_t));
-                of(conditions.limited(full, limit))
+                (conditions.limited(full, limit), conditions.critical_direction())
             }
-        }
+        };
+        Solution { impulse, critical }
     }
 
     #[inline(always)]
