@@ -1,9 +1,9 @@
 //! The work of the normal impulse over the speed sought: what the answer is a root of.
 
-use case::{CaseFile, Collision};
-use reconcile::Problem;
+use case::CaseFile;
 
-use crate::{Failure, Found, damage};
+use crate::sensitivity::at;
+use crate::{Failure, Found};
 
 /// One point of the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,28 +25,21 @@ const BEYOND: f64 = 0.2;
 /// # Errors
 /// [`Failure`], as for [`reconstruct`](crate::reconstruct).
 pub fn work_curve(file: &CaseFile, found: &Found, samples: usize) -> Result<Vec<WorkPoint>, Failure> {
-    let input = file.reconstruction()?;
-    let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
-    let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
-    let mut problem = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)?;
-    if let Some(curve) = &restitution_curve {
-        problem = problem.with_restitution_curve(curve);
-    }
-    let u_n = |speed: f64| contact.approach(&problem.motions(speed)).velocity.normal;
-    // u_n is affine in s: s_touch = −u_n(0)/(u_n(1) − u_n(0))
-    let touch = -u_n(0.0) / (u_n(1.0) - u_n(0.0));
-    let steps = found.iterations.iter().map(|step| step.speed);
-    let farthest = found.admissible.iter().copied().chain(steps).fold(found.speed, |far, speed| {
-        if (speed - touch).abs() > (far - touch).abs() { speed } else { far }
-    });
-    let reach = (farthest - touch) * (1.0 + BEYOND);
-    #[expect(clippy::cast_precision_loss, reason = "a drawing has few samples")]
-    let share = |i: usize| i as f64 / samples.max(1) as f64;
-    Ok((0..=samples)
-        .map(|i| {
-            let speed = touch + reach * share(i);
-            let normal_work = problem.normal_work(speed);
-            WorkPoint { speed, normal_work, sought: normal_work - problem.residual(speed) }
-        })
-        .collect())
+    at(file, &file.case, |problem| {
+        let touch = problem.touching_speed();
+        let steps = found.iterations.iter().map(|step| step.speed);
+        let farthest = found.admissible.iter().copied().chain(steps).fold(found.speed, |far, speed| {
+            if (speed - touch).abs() > (far - touch).abs() { speed } else { far }
+        });
+        let reach = (farthest - touch) * (1.0 + BEYOND);
+        #[expect(clippy::cast_precision_loss, reason = "a drawing has few samples")]
+        let share = |i: usize| i as f64 / samples.max(1) as f64;
+        Ok((0..=samples)
+            .map(|i| {
+                let speed = touch + reach * share(i);
+                let normal_work = problem.normal_work(speed);
+                WorkPoint { speed, normal_work, sought: normal_work - problem.residual(speed) }
+            })
+            .collect())
+    })
 }

@@ -130,11 +130,8 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
     // The uncorrected energies do not depend on the impact; a force balance takes its directions from the file.
     let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
-    let mut problem = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)?;
-    if let Some(curve) = &restitution_curve {
-        problem = problem.with_restitution_curve(curve);
-    }
-    let answer = problem.solve()?;
+    let problem = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)?;
+    let answer = problem.with_restitution_curve(restitution_curve.as_ref()).solve()?;
     let found = Found {
         unknown: input.unknown,
         speed: answer.speed,

@@ -1,6 +1,6 @@
 //! How much the answer moves with each estimate: exact derivatives, and a sweep of the direction of force.
 
-use case::{Case, CaseFile, Dimension, Input};
+use case::{Case, CaseFile, Collision, Dimension, Input};
 use crash3::{ObliqueCorrection, principal_angle};
 use pim_core::{Outcome, Real};
 use real::Dual;
@@ -243,20 +243,10 @@ pub(crate) fn at<T: Real, R>(
     evaluate: impl FnOnce(&Problem<'_, T>) -> Result<R, Failure>,
 ) -> Result<R, Failure> {
     let input = file.reconstruction_with(case)?;
-    let collision = input.collision;
-    let crush_energy = damage::crush_energy(&damage::assess(collision.vehicles, [None, None])?);
-    let problem = Problem::new(
-        collision.contact,
-        collision.law,
-        collision.motions,
-        input.unknown,
-        crush_energy,
-        input.basis,
-    )?;
-    match &collision.restitution_curve {
-        Some(curve) => evaluate(&problem.with_restitution_curve(curve)),
-        None => evaluate(&problem),
-    }
+    let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
+    let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
+    let problem = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)?;
+    evaluate(&problem.with_restitution_curve(restitution_curve.as_ref()))
 }
 
 fn pdof_sweep(nominal: &Analysis, sweep: Sweep) -> Result<Vec<SweepRow>, Failure> {

@@ -248,10 +248,17 @@ impl<'a, T: Real> Problem<'a, T> {
         })
     }
 
-    /// The same problem with a restitution that depends on the closing speed, in place of the law's own. Only the root-finder solves it.
+    /// The same problem with a restitution that depends on the closing speed, in place of the law's own; `None` leaves that. Only the root-finder
+    /// solves a problem with a curve.
     #[must_use]
-    pub fn with_restitution_curve(self, curve: &'a RestitutionCurve<T>) -> Self {
-        Self { restitution: Some(curve), ..self }
+    pub fn with_restitution_curve(self, curve: impl Into<Option<&'a RestitutionCurve<T>>>) -> Self {
+        Self { restitution: curve.into(), ..self }
+    }
+
+    /// (m/s) the speed at which the vehicles just touch: u_n = 0.
+    #[must_use]
+    pub fn touching_speed(&self) -> T {
+        self.line.speed(T::ZERO)
     }
 
     /// (J) the normal work sought; under a curve of restitution, that for the law's own.

@@ -163,55 +163,24 @@ impl Canvas {
         let (left, right) =
             (b - direction * size + across * (size * 0.4), b - direction * size - across * (size * 0.4));
         let id = self.id(id);
-        match head {
+        let (end, tip) = match head {
             Head::Filled => {
                 // A thick line would be blunt at the tip: it ends inside of the head, which is drawn over it.
                 let neck = b - direction * (size * 0.6);
-                self.element(&format!(
-                    "<g{id} data-from=\"{} {}\" data-to=\"{} {}\"><path d=\"M{} {}L{} {}\"{} fill=\"none\"/>\
-                     <path d=\"M{} {}L{} {}L{} {}Z\" fill=\"{}\"/></g>",
-                    px(a.x),
-                    px(a.y),
-                    px(b.x),
-                    px(b.y),
-                    px(a.x),
-                    px(a.y),
-                    px(neck.x),
-                    px(neck.y),
-                    stroke(pen),
-                    px(b.x),
-                    px(b.y),
-                    px(left.x),
-                    px(left.y),
-                    px(right.x),
-                    px(right.y),
-                    pen.colour
-                ));
+                let corners = [b, left, right].map(|corner| format!("{} {}", px(corner.x), px(corner.y)));
+                (neck, format!("<path d=\"M{}Z\" fill=\"{}\"/>", corners.join("L"), pen.colour))
             }
             Head::Open => {
                 let solid = Pen { dashes: "", ..pen };
-                self.element(&format!(
-                    "<g{id} data-from=\"{} {}\" data-to=\"{} {}\"><path d=\"M{} {}L{} {}\"{} fill=\"none\"/>\
-                     <path d=\"M{} {}L{} {}L{} {}\"{} fill=\"none\"/></g>",
-                    px(a.x),
-                    px(a.y),
-                    px(b.x),
-                    px(b.y),
-                    px(a.x),
-                    px(a.y),
-                    px(b.x),
-                    px(b.y),
-                    stroke(pen),
-                    px(left.x),
-                    px(left.y),
-                    px(b.x),
-                    px(b.y),
-                    px(right.x),
-                    px(right.y),
-                    stroke(solid)
-                ));
+                let corners = [left, b, right].map(|corner| format!("{} {}", px(corner.x), px(corner.y)));
+                (b, format!("<path d=\"M{}\"{} fill=\"none\"/>", corners.join("L"), stroke(solid)))
             }
-        }
+        };
+        let [from, to, end] = [a, b, end].map(|point| format!("{} {}", px(point.x), px(point.y)));
+        self.element(&format!(
+            "<g{id} data-from=\"{from}\" data-to=\"{to}\"><path d=\"M{from}L{end}\"{} fill=\"none\"/>{tip}</g>",
+            stroke(pen)
+        ));
     }
 
     /// A bar with ticks at both ends that stands for `si` (in SI units).
