@@ -64,6 +64,7 @@ impl Output {
     }
 
     /// Its value in an impact; `found` is the speed found.
+    #[inline(always)]
     pub(crate) fn value<T: Real>(self, found: T, outcome: &Outcome<T>) -> T {
         match self {
             Self::Speed { .. } => found,

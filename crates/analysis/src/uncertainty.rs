@@ -1,15 +1,19 @@
 //! Between what and what the answer lies, where numbers of the case are ranges.
 
+mod block;
+
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
 use ::uncertainty::{
-    Distribution, FirstOrder, Function, InvalidDistribution, Progress, Propagation, Settings,
+    Distribution, FirstOrder, InvalidDistribution, LANES, Lanes, Model, Progress, Propagation, Settings,
     TORNADO_PROBABILITIES, Tornado, Truncation,
 };
 use case::{Bounds, Case, CaseFile, Diagnostics, Input, Range, Spread};
 use pim_core::{ImpactError, Outcome};
 use reconcile::ReconcileError;
+
+use block::{Block, Number};
 
 use crate::sensitivity::{Output, at, gradients};
 use crate::{Analysis, Failure, collide, impact, reconstruct};
@@ -230,10 +234,7 @@ pub fn uncertainty(
     let central = central(&nominal, &outputs);
     let first_order = first_order(file, &nominal, &outputs, &inputs)?;
 
-    let sample = Sample::new(file, &inputs, &outputs, &central);
-    let model = Function::new(outputs.len(), |numbers: &[f64], results: &mut [f64]| {
-        sample.evaluate(numbers, results)
-    });
+    let model = Sample::new(file, &inputs, &outputs, &central);
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
     let numbers: Vec<f64> = inputs.iter().map(|input| input.input.number).collect();
     let tornado = ::uncertainty::tornado(&model, &distributions, &numbers, TORNADO_PROBABILITIES)?;
@@ -359,6 +360,8 @@ struct Sample<'a> {
     is_uncertain: Vec<bool>,
     /// The case without its texts, which no sample needs.
     case: Case,
+    /// The same for a block at once, where the case has a shape that can be solved so.
+    block: Option<Block>,
 }
 
 impl<'a> Sample<'a> {
@@ -369,6 +372,11 @@ impl<'a> Sample<'a> {
             is_uncertain.push(paths.next_if(|path| **path == input.path).is_some());
             input.number
         });
+        let (mut places, mut marks) = (0.., is_uncertain.iter());
+        let block = Block::new(&case.map_numbers(|number| match marks.next() {
+            Some(true) => places.next().map_or(Number::Known(number), Number::Uncertain),
+            _ => Number::Known(number),
+        }));
         case.title = None;
         case.source = None;
         for vehicle in &mut case.vehicles {
@@ -381,13 +389,36 @@ impl<'a> Sample<'a> {
             central,
             is_uncertain,
             case,
+            block,
         }
     }
 
+    /// The samples of a block that are not `answered` yet, each as a case of its own.
+    ///
     /// Compiled once: what turns a case into the types of the engine gains nothing from a copy for each instruction set.
     #[inline(never)]
-    fn evaluate(&self, numbers: &[f64], results: &mut [f64]) -> Result<(), u8> {
-        self.answer(numbers, results).map_err(|failure| Reason::of(&failure).code())
+    fn one_by_one(
+        &self,
+        inputs: &[Lanes],
+        outputs: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+        answered: &[bool; LANES],
+    ) {
+        let mut numbers = vec![0.0; inputs.len()];
+        let mut results = vec![0.0; outputs.len()];
+        for (lane, reason) in reasons.iter_mut().enumerate().filter(|(lane, _)| !answered[*lane]) {
+            for (number, column) in numbers.iter_mut().zip(inputs) {
+                *number = column[lane];
+            }
+            match self.answer(&numbers, &mut results) {
+                Ok(()) => {
+                    for (result, column) in results.iter().zip(outputs.iter_mut()) {
+                        column[lane] = *result;
+                    }
+                }
+                Err(failure) => *reason = Reason::of(&failure).code(),
+            }
+        }
     }
 
     fn answer(&self, numbers: &[f64], results: &mut [f64]) -> Result<(), Failure> {
@@ -412,16 +443,40 @@ impl<'a> Sample<'a> {
 
     fn write(&self, found: f64, outcome: &Outcome, results: &mut [f64]) {
         for ((output, central), result) in self.outputs.iter().zip(self.central).zip(results) {
-            let value = output.value(found, outcome);
-            *result = match output {
-                Output::Pdof { .. } => beside(value, *central),
-                _ => value,
-            };
+            *result = value(*output, *central, found, outcome);
+        }
+    }
+}
+
+/// (SI) an output; a direction within half a turn of its `central` value.
+#[inline(always)]
+fn value(output: Output, central: f64, found: f64, outcome: &Outcome) -> f64 {
+    let value = output.value(found, outcome);
+    match output {
+        Output::Pdof { .. } => beside(value, central),
+        _ => value,
+    }
+}
+
+impl Model for Sample<'_> {
+    fn outputs(&self) -> usize {
+        self.outputs.len()
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
+        let answered = match &self.block {
+            Some(block) => block.evaluate(inputs, self.central, outputs),
+            None => [false; LANES],
+        };
+        if !answered.iter().all(|is_answer| *is_answer) {
+            self.one_by_one(inputs, outputs, reasons, &answered);
         }
     }
 }
 
 /// (rad) the same direction within half a turn of another.
+#[inline(always)]
 fn beside(angle: f64, other: f64) -> f64 {
     if angle - other > PI {
         angle - TAU

@@ -73,6 +73,7 @@ pub enum Mass<T = f64> {
 
 impl<T: Real> Mass<T> {
     /// (kg) the mass; a weight is divided by [`STANDARD_GRAVITY`].
+    #[inline(always)]
     #[must_use]
     pub fn kg(&self) -> T {
         match self {
@@ -94,6 +95,7 @@ pub enum YawInertia<T = f64> {
 
 impl<T: Real> YawInertia<T> {
     /// (kg·m²) the inertia of a vehicle of the given mass (kg).
+    #[inline(always)]
     #[must_use]
     pub fn kg_m2(&self, mass: T) -> T {
         match self {
@@ -125,6 +127,7 @@ pub enum ContactPoint<T = f64> {
 
 impl<T: Real> ContactPoint<T> {
     /// (m) forward and left of the centre of gravity.
+    #[inline(always)]
     #[must_use]
     pub fn forward_left(&self) -> [T; 2] {
         match self {
@@ -296,7 +299,12 @@ impl<T: Real> StiffnessForm<T> {
 }
 
 impl<T: Real> StiffnessLine<T> {
-    pub(crate) fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
+    /// The stiffness, in SI units.
+    ///
+    /// # Errors
+    /// What no structure can have.
+    #[inline(always)]
+    pub fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
         let (rising, limit) = match self {
             Self::Crush { a, b, g: None, limit } => (Stiffness::from_ab(a.si(), b.si())?, limit),
             Self::Crush { a, b, g: Some(g), limit } => (Stiffness::from_abg(a.si(), b.si(), g.si())?, limit),

@@ -35,13 +35,16 @@ impl<T: Copy> Quantity<T> {
     }
 
     /// Another number in the same unit.
-    pub(crate) fn with<U>(&self, number: U) -> Quantity<U> {
+    #[inline(always)]
+    #[must_use]
+    pub fn with<U>(&self, number: U) -> Quantity<U> {
         Quantity { number, unit: self.unit }
     }
 }
 
 impl<T: Real> Quantity<T> {
     /// The value in SI ([`Dimension::si_unit`]).
+    #[inline(always)]
     #[must_use]
     pub fn si(&self) -> T {
         self.number * self.unit.factor()

@@ -192,6 +192,7 @@ impl Unit {
     }
 
     /// What one of this unit is in SI.
+    #[inline(always)]
     #[must_use]
     pub fn factor(&self) -> f64 {
         self.factor

@@ -24,8 +24,10 @@ pub fn crush_energy<T: Real>(profile: &Profile<T>, stiffness: &Stiffness<T>) -> 
     energy
 }
 
+/// (J) the share of one zone in [`crush_energy`].
 #[inline(always)]
-fn zone_energy<T: Real>(Zone { width, depths: [c1, c2] }: Zone<T>, stiffness: &Stiffness<T>) -> T {
+#[must_use]
+pub fn zone_energy<T: Real>(Zone { width, depths: [c1, c2] }: Zone<T>, stiffness: &Stiffness<T>) -> T {
     let g = stiffness.g();
     let Some((limit, knee)) = stiffness.saturation() else {
         // E = Σⱼ wⱼ [ A (Cⱼ + Cⱼ₊₁)/2 + B (Cⱼ² + Cⱼ Cⱼ₊₁ + Cⱼ₊₁²)/6 + G ]

@@ -139,15 +139,18 @@ pub enum CrushError {
     BothFixed,
 }
 
+#[inline(always)]
 pub(crate) fn finite(what: &'static str, value: f64) -> Result<(), CrushError> {
     if value.is_finite() { Ok(()) } else { Err(CrushError::NotFinite { what, value }) }
 }
 
+#[inline(always)]
 pub(crate) fn positive(what: &'static str, value: f64) -> Result<(), CrushError> {
     finite(what, value)?;
     if value > 0.0 { Ok(()) } else { Err(CrushError::NotPositive { what, value }) }
 }
 
+#[inline(always)]
 pub(crate) fn not_negative(what: &'static str, value: f64) -> Result<(), CrushError> {
     finite(what, value)?;
     if value >= 0.0 { Ok(()) } else { Err(CrushError::Negative { what, value }) }

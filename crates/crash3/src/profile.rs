@@ -20,7 +20,26 @@ pub struct Zone<T = f64> {
     pub depths: [T; 2],
 }
 
+/// (m) w = L/(N−1): the spacing of N = `stations` over the damage width L = `width` (m).
+#[inline(always)]
+#[must_use]
+pub fn equal_spacing<T: Real>(width: T, stations: usize) -> T {
+    #[expect(clippy::cast_precision_loss, reason = "station counts are small")]
+    let intervals = (stations - 1) as f64;
+    width / intervals
+}
+
 impl<T: Real> Zone<T> {
+    /// Whether it can be part of a profile: its width is greater than zero, and no depth is negative.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_possible(&self) -> bool {
+        let [c1, c2] = self.depths.map(T::value);
+        error::positive("spacing between stations", self.width.value()).is_ok()
+            & error::not_negative("crush depth", c1).is_ok()
+            & error::not_negative("crush depth", c2).is_ok()
+    }
+
     /// (m) mean depth C̄ = (C_1 + C_2)/2.
     #[inline(always)]
     pub(crate) fn mean_depth(&self) -> T {
@@ -47,9 +66,7 @@ impl<T: Real> Profile<T> {
         if stations < 2 {
             return Err(CrushError::TooFewStations { stations });
         }
-        #[expect(clippy::cast_precision_loss, reason = "station counts are small")]
-        let intervals = (stations - 1) as f64;
-        Self::new(depths, vec![width / intervals; stations - 1])
+        Self::new(depths, vec![equal_spacing(width, stations); stations - 1])
     }
 
     /// N `depths` (m) with the N−1 `spacings` (m) between their stations.

@@ -19,6 +19,7 @@ impl<T: Real> Stiffness<T> {
     ///
     /// # Errors
     /// Where A is negative, B is not positive, or a number is not finite.
+    #[inline(always)]
     pub fn from_ab(a: T, b: T) -> Result<Self, CrushError> {
         if b.value() == 0.0 {
             return Err(CrushError::NoRise);
@@ -32,17 +33,33 @@ impl<T: Real> Stiffness<T> {
     ///
     /// # Errors
     /// Where one of them is negative or not finite.
+    #[inline(always)]
     pub fn from_abg(a: T, b: T, g: T) -> Result<Self, CrushError> {
-        error::not_negative("stiffness A", a.value())?;
-        error::not_negative("stiffness B", b.value())?;
-        error::not_negative("stiffness G", g.value())?;
-        Ok(Self { a, b, g, limit: None })
+        let stiffness = Self { a, b, g, limit: None };
+        stiffness.check()?;
+        Ok(stiffness)
+    }
+
+    /// The same without a reason, for loops over many samples: the stiffness, and whether there can be one.
+    #[inline(always)]
+    #[must_use]
+    pub fn pose_abg(a: T, b: T, g: T) -> (Self, bool) {
+        let stiffness = Self { a, b, g, limit: None };
+        (stiffness, stiffness.check().is_ok())
+    }
+
+    #[inline(always)]
+    fn check(&self) -> Result<(), CrushError> {
+        error::not_negative("stiffness A", self.a.value())?;
+        error::not_negative("stiffness B", self.b.value())?;
+        error::not_negative("stiffness G", self.g.value())
     }
 
     /// From d_0 (√N) and d_1 (√N/m), with G = d_0²/2.
     ///
     /// # Errors
     /// Where one of them is negative or not finite.
+    #[inline(always)]
     pub fn from_d0_d1(d0: T, d1: T) -> Result<Self, CrushError> {
         // G = d₀²/2
         Self::from_d0_d1_g(d0, d1, d0 * d0 * 0.5)
@@ -52,6 +69,7 @@ impl<T: Real> Stiffness<T> {
     ///
     /// # Errors
     /// Where one of them is negative or not finite.
+    #[inline(always)]
     pub fn from_d0_d1_g(d0: T, d1: T, g: T) -> Result<Self, CrushError> {
         error::not_negative("stiffness d0", d0.value())?;
         error::not_negative("stiffness d1", d1.value())?;

@@ -23,9 +23,28 @@ impl<T: Real> Body<T> {
     /// Where either is not a finite number greater than zero.
     #[inline(always)]
     pub fn new(mass: T, yaw_inertia: T) -> Result<Self, InvalidInput> {
-        error::positive("mass", mass.value())?;
-        error::positive("yaw inertia", yaw_inertia.value())?;
-        Ok(Self { mass, yaw_inertia, inverse_mass: T::ONE / mass, inverse_yaw_inertia: T::ONE / yaw_inertia })
+        let body = Self::of(mass, yaw_inertia);
+        body.check()?;
+        Ok(body)
+    }
+
+    /// The same without a reason, for loops over many samples: the body, and whether there can be one.
+    #[inline(always)]
+    #[must_use]
+    pub fn pose(mass: T, yaw_inertia: T) -> (Self, bool) {
+        let body = Self::of(mass, yaw_inertia);
+        (body, body.check().is_ok())
+    }
+
+    #[inline(always)]
+    fn of(mass: T, yaw_inertia: T) -> Self {
+        Self { mass, yaw_inertia, inverse_mass: T::ONE / mass, inverse_yaw_inertia: T::ONE / yaw_inertia }
+    }
+
+    #[inline(always)]
+    fn check(&self) -> Result<(), InvalidInput> {
+        error::positive("mass", self.mass.value())?;
+        error::positive("yaw inertia", self.yaw_inertia.value())
     }
 
     /// A barrier, pole or wall: 1/m = 0 and 1/I = 0.
@@ -116,12 +135,29 @@ impl<T: Real> Participant<T> {
     /// Where a number is not finite.
     #[inline(always)]
     pub fn new(body: Body<T>, heading: T, forward: T, left: T) -> Result<Self, InvalidInput> {
-        error::angle("heading", heading.value())?;
-        error::finite("forward distance to the contact point", forward.value())?;
-        error::finite("left distance to the contact point", left.value())?;
+        Self::check(heading, forward, left)?;
+        Ok(Self::of(body, heading, forward, left))
+    }
+
+    /// The same without a reason, for loops over many samples: the participant, and whether there can be one.
+    #[inline(always)]
+    #[must_use]
+    pub fn pose(body: Body<T>, heading: T, forward: T, left: T) -> (Self, bool) {
+        (Self::of(body, heading, forward, left), Self::check(heading, forward, left).is_ok())
+    }
+
+    #[inline(always)]
+    fn of(body: Body<T>, heading: T, forward: T, left: T) -> Self {
         let (sin, cos) = heading.sin_cos();
         let arm = Vector2::new(forward * cos - left * sin, forward * sin + left * cos);
-        Ok(Self { body, forward: Vector2::new(cos, sin), arm })
+        Self { body, forward: Vector2::new(cos, sin), arm }
+    }
+
+    #[inline(always)]
+    fn check(heading: T, forward: T, left: T) -> Result<(), InvalidInput> {
+        error::angle("heading", heading.value())?;
+        error::finite("forward distance to the contact point", forward.value())?;
+        error::finite("left distance to the contact point", left.value())
     }
 
     /// The same with the contact point in polar form: `distance` d (m) from the CG, at `angle` φ (rad) from the heading θ.

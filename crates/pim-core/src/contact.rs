@@ -136,24 +136,40 @@ impl<T: Real> Contact<T> {
     /// Where Γ is not finite, both bodies are fixed, or the normal cannot be oriented.
     #[inline(always)]
     pub fn new(participants: [Participant<T>; 2], crush_plane: T) -> Result<Self, InvalidInput> {
-        error::angle("crush plane angle", crush_plane.value())?;
-        let [p1, p2] = &participants;
-        if p1.body.is_fixed() && p2.body.is_fixed() {
-            return Err(InvalidInput::BothFixed);
+        match Self::pose(participants, crush_plane) {
+            (contact, true) => Ok(contact),
+            _ => Err(Self::impossible(&participants, crush_plane)),
         }
+    }
+
+    /// The same without a reason, for loops over many samples: the contact, and whether there can be one.
+    #[inline(always)]
+    #[must_use]
+    pub fn pose(participants: [Participant<T>; 2], crush_plane: T) -> (Self, bool) {
+        let [p1, p2] = &participants;
         let (sin, cos) = crush_plane.sin_cos();
         let n = Vector2::new(cos, sin);
         // From CG 2 to CG 1: r₂ − r₁.
         let between = p2.arm - p1.arm;
         let along = NormalTangential::of(between, n);
         let distance = (between.x * between.x + between.y * between.y).sqrt();
-        if along.normal.abs() <= distance * NORMAL_RESOLUTION {
-            return Err(InvalidInput::NormalUndefined { crush_plane: crush_plane.value() });
-        }
+        let is_oriented = along.normal.abs() > distance * NORMAL_RESOLUTION;
         let normal = if along.normal > T::ZERO { n } else { -n };
         let arms = [NormalTangential::of(p1.arm, normal), NormalTangential::of(p2.arm, normal)];
         let inverse_mass = InverseMass::new([&p1.body, &p2.body], arms);
-        Ok(Self { participants, normal, arms, inverse_mass })
+        let both_fixed = p1.body.is_fixed() & p2.body.is_fixed();
+        let can_be = is_oriented & !both_fixed & angle(crush_plane).is_ok();
+        (Self { participants, normal, arms, inverse_mass }, can_be)
+    }
+
+    /// Why there is no contact.
+    #[cold]
+    fn impossible([p1, p2]: &[Participant<T>; 2], crush_plane: T) -> InvalidInput {
+        match angle(crush_plane) {
+            Err(error) => error,
+            Ok(()) if p1.body.is_fixed() && p2.body.is_fixed() => InvalidInput::BothFixed,
+            Ok(()) => InvalidInput::NormalUndefined { crush_plane: crush_plane.value() },
+        }
     }
 
     /// Vehicle 1 and vehicle 2.
@@ -164,6 +180,7 @@ impl<T: Real> Contact<T> {
     }
 
     /// Unit normal n of the crush plane in the scene frame, oriented from vehicle 2 towards vehicle 1.
+    #[inline(always)]
     #[must_use]
     pub fn normal(&self) -> Vector2<T> {
         self.normal
@@ -241,4 +258,9 @@ impl<T: Real> Contact<T> {
             },
         ]
     }
+}
+
+#[inline(always)]
+fn angle<T: Real>(crush_plane: T) -> Result<(), InvalidInput> {
+    error::angle("crush plane angle", crush_plane.value())
 }

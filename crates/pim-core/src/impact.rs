@@ -163,15 +163,17 @@ impl<T: Real> Contact<T> {
     /// coefficients create energy, or a motion is not one that the body can have.
     pub fn impact(&self, motions: [Motion<T>; 2], law: &Law<T>) -> Result<Outcome<T>, ImpactError> {
         self.check(&motions)?;
-        match self.collide(motions, law) {
-            Some(outcome) => Ok(outcome),
-            None => Err(self.refusal(motions, law)),
+        match self.attempt(motions, law) {
+            (outcome, true) => Ok(outcome),
+            _ => Err(self.refusal(motions, law)),
         }
     }
 
-    /// The same without a reason where there is no answer.
+    /// What the law's conditions give, and whether a collision can do that: [`impact`](Self::impact) without a reason and, for bodies
+    /// and laws of a known kind, without a branch, for loops over many samples. A fixed body has to be at rest.
     #[inline(always)]
-    fn collide(&self, motions: [Motion<T>; 2], law: &Law<T>) -> Option<Outcome<T>> {
+    #[must_use]
+    pub fn attempt(&self, motions: [Motion<T>; 2], law: &Law<T>) -> (Outcome<T>, bool) {
         let approach = self.approach(&motions);
         let solution = law.solve(&self.inverse_mass, approach);
         let pushes = (approach.velocity.normal < T::ZERO) & law.pushes(&solution);
@@ -180,10 +182,10 @@ impl<T: Real> Contact<T> {
             & outcome.energy.before.is_finite()
             & outcome.energy.loss.is_finite()
             & !creates_energy(&outcome, law);
-        if possible { Some(outcome) } else { None }
+        (outcome, possible)
     }
 
-    /// Why [`collide`](Self::collide) has no answer.
+    /// Why what [`attempt`](Self::attempt) gives is not possible.
     #[cold]
     fn refusal(&self, motions: [Motion<T>; 2], law: &Law<T>) -> ImpactError {
         let approach = self.approach(&motions);

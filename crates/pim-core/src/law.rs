@@ -67,24 +67,36 @@ impl<T: Real> Law<T> {
     /// finite.
     #[inline(always)]
     pub fn new(restitution: T, tangential: Tangential<T>) -> Result<Self, InvalidInput> {
-        error::within("coefficient of restitution", restitution.value(), 0.0, 1.0)?;
-        match tangential {
-            Tangential::Critical => {}
-            Tangential::Ratio(mu) => error::finite("impulse ratio", mu.value())?,
+        let law = Self { restitution, tangential, moment_restitution: -T::ONE };
+        law.check()?;
+        Ok(law)
+    }
+
+    /// The same without a reason, for loops over many samples: the law, and whether there can be one.
+    #[inline(always)]
+    #[must_use]
+    pub fn pose(restitution: T, tangential: Tangential<T>) -> (Self, bool) {
+        let law = Self { restitution, tangential, moment_restitution: -T::ONE };
+        (law, law.check().is_ok())
+    }
+
+    #[inline(always)]
+    fn check(&self) -> Result<(), InvalidInput> {
+        error::within("coefficient of restitution", self.restitution.value(), 0.0, 1.0)?;
+        match self.tangential {
+            Tangential::Critical => Ok(()),
+            Tangential::Ratio(mu) => error::finite("impulse ratio", mu.value()),
             Tangential::FractionOfCritical(f) => {
-                error::within("fraction of the critical impulse ratio", f.value(), 0.0, 1.0)?;
+                error::within("fraction of the critical impulse ratio", f.value(), 0.0, 1.0)
             }
             Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
-                error::within("friction limit", limit.value(), 0.0, f64::MAX)?;
+                error::within("friction limit", limit.value(), 0.0, f64::MAX)
             }
-            Tangential::VelocityChange(change) => {
-                error::finite("tangential velocity change", change.value())?;
-            }
+            Tangential::VelocityChange(change) => error::finite("tangential velocity change", change.value()),
             Tangential::Restitution(e_t) => {
-                error::within("tangential coefficient of restitution", e_t.value(), -1.0, 1.0)?;
+                error::within("tangential coefficient of restitution", e_t.value(), -1.0, 1.0)
             }
         }
-        Ok(Self { restitution, tangential, moment_restitution: -T::ONE })
     }
 
     /// Woolley: a common velocity at C after impact.
@@ -161,6 +173,7 @@ impl<T: Real> Law<T> {
     }
 
     /// Whether the impulse is affine in the velocities before impact: no limit switches, and the condition on it is linear.
+    #[inline(always)]
     #[must_use]
     pub fn is_affine(&self) -> bool {
         match self.tangential {

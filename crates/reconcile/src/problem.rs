@@ -30,11 +30,30 @@ pub enum Unknown {
 
 impl Unknown {
     /// 0 or 1.
+    #[inline(always)]
     #[must_use]
     pub fn index(self) -> usize {
         match self {
             Self::Speed1 => 0,
             Self::Speed2 => 1,
+        }
+    }
+
+    /// Of both vehicles, what belongs to this one. An index would not be resolved in a loop over samples.
+    #[inline(always)]
+    fn of<V>(self, [one, two]: [V; 2]) -> V {
+        match self {
+            Self::Speed1 => one,
+            Self::Speed2 => two,
+        }
+    }
+
+    /// Both motions, this vehicle's velocity replaced.
+    #[inline(always)]
+    fn with_velocity<T: Real>(self, [one, two]: [Motion<T>; 2], velocity: Vector2<T>) -> [Motion<T>; 2] {
+        match self {
+            Self::Speed1 => [Motion { velocity, ..one }, two],
+            Self::Speed2 => [one, Motion { velocity, ..two }],
         }
     }
 }
@@ -208,44 +227,63 @@ impl<'a, T: Real> Problem<'a, T> {
     pub fn new(
         contact: Contact<T>,
         law: Law<T>,
-        mut motions: [Motion<T>; 2],
+        motions: [Motion<T>; 2],
         unknown: Unknown,
         crush_energy: T,
         basis: EnergyBasis,
     ) -> Result<Self, ReconcileError> {
-        let vehicle = unknown.index() + 1;
-        let participant = contact.participants()[unknown.index()];
-        if participant.body().is_fixed() {
-            return Err(ReconcileError::Fixed { vehicle });
+        match Self::pose(contact, law, motions, unknown, crush_energy, basis) {
+            (problem, true) => Ok(problem),
+            (problem, false) => Err(problem.refusal()),
         }
-        if !(crush_energy > T::ZERO && crush_energy.is_finite()) {
-            return Err(ReconcileError::NoCrushEnergy { energy: crush_energy.value() });
-        }
-        let e = law.restitution();
-        if e == T::ONE {
-            return Err(ReconcileError::NoRestitutionLoss { restitution: e.value() });
-        }
-        motions[unknown.index()].velocity = Vector2::new(T::ZERO, T::ZERO);
+    }
+
+    /// The same without a reason, for loops over many samples: the problem, and whether it makes sense.
+    #[inline(always)]
+    #[must_use]
+    pub fn pose(
+        contact: Contact<T>,
+        law: Law<T>,
+        motions: [Motion<T>; 2],
+        unknown: Unknown,
+        crush_energy: T,
+        basis: EnergyBasis,
+    ) -> (Self, bool) {
+        let motions = unknown.with_velocity(motions, Vector2::new(T::ZERO, T::ZERO));
         let Approach { velocity: at_rest, spin } = contact.approach(&motions);
+        let participant = unknown.of(*contact.participants());
         // u is vehicle 1 relative to vehicle 2, so that vehicle 2's speed counts against it.
         let forward = contact.resolve(participant.forward());
         let slope = match unknown {
             Unknown::Speed1 => forward,
             Unknown::Speed2 => NormalTangential { normal: -forward.normal, tangential: -forward.tangential },
         };
-        if slope.normal.abs() < T::from(LEAST_COSINE) {
-            return Err(ReconcileError::SpeedWithoutEffect { vehicle, cosine: forward.normal.value() });
+        let line = ApproachLine { at_rest, spin, slope };
+        let problem = Self { contact, law, restitution: None, motions, unknown, crush_energy, basis, line };
+        let makes_sense = !participant.body().is_fixed()
+            & (crush_energy > T::ZERO)
+            & crush_energy.is_finite()
+            & (law.restitution() != T::ONE)
+            & (slope.normal.abs() >= T::from(LEAST_COSINE));
+        (problem, makes_sense)
+    }
+
+    /// Why a problem makes no sense.
+    #[cold]
+    fn refusal(&self) -> ReconcileError {
+        let vehicle = self.vehicle();
+        let e = self.law.restitution();
+        if self.unknown.of(*self.contact.participants()).body().is_fixed() {
+            ReconcileError::Fixed { vehicle }
+        } else if !(self.crush_energy > T::ZERO && self.crush_energy.is_finite()) {
+            ReconcileError::NoCrushEnergy { energy: self.crush_energy.value() }
+        } else if e == T::ONE {
+            ReconcileError::NoRestitutionLoss { restitution: e.value() }
+        } else {
+            let forward = self.unknown.of(*self.contact.participants()).forward();
+            let cosine = self.contact.resolve(forward).normal.value();
+            ReconcileError::SpeedWithoutEffect { vehicle, cosine }
         }
-        Ok(Self {
-            contact,
-            law,
-            restitution: None,
-            motions,
-            unknown,
-            crush_energy,
-            basis,
-            line: ApproachLine { at_rest, spin, slope },
-        })
     }
 
     /// The same problem with a restitution that depends on the closing speed, in place of the law's own; `None` leaves that. Only the root-finder
@@ -286,10 +324,8 @@ impl<'a, T: Real> Problem<'a, T> {
     #[inline(always)]
     #[must_use]
     pub fn motions(&self, speed: T) -> [Motion<T>; 2] {
-        let mut motions = self.motions;
-        let i = self.unknown.index();
-        motions[i].velocity = self.contact.participants()[i].forward() * speed;
-        motions
+        let forward = self.unknown.of(*self.contact.participants()).forward();
+        self.unknown.with_velocity(self.motions, forward * speed)
     }
 
     /// (J) W_n at the given speed (m/s), by the law's conditions alone: negative or not a number where no impact can
@@ -358,6 +394,19 @@ impl<'a, T: Real> Problem<'a, T> {
         Some(search.finish())
     }
 
+    /// The speed with the slowest approach that the closed form gives, its impact, and whether a collision can be so: [`solve`](Problem::solve) without
+    /// a reason, without a second speed and without a branch, for loops over many samples. Where it says yes, the answer has the same bits. It says no
+    /// wherever `solve` may still find one: under a law that has no closed form, or at a faster approach.
+    #[inline(always)]
+    #[must_use]
+    pub fn attempt(&self) -> (T, Outcome<T>, bool) {
+        let x = self.approaches().slowest();
+        let speed = self.line.speed(x);
+        let (outcome, possible) = self.contact.attempt(self.motions(speed), &self.law);
+        let has_closed_form = self.restitution.is_none() & self.law.is_affine();
+        (speed, outcome, possible & has_closed_form & is_root(x) & !is_too_fast(speed))
+    }
+
     /// Where W_n has the value sought, under a law without a limit.
     #[inline(always)]
     fn approaches(&self) -> Approaches<T> {
@@ -391,10 +440,33 @@ impl<T: Real> Approaches<T> {
 
     /// Those that are positive, the least first.
     fn ascending(&self) -> impl Iterator<Item = T> {
-        let [a, b] = self.0;
-        let ordered = if b < a { [b, a] } else { [a, b] };
-        ordered.into_iter().filter(|x| *x > T::ZERO && x.is_finite())
+        self.ordered().into_iter().filter(|x| is_root(*x))
     }
+
+    /// The first of these, or something else where there is none.
+    #[inline(always)]
+    fn slowest(&self) -> T {
+        let [a, b] = self.ordered();
+        if is_root(a) { a } else { b }
+    }
+
+    #[inline(always)]
+    fn ordered(&self) -> [T; 2] {
+        let [a, b] = self.0;
+        if b < a { [b, a] } else { [a, b] }
+    }
+}
+
+/// Whether this is the approach speed of a collision.
+#[inline(always)]
+fn is_root<T: Real>(x: T) -> bool {
+    (x > T::ZERO) & x.is_finite()
+}
+
+/// Whether a speed is one of the equations alone.
+#[inline(always)]
+fn is_too_fast<T: Real>(speed: T) -> bool {
+    speed.abs() > T::from(FASTEST)
 }
 
 /// Judges the speeds that give the energy, in the order of their approach.
@@ -411,7 +483,7 @@ impl<'a, T: Real> Search<'a, T> {
     }
 
     fn consider(&mut self, speed: T, method: Method) {
-        if speed.abs() > T::from(FASTEST) {
+        if is_too_fast(speed) {
             return;
         }
         let problem = self.problem;

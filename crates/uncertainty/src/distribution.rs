@@ -1,7 +1,6 @@
 //! What is known of an input: a distribution, made from what an engineer can say.
 
 use crate::error::InvalidDistribution;
-use crate::model::Lanes;
 use crate::normal;
 
 /// The least share of a normal distribution that its bounds may leave.
@@ -232,14 +231,6 @@ impl Distribution {
                 }
             }
         }
-    }
-}
-
-/// The transform of a whole block.
-#[inline(always)]
-pub(crate) fn transform_block(distributions: &[Distribution], columns: &mut [Lanes]) {
-    for (distribution, column) in distributions.iter().zip(columns) {
-        distribution.transform(column);
     }
 }
 

@@ -2,6 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use fearless_simd::dispatch;
+
+use crate::run::Instructions;
+
 /// Number of samples that a model is given at once.
 pub const LANES: usize = 64;
 
@@ -72,13 +76,21 @@ impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Model for Function<F> {
 }
 
 /// Evaluates a block, and marks the samples whose outputs are not all finite.
-#[inline(always)]
+///
+/// All that samples comes through here: a model is compiled once for each instruction set.
+#[inline(never)]
 pub(crate) fn evaluate<M: Model>(
+    instructions: Instructions,
     model: &M,
     inputs: &[Lanes],
     outputs: &mut [Lanes],
     reasons: &mut [u8; LANES],
 ) {
+    dispatch!(instructions.level(), _simd => evaluate_with(model, inputs, outputs, reasons));
+}
+
+#[inline(always)]
+fn evaluate_with<M: Model>(model: &M, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
     *reasons = [SUCCEEDED; LANES];
     model.evaluate(inputs, outputs, reasons);
     for column in outputs {

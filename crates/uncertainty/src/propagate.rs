@@ -1,11 +1,9 @@
 //! Samples of all inputs become samples of the outputs.
 
-use fearless_simd::dispatch;
-
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
 use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures, evaluate};
-use crate::run::{Progress, Span, for_each, in_order};
+use crate::run::{Instructions, Progress, Span, for_each, in_order};
 use crate::sampler::{Sampler, Settings};
 use crate::summary::Summary;
 
@@ -91,8 +89,7 @@ pub fn propagate<M: Model>(
             Span { samples: reasons.len(), work: Part { index, outputs, reasons } }
         })
         .collect();
-    let level = settings.instructions.level();
-    let work = |part: Part<'_>| dispatch!(level, _simd => part.evaluate(model, &sampler, inputs.len()));
+    let work = |part: Part<'_>| part.evaluate(model, &sampler, settings.instructions);
     let parts = in_order(spans, work, progress);
 
     let mut failures = Failures::new();
@@ -125,17 +122,16 @@ struct Done {
 }
 
 impl Part<'_> {
-    #[inline(always)]
-    fn evaluate<M: Model>(self, model: &M, sampler: &Sampler<'_>, inputs: usize) -> Done {
+    fn evaluate<M: Model>(self, model: &M, sampler: &Sampler<'_>, instructions: Instructions) -> Done {
         let Self { index, mut outputs, reasons: codes } = self;
-        let mut columns: Vec<Lanes> = vec![[0.0; LANES]; inputs];
+        let mut columns: Vec<Lanes> = vec![[0.0; LANES]; sampler.inputs()];
         let mut answers: Vec<Lanes> = vec![[0.0; LANES]; outputs.len()];
         let mut reasons = [SUCCEEDED; LANES];
         let mut failures = Failures::new();
         let blocks = index * (SPAN / LANES) as u64..;
         for ((start, codes), block) in (0..).step_by(LANES).zip(codes.chunks_mut(LANES)).zip(blocks) {
             sampler.fill(block, &mut columns);
-            evaluate(model, &columns, &mut answers, &mut reasons);
+            evaluate(instructions, model, &columns, &mut answers, &mut reasons);
             for (answer, output) in answers.iter().zip(&mut outputs) {
                 for ((place, value), reason) in output[start..].iter_mut().zip(answer).zip(&reasons) {
                     *place = if *reason == SUCCEEDED { *value } else { f64::NAN };

@@ -1,6 +1,8 @@
 //! The inputs of every sample.
 
-use crate::distribution::{Distribution, transform_block};
+use fearless_simd::dispatch;
+
+use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
 use crate::model::Lanes;
 use crate::points::{Method, Points};
@@ -32,6 +34,7 @@ impl Settings {
 pub struct Sampler<'a> {
     inputs: &'a [Distribution],
     points: Points,
+    instructions: Instructions,
 }
 
 impl<'a> Sampler<'a> {
@@ -41,14 +44,35 @@ impl<'a> Sampler<'a> {
     /// Where there are no inputs or too many, or where the number of samples is out of range.
     pub fn new(inputs: &'a [Distribution], settings: &Settings) -> Result<Self, InvalidRequest> {
         let points = Points::new(settings.method, settings.seed, inputs.len(), settings.samples)?;
-        Ok(Self { inputs, points })
+        Ok(Self { inputs, points, instructions: settings.instructions })
+    }
+
+    pub(crate) fn inputs(&self) -> usize {
+        self.inputs.len()
     }
 
     /// Inputs of the samples `block`·[`crate::LANES`] and following, a column for each input. Lanes beyond the last sample hold some
     /// value or other.
-    #[inline(always)]
     pub fn fill(&self, block: u64, columns: &mut [Lanes]) {
-        self.points.fill(block, columns);
-        transform_block(self.inputs, columns);
+        fill(self.instructions, &self.points, self.inputs, block, columns);
+    }
+}
+
+/// A block of points becomes values of the inputs, as many times over as there are columns for.
+pub(crate) fn fill(
+    instructions: Instructions,
+    points: &Points,
+    inputs: &[Distribution],
+    block: u64,
+    columns: &mut [Lanes],
+) {
+    dispatch!(instructions.level(), _simd => fill_with(points, inputs, block, columns));
+}
+
+#[inline(always)]
+fn fill_with(points: &Points, inputs: &[Distribution], block: u64, columns: &mut [Lanes]) {
+    points.fill(block, columns);
+    for (column, input) in columns.iter_mut().zip(inputs.iter().cycle()) {
+        input.transform(column);
     }
 }

@@ -9,14 +9,12 @@
 
 use std::ops::Range;
 
-use fearless_simd::dispatch;
-
-use crate::distribution::{Distribution, transform_block};
+use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
 use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures, evaluate};
 use crate::points::{Points, REPLICATES};
-use crate::run::{Progress, Span, in_order};
-use crate::sampler::Settings;
+use crate::run::{Instructions, Progress, Span, in_order};
+use crate::sampler::{Settings, fill};
 
 /// Student's t for a two-sided 95 % interval with 15 degrees of freedom, one less than the replicates.
 const STUDENT_95: f64 = 2.131_449_545_559_323;
@@ -119,7 +117,8 @@ pub fn sensitivity<M: Model>(
         return Err(InvalidRequest::NoInputs);
     }
     let points = Points::new(settings.method, settings.seed, 2 * inputs.len(), settings.samples)?;
-    let design = Design { model, inputs, points, shifts: shifts(model, inputs) };
+    let instructions = settings.instructions;
+    let design = Design { model, inputs, points, shifts: shifts(instructions, model, inputs), instructions };
 
     let blocks = settings.samples.div_ceil(LANES);
     let span_blocks = SPAN_BLOCKS.max(blocks.div_ceil(MAX_SPANS));
@@ -131,9 +130,7 @@ pub fn sensitivity<M: Model>(
             Span { samples: end - start, work: start..end }
         })
         .collect();
-    let level = settings.instructions.level();
-    let work = |rows: Range<usize>| dispatch!(level, _simd => design.evaluate(rows));
-    let parts = in_order(spans, work, progress);
+    let parts = in_order(spans, |rows| design.evaluate(rows), progress);
 
     let mut all = Part::new(inputs.len(), model.outputs());
     for part in parts {
@@ -155,11 +152,11 @@ pub fn sensitivity<M: Model>(
 }
 
 /// The outputs with all inputs at their medians: somewhere near the middle, so that squares of what differs from them lose no digits.
-fn shifts<M: Model>(model: &M, inputs: &[Distribution]) -> Vec<f64> {
+fn shifts<M: Model>(instructions: Instructions, model: &M, inputs: &[Distribution]) -> Vec<f64> {
     let columns: Vec<Lanes> = inputs.iter().map(|input| [input.quantile(0.5); LANES]).collect();
     let mut outputs = vec![[0.0; LANES]; model.outputs()];
     let mut reasons = [SUCCEEDED; LANES];
-    evaluate(model, &columns, &mut outputs, &mut reasons);
+    evaluate(instructions, model, &columns, &mut outputs, &mut reasons);
     outputs.iter().map(|column| if reasons[0] == SUCCEEDED { column[0] } else { 0.0 }).collect()
 }
 
@@ -169,10 +166,10 @@ struct Design<'a, M> {
     inputs: &'a [Distribution],
     points: Points,
     shifts: Vec<f64>,
+    instructions: Instructions,
 }
 
 impl<M: Model> Design<'_, M> {
-    #[inline(always)]
     fn evaluate(&self, rows: Range<usize>) -> Part {
         let inputs = self.inputs.len();
         let outputs = self.model.outputs();
@@ -183,20 +180,20 @@ impl<M: Model> Design<'_, M> {
         let mut reasons = [SUCCEEDED; LANES];
         for start in rows.clone().step_by(LANES) {
             let count = LANES.min(rows.end - start);
-            self.points.fill((start / LANES) as u64, &mut columns);
+            fill(self.instructions, &self.points, self.inputs, (start / LANES) as u64, &mut columns);
             let (a, b) = columns.split_at_mut(inputs);
-            transform_block(self.inputs, a);
-            transform_block(self.inputs, b);
 
             let mut complete = [true; LANES];
             for sample in 0..inputs + 2 {
                 let answers = &mut answers[sample * outputs..(sample + 1) * outputs];
+                let mut answer =
+                    |inputs: &[Lanes]| evaluate(self.instructions, self.model, inputs, answers, &mut reasons);
                 match sample.checked_sub(2) {
-                    None if sample == 0 => evaluate(self.model, a, answers, &mut reasons),
-                    None => evaluate(self.model, b, answers, &mut reasons),
+                    None if sample == 0 => answer(a),
+                    None => answer(b),
                     Some(input) => {
                         std::mem::swap(&mut a[input], &mut b[input]);
-                        evaluate(self.model, a, answers, &mut reasons);
+                        answer(a);
                         std::mem::swap(&mut a[input], &mut b[input]);
                     }
                 }

@@ -3,6 +3,7 @@
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
 use crate::model::{LANES, Lanes, Model, SUCCEEDED, evaluate};
+use crate::run::Instructions;
 
 /// The default of a tornado's two probabilities: the ends of a 95 % interval.
 pub const TORNADO_PROBABILITIES: [f64; 2] = [0.025, 0.975];
@@ -93,7 +94,7 @@ pub fn tornado<M: Model>(
         }
         let mut outputs = vec![[0.0; LANES]; model.outputs()];
         let mut reasons = [SUCCEEDED; LANES];
-        evaluate(model, &columns, &mut outputs, &mut reasons);
+        evaluate(Instructions::best(), model, &columns, &mut outputs, &mut reasons);
         answers.extend((0..block.len()).map(|lane| match reasons[lane] {
             SUCCEEDED => Ok(outputs.iter().map(|column| column[lane]).collect()),
             reason => Err(reason),

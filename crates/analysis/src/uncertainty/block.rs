@@ -1,0 +1,369 @@
+//! A block of samples of a reconstruction at once.
+//!
+//! Each sample goes through the functions of the engine through which a single case goes, in the same order, so that the answers have the same bits. But there is
+//! nothing between them that keeps a compiler from vectorising the loop over the samples: no allocation, no error, no branch. What cannot be said so is left to the single
+//! case: laws that no closed form solves, fixed objects, crush that was not measured, estimated inertias, and every sample that fails.
+
+use ::uncertainty::{LANES, Lanes};
+use case::{
+    Case, ContactPoint, ImpactLaw, Mass, Quantity, Restitution, StiffnessForm, StiffnessLine, Velocity,
+    YawInertia,
+};
+use crash3::{EnergyBasis, Stiffness, Zone, equal_spacing, zone_energy};
+use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2};
+use reconcile::{Problem, Unknown};
+
+use super::value;
+use crate::sensitivity::Output;
+
+/// A number of the case.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Number {
+    /// The same in every sample.
+    Known(f64),
+    /// One of the inputs, by its place among them.
+    Uncertain(usize),
+}
+
+impl Number {
+    #[inline(always)]
+    fn lanes(self, inputs: &[Lanes]) -> Lanes {
+        match self {
+            Self::Known(number) => [number; LANES],
+            Self::Uncertain(place) => inputs.get(place).copied().unwrap_or([f64::NAN; LANES]),
+        }
+    }
+
+    fn is_uncertain(self) -> bool {
+        matches!(self, Self::Uncertain(_))
+    }
+}
+
+/// A reconstruction of which a block of samples can be solved at once.
+#[derive(Debug)]
+pub(super) struct Block {
+    unknown: Unknown,
+    basis: EnergyBasis,
+    vehicles: [Vehicle; 2],
+    crush_plane: Quantity<Number>,
+    restitution: Number,
+    /// e_t: zero, U_t = 0, where the law asks for a common tangential velocity.
+    tangential_restitution: Number,
+}
+
+#[derive(Debug)]
+struct Vehicle {
+    mass: Mass<Number>,
+    yaw: YawInertia<Number>,
+    heading: Quantity<Number>,
+    contact: ContactPoint<Number>,
+    /// None of the vehicle whose speed is sought.
+    motion: Option<Velocity<Number>>,
+    yaw_rate: Option<Quantity<Number>>,
+    width: Quantity<Number>,
+    depths: Vec<Quantity<Number>>,
+    stiffness: Line,
+}
+
+impl Block {
+    /// `None` where the case is left to [`Sample`](super::Sample).
+    pub(super) fn new(case: &Case<Number>) -> Option<Self> {
+        let reconstruct = case.reconstruct.as_ref()?;
+        let impact = case.impact.as_ref()?;
+        let (restitution, tangential_restitution) = match &impact.law {
+            ImpactLaw::Brach { restitution, tangential: Tangential::Critical, moment_restitution: None } => {
+                (restitution, Number::Known(0.0))
+            }
+            ImpactLaw::Ishikawa { restitution, tangential_restitution } => {
+                (restitution, *tangential_restitution)
+            }
+            _ => return None,
+        };
+        let Restitution::Constant(restitution) = restitution else { return None };
+        let [one, two] = &case.vehicles;
+        let unknown = reconstruct.find;
+        Some(Self {
+            unknown,
+            basis: reconstruct.energy_basis,
+            vehicles: [
+                Vehicle::new(one, unknown == Unknown::Speed1)?,
+                Vehicle::new(two, unknown == Unknown::Speed2)?,
+            ],
+            crush_plane: impact.crush_plane,
+            restitution: *restitution,
+            tangential_restitution,
+        })
+    }
+
+    /// Solves a block for the outputs of a reconstruction of two vehicles, and tells of each sample whether that is its answer.
+    #[inline(always)]
+    pub(super) fn evaluate(&self, inputs: &[Lanes], central: &[f64], outputs: &mut [Lanes]) -> [bool; LANES] {
+        let (Ok(central), Ok(outputs)) = (central.try_into(), outputs.try_into()) else {
+            return [false; LANES];
+        };
+        let (e, e_t) = (self.restitution.lanes(inputs), self.tangential_restitution.lanes(inputs));
+        let [one, two] = &self.vehicles;
+        let (v1, v2) = (one.lanes(inputs), two.lanes(inputs));
+        let crush_plane = si(&self.crush_plane, inputs);
+        let mut crush_energy = [0.0; LANES];
+        one.add_crush_energy(inputs, &mut crush_energy);
+        two.add_crush_energy(inputs, &mut crush_energy);
+        // On the stack of this function, so that the compiler knows that no column is part of another.
+        let mut values = [[0.0; LANES]; OUTPUTS];
+        let mut answered = [false; LANES];
+        for lane in 0..LANES {
+            let (law, is_law) = Law::pose(e[lane], Tangential::Restitution(e_t[lane]));
+            let ((p1, is_1), (p2, is_2)) = (v1.participant(lane), v2.participant(lane));
+            let (contact, is_contact) = Contact::pose([p1, p2], crush_plane[lane]);
+            let motions = [v1.motion(lane), v2.motion(lane)];
+            let (problem, is_posed) =
+                Problem::pose(contact, law, motions, self.unknown, crush_energy[lane], self.basis);
+            let (speed, outcome, is_answer) = problem.attempt();
+            answered[lane] = is_law & is_1 & is_2 & is_contact & is_posed & is_answer;
+            for (column, value) in values.iter_mut().zip(answer(central, speed, &outcome)) {
+                column[lane] = value;
+            }
+        }
+        let outputs: &mut [Lanes; OUTPUTS] = outputs;
+        *outputs = values;
+        answered
+    }
+}
+
+/// Number of outputs of a reconstruction of two vehicles.
+const OUTPUTS: usize = 9;
+
+/// Its outputs, in the order of [`Output::of`]. A list, as a closure or a loop over it would not be inlined.
+#[inline(always)]
+fn answer(central: &[f64; OUTPUTS], speed: f64, outcome: &Outcome) -> [f64; OUTPUTS] {
+    [
+        value(Output::Speed { vehicle: 1 }, central[0], speed, outcome),
+        value(Output::DeltaV { vehicle: 1 }, central[1], speed, outcome),
+        value(Output::DeltaV { vehicle: 2 }, central[2], speed, outcome),
+        value(Output::Pdof { vehicle: 1 }, central[3], speed, outcome),
+        value(Output::Pdof { vehicle: 2 }, central[4], speed, outcome),
+        value(Output::ClosingSpeed, central[5], speed, outcome),
+        value(Output::EnergyLoss, central[6], speed, outcome),
+        value(Output::NormalWork, central[7], speed, outcome),
+        value(Output::TangentialWork, central[8], speed, outcome),
+    ]
+}
+
+/// What is the same for a block under every law, in SI.
+struct VehicleLanes {
+    mass: Lanes,
+    yaw_inertia: Lanes,
+    heading: Lanes,
+    forward: Lanes,
+    left: Lanes,
+    velocity_x: Lanes,
+    velocity_y: Lanes,
+    yaw_rate: Lanes,
+}
+
+impl VehicleLanes {
+    #[inline(always)]
+    fn participant(&self, lane: usize) -> (Participant, bool) {
+        let (body, is_body) = Body::pose(self.mass[lane], self.yaw_inertia[lane]);
+        let (participant, is_placed) =
+            Participant::pose(body, self.heading[lane], self.forward[lane], self.left[lane]);
+        (participant, is_body & is_placed)
+    }
+
+    #[inline(always)]
+    fn motion(&self, lane: usize) -> Motion {
+        let velocity = Vector2::new(self.velocity_x[lane], self.velocity_y[lane]);
+        Motion { velocity, yaw_rate: self.yaw_rate[lane] }
+    }
+}
+
+impl Vehicle {
+    fn new(vehicle: &case::Vehicle<Number>, is_sought: bool) -> Option<Self> {
+        let crush = vehicle.crush.as_ref()?;
+        // What enters neither the crush energy nor the impact may still refuse a sample.
+        let beside = [vehicle.wheelbase, vehicle.length, crush.offset, crush.oblique_angle, crush.moment_arm];
+        let outline = vehicle.outline.map(|outline| [outline.length, outline.width, outline.cg_to_front]);
+        let mut beside = beside.into_iter().flatten().chain(outline.into_iter().flatten());
+        if vehicle.fixed
+            || crush.from_force_balance
+            || crush.spacing.is_some()
+            || crush.pdof.is_some()
+            || crush.oblique.is_some()
+            || beside.any(|quantity| quantity.number().is_uncertain())
+        {
+            return None;
+        }
+        let StiffnessForm::Line(stiffness) = crush.stiffness else { return None };
+        let stiffness = Line::new(stiffness)?;
+        Some(Self {
+            mass: vehicle.mass?,
+            yaw: vehicle.yaw?,
+            heading: vehicle.heading?,
+            contact: vehicle.contact?,
+            motion: if is_sought { None } else { Some(vehicle.motion?) },
+            yaw_rate: vehicle.yaw_rate,
+            width: crush.width?,
+            depths: crush.depths.clone(),
+            stiffness,
+        })
+    }
+
+    #[inline(always)]
+    fn lanes(&self, inputs: &[Lanes]) -> VehicleLanes {
+        let mass = match self.mass {
+            Mass::Mass(mass) => each(&mass, inputs, |mass| Mass::Mass(mass).kg()),
+            Mass::Weight(weight) => each(&weight, inputs, |weight| Mass::Weight(weight).kg()),
+        };
+        let mut yaw_inertia = [0.0; LANES];
+        match self.yaw {
+            YawInertia::Inertia(inertia) => {
+                let numbers = inertia.number().lanes(inputs);
+                for lane in 0..LANES {
+                    yaw_inertia[lane] = YawInertia::Inertia(inertia.with(numbers[lane])).kg_m2(mass[lane]);
+                }
+            }
+            YawInertia::Radius(radius) => {
+                let numbers = radius.number().lanes(inputs);
+                for lane in 0..LANES {
+                    yaw_inertia[lane] = YawInertia::Radius(radius.with(numbers[lane])).kg_m2(mass[lane]);
+                }
+            }
+        }
+        let (mut forward, mut left) = ([0.0; LANES], [0.0; LANES]);
+        match self.contact {
+            ContactPoint::Polar { distance, angle } => {
+                let (distances, angles) = (distance.number().lanes(inputs), angle.number().lanes(inputs));
+                for lane in 0..LANES {
+                    let contact = ContactPoint::Polar {
+                        distance: distance.with(distances[lane]),
+                        angle: angle.with(angles[lane]),
+                    };
+                    [forward[lane], left[lane]] = contact.forward_left();
+                }
+            }
+            ContactPoint::Cartesian { x, y } => {
+                let (xs, ys) = (x.number().lanes(inputs), y.number().lanes(inputs));
+                for lane in 0..LANES {
+                    let contact = ContactPoint::Cartesian { x: x.with(xs[lane]), y: y.with(ys[lane]) };
+                    [forward[lane], left[lane]] = contact.forward_left();
+                }
+            }
+        }
+        let heading = si(&self.heading, inputs);
+        let (mut velocity_x, mut velocity_y) = ([0.0; LANES], [0.0; LANES]);
+        match self.motion {
+            None => {}
+            Some(Velocity::Speed(speed)) => {
+                let speed = si(&speed, inputs);
+                for lane in 0..LANES {
+                    let velocity = Motion::along(heading[lane], speed[lane]).velocity;
+                    (velocity_x[lane], velocity_y[lane]) = (velocity.x, velocity.y);
+                }
+            }
+            Some(Velocity::Vector { x, y }) => {
+                velocity_x = si(&x, inputs);
+                velocity_y = si(&y, inputs);
+            }
+        }
+        let yaw_rate = self.yaw_rate.map_or([0.0; LANES], |yaw_rate| si(&yaw_rate, inputs));
+        VehicleLanes { mass, yaw_inertia, heading, forward, left, velocity_x, velocity_y, yaw_rate }
+    }
+
+    /// (J) adds the crush energy; not a number where a sample has none.
+    #[inline(always)]
+    fn add_crush_energy(&self, inputs: &[Lanes], total: &mut Lanes) {
+        let stations = self.depths.len();
+        let mut spacing = si(&self.width, inputs);
+        for width in &mut spacing {
+            *width = equal_spacing(*width, stations);
+        }
+        let [a, b, g] = self.stiffness.lanes(inputs);
+        let mut own = [0.0; LANES];
+        for ends in self.depths.windows(2) {
+            let [c1, c2] = ends else { continue };
+            let (c1, c2) = (si(c1, inputs), si(c2, inputs));
+            for lane in 0..LANES {
+                let zone = Zone { width: spacing[lane], depths: [c1[lane], c2[lane]] };
+                let (stiffness, is_stiffness) = Stiffness::pose_abg(a[lane], b[lane], g[lane]);
+                let energy = zone_energy(zone, &stiffness);
+                own[lane] += if is_stiffness & zone.is_possible() { energy } else { f64::NAN };
+            }
+        }
+        for (total, own) in total.iter_mut().zip(own) {
+            *total += own;
+        }
+    }
+}
+
+/// A stiffness without a limit, and without a G where that follows.
+#[derive(Clone, Copy, Debug)]
+enum Line {
+    Crush([Quantity<Number>; 2]),
+    CrushEnergy([Quantity<Number>; 3]),
+    Root([Quantity<Number>; 2]),
+    RootEnergy([Quantity<Number>; 3]),
+}
+
+impl Line {
+    fn new(line: StiffnessLine<Number>) -> Option<Self> {
+        match line {
+            StiffnessLine::Crush { a, b, g: None, limit: None } => Some(Self::Crush([a, b])),
+            StiffnessLine::Crush { a, b, g: Some(g), limit: None } => Some(Self::CrushEnergy([a, b, g])),
+            StiffnessLine::Root { d0, d1, g: None, limit: None } => Some(Self::Root([d0, d1])),
+            StiffnessLine::Root { d0, d1, g: Some(g), limit: None } => Some(Self::RootEnergy([d0, d1, g])),
+            _ => None,
+        }
+    }
+
+    /// A, B and G; not numbers where there is no such stiffness.
+    #[inline(always)]
+    fn lanes(&self, inputs: &[Lanes]) -> [Lanes; 3] {
+        let limit = None;
+        match self {
+            Self::Crush(numbers) => {
+                coefficients(numbers, inputs, |[a, b]| StiffnessLine::Crush { a, b, g: None, limit })
+            }
+            Self::CrushEnergy(numbers) => {
+                coefficients(numbers, inputs, |[a, b, g]| StiffnessLine::Crush { a, b, g: Some(g), limit })
+            }
+            Self::Root(numbers) => {
+                coefficients(numbers, inputs, |[d0, d1]| StiffnessLine::Root { d0, d1, g: None, limit })
+            }
+            Self::RootEnergy(numbers) => {
+                coefficients(numbers, inputs, |[d0, d1, g]| StiffnessLine::Root { d0, d1, g: Some(g), limit })
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn coefficients<const N: usize>(
+    quantities: &[Quantity<Number>; N],
+    inputs: &[Lanes],
+    line: impl Fn([Quantity; N]) -> StiffnessLine,
+) -> [Lanes; 3] {
+    let numbers = quantities.map(|quantity| quantity.number().lanes(inputs));
+    let [mut a, mut b, mut g] = [[0.0; LANES]; 3];
+    for lane in 0..LANES {
+        let line = line(std::array::from_fn(|i| quantities[i].with(numbers[i][lane])));
+        [a[lane], b[lane], g[lane]] = match line.stiffness() {
+            Ok(stiffness) => [stiffness.a(), stiffness.b(), stiffness.g()],
+            Err(_) => [f64::NAN; 3],
+        };
+    }
+    [a, b, g]
+}
+
+#[inline(always)]
+fn si(quantity: &Quantity<Number>, inputs: &[Lanes]) -> Lanes {
+    each(quantity, inputs, |quantity| quantity.si())
+}
+
+#[inline(always)]
+fn each(quantity: &Quantity<Number>, inputs: &[Lanes], value: impl Fn(Quantity) -> f64) -> Lanes {
+    let mut lanes = quantity.number().lanes(inputs);
+    for lane in &mut lanes {
+        *lane = value(quantity.with(*lane));
+    }
+    lanes
+}
