@@ -1,7 +1,9 @@
 //! What is known of an input: a distribution, made from what an engineer can say.
 
 use crate::error::InvalidDistribution;
+use crate::model::{LANES, Lanes};
 use crate::normal;
+use crate::random::{bits, key, unit};
 
 /// The least share of a normal distribution that its bounds may leave.
 ///
@@ -193,6 +195,40 @@ impl Distribution {
                 let (width, rise) = (high - low, mode - low);
                 let variance = (width * width + rise * rise - width * rise) / 18.0;
                 (low / 3.0 + mode / 3.0 + high / 3.0, variance.sqrt())
+            }
+        }
+    }
+
+    /// Independent shares in (0, 1) become independent values: as [`transform`](Self::transform), but for normal distributions, of which
+    /// [`normal::box_muller`] makes the numbers.
+    #[inline(always)]
+    pub(crate) fn draw(&self, lanes: &mut Lanes) {
+        let Transform::Normal { centre, scale, low, high, .. } = self.transform else {
+            return self.transform(lanes);
+        };
+        let shares = *lanes;
+        normal::box_muller(lanes);
+        let mut is_cut = false;
+        for lane in lanes.iter_mut() {
+            // x = μ + σ·z
+            *lane = centre + scale * *lane;
+            is_cut |= (*lane < low) | (*lane > high);
+        }
+        if is_cut {
+            self.draw_again(&shares, lanes);
+        }
+    }
+
+    /// Draws the values again that a bound cuts off.
+    #[cold]
+    #[inline(never)]
+    fn draw_again(&self, shares: &Lanes, lanes: &mut Lanes) {
+        let Some(Truncation { low, high, .. }) = self.truncation else { return };
+        for (index, lane) in lanes.iter_mut().enumerate() {
+            if *lane < low || *lane > high {
+                // A share that has nothing to do with the two that led out of the bounds.
+                let pair = [shares[index % (LANES / 2)], shares[index % (LANES / 2) + LANES / 2]];
+                *lane = self.quantile(unit(bits(key(pair[0].to_bits(), &[pair[1].to_bits()]), index as u64)));
             }
         }
     }

@@ -3,13 +3,16 @@
 //! # References
 //!
 //! M. J. Wichura, *Algorithm AS 241: the percentage points of the normal distribution*, Applied Statistics 37 (1988): PPND16.
+//! G. E. P. Box and M. E. Muller, *A note on the generation of random normal deviates*, Annals of Mathematical Statistics 29 (1958).
 //! G. Marsaglia, *Evaluating the normal distribution*, Journal of Statistical Software 11 (2004): the series.
 //! M. Abramowitz and I. A. Stegun, *Handbook of Mathematical Functions* (1964): 26.2.14, the continued fraction; 25.4.30, Gauss's
 //! quadrature.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
-use real::elementary::{exp, ln};
+use real::elementary::{exp, ln, sin_cos};
+
+use crate::model::{LANES, Lanes};
 
 // Numerators and denominators of AS 241: near the middle, in the tails, far out.
 const A: [f64; 8] = [
@@ -147,6 +150,22 @@ fn tail(p: f64) -> f64 {
 fn polynomial(coefficients: &[f64; 8], x: f64) -> f64 {
     let [c0, c1, c2, c3, c4, c5, c6, c7] = coefficients;
     c0 + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * (c5 + x * (c6 + x * c7))))))
+}
+
+/// Independent shares in (0, 1) become independent standard normal numbers: each of the first half of the lanes and its counterpart of the second half become
+/// two.
+///
+/// Quicker than [`quantiles`], but a number is no longer the quantile of one share, which only independent points do without.
+#[inline(always)]
+pub(crate) fn box_muller(lanes: &mut Lanes) {
+    let (radii, turns) = lanes.split_at_mut(LANES / 2);
+    for (first, second) in radii.iter_mut().zip(turns) {
+        // z₁ = √(−2 ln u₁) cos 2πu₂,  z₂ = √(−2 ln u₁) sin 2πu₂
+        let radius = (-2.0 * ln(*first)).sqrt();
+        let (sin, cos) = sin_cos(TAU * *second);
+        *first = radius * cos;
+        *second = radius * sin;
+    }
 }
 
 /// φ(z) = e^(−z²/2)/√(2π)

@@ -89,6 +89,12 @@ impl Points {
         Ok(Self { samples: count, inputs })
     }
 
+    /// Whether any point is independent of all others.
+    #[inline(always)]
+    pub(crate) fn are_independent(&self) -> bool {
+        matches!(self.inputs, Inputs::MonteCarlo(_))
+    }
+
     /// The shares of a block of samples, a column for each input. Lanes beyond the last sample hold some point or other.
     #[inline(always)]
     pub(crate) fn fill(&self, block: u64, columns: &mut [Lanes]) {

@@ -104,7 +104,8 @@ pub fn propagate<M: Model>(
         column.truncate(evaluated);
     }
     reasons.truncate(evaluated);
-    let summaries = for_each(&columns, |column| Summary::of(column, settings.method));
+    let is_complete = failures.is_empty();
+    let summaries = for_each(&columns, |column| Summary::of(column, is_complete, settings.method));
     Ok(Propagation { columns, reasons, failures, summaries, requested: settings.samples })
 }
 

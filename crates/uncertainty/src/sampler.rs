@@ -73,6 +73,10 @@ pub(crate) fn fill(
 fn fill_with(points: &Points, inputs: &[Distribution], block: u64, columns: &mut [Lanes]) {
     points.fill(block, columns);
     for (column, input) in columns.iter_mut().zip(inputs.iter().cycle()) {
-        input.transform(column);
+        if points.are_independent() {
+            input.draw(column);
+        } else {
+            input.transform(column);
+        }
     }
 }

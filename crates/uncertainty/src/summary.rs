@@ -58,16 +58,23 @@ const PROBABILITIES: [f64; 1 + 2 * LEVELS.len()] = [0.5, 0.25, 0.75, 0.05, 0.95,
 
 impl Summary {
     /// Of a column in which NaN stands for samples that failed; `None` where fewer than two succeeded.
-    pub(crate) fn of(column: &[f64], method: Method) -> Option<Self> {
-        let mut values: Vec<f64> = column.iter().copied().filter(|value| !value.is_nan()).collect();
+    /// `is_complete` tells that there are none.
+    pub(crate) fn of(column: &[f64], is_complete: bool, method: Method) -> Option<Self> {
+        let succeeded;
+        let values = if is_complete {
+            column
+        } else {
+            succeeded = without_nan(column.iter());
+            &succeeded
+        };
         if values.len() < 2 {
             return None;
         }
-        let moments = Moments::of(&values);
-        let quantiles = Quantiles::of(&mut values);
+        let moments = Moments::of(values);
+        let quantiles = Quantiles::of(values);
         let errors = match method {
             Method::MonteCarlo => Errors::by_formula(&moments, &quantiles),
-            Method::LatinHypercube | Method::Sobol => Errors::by_replicates(column, values),
+            Method::LatinHypercube | Method::Sobol => Errors::by_replicates(column),
         };
 
         let quantile = |place: usize| Estimate {
@@ -89,6 +96,10 @@ impl Summary {
     }
 }
 
+fn without_nan<'a>(values: impl Iterator<Item = &'a f64>) -> Vec<f64> {
+    values.copied().filter(|value| !value.is_nan()).collect()
+}
+
 /// Number, mean and sums of powers of the deviations from it.
 struct Moments {
     count: usize,
@@ -100,11 +111,11 @@ struct Moments {
 impl Moments {
     fn of(values: &[f64]) -> Self {
         let count = values.len() as f64;
-        let mean = sum(values, |x| x) / count;
-        let squares = sum(values, |x| (x - mean) * (x - mean));
-        let fourth_powers = sum(values, |x| {
+        let [sum] = sums(values, |x| [x]);
+        let mean = sum / count;
+        let [squares, fourth_powers] = sums(values, |x| {
             let square = (x - mean) * (x - mean);
-            square * square
+            [square, square * square]
         });
         Self { count: values.len(), mean, squares, fourth_powers }
     }
@@ -116,22 +127,31 @@ impl Moments {
 }
 
 /// Σ f(x) in a fixed order, of sums over eight lanes and over spans, which keeps the rounding small.
-fn sum(values: &[f64], f: impl Fn(f64) -> f64) -> f64 {
+fn sums<const N: usize>(values: &[f64], f: impl Fn(f64) -> [f64; N]) -> [f64; N] {
     const SPAN: usize = 64 * LANES;
-    let mut total = 0.0;
+    let mut totals = [0.0; N];
     for span in values.chunks(SPAN) {
-        let mut lanes = [0.0; 8];
+        let mut lanes = [[0.0; 8]; N];
         let (blocks, rest) = span.as_chunks::<8>();
         for block in blocks {
-            for (lane, &value) in lanes.iter_mut().zip(block) {
-                *lane += f(value);
+            for (lane, &value) in block.iter().enumerate() {
+                for (lanes, term) in lanes.iter_mut().zip(f(value)) {
+                    lanes[lane] += term;
+                }
             }
         }
-        let rest: f64 = rest.iter().map(|&value| f(value)).sum();
-        let lanes: f64 = lanes.into_iter().sum();
-        total += lanes + rest;
+        let mut of_rest = [0.0; N];
+        for &value in rest {
+            for (sum, term) in of_rest.iter_mut().zip(f(value)) {
+                *sum += term;
+            }
+        }
+        for ((total, lanes), rest) in totals.iter_mut().zip(lanes).zip(of_rest) {
+            let lanes: f64 = lanes.into_iter().sum();
+            *total += lanes + rest;
+        }
     }
-    total
+    totals
 }
 
 /// The quantiles at [`PROBABILITIES`], and the order statistics around them.
@@ -142,22 +162,22 @@ struct Quantiles {
 }
 
 impl Quantiles {
-    /// Puts the values that are needed in their places.
-    fn of(values: &mut [f64]) -> Self {
+    fn of(values: &[f64]) -> Self {
         let count = values.len();
         let places = PROBABILITIES.map(|probability| Place::of(probability, count));
         let mut wanted: Vec<usize> = places.iter().flat_map(Place::wanted).collect();
         wanted.sort_unstable();
         wanted.dedup();
-        select(values, 0, &wanted);
+        let found = order_statistics(values, &wanted);
+        let at = |rank: usize| found[wanted.partition_point(|wanted| *wanted < rank)];
         Self {
             values: places.each_ref().map(|place| {
-                let (low, high) = (values[place.below], values[place.above]);
+                let (low, high) = (at(place.below), at(place.above));
                 // Q = x₍ₖ₎ + (h − k)·(x₍ₖ₊₁₎ − x₍ₖ₎), h = (n − 1)p
                 low + (high - low) * place.part
             }),
             half_distances: places
-                .map(|place| place.around.map(|(before, after)| 0.5 * (values[after] - values[before]))),
+                .map(|place| place.around.map(|(before, after)| 0.5 * (at(after) - at(before)))),
         }
     }
 }
@@ -198,6 +218,106 @@ fn tail_is_populated(probability: f64, count: usize) -> bool {
     count as f64 * probability.min(1.0 - probability) >= TAIL_SAMPLES
 }
 
+/// The values at the wanted places, counted from zero and ascending, of the values in their order.
+///
+/// The range of the values is cut into equal cells. One pass counts the values in each; a second one takes out those of the few cells in which a
+/// wanted place lies, which alone are put in order. However the values lie, this is right; where most lie in one cell, it is no quicker than ordering them.
+fn order_statistics(values: &[f64], wanted: &[usize]) -> Vec<f64> {
+    let cells = Cells::of(values);
+    let counts = cells.count(values);
+
+    // The cells with a wanted place, each with the place of its first value. There are fewer than u8::MAX: a summary wants 36 places at most.
+    let mut slots = [u8::MAX; 2 * CELLS];
+    let mut taken: Vec<(usize, Vec<f64>)> = Vec::new();
+    let mut waiting = wanted.iter().peekable();
+    let mut first = 0;
+    for (slot, &count) in slots.iter_mut().zip(counts.iter()) {
+        let next = first + count;
+        if waiting.peek().is_some_and(|place| **place < next) {
+            *slot = u8::try_from(taken.len()).unwrap_or(u8::MAX);
+            taken.push((first, Vec::with_capacity(count)));
+            while waiting.next_if(|place| **place < next).is_some() {}
+        }
+        first = next;
+    }
+    for &value in values {
+        let slot = slots[cells.cell(value)];
+        if slot < u8::MAX
+            && let Some((_, taken)) = taken.get_mut(usize::from(slot))
+        {
+            taken.push(value);
+        }
+    }
+
+    let mut found = Vec::with_capacity(wanted.len());
+    let mut waiting = wanted;
+    for (first, mut values) in taken {
+        let here = waiting.partition_point(|place| *place < first + values.len());
+        let (places, rest) = waiting.split_at(here);
+        waiting = rest;
+        select(&mut values, first, places);
+        found.extend(places.iter().map(|place| values[place - first]));
+    }
+    found
+}
+
+/// Number of cells.
+const CELLS: usize = 1 << 11;
+
+/// Equal parts of the range of some values.
+struct Cells {
+    least: f64,
+    per_unit: f64,
+}
+
+impl Cells {
+    fn of(values: &[f64]) -> Self {
+        let mut least = [f64::INFINITY; 8];
+        let mut greatest = [f64::NEG_INFINITY; 8];
+        let (blocks, rest) = values.as_chunks::<8>();
+        let mut widen = |lane: usize, value: f64| {
+            least[lane] = if value < least[lane] { value } else { least[lane] };
+            greatest[lane] = if value > greatest[lane] { value } else { greatest[lane] };
+        };
+        for block in blocks {
+            for (lane, &value) in block.iter().enumerate() {
+                widen(lane, value);
+            }
+        }
+        for (lane, &value) in rest.iter().enumerate() {
+            widen(lane, value);
+        }
+        let least = least.into_iter().fold(f64::INFINITY, f64::min);
+        let greatest = greatest.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        let per_unit = CELLS as f64 / (greatest - least);
+        // One cell for values that are all the same, or too near or too far apart for the quotient.
+        if per_unit.is_finite() && per_unit > 0.0 {
+            Self { least, per_unit }
+        } else {
+            Self { least: 0.0, per_unit: 0.0 }
+        }
+    }
+
+    /// Never falls where the value rises.
+    #[inline(always)]
+    fn cell(&self, value: f64) -> usize {
+        // 2⁵²: its last bits are the rounded sum.
+        const TO_INTEGER: f64 = 4_503_599_627_370_496.0;
+        let bits = ((value - self.least) * self.per_unit + TO_INTEGER).to_bits();
+        #[expect(clippy::cast_possible_truncation, reason = "only the last bits are wanted")]
+        let last = bits as usize;
+        last % (2 * CELLS)
+    }
+
+    fn count(&self, values: &[f64]) -> Box<[usize; 2 * CELLS]> {
+        let mut counts = Box::new([0; 2 * CELLS]);
+        for &value in values {
+            counts[self.cell(value)] += 1;
+        }
+        counts
+    }
+}
+
 /// Puts the wanted places of the ordered values right, the middle one first and the others inside its halves. `values` begin at `start`.
 fn select(values: &mut [f64], start: usize, wanted: &[usize]) {
     let (before, [middle, after @ ..]) = wanted.split_at(wanted.len() / 2) else { return };
@@ -227,22 +347,19 @@ impl Errors {
         Self { mean: Some(mean), sd: Some(of_sd), quantiles: quantiles.half_distances }
     }
 
-    /// `scratch` is any vector, for its memory.
-    fn by_replicates(column: &[f64], mut scratch: Vec<f64>) -> Self {
+    fn by_replicates(column: &[f64]) -> Self {
         let mut means = Vec::with_capacity(REPLICATES);
         let mut sds = Vec::with_capacity(REPLICATES);
         let mut quantiles = PROBABILITIES.map(|_| Vec::with_capacity(REPLICATES));
         for replicate in 0..REPLICATES {
-            scratch.clear();
-            let own = column.iter().skip(replicate).step_by(REPLICATES);
-            scratch.extend(own.copied().filter(|value| !value.is_nan()));
-            if scratch.len() < 2 {
+            let own = without_nan(column.iter().skip(replicate).step_by(REPLICATES));
+            if own.len() < 2 {
                 continue;
             }
-            let moments = Moments::of(&scratch);
+            let moments = Moments::of(&own);
             means.push(moments.mean);
             sds.push(moments.sd());
-            let of_replicate = Quantiles::of(&mut scratch);
+            let of_replicate = Quantiles::of(&own);
             for ((all, value), probability) in
                 quantiles.iter_mut().zip(of_replicate.values).zip(PROBABILITIES)
             {

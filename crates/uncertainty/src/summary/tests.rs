@@ -1,5 +1,6 @@
-use super::{Estimate, Place, Quantiles, Summary, select, sum};
+use super::{Estimate, Place, Quantiles, Summary, order_statistics, select, sums};
 use crate::points::Method;
+use crate::random::{bits, unit};
 
 /// 0, 1, … 100 in disorder.
 fn hundred() -> Vec<f64> {
@@ -9,7 +10,7 @@ fn hundred() -> Vec<f64> {
 /// Of 0, 1, … 100 the quantile at p is 100p by any type that interpolates like NumPy's; the variance is n(n + 1)/12, n = 101.
 #[test]
 fn the_statistics_of_a_hundred_numbers() {
-    let summary = Summary::of(&hundred(), Method::MonteCarlo).unwrap();
+    let summary = Summary::of(&hundred(), false, Method::MonteCarlo).unwrap();
     assert_eq!(summary.samples, 101);
     assert_eq!(summary.mean.value, 50.0);
     assert!((summary.sd.value - (101.0_f64 * 102.0 / 12.0).sqrt()).abs() < 1e-13);
@@ -35,15 +36,18 @@ fn failed_samples_are_left_out() {
     for place in [0, 50, 101] {
         column.insert(place, f64::NAN);
     }
-    assert_eq!(Summary::of(&column, Method::MonteCarlo), Summary::of(&hundred(), Method::MonteCarlo));
-    assert_eq!(Summary::of(&[1.0, f64::NAN], Method::MonteCarlo), None);
-    assert_eq!(Summary::of(&[], Method::Sobol), None);
+    assert_eq!(
+        Summary::of(&column, false, Method::MonteCarlo),
+        Summary::of(&hundred(), false, Method::MonteCarlo)
+    );
+    assert_eq!(Summary::of(&[1.0, f64::NAN], false, Method::MonteCarlo), None);
+    assert_eq!(Summary::of(&[], false, Method::Sobol), None);
 }
 
 #[test]
 fn a_constant_has_no_uncertainty() {
     for method in [Method::MonteCarlo, Method::LatinHypercube] {
-        let summary = Summary::of(&vec![3.0; 16_000], method).unwrap();
+        let summary = Summary::of(&vec![3.0; 16_000], true, method).unwrap();
         let certain = |value| Estimate { value, standard_error: Some(0.0) };
         assert_eq!((summary.mean, summary.sd, summary.median), (certain(3.0), certain(0.0), certain(3.0)));
         assert_eq!(summary.intervals[3].high, certain(3.0));
@@ -54,7 +58,7 @@ fn a_constant_has_no_uncertainty() {
 #[test]
 fn replicates_give_the_standard_error() {
     let column: Vec<f64> = (0..16_000).map(|index| f64::from(index % 16)).collect();
-    let summary = Summary::of(&column, Method::Sobol).unwrap();
+    let summary = Summary::of(&column, false, Method::Sobol).unwrap();
     let expected = (16.0_f64 * 17.0 / 12.0).sqrt() / 4.0;
     for estimate in [summary.mean, summary.median, summary.intervals[2].low] {
         assert!((estimate.standard_error.unwrap() - expected).abs() < 1e-13);
@@ -62,11 +66,14 @@ fn replicates_give_the_standard_error() {
     assert_eq!(summary.sd.standard_error, Some(0.0));
     // 1000 in each replicate: five beyond the ends of the 99 % interval, just. A sample less in one of them is too few.
     assert!(summary.intervals[3].low.standard_error.is_some());
-    assert_eq!(Summary::of(&column[1..], Method::Sobol).unwrap().intervals[3].low.standard_error, None);
+    assert_eq!(
+        Summary::of(&column[1..], false, Method::Sobol).unwrap().intervals[3].low.standard_error,
+        None
+    );
     // No replicate but one.
     let mut lonely = vec![f64::NAN; 1600];
     lonely.iter_mut().step_by(16).for_each(|value| *value = 1.0);
-    assert_eq!(Summary::of(&lonely, Method::Sobol).unwrap().mean.standard_error, None);
+    assert_eq!(Summary::of(&lonely, false, Method::Sobol).unwrap().mean.standard_error, None);
 }
 
 #[test]
@@ -78,15 +85,51 @@ fn selection_puts_all_places_right() {
         assert_eq!(values[place], place as f64);
     }
     // Two values: every place exists.
-    let quantiles = Quantiles::of(&mut [2.0, 1.0]);
+    let quantiles = Quantiles::of(&[2.0, 1.0]);
     assert_eq!(quantiles.values[0], 1.5);
     assert_eq!(Place::of(0.995, 2).above, 1);
+}
+
+/// Beside a full sort: values spread evenly, in clumps, all alike but one, all alike, over the whole range of an `f64`, subnormal, and of both zeros.
+#[test]
+fn order_statistics_are_those_of_a_sort() {
+    let kinds: [fn(f64) -> f64; 8] = [
+        |u| u,
+        |u| (7.0 * u).floor() - 3.0,
+        |u| if u < 0.9999 { 1.0 } else { 1e300 },
+        |_| -2.5,
+        |u| (u - 0.5) * f64::MAX * 2.0,
+        |u| u * 1e-310,
+        |u| if u < 0.5 { -0.0 } else { 0.0 },
+        |u| 1.0 / (u * u),
+    ];
+    for (kind, of) in (0..).zip(kinds) {
+        for count in [2, 3, 100, 20_000] {
+            let values: Vec<f64> = (0..count).map(|index| of(unit(bits(kind, index)))).collect();
+            let mut sorted = values.clone();
+            sorted.sort_unstable_by(f64::total_cmp);
+            let count = values.len();
+            let mut wanted = vec![0, 1, count / 7, count / 2, count / 2 + 1, count * 9 / 10, count - 1];
+            wanted.retain(|place| *place < count);
+            wanted.sort_unstable();
+            wanted.dedup();
+            let expected: Vec<f64> = wanted.iter().map(|place| sorted[*place]).collect();
+            let found = order_statistics(&values, &wanted);
+            assert_eq!(found, expected, "kind {kind}, {count} values");
+            assert_eq!(
+                order_statistics(&values, &[count - 1]),
+                [sorted[count - 1]],
+                "kind {kind}, {count} values"
+            );
+        }
+    }
 }
 
 #[test]
 fn sums_take_every_value_once() {
     for count in [0, 1, 7, 8, 9, 4095, 4096, 4097, 10_000] {
         let values: Vec<f64> = (1..=count).map(f64::from).collect();
-        assert_eq!(sum(&values, |x| x), f64::from(count) * f64::from(count + 1) / 2.0);
+        let total = f64::from(count) * f64::from(count + 1) / 2.0;
+        assert_eq!(sums(&values, |x| [x, 2.0 * x]), [total, 2.0 * total]);
     }
 }
