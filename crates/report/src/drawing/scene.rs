@@ -79,7 +79,7 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
         .map(|motion| vec2(motion.velocity).hypot())
         .fold(SLOWEST, f64::max);
     let per_speed = FASTEST / fastest;
-    let arrows = Arrows { impact, axes: case.axes, per_speed };
+    let arrows = Arrows { impact, per_speed };
     let (scale, origin) = fit(&scene, &arrows);
 
     let bar_row = HEADER + SCENE + 30.0;
@@ -127,8 +127,6 @@ fn area() -> Rect {
 /// All arrows of the scene, of which only the starting points are to scale.
 struct Arrows<'a> {
     impact: &'a Impact,
-    /// Of t; all else is drawn in those of the engine.
-    axes: Axes,
     /// (px·s/m)
     per_speed: f64,
 }
@@ -163,7 +161,9 @@ fn fit(scene: &[Placed; 2], arrows: &Arrows) -> (f64, Point) {
     let bounds = |scale: f64| {
         let mut points = vec![arrows.impulse(), Vec2::ZERO];
         let normal = flipped(vec2(arrows.impact.contact.normal()));
-        points.extend([normal * AXES, Vec2::new(normal.y, -normal.x) * arrows.axes.lateral(AXES)]);
+        let t = Vec2::new(normal.y, -normal.x);
+        // t points to either side, by the axes of the case; the picture is the same.
+        points.extend([normal, t, -t].map(|axis| axis * AXES));
         for (i, placed) in scene.iter().enumerate() {
             let cg = flipped(placed.cg) * scale;
             if let Some(body) = &placed.body {
