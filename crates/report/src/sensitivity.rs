@@ -188,7 +188,7 @@ fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units, axes: Axes)
     text.push('\n');
     let sense = match axes {
         Axes::ZUp => "positive counter-clockwise as in Table 3 of SAE 980025",
-        Axes::ZDown => "positive clockwise, other than in Table 3 of SAE 980025",
+        Axes::ZDown => "positive clockwise, against the sense of Table 3 of SAE 980025",
     };
     text.push_str(&wrapped(&format!(
         "The lines of action are turned about the points through which the forces act, {sense}; moment arms \
