@@ -6,6 +6,7 @@ use crash3::ObliqueCorrection;
 use pim_core::Regime;
 use serde::Serialize;
 
+use crate::axes;
 use crate::law;
 use crate::text::{LINE, wrapped};
 use crate::units::{Quantity, Units, number};
@@ -209,11 +210,12 @@ pub fn comparison_text(case: &Case, comparison: &Comparison, units: Units) -> St
         }
     }
     text.push('\n');
-    text.push_str(&wrapped(
+    text.push_str(&wrapped(&format!(
         "The first row is the case's own law; the changes are from it. E_L is the energy loss, for CRASH3 the crush energy; \
          W_n and W_t are the work of the normal and the tangential impulse in % of the initial kinetic energy; Ω is the \
-         yaw rate after impact. Sources: theory 3 (laws), SAE 980025 Eq 5–8 (CRASH3).",
-    ));
+         yaw rate after impact, {} positive. Sources: theory 3 (laws), SAE 980025 Eq 5–8 (CRASH3).",
+        axes::sense(case.axes)
+    )));
     text
 }
 
