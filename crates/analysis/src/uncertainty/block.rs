@@ -6,7 +6,7 @@
 
 use ::uncertainty::{LANES, Lanes};
 use case::{
-    Case, ContactPoint, ImpactLaw, Mass, Quantity, Restitution, StiffnessForm, StiffnessLine, Velocity,
+    Axes, Case, ContactPoint, ImpactLaw, Mass, Quantity, Restitution, StiffnessForm, StiffnessLine, Velocity,
     YawInertia,
 };
 use crash3::{EnergyBasis, Stiffness, Zone, equal_spacing, zone_energy};
@@ -42,6 +42,7 @@ impl Number {
 /// A reconstruction of which a block of samples can be solved at once.
 #[derive(Debug)]
 pub(super) struct Block {
+    axes: Axes,
     unknown: Unknown,
     basis: EnergyBasis,
     vehicles: [Vehicle; 2],
@@ -83,6 +84,7 @@ impl Block {
         let [one, two] = &case.vehicles;
         let unknown = reconstruct.find;
         Some(Self {
+            axes: case.axes,
             unknown,
             basis: reconstruct.energy_basis,
             vehicles: [
@@ -103,8 +105,8 @@ impl Block {
         };
         let (e, e_t) = (self.restitution.lanes(inputs), self.tangential_restitution.lanes(inputs));
         let [one, two] = &self.vehicles;
-        let (v1, v2) = (one.lanes(inputs), two.lanes(inputs));
-        let crush_plane = si(&self.crush_plane, inputs);
+        let (v1, v2) = (one.lanes(self.axes, inputs), two.lanes(self.axes, inputs));
+        let crush_plane = lateral(self.axes, &self.crush_plane, inputs);
         let mut crush_energy = [0.0; LANES];
         one.add_crush_energy(inputs, &mut crush_energy);
         two.add_crush_energy(inputs, &mut crush_energy);
@@ -209,7 +211,7 @@ impl Vehicle {
     }
 
     #[inline(always)]
-    fn lanes(&self, inputs: &[Lanes]) -> VehicleLanes {
+    fn lanes(&self, axes: Axes, inputs: &[Lanes]) -> VehicleLanes {
         let mass = match self.mass {
             Mass::Mass(mass) => each(&mass, inputs, |mass| Mass::Mass(mass).kg()),
             Mass::Weight(weight) => each(&weight, inputs, |weight| Mass::Weight(weight).kg()),
@@ -238,18 +240,21 @@ impl Vehicle {
                         distance: distance.with(distances[lane]),
                         angle: angle.with(angles[lane]),
                     };
-                    [forward[lane], left[lane]] = contact.forward_left();
+                    [forward[lane], left[lane]] = contact.xy();
                 }
             }
             ContactPoint::Cartesian { x, y } => {
                 let (xs, ys) = (x.number().lanes(inputs), y.number().lanes(inputs));
                 for lane in 0..LANES {
                     let contact = ContactPoint::Cartesian { x: x.with(xs[lane]), y: y.with(ys[lane]) };
-                    [forward[lane], left[lane]] = contact.forward_left();
+                    [forward[lane], left[lane]] = contact.xy();
                 }
             }
         }
-        let heading = si(&self.heading, inputs);
+        for left in &mut left {
+            *left = axes.lateral(*left);
+        }
+        let heading = lateral(axes, &self.heading, inputs);
         let (mut velocity_x, mut velocity_y) = ([0.0; LANES], [0.0; LANES]);
         match self.motion {
             None => {}
@@ -262,10 +267,10 @@ impl Vehicle {
             }
             Some(Velocity::Vector { x, y }) => {
                 velocity_x = si(&x, inputs);
-                velocity_y = si(&y, inputs);
+                velocity_y = lateral(axes, &y, inputs);
             }
         }
-        let yaw_rate = self.yaw_rate.map_or([0.0; LANES], |yaw_rate| si(&yaw_rate, inputs));
+        let yaw_rate = self.yaw_rate.map_or([0.0; LANES], |yaw_rate| lateral(axes, &yaw_rate, inputs));
         VehicleLanes { mass, yaw_inertia, heading, forward, left, velocity_x, velocity_y, yaw_rate }
     }
 
@@ -357,6 +362,12 @@ fn coefficients<const N: usize>(
 #[inline(always)]
 fn si(quantity: &Quantity<Number>, inputs: &[Lanes]) -> Lanes {
     each(quantity, inputs, |quantity| quantity.si())
+}
+
+/// What counts across or turns, in the axes of the engine.
+#[inline(always)]
+fn lateral(axes: Axes, quantity: &Quantity<Number>, inputs: &[Lanes]) -> Lanes {
+    each(quantity, inputs, |quantity| axes.lateral(quantity.si()))
 }
 
 #[inline(always)]
