@@ -3,7 +3,9 @@
 #![expect(clippy::disallowed_methods, reason = "an independent formula, no bits of which are compared")]
 
 use std::ops::ControlFlow;
-use uncertainty::{Distribution, Function, InvalidDistribution, Method, Settings, Shape, propagate};
+use uncertainty::{
+    Distribution, Function, InvalidDistribution, LANES, Method, Sampler, Settings, Shape, propagate,
+};
 
 fn assert_near(value: f64, exact: f64, relative: f64) {
     assert!((value - exact).abs() <= relative * exact.abs(), "{value} is not {exact}");
@@ -162,5 +164,32 @@ fn samples_follow_their_distribution() {
         let summary = summary.unwrap();
         assert!((summary.mean.value - input.mean()).abs() < 4.0 * summary.mean.standard_error.unwrap());
         assert!((summary.sd.value - input.sd()).abs() < 4.0 * summary.sd.standard_error.unwrap());
+    }
+}
+
+/// Box–Muller makes two numbers of two shares, which stand half a block apart: neither they nor their squares are correlated, within a block or from
+/// input to input.
+#[test]
+fn normal_samples_are_independent() {
+    let inputs = [Distribution::normal(0.0, 1.0).unwrap(), Distribution::normal(0.0, 1.0).unwrap()];
+    let settings = Settings::new(Method::MonteCarlo, 64_000, 11);
+    let sampler = Sampler::new(&inputs, &settings).unwrap();
+    let mut columns = [[0.0; LANES]; 2];
+    let (mut pairs, mut neighbours, mut across) = (Vec::new(), Vec::new(), Vec::new());
+    for block in 0..1000 {
+        sampler.fill(block, &mut columns);
+        for lane in 0..LANES / 2 {
+            pairs.push((columns[0][lane], columns[0][lane + LANES / 2]));
+            neighbours.push((columns[0][2 * lane], columns[0][2 * lane + 1]));
+            across.push((columns[0][lane], columns[1][lane]));
+        }
+    }
+    for (kind, pairs) in [("pairs", pairs), ("neighbours", neighbours), ("inputs", across)] {
+        let count = pairs.len() as f64;
+        // E[xy] = 0 ± 1/√n; E[(x² − 1)(y² − 1)] = 0 ± 2/√n, as Var(x²) = 2
+        let product: f64 = pairs.iter().map(|(x, y)| x * y).sum::<f64>() / count;
+        let squares: f64 = pairs.iter().map(|(x, y)| (x * x - 1.0) * (y * y - 1.0)).sum::<f64>() / count;
+        assert!(product.abs() < 4.0 / count.sqrt(), "{kind}: {product}");
+        assert!(squares.abs() < 8.0 / count.sqrt(), "{kind}: {squares}");
     }
 }
