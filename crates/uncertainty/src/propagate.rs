@@ -133,7 +133,12 @@ impl Part<'_> {
         for ((start, codes), block) in (0..).step_by(LANES).zip(codes.chunks_mut(LANES)).zip(blocks) {
             sampler.fill(block, &mut columns);
             evaluate(instructions, model, &columns, &mut answers, &mut reasons);
+            let all_succeeded = reasons == [SUCCEEDED; LANES];
             for (answer, output) in answers.iter().zip(&mut outputs) {
+                if all_succeeded && let Some((places, _)) = output[start..].split_first_chunk_mut() {
+                    *places = *answer;
+                    continue;
+                }
                 for ((place, value), reason) in output[start..].iter_mut().zip(answer).zip(&reasons) {
                     *place = if *reason == SUCCEEDED { *value } else { f64::NAN };
                 }

@@ -178,7 +178,7 @@ fn other_shapes_have_no_block() {
 fn bits_of_the_example_are_pinned_for_every_instruction_set() {
     let sampled = Sampled::new(UNCERTAIN);
     for (method, pin) in [
-        (Method::MonteCarlo, 0x0CE9_EEF3_86B9_ACCC),
+        (Method::MonteCarlo, 0xED40_4D8E_AB81_E019),
         (Method::LatinHypercube, 0x7E78_1C5E_182A_6B2E),
         (Method::Sobol, 0x54FD_0B12_4AC5_3101),
     ] {
