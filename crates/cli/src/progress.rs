@@ -53,13 +53,15 @@ impl Progress {
             Stage::Samples => "samples",
             Stage::Indices => "rows for the indices",
         };
-        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr());
+        // What was done before the bar appears is no measure of the speed from then on.
+        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr())
+            .with_elapsed(self.began.elapsed())
+            .with_position(done);
         let template =
             format!("{{wide_bar}} {{human_pos}} of {{human_len}} {words}, {{eta}} left; Ctrl-C ends");
         if let Ok(style) = ProgressStyle::with_template(&template) {
             bar.set_style(style);
         }
-        bar.set_position(done);
         if let Some((_, before)) = self.bar.replace((stage, bar)) {
             before.finish_and_clear();
         }
