@@ -85,7 +85,7 @@ fn others(case: &Case, own: &Analysis) -> Vec<(ImpactLaw, &'static str)> {
     let is_sideswipe = matches!(impact.law, ImpactLaw::Woolley { tangential_velocity_change: Some(_) });
     let own_change = own.impact.as_ref().and_then(|impact| {
         let (u, v) = (impact.outcome.approach, impact.outcome.separation);
-        Quantity::from_si(v.tangential - u.tangential, Dimension::Speed).ok()
+        Quantity::from_si(case.axes.lateral(v.tangential - u.tangential), Dimension::Speed).ok()
     });
     if let Some(change) = own_change.filter(|_| !is_sideswipe) {
         let sideswipe = ImpactLaw::Woolley { tangential_velocity_change: Some(change) };

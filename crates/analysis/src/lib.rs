@@ -22,6 +22,7 @@
 //!
 //! It adds no equation: those stand in `pim-core`, `crash3` and `reconcile`. It reads no file and writes no text (`case`, `report`).
 
+mod axes;
 mod checks;
 mod compare;
 mod curve;
@@ -40,12 +41,12 @@ pub use uncertainty::{
 };
 pub use warning::Warning;
 
-use case::{CaseFile, Collision, Diagnostics, Quantity, Subject};
+use case::{CaseFile, Collision, Diagnostics, Subject};
 use crash3::{CrushError, EnergyBasis};
 use pim_core::{Contact, ImpactError, Law, Outcome, Real};
 use reconcile::{Iteration, Method, Problem, ReconcileError, Unknown};
 
-/// A finished analysis.
+/// A finished analysis, in the axes of the engine: y to the left, counter-clockwise positive. [`Analysis::in_axes`] has it in others.
 #[derive(Clone, Debug)]
 pub struct Analysis {
     /// What the crush energy stands for.
@@ -90,6 +91,14 @@ pub struct Impact {
     pub law: Law,
     /// What happened.
     pub outcome: Outcome,
+    /// (rad) principal direction of force of both vehicles, clockwise from the heading in any axes.
+    pub pdof: [f64; 2],
+}
+
+impl Impact {
+    fn new(contact: Contact, law: Law, outcome: Outcome) -> Self {
+        Self { contact, law, outcome, pdof: outcome.pdof() }
+    }
 }
 
 /// One vehicle.
@@ -130,8 +139,9 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
     // The uncorrected energies do not depend on the impact; a force balance takes its directions from the file.
     let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
-    let problem = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)?;
-    let answer = problem.with_restitution_curve(restitution_curve.as_ref()).solve()?;
+    let answer = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)
+        .and_then(|problem| problem.with_restitution_curve(restitution_curve.as_ref()).solve())
+        .map_err(|refusal| Failure::from(refusal).in_axes(file.case.axes))?;
     let found = Found {
         unknown: input.unknown,
         speed: answer.speed,
@@ -144,8 +154,8 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
         },
     };
     let warnings = warning::of_found(&found, input.given_speed);
-    let impact = Impact { contact, law: answer.law, outcome: answer.outcome };
-    let vehicles = damage::assess(vehicles, impact.outcome.pdof().map(Some))?;
+    let impact = Impact::new(contact, answer.law, answer.outcome);
+    let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
     judged(file, vehicles, input.basis, Some(impact.law.restitution()), (Some(found), Some(impact)), warnings)
 }
 
@@ -155,10 +165,11 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
 /// [`Failure`].
 pub fn impact(file: &CaseFile) -> Result<Analysis, Failure> {
     let input = file.impact()?;
-    let (law, outcome) = collide(&input.collision)?;
+    let (law, outcome) =
+        collide(&input.collision).map_err(|refusal| Failure::from(refusal).in_axes(file.case.axes))?;
     let Collision { contact, vehicles, .. } = input.collision;
-    let impact = Impact { contact, law, outcome };
-    let vehicles = damage::assess(vehicles, impact.outcome.pdof().map(Some))?;
+    let impact = Impact::new(contact, law, outcome);
+    let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
     judged(file, vehicles, input.basis, Some(impact.law.restitution()), (None, Some(impact)), Vec::new())
 }
 
@@ -192,13 +203,12 @@ fn judged(
     mut warnings: Vec<Warning>,
 ) -> Result<Analysis, Failure> {
     let crash3 = damage::crash3(&vehicles, basis, restitution)?;
-    let headings = file.case.vehicles.each_ref().map(|vehicle| vehicle.heading.as_ref().map(Quantity::si));
     // Of a speed that was found from the crush energy it would say nothing that the normal work equals it.
     let energy = crash3
         .as_ref()
         .filter(|_| found.is_none())
         .map(|crash3| basis.dissipated(crash3.crush_energy, restitution.unwrap_or_default()));
-    let checks = checks::checks(&vehicles, headings, energy, impact.as_ref());
+    let checks = checks::checks(&vehicles, file.case.headings(), energy, impact.as_ref());
     if let Some(impact) = &impact {
         warning::of_impact(impact, &mut warnings);
         warning::of_outlines(&vehicles, &mut warnings);

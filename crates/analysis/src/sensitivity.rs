@@ -1,6 +1,6 @@
 //! How much the answer moves with each estimate: exact derivatives, and a sweep of the direction of force.
 
-use case::{Case, CaseFile, Collision, Dimension, Input};
+use case::{Axes, Case, CaseFile, Collision, Dimension, Input};
 use crash3::{ObliqueCorrection, principal_angle};
 use pim_core::{Outcome, Real};
 use real::Dual;
@@ -19,7 +19,7 @@ pub struct Sensitivity {
     pub nominal: Analysis,
     /// The derivatives of a reconstruction, for each output from the most to the least influential input; none for a case without `[reconstruct]`.
     pub derivatives: Vec<Derivative>,
-    /// CRASH3's answer for turned directions of force, from the most clockwise to the most counter-clockwise; empty where the damage or the
+    /// CRASH3's answer for turned directions of force, ascending by their change; empty where the damage or the
     /// PDOF of a vehicle is not known.
     pub pdof_sweep: Vec<SweepRow>,
 }
@@ -132,7 +132,7 @@ impl Derivative {
 /// CRASH3's answer for one turned direction of force.
 #[derive(Clone, Debug)]
 pub struct SweepRow {
-    /// (rad) by how much the line of action is turned about its points, counter-clockwise.
+    /// (rad) by how much the line of action is turned about its points, in the sense of the axes of the case: counter-clockwise, or clockwise in z-down axes.
     pub change: f64,
     /// (rad) PDOF of both vehicles; none of a fixed object.
     pub pdof: [Option<f64>; 2],
@@ -166,7 +166,7 @@ pub fn sensitivity(file: &CaseFile, sweep: Sweep) -> Result<Sensitivity, Failure
     } else {
         (crush(file)?, Vec::new())
     };
-    let pdof_sweep = pdof_sweep(&nominal, sweep)?;
+    let pdof_sweep = pdof_sweep(&nominal, sweep, file.case.axes)?;
     Ok(Sensitivity { nominal, derivatives, pdof_sweep })
 }
 
@@ -249,7 +249,7 @@ pub(crate) fn at<T: Real, R>(
     evaluate(&problem.with_restitution_curve(restitution_curve.as_ref()))
 }
 
-fn pdof_sweep(nominal: &Analysis, sweep: Sweep) -> Result<Vec<SweepRow>, Failure> {
+fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepRow>, Failure> {
     let mut rows = Vec::new();
     if nominal.crash3.is_none() {
         return Ok(rows);
@@ -262,7 +262,7 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep) -> Result<Vec<SweepRow>, Failure
         #[expect(clippy::cast_precision_loss, reason = "a u32 is exact in f64")]
         let change = step as f64 * sweep.step;
         // A line of action that turns counter-clockwise turns both PDOFs, which count clockwise, the other way.
-        let pdof = nominal_pdof.map(|pdof| pdof.map(|pdof| principal_angle(pdof - change)));
+        let pdof = nominal_pdof.map(|pdof| pdof.map(|pdof| principal_angle(pdof - axes.lateral(change))));
         let mut subjects = nominal.vehicles.each_ref().map(|vehicle| vehicle.subject.clone());
         for (subject, pdof) in subjects.iter_mut().zip(pdof) {
             let Some(damage) = &mut subject.damage else { continue };

@@ -123,7 +123,7 @@ pub enum Warning {
     DamageCentroid {
         /// 1 or 2.
         vehicle: usize,
-        /// (m) the centroid, forward and left of the CG.
+        /// (m) the centroid, forward and left of the CG or, in z-down axes, right.
         point: [f64; 2],
         /// Whether the file says where on the face the damage lies.
         offset_given: bool,
@@ -265,7 +265,7 @@ pub(crate) fn of_assumptions(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning
             });
         }
         if let Some(point) = damage.centroid {
-            let offset_given = subject.damage.as_ref().is_some_and(|given| given.offset_given);
+            let offset_given = subject.damage.as_ref().is_some_and(|given| given.offset.is_some());
             warnings.push(Warning::DamageCentroid { vehicle: number, point, offset_given });
         }
     }
@@ -294,7 +294,7 @@ pub(crate) fn of_damage(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
 }
 
 pub(crate) fn of_directions(impact: &Impact, vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
-    for (i, (vehicle, computed)) in vehicles.iter().zip(impact.outcome.pdof()).enumerate() {
+    for (i, (vehicle, computed)) in vehicles.iter().zip(impact.pdof).enumerate() {
         let Some(given) = vehicle.subject.damage.as_ref().and_then(|damage| damage.pdof) else { continue };
         // The difference of two directions, the short way round.
         if principal_angle(given - computed).abs() > PDOF_DIFFERENCE {

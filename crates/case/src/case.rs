@@ -6,6 +6,7 @@ use crash3::{CrushError, EnergyBasis, ObliqueCorrection, Profile, Side, Stiffnes
 use pim_core::{Real, Tangential};
 use reconcile::Unknown;
 
+use crate::axes::Axes;
 use crate::quantity::Quantity;
 use crate::range::Range;
 use crate::schema::LawName;
@@ -19,6 +20,8 @@ pub struct Case<T = f64> {
     pub title: Option<String>,
     /// Where the data come from.
     pub source: Option<String>,
+    /// `axes` of `[scene]`: those in which all numbers of this case stand.
+    pub axes: Axes,
     /// `[vehicle1]` and `[vehicle2]`.
     pub vehicles: [Vehicle<T>; 2],
     /// `[impact]`.
@@ -48,13 +51,13 @@ pub struct Vehicle<T = f64> {
     pub wheelbase: Option<Quantity<T>>,
     /// (m) of the body, where it is known without the rest of the outline.
     pub length: Option<Quantity<T>>,
-    /// (rad) scene angle of the vehicle's forward axis, counter-clockwise.
+    /// (rad) scene angle of the vehicle's forward axis, in the sense of the axes.
     pub heading: Option<Quantity<T>>,
     /// From the centre of gravity to the point where the impulse acts.
     pub contact: Option<ContactPoint<T>>,
     /// `speed` or `velocity`, before the impact.
     pub motion: Option<Velocity<T>>,
-    /// (rad/s) yaw rate before the impact, counter-clockwise; 0 where absent.
+    /// (rad/s) yaw rate before the impact, in the sense of the axes; 0 where absent.
     pub yaw_rate: Option<Quantity<T>>,
     /// The body seen from above.
     pub outline: Option<Outline<T>>,
@@ -111,22 +114,22 @@ pub enum ContactPoint<T = f64> {
     Polar {
         /// (m) distance.
         distance: Quantity<T>,
-        /// (rad) angle from the vehicle's heading, counter-clockwise.
+        /// (rad) angle from the vehicle's heading, in the sense of the axes.
         angle: Quantity<T>,
     },
     /// Along the vehicle's own axes.
     Cartesian {
         /// (m) forward.
         x: Quantity<T>,
-        /// (m) left.
+        /// (m) left, or right in z-down axes.
         y: Quantity<T>,
     },
 }
 
 impl<T: Real> ContactPoint<T> {
-    /// (m) forward and left of the centre of gravity.
+    /// (m) forward of the centre of gravity, and left of it or, in z-down axes, right.
     #[must_use]
-    pub fn forward_left(&self) -> [T; 2] {
+    pub fn xy(&self) -> [T; 2] {
         match self {
             Self::Polar { distance, angle } => {
                 let (sin, cos) = angle.si().sin_cos();
@@ -178,9 +181,9 @@ pub struct Crush<T = f64> {
     pub spacing: Option<Vec<Quantity<T>>>,
     /// The stiffness of that side.
     pub stiffness: StiffnessForm<T>,
-    /// (m) of the middle of the damage: left of the vehicle's axis on front and rear, forward of the CG on the sides.
+    /// (m) of the middle of the damage: along the vehicle's y from its axis on front and rear, forward of the CG on the sides.
     pub offset: Option<Quantity<T>>,
-    /// Principal direction of force, clockwise from the heading: replaces the derived one.
+    /// Principal direction of force, clockwise from the heading in any axes: replaces the derived one.
     pub pdof: Option<Pdof<T>>,
     /// (rad) between the force and the normal of the damaged side: replaces the derived one.
     pub oblique_angle: Option<Quantity<T>>,
@@ -433,6 +436,15 @@ pub struct Reconstruct {
     pub find: Unknown,
     /// The energy that the crush energy is compared with.
     pub energy_basis: EnergyBasis,
+}
+
+impl<T: Real> Case<T> {
+    /// (rad) of both vehicles, in the axes of the engine.
+    #[must_use]
+    pub fn headings(&self) -> [Option<T>; 2] {
+        let heading = |vehicle: &Vehicle<T>| vehicle.heading.as_ref().map(Quantity::si);
+        self.vehicles.each_ref().map(|vehicle| heading(vehicle).map(|heading| self.axes.lateral(heading)))
+    }
 }
 
 impl Case {

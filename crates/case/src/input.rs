@@ -56,6 +56,7 @@ impl Case {
         Case {
             title: self.title.clone(),
             source: self.source.clone(),
+            axes: self.axes,
             vehicles: [walk.vehicle(&"vehicle1", v1), walk.vehicle(&"vehicle2", v2)],
             impact: self.impact.as_ref().map(|impact| walk.impact(impact)),
             reconstruct: self.reconstruct,

@@ -39,8 +39,9 @@
 //! | table | keys |
 //! |---|---|
 //! | top | `title`, `source` |
+//! | `[scene]` | `axes`: `"z-up"` (also where absent) or `"z-down"`, see below |
 //! | `[vehicle1]`, `[vehicle2]`, both needed | `name`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, for what is not known; `heading`; `speed` or `velocity = { x, y }`; `yaw_rate`; `contact = { distance, angle }` or `{ x, y }`; `length`, `width`, `cg_to_front`: all or none, or `length` alone beside `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact` and the outline |
-//! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of or beside the width (to 0.1 %); `from_force_balance = true` in place of depths, for one vehicle; `stiffness`, see below; `offset`, left of the axis or forward of the CG; `pdof`, an angle or `"2 o'clock"`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"`, `"secant"`, `{ friction = 0.5 }` |
+//! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of or beside the width (to 0.1 %); `from_force_balance = true` in place of depths, for one vehicle; `stiffness`, see below; `offset`, left of the axis (right of it in z-down axes) or forward of the CG; `pdof`, an angle, clockwise in any axes, or `"2 o'clock"`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"`, `"secant"`, `{ friction = 0.5 }` |
 //! | `stiffness = { … }` | `d0`, `d1` or `A`, `B`, either with `G` and `limit`; or `category`, 1 to 5; or `test = { mass or weight, speed, width, depths, no_damage_speed, fit }`, `fit`: `"exact"` (also where absent), `"mean"`; or `zones = [{ A, B }, …]`, one between each two stations |
 //! | `[impact]` | `crush_plane`; `law`: `"brach"` (also where absent), `"woolley"`, `"ishikawa"`, `"kudlich-slibar"`, and the keys of that law |
 //! | … Brach | `restitution`; `tangential`: `"critical"`, `{ ratio }`, `{ fraction }` or `{ friction }`; `moment_restitution`, −1 (none, also where absent) to 1 |
@@ -51,6 +52,21 @@
 //!
 //! A `restitution` is a number from 0 to 1 or, where it depends on the closing speed, `{ speeds = "2 5 10 20 m/s", values = [0.3, 0.2,
 //! 0.12, 0.05] }`: speeds ascend from zero or more, and are listed like depths. A key of another law is an error.
+//!
+//! # Axes
+//!
+//! [`Axes`]: where the file says nothing, y is to the left and angles and yaw rates are counter-clockwise positive. A file with
+//!
+//! ```toml
+//! [scene]
+//! axes = "z-down"
+//! ```
+//!
+//! is written in those of SAE J670, y to the right and clockwise positive. These numbers then have the other sign for the same collision:
+//! `heading`, `yaw_rate`, the `angle` or `y` of `contact`, the `y` of `velocity`, `crush_plane`, the `ratio` of `tangential` and
+//! `tangential_velocity_change`, which count along t, n turned by +90° in the sense of the axes, and the `offset` of a damaged front or
+//! rear. All others are the same in both: a `pdof` is the face of a clock, and sides and the order of depths (from left to right, from rear to
+//! front) are words.
 //!
 //! Which of the optional keys have to be there depends on what is computed, and is checked there.
 //!
@@ -134,6 +150,7 @@
 //! A. Thompson and B. N. Taylor, *Guide for the Use of the International System of Units (SI)*, NIST Special
 //! Publication 811 (2008), appendix B.8: the factors.
 
+mod axes;
 mod case;
 mod diagnostic;
 mod input;
@@ -148,6 +165,7 @@ mod source;
 mod units;
 mod write;
 
+pub use axes::Axes;
 pub use case::{
     BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass, Outline, Pdof, Reconstruct,
     Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,

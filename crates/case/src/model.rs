@@ -5,12 +5,12 @@ use std::fmt::{self, Display};
 use crash3::{
     DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, Structure, VehicleClass,
 };
-use pim_core::{Body, Contact, Law, Motion, Participant, Real, RestitutionCurve, Vector2};
+use pim_core::{Body, Contact, Law, Motion, Participant, Real, RestitutionCurve, Tangential, Vector2};
 use reconcile::Unknown;
 
 use crate::{
-    Case, CaseFile, ContactPoint, Crush, Diagnostic, Diagnostics, Fit, ImpactLaw, Quantity, Restitution,
-    StiffnessForm, StiffnessLine, Vehicle, Velocity,
+    Axes, Case, CaseFile, ContactPoint, Crush, Diagnostic, Diagnostics, Fit, ImpactLaw, Quantity,
+    Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity,
 };
 
 /// Two vehicles that collide, as the mechanics need them.
@@ -108,8 +108,9 @@ pub struct Damage<T = f64> {
     pub stiffness_source: StiffnessSource,
     /// The damaged face and the place of the damage on it, where the dimensions of the vehicle are known.
     pub face: Option<DamagedFace<T>>,
-    /// Whether the file says where on the face the damage lies; if not, its middle is taken to lie on the axis or beside the CG.
-    pub offset_given: bool,
+    /// (m) of the middle of the damage, left of the axis on front and rear, forward of the CG on the sides; where the file does not say,
+    /// it is taken to lie on the axis or beside the CG.
+    pub offset: Option<T>,
     /// How oblique forces are corrected.
     pub correction: ObliqueCorrection<T>,
     /// (rad) PDOF as given.
@@ -230,7 +231,7 @@ impl CaseFile {
             // The crush energy has to be known before the impact is, and so has the direction of the force.
             demand.directions_for_balance();
             if let Some(collision) = &mut collision {
-                fill_opposite_pdof(headings(case), &mut collision.vehicles);
+                fill_opposite_pdof(case.headings(), &mut collision.vehicles);
             }
         }
         demand.finish(collision.zip(unknown).map(|(collision, unknown)| ReconstructionInput {
@@ -277,7 +278,7 @@ impl CaseFile {
         let [v1, v2] = vehicles;
         demand.finish(v1.zip(v2).map(|(v1, v2)| {
             let mut vehicles = [v1, v2];
-            fill_opposite_pdof(headings(&self.case), &mut vehicles);
+            fill_opposite_pdof(self.case.headings(), &mut vehicles);
             CrushOnly {
                 vehicles,
                 basis: self.energy_basis(),
@@ -309,11 +310,6 @@ fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: &mut [Subject
             damage.pdof = damage.pdof.or(follows);
         }
     }
-}
-
-/// (rad)
-fn headings<T: Real>(case: &Case<T>) -> [Option<T>; 2] {
-    case.vehicles.each_ref().map(|vehicle| vehicle.heading.as_ref().map(Quantity::si))
 }
 
 const CRUSH_EXAMPLE: &str = "a table with side, width, depths and stiffness";
@@ -373,6 +369,17 @@ impl<T: Real> Demand<'_, T> {
         }
     }
 
+    /// The value in SI of what counts across or turns, in the axes of the engine.
+    fn lateral(&self, quantity: &Quantity<T>) -> T {
+        self.case.axes.lateral(quantity.si())
+    }
+
+    /// (m) C forward and left of the CG.
+    fn contact_point(&self, vehicle: &Vehicle<T>) -> Option<[T; 2]> {
+        let contact = vehicle.contact.as_ref().map(ContactPoint::xy);
+        contact.map(|[x, y]| [x, self.case.axes.lateral(y)])
+    }
+
     fn unknown(&mut self) -> Option<Unknown> {
         let find = self.case.reconstruct.as_ref().map(|reconstruct| reconstruct.find);
         self.given(find, "reconstruct.find", "`find = \"vehicle1.speed\"` in a table [reconstruct]")
@@ -393,7 +400,7 @@ impl<T: Real> Demand<'_, T> {
 
     fn subject(&mut self, i: usize) -> Option<Subject<T>> {
         let vehicle = &self.case.vehicles[i];
-        let contact = vehicle.contact.as_ref().map(ContactPoint::forward_left);
+        let contact = self.contact_point(vehicle);
         let class = self.class(i, vehicle);
         let dimensions = dimensions(vehicle, class);
         if vehicle.fixed {
@@ -455,8 +462,8 @@ impl<T: Real> Demand<'_, T> {
     fn participant(&mut self, i: usize, inertia: Option<Inertia<T>>) -> Option<Participant<T>> {
         let table = TABLES[i];
         let vehicle = &self.case.vehicles[i];
-        let heading = vehicle.heading.as_ref().map(Quantity::si);
-        let contact = vehicle.contact.as_ref().map(ContactPoint::forward_left);
+        let heading = self.case.headings()[i];
+        let contact = self.contact_point(vehicle);
         if vehicle.fixed {
             // Heading and contact point of a fixed object are optional; they only help to orient the crush plane's normal.
             return match contact {
@@ -485,7 +492,7 @@ impl<T: Real> Demand<'_, T> {
         if vehicle.fixed {
             return Some(Motion::rest());
         }
-        let yaw_rate = vehicle.yaw_rate.as_ref().map_or(T::ZERO, Quantity::si);
+        let yaw_rate = vehicle.yaw_rate.as_ref().map_or(T::ZERO, |rate| self.lateral(rate));
         if unknown.is_some_and(|unknown| unknown.index() == i) {
             return Some(Motion::rest().with_yaw_rate(yaw_rate));
         }
@@ -495,8 +502,10 @@ impl<T: Real> Demand<'_, T> {
             return None;
         };
         let motion = match velocity {
-            Velocity::Speed(speed) => Motion::along(vehicle.heading.as_ref()?.si(), speed.si()),
-            Velocity::Vector { x, y } => Motion { velocity: Vector2::new(x.si(), y.si()), yaw_rate: T::ZERO },
+            Velocity::Speed(speed) => Motion::along(self.case.headings()[i]?, speed.si()),
+            Velocity::Vector { x, y } => {
+                Motion { velocity: Vector2::new(x.si(), self.lateral(y)), yaw_rate: T::ZERO }
+            }
         };
         Some(motion.with_yaw_rate(yaw_rate))
     }
@@ -516,14 +525,19 @@ impl<T: Real> Demand<'_, T> {
         };
         let law = match &impact.law {
             ImpactLaw::Brach { restitution, tangential, moment_restitution } => {
-                Law::new(e(restitution), *tangential).and_then(|law| match moment_restitution {
+                let tangential = match *tangential {
+                    // P_t changes its sign with t; a share of μ_c, a friction limit and the coefficients of restitution have none.
+                    Tangential::Ratio(mu) => Tangential::Ratio(self.case.axes.lateral(mu)),
+                    other => other,
+                };
+                Law::new(e(restitution), tangential).and_then(|law| match moment_restitution {
                     Some(e_m) => law.with_moment_restitution(*e_m),
                     None => Ok(law),
                 })
             }
             ImpactLaw::Woolley { tangential_velocity_change: None } => Ok(Law::woolley()),
             ImpactLaw::Woolley { tangential_velocity_change: Some(change) } => {
-                Law::woolley_sideswipe(change.si())
+                Law::woolley_sideswipe(self.lateral(change))
             }
             ImpactLaw::Ishikawa { restitution, tangential_restitution } => {
                 Law::ishikawa(e(restitution), *tangential_restitution)
@@ -536,8 +550,14 @@ impl<T: Real> Demand<'_, T> {
     }
 
     fn contact(&mut self, participants: [Participant<T>; 2]) -> Option<Contact<T>> {
-        let crush_plane = self.case.impact.as_ref()?.crush_plane.si();
-        self.accepted("impact.crush_plane", Contact::new(participants, crush_plane))
+        let axes = self.case.axes;
+        let crush_plane = self.lateral(&self.case.impact.as_ref()?.crush_plane);
+        let contact = Contact::new(participants, crush_plane);
+        let contact = contact.map_err(|refused| match axes {
+            Axes::ZUp => refused,
+            Axes::ZDown => refused.mirrored(),
+        });
+        self.accepted("impact.crush_plane", contact)
     }
 
     fn damage(&mut self, i: usize, crush: &Crush<T>, dimensions: Option<Dimensions<T>>) -> Option<Damage<T>> {
@@ -554,7 +574,11 @@ impl<T: Real> Demand<'_, T> {
             let profile = self.profile(i, crush);
             Evidence::Measured { profile: profile?, structure: structure? }
         };
-        let offset = crush.offset.as_ref().map(Quantity::si);
+        let offset = crush.offset.as_ref().map(|offset| match crush.side {
+            Side::Front | Side::Rear => self.lateral(offset),
+            // Forward is forward in any axes.
+            Side::Left | Side::Right => offset.si(),
+        });
         let face = match dimensions {
             Some(dimensions) => {
                 let face =
@@ -574,7 +598,7 @@ impl<T: Real> Demand<'_, T> {
                 StiffnessForm::Zones(_) => StiffnessSource::Zones,
             },
             face,
-            offset_given: offset.is_some(),
+            offset,
             correction: crush.oblique.unwrap_or_default(),
             pdof: crush.pdof.as_ref().map(|pdof| crash3::principal_angle(pdof.rad())),
             oblique_angle: crush.oblique_angle.as_ref().map(Quantity::si),
@@ -624,7 +648,7 @@ impl<T: Real> Demand<'_, T> {
         let given = |i: usize| {
             self.case.vehicles[i].crush.as_ref().is_some_and(|crush: &Crush<T>| crush.pdof.is_some())
         };
-        given(i) || (given(1 - i) && headings(self.case).iter().all(Option::is_some))
+        given(i) || (given(1 - i) && self.case.headings().iter().all(Option::is_some))
     }
 
     /// A force balance between two crushes needs the angle at which the force meets each.

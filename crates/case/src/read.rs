@@ -8,11 +8,12 @@ mod vehicle;
 
 use toml::de::DeTable;
 
+use crate::axes::Axes;
 use crate::case::{Case, Reconstruct, Vehicle};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::problem::Problem;
 use crate::quantity::Quantity;
-use crate::schema::{IMPACT, RECONSTRUCT, TOP};
+use crate::schema::{IMPACT, RECONSTRUCT, SCENE, TOP};
 use crate::source::{Source, Spans};
 use crash3::EnergyBasis;
 use reconcile::Unknown;
@@ -99,6 +100,7 @@ impl<'t> Reader<'t> {
         let top = self.document(document, &TOP);
         let title = self.text(&top, "title");
         let source = self.text(&top, "source");
+        let axes = self.child(&top, "scene", &SCENE).and_then(|scene| self.axes(&scene)).unwrap_or_default();
         let first = self.vehicle(&top, "vehicle1");
         let second = self.vehicle(&top, "vehicle2");
         let impact = self.child(&top, "impact", &IMPACT).map(|table| self.impact(&table));
@@ -118,9 +120,13 @@ impl<'t> Reader<'t> {
         }
         self.evidence(&vehicles);
         let (impact, reconstruct) = (optional(impact)?, optional(reconstruct)?);
-        let mut case = Case { title, source, vehicles, impact, reconstruct, ranges: Vec::new() };
+        let mut case = Case { title, source, axes, vehicles, impact, reconstruct, ranges: Vec::new() };
         case.ranges = case.inputs().iter().filter_map(|input| self.take_range(&input.path)).collect();
         Some(case)
+    }
+
+    fn axes(&mut self, scene: &Table<'t>) -> Option<Axes> {
+        self.choice(scene, "axes", &Axes::ALL.map(|axes| (axes.name(), axes)))
     }
 
     /// A crush that is inferred needs one that was measured.

@@ -23,12 +23,15 @@ pub(crate) static TOP: Schema = Schema {
     keys: &[
         key("title", "title = \"Intersection collision\""),
         key("source", "source = \"police report\""),
+        key("scene", "[scene]"),
         key("vehicle1", "[vehicle1]"),
         key("vehicle2", "[vehicle2]"),
         key("impact", "[impact]"),
         key("reconstruct", "[reconstruct]"),
     ],
 };
+
+pub(crate) static SCENE: Schema = Schema { place: "[scene]", keys: &[key("axes", "axes = \"z-down\"")] };
 
 pub(crate) static VEHICLE: Schema = Schema {
     place: "[vehicle1] or [vehicle2]",
@@ -254,8 +257,9 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
     ],
 };
 
-static ALL: [&Schema; 10] = [
+static ALL: [&Schema; 11] = [
     &TOP,
+    &SCENE,
     &VEHICLE,
     &CRUSH,
     &IMPACT,

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::axes::Axes;
 use crate::case::{
     BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass, Outline, Pdof, Reconstruct,
     Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
@@ -36,6 +37,12 @@ impl Case {
         top.optional("title", case.title.as_deref().map(quoted));
         top.optional("source", case.source.as_deref().map(quoted));
         let mut tables = vec![top];
+        // A file without `[scene]` has the default.
+        if case.axes != Axes::default() {
+            let mut scene = Lines::new(Some("scene".to_owned()));
+            scene.line("axes", quoted(case.axes.name()));
+            tables.push(scene);
+        }
         for (vehicle, name) in case.vehicles.iter().zip(["vehicle1", "vehicle2"]) {
             tables.push(vehicle_lines(vehicle, name));
             tables.extend(vehicle.crush.as_ref().map(|crush| crush_lines(crush, name)));

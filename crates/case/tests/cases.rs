@@ -11,8 +11,8 @@ use std::fs;
 use std::path::Path;
 
 use case::{
-    Amount, BarrierTest, Bounds, Case, CaseFile, Collision, ContactPoint, Crush, Dimension, Evidence, Fit,
-    Impact, ImpactLaw, Mass, Outline, Pdof, Problem, Quantity, Reconstruct, Restitution, Spread,
+    Amount, Axes, BarrierTest, Bounds, Case, CaseFile, Collision, ContactPoint, Crush, Dimension, Evidence,
+    Fit, Impact, ImpactLaw, Mass, Outline, Pdof, Problem, Quantity, Reconstruct, Restitution, Spread,
     StiffnessForm, StiffnessLine, Unit, UnitSystem, Vehicle, Velocity, YawInertia,
 };
 use crash3::EnergyBasis;
@@ -181,6 +181,7 @@ fn the_other_forms_are_read() {
     let expected = Case {
         title: None,
         source: None,
+        axes: Axes::ZUp,
         vehicles: [vehicle, wall],
         impact: Some(Impact {
             crush_plane: angle("0 deg"),
@@ -1212,8 +1213,9 @@ fn any_case() -> impl Strategy<Value = Case> {
     let vehicles = [any_vehicle(), any_vehicle()];
     let texts = [option::of(words()), option::of(words())];
     let barrier = option::of(0..2_usize);
-    (texts, vehicles, barrier, option::of(impact), option::of(reconstruct)).prop_map(
-        |([title, source], mut vehicles, barrier, impact, mut reconstruct)| {
+    let axes = select(vec![Axes::ZUp, Axes::ZDown]);
+    (texts, axes, vehicles, barrier, option::of(impact), option::of(reconstruct)).prop_map(
+        |([title, source], axes, mut vehicles, barrier, impact, mut reconstruct)| {
             if let Some(index) = barrier {
                 let Vehicle { name, heading, contact, outline, .. } = vehicles[index].clone();
                 vehicles[index] =
@@ -1228,7 +1230,7 @@ fn any_case() -> impl Strategy<Value = Case> {
                     vehicles[i].crush = None;
                 }
             }
-            Case { title, source, vehicles, impact, reconstruct, ranges: Vec::new() }
+            Case { title, source, axes, vehicles, impact, reconstruct, ranges: Vec::new() }
         },
     )
 }

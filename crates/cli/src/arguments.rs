@@ -56,7 +56,7 @@ pub(crate) enum Command {
         long_about = "Say how much the answer moves with each estimate.\n\n\
             A case with [reconstruct] gets the exact derivative of the speed found and of both velocity changes by each number of the file, in that \
             number's own unit and in per cent per per cent, the most influential first. Any case whose damage and directions of force are \
-            known gets a sweep of the PDOF: CRASH3's answer for lines of action turned to both sides, positive counter-clockwise.",
+            known gets a sweep of the PDOF: CRASH3's answer for lines of action turned to both sides, positive counter-clockwise, or clockwise in a case with z-down axes.",
         after_help = "Examples:\n  deltav sensitivity fixtures/sae-980025.toml\n  \
             deltav sensitivity fixtures/sae-980025.toml --pdof-step 10 --pdof-steps 1 --format json"
     )]

@@ -122,9 +122,9 @@ impl<T: Real> InverseMass<T> {
 /// The same contact serves every velocity and every impact law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<T = f64> {
-    participants: [Participant<T>; 2],
-    normal: Vector2<T>,
-    arms: [NormalTangential<T>; 2],
+    pub(crate) participants: [Participant<T>; 2],
+    pub(crate) normal: Vector2<T>,
+    pub(crate) arms: [NormalTangential<T>; 2],
     pub(crate) inverse_mass: InverseMass<T>,
 }
 

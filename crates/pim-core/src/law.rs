@@ -53,9 +53,9 @@ pub enum Regime {
 /// Steffan & Moser (1996, after Kudlich and Slibar). The moment impulse: Brach, *Mechanical Impact Dynamics* (1991).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law<T = f64> {
-    restitution: T,
-    tangential: Tangential<T>,
-    moment_restitution: T,
+    pub(crate) restitution: T,
+    pub(crate) tangential: Tangential<T>,
+    pub(crate) moment_restitution: T,
 }
 
 impl<T: Real> Law<T> {

@@ -49,6 +49,7 @@
 //! | `loss` | E_L | kinetic energy taken by the impact | J |
 //! | `normal_work`, `tangential_work` | W_n, W_t | its two parts | J |
 //! | `moment_impulse`, `moment_work` | M, W_m | moment impulse on vehicle 1, and the part of the loss that it takes | N·m·s, J |
+//! | `mirrored` | | the same in axes of the other handedness: y to the right, clockwise positive, t on the other side of n | |
 //! | `pdof` | PDOF | direction from which the force comes, clockwise from the heading | rad |
 //!
 //! # Which impact law?
@@ -72,6 +73,7 @@ mod contact;
 mod error;
 mod impact;
 mod law;
+mod mirror;
 mod restitution;
 
 pub use body::{Body, Motion, Participant};

@@ -82,6 +82,20 @@ pub enum ReconcileError {
     },
 }
 
+impl ReconcileError {
+    /// The same refusal in axes of the other handedness, as [`ImpactError::mirrored`].
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        match self {
+            Self::Inadmissible { vehicle, speed, reason } => {
+                Self::Inadmissible { vehicle, speed, reason: reason.mirrored() }
+            }
+            Self::Impact(reason) => Self::Impact(reason.mirrored()),
+            unsigned => unsigned,
+        }
+    }
+}
+
 impl From<InvalidInput> for ReconcileError {
     fn from(invalid: InvalidInput) -> Self {
         Self::Impact(invalid.into())

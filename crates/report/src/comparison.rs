@@ -1,11 +1,12 @@
 //! The answers of several laws side by side, as text and as JSON.
 
 use analysis::{Analysis, Comparison, Correction};
-use case::Case;
+use case::{Axes, Case};
 use crash3::ObliqueCorrection;
 use pim_core::Regime;
 use serde::Serialize;
 
+use crate::axes;
 use crate::law;
 use crate::text::{LINE, wrapped};
 use crate::units::{Quantity, Units, number};
@@ -53,19 +54,21 @@ struct Values {
 #[derive(Serialize)]
 struct Document<'a> {
     title: &'a str,
+    /// Those of the yaw rates and the signed coefficients.
+    axes: &'static str,
     rows: Vec<Row>,
 }
 
 /// The case's own law first.
 fn rows(case: &Case, comparison: &Comparison, units: Units) -> Vec<Row> {
-    let mut own = Row { values: values(&comparison.own), ..Row::default() };
+    let mut own = Row { values: values(&comparison.own, case.axes), ..Row::default() };
     if let Some(impact) = &case.impact {
         own.law = law::name(&impact.law);
         own.coefficients = law::coefficients(&impact.law, units);
     }
     let laws = comparison.laws.iter().map(|row| {
         let (values, error) = match &row.answer {
-            Ok(analysis) => (values(analysis), None),
+            Ok(analysis) => (values(analysis, case.axes), None),
             Err(failure) => (Values::default(), Some(failure.to_string())),
         };
         let coefficients = law::coefficients(&row.law, units);
@@ -82,7 +85,7 @@ fn rows(case: &Case, comparison: &Comparison, units: Units) -> Vec<Row> {
     rows
 }
 
-fn values(analysis: &Analysis) -> Values {
+fn values(analysis: &Analysis, axes: Axes) -> Values {
     let Some(impact) = &analysis.impact else { return Values::default() };
     let outcome = &impact.outcome;
     let energy = outcome.energy;
@@ -91,12 +94,12 @@ fn values(analysis: &Analysis) -> Values {
         found: analysis.found.as_ref().map(|found| found.speed + 0.0),
         regime: outcome.regime.map(regime_name),
         delta_v: Some(outcome.delta_v_magnitude()),
-        pdof: Some(outcome.pdof().map(|pdof| pdof + 0.0)),
+        pdof: Some(impact.pdof.map(|pdof| pdof + 0.0)),
         energy_loss: Some(energy.loss + 0.0),
         normal_share: Some(share(energy.normal_work)),
         tangential_share: Some(share(energy.tangential_work)),
         moment_share: impact.law.has_moment().then(|| share(energy.moment_work)),
-        final_yaw_rate: Some(outcome.after.map(|motion| motion.yaw_rate + 0.0)),
+        final_yaw_rate: Some(outcome.after.map(|motion| axes.lateral(motion.yaw_rate) + 0.0)),
     }
 }
 
@@ -129,7 +132,7 @@ fn crash3_row(row: &Correction) -> Row {
 /// Where serialisation fails, which no comparison causes.
 pub fn comparison_json(case: &Case, comparison: &Comparison) -> Result<String, serde_json::Error> {
     let title = case.title.as_deref().unwrap_or_default();
-    let document = Document { title, rows: rows(case, comparison, Units::Si) };
+    let document = Document { title, axes: case.axes.name(), rows: rows(case, comparison, Units::Si) };
     Ok(serde_json::to_string_pretty(&document)? + "\n")
 }
 
@@ -207,11 +210,12 @@ pub fn comparison_text(case: &Case, comparison: &Comparison, units: Units) -> St
         }
     }
     text.push('\n');
-    text.push_str(&wrapped(
+    text.push_str(&wrapped(&format!(
         "The first row is the case's own law; the changes are from it. E_L is the energy loss, for CRASH3 the crush energy; \
          W_n and W_t are the work of the normal and the tangential impulse in % of the initial kinetic energy; Ω is the \
-         yaw rate after impact. Sources: theory 3 (laws), SAE 980025 Eq 5–8 (CRASH3).",
-    ));
+         yaw rate after impact, {} positive. Sources: theory 3 (laws), SAE 980025 Eq 5–8 (CRASH3).",
+        axes::sense(case.axes)
+    )));
     text
 }
 

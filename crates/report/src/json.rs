@@ -12,6 +12,8 @@ use crate::warnings;
 #[derive(Serialize)]
 struct Document<'a> {
     title: &'a str,
+    /// Those of all signed values: `z-up` or `z-down`.
+    axes: &'static str,
     energy_basis: &'static str,
     warnings: Vec<WarningBlock>,
     checks: Vec<CheckBlock>,
@@ -155,16 +157,18 @@ struct CorrectionBlock {
 /// # Errors
 /// Where serialisation fails, which no analysis causes.
 pub fn json(case: &Case, analysis: &Analysis) -> Result<String, serde_json::Error> {
+    let analysis = &analysis.in_axes(case.axes);
     let [vehicle1, vehicle2] = [0, 1].map(|i| vehicle(case, analysis, i));
     let document = Document {
         title: case.title.as_deref().unwrap_or_default(),
+        axes: case.axes.name(),
         energy_basis: crate::basis_name(analysis.basis),
         warnings: analysis
             .warnings
             .iter()
             .map(|warning| WarningBlock {
                 code: warning.code(),
-                message: warnings::message(warning, Units::Si),
+                message: warnings::message(warning, Units::Si, case.axes),
             })
             .collect(),
         checks: analysis
@@ -247,7 +251,8 @@ fn impact(case: &Case, impact: &Impact) -> ImpactBlock {
 
 fn vehicle(case: &Case, analysis: &Analysis, i: usize) -> VehicleBlock {
     let fixed = case.vehicles[i].fixed;
-    let moves = analysis.impact.as_ref().filter(|_| !fixed).map(|impact| &impact.outcome);
+    let impact = analysis.impact.as_ref().filter(|_| !fixed);
+    let moves = impact.map(|impact| &impact.outcome);
     let damage = analysis.vehicles[i].damage.as_ref();
     let oblique = damage.and_then(|damage| damage.oblique);
     let given_pdof = damage.and_then(|damage| damage.pdof);
@@ -261,7 +266,7 @@ fn vehicle(case: &Case, analysis: &Analysis, i: usize) -> VehicleBlock {
         final_yaw_rate: moves.map(|outcome| plain(outcome.after[i].yaw_rate)),
         delta_v: moves.map(|outcome| outcome.delta_v_magnitude()[i]),
         delta_v_vector: moves.map(|outcome| plain_pair(outcome.delta_v[i].into())),
-        pdof: moves.map(|outcome| outcome.pdof()[i]).or(given_pdof).map(plain),
+        pdof: impact.map(|impact| impact.pdof[i]).or(given_pdof).map(plain),
         stiffness_source: analysis.vehicles[i]
             .subject
             .damage

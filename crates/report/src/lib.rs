@@ -13,7 +13,7 @@
 //! ```
 //!
 //! The functions: [`text`] in the [`Units`] of the reader, where every figure names its equation; [`json`] in SI units and radians, with keys that are kept;
-//! [`message`], the sentence of a warning. Results are converted to other units here and nowhere else.
+//! [`message`], the sentence of a warning. All speak the [`Axes`](case::Axes) of the case, which each document names. Results are converted to other units here and nowhere else.
 //!
 //! [`html`] is the report to hand over, one self-contained file; [`markdown`] the same without drawings. Both show the [`steps`]: every result with its
 //! equation, the numbers put into it, and its source.
@@ -41,6 +41,7 @@
 //!
 //! It computes nothing that the analysis does not hold, but the sums that a step of the report shows on the way. No terminal, no files.
 
+mod axes;
 mod comparison;
 mod drawing;
 mod json;

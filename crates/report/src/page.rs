@@ -5,14 +5,14 @@ mod inputs;
 mod markdown;
 
 use analysis::{Analysis, Found};
-use case::CaseFile;
+use case::{Axes, CaseFile};
 use crash3::EnergyBasis;
 use sha2::{Digest as _, Sha256};
 
 use crate::drawing::{Drawing, DrawingError, Subject, drawing};
 use crate::steps::{StepGroup, steps};
 use crate::units::{Quantity, number};
-use crate::{Units, law, warnings};
+use crate::{Units, axes, law, warnings};
 
 /// All that the report says, in its order.
 struct Page {
@@ -86,6 +86,7 @@ impl Page {
         units: Units,
     ) -> Result<Self, DrawingError> {
         let case = &file.case;
+        let seen = &analysis.in_axes(case.axes);
         let mut drawings = Vec::new();
         for subject in Subject::ALL {
             match drawing(file, analysis, units, subject) {
@@ -115,16 +116,16 @@ impl Page {
             answer: answer(analysis, units),
             identification,
             drawings,
-            method: method(analysis),
+            method: method(analysis, case.axes),
             inputs: inputs::table(file),
-            results: results(analysis, units),
+            results: results(seen, units),
             steps: steps(case, analysis),
-            energy: analysis.impact.as_ref().map(|impact| energy(impact, units)),
-            crash3: crash3(analysis, units),
-            warnings: analysis
+            energy: seen.impact.as_ref().map(|impact| energy(impact, units)),
+            crash3: crash3(seen, units),
+            warnings: seen
                 .warnings
                 .iter()
-                .map(|warning| (warning.code(), warnings::message(warning, units)))
+                .map(|warning| (warning.code(), warnings::message(warning, units, case.axes)))
                 .collect(),
             assumptions: assumptions(file, analysis, units),
             supplements,
@@ -160,7 +161,7 @@ fn answer(analysis: &Analysis, units: Units) -> String {
     }
 }
 
-fn method(analysis: &Analysis) -> Vec<String> {
+fn method(analysis: &Analysis, axes: Axes) -> Vec<String> {
     let mut paragraphs = Vec::new();
     if let Some(found) = &analysis.found {
         let basis = match analysis.basis {
@@ -199,12 +200,12 @@ fn method(analysis: &Analysis) -> Vec<String> {
                 .to_owned(),
         );
     }
-    paragraphs.push(
+    paragraphs.push(format!(
         "The method is that of R. M. Brach and R. M. Brach, Crush Energy and Planar Impact Mechanics for Accident Reconstruction, SAE 980025 (1998). Eq n names \
          equation n of that paper, its misprints mended; theory n is section n of docs/theory.md, which derives the equations and lists the misprints. \
-         Angles and yaw rates are counter-clockwise positive, PDOF and α clockwise; n points from vehicle 2 to vehicle 1, t is n turned by +90°."
-            .to_owned(),
-    );
+         {}; n points from vehicle 2 to vehicle 1, t is n turned by +90°.",
+        axes::conventions(axes)
+    ));
     paragraphs
 }
 
@@ -238,7 +239,7 @@ fn results(analysis: &Analysis, units: Units) -> Table {
         results.pair("ΔV", each(&|i| both(units, outcome.delta_v_magnitude()[i])));
         results.pair(
             "PDOF, clockwise from the heading",
-            each(&|i| units.format(Quantity::Angle, outcome.pdof()[i])),
+            each(&|i| units.format(Quantity::Angle, impact.pdof[i])),
         );
     }
     let damage =

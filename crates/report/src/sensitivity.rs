@@ -1,7 +1,7 @@
 //! How much the answer moves with each estimate, as text and as JSON.
 
 use analysis::{Derivative, Output, Sensitivity};
-use case::Case;
+use case::{Axes, Case};
 use crash3::ObliqueCorrection;
 use serde::Serialize;
 
@@ -11,6 +11,8 @@ use crate::units::{Quantity, Units, number, significant};
 #[derive(Serialize)]
 struct Document<'a> {
     title: &'a str,
+    /// Those of the inputs and of the turned directions.
+    axes: &'static str,
     derivatives: Vec<DerivativeBlock<'a>>,
     pdof_sweep: Vec<SweepBlock>,
 }
@@ -50,6 +52,7 @@ struct SweepBlock {
 pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String, serde_json::Error> {
     let document = Document {
         title: case.title.as_deref().unwrap_or_default(),
+        axes: case.axes.name(),
         derivatives: sensitivity
             .derivatives
             .iter()
@@ -92,7 +95,7 @@ pub fn sensitivity_text(case: &Case, sensitivity: &Sensitivity, units: Units) ->
              in % for 1 % of the input, or for 1° of an angle, whose zero is a matter of choice.",
         ));
     }
-    sweep(&mut text, sensitivity, units);
+    sweep(&mut text, sensitivity, units, case.axes);
     text
 }
 
@@ -140,7 +143,7 @@ fn derivatives(text: &mut String, group: &[Derivative], units: Units) {
     }
 }
 
-fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units) {
+fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units, axes: Axes) {
     if sensitivity.pdof_sweep.is_empty() {
         text.push('\n');
         text.push_str(&wrapped(
@@ -183,8 +186,12 @@ fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units) {
         }
     }
     text.push('\n');
-    text.push_str(&wrapped(
-        "The lines of action are turned about the points through which the forces act, positive counter-clockwise as in Table 3 of SAE 980025; moment arms \
+    let sense = match axes {
+        Axes::ZUp => "positive counter-clockwise as in Table 3 of SAE 980025",
+        Axes::ZDown => "positive clockwise, against the sense of Table 3 of SAE 980025",
+    };
+    text.push_str(&wrapped(&format!(
+        "The lines of action are turned about the points through which the forces act, {sense}; moment arms \
          and angles to the damaged sides follow. \"corrected\" is by the correction that the case asks for; all are without restitution (Eq 6–8).",
-    ));
+    )));
 }

@@ -1,6 +1,6 @@
 //! The results one by one, each with its equation and the numbers put into it: what a reader with a calculator can check.
 //!
-//! All numbers of a substitution are in SI units and degrees. A number that is not exact is printed with six significant digits, one with five or fewer
+//! All numbers of a substitution are in SI units and degrees, and in the axes of the case: the equations hold in either handedness. A number that is not exact is printed with six significant digits, one with five or fewer
 //! is exact; each printed result follows from the printed numbers within their rounding.
 
 mod collision;
@@ -45,6 +45,7 @@ pub struct StepGroup {
 /// All steps of an analysis, in the order in which one follows from the other.
 #[must_use]
 pub fn steps(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
+    let analysis = &analysis.in_axes(case.axes);
     let mut groups = damage::groups(case, analysis);
     groups.extend(collision::groups(case, analysis));
     groups.extend(crash3::groups(case, analysis));

@@ -1,10 +1,11 @@
 //! A finished analysis as text for the terminal and the file.
 
 use analysis::{Analysis, CheckedQuantity, Crash3, Damage, Found, Impact};
-use case::{Case, Pdof, Velocity, YawSource};
+use case::{Axes, Case, Pdof, Velocity, YawSource};
 use crash3::{EnergyBasis, Stiffness, Structure};
 use pim_core::{Outcome, Regime};
 
+use crate::axes;
 use crate::law;
 use crate::units::{Quantity, Units, number};
 use crate::warnings;
@@ -24,7 +25,8 @@ pub fn text(case: &Case, analysis: &Analysis, units: Units) -> String {
 #[must_use]
 pub fn text_within(case: &Case, analysis: &Analysis, units: Units, columns: usize) -> String {
     let width = columns.clamp(88, 120);
-    let mut page = Page { units, width, text: String::new() };
+    let analysis = &analysis.in_axes(case.axes);
+    let mut page = Page { units, axes: case.axes, width, text: String::new() };
     page.title(case);
     if let Some(found) = &analysis.found {
         page.found(found, analysis.basis);
@@ -32,7 +34,7 @@ pub fn text_within(case: &Case, analysis: &Analysis, units: Units, columns: usiz
     page.inputs(case, analysis);
     if let Some(impact) = &analysis.impact {
         page.impact(impact);
-        page.motion(case, analysis, &impact.outcome);
+        page.motion(case, analysis, impact);
         page.energy(&impact.outcome);
     }
     page.damage(analysis);
@@ -69,6 +71,7 @@ fn wrapped_within(text: &str, line: usize) -> String {
 
 struct Page {
     units: Units,
+    axes: Axes,
     /// Of a line.
     width: usize,
     text: String,
@@ -185,7 +188,7 @@ impl Page {
             "",
         );
         self.pair(
-            "contact point C, left",
+            &format!("contact point C, {}", axes::side_of_y(self.axes)),
             known(&|i| analysis.vehicles[i].subject.contact.map(|c| units.format(Quantity::Length, c[1]))),
             "",
         );
@@ -350,8 +353,8 @@ impl Page {
         );
     }
 
-    fn motion(&mut self, case: &Case, analysis: &Analysis, outcome: &Outcome) {
-        let units = self.units;
+    fn motion(&mut self, case: &Case, analysis: &Analysis, impact: &Impact) {
+        let (units, outcome) = (self.units, &impact.outcome);
         self.heading("Motion", ["vehicle 1", "vehicle 2", "source"]);
         let each = |f: &dyn Fn(usize) -> String| [0, 1].map(|i| (!case.vehicles[i].fixed).then(|| f(i)));
         let vector = |v: pim_core::Vector2<f64>| units.format_vector(Quantity::Speed, v.into());
@@ -371,7 +374,7 @@ impl Page {
         self.pair("ΔV", each(&|i| both_speeds(units, outcome.delta_v_magnitude()[i])), "theory 2");
         self.pair(
             "PDOF, clockwise from heading",
-            each(&|i| units.format(Quantity::Angle, outcome.pdof()[i])),
+            each(&|i| units.format(Quantity::Angle, impact.pdof[i])),
             "theory 4",
         );
     }
@@ -530,18 +533,18 @@ impl Page {
             self.paragraph(&format!(
                 "warning [{}]: {}",
                 warning.code(),
-                warnings::message(warning, self.units)
+                warnings::message(warning, self.units, self.axes)
             ));
         }
     }
 
     fn sources(&mut self) {
         self.line("");
-        self.paragraph(
+        self.paragraph(&format!(
             "Sources: Eq n is equation n of Brach & Brach, SAE 980025 (1998), its misprints mended; theory n is section n of \
-             docs/theory.md. Angles and yaw rates are counter-clockwise positive, PDOF and α clockwise; n points from \
-             vehicle 2 to vehicle 1.",
-        );
+             docs/theory.md. {}; n points from vehicle 2 to vehicle 1.",
+            axes::conventions(self.axes)
+        ));
     }
 }
 

@@ -1,12 +1,14 @@
 //! The sentence of each warning.
 
 use analysis::Warning;
+use case::Axes;
 
+use crate::axes;
 use crate::units::{Quantity, Units, number};
 
-/// What the warning says, in the units of the reader.
+/// What the warning says, in the units of the reader. Its numbers have to be in the axes: [`Analysis::in_axes`](analysis::Analysis::in_axes).
 #[must_use]
-pub fn message(warning: &Warning, units: Units) -> String {
+pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
     let speed = |si: f64| units.format(Quantity::Speed, si);
     let angle = |si: f64| units.format(Quantity::Angle, si);
     let spread = format!("±{} %", number(100.0 * crash3::BURG_SPREAD, 0));
@@ -109,17 +111,18 @@ pub fn message(warning: &Warning, units: Units) -> String {
                 units.format(Quantity::Energy, *energy)
             )
         }
-        Warning::DamageCentroid { vehicle, point: [forward, left], offset_given } => {
+        Warning::DamageCentroid { vehicle, point: [forward, aside], offset_given } => {
             let assumed = if *offset_given {
                 ""
             } else {
                 "; no offset is given, so the middle of the damage was taken to lie on the vehicle's axis or beside its centre of gravity"
             };
             format!(
-                "the force on vehicle {vehicle} was taken to act through the centroid of its damage, {} forward and {} left of the \
+                "the force on vehicle {vehicle} was taken to act through the centroid of its damage, {} forward and {} {} of the \
                  centre of gravity{assumed}",
                 units.format(Quantity::Length, *forward),
-                units.format(Quantity::Length, *left)
+                units.format(Quantity::Length, *aside),
+                axes::side_of_y(axes)
             )
         }
         Warning::PdofsNotOpposite { angle: off } => format!(

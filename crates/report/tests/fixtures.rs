@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 #![allow(clippy::disallowed_methods, reason = "the calculator and the measures are not those of the program")]
 
+#[path = "fixtures/axes.rs"]
+mod axes;
 #[path = "fixtures/drawings.rs"]
 mod drawings;
 #[path = "fixtures/evaluate.rs"]
@@ -16,10 +18,15 @@ use std::fs;
 use std::path::PathBuf;
 
 use analysis::Analysis;
-use case::{Case, CaseFile};
+use case::{Axes, Case, CaseFile};
 
-/// Every analysis that a valid case allows, with the name of the case.
+/// Every analysis that a valid case allows, with the name of the case; each case in z-up and in z-down axes.
 fn analyses() -> Vec<(String, CaseFile, Analysis)> {
+    [analyses_in(Axes::ZUp), analyses_in(Axes::ZDown)].concat()
+}
+
+/// The same in these axes alone.
+fn analyses_in(axes: Axes) -> Vec<(String, CaseFile, Analysis)> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let mut analyses = Vec::new();
     for folder in ["", "laws", "ricsac"] {
@@ -33,7 +40,12 @@ fn analyses() -> Vec<(String, CaseFile, Analysis)> {
                 assert!(path.ends_with("published.toml"), "{}", path.display());
                 continue;
             };
-            let of = |kind: &str| format!("{} {kind}", path.file_name().unwrap().display());
+            let file = match (file.case.axes, axes) {
+                (Axes::ZUp, Axes::ZUp) => file,
+                (Axes::ZUp, Axes::ZDown) => axes::z_down(&file.case),
+                (Axes::ZDown, _) => continue,
+            };
+            let of = |kind: &str| format!("{} {} {kind}", path.file_name().unwrap().display(), axes.name());
             let results = [
                 ("reconstruct", analysis::reconstruct(&file)),
                 ("impact", analysis::impact(&file)),

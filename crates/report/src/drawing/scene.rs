@@ -1,7 +1,7 @@
 //! The scene: both vehicles at impact, seen from above.
 
 use analysis::{Analysis, Impact, Vehicle};
-use case::Case;
+use case::{Axes, Case};
 use kurbo::{Affine, BezPath, Point, Rect, Vec2};
 
 use super::canvas::{Anchor, Canvas, Head, SMALL};
@@ -12,6 +12,7 @@ use super::pens::{
 use super::vehicle::{Body, placed};
 use super::{Drawing, DrawingError, Subject, font};
 use crate::Units;
+use crate::axes;
 use crate::units::Quantity;
 
 /// (px) height of what is drawn, below the title.
@@ -86,7 +87,7 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
     let rows = (7 + scene.len()).div_ceil(3) as f64;
     let height = bar_row + 22.0 + 24.0 * (rows + 0.5) + 10.0;
     let canvas = Canvas::new(Subject::Scene.name(), WIDTH, height);
-    let mut page = Page { canvas, units, scale, origin, wall: wall_ends(&scene, impact) };
+    let mut page = Page { canvas, units, axes: case.axes, scale, origin, wall: wall_ends(&scene, impact) };
     let title = case.title.as_deref().unwrap_or("Untitled case");
     legend::header(&mut page.canvas, title, "Plan view at impact, to scale");
     // The bodies lie over each other: all areas first, so that no edge is hidden.
@@ -113,7 +114,7 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
     Ok(Drawing::new(
         Subject::Scene,
         format!("{title}: plan view at impact"),
-        description(case, impact, units),
+        description(case, analysis.in_axes(case.axes).impact.as_ref().unwrap_or(impact), units),
         page.canvas,
     ))
 }
@@ -143,7 +144,7 @@ impl Arrows<'_> {
     fn pdof_tail(&self, i: usize) -> Vec2 {
         let outcome = &self.impact.outcome;
         let forward = vec2(outcome.forward[i]);
-        let (sin, cos) = pim_core::Real::sin_cos(outcome.pdof()[i]);
+        let (sin, cos) = pim_core::Real::sin_cos(self.impact.pdof[i]);
         let from = Vec2::new(forward.x * cos + forward.y * sin, forward.y * cos - forward.x * sin);
         flipped(from) * PDOF_LENGTH
     }
@@ -160,7 +161,9 @@ fn fit(scene: &[Placed; 2], arrows: &Arrows) -> (f64, Point) {
     let bounds = |scale: f64| {
         let mut points = vec![arrows.impulse(), Vec2::ZERO];
         let normal = flipped(vec2(arrows.impact.contact.normal()));
-        points.extend([normal * AXES, Vec2::new(normal.y, -normal.x) * AXES]);
+        let t = Vec2::new(normal.y, -normal.x);
+        // t points to either side, by the axes of the case; the picture is the same.
+        points.extend([normal, t, -t].map(|axis| axis * AXES));
         for (i, placed) in scene.iter().enumerate() {
             let cg = flipped(placed.cg) * scale;
             if let Some(body) = &placed.body {
@@ -236,6 +239,8 @@ fn wall_ends(scene: &[Placed; 2], impact: &Impact) -> [f64; 2] {
 struct Page {
     canvas: Canvas,
     units: Units,
+    /// Of the labels; what is drawn is in those of the engine.
+    axes: Axes,
     scale: f64,
     origin: Point,
     /// (m) along t from C, where there is a wall.
@@ -299,7 +304,8 @@ impl Page {
 
     fn axes(&mut self, impact: &Impact) {
         let n = vec2(impact.contact.normal());
-        let t = Vec2::new(-n.y, n.x);
+        // +90° in the sense of the axes
+        let t = Vec2::new(-n.y, n.x) * self.axes.lateral(1.0);
         let origin = self.origin;
         for (name, direction) in [("n", n), ("t", t)] {
             let tip = origin + flipped(direction) * AXES;
@@ -320,7 +326,7 @@ impl Page {
         }
         let outcome = &arrows.impact.outcome;
         let [before, after, tail] = arrows.of_vehicle(i);
-        let pdof = outcome.pdof()[i];
+        let pdof = arrows.impact.pdof[i];
         self.canvas.arrow(&format!("pdof-{}", i + 1), cg + tail, cg + unit(tail) * 9.0, PDOF, Head::Open);
         let pdof_text = format!("PDOF{number} {}", self.units.format(Quantity::Angle, pdof));
         self.canvas.label(cg + tail, &pdof_text, BLACK);
@@ -376,9 +382,13 @@ impl Page {
 
     /// The axes of the scene, in a corner.
     fn frame(&mut self) {
-        let at = Point::new(area().x1 - 62.0, area().y1 - 12.0);
+        let (drop, end, dy) = match self.axes {
+            Axes::ZUp => (12.0, -40.0, -8.0),
+            Axes::ZDown => (64.0, 40.0, 16.0),
+        };
+        let at = Point::new(area().x1 - 62.0, area().y1 - drop);
         for (name, end, dx, dy) in
-            [("x", Vec2::new(40.0, 0.0), 8.0, 4.0), ("y", Vec2::new(0.0, -40.0), -4.0, -8.0)]
+            [("x", Vec2::new(40.0, 0.0), 8.0, 4.0), ("y", Vec2::new(0.0, end), -4.0, dy)]
         {
             let tip = at + end;
             self.canvas.arrow(&format!("scene-{name}"), at, tip, Pen { width: 1.4, ..THIN }, Head::Open);
@@ -428,6 +438,7 @@ impl Page {
     }
 }
 
+/// In the axes of the case, and so is the impact.
 fn description(case: &Case, impact: &Impact, units: Units) -> String {
     let outcome = &impact.outcome;
     let mut sentences = vec!["Both vehicles from above at the moment of impact, to scale.".to_owned()];
@@ -440,13 +451,14 @@ fn description(case: &Case, impact: &Impact, units: Units) -> String {
         }
         let heading = vehicle.heading.as_ref().map_or(0.0, case::Quantity::si);
         sentences.push(format!(
-            "Vehicle {}{name} heads {} counter-clockwise from the x axis of the scene; its velocity is {} before and {} after the impact; the force on it \
+            "Vehicle {}{name} heads {} {} from the x axis of the scene; its velocity is {} before and {} after the impact; the force on it \
              comes from {} clockwise of its heading.",
             i + 1,
             units.format(Quantity::Angle, heading),
+            axes::sense(case.axes),
             units.format_vector(Quantity::Speed, outcome.before[i].velocity.into()),
             units.format_vector(Quantity::Speed, outcome.after[i].velocity.into()),
-            units.format(Quantity::Angle, outcome.pdof()[i]),
+            units.format(Quantity::Angle, impact.pdof[i]),
         ));
     }
     sentences.push(format!(

@@ -100,8 +100,8 @@ pub(super) fn profile(
     i: usize,
 ) -> Option<Profile> {
     let crush = case.vehicles[i].crush.as_ref()?;
-    let side = vehicle.subject.damage.as_ref()?.side;
-    let offset = crush.offset.as_ref().map_or(0.0, case::Quantity::si);
+    let given = vehicle.subject.damage.as_ref()?;
+    let (side, offset) = (given.side, given.offset.unwrap_or_default());
     let (depths, spacings) = match &damage.inferred {
         Some(inferred) => (vec![inferred.crush.depth; 2], vec![inferred.crush.width]),
         None => {

@@ -1,10 +1,11 @@
 //! Geometry, speed, impulse, motion and energy.
 
 use analysis::{Analysis, Found, Impact};
-use case::{Case, ContactPoint, Velocity};
+use case::{Axes, Case, ContactPoint, Velocity};
 use pim_core::{NormalTangential, Real, Regime, Tangential};
 
 use super::{Step, StepGroup, angle, given, group, n, p, step};
+use crate::axes;
 
 /// The numbers that most steps share.
 struct Collision<'a> {
@@ -65,7 +66,7 @@ impl Collision<'_> {
             let vehicle = &self.case.vehicles[i];
             let Some(contact) = &vehicle.contact else { continue };
             let k = i + 1;
-            let [forward, left] = contact.forward_left();
+            let [forward, aside] = contact.xy();
             if let ContactPoint::Polar { distance, angle: phi } = contact {
                 let (d, phi) = (distance.si(), phi.si());
                 steps.push(step(
@@ -78,11 +79,11 @@ impl Collision<'_> {
                     "theory 1",
                 ));
                 steps.push(step(
-                    format!("contact point left of CG {k}"),
+                    format!("contact point {} of CG {k}", axes::side_of_y(self.case.axes)),
                     format!("y_{k}"),
                     format!("d_{k} sin φ_{k}"),
                     format!("{} · sin{}", n(d, "m"), angle(phi)),
-                    left,
+                    aside,
                     "m",
                     "theory 1",
                 ));
@@ -94,7 +95,7 @@ impl Collision<'_> {
                 format!("arm of vehicle {k} along n"),
                 format!("r_{k}n"),
                 format!("x_{k} cos(θ_{k} − Γ) − y_{k} sin(θ_{k} − Γ)"),
-                format!("{} · cos{turn} − {} · sin{turn}", n(forward, "m"), n(left, "m")),
+                format!("{} · cos{turn} − {} · sin{turn}", n(forward, "m"), n(aside, "m")),
                 arm.normal,
                 "m",
                 "Eq 2",
@@ -103,7 +104,7 @@ impl Collision<'_> {
                 format!("arm of vehicle {k} along t"),
                 format!("r_{k}t"),
                 format!("x_{k} sin(θ_{k} − Γ) + y_{k} cos(θ_{k} − Γ)"),
-                format!("{} · sin{turn} + {} · cos{turn}", n(forward, "m"), n(left, "m")),
+                format!("{} · sin{turn} + {} · cos{turn}", n(forward, "m"), n(aside, "m")),
                 arm.tangential,
                 "m",
                 "Eq 2",
@@ -781,27 +782,28 @@ impl Collision<'_> {
                 "m/s",
                 "theory 2",
             ));
-            // The force on vehicle 2 is −P.
-            let (theta, minus) = (angle(self.heading(i)), if i == 0 { "" } else { "−" });
-            let (left, behind) = if i == 0 {
-                (format!("P_y cos θ_{k} − P_x sin θ_{k}"), format!("−P_x cos θ_{k} − P_y sin θ_{k}"))
+            let (theta, x, y) = (angle(self.heading(i)), n(vector.x, "N·s"), n(vector.y, "N·s"));
+            // The force on vehicle 2 is −P. A PDOF is clockwise in any axes: what counts is the component to the left, which in z-down axes is −y.
+            let (left, left_numbers) = if (i == 0) == (self.case.axes == Axes::ZUp) {
+                (format!("P_y cos θ_{k} − P_x sin θ_{k}"), format!("{y} · cos{theta} − {x} · sin{theta}"))
             } else {
-                (format!("P_x sin θ_{k} − P_y cos θ_{k}"), format!("P_x cos θ_{k} + P_y sin θ_{k}"))
+                (format!("P_x sin θ_{k} − P_y cos θ_{k}"), format!("{x} · sin{theta} − {y} · cos{theta}"))
             };
-            let (x, y) = (n(vector.x, "N·s"), n(vector.y, "N·s"));
-            let numbers = if minus.is_empty() {
-                format!(
-                    "atan2({y} · cos{theta} − {x} · sin{theta}, (−1) · {x} · cos{theta} − {y} · sin{theta})"
+            let (behind, behind_numbers) = if i == 0 {
+                (
+                    format!("−P_x cos θ_{k} − P_y sin θ_{k}"),
+                    format!("(−1) · {x} · cos{theta} − {y} · sin{theta}"),
                 )
             } else {
-                format!("atan2({x} · sin{theta} − {y} · cos{theta}, {x} · cos{theta} + {y} · sin{theta})")
+                (format!("P_x cos θ_{k} + P_y sin θ_{k}"), format!("{x} · cos{theta} + {y} · sin{theta}"))
             };
+            let numbers = format!("atan2({left_numbers}, {behind_numbers})");
             steps.push(step(
                 format!("principal direction of force on vehicle {k}, clockwise from its heading"),
                 format!("PDOF_{k}"),
                 format!("atan2({left}, {behind})"),
                 numbers,
-                outcome.pdof()[i].to_degrees(),
+                self.impact.pdof[i].to_degrees(),
                 "°",
                 "theory 5",
             ));

@@ -1,7 +1,7 @@
 //! CRASH3's own answer.
 
 use analysis::{Analysis, Damage};
-use case::{Case, Crush};
+use case::{Axes, Case, Crush};
 use crash3::{EnergyBasis, ObliqueCorrection, Structure};
 
 use super::{Step, StepGroup, angle, given, group, n, p, step};
@@ -18,7 +18,7 @@ pub(super) fn groups(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
             ));
         }
     }
-    groups.push(group("CRASH3: velocity changes", velocity_changes(analysis)));
+    groups.push(group("CRASH3: velocity changes", velocity_changes(analysis, case.axes)));
     groups
 }
 
@@ -103,8 +103,13 @@ fn oblique(
     steps
 }
 
-fn velocity_changes(analysis: &Analysis) -> Vec<Step> {
+fn velocity_changes(analysis: &Analysis, axes: Axes) -> Vec<Step> {
     let Some(crash3) = &analysis.crash3 else { return Vec::new() };
+    // Across the force, which comes from the PDOF, clockwise in any axes.
+    let left = match axes {
+        Axes::ZUp => "+",
+        Axes::ZDown => "−",
+    };
     let mut steps = Vec::new();
     let vehicles: Vec<(usize, f64, f64)> = analysis
         .vehicles
@@ -125,8 +130,8 @@ fn velocity_changes(analysis: &Analysis) -> Vec<Step> {
             (None, Some([x, y]), Some(pdof)) => step(
                 name,
                 format!("h_{k}"),
-                format!("|x_{k} sin PDOF_{k} + y_{k} cos PDOF_{k}|"),
-                format!("abs({} · sin{2} + {1} · cos{2})", n(x, "m"), n(y, "m"), angle(pdof)),
+                format!("|x_{k} sin PDOF_{k} {left} y_{k} cos PDOF_{k}|"),
+                format!("abs({} · sin{2} {left} {1} · cos{2})", n(x, "m"), n(y, "m"), angle(pdof)),
                 arm,
                 "m",
                 "theory 5",

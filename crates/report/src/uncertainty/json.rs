@@ -13,6 +13,8 @@ use super::{method_name, reason_name};
 #[derive(Serialize)]
 struct Document<'a> {
     title: &'a str,
+    /// Those of the inputs.
+    axes: &'static str,
     samples: usize,
     requested: usize,
     seed: u64,
@@ -131,6 +133,7 @@ pub fn uncertainty_json(case: &Case, uncertainty: &Uncertainty) -> Result<String
     });
     let document = Document {
         title: case.title.as_deref().unwrap_or_default(),
+        axes: case.axes.name(),
         samples: propagation.evaluated(),
         requested: propagation.requested(),
         seed: uncertainty.settings.seed,

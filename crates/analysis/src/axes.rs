@@ -1,0 +1,56 @@
+//! A finished analysis in the axes of its case.
+
+use case::Axes;
+
+use crate::{Analysis, Failure, Impact, Warning};
+
+impl Analysis {
+    /// The same analysis with its impact, contact points, centroids and warnings in the given axes, for the eyes of a reader. An analysis itself is in the axes of
+    /// the engine whatever the case is written in. A [`DamagedFace`](crash3::DamagedFace) stays as it is.
+    #[must_use]
+    pub fn in_axes(&self, axes: Axes) -> Self {
+        let mut seen = self.clone();
+        if axes == Axes::ZUp {
+            return seen;
+        }
+        if let Some(impact) = &mut seen.impact {
+            *impact = impact.mirrored();
+        }
+        for vehicle in &mut seen.vehicles {
+            let centroid = vehicle.damage.as_mut().and_then(|damage| damage.centroid.as_mut());
+            for [_, y] in vehicle.subject.contact.as_mut().into_iter().chain(centroid) {
+                *y = axes.lateral(*y);
+            }
+        }
+        for warning in &mut seen.warnings {
+            match warning {
+                Warning::DamageCentroid { point: [_, lateral], .. }
+                | Warning::RotationOpposes { turned: lateral, .. } => *lateral = axes.lateral(*lateral),
+                _ => {}
+            }
+        }
+        seen
+    }
+}
+
+impl Impact {
+    fn mirrored(&self) -> Self {
+        Self {
+            contact: self.contact.mirrored(),
+            law: self.law.mirrored(),
+            outcome: self.outcome.mirrored(),
+            pdof: self.pdof,
+        }
+    }
+}
+
+impl Failure {
+    /// The same refusal, its numbers in the given axes.
+    pub(crate) fn in_axes(self, axes: Axes) -> Self {
+        match (axes, self) {
+            (Axes::ZDown, Self::Reconcile(refusal)) => Self::Reconcile(refusal.mirrored()),
+            (Axes::ZDown, Self::Impact(refusal)) => Self::Impact(refusal.mirrored()),
+            (_, failure) => failure,
+        }
+    }
+}

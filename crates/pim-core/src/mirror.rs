@@ -1,0 +1,117 @@
+//! The same collision in a mirror along x: what it is in axes of the other handedness, with y to the right and clockwise positive.
+//!
+//! The equations hold in both. y and t components, angles, yaw rates and moments change their signs, and with them the impulse ratio;
+//! x and n components, energies and all coefficients that are shares of something do not. Only a PDOF is clockwise in any axes, so that
+//! [`Outcome::pdof`] of a mirrored outcome is minus that of the outcome itself.
+
+use nalgebra::Vector2;
+use real::Real;
+
+use crate::body::{Motion, Participant};
+use crate::contact::{Contact, InverseMass, NormalTangential};
+use crate::error::{ImpactError, InvalidInput};
+use crate::impact::Outcome;
+use crate::law::Law;
+
+/// Not −value, which of nothing would make a negative nothing.
+fn flipped<T: Real>(value: T) -> T {
+    T::ZERO - value
+}
+
+fn across<T: Real>(v: Vector2<T>) -> Vector2<T> {
+    Vector2::new(v.x, flipped(v.y))
+}
+
+fn along<T: Real>(v: NormalTangential<T>) -> NormalTangential<T> {
+    NormalTangential { normal: v.normal, tangential: flipped(v.tangential) }
+}
+
+impl<T: Real> Motion<T> {
+    fn mirrored(&self) -> Self {
+        Self { velocity: across(self.velocity), yaw_rate: flipped(self.yaw_rate) }
+    }
+}
+
+impl<T: Real> Participant<T> {
+    fn mirrored(&self) -> Self {
+        Self { body: self.body, forward: across(self.forward), arm: across(self.arm) }
+    }
+}
+
+impl<T: Real> Contact<T> {
+    /// The same contact in axes of the other handedness.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let InverseMass { nn, nt, tt, nm, tm, mm } = self.inverse_mass;
+        Self {
+            participants: self.participants.each_ref().map(Participant::mirrored),
+            normal: across(self.normal),
+            arms: self.arms.map(along),
+            // A product of n and t changes its sign, and so does one of n and a moment; t and moment both do.
+            inverse_mass: InverseMass { nn, nt: flipped(nt), tt, nm: flipped(nm), tm, mm },
+        }
+    }
+}
+
+impl<T: Real> Law<T> {
+    /// The same law in axes of the other handedness.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        use crate::law::Tangential::{Ratio, VelocityChange};
+        let tangential = match self.tangential {
+            Ratio(mu) => Ratio(flipped(mu)),
+            VelocityChange(change) => VelocityChange(flipped(change)),
+            unsigned => unsigned,
+        };
+        Self { tangential, ..*self }
+    }
+}
+
+impl<T: Real> Outcome<T> {
+    /// The same outcome in axes of the other handedness.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        Self {
+            impulse: along(self.impulse),
+            impulse_vector: across(self.impulse_vector),
+            moment_impulse: flipped(self.moment_impulse),
+            regime: self.regime,
+            impulse_ratio: flipped(self.impulse_ratio),
+            critical_impulse_ratio: self.critical_impulse_ratio.map(flipped),
+            approach: along(self.approach),
+            separation: along(self.separation),
+            before: self.before.each_ref().map(Motion::mirrored),
+            after: self.after.each_ref().map(Motion::mirrored),
+            delta_v: self.delta_v.map(across),
+            forward: self.forward.map(across),
+            energy: self.energy,
+        }
+    }
+}
+
+impl InvalidInput {
+    /// The same refusal in axes of the other handedness.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        match self {
+            Self::NormalUndefined { crush_plane } => {
+                Self::NormalUndefined { crush_plane: flipped(crush_plane) }
+            }
+            unsigned => unsigned,
+        }
+    }
+}
+
+impl ImpactError {
+    /// The same refusal in axes of the other handedness.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        match self {
+            Self::Jam { impulse_ratio, k_nn, k_nt } => {
+                Self::Jam { impulse_ratio: flipped(impulse_ratio), k_nn, k_nt: flipped(k_nt) }
+            }
+            Self::Invalid(invalid) => Self::Invalid(invalid.mirrored()),
+            unsigned => unsigned,
+        }
+    }
+}
