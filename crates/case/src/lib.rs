@@ -137,6 +137,7 @@
 mod case;
 mod diagnostic;
 mod input;
+mod json_schema;
 mod model;
 mod nearest;
 mod problem;
@@ -145,6 +146,7 @@ mod range;
 mod read;
 mod schema;
 mod source;
+mod template;
 mod units;
 mod write;
 
@@ -154,6 +156,7 @@ pub use case::{
 };
 pub use diagnostic::{Diagnostic, Diagnostics};
 pub use input::Input;
+pub use json_schema::json_schema;
 pub use model::{
     Collision, CrushOnly, Damage, Dimensions, Evidence, ImpactInput, Inertia, InferredWidth,
     ReconstructionInput, StiffnessSource, Subject, YawSource,
@@ -163,4 +166,5 @@ pub use quantity::{Quantity, QuantityError};
 pub use range::{Amount, Bounds, Range, Spread};
 pub use read::CaseFile;
 pub use source::Source;
+pub use template::Template;
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
