@@ -30,7 +30,7 @@
 //! The types: [`Case::parse`] gives a [`CaseFile`], which is a [`Case`] and the [`Source`] it came from, or
 //! [`Diagnostics`]. A case holds [`Quantity`]s, as they were written; [`Quantity::si`] is where a unit is converted.
 //! [`Case::to_toml`] writes a case back. A computation that finds fault with a well-formed case places its error
-//! with [`CaseFile::problem`].
+//! with [`CaseFile::problem`]. A [`Template`] is a case to begin with, and [`json_schema`] is what editors complete and check a case by.
 //!
 //! # The file
 //!
