@@ -21,7 +21,9 @@ pub(crate) fn manual(folder: Option<&Path>) -> Result<()> {
             .with_context(|| format!("cannot write the manual pages into {}", folder.display())),
         None => {
             let mut page = Vec::new();
-            clap_mangen::Man::new(Command::command()).render(&mut page).context("cannot make the page")?;
+            // As in the folder, which has no page for the help.
+            let command = Command::command().disable_help_subcommand(true);
+            clap_mangen::Man::new(command).render(&mut page).context("cannot make the page")?;
             crate::write(None, page)
         }
     }

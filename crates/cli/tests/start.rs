@@ -127,7 +127,10 @@ fn completions_know_every_command() {
         for command in commands() {
             assert!(script.contains(&command), "{shell} does not know {command}");
         }
-        assert!(script.contains("front-side"), "{shell}");
+        // The other two do not complete values.
+        if ["bash", "zsh", "fish"].contains(&shell) {
+            assert!(script.contains("front-side"), "{shell}");
+        }
     }
 }
 
