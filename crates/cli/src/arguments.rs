@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, ValueEnum};
+use clap_complete::Shell;
 
 /// Reconstructs a two-vehicle collision from its damage.
 ///
 /// The damage of both vehicles gives the crush energy (CRASH3), and planar impact mechanics gives the speed at which the impact would take just
-/// this energy (Brach & Brach, SAE 980025). A case is a TOML file; fixtures/sae-980025.toml is the paper's example.
+/// this energy (Brach & Brach, SAE 980025). A case is a TOML file: `deltav new` writes one to begin with, and fixtures/sae-980025.toml is the paper's example.
 #[derive(Debug, Parser)]
 #[command(
     name = "deltav",
@@ -18,6 +19,13 @@ use clap::{Args, Parser, ValueEnum};
     after_help = "Exit status: 0 done; 1 the case is well formed but has no answer, or a claim of validate fails; 2 the case file or the command line is wrong."
 )]
 pub(crate) enum Command {
+    /// Write a commented case file to begin with
+    #[command(
+        long_about = "Write a commented case file to begin with.\n\n\
+            It runs as it is. Its numbers are invented: each line says what it is, for you to put in your own. An existing file is not overwritten.",
+        after_help = "Examples:\n  deltav new -o case.toml\n  deltav new --template barrier -o case.toml\n  deltav reconstruct case.toml"
+    )]
+    New(NewArguments),
     /// Find the speed that makes impact and crush agree, and print the whole reconstruction
     #[command(
         long_about = "Find the speed that makes impact and crush agree, and print the whole reconstruction.\n\n\
@@ -104,6 +112,73 @@ pub(crate) enum Command {
             Exit status: 0 all that is claimed comes out; 1 something that is claimed does not."
     )]
     Validate(ValidateArguments),
+    /// Print the JSON Schema of the case file, for editors
+    #[command(
+        long_about = "Print the JSON Schema of the case file, for editors.\n\n\
+            A case file that begins with the line `#:schema case.schema.json`, the path from the case to the schema, is completed and checked while you write it: \
+            in Visual Studio Code with the extension Even Better TOML, and in other editors built on Taplo. The program itself does not need it, and checks more.",
+        after_help = "Example:\n  deltav schema -o case.schema.json"
+    )]
+    Schema(SchemaArguments),
+    /// Print the completions of a shell
+    #[command(
+        long_about = "Print the completions of a shell: commands, options and their values on the tabulator key.",
+        after_help = "Examples:\n  deltav completions bash > ~/.local/share/bash-completion/completions/deltav\n  \
+            deltav completions zsh > ~/.zfunc/_deltav\n  deltav completions fish > ~/.config/fish/completions/deltav.fish"
+    )]
+    Completions(CompletionsArguments),
+    /// Print the manual page
+    #[command(
+        long_about = "Print the manual page, in roff.\n\nWith --output-dir, write it and a page for each command into a folder instead.",
+        after_help = "Examples:\n  deltav man > deltav.1\n  deltav man --output-dir ~/.local/share/man/man1"
+    )]
+    Man(ManArguments),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct NewArguments {
+    /// Kind of collision
+    #[arg(long, value_enum, default_value_t = Template::FrontSide)]
+    pub(crate) template: Template,
+
+    /// Write to FILE, which must not exist, instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Template {
+    /// The front of one vehicle against the side of the other
+    FrontSide,
+    /// Two fronts, offset
+    HeadOn,
+    /// A front against the rear of a waiting vehicle
+    RearEnd,
+    /// A vehicle against a wall
+    Barrier,
+    /// A vehicle that scrapes along the side of another
+    Sideswipe,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SchemaArguments {
+    /// Write to FILE instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArguments {
+    /// The shell
+    #[arg(value_enum)]
+    pub(crate) shell: Shell,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ManArguments {
+    /// Write the pages of the program and of each command into DIR, which has to exist
+    #[arg(long, value_name = "DIR")]
+    pub(crate) output_dir: Option<PathBuf>,
 }
 
 /// Of the commands that have a report to hand over.

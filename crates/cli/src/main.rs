@@ -2,6 +2,8 @@
 
 mod arguments;
 mod draw;
+mod new;
+mod pages;
 mod progress;
 mod terminal;
 
@@ -34,6 +36,7 @@ const WRONG_INPUT: u8 = 2;
 
 fn main() -> ExitCode {
     let result = match Command::parse() {
+        Command::New(arguments) => new::new(&arguments),
         Command::Reconstruct(arguments) => report_analysis(&arguments, analysis::reconstruct),
         Command::Impact(arguments) => report_analysis(&arguments, analysis::impact),
         Command::Crush(arguments) => report_analysis(&arguments, analysis::crush),
@@ -42,6 +45,9 @@ fn main() -> ExitCode {
         Command::Uncertainty(arguments) => report_uncertainty(&arguments),
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::Validate(arguments) => validate(&arguments),
+        Command::Schema(arguments) => write(arguments.output.as_deref(), case::json_schema()),
+        Command::Completions(arguments) => pages::completions(arguments.shell),
+        Command::Man(arguments) => pages::manual(arguments.output_dir.as_deref()),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
