@@ -1,6 +1,7 @@
 //! `deltav`: arguments, files and exit codes. All else is in the libraries.
 
 mod arguments;
+mod batch;
 mod draw;
 mod progress;
 mod terminal;
@@ -11,15 +12,15 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::ExitCode;
 
-use analysis::{Analysis, Failure, Plan, Sweep, Uncertainty};
+use analysis::{Analysis, Failure, Plan, Stage, Sweep, Uncertainty};
 use anyhow::{Context as _, Result};
 use arguments::{
-    Arguments, Command, Format, PageFormat, ReportArguments, ReportFormat, SensitivityArguments,
-    UncertaintyArguments, UnitSystem, ValidateArguments,
+    Arguments, Command, Format, PageFormat, ReconstructArguments, ReconstructFormat, ReportArguments,
+    ReportFormat, SensitivityArguments, UncertaintyArguments, UnitSystem, ValidateArguments,
 };
 use case::{Case, CaseFile};
 use clap::Parser as _;
-use rayon::ThreadPoolBuilder;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use report::{DrawingError, Supplement, Units};
 use uncertainty::{Method, Settings};
 use validation::{Data, Validation};
@@ -34,7 +35,7 @@ const WRONG_INPUT: u8 = 2;
 
 fn main() -> ExitCode {
     let result = match Command::parse() {
-        Command::Reconstruct(arguments) => report_analysis(&arguments, analysis::reconstruct),
+        Command::Reconstruct(arguments) => reconstruct(arguments),
         Command::Impact(arguments) => report_analysis(&arguments, analysis::impact),
         Command::Crush(arguments) => report_analysis(&arguments, analysis::crush),
         Command::Compare(arguments) => report_comparison(&arguments),
@@ -62,8 +63,30 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
         Some(Failure::Ranges(_)) => ("error: ", WRONG_INPUT),
         Some(_) => ("error: ", NO_ANSWER),
         None if error.is::<NotReproduced>() => ("error: ", NO_ANSWER),
+        None if error.is::<batch::Incomplete>() => ("error: ", NO_ANSWER),
         None if error.is::<DrawingError>() => ("error: ", NO_ANSWER),
         None => ("error: ", WRONG_INPUT),
+    }
+}
+
+fn reconstruct(arguments: ReconstructArguments) -> Result<()> {
+    let ReconstructArguments { mut cases, format, units, threads, output } = arguments;
+    let format = match format {
+        ReconstructFormat::Csv => return batch::csv(&cases, &pool(threads)?, output.as_deref()),
+        ReconstructFormat::Jsonl => return batch::jsonl(&cases, &pool(threads)?, output.as_deref()),
+        ReconstructFormat::Text => ReportFormat::Text,
+        ReconstructFormat::Json => ReportFormat::Json,
+        ReconstructFormat::Html => ReportFormat::Html,
+        ReconstructFormat::Markdown => ReportFormat::Markdown,
+    };
+    match (cases.pop(), cases.len()) {
+        (Some(case), 0) => {
+            report_analysis(&ReportArguments { case, format, units, output }, analysis::reconstruct)
+        }
+        (_, others) => Err(anyhow::anyhow!(
+            "{} case files are given, and a report is on one; use --format csv or --format jsonl for a row each",
+            others + 1
+        )),
     }
 }
 
@@ -167,13 +190,23 @@ fn propagate(file: &CaseFile, arguments: &UncertaintyArguments) -> Result<Uncert
     };
     let settings = Settings::new(method, arguments.samples, arguments.seed);
     let plan = Plan { settings, index_rows: arguments.sobol };
-    // Without a number, rayon takes one thread for each processor.
-    let threads = arguments.threads.map_or(0, usize::from);
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start the threads")?;
+    let pool = pool(arguments.threads)?;
     let mut progress = progress::Progress::new()?;
     Ok(pool.install(|| {
-        analysis::uncertainty(file, &plan, &mut |stage, done, total| progress.at(stage, done, total))
+        analysis::uncertainty(file, &plan, &mut |stage, done, total| {
+            let counted = match stage {
+                Stage::Samples => "samples",
+                Stage::Indices => "rows for the indices",
+            };
+            progress.at(counted, done, total)
+        })
     })?)
+}
+
+fn pool(threads: Option<u16>) -> Result<ThreadPool> {
+    // Without a number, rayon takes one thread for each processor.
+    let threads = threads.map_or(0, usize::from);
+    ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start the threads")
 }
 
 fn case_file(path: &Path) -> Result<CaseFile> {

@@ -37,6 +37,8 @@
 //! [`uncertainty_text`] and [`uncertainty_json`] say between what and what the results of a case with ranges lie; [`histogram`] and [`tornado`] plot
 //! that, and [`write_samples`] gives the samples themselves.
 //!
+//! Of many cases, [`csv_row`] under [`csv_header`] gives a line each for a spreadsheet, and [`jsonl_row`] for a program.
+//!
 //! # What it does not do
 //!
 //! It computes nothing that the analysis does not hold, but the sums that a step of the report shows on the way. No terminal, no files.
@@ -46,6 +48,7 @@ mod drawing;
 mod json;
 mod law;
 mod page;
+mod rows;
 mod sensitivity;
 mod staged;
 mod steps;
@@ -58,6 +61,7 @@ pub use comparison::{comparison_json, comparison_text};
 pub use drawing::{Drawing, DrawingError, Subject, drawing};
 pub use json::json;
 pub use page::{Supplement, html, markdown};
+pub use rows::{Row, RowError, csv_columns, csv_header, csv_row, jsonl_row};
 pub use sensitivity::{sensitivity_json, sensitivity_text};
 pub use staged::{
     PlotError, computed_against_measured, reconstructed_speed, validation_headline, validation_json,
