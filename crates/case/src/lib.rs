@@ -158,6 +158,7 @@ pub use model::{
     Collision, CrushOnly, Damage, Dimensions, Evidence, ImpactInput, Inertia, InferredWidth,
     ReconstructionInput, StiffnessSource, Subject, YawSource,
 };
+pub use nearest::nearest_names;
 pub use problem::Problem;
 pub use quantity::{Quantity, QuantityError};
 pub use range::{Amount, Bounds, Range, Spread};

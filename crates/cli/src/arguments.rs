@@ -50,6 +50,16 @@ pub(crate) enum Command {
         after_help = "Example:\n  deltav crush fixtures/sae-980025-crush.toml"
     )]
     Crush(ReportArguments),
+    /// Read and judge a case without solving it
+    #[command(
+        long_about = "Read and judge a case without solving it.\n\n\
+            Prints what was understood, every number as written and in both unit systems; what was assumed where the file says nothing; which commands the \
+            case has enough for, and what the others lack; and every warning that needs no answer.",
+        after_help = "Examples:\n  deltav check fixtures/sae-980025.toml\n  \
+            deltav check fixtures/one-inspected.toml --format json\n\n\
+            Exit status: 0 the file reads, with warnings or without; 2 it does not."
+    )]
+    Check(Arguments),
     /// Put the answers of every impact law and of CRASH3 side by side
     #[command(
         long_about = "Put the answers of every impact law and of CRASH3 side by side.\n\n\
@@ -112,6 +122,20 @@ pub(crate) enum Command {
             Exit status: 0 all that is claimed comes out; 1 something that is claimed does not."
     )]
     Validate(ValidateArguments),
+    /// Explain a term, a symbol, a key of the case file or the code of a warning
+    #[command(
+        long_about = "Explain a term, a symbol, a key of the case file or the code of a warning.\n\n\
+            The same texts stand in docs/glossary.md. Without a topic, all topics are listed.",
+        after_help = "Examples:\n  deltav explain\n  deltav explain crush plane\n  deltav explain μ_c\n  \
+            deltav explain vehicle1.crush.offset\n  deltav explain delta-v-differs"
+    )]
+    Explain(ExplainArguments),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ExplainArguments {
+    /// What to explain, in one word or several
+    pub(crate) topic: Vec<String>,
 }
 
 #[derive(Debug, Args)]

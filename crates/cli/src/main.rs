@@ -15,8 +15,8 @@ use std::process::ExitCode;
 use analysis::{Analysis, Failure, Plan, Stage, Sweep, Uncertainty};
 use anyhow::{Context as _, Result};
 use arguments::{
-    Arguments, Command, Format, PageFormat, ReconstructArguments, ReconstructFormat, ReportArguments,
-    ReportFormat, SensitivityArguments, UncertaintyArguments, UnitSystem, ValidateArguments,
+    Arguments, Command, ExplainArguments, Format, PageFormat, ReconstructArguments, ReconstructFormat,
+    ReportArguments, ReportFormat, SensitivityArguments, UncertaintyArguments, UnitSystem, ValidateArguments,
 };
 use case::{Case, CaseFile};
 use clap::Parser as _;
@@ -28,6 +28,9 @@ use validation::{Data, Validation};
 /// Samples behind the uncertainty in a report: enough for three digits, in a blink.
 const SUPPLEMENT_SAMPLES: usize = 20_000;
 
+/// Columns of an explanation where there is no terminal to fill.
+const EXPLAIN_COLUMNS: usize = 98;
+
 /// The case is well formed, but no answer exists; or a claim of the validation fails.
 const NO_ANSWER: u8 = 1;
 /// The case file or the command line is wrong.
@@ -38,11 +41,13 @@ fn main() -> ExitCode {
         Command::Reconstruct(arguments) => reconstruct(arguments),
         Command::Impact(arguments) => report_analysis(&arguments, analysis::impact),
         Command::Crush(arguments) => report_analysis(&arguments, analysis::crush),
+        Command::Check(arguments) => report_judgement(&arguments),
         Command::Compare(arguments) => report_comparison(&arguments),
         Command::Sensitivity(arguments) => report_sensitivity(&arguments),
         Command::Uncertainty(arguments) => report_uncertainty(&arguments),
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::Validate(arguments) => validate(&arguments),
+        Command::Explain(arguments) => explain(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -131,6 +136,33 @@ fn supplements(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec
         supplements.push(Supplement { title: "Sensitivity", text });
     }
     Ok(supplements)
+}
+
+fn report_judgement(arguments: &Arguments) -> Result<()> {
+    let file = case_file(&arguments.case)?;
+    let judgement = analysis::judge(&file);
+    let output = match arguments.format {
+        Format::Text => {
+            let text = report::judgement_text(&file, &judgement, units(arguments.units, &file));
+            if arguments.output.is_none() {
+                return terminal::print(|_| text);
+            }
+            text
+        }
+        Format::Json => report::judgement_json(&file, &judgement)?,
+    };
+    write(arguments.output.as_deref(), &output)
+}
+
+fn explain(ExplainArguments { topic }: &ExplainArguments) -> Result<()> {
+    let topic = match topic.as_slice() {
+        [] => None,
+        words => Some(report::topic(&words.join(" "))?),
+    };
+    terminal::print(|columns| {
+        let columns = columns.unwrap_or(EXPLAIN_COLUMNS).clamp(40, 100);
+        topic.map_or_else(|| report::topics_text(columns), |topic| report::explain(topic, columns))
+    })
 }
 
 fn report_comparison(arguments: &Arguments) -> Result<()> {

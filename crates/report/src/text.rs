@@ -50,7 +50,7 @@ pub(crate) fn wrapped(text: &str) -> String {
     wrapped_within(text, LINE)
 }
 
-fn wrapped_within(text: &str, line: usize) -> String {
+pub(crate) fn wrapped_within(text: &str, line: usize) -> String {
     let mut lines = String::new();
     let mut column = 0;
     for word in text.split_whitespace() {
@@ -532,6 +532,9 @@ impl Page {
                 warning.code(),
                 warnings::message(warning, self.units)
             ));
+        }
+        if !analysis.warnings.is_empty() {
+            self.paragraph(warnings::MORE);
         }
     }
 

@@ -4,6 +4,9 @@ use analysis::Warning;
 
 use crate::units::{Quantity, Units, number};
 
+/// Where more is said of a warning.
+pub(crate) const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to check; its code stands in brackets.";
+
 /// What the warning says, in the units of the reader.
 #[must_use]
 pub fn message(warning: &Warning, units: Units) -> String {
