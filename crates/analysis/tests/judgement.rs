@@ -77,7 +77,7 @@ fn warnings_are_those_of_the_solved_case() {
             }
         }
     }
-    assert!(solved > 30 && compared > 5, "{solved} {compared}");
+    assert!(solved >= 30 && compared > 5, "{solved} {compared}");
 }
 
 #[test]
@@ -96,8 +96,8 @@ fn a_case_runs_what_it_has_all_for() {
 
 #[test]
 fn a_plane_that_does_not_separate_is_seen_before_a_speed_is_sought() {
-    // Turned by 90°, the normal lies where the plane was.
-    let judgement = changed(PAPER, "crush_plane = \"-23 deg\"", "crush_plane = \"67 deg\"");
+    // r_1 = 6.3 ft at 180° − 22.4°, r_2 = 3.8 ft at 67° − 39°: along y they reach 2.40 ft and 1.78 ft from C, to the same side.
+    let judgement = changed(PAPER, "crush_plane = \"-23 deg\"", "crush_plane = \"90 deg\"");
     assert_eq!(with_codes(&judgement.warnings, &["crush-plane"]), [Warning::PlaneDoesNotSeparate]);
     assert_eq!(judge(&parsed(PAPER)).warnings, []);
 }

@@ -161,7 +161,7 @@ fn names_are_unique_and_texts_are_short_and_cite_their_source() {
             assert!(names.insert(*name), "{name} stands twice");
         }
         let words = topic.text.split_whitespace().count();
-        assert!((40..=130).contains(&words), "{}: {words} words", topic.name);
+        assert!((40..=120).contains(&words), "{}: {words} words", topic.name);
         let cites = ["Theory ", "theory ", "`deltav ", "`--method ", "JCGM", "warning", "measure"];
         assert!(cites.iter().any(|source| topic.text.contains(source)), "{}", topic.name);
     }
