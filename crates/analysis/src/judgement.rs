@@ -212,17 +212,15 @@ fn assumptions(file: &CaseFile, subjects: &[Option<Subject>; 2]) -> Vec<Assumpti
             continue;
         }
         let number = i + 1;
-        match subject.as_ref().and_then(|subject| subject.inertia) {
-            Some(inertia) => match inertia.yaw_source {
+        if let Some(inertia) = subject.as_ref().and_then(|subject| subject.inertia) {
+            let yaw_inertia = inertia.yaw_inertia;
+            match inertia.yaw_source {
                 YawSource::Given => {}
                 YawSource::Class(class) => {
-                    let yaw_inertia = inertia.yaw_inertia;
                     assumptions.push(Assumption::ClassInertia { vehicle: number, class, yaw_inertia });
                 }
-                YawSource::Burg => assumptions
-                    .push(Assumption::BurgInertia { vehicle: number, yaw_inertia: inertia.yaw_inertia }),
-            },
-            None => {}
+                YawSource::Burg => assumptions.push(Assumption::BurgInertia { vehicle: number, yaw_inertia }),
+            }
         }
         let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.index() == i);
         if let Some(motion) = vehicle.motion.filter(|_| sought) {

@@ -121,23 +121,24 @@ fn plain(text: &str) -> String {
     text.to_lowercase().replace(['-', ' '], "_")
 }
 
-/// Names that contain the word, and names that resemble it.
+/// Names that resemble the word, and names that contain it: one of each topic.
 fn nearest(word: &str) -> Vec<&'static str> {
     const MOST: usize = 5;
     let names = || topics().iter().flat_map(Topic::names);
-    let mut nearest = case::nearest_names(word, names());
     let wanted = plain(word);
-    if wanted.chars().count() > 2 {
-        nearest.extend(names().filter(|name| plain(name).contains(&wanted)));
-    }
-    let mut once = Vec::new();
-    for name in nearest {
-        if !once.contains(&name) {
-            once.push(name);
+    let containing = names().filter(|name| wanted.chars().count() > 2 && plain(name).contains(&wanted));
+    let mut topics_named: Vec<&Topic> = Vec::new();
+    let mut nearest = Vec::new();
+    for name in case::nearest_names(word, names()).into_iter().chain(containing) {
+        let Some(topic) = topics().iter().find(|topic| topic.names().any(|own| own == name)) else {
+            continue;
+        };
+        if !topics_named.contains(&topic) && nearest.len() < MOST {
+            topics_named.push(topic);
+            nearest.push(name);
         }
     }
-    once.truncate(MOST);
-    once
+    nearest
 }
 
 /// A topic as text in lines of so many columns.
