@@ -149,6 +149,8 @@ fn a_force_that_pulls_is_seen_only_where_its_direction_is_given() {
     let judgement = changed(PAPER, "side      = \"front\"", "side = \"front\"\npdof = \"120 deg\"");
     let pulled = with_codes(&judgement.warnings, &["side-not-pushed"]);
     assert!(matches!(pulled[..], [Warning::SideNotPushed { vehicle: 1, .. }, ..]), "{pulled:?}");
+    // A side half as stiff has half the force, if it is met squarely; at what angle it is met only the impulse tells.
+    assert_eq!(changed(PAPER, "77.5 lb^0.5/ft", "50 lb^0.5/ft").warnings, []);
 }
 
 #[test]
