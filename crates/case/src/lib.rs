@@ -179,10 +179,12 @@ pub use model::{
     Collision, CrushOnly, Damage, Dimensions, Evidence, ImpactInput, Inertia, InferredWidth,
     ReconstructionInput, StiffnessSource, Subject, YawSource,
 };
+pub use nearest::nearest_names;
 pub use problem::Problem;
 pub use quantity::{Quantity, QuantityError};
 pub use range::{Amount, Bounds, Range, Spread};
 pub use read::CaseFile;
+pub use schema::keys;
 pub use source::Source;
 pub use template::Template;
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};

@@ -840,6 +840,36 @@ static ALL: [&Schema; 11] = [
     &RESTITUTION,
 ];
 
+/// The path of every key of a case file, tables included: `scene`, `scene.axes`, `vehicle1`, …, `vehicle1.crush.stiffness.d0`, …
+///
+/// Those of a range, which can stand in the place of any number, are not among them.
+///
+/// ```
+/// let keys = case::keys();
+/// assert!(keys.contains(&"impact.tangential.friction".to_owned()));
+/// ```
+#[must_use]
+pub fn keys() -> Vec<String> {
+    fn walk(schema: &Schema, within: &str, paths: &mut Vec<String>) {
+        for key in schema.keys {
+            let path = format!("{within}{}", key.name);
+            let inner = format!("{path}.");
+            paths.push(path);
+            match key.form {
+                Form::Vehicle => walk(&VEHICLE, &inner, paths),
+                Form::Table(schema)
+                | Form::Tables(schema)
+                | Form::WordsOrTable(_, schema)
+                | Form::NumberOrTable(_, schema) => walk(schema, &inner, paths),
+                _ => {}
+            }
+        }
+    }
+    let mut paths = Vec::new();
+    walk(&TOP, "", &mut paths);
+    paths
+}
+
 impl Schema {
     pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
         self.keys.iter().map(|key| key.name)

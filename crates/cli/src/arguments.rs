@@ -30,12 +30,20 @@ pub(crate) enum Command {
     #[command(
         long_about = "Find the speed that makes impact and crush agree, and print the whole reconstruction.\n\n\
             Varies the speed that [reconstruct] names until the work of the normal impulse equals the crush energy of both \
-            vehicles.",
-        after_help = "Example:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
+            vehicles.\n\n\
+            Several files become a row each, in the order in which they are given: --format csv for a spreadsheet, --format jsonl for a program. A file \
+            without an answer has its error in its row, and the others are done all the same.\n\n\
+            The columns of csv have names that do not change, with units: \"file\", \"error\", \"found.value (m/s)\", \
+            \"impact.energy_loss (J)\", \"vehicle1.delta_v (m/s)\", \"vehicle2.pdof (rad)\" and so on, each named as its key in --format json, in SI units \
+            and radians; \"warnings\" has the codes, which `deltav explain` explains. A line of jsonl is what --format json gives, with \"file\" before it, or \
+            {\"file\": …, \"error\": …}.",
+        after_help = "Examples:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
             deltav reconstruct fixtures/sae-980025.toml --format json -o result.json\n  \
-            deltav reconstruct fixtures/sae-980025.toml --format html -o report.html"
+            deltav reconstruct fixtures/sae-980025.toml --format html -o report.html\n  \
+            deltav reconstruct fixtures/ricsac/*.toml --format csv -o results.csv\n\n\
+            Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
     )]
-    Reconstruct(ReportArguments),
+    Reconstruct(ReconstructArguments),
     /// Compute what an impact does, both speeds given
     #[command(
         long_about = "Compute what an impact does, both speeds given.\n\n\
@@ -50,6 +58,16 @@ pub(crate) enum Command {
         after_help = "Example:\n  deltav crush fixtures/sae-980025-crush.toml"
     )]
     Crush(ReportArguments),
+    /// Read and judge a case without solving it
+    #[command(
+        long_about = "Read and judge a case without solving it.\n\n\
+            Prints what was understood, every number as written and in both unit systems; what was assumed where the file says nothing; which commands the \
+            case has enough for, and what the others lack; and every warning that needs no answer.",
+        after_help = "Examples:\n  deltav check fixtures/sae-980025.toml\n  \
+            deltav check fixtures/one-inspected.toml --format json\n\n\
+            Exit status: 0 the file reads, with warnings or without; 2 it does not."
+    )]
+    Check(Arguments),
     /// Put the answers of every impact law and of CRASH3 side by side
     #[command(
         long_about = "Put the answers of every impact law and of CRASH3 side by side.\n\n\
@@ -112,6 +130,14 @@ pub(crate) enum Command {
             Exit status: 0 all that is claimed comes out; 1 something that is claimed does not."
     )]
     Validate(ValidateArguments),
+    /// Explain a term, a symbol, a key of the case file or the code of a warning
+    #[command(
+        long_about = "Explain a term, a symbol, a key of the case file or the code of a warning.\n\n\
+            The same texts stand in docs/glossary.md. Without a topic, all topics are listed.",
+        after_help = "Examples:\n  deltav explain\n  deltav explain crush plane\n  deltav explain μ_c\n  \
+            deltav explain vehicle1.crush.offset\n  deltav explain delta-v-differs"
+    )]
+    Explain(ExplainArguments),
     /// Print the JSON Schema of the case file, for editors
     #[command(
         long_about = "Print the JSON Schema of the case file, for editors.\n\n\
@@ -133,6 +159,46 @@ pub(crate) enum Command {
         after_help = "Examples:\n  deltav man > deltav.1\n  deltav man --output-dir ~/.local/share/man/man1"
     )]
     Man(ManArguments),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ExplainArguments {
+    /// What to explain, in one word or several
+    pub(crate) topic: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ReconstructArguments {
+    /// The case file (TOML), or - for standard input; several with --format csv or jsonl
+    #[arg(value_name = "CASE", required = true)]
+    pub(crate) cases: Vec<PathBuf>,
+
+    /// Text for people, JSON in SI units and radians for programs, or a report to hand over: one HTML file with drawings, or Markdown; of any number of
+    /// files a row each, as CSV or as a line of JSON
+    #[arg(long, value_enum, default_value_t = ReconstructFormat::Text)]
+    pub(crate) format: ReconstructFormat,
+
+    /// Units of the text; without this, those that most of the case file is written in
+    #[arg(long, value_enum)]
+    pub(crate) units: Option<UnitSystem>,
+
+    /// Threads to work on csv and jsonl; without this, one for each processor
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+
+    /// Write to FILE instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ReconstructFormat {
+    Text,
+    Json,
+    Html,
+    Markdown,
+    Csv,
+    Jsonl,
 }
 
 #[derive(Debug, Args)]
