@@ -126,10 +126,13 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
             continue;
         };
         text.push_str(&format!("{command:<KEY$}cannot run\n"));
-        for problem in obstacle.list() {
-            let problem = problem.problem();
-            let help = problem.help().map(|help| format!("; {help}")).unwrap_or_default();
-            text.push_str(&hanging("    ", &format!("{problem}{help}")));
+        // What helps with both vehicles is said once, after the last that it helps with.
+        let problems: Vec<_> =
+            obstacle.list().iter().map(|one| (one.problem().to_string(), one.problem().help())).collect();
+        for (i, (problem, help)) in problems.iter().enumerate() {
+            let is_repeated = problems[i + 1..].iter().any(|(_, later)| later == help);
+            let help = help.as_ref().filter(|_| !is_repeated).map(|help| format!("; {help}"));
+            text.push_str(&hanging("    ", &format!("{problem}{}", help.unwrap_or_default())));
         }
     }
     text.push('\n');
