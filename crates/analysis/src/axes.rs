@@ -23,11 +23,21 @@ impl Analysis {
             }
         }
         for warning in &mut seen.warnings {
-            match warning {
-                Warning::DamageCentroid { point: [_, lateral], .. }
-                | Warning::RotationOpposes { turned: lateral, .. } => *lateral = axes.lateral(*lateral),
-                _ => {}
-            }
+            *warning = warning.in_axes(axes);
+        }
+        seen
+    }
+}
+
+impl Warning {
+    /// The same warning, its numbers in the given axes.
+    #[must_use]
+    pub fn in_axes(&self, axes: Axes) -> Self {
+        let mut seen = self.clone();
+        if let Self::DamageCentroid { point: [_, lateral], .. }
+        | Self::RotationOpposes { turned: lateral, .. } = &mut seen
+        {
+            *lateral = axes.lateral(*lateral);
         }
         seen
     }

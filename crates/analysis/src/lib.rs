@@ -15,6 +15,8 @@
 //! and [`uncertainty()`] between what and what it lies where numbers of the case are ranges; [`work_curve`] is the work of the normal impulse over the
 //! speed, for a drawing.
 //!
+//! [`judge`] reads a case without solving it: what it can be used for, what is assumed, and the warnings that need no answer.
+//!
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
 //! [`Warning`]s. A [`Failure`] says whether the file or the physics is to blame.
 //!
@@ -27,6 +29,7 @@ mod checks;
 mod compare;
 mod curve;
 mod damage;
+mod judgement;
 mod sensitivity;
 mod uncertainty;
 mod warning;
@@ -35,6 +38,7 @@ pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, work_curve};
 pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
+pub use judgement::{Ability, Assumption, Judgement, judge};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
 pub use uncertainty::{
     Plan, REASONS, Reason, Stage, UncertainInput, UncertainOutput, Uncertainty, uncertainty,
@@ -175,12 +179,21 @@ pub fn impact(file: &CaseFile) -> Result<Analysis, Failure> {
 
 /// The impact of a collision of which all is known, and the law at its closing speed.
 fn collide<T: Real>(collision: &Collision<T>) -> Result<(Law<T>, Outcome<T>), ImpactError> {
-    let Collision { contact, law, restitution_curve, motions, .. } = collision;
-    let law = match restitution_curve {
-        Some(curve) => curve.law(*law, -contact.approach(motions).velocity.normal),
-        None => *law,
-    };
-    contact.impact(*motions, &law).map(|outcome| (law, outcome))
+    let law = law_at(collision, closing_speed(collision));
+    collision.contact.impact(collision.motions, &law).map(|outcome| (law, outcome))
+}
+
+/// (m/s) along the normal at C, negative where the vehicles drive apart.
+fn closing_speed<T: Real>(collision: &Collision<T>) -> T {
+    -collision.contact.approach(&collision.motions).velocity.normal
+}
+
+/// The law with the restitution of a closing speed (m/s).
+fn law_at<T: Real>(collision: &Collision<T>, closing_speed: T) -> Law<T> {
+    match &collision.restitution_curve {
+        Some(curve) => curve.law(collision.law, closing_speed),
+        None => collision.law,
+    }
 }
 
 /// CRASH3 alone: energies and velocity changes from the damage and the PDOF that the file gives.

@@ -218,17 +218,7 @@ pub fn uncertainty(
     plan: &Plan,
     progress: &mut (dyn FnMut(Stage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Uncertainty, Failure> {
-    let mut inputs = inputs(file)?;
-    // A speed that is sought is no input, even where the file gives one.
-    if let Some(reconstruct) = &file.case.reconstruct {
-        let vehicle = format!("vehicle{}", reconstruct.find.index() + 1);
-        let sought =
-            [format!("{vehicle}.speed"), format!("{vehicle}.velocity.x"), format!("{vehicle}.velocity.y")];
-        inputs.retain(|input| !sought.contains(&input.input.path));
-    }
-    if inputs.is_empty() {
-        return Err(no_range(file).into());
-    }
+    let inputs = inputs(file)?;
     let nominal = if file.case.reconstruct.is_some() { reconstruct(file)? } else { impact(file)? };
     let outputs = Output::of(&nominal);
     let central = central(&nominal, &outputs);
@@ -259,8 +249,8 @@ pub fn uncertainty(
     Ok(Uncertainty { nominal, settings: plan.settings, inputs, outputs, propagation, tornado, indices })
 }
 
-/// The ranges of the case, as the engine takes them.
-fn inputs(file: &CaseFile) -> Result<Vec<UncertainInput>, Diagnostics> {
+/// The ranges of the case, as the engine takes them: at least one.
+pub(crate) fn inputs(file: &CaseFile) -> Result<Vec<UncertainInput>, Diagnostics> {
     let mut ranges = file.case.ranges.iter().peekable();
     let mut inputs = Vec::new();
     let mut problems = Vec::new();
@@ -272,7 +262,14 @@ fn inputs(file: &CaseFile) -> Result<Vec<UncertainInput>, Diagnostics> {
         }
     }
     file.accept(problems)?;
-    Ok(inputs)
+    // A speed that is sought is no input, even where the file gives one.
+    if let Some(reconstruct) = &file.case.reconstruct {
+        let vehicle = format!("vehicle{}", reconstruct.find.index() + 1);
+        let sought =
+            [format!("{vehicle}.speed"), format!("{vehicle}.velocity.x"), format!("{vehicle}.velocity.y")];
+        inputs.retain(|input| !sought.contains(&input.input.path));
+    }
+    if inputs.is_empty() { Err(no_range(file)) } else { Ok(inputs) }
 }
 
 /// What to write where nothing is a range, shown at a number of the case.

@@ -2,7 +2,7 @@
 
 use case::YawSource;
 use crash3::principal_angle;
-use pim_core::Outcome;
+use pim_core::{Contact, Outcome};
 
 use crate::checks::{Check, CheckedQuantity};
 use crate::damage::Crash3;
@@ -161,6 +161,28 @@ pub enum Warning {
 }
 
 impl Warning {
+    /// Every code that there is.
+    pub const CODES: [&'static str; 18] = [
+        "crush-plane",
+        "contact-outside",
+        "high-restitution",
+        "force-balance",
+        "pdof-differs",
+        "angle-capped",
+        "side-not-pushed",
+        "delta-v-differs",
+        "several-speeds",
+        "moves-backward",
+        "class-values",
+        "burg-inertia",
+        "inferred-energy",
+        "damage-centroid",
+        "pdofs-not-opposite",
+        "damage-energy-differs",
+        "rotation-opposes",
+        "given-speed-unused",
+    ];
+
     /// The code that names this warning in JSON and text.
     #[must_use]
     pub fn code(&self) -> &'static str {
@@ -203,11 +225,18 @@ pub(crate) fn of_found(found: &Found, given_speed: Option<f64>) -> Vec<Warning> 
 }
 
 pub(crate) fn of_impact(impact: &Impact, warnings: &mut Vec<Warning>) {
-    if !impact.contact.separates_centres() {
+    of_plane(&impact.contact, warnings);
+    of_restitution(impact.law.restitution(), -impact.outcome.approach.normal, warnings);
+}
+
+pub(crate) fn of_plane(contact: &Contact, warnings: &mut Vec<Warning>) {
+    if !contact.separates_centres() {
         warnings.push(Warning::PlaneDoesNotSeparate);
     }
-    let restitution = impact.law.restitution();
-    let closing_speed = -impact.outcome.approach.normal;
+}
+
+/// Of a restitution at a closing speed (m/s).
+pub(crate) fn of_restitution(restitution: f64, closing_speed: f64, warnings: &mut Vec<Warning>) {
     if restitution > HIGH_RESTITUTION && closing_speed > FAST_CLOSING {
         warnings.push(Warning::HighRestitution { restitution, closing_speed });
     }
@@ -336,5 +365,23 @@ pub(crate) fn of_delta_v(impact: &Impact, crash3: &Crash3, warnings: &mut Vec<Wa
     let differs = |(a, b): (f64, f64)| (a - b).abs() > DELTA_V_DIFFERENCE * a;
     if of_impact.into_iter().zip(of_crash3).any(differs) {
         warnings.push(Warning::DeltaVDiffers { impact: of_impact, crash3: of_crash3 });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Warning;
+
+    #[test]
+    fn every_code_is_listed() {
+        // The arms of `code`, as they stand in this file.
+        let source = include_str!("warning.rs");
+        let arms: Vec<&str> = source
+            .lines()
+            .filter_map(|line| {
+                line.trim().strip_prefix("Self::")?.split_once(" => \"")?.1.strip_suffix("\",")
+            })
+            .collect();
+        assert_eq!(arms, Warning::CODES);
     }
 }

@@ -49,6 +49,18 @@ impl Diagnostic {
         Renderer::plain().render(&[group])
     }
 
+    /// Where it is and what is wrong, without line breaks: `line 5, column 14: "75 feets/s" has an unknown unit "feets/s"`.
+    fn sentence(&self, source: &Source) -> String {
+        let problem = self.problem.to_string();
+        let problem = problem.split_whitespace().collect::<Vec<_>>().join(" ");
+        let Some(span) = &self.span else { return problem };
+        let before = &source.text()[..floor_char_boundary(source.text(), span.start)];
+        let line = before.rsplit('\n').next().unwrap_or_default();
+        // A byte order mark is no column.
+        let column = line.trim_start_matches('\u{feff}').chars().count() + 1;
+        format!("line {}, column {column}: {problem}", before.matches('\n').count() + 1)
+    }
+
     /// The line and the caret under the value. One line: a value of many lines is shown by its first.
     fn place<'a>(&self, source: &'a Source) -> Element<'a> {
         let name = normalize_untrusted_str(source.name());
@@ -106,6 +118,23 @@ impl Diagnostics {
     #[must_use]
     pub fn list(&self) -> &[Diagnostic] {
         &self.list
+    }
+
+    /// All of them on one line, for a row of a table or a line of a log: what is wrong, without the name of the file and without what to write
+    /// instead.
+    ///
+    /// ```
+    /// let errors = case::Case::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
+    /// assert_eq!(errors.one_line(), r#"line 2, column 9: "vehicle1.speed" is the bare number 35, but needs a unit"#);
+    /// ```
+    #[must_use]
+    pub fn one_line(&self) -> String {
+        let mut sentences: Vec<String> =
+            self.list.iter().take(SHOWN).map(|diagnostic| diagnostic.sentence(&self.source)).collect();
+        if let Some(more) = self.list.len().checked_sub(SHOWN).filter(|&more| more > 0) {
+            sentences.push(format!("and {more} more"));
+        }
+        sentences.join("; ")
     }
 
     /// The text they are about.

@@ -30,7 +30,7 @@
 //! The types: [`Case::parse`] gives a [`CaseFile`], which is a [`Case`] and the [`Source`] it came from, or
 //! [`Diagnostics`]. A case holds [`Quantity`]s, as they were written; [`Quantity::si`] is where a unit is converted.
 //! [`Case::to_toml`] writes a case back. A computation that finds fault with a well-formed case places its error
-//! with [`CaseFile::problem`].
+//! with [`CaseFile::problem`]. A [`Template`] is a case to begin with, and [`json_schema`] is what editors complete and check a case by.
 //!
 //! # The file
 //!
@@ -154,6 +154,7 @@ mod axes;
 mod case;
 mod diagnostic;
 mod input;
+mod json_schema;
 mod model;
 mod nearest;
 mod problem;
@@ -162,6 +163,7 @@ mod range;
 mod read;
 mod schema;
 mod source;
+mod template;
 mod units;
 mod write;
 
@@ -172,13 +174,17 @@ pub use case::{
 };
 pub use diagnostic::{Diagnostic, Diagnostics};
 pub use input::Input;
+pub use json_schema::json_schema;
 pub use model::{
     Collision, CrushOnly, Damage, Dimensions, Evidence, ImpactInput, Inertia, InferredWidth,
     ReconstructionInput, StiffnessSource, Subject, YawSource,
 };
+pub use nearest::nearest_names;
 pub use problem::Problem;
 pub use quantity::{Quantity, QuantityError};
 pub use range::{Amount, Bounds, Range, Spread};
 pub use read::CaseFile;
+pub use schema::keys;
 pub use source::Source;
+pub use template::Template;
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};

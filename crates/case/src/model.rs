@@ -231,7 +231,7 @@ impl CaseFile {
             // The crush energy has to be known before the impact is, and so has the direction of the force.
             demand.directions_for_balance();
             if let Some(collision) = &mut collision {
-                fill_opposite_pdof(case.headings(), &mut collision.vehicles);
+                fill_opposite_pdof(case.headings(), collision.vehicles.each_mut().map(Some));
             }
         }
         demand.finish(collision.zip(unknown).map(|(collision, unknown)| ReconstructionInput {
@@ -278,7 +278,7 @@ impl CaseFile {
         let [v1, v2] = vehicles;
         demand.finish(v1.zip(v2).map(|(v1, v2)| {
             let mut vehicles = [v1, v2];
-            fill_opposite_pdof(self.case.headings(), &mut vehicles);
+            fill_opposite_pdof(self.case.headings(), vehicles.each_mut().map(Some));
             CrushOnly {
                 vehicles,
                 basis: self.energy_basis(),
@@ -292,21 +292,33 @@ impl CaseFile {
         }))
     }
 
+    /// What is known of each vehicle, whatever a command would need besides: `None` of one for which something is missing. Where one PDOF and both
+    /// headings are given, the other PDOF follows.
+    #[must_use]
+    pub fn subjects(&self) -> [Option<Subject>; 2] {
+        // What is missing is not told: that is up to the commands.
+        let mut demand = Demand { file: self, case: &self.case, command: "check", problems: Vec::new() };
+        let mut subjects = [demand.subject(0), demand.subject(1)];
+        fill_opposite_pdof(self.case.headings(), subjects.each_mut().map(Option::as_mut));
+        subjects
+    }
+
     fn energy_basis(&self) -> EnergyBasis {
         self.case.reconstruct.as_ref().map_or(EnergyBasis::Dissipated, |reconstruct| reconstruct.energy_basis)
     }
 }
 
 /// Where one PDOF and both headings are given, the other PDOF follows by Newton's third law.
-fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: &mut [Subject<T>; 2]) {
+fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: [Option<&mut Subject<T>>; 2]) {
     let [Some(h1), Some(h2)] = headings else { return };
-    let given = vehicles.each_ref().map(|vehicle| vehicle.damage.as_ref().and_then(|damage| damage.pdof));
+    let given =
+        vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.damage.as_ref()?.pdof));
     let follows = [
         given[1].map(|pdof| crash3::opposite_pdof(pdof, [h2, h1])),
         given[0].map(|pdof| crash3::opposite_pdof(pdof, [h1, h2])),
     ];
-    for (vehicle, follows) in vehicles.iter_mut().zip(follows) {
-        if let Some(damage) = &mut vehicle.damage {
+    for (vehicle, follows) in vehicles.into_iter().zip(follows) {
+        if let Some(damage) = vehicle.and_then(|vehicle| vehicle.damage.as_mut()) {
             damage.pdof = damage.pdof.or(follows);
         }
     }

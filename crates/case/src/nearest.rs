@@ -13,17 +13,39 @@ pub(crate) fn allowance(word: &str) -> usize {
     }
 }
 
+/// As it is compared: capitals, spaces and hyphens are no slips.
+fn plain(text: &str) -> String {
+    text.to_lowercase().replace(['-', ' '], "_")
+}
+
 /// The candidate nearest to `word`, the first of equals, if it is near enough to be worth asking.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     if word.len() > LONGEST {
         return None;
     }
-    let plain = |text: &str| text.to_lowercase().replace(['-', ' '], "_");
     let wanted = plain(word);
     let (distance, candidate) = candidates
         .map(|candidate| (strsim::damerau_levenshtein(&wanted, &plain(candidate)), candidate))
         .min_by_key(|(distance, _)| *distance)?;
     (distance <= allowance(&wanted)).then_some(candidate)
+}
+
+/// All candidates that are near enough to be worth asking, the nearest first.
+///
+/// ```
+/// assert_eq!(case::nearest_names("restituton", ["restitution", "ratio"]), ["restitution"]);
+/// ```
+#[must_use]
+pub fn nearest_names<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut near: Vec<(usize, &str)> = candidates
+        .into_iter()
+        .filter_map(|candidate| {
+            nearest(word, std::iter::once(candidate))?;
+            Some((strsim::damerau_levenshtein(&plain(word), &plain(candidate)), candidate))
+        })
+        .collect();
+    near.sort_by_key(|(distance, _)| *distance);
+    near.into_iter().map(|(_, candidate)| candidate).collect()
 }
 
 /// A list as a sentence needs it: "a", "a and b", "a, b and c".

@@ -3,6 +3,7 @@
 //! There is no unit algebra: every accepted unit is a row of an explicit table, with its exact factor. What
 //! is not in the table is refused, with the list of what is.
 
+mod pattern;
 mod spelling;
 mod table;
 #[cfg(test)]
@@ -12,6 +13,7 @@ use std::fmt;
 
 use crate::nearest::LONGEST;
 
+pub(crate) use pattern::{HOUR, list_pattern, pattern, percent_pattern};
 pub(crate) use spelling::nearest_unit;
 use spelling::normalise;
 

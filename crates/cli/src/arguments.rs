@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, ValueEnum};
+use clap_complete::Shell;
 
 /// Reconstructs a two-vehicle collision from its damage.
 ///
 /// The damage of both vehicles gives the crush energy (CRASH3), and planar impact mechanics gives the speed at which the impact would take just
-/// this energy (Brach & Brach, SAE 980025). A case is a TOML file; fixtures/sae-980025.toml is the paper's example.
+/// this energy (Brach & Brach, SAE 980025). A case is a TOML file: `deltav new` writes one to begin with, and fixtures/sae-980025.toml is the paper's example.
 #[derive(Debug, Parser)]
 #[command(
     name = "deltav",
@@ -18,16 +19,31 @@ use clap::{Args, Parser, ValueEnum};
     after_help = "Exit status: 0 done; 1 the case is well formed but has no answer, or a claim of validate fails; 2 the case file or the command line is wrong."
 )]
 pub(crate) enum Command {
+    /// Write a commented case file to begin with
+    #[command(
+        long_about = "Write a commented case file to begin with.\n\n\
+            It runs as it is. Its numbers are invented: each line says what it is, for you to put in your own. An existing file is not overwritten.",
+        after_help = "Examples:\n  deltav new -o case.toml\n  deltav new --template barrier -o case.toml\n  deltav reconstruct case.toml"
+    )]
+    New(NewArguments),
     /// Find the speed that makes impact and crush agree, and print the whole reconstruction
     #[command(
         long_about = "Find the speed that makes impact and crush agree, and print the whole reconstruction.\n\n\
             Varies the speed that [reconstruct] names until the work of the normal impulse equals the crush energy of both \
-            vehicles.",
-        after_help = "Example:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
+            vehicles.\n\n\
+            Several files become a row each, in the order in which they are given: --format csv for a spreadsheet, --format jsonl for a program. A file \
+            without an answer has its error in its row, and the others are done all the same.\n\n\
+            The columns of csv have names that do not change, with units: \"file\", \"error\", \"found.value (m/s)\", \
+            \"impact.energy_loss (J)\", \"vehicle1.delta_v (m/s)\", \"vehicle2.pdof (rad)\" and so on, each named as its key in --format json, in SI units \
+            and radians; \"warnings\" has the codes, which `deltav explain` explains. A line of jsonl is what --format json gives, with \"file\" before it, or \
+            {\"file\": …, \"error\": …}.",
+        after_help = "Examples:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
             deltav reconstruct fixtures/sae-980025.toml --format json -o result.json\n  \
-            deltav reconstruct fixtures/sae-980025.toml --format html -o report.html"
+            deltav reconstruct fixtures/sae-980025.toml --format html -o report.html\n  \
+            deltav reconstruct fixtures/ricsac/*.toml --format csv -o results.csv\n\n\
+            Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
     )]
-    Reconstruct(ReportArguments),
+    Reconstruct(ReconstructArguments),
     /// Compute what an impact does, both speeds given
     #[command(
         long_about = "Compute what an impact does, both speeds given.\n\n\
@@ -42,6 +58,16 @@ pub(crate) enum Command {
         after_help = "Example:\n  deltav crush fixtures/sae-980025-crush.toml"
     )]
     Crush(ReportArguments),
+    /// Read and judge a case without solving it
+    #[command(
+        long_about = "Read and judge a case without solving it.\n\n\
+            Prints what was understood, every number as written and in both unit systems; what was assumed where the file says nothing; which commands the \
+            case has enough for, and what the others lack; and every warning that needs no answer.",
+        after_help = "Examples:\n  deltav check fixtures/sae-980025.toml\n  \
+            deltav check fixtures/one-inspected.toml --format json\n\n\
+            Exit status: 0 the file reads, with warnings or without; 2 it does not."
+    )]
+    Check(Arguments),
     /// Put the answers of every impact law and of CRASH3 side by side
     #[command(
         long_about = "Put the answers of every impact law and of CRASH3 side by side.\n\n\
@@ -104,6 +130,121 @@ pub(crate) enum Command {
             Exit status: 0 all that is claimed comes out; 1 something that is claimed does not."
     )]
     Validate(ValidateArguments),
+    /// Explain a term, a symbol, a key of the case file or the code of a warning
+    #[command(
+        long_about = "Explain a term, a symbol, a key of the case file or the code of a warning.\n\n\
+            The same texts stand in docs/glossary.md. Without a topic, all topics are listed.",
+        after_help = "Examples:\n  deltav explain\n  deltav explain crush plane\n  deltav explain μ_c\n  \
+            deltav explain vehicle1.crush.offset\n  deltav explain delta-v-differs"
+    )]
+    Explain(ExplainArguments),
+    /// Print the JSON Schema of the case file, for editors
+    #[command(
+        long_about = "Print the JSON Schema of the case file, for editors.\n\n\
+            A case file that begins with the line `#:schema case.schema.json`, the path from the case to the schema, is completed and checked while you write it: \
+            in Visual Studio Code with the extension Even Better TOML, and in other editors built on Taplo. The program itself does not need it, and checks more.",
+        after_help = "Example:\n  deltav schema -o case.schema.json"
+    )]
+    Schema(SchemaArguments),
+    /// Print the completions of a shell
+    #[command(
+        long_about = "Print the completions of a shell: commands, options and their values on the tabulator key.",
+        after_help = "Examples:\n  deltav completions bash > ~/.local/share/bash-completion/completions/deltav\n  \
+            deltav completions zsh > ~/.zfunc/_deltav\n  deltav completions fish > ~/.config/fish/completions/deltav.fish"
+    )]
+    Completions(CompletionsArguments),
+    /// Print the manual page
+    #[command(
+        long_about = "Print the manual page, in roff.\n\nWith --output-dir, write it and a page for each command into a folder instead.",
+        after_help = "Examples:\n  deltav man > deltav.1\n  deltav man --output-dir ~/.local/share/man/man1"
+    )]
+    Man(ManArguments),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ExplainArguments {
+    /// What to explain, in one word or several
+    pub(crate) topic: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ReconstructArguments {
+    /// The case file (TOML), or - for standard input; several with --format csv or jsonl
+    #[arg(value_name = "CASE", required = true)]
+    pub(crate) cases: Vec<PathBuf>,
+
+    /// Text for people, JSON in SI units and radians for programs, or a report to hand over: one HTML file with drawings, or Markdown; of any number of
+    /// files a row each, as CSV or as a line of JSON
+    #[arg(long, value_enum, default_value_t = ReconstructFormat::Text)]
+    pub(crate) format: ReconstructFormat,
+
+    /// Units of the text; without this, those that most of the case file is written in
+    #[arg(long, value_enum)]
+    pub(crate) units: Option<UnitSystem>,
+
+    /// Threads to work on csv and jsonl; without this, one for each processor
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+
+    /// Write to FILE instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ReconstructFormat {
+    Text,
+    Json,
+    Html,
+    Markdown,
+    Csv,
+    Jsonl,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct NewArguments {
+    /// Kind of collision
+    #[arg(long, value_enum, default_value_t = Template::FrontSide)]
+    pub(crate) template: Template,
+
+    /// Write to FILE, which must not exist, instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Template {
+    /// The front of one vehicle against the side of the other
+    FrontSide,
+    /// Two fronts, offset
+    HeadOn,
+    /// A front against the rear of a waiting vehicle
+    RearEnd,
+    /// A vehicle against a wall
+    Barrier,
+    /// A vehicle that scrapes along the side of another
+    Sideswipe,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SchemaArguments {
+    /// Write to FILE instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArguments {
+    /// The shell
+    #[arg(value_enum)]
+    pub(crate) shell: Shell,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ManArguments {
+    /// Write the pages of the program and of each command into DIR, which has to exist
+    #[arg(long, value_name = "DIR")]
+    pub(crate) output_dir: Option<PathBuf>,
 }
 
 /// Of the commands that have a report to hand over.

@@ -1,7 +1,10 @@
 //! `deltav`: arguments, files and exit codes. All else is in the libraries.
 
 mod arguments;
+mod batch;
 mod draw;
+mod new;
+mod pages;
 mod progress;
 mod terminal;
 
@@ -11,21 +14,24 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::ExitCode;
 
-use analysis::{Analysis, Failure, Plan, Sweep, Uncertainty};
+use analysis::{Analysis, Failure, Plan, Stage, Sweep, Uncertainty};
 use anyhow::{Context as _, Result};
 use arguments::{
-    Arguments, Command, Format, PageFormat, ReportArguments, ReportFormat, SensitivityArguments,
-    UncertaintyArguments, UnitSystem, ValidateArguments,
+    Arguments, Command, ExplainArguments, Format, PageFormat, ReconstructArguments, ReconstructFormat,
+    ReportArguments, ReportFormat, SensitivityArguments, UncertaintyArguments, UnitSystem, ValidateArguments,
 };
 use case::{Case, CaseFile};
 use clap::Parser as _;
-use rayon::ThreadPoolBuilder;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use report::{DrawingError, Supplement, Units};
 use uncertainty::{Method, Settings};
 use validation::{Data, Validation};
 
 /// Samples behind the uncertainty in a report: enough for three digits, in a blink.
 const SUPPLEMENT_SAMPLES: usize = 20_000;
+
+/// Columns of an explanation where there is no terminal to fill.
+const EXPLAIN_COLUMNS: usize = 98;
 
 /// The case is well formed, but no answer exists; or a claim of the validation fails.
 const NO_ANSWER: u8 = 1;
@@ -34,14 +40,20 @@ const WRONG_INPUT: u8 = 2;
 
 fn main() -> ExitCode {
     let result = match Command::parse() {
-        Command::Reconstruct(arguments) => report_analysis(&arguments, analysis::reconstruct),
+        Command::New(arguments) => new::new(&arguments),
+        Command::Reconstruct(arguments) => reconstruct(arguments),
         Command::Impact(arguments) => report_analysis(&arguments, analysis::impact),
         Command::Crush(arguments) => report_analysis(&arguments, analysis::crush),
+        Command::Check(arguments) => report_judgement(&arguments),
         Command::Compare(arguments) => report_comparison(&arguments),
         Command::Sensitivity(arguments) => report_sensitivity(&arguments),
         Command::Uncertainty(arguments) => report_uncertainty(&arguments),
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::Validate(arguments) => validate(&arguments),
+        Command::Explain(arguments) => explain(&arguments),
+        Command::Schema(arguments) => write(arguments.output.as_deref(), case::json_schema()),
+        Command::Completions(arguments) => pages::completions(arguments.shell),
+        Command::Man(arguments) => pages::manual(arguments.output_dir.as_deref()),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -62,8 +74,30 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
         Some(Failure::Ranges(_)) => ("error: ", WRONG_INPUT),
         Some(_) => ("error: ", NO_ANSWER),
         None if error.is::<NotReproduced>() => ("error: ", NO_ANSWER),
+        None if error.is::<batch::Incomplete>() => ("error: ", NO_ANSWER),
         None if error.is::<DrawingError>() => ("error: ", NO_ANSWER),
         None => ("error: ", WRONG_INPUT),
+    }
+}
+
+fn reconstruct(arguments: ReconstructArguments) -> Result<()> {
+    let ReconstructArguments { mut cases, format, units, threads, output } = arguments;
+    let format = match format {
+        ReconstructFormat::Csv => return batch::csv(&cases, &pool(threads)?, output.as_deref()),
+        ReconstructFormat::Jsonl => return batch::jsonl(&cases, &pool(threads)?, output.as_deref()),
+        ReconstructFormat::Text => ReportFormat::Text,
+        ReconstructFormat::Json => ReportFormat::Json,
+        ReconstructFormat::Html => ReportFormat::Html,
+        ReconstructFormat::Markdown => ReportFormat::Markdown,
+    };
+    match (cases.pop(), cases.len()) {
+        (Some(case), 0) => {
+            report_analysis(&ReportArguments { case, format, units, output }, analysis::reconstruct)
+        }
+        (_, others) => Err(anyhow::anyhow!(
+            "{} case files are given, and a report is on one; use --format csv or --format jsonl for a row each",
+            others + 1
+        )),
     }
 }
 
@@ -108,6 +142,33 @@ fn supplements(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec
         supplements.push(Supplement { title: "Sensitivity", text });
     }
     Ok(supplements)
+}
+
+fn report_judgement(arguments: &Arguments) -> Result<()> {
+    let file = case_file(&arguments.case)?;
+    let judgement = analysis::judge(&file);
+    let output = match arguments.format {
+        Format::Text => {
+            let text = report::judgement_text(&file, &judgement, units(arguments.units, &file));
+            if arguments.output.is_none() {
+                return terminal::print(|_| text);
+            }
+            text
+        }
+        Format::Json => report::judgement_json(&file, &judgement)?,
+    };
+    write(arguments.output.as_deref(), &output)
+}
+
+fn explain(ExplainArguments { topic }: &ExplainArguments) -> Result<()> {
+    let topic = match topic.as_slice() {
+        [] => None,
+        words => Some(report::topic(&words.join(" "))?),
+    };
+    terminal::print(|columns| {
+        let columns = columns.unwrap_or(EXPLAIN_COLUMNS).clamp(40, 100);
+        topic.map_or_else(|| report::topics_text(columns), |topic| report::explain(topic, columns))
+    })
 }
 
 fn report_comparison(arguments: &Arguments) -> Result<()> {
@@ -167,13 +228,23 @@ fn propagate(file: &CaseFile, arguments: &UncertaintyArguments) -> Result<Uncert
     };
     let settings = Settings::new(method, arguments.samples, arguments.seed);
     let plan = Plan { settings, index_rows: arguments.sobol };
-    // Without a number, rayon takes one thread for each processor.
-    let threads = arguments.threads.map_or(0, usize::from);
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start the threads")?;
+    let pool = pool(arguments.threads)?;
     let mut progress = progress::Progress::new()?;
     Ok(pool.install(|| {
-        analysis::uncertainty(file, &plan, &mut |stage, done, total| progress.at(stage, done, total))
+        analysis::uncertainty(file, &plan, &mut |stage, done, total| {
+            let counted = match stage {
+                Stage::Samples => "samples",
+                Stage::Indices => "rows for the indices",
+            };
+            progress.at(counted, done, total)
+        })
     })?)
+}
+
+fn pool(threads: Option<u16>) -> Result<ThreadPool> {
+    // Without a number, rayon takes one thread for each processor.
+    let threads = threads.map_or(0, usize::from);
+    ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start the threads")
 }
 
 fn case_file(path: &Path) -> Result<CaseFile> {

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use analysis::Stage;
 use anyhow::{Context as _, Result};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -16,7 +15,7 @@ const LONG: Duration = Duration::from_secs(1);
 pub(crate) struct Progress {
     began: Instant,
     ended: Arc<AtomicBool>,
-    bar: Option<(Stage, ProgressBar)>,
+    bar: Option<(&'static str, ProgressBar)>,
 }
 
 impl Progress {
@@ -34,35 +33,31 @@ impl Progress {
         Ok(Self { began: Instant::now(), ended, bar: None })
     }
 
-    /// Draws the bar; breaks after Ctrl-C.
-    pub(crate) fn at(&mut self, stage: Stage, done: usize, total: usize) -> ControlFlow<()> {
+    /// Draws the bar, which says what is counted; breaks after Ctrl-C.
+    pub(crate) fn at(&mut self, counted: &'static str, done: usize, total: usize) -> ControlFlow<()> {
         if self.began.elapsed() > LONG {
-            self.draw(stage, done as u64, total as u64);
+            self.draw(counted, done as u64, total as u64);
         }
         if self.ended.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    fn draw(&mut self, stage: Stage, done: u64, total: u64) {
+    fn draw(&mut self, counted: &'static str, done: u64, total: u64) {
         if let Some((drawn, bar)) = &self.bar
-            && *drawn == stage
+            && *drawn == counted
         {
             bar.set_position(done);
             return;
         }
-        let words = match stage {
-            Stage::Samples => "samples",
-            Stage::Indices => "rows for the indices",
-        };
         // What was done before the bar appears is no measure of the speed from then on.
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr())
             .with_elapsed(self.began.elapsed())
             .with_position(done);
         let template =
-            format!("{{wide_bar}} {{human_pos}} of {{human_len}} {words}, {{eta}} left; Ctrl-C ends");
+            format!("{{wide_bar}} {{human_pos}} of {{human_len}} {counted}, {{eta}} left; Ctrl-C ends");
         if let Ok(style) = ProgressStyle::with_template(&template) {
             bar.set_style(style);
         }
-        if let Some((_, before)) = self.bar.replace((stage, bar)) {
+        if let Some((_, before)) = self.bar.replace((counted, bar)) {
             before.finish_and_clear();
         }
     }

@@ -11,6 +11,9 @@ use crate::warnings;
 
 #[derive(Serialize)]
 struct Document<'a> {
+    /// Of one analysis among several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file: Option<&'a str>,
     title: &'a str,
     /// Those of all signed values: `z-up` or `z-down`.
     axes: &'static str,
@@ -157,9 +160,19 @@ struct CorrectionBlock {
 /// # Errors
 /// Where serialisation fails, which no analysis causes.
 pub fn json(case: &Case, analysis: &Analysis) -> Result<String, serde_json::Error> {
+    Ok(serde_json::to_string_pretty(&document(None, case, analysis))? + "\n")
+}
+
+/// What the JSON says; `file` names the analysis among several.
+pub(crate) fn document<'a>(
+    file: Option<&'a str>,
+    case: &'a Case,
+    analysis: &Analysis,
+) -> impl Serialize + use<'a> {
     let analysis = &analysis.in_axes(case.axes);
     let [vehicle1, vehicle2] = [0, 1].map(|i| vehicle(case, analysis, i));
-    let document = Document {
+    Document {
+        file,
         title: case.title.as_deref().unwrap_or_default(),
         axes: case.axes.name(),
         energy_basis: crate::basis_name(analysis.basis),
@@ -219,8 +232,7 @@ pub fn json(case: &Case, analysis: &Analysis) -> Result<String, serde_json::Erro
                 })
                 .collect(),
         }),
-    };
-    Ok(serde_json::to_string_pretty(&document)? + "\n")
+    }
 }
 
 fn impact(case: &Case, impact: &Impact) -> ImpactBlock {

@@ -37,6 +37,11 @@
 //! [`uncertainty_text`] and [`uncertainty_json`] say between what and what the results of a case with ranges lie; [`histogram`] and [`tornado`] plot
 //! that, and [`write_samples`] gives the samples themselves.
 //!
+//! [`judgement_text`] and [`judgement_json`] say what was understood of a case before it is solved; [`explain`](explain()) has a short text on each term,
+//! symbol, key and warning, from docs/glossary.md.
+//!
+//! Of many cases, [`csv_row`] under [`csv_header`] gives a line each for a spreadsheet, and [`jsonl_row`] for a program.
+//!
 //! # What it does not do
 //!
 //! It computes nothing that the analysis does not hold, but the sums that a step of the report shows on the way. No terminal, no files.
@@ -44,9 +49,12 @@
 mod axes;
 mod comparison;
 mod drawing;
+mod explain;
 mod json;
+mod judgement;
 mod law;
 mod page;
+mod rows;
 mod sensitivity;
 mod staged;
 mod steps;
@@ -57,8 +65,11 @@ mod warnings;
 
 pub use comparison::{comparison_json, comparison_text};
 pub use drawing::{Drawing, DrawingError, Subject, drawing};
+pub use explain::{Topic, UnknownTopic, explain, topic, topics, topics_text};
 pub use json::json;
+pub use judgement::{judgement_json, judgement_text};
 pub use page::{Supplement, html, markdown};
+pub use rows::{Row, RowError, csv_columns, csv_header, csv_row, jsonl_row};
 pub use sensitivity::{sensitivity_json, sensitivity_text};
 pub use staged::{
     PlotError, computed_against_measured, reconstructed_speed, validation_headline, validation_json,

@@ -52,7 +52,7 @@ pub(crate) fn wrapped(text: &str) -> String {
     wrapped_within(text, LINE)
 }
 
-fn wrapped_within(text: &str, line: usize) -> String {
+pub(crate) fn wrapped_within(text: &str, line: usize) -> String {
     let mut lines = String::new();
     let mut column = 0;
     for word in text.split_whitespace() {
@@ -535,6 +535,9 @@ impl Page {
                 warning.code(),
                 warnings::message(warning, self.units, self.axes)
             ));
+        }
+        if !analysis.warnings.is_empty() {
+            self.paragraph(warnings::MORE);
         }
     }
 

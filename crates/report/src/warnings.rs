@@ -6,6 +6,9 @@ use case::Axes;
 use crate::axes;
 use crate::units::{Quantity, Units, number};
 
+/// Where more is said of a warning.
+pub(crate) const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to check; its code stands in brackets.";
+
 /// What the warning says, in the units of the reader. Its numbers have to be in the axes: [`Analysis::in_axes`](analysis::Analysis::in_axes).
 #[must_use]
 pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {

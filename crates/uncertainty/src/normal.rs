@@ -8,7 +8,7 @@
 //! M. Abramowitz and I. A. Stegun, *Handbook of Mathematical Functions* (1964): 26.2.14, the continued fraction; 25.4.30, Gauss's
 //! quadrature.
 
-use std::f64::consts::{FRAC_1_SQRT_2, LN_2, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, LN_2, PI};
 
 use real::elementary::{exp, ln};
 
@@ -182,7 +182,7 @@ const LN: [f64; 6] = [
 
 /// sin(πf/2)/f in powers of f², |f| ≤ ½: Chebyshev interpolation, good to 5e-18.
 const SIN: [f64; 7] = [
-    1.570_796_326_794_896_6,
+    FRAC_PI_2,
     -0.645_964_097_506_244_3,
     0.079_692_626_246_043_01,
     -0.004_681_754_132_340_976,

@@ -11,10 +11,8 @@ use crate::nearest::{join, nearest};
 use crate::problem::Problem;
 use crate::quantity::{Quantity, QuantityError, find_unit, not_a_number, shorten, split_number};
 use crate::range::Bounds;
+use crate::schema::MOST_STATIONS;
 use crate::units::Dimension;
-
-/// The largest number of stations: far more than any scan of a vehicle gives.
-const MOST_STATIONS: usize = 10_000;
 
 /// Which signs a quantity may have.
 #[derive(Clone, Copy)]

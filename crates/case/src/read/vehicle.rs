@@ -10,7 +10,7 @@ use crate::case::{
 use crate::problem::Problem;
 use crate::quantity::{Quantity, format_number, shorten};
 use crate::range::Bounds;
-use crate::schema::{CONTACT, CRUSH, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY, ZONE};
+use crate::schema::{CONTACT, CRUSH, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY, ZONE};
 use crate::units::Dimension;
 use crash3::{CrushError, ObliqueCorrection, Side};
 use toml::de::DeValue;
@@ -27,19 +27,7 @@ impl<'t> Reader<'t> {
         let table = self.child(top, key, &VEHICLE)?;
         let fixed = self.flag(&table, "fixed");
         if fixed {
-            let never = [
-                "mass",
-                "weight",
-                "yaw_inertia",
-                "yaw_radius",
-                "class",
-                "wheelbase",
-                "speed",
-                "velocity",
-                "yaw_rate",
-                "crush",
-            ];
-            for key in table.given(&never) {
+            for key in table.given(&NEVER_FIXED) {
                 self.report_path(&table.path_of(key), Problem::FixedHas { table: table.label(), key });
             }
         }

@@ -1,0 +1,310 @@
+//! A case judged without solving it: what it can be used for, what is assumed, and the warnings that need no answer.
+
+use case::{
+    CaseFile, Crush, Diagnostics, ImpactLaw, InferredWidth, StiffnessForm, StiffnessLine, Subject, Velocity,
+    YawSource,
+};
+use crash3::Structure;
+
+use crate::warning::{self, Warning};
+use crate::{Vehicle, checks, closing_speed, damage, law_at, uncertainty};
+
+/// What can be said of a case before it is solved.
+#[derive(Debug)]
+pub struct Judgement {
+    /// What it can be used for: `reconstruct`, `impact`, `crush` and `uncertainty`.
+    pub commands: [Ability; 4],
+    /// What stands in for what the file does not say, in the order of the file.
+    pub assumptions: Vec<Assumption>,
+    /// The warnings that need no answer, in the axes of the engine; [`Warning::in_axes`] has them in others.
+    pub warnings: Vec<Warning>,
+}
+
+/// Whether a case has all that a command needs. That it has an answer as well shows only when it is solved.
+#[derive(Debug)]
+pub struct Ability {
+    /// The command.
+    pub command: &'static str,
+    /// What is missing or does not fit together, where anything does.
+    pub obstacle: Option<Diagnostics>,
+}
+
+/// What stands in for something that the file does not say. Vehicles are 1 or 2, values in SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Assumption {
+    /// The axes are z-up.
+    ZUp,
+    /// No yaw rate before the impact.
+    YawRate {
+        /// Whose.
+        vehicle: usize,
+    },
+    /// The radius of gyration is that of CRASH3's size class.
+    ClassInertia {
+        /// Whose.
+        vehicle: usize,
+        /// The class, 1 to 6.
+        class: u8,
+        /// (kg·m²) the yaw inertia that follows.
+        yaw_inertia: f64,
+    },
+    /// Burg's estimate of the yaw inertia, from wheelbase and length.
+    BurgInertia {
+        /// Whose.
+        vehicle: usize,
+        /// (kg·m²) the estimate.
+        yaw_inertia: f64,
+    },
+    /// The speed that the file gives is the one sought, and is not used.
+    SpeedUnused {
+        /// Whose.
+        vehicle: usize,
+        /// (m/s) as given.
+        given: f64,
+    },
+    /// The stations of the profile are equally spaced over the width.
+    EqualSpacing {
+        /// Of whose damage.
+        vehicle: usize,
+    },
+    /// G = A²/2B.
+    EnergyWithoutCrush {
+        /// Of whose stiffness.
+        vehicle: usize,
+        /// (N) one value or, by zone, several.
+        g: Vec<f64>,
+    },
+    /// The line through the barrier test is the exact one.
+    ExactFit {
+        /// Of whose stiffness.
+        vehicle: usize,
+    },
+    /// The width of an inferred damage lies between what the vehicle's dimensions allow.
+    InferredWidth {
+        /// Of whose damage.
+        vehicle: usize,
+    },
+    /// The middle of the damage lies on the vehicle's axis or beside its CG.
+    Centred {
+        /// Of whose damage.
+        vehicle: usize,
+    },
+    /// The direction of the force follows: from the impulse or, where there is none, from the other vehicle's PDOF.
+    Pdof {
+        /// Of the force on which vehicle.
+        vehicle: usize,
+        /// (rad) by Newton's third law, where the file gives the other PDOF and both headings.
+        opposite: Option<f64>,
+    },
+    /// CRASH3's correction for oblique forces, at most a factor of 2.
+    CappedCorrection {
+        /// Of whose energy.
+        vehicle: usize,
+    },
+    /// Brach's impact law.
+    BrachLaw,
+    /// No moment impulse: e_m = −1.
+    NoMoment,
+    /// The crush energy is what the normal impulse dissipates.
+    Dissipated,
+}
+
+impl Assumption {
+    /// The key of the case file that would say otherwise.
+    #[must_use]
+    pub fn key(&self) -> String {
+        let (vehicle, key) = match self {
+            Self::ZUp => return "scene.axes".to_owned(),
+            Self::YawRate { vehicle } => (vehicle, "yaw_rate"),
+            Self::ClassInertia { vehicle, .. } | Self::BurgInertia { vehicle, .. } => {
+                (vehicle, "yaw_inertia")
+            }
+            Self::SpeedUnused { vehicle, .. } => (vehicle, "speed"),
+            Self::EqualSpacing { vehicle } => (vehicle, "crush.spacing"),
+            Self::EnergyWithoutCrush { vehicle, .. } => (vehicle, "crush.stiffness.G"),
+            Self::ExactFit { vehicle } => (vehicle, "crush.stiffness.test.fit"),
+            Self::InferredWidth { vehicle } => (vehicle, "crush.width"),
+            Self::Centred { vehicle } => (vehicle, "crush.offset"),
+            Self::Pdof { vehicle, .. } => (vehicle, "crush.pdof"),
+            Self::CappedCorrection { vehicle } => (vehicle, "crush.oblique"),
+            Self::BrachLaw => return "impact.law".to_owned(),
+            Self::NoMoment => return "impact.moment_restitution".to_owned(),
+            Self::Dissipated => return "reconstruct.energy_basis".to_owned(),
+        };
+        format!("vehicle{vehicle}.{key}")
+    }
+}
+
+/// Judges a case without solving it.
+///
+/// Warnings are those of the analysis that the case is made for, as far as neither the impulse nor the speed sought is needed for them: where the file
+/// gives a direction of force, the ones that follow from that too.
+#[must_use]
+pub fn judge(file: &CaseFile) -> Judgement {
+    let seeks = file.case.reconstruct.is_some();
+    let reconstruction = file.reconstruction();
+    let impact = file.impact();
+    let subjects = file.subjects();
+    let mut warnings = Vec::new();
+    let collision = match (&reconstruction, &impact) {
+        (Ok(input), _) => Some(&input.collision),
+        (_, Ok(input)) => Some(&input.collision),
+        _ => None,
+    };
+    if let Some(collision) = collision {
+        warning::of_plane(&collision.contact, &mut warnings);
+        // The speed that is sought is not known.
+        if !seeks {
+            let speed = closing_speed(collision);
+            warning::of_restitution(law_at(collision, speed).restitution(), speed, &mut warnings);
+        }
+    }
+    let assumptions = assumptions(file, &subjects);
+    of_vehicles(file, subjects.map(|subject| subject.unwrap_or(NOTHING)), collision.is_some(), &mut warnings);
+    let unpropagated = uncertainty::inputs(file)
+        .err()
+        .or_else(|| if seeks { file.reconstruction().err() } else { file.impact().err() });
+    let commands = [
+        Ability { command: "reconstruct", obstacle: reconstruction.err() },
+        Ability { command: "impact", obstacle: impact.err() },
+        Ability { command: "crush", obstacle: file.crush().err() },
+        Ability { command: "uncertainty", obstacle: unpropagated },
+    ];
+    Judgement { commands, assumptions, warnings }
+}
+
+/// A vehicle of which something needed is missing.
+const NOTHING: Subject = Subject { inertia: None, contact: None, dimensions: None, damage: None };
+
+fn of_vehicles(file: &CaseFile, mut subjects: [Subject; 2], collides: bool, warnings: &mut Vec<Warning>) {
+    let directed = subjects.each_ref().map(|subject| {
+        subject.damage.as_ref().is_some_and(|damage| damage.pdof.or(damage.oblique_angle).is_some())
+    });
+    // A force can be balanced only where both angles to it are known.
+    if directed != [true; 2] {
+        for (subject, vehicle) in subjects.iter_mut().zip(&file.case.vehicles) {
+            if vehicle.crush.as_ref().is_some_and(|crush| crush.from_force_balance) {
+                subject.damage = None;
+            }
+        }
+    }
+    // What the engine refuses of a damage is told when it is solved.
+    let assessed = damage::assess(subjects.clone(), [None, None]);
+    let mut vehicles = assessed.unwrap_or_else(|_| subjects.map(|subject| Vehicle { subject, damage: None }));
+    if collides {
+        warning::of_outlines(&vehicles, warnings);
+    }
+    warning::of_assumptions(&vehicles, warnings);
+    for (vehicle, directed) in vehicles.iter_mut().zip(directed) {
+        if !directed {
+            vehicle.damage = None;
+        }
+    }
+    warning::of_damage(&vehicles, warnings);
+    let checks = checks::checks(&vehicles, file.case.headings(), None, None);
+    warning::of_checks(&checks, &vehicles, None, warnings);
+}
+
+fn assumptions(file: &CaseFile, subjects: &[Option<Subject>; 2]) -> Vec<Assumption> {
+    let case = &file.case;
+    let says = |path: &str| file.source.span(path).is_some();
+    let mut assumptions = Vec::new();
+    if !says("scene.axes") {
+        assumptions.push(Assumption::ZUp);
+    }
+    for (i, (vehicle, subject)) in case.vehicles.iter().zip(subjects).enumerate() {
+        if vehicle.fixed {
+            continue;
+        }
+        let number = i + 1;
+        if let Some(inertia) = subject.as_ref().and_then(|subject| subject.inertia) {
+            let yaw_inertia = inertia.yaw_inertia;
+            match inertia.yaw_source {
+                YawSource::Given => {}
+                YawSource::Class(class) => {
+                    assumptions.push(Assumption::ClassInertia { vehicle: number, class, yaw_inertia });
+                }
+                YawSource::Burg => assumptions.push(Assumption::BurgInertia { vehicle: number, yaw_inertia }),
+            }
+        }
+        let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.index() == i);
+        if let Some(motion) = vehicle.motion.filter(|_| sought) {
+            let given = match motion {
+                Velocity::Speed(speed) => speed.si(),
+                // |v| = √(v_x² + v_y²)
+                Velocity::Vector { x, y } => (x.si() * x.si() + y.si() * y.si()).sqrt(),
+            };
+            assumptions.push(Assumption::SpeedUnused { vehicle: number, given });
+        }
+        if vehicle.yaw_rate.is_none() && case.impact.is_some() {
+            assumptions.push(Assumption::YawRate { vehicle: number });
+        }
+        if let Some(crush) = &vehicle.crush {
+            let fit_is_given = says(&format!("vehicle{number}.crush.stiffness.test.fit"));
+            of_crush(number, crush, subject.as_ref(), fit_is_given, &mut assumptions);
+        }
+    }
+    if let Some(impact) = &case.impact {
+        if !says("impact.law") {
+            assumptions.push(Assumption::BrachLaw);
+        }
+        if matches!(impact.law, ImpactLaw::Brach { moment_restitution: None, .. }) {
+            assumptions.push(Assumption::NoMoment);
+        }
+    }
+    if case.reconstruct.is_some() && !says("reconstruct.energy_basis") {
+        assumptions.push(Assumption::Dissipated);
+    }
+    assumptions
+}
+
+fn of_crush(
+    vehicle: usize,
+    crush: &Crush,
+    subject: Option<&Subject>,
+    fit_is_given: bool,
+    assumptions: &mut Vec<Assumption>,
+) {
+    let damage = subject.and_then(|subject| subject.damage.as_ref());
+    if crush.from_force_balance {
+        let evidence = damage.map(|damage| &damage.evidence);
+        if let Some(case::Evidence::ForceBalance { width: InferredWidth::Bounded { .. }, .. }) = evidence {
+            assumptions.push(Assumption::InferredWidth { vehicle });
+        }
+    } else if crush.spacing.is_none() && crush.depths.len() > 2 {
+        assumptions.push(Assumption::EqualSpacing { vehicle });
+    }
+    let has_no_g = |line: &StiffnessLine| match line {
+        StiffnessLine::Crush { g, .. } | StiffnessLine::Root { g, .. } => g.is_none(),
+    };
+    let derives_g = match &crush.stiffness {
+        StiffnessForm::Line(line) => has_no_g(line),
+        StiffnessForm::Zones(zones) => zones.iter().any(has_no_g),
+        StiffnessForm::Category(_) | StiffnessForm::Test(_) => false,
+    };
+    if let Ok(structure) = crush.stiffness.structure(crush.side)
+        && derives_g
+    {
+        let g = match structure {
+            Structure::Uniform(stiffness) => vec![stiffness.g()],
+            Structure::Zones(zones) => zones.iter().map(crash3::Stiffness::g).collect(),
+        };
+        assumptions.push(Assumption::EnergyWithoutCrush { vehicle, g });
+    }
+    if matches!(crush.stiffness, StiffnessForm::Test(_)) && !fit_is_given {
+        assumptions.push(Assumption::ExactFit { vehicle });
+    }
+    let acts_at_centroid = crush.moment_arm.is_none()
+        && subject.is_some_and(|subject| subject.contact.is_none())
+        && damage.is_some_and(|damage| damage.face.is_some());
+    if acts_at_centroid && crush.offset.is_none() {
+        assumptions.push(Assumption::Centred { vehicle });
+    }
+    if crush.pdof.is_none() && (crush.oblique_angle.is_none() || crush.moment_arm.is_none()) {
+        let opposite = damage.and_then(|damage| damage.pdof);
+        assumptions.push(Assumption::Pdof { vehicle, opposite });
+    }
+    if crush.oblique.is_none() {
+        assumptions.push(Assumption::CappedCorrection { vehicle });
+    }
+}

@@ -1,0 +1,224 @@
+//! A case judged without solving it says what the solved one says, as far as it can.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+use std::fs;
+use std::path::PathBuf;
+
+use analysis::{Assumption, Judgement, Warning, judge};
+use case::{Case, CaseFile};
+
+const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
+const FORWARD: &str = include_str!("../../../fixtures/sae-980025-impact.toml");
+const UNCERTAIN: &str = include_str!("../../../fixtures/sae-980025-uncertain.toml");
+const DAMAGE: &str = include_str!("../../../fixtures/sae-980025-crush.toml");
+const INSPECTED: &str = include_str!("../../../fixtures/one-inspected.toml");
+
+fn parsed(text: &str) -> CaseFile {
+    Case::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+#[track_caller]
+fn changed(text: &str, from: &str, to: &str) -> Judgement {
+    assert_eq!(text.matches(from).count(), 1, "{from}");
+    judge(&parsed(&text.replace(from, to)))
+}
+
+fn runs(judgement: &Judgement) -> Vec<&'static str> {
+    let able = judgement.commands.iter().filter(|ability| ability.obstacle.is_none());
+    able.map(|ability| ability.command).collect()
+}
+
+fn with_codes(warnings: &[Warning], codes: &[&str]) -> Vec<Warning> {
+    warnings.iter().filter(|warning| codes.contains(&warning.code())).cloned().collect()
+}
+
+/// What needs neither the impulse nor the speed sought.
+const GEOMETRY: [&str; 5] =
+    ["crush-plane", "contact-outside", "class-values", "burg-inertia", "pdofs-not-opposite"];
+
+#[test]
+fn warnings_are_those_of_the_solved_case() {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
+    let (mut solved, mut compared) = (0, 0);
+    for folder in ["", "laws", "ricsac", "no-answer"] {
+        for entry in fs::read_dir(root.join(folder)).unwrap() {
+            let path = entry.unwrap().path();
+            let Ok(text) = fs::read_to_string(&path) else { continue };
+            let Ok(file) = Case::parse("case.toml", &text) else { continue };
+            let judgement = judge(&file);
+            let place = path.display();
+            if file.case.reconstruct.is_some() {
+                let Ok(analysis) = analysis::reconstruct(&file) else { continue };
+                assert_eq!(
+                    with_codes(&judgement.warnings, &GEOMETRY),
+                    with_codes(&analysis.warnings, &GEOMETRY),
+                    "{place}"
+                );
+                compared += with_codes(&analysis.warnings, &GEOMETRY).len();
+                solved += 1;
+            } else if let Ok(analysis) = analysis::impact(&file) {
+                let codes = [&GEOMETRY[..], &["high-restitution"]].concat();
+                assert_eq!(
+                    with_codes(&judgement.warnings, &codes),
+                    with_codes(&analysis.warnings, &codes),
+                    "{place}"
+                );
+                solved += 1;
+            }
+            if let Ok(analysis) = analysis::crush(&file) {
+                // Damage alone is judged in full.
+                let collision = ["crush-plane", "contact-outside", "high-restitution"];
+                let damage: Vec<Warning> =
+                    judgement.warnings.iter().filter(|w| !collision.contains(&w.code())).cloned().collect();
+                assert_eq!(damage, analysis.warnings, "{place}");
+                compared += damage.len();
+                solved += 1;
+            }
+        }
+    }
+    assert!(solved >= 30 && compared > 5, "{solved} {compared}");
+}
+
+#[test]
+fn a_case_runs_what_it_has_all_for() {
+    assert_eq!(runs(&judge(&parsed(PAPER))), ["reconstruct"]);
+    assert_eq!(runs(&judge(&parsed(FORWARD))), ["impact"]);
+    assert_eq!(runs(&judge(&parsed(DAMAGE))), ["crush"]);
+    assert_eq!(runs(&judge(&parsed(INSPECTED))), ["crush"]);
+    assert_eq!(runs(&judge(&parsed(UNCERTAIN))), ["reconstruct", "uncertainty"]);
+    let nothing = judge(&parsed("[vehicle1]\nname = \"car\"\n[vehicle2]\nfixed = true\n"));
+    assert_eq!(runs(&nothing), [""; 0]);
+    let obstacles: Vec<usize> =
+        nothing.commands.iter().map(|ability| ability.obstacle.as_ref().unwrap().list().len()).collect();
+    assert!(obstacles.iter().all(|&count| count > 0), "{obstacles:?}");
+}
+
+#[test]
+fn a_plane_that_does_not_separate_is_seen_before_a_speed_is_sought() {
+    // r_1 = 6.3 ft at 180° − 22.4°, r_2 = 3.8 ft at 67° − 39°: along y they reach 2.40 ft and 1.78 ft from C, to the same side.
+    let judgement = changed(PAPER, "crush_plane = \"-23 deg\"", "crush_plane = \"90 deg\"");
+    assert_eq!(with_codes(&judgement.warnings, &["crush-plane"]), [Warning::PlaneDoesNotSeparate]);
+    assert_eq!(judge(&parsed(PAPER)).warnings, []);
+}
+
+#[test]
+fn a_contact_point_outside_is_seen() {
+    // C lies 6.3 ft cos 22.4° = 5.825 ft ahead of the CG; 5.825 − 5.5 = 0.325 ft ahead of the front.
+    let outline = "[vehicle1]\nlength = \"14 ft\"\nwidth = \"6 ft\"\ncg_to_front = \"5.5 ft\"\n";
+    let judgement = changed(PAPER, "[vehicle1]\n", outline);
+    match judgement.warnings[..] {
+        [Warning::ContactOutside { vehicle: 1, distance }] => {
+            assert!((distance / 0.3048 - 0.3246).abs() < 1e-3, "{distance}");
+        }
+        ref other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_high_restitution_needs_the_closing_speed() {
+    let high = "restitution = 0.5";
+    let forward = changed(FORWARD, "restitution = 0.3", high);
+    match with_codes(&forward.warnings, &["high-restitution"])[..] {
+        // Section 7 of docs/theory.md: the speeds of the paper, which close at 21.05 m/s along n.
+        [Warning::HighRestitution { restitution, closing_speed }] => {
+            assert!((restitution, (closing_speed - 21.05).abs() < 0.05) == (0.5, true), "{closing_speed}");
+        }
+        ref other => panic!("{other:?}"),
+    }
+    assert_eq!(changed(PAPER, "restitution = 0.3", high).warnings, []);
+}
+
+#[test]
+fn directions_that_are_not_opposite_are_seen() {
+    // θ_1 − PDOF_1 = 180°, θ_2 − PDOF_2 = 67° − 90° = −23°: 203° apart, 23° from opposite.
+    let given = PAPER
+        .replace("side      = \"front\"", "side = \"front\"\npdof = \"0 deg\"")
+        .replace("side      = \"right\"", "side = \"right\"\npdof = \"90 deg\"");
+    let judgement = judge(&parsed(&given));
+    match with_codes(&judgement.warnings, &["pdofs-not-opposite"])[..] {
+        [Warning::PdofsNotOpposite { angle }] => assert!((angle.to_degrees() - 23.0).abs() < 1e-9),
+        ref other => panic!("{other:?}"),
+    }
+    // 0° on the front and 90° on the right are square hits.
+    assert_eq!(with_codes(&judgement.warnings, &["angle-capped", "side-not-pushed"]), []);
+}
+
+#[test]
+fn a_force_that_pulls_is_seen_only_where_its_direction_is_given() {
+    let judgement = changed(PAPER, "side      = \"front\"", "side = \"front\"\npdof = \"120 deg\"");
+    let pulled = with_codes(&judgement.warnings, &["side-not-pushed"]);
+    assert!(matches!(pulled[..], [Warning::SideNotPushed { vehicle: 1, .. }, ..]), "{pulled:?}");
+    // A side half as stiff has half the force, if it is met squarely; at what angle it is met only the impulse tells.
+    assert_eq!(changed(PAPER, "77.5 lb^0.5/ft", "50 lb^0.5/ft").warnings, []);
+}
+
+#[test]
+fn what_is_assumed_is_listed_and_what_is_written_is_not() {
+    let assumptions = judge(&parsed(PAPER)).assumptions;
+    // G = d_0²/2: 35²/2 = 612.5 lbf and 30²/2 = 450 lbf.
+    let g: Vec<f64> = assumptions
+        .iter()
+        .filter_map(|assumption| match assumption {
+            Assumption::EnergyWithoutCrush { g, .. } => Some(g[0] / 4.448_221_615_260_5),
+            _ => None,
+        })
+        .collect();
+    assert!(g.len() == 2 && (g[0] - 612.5).abs() < 1e-9 && (g[1] - 450.0).abs() < 1e-9, "{g:?}");
+    for assumed in [
+        Assumption::YawRate { vehicle: 1 },
+        Assumption::YawRate { vehicle: 2 },
+        Assumption::EqualSpacing { vehicle: 2 },
+        Assumption::Pdof { vehicle: 1, opposite: None },
+        Assumption::CappedCorrection { vehicle: 2 },
+        Assumption::BrachLaw,
+        Assumption::NoMoment,
+    ] {
+        assert!(assumptions.contains(&assumed), "{assumed:?}");
+    }
+    assert!(!assumptions.contains(&Assumption::Dissipated), "the file says it");
+
+    let says = |text: &str, assumption: &Assumption| judge(&parsed(text)).assumptions.contains(assumption);
+    let without = PAPER.replace("energy_basis = \"dissipated\"", "");
+    assert!(says(&without, &Assumption::Dissipated));
+    let law = PAPER.replace("[impact]", "[impact]\nlaw = \"brach\"\nmoment_restitution = -1.0");
+    assert!(!says(&law, &Assumption::BrachLaw) && !says(&law, &Assumption::NoMoment));
+    let still = PAPER.replace("[vehicle1]\n", "[vehicle1]\nyaw_rate = \"0 deg/s\"\n");
+    assert!(!says(&still, &Assumption::YawRate { vehicle: 1 }));
+    assert!(says(&still, &Assumption::YawRate { vehicle: 2 }));
+    let fast = PAPER.replace("[vehicle1]\n", "[vehicle1]\nspeed = \"10 m/s\"\n");
+    assert!(says(&fast, &Assumption::SpeedUnused { vehicle: 1, given: 10.0 }));
+}
+
+#[test]
+fn what_stands_in_for_an_unknown_vehicle_is_listed() {
+    let assumptions = judge(&parsed(INSPECTED)).assumptions;
+    let keys: Vec<String> = assumptions.iter().map(Assumption::key).collect();
+    for key in [
+        "vehicle1.yaw_inertia",
+        "vehicle2.yaw_inertia",
+        "vehicle1.crush.stiffness.test.fit",
+        "vehicle2.crush.width",
+        "vehicle2.crush.offset",
+        "vehicle2.crush.pdof",
+    ] {
+        assert!(keys.iter().any(|known| known == key), "{key} of {keys:?}");
+    }
+    // The file gives offset and PDOF of vehicle 1, and the correction of vehicle 2.
+    for key in ["vehicle1.crush.offset", "vehicle1.crush.pdof", "vehicle2.crush.oblique"] {
+        assert!(!keys.iter().any(|known| known == key), "{key}");
+    }
+    // Burg: 0.1269 m · 2.72 m · 4.75 m · 1480 kg.
+    let burg = 0.1269 * 2.72 * 4.75 * 1480.0;
+    let of_burg = assumptions.iter().find_map(|assumption| match assumption {
+        Assumption::BurgInertia { vehicle: 2, yaw_inertia } => Some(*yaw_inertia),
+        _ => None,
+    });
+    assert!((of_burg.unwrap() - burg).abs() < 1e-9);
+    // PDOF_2 = θ_2 − θ_1 + PDOF_1 − 180° = 75° − 0° − 30° − 180° = −135°.
+    let opposite = assumptions.iter().find_map(|assumption| match assumption {
+        Assumption::Pdof { vehicle: 2, opposite } => *opposite,
+        _ => None,
+    });
+    assert!((opposite.unwrap().to_degrees() + 135.0).abs() < 1e-9);
+}

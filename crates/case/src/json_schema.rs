@@ -1,0 +1,356 @@
+//! The JSON Schema of the case file, from the tables that the reader goes by.
+
+use std::collections::BTreeMap;
+
+use serde_json::{Map, Value, json};
+use toml::de::{DeTable, DeValue};
+
+use crate::range::Bounds;
+use crate::schema::{
+    Condition, Form, Key, LawName, MOST_STATIONS, RANGE, RANGE_OF_LIST, Rule, Schema, TOP, VEHICLE,
+};
+use crate::units::{Dimension, HOUR, Unit, list_pattern, pattern, percent_pattern};
+
+type Node = Map<String, Value>;
+
+/// The JSON Schema (draft 2020-12) of the case file, for editors that complete and check TOML.
+///
+/// It knows every table and key, the forms of a value and the units of each dimension. What takes arithmetic it leaves to
+/// [`Case::parse`](crate::Case::parse): magnitudes, ranges that do not rise, lists that do not belong together.
+///
+/// A file that begins with `#:schema PATH`, the path from the file to the schema, is completed and checked by editors built on Taplo, such as
+/// Visual Studio Code with *Even Better TOML*.
+///
+/// ```
+/// let schema = case::json_schema();
+/// assert!(schema.contains("https://json-schema.org/draft/2020-12/schema"));
+/// assert!(schema.contains("Yaw moment of inertia about the CG"));
+/// ```
+#[must_use]
+pub fn json_schema() -> String {
+    let mut generator = Generator::default();
+    let mut document = Node::new();
+    document.insert("$schema".into(), json!("https://json-schema.org/draft/2020-12/schema"));
+    document.extend(generator.table(&TOP));
+    document.insert("$defs".into(), generator.definitions());
+    format!("{:#}\n", Value::Object(document))
+}
+
+/// Collects what is used in several places.
+#[derive(Default)]
+struct Generator {
+    vehicle: Option<Node>,
+    quantities: BTreeMap<String, Node>,
+    /// What holds of the keys of a range together.
+    ranges: BTreeMap<&'static str, Value>,
+}
+
+/// What a range is about.
+#[derive(Clone, Copy)]
+enum Kind {
+    Quantity(Dimension, Bounds),
+    Number(Bounds),
+}
+
+impl Generator {
+    fn definitions(self) -> Value {
+        let vehicle = self.vehicle.into_iter().map(|node| ("vehicle".to_owned(), Value::Object(node)));
+        let quantities = self.quantities.into_iter().map(|(name, node)| (name, Value::Object(node)));
+        let ranges = self.ranges.into_iter().map(|(name, rules)| (name.to_owned(), rules));
+        Value::Object(vehicle.chain(ranges).chain(quantities).collect())
+    }
+
+    fn table(&mut self, schema: &'static Schema) -> Node {
+        let mut node = texts(schema.text);
+        node.insert("type".into(), json!("object"));
+        node.extend(self.content(&[schema], None));
+        node
+    }
+
+    /// The keys of a table and, where it is one of several that can stand here, those of the others; `of` is what a range is about.
+    fn content(&mut self, schemas: &[&'static Schema], of: Option<Kind>) -> Node {
+        let keys = schemas.iter().flat_map(|schema| schema.keys);
+        let properties: Node =
+            keys.map(|key| (key.name.to_owned(), Value::Object(self.key(key, of)))).collect();
+        let mut required: Vec<&str> = Vec::new();
+        let mut all = Vec::new();
+        match schemas {
+            [schema] => {
+                for rule in schema.rules {
+                    match rule {
+                        Rule::Needs(keys) => required.extend(*keys),
+                        rule => all.extend(conditions(rule, schema)),
+                    }
+                }
+            }
+            several => all.push(one_of(several)),
+        }
+        let mut node = Node::new();
+        node.insert("properties".into(), Value::Object(properties));
+        node.insert("additionalProperties".into(), json!(false));
+        if !required.is_empty() {
+            node.insert("required".into(), json!(required));
+        }
+        if !all.is_empty() {
+            // Taplo offers no keys of a table that itself has "allOf": it stands behind a condition that always holds.
+            node.insert("if".into(), json!(true));
+            let rules = json!({ "allOf": all });
+            let then = match (schemas, of) {
+                // Of all ranges they are the same.
+                ([schema], Some(_)) => {
+                    let name = if std::ptr::eq(*schema, &RANGE_OF_LIST) { "range_of_list" } else { "range" };
+                    self.ranges.entry(name).or_insert(rules);
+                    json!({ "$ref": format!("#/$defs/{name}") })
+                }
+                _ => rules,
+            };
+            node.insert("then".into(), then);
+        }
+        node
+    }
+
+    fn key(&mut self, key: &'static Key, of: Option<Kind>) -> Node {
+        let mut node = texts(key.text());
+        if let Some(example) = example(key) {
+            // Some editors show the description alone.
+            let text = format!("{}\n\nExample: `{}`", key.text(), key.example);
+            node.insert("description".into(), json!(text));
+            node.insert("examples".into(), json!([example]));
+        }
+        node.extend(self.form(key, of));
+        node
+    }
+
+    fn form(&mut self, key: &Key, of: Option<Kind>) -> Node {
+        match key.form {
+            Form::Text => object(json!({ "type": "string", "pattern": r"\S" })),
+            Form::Flag => object(json!({ "type": "boolean" })),
+            Form::Words(words) => object(json!({ "type": "string", "enum": words })),
+            Form::Law => object(
+                json!({ "type": "string", "enum": LawName::ALL.map(LawName::name), "default": "brach" }),
+            ),
+            Form::Count(last) => object(json!({ "type": "integer", "minimum": 1, "maximum": last })),
+            Form::Number(bounds) => {
+                let mut node = object(json!({ "type": ["number", "object"] }));
+                node.extend(limits(bounds));
+                node.extend(self.content(&[&RANGE], Some(Kind::Number(bounds))));
+                node
+            }
+            Form::Numbers(bounds) => {
+                let mut items = object(json!({ "type": ["number", "object"] }));
+                items.extend(limits(bounds));
+                items.extend(self.content(&[&RANGE], Some(Kind::Number(bounds))));
+                object(json!({ "type": "array", "maxItems": MOST_STATIONS, "items": items }))
+            }
+            Form::Quantity(dimension, bounds) => self.quantity_or_range(dimension, bounds),
+            Form::Quantities(dimension, bounds, least) => {
+                let kind = Kind::Quantity(dimension, bounds);
+                let mut node = object(json!({
+                    "type": ["string", "array", "object"],
+                    "pattern": list_pattern(dimension, bounds, least),
+                    "minItems": least,
+                    "maxItems": MOST_STATIONS,
+                    "items": self.quantity_or_range(dimension, bounds),
+                }));
+                node.extend(self.content(&[&RANGE_OF_LIST], Some(kind)));
+                node
+            }
+            Form::AngleOrHour => {
+                let mut node = self.quantity_or_range(Dimension::Angle, Bounds::None);
+                let angle = pattern(Dimension::Angle, Bounds::None);
+                node.insert("pattern".into(), json!(format!("{angle}|{HOUR}")));
+                node
+            }
+            Form::Vehicle => {
+                if self.vehicle.is_none() {
+                    self.vehicle = Some(self.table(&VEHICLE));
+                }
+                object(json!({ "$ref": "#/$defs/vehicle" }))
+            }
+            Form::Table(schema) => {
+                let mut node = object(json!({ "type": "object" }));
+                node.extend(self.content(&[schema], None));
+                node
+            }
+            Form::Tables(schema) => object(json!({ "type": "array", "items": self.table(schema) })),
+            Form::WordsOrTable(words, schema) => {
+                // Each alternative has its own type, as the words bind a text alone.
+                let table = self.table(schema);
+                object(json!({ "anyOf": [{ "type": "string", "enum": words }, table] }))
+            }
+            Form::NumberOrTable(bounds, schema) => {
+                let mut node = object(json!({ "type": ["number", "object"] }));
+                node.extend(limits(bounds));
+                node.extend(self.content(&[&RANGE, schema], Some(Kind::Number(bounds))));
+                node
+            }
+            Form::Value => self.amount(of, false),
+            Form::Deviation => self.amount(of, true),
+            Form::Values => match of {
+                Some(Kind::Quantity(dimension, bounds)) => object(json!({
+                    "type": ["string", "array"],
+                    "pattern": list_pattern(dimension, bounds, 1),
+                    "maxItems": MOST_STATIONS,
+                    "items": self.quantity(dimension, bounds),
+                })),
+                _ => Node::new(),
+            },
+            Form::Percent => object(json!({ "type": "string", "pattern": percent_pattern() })),
+            Form::Probability => {
+                object(json!({ "type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 1 }))
+            }
+        }
+    }
+
+    /// One number of a range.
+    fn amount(&mut self, of: Option<Kind>, is_deviation: bool) -> Node {
+        match of {
+            Some(Kind::Quantity(dimension, bounds)) => {
+                self.quantity(dimension, if is_deviation { Bounds::Positive } else { bounds })
+            }
+            Some(Kind::Number(bounds)) => {
+                let mut node = object(json!({ "type": "number" }));
+                node.extend(limits(if is_deviation { Bounds::Positive } else { bounds }));
+                node
+            }
+            None => Node::new(),
+        }
+    }
+
+    /// A reference to a number with its unit.
+    fn quantity(&mut self, dimension: Dimension, bounds: Bounds) -> Node {
+        let (sign, words) = match bounds {
+            Bounds::Positive => ("_positive", ", greater than zero"),
+            Bounds::NotNegative => ("_not_negative", ", zero or more"),
+            _ => ("", ""),
+        };
+        let noun = dimension.name().split(" (").next().unwrap_or_default();
+        let noun = noun.trim_start_matches("an ").trim_start_matches("a ").replace(' ', "_");
+        let name = format!("{noun}{sign}");
+        let reference = object(json!({ "$ref": format!("#/$defs/{name}") }));
+        let units: Vec<&str> = dimension.units().iter().map(Unit::spelling).collect();
+        let description = format!("Number and unit of {dimension}{words}. Units: {}.", units.join(", "));
+        self.quantities.entry(name).or_insert_with(|| {
+            object(json!({
+                "description": description,
+                "type": "string",
+                "pattern": pattern(dimension, bounds),
+            }))
+        });
+        reference
+    }
+
+    fn quantity_or_range(&mut self, dimension: Dimension, bounds: Bounds) -> Node {
+        let mut node = object(json!({ "type": ["string", "object"], "pattern": pattern(dimension, bounds) }));
+        node.extend(self.content(&[&RANGE], Some(Kind::Quantity(dimension, bounds))));
+        node
+    }
+}
+
+/// Title and description.
+fn texts(text: &str) -> Node {
+    let title = text.split_once(". ").map_or(text.trim_end_matches('.'), |(first, _)| first);
+    object(json!({ "title": title, "description": text }))
+}
+
+fn object(value: Value) -> Node {
+    match value {
+        Value::Object(node) => node,
+        _ => Node::new(),
+    }
+}
+
+/// The value that the example line of a key sets; the header of a table sets none.
+fn example(key: &Key) -> Option<Value> {
+    let (document, errors) = DeTable::parse_recoverable(key.example);
+    let value = document.get_ref().get(key.name)?;
+    (errors.is_empty() && !key.example.starts_with('[')).then(|| plain(value.get_ref()))
+}
+
+/// TOML as JSON.
+fn plain(value: &DeValue<'_>) -> Value {
+    match value {
+        DeValue::String(text) => json!(text),
+        DeValue::Integer(integer) => json!(integer.as_str().parse::<i64>().ok()),
+        DeValue::Float(float) => json!(float.as_str().parse::<f64>().ok()),
+        DeValue::Boolean(flag) => json!(flag),
+        DeValue::Datetime(datetime) => json!(datetime.to_string()),
+        DeValue::Array(array) => array.iter().map(|one| plain(one.get_ref())).collect(),
+        DeValue::Table(table) => Value::Object(
+            table.iter().map(|(key, one)| (key.get_ref().to_string(), plain(one.get_ref()))).collect(),
+        ),
+    }
+}
+
+/// The limits of a plain number. A case may say e = 1.
+fn limits(bounds: Bounds) -> Node {
+    object(match bounds {
+        Bounds::None | Bounds::Acute => json!({}),
+        Bounds::NotNegative => json!({ "minimum": 0 }),
+        Bounds::Positive => json!({ "exclusiveMinimum": 0 }),
+        Bounds::Share | Bounds::BelowOne => json!({ "minimum": 0, "maximum": 1 }),
+        Bounds::Coefficient => json!({ "minimum": -1, "maximum": 1 }),
+    })
+}
+
+/// Each of these keys is an error where it stands.
+fn never<'a>(keys: impl Iterator<Item = &'a str>) -> Node {
+    keys.map(|key| (key.to_owned(), json!(false))).collect()
+}
+
+/// What a rule asks of a table, besides the keys that it always has to have.
+fn conditions(rule: &Rule, schema: &Schema) -> Vec<Value> {
+    match rule {
+        Rule::Needs(_) => Vec::new(),
+        Rule::NeedsIf(conditions, keys) => {
+            let all: Vec<Value> = conditions.iter().map(condition).collect();
+            vec![json!({ "if": { "allOf": all }, "then": { "required": keys } })]
+        }
+        Rule::NeverIf(only, keys) => {
+            vec![json!({ "if": condition(only), "then": { "properties": never(keys.iter().copied()) } })]
+        }
+        Rule::OneOf(_) => vec![one_of(&[schema])],
+        Rule::KeysOfLaw => LawName::ALL.into_iter().map(|law| keys_of_law(law, schema)).collect(),
+    }
+}
+
+fn condition(condition: &Condition) -> Value {
+    match condition {
+        Condition::Has(key) => json!({ "required": [key] }),
+        Condition::Lacks(key) => json!({ "not": { "required": [key] } }),
+        Condition::True(key) => json!({ "properties": { *key: { "const": true } }, "required": [key] }),
+        Condition::NotTrue(key) => {
+            json!({ "not": { "properties": { *key: { "const": true } }, "required": [key] } })
+        }
+    }
+}
+
+fn keys_of_law(law: LawName, schema: &Schema) -> Value {
+    let named = json!({ "law": { "const": law.name() } });
+    // Brach's law need not be named.
+    let given = if law == LawName::Brach {
+        json!({ "properties": named })
+    } else {
+        json!({ "properties": named, "required": ["law"] })
+    };
+    let others = schema.names().filter(|key| !law.uses(key));
+    json!({ "if": given, "then": { "required": law.needed(), "properties": never(others) } })
+}
+
+/// One form of one of these tables.
+fn one_of(schemas: &[&Schema]) -> Value {
+    let names: Vec<&str> = schemas.iter().flat_map(|schema| schema.names()).collect();
+    let form = |needs: &[&str], may: &[&str]| {
+        let others = names.iter().copied().filter(|key| !needs.contains(key) && !may.contains(key));
+        json!({ "required": needs, "properties": never(others) })
+    };
+    let mut forms = Vec::new();
+    for rule in schemas.iter().flat_map(|schema| schema.rules) {
+        match rule {
+            Rule::OneOf(of_table) => forms.extend(of_table.iter().map(|one| form(one.needs, one.may))),
+            Rule::Needs(keys) => forms.push(form(keys, &[])),
+            _ => {}
+        }
+    }
+    json!({ "anyOf": forms })
+}

@@ -1,0 +1,102 @@
+//! The texts that a quantity is read from, as regular expressions for an editor: `Quantity::parse` in the language of JSON Schema (ECMA 262),
+//! without its magnitudes.
+
+use super::Dimension;
+use super::spelling::WORDS;
+use crate::range::Bounds;
+
+/// Digits with a point, and an exponent.
+const MAGNITUDE: &str = r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)";
+/// The same, and not zero.
+const MAGNITUDE_NOT_ZERO: &str = r"(?:0*[1-9][0-9]*\.?[0-9]*|0*\.0*[1-9][0-9]*)";
+const EXPONENT: &str = "(?:[eE][+-]?[0-9]+)?";
+/// What may stand between the units of a product, and is nothing elsewhere.
+const GAP: &str = r"[\s·⋅*-]";
+
+/// The hour of a clock.
+pub(crate) const HOUR: &str = r"^\s*\+?0*(?:[1-9]|1[0-2])\s*o['’]clock\s*$";
+
+/// A percentage that is more than zero.
+pub(crate) fn percent_pattern() -> String {
+    format!(r"^\s*{}\s*%\s*$", number(Bounds::Positive))
+}
+
+/// One number with a unit of the dimension.
+pub(crate) fn pattern(dimension: Dimension, bounds: Bounds) -> String {
+    format!(r"^\s*{}{GAP}*(?:{}){GAP}*$", number(bounds), units(dimension))
+}
+
+/// As many numbers as `least` or more, and the unit of all of them after the last.
+pub(crate) fn list_pattern(dimension: Dimension, bounds: Bounds, least: usize) -> String {
+    let number = number(bounds);
+    let more = least.saturating_sub(1);
+    format!(r"^\s*{number}(?:\s+{number}){{{more},}}{GAP}*(?:{}){GAP}*$", units(dimension))
+}
+
+fn number(bounds: Bounds) -> String {
+    match bounds {
+        Bounds::Positive => format!(r"\+?{MAGNITUDE_NOT_ZERO}{EXPONENT}"),
+        // Minus zero is zero.
+        Bounds::NotNegative => format!(r"(?:\+?{MAGNITUDE}|[-−](?:0+\.?0*|\.0+)){EXPONENT}"),
+        _ => format!("[-+−]?{MAGNITUDE}{EXPONENT}"),
+    }
+}
+
+/// The units of a dimension, with every spelling of each.
+fn units(dimension: Dimension) -> String {
+    let spellings = dimension.units().iter().flat_map(|unit| unit.spellings());
+    let mut alternatives: Vec<String> = Vec::new();
+    for spelling in spellings {
+        let alternative = unit(spelling, dimension);
+        if !alternatives.contains(&alternative) {
+            alternatives.push(alternative);
+        }
+    }
+    alternatives.join("|")
+}
+
+/// One spelling of the table, and what is forgiven of it.
+fn unit(spelling: &str, dimension: Dimension) -> String {
+    let mut out = String::new();
+    let mut rest = spelling;
+    while let Some(first) = rest.chars().next() {
+        let end = rest.find(|c: char| !c.is_alphabetic()).unwrap_or(rest.len());
+        if end > 0 {
+            let (name, tail) = rest.split_at(end);
+            let word = word(name, dimension);
+            rest = tail;
+            match tail.strip_prefix("^0.5") {
+                Some(tail) => {
+                    out += &root(&word);
+                    rest = tail;
+                }
+                None => out += &word,
+            }
+            continue;
+        }
+        let (sign, tail) = match rest.strip_prefix("^2") {
+            Some(tail) => (format!(r"(?:{GAP}*\^{GAP}*2|{GAP}*²|2)"), tail),
+            None if first == '/' => (format!("{GAP}*/{GAP}*"), &rest[1..]),
+            None => (format!("{GAP}+"), &rest[first.len_utf8()..]),
+        };
+        out += &sign;
+        rest = tail;
+    }
+    out
+}
+
+/// The short form of a unit, or one of its words.
+fn word(short: &str, dimension: Dimension) -> String {
+    let long = WORDS.iter().find(|(known, _)| *known == short).map_or(&[][..], |(_, long)| long);
+    let force = (short == "lb" && dimension != Dimension::Mass).then_some("lbf");
+    let all: Vec<&str> = std::iter::once(short).chain(long.iter().copied()).chain(force).collect();
+    match all[..] {
+        [only] => only.to_owned(),
+        _ => format!("(?:{})", all.join("|")),
+    }
+}
+
+fn root(word: &str) -> String {
+    let half = format!(r"(?:{GAP}*\^(?:\(1/2\)|1/2|½|\.5|{GAP}*0\.5)|{GAP}*½)");
+    format!(r"(?:{word}{half}|(?:√|sqrt)\({GAP}*{word}{GAP}*\)|√{word})")
+}

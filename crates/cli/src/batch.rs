@@ -1,0 +1,149 @@
+//! Many reconstructions at once: a row each, in the order of the arguments.
+
+use std::collections::VecDeque;
+use std::fmt;
+use std::fs::File;
+use std::io::{self, ErrorKind, IsTerminal as _, Write};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc;
+
+use analysis::Failure;
+use anyhow::{Context as _, Result};
+use case::Case;
+use rayon::ThreadPool;
+use report::{Row, RowError};
+
+use crate::progress::Progress;
+use crate::read;
+
+/// Cases per thread that are begun before the row whose turn it is has been written: enough that no thread waits for a slow one, and few enough to keep
+/// in memory.
+const AHEAD: usize = 16;
+
+const CANNOT_WRITE: &str = "cannot write the rows";
+
+/// Not every file has an answer.
+#[derive(Debug)]
+pub(crate) enum Incomplete {
+    /// So many have an error in their row.
+    Failed { failed: usize, total: usize },
+    /// Ctrl-C came after so many.
+    Ended { done: usize, total: usize },
+}
+
+impl fmt::Display for Incomplete {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Failed { failed, total } => {
+                write!(f, "{failed} of {total} case files without an answer: their rows say why")
+            }
+            Self::Ended { done, total } => {
+                write!(f, "ended by Ctrl-C: rows of the first {done} of {total} case files are written")
+            }
+        }
+    }
+}
+
+impl std::error::Error for Incomplete {}
+
+pub(crate) fn csv(cases: &[PathBuf], pool: &ThreadPool, output: Option<&Path>) -> Result<()> {
+    write(cases, pool, output, &report::csv_header()?, report::csv_row)
+}
+
+pub(crate) fn jsonl(cases: &[PathBuf], pool: &ThreadPool, output: Option<&Path>) -> Result<()> {
+    write(cases, pool, output, "", report::jsonl_row)
+}
+
+/// A row, and whether it is an error's.
+type Written = (Result<String, RowError>, bool);
+
+fn write(
+    cases: &[PathBuf],
+    pool: &ThreadPool,
+    output: Option<&Path>,
+    header: &str,
+    row: fn(Row<'_>) -> Result<String, RowError>,
+) -> Result<()> {
+    let mut sink: Box<dyn Write> = match output {
+        Some(path) => Box::new(
+            File::create(path).with_context(|| format!("cannot write the output to {}", path.display()))?,
+        ),
+        None => Box::new(io::stdout()),
+    };
+    // Rows that appear on the terminal show themselves how far it is, and a bar would run into them.
+    let mut progress = match output.is_none() && io::stdout().is_terminal() {
+        true => None,
+        false => Some(Progress::new()?),
+    };
+    match rows(cases, pool, &mut *sink, header, row, &mut |done| {
+        progress.as_mut().is_some_and(|progress| progress.at("case files", done, cases.len()).is_break())
+    }) {
+        // Whoever reads has read enough, as `head` does.
+        Err(error) if is_broken_pipe(&error) => Ok(()),
+        written => written,
+    }
+}
+
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == ErrorKind::BrokenPipe)
+}
+
+/// Writes each row as soon as all before it are written. `ends` is told how many are, and says whether that is enough.
+fn rows(
+    cases: &[PathBuf],
+    pool: &ThreadPool,
+    sink: &mut dyn Write,
+    header: &str,
+    row: fn(Row<'_>) -> Result<String, RowError>,
+    ends: &mut dyn FnMut(usize) -> bool,
+) -> Result<()> {
+    let total = cases.len();
+    let ahead = AHEAD * pool.current_num_threads();
+    sink.write_all(header.as_bytes()).context(CANNOT_WRITE)?;
+    pool.in_place_scope(|scope| {
+        let mut left = cases.iter();
+        let mut begun = VecDeque::new();
+        let (mut done, mut failed) = (0, 0);
+        loop {
+            while begun.len() < ahead
+                && let Some(path) = left.next()
+            {
+                let (send, receive) = mpsc::sync_channel::<Written>(1);
+                scope.spawn(move |_| {
+                    // Nobody waits for it where the writing has ended.
+                    let _ = send.send(reconstructed(path, row));
+                });
+                begun.push_back(receive);
+            }
+            let Some(next) = begun.pop_front() else { break };
+            let (row, is_error) = next.recv().context("a thread ended before its work was done")?;
+            let row = row?;
+            sink.write_all(row.as_bytes()).and_then(|()| sink.flush()).context(CANNOT_WRITE)?;
+            done += 1;
+            failed += usize::from(is_error);
+            if ends(done) && done < total {
+                return Err(Incomplete::Ended { done, total }.into());
+            }
+        }
+        if failed > 0 { Err(Incomplete::Failed { failed, total }.into()) } else { Ok(()) }
+    })
+}
+
+fn reconstructed(path: &Path, row: fn(Row<'_>) -> Result<String, RowError>) -> Written {
+    let file = path.display().to_string();
+    let answer = read(path).map_err(|error| on_one_line(&format!("{error:#}"))).and_then(|(name, text)| {
+        let file = Case::parse(&name, &text).map_err(|errors| errors.one_line())?;
+        match analysis::reconstruct(&file) {
+            Ok(analysis) => Ok((file.case, analysis)),
+            Err(Failure::Case(errors)) => Err(errors.one_line()),
+            Err(error) => Err(on_one_line(&error.to_string())),
+        }
+    });
+    let is_error = answer.is_err();
+    let answer = answer.as_ref().map(|(case, analysis)| (case, analysis)).map_err(String::as_str);
+    (row(Row { file: &file, answer }), is_error)
+}
+
+fn on_one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}

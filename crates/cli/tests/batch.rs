@@ -1,0 +1,184 @@
+//! Several case files at once: a row each, the same for any number of threads.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn deltav(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_deltav")).current_dir("../..").args(arguments).output().unwrap()
+}
+
+/// All case files of the fixtures, wrong ones and ones without an answer too, sorted.
+fn case_files() -> Vec<String> {
+    fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                collect(&path, files);
+            } else if path.extension().is_some_and(|extension| extension == "toml") {
+                files.push(path);
+            }
+        }
+    }
+    let mut files = Vec::new();
+    collect(Path::new("../../fixtures"), &mut files);
+    files.sort();
+    files.iter().map(|path| path.strip_prefix("../..").unwrap().display().to_string()).collect()
+}
+
+/// Records of RFC 4180, read by its grammar.
+fn records(csv: &str) -> Vec<Vec<String>> {
+    let mut records = vec![vec![String::new()]];
+    let mut quoted = false;
+    let mut characters = csv.chars().peekable();
+    while let Some(c) = characters.next() {
+        let record = records.last_mut().unwrap();
+        match c {
+            '"' if quoted && characters.peek() == Some(&'"') => {
+                characters.next();
+                record.last_mut().unwrap().push('"');
+            }
+            '"' => quoted = !quoted,
+            ',' if !quoted => record.push(String::new()),
+            '\n' if !quoted => records.push(vec![String::new()]),
+            c => record.last_mut().unwrap().push(c),
+        }
+    }
+    assert_eq!(records.pop(), Some(vec![String::new()]), "the last line ends in a line feed");
+    records
+}
+
+#[test]
+fn rows_stand_in_the_order_of_the_arguments_and_are_the_same_for_any_number_of_threads() {
+    let mut files = case_files();
+    // Neither sorted by name nor by what they cost.
+    files.reverse();
+    files.push("no/such/file.toml".to_owned());
+    assert!(files.len() > 200);
+    for format in ["csv", "jsonl"] {
+        let mut first: Option<Vec<u8>> = None;
+        for threads in ["1", "2", "7"] {
+            let mut arguments = vec!["reconstruct", "--format", format, "--threads", threads];
+            arguments.extend(files.iter().map(String::as_str));
+            let output = deltav(&arguments);
+            assert_eq!(output.status.code(), Some(1));
+            let bytes = first.get_or_insert_with(|| output.stdout.clone());
+            assert!(*bytes == output.stdout, "{format} differs with {threads} threads");
+        }
+        let text = String::from_utf8(first.unwrap()).unwrap();
+        let named: Vec<String> = if format == "csv" {
+            let records = records(&text);
+            assert!(records.iter().all(|record| record.len() == records[0].len()));
+            records.iter().skip(1).map(|record| record[0].clone()).collect()
+        } else {
+            let name =
+                |line| serde_json::from_str::<Value>(line).unwrap()["file"].as_str().map(str::to_owned);
+            text.lines().map(|line| name(line).unwrap()).collect()
+        };
+        assert_eq!(named, files);
+    }
+}
+
+/// Where `--format json` has the value of a column.
+fn place(column: &str) -> String {
+    let name = column.split(" (").next().unwrap();
+    let mut place = name.replace('.', "/");
+    for (end, index) in [("/before", "/0"), ("/after", "/1"), ("/x", "/0"), ("/y", "/1")] {
+        if let Some(list) = place.strip_suffix(end) {
+            place = format!("{list}{index}");
+        }
+    }
+    for (vehicle, index) in [("vehicle1", "0"), ("vehicle2", "1")] {
+        place = place.replace(&format!("{vehicle}/delta_v/"), &format!("{vehicle}/delta_v_vector/"));
+        if let Some(list) = place.strip_prefix(&format!("{vehicle}/crash3")) {
+            place = format!("crash3{list}/{index}");
+        }
+    }
+    format!("/{place}")
+}
+
+#[test]
+fn a_row_says_what_the_json_of_its_file_says() {
+    let mut compared = 0;
+    for file in case_files() {
+        let alone = deltav(&["reconstruct", &file, "--format", "json"]);
+        let jsonl = deltav(&["reconstruct", &file, "--format", "jsonl"]);
+        let csv = String::from_utf8(deltav(&["reconstruct", &file, "--format", "csv"]).stdout).unwrap();
+        let [columns, cells] = <[Vec<String>; 2]>::try_from(records(&csv)).unwrap();
+        let line: Value = serde_json::from_slice(&jsonl.stdout).unwrap();
+        assert_eq!(jsonl.stdout.iter().filter(|&&byte| byte == b'\n').count(), 1, "{file}");
+        assert!(jsonl.stdout.starts_with(br#"{"file":"#), "{file}");
+        if !alone.status.success() {
+            assert_eq!(jsonl.status.code(), Some(1), "{file}");
+            let error = line["error"].as_str().unwrap();
+            assert!(error.len() > 10 && !error.contains('\n'), "{file}: {error:?}");
+            assert_eq!(line.as_object().unwrap().len(), 2);
+            for (column, cell) in columns.iter().zip(&cells) {
+                let expected = match column.as_str() {
+                    "file" => &file,
+                    "error" => error,
+                    _ => "",
+                };
+                assert_eq!(cell, expected, "{file}: {column}");
+            }
+            continue;
+        }
+        assert_eq!(jsonl.status.code(), Some(0), "{file}");
+        let mut json: Value = serde_json::from_slice(&alone.stdout).unwrap();
+        for (column, cell) in columns.iter().zip(&cells) {
+            let value = json.pointer(&place(column));
+            match (column.as_str(), value) {
+                ("file", _) => assert_eq!(*cell, file),
+                ("error", _) => assert_eq!(cell, ""),
+                ("warnings", _) => {
+                    let warnings = json["warnings"].as_array().unwrap();
+                    let codes: Vec<_> =
+                        warnings.iter().map(|warning| warning["code"].as_str().unwrap()).collect();
+                    assert_eq!(cell.split_whitespace().collect::<Vec<_>>(), codes);
+                }
+                (_, Some(Value::Number(number))) => {
+                    // serde_json reads a number within one unit of its last digit.
+                    let (cell, number) = (cell.parse::<f64>().unwrap(), number.as_f64().unwrap());
+                    assert!(
+                        (cell - number).abs() <= 1e-15 * number.abs(),
+                        "{file}: {column}: {cell}, {number}"
+                    );
+                    compared += 1;
+                }
+                (_, Some(Value::String(text))) => assert_eq!(cell, text, "{file}: {column}"),
+                (_, None | Some(Value::Null)) => assert_eq!(cell, "", "{file}: {column}"),
+                (_, other) => panic!("{column} has {other:?}"),
+            }
+        }
+        json["file"] = file.as_str().into();
+        assert_eq!(line, json);
+    }
+    assert!(compared > 1000, "{compared}");
+}
+
+#[test]
+fn text_that_csv_has_to_quote_reads_back() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
+    let path = folder.join("quoting, \"quoted\".toml");
+    let case = fs::read_to_string("../../fixtures/sae-980025.toml").unwrap();
+    let title = case.lines().find(|line| line.starts_with("title")).unwrap();
+    fs::write(&path, case.replace(title, r#"title = "two, \"three\"\nand a line, = 1""#)).unwrap();
+    let path = path.display().to_string();
+    let output = folder.join("rows.csv");
+    let printed = deltav(&["reconstruct", &path, "--format", "csv", "-o", &output.display().to_string()]);
+    assert_eq!((printed.status.code(), printed.stdout.len(), printed.stderr.len()), (Some(0), 0, 0));
+    let csv = fs::read_to_string(output).unwrap();
+    assert!(csv.contains(r#""two, ""three""#), "{csv}");
+    let records = records(&csv);
+    let cell = |name: &str| {
+        let column = records[0].iter().position(|column| column == name).unwrap();
+        records[1][column].as_str()
+    };
+    assert_eq!((cell("file"), cell("title")), (&*path, "two, \"three\"\nand a line, = 1"));
+    // SAE 980025, appendix: 75 ft/s.
+    assert!((cell("found.value (m/s)").parse::<f64>().unwrap() / 0.3048 - 75.0).abs() < 0.05);
+}

@@ -1,0 +1,163 @@
+//! What a user begins with: `deltav new`, `schema`, `completions` and `man`.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+const TEMPLATES: [&str; 5] = ["front-side", "head-on", "rear-end", "barrier", "sideswipe"];
+
+fn deltav(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_deltav")).args(arguments).output().unwrap()
+}
+
+/// What the program prints, where nothing is wrong.
+#[track_caller]
+fn printed(arguments: &[&str]) -> String {
+    let output = deltav(arguments);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!((output.status.code(), &*message), (Some(0), ""), "{arguments:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// A place where nothing is yet.
+fn temporary(name: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&path);
+    let _ = fs::remove_file(&path);
+    path
+}
+
+/// Each template states its speed, which comes from a solution of the raw impulse equations and a numerical integral of the crush energy, made
+/// without this program.
+#[test]
+fn every_template_runs_as_it_is_and_finds_what_it_states() {
+    for template in TEMPLATES {
+        let path = temporary(&format!("{template}.toml"));
+        let name = path.to_str().unwrap();
+        printed(&["new", "--template", template, "-o", name]);
+        let text = fs::read_to_string(&path).unwrap();
+        let stated = text.split("it finds vehicle 1 at ").nth(1).unwrap().split(' ').next().unwrap();
+        let result: Value =
+            serde_json::from_str(&printed(&["reconstruct", name, "--format", "json"])).unwrap();
+        let found = 3.6 * result["found"]["value"].as_f64().unwrap();
+        let stated: f64 = stated.parse().unwrap();
+        // One decimal is stated.
+        assert!((found - stated).abs() <= 0.05, "{template}: {found} km/h, not {stated} km/h");
+        assert_eq!(result["warnings"], Value::Array(Vec::new()), "{template}");
+        assert_eq!(result["found"]["admissible_roots"], 1, "{template}");
+    }
+}
+
+/// A line of a template sets something, or says something.
+#[test]
+fn every_template_explains_its_tables() {
+    for template in TEMPLATES {
+        let text = printed(&["new", "--template", template]);
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines[0], "#:schema case.schema.json");
+        assert!(
+            lines.iter().all(|line| line.chars().count() <= 125 && line.trim_end() == *line),
+            "{template}"
+        );
+        // Of vehicle 1 and of the impact, each key has a comment behind it or above it.
+        let mut table = "";
+        for pair in lines.windows(2) {
+            let [above, line] = *pair else { continue };
+            if line.starts_with('[') {
+                table = line.split(']').next().unwrap();
+            }
+            let explains = line.contains(" # ") || above.starts_with('#');
+            let is_key = line.contains(" = ") && !line.starts_with('#');
+            let is_first_of_its_kind =
+                ["[vehicle1", "[vehicle1.crush", "[impact", "[reconstruct"].contains(&table);
+            // The name speaks for itself.
+            if is_key && is_first_of_its_kind && !line.starts_with("name") {
+                assert!(explains, "{template}: {table}] {line}");
+            }
+        }
+    }
+    assert_eq!(printed(&["new"]), printed(&["new", "--template", "front-side"]));
+}
+
+#[test]
+fn an_existing_file_is_not_overwritten() {
+    let path = temporary("existing.toml");
+    fs::write(&path, "# mine").unwrap();
+    let name = path.to_str().unwrap();
+    let output = deltav(&["new", "-o", name]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(
+        message,
+        format!(
+            "error: {name} exists already, and is not overwritten: give another name, or remove it first\n"
+        )
+    );
+    assert_eq!(fs::read_to_string(&path).unwrap(), "# mine");
+}
+
+#[test]
+fn the_schema_is_the_committed_one() {
+    let path = temporary("case.schema.json");
+    printed(&["schema", "-o", path.to_str().unwrap()]);
+    let committed = include_str!("../../../docs/case.schema.json");
+    assert!(fs::read_to_string(&path).unwrap() == committed && printed(&["schema"]) == committed);
+}
+
+/// The commands that the help lists.
+fn commands() -> Vec<String> {
+    let help = printed(&["--help"]);
+    let lines =
+        help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let names = lines.filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    let names: Vec<String> =
+        names.filter_map(|line| line.split_whitespace().next().map(str::to_owned)).collect();
+    assert!(names.len() >= 12, "{names:?}");
+    names.into_iter().filter(|name| name != "help").collect()
+}
+
+#[test]
+fn completions_know_every_command() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = printed(&["completions", shell]);
+        for command in commands() {
+            assert!(script.contains(&command), "{shell} does not know {command}");
+        }
+        // The other two do not complete values.
+        if ["bash", "zsh", "fish"].contains(&shell) {
+            assert!(script.contains("front-side"), "{shell}");
+        }
+    }
+}
+
+#[test]
+fn bash_reads_its_completions() {
+    let path = temporary("deltav.bash");
+    fs::write(&path, printed(&["completions", "bash"])).unwrap();
+    // Where there is no bash, nobody needs them.
+    if let Ok(output) = Command::new("bash").arg("-n").arg(&path).output() {
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+}
+
+#[test]
+fn every_command_has_a_manual_page() {
+    let folder = temporary("man1");
+    fs::create_dir(&folder).unwrap();
+    assert_eq!(printed(&["man", "--output-dir", folder.to_str().unwrap()]), "");
+    let page = fs::read_to_string(folder.join("deltav.1")).unwrap();
+    assert_eq!(page, printed(&["man"]));
+    for command in commands() {
+        let page_of_command = fs::read_to_string(folder.join(format!("deltav-{command}.1"))).unwrap();
+        assert!(page_of_command.contains(&format!(".TH deltav-{command} 1")), "{command}");
+        assert!(page.contains(&format!(r"deltav\-{command}(1)")), "{command}");
+    }
+    let nowhere = deltav(&["man", "--output-dir", "no/such/folder"]);
+    assert_eq!(nowhere.status.code(), Some(2));
+    let message = String::from_utf8(nowhere.stderr).unwrap();
+    assert!(message.starts_with("error: cannot write the manual pages into no/such/folder: "), "{message}");
+}

@@ -1,0 +1,418 @@
+//! A case judged without solving it: what was understood, what was assumed, and what it can be used for.
+
+use analysis::{Ability, Assumption, Judgement, Warning};
+use case::{
+    Case, CaseFile, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm, Unit, UnitSystem,
+};
+use crash3::ObliqueCorrection;
+use pim_core::Tangential;
+use serde::Serialize;
+
+use crate::text::{LINE, wrapped};
+use crate::units::{Quantity, Units, significant};
+use crate::warnings;
+
+/// Width of the first column: the longest of the keys that are usual.
+const KEY: usize = 38;
+/// Width of the column of what the file says.
+const WRITTEN: usize = 26;
+/// Width of a column of values.
+const VALUE: usize = 18;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    title: &'a str,
+    /// Those of all signed values: `z-up` or `z-down`.
+    axes: &'static str,
+    commands: Vec<CommandBlock>,
+    inputs: Vec<InputBlock>,
+    choices: Vec<ChoiceBlock>,
+    assumptions: Vec<AssumptionBlock>,
+    warnings: Vec<WarningBlock>,
+}
+
+#[derive(Serialize)]
+struct CommandBlock {
+    command: &'static str,
+    runs: bool,
+    obstacles: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct InputBlock {
+    path: String,
+    number: f64,
+    unit: Option<&'static str>,
+    si: f64,
+    si_unit: Option<&'static str>,
+    us: f64,
+    us_unit: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    range: Option<String>,
+}
+
+#[derive(Serialize)]
+struct ChoiceBlock {
+    path: String,
+    value: String,
+}
+
+#[derive(Serialize)]
+struct AssumptionBlock {
+    key: String,
+    message: String,
+}
+
+#[derive(Serialize)]
+struct WarningBlock {
+    code: &'static str,
+    message: String,
+}
+
+/// The judgement as text: every number of the file as written and in both unit systems, the choices, what was assumed, the commands that the case has
+/// enough for, and the warnings, whose numbers are in the units of the reader.
+#[must_use]
+pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> String {
+    let case = &file.case;
+    let mut text = String::new();
+    let mut line = |line: &str| {
+        text.push_str(line.trim_end());
+        text.push('\n');
+    };
+    line(case.title.as_deref().unwrap_or("Untitled case"));
+    if let Some(source) = &case.source {
+        line(&format!("Source: {source}"));
+    }
+    line("");
+    line("The file reads without an error. It was judged, not solved.");
+
+    let row = |cells: [&str; 4]| {
+        let [key, written, si, us] = cells;
+        let key = format!("{key:<width$} ", width = KEY - 1);
+        let written = format!("{written:<width$} ", width = WRITTEN - 1);
+        format!("{key}{written}{si:<VALUE$}{us}")
+    };
+    line("");
+    line(&row(["Numbers as understood", "as written", "SI", "US"]));
+    line(&"─".repeat(LINE));
+    for input in case.inputs() {
+        let written = match range(case, &input) {
+            Some(range) => format!("{}; {}", amount(input.number, input.unit), spread(range)),
+            None => amount(input.number, input.unit),
+        };
+        let [si, us] = [UnitSystem::Si, UnitSystem::Us].map(|system| converted(&input, system));
+        line(&row([&input.path, &written, &shown(si), &shown(us)]));
+    }
+    line("");
+    line("Choices");
+    line(&"─".repeat(LINE));
+    for (path, value) in choices(case) {
+        line(&format!("{path:<KEY$}{value}"));
+    }
+    line("");
+    line("Assumed, since the file does not say it");
+    line(&"─".repeat(LINE));
+    for assumption in &judgement.assumptions {
+        let key = format!("{:<width$} ", assumption.key(), width = KEY - 1);
+        text.push_str(&hanging(&key, &message(assumption, units)));
+    }
+    if judgement.assumptions.is_empty() {
+        text.push_str("nothing\n");
+    }
+    text.push_str(&format!("\nCommands\n{}\n", "─".repeat(LINE)));
+    for Ability { command, obstacle } in &judgement.commands {
+        let Some(obstacle) = obstacle else {
+            text.push_str(&format!("{command:<KEY$}has all that it needs{}\n", sought(case, command)));
+            continue;
+        };
+        text.push_str(&format!("{command:<KEY$}cannot run\n"));
+        // What helps with both vehicles is said once, after the last that it helps with.
+        let problems: Vec<_> =
+            obstacle.list().iter().map(|one| (one.problem().to_string(), one.problem().help())).collect();
+        for (i, (problem, help)) in problems.iter().enumerate() {
+            let is_repeated = problems[i + 1..].iter().any(|(_, later)| later == help);
+            let help = help.as_ref().filter(|_| !is_repeated).map(|help| format!("; {help}"));
+            text.push_str(&hanging("    ", &format!("{problem}{}", help.unwrap_or_default())));
+        }
+    }
+    text.push('\n');
+    if judgement.warnings.is_empty() {
+        text.push_str("No warnings as far as they can be told without solving the case.\n");
+    }
+    for warning in &judgement.warnings {
+        let sentence = format!("warning [{}]: {}", warning.code(), warning_message(warning, case, units));
+        text.push_str(&wrapped(&sentence));
+    }
+    if !judgement.warnings.is_empty() {
+        text.push_str(&format!("\n{}", wrapped(warnings::MORE)));
+    }
+    text
+}
+
+/// The judgement as indented JSON, ending in a line break: `commands`, `inputs` (as written, in SI and in US units), `choices`, `assumptions` and
+/// `warnings`. SI units here are those with a plain 1 before them: m, kg, N, rad.
+///
+/// # Errors
+/// Where serialisation fails, which no judgement causes.
+pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, serde_json::Error> {
+    let case = &file.case;
+    let document = Document {
+        title: case.title.as_deref().unwrap_or_default(),
+        axes: case.axes.name(),
+        commands: judgement
+            .commands
+            .iter()
+            .map(|Ability { command, obstacle }| CommandBlock {
+                command,
+                runs: obstacle.is_none(),
+                obstacles: obstacle
+                    .iter()
+                    .flat_map(|obstacle| obstacle.list())
+                    .map(|problem| problem.problem().to_string())
+                    .collect(),
+            })
+            .collect(),
+        inputs: case
+            .inputs()
+            .into_iter()
+            .map(|input| {
+                let (us, us_unit) = converted(&input, UnitSystem::Us);
+                InputBlock {
+                    number: input.number,
+                    unit: input.unit.map(Unit::spelling),
+                    si: input.si(),
+                    si_unit: input.unit.map(|unit| unit.dimension().si_unit()),
+                    us,
+                    us_unit: us_unit.map(Unit::spelling),
+                    range: range(case, &input).map(spread),
+                    path: input.path,
+                }
+            })
+            .collect(),
+        choices: choices(case).into_iter().map(|(path, value)| ChoiceBlock { path, value }).collect(),
+        assumptions: judgement
+            .assumptions
+            .iter()
+            .map(|assumption| AssumptionBlock {
+                key: assumption.key(),
+                message: message(assumption, Units::Si),
+            })
+            .collect(),
+        warnings: judgement
+            .warnings
+            .iter()
+            .map(|warning| WarningBlock {
+                code: warning.code(),
+                message: warning_message(warning, case, Units::Si),
+            })
+            .collect(),
+    };
+    Ok(serde_json::to_string_pretty(&document)? + "\n")
+}
+
+fn warning_message(warning: &Warning, case: &Case, units: Units) -> String {
+    warnings::message(&warning.in_axes(case.axes), units, case.axes)
+}
+
+/// The text behind a head that its further lines are indented by.
+fn hanging(head: &str, text: &str) -> String {
+    let indent = head.chars().count();
+    let mut lines = head.to_owned();
+    let mut column = indent;
+    for word in text.split_whitespace() {
+        let width = word.chars().count();
+        if column > indent && column + 1 + width > LINE {
+            lines.push('\n');
+            lines.push_str(&" ".repeat(indent));
+            column = indent;
+        } else if column > indent {
+            lines.push(' ');
+            column += 1;
+        }
+        lines.push_str(word);
+        column += width;
+    }
+    lines.push('\n');
+    lines
+}
+
+fn sought(case: &Case, command: &str) -> String {
+    match &case.reconstruct {
+        Some(reconstruct) if command == "reconstruct" => {
+            format!(" to find {}", crate::unknown_name(reconstruct.find))
+        }
+        _ => String::new(),
+    }
+}
+
+fn range<'a>(case: &'a Case, input: &Input) -> Option<&'a Range> {
+    case.ranges.iter().find(|range| range.path == input.path)
+}
+
+fn spread(range: &Range) -> String {
+    match range.spread {
+        Spread::Normal { sd } => format!("sd {sd}"),
+        Spread::Uniform { low, high } => format!("{low} to {high}"),
+        Spread::Triangular { low, high } => format!("likeliest of {low} to {high}"),
+        Spread::Within { percent, confidence } => {
+            format!("within {percent} % ({})", significant(confidence, 2))
+        }
+    }
+}
+
+fn amount(number: f64, unit: Option<&'static Unit>) -> String {
+    unit.map_or_else(|| number.to_string(), |unit| format!("{number} {unit}"))
+}
+
+/// The units in which people of a custom know a quantity; depths and widths of damage in smaller ones than other lengths.
+fn usual(dimension: Dimension, in_crush: bool, system: UnitSystem) -> &'static str {
+    let (si, us) = match dimension {
+        Dimension::Length if in_crush => ("cm", "in"),
+        Dimension::Length => ("m", "ft"),
+        Dimension::Mass => ("kg", "lb"),
+        Dimension::Weight | Dimension::StiffnessG => ("N", "lb"),
+        Dimension::Speed => ("m/s", "mph"),
+        Dimension::Angle => ("rad", "deg"),
+        Dimension::YawRate => ("rad/s", "deg/s"),
+        Dimension::Inertia => ("kg m^2", "lb ft s^2"),
+        Dimension::StiffnessA => ("N/cm", "lb/in"),
+        Dimension::StiffnessB => ("N/cm^2", "lb/in^2"),
+        Dimension::RootForce => ("N^0.5", "lb^0.5"),
+        Dimension::RootForcePerLength => ("N^0.5/cm", "lb^0.5/in"),
+    };
+    match system {
+        UnitSystem::Si => si,
+        UnitSystem::Us => us,
+    }
+}
+
+fn converted(input: &Input, system: UnitSystem) -> (f64, Option<&'static Unit>) {
+    let unit = input.unit.and_then(|unit| {
+        let in_crush = input.path.contains(".crush.") && !input.path.ends_with(".moment_arm");
+        unit.dimension().unit(usual(unit.dimension(), in_crush, system))
+    });
+    match unit {
+        // As written, without the rounding of two conversions.
+        Some(unit) if input.unit == Some(unit) => (input.number, Some(unit)),
+        Some(unit) => (input.si() / unit.factor(), Some(unit)),
+        None => (input.number, None),
+    }
+}
+
+/// Six digits are more than any input has, and zeros at the end say nothing.
+fn shown((value, unit): (f64, Option<&'static Unit>)) -> String {
+    let digits = significant(value, 6);
+    let digits = match digits.contains('.') && !digits.contains('e') {
+        true => digits.trim_end_matches('0').trim_end_matches('.'),
+        false => &digits,
+    };
+    let digits = if digits == "-0" { "0" } else { digits };
+    unit.map_or_else(|| digits.to_owned(), |unit| format!("{digits} {unit}"))
+}
+
+/// What the file says in words and whole numbers, key by key.
+fn choices(case: &Case) -> Vec<(String, String)> {
+    let mut choices = vec![("scene.axes".to_owned(), case.axes.name().to_owned())];
+    for (i, vehicle) in case.vehicles.iter().enumerate() {
+        let mut say = |key: &str, value: String| choices.push((format!("vehicle{}.{key}", i + 1), value));
+        if let Some(name) = &vehicle.name {
+            say("name", name.clone());
+        }
+        if vehicle.fixed {
+            say("fixed", "true".to_owned());
+        }
+        if let Some(class) = vehicle.class {
+            say("class", class.to_string());
+        }
+        let Some(crush) = &vehicle.crush else { continue };
+        say("crush.side", crate::side_name(crush.side).to_owned());
+        if crush.from_force_balance {
+            say("crush.from_force_balance", "true".to_owned());
+        }
+        match &crush.stiffness {
+            StiffnessForm::Category(category) => say("crush.stiffness.category", category.to_string()),
+            StiffnessForm::Test(test) if test.fit == Fit::Mean => {
+                say("crush.stiffness.test.fit", "mean".to_owned());
+            }
+            _ => {}
+        }
+        if let Some(Pdof::Clock(hour)) = crush.pdof {
+            say("crush.pdof", format!("{hour} o'clock = {}°", clock_degrees(hour)));
+        }
+        match crush.oblique {
+            // Its number stands among the numbers.
+            None | Some(ObliqueCorrection::Friction(_)) => {}
+            Some(correction) => say("crush.oblique", crate::law::correction_name(correction).to_owned()),
+        }
+    }
+    if let Some(impact) = &case.impact {
+        choices.push(("impact.law".to_owned(), impact.law.name().to_owned()));
+        if matches!(impact.law, ImpactLaw::Brach { tangential: Tangential::Critical, .. }) {
+            choices.push(("impact.tangential".to_owned(), "critical".to_owned()));
+        }
+    }
+    if let Some(reconstruct) = &case.reconstruct {
+        choices.push(("reconstruct.find".to_owned(), crate::unknown_name(reconstruct.find).to_owned()));
+        let basis = crate::basis_name(reconstruct.energy_basis);
+        choices.push(("reconstruct.energy_basis".to_owned(), basis.to_owned()));
+    }
+    choices
+}
+
+/// (°) clockwise, in (−180°, 180°].
+fn clock_degrees(hour: u8) -> i32 {
+    match i32::from(hour % 12) * 30 {
+        degrees @ 0..=180 => degrees,
+        degrees => degrees - 360,
+    }
+}
+
+/// What is assumed, in words.
+fn message(assumption: &Assumption, units: Units) -> String {
+    match assumption {
+        Assumption::ZUp => {
+            "z-up: y to the left of x, angles and yaw rates counter-clockwise positive".to_owned()
+        }
+        Assumption::YawRate { .. } => "0: the vehicle does not turn before the impact".to_owned(),
+        Assumption::ClassInertia { class, yaw_inertia, .. } => format!(
+            "{}, with the radius of gyration of CRASH3's size class {class}",
+            units.format(Quantity::YawInertia, *yaw_inertia)
+        ),
+        Assumption::BurgInertia { yaw_inertia, .. } => format!(
+            "{}, Burg's estimate from mass, wheelbase and length",
+            units.format(Quantity::YawInertia, *yaw_inertia)
+        ),
+        Assumption::SpeedUnused { given, .. } => format!(
+            "unknown: this is the speed to be found, and the {} that the file gives is not used",
+            units.format(Quantity::Speed, *given)
+        ),
+        Assumption::EqualSpacing { .. } => "equal: the stations divide the width into equal parts".to_owned(),
+        Assumption::EnergyWithoutCrush { g, .. } => {
+            let values: Vec<String> = g.iter().map(|&si| units.format(Quantity::StiffnessG, si)).collect();
+            format!("A²/2B (d0²/2) = {}", values.join(", "))
+        }
+        Assumption::ExactFit { .. } => "exact: the line gives the test's kinetic energy back".to_owned(),
+        Assumption::InferredWidth { .. } => {
+            "unknown: that of the measured damage, within what the vehicle's dimensions allow".to_owned()
+        }
+        Assumption::Centred { .. } => {
+            "0: the middle of the damage lies on the vehicle's axis or beside its centre of gravity"
+                .to_owned()
+        }
+        Assumption::Pdof { opposite: Some(pdof), .. } => format!(
+            "that of the impulse, where an impact is computed; for the damage alone {}, opposite to the force on the other vehicle",
+            units.format(Quantity::Angle, *pdof)
+        ),
+        Assumption::Pdof { opposite: None, .. } => {
+            "that of the impulse, where an impact is computed".to_owned()
+        }
+        Assumption::CappedCorrection { .. } => {
+            "capped: 1 + tan²α, with α at most 45°, a factor of 2".to_owned()
+        }
+        Assumption::BrachLaw => "brach".to_owned(),
+        Assumption::NoMoment => "-1: no moment impulse".to_owned(),
+        Assumption::Dissipated => {
+            "dissipated: the crush energy is what the normal impulse dissipates".to_owned()
+        }
+    }
+}

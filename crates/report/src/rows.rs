@@ -1,0 +1,162 @@
+//! Many reconstructions, a row each: as CSV for a spreadsheet, or as one JSON document a line.
+
+use analysis::Analysis;
+use case::Case;
+use serde::Serialize;
+use serde_json::Value;
+
+use crate::json::document;
+
+/// What came of one file.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<'a> {
+    /// The name of the file.
+    pub file: &'a str,
+    /// Its case and its analysis, or why there is none, in one sentence.
+    pub answer: Result<(&'a Case, &'a Analysis), &'a str>,
+}
+
+/// Why a row cannot be written; no analysis causes that.
+#[derive(Debug, thiserror::Error)]
+pub enum RowError {
+    /// Not as JSON.
+    #[error(transparent)]
+    Json(#[from] serde_json::Error),
+    /// Not as CSV.
+    #[error(transparent)]
+    Csv(#[from] csv::Error),
+}
+
+/// A column that is there once: its name and, in the JSON document, its place (RFC 6901).
+const SHARED: [(&str, &str); 23] = [
+    ("file", "/file"),
+    ("error", "/error"),
+    ("title", "/title"),
+    ("axes", "/axes"),
+    ("found.quantity", "/found/quantity"),
+    ("found.value (m/s)", "/found/value"),
+    ("found.admissible_roots", "/found/admissible_roots"),
+    ("energy_basis", "/energy_basis"),
+    ("impact.law", "/impact/law"),
+    ("impact.restitution", "/impact/restitution"),
+    ("impact.impulse_ratio", "/impact/impulse_ratio"),
+    ("impact.critical_impulse_ratio", "/impact/critical_impulse_ratio"),
+    ("impact.normal_impulse (N s)", "/impact/normal_impulse"),
+    ("impact.tangential_impulse (N s)", "/impact/tangential_impulse"),
+    ("impact.normal_velocity.before (m/s)", "/impact/normal_velocity/0"),
+    ("impact.normal_velocity.after (m/s)", "/impact/normal_velocity/1"),
+    ("impact.tangential_velocity.before (m/s)", "/impact/tangential_velocity/0"),
+    ("impact.tangential_velocity.after (m/s)", "/impact/tangential_velocity/1"),
+    ("impact.initial_energy (J)", "/impact/initial_energy"),
+    ("impact.final_energy (J)", "/impact/final_energy"),
+    ("impact.energy_loss (J)", "/impact/energy_loss"),
+    ("impact.normal_work (J)", "/impact/normal_work"),
+    ("impact.tangential_work (J)", "/impact/tangential_work"),
+];
+
+/// Columns of each vehicle: what follows `vehicle1` and `vehicle2`, and the place, in which `#` is the number of the vehicle and `%` one less.
+const VEHICLE: [(&str, &str); 22] = [
+    ("name", "/vehicle#/name"),
+    ("speed (m/s)", "/vehicle#/speed"),
+    ("velocity.x (m/s)", "/vehicle#/velocity/0"),
+    ("velocity.y (m/s)", "/vehicle#/velocity/1"),
+    ("yaw_rate (rad/s)", "/vehicle#/yaw_rate"),
+    ("final_velocity.x (m/s)", "/vehicle#/final_velocity/0"),
+    ("final_velocity.y (m/s)", "/vehicle#/final_velocity/1"),
+    ("final_yaw_rate (rad/s)", "/vehicle#/final_yaw_rate"),
+    ("delta_v (m/s)", "/vehicle#/delta_v"),
+    ("delta_v.x (m/s)", "/vehicle#/delta_v_vector/0"),
+    ("delta_v.y (m/s)", "/vehicle#/delta_v_vector/1"),
+    ("pdof (rad)", "/vehicle#/pdof"),
+    ("stiffness_source", "/vehicle#/stiffness_source"),
+    ("crush_source", "/vehicle#/crush_source"),
+    ("crush_energy (J)", "/vehicle#/crush_energy"),
+    ("ees (m/s)", "/vehicle#/ees"),
+    ("oblique_angle (rad)", "/vehicle#/oblique_angle"),
+    ("oblique_factor", "/vehicle#/oblique_factor"),
+    ("corrected_crush_energy (J)", "/vehicle#/corrected_crush_energy"),
+    ("peak_force (N)", "/vehicle#/peak_force"),
+    ("crash3.delta_v (m/s)", "/crash3/delta_v/%"),
+    ("crash3.corrected_delta_v (m/s)", "/crash3/corrected_delta_v/%"),
+];
+
+/// The last column: the codes of all warnings, with spaces between them.
+const WARNINGS: &str = "warnings";
+
+/// The columns of [`csv_row`]: names that do not change, with the unit of the values in parentheses. Columns may be added.
+#[must_use]
+pub fn csv_columns() -> Vec<String> {
+    let of_vehicle = |vehicle: usize| VEHICLE.map(|(name, _)| format!("vehicle{vehicle}.{name}"));
+    let shared = SHARED.map(|(name, _)| name.to_owned());
+    shared.into_iter().chain(of_vehicle(1)).chain(of_vehicle(2)).chain([WARNINGS.to_owned()]).collect()
+}
+
+/// The line with the names of the columns.
+///
+/// # Errors
+/// [`RowError`], which no names cause.
+pub fn csv_header() -> Result<String, RowError> {
+    line(&csv_columns())
+}
+
+/// One line of CSV (RFC 4180, but for the plain line feed at its end) under [`csv_header`]: SI units and radians, each number the shortest that reads
+/// back as the same, nothing where there is no value.
+///
+/// # Errors
+/// [`RowError`], which no analysis causes.
+pub fn csv_row(row: Row<'_>) -> Result<String, RowError> {
+    let value = value(row)?;
+    let cell = |place: &str| value.pointer(place).map(cell).unwrap_or_default();
+    let mut cells: Vec<String> = SHARED.iter().map(|(_, place)| cell(place)).collect();
+    for vehicle in [1, 2] {
+        let place =
+            |place: &str| place.replace('#', &vehicle.to_string()).replace('%', &(vehicle - 1).to_string());
+        cells.extend(VEHICLE.iter().map(|(_, of_either)| cell(&place(of_either))));
+    }
+    let warnings = value.get("warnings").and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
+    let codes: Vec<&str> =
+        warnings.iter().filter_map(|warning| warning.get("code").and_then(Value::as_str)).collect();
+    cells.push(codes.join(" "));
+    line(&cells)
+}
+
+/// One JSON document on one line: what [`json`](crate::json()) gives, with the `file` before all else; or `file` and `error`.
+///
+/// # Errors
+/// [`RowError`], which no analysis causes.
+pub fn jsonl_row(Row { file, answer }: Row<'_>) -> Result<String, RowError> {
+    let line = match answer {
+        Ok((case, analysis)) => serde_json::to_string(&document(Some(file), case, analysis))?,
+        Err(error) => serde_json::to_string(&Refused { file, error })?,
+    };
+    Ok(line + "\n")
+}
+
+#[derive(Serialize)]
+struct Refused<'a> {
+    file: &'a str,
+    error: &'a str,
+}
+
+fn value(Row { file, answer }: Row<'_>) -> Result<Value, serde_json::Error> {
+    match answer {
+        Ok((case, analysis)) => serde_json::to_value(document(Some(file), case, analysis)),
+        Err(error) => serde_json::to_value(Refused { file, error }),
+    }
+}
+
+fn cell(value: &Value) -> String {
+    match value {
+        Value::Null => String::new(),
+        Value::String(text) => text.clone(),
+        other => other.to_string(),
+    }
+}
+
+fn line(cells: &[String]) -> Result<String, RowError> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(cells)?;
+    let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
+    // What went in was text, and so is what comes out.
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}

@@ -1,0 +1,183 @@
+//! The glossary explains whatever the program can name.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::PathBuf;
+
+use analysis::{Analysis, Warning};
+use case::{Case, CaseFile};
+use report::{explain, topic, topics, topics_text};
+
+/// Every valid case of the fixtures.
+fn cases() -> Vec<CaseFile> {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
+    let mut cases = Vec::new();
+    for folder in ["", "laws", "ricsac", "no-answer"] {
+        let mut paths: Vec<PathBuf> =
+            fs::read_dir(root.join(folder)).unwrap().map(|entry| entry.unwrap().path()).collect();
+        paths.sort();
+        for path in paths.iter().filter(|path| path.extension().is_some_and(|e| e == "toml")) {
+            cases.extend(Case::parse(&path.display().to_string(), &fs::read_to_string(path).unwrap()));
+        }
+    }
+    assert!(cases.len() > 30);
+    cases
+}
+
+fn analyses(file: &CaseFile) -> impl Iterator<Item = Analysis> {
+    [analysis::reconstruct(file), analysis::impact(file), analysis::crush(file)].into_iter().flatten()
+}
+
+#[track_caller]
+fn explained(word: &str, by: &str) {
+    assert_eq!(topic(word).map(|topic| topic.name), Ok(by), "{word}");
+}
+
+#[test]
+fn every_warning_has_a_topic_of_its_own() {
+    let mut names = BTreeSet::new();
+    for code in Warning::CODES {
+        let topic = topic(code).unwrap();
+        assert_eq!(topic.group, "Warnings", "{code}");
+        assert_eq!(topic.name, code);
+        names.insert(topic.name);
+    }
+    assert_eq!(names.len(), Warning::CODES.len());
+    assert_eq!(topics().iter().filter(|topic| topic.group == "Warnings").count(), names.len());
+}
+
+#[test]
+fn every_check_has_a_topic() {
+    let mut codes = BTreeSet::new();
+    for file in cases() {
+        codes.extend(analyses(&file).flat_map(|analysis| analysis.checks).map(|check| check.code()));
+    }
+    assert!(codes.len() >= 5, "{codes:?}");
+    for code in codes {
+        assert!(topic(code).is_ok(), "{code}");
+    }
+}
+
+#[test]
+fn every_symbol_of_a_report_has_a_topic() {
+    let mut symbols = BTreeSet::new();
+    for file in cases() {
+        for analysis in analyses(&file) {
+            let groups = report::steps(&file.case, &analysis);
+            symbols.extend(groups.into_iter().flat_map(|group| group.steps).map(|step| step.symbol));
+        }
+    }
+    assert!(symbols.len() > 90, "{}", symbols.len());
+    for symbol in &symbols {
+        assert!(topic(symbol).is_ok(), "{symbol}");
+    }
+    // What the labels of the text and of the drawings name besides.
+    for symbol in [
+        "θ", "C", "Γ", "u", "U", "P", "μ", "μ_c", "n", "t", "v", "V", "ω", "Ω", "ΔV", "PDOF", "E_L", "W_n",
+        "W_t", "W_m", "E", "EBS", "α", "h", "γ", "A", "B", "G", "M", "e", "e_n", "e_t", "e_m", "ε", "EES",
+    ] {
+        assert!(topic(symbol).is_ok(), "{symbol}");
+    }
+}
+
+#[test]
+fn every_key_of_a_case_has_a_topic() {
+    // Labels, and tables whose keys are explained one by one.
+    let plain = ["title", "source", "name", "vehicle1", "vehicle2", "crush"];
+    let mut keys: BTreeSet<String> = case::keys().into_iter().collect();
+    assert!(keys.len() > 100, "{}", keys.len());
+    keys.retain(|path| !plain.contains(&path.rsplit('.').next().unwrap()));
+    // With the places in lists.
+    for file in cases() {
+        keys.extend(file.case.inputs().into_iter().map(|input| input.path));
+        keys.extend(analysis::judge(&file).assumptions.iter().map(analysis::Assumption::key));
+    }
+    let of_ranges = ["value", "values", "sd", "low", "mode", "high", "within", "confidence"];
+    let without: Vec<&str> =
+        keys.iter().map(String::as_str).chain(of_ranges).filter(|key| topic(key).is_err()).collect();
+    assert!(without.is_empty(), "{without:?}");
+}
+
+#[test]
+fn a_symbol_or_key_means_what_it_means_there() {
+    explained("u", "relative velocity");
+    explained("U", "relative velocity");
+    explained("e", "restitution");
+    explained("E", "CRASH3");
+    explained("m", "mass and weight");
+    explained("M", "moment impulse");
+    explained("t", "crush plane");
+    explained("T", "energy loss");
+    explained("Γ", "crush plane");
+    explained("γ_2", "effective mass ratio");
+    explained("C", "contact point");
+    explained("C_2", "crush depth");
+    explained("x_1", "contact point");
+    explained("x", "closing speed");
+    explained("E'_2", "oblique correction");
+    explained("ΔV''_1", "ΔV");
+    explained("S_2,1", "crush profile sums");
+    explained("k_1²", "radius of gyration");
+    explained("Ω_1", "yaw rate");
+    explained("V_1x", "relative velocity");
+    explained("vehicle1.width", "outline");
+    explained("vehicle1.crush.width", "damage width");
+    explained("vehicle1.crush.stiffness.test.width", "barrier test");
+    explained("vehicle2.crush.depths[3]", "crush depth");
+    explained("impact.friction", "friction limit");
+    explained("vehicle1.crush.oblique.friction", "oblique correction");
+    explained("force balance", "force balance");
+    explained("force-balance", "force-balance");
+    explained("crush-plane", "crush-plane");
+    explained("Crush plane", "crush plane");
+    explained("Sobol index", "Sobol' index");
+    explained("Energy Basis", "energy basis");
+    for equation in 1..=8 {
+        assert!(topic(&format!("Eq {equation}")).is_ok(), "Eq {equation}");
+    }
+}
+
+#[test]
+fn names_are_unique_and_texts_are_short_and_cite_their_source() {
+    let mut names = BTreeSet::new();
+    for topic in topics() {
+        for name in std::iter::once(&topic.name).chain(&topic.aliases) {
+            assert!(names.insert(*name), "{name} stands twice");
+        }
+        let words = topic.text.split_whitespace().count();
+        assert!((40..=120).contains(&words), "{}: {words} words", topic.name);
+        let cites = ["Theory ", "theory ", "`deltav ", "`--method ", "JCGM", "warning", "measure"];
+        assert!(cites.iter().any(|source| topic.text.contains(source)), "{}", topic.name);
+    }
+}
+
+#[test]
+fn an_unknown_topic_names_its_neighbours() {
+    let error = topic("crush plain").unwrap_err();
+    assert_eq!(error.nearest.first(), Some(&"crush plane"));
+    assert!(error.to_string().contains("did you mean \"crush plane\""));
+    // A topic of several names is named once.
+    let near: BTreeSet<&str> = error.nearest.iter().map(|name| topic(name).unwrap().name).collect();
+    assert_eq!(near.len(), error.nearest.len(), "{error}");
+    // A part of a name is enough to be reminded of it.
+    assert!(topic("hypercub").unwrap_err().nearest.contains(&"Latin hypercube"));
+    assert_eq!(topic("xyzzy").unwrap_err().nearest, [""; 0]);
+    assert!(topic("").is_err());
+}
+
+#[test]
+fn lines_fit_and_equations_keep_theirs() {
+    for topic in topics() {
+        let text = explain(topic, 80);
+        assert!(text.starts_with(topic.name) && text.ends_with('\n'));
+        for line in text.lines().filter(|line| !line.starts_with("    ")) {
+            assert!(line.chars().count() <= 80, "{line}");
+        }
+    }
+    let text = explain(topic("EES").unwrap(), 60);
+    assert!(text.contains("\n    EES = √(2 E/m)\n"), "{text}");
+    let list = topics_text(80);
+    assert!(topics().iter().all(|topic| list.replace('\n', " ").contains(topic.name)));
+}
