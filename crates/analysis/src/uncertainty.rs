@@ -485,5 +485,4 @@ fn beside(angle: f64, other: f64) -> f64 {
 }
 
 #[cfg(test)]
-#[expect(clippy::unwrap_used, reason = "helpers of tests fail by panicking")]
 mod tests;

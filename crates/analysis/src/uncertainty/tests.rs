@@ -66,7 +66,7 @@ fn shapes() -> Vec<(&'static str, String)> {
     vec![
         ("as it is", UNCERTAIN.to_owned()),
         ("absorbed", changed(&[("\"dissipated\"", "\"absorbed\"")])),
-        ("z-down", format!("{}\n[scene]\naxes = \"z-down\"\n", UNCERTAIN)),
+        ("z-down", format!("{UNCERTAIN}\n[scene]\naxes = \"z-down\"\n")),
         (
             "mass, radius, forward and left, velocity, yaw rate",
             changed(&[
