@@ -48,8 +48,11 @@ fn judge(file: &CaseFile, result: Result<Analysis, Failure>) {
     let value: Value = serde_json::from_str(&json).expect("what is written as JSON is JSON");
     // serde_json writes what is not finite as null.
     assert!(!has_null(&value), "not finite:\n{json}");
-    let page = report::html(file, &analysis, Vec::new(), Units::Us).expect("an analysis can be drawn");
-    assert_finite(file, &page);
+    // The drawings take as long as a hundred analyses.
+    if file.source.text().len() % 16 == 0 {
+        let page = report::html(file, &analysis, Vec::new(), Units::Us).expect("an analysis can be drawn");
+        assert_finite(file, &page);
+    }
 }
 
 /// No word of the text is a number that is none, unless the file itself has that word.
