@@ -110,10 +110,19 @@ fn profiles_and_zones_without_end_are_refused_soon() {
         ("depths in one text", filled(&crush("depths = \""), "1 ", &format!("in\"{tail}"))),
         ("depths one by one", filled(&crush("depths = ["), "\"1 in\",", &format!("]{tail}"))),
         ("depths without units", filled(&crush("depths = ["), "1,", &format!("]{tail}"))),
-        ("ranges", filled(&crush("depths = ["), "{ low = \"19 in\", high = \"21 in\" },", &format!("]{tail}"))),
-        ("zones", filled(&crush("depths = \"1 2 in\"\nstiffness = { zones = ["), zone, &format!("] }}{tail}"))),
+        (
+            "ranges",
+            filled(&crush("depths = ["), "{ low = \"19 in\", high = \"21 in\" },", &format!("]{tail}")),
+        ),
+        (
+            "zones",
+            filled(&crush("depths = \"1 2 in\"\nstiffness = { zones = ["), zone, &format!("] }}{tail}")),
+        ),
         ("zones of nothing", filled(&crush("stiffness = { zones = ["), "{},", &format!("] }}{tail}"))),
-        ("zones with wrong keys", filled(&crush("stiffness = { zones = ["), "{a=1},", &format!("] }}{tail}"))),
+        (
+            "zones with wrong keys",
+            filled(&crush("stiffness = { zones = ["), "{a=1},", &format!("] }}{tail}")),
+        ),
         ("zones that are numbers", filled(&crush("stiffness = { zones = ["), "1,", &format!("] }}{tail}"))),
     ] {
         assert!(soon(name, &text).is_err(), "{name}: accepted");
