@@ -283,11 +283,18 @@ fn write(path: Option<&Path>, output: impl AsRef<[u8]>) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
+    use std::{fs, io};
+
+    use case::Case;
 
     use crate::arguments::{PageFormat, ValidateArguments};
 
-    use super::{NO_ANSWER, lead_and_status, show};
+    use super::{NO_ANSWER, lead_and_status, read_at_most, show};
+
+    #[test]
+    fn a_source_without_end_is_left_after_one_byte_too_many() {
+        assert_eq!(read_at_most(io::repeat(b'x')).unwrap().len(), Case::LARGEST_FILE + 1);
+    }
 
     #[test]
     fn a_claim_that_fails_ends_with_status_1_after_the_page_is_written() {
