@@ -116,6 +116,23 @@ fn the_normal_velocity_is_reversed_by_the_restitution() {
     });
 }
 
+/// K, which turns impulses into the motion of C, against the motions of the vehicles themselves.
+#[test]
+fn the_contact_moves_after_the_impact_as_the_vehicles_do() {
+    for_all(5000, 0.7, scene(), |scene| {
+        let Some((outcome, effects, scale)) = impact(&scene) else { return false };
+        let contact = scene.contact();
+        let before = contact.approach(&scene.motions());
+        let after = contact.inverse_mass().separation(before, outcome.impulse, outcome.moment_impulse);
+        let [w1, w2] = effects.yaw_rates;
+        let size = scale.yaw_rates[0] + scale.yaw_rates[1];
+        assert_close("Ω₁ − Ω₂", after.spin, w1 - w2, size * ROUNDING);
+        assert_close("U_n", after.velocity.normal, effects.separation[0], scale.velocity * ROUNDING);
+        assert_close("U_t", after.velocity.tangential, effects.separation[1], scale.velocity * ROUNDING);
+        true
+    });
+}
+
 #[test]
 fn the_impulse_ratio_is_the_one_asked_for() {
     for_all(20_000, 0.7, scene(), |scene| {

@@ -21,6 +21,8 @@ mod invariants;
 #[cfg(test)]
 mod laws;
 #[cfg(test)]
+mod licences;
+#[cfg(test)]
 mod line_of_action;
 #[cfg(test)]
 mod oracle;

@@ -35,6 +35,7 @@
 //! # The file
 //!
 //! A dimensioned value is a string with its unit; a plain number is dimensionless. Unknown keys are errors.
+//! A file may have [`Case::LARGEST_FILE`] bytes, and a list 10,000 values.
 //!
 //! | table | keys |
 //! |---|---|

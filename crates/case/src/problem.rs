@@ -14,8 +14,8 @@ use crate::units::Dimension;
 #[expect(missing_docs, reason = "the fields carry the names of what the sentence above them says")]
 pub enum Problem {
     /// The file is too large to be a case.
-    #[error("the file has {bytes} bytes, more than the {limit} a case file may have")]
-    TooLarge { bytes: usize, limit: usize },
+    #[error("the file has more than the {limit} bytes that a case file may have")]
+    TooLarge { limit: usize },
     /// Not TOML.
     #[error("this is not valid TOML: {message}")]
     Syntax { message: String },

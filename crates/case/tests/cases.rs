@@ -855,18 +855,17 @@ fn a_misspelt_key_is_not_missing_as_well() {
 }
 
 #[test]
-fn a_file_of_ten_megabytes_is_read_and_a_larger_one_is_not() {
+fn a_file_of_a_megabyte_is_read_and_a_larger_one_is_not() {
     let padded = |length: usize| format!("{OTHER_FORMS}#{}", "x".repeat(length - OTHER_FORMS.len() - 1));
-    assert!(Case::parse("case.toml", &padded(10_000_000)).is_ok());
-    let found = problems(&padded(10_000_001));
-    assert_eq!(found, [Problem::TooLarge { bytes: 10_000_001, limit: 10_000_000 }]);
+    assert!(Case::parse("case.toml", &padded(1_000_000)).is_ok());
+    assert_eq!(problems(&padded(1_000_001)), [Problem::TooLarge { limit: 1_000_000 }]);
 }
 
 /// What is quick for a word of ten letters can be quadratic in its length.
 #[test]
 fn a_megabyte_of_one_value_is_refused_at_once() {
     let unit =
-        |part: &str| format!("[vehicle1]\nmass = \"1 {}\"\n[vehicle2]", part.repeat(1_000_000 / part.len()));
+        |part: &str| format!("[vehicle1]\nmass = \"1 {}\"\n[vehicle2]", part.repeat(900_000 / part.len()));
     for text in [unit("√("), unit("√"), unit("sqrt(a)"), unit("lb "), unit("x")] {
         assert!(matches!(
             problems(&text)[..],
@@ -875,11 +874,11 @@ fn a_megabyte_of_one_value_is_refused_at_once() {
             )]
         ));
     }
-    let count = 500_000;
+    let count = 450_000;
     let depths =
         OTHER_FORMS.replace("[\"0 cm\", \"100 mm\", \"0.1 m\"]", &format!("\"{}cm\"", "1 ".repeat(count)));
-    assert!(matches!(problems(&depths)[..], [Problem::TooMany { count: 500_000, .. }]));
-    let key = format!("{} = 1\n[vehicle1]\n[vehicle2]", "k".repeat(1_000_000));
+    assert!(matches!(problems(&depths)[..], [Problem::TooMany { count: 450_000, .. }]));
+    let key = format!("{} = 1\n[vehicle1]\n[vehicle2]", "k".repeat(900_000));
     assert!(matches!(problems(&key)[..], [Problem::UnknownKey { nearest: None, .. }]));
 }
 

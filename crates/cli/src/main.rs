@@ -308,17 +308,29 @@ fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
     }
 }
 
+/// One byte more than a case may have is enough to refuse it; a device or a pipe may have no end.
+fn read_at_most(source: impl io::Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    source.take(Case::LARGEST_FILE as u64 + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
 /// The name to show in messages, and the text.
 fn read(path: &Path) -> Result<(String, String)> {
     let (name, bytes) = if path == Path::new("-") {
-        let mut bytes = Vec::new();
-        io::stdin().read_to_end(&mut bytes).context("cannot read the case from standard input")?;
+        let bytes = read_at_most(io::stdin()).context("cannot read the case from standard input")?;
         ("standard input".to_owned(), bytes)
     } else {
         let name = path.display().to_string();
-        let bytes = fs::read(path).with_context(|| format!("cannot read the case file {name}"))?;
+        let bytes = fs::File::open(path)
+            .and_then(read_at_most)
+            .with_context(|| format!("cannot read the case file {name}"))?;
         (name, bytes)
     };
+    if bytes.len() > Case::LARGEST_FILE {
+        // Cut off, perhaps within a letter. The case refuses it for its length, whatever is in it.
+        return Ok((name, String::from_utf8_lossy(&bytes).into_owned()));
+    }
     let text = String::from_utf8(bytes).map_err(|error| {
         let place = error.utf8_error().valid_up_to();
         anyhow::anyhow!("{name} is not a text file in UTF-8: byte {place} is the first that does not fit; save it as UTF-8")
@@ -342,11 +354,18 @@ fn write(path: Option<&Path>, output: impl AsRef<[u8]>) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
+    use std::{fs, io};
+
+    use case::Case;
 
     use crate::arguments::{PageFormat, ValidateArguments};
 
-    use super::{NO_ANSWER, lead_and_status, show};
+    use super::{NO_ANSWER, lead_and_status, read_at_most, show};
+
+    #[test]
+    fn a_source_without_end_is_left_after_one_byte_too_many() {
+        assert_eq!(read_at_most(io::repeat(b'x')).unwrap().len(), Case::LARGEST_FILE + 1);
+    }
 
     #[test]
     fn a_claim_that_fails_ends_with_status_1_after_the_page_is_written() {

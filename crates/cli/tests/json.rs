@@ -395,6 +395,16 @@ fn the_impact_names_its_law_and_what_the_law_adds() {
     }
 }
 
+/// To stop the contact point along the wall takes a pull: there is no critical ratio, and JSON has no key for it.
+#[test]
+fn where_there_is_no_critical_ratio_its_key_is_left_out() {
+    let document = json("reconstruct", include_str!("../../../fixtures/no-answer/only-with-friction.toml"));
+    assert_no_null(&document);
+    let impact = document["impact"].as_object().unwrap();
+    assert!(!impact.contains_key("critical_impulse_ratio"));
+    assert!(impact.contains_key("impulse_ratio"));
+}
+
 #[test]
 fn the_moment_impulse_changes_the_yaw_rates_and_takes_its_share() {
     let document = law("moment");

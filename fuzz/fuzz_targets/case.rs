@@ -1,0 +1,72 @@
+//! Whatever is in a file, it ends in an error that can be shown or in a case; what a case gives is finite.
+#![no_main]
+
+use analysis::{Analysis, Failure};
+use case::{Case, CaseFile};
+use libfuzzer_sys::fuzz_target;
+use report::Units;
+use serde_json::Value;
+
+fuzz_target!(|data: &[u8]| {
+    let Ok(text) = std::str::from_utf8(data) else { return };
+    match Case::parse("case.toml", text) {
+        Ok(file) => {
+            read_back(&file);
+            for analyse in [analysis::reconstruct, analysis::impact, analysis::crush] {
+                judge(&file, analyse(&file));
+            }
+        }
+        Err(diagnostics) => {
+            assert!(!diagnostics.list().is_empty(), "refused without a reason");
+            assert!(!diagnostics.to_string().is_empty());
+        }
+    }
+});
+
+/// A case that is written is the same case when it is read.
+fn read_back(file: &CaseFile) {
+    let written = file.case.to_toml();
+    match Case::parse("written.toml", &written) {
+        Ok(again) => assert_eq!(again.case, file.case, "written as\n{written}"),
+        Err(diagnostics) => panic!("what was written is refused:\n{diagnostics}"),
+    }
+}
+
+fn judge(file: &CaseFile, result: Result<Analysis, Failure>) {
+    let analysis = match result {
+        Ok(analysis) => analysis,
+        Err(failure) => {
+            assert!(!failure.to_string().is_empty());
+            return;
+        }
+    };
+    for units in [Units::Us, Units::Si] {
+        let text = report::text(&file.case, &analysis, units);
+        assert_finite(file, &text);
+    }
+    let json = report::json(&file.case, &analysis).expect("an analysis is JSON");
+    let value: Value = serde_json::from_str(&json).expect("what is written as JSON is JSON");
+    // serde_json writes what is not finite as null.
+    assert!(!has_null(&value), "not finite:\n{json}");
+    // The drawings take as long as a hundred analyses.
+    if file.source.text().len() % 16 == 0 {
+        let page = report::html(file, &analysis, Vec::new(), Units::Us).expect("an analysis can be drawn");
+        assert_finite(file, &page);
+    }
+}
+
+/// No word of the text is a number that is none, unless the file itself has that word.
+fn assert_finite(file: &CaseFile, text: &str) {
+    let is_bad = |word: &str| matches!(word, "NaN" | "inf");
+    let has_bad = |text: &str| text.split(|c: char| !c.is_alphanumeric()).any(is_bad);
+    assert!(has_bad(file.source.text()) || !has_bad(text), "not finite:\n{text}");
+}
+
+fn has_null(value: &Value) -> bool {
+    match value {
+        Value::Null => true,
+        Value::Array(list) => list.iter().any(has_null),
+        Value::Object(map) => map.values().any(has_null),
+        Value::Bool(_) | Value::Number(_) | Value::String(_) => false,
+    }
+}
