@@ -70,7 +70,7 @@ fn heading(schema: &Schema) -> String {
     if std::ptr::eq(schema, &TOP) { "Above the first table".to_owned() } else { schema.place.to_owned() }
 }
 
-/// The link to it: GitHub and mdBook make anchors alike.
+/// The link to it, as GitHub makes them.
 fn link(schema: &Schema) -> String {
     let anchor: String = heading(schema)
         .to_lowercase()
