@@ -2,7 +2,7 @@
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 
-use case::{Case, Dimension, Diagnostics, Input};
+use case::{Case, Diagnostics, Dimension, Input};
 
 /// The number, followed by its unit of the SI.
 fn in_si(input: &Input) -> String {

@@ -4,5 +4,8 @@
 fn transcripts() {
     // These commands are run where their readers run them.
     std::env::set_current_dir("../..").unwrap();
-    trycmd::TestCases::new().case("README.md").case("docs/guide/*.md").case("crates/cli/tests/transcripts/*.md");
+    trycmd::TestCases::new()
+        .case("README.md")
+        .case("docs/guide/*.md")
+        .case("crates/cli/tests/transcripts/*.md");
 }

@@ -16,7 +16,12 @@ pub(crate) fn main() -> Result<(), CrushError> {
     let mean = test.fit_mean()?;
     for (name, stiffness) in [("exact", &exact), ("mean", &mean)] {
         let share = crush_energy(&profile, stiffness) / kinetic_energy;
-        println!("{name}: A {:.0} N/m, B {:.0} N/m², energy {:.4} of the test's", stiffness.a(), stiffness.b(), share);
+        println!(
+            "{name}: A {:.0} N/m, B {:.0} N/m², energy {:.4} of the test's",
+            stiffness.a(),
+            stiffness.b(),
+            share
+        );
     }
     assert!((crush_energy(&profile, &exact) / kinetic_energy - 1.0).abs() < 1e-12);
     assert!(crush_energy(&profile, &mean) > kinetic_energy);

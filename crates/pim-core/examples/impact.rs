@@ -28,9 +28,17 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
 
     for (i, (after, delta_v)) in outcome.after.iter().zip(outcome.delta_v_magnitude()).enumerate() {
         let (x, y) = (after.velocity.x / foot, after.velocity.y / foot);
-        println!("vehicle {}: V ({x:.1}, {y:.1}) ft/s, Ω {:.1} rad/s, ΔV {delta_v:.2} m/s", i + 1, after.yaw_rate);
+        println!(
+            "vehicle {}: V ({x:.1}, {y:.1}) ft/s, Ω {:.1} rad/s, ΔV {delta_v:.2} m/s",
+            i + 1,
+            after.yaw_rate
+        );
     }
-    println!("energy loss {:.0} J, {:.1} %", outcome.energy.loss, 100.0 * outcome.energy.loss / outcome.energy.before);
+    println!(
+        "energy loss {:.0} J, {:.1} %",
+        outcome.energy.loss,
+        100.0 * outcome.energy.loss / outcome.energy.before
+    );
 
     // What the paper prints: −35.3 ft/s, −4.0 rad/s; −37.3 ft/s, 4.1 rad/s; 41.4 %.
     let [jimmy, altima] = &outcome.after;
