@@ -15,8 +15,8 @@ that list. `deltav explain KEY` says more about a key, and [how-do-i.md](how-do-
 - The file is TOML. A number with a dimension is a text with its unit, `\"6.3 ft\"`; a number without one is bare, `0.3`.
 - A key that a table does not have is an error, which names the nearest one.
 - Any number can be a [range](#a-range). Several values stand in one text, `\"21.3 20.3 in\"`, or in a list, `[\"21.3 in\", \"20.3 in\"]`.
-- *If left out*: **needed** where the table cannot do without, else what holds then. A dash means that nothing is assumed: a command that needs the key says
-  so, and `deltav check` says it for all commands at once.
+- *If left out*: **needed** where the table cannot do without, else what holds then. At a dash the text says it, or nothing stands in for the value: `deltav check`
+  lists what is assumed, and what is missing for which command.
 ";
 
 /// What a value looks like.
@@ -59,7 +59,7 @@ fn within(bounds: Bounds) -> &'static str {
         Bounds::NotNegative => ", 0 or more",
         Bounds::Positive => ", more than 0",
         Bounds::Share => ", 0 to 1",
-        Bounds::BelowOne => ", 0 to less than 1",
+        Bounds::BelowOne => ", 0 to 1; a range less than 1",
         Bounds::Coefficient => ", -1 to 1",
         Bounds::Acute => ", less than 90° to either side",
     }
