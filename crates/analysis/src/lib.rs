@@ -20,6 +20,8 @@
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
 //! [`Warning`]s. A [`Failure`] says whether the file or the physics is to blame.
 //!
+//! `examples/reconstruct.rs` reconstructs a file and lists its warnings, `examples/influence.rs` ranks its numbers.
+//!
 //! # What it does not do
 //!
 //! It adds no equation: those stand in `pim-core`, `crash3` and `reconcile`. It reads no file and writes no text (`case`, `report`).

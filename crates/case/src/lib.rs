@@ -141,6 +141,8 @@
 //! # Ok::<(), String>(())
 //! ```
 //!
+//! `examples/convert.rs` reads a case, turns its numbers into SI, changes one and writes the case again.
+//!
 //! # What it does not do
 //!
 //! No equations, no files, no defaults beyond those named above, no arithmetic with units: a unit that is not in the

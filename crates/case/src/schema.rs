@@ -894,3 +894,6 @@ impl Schema {
         (!places.is_empty()).then(|| join(&places, "or"))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -39,6 +39,8 @@
 //! | `moment_arm` | h | distance from the CG to the force's line of action | m |
 //! | `effective_mass_ratio` | γ | k²/(k² + h²) | – |
 //!
+//! `examples/damage.rs` goes from depths to energy and ΔV, `examples/barrier_test.rs` from a test to a stiffness.
+//!
 //! # What it does not do
 //!
 //! It finds no direction of force: the PDOF is an input (`pim-core` computes it from impulse and momentum). It knows no units

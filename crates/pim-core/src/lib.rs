@@ -57,6 +57,8 @@
 //! [`Law`] has the table: each row's two conditions, its source, when it fits, and what it assumes of the tangential direction. Where restitution depends on
 //! the closing speed, a [`RestitutionCurve`] gives the law its coefficient.
 //!
+//! `examples/impact.rs` is the paper's impact forward, `examples/laws.rs` one geometry under several laws.
+//!
 //! # What it does not do
 //!
 //! No crush (see `crash3`), no search for an unknown speed (see `reconcile`), no motion before or after the impact,

@@ -12,9 +12,9 @@
 //!     vx * cos + vy * sin
 //! }
 //!
-//! // A 3-4-5 triangle: a vehicle that points where it moves has all of its speed along its axis.
-//! let heading = Real::atan2(4.0, 3.0);
-//! assert!((forward_speed(3.0, 4.0, heading) - 5.0).abs() < 1e-15);
+//! // SAE 980025, appendix: the Altima moved with (5.7, 13.5) ft/s and pointed to 67°. Its speed was 10 mph, 14.67 ft/s.
+//! let speed = forward_speed(5.7, 13.5, 67_f64.to_radians());
+//! assert!((speed - 14.67).abs() < 0.05 * (1.0 + 1.0)); // both components are printed to 0.1 ft/s
 //! ```
 //!
 //! # Items
@@ -39,6 +39,8 @@
 //! On a plain `f64`, `x.sin_cos()` and `y.atan2(x)` are the *standard library's* methods, even where [`Real`] is in scope: inherent
 //! methods win, and so do `f64::min` and `f64::max`, which lose a NaN. Inside a function generic over `T: Real` the same
 //! spelling is ours. Where the type is `f64`, write `Real::sin_cos(x)` or [`elementary::sin_cos`]`(x)`.
+//!
+//! `examples/derivative.rs` differentiates a formula.
 //!
 //! # What it does not do
 //!

@@ -31,6 +31,8 @@
 //! - [`Problem::residual`] gives the exact derivatives of a root, on numbers that carry their derivative.
 //! - Nothing is allocated.
 //!
+//! `examples/speed.rs` finds the paper's speed on both energy bases.
+//!
 //! # What it does not do
 //!
 //! It finds one speed along a heading, from the energy alone. It does not measure crush (see `crash3`), nor does it use

@@ -42,6 +42,8 @@
 //!
 //! Of many cases, [`csv_row`] under [`csv_header`] gives a line each for a spreadsheet, and [`jsonl_row`] for a program.
 //!
+//! `examples/text_and_drawing.rs` goes from a file to a text and a drawing.
+//!
 //! # What it does not do
 //!
 //! It computes nothing that the analysis does not hold, but the sums that a step of the report shows on the way. No terminal, no files.

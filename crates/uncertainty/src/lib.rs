@@ -49,6 +49,8 @@
 //!
 //! With the feature `parallel`, the work is shared among the threads of rayon's current pool: `ThreadPool::install` chooses another.
 //!
+//! `examples/propagate.rs` sends ranges through a function and compares with the propagation by hand.
+//!
 //! # What it does not do
 //!
 //! Inputs do not depend on each other. A uniform or triangular distribution is not cut: choose its bounds where they make sense. Sobol' points

@@ -1,0 +1,18 @@
+//! The examples run, and their numbers hold.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+#[path = "../examples/barrier_test.rs"]
+mod barrier_test;
+#[path = "../examples/damage.rs"]
+mod damage;
+
+#[test]
+fn the_barrier_test_example_runs() {
+    barrier_test::main().unwrap();
+}
+
+#[test]
+fn the_damage_example_runs() {
+    damage::main().unwrap();
+}

@@ -1,0 +1,29 @@
+//! A case to a report as text and a plan view as SVG: what a program of one's own needs of the whole workspace.
+
+#![allow(clippy::print_stdout, reason = "an example shows its result")]
+
+use std::error::Error;
+
+use case::Case;
+use report::{Subject, Units};
+
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+    // SAE 980025, appendix.
+    let file = Case::parse("sae-980025.toml", include_str!("../../../fixtures/sae-980025.toml"))?;
+    let analysis = analysis::reconstruct(&file)?;
+
+    let text = report::text(&file.case, &analysis, Units::Si);
+    for line in text.lines().take(5) {
+        println!("{line}");
+    }
+    for warning in &analysis.warnings {
+        println!("{}", report::message(warning, Units::Si, file.case.axes));
+    }
+    // The paper finds 22.9 m/s.
+    assert!(text.contains("Speed of vehicle 1: 22.87 m/s"));
+
+    let scene = report::drawing(&file, &analysis, Units::Si, Subject::Scene)?;
+    println!("{} bytes of SVG: {}", scene.svg().len(), scene.title());
+    assert!(scene.svg().starts_with("<svg") && scene.svg().contains("GMC Jimmy"));
+    Ok(())
+}
