@@ -69,7 +69,7 @@ struct ImpactBlock {
     regime: Option<&'static str>,
     restitution: f64,
     impulse_ratio: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// `null` where no push, however rough the surfaces, could end the sliding.
     critical_impulse_ratio: Option<f64>,
     normal_impulse: f64,
     tangential_impulse: f64,
