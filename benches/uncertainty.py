@@ -3,11 +3,8 @@
 
     python3 benches/uncertainty.py [SAMPLES]
 
-Needs NumPy. Draws all 31 numbers, solves each sample in closed form (docs/theory.md, sections 2 to 5) and prints mean, standard deviation, median and the
-ends of the 50, 90, 95 and 99 % intervals of the same nine outputs. Its time is to be compared with that of the whole program:
-
-    time python3 benches/uncertainty.py 1000000
-    time deltav uncertainty fixtures/sae-980025-uncertain.toml --samples 1000000 --threads 1
+Needs NumPy 2. Draws all 31 numbers, solves each sample in closed form (docs/theory.md, sections 2 to 5) and prints mean, standard deviation, median and the
+ends of the 50, 90, 95 and 99 % intervals of the same nine outputs. benches/README.md says what to compare.
 """
 
 import os

@@ -1,6 +1,6 @@
 //! Every dependency has a licence that `deny.toml` allows, and comes from crates.io.
 //!
-//! cargo-deny checks the same and more, but takes many minutes to build; this needs cargo alone.
+//! cargo-deny checks the same and more, but has to be installed; this needs cargo alone.
 
 use std::collections::BTreeSet;
 use std::fs;

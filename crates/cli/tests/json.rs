@@ -398,7 +398,8 @@ fn the_impact_names_its_law_and_what_the_law_adds() {
 /// To stop the contact point along the wall takes a pull: there is no critical ratio, and its key says so. Nothing else is null.
 #[test]
 fn where_there_is_no_critical_ratio_its_key_is_null() {
-    let mut document = json("reconstruct", include_str!("../../../fixtures/no-answer/only-with-friction.toml"));
+    let mut document =
+        json("reconstruct", include_str!("../../../fixtures/no-answer/only-with-friction.toml"));
     let impact = document["impact"].as_object_mut().unwrap();
     assert_eq!(impact.remove("critical_impulse_ratio"), Some(Value::Null));
     assert_no_null(&document);
