@@ -13,6 +13,8 @@
 //! [`Claim`]. What is claimed and fails is listed by [`Validation::failures`]; what is known not to come out carries its reason, and a misprint of
 //! the paper its [`Erratum`]. [`ErrorRate`] says how far computed velocities are from true ones.
 //!
+//! `examples/error_rate.rs` prints how far off each reconstructed speed is.
+//!
 //! # What the comparison is worth
 //!
 //! e and μ of SAE 871993 were fitted to these very tests, and the distances d_1 and d_2 were solved back from the paper's numbers. So the PIM rows
