@@ -301,13 +301,10 @@ fn converted(input: &Input, system: UnitSystem) -> (f64, Option<&'static Unit>) 
 
 /// Six digits are more than any input has, and zeros at the end say nothing.
 fn shown((value, unit): (f64, Option<&'static Unit>)) -> String {
-    let digits = significant(value, 6);
-    let digits = match digits.contains('.') && !digits.contains('e') {
-        true => digits.trim_end_matches('0').trim_end_matches('.'),
-        false => &digits,
-    };
-    let digits = if digits == "-0" { "0" } else { digits };
-    unit.map_or_else(|| digits.to_owned(), |unit| format!("{digits} {unit}"))
+    // Through the text of six digits: the shortest decimal that reads back as it has no zeros at its end and no exponent.
+    let rounded = format!("{value:.5e}").parse().unwrap_or(value);
+    let digits = if rounded == 0.0 { "0".to_owned() } else { rounded.to_string() };
+    unit.map_or_else(|| digits.clone(), |unit| format!("{digits} {unit}"))
 }
 
 /// What the file says in words and whole numbers, key by key.
