@@ -63,31 +63,30 @@ fn shapes() -> Vec<(&'static str, String)> {
     let a_b_g = "stiffness = { A = { value = \"140 lb/in\", sd = \"10 lb/in\" }, B = \"42 psi\", G = { value = \"233 lb\", sd = \"9 lb\" } }";
     let d_g = "stiffness = { d0 = \"30 lb^0.5\", d1 = { value = \"77.5 lb^0.5/ft\", sd = \"5 lb^0.5/ft\" }, G = { value = \"450 lb\", sd = \"9 lb\" } }";
     let speed = "speed       = { low = \"8 mph\", mode = \"10 mph\", high = \"12 mph\" }";
+    let otherwise = changed(&[
+        (
+            "weight      = { value = \"3413 lb\", sd = \"50 lb\" }",
+            "mass = { value = \"1548 kg\", sd = \"20 kg\" }",
+        ),
+        (
+            "yaw_inertia = { value = \"2165 lb ft s^2\", within = \"10 %\", confidence = 0.95 }",
+            "yaw_radius = { value = \"1.38 m\", sd = \"0.05 m\" }",
+        ),
+        (
+            "contact     = { distance = { value = \"3.8 ft\", sd = \"3 in\" }, angle = { value = \"-39 deg\", sd = \"3 deg\" } }",
+            "contact = { x = { value = \"0.9 m\", sd = \"5 cm\" }, y = \"-0.73 m\" }",
+        ),
+        (
+            speed,
+            "velocity = { x = { value = \"1.7 m/s\", sd = \"0.2 m/s\" }, y = { value = \"4.1 m/s\", sd = \"0.3 m/s\" } }\nyaw_rate = { value = \"10 deg/s\", sd = \"20 deg/s\" }",
+        ),
+    ]);
     vec![
         ("as it is", UNCERTAIN.to_owned()),
         ("absorbed", changed(&[("\"dissipated\"", "\"absorbed\"")])),
         ("z-down", format!("{UNCERTAIN}\n[scene]\naxes = \"z-down\"\n")),
-        (
-            "mass, radius, forward and left, velocity, yaw rate",
-            changed(&[
-                (
-                    "weight      = { value = \"3413 lb\", sd = \"50 lb\" }",
-                    "mass = { value = \"1548 kg\", sd = \"20 kg\" }",
-                ),
-                (
-                    "yaw_inertia = { value = \"2165 lb ft s^2\", within = \"10 %\", confidence = 0.95 }",
-                    "yaw_radius = { value = \"1.38 m\", sd = \"0.05 m\" }",
-                ),
-                (
-                    "contact     = { distance = { value = \"3.8 ft\", sd = \"3 in\" }, angle = { value = \"-39 deg\", sd = \"3 deg\" } }",
-                    "contact = { x = { value = \"0.9 m\", sd = \"5 cm\" }, y = \"-0.73 m\" }",
-                ),
-                (
-                    speed,
-                    "velocity = { x = { value = \"1.7 m/s\", sd = \"0.2 m/s\" }, y = { value = \"4.1 m/s\", sd = \"0.3 m/s\" } }\nyaw_rate = { value = \"10 deg/s\", sd = \"20 deg/s\" }",
-                ),
-            ]),
-        ),
+        ("mass, radius, x and y, velocity, yaw rate", otherwise.clone()),
+        ("the same, z-down", format!("{otherwise}\n[scene]\naxes = \"z-down\"\n")),
         ("A, B", changed(&[(stiffness, a_b)])),
         ("A, B, G", changed(&[(stiffness, a_b_g)])),
         ("d0, d1, G", changed(&[(stiffness, d_g)])),
