@@ -530,46 +530,54 @@ pub(crate) static VELOCITY: Schema = Schema {
     rules: &[Rule::Needs(&["x", "y"])],
 };
 
+// The keys of a straight line of force over crush: of a whole side, or of one zone.
+const STIFFNESS_A: Key = key(
+    "A",
+    "A = \"587 N/cm\"",
+    Form::Quantity(Dimension::StiffnessA, NOT_NEGATIVE),
+    "Stiffness A. Force per width at which crush begins.",
+);
+const STIFFNESS_B: Key = key(
+    "B",
+    "B = \"63.3 N/cm^2\"",
+    Form::Quantity(Dimension::StiffnessB, NOT_NEGATIVE),
+    "Stiffness B. Force per width and depth; zero only beside `G`.",
+);
+const STIFFNESS_D0: Key = key(
+    "d0",
+    "d0 = \"35 lb^0.5\"",
+    Form::Quantity(Dimension::RootForce, NOT_NEGATIVE),
+    "Coefficient d0 = A/√B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises in a straight line over the crush C.",
+);
+const STIFFNESS_D1: Key = key(
+    "d1",
+    "d1 = \"115 lb^0.5/ft\"",
+    Form::Quantity(Dimension::RootForcePerLength, POSITIVE),
+    "Coefficient d1 = √B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises in a straight line over the crush C.",
+);
+const STIFFNESS_G: Key = key(
+    "G",
+    "G = \"612 lb\"",
+    Form::Quantity(Dimension::StiffnessG, NOT_NEGATIVE),
+    "Stiffness G. Energy per width that leaves no crush; A²/2B where absent.",
+);
+const STIFFNESS_LIMIT: Key = key(
+    "limit",
+    "limit = \"250 kN/m\"",
+    Form::Quantity(Dimension::StiffnessA, NOT_NEGATIVE),
+    "Force per width beyond which the force no longer rises. Left out where that is not known.",
+);
+
 pub(crate) static STIFFNESS: Schema = Schema {
     place: "stiffness = { … } of a crush table",
     text: "Stiffness of the damaged side. `A` and `B`, or `d0` and `d1`, or a `category` of CRASH3, or a barrier `test`, or `zones`.",
     keys: &[
-        key(
-            "A",
-            "A = \"587 N/cm\"",
-            Form::Quantity(Dimension::StiffnessA, NOT_NEGATIVE),
-            "Stiffness A. Force per width at which crush begins.",
-        ),
-        key(
-            "B",
-            "B = \"63.3 N/cm^2\"",
-            Form::Quantity(Dimension::StiffnessB, NOT_NEGATIVE),
-            "Stiffness B. Force per width and depth; zero only beside `G`.",
-        ),
-        key(
-            "d0",
-            "d0 = \"35 lb^0.5\"",
-            Form::Quantity(Dimension::RootForce, NOT_NEGATIVE),
-            "Coefficient d0 = A/√B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises in a straight line over the crush C.",
-        ),
-        key(
-            "d1",
-            "d1 = \"115 lb^0.5/ft\"",
-            Form::Quantity(Dimension::RootForcePerLength, POSITIVE),
-            "Coefficient d1 = √B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises in a straight line over the crush C.",
-        ),
-        key(
-            "G",
-            "G = \"612 lb\"",
-            Form::Quantity(Dimension::StiffnessG, NOT_NEGATIVE),
-            "Stiffness G. Energy per width that leaves no crush; A²/2B where absent.",
-        ),
-        key(
-            "limit",
-            "limit = \"250 kN/m\"",
-            Form::Quantity(Dimension::StiffnessA, NOT_NEGATIVE),
-            "Force per width beyond which the force no longer rises. Left out where that is not known.",
-        ),
+        STIFFNESS_A,
+        STIFFNESS_B,
+        STIFFNESS_D0,
+        STIFFNESS_D1,
+        STIFFNESS_G,
+        STIFFNESS_LIMIT,
         key(
             "category",
             "category = 4",
@@ -600,44 +608,7 @@ pub(crate) static STIFFNESS: Schema = Schema {
 pub(crate) static ZONE: Schema = Schema {
     place: "zones = [{ … }] of a stiffness",
     text: "Stiffness of the zone between two stations. `A` and `B`, or `d0` and `d1`.",
-    keys: &[
-        key(
-            "A",
-            "A = \"587 N/cm\"",
-            Form::Quantity(Dimension::StiffnessA, NOT_NEGATIVE),
-            "Stiffness A. Force per width at which crush begins.",
-        ),
-        key(
-            "B",
-            "B = \"63.3 N/cm^2\"",
-            Form::Quantity(Dimension::StiffnessB, NOT_NEGATIVE),
-            "Stiffness B. Force per width and depth; zero only beside `G`.",
-        ),
-        key(
-            "d0",
-            "d0 = \"35 lb^0.5\"",
-            Form::Quantity(Dimension::RootForce, NOT_NEGATIVE),
-            "Coefficient d0 = A/√B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises in a straight line over the crush C.",
-        ),
-        key(
-            "d1",
-            "d1 = \"115 lb^0.5/ft\"",
-            Form::Quantity(Dimension::RootForcePerLength, POSITIVE),
-            "Coefficient d1 = √B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises in a straight line over the crush C.",
-        ),
-        key(
-            "G",
-            "G = \"612 lb\"",
-            Form::Quantity(Dimension::StiffnessG, NOT_NEGATIVE),
-            "Stiffness G. Energy per width that leaves no crush; A²/2B where absent.",
-        ),
-        key(
-            "limit",
-            "limit = \"250 kN/m\"",
-            Form::Quantity(Dimension::StiffnessA, NOT_NEGATIVE),
-            "Force per width beyond which the force no longer rises. Left out where that is not known.",
-        ),
-    ],
+    keys: &[STIFFNESS_A, STIFFNESS_B, STIFFNESS_D0, STIFFNESS_D1, STIFFNESS_G, STIFFNESS_LIMIT],
     rules: &[Rule::OneOf(&[form(&["A", "B"], &["G", "limit"]), form(&["d0", "d1"], &["G", "limit"])])],
 };
 
