@@ -366,6 +366,11 @@ fn the_oblique_factor_is_limited_at_45_degrees() {
         let at_limit = ObliqueCorrection::Capped.factor(angle).unwrap();
         assert_relative("at 45°", at_limit.factor, 2.0, 1e-15);
         assert!(!at_limit.capped);
+        // Nor one rounding beyond.
+        for ulps in [1, 2] {
+            let next = f64::from_bits(FRAC_PI_4.to_bits() + ulps);
+            assert!(!ObliqueCorrection::Capped.factor(next).unwrap().capped);
+        }
         let beyond = ObliqueCorrection::Capped.factor(angle * (1.0 + 1e-9)).unwrap();
         assert_eq!((beyond.factor, beyond.capped), (2.0, true));
     }

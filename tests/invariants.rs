@@ -336,6 +336,26 @@ fn a_mirror_changes_the_hand_and_nothing_else() {
             yaw_rate: -car.yaw_rate,
             ..car
         });
+        // The crates' own mirror is the same one.
+        assert_eq!(scene.law().mirrored(), other.law());
+        let (contact, mirrored) = (scene.contact(), other.contact());
+        for (actual, expected) in [
+            (contact.mirrored().normal(), mirrored.normal()),
+            (contact.mirrored().participants()[0].arm(), mirrored.participants()[0].arm()),
+            (contact.mirrored().participants()[1].forward(), mirrored.participants()[1].forward()),
+        ] {
+            assert_close("x", actual.x, expected.x, 1e-12);
+            assert_close("y", actual.y, expected.y, 1e-12);
+        }
+        if let (Ok(outcome), Ok(expected)) =
+            (scene.impact(), contact.mirrored().impact(other.motions(), &other.law()))
+        {
+            assert_eq!(outcome.mirrored().before, expected.before);
+            let scale = expected.energy.before + 1.0;
+            assert_close("E_L", outcome.mirrored().energy.loss, expected.energy.loss, 1e-9 * scale);
+            let size = 1e-7 * (1.0 + expected.impulse_ratio.abs());
+            assert_close("μ", outcome.mirrored().impulse_ratio, expected.impulse_ratio, size);
+        }
         assert_equivalent(&scene, &other, |effects, _| Effects {
             impulse: flip(effects.impulse),
             approach: flip(effects.approach),

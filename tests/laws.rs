@@ -1,6 +1,6 @@
 //! How the impact laws are related to each other, and each of them by hand.
 
-use pim_core::{Law, Outcome, Regime, Tangential};
+use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Regime, Tangential, Vector2};
 use proptest::prelude::*;
 
 use crate::compare::{assert_close, assert_relative};
@@ -244,4 +244,41 @@ fn the_oracle_s_full_impact_reverses_both_components() {
         assert_same(&full, &reversed, &Scale::of(&scene, &full), 1e-10);
         true
     });
+}
+
+/// What a law is made of can be asked for, and changed one at a time.
+#[test]
+fn a_law_with_another_ratio() {
+    let law = Law::new(0.2, Tangential::Friction(0.4)).unwrap().with_moment_restitution(-0.3).unwrap();
+    assert!(law.has_moment() && !law.is_affine());
+    let other = law.with_ratio(-0.7);
+    assert_eq!(other.tangential(), Tangential::Ratio(-0.7));
+    assert_eq!((other.restitution(), other.moment_restitution()), (0.2, -0.3));
+    assert!(other.is_affine());
+    assert!(!Law::new(0.2, Tangential::Critical).unwrap().has_moment());
+    assert!(!Law::<f64>::woolley().has_moment());
+}
+
+/// An impulse along −x has the direction π, not −π, whatever the sign of the nothing across it.
+#[test]
+fn an_impulse_backwards_is_at_half_a_turn() {
+    let body = Body::new(1500.0, 2700.0).unwrap();
+    let law = Law::new(0.2, Tangential::Critical).unwrap();
+    for plane in [0.0, -0.0] {
+        for left in [0.0, -0.0, 1.0, -1.0] {
+            let places = [
+                Participant::new(body, 0.0, 2.0, left).unwrap(),
+                Participant::new(body, std::f64::consts::PI, 2.0, -left).unwrap(),
+            ];
+            let contact = Contact::new(places, plane).unwrap();
+            let motions = [Motion { velocity: Vector2::new(10.0, 0.0), yaw_rate: 0.0 }, Motion::rest()];
+            let outcome = contact.impact(motions, &law).unwrap();
+            assert!(outcome.impulse_vector.x < 0.0);
+            if outcome.impulse_vector.y == 0.0 {
+                assert_eq!(outcome.impulse_direction(), std::f64::consts::PI);
+            }
+            let zeros = [0.0, -0.0].map(|y| Outcome { impulse_vector: Vector2::new(-1.0, y), ..outcome });
+            assert_eq!(zeros.map(|outcome| outcome.impulse_direction()), [std::f64::consts::PI; 2]);
+        }
+    }
 }

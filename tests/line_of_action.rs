@@ -231,6 +231,62 @@ fn the_bounds_hold_every_width_that_is_possible() {
     );
 }
 
+/// (J/m) ∫ min(A + B c, F_s) dc + G up to the depth, by brute force.
+fn integrated(stiffness: &Stiffness, depth: f64) -> f64 {
+    let steps = 20_000;
+    let dc = depth / f64::from(steps);
+    let force = |c: f64| {
+        let rising = stiffness.a() + stiffness.b() * c;
+        stiffness.limit().map_or(rising, |limit| rising.min(limit))
+    };
+    (0..steps).map(|i| force((f64::from(i) + 0.5) * dc) * dc).sum::<f64>() + stiffness.g()
+}
+
+/// The bounds are no wider than what is possible: some width reaches each of them.
+#[test]
+fn the_bounds_are_reached() {
+    let shape = (uniform(), (0.2..1.5, any::<bool>()), 0.0..4.0, [0.5..4.0, 0.3..1.5, 0.2..3.0]);
+    for_all(
+        1000,
+        0.5,
+        shape,
+        |((given, width, depth, _), (knee, is_limited), g, [widest, deepest, nominal])| {
+            let (a, b) = (given.a(), given.b());
+            let mut stiffness = Stiffness::from_abg(a, b, g * a * a / (2.0 * b)).unwrap();
+            if is_limited {
+                stiffness = stiffness.with_limit(a + b * knee).unwrap();
+            }
+            let force = peak_force(&Profile::equally_spaced(vec![depth; 2], width).unwrap(), &stiffness, 0.0)
+                .unwrap();
+            let narrow = force / stiffness.force_per_width(deepest);
+            let range = match crush_range_from_force(force, 0.0, &stiffness, nominal, widest, deepest) {
+                Ok(range) => {
+                    assert!(narrow <= widest);
+                    range
+                }
+                Err(error) => {
+                    assert!(matches!(error, CrushError::ForceTooGreat { .. }) && narrow > widest, "{error}");
+                    return false;
+                }
+            };
+            let wide = widest.min(force / a);
+            assert_relative("nominal", range.nominal.width, nominal.clamp(narrow, wide), 1e-12);
+            // The narrowest damage may be as deep as the CG; all others are as deep as the force makes them.
+            let deep = narrow * integrated(&stiffness, deepest);
+            let energies: Vec<f64> = (0..=2000)
+                .map(|i| narrow * (1.0 + 1e-9) + f64::from(i) / 2000.0 * (wide - narrow) * (1.0 - 1e-9))
+                .map(|width| crush_from_force(force, 0.0, width, &stiffness).unwrap().energy)
+                .chain([deep])
+                .collect();
+            let lowest = energies.iter().copied().fold(f64::INFINITY, f64::min);
+            let highest = energies.iter().copied().fold(0.0, f64::max);
+            assert_relative("lowest", range.lowest.energy, lowest, 1e-5);
+            assert_relative("highest", range.highest.energy, highest, 1e-5);
+            true
+        },
+    );
+}
+
 #[test]
 fn the_bounds_by_hand() {
     let stiffness = Stiffness::from_ab(50e3, 1e6).unwrap();
@@ -249,6 +305,16 @@ fn the_bounds_by_hand() {
     assert_relative("widest", weak.lowest.width, 3.0, 1e-14);
     assert_relative("widest", weak.lowest.energy, 3750.0, 1e-13);
     assert_eq!(weak.nominal, weak.lowest);
+    // Limited to 250 kN/m, which 0.2 m reach: as deep as 0.8 m, E/w = 10 + 20 + 250·0.6 + 1.25 kJ/m, over 600/250 m.
+    let limited = stiffness.with_limit(250e3).unwrap();
+    let range = crush_range_from_force(600e3, 0.0, &limited, 1.5, 4.0, 0.8).unwrap();
+    assert_relative("narrowest", range.highest.width, 2.4, 1e-14);
+    assert_relative("highest", range.highest.energy, 2.4 * 181.25e3, 1e-13);
+    assert_eq!(range.highest.depth, 0.8);
+    assert_relative("lowest", range.lowest.energy, 45e3, 1e-13);
+    // 1.5 m cannot bear it: the nearest width that can is 2.4 m, where 0.2 m of crush are enough: E/w = 10 + 20 + 1.25 kJ/m.
+    assert_relative("nominal", range.nominal.width, 2.4, 1e-14);
+    assert_relative("nominal", range.nominal.energy, 2.4 * 31.25e3, 1e-12);
 }
 
 /// One RICSAC collision: masses (kg), yaw inertias (kg·m²), Γ, θ_1, θ_2, φ_1, φ_2 (°), d_1, d_2 (ft), μ, the struck face of vehicle 2, and Table 3's

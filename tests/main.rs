@@ -42,3 +42,7 @@ mod root_finding;
 mod scenes;
 #[cfg(test)]
 mod structures;
+#[cfg(test)]
+mod turns;
+#[cfg(test)]
+mod twins;

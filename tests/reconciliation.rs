@@ -71,7 +71,7 @@ impl Case {
     }
 
     /// (m/s) the approach speed at which a frictionless impact would take this normal work.
-    fn frictionless(&self, normal_work: f64) -> f64 {
+    pub(crate) fn frictionless(&self, normal_work: f64) -> f64 {
         let effects = solve(&self.scene.without_moment(), Condition::Ratio(0.0));
         -effects.approach[0] * (normal_work / effects.normal_work).sqrt()
     }
@@ -520,6 +520,15 @@ fn a_speed_that_creates_energy_is_refused_by_name() {
         assert!(matches!(reason, ImpactError::EnergyCreated { .. }), "{reason:?}");
         assert!(error.to_string().contains("create energy"));
     }
+}
+
+/// The steps print as the list that they are.
+#[test]
+fn the_steps_of_a_search_are_printed() {
+    let answer = against_a_wall(Tangential::Critical, 5.0, 1.5).unwrap().root_finder().unwrap();
+    let Method::RootFinder(iterations) = answer.method else { panic!("{:?}", answer.method) };
+    assert!(!iterations.as_slice().is_empty());
+    assert_eq!(format!("{iterations:?}"), format!("{:?}", iterations.as_slice()));
 }
 
 pub(crate) fn head_on(

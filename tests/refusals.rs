@@ -102,6 +102,137 @@ fn a_normal_across_the_centres_has_no_direction() {
     assert!(Contact::new(places, FRAC_PI_2 - 1e-7).is_ok());
 }
 
+/// Whatever the distance of the CGs and its direction, a normal within 1e-12 rad of the plane across them has no direction.
+#[test]
+fn how_near_to_across_a_normal_may_be() {
+    for size in [0.05, 1.0, 30.0] {
+        for turn in 0..12 {
+            let direction = f64::from(turn) * PI / 6.0 + 0.1;
+            let place = |sign: f64| {
+                let (sin, cos) = direction.sin_cos();
+                Participant::new(car(), 0.0, sign * size * cos, sign * size * sin).unwrap()
+            };
+            let places = [place(1.0), place(-1.0)];
+            let at = |off: f64| Contact::new(places, direction + FRAC_PI_2 + off);
+            assert!(at(1e-11).is_ok() && at(-1e-11).is_ok());
+            assert!(at(2e-13).is_err() && at(-2e-13).is_err(), "{size} {direction}");
+        }
+    }
+    // A barrier has no say in it, and does not make two.
+    let aside = Participant::new(car(), 0.0, 2.0, 0.0).unwrap();
+    let refused = Contact::new([aside, Participant::barrier()], FRAC_PI_2);
+    assert!(matches!(refused, Err(InvalidInput::NormalUndefined { .. })), "{refused:?}");
+}
+
+/// A CG on the plane itself is on neither side of it.
+#[test]
+fn a_plane_through_a_centre_does_not_separate() {
+    let ahead = Participant::new(car(), PI, 2.0, 0.0).unwrap();
+    let beside = Participant::new(car(), 0.0, 0.0, 1.0).unwrap();
+    let clear = Participant::new(car(), 0.0, 1.0, 1.0).unwrap();
+    assert!(Contact::new([clear, ahead], 0.0).unwrap().separates_centres());
+    assert!(Contact::new([ahead, clear], 0.0).unwrap().separates_centres());
+    assert!(!Contact::new([beside, ahead], 0.0).unwrap().separates_centres());
+    assert!(!Contact::new([ahead, beside], 0.0).unwrap().separates_centres());
+}
+
+/// C at (−1, −1) m of the CG of a body with unit mass and inertia, a wall along y ahead of it: k_nn = k_tt = 2, det K = 3, and |k_nt| = 1.
+/// All numbers are small integers, so that the borders are met exactly.
+fn exact(velocity: [f64; 2], yaw_rate: f64) -> (Contact, [Motion; 2]) {
+    let body = Body::new(1.0, 1.0).unwrap();
+    let places = [Participant::new(body, 0.0, -1.0, -1.0).unwrap(), Participant::barrier()];
+    let motion = Motion { velocity: Vector2::new(velocity[0], velocity[1]), yaw_rate };
+    (Contact::new(places, 0.0).unwrap(), [motion, Motion::rest()])
+}
+
+/// u_n = 0 exactly, and sliding against which a common velocity would push: they do not approach.
+#[test]
+fn sliding_along_each_other_is_no_approach() {
+    let law = Law::new(0.0, Tangential::Critical).unwrap();
+    for speed in [1.0, -1.0] {
+        let (contact, motions) = exact([0.0, speed], 0.0);
+        assert_eq!(contact.approach(&motions).velocity.normal, 0.0);
+        assert_eq!(contact.impact(motions, &law), Err(ImpactError::NotApproaching { u_n: 0.0 }));
+        assert!(!contact.attempt(motions, &law).1);
+    }
+}
+
+/// Where a common tangential velocity takes P_n = 0 exactly, it is no push: the law is refused, and another's outcome has no μ_c.
+#[test]
+fn no_push_is_no_critical_ratio() {
+    let critical = Law::new(0.0, Tangential::Critical).unwrap();
+    let mut looked = 0;
+    for across in [-6.0, -4.0, -2.0, 2.0, 4.0, 6.0] {
+        for ahead in [-1.0, 1.0, -2.0, 2.0] {
+            let (contact, motions) = exact([ahead, across], 0.0);
+            let approach = contact.approach(&motions);
+            let k = contact.inverse_mass();
+            let normal = critical.impulse(&k, approach).linear.normal;
+            if approach.velocity.normal >= 0.0 || normal != 0.0 {
+                continue;
+            }
+            looked += 1;
+            let refused = contact.impact(motions, &critical);
+            assert!(matches!(refused, Err(ImpactError::Pulling { normal_impulse: 0.0 })), "{refused:?}");
+            let fraction = Law::new(0.0, Tangential::FractionOfCritical(0.0)).unwrap();
+            assert!(contact.impact(motions, &fraction).is_err());
+            let frictionless = Law::new(0.0, Tangential::Ratio(0.0)).unwrap();
+            assert_eq!(contact.impact(motions, &frictionless).unwrap().critical_impulse_ratio, None);
+        }
+    }
+    assert!(looked > 0);
+}
+
+/// E_L may fall below zero by 1e-12 of the energy that the impulses exchange, and no further.
+#[test]
+fn rounding_may_create_energy_and_nothing_else() {
+    use proptest::prelude::*;
+    let moment = prop_oneof![Just(-1.0), Just(1.0)];
+    for_all(5000, 0.3, (scene_under(Just(Tangential::Ratio(0.0))), moment), |(scene, moment)| {
+        let law = |mu: f64| {
+            let law = Law::new(1.0, Tangential::Ratio(mu)).unwrap();
+            law.with_moment_restitution(moment).unwrap()
+        };
+        let contact = scene.contact();
+        // The loss over the exchange, and whether the impact is possible.
+        let at = |mu: f64| {
+            let (outcome, possible) = contact.attempt(scene.motions(), &law(mu));
+            let (p, u, v) = (outcome.impulse, outcome.approach, outcome.separation);
+            let mut exchanged = p.normal.abs() * (u.normal.abs() + v.normal.abs())
+                + p.tangential.abs() * (u.tangential.abs() + v.tangential.abs());
+            let spin = |motions: [Motion; 2]| (motions[0].yaw_rate - motions[1].yaw_rate).abs();
+            if moment == 1.0 {
+                exchanged += outcome.moment_impulse.abs() * (spin(outcome.before) + spin(outcome.after));
+            }
+            (outcome.energy.loss / exchanged, possible)
+        };
+        // Elastic in every direction, but for a friction that is too small to matter: E_L = W_t ∝ μ.
+        let (small, _) = at(1e-5);
+        let (other, _) = at(-1e-5);
+        let is_proportional = (small + other).abs() < 1e-3 * small.abs() && small.abs() > 1e-9;
+        if !is_proportional {
+            return false;
+        }
+        let mu = |loss: f64| 1e-5 * loss / small;
+        let (within, possible) = at(mu(-5e-13));
+        assert!(possible && within < 0.0, "{within:e}");
+        let (beyond, possible) = at(mu(-2e-12));
+        assert!(!possible && beyond < -1e-12, "{beyond:e}");
+        true
+    });
+}
+
+/// The work of a moment impulse is named where there is one.
+#[test]
+fn created_energy_is_told_by_its_works() {
+    let text = |moment_work: f64| {
+        let (loss, normal_work, tangential_work) = (-3.0, 1.0, -2.0);
+        ImpactError::EnergyCreated { loss, normal_work, tangential_work, moment_work }.to_string()
+    };
+    assert!(text(-4.0).contains("tangential impulse and -4.000000e0 J that of the moment impulse; check"));
+    assert!(text(0.0).contains("tangential impulse; check"));
+}
+
 #[test]
 fn coefficients_lie_in_their_ranges() {
     let e = |e: f64| Law::new(e, Tangential::Critical);

@@ -114,6 +114,108 @@ fn every_bracket_gets_an_answer() {
     });
 }
 
+/// The points at which Brent's own procedure `zero` evaluates the function between the ends, and its answer: section 4.6 of his book, in the
+/// book's names. Beside it, `halvings` halves the bracket where only that can still end within so many steps.
+fn published(
+    f: &dyn Fn(f64) -> f64,
+    [mut a, mut b]: [f64; 2],
+    t: f64,
+    halvings: i32,
+) -> (f64, Vec<(f64, f64)>) {
+    let mut points = Vec::new();
+    let (mut fa, mut fb) = (f(a), f(b));
+    let (mut c, mut fc) = (a, fa);
+    let mut d = b - a;
+    let mut e = d;
+    loop {
+        if fc.abs() < fb.abs() {
+            (a, b, c) = (b, c, b);
+            (fa, fb, fc) = (fb, fc, fb);
+        }
+        let tol = 2.0 * f64::EPSILON * b.abs() + t;
+        let m = 0.5 * (c - b);
+        if m.abs() <= tol || fb == 0.0 {
+            return (b, points);
+        }
+        let left = halvings - i32::try_from(points.len()).unwrap();
+        if m.abs() > tol * 2_f64.powi(left) || e.abs() < tol || fa.abs() <= fb.abs() {
+            (d, e) = (m, m);
+        } else {
+            let s = fb / fa;
+            let (mut p, mut q);
+            if a == c {
+                p = 2.0 * m * s;
+                q = 1.0 - s;
+            } else {
+                let (k, r) = (fa / fc, fb / fc);
+                p = s * (2.0 * m * k * (k - r) - (b - a) * (r - 1.0));
+                q = (k - 1.0) * (r - 1.0) * (s - 1.0);
+            }
+            if p > 0.0 {
+                q = -q;
+            } else {
+                p = -p;
+            }
+            let before = e;
+            e = d;
+            if 2.0 * p < 3.0 * m * q - (tol * q).abs() && p < (0.5 * before * q).abs() {
+                d = p / q;
+            } else {
+                (d, e) = (m, m);
+            }
+        }
+        (a, fa) = (b, fb);
+        b += if d.abs() > tol {
+            d
+        } else if m > 0.0 {
+            tol
+        } else {
+            -tol
+        };
+        fb = f(b);
+        points.push((b, fb));
+        if (fb > 0.0) == (fc > 0.0) {
+            (c, fc) = (a, fa);
+            d = b - a;
+            e = d;
+        }
+    }
+}
+
+/// Step by step the method is Brent's, to rounding: secants, parabolas, refused steps and halvings.
+#[test]
+fn every_step_is_the_published_one() {
+    let shape = ([-1.0..1.0, -1.0..1.0, -1.0..1.0], 0..5, -1.0..1.0, -14.0..-1.0);
+    for_all(20_000, 0.3, shape, |([p, q, r], kind, at, exponent): ([f64; 3], i32, f64, f64)| {
+        let f = |x: f64| match kind {
+            0 => (x - p) * (x - q) * (x - r),
+            1 => (x - p) * (1.0 + (x - q) * (x - q)),
+            2 => (8.0 * (x - p)).exp() - 1.0 + 0.1 * q * x,
+            3 => (x - p) * (x - p) * (x - p) + 1e-3 * r,
+            _ => (x - p) / (1.1 + x * q.signum()) + if x > at { 0.5 } else { 0.0 },
+        };
+        let ends = [f(-1.0), f(1.0)];
+        if ends[0] * ends[1] >= 0.0 {
+            return false;
+        }
+        let tolerance = 10_f64.powf(exponent);
+        let (expected, points) = published(&f, [-1.0, 1.0], 0.5 * tolerance, 60);
+        let mut steps = Vec::new();
+        let root = brent(f, [-1.0, 1.0], tolerance, |x, y| steps.push((x, y))).unwrap();
+        // Rounding decides where the last digits of the function are all that is left of it.
+        let decided = points.iter().take_while(|(_, y)| y.abs() > 1e-11).count();
+        assert!(steps.len() >= decided, "{steps:?} {points:?}");
+        for (step, point) in steps.iter().zip(&points[..decided]) {
+            assert_close("a step", step.0, point.0, 1e-7 * (1.0 - point.0.abs()).max(1e-3));
+        }
+        assert_close("the root", root, expected, tolerance + 1e-9);
+        if decided == points.len() {
+            assert_eq!(steps.len(), points.len());
+        }
+        true
+    });
+}
+
 #[test]
 fn the_tolerance_is_kept_and_used() {
     let f = |x: f64| x * x * x - 2.0 * x - 5.0;

@@ -528,6 +528,8 @@ const SCAN: Scan = Scan { ratio: 1.189_207_115_002_721, samples: 81 };
 const FINE_SCAN: Scan = Scan { ratio: 1.021_897_148_654_116_7, samples: 641 };
 /// Both sides of a border between two regimes of a law are sampled at this relative distance from it: far above rounding.
 const BORDER_WIDTH: f64 = 1e-12;
+/// A turn of W_n between three samples is narrowed by thirds, (2/3)⁴⁴ ≈ 2⁻²⁶: there W_n is as high as at the turn itself but for rounding.
+const TURN_STEPS: usize = 44;
 struct Scan {
     ratio: f64,
     samples: usize,
@@ -550,8 +552,8 @@ impl Problem<'_, f64> {
     /// W_n − E is scanned outwards from the speed at which the vehicles just touch (u_n = 0, where W_n = 0), with both sides of
     /// every border at which the law's regime changes among the samples, and every turn of W_n. A change of sign is a bracket for Brent's method.
     ///
-    /// Under a curve of restitution, and under a fraction of μ_c with a moment impulse, not all borders are known: the scan is finer, and a
-    /// maximum between two samples that reaches E is looked for, but two speeds nearer to each other than 2 % of the approach speed may stay unseen.
+    /// Under a curve of restitution, and under a fraction of μ_c with a moment impulse, not all borders are known: the scan is finer, and where
+    /// W_n − E comes nearest to zero between samples of one sign a change of sign is looked for, but two speeds nearer to each other than 2 % of the approach speed may stay unseen.
     ///
     /// # Errors
     /// [`ReconcileError`].
@@ -576,7 +578,7 @@ impl Problem<'_, f64> {
         };
 
         let mut search = Search::new(self);
-        let mut last = (0.0, -self.crush_energy);
+        let mut last = [(0.0, -self.crush_energy); 2];
         let sides = self.borders();
         // Under a curve of restitution the law is another one at each speed, and W_n has its kinks at the curve's points.
         let points = self.restitution.map(RestitutionCurve::points);
@@ -589,7 +591,7 @@ impl Problem<'_, f64> {
             // Whatever is not a number stands at either end of the order.
             while let Some(x) = borders.next_if(|&x| x < next || x.is_nan()) {
                 // Nearer to zero a border is the rounding of one at zero.
-                if x > last.0.max(frictionless * BORDER_WIDTH) {
+                if x > last[1].0.max(frictionless * BORDER_WIDTH) {
                     self.between(&missing, &mut last, x, &mut search)?;
                 }
             }
@@ -675,26 +677,30 @@ impl Problem<'_, f64> {
         sides
     }
 
-    /// Considers the roots between the last sample and the next one at `x`.
+    /// Considers the roots between the last sample and the next one at `x`, and those about the last one, where W_n may turn.
     fn between(
         &self,
         missing: &impl Fn(f64) -> f64,
-        last: &mut (f64, f64),
+        last: &mut [(f64, f64); 2],
         x: f64,
         search: &mut Search<'_, f64>,
     ) -> Result<(), ReconcileError> {
-        let (low, high) = (*last, (x, missing(x)));
-        *last = high;
+        let [before, low] = *last;
+        let high = (x, missing(x));
+        *last = [low, high];
         if opposite(low.1, high.1) {
-            self.bracketed(missing, [low.0, high.0], search)
-        } else if !self.has_all_turns()
-            && let Some(top) = hump(missing, [low, high])
-        {
-            self.bracketed(missing, [low.0, top], search)?;
-            self.bracketed(missing, [top, high.0], search)
-        } else {
-            Ok(())
+            return self.bracketed(missing, [low.0, high.0], search);
         }
+        let nearest = low.1.abs() < before.1.abs() && low.1.abs() <= high.1.abs();
+        if nearest
+            && !opposite(before.1, low.1)
+            && !self.has_all_turns()
+            && let Some(beyond) = past_zero(missing, before.0, high.0)
+        {
+            self.bracketed(missing, [before.0, beyond], search)?;
+            self.bracketed(missing, [beyond, high.0], search)?;
+        }
+        Ok(())
     }
 
     fn bracketed(
@@ -748,30 +754,23 @@ fn opposite(a: f64, b: f64) -> bool {
     (a < 0.0 && b >= 0.0) || (a >= 0.0 && b < 0.0)
 }
 
-/// A point between two samples below zero at which `f` is not, by golden section; `None` where there is none, or where a parabola
-/// through both and their middle has no maximum.
-fn hump(f: &impl Fn(f64) -> f64, [low, high]: [(f64, f64); 2]) -> Option<f64> {
-    let middle = 0.5 * (low.0 + high.0);
-    let f_middle = f(middle);
-    // The parabola's slopes at both ends, times the distance between them: −3f₀ + 4f_½ − f₁ and f₀ − 4f_½ + 3f₁.
-    let rises = 4.0 * f_middle - 3.0 * low.1 - high.1 > 0.0;
-    let falls = low.1 - 4.0 * f_middle + 3.0 * high.1 < 0.0;
-    if !(low.1 < 0.0 && rises && falls) {
-        return None;
-    }
-    let inverse_golden = (5_f64.sqrt() - 1.0) / 2.0;
-    let (mut a, mut b) = (low.0, high.0);
-    let mut best = (middle, f_middle);
-    while best.1 < 0.0 && b - a > f64::EPSILON.sqrt() * b {
-        let (left, right) = (b - (b - a) * inverse_golden, a + (b - a) * inverse_golden);
+/// A point between `a` and `b`, where `f` has the same sign, at which it has the other one, if its turn towards zero reaches there.
+fn past_zero(f: &impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> Option<f64> {
+    let below = f(a) < 0.0;
+    for _ in 0..TURN_STEPS {
+        let (left, right) = ((2.0 * a + b) / 3.0, (a + 2.0 * b) / 3.0);
         let (f_left, f_right) = (f(left), f(right));
-        if f_left > f_right {
+        if (f_left < 0.0) != below {
+            return Some(left);
+        }
+        if (f_right < 0.0) != below {
+            return Some(right);
+        }
+        if f_left.abs() < f_right.abs() {
             b = right;
-            best = (left, f_left);
         } else {
             a = left;
-            best = (right, f_right);
         }
     }
-    (best.1 >= 0.0).then_some(best.0)
+    None
 }

@@ -1,0 +1,171 @@
+//! What loops over many samples call: the same answers as the functions that give a reason, and a plain yes or no.
+
+use crash3::{Profile, Zone};
+use pim_core::{Body, Contact, Law, Motion, Participant, RestitutionCurve, Tangential};
+use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
+
+use crate::reconciliation::{Case, all_laws, case};
+use crate::scenes::{any_scene, for_all};
+
+const ODD: [f64; 6] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, -0.0, 0.0];
+
+#[test]
+fn bodies_and_places() {
+    for mass in ODD.into_iter().chain([1500.0]) {
+        for inertia in ODD.into_iter().chain([2700.0]) {
+            let (body, possible) = Body::pose(mass, inertia);
+            match Body::new(mass, inertia) {
+                Ok(expected) => assert!(possible && body == expected),
+                Err(_) => assert!(!possible, "{mass} {inertia}"),
+            }
+        }
+    }
+    let body = Body::new(1500.0, 2700.0).unwrap();
+    let values = ODD.into_iter().chain([2.0, 1e300]);
+    for value in values {
+        for [heading, forward, left] in [[value, 2.0, 0.5], [0.3, value, 0.5], [0.3, 2.0, value]] {
+            let (place, possible) = Participant::pose(body, heading, forward, left);
+            match Participant::new(body, heading, forward, left) {
+                Ok(expected) => assert!(possible && place == expected),
+                Err(_) => assert!(!possible, "{heading} {forward} {left}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn laws() {
+    let values = ODD.into_iter().chain([-2.0, 0.4, 1.0, 1.1]);
+    for value in values.clone() {
+        for tangential in [
+            Tangential::Critical,
+            Tangential::Ratio(value),
+            Tangential::FractionOfCritical(value),
+            Tangential::Friction(value),
+            Tangential::VelocityChange(value),
+            Tangential::Restitution(value),
+            Tangential::FullOrSliding(value),
+        ] {
+            for e in values.clone() {
+                let (law, possible) = Law::pose(e, tangential);
+                match Law::new(e, tangential) {
+                    Ok(expected) => assert!(possible && law == expected),
+                    Err(_) => assert!(!possible, "{e} {tangential:?}"),
+                }
+            }
+        }
+    }
+    assert!(!Law::pose(0.3, Tangential::Critical).0.has_moment());
+}
+
+#[test]
+fn contacts_and_impacts() {
+    for_all(3000, 0.3, any_scene(), |scene| {
+        let places = scene.cars.map(|car| car.participant());
+        let (contact, possible) = Contact::pose(places, scene.crush_plane);
+        assert!(possible);
+        assert_eq!(contact, scene.contact());
+        let (outcome, possible) = contact.attempt(scene.motions(), &scene.law());
+        match scene.impact() {
+            Ok(expected) => assert!(possible && outcome == expected),
+            Err(_) => assert!(!possible),
+        }
+        possible
+    });
+    let wall = Participant::barrier();
+    assert!(!Contact::pose([wall, wall], 0.0).1);
+    let car = Participant::new(Body::new(1500.0, 2700.0).unwrap(), 0.0, 2.0, 0.0).unwrap();
+    assert!(!Contact::pose([car, wall], f64::NAN).1);
+    assert!(!Contact::pose([car, car], 0.0).1);
+}
+
+#[test]
+fn zones_of_a_profile() {
+    for width in ODD.into_iter().chain([0.3]) {
+        for c1 in ODD.into_iter().chain([0.2]) {
+            for c2 in ODD.into_iter().chain([0.4]) {
+                let zone = Zone { width, depths: [c1, c2] };
+                // Two depths that are zero are a possible zone, and no damage.
+                let depths = vec![c1, c2, 0.1];
+                let expected = Profile::new(depths, vec![width, 0.3]).is_ok();
+                assert_eq!(zone.is_possible(), expected, "{zone:?}");
+            }
+        }
+    }
+}
+
+fn solved(case: &Case, problem: &Problem<'_>) -> bool {
+    let (speed, outcome, possible) = problem.attempt();
+    match problem.solve() {
+        Ok(answer) if possible => {
+            assert_eq!(speed.to_bits(), answer.speed.to_bits());
+            assert_eq!(outcome, answer.outcome);
+        }
+        // It may miss what only the root-finder or a faster approach gives.
+        Ok(answer) => {
+            let missed =
+                speed.abs() > 1000.0 || problem.impact(speed).is_err() || problem.closed_form().is_none();
+            assert!(missed, "{case:?} {answer:?}");
+        }
+        Err(_) => assert!(!possible, "{case:?}"),
+    }
+    possible
+}
+
+#[test]
+fn reconciliations() {
+    for_all(8000, 0.1, (case(all_laws()), -4.0..4.0), |(case, exponent): (Case, f64)| {
+        let Ok(outcome) = case.scene.impact() else { return false };
+        let problem = case.problem(outcome.energy.normal_work * exponent.exp());
+        let possible = solved(&case, &problem);
+        // Under a curve there is no closed form.
+        let curve = RestitutionCurve::new(vec![(0.0, case.scene.restitution)]).unwrap();
+        assert!(!problem.with_restitution_curve(&curve).attempt().2);
+        assert!(!possible || case.scene.law().is_affine());
+        possible
+    });
+}
+
+/// 1000 m/s is the fastest speed that is an answer, for both.
+#[test]
+fn nobody_is_faster_than_a_kilometre_per_second() {
+    let car = Participant::new(Body::new(1500.0, 2700.0).unwrap(), 0.0, 2.0, 0.0).unwrap();
+    let contact = Contact::new([car, Participant::barrier()], 0.0).unwrap();
+    let law = Law::new(0.0, Tangential::Critical).unwrap();
+    let at = |speed: f64| {
+        let energy = 0.5 * 1500.0 * speed * speed;
+        let motions = [Motion::rest(); 2];
+        Problem::new(contact, law, motions, Unknown::Speed1, energy, EnergyBasis::Dissipated).unwrap()
+    };
+    assert!(at(999.0).attempt().2);
+    assert!(at(999.0).solve().is_ok() && at(999.0).root_finder().is_ok());
+    assert!(!at(1001.0).attempt().2);
+    for refused in [at(1001.0).solve(), at(1001.0).root_finder()] {
+        assert!(matches!(refused, Err(ReconcileError::NotReached { .. })), "{refused:?}");
+    }
+}
+
+#[test]
+fn problems_without_an_answer() {
+    let car = Participant::new(Body::new(1500.0, 2700.0).unwrap(), 0.0, 2.0, 0.0).unwrap();
+    let (wall, rest) = (Participant::barrier(), Motion::rest());
+    let across =
+        Participant::new(Body::new(1500.0, 2700.0).unwrap(), std::f64::consts::FRAC_PI_2, 0.0, 2.0).unwrap();
+    for (places, unknown, e, energy) in [
+        ([car, wall], Unknown::Speed1, 0.3, 1e5),
+        ([car, wall], Unknown::Speed2, 0.3, 1e5),
+        ([car, wall], Unknown::Speed1, 1.0, 1e5),
+        ([car, wall], Unknown::Speed1, 0.3, 0.0),
+        ([car, wall], Unknown::Speed1, 0.3, -1.0),
+        ([car, wall], Unknown::Speed1, 0.3, f64::INFINITY),
+        ([car, wall], Unknown::Speed1, 0.3, f64::NAN),
+        ([car, across], Unknown::Speed2, 0.3, 1e5),
+    ] {
+        let contact = Contact::new(places, 0.0).unwrap();
+        let law = Law::new(e, Tangential::Critical).unwrap();
+        let basis = EnergyBasis::Dissipated;
+        let (_, makes_sense) = Problem::pose(contact, law, [rest; 2], unknown, energy, basis);
+        let answer = Problem::new(contact, law, [rest; 2], unknown, energy, basis);
+        assert_eq!(makes_sense, answer.is_ok(), "{unknown:?} {e} {energy}");
+    }
+}
