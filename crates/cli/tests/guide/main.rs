@@ -5,4 +5,5 @@
 
 mod commands;
 mod keys;
+mod numbers;
 mod prose;

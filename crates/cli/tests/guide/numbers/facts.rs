@@ -1,0 +1,552 @@
+//! Phrases of the guide and the README, put together from where their numbers come from.
+
+use std::f64::consts::PI;
+use std::process::Command;
+
+use analysis::Warning;
+use case::Case;
+use crash3::{ObliqueCorrection, Side};
+use serde_json::Value;
+
+use crate::prose::{Page, page, root};
+
+/// A phrase with numbers, and the page in which it stands.
+pub(crate) struct Fact {
+    pub(crate) page: &'static str,
+    pub(crate) phrase: String,
+}
+
+/// The output and the exit status of the program, run in the root of the repository.
+fn deltav(arguments: &str) -> (String, i32) {
+    let output = Command::new(env!("CARGO_BIN_EXE_deltav"))
+        .args(arguments.split(' '))
+        .current_dir(root())
+        .output()
+        .unwrap();
+    (String::from_utf8(output.stdout).unwrap(), output.status.code().unwrap())
+}
+
+fn json(arguments: &str) -> Value {
+    serde_json::from_str(&deltav(&format!("{arguments} --format json")).0).unwrap()
+}
+
+/// The number at this path, with its decimals and a comma at the thousands.
+fn number(value: f64, decimals: usize) -> String {
+    let text = format!("{:.decimals$}", value.abs());
+    let (whole, rest) = text.split_at(text.find('.').unwrap_or(text.len()));
+    let mut grouped = String::new();
+    for (index, digit) in whole.chars().enumerate() {
+        if index > 0 && (whole.len() - index) % 3 == 0 {
+            grouped.push(',');
+        }
+        grouped.push(digit);
+    }
+    format!("{}{grouped}{rest}", if value < 0.0 { "−" } else { "" })
+}
+
+/// The number at this path of keys.
+#[track_caller]
+fn at(value: &Value, path: &str) -> f64 {
+    value.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("there is no {path}"))
+}
+
+/// The least and the greatest value of a key, from the schema of the case file.
+fn bounds(key: &str) -> [String; 2] {
+    fn find(value: &Value, key: &str) -> Option<[f64; 2]> {
+        if let Some(bounds) = value
+            .get(key)
+            .and_then(|key| Some([key.get("minimum")?.as_f64()?, key.get("maximum")?.as_f64()?]))
+        {
+            return Some(bounds);
+        }
+        let inside: Vec<&Value> = match value {
+            Value::Object(object) => object.values().collect(),
+            Value::Array(array) => array.iter().collect(),
+            _ => Vec::new(),
+        };
+        inside.into_iter().find_map(|value| find(value, key))
+    }
+    let schema = serde_json::from_str(&page("docs/case.schema.json").text).unwrap();
+    find(&schema, key).unwrap_or_else(|| panic!("{key} has no bounds")).map(|bound| number(bound, 0))
+}
+
+/// (rad) in degrees, rounded.
+fn degrees(rad: f64) -> String {
+    number(rad.to_degrees(), 0)
+}
+
+const FOOT: f64 = 0.3048;
+const MILE_PER_HOUR: f64 = 0.44704;
+const FOOT_POUND: f64 = FOOT * 4.448_221_615_260_5;
+
+#[derive(Default)]
+struct Ledger {
+    facts: Vec<Fact>,
+    page: &'static str,
+}
+
+impl Ledger {
+    /// What follows stands in this page.
+    fn page(&mut self, page: &'static str) {
+        self.page = page;
+    }
+
+    /// Its numbers were put in by the caller.
+    fn made(&mut self, phrase: impl Into<String>) {
+        self.facts.push(Fact { page: self.page, phrase: phrase.into() });
+    }
+
+    /// Its numbers stand in another page, in these words.
+    #[track_caller]
+    fn quoted(&mut self, phrase: &str, source: &Page, words: &str) {
+        let one_line = source.text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(one_line.contains(words), "{} does not say {words:?}", source.name);
+        let of =
+            |text: &str| super::numbers(text).into_iter().map(|at| text[at].to_owned()).collect::<Vec<_>>();
+        let there = of(words);
+        for value in of(phrase) {
+            assert!(there.contains(&value), "{value} of {phrase:?} is not in {words:?}");
+        }
+        self.made(phrase);
+    }
+
+    /// Nobody computes it: it is as the source has it.
+    fn cited(&mut self, phrase: &str, _source: &'static str) {
+        self.made(phrase);
+    }
+}
+
+pub(crate) fn facts() -> Vec<Fact> {
+    let mut ledger = Ledger::default();
+    readme(&mut ledger);
+    conventions(&mut ledger);
+    crush(&mut ledger);
+    how_do_i(&mut ledger);
+    impact(&mut ledger);
+    reconciliation(&mut ledger);
+    sensitivity(&mut ledger);
+    tutorial(&mut ledger);
+    uncertainty(&mut ledger);
+    ledger.facts
+}
+
+fn readme(ledger: &mut Ledger) {
+    ledger.page("README.md");
+    let oldest = page("Cargo.toml")
+        .text
+        .split_once("\nrust-version = \"")
+        .unwrap()
+        .1
+        .split('"')
+        .next()
+        .unwrap()
+        .to_owned();
+    ledger.made(format!("With a Rust toolchain ({oldest} or newer)"));
+    ledger.made(format!("Rust {oldest} is the oldest with which the tests were run"));
+    ledger.cited("The dependencies ask for 1.89", "rust-version in the manifest of nalgebra 0.35");
+
+    let case = json("reconstruct fixtures/sae-980025.toml");
+    let of = |path: &str| at(&case, path);
+    // What the paper prints stands in the data of `deltav validate`, in SI units.
+    let staged = json("validate");
+    let printed = |quantity: &str| {
+        let rows = staged["appendix"].as_array().unwrap();
+        let row =
+            rows.iter().find(|row| row["quantity"] == quantity).unwrap_or_else(|| panic!("no {quantity}"));
+        at(row, "/paper")
+    };
+    let power = |value: f64| format!("{value:.2e}");
+    ledger.made(format!(
+        "| {}, {} N·m | {} J, {} J |",
+        power(printed("crush energy of vehicle 1")),
+        power(printed("crush energy of vehicle 2")),
+        number(of("/vehicle1/crush_energy"), 0),
+        number(of("/vehicle2/crush_energy"), 0)
+    ));
+    // The appendix prints 75 ft/s and 22.9 m/s.
+    ledger.made(format!(
+        "| {} ft/s | {} ft/s |",
+        number(printed("speed of vehicle 1 before impact") / FOOT, 0),
+        number(of("/found/value") / FOOT, 2)
+    ));
+    ledger.made(format!(
+        "| {} | {} |",
+        number(printed("critical impulse ratio"), 3),
+        number(of("/impact/critical_impulse_ratio"), 4)
+    ));
+    ledger.cited("| 1.87–", "SAE 980025, appendix: 1.87e5 N·m, where its text has 1.88e5");
+    ledger.made(format!(
+        "–{} N·m, {} % | {} J, {} % |",
+        power(printed("energy loss")),
+        number(100.0 * printed("energy loss / initial energy"), 1),
+        number(of("/impact/energy_loss"), 0),
+        number(100.0 * of("/impact/energy_loss") / of("/impact/initial_energy"), 1)
+    ));
+    ledger.made(format!(
+        "| {:.0} N·s, {:.0} N·s (printed 1064) | {} N·s, {} N·s |",
+        printed("normal impulse"),
+        printed("tangential impulse"),
+        number(of("/impact/normal_impulse"), 0),
+        number(of("/impact/tangential_impulse"), 0)
+    ));
+    // The misprints are those of theory, section 8.
+    let theory = page("docs/theory.md");
+    ledger.quoted("(printed 1064)", &theory, "P_t = 1064 N");
+    ledger.quoted("(printed −15.5)", &theory, "V_y = −15.5 ft/s");
+    for vehicle in [1, 2] {
+        let after =
+            |axis: &str| printed(&format!("velocity of vehicle {vehicle} after impact, {axis}")) / FOOT;
+        let ours = |key: &str| of(&format!("/vehicle{vehicle}/{key}"));
+        let misprint = if vehicle == 2 { " (printed −15.5)" } else { "" };
+        ledger.made(format!(
+            "| ({}, {}) ft/s{misprint}, {} rad/s | ({}, {}) ft/s, {} rad/s |",
+            number(after("x"), 1),
+            number(after("y"), 1),
+            number(printed(&format!("yaw rate of vehicle {vehicle} after impact")), 1),
+            number(ours("final_velocity/0") / FOOT, 2),
+            number(ours("final_velocity/1") / FOOT, 2),
+            number(ours("final_yaw_rate"), 2)
+        ));
+    }
+    let both = |unit: f64, decimals: usize, values: [f64; 2]| {
+        format!("{}, {}", number(values[0] / unit, decimals), number(values[1] / unit, decimals))
+    };
+    ledger.made(format!(
+        "ΔV of vehicle 1 and 2 | {} mph | {} mph |",
+        both(MILE_PER_HOUR, 1, [printed("ΔV of vehicle 1"), printed("ΔV of vehicle 2")]),
+        both(MILE_PER_HOUR, 2, [of("/vehicle1/delta_v"), of("/vehicle2/delta_v")])
+    ));
+    ledger.made(format!(
+        "| {} ft/s, moment arms not stated | {} ft/s with the arms of the impulse |",
+        both(
+            FOOT,
+            1,
+            [printed("CRASH3 uncorrected ΔV of vehicle 1"), printed("CRASH3 uncorrected ΔV of vehicle 2")]
+        ),
+        both(FOOT, 2, [of("/crash3/delta_v/0"), of("/crash3/delta_v/1")])
+    ));
+    let validation = validation::validate(&validation::Data::built_in()).unwrap();
+    ledger.made(report::validation_headline(&validation).split_whitespace().collect::<Vec<_>>().join(" "));
+}
+
+/// (deg) of `pdof = "hour o'clock"`.
+fn clock(hour: u8) -> f64 {
+    case::Pdof::<f64>::Clock(hour).rad().to_degrees()
+}
+
+fn conventions(ledger: &mut Ledger) {
+    ledger.page("docs/guide/conventions.md");
+    // The headings in the drawing: "10  Arms of the impulse (z-up)".
+    let drawing = page("docs/guide/conventions.svg").text;
+    let headings: Vec<&str> =
+        drawing.split("class=\"h\">").skip(1).map(|rest| rest.split('<').next().unwrap()).collect();
+    let panels = |wanted: &dyn Fn(&str) -> bool| {
+        let numbers = headings
+            .iter()
+            .filter(|heading| wanted(heading))
+            .map(|heading| heading.split(' ').next().unwrap());
+        let numbers: Vec<&str> = numbers.collect();
+        let (last, rest) = numbers.split_last().unwrap();
+        if rest.is_empty() { (*last).to_owned() } else { format!("{} and {last}", rest.join(", ")) }
+    };
+    ledger.made(format!("panels {} are in the default axes", panels(&|heading| heading.ends_with("(z-up)"))));
+    ledger.made(format!("{} in those of SAE J670", panels(&|heading| heading.ends_with("(z-down)"))));
+    ledger.made(format!(
+        "{} hold in both, and {} lists",
+        panels(&|heading| !heading.contains("z-") && !heading.contains("Signs") && !heading.is_empty()),
+        panels(&|heading| heading.contains("Signs"))
+    ));
+    ledger.made(format!("(panels {})", panels(&|heading| heading.contains("Arms"))));
+    ledger.made(format!("h (panel {})", panels(&|heading| heading.contains("Moment arm"))));
+    let right_angle = degrees(PI / 2.0);
+    let straight_angle = degrees(PI);
+    ledger.made(format!(
+        "| n turned by {right_angle}° counter-clockwise | n turned by {right_angle}° clockwise |"
+    ));
+    ledger.made(format!("Two cars that meet head-on have headings {straight_angle}° apart"));
+    ledger.made(format!("the usual slip is to give that of the plane, {right_angle}° off"));
+    ledger.made(format!("Γ and Γ + {straight_angle}° are the same plane"));
+    let theory = page("docs/theory.md");
+    ledger.quoted(
+        "an approach has u_n < 0, and a push on vehicle 1 has P_n > 0",
+        &theory,
+        "vehicle 1: n·(r_2 − r_1) > 0. So an approach has u_n < 0 and a push has P_n > 0",
+    );
+    let square = |side: Side| number(side.square_pdof().to_degrees(), 0);
+    ledger.made(format!(
+        "clockwise from the vehicle's own heading: {}° in front, {}° from its right, {}° from its left, {}° from behind",
+        square(Side::Front),
+        square(Side::Right),
+        square(Side::Left),
+        square(Side::Rear)
+    ));
+    let minus = |side: Side| {
+        let angle = side.square_pdof().to_degrees();
+        format!("{} {}°", if angle < 0.0 { "+" } else { "−" }, number(angle.abs(), 0))
+    };
+    ledger.made(format!(
+        "α = PDOF {} on the front, {} on the right, {} on the rear, {} on the left",
+        minus(Side::Front),
+        minus(Side::Right),
+        minus(Side::Rear),
+        minus(Side::Left)
+    ));
+    ledger.made(format!("is {}°; an hour is {}° wide", number(clock(2), 0), number(clock(2) - clock(1), 0)));
+    ledger.cited("A force through the CG has h = 0", "a distance from itself");
+}
+
+fn crush(ledger: &mut Ledger) {
+    ledger.page("docs/guide/crush.md");
+    let [least, most] = bounds("category");
+    ledger.made(format!("| CRASH3's category, {least} to {most} |"));
+    ledger.cited("cars of the 1970s, read from a poor scan", "SAE 870045, Table 1");
+    // B = d_1²
+    ledger.made(format!("is a factor of {} in B", number((0.3048_f64 / 0.0254).powi(2), 0)));
+    // What rebounds of the energy is e².
+    ledger.quoted(
+        "energy per width that leaves no crush, A²/2B unless",
+        &page("docs/theory.md"),
+        "G = A²/2B",
+    );
+    ledger.quoted("(1/cos α)", &page("docs/theory.md"), "1/cos α is");
+    let rebound = |e: f64| number(100.0 * e * e, 0);
+    ledger.made(format!(
+        "With e = 0.1 the two differ by {} % in energy, with e = 0.3 by {} %",
+        rebound(0.1),
+        rebound(0.3)
+    ));
+    // The angle beyond which the factor of CRASH3 no longer grows.
+    let largest = ObliqueCorrection::Capped.factor(1.5).unwrap().factor;
+    assert!(ObliqueCorrection::Capped.factor(1.5).unwrap().capped);
+    ledger.made(format!(
+        "CRASH3 multiplies the energy by 1 + tan²α (Eq 8), with α at most {}°",
+        degrees((largest - 1.0_f64).sqrt().atan())
+    ));
+    ledger.quoted("multiplies the energy by 1 + tan²α", &page("docs/theory.md"), "E' = E (1 + tan²α)");
+    ledger.made(format!("beyond {} it warns", number(limit("force-balance"), 0)));
+    ledger.quoted(
+        "a common normal velocity, e = 0",
+        &page("docs/theory.md"),
+        "A common normal velocity (e = 0) is built into Eq 6 and 7",
+    );
+}
+
+/// The limit that the report of some fixture has for this check.
+fn limit(code: &str) -> f64 {
+    let case = json("reconstruct fixtures/sae-980025.toml");
+    let checks = case["checks"].as_array().unwrap();
+    at(checks.iter().find(|check| check["code"] == code).unwrap(), "/limit")
+}
+
+/// Where the answer changes between two values, found by trying.
+fn threshold(mut yes: f64, mut no: f64, answer: impl Fn(f64) -> bool) -> f64 {
+    assert!(answer(yes) && !answer(no));
+    for _ in 0..50 {
+        let middle = f64::midpoint(yes, no);
+        if answer(middle) { yes = middle } else { no = middle }
+    }
+    yes
+}
+
+/// The closing speed (m/s) and the restitution from which on the program warns of the restitution.
+fn high_restitution() -> [String; 2] {
+    let text = page("fixtures/sae-980025-impact.toml").text;
+    let speed_line = text.lines().find(|line| line.starts_with("speed")).unwrap();
+    let restitution_line = text.lines().find(|line| line.starts_with("restitution")).unwrap();
+    let run = |speed: f64, restitution: f64| {
+        let text = text.replacen(speed_line, &format!("speed = \"{speed} m/s\""), 1).replacen(
+            restitution_line,
+            &format!("restitution = {restitution}"),
+            1,
+        );
+        analysis::impact(&Case::parse("high.toml", &text).unwrap()).unwrap()
+    };
+    let warns = |analysis: &analysis::Analysis| {
+        analysis.warnings.iter().any(|warning| matches!(warning, Warning::HighRestitution { .. }))
+    };
+    let speed = threshold(30.0, 10.0, |speed| warns(&run(speed, 0.5)));
+    let closing = -run(speed, 0.5).impact.unwrap().outcome.approach.normal;
+    let restitution = threshold(0.6, 0.0, |restitution| warns(&run(30.0, restitution)));
+    [number(closing, 0), number(restitution, 1)]
+}
+
+/// By how much width and spacing may differ, as a share of the width.
+fn width_tolerance() -> f64 {
+    threshold(0.0, 0.5, |off| {
+        let width = 1.0 + off;
+        let text = format!(
+            "[vehicle1]\nmass = \"1500 kg\"\n[vehicle1.crush]\nside = \"front\"\nwidth = \"{width} m\"\nspacing = \"0.25 0.75 m\"\n\
+             depths = \"10 20 30 cm\"\nstiffness = {{ category = 3 }}\n[vehicle2]\nfixed = true\n"
+        );
+        Case::parse("width.toml", &text).is_ok()
+    })
+}
+
+fn how_do_i(ledger: &mut Ledger) {
+    ledger.page("docs/guide/how-do-i.md");
+    // The six depths of the Jimmy, and their average by trapezoids instead.
+    let text = page("fixtures/sae-980025.toml").text;
+    let depths = [21.3, 20.3, 13.8, 11.3, 5.3, 4.8];
+    let line = format!("\"{} in\"", depths.map(|depth| depth.to_string()).join(" "));
+    assert!(text.contains(&line));
+    let average = (depths.iter().sum::<f64>() - f64::midpoint(depths[0], depths[5])) / 5.0;
+    let energy = |text: &str| {
+        let file = Case::parse("depths.toml", text).unwrap();
+        let analysis = analysis::reconstruct(&file).unwrap_or_else(|failure| panic!("{failure}"));
+        analysis.vehicles[0].damage.as_ref().unwrap().crush_energy / FOOT_POUND
+    };
+    let [all, uniform] =
+        [energy(&text), energy(&text.replace(&line, &format!("\"{average} {average} in\"")))];
+    ledger.made(format!(
+        "whose crush is {} in on the average, {} ft·lb, {} % less than from its six depths",
+        number(average, 2),
+        number(uniform, 0),
+        number(100.0 * (all - uniform) / all, 0)
+    ));
+    let glossary = page("docs/glossary.md");
+    ledger.quoted(
+        "about 0.1 or less in severe collisions",
+        &glossary,
+        "Take e from tests at this closing speed, usually 0.1 or less",
+    );
+    let [speed, restitution] = high_restitution();
+    ledger.made(format!("The program warns above {restitution} at more than {speed} m/s"));
+    ledger.quoted(
+        "0.4 to 0.6 is usual for sheet metal on sheet metal",
+        &glossary,
+        "0.4 to 0.6 is usual for sheet metal on sheet metal",
+    );
+    ledger.made(format!("have to agree to {} %", number(100.0 * width_tolerance(), 1)));
+    ledger.made(format!("is {}°. An hour is {}° wide", number(clock(2), 0), number(clock(2) - clock(1), 0)));
+    let [least, most] = bounds("class");
+    ledger.made(format!(", {least} to {most}, takes CRASH3's size class"));
+    ledger.made(format!("good to ±{} % of the radius of gyration", number(100.0 * crash3::BURG_SPREAD, 0)));
+}
+
+fn impact(ledger: &mut Ledger) {
+    ledger.page("docs/guide/impact.md");
+    let glossary = page("docs/glossary.md");
+    ledger.quoted(
+        "It falls with the closing speed: 0.1 or less in severe collisions",
+        &glossary,
+        "Take e from tests at this closing speed, usually 0.1 or less",
+    );
+    ledger.cited(
+        "0.3 and more at walking speed",
+        "the range of the program's own template of a rear-end collision, 0.35 at 2 m/s",
+    );
+    let [speed, restitution] = high_restitution();
+    ledger.made(format!("A warning comes above {restitution} at more than {speed} m/s"));
+    ledger.quoted("With e = 1 nothing is dissipated", &glossary, "With e = 1 no energy is dissipated");
+    let [least, most] = bounds("moment_restitution");
+    ledger.made(format!("between {least} (none, the default) and {most} adds a moment impulse"));
+    ledger.quoted("; 0 leaves a common yaw rate", &glossary, "over 0 (common yaw rate) to 1");
+}
+
+fn reconciliation(ledger: &mut Ledger) {
+    ledger.page("docs/guide/reconciliation.md");
+    let theory = page("docs/theory.md");
+    ledger.quoted("(1 − e²)(E_1 + E_2) on the absorbed one", &theory, "(absorbed basis: (1−e²)(E_1 + E_2))");
+    ledger.made(format!("Mostly the heading is off by {}°", degrees(PI)));
+    let statuses =
+        ["reconstruct fixtures/no-answer/no-crush.toml", "reconstruct fixtures/invalid/bare-number.toml"]
+            .map(|run| deltav(run).1);
+    ledger.made(format!("The exit status is {}: the file is well formed", statuses[0]));
+    ledger.made(format!("has status {} and a place in it", statuses[1]));
+    ledger.cited("the normal velocity with s = 0", "the definition of u_n0");
+    // Energy grows with the square of the closing speed.
+    let speed = 100.0 * (1.1_f64.sqrt() - 1.0);
+    ledger.made(format!("an error of 10 % in energy is about {speed:.0} % in closing speed"));
+    ledger.quoted("A speed of more than 1000 m/s is no answer", &theory, "a speed of at most 1000 m/s");
+}
+
+fn sensitivity(ledger: &mut Ledger) {
+    ledger.page("docs/guide/sensitivity.md");
+    ledger.cited("change of the result in per cent for 1 % of the input", "the definition");
+    ledger.cited("the same, but for 1° of an angle", "the definition");
+    // Tried, not by the derivative.
+    let text = page("fixtures/sae-980025.toml").text;
+    let speed = |plane: &str| {
+        let text = text.replace("\"-23 deg\"", &format!("\"{plane} deg\""));
+        analysis::reconstruct(&Case::parse("plane.toml", &text).unwrap()).unwrap().found.unwrap().speed / FOOT
+    };
+    ledger.made(format!(
+        "A crush plane turned by 2° counter-clockwise takes {} ft/s from the speed",
+        number(speed("-23") - speed("-21"), 1)
+    ));
+    let result = json("sensitivity fixtures/sae-980025.toml --pdof-step 10 --pdof-steps 1");
+    let mut of_vehicle_1: Vec<f64> = result["pdof_sweep"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|row| at(row, "/uncorrected_delta_v/0") / FOOT)
+        .collect();
+    of_vehicle_1.sort_by(f64::total_cmp);
+    ledger.made(format!(
+        "Here 10° either way move CRASH3's uncorrected ΔV of vehicle 1 between {} and {} ft/s",
+        number(of_vehicle_1[0], 2),
+        number(of_vehicle_1[2], 2)
+    ));
+}
+
+fn tutorial(ledger: &mut Ledger) {
+    ledger.page("docs/guide/tutorial.md");
+    let text = page("fixtures/sae-980025.toml").text;
+    let case = Case::parse("sae-980025.toml", &text).unwrap().case;
+    let heading = |vehicle: usize| degrees(case.vehicles[vehicle].heading.unwrap().si());
+    ledger.made(format!("the Jimmy drove west, so its heading is {}°", heading(0)));
+    ledger.made(format!("The Altima drove at {}° from x", heading(1)));
+    let Some(case::ContactPoint::Polar { distance, angle }) = case.vehicles[0].contact else {
+        panic!("{:?}", case.vehicles[0].contact)
+    };
+    assert!(angle.si() < 0.0);
+    ledger.made(format!(
+        "The contact point lies {} ft from its centre of gravity, {}° to the right of the heading",
+        number(distance.si() / FOOT, 1),
+        number(angle.si().abs().to_degrees(), 1)
+    ));
+    let impact = case.impact.as_ref().unwrap();
+    let plane = degrees(impact.crush_plane.si());
+    let right_angle = degrees(PI / 2.0);
+    ledger.made(format!("The crush plane lies along the Altima's side, at {}°", heading(1)));
+    ledger.made(format!(": {}° − {right_angle}° = {plane}°", heading(1)));
+    assert_eq!(plane, degrees(case.vehicles[1].heading.unwrap().si() - PI / 2.0));
+    let file = json("reconstruct fixtures/sae-980025.toml");
+    ledger.made(format!("and the file has e = {}", number(at(&file, "/impact/restitution"), 1)));
+    ledger.quoted(
+        "The impulse ratio is what the tangential condition made of it; well above 1 it wants a reason",
+        &page("docs/glossary.md"),
+        "it includes interlocking, and may exceed 1",
+    );
+    ledger.cited("in per cent for 1 % of the input, or for 1° of an angle", "the definition");
+    ledger.quoted(
+        "whether n points from 2 to 1",
+        &page("docs/theory.md"),
+        "n points from vehicle 2 towards vehicle 1",
+    );
+}
+
+fn uncertainty(ledger: &mut Ledger) {
+    ledger.page("docs/guide/uncertainty.md");
+    // The normal distribution within so many standard deviations, by Simpson's rule.
+    let within = |deviations: f64| {
+        let (steps, step) = (1000, deviations / 1000.0);
+        let weight =
+            |index: i32| if index == 0 || index == steps { 1.0 } else { f64::from(2 + 2 * (index % 2)) };
+        let sum: f64 =
+            (0..=steps).map(|index| weight(index) * (-0.5 * (step * f64::from(index)).powi(2)).exp()).sum();
+        number(100.0 * 2.0 * sum * step / 3.0 / (2.0 * PI).sqrt(), 0)
+    };
+    ledger.made(format!("lies within it with {} %, within twice of it with {} %", within(1.0), within(2.0)));
+    // confidence = 0.95 against 0.05
+    ledger.made(format!("within 10 %, and I would bet {} to 1", number(0.95 / 0.05, 0)));
+    ledger.made(format!(
+        "where that is more than {} % off",
+        number(100.0 * ::uncertainty::FIRST_ORDER_LIMIT, 0)
+    ));
+    let level = number(100.0 * ::uncertainty::LEVELS[2], 0);
+    ledger.made(format!("| {level} % | {level} % of the samples lie between these two |"));
+    ledger.made(format!("\"With the stated ranges, {level} % of the computed speeds lie between …\""));
+    let [low, high] = ::uncertainty::TORNADO_PROBABILITIES.map(|probability| number(100.0 * probability, 1));
+    ledger.made(format!("One input at a time at its {low} % and its {high} % quantile"));
+}
