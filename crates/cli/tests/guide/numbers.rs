@@ -1,4 +1,4 @@
-//! Every number in the text of the guide and the README has a source.
+//! Every number in the text of the guide, the README and the glossary has a source.
 //!
 //! Numbers in console blocks are what the program printed (`transcripts.rs`), and pieces of case files are read (`keys.rs`). For those in the
 //! sentences and tables, `facts.rs` has phrases that are put together from the source of their numbers: a result of the program, a
@@ -10,19 +10,22 @@ use std::ops::Range;
 use crate::prose::{Page, page, pages};
 
 mod facts;
+mod glossary;
 
 /// Made from the list of the keys and the table of the units, and held by the tests of the crate `case`.
 const MADE: &str = "docs/guide/case-file.md";
 
 /// Names and dates that hold a number.
-const NAMES: [&str; 7] = [
+const NAMES: [&str; 9] = [
     "fixtures/sae-980025",
     "SAE 980025, 1998",
     "SAE 980025 (1998)",
     "SAE 980025",
+    "SAE 2005-01-1200",
     "SAE 871993",
     "SHA-256",
     "JCGM 100, equation 10",
+    "JCGM 100",
 ];
 
 /// The page's sentences and tables as one line: without fenced blocks, equations, code in backticks, the targets of links and the numbers of headings and
@@ -99,7 +102,14 @@ fn places<'a>(text: &'a str, phrase: &'a str) -> impl Iterator<Item = Range<usiz
     text.match_indices(phrase).map(|(start, phrase)| start..start + phrase.len())
 }
 
-/// What of these sentences has no source, each with what stands around it; and the phrases that do not stand in them.
+/// The number in brackets, between what stands around it.
+fn in_its_place(text: &str, number: Range<usize>) -> String {
+    let before: Vec<char> = text[..number.start].chars().rev().take(40).collect();
+    let after: String = text[number.end..].chars().take(40).collect();
+    format!("{}[{}]{after}", before.into_iter().rev().collect::<String>(), &text[number])
+}
+
+/// What of these sentences has no source, and the phrases that do not stand in them.
 fn without_source(text: &str, phrases: &[&str], theory: &Page) -> Vec<String> {
     let held: Vec<Range<usize>> =
         phrases.iter().chain(&NAMES).flat_map(|phrase| places(text, phrase)).collect();
@@ -108,23 +118,33 @@ fn without_source(text: &str, phrases: &[&str], theory: &Page) -> Vec<String> {
     };
     let open =
         numbers(text).into_iter().filter(|number| !is_held(number) && !is_reference(text, number, theory));
-    let around = |number: Range<usize>| {
-        let before: Vec<char> = text[..number.start].chars().rev().take(40).collect();
-        let after: String = text[number.end..].chars().take(40).collect();
-        format!("no source: {}[{}]{after}", before.into_iter().rev().collect::<String>(), &text[number])
-    };
     let missing = phrases.iter().filter(|phrase| !text.contains(**phrase));
-    open.map(around).chain(missing.map(|phrase| format!("not in the page: {phrase}"))).collect()
+    open.map(|number| format!("no source: {}", in_its_place(text, number)))
+        .chain(missing.map(|phrase| format!("not in the page: {phrase}")))
+        .collect()
+}
+
+/// The sentences of each page whose numbers are held, and the phrases that hold them.
+fn held() -> Vec<(Page, String, Vec<String>)> {
+    let facts = facts::facts();
+    let guide = pages(&["docs/guide"]).into_iter().filter(|page| page.name != MADE);
+    let pages = guide.chain([page("docs/glossary.md")]);
+    let with_phrases = |page: Page| {
+        let of_it = facts.iter().filter(|fact| fact.page == page.name);
+        let phrases = of_it.map(|fact| fact.phrase.clone()).collect();
+        let text = sentences(&page);
+        (page, text, phrases)
+    };
+    pages.map(with_phrases).collect()
 }
 
 #[test]
 fn every_number_has_a_source() {
-    let (facts, theory) = (facts::facts(), page("docs/theory.md"));
+    let theory = page("docs/theory.md");
     let mut problems = Vec::new();
-    for page in pages(&["docs/guide"]).iter().filter(|page| page.name != MADE) {
-        let phrases: Vec<&str> =
-            facts.iter().filter(|fact| fact.page == page.name).map(|fact| &fact.phrase[..]).collect();
-        let found = without_source(&sentences(page), &phrases, &theory);
+    for (page, text, phrases) in held() {
+        let phrases: Vec<&str> = phrases.iter().map(String::as_str).collect();
+        let found = without_source(&text, &phrases, &theory);
         problems.extend(found.into_iter().map(|problem| format!("{}: {problem}", page.name)));
     }
     assert!(problems.is_empty(), "{}", problems.join("\n"));
@@ -133,17 +153,17 @@ fn every_number_has_a_source() {
 /// The test above would see it: each digit of each number that is no reference, changed by one.
 #[test]
 fn a_changed_digit_is_noticed() {
-    let (facts, theory) = (facts::facts(), page("docs/theory.md"));
+    let theory = page("docs/theory.md");
     let mut changed = 0;
-    for page in pages(&["docs/guide"]).iter().filter(|page| page.name != MADE) {
-        let phrases: Vec<&str> =
-            facts.iter().filter(|fact| fact.page == page.name).map(|fact| &fact.phrase[..]).collect();
-        let text = sentences(page);
+    for (page, text, phrases) in held() {
+        let phrases: Vec<&str> = phrases.iter().map(String::as_str).collect();
+        let problems = without_source(&text, &phrases, &theory);
         for number in numbers(&text).into_iter().filter(|number| !is_reference(&text, number, &theory)) {
-            for place in number.filter(|place| text.as_bytes()[*place].is_ascii_digit()) {
+            for place in number.clone().filter(|place| text.as_bytes()[*place].is_ascii_digit()) {
                 let digit = text.as_bytes()[place] - b'0';
                 let other = format!("{}{}{}", &text[..place], (digit + 1) % 10, &text[place + 1..]);
-                assert!(!without_source(&other, &phrases, &theory).is_empty(), "{}: {other}", page.name);
+                let noticed = without_source(&other, &phrases, &theory) != problems;
+                assert!(noticed, "{}: {}", page.name, in_its_place(&other, number));
                 changed += 1;
             }
         }

@@ -1,4 +1,4 @@
-//! Phrases of the guide and the README, put together from where their numbers come from.
+//! Phrases of the README and the guide, put together from where their numbers come from.
 
 use std::f64::consts::PI;
 use std::process::Command;
@@ -26,12 +26,12 @@ fn deltav(arguments: &str) -> (String, i32) {
     (String::from_utf8(output.stdout).unwrap(), output.status.code().unwrap())
 }
 
-fn json(arguments: &str) -> Value {
+pub(super) fn json(arguments: &str) -> Value {
     serde_json::from_str(&deltav(&format!("{arguments} --format json")).0).unwrap()
 }
 
 /// The number at this path, with its decimals and a comma at the thousands.
-fn number(value: f64, decimals: usize) -> String {
+pub(super) fn number(value: f64, decimals: usize) -> String {
     let text = format!("{:.decimals$}", value.abs());
     let (whole, rest) = text.split_at(text.find('.').unwrap_or(text.len()));
     let mut grouped = String::new();
@@ -46,12 +46,12 @@ fn number(value: f64, decimals: usize) -> String {
 
 /// The number at this path of keys.
 #[track_caller]
-fn at(value: &Value, path: &str) -> f64 {
+pub(super) fn at(value: &Value, path: &str) -> f64 {
     value.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("there is no {path}"))
 }
 
 /// The least and the greatest value of a key, from the schema of the case file.
-fn bounds(key: &str) -> [String; 2] {
+pub(super) fn bounds(key: &str) -> [String; 2] {
     fn find(value: &Value, key: &str) -> Option<[f64; 2]> {
         if let Some(bounds) = value
             .get(key)
@@ -71,34 +71,34 @@ fn bounds(key: &str) -> [String; 2] {
 }
 
 /// (rad) in degrees, rounded.
-fn degrees(rad: f64) -> String {
+pub(super) fn degrees(rad: f64) -> String {
     number(rad.to_degrees(), 0)
 }
 
-const FOOT: f64 = 0.3048;
+pub(super) const FOOT: f64 = 0.3048;
 const MILE_PER_HOUR: f64 = 0.44704;
 const FOOT_POUND: f64 = FOOT * 4.448_221_615_260_5;
 
 #[derive(Default)]
-struct Ledger {
+pub(super) struct Ledger {
     facts: Vec<Fact>,
     page: &'static str,
 }
 
 impl Ledger {
     /// What follows stands in this page.
-    fn page(&mut self, page: &'static str) {
+    pub(super) fn page(&mut self, page: &'static str) {
         self.page = page;
     }
 
     /// Its numbers were put in by the caller.
-    fn made(&mut self, phrase: impl Into<String>) {
+    pub(super) fn made(&mut self, phrase: impl Into<String>) {
         self.facts.push(Fact { page: self.page, phrase: phrase.into() });
     }
 
     /// Its numbers stand in another page, in these words.
     #[track_caller]
-    fn quoted(&mut self, phrase: &str, source: &Page, words: &str) {
+    pub(super) fn quoted(&mut self, phrase: &str, source: &Page, words: &str) {
         let one_line = source.text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(one_line.contains(words), "{} does not say {words:?}", source.name);
         let of =
@@ -111,7 +111,7 @@ impl Ledger {
     }
 
     /// Nobody computes it: it is as the source has it.
-    fn cited(&mut self, phrase: &str, _source: &'static str) {
+    pub(super) fn cited(&mut self, phrase: &str, _source: &'static str) {
         self.made(phrase);
     }
 }
@@ -127,6 +127,7 @@ pub(crate) fn facts() -> Vec<Fact> {
     sensitivity(&mut ledger);
     tutorial(&mut ledger);
     uncertainty(&mut ledger);
+    super::glossary::facts(&mut ledger);
     ledger.facts
 }
 
@@ -230,7 +231,7 @@ fn readme(ledger: &mut Ledger) {
 }
 
 /// (deg) of `pdof = "hour o'clock"`.
-fn clock(hour: u8) -> f64 {
+pub(super) fn clock(hour: u8) -> f64 {
     case::Pdof::<f64>::Clock(hour).rad().to_degrees()
 }
 
@@ -331,15 +332,19 @@ fn crush(ledger: &mut Ledger) {
     );
 }
 
-/// The limit that the report of some fixture has for this check.
-fn limit(code: &str) -> f64 {
-    let case = json("reconstruct fixtures/sae-980025.toml");
+/// The limit that the program has for this check.
+pub(super) fn limit(code: &str) -> f64 {
+    let case = json(match code {
+        "damage-energy" => "impact fixtures/ricsac/01.toml",
+        "pdofs-opposite" => "crush fixtures/one-inspected.toml",
+        _ => "reconstruct fixtures/sae-980025.toml",
+    });
     let checks = case["checks"].as_array().unwrap();
     at(checks.iter().find(|check| check["code"] == code).unwrap(), "/limit")
 }
 
 /// Where the answer changes between two values, found by trying.
-fn threshold(mut yes: f64, mut no: f64, answer: impl Fn(f64) -> bool) -> f64 {
+pub(super) fn threshold(mut yes: f64, mut no: f64, answer: impl Fn(f64) -> bool) -> f64 {
     assert!(answer(yes) && !answer(no));
     for _ in 0..50 {
         let middle = f64::midpoint(yes, no);
@@ -349,7 +354,7 @@ fn threshold(mut yes: f64, mut no: f64, answer: impl Fn(f64) -> bool) -> f64 {
 }
 
 /// The closing speed (m/s) and the restitution from which on the program warns of the restitution.
-fn high_restitution() -> [String; 2] {
+pub(super) fn high_restitution() -> [String; 2] {
     let text = page("fixtures/sae-980025-impact.toml").text;
     let speed_line = text.lines().find(|line| line.starts_with("speed")).unwrap();
     let restitution_line = text.lines().find(|line| line.starts_with("restitution")).unwrap();
@@ -526,17 +531,17 @@ fn tutorial(ledger: &mut Ledger) {
     );
 }
 
+/// (%) of a normal distribution within so many standard deviations, by Simpson's rule.
+pub(super) fn within(deviations: f64) -> String {
+    let (steps, step) = (1000, deviations / 1000.0);
+    let weight = |index: i32| if index == 0 || index == steps { 1.0 } else { f64::from(2 + 2 * (index % 2)) };
+    let sum: f64 =
+        (0..=steps).map(|index| weight(index) * (-0.5 * (step * f64::from(index)).powi(2)).exp()).sum();
+    number(100.0 * 2.0 * sum * step / 3.0 / (2.0 * PI).sqrt(), 0)
+}
+
 fn uncertainty(ledger: &mut Ledger) {
     ledger.page("docs/guide/uncertainty.md");
-    // The normal distribution within so many standard deviations, by Simpson's rule.
-    let within = |deviations: f64| {
-        let (steps, step) = (1000, deviations / 1000.0);
-        let weight =
-            |index: i32| if index == 0 || index == steps { 1.0 } else { f64::from(2 + 2 * (index % 2)) };
-        let sum: f64 =
-            (0..=steps).map(|index| weight(index) * (-0.5 * (step * f64::from(index)).powi(2)).exp()).sum();
-        number(100.0 * 2.0 * sum * step / 3.0 / (2.0 * PI).sqrt(), 0)
-    };
     ledger.made(format!("lies within it with {} %, within twice of it with {} %", within(1.0), within(2.0)));
     // confidence = 0.95 against 0.05
     ledger.made(format!("within 10 %, and I would bet {} to 1", number(0.95 / 0.05, 0)));
