@@ -58,7 +58,9 @@ fn command_lines(code: &str) -> Vec<Vec<String>> {
     let mut lines = vec![Vec::new()];
     for word in words(code) {
         let several: Vec<_> = meant(&word).into_iter().map(str::to_owned).collect();
-        let longer = |line: Vec<String>| several.iter().map(move |one| [&line[..], &[one.clone()]].concat());
+        let longer = |line: Vec<String>| {
+            several.iter().map(move |one| [&line[..], std::slice::from_ref(one)].concat())
+        };
         lines = lines.into_iter().flat_map(longer).collect();
     }
     lines

@@ -7,11 +7,12 @@ use case::{Axes, Case};
 use crash3::{ObliqueCorrection, Side, VehicleClass, yaw_inertia_burg};
 use report::Units;
 
-use super::facts::{
+use super::ledger::{
     FOOT, Ledger, bounds, clock, degrees, high_restitution, json, limit, number, threshold, within,
 };
 use crate::prose::page;
 
+/// All of them.
 pub(super) fn facts(ledger: &mut Ledger) {
     ledger.page("docs/glossary.md");
     frames(ledger);
@@ -95,7 +96,8 @@ fn vehicles(ledger: &mut Ledger) {
 
 fn damage(ledger: &mut Ledger) {
     let [theory, guide] = ["docs/theory.md", "docs/guide/case-file.md"].map(page);
-    ledger.cited("CRASH3 has 2, 4 or 6 stations", "SAE 980025, with Eq 5");
+    ledger
+        .cited("CRASH3 has 2, 4 or 6 stations", "the forms of CRASH3's program, which nothing here computes");
     ledger.cited("The stations divide it into N − 1 equal parts", "the parts between N points");
     ledger.cited("S_2,1 is S_2 of vehicle 1", "a way of writing");
     ledger.quoted("G = A²/2B where the file does not give it", &theory, "G = A²/2B");
@@ -108,7 +110,10 @@ fn damage(ledger: &mut Ledger) {
         "(SAE 870045, Table 1, read from a poor scan; G of category 2, rear, is doubtful)",
         "the place of the table",
     );
-    ledger.cited("The categories group cars of the 1970s by size", "SAE 870045, Table 1");
+    ledger.cited(
+        "The categories group cars of the 1970s by size",
+        "the age of the crash tests behind CRASH3's table",
+    );
     ledger.cited("(usually 5 to 10 km/h for a front)", "a rule of thumb of those who evaluate barrier tests");
     let ratio = number(limit("force-balance"), 0);
     ledger.made(format!("it should be near 1, and beyond {ratio} a warning says so"));
