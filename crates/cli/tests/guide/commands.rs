@@ -131,6 +131,21 @@ fn every_option_in_the_text_is_read() {
     assert!(count > 20, "the text has only {count} options");
 }
 
+/// So are the examples that `--help` gives.
+#[test]
+fn every_example_of_the_help_is_read() {
+    let mut count = 0;
+    for command in arguments::Command::command().get_subcommands() {
+        let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+        for example in help.lines().map(str::trim).filter(|line| line.starts_with("deltav ")) {
+            let before_the_shell = example.split(" > ").next().unwrap();
+            read(&words(before_the_shell)).unwrap_or_else(|error| panic!("{example}: {error}"));
+            count += 1;
+        }
+    }
+    assert!(count > 20, "the help has only {count} examples");
+}
+
 #[test]
 fn what_the_program_does_not_have_is_refused() {
     for wrong in [
