@@ -152,8 +152,8 @@ impl VehicleClass {
 pub const BURG_SPREAD: f64 = 0.05;
 
 /// (kg·m²) yaw inertia of a passenger car of the given `mass` (kg), `wheelbase` (m) and overall `length` (m), after Burg:
-/// I = 0.1269 m · wheelbase · length. The radius of gyration that follows is taken to be right to about [`BURG_SPREAD`]; those of CRASH3's
-/// older and larger cars ([`VehicleClass`]) are 3 to 15 % greater.
+/// I = 0.1269 m · wheelbase · length. The radius of gyration that follows is taken to be right to about [`BURG_SPREAD`]; it is 3 to 15 % below
+/// those of CRASH3's older and larger cars ([`VehicleClass`]).
 ///
 /// # Errors
 /// Where one of the three is not positive.

@@ -1,0 +1,175 @@
+//! Every key, value, piece of a case file and path that the text names exists.
+
+use case::{Case, Dimension, Problem};
+
+use crate::prose::{Page, page, pages, root};
+
+/// Where a piece of a case file can stand.
+const TABLES: [&str; 8] = [
+    "[scene]",
+    "[vehicle1]",
+    "[vehicle1.contact]",
+    "[vehicle1.crush]",
+    "[vehicle1.crush.stiffness]",
+    "[vehicle1.crush.stiffness.test]",
+    "[impact]",
+    "[reconstruct]",
+];
+
+/// Keys whose value can be a table, each in its own table.
+const BEFORE_A_TABLE: [&str; 9] = [
+    "[vehicle1]\nspeed = ",
+    "[vehicle1]\nyaw_inertia = ",
+    "[vehicle1]\ncontact = ",
+    "[vehicle1.crush]\nwidth = ",
+    "[vehicle1.crush]\ndepths = ",
+    "[vehicle1.crush]\nstiffness = ",
+    "[vehicle1.crush]\noblique = ",
+    "[impact]\nrestitution = ",
+    "[impact]\ntangential = ",
+];
+
+/// What is no word of the case file, and is meant otherwise: how a console block begins and where it is shortened, the comment that names a schema,
+/// the mark of a misprint, a lint of clippy.
+const OTHER: [&str; 5] = ["$", "...", "#:schema", "ERRATUM", "incompatible_msrv"];
+
+/// A piece may leave out what it is not about.
+fn is_of_a_piece(problem: &Problem) -> bool {
+    matches!(
+        problem,
+        Problem::MissingTable { .. } | Problem::MissingKey { .. } | Problem::MissingKeyOfLaw { .. }
+    )
+}
+
+fn reads(text: &str) -> bool {
+    match Case::parse("piece", text) {
+        Ok(_) => true,
+        Err(errors) => errors.list().iter().all(|diagnostic| is_of_a_piece(diagnostic.problem())),
+    }
+}
+
+/// Whether this is a piece of a case file, by itself or in some table.
+fn is_a_piece(code: &str) -> bool {
+    if let Some((table, line)) = code.split_once("] ") {
+        return reads(&format!("{table}]\n{line}"));
+    }
+    if code.starts_with('{') {
+        return BEFORE_A_TABLE.iter().any(|before| reads(&format!("{before}{code}")));
+    }
+    TABLES.iter().any(|table| reads(&format!("{table}\n{code}")))
+}
+
+/// The words of letters, digits and underscores outside of quotes.
+fn identifiers(code: &str) -> Vec<&str> {
+    let unquoted = code.split('"').step_by(2);
+    let words = unquoted.flat_map(|part| part.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')));
+    words.filter(|word| !word.is_empty()).collect()
+}
+
+/// The keys and the values in words of the case file, from its schema.
+fn vocabulary() -> Vec<String> {
+    fn gather(value: &serde_json::Value, words: &mut Vec<String>) {
+        if let Some(object) = value.as_object() {
+            if let Some(properties) = object.get("properties").and_then(|value| value.as_object()) {
+                words.extend(properties.keys().cloned());
+            }
+            for value in ["const", "enum"].iter().filter_map(|key| object.get(*key)) {
+                words.extend(value.as_str().map(str::to_owned));
+                words.extend(
+                    value.as_array().into_iter().flatten().filter_map(|one| one.as_str()).map(str::to_owned),
+                );
+            }
+            object.values().for_each(|value| gather(value, words));
+        } else if let Some(array) = value.as_array() {
+            array.iter().for_each(|value| gather(value, words));
+        }
+    }
+    let schema = serde_json::from_str(&page("docs/case.schema.json").text).unwrap();
+    let mut words = Vec::new();
+    gather(&schema, &mut words);
+    words
+}
+
+/// A word of the case file, a topic of the glossary such as the code of a warning, a value of an option, a crate or another folder.
+fn is_known(word: &str, vocabulary: &[String]) -> bool {
+    const OF_OPTIONS: [&str; 3] = ["monte-carlo", "latin-hypercube", "sobol"];
+    let in_the_file = |word: &str| vocabulary.iter().any(|known| known == word);
+    word.split('.').all(in_the_file)
+        || report::topic(word).is_ok()
+        || OF_OPTIONS.contains(&word)
+        || root().join("crates").join(word).is_dir()
+        || root().join(word).is_dir()
+        || word == "deltav"
+}
+
+/// Whether a text with a star or without leads to a file.
+fn exists(path: &str, of: &Page) -> bool {
+    let folder = root().join(&of.name);
+    let path = path.split_once("/*").map_or(path, |(folder, _)| folder);
+    root().join(path).exists() || folder.parent().unwrap().join(path).exists()
+}
+
+fn judge(code: &str, of: &Page, vocabulary: &[String]) -> bool {
+    let word = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || "_.-".contains(c);
+    let is_path =
+        code.contains('/') && !code.contains(' ') || code.ends_with(".toml") || code.ends_with(".md");
+    if OTHER.contains(&code) || code.starts_with("cargo ") {
+        true
+    } else if is_path {
+        exists(code, of)
+    } else if let Some(value) = code.strip_prefix('"').and_then(|code| code.strip_suffix('"')) {
+        vocabulary.iter().any(|known| known == value) || is_a_piece(&format!("pdof = {code}"))
+    } else if let Some(table) = code.strip_prefix('[').and_then(|code| code.strip_suffix(']')) {
+        table.split('.').all(|part| is_known(part, vocabulary))
+    } else if code.contains(" = ") || code.starts_with('{') {
+        // One that is shortened has its keys; one letter stands for a number.
+        let shortened = code.contains('…') || !code.contains(" = ") || code.contains("= { x, y }") || {
+            let value = code.rsplit("= ").next().unwrap().trim_end_matches([' ', '}']);
+            value.chars().count() == 1 && value.chars().all(char::is_alphabetic)
+        };
+        let keys = || identifiers(code).into_iter().all(|key| key == "f" || is_known(key, vocabulary));
+        if shortened { keys() } else { is_a_piece(code) }
+    } else if code.chars().all(word) || code.len() == 1 {
+        is_known(code, vocabulary)
+    } else {
+        Dimension::ALL.iter().any(|dimension| dimension.unit(code).is_some())
+    }
+}
+
+#[test]
+fn everything_that_the_text_names_exists() {
+    let vocabulary = vocabulary();
+    let mut count = 0;
+    let mut wrong = Vec::new();
+    // How the program is made has its own words, in docs/mutants.md and docs/versioning.md; docs/guide/case-file.md is made from the list of the keys.
+    let apart = ["docs/mutants.md", "docs/versioning.md", "docs/validation.md", "docs/guide/case-file.md"];
+    for page in pages(&["docs", "docs/guide"]).iter().filter(|page| !apart.contains(&&page.name[..])) {
+        let own = |code: &String| !code.starts_with("deltav ") && !code.starts_with('-');
+        for code in page.inline_code().into_iter().filter(own) {
+            if !judge(&code, page, &vocabulary) {
+                wrong.push(format!("{}: `{code}`", page.name));
+            }
+            count += 1;
+        }
+    }
+    assert!(wrong.is_empty(), "the program does not know\n{}", wrong.join("\n"));
+    assert!(count > 200, "the text names only {count}");
+}
+
+#[test]
+fn what_does_not_exist_is_refused() {
+    let (page, vocabulary) = (page("docs/guide/crush.md"), vocabulary());
+    let wrong = [
+        "crush_planes",
+        "\"criticall\"",
+        "fixture/pole.toml",
+        "[impacts]",
+        "axes = \"z-side\"",
+        "{ frictions = 0.5 }",
+        "{ frictions = … }",
+        "lb ft s^3",
+    ];
+    for code in wrong {
+        assert!(!judge(code, &page, &vocabulary), "{code}");
+    }
+}

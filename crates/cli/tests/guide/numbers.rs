@@ -1,0 +1,220 @@
+//! Every number in the text of the guide, the README and the glossary has a source.
+//!
+//! Numbers in console blocks are what the program printed (`transcripts.rs`), and pieces of case files are read (`keys.rs`). For those in the
+//! sentences and tables, `facts.rs` and `glossary.rs` have phrases that are put together from the source of their numbers: a result of the program, a
+//! constant, a place in another page. A number that is in no such phrase fails here, and so does a phrase that the page does not have. So where a digit of the
+//! page or a result of the program changes, this test says which.
+
+use std::ops::Range;
+
+use crate::prose::{Page, page, pages};
+
+mod facts;
+mod glossary;
+mod ledger;
+
+/// Made from the list of the keys and the table of the units, and held by the tests of the crate `case`.
+const MADE: &str = "docs/guide/case-file.md";
+
+/// Names and dates that hold a number.
+const NAMES: [&str; 9] = [
+    "fixtures/sae-980025",
+    "SAE 980025, 1998",
+    "SAE 980025 (1998)",
+    "SAE 980025",
+    "SAE 2005-01-1200",
+    "SAE 871993",
+    "SHA-256",
+    "JCGM 100, equation 10",
+    "JCGM 100",
+];
+
+/// The page's sentences and tables as one line: without fenced blocks, equations, code in backticks, the targets of links and the numbers of headings and
+/// lists.
+fn sentences(page: &Page) -> String {
+    let mut text = String::new();
+    for line in page.unfenced().into_iter().filter(|line| !line.starts_with("    ")) {
+        let line = line.trim_start_matches('#').trim();
+        let unnumbered = line.trim_start_matches(|c: char| c.is_ascii_digit());
+        text.push_str(unnumbered.strip_prefix(". ").unwrap_or(line));
+        text.push(' ');
+    }
+    let text: Vec<&str> = text.split('`').collect();
+    let text = text
+        .iter()
+        .enumerate()
+        .map(|(index, part)| if index % 2 == 0 { part } else { "`" })
+        .collect::<String>();
+    let mut parts = text.split("](");
+    let mut kept = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        kept.push(']');
+        kept.push_str(part.split_once(')').map_or("", |(_, rest)| rest));
+    }
+    kept.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Where numbers stand: digits with points and commas between them, but not those of a symbol, such as d_1 or J670.
+fn numbers(text: &str) -> Vec<Range<usize>> {
+    let mut found: Vec<Range<usize>> = Vec::new();
+    for (start, _) in text.char_indices().filter(|(_, c)| c.is_ascii_digit()) {
+        let before = text[..start].chars().next_back();
+        let goes_on = found.last().is_some_and(|last| start < last.end);
+        if goes_on || before.is_some_and(|c| c.is_alphanumeric() || c == '_' || c == '^') {
+            continue;
+        }
+        let digits = |text: &str| text.len() - text.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+        let mut end = start + digits(&text[start..]);
+        // 1,234.5e6
+        while text[end..].starts_with([',', '.', 'e']) && digits(&text[end + 1..]) > 0 {
+            end += 1 + digits(&text[end + 1..]);
+        }
+        found.push(start..end);
+    }
+    found
+}
+
+/// The number of a vehicle, an equation or a section, alone or in a row: "Eq 6, 7", "sections 2 to 4".
+fn is_reference(text: &str, number: &Range<usize>, theory: &Page) -> bool {
+    let value: u32 = text[number.clone()].parse().unwrap_or(0);
+    let mut before = &text[..number.start];
+    loop {
+        let is_after = |words: &[&str]| words.iter().any(|word| before.ends_with(word));
+        if is_after(&["ehicle "]) {
+            return value == 1 || value == 2;
+        } else if is_after(&["Eq "]) {
+            return (1..=8).contains(&value);
+        } else if is_after(&["section ", "sections ", "heory "]) {
+            return theory.text.contains(&format!("\n## {value}. "));
+        }
+        let joined = [", ", " to ", " and "].iter().find_map(|word| before.strip_suffix(word));
+        let Some(row) = joined else { return false };
+        let shorter = row.trim_end_matches(|c: char| c.is_ascii_digit());
+        if shorter.len() == row.len() {
+            return false;
+        }
+        before = shorter;
+    }
+}
+
+/// Where the phrase stands.
+fn places<'a>(text: &'a str, phrase: &'a str) -> impl Iterator<Item = Range<usize>> + 'a {
+    text.match_indices(phrase).map(|(start, phrase)| start..start + phrase.len())
+}
+
+/// The number in brackets, between what stands around it.
+fn in_its_place(text: &str, number: Range<usize>) -> String {
+    let before: Vec<char> = text[..number.start].chars().rev().take(40).collect();
+    let after: String = text[number.end..].chars().take(40).collect();
+    format!("{}[{}]{after}", before.into_iter().rev().collect::<String>(), &text[number])
+}
+
+/// What of these sentences has no source, and the phrases that do not stand in them.
+fn without_source(text: &str, phrases: &[&str], theory: &Page) -> Vec<String> {
+    let held: Vec<Range<usize>> =
+        phrases.iter().chain(&NAMES).flat_map(|phrase| places(text, phrase)).collect();
+    let is_held = |number: &Range<usize>| {
+        held.iter().any(|place| place.start <= number.start && number.end <= place.end)
+    };
+    let open =
+        numbers(text).into_iter().filter(|number| !is_held(number) && !is_reference(text, number, theory));
+    let missing = phrases.iter().filter(|phrase| !text.contains(**phrase));
+    open.map(|number| format!("no source: {}", in_its_place(text, number)))
+        .chain(missing.map(|phrase| format!("not in the page: {phrase}")))
+        .collect()
+}
+
+/// The sentences of each page whose numbers are held, and the phrases that hold them.
+fn held() -> Vec<(Page, String, Vec<String>)> {
+    let facts = facts::facts();
+    let guide = pages(&["docs/guide"]).into_iter().filter(|page| page.name != MADE);
+    let pages = guide.chain([page("docs/glossary.md")]);
+    let with_phrases = |page: Page| {
+        let of_it = facts.iter().filter(|fact| fact.page == page.name);
+        let phrases = of_it.map(|fact| fact.phrase.clone()).collect();
+        let text = sentences(&page);
+        (page, text, phrases)
+    };
+    pages.map(with_phrases).collect()
+}
+
+#[test]
+fn every_number_has_a_source() {
+    let theory = page("docs/theory.md");
+    let mut problems = Vec::new();
+    for (page, text, phrases) in held() {
+        let phrases: Vec<&str> = phrases.iter().map(String::as_str).collect();
+        let found = without_source(&text, &phrases, &theory);
+        problems.extend(found.into_iter().map(|problem| format!("{}: {problem}", page.name)));
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+}
+
+/// The test above would see it: each digit of each number that is no reference, changed by one.
+#[test]
+fn a_changed_digit_is_noticed() {
+    let theory = page("docs/theory.md");
+    let mut changed = 0;
+    for (page, text, phrases) in held() {
+        let phrases: Vec<&str> = phrases.iter().map(String::as_str).collect();
+        let problems = without_source(&text, &phrases, &theory);
+        for number in numbers(&text).into_iter().filter(|number| !is_reference(&text, number, &theory)) {
+            for place in number.clone().filter(|place| text.as_bytes()[*place].is_ascii_digit()) {
+                let digit = text.as_bytes()[place] - b'0';
+                let other = format!("{}{}{}", &text[..place], (digit + 1) % 10, &text[place + 1..]);
+                let noticed = without_source(&other, &phrases, &theory) != problems;
+                assert!(noticed, "{}: {}", page.name, in_its_place(&other, number));
+                changed += 1;
+            }
+        }
+    }
+    assert!(changed > 300, "only {changed} digits");
+}
+
+/// What is a link and says which section it leads to leads there.
+#[test]
+fn every_section_is_the_one_that_the_link_leads_to() {
+    let mut count = 0;
+    for page in pages(&["docs", "docs/guide"]) {
+        for (before, after) in
+            page.text.match_indices("theory.md#").map(|(at, text)| page.text.split_at(at + text.len()))
+        {
+            let words = before.rsplit('[').next().unwrap().split(']').next().unwrap();
+            let Some(section) = words.split("section ").nth(1) else { continue };
+            assert!(
+                after.starts_with(&format!("{section}-")),
+                "{}: {words} leads to {}",
+                page.name,
+                &after[..20]
+            );
+            count += 1;
+        }
+    }
+    assert!(count > 5, "only {count} links");
+}
+
+/// An equation of the guide is one of docs/theory.md or of the glossary, letter by letter.
+#[test]
+fn every_equation_is_one_of_the_theory() {
+    let one_line = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let known = one_line(&(page("docs/theory.md").text + &page("docs/glossary.md").text));
+    let mut count = 0;
+    for page in pages(&["docs/guide"]) {
+        for line in page.unfenced().into_iter().filter(|line| line.starts_with("    ")) {
+            assert!(known.contains(&one_line(line)), "{}: {line}", page.name);
+            count += 1;
+        }
+    }
+    assert!(count > 15, "only {count} equations");
+}
+
+#[test]
+fn numbers_are_found_where_they_stand() {
+    let text = "at 1,234.5 N·m (1.02e5, −3 %), d_1, J670, Eq 6, 7 of SAE 980025; 1970s";
+    let found: Vec<&str> = numbers(text).into_iter().map(|number| &text[number]).collect();
+    assert_eq!(found, ["1,234.5", "1.02e5", "3", "6", "7", "980025", "1970"]);
+    let theory = page("docs/theory.md");
+    let references: Vec<bool> =
+        numbers(text).iter().map(|number| is_reference(text, number, &theory)).collect();
+    assert_eq!(references, [false, false, false, true, true, false, false]);
+}

@@ -1,0 +1,385 @@
+//! Phrases of the README and the guide, put together from where their numbers come from.
+
+use std::f64::consts::PI;
+
+use case::Case;
+use crash3::{ObliqueCorrection, Side};
+
+use super::ledger::{
+    FOOT, FOOT_POUND, Fact, Ledger, MILE_PER_HOUR, at, bounds, clock, degrees, deltav, high_restitution,
+    json, limit, number, threshold, width_tolerance, within,
+};
+use crate::prose::page;
+
+/// All of them.
+pub(super) fn facts() -> Vec<Fact> {
+    let mut ledger = Ledger::default();
+    readme(&mut ledger);
+    conventions(&mut ledger);
+    crush(&mut ledger);
+    how_do_i(&mut ledger);
+    impact(&mut ledger);
+    reconciliation(&mut ledger);
+    sensitivity(&mut ledger);
+    tutorial(&mut ledger);
+    uncertainty(&mut ledger);
+    super::glossary::facts(&mut ledger);
+    ledger.facts
+}
+
+fn readme(ledger: &mut Ledger) {
+    ledger.page("README.md");
+    let oldest = page("Cargo.toml")
+        .text
+        .split_once("\nrust-version = \"")
+        .unwrap()
+        .1
+        .split('"')
+        .next()
+        .unwrap()
+        .to_owned();
+    ledger.made(format!("With a Rust toolchain ({oldest} or newer)"));
+    ledger.made(format!("Rust {oldest} is the oldest with which the tests were run"));
+    ledger.cited("The dependencies ask for 1.89", "rust-version in the manifest of nalgebra 0.35");
+
+    let case = json("reconstruct fixtures/sae-980025.toml");
+    let of = |path: &str| at(&case, path);
+    // What the paper prints stands in the data of `deltav validate`, in SI units.
+    let staged = json("validate");
+    let printed = |quantity: &str| {
+        let rows = staged["appendix"].as_array().unwrap();
+        let row =
+            rows.iter().find(|row| row["quantity"] == quantity).unwrap_or_else(|| panic!("no {quantity}"));
+        at(row, "/paper")
+    };
+    let power = |value: f64| format!("{value:.2e}");
+    ledger.made(format!(
+        "| {}, {} N·m | {} J, {} J |",
+        power(printed("crush energy of vehicle 1")),
+        power(printed("crush energy of vehicle 2")),
+        number(of("/vehicle1/crush_energy"), 0),
+        number(of("/vehicle2/crush_energy"), 0)
+    ));
+    // The appendix prints 75 ft/s and 22.9 m/s.
+    ledger.made(format!(
+        "| {} ft/s | {} ft/s |",
+        number(printed("speed of vehicle 1 before impact") / FOOT, 0),
+        number(of("/found/value") / FOOT, 2)
+    ));
+    ledger.made(format!(
+        "| {} | {} |",
+        number(printed("critical impulse ratio"), 3),
+        number(of("/impact/critical_impulse_ratio"), 4)
+    ));
+    ledger.cited("| 1.87–", "SAE 980025 prints the energy loss with both figures");
+    ledger.made(format!(
+        "–{} N·m, {} % | {} J, {} % |",
+        power(printed("energy loss")),
+        number(100.0 * printed("energy loss / initial energy"), 1),
+        number(of("/impact/energy_loss"), 0),
+        number(100.0 * of("/impact/energy_loss") / of("/impact/initial_energy"), 1)
+    ));
+    ledger.made(format!(
+        "| {:.0} N·s, {:.0} N·s (printed 1064) | {} N·s, {} N·s |",
+        printed("normal impulse"),
+        printed("tangential impulse"),
+        number(of("/impact/normal_impulse"), 0),
+        number(of("/impact/tangential_impulse"), 0)
+    ));
+    // The misprints are those of theory, section 8.
+    let theory = page("docs/theory.md");
+    ledger.quoted("(printed 1064)", &theory, "P_t = 1064 N");
+    ledger.quoted("(printed −15.5)", &theory, "V_y = −15.5 ft/s");
+    for vehicle in [1, 2] {
+        let after =
+            |axis: &str| printed(&format!("velocity of vehicle {vehicle} after impact, {axis}")) / FOOT;
+        let ours = |key: &str| of(&format!("/vehicle{vehicle}/{key}"));
+        let misprint = if vehicle == 2 { " (printed −15.5)" } else { "" };
+        ledger.made(format!(
+            "| ({}, {}) ft/s{misprint}, {} rad/s | ({}, {}) ft/s, {} rad/s |",
+            number(after("x"), 1),
+            number(after("y"), 1),
+            number(printed(&format!("yaw rate of vehicle {vehicle} after impact")), 1),
+            number(ours("final_velocity/0") / FOOT, 2),
+            number(ours("final_velocity/1") / FOOT, 2),
+            number(ours("final_yaw_rate"), 2)
+        ));
+    }
+    let both = |unit: f64, decimals: usize, values: [f64; 2]| {
+        format!("{}, {}", number(values[0] / unit, decimals), number(values[1] / unit, decimals))
+    };
+    ledger.made(format!(
+        "ΔV of vehicle 1 and 2 | {} mph | {} mph |",
+        both(MILE_PER_HOUR, 1, [printed("ΔV of vehicle 1"), printed("ΔV of vehicle 2")]),
+        both(MILE_PER_HOUR, 2, [of("/vehicle1/delta_v"), of("/vehicle2/delta_v")])
+    ));
+    ledger.made(format!(
+        "| {} ft/s, moment arms not stated | {} ft/s with the arms of the impulse |",
+        both(
+            FOOT,
+            1,
+            [printed("CRASH3 uncorrected ΔV of vehicle 1"), printed("CRASH3 uncorrected ΔV of vehicle 2")]
+        ),
+        both(FOOT, 2, [of("/crash3/delta_v/0"), of("/crash3/delta_v/1")])
+    ));
+    let validation = validation::validate(&validation::Data::built_in()).unwrap();
+    ledger.made(report::validation_headline(&validation).split_whitespace().collect::<Vec<_>>().join(" "));
+}
+
+fn conventions(ledger: &mut Ledger) {
+    ledger.page("docs/guide/conventions.md");
+    // The headings in the drawing: "10  Arms of the impulse (z-up)".
+    let drawing = page("docs/guide/conventions.svg").text;
+    let headings: Vec<&str> =
+        drawing.split("class=\"h\">").skip(1).map(|rest| rest.split('<').next().unwrap()).collect();
+    let panels = |wanted: &dyn Fn(&str) -> bool| {
+        let numbers = headings
+            .iter()
+            .filter(|heading| wanted(heading))
+            .map(|heading| heading.split(' ').next().unwrap());
+        let numbers: Vec<&str> = numbers.collect();
+        let (last, rest) = numbers.split_last().unwrap();
+        if rest.is_empty() { (*last).to_owned() } else { format!("{} and {last}", rest.join(", ")) }
+    };
+    ledger.made(format!("panels {} are in the default axes", panels(&|heading| heading.ends_with("(z-up)"))));
+    ledger.made(format!("{} in those of SAE J670", panels(&|heading| heading.ends_with("(z-down)"))));
+    ledger.made(format!(
+        "{} hold in both, and {} lists",
+        panels(&|heading| !heading.contains("z-") && !heading.contains("Signs") && !heading.is_empty()),
+        panels(&|heading| heading.contains("Signs"))
+    ));
+    ledger.made(format!("(panels {})", panels(&|heading| heading.contains("Arms"))));
+    ledger.made(format!("h (panel {})", panels(&|heading| heading.contains("Moment arm"))));
+    let right_angle = degrees(PI / 2.0);
+    let straight_angle = degrees(PI);
+    ledger.made(format!(
+        "| n turned by {right_angle}° counter-clockwise | n turned by {right_angle}° clockwise |"
+    ));
+    ledger.made(format!("Two cars that meet head-on have headings {straight_angle}° apart"));
+    ledger.made(format!("the usual slip is to give that of the plane, {right_angle}° off"));
+    ledger.made(format!("Γ and Γ + {straight_angle}° are the same plane"));
+    let theory = page("docs/theory.md");
+    ledger.quoted(
+        "an approach has u_n < 0, and a push on vehicle 1 has P_n > 0",
+        &theory,
+        "vehicle 1: n·(r_2 − r_1) > 0. So an approach has u_n < 0 and a push has P_n > 0",
+    );
+    let square = |side: Side| number(side.square_pdof().to_degrees(), 0);
+    ledger.made(format!(
+        "clockwise from the vehicle's own heading: {}° in front, {}° from its right, {}° from its left, {}° from behind",
+        square(Side::Front),
+        square(Side::Right),
+        square(Side::Left),
+        square(Side::Rear)
+    ));
+    let minus = |side: Side| {
+        let angle = side.square_pdof().to_degrees();
+        format!("{} {}°", if angle < 0.0 { "+" } else { "−" }, number(angle.abs(), 0))
+    };
+    ledger.made(format!(
+        "α = PDOF {} on the front, {} on the right, {} on the rear, {} on the left",
+        minus(Side::Front),
+        minus(Side::Right),
+        minus(Side::Rear),
+        minus(Side::Left)
+    ));
+    ledger.made(format!("is {}°; an hour is {}° wide", number(clock(2), 0), number(clock(2) - clock(1), 0)));
+    ledger.cited("A force through the CG has h = 0", "a distance from itself");
+}
+
+fn crush(ledger: &mut Ledger) {
+    ledger.page("docs/guide/crush.md");
+    let [least, most] = bounds("category");
+    ledger.made(format!("| CRASH3's category, {least} to {most} |"));
+    ledger.cited(
+        "cars of the 1970s, read from a poor scan",
+        "the age of the crash tests behind CRASH3's table",
+    );
+    // B = d_1²
+    ledger.made(format!("is a factor of {} in B", number((0.3048_f64 / 0.0254).powi(2), 0)));
+    // What rebounds of the energy is e².
+    ledger.quoted(
+        "energy per width that leaves no crush, A²/2B unless",
+        &page("docs/theory.md"),
+        "G = A²/2B",
+    );
+    ledger.quoted("(1/cos α)", &page("docs/theory.md"), "1/cos α is");
+    let rebound = |e: f64| number(100.0 * e * e, 0);
+    ledger.made(format!(
+        "With e = 0.1 the two differ by {} % in energy, with e = 0.3 by {} %",
+        rebound(0.1),
+        rebound(0.3)
+    ));
+    let capped = |angle: f64| ObliqueCorrection::Capped.factor(angle).unwrap().capped;
+    ledger.made(format!(
+        "CRASH3 multiplies the energy by 1 + tan²α (Eq 8), with α at most {}°",
+        degrees(threshold(1.5, 0.1, capped))
+    ));
+    ledger.quoted("multiplies the energy by 1 + tan²α", &page("docs/theory.md"), "E' = E (1 + tan²α)");
+    ledger.made(format!("beyond {} it warns", number(limit("force-balance"), 0)));
+    ledger.quoted(
+        "a common normal velocity, e = 0",
+        &page("docs/theory.md"),
+        "A common normal velocity (e = 0) is built into Eq 6 and 7",
+    );
+}
+
+fn how_do_i(ledger: &mut Ledger) {
+    ledger.page("docs/guide/how-do-i.md");
+    // The six depths of the Jimmy, and their average by trapezoids instead.
+    let text = page("fixtures/sae-980025.toml").text;
+    let depths = [21.3, 20.3, 13.8, 11.3, 5.3, 4.8];
+    let line = format!("\"{} in\"", depths.map(|depth| depth.to_string()).join(" "));
+    assert!(text.contains(&line));
+    let average = (depths.iter().sum::<f64>() - f64::midpoint(depths[0], depths[5])) / 5.0;
+    let energy = |text: &str| {
+        let file = Case::parse("depths.toml", text).unwrap();
+        let analysis = analysis::reconstruct(&file).unwrap_or_else(|failure| panic!("{failure}"));
+        analysis.vehicles[0].damage.as_ref().unwrap().crush_energy / FOOT_POUND
+    };
+    let [all, uniform] =
+        [energy(&text), energy(&text.replace(&line, &format!("\"{average} {average} in\"")))];
+    ledger.made(format!(
+        "whose crush is {} in on the average, {} ft·lb, {} % less than from its six depths",
+        number(average, 2),
+        number(uniform, 0),
+        number(100.0 * (all - uniform) / all, 0)
+    ));
+    let glossary = page("docs/glossary.md");
+    ledger.quoted(
+        "about 0.1 or less in severe collisions",
+        &glossary,
+        "Take e from tests at this closing speed, usually 0.1 or less",
+    );
+    let [speed, restitution] = high_restitution();
+    ledger.made(format!("The program warns above {restitution} at more than {speed} m/s"));
+    ledger.quoted(
+        "0.4 to 0.6 is usual for sheet metal on sheet metal",
+        &glossary,
+        "0.4 to 0.6 is usual for sheet metal on sheet metal",
+    );
+    ledger.made(format!("have to agree to {} %", number(100.0 * width_tolerance(), 1)));
+    ledger.made(format!("is {}°. An hour is {}° wide", number(clock(2), 0), number(clock(2) - clock(1), 0)));
+    let [least, most] = bounds("class");
+    ledger.made(format!(", {least} to {most}, takes CRASH3's size class"));
+    ledger.made(format!("good to ±{} % of the radius of gyration", number(100.0 * crash3::BURG_SPREAD, 0)));
+}
+
+fn impact(ledger: &mut Ledger) {
+    ledger.page("docs/guide/impact.md");
+    let glossary = page("docs/glossary.md");
+    ledger.quoted(
+        "It falls with the closing speed: 0.1 or less in severe collisions",
+        &glossary,
+        "Take e from tests at this closing speed, usually 0.1 or less",
+    );
+    ledger.cited(
+        "0.3 and more at walking speed",
+        "the range of the program's own template of a rear-end collision, 0.35 at 2 m/s",
+    );
+    let [speed, restitution] = high_restitution();
+    ledger.made(format!("A warning comes above {restitution} at more than {speed} m/s"));
+    ledger.quoted("With e = 1 nothing is dissipated", &glossary, "With e = 1 no energy is dissipated");
+    let [least, most] = bounds("moment_restitution");
+    ledger.made(format!("between {least} (none, the default) and {most} adds a moment impulse"));
+    ledger.quoted("; 0 leaves a common yaw rate", &glossary, "over 0 (common yaw rate) to 1");
+}
+
+fn reconciliation(ledger: &mut Ledger) {
+    ledger.page("docs/guide/reconciliation.md");
+    let theory = page("docs/theory.md");
+    ledger.quoted("(1 − e²)(E_1 + E_2) on the absorbed one", &theory, "(absorbed basis: (1−e²)(E_1 + E_2))");
+    ledger.made(format!("Mostly the heading is off by {}°", degrees(PI)));
+    let statuses =
+        ["reconstruct fixtures/no-answer/no-crush.toml", "reconstruct fixtures/invalid/bare-number.toml"]
+            .map(|run| deltav(run).1);
+    ledger.made(format!("The exit status is {}: the file is well formed", statuses[0]));
+    ledger.made(format!("has status {} and a place in it", statuses[1]));
+    ledger.cited("the normal velocity with s = 0", "the definition of u_n0");
+    // Energy grows with the square of the closing speed.
+    let speed = 100.0 * (1.1_f64.sqrt() - 1.0);
+    ledger.made(format!("an error of 10 % in energy is about {speed:.0} % in closing speed"));
+    ledger.quoted("A speed of more than 1000 m/s is no answer", &theory, "a speed of at most 1000 m/s");
+}
+
+fn sensitivity(ledger: &mut Ledger) {
+    ledger.page("docs/guide/sensitivity.md");
+    ledger.cited("change of the result in per cent for 1 % of the input", "the definition");
+    ledger.cited("the same, but for 1° of an angle", "the definition");
+    // Tried, not by the derivative.
+    let text = page("fixtures/sae-980025.toml").text;
+    let speed = |plane: &str| {
+        let text = text.replace("\"-23 deg\"", &format!("\"{plane} deg\""));
+        analysis::reconstruct(&Case::parse("plane.toml", &text).unwrap()).unwrap().found.unwrap().speed / FOOT
+    };
+    ledger.made(format!(
+        "A crush plane turned by 2° counter-clockwise takes {} ft/s from the speed",
+        number(speed("-23") - speed("-21"), 1)
+    ));
+    let result = json("sensitivity fixtures/sae-980025.toml --pdof-step 10 --pdof-steps 1");
+    let mut of_vehicle_1: Vec<f64> = result["pdof_sweep"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|row| at(row, "/uncorrected_delta_v/0") / FOOT)
+        .collect();
+    of_vehicle_1.sort_by(f64::total_cmp);
+    ledger.made(format!(
+        "Here 10° either way move CRASH3's uncorrected ΔV of vehicle 1 between {} and {} ft/s",
+        number(of_vehicle_1[0], 2),
+        number(of_vehicle_1[2], 2)
+    ));
+}
+
+fn tutorial(ledger: &mut Ledger) {
+    ledger.page("docs/guide/tutorial.md");
+    let text = page("fixtures/sae-980025.toml").text;
+    let case = Case::parse("sae-980025.toml", &text).unwrap().case;
+    let heading = |vehicle: usize| degrees(case.vehicles[vehicle].heading.unwrap().si());
+    ledger.made(format!("the Jimmy drove west, so its heading is {}°", heading(0)));
+    ledger.made(format!("The Altima drove at {}° from x", heading(1)));
+    let Some(case::ContactPoint::Polar { distance, angle }) = case.vehicles[0].contact else {
+        panic!("{:?}", case.vehicles[0].contact)
+    };
+    assert!(angle.si() < 0.0);
+    ledger.made(format!(
+        "The contact point lies {} ft from its centre of gravity, {}° to the right of the heading",
+        number(distance.si() / FOOT, 1),
+        number(angle.si().abs().to_degrees(), 1)
+    ));
+    let impact = case.impact.as_ref().unwrap();
+    let plane = degrees(impact.crush_plane.si());
+    let right_angle = degrees(PI / 2.0);
+    ledger.made(format!("The crush plane lies along the Altima's side, at {}°", heading(1)));
+    ledger.made(format!(": {}° − {right_angle}° = {plane}°", heading(1)));
+    assert_eq!(plane, degrees(case.vehicles[1].heading.unwrap().si() - PI / 2.0));
+    let file = json("reconstruct fixtures/sae-980025.toml");
+    ledger.made(format!("and the file has e = {}", number(at(&file, "/impact/restitution"), 1)));
+    ledger.quoted(
+        "The impulse ratio is what the tangential condition made of it; well above 1 it wants a reason",
+        &page("docs/glossary.md"),
+        "it includes interlocking, and may exceed 1",
+    );
+    ledger.cited("in per cent for 1 % of the input, or for 1° of an angle", "the definition");
+    ledger.quoted(
+        "whether n points from 2 to 1",
+        &page("docs/theory.md"),
+        "n points from vehicle 2 towards vehicle 1",
+    );
+}
+
+fn uncertainty(ledger: &mut Ledger) {
+    ledger.page("docs/guide/uncertainty.md");
+    ledger.made(format!("lies within it with {} %, within twice of it with {} %", within(1.0), within(2.0)));
+    // confidence = 0.95 against 0.05
+    ledger.made(format!("within 10 %, and I would bet {} to 1", number(0.95 / 0.05, 0)));
+    ledger.made(format!(
+        "where that is more than {} % off",
+        number(100.0 * ::uncertainty::FIRST_ORDER_LIMIT, 0)
+    ));
+    let level = number(100.0 * ::uncertainty::LEVELS[2], 0);
+    ledger.made(format!("| {level} % | {level} % of the samples lie between these two |"));
+    ledger.made(format!("\"With the stated ranges, {level} % of the computed speeds lie between …\""));
+    let [low, high] = ::uncertainty::TORNADO_PROBABILITIES.map(|probability| number(100.0 * probability, 1));
+    ledger.made(format!("One input at a time at its {low} % and its {high} % quantile"));
+}

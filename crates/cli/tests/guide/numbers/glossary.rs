@@ -1,0 +1,277 @@
+//! Phrases of docs/glossary.md, put together from where their numbers come from.
+
+use std::f64::consts::PI;
+
+use analysis::{Analysis, Warning};
+use case::{Axes, Case};
+use crash3::{ObliqueCorrection, Side, VehicleClass, yaw_inertia_burg};
+use report::Units;
+
+use super::ledger::{
+    FOOT, Ledger, bounds, clock, degrees, high_restitution, json, limit, number, threshold, within,
+};
+use crate::prose::page;
+
+/// All of them.
+pub(super) fn facts(ledger: &mut Ledger) {
+    ledger.page("docs/glossary.md");
+    frames(ledger);
+    vehicles(ledger);
+    damage(ledger);
+    impact(ledger);
+    answer(ledger);
+    ranges(ledger);
+    warnings(ledger);
+}
+
+fn frames(ledger: &mut Ledger) {
+    let [theory, guide] = ["docs/theory.md", "docs/guide/case-file.md"].map(page);
+    let [right_angle, straight_angle] = [PI / 2.0, PI].map(degrees);
+    ledger.made(format!("y turned from it by +{right_angle}°"));
+    ledger.made(format!("t is n turned by +{right_angle}°"));
+    ledger.made(format!("Two vehicles that meet head-on have headings {straight_angle}° apart"));
+    ledger.made(format!("Γ and Γ + {straight_angle}° are the same plane"));
+    ledger.made(format!("in (−{straight_angle}°, {straight_angle}°]"));
+    let square = |side: Side| number(side.square_pdof().to_degrees(), 0);
+    let [front, right, rear, left] = [Side::Front, Side::Right, Side::Rear, Side::Left].map(square);
+    ledger.made(format!(
+        "{front}° is struck squarely in front, {right}° from the right, {left}° from the left"
+    ));
+    ledger.made(format!(
+        "({front}° front, {right}° right, {rear}° rear, {left}° left, as PDOF of a square hit)"
+    ));
+    let hour = clock(2) - clock(1);
+    ledger.made(format!("({hour:.0}° an hour, so no finer than ±{:.0}°)", hour / 2.0));
+    ledger.made(format!("clock hours, which are no finer than {:.0}°", hour / 2.0));
+    ledger.quoted("PDOF_2 = θ_2 − θ_1 + PDOF_1 − 180°", &theory, "PDOF_2 = θ_2 − θ_1 + PDOF_1 − 180°");
+    ledger.quoted("before the impact is 0 where the file has none", &guide, "0 where absent");
+    ledger.made(format!("of the plane itself: {right_angle}° off is the usual slip"));
+    ledger.made(format!("Check the heading ({straight_angle}° off is the usual slip)"));
+    ledger.made(format!("θ_1 − PDOF_1 and θ_2 − PDOF_2 differ by {straight_angle}°"));
+    ledger.made(format!("|α| < {right_angle}°"));
+    ledger.made(format!("The direction of force makes {right_angle}° or more with the normal"));
+}
+
+/// (m) k of CRASH3's classes, and by how much of these that of Burg's estimate is below.
+fn radii() -> [Vec<f64>; 2] {
+    let classes: Vec<VehicleClass> = (1..=6).map(|class| VehicleClass::new(class).unwrap()).collect();
+    let burg = |class: &VehicleClass| yaw_inertia_burg(1.0, class.wheelbase, class.length).unwrap().sqrt();
+    let below = classes.iter().map(|class| 1.0 - burg(class) / class.yaw_radius).collect();
+    [classes.iter().map(|class| class.yaw_radius).collect(), below]
+}
+
+fn vehicles(ledger: &mut Ledger) {
+    let theory = page("docs/theory.md");
+    ledger.quoted(
+        "Both \"3696 lb\" mean the same car",
+        &page("fixtures/sae-980025.toml"),
+        "weight = \"3696 lb\"",
+    );
+    ledger.made(format!("a weight is divided by {} m/s²", case::STANDARD_GRAVITY));
+    let burg = yaw_inertia_burg(1.0, 1.0, 1.0).unwrap();
+    ledger.made(format!("Burg estimates I = {burg} m · wheelbase · length"));
+    ledger.made(format!("by Burg's formula, I = {burg} m · wheelbase · length"));
+    let spread = number(100.0 * crash3::BURG_SPREAD, 0);
+    ledger.made(format!("Either is taken to be right to ±{spread} % of k"));
+    ledger.made(format!("Its radius of gyration may be {spread} % off"));
+    let [radii, below] = radii().map(|mut values| {
+        values.sort_by(f64::total_cmp);
+        [values[0], values[5]]
+    });
+    ledger.made(format!(
+        "{} to {} m for the cars of CRASH3's size classes",
+        number(radii[0], 1),
+        number(radii[1], 1)
+    ));
+    ledger.made(format!(
+        "give it to ±{spread} %; the two differ, Burg's being {} to {} % below that of the classes",
+        number(100.0 * below[0], 0),
+        number(100.0 * below[1], 0)
+    ));
+    let [least, most] = bounds("class");
+    ledger.made(format!("`, {least} to {most}: CRASH3's size class of a car"));
+    ledger.cited("(SAE 870045, Table 2, read from a poor scan)", "the place of the table");
+    ledger.quoted("a barrier or pole with 1/m = 1/I = 0", &theory, "1/m = 1/I = 0 for a barrier");
+}
+
+fn damage(ledger: &mut Ledger) {
+    let [theory, guide] = ["docs/theory.md", "docs/guide/case-file.md"].map(page);
+    ledger
+        .cited("CRASH3 has 2, 4 or 6 stations", "the forms of CRASH3's program, which nothing here computes");
+    ledger.cited("The stations divide it into N − 1 equal parts", "the parts between N points");
+    ledger.cited("S_2,1 is S_2 of vehicle 1", "a way of writing");
+    ledger.quoted("G = A²/2B where the file does not give it", &theory, "G = A²/2B");
+    ledger.quoted("√(2 E/w) of a test", &guide, "√(2 E/w) = d0 + d1 C");
+    let inches: f64 = 0.3048 / 0.0254;
+    ledger.made(format!("a factor of {} in d1 is {} in B", number(inches, 0), number(inches * inches, 0)));
+    let [least, most] = bounds("category");
+    ledger.made(format!("`, {least} to {most}: A, B and G of CRASH3's table"));
+    ledger.cited(
+        "(SAE 870045, Table 1, read from a poor scan; G of category 2, rear, is doubtful)",
+        "the place of the table",
+    );
+    ledger.cited(
+        "The categories group cars of the 1970s by size",
+        "the age of the crash tests behind CRASH3's table",
+    );
+    ledger.cited("(usually 5 to 10 km/h for a front)", "a rule of thumb of those who evaluate barrier tests");
+    let ratio = number(limit("force-balance"), 0);
+    ledger.made(format!("it should be near 1, and beyond {ratio} a warning says so"));
+    ledger.made(format!("the ratio of the peak forces (at most {ratio})"));
+    ledger.made(format!("stand for differ by more than a factor of {ratio}"));
+    let factor = |angle: f64| ObliqueCorrection::Capped.factor(angle).unwrap().factor;
+    ledger.made(format!("multiplied by a factor f ≥ {}", number(factor(0.0), 0)));
+    let capped = |angle: f64| ObliqueCorrection::Capped.factor(angle).unwrap().capped;
+    ledger.made(format!(
+        "meets the damaged side at more than {}° to its normal, and CRASH3's correction was limited to a factor of {}",
+        degrees(threshold(1.5, 0.1, capped)),
+        number(factor(1.5), 0)
+    ));
+    // γ = k²/(k² + h²) with h from 0 on
+    ledger.cited("between 0 and 1: the share of the mass", "the range of k²/(k² + h²)");
+    ledger.cited("γ = 1 is a force through the centre of gravity", "k²/(k² + h²) with h = 0");
+    ledger.cited("If γ is far below 1", "that value");
+}
+
+fn impact(ledger: &mut Ledger) {
+    let theory = page("docs/theory.md");
+    ledger.quoted("u_n < 0 is an approach", &theory, "an approach has u_n < 0");
+    ledger.cited("U_n ≥ 0 a separation", "the sign of n");
+    ledger.quoted("U_t = 0 means that it has ended", &theory, "U_t = 0, so μ = μ_c");
+    ledger.quoted("ends the sliding, U_t = 0, so that", &theory, "U_t = 0, so μ = μ_c");
+    ledger.cited("K, in 1/kg", "a unit");
+    let [least, most] = bounds("restitution");
+    ledger.made(format!("from {least} (the contact points stay together along n) to {most}"));
+    ledger.made(format!("` is e_n, {least} to {most}"));
+    let [speed, restitution] = high_restitution();
+    let feet = number(speed.parse::<f64>().unwrap() / FOOT, 0);
+    ledger.made(format!("tests above {speed} m/s ({feet} ft/s) show {restitution} and less"));
+    ledger.made(format!(
+        "Restitution is above {restitution} at a closing speed above {speed} m/s ({feet} ft/s)"
+    ));
+    ledger.made(format!("restitution against closing speed ({restitution} above {speed} m/s)"));
+    ledger.cited(
+        "usually 0.1 or less, or give a curve",
+        "a rule of thumb, as in the templates of `deltav new`",
+    );
+    ledger.quoted("With e = 1 no energy is dissipated", &theory, "With e = 1, W_n is zero at every speed");
+    ledger.cited("includes interlocking, and may exceed 1", "no bound follows from the equations");
+    ledger.quoted(
+        "It is u_t/((1+e) u_n) only for a central impact",
+        &theory,
+        "μ_c = r/(1+e) | only for central impact",
+    );
+    ledger.quoted("takes f μ_c, 0 ≤ f ≤ 1", &theory, "0 ≤ f ≤ 1");
+    ledger.quoted(
+        "Where D ≥ 0, no push ends the sliding",
+        &theory,
+        "Where D ≥ 0 no friction, however large, ends the sliding",
+    );
+    ledger.cited(
+        "0.4 to 0.6 is usual for sheet metal on sheet metal",
+        "a rule of thumb around the 0.5 that the program assumes",
+    );
+    ledger.quoted("M = (1 + e_m) M_c", &theory, "M = (1+e_m) M_c");
+    let [none, most] = bounds("moment_restitution");
+    ledger.made(format!("` is e_m, from {none} (no moment, the default) over 0 (common yaw rate) to {most}"));
+    ledger.quoted("a common velocity, U_n = 0 and U_t = 0", &theory, "| Woolley | U_n = 0 | U_t = 0 |");
+    let [least, most] = bounds("tangential_restitution");
+    // U_t = −e_t u_t
+    ledger.made(format!(
+        "` is e_t, {least} to {most}: 0 ends the sliding, {least} leaves it as it was (no friction), above 0 the surfaces spring back"
+    ));
+    ledger.quoted("With e_t = 0 it is Brach's critical condition", &theory, "U_t = 0, so μ = μ_c");
+    ledger.quoted("k_nn + μ k_nt ≤ 0: an impulse of this ratio", &theory, "k_nn + μ k_nt ≤ 0 is a jam");
+    ledger.cited("the condition asks for P_n < 0", "the sign of a pull");
+}
+
+fn answer(ledger: &mut Ledger) {
+    let theory = page("docs/theory.md");
+    ledger.quoted("W_n = (1 − e²) E on the absorbed one", &theory, "(absorbed basis: (1−e²)(E_1 + E_2))");
+    ledger.quoted("so W_n = (1 − e²) E", &theory, "(absorbed basis: (1−e²)(E_1 + E_2))");
+    ledger.quoted("It is zero for e = 1", &theory, "With e = 1, W_n is zero at every speed");
+    let energy = number(100.0 * limit("damage-energy"), 0);
+    ledger.made(format!("Compare it with E where both speeds are known: a check does, to {energy} %"));
+    ledger.made(format!("normal work against crush energy where both speeds are given ({energy} %)"));
+    ledger.made(format!("from the crush energy on the case's basis by more than {energy} %"));
+    // Energy grows with the square of the closing speed.
+    let speed = 100.0 * (1.1_f64.sqrt() - 1.0);
+    ledger.made(format!("A difference in energy of 10 % is about {speed:.0} % in closing speed"));
+    let rebound = |e: f64| number(100.0 * e * e, 0);
+    ledger.made(format!(
+        "With e = 0.1 the two differ by {} %, with 0.3 by {} % in energy",
+        rebound(0.1),
+        rebound(0.3)
+    ));
+    ledger.quoted("Admissible is a speed of at most 1000 m/s", &theory, "a speed of at most 1000 m/s");
+    ledger.quoted("W_n = ½ (1 − e) x P_n is a quadratic", &theory, "W_n = ½ (1−e) x P_n(x)");
+    ledger.cited("u_t0 that at x = 0", "the definition");
+    let factor = |e: f64| ((1.0 + e) / (1.0 - e)).sqrt();
+    ledger.made(format!("f_e, without unit, {} or more", number(factor(0.0), 0)));
+    ledger.quoted("a common normal velocity, e = 0;", &theory, "A common normal velocity (e = 0)");
+    ledger.made(format!(
+        "where e is more than about 0.1, as in light collisions: without it CRASH3 is low by some {} % at e = 0.1",
+        number(100.0 * (1.0 - 1.0 / factor(0.1)), 0)
+    ));
+}
+
+fn ranges(ledger: &mut Ledger) {
+    ledger.made(format!("and holds {} %", within(1.0)));
+    ledger.made(format!("a power of two, such as {}", 2_u32.pow(16)));
+    ledger.cited("that an input brings, 0 to 1", "the range of a share");
+    let [low, high] = uncertainty::TORNADO_PROBABILITIES.map(|probability| number(100.0 * probability, 1));
+    ledger.made(format!("is put to its {low} % and its {high} % quantile"));
+    ledger.cited("(JCGM 100:2008), equation 10", "the place of the equation");
+    ledger.made(format!(
+        "where it differs from the samples by more than {} %",
+        number(100.0 * uncertainty::FIRST_ORDER_LIMIT, 0)
+    ));
+    ledger.cited("Inputs are ranked by the change for 1 %, or for 1° of an angle", "the definition");
+}
+
+/// The paper's example with both speeds and these changes: what it is warned of.
+fn warned(changes: &[(&str, String)]) -> Analysis {
+    let mut text = page("fixtures/sae-980025.toml").text;
+    for (old, new) in changes {
+        assert_eq!(text.matches(old).count(), 1, "{old}");
+        text = text.replace(old, new);
+    }
+    analysis::reconstruct(&Case::parse("warned.toml", &text).unwrap()).unwrap()
+}
+
+fn warnings(ledger: &mut Ledger) {
+    // How far the contact point may lie before the front of a Jimmy that is as long as its CG is behind that.
+    let outside = |distance: f64| {
+        let contact = (
+            "contact     = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }",
+            format!(
+                "contact = {{ x = \"{} m\", y = \"-0.7 m\" }}\nlength = \"4 m\"\nwidth = \"1.8 m\"\ncg_to_front = \"1.8 m\"",
+                1.8 + distance
+            ),
+        );
+        warned(&[contact]).warnings.iter().any(|warning| matches!(warning, Warning::ContactOutside { .. }))
+    };
+    ledger.made(format!(
+        "The contact point lies more than {} cm outside of the vehicle's outline",
+        number(100.0 * threshold(0.3, 0.0, outside), 0)
+    ));
+    // How far a given PDOF may be from that of the impulse.
+    let computed =
+        json("reconstruct fixtures/sae-980025.toml")["vehicle1"]["pdof"].as_f64().unwrap().to_degrees();
+    let differs = |angle: f64| {
+        let pdof =
+            ("side      = \"front\"", format!("side = \"front\"\npdof = \"{} deg\"", computed + angle));
+        warned(&[pdof]).warnings.iter().any(|warning| matches!(warning, Warning::PdofDiffers { .. }))
+    };
+    ledger.made(format!(
+        "for a vehicle differs by more than {}° from that of the computed impulse",
+        number(threshold(30.0, 0.0, differs), 0)
+    ));
+    ledger.cited("a PDOF by eye is good to 10° or 15°", "half an hour of the clock, or somewhat less");
+    let opposite = degrees(limit("pdofs-opposite"));
+    ledger.made(format!("the given PDOFs against opposite ({opposite}°)"));
+    ledger.made(format!("that the file gives are more than {opposite}° from opposite in the scene"));
+    let differs = Warning::DeltaVDiffers { impact: [10.0; 2], crash3: [8.0; 2] };
+    assert!(report::message(&differs, Units::Si, Axes::ZUp).ends_with("by more than 10 %"));
+    ledger.made("and that of the impact differ by more than 10 % for a vehicle");
+}
