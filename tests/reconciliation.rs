@@ -522,6 +522,35 @@ fn a_speed_that_creates_energy_is_refused_by_name() {
     }
 }
 
+/// No size is built into the search: toys and trains, creeping and as fast as may be, nearly elastic or not at all.
+#[test]
+fn the_search_has_no_scale_of_its_own() {
+    for mass in [1e-6, 1500.0, 1e9] {
+        let body = Body::new(mass, 1.8 * mass).unwrap();
+        let places =
+            [Participant::new(body, 0.0, 2.0, 0.0).unwrap(), Participant::new(body, PI, 2.0, 0.0).unwrap()];
+        for speed in [1e-4, 20.0, 900.0] {
+            for e in [0.0, 0.9999, 1.0 - 3e-7] {
+                // W_n = ½ m̄ (1−e²) v² with m̄ = m/2
+                let energy = 0.25 * mass * (1.0 - e * e) * speed * speed;
+                let problem = head_on(places, Unknown::Speed1, e, energy).unwrap();
+                assert_relative("the speed", problem.root_finder().unwrap().speed, speed, 1e-9);
+                assert_relative("the speed", problem.solve().unwrap().speed, speed, 1e-9);
+            }
+        }
+    }
+}
+
+/// With the yaw rate 50 the work rises so steeply that 0.1 mJ is there at x = 3 µm/s, long before the first sample: x (100 − x)/6.
+#[test]
+fn a_speed_below_the_first_sample_is_found() {
+    let problem = against_a_wall(Tangential::Critical, 50.0, 1e-4).unwrap();
+    let x = 50.0 - (2500.0_f64 - 6e-4).sqrt();
+    for answer in [problem.solve().unwrap(), problem.root_finder().unwrap()] {
+        assert_close("the first speed", answer.speed, (x - 50.0) * 10_f64.sqrt(), 1e-9);
+    }
+}
+
 /// The steps print as the list that they are.
 #[test]
 fn the_steps_of_a_search_are_printed() {

@@ -654,13 +654,12 @@ impl Problem<'_, f64> {
                 ]
             }
             // W_n ∝ x² P_n/Q with Q = k_nn P_n + f k_nt P_t: a push ends at P_n = 0, the contact jams at Q = 0, and W_n turns where
-            // 2 P_n Q + x (P_n' Q − P_n Q') = 0. A moment impulse jams where the same of what K leaves to a common yaw rate is zero.
+            // 2 P_n Q + x (P_n' Q − P_n Q') = 0. With a moment impulse it jams elsewhere; as a rule an impact beside a jam creates energy.
             Tangential::FractionOfCritical(f) => {
                 let [p0, p1] = part(&unlimited, 1.0, 0.0);
                 let [q0, q1] = part(&unlimited, k.nn, f * k.nt);
-                let spun = part(&unlimited, k.mm * k.nn - k.nm * k.nm, f * (k.mm * k.nt - k.tm * k.nm));
                 let [low, high] = quadratic([2.0 * p0 * q0, 3.0 * p1 * q0 + p0 * q1, 2.0 * p1 * q1]);
-                [zero([p0, p1]), zero([q0, q1]), zero(spun), low, high, f64::NAN]
+                [zero([p0, p1]), zero([q0, q1]), low, high, f64::NAN, f64::NAN]
             }
             Tangential::Critical
             | Tangential::Ratio(_)
