@@ -869,9 +869,10 @@ fn a_megabyte_of_one_value_is_refused_at_once() {
     for text in [unit("√("), unit("√"), unit("sqrt(a)"), unit("lb "), unit("x")] {
         assert!(matches!(
             problems(&text)[..],
-            [Problem::Quantity(
-                case::QuantityError::UnknownUnit { .. } | case::QuantityError::BadNumber { .. }
-            )]
+            [Problem::Quantity {
+                error: case::QuantityError::UnknownUnit { .. } | case::QuantityError::BadNumber { .. },
+                ..
+            }]
         ));
     }
     let count = 450_000;
