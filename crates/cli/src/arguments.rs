@@ -23,7 +23,7 @@ pub(crate) enum Command {
     #[command(
         long_about = "Write a commented case file to begin with.\n\n\
             It runs as it is. Its numbers are invented: each line says what it is, for you to put in your own. An existing file is not overwritten.",
-        after_help = "Examples:\n  deltav new -o case.toml\n  deltav new --template barrier -o case.toml\n  deltav reconstruct case.toml"
+        after_help = "Examples:\n  deltav new -o case.toml\n  deltav new --template barrier --units us -o case.toml\n  deltav reconstruct case.toml"
     )]
     New(NewArguments),
     /// Find the speed that makes impact and crush agree, and print the whole reconstruction
@@ -186,7 +186,7 @@ pub(crate) struct ReconstructArguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
 
-    /// Write to FILE instead of standard output
+    /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 }
@@ -207,9 +207,21 @@ pub(crate) struct NewArguments {
     #[arg(long, value_enum, default_value_t = Template::FrontSide)]
     pub(crate) template: Template,
 
+    /// Units of the numbers, which are round in them
+    #[arg(long, value_enum, default_value_t = CaseUnits::Si)]
+    pub(crate) units: CaseUnits,
+
     /// Write to FILE, which must not exist, instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum CaseUnits {
+    /// kg, m, cm, km/h
+    Si,
+    /// lb, in, mph
+    Us,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -228,7 +240,7 @@ pub(crate) enum Template {
 
 #[derive(Debug, Args)]
 pub(crate) struct SchemaArguments {
-    /// Write to FILE instead of standard output
+    /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 }
@@ -261,7 +273,7 @@ pub(crate) struct ReportArguments {
     #[arg(long, value_enum)]
     pub(crate) units: Option<UnitSystem>,
 
-    /// Write to FILE instead of standard output
+    /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 }
@@ -324,7 +336,7 @@ pub(crate) struct UncertaintyArguments {
     pub(crate) arguments: Arguments,
 
     /// How many samples; four times as many halve the standard errors
-    #[arg(long, value_name = "N", default_value_t = 100_000)]
+    #[arg(long, value_name = "N", default_value = "100000", value_parser = count)]
     pub(crate) samples: usize,
 
     /// Where the random numbers begin
@@ -340,10 +352,10 @@ pub(crate) struct UncertaintyArguments {
     pub(crate) method: Method,
 
     /// Also compute Sobol' indices: how much of the variance each input brings. ROWS times as many evaluations as there are uncertain inputs, and two more
-    #[arg(long, value_name = "ROWS", num_args = 0..=1, require_equals = true, default_missing_value = "4096")]
+    #[arg(long, value_name = "ROWS", num_args = 0..=1, require_equals = true, default_missing_value = "4096", value_parser = count)]
     pub(crate) sobol: Option<usize>,
 
-    /// Also write every sample, with its inputs, to FILE as CSV (SI units and radians)
+    /// Also write every sample, with its inputs, to FILE as CSV (SI units and radians); no .toml file is overwritten
     #[arg(long, value_name = "FILE")]
     pub(crate) samples_out: Option<PathBuf>,
 
@@ -362,6 +374,19 @@ pub(crate) enum Method {
     Sobol,
 }
 
+/// A whole number, which may be written as 1e6 too.
+fn count(text: &str) -> Result<usize, String> {
+    let (digits, zeros) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let is_whole = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let number = (is_whole(digits) && is_whole(zeros)).then(|| {
+        let power = zeros.parse().ok().and_then(|zeros| 10_usize.checked_pow(zeros))?;
+        digits.parse::<usize>().ok()?.checked_mul(power)
+    });
+    number
+        .flatten()
+        .ok_or_else(|| "give a whole number, without commas or points, such as 100000 or 1e6".to_owned())
+}
+
 fn degrees(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(degrees) if degrees > 0.0 && degrees <= 180.0 => Ok(degrees),
@@ -375,7 +400,7 @@ pub(crate) struct ValidateArguments {
     #[arg(long, value_enum, default_value_t = PageFormat::Text)]
     pub(crate) format: PageFormat,
 
-    /// Write to FILE instead of standard output
+    /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
@@ -404,7 +429,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_enum)]
     pub(crate) units: Option<UnitSystem>,
 
-    /// Write to FILE instead of standard output
+    /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 }
