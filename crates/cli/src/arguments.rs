@@ -1,8 +1,10 @@
 //! The command line.
 
+use std::ffi::OsStr;
 use std::path::PathBuf;
 
-use clap::{Args, Parser, ValueEnum};
+use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
+use clap::{Arg, Args, Parser, ValueEnum};
 use clap_complete::Shell;
 
 /// Reconstructs a two-vehicle collision from its damage.
@@ -164,7 +166,32 @@ pub(crate) enum Command {
 #[derive(Debug, Args)]
 pub(crate) struct ExplainArguments {
     /// What to explain, in one word or several
+    #[arg(value_parser = TopicParser, hide_possible_values = true)]
     pub(crate) topic: Vec<String>,
+}
+
+/// Takes any word, which may be a symbol or a key, and offers the names of the topics to the completions of shells.
+#[derive(Clone)]
+struct TopicParser;
+
+impl TypedValueParser for TopicParser {
+    type Value = String;
+
+    fn parse_ref(
+        &self,
+        command: &clap::Command,
+        argument: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<String, clap::Error> {
+        StringValueParser::new().parse_ref(command, argument, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        // In a script, a quote would begin a text, and a comma is no word.
+        let is_plain = |name: &str| name.chars().all(|c| c.is_alphanumeric() || c == '-' || c == ' ');
+        let names = report::topics().iter().map(|topic| topic.name).filter(move |name| is_plain(name));
+        Some(Box::new(names.map(PossibleValue::new)))
+    }
 }
 
 #[derive(Debug, Args)]
@@ -446,4 +473,23 @@ pub(crate) enum UnitSystem {
     Us,
     /// m/s, km/h, kg, J, cm
     Si,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::count;
+
+    #[test]
+    fn a_count_is_whole() {
+        for (text, number) in
+            [("0", 0), ("100000", 100_000), ("1e6", 1_000_000), ("25E3", 25_000), ("7e0", 7)]
+        {
+            assert_eq!(count(text), Ok(number), "{text}");
+        }
+        for text in
+            ["", "e6", "1e", "1.5e3", "1e-3", "100,000", "-1", "+1", "1e99", "99999999999999999999", "many"]
+        {
+            assert!(count(text).is_err_and(|message| message.contains("such as 100000 or 1e6")), "{text}");
+        }
+    }
 }

@@ -176,6 +176,10 @@ fn completions_know_every_command() {
         if ["bash", "zsh", "fish"].contains(&shell) {
             assert!(script.contains("front-side"), "{shell}");
         }
+        // Of positional values, these two.
+        if ["bash", "zsh"].contains(&shell) {
+            assert!(script.contains("delta-v-differs"), "{shell}");
+        }
     }
 }
 
@@ -200,6 +204,11 @@ fn every_command_has_a_manual_page() {
         let page_of_command = fs::read_to_string(folder.join(format!("deltav-{command}.1"))).unwrap();
         assert!(page_of_command.contains(&format!(".TH deltav-{command} 1")), "{command}");
         assert!(page.contains(&format!(r"deltav\-{command}(1)")), "{command}");
+    }
+    // What may be given several times, and what may not.
+    for (command, argument) in [("reconstruct", "CASE…"), ("explain", "TOPIC…"), ("impact", "CASE")] {
+        let page = fs::read_to_string(folder.join(format!("deltav-{command}.1"))).unwrap();
+        assert!(page.contains(&format!("\\fI{argument}\\fR")), "{command}: {page}");
     }
     let nowhere = deltav(&["man", "--output-dir", "no/such/folder"]);
     assert_eq!(nowhere.status.code(), Some(2));
