@@ -4,7 +4,7 @@ use case::{
     CaseFile, Crush, Diagnostics, ImpactLaw, InferredWidth, StiffnessForm, StiffnessLine, Subject, Velocity,
     YawSource,
 };
-use crash3::Structure;
+use crash3::{Side, Structure};
 
 use crate::warning::{self, Warning};
 use crate::{Vehicle, checks, closing_speed, damage, law_at, uncertainty};
@@ -12,8 +12,8 @@ use crate::{Vehicle, checks, closing_speed, damage, law_at, uncertainty};
 /// What can be said of a case before it is solved.
 #[derive(Debug)]
 pub struct Judgement {
-    /// What it can be used for: `reconstruct`, `impact`, `crush` and `uncertainty`.
-    pub commands: [Ability; 4],
+    /// What it can be used for: `reconstruct`, `impact`, `crush`, `uncertainty`, `compare`, `sensitivity` and `draw`.
+    pub commands: [Ability; 7],
     /// What stands in for what the file does not say, in the order of the file.
     pub assumptions: Vec<Assumption>,
     /// The warnings that need no answer, in the axes of the engine; [`Warning::in_axes`] has them in others.
@@ -25,6 +25,8 @@ pub struct Judgement {
 pub struct Ability {
     /// The command.
     pub command: &'static str,
+    /// The one of the first three whose answer it works on: itself for those.
+    pub on: &'static str,
     /// What is missing or does not fit together, where anything does.
     pub obstacle: Option<Diagnostics>,
 }
@@ -34,6 +36,17 @@ pub struct Ability {
 pub enum Assumption {
     /// The axes are z-up.
     ZUp,
+    /// A, B and G are those of CRASH3's stiffness category.
+    CategoryStiffness {
+        /// Of whose damage.
+        vehicle: usize,
+        /// The category, 1 to 5.
+        category: u8,
+        /// Of which side.
+        side: Side,
+        /// (N/m, N/m², N) A, B and G.
+        abg: [f64; 3],
+    },
     /// No yaw rate before the impact.
     YawRate {
         /// Whose.
@@ -120,6 +133,7 @@ impl Assumption {
                 (vehicle, "yaw_inertia")
             }
             Self::SpeedUnused { vehicle, .. } => (vehicle, "speed"),
+            Self::CategoryStiffness { vehicle, .. } => (vehicle, "crush.stiffness"),
             Self::EqualSpacing { vehicle } => (vehicle, "crush.spacing"),
             Self::EnergyWithoutCrush { vehicle, .. } => (vehicle, "crush.stiffness.G"),
             Self::ExactFit { vehicle } => (vehicle, "crush.stiffness.test.fit"),
@@ -164,11 +178,24 @@ pub fn judge(file: &CaseFile) -> Judgement {
     let unpropagated = uncertainty::inputs(file)
         .err()
         .or_else(|| if seeks { file.reconstruction().err() } else { file.impact().err() });
+    let (reconstruction, impact, crush) = (reconstruction.err(), impact.err(), file.crush().err());
+    let obstacle = |on: &str| match on {
+        "reconstruct" => reconstruction.clone(),
+        "impact" => impact.clone(),
+        _ => crush.clone(),
+    };
+    let itself = |command| Ability { command, on: command, obstacle: obstacle(command) };
+    let of = |command, on| Ability { command, on, obstacle: obstacle(on) };
+    let solved = if seeks { "reconstruct" } else { "impact" };
+    let furthest = crate::furthest_command(&file.case);
     let commands = [
-        Ability { command: "reconstruct", obstacle: reconstruction.err() },
-        Ability { command: "impact", obstacle: impact.err() },
-        Ability { command: "crush", obstacle: file.crush().err() },
-        Ability { command: "uncertainty", obstacle: unpropagated },
+        itself("reconstruct"),
+        itself("impact"),
+        itself("crush"),
+        Ability { command: "uncertainty", on: solved, obstacle: unpropagated },
+        of("compare", solved),
+        of("sensitivity", furthest),
+        of("draw", furthest),
     ];
     Judgement { commands, assumptions, warnings }
 }
@@ -282,6 +309,12 @@ fn of_crush(
         StiffnessForm::Zones(zones) => zones.iter().any(has_no_g),
         StiffnessForm::Category(_) | StiffnessForm::Test(_) => false,
     };
+    if let StiffnessForm::Category(category) = crush.stiffness
+        && let Ok(Structure::Uniform(stiffness)) = crush.stiffness.structure(crush.side)
+    {
+        let abg = [stiffness.a(), stiffness.b(), stiffness.g()];
+        assumptions.push(Assumption::CategoryStiffness { vehicle, category, side: crush.side, abg });
+    }
     if let Ok(structure) = crush.stiffness.structure(crush.side)
         && derives_g
     {

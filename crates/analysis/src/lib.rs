@@ -47,7 +47,7 @@ pub use uncertainty::{
 };
 pub use warning::Warning;
 
-use case::{CaseFile, Collision, Diagnostics, Subject};
+use case::{Case, CaseFile, Collision, Diagnostics, Subject};
 use crash3::{CrushError, EnergyBasis};
 use pim_core::{Contact, ImpactError, Law, Outcome, Real};
 use reconcile::{Iteration, Method, Problem, ReconcileError, Unknown};
@@ -206,6 +206,29 @@ pub fn crush(file: &CaseFile) -> Result<Analysis, Failure> {
     let input = file.crush()?;
     let vehicles = damage::assess(input.vehicles, [None, None])?;
     judged(file, vehicles, input.basis, input.restitution, (None, None), Vec::new())
+}
+
+/// As far as a case goes: [`reconstruct`] where it has a `[reconstruct]` table, else [`impact`] where it has both speeds, else [`crush`].
+///
+/// # Errors
+/// [`Failure`].
+pub fn furthest(file: &CaseFile) -> Result<Analysis, Failure> {
+    match furthest_command(&file.case) {
+        "reconstruct" => reconstruct(file),
+        "impact" => impact(file),
+        _ => crush(file),
+    }
+}
+
+/// The command of that name.
+fn furthest_command(case: &Case) -> &'static str {
+    if case.reconstruct.is_some() {
+        "reconstruct"
+    } else if case.impact.is_some() && case.vehicles.iter().all(|v| v.fixed || v.motion.is_some()) {
+        "impact"
+    } else {
+        "crush"
+    }
 }
 
 /// CRASH3's answer, the checks and the warnings of what was found so far.

@@ -7,7 +7,7 @@ use real::Dual;
 use reconcile::Problem;
 
 use crate::damage::{self, Crash3};
-use crate::{Analysis, Failure, collide, crush, impact, reconstruct};
+use crate::{Analysis, Failure, collide, furthest};
 
 /// (rad) 1°.
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -158,15 +158,8 @@ pub struct Sweep {
 /// # Errors
 /// [`Failure`] where the case has no answer.
 pub fn sensitivity(file: &CaseFile, sweep: Sweep) -> Result<Sensitivity, Failure> {
-    let (nominal, derivatives) = if file.case.reconstruct.is_some() {
-        let nominal = reconstruct(file)?;
-        let derivatives = derivatives(file, &nominal)?;
-        (nominal, derivatives)
-    } else if file.case.impact.is_some() && file.case.vehicles.iter().all(|v| v.fixed || v.motion.is_some()) {
-        (impact(file)?, Vec::new())
-    } else {
-        (crush(file)?, Vec::new())
-    };
+    let nominal = furthest(file)?;
+    let derivatives = if nominal.found.is_some() { derivatives(file, &nominal)? } else { Vec::new() };
     let pdof_sweep = pdof_sweep(&nominal, sweep, file.case.axes)?;
     Ok(Sensitivity { nominal, derivatives, pdof_sweep })
 }

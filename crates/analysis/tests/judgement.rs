@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use analysis::{Assumption, Judgement, Warning, judge};
+use analysis::{Ability, Assumption, Judgement, Sweep, Warning, judge};
 use case::{Case, CaseFile};
 
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
@@ -82,16 +82,55 @@ fn warnings_are_those_of_the_solved_case() {
 
 #[test]
 fn a_case_runs_what_it_has_all_for() {
-    assert_eq!(runs(&judge(&parsed(PAPER))), ["reconstruct"]);
-    assert_eq!(runs(&judge(&parsed(FORWARD))), ["impact"]);
-    assert_eq!(runs(&judge(&parsed(DAMAGE))), ["crush"]);
-    assert_eq!(runs(&judge(&parsed(INSPECTED))), ["crush"]);
-    assert_eq!(runs(&judge(&parsed(UNCERTAIN))), ["reconstruct", "uncertainty"]);
+    assert_eq!(runs(&judge(&parsed(PAPER))), ["reconstruct", "compare", "sensitivity", "draw"]);
+    assert_eq!(runs(&judge(&parsed(FORWARD))), ["impact", "compare", "sensitivity", "draw"]);
+    assert_eq!(runs(&judge(&parsed(DAMAGE))), ["crush", "sensitivity", "draw"]);
+    assert_eq!(runs(&judge(&parsed(INSPECTED))), ["crush", "sensitivity", "draw"]);
+    assert_eq!(
+        runs(&judge(&parsed(UNCERTAIN))),
+        ["reconstruct", "uncertainty", "compare", "sensitivity", "draw"]
+    );
     let nothing = judge(&parsed("[vehicle1]\nname = \"car\"\n[vehicle2]\nfixed = true\n"));
     assert_eq!(runs(&nothing), [""; 0]);
     let obstacles: Vec<usize> =
         nothing.commands.iter().map(|ability| ability.obstacle.as_ref().unwrap().list().len()).collect();
     assert!(obstacles.iter().all(|&count| count > 0), "{obstacles:?}");
+}
+
+/// What `check` says of a command is what the command does.
+#[test]
+fn what_runs_runs_and_what_does_not_lacks_something() {
+    let sweep = Sweep { step: 0.1, steps: 1 };
+    for text in [PAPER, FORWARD, DAMAGE, INSPECTED, UNCERTAIN] {
+        let file = parsed(text);
+        for Ability { command, obstacle, .. } in judge(&file).commands {
+            let failure = match command {
+                "reconstruct" => analysis::reconstruct(&file).err(),
+                "impact" => analysis::impact(&file).err(),
+                "crush" => analysis::crush(&file).err(),
+                "compare" => analysis::compare(&file).err(),
+                "sensitivity" => analysis::sensitivity(&file, sweep).err(),
+                "draw" => analysis::furthest(&file).err(),
+                _ => continue,
+            };
+            assert_eq!(obstacle.is_none(), failure.is_none(), "{command}: {failure:?}");
+        }
+    }
+}
+
+/// SAE 870045, Table 1, side, category 2: 140 lb/in, 67 lb/in², 148 lb; the pound-force is 4.448222 N, the inch 0.0254 m.
+#[test]
+fn the_stiffness_of_a_category_is_told() {
+    let from = "stiffness = { d0 = \"30 lb^0.5\", d1 = \"77.5 lb^0.5/ft\" }";
+    let judgement = changed(PAPER, from, "stiffness = { category = 2 }");
+    let told = judgement.assumptions.iter().find_map(|assumption| match assumption {
+        Assumption::CategoryStiffness { vehicle: 2, category: 2, abg, .. } => Some(*abg),
+        _ => None,
+    });
+    let [a, b, g] = told.unwrap();
+    assert!((a / (140.0 * 4.448_222 / 0.0254) - 1.0).abs() < 1e-6, "{a}");
+    assert!((b / (67.0 * 4.448_222 / 0.0254 / 0.0254) - 1.0).abs() < 1e-6, "{b}");
+    assert!((g / (148.0 * 4.448_222) - 1.0).abs() < 1e-6, "{g}");
 }
 
 #[test]

@@ -103,7 +103,8 @@
 //! # Units
 //!
 //! Between the units of a product, a space, `·`, `*` and `-` mean the same, and so do `^2`, `²` and a bare `2`, and `√lb`,
-//! `sqrt(lb)`, `lb^½` and `lb^0.5`. Upper and lower case differ. `lbf` is `lb` wherever that is a force.
+//! `sqrt(lb)`, `lb^½` and `lb^0.5`. Upper and lower case differ. `lbf` is `lb` wherever that is a force: in
+//! `lb ft s^2` it is one, in `lb ft^2` a mass.
 //!
 #![doc = include_str!("units.md")]
 //!
@@ -156,6 +157,7 @@
 mod axes;
 mod case;
 mod diagnostic;
+mod foreign;
 mod input;
 mod json_schema;
 mod model;
@@ -165,6 +167,7 @@ mod quantity;
 mod range;
 mod read;
 mod schema;
+mod slips;
 mod source;
 mod template;
 mod units;

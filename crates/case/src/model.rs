@@ -224,7 +224,7 @@ impl CaseFile {
         let mut collision = demand.collision(unknown);
         for (i, vehicle) in self.case.vehicles.iter().enumerate() {
             if !vehicle.fixed && vehicle.crush.is_none() {
-                demand.missing(format_args!("{}.crush", TABLES[i]), CRUSH_EXAMPLE);
+                demand.missing_crush(i);
             }
         }
         if self.case.vehicles.iter().filter_map(|v| v.crush.as_ref()).any(|crush| crush.from_force_balance) {
@@ -324,8 +324,6 @@ fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: [Option<&mut 
     }
 }
 
-const CRUSH_EXAMPLE: &str = "a table with side, width, depths and stiffness";
-
 /// The tables of the vehicles.
 const TABLES: [&str; 2] = ["vehicle1", "vehicle2"];
 
@@ -354,6 +352,18 @@ impl<T: Real> Demand<'_, T> {
         let message = format!("`{path}` is missing: `deltav {}` needs it", self.command);
         let help = format!("give {example}");
         self.problems.push(self.file.problem(path, message, Some(help)));
+    }
+
+    fn missing_crush(&mut self, i: usize) {
+        let other = self.case.vehicles[1 - i].crush.as_ref();
+        let inferred = if other.is_some_and(|crush| !crush.from_force_balance) {
+            "; of a vehicle that could not be inspected, side, stiffness and `from_force_balance = true` are enough: its crush then follows \
+             from the force on the other"
+        } else {
+            ""
+        };
+        let example = format!("a table with side, width, depths and stiffness{inferred}");
+        self.missing(format_args!("{}.crush", TABLES[i]), &example);
     }
 
     fn given<V: Copy>(&mut self, value: Option<V>, path: impl Display, example: &str) -> Option<V> {
@@ -682,7 +692,7 @@ impl<T: Real> Demand<'_, T> {
     fn direction_of_force(&mut self, i: usize, vehicle: &Vehicle<T>) {
         let table = TABLES[i];
         let Some(crush) = &vehicle.crush else {
-            self.missing(format_args!("{table}.crush"), CRUSH_EXAMPLE);
+            self.missing_crush(i);
             return;
         };
         if !self.has_pdof(i) && (crush.oblique_angle.is_none() || crush.moment_arm.is_none()) {

@@ -7,7 +7,8 @@ use crate::nearest::join;
 use crate::quantity::{Limit, Quantity, QuantityError, dimension_help, format_limit, format_number};
 use crate::range::Amount;
 use crate::schema::{LawName, RESTITUTION, TANGENTIAL};
-use crate::units::Dimension;
+use crate::slips;
+use crate::units::{Dimension, Unit};
 
 /// What is wrong at one place of a case file. `Display` says what, [`Problem::help`] what to write instead.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -16,6 +17,12 @@ pub enum Problem {
     /// The file is too large to be a case.
     #[error("the file has more than the {limit} bytes that a case file may have")]
     TooLarge { limit: usize },
+    /// Another kind of file.
+    #[error("this is {kind}, and not a case")]
+    OtherFile { kind: &'static str, help: &'static str },
+    /// Text in another encoding.
+    #[error("the file is not text in UTF-8: line {line} has the first letter that does not fit")]
+    NotUtf8 { line: usize, help: &'static str },
     /// Not TOML.
     #[error("this is not valid TOML: {message}")]
     Syntax { message: String },
@@ -69,9 +76,12 @@ pub enum Problem {
     /// A plain number in quotes.
     #[error("{path} is the string \"{text}\", but has to be a plain number")]
     QuotedNumber { path: String, text: String, example: String },
-    /// A quantity that cannot be read.
-    #[error("{0}")]
-    Quantity(QuantityError),
+    /// A list of them.
+    #[error("\"{path}\" is a list of bare numbers, but needs a unit")]
+    BareNumbers { path: String, dimension: Dimension, example: String },
+    /// A quantity that cannot be read; `unit` is one for an example.
+    #[error("{error}")]
+    Quantity { error: QuantityError, unit: Option<&'static Unit> },
     /// Several quantities in one string that cannot be told apart.
     #[error("\"{text}\" is not a list of numbers with one unit at its end")]
     BadList { text: String, dimension: Dimension, example: &'static str },
@@ -144,6 +154,9 @@ pub enum Problem {
     /// Not an hour.
     #[error("\"{path}\" is \"{text}\", but the hours of a clock are 1 to 12")]
     NotAnHour { path: String, text: String },
+    /// An hour in another form.
+    #[error("\"{path}\" is \"{text}\", and the hour of a clock is not written so")]
+    HourForm { path: String, text: String, hour: Option<u8> },
     /// An inferred crush with what only a measured one has.
     #[error("{table} takes its crush from the force balance, and then has no {key}")]
     InferredHas { table: String, key: &'static str },
@@ -171,6 +184,9 @@ pub enum Problem {
     /// A share of nothing.
     #[error("{path} is {value}, and a share of zero is no range")]
     WithinOfZero { path: String, value: Amount },
+    /// A share for a standard deviation.
+    #[error("{path} is \"{text}\", but a share of the value is no standard deviation")]
+    PercentAsSd { path: String, text: String },
     /// Not a percentage.
     #[error("{path} is \"{text}\", but has to be a percentage")]
     NotPercent { path: String, text: String },
@@ -185,6 +201,7 @@ impl Problem {
     pub fn help(&self) -> Option<String> {
         let help = match self {
             Self::TooLarge { .. } => "a case is a page of text; is this the right file?".to_owned(),
+            Self::OtherFile { help, .. } | Self::NotUtf8 { help, .. } => (*help).to_owned(),
             Self::Syntax { message } => return syntax_help(message).map(str::to_owned),
             Self::UnknownKey { belongs, nearest, known, table, key } => match (belongs, nearest) {
                 (Some(belongs), None) => format!("it belongs in {belongs}"),
@@ -221,8 +238,15 @@ impl Problem {
                 "write number and unit as a string, for example {example}; {}",
                 dimension_help(*dimension)
             ),
-            Self::QuotedNumber { example, .. } => format!("write {example}, without quotes"),
-            Self::Quantity(error) => error.help(),
+            Self::QuotedNumber { text, example, .. } => match slips::range(text, None) {
+                Some(range) => format!("write a range as {range}"),
+                None => format!("write {example}, without quotes"),
+            },
+            Self::BareNumbers { dimension, example, .. } => format!(
+                "write the numbers and one unit as a string, for example {example}; {}",
+                dimension_help(*dimension)
+            ),
+            Self::Quantity { error, unit } => error.help_in(*unit),
             Self::BadList { text, dimension, example } => {
                 let comma = if text.contains(',') { ", and no commas" } else { "" };
                 format!(
@@ -289,6 +313,11 @@ impl Problem {
                 "write the full hour, as pdof = \"2 o'clock\": the vehicle points to 12, and 3 o'clock is from its right; or an angle"
                     .to_owned()
             }
+            Self::HourForm { hour, .. } => format!(
+                "write the full hour, as pdof = \"{} o'clock\": the vehicle points to 12, and 3 o'clock is from its right; or an angle, \
+                 where half an hour is 15 deg",
+                hour.unwrap_or(2)
+            ),
             Self::InferredHas { key, .. } => {
                 format!("remove {key} or, if the damage was measured, from_force_balance = true")
             }
@@ -310,6 +339,10 @@ impl Problem {
             Self::NotRising { .. } => "exchange the two; for an angle, count on beyond 180 deg or below -180 deg".to_owned(),
             Self::ModeOutside { .. } => "mode is the likeliest value of a triangular distribution, which may stand at an end".to_owned(),
             Self::WithinOfZero { .. } => "give the standard deviation instead, as sd = …".to_owned(),
+            Self::PercentAsSd { text, .. } => format!(
+                "write within = \"{text}\" in place of sd, and confidence, the probability that it is kept: 0.95, say, or 0.683 for one \
+                 standard deviation"
+            ),
             Self::NotPercent { .. } => {
                 "write number and percent sign, as within = \"10 %\"; a deviation with a unit is written as sd = …".to_owned()
             }
@@ -354,9 +387,13 @@ fn list(keys: &[&str]) -> String {
 /// What we say where the parser calls the absence of a value a string without quotes.
 pub(crate) const NO_VALUE: &str = "there is no value after the equals sign";
 
+/// What we say of a text in quotes that has a further one behind it.
+pub(crate) const INCH_MARK: &str = "there is a quote behind the end of the text";
+
 /// What to do about the TOML errors that a hand-written case is likely to have.
 fn syntax_help(message: &str) -> Option<&'static str> {
     const HELP: &[(&str, &str)] = &[
+        (INCH_MARK, "write the unit in letters, as in \"70 in\": a quote ends the text"),
         (NO_VALUE, "text and quantities stand between quotes, as in speed = \"10 mph\""),
         ("duplicate key", "each key and each table may stand only once; remove one of the two"),
         ("must be quoted", "write the value between quotes, as in \"10 mph\""),

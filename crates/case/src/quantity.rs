@@ -6,6 +6,7 @@ use pim_core::Real;
 use thiserror::Error;
 
 use crate::nearest::join;
+use crate::slips;
 use crate::units::{Dimension, Unit, nearest_unit};
 
 /// A number with its unit, as the case file gives it. Always finite and within [`Dimension::bound`].
@@ -128,6 +129,16 @@ pub(crate) fn find_unit(
     if spelling.is_empty() {
         return Err(QuantityError::MissingUnit { value, dimension });
     }
+    if let Some(range) = slips::range(text, Some(dimension)) {
+        return Err(QuantityError::RangeInText { value, range });
+    }
+    if let Some(decimal) = slips::decimal(text, dimension) {
+        return Err(QuantityError::NotDecimal { value, decimal });
+    }
+    if let Some((unit, numbers)) = slips::mark(spelling, dimension).zip(text.strip_suffix(spelling)) {
+        let decimal = format!("{} {unit}", shorten(numbers.trim_end()));
+        return Err(QuantityError::NotDecimal { value, decimal });
+    }
     // What goes on as a number was meant as one: "6,3 ft", "5 1/2 in", "3.5.2 m".
     let after_sign = spelling.strip_prefix([',', '.', '/', '_', '\'']).unwrap_or(spelling);
     if after_sign.starts_with(|c: char| c.is_ascii_digit()) {
@@ -147,6 +158,8 @@ pub(crate) fn not_a_number(text: &str, dimension: Dimension) -> QuantityError {
     let value = shorten(text);
     if dimension.unit(text).is_some() {
         QuantityError::MissingNumber { value, dimension }
+    } else if let Some(decimal) = slips::decimal(text, dimension) {
+        QuantityError::NotDecimal { value, decimal }
     } else {
         bad_number(value, dimension)
     }
@@ -268,6 +281,22 @@ pub enum QuantityError {
         /// What was wanted.
         dimension: Dimension,
     },
+    /// A fraction, feet and inches, or a mark in place of the unit.
+    #[error("\"{value}\" is not written as a decimal number with its unit")]
+    NotDecimal {
+        /// The whole text.
+        value: String,
+        /// The same as it has to be written.
+        decimal: String,
+    },
+    /// Two numbers that stand for a range.
+    #[error("\"{value}\" is a range, and a range is not written in one text")]
+    RangeInText {
+        /// The whole text.
+        value: String,
+        /// The same as it has to be written.
+        range: String,
+    },
     /// No dimension has this unit.
     #[error("\"{value}\" has an unknown unit \"{spelling}\"")]
     UnknownUnit {
@@ -310,18 +339,25 @@ impl QuantityError {
     /// What to write instead.
     #[must_use]
     pub fn help(&self) -> String {
+        self.help_in(None)
+    }
+
+    /// The same with an example in another unit than the first of the table.
+    pub(crate) fn help_in(&self, unit: Option<&'static Unit>) -> String {
+        let example_unit =
+            |dimension: &Dimension| unit.map_or_else(|| first_unit(*dimension), Unit::spelling);
         match self {
             Self::Empty { dimension } => {
                 format!(
                     "write number and unit, as in \"6.3 {}\"; {}",
-                    first_unit(*dimension),
+                    example_unit(dimension),
                     dimension_help(*dimension)
                 )
             }
             Self::MissingUnit { value, dimension } => {
                 format!(
                     "add the unit, as in \"{value} {}\"; {}",
-                    first_unit(*dimension),
+                    example_unit(dimension),
                     dimension_help(*dimension)
                 )
             }
@@ -342,9 +378,11 @@ impl QuantityError {
             }
             Self::BadNumber { dimension, .. } => format!(
                 "write a decimal number and a unit, as in \"6.3 {}\"; {}",
-                first_unit(*dimension),
+                example_unit(dimension),
                 dimension_help(*dimension)
             ),
+            Self::NotDecimal { decimal, .. } => format!("write \"{decimal}\""),
+            Self::RangeInText { range, .. } => format!("write {range}"),
             Self::UnknownUnit { spelling, dimension, .. } => match nearest_unit(spelling, *dimension) {
                 Some(unit) => format!("{}; did you mean \"{unit}\"?", dimension_help(*dimension)),
                 None => dimension_help(*dimension),

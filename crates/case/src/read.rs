@@ -5,12 +5,14 @@ mod range;
 mod tree;
 mod values;
 mod vehicle;
+mod written;
 
 use toml::de::DeTable;
 
 use crate::axes::Axes;
 use crate::case::{Case, Reconstruct, Vehicle};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::foreign;
 use crate::problem::Problem;
 use crate::quantity::Quantity;
 use crate::schema::{IMPACT, RECONSTRUCT, SCENE, TOP};
@@ -79,13 +81,22 @@ impl Case {
     ///
     /// All problems of the file at once: see [`Problem`] for the kinds.
     pub fn parse(name: &str, text: &str) -> Result<CaseFile, Diagnostics> {
-        if text.len() > Self::LARGEST_FILE {
+        Self::parse_bytes(name, text.as_bytes())
+    }
+
+    /// The same of the bytes of a file, which may turn out to be no text at all. One that is cut off behind [`LARGEST_FILE`](Self::LARGEST_FILE) is refused for
+    /// its length.
+    ///
+    /// # Errors
+    ///
+    /// As [`parse`](Self::parse); of a file of another kind, one that says which.
+    pub fn parse_bytes(name: &str, bytes: &[u8]) -> Result<CaseFile, Diagnostics> {
+        let text = foreign::text(bytes, Self::LARGEST_FILE).map_err(|problem| {
             let source = Source::new(name, "", Spans::default());
-            let problem = Problem::TooLarge { limit: Self::LARGEST_FILE };
-            return Err(Diagnostics::new(source, vec![Diagnostic::new(None, problem)]));
-        }
+            Diagnostics::new(source, vec![Diagnostic::new(None, problem)])
+        })?;
         let (document, errors) = DeTable::parse_recoverable(text);
-        let mut reader = Reader::new(text);
+        let mut reader = Reader::new(text, document.get_ref());
         let case = reader.case(document.get_ref());
         let (spans, problems) = reader.finish(&errors);
         let source = Source::new(name, text, spans);

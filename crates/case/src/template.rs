@@ -1,11 +1,13 @@
 //! Case files to begin with.
 
+use crate::units::UnitSystem;
+
 /// A commented case that runs as it is, of one kind of collision. The numbers are invented.
 ///
 /// ```
-/// use case::{Case, Template};
+/// use case::{Case, Template, UnitSystem};
 ///
-/// let file = Case::parse("case.toml", Template::Barrier.text())?;
+/// let file = Case::parse("case.toml", Template::Barrier.text(UnitSystem::Us))?;
 /// assert!(file.case.vehicles[1].fixed);
 /// # Ok::<(), case::Diagnostics>(())
 /// ```
@@ -39,15 +41,20 @@ impl Template {
         }
     }
 
-    /// The case file.
+    /// The case file, in the units of a custom: its numbers are round in them, so that the two tell of two collisions of a kind.
     #[must_use]
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::FrontSide => include_str!("../templates/front-side.toml"),
-            Self::HeadOn => include_str!("../templates/head-on.toml"),
-            Self::RearEnd => include_str!("../templates/rear-end.toml"),
-            Self::Barrier => include_str!("../templates/barrier.toml"),
-            Self::Sideswipe => include_str!("../templates/sideswipe.toml"),
+    pub fn text(self, units: UnitSystem) -> &'static str {
+        match (self, units) {
+            (Self::FrontSide, UnitSystem::Si) => include_str!("../templates/si/front-side.toml"),
+            (Self::HeadOn, UnitSystem::Si) => include_str!("../templates/si/head-on.toml"),
+            (Self::RearEnd, UnitSystem::Si) => include_str!("../templates/si/rear-end.toml"),
+            (Self::Barrier, UnitSystem::Si) => include_str!("../templates/si/barrier.toml"),
+            (Self::Sideswipe, UnitSystem::Si) => include_str!("../templates/si/sideswipe.toml"),
+            (Self::FrontSide, UnitSystem::Us) => include_str!("../templates/us/front-side.toml"),
+            (Self::HeadOn, UnitSystem::Us) => include_str!("../templates/us/head-on.toml"),
+            (Self::RearEnd, UnitSystem::Us) => include_str!("../templates/us/rear-end.toml"),
+            (Self::Barrier, UnitSystem::Us) => include_str!("../templates/us/barrier.toml"),
+            (Self::Sideswipe, UnitSystem::Us) => include_str!("../templates/us/sideswipe.toml"),
         }
     }
 }

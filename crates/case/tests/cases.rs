@@ -861,6 +861,62 @@ fn a_file_of_a_megabyte_is_read_and_a_larger_one_is_not() {
     assert_eq!(problems(&padded(1_000_001)), [Problem::TooLarge { limit: 1_000_000 }]);
 }
 
+#[test]
+fn a_vehicle_that_was_not_inspected_can_be_inferred() {
+    let paper = include_str!("../../../fixtures/sae-980025.toml");
+    let (head, damage) = paper.split_once("[vehicle2.crush]").unwrap();
+    let (_, tail) = damage.split_once("[impact]").unwrap();
+    let help = |text: &str| -> Vec<String> {
+        let errors = Case::parse("case.toml", text).unwrap().reconstruction().unwrap_err();
+        errors.list().iter().filter_map(|one| one.problem().help()).collect()
+    };
+    let one = help(&format!("{head}[impact]{tail}"));
+    assert!(matches!(&one[..], [help] if help.contains("`from_force_balance = true`")), "{one:?}");
+    // What nobody measured cannot follow from the other.
+    let (before, damage) = head.split_once("[vehicle1.crush]").unwrap();
+    let (_, after) = damage.split_once("[vehicle2]").unwrap();
+    let none = help(&format!("{before}[vehicle2]{after}[impact]{tail}"));
+    assert!(none.len() == 2 && none.iter().all(|help| !help.contains("from_force_balance")), "{none:?}");
+}
+
+/// An example suits the file: in the units of the same key, of the same kind, or of the system in which most of it is written.
+#[test]
+fn an_example_has_a_unit_of_the_file() {
+    let examples = |text: &str| -> Vec<String> {
+        let errors = Case::parse("case.toml", text).unwrap_err();
+        let help = errors.list().iter().filter_map(|one| one.problem().help());
+        help.map(|help| {
+            help.split(['"', '=']).find(|part| part.starts_with('7')).unwrap_or_default().to_owned()
+        })
+        .collect()
+    };
+    let of = |first: &str, second: &str| {
+        examples(&format!(
+            "[vehicle1]\n{first}\n[vehicle1.crush]\nside = \"front\"\nstiffness = {{ category = 1 }}\n{second}\n[vehicle2]\nfixed = true"
+        ))
+    };
+    let depths = "depths = \"7 8\"";
+    // The width beside them; a system; centimetres where there is nothing to go by.
+    assert_eq!(of("mass = \"1 t\"", &format!("width = \"60 in\"\n{depths}")), ["7 8 in"]);
+    assert_eq!(of("mass = \"1 t\"", &format!("width = \"600 mm\"\n{depths}")), ["7 8 mm"]);
+    assert_eq!(
+        of("weight = \"3000 lb\"\nlength = \"15 ft\"", &format!("width = \"7\"\n{depths}")),
+        ["", "7 in", "7 8 in"]
+    );
+    assert_eq!(of("", &format!("width = \"7\"\n{depths}")), ["7 cm", "7 8 cm"]);
+    // Not that of a damage for the body, nor the other way round.
+    assert_eq!(of("wheelbase = \"7\"", "width = \"60 in\"\ndepths = \"1 2 in\""), ["7 ft"]);
+    assert_eq!(
+        of("wheelbase = \"108 in\"\nyaw_radius = \"7\"", "width = \"60 cm\"\ndepths = \"1 2 cm\""),
+        ["7 in"]
+    );
+    assert_eq!(
+        of("mass = { value = \"3000 lb\", sd = 7 }", "width = \"60 cm\"\ndepths = \"1 2 cm\""),
+        ["7 lb"]
+    );
+    assert_eq!(of("speed = \"7\"\nmass = \"1 t\"", "width = \"60 cm\"\ndepths = \"1 2 cm\""), ["7 m/s"]);
+}
+
 /// What is quick for a word of ten letters can be quadratic in its length.
 #[test]
 fn a_megabyte_of_one_value_is_refused_at_once() {
@@ -869,9 +925,10 @@ fn a_megabyte_of_one_value_is_refused_at_once() {
     for text in [unit("√("), unit("√"), unit("sqrt(a)"), unit("lb "), unit("x")] {
         assert!(matches!(
             problems(&text)[..],
-            [Problem::Quantity(
-                case::QuantityError::UnknownUnit { .. } | case::QuantityError::BadNumber { .. }
-            )]
+            [Problem::Quantity {
+                error: case::QuantityError::UnknownUnit { .. } | case::QuantityError::BadNumber { .. },
+                ..
+            }]
         ));
     }
     let count = 450_000;

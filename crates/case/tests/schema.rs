@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use case::{Case, Dimension, Problem, Quantity, QuantityError, Template, json_schema};
+use case::{Case, Dimension, Problem, Quantity, QuantityError, Template, UnitSystem, json_schema};
 use jsonschema::Validator;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -89,7 +89,10 @@ fn valid_cases_are_valid() {
     let validator = validator();
     let mut read = 0;
     let fixtures = ["", "laws", "no-answer", "ricsac"].into_iter().flat_map(cases);
-    let templates = Template::ALL.map(|template| (template.name().to_owned(), template.text().to_owned()));
+    let templates = Template::ALL.into_iter().flat_map(|template| {
+        [UnitSystem::Si, UnitSystem::Us]
+            .map(|units| (format!("{} {units:?}", template.name()), template.text(units).to_owned()))
+    });
     for (name, text) in fixtures.chain(templates) {
         let document = document(&text).unwrap();
         let errors: Vec<String> = validator

@@ -1,8 +1,10 @@
 //! The command line.
 
+use std::ffi::OsStr;
 use std::path::PathBuf;
 
-use clap::{Args, Parser, ValueEnum};
+use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
+use clap::{Arg, Args, Parser, ValueEnum};
 use clap_complete::Shell;
 
 /// Reconstructs a two-vehicle collision from its damage.
@@ -23,7 +25,7 @@ pub(crate) enum Command {
     #[command(
         long_about = "Write a commented case file to begin with.\n\n\
             It runs as it is. Its numbers are invented: each line says what it is, for you to put in your own. An existing file is not overwritten.",
-        after_help = "Examples:\n  deltav new -o case.toml\n  deltav new --template barrier -o case.toml\n  deltav reconstruct case.toml"
+        after_help = "Examples:\n  deltav new -o case.toml\n  deltav new --template barrier --units us -o case.toml\n  deltav reconstruct case.toml"
     )]
     New(NewArguments),
     /// Find the speed that makes impact and crush agree, and print the whole reconstruction
@@ -164,7 +166,32 @@ pub(crate) enum Command {
 #[derive(Debug, Args)]
 pub(crate) struct ExplainArguments {
     /// What to explain, in one word or several
+    #[arg(value_parser = TopicParser, hide_possible_values = true)]
     pub(crate) topic: Vec<String>,
+}
+
+/// Takes any word, which may be a symbol or a key, and offers the names of the topics to the completions of shells.
+#[derive(Clone)]
+struct TopicParser;
+
+impl TypedValueParser for TopicParser {
+    type Value = String;
+
+    fn parse_ref(
+        &self,
+        command: &clap::Command,
+        argument: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<String, clap::Error> {
+        StringValueParser::new().parse_ref(command, argument, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        // In a script, a quote would begin a text, and a comma is no word.
+        let is_plain = |name: &str| name.chars().all(|c| c.is_alphanumeric() || c == '-' || c == ' ');
+        let names = report::topics().iter().map(|topic| topic.name).filter(move |name| is_plain(name));
+        Some(Box::new(names.map(PossibleValue::new)))
+    }
 }
 
 #[derive(Debug, Args)]
@@ -186,7 +213,7 @@ pub(crate) struct ReconstructArguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
 
-    /// Write to FILE instead of standard output
+    /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 }
@@ -207,9 +234,21 @@ pub(crate) struct NewArguments {
     #[arg(long, value_enum, default_value_t = Template::FrontSide)]
     pub(crate) template: Template,
 
+    /// Units of the numbers, which are round in them
+    #[arg(long, value_enum, default_value_t = CaseUnits::Si)]
+    pub(crate) units: CaseUnits,
+
     /// Write to FILE, which must not exist, instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum CaseUnits {
+    /// kg, m, cm, km/h
+    Si,
+    /// lb, in, mph
+    Us,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -228,7 +267,7 @@ pub(crate) enum Template {
 
 #[derive(Debug, Args)]
 pub(crate) struct SchemaArguments {
-    /// Write to FILE instead of standard output
+    /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 }
@@ -261,7 +300,7 @@ pub(crate) struct ReportArguments {
     #[arg(long, value_enum)]
     pub(crate) units: Option<UnitSystem>,
 
-    /// Write to FILE instead of standard output
+    /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 }
@@ -324,7 +363,7 @@ pub(crate) struct UncertaintyArguments {
     pub(crate) arguments: Arguments,
 
     /// How many samples; four times as many halve the standard errors
-    #[arg(long, value_name = "N", default_value_t = 100_000)]
+    #[arg(long, value_name = "N", default_value = "100000", value_parser = count)]
     pub(crate) samples: usize,
 
     /// Where the random numbers begin
@@ -340,10 +379,10 @@ pub(crate) struct UncertaintyArguments {
     pub(crate) method: Method,
 
     /// Also compute Sobol' indices: how much of the variance each input brings. ROWS times as many evaluations as there are uncertain inputs, and two more
-    #[arg(long, value_name = "ROWS", num_args = 0..=1, require_equals = true, default_missing_value = "4096")]
+    #[arg(long, value_name = "ROWS", num_args = 0..=1, require_equals = true, default_missing_value = "4096", value_parser = count)]
     pub(crate) sobol: Option<usize>,
 
-    /// Also write every sample, with its inputs, to FILE as CSV (SI units and radians)
+    /// Also write every sample, with its inputs, to FILE as CSV (SI units and radians); no .toml file is overwritten
     #[arg(long, value_name = "FILE")]
     pub(crate) samples_out: Option<PathBuf>,
 
@@ -362,6 +401,19 @@ pub(crate) enum Method {
     Sobol,
 }
 
+/// A whole number, which may be written as 1e6 too.
+fn count(text: &str) -> Result<usize, String> {
+    let (digits, zeros) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let is_whole = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let number = (is_whole(digits) && is_whole(zeros)).then(|| {
+        let power = zeros.parse().ok().and_then(|zeros| 10_usize.checked_pow(zeros))?;
+        digits.parse::<usize>().ok()?.checked_mul(power)
+    });
+    number
+        .flatten()
+        .ok_or_else(|| "give a whole number, without commas or points, such as 100000 or 1e6".to_owned())
+}
+
 fn degrees(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(degrees) if degrees > 0.0 && degrees <= 180.0 => Ok(degrees),
@@ -375,7 +427,7 @@ pub(crate) struct ValidateArguments {
     #[arg(long, value_enum, default_value_t = PageFormat::Text)]
     pub(crate) format: PageFormat,
 
-    /// Write to FILE instead of standard output
+    /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
@@ -404,7 +456,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_enum)]
     pub(crate) units: Option<UnitSystem>,
 
-    /// Write to FILE instead of standard output
+    /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 }
@@ -421,4 +473,23 @@ pub(crate) enum UnitSystem {
     Us,
     /// m/s, km/h, kg, J, cm
     Si,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::count;
+
+    #[test]
+    fn a_count_is_whole() {
+        for (text, number) in
+            [("0", 0), ("100000", 100_000), ("1e6", 1_000_000), ("25E3", 25_000), ("7e0", 7)]
+        {
+            assert_eq!(count(text), Ok(number), "{text}");
+        }
+        for text in
+            ["", "e6", "1e", "1.5e3", "1e-3", "100,000", "-1", "+1", "1e99", "99999999999999999999", "many"]
+        {
+            assert!(count(text).is_err_and(|message| message.contains("such as 100000 or 1e6")), "{text}");
+        }
+    }
 }

@@ -131,8 +131,8 @@ fn rows(
 
 fn reconstructed(path: &Path, row: fn(Row<'_>) -> Result<String, RowError>) -> Written {
     let file = path.display().to_string();
-    let answer = read(path).map_err(|error| on_one_line(&format!("{error:#}"))).and_then(|(name, text)| {
-        let file = Case::parse(&name, &text).map_err(|errors| errors.one_line())?;
+    let answer = read(path).map_err(|error| on_one_line(&format!("{error:#}"))).and_then(|(name, bytes)| {
+        let file = Case::parse_bytes(&name, &bytes).map_err(|errors| errors.one_line())?;
         match analysis::reconstruct(&file) {
             Ok(analysis) => Ok((file.case, analysis)),
             Err(Failure::Case(errors)) => Err(errors.one_line()),

@@ -2,9 +2,7 @@
 
 use std::path::Path;
 
-use analysis::{Analysis, Failure};
 use anyhow::{Result, bail};
-use case::CaseFile;
 use report::Subject;
 
 use crate::arguments::{DrawArguments, What};
@@ -18,22 +16,12 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         What::Reconciliation => Subject::Reconciliation,
         What::Energy => Subject::Energy,
     };
-    let drawing = report::drawing(&file, &analyse(&file)?, crate::units(arguments.units, &file), subject)?;
+    let drawing =
+        report::drawing(&file, &analysis::furthest(&file)?, crate::units(arguments.units, &file), subject)?;
     let path = arguments.output.as_deref();
     match image {
         Image::Svg => crate::write(path, drawing.svg()),
         Image::Png => crate::write(path, drawing.png()?),
-    }
-}
-
-/// As far as the case goes.
-fn analyse(file: &CaseFile) -> Result<Analysis, Failure> {
-    if file.case.reconstruct.is_some() {
-        analysis::reconstruct(file)
-    } else if file.case.impact.is_some() && file.case.vehicles.iter().all(|v| v.fixed || v.motion.is_some()) {
-        analysis::impact(file)
-    } else {
-        analysis::crush(file)
     }
 }
 

@@ -4,6 +4,7 @@ mod arguments;
 mod batch;
 mod draw;
 mod new;
+mod outputs;
 mod pages;
 mod progress;
 mod terminal;
@@ -33,13 +34,29 @@ const SUPPLEMENT_SAMPLES: usize = 20_000;
 /// Columns of an explanation where there is no terminal to fill.
 const EXPLAIN_COLUMNS: usize = 98;
 
+/// The files that `deltav validate --plots` writes.
+const VALIDATION_PLOTS: [&str; 2] = ["computed-against-measured.svg", "reconstructed-speed.svg"];
+
 /// The case is well formed, but no answer exists; or a claim of the validation fails.
 const NO_ANSWER: u8 = 1;
 /// The case file or the command line is wrong.
 const WRONG_INPUT: u8 = 2;
 
 fn main() -> ExitCode {
-    let result = match Command::parse() {
+    let command = Command::parse();
+    match outputs::check(&command).and_then(|()| run(command)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            let (lead, status) = lead_and_status(&error);
+            // Nothing is left to be done where standard error is closed.
+            let _ = writeln!(io::stderr(), "{lead}{error:#}");
+            ExitCode::from(status)
+        }
+    }
+}
+
+fn run(command: Command) -> Result<()> {
+    match command {
         Command::New(arguments) => new::new(&arguments),
         Command::Reconstruct(arguments) => reconstruct(arguments),
         Command::Impact(arguments) => report_analysis(&arguments, analysis::impact),
@@ -54,15 +71,6 @@ fn main() -> ExitCode {
         Command::Schema(arguments) => write(arguments.output.as_deref(), case::json_schema()),
         Command::Completions(arguments) => pages::completions(arguments.shell),
         Command::Man(arguments) => pages::manual(arguments.output_dir.as_deref()),
-    };
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            let (lead, status) = lead_and_status(&error);
-            // Nothing is left to be done where standard error is closed.
-            let _ = writeln!(io::stderr(), "{lead}{error:#}");
-            ExitCode::from(status)
-        }
     }
 }
 
@@ -248,8 +256,8 @@ fn pool(threads: Option<u16>) -> Result<ThreadPool> {
 }
 
 fn case_file(path: &Path) -> Result<CaseFile> {
-    let (name, text) = read(path)?;
-    Ok(Case::parse(&name, &text).map_err(Failure::from)?)
+    let (name, bytes) = read(path)?;
+    Ok(Case::parse_bytes(&name, &bytes).map_err(Failure::from)?)
 }
 
 fn units(asked: Option<UnitSystem>, file: &CaseFile) -> Units {
@@ -290,11 +298,9 @@ fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
     };
     write(arguments.output.as_deref(), &output)?;
     if let Some(folder) = &arguments.plots {
-        let plots = [
-            ("computed-against-measured.svg", report::computed_against_measured(validation)?),
-            ("reconstructed-speed.svg", report::reconstructed_speed(validation)?),
-        ];
-        for (name, plot) in plots {
+        let plots =
+            [report::computed_against_measured(validation)?, report::reconstructed_speed(validation)?];
+        for (name, plot) in VALIDATION_PLOTS.into_iter().zip(plots) {
             write(Some(&folder.join(name)), &plot)?;
         }
     }
@@ -315,27 +321,17 @@ fn read_at_most(source: impl io::Read) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The name to show in messages, and the text.
-fn read(path: &Path) -> Result<(String, String)> {
-    let (name, bytes) = if path == Path::new("-") {
+/// The name to show in messages, and what is in the file.
+fn read(path: &Path) -> Result<(String, Vec<u8>)> {
+    if path == Path::new("-") {
         let bytes = read_at_most(io::stdin()).context("cannot read the case from standard input")?;
-        ("standard input".to_owned(), bytes)
-    } else {
-        let name = path.display().to_string();
-        let bytes = fs::File::open(path)
-            .and_then(read_at_most)
-            .with_context(|| format!("cannot read the case file {name}"))?;
-        (name, bytes)
-    };
-    if bytes.len() > Case::LARGEST_FILE {
-        // Cut off, perhaps within a letter. The case refuses it for its length, whatever is in it.
-        return Ok((name, String::from_utf8_lossy(&bytes).into_owned()));
+        return Ok(("standard input".to_owned(), bytes));
     }
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let place = error.utf8_error().valid_up_to();
-        anyhow::anyhow!("{name} is not a text file in UTF-8: byte {place} is the first that does not fit; save it as UTF-8")
-    })?;
-    Ok((name, text))
+    let name = path.display().to_string();
+    let bytes = fs::File::open(path)
+        .and_then(read_at_most)
+        .with_context(|| format!("cannot read the case file {name}"))?;
+    Ok((name, bytes))
 }
 
 fn write(path: Option<&Path>, output: impl AsRef<[u8]>) -> Result<()> {

@@ -5,7 +5,7 @@ use std::io::{ErrorKind, Write as _};
 
 use anyhow::{Context as _, Result, bail};
 
-use crate::arguments::{NewArguments, Template};
+use crate::arguments::{CaseUnits, NewArguments, Template};
 
 pub(crate) fn new(arguments: &NewArguments) -> Result<()> {
     let template = match arguments.template {
@@ -15,7 +15,11 @@ pub(crate) fn new(arguments: &NewArguments) -> Result<()> {
         Template::Barrier => case::Template::Barrier,
         Template::Sideswipe => case::Template::Sideswipe,
     };
-    let Some(path) = &arguments.output else { return crate::write(None, template.text()) };
+    let text = template.text(match arguments.units {
+        CaseUnits::Si => case::UnitSystem::Si,
+        CaseUnits::Us => case::UnitSystem::Us,
+    });
+    let Some(path) = &arguments.output else { return crate::write(None, text) };
     let name = path.display();
     // Whoever has a case in that file keeps it, whatever happens between a look and the writing.
     let mut file = match File::create_new(path) {
@@ -24,5 +28,5 @@ pub(crate) fn new(arguments: &NewArguments) -> Result<()> {
         }
         created => created.with_context(|| format!("cannot write the case to {name}"))?,
     };
-    file.write_all(template.text().as_bytes()).with_context(|| format!("cannot write the case to {name}"))
+    file.write_all(text.as_bytes()).with_context(|| format!("cannot write the case to {name}"))
 }

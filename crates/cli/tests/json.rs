@@ -683,15 +683,33 @@ fn crush_stiffness(d0: f64, d1: f64, pound_force: f64, foot: f64) -> String {
 }
 
 #[test]
-fn what_is_no_text_is_refused_with_its_place() {
-    // "Caf\xe9" is Latin-1.
-    let bytes = b"title = \"Caf\xe9\"\n";
-    let expected = "is not a text file in UTF-8: byte 12 is the first that does not fit; save it as UTF-8\n";
-    let path = temporary("latin-1.toml");
-    fs::write(&path, bytes).unwrap();
-    let path = path.to_str().unwrap();
-    assert_eq!(refused(&["reconstruct", path], b""), format!("error: {path} {expected}"));
-    assert_eq!(refused(&["crush", "-"], bytes), format!("error: standard input {expected}"));
+fn what_is_no_text_is_refused_in_one_error() {
+    let utf_16: Vec<u8> = "[vehicle1]\nmass = \"1 t\"\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let kinds: [(&[u8], &str); 4] = [
+        // "é" in Latin-1.
+        (
+            b"title = \"a\"\nsource = \"Caf\xe9\"\n",
+            "the file is not text in UTF-8: line 2 has the first letter that does not fit",
+        ),
+        (&utf_16, "this is text in UTF-16, and not a case"),
+        (b"%PDF-1.7\n\x00\xff", "this is a PDF file, and not a case"),
+        (b"<!DOCTYPE html>\n<p>Report</p>", "this is a page in HTML, and not a case"),
+    ];
+    for (bytes, expected) in kinds {
+        let path = temporary("no-case.toml");
+        fs::write(&path, bytes).unwrap();
+        let path = path.to_str().unwrap();
+        for (arguments, name) in [(&["reconstruct", path], path), (&["crush", "-"], "standard input")] {
+            let message = refused(arguments, bytes);
+            assert!(message.starts_with(&format!("error: {expected}\n--> {name}\n = help: ")), "{message}");
+            assert_eq!(message.matches("error").count(), 1, "{message}");
+        }
+        let rows = Command::new(env!("CARGO_BIN_EXE_deltav"))
+            .args(["reconstruct", path, "--format", "csv"])
+            .output()
+            .unwrap();
+        assert!(String::from_utf8(rows.stdout).unwrap().contains(expected));
+    }
 }
 
 #[test]

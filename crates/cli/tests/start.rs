@@ -35,28 +35,73 @@ fn temporary(name: &str) -> PathBuf {
 /// without this program.
 #[test]
 fn every_template_runs_as_it_is_and_finds_what_it_states() {
+    // (m/s) a kilometre and a mile (exactly 1609.344 m) per hour
+    for (units, named, size) in [("si", "km/h", 1.0 / 3.6), ("us", "mph", 1609.344 / 3600.0)] {
+        for template in TEMPLATES {
+            let path = temporary(&format!("{template}-{units}.toml"));
+            let name = path.to_str().unwrap();
+            printed(&["new", "--template", template, "--units", units, "-o", name]);
+            let text = fs::read_to_string(&path).unwrap();
+            let mut stated = text.split("it finds vehicle 1 at ").nth(1).unwrap().split_whitespace();
+            let speed: f64 = stated.next().unwrap().parse().unwrap();
+            assert_eq!(stated.next().unwrap().trim_end_matches('.'), named, "{template}");
+            let json = |command| -> Value {
+                serde_json::from_str(&printed(&[command, name, "--format", "json"])).unwrap()
+            };
+            let result = json("reconstruct");
+            let found = result["found"]["value"].as_f64().unwrap() / size;
+            // One decimal is stated.
+            assert!((found - speed).abs() <= 0.05, "{template}: {found} {named}, not {speed}");
+            assert_eq!(result["warnings"], Value::Array(Vec::new()), "{template} in {units}");
+            assert_eq!(result["found"]["admissible_roots"], 1, "{template}");
+            let judged = json("check");
+            assert_eq!(judged["warnings"], Value::Array(Vec::new()), "{template} in {units}");
+            assert_eq!(judged["commands"][0]["runs"], true, "{template} in {units}");
+            // Whoever measures in inches does not read of centimetres, and the other way round.
+            let own: &[&str] = if units == "us" {
+                &["lb", "in", "mph", "deg"]
+            } else {
+                &["kg", "m", "cm", "km/h", "m/s", "deg"]
+            };
+            for input in judged["inputs"].as_array().unwrap() {
+                if let Some(unit) = input["unit"].as_str() {
+                    assert!(own.contains(&unit), "{template} in {units}: {input}");
+                    // Round in it: no conversion shows.
+                    let number = input["number"].as_f64().unwrap() * if units == "us" { 2.0 } else { 100.0 };
+                    assert!((number - number.round()).abs() < 1e-9, "{template} in {units}: {input}");
+                }
+            }
+        }
+    }
+}
+
+/// The two differ in their numbers alone.
+#[test]
+fn the_templates_of_a_kind_say_the_same() {
     for template in TEMPLATES {
-        let path = temporary(&format!("{template}.toml"));
-        let name = path.to_str().unwrap();
-        printed(&["new", "--template", template, "-o", name]);
-        let text = fs::read_to_string(&path).unwrap();
-        let stated = text.split("it finds vehicle 1 at ").nth(1).unwrap().split(' ').next().unwrap();
-        let result: Value =
-            serde_json::from_str(&printed(&["reconstruct", name, "--format", "json"])).unwrap();
-        let found = 3.6 * result["found"]["value"].as_f64().unwrap();
-        let stated: f64 = stated.parse().unwrap();
-        // One decimal is stated.
-        assert!((found - stated).abs() <= 0.05, "{template}: {found} km/h, not {stated} km/h");
-        assert_eq!(result["warnings"], Value::Array(Vec::new()), "{template}");
-        assert_eq!(result["found"]["admissible_roots"], 1, "{template}");
+        let [si, us] = ["si", "us"].map(|units| {
+            let text = printed(&["new", "--template", template, "--units", units]);
+            let without = |line: &str| -> String {
+                let masses = line.replace("weight", "mass").replace("km/h", "mph");
+                let words =
+                    masses.split_whitespace().filter(|word| !word.contains(|c: char| c.is_ascii_digit()));
+                let words = words.map(|word| word.trim_end_matches(['"', ',', '.']));
+                words
+                    .filter(|word| !["lb", "kg", "in", "m", "cm", "mph", "m/s"].contains(word))
+                    .collect::<Vec<_>>()
+                    .join(" ")
+            };
+            text.lines().map(without).collect::<Vec<String>>()
+        });
+        assert_eq!(si, us, "{template}");
     }
 }
 
 /// A line of a template sets something, or says something.
 #[test]
 fn every_template_explains_its_tables() {
-    for template in TEMPLATES {
-        let text = printed(&["new", "--template", template]);
+    for (template, units) in TEMPLATES.into_iter().flat_map(|template| [(template, "si"), (template, "us")]) {
+        let text = printed(&["new", "--template", template, "--units", units]);
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines[0], "#:schema case.schema.json");
         assert!(
@@ -80,7 +125,7 @@ fn every_template_explains_its_tables() {
             }
         }
     }
-    assert_eq!(printed(&["new"]), printed(&["new", "--template", "front-side"]));
+    assert_eq!(printed(&["new"]), printed(&["new", "--template", "front-side", "--units", "si"]));
 }
 
 #[test]
@@ -131,6 +176,10 @@ fn completions_know_every_command() {
         if ["bash", "zsh", "fish"].contains(&shell) {
             assert!(script.contains("front-side"), "{shell}");
         }
+        // Of positional values, these two.
+        if ["bash", "zsh"].contains(&shell) {
+            assert!(script.contains("delta-v-differs"), "{shell}");
+        }
     }
 }
 
@@ -155,6 +204,11 @@ fn every_command_has_a_manual_page() {
         let page_of_command = fs::read_to_string(folder.join(format!("deltav-{command}.1"))).unwrap();
         assert!(page_of_command.contains(&format!(".TH deltav-{command} 1")), "{command}");
         assert!(page.contains(&format!(r"deltav\-{command}(1)")), "{command}");
+    }
+    // What may be given several times, and what may not.
+    for (command, argument) in [("reconstruct", "CASE…"), ("explain", "TOPIC…"), ("impact", "CASE")] {
+        let page = fs::read_to_string(folder.join(format!("deltav-{command}.1"))).unwrap();
+        assert!(page.contains(&format!("\\fI{argument}\\fR")), "{command}: {page}");
     }
     let nowhere = deltav(&["man", "--output-dir", "no/such/folder"]);
     assert_eq!(nowhere.status.code(), Some(2));

@@ -87,7 +87,8 @@ fn parsed(glossary: &'static str) -> Vec<Topic> {
 /// [`UnknownTopic`], with the names that may have been meant.
 pub fn topic(word: &str) -> Result<&'static Topic, UnknownTopic> {
     let word = word.trim();
-    let forms = forms(word);
+    let mut forms = forms(word);
+    forms.extend(with_index(word).iter().flat_map(|symbol| self::forms(symbol)));
     let named = |same: &dyn Fn(&str, &str) -> bool| {
         forms.iter().find_map(|form| topics().iter().find(|topic| topic.names().any(|name| same(name, form))))
     };
@@ -115,6 +116,16 @@ fn forms(word: &str) -> Vec<String> {
         }
     }
     forms
+}
+
+/// C1 is C_1.
+fn with_index(word: &str) -> Option<String> {
+    match word.chars().collect::<Vec<char>>()[..] {
+        [letter, digit] if letter.is_alphabetic() && digit.is_ascii_digit() => {
+            Some(format!("{letter}_{digit}"))
+        }
+        _ => None,
+    }
 }
 
 fn plain(text: &str) -> String {

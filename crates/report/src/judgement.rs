@@ -8,6 +8,7 @@ use crash3::ObliqueCorrection;
 use pim_core::Tangential;
 use serde::Serialize;
 
+use crate::Subject;
 use crate::text::{LINE, wrapped};
 use crate::units::{Quantity, Units, significant};
 use crate::warnings;
@@ -120,11 +121,21 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
         text.push_str("nothing\n");
     }
     text.push_str(&format!("\nCommands\n{}\n", "─".repeat(LINE)));
-    for Ability { command, obstacle } in &judgement.commands {
+    for Ability { command, on, obstacle } in &judgement.commands {
         let Some(obstacle) = obstacle else {
-            text.push_str(&format!("{command:<KEY$}has all that it needs{}\n", sought(case, command)));
+            text.push_str(&format!("{command:<KEY$}has all that it needs{}\n", purpose(case, command, on)));
             continue;
         };
+        // It lacks what another lacks, which was told there.
+        let is_told = on != command
+            && judgement.commands.iter().any(|other| {
+                other.command == *on
+                    && other.obstacle.as_ref().is_some_and(|other| other.list() == obstacle.list())
+            });
+        if is_told {
+            text.push_str(&format!("{command:<KEY$}cannot run, as {on} cannot\n"));
+            continue;
+        }
         text.push_str(&format!("{command:<KEY$}cannot run\n"));
         // What helps with both vehicles is said once, after the last that it helps with.
         let problems: Vec<_> =
@@ -162,7 +173,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
         commands: judgement
             .commands
             .iter()
-            .map(|Ability { command, obstacle }| CommandBlock {
+            .map(|Ability { command, obstacle, .. }| CommandBlock {
                 command,
                 runs: obstacle.is_none(),
                 obstacles: obstacle
@@ -236,10 +247,24 @@ fn hanging(head: &str, text: &str) -> String {
     lines
 }
 
-fn sought(case: &Case, command: &str) -> String {
-    match &case.reconstruct {
-        Some(reconstruct) if command == "reconstruct" => {
+/// What a command that runs is good for in this case.
+fn purpose(case: &Case, command: &str, on: &str) -> String {
+    match (&case.reconstruct, command) {
+        (Some(reconstruct), "reconstruct") => {
             format!(" to find {}", crate::unknown_name(reconstruct.find))
+        }
+        (_, "draw") => {
+            let is_damaged = case.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
+            let what: Vec<&str> = Subject::ALL
+                .into_iter()
+                .filter(|subject| match subject {
+                    Subject::Scene | Subject::Energy => on != "crush",
+                    Subject::Damage => is_damaged,
+                    Subject::Reconciliation => on == "reconstruct",
+                })
+                .map(Subject::name)
+                .collect();
+            format!(" for --what {}", what.join(", "))
         }
         _ => String::new(),
     }
@@ -370,6 +395,13 @@ fn message(assumption: &Assumption, units: Units) -> String {
         Assumption::ZUp => {
             "z-up: y to the left of x, angles and yaw rates counter-clockwise positive".to_owned()
         }
+        Assumption::CategoryStiffness { category, side, abg: [a, b, g], .. } => format!(
+            "A = {}, B = {}, G = {}: category {category} of CRASH3's table, {}",
+            units.format(Quantity::StiffnessA, *a),
+            units.format(Quantity::StiffnessB, *b),
+            units.format(Quantity::StiffnessG, *g),
+            crate::side_name(*side)
+        ),
         Assumption::YawRate { .. } => "0: the vehicle does not turn before the impact".to_owned(),
         Assumption::ClassInertia { class, yaw_inertia, .. } => format!(
             "{}, with the radius of gyration of CRASH3's size class {class}",

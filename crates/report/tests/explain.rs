@@ -134,6 +134,26 @@ fn a_symbol_or_key_means_what_it_means_there() {
     explained("Crush plane", "crush plane");
     explained("Sobol index", "Sobol' index");
     explained("Energy Basis", "energy basis");
+    // What people call it who have not read the glossary.
+    explained("J670", "axes");
+    explained("heading angle", "heading");
+    explained("CDC", "PDOF");
+    explained("EDR", "ΔV");
+    explained("momentum", "impulse");
+    explained("trapezoid", "crush profile sums");
+    explained("A and B", "A, B, G");
+    explained("crush stiffness", "A, B, G");
+    explained("effective mass", "effective mass ratio");
+    explained("mu_c", "critical impulse ratio");
+    explained("mu", "impulse ratio");
+    explained("C1", "crush depth");
+    explained("C6", "crush depth");
+    explained("E2", "CRASH3");
+    explained("d0", "d0 and d1");
+    explained("b1", "barrier test");
+    explained("kN", "units");
+    explained("kn", "units");
+    explained("units", "units");
     for equation in 1..=8 {
         assert!(topic(&format!("Eq {equation}")).is_ok(), "Eq {equation}");
     }

@@ -235,7 +235,7 @@ impl<'t> Reader<'t> {
                 if matches!(value.get_ref(), DeValue::Integer(_) | DeValue::Float(_)) =>
             {
                 let number = shorten(&self.text[value.span()]);
-                let unit = dimension.units().first().map_or("", Unit::spelling);
+                let unit = self.written.example(&place.path, dimension).map_or("", Unit::spelling);
                 let example = format!("{key} = \"{number} {unit}\"");
                 self.report(
                     value.span(),
@@ -270,7 +270,7 @@ impl<'t> Reader<'t> {
             Kind::Quantity(dimension, _) => Kind::Quantity(dimension, Sign::PositiveBecause(WHY)),
             Kind::Number(_) => Kind::Number(Bounds::Positive),
         };
-        let sd = self.amount(table, "sd", deviation).map(|sd| Spread::Normal { sd });
+        let sd = self.standard_deviation(table, deviation).map(|sd| Spread::Normal { sd });
         let percent = self.percent(table);
         let confidence = table.get("confidence").and_then(|value| {
             let place = Place::of_key(table, "confidence");
@@ -279,6 +279,18 @@ impl<'t> Reader<'t> {
         });
         let within = percent.zip(confidence);
         sd.or(within.map(|(percent, confidence)| Spread::Within { percent, confidence }))
+    }
+
+    fn standard_deviation(&mut self, table: &Table<'t>, kind: Kind) -> Option<Amount> {
+        let value = table.get("sd")?;
+        match value.get_ref() {
+            DeValue::String(text) if text.trim_end().ends_with('%') => {
+                let path = named(&table.path_of("sd"));
+                self.report(value.span(), Problem::PercentAsSd { path, text: shorten(text.trim()) });
+                None
+            }
+            _ => self.amount(table, "sd", kind),
+        }
     }
 
     fn percent(&mut self, table: &Table<'t>) -> Option<f64> {

@@ -8,11 +8,13 @@ use toml::de::{DeTable, DeValue, Error};
 
 use crate::diagnostic::Diagnostic;
 use crate::nearest::nearest;
-use crate::problem::{NO_VALUE, Problem};
+use crate::problem::{INCH_MARK, NO_VALUE, Problem};
 use crate::quantity::shorten;
 use crate::range::Range;
 use crate::schema::Schema;
 use crate::source::Spans;
+
+use super::written::Written;
 
 /// Walks the tree, and remembers where everything stood and what was wrong with it.
 pub(super) struct Reader<'t> {
@@ -20,6 +22,7 @@ pub(super) struct Reader<'t> {
     spans: Spans,
     problems: Vec<Diagnostic>,
     ranges: BTreeMap<String, Range>,
+    pub(super) written: Written<'t>,
 }
 
 /// One table of the file.
@@ -80,8 +83,9 @@ impl<'t> Table<'t> {
 }
 
 impl<'t> Reader<'t> {
-    pub(super) fn new(text: &'t str) -> Self {
-        Self { text, spans: Spans::default(), problems: Vec::new(), ranges: BTreeMap::new() }
+    pub(super) fn new(text: &'t str, document: &'t DeTable<'t>) -> Self {
+        let written = Written::of(document);
+        Self { text, spans: Spans::default(), problems: Vec::new(), ranges: BTreeMap::new(), written }
     }
 
     pub(super) fn report(&mut self, span: Span<usize>, problem: Problem) {
@@ -266,7 +270,18 @@ impl<'t> Reader<'t> {
             if first_of_line && !follows {
                 let no_value =
                     message.contains("must be quoted") && span.as_ref().is_some_and(Span::is_empty);
-                let message = if no_value { NO_VALUE } else { message }.to_owned();
+                // `"70""`: the mark of inches.
+                let is_mark = |span: &Span<usize>| {
+                    let behind = self.text.get(span.start..).is_some_and(|text| text.starts_with('"'));
+                    let before = self.text.get(..span.start).and_then(|text| text.strip_suffix('"'));
+                    behind && before.is_some_and(|text| text.ends_with(|c: char| c.is_ascii_digit()))
+                };
+                let message = match &span {
+                    _ if no_value => NO_VALUE,
+                    Some(span) if is_mark(span) => INCH_MARK,
+                    _ => message,
+                }
+                .to_owned();
                 all.push(Diagnostic::new(span, Problem::Syntax { message }));
             }
         }

@@ -103,10 +103,15 @@ impl<'t> Reader<'t> {
         match Quantity::parse(text, dimension) {
             Ok(quantity) => self.signed(&place.name, value.span(), quantity, sign),
             Err(error) => {
-                self.report(value.span(), Problem::Quantity(error));
+                let problem = self.unreadable(place, error, dimension);
+                self.report(value.span(), problem);
                 None
             }
         }
+    }
+
+    fn unreadable(&self, place: &Place, error: QuantityError, dimension: Dimension) -> Problem {
+        Problem::Quantity { error, unit: self.written.example(&place.path, dimension) }
     }
 
     /// Several quantities: one string with the unit at its end, a list of strings and ranges, or a table with the one or the other and a
@@ -137,6 +142,10 @@ impl<'t> Reader<'t> {
         let read = match value.get_ref() {
             DeValue::Array(array) => {
                 self.not_too_many(&place.path, value, array.len())?;
+                let is_bare = |one: &Spanned<DeValue<'_>>| plain_number(one.get_ref()).is_some();
+                if !array.is_empty() && array.iter().all(is_bare) {
+                    return self.bare_numbers(place, value, dimension);
+                }
                 let element = |(index, element): (usize, &'t Spanned<DeValue<'t>>)| {
                     // What is no quantity at all is no element, but makes the whole key wrong.
                     let of_element = place.element(index);
@@ -154,6 +163,25 @@ impl<'t> Reader<'t> {
             }
         };
         read.into_iter().collect()
+    }
+
+    /// A list of numbers alone is one fault, not one for each.
+    fn bare_numbers<T>(
+        &mut self,
+        place: &Place,
+        value: &'t Spanned<DeValue<'t>>,
+        dimension: Dimension,
+    ) -> Option<T> {
+        const SHOWN: usize = 12;
+        let array = value.get_ref().as_array().into_iter().flatten();
+        let numbers: Vec<&str> = array.take(SHOWN + 1).map(|one| &self.text[one.span()]).collect();
+        let key = place.path.rsplit('.').next().unwrap_or_default();
+        let example = match self.written.example(&place.path, dimension) {
+            Some(unit) if numbers.len() <= SHOWN => format!("{key} = \"{} {unit}\"", numbers.join(" ")),
+            _ => place.example.to_owned(),
+        };
+        self.report(value.span(), Problem::BareNumbers { path: place.path.clone(), dimension, example });
+        None
     }
 
     fn not_too_many(&mut self, path: &str, value: &'t Spanned<DeValue<'t>>, count: usize) -> Option<()> {
@@ -176,9 +204,9 @@ impl<'t> Reader<'t> {
         let (numbers, unit) = leading_numbers(text);
         let bad_list = || Problem::BadList { text: shorten(text), dimension, example: place.example };
         let problem = if text.trim().is_empty() {
-            Some(Problem::Quantity(QuantityError::Empty { dimension }))
+            Some(self.unreadable(place, QuantityError::Empty { dimension }, dimension))
         } else if numbers.is_empty() {
-            Some(Problem::Quantity(not_a_number(text.trim(), dimension)))
+            Some(self.unreadable(place, not_a_number(text.trim(), dimension), dimension))
         } else if unit.contains(',') || unit.split_whitespace().any(|word| split_number(word).0.is_some()) {
             Some(bad_list())
         } else {
@@ -191,7 +219,8 @@ impl<'t> Reader<'t> {
         let unit = match find_unit(text.trim(), unit, dimension) {
             Ok(unit) => unit,
             Err(error) => {
-                self.report(value.span(), Problem::Quantity(error));
+                let problem = self.unreadable(place, error, dimension);
+                self.report(value.span(), problem);
                 return None;
             }
         };
@@ -202,7 +231,7 @@ impl<'t> Reader<'t> {
             match Quantity::new(number, unit) {
                 Ok(quantity) => self.signed(&place.element(index).name, span, quantity, sign),
                 Err(error) => {
-                    self.report(span, Problem::Quantity(error));
+                    self.report(span, Problem::Quantity { error, unit: None });
                     None
                 }
             }
@@ -376,11 +405,22 @@ impl<'t> Reader<'t> {
         range: &'static str,
         last: u8,
     ) -> Option<u8> {
+        self.counted_at(&Place::of_key(table, key), table, key, range, last)
+    }
+
+    /// The same with an example of its own.
+    pub(super) fn counted_at(
+        &mut self,
+        place: &Place,
+        table: &Table<'t>,
+        key: &'static str,
+        range: &'static str,
+        last: u8,
+    ) -> Option<u8> {
         let value = table.get(key)?;
         self.not_a_range(table, key, value)?;
         let of = |number: f64| (1..=last).find(|&whole| f64::from(whole) == number);
-        let place = Place::of_key(table, key);
-        self.certain_number(&place, key, value, range, |number| of(number).is_some()).and_then(of)
+        self.certain_number(place, key, value, range, |number| of(number).is_some()).and_then(of)
     }
 
     /// A text that is not empty.
@@ -505,7 +545,7 @@ pub(super) fn named(path: &str) -> String {
 }
 
 /// The numbers at the beginning of a text, each with its place, and what comes after the last.
-fn leading_numbers(text: &str) -> (Vec<(f64, Range<usize>)>, &str) {
+pub(super) fn leading_numbers(text: &str) -> (Vec<(f64, Range<usize>)>, &str) {
     let mut numbers = Vec::new();
     let mut rest = text.trim_start();
     while let (Some(number), after) = split_number(rest) {

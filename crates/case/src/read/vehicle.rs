@@ -2,7 +2,7 @@
 
 use super::differ;
 use super::tree::{Reader, Table};
-use super::values::{Sign, named};
+use super::values::{Place, Sign, leading_numbers, named};
 use crate::case::{
     BarrierTest, ContactPoint, Crush, Fit, Mass, Outline, Pdof, StiffnessForm, StiffnessLine, Vehicle,
     Velocity, YawInertia,
@@ -218,6 +218,15 @@ impl<'t> Reader<'t> {
             _ => None,
         };
         let Some(hour) = hour else {
+            if let Some(text) = value.get_ref().as_str().filter(|text| is_like_a_clock(text)) {
+                let hour = leading_numbers(text)
+                    .0
+                    .first()
+                    .and_then(|(hour, _)| (1..=12).find(|&n| f64::from(n) == *hour));
+                let text = shorten(text);
+                self.report(value.span(), Problem::HourForm { path: crush.path_of("pdof"), text, hour });
+                return None;
+            }
             return self.quantity(crush, "pdof", Dimension::Angle, Sign::Any).map(Pdof::Angle);
         };
         match hour.trim().parse::<u8>() {
@@ -261,7 +270,13 @@ impl<'t> Reader<'t> {
         let table = self.inline(crush, "stiffness", &STIFFNESS, "a table in braces", FORMS)?;
         match table.given(&["category", "test", "zones", "A", "B", "d0", "d1", "G", "limit"])[..] {
             ["category"] => {
-                self.counted(&table, "category", "a whole number from 1 to 5", 5).map(StiffnessForm::Category)
+                let place = Place {
+                    example: "stiffness = { category = 4 }; the table has passenger cars only: for a van, a pickup or a truck give A and B, or a \
+                              test",
+                    ..Place::of_key(&table, "category")
+                };
+                self.counted_at(&place, &table, "category", "a whole number from 1 to 5", 5)
+                    .map(StiffnessForm::Category)
             }
             ["test"] => {
                 let test = self.inline(&table, "test", &TEST, "a table in braces", TEST_FORMS)?;
@@ -363,6 +378,14 @@ impl<'t> Reader<'t> {
         let later = if one.span().start > other.span().start { one } else { other };
         self.report(later.span(), Problem::Both { table: table.label(), first, second });
     }
+}
+
+/// Whether a text is a time of day, or names the clock.
+fn is_like_a_clock(text: &str) -> bool {
+    let is_time = text.trim().split_once(':').is_some_and(|(hours, minutes)| {
+        [hours, minutes].iter().all(|part| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit()))
+    });
+    is_time || text.to_lowercase().contains("clock")
 }
 
 /// Whether the length stands without the rest of the outline, for the yaw inertia.

@@ -2,7 +2,7 @@
 //! without its magnitudes.
 
 use super::Dimension;
-use super::spelling::WORDS;
+use super::spelling::{WORDS, is_pound_a_force};
 use crate::range::Bounds;
 
 /// Digits with a point, and an exponent.
@@ -63,7 +63,7 @@ fn unit(spelling: &str, dimension: Dimension) -> String {
         let end = rest.find(|c: char| !c.is_alphabetic()).unwrap_or(rest.len());
         if end > 0 {
             let (name, tail) = rest.split_at(end);
-            let word = word(name, dimension);
+            let word = word(name, is_pound_a_force(spelling, dimension));
             rest = tail;
             match tail.strip_prefix("^0.5") {
                 Some(tail) => {
@@ -86,9 +86,9 @@ fn unit(spelling: &str, dimension: Dimension) -> String {
 }
 
 /// The short form of a unit, or one of its words.
-fn word(short: &str, dimension: Dimension) -> String {
+fn word(short: &str, is_pound_a_force: bool) -> String {
     let long = WORDS.iter().find(|(known, _)| *known == short).map_or(&[][..], |(_, long)| long);
-    let force = (short == "lb" && dimension != Dimension::Mass).then_some("lbf");
+    let force = (short == "lb" && is_pound_a_force).then_some("lbf");
     let all: Vec<&str> = std::iter::once(short).chain(long.iter().copied()).chain(force).collect();
     match all[..] {
         [only] => only.to_owned(),

@@ -33,7 +33,7 @@ const SIGNS: &[(&str, &str)] = &[
 ];
 
 /// Brings a unit into the form in which the table spells it; the result need not be in the table.
-pub(super) fn normalise(spelling: &str, dimension: Dimension) -> String {
+pub(super) fn normalise(spelling: &str) -> String {
     let mut text = spelling.to_owned();
     for (sign, plain) in SIGNS {
         text = text.replace(sign, plain);
@@ -56,7 +56,7 @@ pub(super) fn normalise(spelling: &str, dimension: Dimension) -> String {
         let end = rest.find(|c: char| is_word(c) != is_word(first)).unwrap_or(rest.len());
         let (piece, tail) = rest.split_at(end);
         if is_word(first) {
-            out.push_str(short_word(piece, dimension));
+            out.push_str(short_word(piece));
         } else {
             // A square typed without its sign: "N/cm2".
             if piece.starts_with('2') && out.ends_with(char::is_alphabetic) {
@@ -81,36 +81,37 @@ fn is_word(c: char) -> bool {
     c.is_alphabetic() || c == '°'
 }
 
-fn short_word(word: &str, dimension: Dimension) -> &str {
-    // A pound-force is a force: as a mass it stays what it is, and is refused.
-    if word == "lbf" && dimension != Dimension::Mass {
-        return "lb";
-    }
+fn short_word(word: &str) -> &str {
     WORDS.iter().find(|(_, long)| long.contains(&word)).map_or(word, |(short, _)| short)
 }
 
-/// The unit of `dimension` that `spelling` most resembles, if one alone is near enough to be worth asking.
+/// Whether the "lb" in a spelling of the table is a pound-force, which may be written "lbf" there.
+pub(super) fn is_pound_a_force(known: &str, dimension: Dimension) -> bool {
+    match dimension {
+        Dimension::Mass => false,
+        // lb·ft·s² is a force by a length by the square of a time, lb·ft² a mass by the square of a length.
+        Dimension::Inertia => known.contains("s^2"),
+        _ => true,
+    }
+}
+
+/// The unit of `dimension` that a misspelt one is sure to be: capitals, spaces, signs or a long word apart, it has the same letters and digits.
+///
+/// Another letter or digit more often makes another unit than a slip: "lb ft^2" is no "lb ft s^2", "kN/cm" no "kN/m" and "fpm" no "fps". A wrong unit that was
+/// proposed, and taken, would be an error without a trace.
 pub(crate) fn nearest_unit(spelling: &str, dimension: Dimension) -> Option<&'static Unit> {
     if spelling.len() > crate::nearest::LONGEST {
         return None;
     }
-    let wanted = normalise(&mend_words(spelling), dimension).to_lowercase();
-    let distance = |known: &str| {
-        let known = known.to_lowercase();
-        // A slip seldom hits the first letter, and "Grad", German for a degree, is not nearly "rad".
-        let same_start = wanted.chars().next() == known.chars().next();
-        if same_start { strsim::damerau_levenshtein(&wanted, &known) } else { usize::MAX }
-    };
-    let ranked = dimension.units().iter().map(|unit| {
-        let distances = unit.spellings().map(distance);
-        (distances.min().unwrap_or(usize::MAX), unit)
-    });
-    let mut ranked: Vec<_> = ranked.collect();
-    ranked.sort_by_key(|(distance, _)| *distance);
-    match ranked[..] {
-        [(nearest, _), (second, _), ..] if nearest == second => None,
-        [(distance, unit), ..] => (distance <= crate::nearest::allowance(&wanted)).then_some(unit),
-        [] => None,
+    let letters =
+        |text: &str| text.chars().filter(|c| c.is_alphanumeric()).collect::<String>().to_lowercase();
+    let wanted = letters(&normalise(&mend_words(spelling)));
+    // "mN" is no slip for "MN": the one is a thousandth of a newton, the other a million.
+    let is_meant = |known: &str| letters(known) == wanted && (!known.contains('M') || spelling.contains('M'));
+    let mut near = dimension.units().iter().filter(|unit| unit.spellings().any(is_meant));
+    match (near.next(), near.next()) {
+        (Some(unit), None) => Some(unit),
+        _ => None,
     }
 }
 
@@ -120,7 +121,8 @@ fn mend_words(spelling: &str) -> String {
     let mut out = String::new();
     for piece in spelling.split_inclusive(|c| !is_word(c)) {
         let word = piece.trim_end_matches(|c| !is_word(c));
-        out.push_str(if word.len() > 3 {
+        // A short word is as near to several units: "incs" may be "inch" or "in s".
+        out.push_str(if word.len() > 4 {
             crate::nearest::nearest(word, long()).unwrap_or(word)
         } else {
             word

@@ -58,8 +58,8 @@ rows! { WEIGHT, Weight:
     "kgf" [], STANDARD_GRAVITY, SI;
 }
 rows! { SPEED, Speed:
-    "m/s" [], 1.0, SI;
-    "km/h" ["kph"], 1.0 / 3.6, SI;
+    "m/s" ["mps"], 1.0, SI;
+    "km/h" ["kph", "kmph"], 1.0 / 3.6, SI;
     "mph" ["mi/h"], MILE / 3600.0, US;
     "ft/s" ["fps"], FOOT, US;
     "kn" ["kt"], 1852.0 / 3600.0, BOTH;
@@ -78,12 +78,16 @@ rows! { INERTIA, Inertia:
     "slug ft^2" ["ft^2 slug"], SLUG * FOOT * FOOT, US;
     "lb ft s^2" ["ft lb s^2", "lb s^2 ft", "ft s^2 lb", "s^2 lb ft", "s^2 ft lb"], POUND_FORCE * FOOT, US;
     "lb in s^2" ["in lb s^2", "lb s^2 in", "in s^2 lb", "s^2 lb in", "s^2 in lb"], POUND_FORCE * INCH, US;
+    "lb ft^2" ["ft^2 lb", "lbm ft^2", "ft^2 lbm"], POUND * FOOT * FOOT, US;
+    "lb in^2" ["in^2 lb", "lbm in^2", "in^2 lbm"], POUND * INCH * INCH, US;
 }
 rows! { STIFFNESS_A, StiffnessA:
     "N/cm" [], 100.0, SI;
     "N/m" [], 1.0, SI;
     "N/mm" [], 1000.0, SI;
     "kN/m" [], 1000.0, SI;
+    "kN/cm" [], 1e5, SI;
+    "kN/mm" [], 1e6, SI;
     "lb/in" [], POUND_FORCE / INCH, US;
     "lb/ft" [], POUND_FORCE / FOOT, US;
 }
@@ -92,6 +96,7 @@ rows! { STIFFNESS_B, StiffnessB:
     "N/m^2" ["Pa"], 1.0, SI;
     "kN/m^2" ["kPa"], 1e3, SI;
     "MN/m^2" ["MPa", "N/mm^2"], 1e6, SI;
+    "kN/cm^2" [], 1e7, SI;
     "lb/in^2" ["psi"], POUND_FORCE / (INCH * INCH), US;
     "lb/ft^2" ["psf"], POUND_FORCE / (FOOT * FOOT), US;
 }

@@ -38,6 +38,9 @@ fn factors_agree_with_nist_sp_811() {
         (StiffnessA, "N/cm", 1e2),
         (StiffnessA, "N/mm", 1e3),
         (StiffnessA, "kN/m", 1e3),
+        (StiffnessA, "kN/cm", 1e5),
+        (StiffnessA, "kN/mm", 1e6),
+        (StiffnessB, "kN/cm^2", 1e7),
         (RootForcePerLength, "N^0.5/cm", 1e2),
     ] {
         assert_factor(dimension, spelling, exact, f64::EPSILON);
@@ -55,6 +58,9 @@ fn factors_agree_with_nist_sp_811() {
         (Inertia, "lb ft s^2", 1.355_818),
         (Inertia, "lb in s^2", 1.129_848e-1),
         (Inertia, "slug ft^2", 1.355_818),
+        // pound foot squared and pound inch squared
+        (Inertia, "lb ft^2", 4.214_011e-2),
+        (Inertia, "lb in^2", 2.926_397e-4),
         (StiffnessA, "lb/in", 1.751_268e2),
         (StiffnessA, "lb/ft", 1.459_390e1),
         (StiffnessB, "psi", 6.894_757e3),
@@ -97,7 +103,7 @@ fn no_spelling_means_two_units() {
         let mut rows: BTreeMap<String, &Unit> = BTreeMap::new();
         for unit in dimension.units() {
             for spelling in unit.spellings() {
-                let normal = super::normalise(spelling, dimension);
+                let normal = super::normalise(spelling);
                 if let Some(other) = rows.insert(normal, unit) {
                     assert_eq!(other, unit, "{spelling} means two units of {dimension}");
                 }
@@ -121,6 +127,9 @@ fn what_does_not_change_the_meaning_is_forgiven() {
         (Inertia, "ft-lb-s^2", "lb ft s^2"),
         (Inertia, "lbf*ft*sec^2", "lb ft s^2"),
         (Inertia, "slug-ft²", "slug ft^2"),
+        (Inertia, "lb-ft²", "lb ft^2"),
+        (Inertia, "lbm ft2", "lb ft^2"),
+        (Inertia, "pound-inch^2", "lb in^2"),
         (Inertia, "kg m2", "kg m^2"),
         (Inertia, "kg·m²", "kg m^2"),
         (StiffnessB, "N/cm²", "N/cm^2"),
@@ -150,7 +159,9 @@ fn what_changes_the_meaning_is_not() {
         (Mass, "lbf"),
         (Length, "M"),
         (Speed, "ft s"),
-        (Inertia, "lb ft^2"),
+        // A force by the square of a length, and a mass by a length by the square of a time, are no inertia.
+        (Inertia, "lbf ft^2"),
+        (Inertia, "lbm ft s^2"),
         (Inertia, "lb ft"),
         (StiffnessA, "N/cm^2"),
         (StiffnessB, "N/cm"),
@@ -169,10 +180,53 @@ fn the_nearest_unit_is_the_one_that_was_meant() {
     assert_eq!(nearest("feets/s", Dimension::Speed), Some("ft/s"));
     assert_eq!(nearest("kmh", Dimension::Speed), Some("km/h"));
     assert_eq!(nearest("MPH", Dimension::Speed), Some("mph"));
-    assert_eq!(nearest("lb ft s", Dimension::Inertia), Some("lb ft s^2"));
+    assert_eq!(nearest("lbft-s^2", Dimension::Inertia), Some("lb ft s^2"));
+    assert_eq!(nearest("kg.m2", Dimension::Inertia), Some("kg m^2"));
+    assert_eq!(nearest("KN/M", Dimension::StiffnessA), Some("kN/m"));
     // "m/h" is one slip from three units, and "Grad" is German for a degree.
     assert_eq!(nearest("m/h", Dimension::Speed), None);
     assert_eq!(nearest("Grad", Dimension::Angle), None);
+}
+
+/// Another unit than the one that is near is off by a factor that nobody would notice.
+#[test]
+fn no_unit_of_another_size_is_proposed() {
+    use super::nearest_unit;
+    for (written, dimension) in [
+        ("lb ft s", Dimension::Inertia),
+        ("lbf ft^2", Dimension::Inertia),
+        ("kg cm^2", Dimension::Inertia),
+        ("MN/cm", Dimension::StiffnessA),
+        ("N/cm^3", Dimension::StiffnessB),
+        ("fpm", Dimension::Speed),
+        ("km/s", Dimension::Speed),
+        ("rps", Dimension::YawRate),
+        ("deg/h", Dimension::YawRate),
+        ("dm", Dimension::Length),
+        ("mil", Dimension::Length),
+        ("kip", Dimension::Weight),
+        ("kips", Dimension::StiffnessG),
+        ("ton", Dimension::Mass),
+    ] {
+        assert_eq!(dimension.unit(written), None, "{written}");
+        assert_eq!(nearest_unit(written, dimension), None, "{written}");
+    }
+    // Whatever becomes of a unit by one letter or digit more, less or other.
+    for dimension in Dimension::ALL {
+        for unit in dimension.units() {
+            let letters: Vec<char> = unit.spelling().chars().collect();
+            for place in (0..letters.len()).filter(|&place| letters[place].is_alphanumeric()) {
+                for other in ('a'..='z').chain('1'..='9').map(Some).chain([None]) {
+                    let mut slip = letters.clone();
+                    slip.splice(place..=place, other);
+                    let slip: String = slip.into_iter().collect();
+                    let factor = dimension.unit(&slip).or(nearest_unit(&slip, dimension)).map(Unit::factor);
+                    let is_other = dimension.unit(&slip).is_some() || factor.is_none();
+                    assert!(is_other || factor == Some(unit.factor()), "{slip} for {unit}: {factor:?}");
+                }
+            }
+        }
+    }
 }
 
 #[test]

@@ -1,0 +1,132 @@
+//! Files that are no case at first sight.
+
+use crate::problem::Problem;
+
+/// How some kinds of file begin.
+const MAGIC: [(&[u8], &str); 8] = [
+    (b"%PDF-", "a PDF file"),
+    (b"PK\x03\x04", "a ZIP archive, as files of Word and Excel are"),
+    (b"\xD0\xCF\x11\xE0", "a file of Word or Excel"),
+    (b"{\\rtf", "a file in rich text format"),
+    (b"\x89PNG", "a PNG image"),
+    (b"\xFF\xD8\xFF", "a JPEG image"),
+    (b"GIF8", "a GIF image"),
+    (b"\x1F\x8B", "a compressed file"),
+];
+
+const UTF_16: &str = "text in UTF-16";
+const SAVE_AS_UTF_8: &str =
+    "save it as UTF-8: editors offer that under encoding, where they ask for the name to save as";
+const WRITE_TOML: &str =
+    "a case is plain text in TOML, and `deltav new` writes one to begin with; is this the right file?";
+
+/// The text of a case of at most so many bytes; one that is longer may have been cut off.
+pub(crate) fn text(bytes: &[u8], limit: usize) -> Result<&str, Problem> {
+    if is_utf_16(bytes) {
+        return Err(Problem::OtherFile { kind: UTF_16, help: SAVE_AS_UTF_8 });
+    }
+    let other = |kind| Err(Problem::OtherFile { kind, help: WRITE_TOML });
+    if let Some((_, kind)) = MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic)) {
+        return other(kind);
+    }
+    if bytes.len() > limit {
+        return Err(Problem::TooLarge { limit });
+    }
+    if bytes.contains(&0) {
+        return other("a binary file");
+    }
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let (before, _) = bytes.split_at(error.valid_up_to());
+        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        Problem::NotUtf8 { line, help: SAVE_AS_UTF_8 }
+    })?;
+    markup(text).map_or(Ok(text), other)
+}
+
+/// With its mark at the beginning or, without, by the zero that every Latin letter has in one of its two bytes.
+fn is_utf_16(bytes: &[u8]) -> bool {
+    const LOOKED_AT: usize = 200;
+    if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
+        return true;
+    }
+    let pairs = bytes[..bytes.len().min(LOOKED_AT)].chunks_exact(2);
+    let count = pairs.len();
+    let [first, second] = pairs.fold([0, 0], |[first, second], pair| {
+        [first + usize::from(pair[0] == 0), second + usize::from(pair[1] == 0)]
+    });
+    // Most letters of a case are Latin, and no pair is two zeros.
+    count > 0 && (first == 0 || second == 0) && 2 * (first + second) > count
+}
+
+fn markup(text: &str) -> Option<&'static str> {
+    const LOOKED_AT: usize = 1000;
+    let text = text.trim_start_matches('\u{feff}').trim_start();
+    if text.starts_with('<') {
+        let begin: String = text.chars().take(LOOKED_AT).collect::<String>().to_lowercase();
+        if begin.contains("<html") || begin.starts_with("<!doctype html") {
+            Some("a page in HTML")
+        } else if begin.contains("<svg") {
+            Some("a drawing in SVG")
+        } else {
+            Some("a file in XML")
+        }
+    } else {
+        // Neither can begin a file in TOML, where a bracket is followed by the name of a table.
+        let is_list = text.strip_prefix('[').is_some_and(|rest| rest.trim_start().starts_with('{'));
+        (text.starts_with('{') || is_list).then_some("a file in JSON")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::text;
+    use crate::problem::Problem;
+
+    const CASE: &str = "# Straße\n[vehicle1]\nmass = \"1 t\"\n";
+
+    fn utf_16(text: &str, bytes: fn(u16) -> [u8; 2]) -> Vec<u8> {
+        text.encode_utf16().flat_map(bytes).collect()
+    }
+
+    #[test]
+    fn another_kind_of_file_is_named() {
+        let marked = format!("\u{feff}{CASE}");
+        for (bytes, kind) in [
+            (utf_16(CASE, u16::to_le_bytes), "text in UTF-16"),
+            (utf_16(CASE, u16::to_be_bytes), "text in UTF-16"),
+            (utf_16(&marked, u16::to_le_bytes), "text in UTF-16"),
+            (utf_16(&marked, u16::to_be_bytes), "text in UTF-16"),
+            (b"%PDF-1.7\n\0".to_vec(), "a PDF file"),
+            (b"PK\x03\x04\x14\0".to_vec(), "a ZIP archive, as files of Word and Excel are"),
+            (b"\x89PNG\r\n".to_vec(), "a PNG image"),
+            (b"[vehicle1]\0".to_vec(), "a binary file"),
+            (b"\x7FELF\x02\0\0".to_vec(), "a binary file"),
+            (b"\n <!DOCTYPE html><p>".to_vec(), "a page in HTML"),
+            (b"<?xml version=\"1.0\"?><svg>".to_vec(), "a drawing in SVG"),
+            (b"\xEF\xBB\xBF<report/>".to_vec(), "a file in XML"),
+            (b"{ \"title\": 1 }".to_vec(), "a file in JSON"),
+            (b"[\n  { \"title\": 1 }]".to_vec(), "a file in JSON"),
+        ] {
+            match text(&bytes, 1000) {
+                Err(Problem::OtherFile { kind: found, .. }) => assert_eq!(found, kind),
+                other => panic!("{kind}: {other:?}"),
+            }
+        }
+    }
+
+    #[test]
+    fn text_in_another_encoding_is_told_by_its_line() {
+        // Latin-1
+        assert!(matches!(text(b"# a\n# Stra\xDFe\n", 1000), Err(Problem::NotUtf8 { line: 2, .. })));
+    }
+
+    #[test]
+    fn a_case_is_text() {
+        let marked = format!("\u{feff}{CASE}");
+        for case in
+            [CASE, &marked, "", "[vehicle1]", "[[vehicle1]]", "[ vehicle1 ]", "[\"vehicle1\"]", "a", "ab"]
+        {
+            assert_eq!(text(case.as_bytes(), 1000), Ok(case));
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! Numbers written as people write them elsewhere: a case does not read them, but knows what to write instead.
+
+use crate::quantity::{format_number, split_number};
+use crate::units::Dimension;
+
+/// What stands between a number and how far it may be off, and between the two ends of a range. The longer come first.
+const PLUS_MINUS: [&str; 3] = ["+/-", "+-", "±"];
+const FROM_TO: [&str; 6] = ["…", "–", "—", "−", " to ", "-"];
+
+/// Fractions that are a letter.
+const FRACTIONS: [(char, f64); 3] = [('½', 0.5), ('¼', 0.25), ('¾', 0.75)];
+
+/// What to write in place of "25 mph +- 2" or "20-30 mph"; `dimension` is `None` of a plain number.
+pub(crate) fn range(text: &str, dimension: Option<Dimension>) -> Option<String> {
+    // Spaces at both ends, so that " to " is found behind a number without a unit.
+    let text = format!(" {} ", text.trim());
+    let (first, rest) = number(text.trim_start())?;
+    let rest = format!(" {rest}");
+    let split = |signs: &[&str]| {
+        signs.iter().find_map(|sign| {
+            let (between, after) = rest.split_once(sign)?;
+            let (second, end) = number(after.trim_start().trim_start_matches('+'))?;
+            Some((between.trim().to_owned(), second, end.trim().to_owned()))
+        })
+    };
+    let (is_spread, (between, second, end)) = split(&PLUS_MINUS)
+        .map(|parts| (true, parts))
+        .or_else(|| split(&FROM_TO).map(|parts| (false, parts)))?;
+    let quoted = |number: f64, unit: &str| match dimension {
+        Some(_) => format!("\"{} {unit}\"", format_number(number)),
+        None => format_number(number),
+    };
+    let is_unit = |text: &str| match dimension {
+        Some(dimension) => dimension.unit(text).is_some(),
+        None => text.is_empty(),
+    };
+    if is_spread && end == "%" && is_unit(&between) {
+        let value = quoted(first, &between);
+        return Some(format!(
+            "{{ value = {value}, within = \"{} %\", confidence = 0.95 }}",
+            format_number(second)
+        ));
+    }
+    // The unit stands once, or behind both.
+    let own = if between.is_empty() { &end } else { &between };
+    let other = if end.is_empty() { &between } else { &end };
+    if !(is_unit(own) && is_unit(other)) {
+        return None;
+    }
+    if !is_spread {
+        return Some(format!("{{ low = {}, high = {} }}", quoted(first, own), quoted(second, other)));
+    }
+    let spread = format!("{{ value = {}, sd = {} }}", quoted(first, own), quoted(second, other));
+    if own != other {
+        return Some(spread);
+    }
+    let (low, high) = (rounded(first - second), rounded(first + second));
+    Some(format!(
+        "{spread} if that is a standard deviation, {{ low = {}, high = {} }} if it is a limit",
+        quoted(low, own),
+        quoted(high, own)
+    ))
+}
+
+/// One decimal number for a fraction, for feet and inches, or for inches and feet behind a mark: "71.5 in" for "71 1/2 in", "74 in" for `6' 2"`.
+pub(crate) fn decimal(text: &str, dimension: Dimension) -> Option<String> {
+    let text = text.replace(['′', '’'], "'").replace(['″', '”'], "\"").replace("''", "\"");
+    let (first, is_fraction, rest) = amount(text.trim())?;
+    let end = rest.find(|c: char| c.is_ascii_digit()).unwrap_or(rest.len());
+    let (unit, rest) = rest.split_at(end);
+    let (unit, is_mark) = marked(unit.trim().trim_end_matches(['-', ',']).trim_end(), dimension)?;
+    if rest.is_empty() {
+        return (is_fraction || is_mark).then(|| format!("{} {unit}", format_number(first)));
+    }
+    let (second, _, rest) = amount(rest)?;
+    let (inches, _) = if rest.trim().is_empty() { ("in", false) } else { marked(rest.trim(), dimension)? };
+    let is_feet_and_inches = unit == "ft" && inches == "in" && dimension == Dimension::Length;
+    // 1 ft = 12 in
+    is_feet_and_inches.then(|| format!("{} in", format_number(rounded(12.0 * first + second))))
+}
+
+/// Whether a list of numbers has a mark of feet or inches behind it, and which unit that is.
+pub(crate) fn mark(text: &str, dimension: Dimension) -> Option<&'static str> {
+    match (text, dimension) {
+        ("'" | "′" | "’", Dimension::Length) => Some("ft"),
+        ("\"" | "″" | "”" | "''", Dimension::Length) => Some("in"),
+        _ => None,
+    }
+}
+
+/// The unit, and whether it was a mark.
+fn marked(text: &str, dimension: Dimension) -> Option<(&'static str, bool)> {
+    mark(text, dimension)
+        .map(|unit| (unit, true))
+        .or_else(|| dimension.unit(text).map(|unit| (unit.spelling(), false)))
+}
+
+/// A number without sign, perhaps with a fraction, whether it has one, and what follows.
+fn amount(text: &str) -> Option<(f64, bool, &str)> {
+    let vulgar = |text: &str| {
+        let first = text.chars().next()?;
+        FRACTIONS.iter().find(|(sign, _)| *sign == first).map(|(sign, value)| (*value, sign.len_utf8()))
+    };
+    if let Some((value, length)) = vulgar(text) {
+        return Some((value, true, text[length..].trim_start()));
+    }
+    let (whole, rest) = number(text)?;
+    let rest = rest.trim_start();
+    if let Some((value, length)) = vulgar(rest) {
+        return Some((whole + value, true, rest[length..].trim_start()));
+    }
+    if let Some(value) = rest.strip_prefix('/').and_then(|rest| quotient(whole, rest)) {
+        return Some((value.0, true, value.1));
+    }
+    // The hyphen of "5-1/2 in".
+    let after = rest.strip_prefix('-').unwrap_or(rest).trim_start();
+    if let Some((above, below)) = number(after)
+        && let Some((value, rest)) = below.strip_prefix('/').and_then(|below| quotient(above, below))
+    {
+        return Some((rounded(whole + value), true, rest));
+    }
+    Some((whole, false, rest))
+}
+
+fn quotient(above: f64, below: &str) -> Option<(f64, &str)> {
+    let (below, rest) = number(below)?;
+    (below > 0.0).then(|| (rounded(above / below), rest.trim_start()))
+}
+
+fn number(text: &str) -> Option<(f64, &str)> {
+    let (number, rest) = split_number(text);
+    number.filter(|number| number.is_finite()).map(|number| (number, rest))
+}
+
+/// Four decimals, which is more than any tape shows, without the rounding of the arithmetic.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.4}").parse().unwrap_or(number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{decimal, range};
+    use crate::units::Dimension;
+
+    #[test]
+    fn ranges_in_one_text_are_understood() {
+        let spread = "{ value = \"25 mph\", sd = \"2 mph\" } if that is a standard deviation, { low = \"23 mph\", high = \"27 mph\" } if it is a limit";
+        let ends = "{ low = \"20 mph\", high = \"30 mph\" }";
+        for (text, wanted) in [
+            ("25 mph +- 2", spread),
+            ("25 +/- 2 mph", spread),
+            ("25±2mph", spread),
+            ("25 mph ± 2 mph", spread),
+            ("25 mph ± 5 ft/s", "{ value = \"25 mph\", sd = \"5 ft/s\" }"),
+            ("25 mph ± 10 %", "{ value = \"25 mph\", within = \"10 %\", confidence = 0.95 }"),
+            ("20-30 mph", ends),
+            ("20 – 30 mph", ends),
+            ("20 mph - 30 mph", ends),
+            ("20 to 30 mph", ends),
+            ("20 mph to 30 mph", ends),
+            ("20…30 mph", ends),
+            ("-20 - -10 mph", "{ low = \"-20 mph\", high = \"-10 mph\" }"),
+        ] {
+            assert_eq!(range(text, Some(Dimension::Speed)).as_deref(), Some(wanted), "{text}");
+        }
+        assert_eq!(range("0.2-0.4", None).as_deref(), Some("{ low = 0.2, high = 0.4 }"));
+        assert_eq!(
+            range("0.3 ± 0.1", None).as_deref(),
+            Some(
+                "{ value = 0.3, sd = 0.1 } if that is a standard deviation, { low = 0.2, high = 0.4 } if it is a limit"
+            )
+        );
+        for text in ["25 mph", "25 mph -", "about 25 mph", "25 m - 30 mph", "1e-3 mph", "25 to", ""] {
+            assert_eq!(range(text, Some(Dimension::Speed)), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn fractions_and_feet_with_inches_become_one_number() {
+        for (text, wanted) in [
+            ("71 1/2 in", "71.5 in"),
+            ("71-1/2 in", "71.5 in"),
+            ("71½ in", "71.5 in"),
+            ("1/2 in", "0.5 in"),
+            ("¾\"", "0.75 in"),
+            ("6 ft 0 in", "72 in"),
+            ("6 feet, 2 inches", "74 in"),
+            ("6'", "6 ft"),
+            ("4\"", "4 in"),
+            ("5'11\"", "71 in"),
+            ("5′ 11 1/2″", "71.5 in"),
+            ("5'-11", "71 in"),
+            ("6 1/3 ft", "6.3333 ft"),
+        ] {
+            assert_eq!(decimal(text, Dimension::Length).as_deref(), Some(wanted), "{text}");
+        }
+        assert_eq!(decimal("35 1/2 mph", Dimension::Speed).as_deref(), Some("35.5 mph"));
+        for text in ["71 in", "6 m 2 in", "1/0 in", "6 3 ft", "1.2.3 ft", "6 in 2 ft", "6' 2 m", ""] {
+            assert_eq!(decimal(text, Dimension::Length), None, "{text}");
+        }
+        assert_eq!(decimal("6'", Dimension::Speed), None);
+    }
+}

@@ -1,0 +1,258 @@
+//! What a command writes does not replace what it reads, nor any other case file, nor what else it writes.
+
+use std::ffi::OsString;
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Result, bail};
+use same_file::{Handle, is_same_file};
+
+use crate::arguments::{
+    Arguments, Command, Format, PageFormat, ReconstructFormat, ReportArguments, ReportFormat,
+};
+
+/// A file that is written.
+struct Output<'a> {
+    /// The option that names it.
+    option: &'static str,
+    path: &'a Path,
+    /// What a name to propose ends in.
+    ending: &'static str,
+}
+
+/// A folder into which files are written under names of the program's own.
+struct Folder<'a> {
+    option: &'static str,
+    path: &'a Path,
+    is_name: fn(&str) -> bool,
+}
+
+/// The files of a command.
+#[derive(Default)]
+struct Files<'a> {
+    cases: Vec<&'a Path>,
+    outputs: Vec<Output<'a>>,
+    folder: Option<Folder<'a>>,
+}
+
+/// Refuses to write over a case, to be called before anything is computed.
+pub(crate) fn check(command: &Command) -> Result<()> {
+    let Files { cases, outputs, folder } = files(command);
+    for output in &outputs {
+        let Output { option, path, .. } = output;
+        let (name, other) = (path.display(), proposal(output));
+        if let Some(case) = cases.iter().find(|case| is_read_from(case, path)) {
+            let case = if is_standard_input(case) {
+                "that comes in on standard input".to_owned()
+            } else {
+                case.display().to_string()
+            };
+            bail!(
+                "{option} {name} would write over the case file {case}: give another name, such as {option} {other}"
+            );
+        }
+        if is_toml(path) {
+            bail!(
+                "{option} {name} would write over a .toml file that exists, which may be a case: give another name, such as {option} {other}"
+            );
+        }
+    }
+    if let [first, second] = &outputs[..]
+        && is_one_file(first.path, second.path)
+    {
+        bail!(
+            "{} and {} would both write to {}: give another name to one of the two, such as {} {}",
+            first.option,
+            second.option,
+            first.path.display(),
+            second.option,
+            proposal(second)
+        );
+    }
+    match folder {
+        Some(folder) => check_folder(&folder, &cases, &outputs),
+        None => Ok(()),
+    }
+}
+
+fn check_folder(
+    Folder { option, path: folder, is_name }: &Folder<'_>,
+    cases: &[&Path],
+    outputs: &[Output<'_>],
+) -> Result<()> {
+    let shown = folder.display();
+    for output in outputs {
+        let is_theirs = output.path.file_name().and_then(|name| name.to_str()).is_some_and(is_name);
+        if is_theirs && is_same_file(parent(output.path), folder).unwrap_or(false) {
+            bail!(
+                "{} and {option} {shown} may both write to {}: give another name to the first, such as {} {}",
+                output.option,
+                output.path.display(),
+                output.option,
+                proposal(output)
+            );
+        }
+    }
+    // A folder that cannot be read cannot be written to either, which is said then.
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let (name, path) = (entry.file_name(), entry.path());
+        if name.to_str().is_some_and(is_name)
+            && (is_toml(&path) || cases.iter().any(|case| is_read_from(case, &path)))
+        {
+            bail!(
+                "{option} {shown} would write over {}, which is a case file: give another folder",
+                path.display()
+            );
+        }
+    }
+    Ok(())
+}
+
+fn files(command: &Command) -> Files<'_> {
+    match command {
+        // It refuses whatever exists when it writes.
+        Command::New(_) => Files::default(),
+        Command::Reconstruct(arguments) => Files {
+            cases: arguments.cases.iter().map(|case| &**case).collect(),
+            outputs: output(
+                arguments.output.as_deref(),
+                match arguments.format {
+                    ReconstructFormat::Text => "-report.txt",
+                    ReconstructFormat::Json => "-report.json",
+                    ReconstructFormat::Html => "-report.html",
+                    ReconstructFormat::Markdown => "-report.md",
+                    ReconstructFormat::Csv => "-rows.csv",
+                    ReconstructFormat::Jsonl => "-rows.jsonl",
+                },
+            ),
+            folder: None,
+        },
+        Command::Impact(arguments) | Command::Crush(arguments) => of_report(arguments),
+        Command::Check(arguments) | Command::Compare(arguments) => of_arguments(arguments),
+        Command::Sensitivity(arguments) => of_arguments(&arguments.arguments),
+        Command::Uncertainty(arguments) => {
+            let mut files = of_arguments(&arguments.arguments);
+            files.outputs.extend(arguments.samples_out.as_deref().map(|path| Output {
+                option: "--samples-out",
+                path,
+                ending: "-samples.csv",
+            }));
+            files.folder =
+                arguments.plots.as_deref().map(|path| Folder { option: "--plots", path, is_name: is_plot });
+            files
+        }
+        Command::Draw(arguments) => Files {
+            cases: vec![&arguments.case],
+            outputs: output(arguments.output.as_deref(), "-drawing.svg"),
+            folder: None,
+        },
+        Command::Validate(arguments) => Files {
+            cases: Vec::new(),
+            outputs: output(
+                arguments.output.as_deref(),
+                match arguments.format {
+                    PageFormat::Text => "-page.txt",
+                    PageFormat::Json => "-page.json",
+                    PageFormat::Markdown => "-page.md",
+                },
+            ),
+            folder: arguments.plots.as_deref().map(|path| Folder {
+                option: "--plots",
+                path,
+                is_name: |name| crate::VALIDATION_PLOTS.contains(&name),
+            }),
+        },
+        Command::Schema(arguments) => {
+            Files { outputs: output(arguments.output.as_deref(), ".schema.json"), ..Files::default() }
+        }
+        Command::Man(arguments) => Files {
+            folder: arguments.output_dir.as_deref().map(|path| Folder {
+                option: "--output-dir",
+                path,
+                is_name: is_page,
+            }),
+            ..Files::default()
+        },
+        // Standard output is theirs.
+        Command::Explain(_) | Command::Completions(_) => Files::default(),
+    }
+}
+
+fn of_report(arguments: &ReportArguments) -> Files<'_> {
+    let ending = match arguments.format {
+        ReportFormat::Text => "-report.txt",
+        ReportFormat::Json => "-report.json",
+        ReportFormat::Html => "-report.html",
+        ReportFormat::Markdown => "-report.md",
+    };
+    Files { cases: vec![&arguments.case], outputs: output(arguments.output.as_deref(), ending), folder: None }
+}
+
+fn of_arguments(arguments: &Arguments) -> Files<'_> {
+    let ending = match arguments.format {
+        Format::Text => "-report.txt",
+        Format::Json => "-report.json",
+    };
+    Files { cases: vec![&arguments.case], outputs: output(arguments.output.as_deref(), ending), folder: None }
+}
+
+fn output<'a>(path: Option<&'a Path>, ending: &'static str) -> Vec<Output<'a>> {
+    path.map(|path| Output { option: "-o", path, ending }).into_iter().collect()
+}
+
+fn is_plot(name: &str) -> bool {
+    name.ends_with(".svg") && (name.starts_with("tornado-") || name.starts_with("histogram-"))
+}
+
+fn is_page(name: &str) -> bool {
+    name.ends_with(".1") && name.starts_with("deltav")
+}
+
+/// A name beside the refused one.
+fn proposal(output: &Output<'_>) -> String {
+    let mut name = output.path.file_stem().map_or_else(OsString::new, OsString::from);
+    name.push(output.ending);
+    output.path.with_file_name(name).display().to_string()
+}
+
+fn is_standard_input(case: &Path) -> bool {
+    case == Path::new("-")
+}
+
+/// Through links of either kind. Devices and pipes may be read and written at once.
+fn is_read_from(case: &Path, output: &Path) -> bool {
+    if !is_file(output) {
+        false
+    } else if is_standard_input(case) {
+        matches!((Handle::stdin(), Handle::from_path(output)), (Ok(input), Ok(output)) if input == output)
+    } else {
+        is_file(case) && is_same_file(case, output).unwrap_or(false)
+    }
+}
+
+/// Whether two names are of one file, which need not exist yet.
+fn is_one_file(first: &Path, second: &Path) -> bool {
+    if is_file(first) {
+        return is_file(second) && is_same_file(first, second).unwrap_or(false);
+    }
+    !first.exists()
+        && first.file_name() == second.file_name()
+        && is_same_file(parent(first), parent(second)).unwrap_or(false)
+}
+
+/// Whether it is there, and it or what it links to is called so.
+fn is_toml(path: &Path) -> bool {
+    let is_called = |path: &Path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    is_file(path) && (is_called(path) || fs::canonicalize(path).is_ok_and(|path| is_called(&path)))
+}
+
+fn is_file(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|metadata| metadata.is_file())
+}
+
+fn parent(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    }
+}
