@@ -2,8 +2,8 @@
 
 use case::{Axes, Case, CaseFile, Collision, Dimension, Input};
 use crash3::{ObliqueCorrection, principal_angle};
-use pim_core::{Outcome, Real};
-use real::Dual;
+use pim_core::{ImpactError, Outcome, Real};
+use real::{Gradient, Traced};
 use reconcile::Problem;
 
 use crate::damage::{self, Crash3};
@@ -169,10 +169,11 @@ fn derivatives(file: &CaseFile, nominal: &Analysis) -> Result<Vec<Derivative>, F
         .into_iter()
         .filter(|output| matches!(output, Output::Speed { .. } | Output::DeltaV { .. }))
         .collect();
+    let gradients = gradients(file, nominal, &outputs)?;
     let mut derivatives = Vec::new();
-    for (input, duals) in file.case.inputs().into_iter().zip(gradients(file, nominal, &outputs)?) {
-        for (&output, dual) in outputs.iter().zip(duals) {
-            let (output_value, value) = (dual.value(), dual.derivative);
+    for (i, input) in file.case.inputs().into_iter().enumerate() {
+        for (&output, gradient) in outputs.iter().zip(&gradients) {
+            let (output_value, value) = (gradient.value, gradient.by[i]);
             derivatives.push(Derivative { output, output_value, input: input.clone(), value });
         }
     }
@@ -186,46 +187,57 @@ fn derivatives(file: &CaseFile, nominal: &Analysis) -> Result<Vec<Derivative>, F
     Ok(derivatives)
 }
 
-/// For each input, the outputs and their derivatives by it (SI per SI).
+/// Each output, and its derivatives by all inputs of the case (SI per SI).
 pub(crate) fn gradients(
     file: &CaseFile,
     nominal: &Analysis,
     outputs: &[Output],
-) -> Result<Vec<Vec<Dual>>, Failure> {
-    let all = |found: Dual, outcome: &Outcome<Dual>| -> Vec<Dual> {
-        outputs.iter().map(|output| output.value(found, outcome)).collect()
-    };
-    let by_speed = match &nominal.found {
-        Some(found) => {
-            let case = file.case.map_numbers(Dual::from);
-            let by_speed =
-                at(file, &case, |problem| Ok(problem.residual(Dual::variable(found.speed)).derivative))?;
-            Some((found.speed, by_speed))
-        }
-        None => None,
-    };
-    let mut gradients = Vec::new();
-    for (i, input) in file.case.inputs().into_iter().enumerate() {
-        let mut index = 0;
-        // Of all numbers one varies, and does so by one of its SI unit.
-        let case = file.case.map_numbers(|value| {
-            let derivative = if index == i { 1.0 / input.factor() } else { 0.0 };
-            index += 1;
-            Dual { value, derivative }
-        });
-        gradients.push(match by_speed {
-            Some((speed, by_speed)) => at(file, &case, |problem| {
-                let by_input = problem.residual(Dual::from(speed)).derivative;
-                // ds/dp = −(∂R/∂p)/(∂R/∂s)
-                let found = Dual { value: speed, derivative: -(by_input / by_speed) };
+) -> Result<Vec<Gradient>, Failure> {
+    let inputs = file.case.inputs();
+    let mut numbers: Vec<f64> = inputs.iter().map(|input| input.number).collect();
+    // The speed found is an input too: the last.
+    numbers.extend(nominal.found.as_ref().map(|found| found.speed));
+    let mut gradients = real::gradients(&numbers, |numbers| {
+        let all = |found: Traced, outcome: &Outcome<Traced>| -> Vec<Traced> {
+            outputs.iter().map(|output| output.value(found, outcome)).collect()
+        };
+        let mut numbers = numbers.iter().copied();
+        let case = file.case.map_numbers(|number| numbers.next().unwrap_or(Traced::from(number)));
+        match numbers.next() {
+            Some(found) => at(file, &case, |problem| {
                 let (_, outcome) = problem.impact(found)?;
-                Ok(all(found, &outcome))
-            })?,
+                let mut results = all(found, &outcome);
+                results.push(problem.residual(found));
+                Ok(results)
+            }),
             None => {
                 let (_, outcome) = collide(&file.impact_with(&case)?.collision)?;
-                all(Dual::from(0.0), &outcome)
+                Ok::<_, Failure>(all(Traced::ZERO, &outcome))
             }
-        });
+        }
+    })?;
+    if nominal.found.is_some()
+        && let Some(residual) = gradients.pop()
+        && let Some((&by_speed, by_inputs)) = residual.by.split_last()
+    {
+        for gradient in &mut gradients {
+            let through_speed = gradient.by.pop().unwrap_or_default();
+            for (by, residual_by_input) in gradient.by.iter_mut().zip(by_inputs) {
+                // ds/dp = −(∂R/∂p)/(∂R/∂s)
+                let speed_by_input = -(residual_by_input / by_speed);
+                // dy/dp = ∂y/∂p + (∂y/∂s) ds/dp
+                *by += through_speed * speed_by_input;
+            }
+        }
+    }
+    for gradient in &mut gradients {
+        for (by, input) in gradient.by.iter_mut().zip(&inputs) {
+            // The numbers are in the units of the file.
+            *by /= input.factor();
+            if !by.is_finite() {
+                return Err(ImpactError::Overflow { what: "derivative", value: *by }.into());
+            }
+        }
     }
     Ok(gradients)
 }

@@ -11,6 +11,7 @@ use ::uncertainty::{
 };
 use case::{Bounds, Case, CaseFile, Diagnostics, Input, Range, Spread};
 use pim_core::{ImpactError, Outcome};
+use real::Gradient;
 use reconcile::ReconcileError;
 
 use block::{Block, Number};
@@ -331,19 +332,21 @@ fn first_order(
     inputs: &[UncertainInput],
 ) -> Result<Vec<FirstOrder>, Failure> {
     let gradients = gradients(file, nominal, outputs)?;
-    let all = file.case.inputs();
-    let rows: Vec<_> = all
+    let mut uncertain = inputs.iter().map(|input| &input.input.path).peekable();
+    let is_uncertain: Vec<bool> = file
+        .case
+        .inputs()
         .iter()
-        .zip(&gradients)
-        .filter(|(input, _)| inputs.iter().any(|uncertain| uncertain.input.path == input.path))
-        .map(|(_, row)| row)
+        .map(|input| uncertain.next_if(|path| **path == input.path).is_some())
         .collect();
     let sds: Vec<f64> = inputs.iter().map(|input| input.distribution.sd() * input.input.factor()).collect();
-    let of = |output: usize| {
-        let derivatives: Vec<f64> = rows.iter().map(|row| row[output].derivative).collect();
+    let of = |gradient: &Gradient| {
+        let all = gradient.by.iter().zip(&is_uncertain);
+        let derivatives: Vec<f64> =
+            all.filter(|(_, is_uncertain)| **is_uncertain).map(|(by, _)| *by).collect();
         FirstOrder::new(&derivatives, &sds)
     };
-    Ok((0..outputs.len()).map(of).collect::<Result<_, _>>()?)
+    Ok(gradients.iter().map(of).collect::<Result<_, _>>()?)
 }
 
 /// What turns the uncertain numbers of a sample into its outputs.

@@ -51,14 +51,18 @@ impl Diagnostic {
 
     /// Where it is and what is wrong, without line breaks: `line 5, column 14: "75 feets/s" has an unknown unit "feets/s"`.
     fn sentence(&self, source: &Source) -> String {
-        let problem = self.problem.to_string();
-        let problem = problem.split_whitespace().collect::<Vec<_>>().join(" ");
-        let Some(span) = &self.span else { return problem };
+        self.placed(source, &self.problem.to_string())
+    }
+
+    /// A text about it behind its place, without line breaks.
+    fn placed(&self, source: &Source, text: &str) -> String {
+        let text = on_one_line(text);
+        let Some(span) = &self.span else { return text };
         let before = &source.text()[..floor_char_boundary(source.text(), span.start)];
         let line = before.rsplit('\n').next().unwrap_or_default();
         // A byte order mark is no column.
         let column = line.trim_start_matches('\u{feff}').chars().count() + 1;
-        format!("line {}, column {column}: {problem}", before.matches('\n').count() + 1)
+        format!("line {}, column {column}: {text}", before.matches('\n').count() + 1)
     }
 
     /// The line and the caret under the value. One line: a value of many lines is shown by its first.
@@ -92,6 +96,10 @@ impl Diagnostic {
             .annotation(AnnotationKind::Primary.span(from..to))
             .into()
     }
+}
+
+fn on_one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 fn floor_char_boundary(text: &str, index: usize) -> usize {
@@ -135,6 +143,23 @@ impl Diagnostics {
             sentences.push(format!("and {more} more"));
         }
         sentences.join("; ")
+    }
+
+    /// What to write instead, on one line beside that of [`one_line`](Self::one_line): with the place where several problems are shown, and empty
+    /// where there is nothing to say.
+    ///
+    /// ```
+    /// let errors = case::Case::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
+    /// assert!(errors.help_on_one_line().starts_with(r#"write speed = "35 m/s""#));
+    /// ```
+    #[must_use]
+    pub fn help_on_one_line(&self) -> String {
+        let shown = &self.list[..self.list.len().min(SHOWN)];
+        let helps = shown.iter().filter_map(|diagnostic| {
+            let help = diagnostic.problem.help()?;
+            Some(if shown.len() == 1 { on_one_line(&help) } else { diagnostic.placed(&self.source, &help) })
+        });
+        helps.collect::<Vec<_>>().join("; ")
     }
 
     /// The text they are about.

@@ -35,7 +35,7 @@
 //! # The file
 //!
 //! A dimensioned value is a string with its unit; a plain number is dimensionless. Unknown keys are errors.
-//! A file may have [`Case::LARGEST_FILE`] bytes, and a list 10,000 values.
+//! A file may have [`Case::LARGEST_FILE`] bytes, a list 10,000 values, and the whole file 500 ranges.
 //!
 //! | table | keys |
 //! |---|---|

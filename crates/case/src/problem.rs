@@ -130,6 +130,9 @@ pub enum Problem {
     /// Too many depths.
     #[error("\"{path}\" has {count} values, more than the {limit} that are accepted")]
     TooMany { path: String, count: usize, limit: usize },
+    /// Too many numbers that are ranges.
+    #[error("{count} numbers of this case are ranges, more than the {limit} that are accepted")]
+    TooManyRanges { count: usize, limit: usize },
     /// A curve of restitution without a point.
     #[error(
         "\"{path}\" is an empty list, but a restitution that depends on the closing speed needs at least one point"
@@ -266,6 +269,9 @@ impl Problem {
             }
             Self::OutOfRange { example, .. } => format!("write for example {example}"),
             Self::TooMany { .. } => "give fewer: a profile needs no more stations, and a curve of restitution no more points".to_owned(),
+            Self::TooManyRanges { .. } => {
+                "write most of them as plain numbers: of so many stations the errors average out, those of width and stiffness do not".to_owned()
+            }
             Self::TooSmall { value, .. } => format!(
                 "{} has to be at least {} here; check the number and its unit",
                 value.dimension(),

@@ -15,7 +15,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::foreign;
 use crate::problem::Problem;
 use crate::quantity::Quantity;
-use crate::schema::{IMPACT, RECONSTRUCT, SCENE, TOP};
+use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, SCENE, TOP};
 use crate::source::{Source, Spans};
 use crash3::EnergyBasis;
 use reconcile::Unknown;
@@ -134,6 +134,10 @@ impl<'t> Reader<'t> {
         let (impact, reconstruct) = (optional(impact)?, optional(reconstruct)?);
         let mut case = Case { title, source, axes, vehicles, impact, reconstruct, ranges: Vec::new() };
         case.ranges = case.inputs().iter().filter_map(|input| self.take_range(&input.path)).collect();
+        if let Some(first_too_many) = case.ranges.get(MOST_RANGES) {
+            let problem = Problem::TooManyRanges { count: case.ranges.len(), limit: MOST_RANGES };
+            self.report_path(&first_too_many.path, problem);
+        }
         Some(case)
     }
 

@@ -7,6 +7,9 @@ use crate::units::Dimension;
 /// The largest number of stations: far more than any scan of a vehicle gives.
 pub(crate) const MOST_STATIONS: usize = 10_000;
 
+/// The largest number of ranges. Each costs as much time as the whole case, and stands for an error that is independent of all others.
+pub(crate) const MOST_RANGES: usize = 500;
+
 /// One key.
 pub(crate) struct Key {
     pub(crate) name: &'static str,

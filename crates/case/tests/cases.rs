@@ -827,6 +827,29 @@ fn a_profile_has_two_to_ten_thousand_stations() {
 }
 
 #[test]
+fn a_case_has_five_hundred_ranges_at_most() {
+    let with = |depths: &str, width: &str| {
+        let width = format!("width = {width}");
+        let text = OTHER_FORMS.replace("spacing = [\"10 cm\", \"0.2 m\"]", &width);
+        text.replace("[\"0 cm\", \"100 mm\", \"0.1 m\"]", depths)
+    };
+    let width = "{ value = \"1 m\", sd = \"1 cm\" }";
+    for spread in [
+        |count: usize| format!("[{}]", vec!["{ value = \"9 cm\", sd = \"1 cm\" }"; count].join(", ")),
+        |count: usize| format!("{{ values = \"{} cm\", sd = \"1 cm\" }}", vec!["9"; count].join(" ")),
+    ] {
+        assert_eq!(read(&with(&spread(499), width)).case.ranges.len(), 500);
+        assert_eq!(read(&with(&spread(500), "\"1 m\"")).case.ranges.len(), 500);
+        let text = with(&spread(500), width);
+        assert_eq!(problems(&text), [Problem::TooManyRanges { count: 501, limit: 500 }]);
+        // The width stands before the depths: it is the last of them that is one too many.
+        let diagnostics = Case::parse("test.toml", &text).unwrap_err();
+        let span = diagnostics.list()[0].span().unwrap();
+        assert!(["{ value = \"9 cm\", sd = \"1 cm\" }", "9"].contains(&&text[span]));
+    }
+}
+
+#[test]
 fn all_problems_are_reported_at_once() {
     let text = OTHER_FORMS
         .replace("\"1500 kg\"", "1500")

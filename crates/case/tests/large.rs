@@ -115,6 +115,10 @@ fn profiles_and_zones_without_end_are_refused_soon() {
             filled(&crush("depths = ["), "{ low = \"19 in\", high = \"21 in\" },", &format!("]{tail}")),
         ),
         (
+            "a range for each station",
+            crush(&format!("depths = {{ values = \"{} in\", sd = \"1 in\" }}{tail}", "9 ".repeat(10_000))),
+        ),
+        (
             "zones",
             filled(&crush("depths = \"1 2 in\"\nstiffness = { zones = ["), zone, &format!("] }}{tail}")),
         ),

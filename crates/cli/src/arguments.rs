@@ -37,8 +37,9 @@ pub(crate) enum Command {
             without an answer has its error in its row, and the others are done all the same.\n\n\
             The columns of csv have names that do not change, with units: \"file\", \"error\", \"found.value (m/s)\", \
             \"impact.energy_loss (J)\", \"vehicle1.delta_v (m/s)\", \"vehicle2.pdof (rad)\" and so on, each named as its key in --format json, in SI units \
-            and radians; \"warnings\" has the codes, which `deltav explain` explains. A line of jsonl is what --format json gives, with \"file\" before it, or \
-            {\"file\": …, \"error\": …}.",
+            and radians; \"warnings\" has the codes, which `deltav explain` explains; \"help\" says what to write instead of what is wrong. \
+            A text that begins with =, +, -, @, tab or carriage return, which a spreadsheet would run as a formula, has an apostrophe before it. A line of jsonl is what --format json gives, with \"file\" before it, or \
+            {\"file\": …, \"error\": …, \"help\": …}.",
         after_help = "Examples:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
             deltav reconstruct fixtures/sae-980025.toml --format json -o result.json\n  \
             deltav reconstruct fixtures/sae-980025.toml --format html -o report.html\n  \
@@ -135,9 +136,11 @@ pub(crate) enum Command {
     /// Explain a term, a symbol, a key of the case file or the code of a warning
     #[command(
         long_about = "Explain a term, a symbol, a key of the case file or the code of a warning.\n\n\
-            The same texts stand in docs/glossary.md. Without a topic, all topics are listed.",
+            The same texts stand in docs/glossary.md. Without a topic, all topics are listed.\n\n\
+            --format json has \"term\", \"kind\", \"also\" (other names), \"text\" (Markdown) and \"see_also\" (terms that the text uses); without a topic, a list of all.",
         after_help = "Examples:\n  deltav explain\n  deltav explain crush plane\n  deltav explain μ_c\n  \
-            deltav explain vehicle1.crush.offset\n  deltav explain delta-v-differs"
+            deltav explain vehicle1.crush.offset\n  deltav explain delta-v-differs\n  \
+            deltav explain --format json -o glossary.json"
     )]
     Explain(ExplainArguments),
     /// Print the JSON Schema of the case file, for editors
@@ -168,6 +171,14 @@ pub(crate) struct ExplainArguments {
     /// What to explain, in one word or several
     #[arg(value_parser = TopicParser, hide_possible_values = true)]
     pub(crate) topic: Vec<String>,
+
+    /// Text for people, or JSON for programs
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+
+    /// Write to FILE instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 /// Takes any word, which may be a symbol or a key, and offers the names of the topics to the completions of shells.

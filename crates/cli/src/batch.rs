@@ -9,9 +9,9 @@ use std::sync::mpsc;
 
 use analysis::Failure;
 use anyhow::{Context as _, Result};
-use case::Case;
+use case::{Case, Diagnostics};
 use rayon::ThreadPool;
-use report::{Row, RowError};
+use report::{Refused, Row, RowError};
 
 use crate::progress::Progress;
 use crate::read;
@@ -131,16 +131,19 @@ fn rows(
 
 fn reconstructed(path: &Path, row: fn(Row<'_>) -> Result<String, RowError>) -> Written {
     let file = path.display().to_string();
-    let answer = read(path).map_err(|error| on_one_line(&format!("{error:#}"))).and_then(|(name, bytes)| {
-        let file = Case::parse_bytes(&name, &bytes).map_err(|errors| errors.one_line())?;
+    let sentence = |error: String| (on_one_line(&error), String::new());
+    let of_case = |errors: Diagnostics| (errors.one_line(), errors.help_on_one_line());
+    let answer = read(path).map_err(|error| sentence(format!("{error:#}"))).and_then(|(name, bytes)| {
+        let file = Case::parse_bytes(&name, &bytes).map_err(of_case)?;
         match analysis::reconstruct(&file) {
             Ok(analysis) => Ok((file.case, analysis)),
-            Err(Failure::Case(errors)) => Err(errors.one_line()),
-            Err(error) => Err(on_one_line(&error.to_string())),
+            Err(Failure::Case(errors)) => Err(of_case(errors)),
+            Err(error) => Err(sentence(error.to_string())),
         }
     });
     let is_error = answer.is_err();
-    let answer = answer.as_ref().map(|(case, analysis)| (case, analysis)).map_err(String::as_str);
+    let answer = answer.as_ref().map(|(case, analysis)| (case, analysis));
+    let answer = answer.map_err(|(error, help)| Refused { error, help });
     (row(Row { file: &file, answer }), is_error)
 }
 

@@ -30,6 +30,10 @@ use validation::{Data, Validation};
 
 /// Samples behind the uncertainty in a report: enough for three digits, in a blink.
 const SUPPLEMENT_SAMPLES: usize = 20_000;
+/// The same in a case of very many numbers, through all of which each sample goes: at least so many samples, and more while samples times numbers
+/// remain below a second's work. The report says how many they are.
+const LEAST_SUPPLEMENT_SAMPLES: usize = 500;
+const SUPPLEMENT_NUMBERS: usize = 30_000_000;
 
 /// Columns of an explanation where there is no terminal to fill.
 const EXPLAIN_COLUMNS: usize = 98;
@@ -138,7 +142,8 @@ fn supplements(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec
     if file.case.ranges.is_empty() || analysis.impact.is_none() {
         return Ok(Vec::new());
     }
-    let plan = Plan { settings: Settings::new(Method::MonteCarlo, SUPPLEMENT_SAMPLES, 1), index_rows: None };
+    let samples = supplement_samples(file.case.inputs().len());
+    let plan = Plan { settings: Settings::new(Method::MonteCarlo, samples, 1), index_rows: None };
     let uncertainty = analysis::uncertainty(file, &plan, &mut |_, _, _| ControlFlow::Continue(()))?;
     let mut supplements = vec![Supplement {
         title: "Uncertainty",
@@ -150,6 +155,10 @@ fn supplements(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec
         supplements.push(Supplement { title: "Sensitivity", text });
     }
     Ok(supplements)
+}
+
+fn supplement_samples(numbers: usize) -> usize {
+    (SUPPLEMENT_NUMBERS / numbers.max(1)).clamp(LEAST_SUPPLEMENT_SAMPLES, SUPPLEMENT_SAMPLES)
 }
 
 fn report_judgement(arguments: &Arguments) -> Result<()> {
@@ -168,15 +177,23 @@ fn report_judgement(arguments: &Arguments) -> Result<()> {
     write(arguments.output.as_deref(), &output)
 }
 
-fn explain(ExplainArguments { topic }: &ExplainArguments) -> Result<()> {
+fn explain(ExplainArguments { topic, format, output }: &ExplainArguments) -> Result<()> {
     let topic = match topic.as_slice() {
         [] => None,
         words => Some(report::topic(&words.join(" "))?),
     };
-    terminal::print(|columns| {
-        let columns = columns.unwrap_or(EXPLAIN_COLUMNS).clamp(40, 100);
-        topic.map_or_else(|| report::topics_text(columns), |topic| report::explain(topic, columns))
-    })
+    let text =
+        |columns| topic.map_or_else(|| report::topics_text(columns), |topic| report::explain(topic, columns));
+    match format {
+        Format::Text if output.is_none() => {
+            terminal::print(|columns| text(columns.unwrap_or(EXPLAIN_COLUMNS).clamp(40, 100)))
+        }
+        Format::Text => write(output.as_deref(), text(EXPLAIN_COLUMNS)),
+        Format::Json => {
+            let json = topic.map_or_else(report::topics_json, report::topic_json)?;
+            write(output.as_deref(), json)
+        }
+    }
 }
 
 fn report_comparison(arguments: &Arguments) -> Result<()> {
@@ -356,11 +373,18 @@ mod tests {
 
     use crate::arguments::{PageFormat, ValidateArguments};
 
-    use super::{NO_ANSWER, lead_and_status, read_at_most, show};
+    use super::{NO_ANSWER, lead_and_status, read_at_most, show, supplement_samples};
 
     #[test]
     fn a_source_without_end_is_left_after_one_byte_too_many() {
         assert_eq!(read_at_most(io::repeat(b'x')).unwrap().len(), Case::LARGEST_FILE + 1);
+    }
+
+    #[test]
+    fn a_report_takes_fewer_samples_of_a_case_with_very_many_numbers() {
+        assert_eq!([0, 31, 1500].map(supplement_samples), [20_000; 3]);
+        assert_eq!(supplement_samples(10_000), 3000);
+        assert_eq!(supplement_samples(100_000), 500);
     }
 
     #[test]

@@ -103,7 +103,7 @@ fn place(column: &str) -> String {
 
 #[test]
 fn a_row_says_what_the_json_of_its_file_says() {
-    let mut compared = 0;
+    let (mut compared, mut helped) = (0, 0);
     for file in case_files() {
         let alone = deltav(&["reconstruct", &file, "--format", "json"]);
         let jsonl = deltav(&["reconstruct", &file, "--format", "jsonl"]);
@@ -116,11 +116,26 @@ fn a_row_says_what_the_json_of_its_file_says() {
             assert_eq!(jsonl.status.code(), Some(1), "{file}");
             let error = line["error"].as_str().unwrap();
             assert!(error.len() > 10 && !error.contains('\n'), "{file}: {error:?}");
-            assert_eq!(line.as_object().unwrap().len(), 2);
+            let help = line.get("help").map_or("", |help| help.as_str().unwrap());
+            // What is refused by the reader alone always says what to write.
+            assert!(!file.contains("/invalid/") || !help.is_empty(), "{file}");
+            assert!(
+                !help.contains('\n') && line.as_object().unwrap().len() == 2 + usize::from(!help.is_empty())
+            );
+            let printed = String::from_utf8(alone.stderr).unwrap();
+            // The error text shows the same help, broken into lines.
+            let words = |text: &str| text.replace('|', "").split_whitespace().collect::<Vec<_>>().join(" ");
+            if printed.matches("help: ").count() == 1 {
+                let placed = help.strip_prefix("line ").and_then(|placed| placed.split_once(": "));
+                let shown = placed.map_or(help, |(_, help)| help);
+                assert!(words(&printed).contains(&words(shown)), "{file}: {shown}\n{printed}");
+                helped += 1;
+            }
             for (column, cell) in columns.iter().zip(&cells) {
                 let expected = match column.as_str() {
                     "file" => &file,
                     "error" => error,
+                    "help" => help,
                     _ => "",
                 };
                 assert_eq!(cell, expected, "{file}: {column}");
@@ -133,7 +148,7 @@ fn a_row_says_what_the_json_of_its_file_says() {
             let value = json.pointer(&place(column));
             match (column.as_str(), value) {
                 ("file", _) => assert_eq!(*cell, file),
-                ("error", _) => assert_eq!(cell, ""),
+                ("error" | "help", _) => assert_eq!(cell, ""),
                 ("warnings", _) => {
                     let warnings = json["warnings"].as_array().unwrap();
                     let codes: Vec<_> =
@@ -157,7 +172,7 @@ fn a_row_says_what_the_json_of_its_file_says() {
         json["file"] = file.as_str().into();
         assert_eq!(line, json);
     }
-    assert!(compared > 1000, "{compared}");
+    assert!(compared > 1000 && helped > 100, "{compared} {helped}");
 }
 
 #[test]
@@ -181,4 +196,39 @@ fn text_that_csv_has_to_quote_reads_back() {
     assert_eq!((cell("file"), cell("title")), (&*path, "two, \"three\"\nand a line, = 1"));
     // SAE 980025, appendix: 75 ft/s.
     assert!((cell("found.value (m/s)").parse::<f64>().unwrap() / 0.3048 - 75.0).abs() < 0.05);
+}
+
+#[test]
+fn no_text_of_a_case_is_a_formula_to_a_spreadsheet() {
+    let case = fs::read_to_string("../../fixtures/sae-980025.toml").unwrap();
+    let line = |key: &str| case.lines().find(|line| line.trim_start().starts_with(key)).unwrap();
+    for lead in ["=", "+", "-", "@", r"\t", r"\r"] {
+        let text = case
+            .replace(line("title"), &format!("title = \"{lead}1+2\""))
+            .replace(line("name"), &format!("name = \"{lead}cmd|' /C calc'!A0\""));
+        let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("=1+2.toml");
+        fs::write(&path, text).unwrap();
+        let run = |format: &str| {
+            let folder = path.parent().unwrap();
+            let deltav = Command::new(env!("CARGO_BIN_EXE_deltav"))
+                .current_dir(folder)
+                .args(["reconstruct", "=1+2.toml", "--format", format])
+                .output()
+                .unwrap();
+            String::from_utf8(deltav.stdout).unwrap()
+        };
+        let [columns, cells] = <[Vec<String>; 2]>::try_from(records(&run("csv"))).unwrap();
+        let cell = |name: &str| cells[columns.iter().position(|column| column == name).unwrap()].as_str();
+        let start = lead.replace(r"\t", "\t").replace(r"\r", "\r");
+        assert_eq!(cell("file"), "'=1+2.toml");
+        assert_eq!(cell("title"), format!("'{start}1+2"));
+        assert_eq!(cell("vehicle1.name"), format!("'{start}cmd|' /C calc'!A0"));
+        // A number is a number: the Jimmy drives to −x.
+        assert!(cell("vehicle1.velocity.x (m/s)").parse::<f64>().unwrap() < -22.0);
+        for cell in cells.iter().filter(|cell| cell.parse::<f64>().is_err()) {
+            assert!(!cell.starts_with(['=', '+', '-', '@', '\t', '\r']), "{cell:?}");
+        }
+        let json: Value = serde_json::from_str(&run("jsonl")).unwrap();
+        assert_eq!(json["title"], format!("{start}1+2"));
+    }
 }

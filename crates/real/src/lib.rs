@@ -21,8 +21,9 @@
 //!
 //! | item | is |
 //! |---|---|
-//! | [`Real`] | the operations that the equations use; implemented for `f64` and [`Dual`] |
-//! | [`Dual`] | a number that carries its derivative |
+//! | [`Real`] | the operations that the equations use; implemented for `f64`, [`Dual`] and [`Traced`] |
+//! | [`Dual`] | a number that carries its derivative by one input |
+//! | [`gradients`], [`Traced`] | the derivatives by all inputs at once, of a formula that is evaluated on numbers that remember what they were computed from |
 //! | [`elementary::sin_cos`] | sine and cosine of an angle in radians, up to [`elementary::SIN_COS_LIMIT`] |
 //! | [`elementary::atan2`] | angle of a vector in radians, over all of `f64` |
 //! | [`elementary::ln`], [`elementary::exp`] | natural logarithm and exponential, over all of `f64`; for sampling, not part of [`Real`] |
@@ -49,8 +50,10 @@
 
 mod dual;
 pub mod elementary;
+mod traced;
 
 pub use dual::Dual;
+pub use traced::{Gradient, Traced, gradients};
 
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};

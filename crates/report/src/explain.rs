@@ -2,6 +2,8 @@
 
 use std::sync::OnceLock;
 
+use serde::Serialize;
+
 /// The source of all texts: `## group`, `### name`, a line `Also: …; …` with other names, and the text.
 const GLOSSARY: &str = include_str!("../../../docs/glossary.md");
 
@@ -19,6 +21,14 @@ pub struct Topic {
 }
 
 impl Topic {
+    /// Other topics that the text calls by name, in the order of the glossary.
+    #[must_use]
+    pub fn see_also(&self) -> Vec<&'static str> {
+        let text = words(self.text);
+        let uses = |name: &str| text.contains(&words(name));
+        topics().iter().map(|topic| topic.name).filter(|name| *name != self.name && uses(name)).collect()
+    }
+
     fn names(&self) -> impl Iterator<Item = &'static str> + '_ {
         std::iter::once(self.name).chain(self.aliases.iter().copied())
     }
@@ -169,6 +179,48 @@ pub fn explain(topic: &Topic, columns: usize) -> String {
         }
     }
     text
+}
+
+/// The words of a text in small letters, a space before and after each, so that no name is found within another word.
+fn words(text: &str) -> String {
+    let is_part = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '–' | '\'');
+    let words = text.split(|c: char| !is_part(c)).filter(|word| !word.is_empty());
+    format!(" {} ", words.collect::<Vec<_>>().join(" ").to_lowercase())
+}
+
+/// A topic as JSON.
+#[derive(Serialize)]
+struct Entry {
+    term: &'static str,
+    kind: &'static str,
+    also: &'static [&'static str],
+    text: &'static str,
+    see_also: Vec<&'static str>,
+}
+
+impl Entry {
+    fn new(topic: &'static Topic) -> Self {
+        let Topic { name: term, group: kind, aliases: also, text } = topic;
+        Self { term, kind, also, text, see_also: topic.see_also() }
+    }
+}
+
+/// A topic as indented JSON, ending in a line break: `term`, `kind` (the heading that it stands under), `also` (its other names), `text` (Markdown) and
+/// `see_also`, the terms of other topics that the text uses.
+///
+/// # Errors
+/// Where serialisation fails, which no topic causes.
+pub fn topic_json(topic: &'static Topic) -> Result<String, serde_json::Error> {
+    Ok(serde_json::to_string_pretty(&Entry::new(topic))? + "\n")
+}
+
+/// All topics as a list of what [`topic_json`] gives, in the order of the glossary.
+///
+/// # Errors
+/// Where serialisation fails, which no topic causes.
+pub fn topics_json() -> Result<String, serde_json::Error> {
+    let entries: Vec<Entry> = topics().iter().map(Entry::new).collect();
+    Ok(serde_json::to_string_pretty(&entries)? + "\n")
 }
 
 /// The names of all topics under their headings, in lines of so many columns.

@@ -96,8 +96,9 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
     line("");
     line(&row(["Numbers as understood", "as written", "SI", "US"]));
     line(&"─".repeat(LINE));
+    let mut ranges = case.ranges.iter().peekable();
     for input in case.inputs() {
-        let written = match range(case, &input) {
+        let written = match ranges.next_if(|range| range.path == input.path) {
             Some(range) => format!("{}; {}", amount(input.number, input.unit), spread(range)),
             None => amount(input.number, input.unit),
         };
@@ -167,6 +168,7 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
 /// Where serialisation fails, which no judgement causes.
 pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, serde_json::Error> {
     let case = &file.case;
+    let mut ranges = case.ranges.iter().peekable();
     let document = Document {
         title: case.title.as_deref().unwrap_or_default(),
         axes: case.axes.name(),
@@ -195,7 +197,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
                     si_unit: input.unit.map(|unit| unit.dimension().si_unit()),
                     us,
                     us_unit: us_unit.map(Unit::spelling),
-                    range: range(case, &input).map(spread),
+                    range: ranges.next_if(|range| range.path == input.path).map(spread),
                     path: input.path,
                 }
             })
@@ -268,10 +270,6 @@ fn purpose(case: &Case, command: &str, on: &str) -> String {
         }
         _ => String::new(),
     }
-}
-
-fn range<'a>(case: &'a Case, input: &Input) -> Option<&'a Range> {
-    case.ranges.iter().find(|range| range.path == input.path)
 }
 
 fn spread(range: &Range) -> String {

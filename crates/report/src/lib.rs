@@ -67,11 +67,11 @@ mod warnings;
 
 pub use comparison::{comparison_json, comparison_text};
 pub use drawing::{Drawing, DrawingError, Subject, drawing};
-pub use explain::{Topic, UnknownTopic, explain, topic, topics, topics_text};
+pub use explain::{Topic, UnknownTopic, explain, topic, topic_json, topics, topics_json, topics_text};
 pub use json::json;
 pub use judgement::{judgement_json, judgement_text};
 pub use page::{Supplement, html, markdown};
-pub use rows::{Row, RowError, csv_columns, csv_header, csv_row, jsonl_row};
+pub use rows::{Refused, Row, RowError, csv_columns, csv_header, csv_row, jsonl_row};
 pub use sensitivity::{sensitivity_json, sensitivity_text};
 pub use staged::{
     PlotError, computed_against_measured, reconstructed_speed, validation_headline, validation_json,

@@ -12,8 +12,17 @@ use crate::json::document;
 pub struct Row<'a> {
     /// The name of the file.
     pub file: &'a str,
-    /// Its case and its analysis, or why there is none, in one sentence.
-    pub answer: Result<(&'a Case, &'a Analysis), &'a str>,
+    /// Its case and its analysis, or why there is none.
+    pub answer: Result<(&'a Case, &'a Analysis), Refused<'a>>,
+}
+
+/// Why a file has no answer.
+#[derive(Clone, Copy, Debug)]
+pub struct Refused<'a> {
+    /// What is wrong and where, on one line.
+    pub error: &'a str,
+    /// What to write instead, on one line; empty where the error says all.
+    pub help: &'a str,
 }
 
 /// Why a row cannot be written; no analysis causes that.
@@ -80,15 +89,15 @@ const VEHICLE: [(&str, &str); 22] = [
     ("crash3.corrected_delta_v (m/s)", "/crash3/corrected_delta_v/%"),
 ];
 
-/// The last column: the codes of all warnings, with spaces between them.
-const WARNINGS: &str = "warnings";
+/// The last columns: the codes of all warnings, with spaces between them, and what to write instead of what is wrong.
+const LAST: [&str; 2] = ["warnings", "help"];
 
 /// The columns of [`csv_row`]: names that do not change, with the unit of the values in parentheses. Columns may be added.
 #[must_use]
 pub fn csv_columns() -> Vec<String> {
     let of_vehicle = |vehicle: usize| VEHICLE.map(|(name, _)| format!("vehicle{vehicle}.{name}"));
     let shared = SHARED.map(|(name, _)| name.to_owned());
-    shared.into_iter().chain(of_vehicle(1)).chain(of_vehicle(2)).chain([WARNINGS.to_owned()]).collect()
+    shared.into_iter().chain(of_vehicle(1)).chain(of_vehicle(2)).chain(LAST.map(str::to_owned)).collect()
 }
 
 /// The line with the names of the columns.
@@ -101,6 +110,10 @@ pub fn csv_header() -> Result<String, RowError> {
 
 /// One line of CSV (RFC 4180, but for the plain line feed at its end) under [`csv_header`]: SI units and radians, each number the shortest that reads
 /// back as the same, nothing where there is no value.
+///
+/// A spreadsheet runs a cell that begins with `=`, `+`, `-`, `@`, tab or carriage return as a formula, and titles and names come from whoever wrote the
+/// file. Such a text, never a number, has an apostrophe before it: the spreadsheet shows a text, and a program takes the apostrophe away. [`jsonl_row`]
+/// has all texts as they are.
 ///
 /// # Errors
 /// [`RowError`], which no analysis causes.
@@ -117,39 +130,56 @@ pub fn csv_row(row: Row<'_>) -> Result<String, RowError> {
     let codes: Vec<&str> =
         warnings.iter().filter_map(|warning| warning.get("code").and_then(Value::as_str)).collect();
     cells.push(codes.join(" "));
+    cells.push(cell("/help"));
     line(&cells)
 }
 
-/// One JSON document on one line: what [`json`](crate::json()) gives, with the `file` before all else; or `file` and `error`.
+/// One JSON document on one line: what [`json`](crate::json()) gives, with the `file` before all else; or `file`, `error` and, where there is more to say, `help`.
 ///
 /// # Errors
 /// [`RowError`], which no analysis causes.
 pub fn jsonl_row(Row { file, answer }: Row<'_>) -> Result<String, RowError> {
     let line = match answer {
         Ok((case, analysis)) => serde_json::to_string(&document(Some(file), case, analysis))?,
-        Err(error) => serde_json::to_string(&Refused { file, error })?,
+        Err(refused) => serde_json::to_string(&RefusedFile::new(file, refused))?,
     };
     Ok(line + "\n")
 }
 
 #[derive(Serialize)]
-struct Refused<'a> {
+struct RefusedFile<'a> {
     file: &'a str,
     error: &'a str,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    help: &'a str,
+}
+
+impl<'a> RefusedFile<'a> {
+    fn new(file: &'a str, Refused { error, help }: Refused<'a>) -> Self {
+        Self { file, error, help }
+    }
 }
 
 fn value(Row { file, answer }: Row<'_>) -> Result<Value, serde_json::Error> {
     match answer {
         Ok((case, analysis)) => serde_json::to_value(document(Some(file), case, analysis)),
-        Err(error) => serde_json::to_value(Refused { file, error }),
+        Err(refused) => serde_json::to_value(RefusedFile::new(file, refused)),
     }
 }
 
 fn cell(value: &Value) -> String {
     match value {
         Value::Null => String::new(),
-        Value::String(text) => text.clone(),
+        Value::String(text) => no_formula(text),
         other => other.to_string(),
+    }
+}
+
+/// A text as a spreadsheet should show it: see [`csv_row`].
+fn no_formula(text: &str) -> String {
+    match text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
+        true => format!("'{text}"),
+        false => text.to_owned(),
     }
 }
 

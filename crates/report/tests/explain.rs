@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 use analysis::{Analysis, Warning};
 use case::{Case, CaseFile};
-use report::{explain, topic, topics, topics_text};
+use report::{explain, topic, topic_json, topics, topics_json, topics_text};
 
 /// Every valid case of the fixtures.
 fn cases() -> Vec<CaseFile> {
@@ -200,4 +200,26 @@ fn lines_fit_and_equations_keep_theirs() {
     assert!(text.contains("\n    EES = √(2 E/m)\n"), "{text}");
     let list = topics_text(80);
     assert!(topics().iter().all(|topic| list.replace('\n', " ").contains(topic.name)));
+}
+
+#[test]
+fn the_json_has_the_texts_of_the_glossary() {
+    let all: serde_json::Value = serde_json::from_str(&topics_json().unwrap()).unwrap();
+    let all = all.as_array().unwrap();
+    assert_eq!(all.len(), topics().len());
+    let glossary =
+        fs::read_to_string(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/glossary.md")).unwrap();
+    for (entry, one) in all.iter().zip(topics()) {
+        let text = |key: &str| entry[key].as_str().unwrap();
+        assert!(glossary.contains(&format!("\n### {}\n", text("term"))) && glossary.contains(text("text")));
+        assert!(glossary.contains(&format!("\n## {}\n", text("kind"))));
+        assert_eq!(*entry, serde_json::from_str::<serde_json::Value>(&topic_json(one).unwrap()).unwrap());
+        for other in entry["see_also"].as_array().unwrap() {
+            let other = topic(other.as_str().unwrap()).unwrap();
+            assert_ne!(other.name, one.name);
+        }
+    }
+    // "in z-down axes", "The heading turns contact point, PDOF and speed into the scene": and not itself, nor "scene frame".
+    assert_eq!(topic("heading").unwrap().see_also(), ["axes", "contact point", "PDOF"]);
+    assert_eq!(topic("heading").unwrap().aliases, ["θ", "theta"]);
 }

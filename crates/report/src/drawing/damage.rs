@@ -22,6 +22,10 @@ const LARGEST: f64 = 130.0;
 const APART: [f64; 2] = [19.0, 30.0];
 /// (px) how far beyond the face the names of stations stand.
 const BESIDE: f64 = 20.0;
+/// (px) radius of a station.
+const DOT: f64 = 2.2;
+/// Stations whose depths the caption lists; of more it says between what they lie.
+const LISTED: usize = 50;
 /// (px) height of a line of the captions.
 const ROW: f64 = 18.0;
 
@@ -150,8 +154,13 @@ impl Panel<'_> {
         )]
         let every = (apart / shortest.max(0.1)).ceil().max(1.0) as usize;
         let last = face.len().saturating_sub(1);
+        let mut dotted: Option<Point> = None;
         for (j, (&on_face, &deep)) in face.iter().zip(crushed).enumerate() {
-            canvas.dot("", deep, 2.2, None, BLACK);
+            // Stations closer than a dot is large would only make the line of the profile thicker, and a scan has thousands of them.
+            if j == last || dotted.is_none_or(|before| (on_face - before).hypot() >= DOT) {
+                canvas.dot("", deep, DOT, None, BLACK);
+                dotted = Some(on_face);
+            }
             if j != last && (j % every != 0 || last - j < every) {
                 continue;
             }
@@ -184,6 +193,12 @@ impl Panel<'_> {
             Some(inferred) => format!(
                 "{side}, {width} wide; inferred from the force: {} deep",
                 units.format(Quantity::Crush, inferred.crush.depth)
+            ),
+            None if damage.depths.len() > LISTED => format!(
+                "{side}, {width} wide; C1 to C{}: {} to {} deep",
+                damage.depths.len(),
+                units.format(Quantity::Crush, damage.depths.iter().copied().fold(f64::INFINITY, f64::min)),
+                units.format(Quantity::Crush, damage.depths.iter().copied().fold(0.0, f64::max)),
             ),
             None => format!(
                 "{side}, {width} wide; C1 to C{}: {}",
