@@ -152,7 +152,7 @@ impl Panel<'_> {
             clippy::cast_sign_loss,
             reason = "a small positive number"
         )]
-        let every = (apart / shortest.max(0.1)).ceil().max(1.0) as usize;
+        let every = (apart / shortest.max(0.001)).ceil().max(1.0) as usize;
         let last = face.len().saturating_sub(1);
         let mut dotted: Option<Point> = None;
         for (j, (&on_face, &deep)) in face.iter().zip(crushed).enumerate() {
