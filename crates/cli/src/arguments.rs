@@ -35,7 +35,8 @@ pub(crate) enum Command {
             without an answer has its error in its row, and the others are done all the same.\n\n\
             The columns of csv have names that do not change, with units: \"file\", \"error\", \"found.value (m/s)\", \
             \"impact.energy_loss (J)\", \"vehicle1.delta_v (m/s)\", \"vehicle2.pdof (rad)\" and so on, each named as its key in --format json, in SI units \
-            and radians; \"warnings\" has the codes, which `deltav explain` explains. A line of jsonl is what --format json gives, with \"file\" before it, or \
+            and radians; \"warnings\" has the codes, which `deltav explain` explains, \
+            with the vehicle before one that concerns one. A line of jsonl is what --format json gives, with \"file\" before it, or \
             {\"file\": …, \"error\": …}.",
         after_help = "Examples:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
             deltav reconstruct fixtures/sae-980025.toml --format json -o result.json\n  \
