@@ -127,7 +127,7 @@ fn classes_are_those_of_the_staged_collisions() {
     assert_printed(classes[1].track / INCH, "54.6");
 }
 
-/// Burg: I = 0.1269 m · wheelbase · length. Its k is 3 to 15 % below that of CRASH3's classes, as a calculation by hand from Table 2 shows.
+/// Burg: I = 0.1269 × mass × wheelbase × length. Its k is 3 to 15 % below that of CRASH3's classes, as a calculation by hand from Table 2 shows.
 #[test]
 fn burg_s_yaw_inertia_by_hand_and_beside_the_class_table() {
     assert_relative("by hand", yaw_inertia_burg(1500.0, 2.6, 4.5).unwrap(), 2_227.095, 1e-12);

@@ -2,7 +2,7 @@
 
 use case::Axes;
 
-use crate::{Analysis, Failure, Impact, Warning};
+use crate::{Analysis, Drive, Failure, Impact, Warning};
 
 impl Analysis {
     /// The same analysis with its impact, contact points, centroids and warnings in the given axes, for the eyes of a reader. An analysis itself is in the axes of
@@ -39,7 +39,31 @@ impl Warning {
         {
             *lateral = axes.lateral(*lateral);
         }
+        if let Self::LargeImpulseRatio { impulse_ratio, .. } = &mut seen {
+            *impulse_ratio = axes.lateral(*impulse_ratio);
+        }
+        if let Self::SlidingDriven { sliding, cause, .. } = &mut seen {
+            *sliding = axes.lateral(*sliding);
+            *cause = cause.in_axes(axes);
+        }
         seen
+    }
+}
+
+impl Drive {
+    fn in_axes(self, axes: Axes) -> Self {
+        let turned = |value: f64| axes.lateral(value);
+        match self {
+            Self::RatioAlong { impulse_ratio } => Self::RatioAlong { impulse_ratio: turned(impulse_ratio) },
+            Self::RatioWithoutSliding { impulse_ratio } => {
+                Self::RatioWithoutSliding { impulse_ratio: turned(impulse_ratio) }
+            }
+            Self::RatioBeyond { impulse_ratio, critical } => {
+                Self::RatioBeyond { impulse_ratio: turned(impulse_ratio), critical: critical.map(turned) }
+            }
+            Self::Change { change } => Self::Change { change: turned(change) },
+            Self::Coupling => Self::Coupling,
+        }
     }
 }
 

@@ -86,7 +86,7 @@ pub(crate) fn checks(
         let value = f1.max(f2) / f1.min(f2);
         checks.push(Check { quantity: CheckedQuantity::ForceBalance, value, limit: FORCE_RATIO });
     }
-    let given = vehicles.each_ref().map(|v| v.subject.damage.as_ref().and_then(|damage| damage.pdof));
+    let given = vehicles.each_ref().map(Vehicle::given_pdof);
     if let ([Some(p1), Some(p2)], [Some(h1), Some(h2)]) = (given, headings) {
         // The force comes from the scene angle θ − PDOF.
         let value = principal_angle((h1 - p1) - (h2 - p2) + PI).abs();

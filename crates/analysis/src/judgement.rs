@@ -102,7 +102,7 @@ pub enum Assumption {
         /// Of whose damage.
         vehicle: usize,
     },
-    /// The direction of the force follows: from the impulse or, where there is none, from the other vehicle's PDOF.
+    /// The direction of the force follows: from the other vehicle's PDOF or, where that is not given either, from the impulse.
     Pdof {
         /// Of the force on which vehicle.
         vehicle: usize,
@@ -174,7 +174,8 @@ pub fn judge(file: &CaseFile) -> Judgement {
         }
     }
     let assumptions = assumptions(file, &subjects);
-    of_vehicles(file, subjects.map(|subject| subject.unwrap_or(NOTHING)), collision.is_some(), &mut warnings);
+    let speeds = collision.map(|collision| collision.motions.map(|motion| motion.velocity.norm()));
+    of_vehicles(file, subjects.map(|subject| subject.unwrap_or(NOTHING)), speeds, &mut warnings);
     let unpropagated = uncertainty::inputs(file)
         .err()
         .or_else(|| if seeks { file.reconstruction().err() } else { file.impact().err() });
@@ -203,7 +204,13 @@ pub fn judge(file: &CaseFile) -> Judgement {
 /// A vehicle of which something needed is missing.
 const NOTHING: Subject = Subject { inertia: None, contact: None, dimensions: None, damage: None };
 
-fn of_vehicles(file: &CaseFile, mut subjects: [Subject; 2], collides: bool, warnings: &mut Vec<Warning>) {
+/// `speeds` (m/s) of a collision; that which is sought is zero.
+fn of_vehicles(
+    file: &CaseFile,
+    mut subjects: [Subject; 2],
+    speeds: Option<[f64; 2]>,
+    warnings: &mut Vec<Warning>,
+) {
     let directed = subjects.each_ref().map(|subject| {
         subject.damage.as_ref().is_some_and(|damage| damage.pdof.or(damage.oblique_angle).is_some())
     });
@@ -218,9 +225,11 @@ fn of_vehicles(file: &CaseFile, mut subjects: [Subject; 2], collides: bool, warn
     // What the engine refuses of a damage is told when it is solved.
     let assessed = damage::assess(subjects.clone(), [None, None]);
     let mut vehicles = assessed.unwrap_or_else(|_| subjects.map(|subject| Vehicle { subject, damage: None }));
-    if collides {
+    if speeds.is_some() {
         warning::of_outlines(&vehicles, warnings);
     }
+    warning::of_angles(file, warnings);
+    warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), warnings);
     warning::of_assumptions(&vehicles, warnings);
     for (vehicle, directed) in vehicles.iter_mut().zip(directed) {
         if !directed {

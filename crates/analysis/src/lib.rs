@@ -45,10 +45,10 @@ pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitiv
 pub use uncertainty::{
     Plan, REASONS, Reason, Stage, UncertainInput, UncertainOutput, Uncertainty, uncertainty,
 };
-pub use warning::Warning;
+pub use warning::{Drive, Magnitude, Warning};
 
-use case::{Case, CaseFile, Collision, Diagnostics, Subject};
-use crash3::{CrushError, EnergyBasis};
+use case::{Case, CaseFile, Collision, Diagnostics, Evidence, Subject};
+use crash3::{CrushError, EnergyBasis, Structure};
 use pim_core::{Contact, ImpactError, Law, Outcome, Real};
 use reconcile::{Iteration, Method, Problem, ReconcileError, Unknown};
 
@@ -114,6 +114,29 @@ pub struct Vehicle<T = f64> {
     pub subject: Subject<T>,
     /// Its damage.
     pub damage: Option<Damage<T>>,
+}
+
+impl Vehicle {
+    /// (rad) the PDOF that the file gives for this vehicle itself.
+    pub(crate) fn given_pdof(&self) -> Option<f64> {
+        self.subject.damage.as_ref().filter(|damage| !damage.pdof_follows)?.pdof
+    }
+
+    /// (m/s) b_0, the speed of an impact that leaves no crush on the damaged width: that of which G is the energy.
+    #[must_use]
+    pub fn no_damage_speed(&self) -> Option<f64> {
+        let damage = self.damage.as_ref()?;
+        let energy = match (&damage.structure, &self.subject.damage.as_ref()?.evidence) {
+            (Structure::Uniform(stiffness), _) => stiffness.g() * damage.width,
+            (Structure::Zones(zones), Evidence::Measured { profile, .. }) => {
+                zones.iter().zip(profile.zones()).map(|(stiffness, zone)| stiffness.g() * zone.width).sum()
+            }
+            // The reader lets no crush without stations have zones between them.
+            (Structure::Zones(_), Evidence::ForceBalance { .. }) => return None,
+        };
+        // b₀ = √(2 G w/m)
+        Some((2.0 * energy / self.subject.inertia?.mass).sqrt())
+    }
 }
 
 /// Why there is no analysis.
@@ -251,12 +274,15 @@ fn judged(
         warning::of_impact(impact, &mut warnings);
         warning::of_outlines(&vehicles, &mut warnings);
     }
+    let speeds = impact.as_ref().map(|impact| impact.outcome.before.map(|motion| motion.velocity.norm()));
+    warning::of_angles(file, &mut warnings);
+    warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), &mut warnings);
     warning::of_assumptions(&vehicles, &mut warnings);
     warning::of_damage(&vehicles, &mut warnings);
     if let Some(impact) = &impact {
         warning::of_directions(impact, &vehicles, &mut warnings);
         if let Some(crash3) = &crash3 {
-            warning::of_delta_v(impact, crash3, &mut warnings);
+            warning::of_delta_v(impact, crash3, &vehicles, &mut warnings);
         }
     }
     warning::of_checks(&checks, &vehicles, impact.as_ref(), &mut warnings);

@@ -1,12 +1,14 @@
 //! What a careful reconstructionist would raise.
 
-use case::YawSource;
-use crash3::principal_angle;
-use pim_core::{Contact, Outcome};
+use std::f64::consts::TAU;
+
+use case::{CaseFile, Dimension, Dimensions, StiffnessSource, YawSource};
+use crash3::{Side, principal_angle};
+use pim_core::{Contact, Outcome, Regime, Tangential};
 
 use crate::checks::{Check, CheckedQuantity};
 use crate::damage::Crash3;
-use crate::{Found, Impact, Vehicle};
+use crate::{Damage, Found, Impact, Vehicle};
 
 /// Newton's third law: the peak forces of the two vehicles should be the same. Stiffness and crush are uncertain, but not by
 /// more than this factor.
@@ -21,6 +23,35 @@ pub(crate) const FAST_CLOSING: f64 = 15.0;
 const DELTA_V_DIFFERENCE: f64 = 0.1;
 /// (m) how far the contact point may be outside of the outline: the roundness of a bumper.
 const OUTLINE_TOLERANCE: f64 = 0.05;
+/// (m) where a damage ends is a judgement, as it fades out into induced damage: it is hardly known better than to this.
+const END_TOLERANCE: f64 = 0.1;
+/// Friction takes energy. Ratios that were fitted to the staged collisions RICSAC 3 and 5 add 1.5 and 1.7 % of the energy loss, which is what
+/// measurement leaves; as much as this moves the speed by 1 %.
+const DRIVING_SHARE: f64 = 0.02;
+/// Of the initial energy: what rounding leaves of a work that is zero.
+const ROUNDING: f64 = 1e-9;
+/// Of the closing speed: sliding that rounding leaves where there is none.
+const NO_SLIDING: f64 = 1e-9;
+/// |μ| above which the surfaces pull harder than they push. Friction of sheet metal is about half of that.
+const LARGE_RATIO: f64 = 1.0;
+/// (kg) from a quadricycle to a loaded articulated lorry.
+const USUAL_MASS: [f64; 2] = [100.0, 50_000.0];
+/// (kg/m²) mass by length and width: cars have 150 to 250, a loaded mixer of four axles 1400.
+const USUAL_AREAL_MASS: f64 = 2000.0;
+/// (m) k of cars is 1.1 to 1.7, that of a lorry of 12 m about 3.5: 0.29 times the length.
+const USUAL_YAW_RADIUS: [f64; 2] = [0.8, 4.0];
+/// (m/s) 252 km/h, 157 mph: most cars cannot drive faster.
+const USUAL_SPEED: [f64; 2] = [0.0, 70.0];
+/// (m) greatest depth where no dimensions are known: half of the length of a car, or the whole of its width.
+const USUAL_DEPTH: f64 = 2.0;
+/// (m) greatest width of a damage where no dimensions are known: a lorry is at most 2.55 or 2.6 wide, and hardly a car 6 long.
+const USUAL_WIDTH: [f64; 2] = [2.6, 6.0];
+/// By how much of the face a damage may be wider than it: a crushed front bows out round the corners, and a size class gives a typical outline.
+const SPREAD: f64 = 0.1;
+/// (m/s) 15 mph. Over the width of the face, CRASH3's categories stand for 3 to 11 mph, but for the rear of category 4 (15 mph).
+const HIGH_NO_DAMAGE_SPEED: f64 = 15.0 * 0.447_04;
+/// Rounding of an angle of just one turn.
+const FULL_TURN: f64 = TAU * (1.0 + 1e-9);
 
 /// Something that does not stop the analysis but should be known to who defends it. Values are in SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,10 +102,12 @@ pub enum Warning {
     },
     /// CRASH3's ΔV is not that of the impact.
     DeltaVDiffers {
-        /// (m/s) ΔV of the impact.
-        impact: [f64; 2],
-        /// (m/s) CRASH3's, corrected for oblique forces where possible.
-        crash3: [f64; 2],
+        /// (m/s) ΔV of the impact; none of a fixed object.
+        impact: [Option<f64>; 2],
+        /// (m/s) CRASH3's, corrected for oblique forces where possible and with the restitution of the impact where it can take one.
+        crash3: [Option<f64>; 2],
+        /// Whether it takes restitution into account: not with e = 1.
+        restitution: bool,
     },
     /// More than one speed gives the crush energy.
     SeveralSpeeds {
@@ -158,11 +191,145 @@ pub enum Warning {
         /// (m/s) as found.
         found: f64,
     },
+    /// The tangential impulse adds energy, which friction cannot.
+    SlidingDriven {
+        /// (J) W_t, negative.
+        tangential_work: f64,
+        /// (J) E_L.
+        energy_loss: f64,
+        /// (m/s) u_t before the impact.
+        sliding: f64,
+        /// How it comes about.
+        cause: Drive,
+    },
+    /// The moment impulse adds energy.
+    RotationDriven {
+        /// (J) W_m, negative.
+        moment_work: f64,
+        /// (J) E_L.
+        energy_loss: f64,
+        /// e_m.
+        moment_restitution: f64,
+    },
+    /// The surfaces pull along the crush plane harder than they push.
+    LargeImpulseRatio {
+        /// μ.
+        impulse_ratio: f64,
+        /// Whether the law has a friction limit.
+        limited: bool,
+    },
+    /// The contact point lies beside the damage.
+    ContactOffDamage {
+        /// 1 or 2.
+        vehicle: usize,
+        /// The damaged side.
+        side: Side,
+        /// (m) how far beyond the end of the damage, along the side.
+        distance: f64,
+    },
+    /// The contact point lies on the half of the vehicle away from the damaged side.
+    ContactOtherHalf {
+        /// 1 or 2.
+        vehicle: usize,
+        /// The damaged side.
+        side: Side,
+        /// (m) how far beyond the CG or the vehicle's axis.
+        distance: f64,
+    },
+    /// The damage reaches beyond the end of the damaged side.
+    DamageOutside {
+        /// 1 or 2.
+        vehicle: usize,
+        /// The damaged side.
+        side: Side,
+        /// (m) by how much.
+        distance: f64,
+    },
+    /// A number that no usual vehicle or collision has.
+    Implausible {
+        /// 1 or 2.
+        vehicle: usize,
+        /// What it is of.
+        magnitude: Magnitude,
+        /// (SI) the number.
+        value: f64,
+        /// (SI) from what to what is usual.
+        usual: [f64; 2],
+    },
+    /// The stiffness of a side says that it withstands a fast impact without a trace.
+    HighNoDamageSpeed {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (m/s) b_0.
+        speed: f64,
+        /// Where the stiffness comes from.
+        source: StiffnessSource,
+    },
+    /// An angle of more than a full turn.
+    LargeAngle {
+        /// The key, such as `vehicle1.heading`.
+        path: String,
+        /// The angle in full turns, without sign.
+        turns: f64,
+        /// Whether it is written in degrees.
+        in_degrees: bool,
+    },
+    /// There is no residual crush, and yet crush energy.
+    NoResidualCrush {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (J) that of G alone.
+        energy: f64,
+    },
+}
+
+/// How a tangential impulse comes to drive the sliding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Drive {
+    /// The file gives μ, and with the sign of the sliding.
+    RatioAlong {
+        /// μ.
+        impulse_ratio: f64,
+    },
+    /// The file gives μ, and nothing slides before the impact.
+    RatioWithoutSliding {
+        /// μ.
+        impulse_ratio: f64,
+    },
+    /// The file gives μ, and it ends the sliding and drives it back.
+    RatioBeyond {
+        /// μ.
+        impulse_ratio: f64,
+        /// μ_c, if there is one.
+        critical: Option<f64>,
+    },
+    /// The file gives a change of the tangential velocity that adds to the sliding or turns it round.
+    Change {
+        /// (m/s) U_t − u_t.
+        change: f64,
+    },
+    /// The law finds the impulse, and against the sliding it cannot be: the push along the normal turns the sliding round.
+    Coupling,
+}
+
+/// What of a vehicle may be implausible.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Magnitude {
+    /// (kg) mass.
+    Mass,
+    /// (m) radius of gyration.
+    YawRadius,
+    /// (m/s) speed before the impact.
+    Speed,
+    /// (m) depth of crush.
+    CrushDepth,
+    /// (m) width of the damage.
+    DamageWidth,
 }
 
 impl Warning {
     /// Every code that there is.
-    pub const CODES: [&'static str; 18] = [
+    pub const CODES: [&'static str; 28] = [
         "crush-plane",
         "contact-outside",
         "high-restitution",
@@ -181,6 +348,16 @@ impl Warning {
         "damage-energy-differs",
         "rotation-opposes",
         "given-speed-unused",
+        "sliding-driven",
+        "rotation-driven",
+        "large-impulse-ratio",
+        "contact-off-damage",
+        "contact-other-half",
+        "damage-outside",
+        "implausible",
+        "high-no-damage-speed",
+        "large-angle",
+        "no-residual-crush",
     ];
 
     /// The code that names this warning in JSON and text.
@@ -205,7 +382,58 @@ impl Warning {
             Self::DamageEnergyDiffers { .. } => "damage-energy-differs",
             Self::RotationOpposes { .. } => "rotation-opposes",
             Self::GivenSpeedUnused { .. } => "given-speed-unused",
+            Self::SlidingDriven { .. } => "sliding-driven",
+            Self::RotationDriven { .. } => "rotation-driven",
+            Self::LargeImpulseRatio { .. } => "large-impulse-ratio",
+            Self::ContactOffDamage { .. } => "contact-off-damage",
+            Self::ContactOtherHalf { .. } => "contact-other-half",
+            Self::DamageOutside { .. } => "damage-outside",
+            Self::Implausible { .. } => "implausible",
+            Self::HighNoDamageSpeed { .. } => "high-no-damage-speed",
+            Self::LargeAngle { .. } => "large-angle",
+            Self::NoResidualCrush { .. } => "no-residual-crush",
         }
+    }
+
+    /// 1 or 2, of a warning that concerns one vehicle.
+    #[must_use]
+    pub fn vehicle(&self) -> Option<usize> {
+        match self {
+            Self::ContactOutside { vehicle, .. }
+            | Self::PdofDiffers { vehicle, .. }
+            | Self::AngleCapped { vehicle, .. }
+            | Self::SideNotPushed { vehicle, .. }
+            | Self::MovesBackward { vehicle, .. }
+            | Self::ClassValues { vehicle, .. }
+            | Self::BurgInertia { vehicle, .. }
+            | Self::InferredEnergy { vehicle, .. }
+            | Self::DamageCentroid { vehicle, .. }
+            | Self::RotationOpposes { vehicle, .. }
+            | Self::GivenSpeedUnused { vehicle, .. }
+            | Self::ContactOffDamage { vehicle, .. }
+            | Self::ContactOtherHalf { vehicle, .. }
+            | Self::DamageOutside { vehicle, .. }
+            | Self::Implausible { vehicle, .. }
+            | Self::HighNoDamageSpeed { vehicle, .. }
+            | Self::NoResidualCrush { vehicle, .. } => Some(*vehicle),
+            Self::PlaneDoesNotSeparate
+            | Self::HighRestitution { .. }
+            | Self::ForceBalance { .. }
+            | Self::DeltaVDiffers { .. }
+            | Self::SeveralSpeeds { .. }
+            | Self::PdofsNotOpposite { .. }
+            | Self::DamageEnergyDiffers { .. }
+            | Self::SlidingDriven { .. }
+            | Self::RotationDriven { .. }
+            | Self::LargeImpulseRatio { .. }
+            | Self::LargeAngle { .. } => None,
+        }
+    }
+
+    /// Whether it only says that the yaw inertia was estimated, as it is of most vehicles.
+    #[must_use]
+    pub fn is_common(&self) -> bool {
+        matches!(self, Self::BurgInertia { .. })
     }
 }
 
@@ -227,6 +455,46 @@ pub(crate) fn of_found(found: &Found, given_speed: Option<f64>) -> Vec<Warning> 
 pub(crate) fn of_impact(impact: &Impact, warnings: &mut Vec<Warning>) {
     of_plane(&impact.contact, warnings);
     of_restitution(impact.law.restitution(), -impact.outcome.approach.normal, warnings);
+    of_works(impact, warnings);
+    let impulse_ratio = impact.outcome.impulse_ratio;
+    if impulse_ratio.abs() > LARGE_RATIO {
+        let limited =
+            matches!(impact.law.tangential(), Tangential::Friction(_) | Tangential::FullOrSliding(_));
+        warnings.push(Warning::LargeImpulseRatio { impulse_ratio, limited });
+    }
+}
+
+/// Of works that add energy.
+fn of_works(impact: &Impact, warnings: &mut Vec<Warning>) {
+    let outcome = &impact.outcome;
+    let energy = outcome.energy;
+    let energy_loss = energy.loss;
+    let adds = |work: f64| work < -(DRIVING_SHARE * energy_loss).max(ROUNDING * energy.before);
+    if adds(energy.tangential_work) {
+        let sliding = outcome.approach.tangential;
+        let cause = match impact.law.tangential() {
+            Tangential::Ratio(impulse_ratio) => {
+                if sliding.abs() <= NO_SLIDING * outcome.approach.normal.abs() {
+                    Drive::RatioWithoutSliding { impulse_ratio }
+                } else if (impulse_ratio > 0.0) == (sliding > 0.0) {
+                    Drive::RatioAlong { impulse_ratio }
+                } else {
+                    Drive::RatioBeyond { impulse_ratio, critical: outcome.critical_impulse_ratio }
+                }
+            }
+            Tangential::VelocityChange(change) => Drive::Change { change },
+            _ => Drive::Coupling,
+        };
+        let tangential_work = energy.tangential_work;
+        warnings.push(Warning::SlidingDriven { tangential_work, energy_loss, sliding, cause });
+    }
+    if adds(energy.moment_work) {
+        warnings.push(Warning::RotationDriven {
+            moment_work: energy.moment_work,
+            energy_loss,
+            moment_restitution: impact.law.moment_restitution(),
+        });
+    }
 }
 
 pub(crate) fn of_plane(contact: &Contact, warnings: &mut Vec<Warning>) {
@@ -254,6 +522,134 @@ pub(crate) fn of_outlines(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) 
         let distance = ahead.max(aside);
         if distance > OUTLINE_TOLERANCE {
             warnings.push(Warning::ContactOutside { vehicle: i + 1, distance });
+        }
+    }
+}
+
+/// Of angles that were hardly meant.
+pub(crate) fn of_angles(file: &CaseFile, warnings: &mut Vec<Warning>) {
+    for input in file.case.inputs() {
+        let Some(unit) = input.unit.filter(|unit| unit.dimension() == Dimension::Angle) else { continue };
+        let angle = input.si().abs();
+        if angle > FULL_TURN {
+            let in_degrees = unit.spelling() == "deg";
+            warnings.push(Warning::LargeAngle { path: input.path, turns: angle / TAU, in_degrees });
+        }
+    }
+}
+
+/// Of what the file says of each vehicle, before anything is made of it; `speeds` (m/s) as far as they are known.
+pub(crate) fn of_data(vehicles: &[Vehicle; 2], speeds: [Option<f64>; 2], warnings: &mut Vec<Warning>) {
+    for (i, (vehicle, speed)) in vehicles.iter().zip(speeds).enumerate() {
+        let number = i + 1;
+        let subject = &vehicle.subject;
+        let mut judge = |magnitude: Magnitude, value: f64, usual: [f64; 2]| {
+            if value < usual[0] || value > usual[1] {
+                warnings.push(Warning::Implausible { vehicle: number, magnitude, value, usual });
+            }
+        };
+        if let Some(inertia) = subject.inertia {
+            judge(Magnitude::Mass, inertia.mass, usual_mass(subject.dimensions.as_ref()));
+            // k = √(I/m)
+            judge(Magnitude::YawRadius, (inertia.yaw_inertia / inertia.mass).sqrt(), USUAL_YAW_RADIUS);
+        }
+        if let Some(speed) = speed {
+            judge(Magnitude::Speed, speed.abs(), USUAL_SPEED);
+        }
+        if let (Some(damage), Some(given)) = (&vehicle.damage, &subject.damage) {
+            let inferred = damage.inferred.map(|inferred| inferred.crush.depth);
+            let deepest = damage.depths.iter().copied().chain(inferred).fold(0.0, f64::max);
+            let dimensions = subject.dimensions.as_ref();
+            judge(Magnitude::CrushDepth, deepest, [0.0, usual_depth(dimensions, given.side)]);
+            judge(Magnitude::DamageWidth, damage.width, [0.0, usual_width(dimensions, given.side)]);
+            of_stiffness(number, vehicle, damage, given.stiffness_source, warnings);
+            of_places(number, vehicle, damage, given, warnings);
+        }
+    }
+}
+
+/// (kg)
+fn usual_mass(dimensions: Option<&Dimensions>) -> [f64; 2] {
+    let [least, most] = USUAL_MASS;
+    let of_size = dimensions.map(|dimensions| USUAL_AREAL_MASS * dimensions.length * dimensions.width);
+    [least, of_size.map_or(most, |of_size| most.min(of_size))]
+}
+
+/// (m)
+fn usual_depth(dimensions: Option<&Dimensions>, side: Side) -> f64 {
+    match (dimensions, side) {
+        (None, _) => USUAL_DEPTH,
+        (Some(dimensions), Side::Front | Side::Rear) => dimensions.length / 2.0,
+        (Some(dimensions), Side::Left | Side::Right) => dimensions.width,
+    }
+}
+
+/// (m)
+fn usual_width(dimensions: Option<&Dimensions>, side: Side) -> f64 {
+    let [across, along] = USUAL_WIDTH;
+    match (dimensions, side) {
+        (Some(dimensions), _) => dimensions.extent(side) * (1.0 + SPREAD),
+        (None, Side::Front | Side::Rear) => across,
+        (None, Side::Left | Side::Right) => along,
+    }
+}
+
+fn of_stiffness(
+    vehicle: usize,
+    of: &Vehicle,
+    damage: &Damage,
+    source: StiffnessSource,
+    warnings: &mut Vec<Warning>,
+) {
+    if let Some(speed) = of.no_damage_speed().filter(|&speed| speed > HIGH_NO_DAMAGE_SPEED) {
+        warnings.push(Warning::HighNoDamageSpeed { vehicle, speed, source });
+    }
+    if damage.inferred.is_none() && damage.depths.iter().all(|&depth| depth == 0.0) {
+        warnings.push(Warning::NoResidualCrush { vehicle, energy: damage.crush_energy });
+    }
+}
+
+/// Of contact point, damage and outline, which have to fit together.
+fn of_places(
+    number: usize,
+    vehicle: &Vehicle,
+    damage: &Damage,
+    given: &case::Damage,
+    warnings: &mut Vec<Warning>,
+) {
+    let side = given.side;
+    let is_end = matches!(side, Side::Front | Side::Rear);
+    if let Some([forward, left]) = vehicle.subject.contact {
+        let outward = match side {
+            Side::Front => forward,
+            Side::Rear => -forward,
+            Side::Left => left,
+            Side::Right => -left,
+        };
+        if outward < -END_TOLERANCE {
+            warnings.push(Warning::ContactOtherHalf { vehicle: number, side, distance: -outward });
+        }
+    }
+    // A width that is not known, or a damage of which the place is not, has no ends.
+    let has_width = damage.inferred.is_none_or(|inferred| inferred.range.is_none());
+    let Some(offset) = given.offset.filter(|_| has_width) else { return };
+    if let Some([forward, left]) = vehicle.subject.contact {
+        let along = if is_end { left } else { forward };
+        let distance = (along - offset).abs() - damage.width / 2.0;
+        if distance > END_TOLERANCE {
+            warnings.push(Warning::ContactOffDamage { vehicle: number, side, distance });
+        }
+    }
+    if let Some(dimensions) = &vehicle.subject.dimensions {
+        let ends = if is_end {
+            [-dimensions.width / 2.0, dimensions.width / 2.0]
+        } else {
+            [dimensions.cg_to_front - dimensions.length, dimensions.cg_to_front]
+        };
+        let half = damage.width / 2.0;
+        let distance = (ends[0] - (offset - half)).max(offset + half - ends[1]);
+        if distance > END_TOLERANCE {
+            warnings.push(Warning::DamageOutside { vehicle: number, side, distance });
         }
     }
 }
@@ -324,7 +720,7 @@ pub(crate) fn of_damage(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
 
 pub(crate) fn of_directions(impact: &Impact, vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
     for (i, (vehicle, computed)) in vehicles.iter().zip(impact.pdof).enumerate() {
-        let Some(given) = vehicle.subject.damage.as_ref().and_then(|damage| damage.pdof) else { continue };
+        let Some(given) = vehicle.given_pdof() else { continue };
         // The difference of two directions, the short way round.
         if principal_angle(given - computed).abs() > PDOF_DIFFERENCE {
             warnings.push(Warning::PdofDiffers { vehicle: i + 1, given, computed });
@@ -359,12 +755,32 @@ pub(crate) fn of_checks(
     }
 }
 
-pub(crate) fn of_delta_v(impact: &Impact, crash3: &Crash3, warnings: &mut Vec<Warning>) {
+pub(crate) fn of_delta_v(
+    impact: &Impact,
+    crash3: &Crash3,
+    vehicles: &[Vehicle; 2],
+    warnings: &mut Vec<Warning>,
+) {
+    // CRASH3 has no answer to surfaces that slide to the end.
+    if impact.outcome.regime == Some(Regime::Sliding) {
+        return;
+    }
     let of_impact = Outcome::delta_v_magnitude(&impact.outcome);
-    let of_crash3 = crash3.corrected.map_or(crash3.delta_v, |corrected| corrected.delta_v);
+    // CRASH3 without restitution would differ from an impact with restitution, and say nothing by it.
+    let factor = crash3.restitution_factor;
+    let of_crash3 = crash3
+        .corrected
+        .map_or(crash3.delta_v, |corrected| corrected.delta_v)
+        .map(|delta_v| delta_v * factor.unwrap_or(1.0));
     let differs = |(a, b): (f64, f64)| (a - b).abs() > DELTA_V_DIFFERENCE * a;
     if of_impact.into_iter().zip(of_crash3).any(differs) {
-        warnings.push(Warning::DeltaVDiffers { impact: of_impact, crash3: of_crash3 });
+        let of_vehicles =
+            |values: [f64; 2]| [0, 1].map(|i| vehicles[i].subject.inertia.is_some().then_some(values[i]));
+        warnings.push(Warning::DeltaVDiffers {
+            impact: of_vehicles(of_impact),
+            crash3: of_vehicles(of_crash3),
+            restitution: factor.is_some(),
+        });
     }
 }
 

@@ -102,6 +102,8 @@ fn a_force_that_does_not_push_on_the_inspected_side_gives_no_energy() {
 fn every_assumption_is_a_warning() {
     let class = crush(&rear_end("class = 3", "width = \"2 m\"\noffset = \"0.2 m\""));
     let [
+        // 2 m at 0.2 m from the axis of a class of 72.6 in.
+        Warning::DamageOutside { vehicle: 2, .. },
         Warning::ClassValues {
             vehicle: 2,
             class: 3,

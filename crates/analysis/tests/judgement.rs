@@ -34,8 +34,19 @@ fn with_codes(warnings: &[Warning], codes: &[&str]) -> Vec<Warning> {
 }
 
 /// What needs neither the impulse nor the speed sought.
-const GEOMETRY: [&str; 5] =
-    ["crush-plane", "contact-outside", "class-values", "burg-inertia", "pdofs-not-opposite"];
+const GEOMETRY: [&str; 11] = [
+    "crush-plane",
+    "contact-outside",
+    "class-values",
+    "burg-inertia",
+    "pdofs-not-opposite",
+    "contact-off-damage",
+    "contact-other-half",
+    "damage-outside",
+    "high-no-damage-speed",
+    "large-angle",
+    "no-residual-crush",
+];
 
 #[test]
 fn warnings_are_those_of_the_solved_case() {
@@ -247,7 +258,7 @@ fn what_stands_in_for_an_unknown_vehicle_is_listed() {
     for key in ["vehicle1.crush.offset", "vehicle1.crush.pdof", "vehicle2.crush.oblique"] {
         assert!(!keys.iter().any(|known| known == key), "{key}");
     }
-    // Burg: 0.1269 m · 2.72 m · 4.75 m · 1480 kg.
+    // Burg: 0.1269 × mass × wheelbase × length, of 1480 kg, 2.72 m and 4.75 m.
     let burg = 0.1269 * 2.72 * 4.75 * 1480.0;
     let of_burg = assumptions.iter().find_map(|assumption| match assumption {
         Assumption::BurgInertia { vehicle: 2, yaw_inertia } => Some(*yaw_inertia),

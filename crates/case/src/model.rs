@@ -113,8 +113,10 @@ pub struct Damage<T = f64> {
     pub offset: Option<T>,
     /// How oblique forces are corrected.
     pub correction: ObliqueCorrection<T>,
-    /// (rad) PDOF as given.
+    /// (rad) PDOF: as given, or opposite to the one that the file gives for the other vehicle.
     pub pdof: Option<T>,
+    /// Whether it is that of the other vehicle, by Newton's third law.
+    pub pdof_follows: bool,
     /// (rad) α as given.
     pub oblique_angle: Option<T>,
     /// (m) h as given.
@@ -221,7 +223,7 @@ impl CaseFile {
     ) -> Result<ReconstructionInput<T>, Diagnostics> {
         let mut demand = Demand { file: self, case, command: "reconstruct", problems: Vec::new() };
         let unknown = demand.unknown();
-        let mut collision = demand.collision(unknown);
+        let collision = demand.collision(unknown);
         for (i, vehicle) in self.case.vehicles.iter().enumerate() {
             if !vehicle.fixed && vehicle.crush.is_none() {
                 demand.missing_crush(i);
@@ -230,9 +232,6 @@ impl CaseFile {
         if self.case.vehicles.iter().filter_map(|v| v.crush.as_ref()).any(|crush| crush.from_force_balance) {
             // The crush energy has to be known before the impact is, and so has the direction of the force.
             demand.directions_for_balance();
-            if let Some(collision) = &mut collision {
-                fill_opposite_pdof(case.headings(), collision.vehicles.each_mut().map(Some));
-            }
         }
         demand.finish(collision.zip(unknown).map(|(collision, unknown)| ReconstructionInput {
             given_speed: case.vehicles[unknown.index()].motion.map(|motion| match motion {
@@ -318,8 +317,10 @@ fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: [Option<&mut 
         given[0].map(|pdof| crash3::opposite_pdof(pdof, [h1, h2])),
     ];
     for (vehicle, follows) in vehicles.into_iter().zip(follows) {
-        if let Some(damage) = vehicle.and_then(|vehicle| vehicle.damage.as_mut()) {
-            damage.pdof = damage.pdof.or(follows);
+        if let Some(damage) = vehicle.and_then(|vehicle| vehicle.damage.as_mut())
+            && damage.pdof.is_none()
+        {
+            (damage.pdof, damage.pdof_follows) = (follows, follows.is_some());
         }
     }
 }
@@ -417,7 +418,9 @@ impl<T: Real> Demand<'_, T> {
         let ([v1, v2], [p1, p2], [m1, m2]) = (vehicles, participants, motions);
         let contact = self.contact([p1?, p2?])?;
         let (law, restitution_curve) = law?;
-        Some(Collision { contact, law, restitution_curve, motions: [m1?, m2?], vehicles: [v1?, v2?] })
+        let mut vehicles = [v1?, v2?];
+        fill_opposite_pdof(self.case.headings(), vehicles.each_mut().map(Some));
+        Some(Collision { contact, law, restitution_curve, motions: [m1?, m2?], vehicles })
     }
 
     fn subject(&mut self, i: usize) -> Option<Subject<T>> {
@@ -623,6 +626,7 @@ impl<T: Real> Demand<'_, T> {
             offset,
             correction: crush.oblique.unwrap_or_default(),
             pdof: crush.pdof.as_ref().map(|pdof| crash3::principal_angle(pdof.rad())),
+            pdof_follows: false,
             oblique_angle: crush.oblique_angle.as_ref().map(Quantity::si),
             moment_arm: crush.moment_arm.as_ref().map(Quantity::si),
         })

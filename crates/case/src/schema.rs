@@ -323,13 +323,13 @@ pub(crate) static CRUSH: Schema = Schema {
             "offset",
             "offset = \"12 in\"",
             Form::Quantity(Dimension::Length, ANY),
-            "Middle of the damage. Left of the vehicle's axis on front and rear, or right of it under `axes = \"z-down\"`; forward of the CG on the sides. For drawings, and for a line of action without a contact point.",
+            "Middle of the damage. Left of the vehicle's axis on front and rear, or right of it under `axes = \"z-down\"`; forward of the CG on the sides. For drawings, for a line of action without a contact point, and to see whether a contact point lies within the damage.",
         ),
         key(
             "pdof",
             "pdof = \"2.7 deg\"",
             Form::AngleOrHour,
-            "Principal direction of force. The direction from which the force comes, clockwise from the heading in any axes, or the hour of a clock. It replaces the one that the impact gives.",
+            "Principal direction of force. The direction from which the force comes, clockwise from the heading in any axes, or the hour of a clock. CRASH3's part of every command takes it in place of that of the impulse, and its opposite for the other vehicle if that has none; the impact itself does not depend on it.",
         ),
         key(
             "oblique_angle",

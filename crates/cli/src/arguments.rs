@@ -37,7 +37,7 @@ pub(crate) enum Command {
             without an answer has its error in its row, and the others are done all the same.\n\n\
             The columns of csv have names that do not change, with units: \"file\", \"error\", \"found.value (m/s)\", \
             \"impact.energy_loss (J)\", \"vehicle1.delta_v (m/s)\", \"vehicle2.pdof (rad)\" and so on, each named as its key in --format json, in SI units \
-            and radians; \"warnings\" has the codes, which `deltav explain` explains; \"help\" says what to write instead of what is wrong. \
+            and radians; \"warnings\" has the codes, which `deltav explain` explains, with the vehicle before one that concerns one; \"help\" says what to write instead of what is wrong. \
             A text that begins with =, +, -, @, tab or carriage return, which a spreadsheet would run as a formula, has an apostrophe before it. A line of jsonl is what --format json gives, with \"file\" before it, or \
             {\"file\": …, \"error\": …, \"help\": …}.",
         after_help = "Examples:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \

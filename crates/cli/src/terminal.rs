@@ -27,7 +27,7 @@ fn styled(text: &str) -> String {
         let is_heading = lines.get(i + 1).is_some_and(|next| next.starts_with('─'));
         let code = if is_heading || line.starts_with("Speed of vehicle") {
             "1"
-        } else if line.starts_with("warning [") {
+        } else if line.starts_with("warning [") || line.ends_with(", at the end.") {
             "33"
         } else {
             ""
@@ -48,8 +48,8 @@ mod tests {
 
     #[test]
     fn headings_the_answer_and_warnings_stand_out() {
-        let text = "Title\n\nSpeed of vehicle 1: 10 m/s\nplain\n\nImpact   along n\n────\nrow\nwarning [code]: text\n";
-        let expected = "Title\n\n\x1b[1mSpeed of vehicle 1: 10 m/s\x1b[0m\nplain\n\n\x1b[1mImpact   along n\x1b[0m\n────\nrow\n\
+        let text = "Title\n\nSpeed of vehicle 1: 10 m/s\nplain\n2 warnings, at the end.\n\nImpact   along n\n────\nrow\nwarning [code]: text\n";
+        let expected = "Title\n\n\x1b[1mSpeed of vehicle 1: 10 m/s\x1b[0m\nplain\n\x1b[33m2 warnings, at the end.\x1b[0m\n\n\x1b[1mImpact   along n\x1b[0m\n────\nrow\n\
                         \x1b[33mwarning [code]: text\x1b[0m\n";
         assert_eq!(styled(text), expected);
     }

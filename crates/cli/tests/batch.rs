@@ -151,8 +151,15 @@ fn a_row_says_what_the_json_of_its_file_says() {
                 ("error" | "help", _) => assert_eq!(cell, ""),
                 ("warnings", _) => {
                     let warnings = json["warnings"].as_array().unwrap();
-                    let codes: Vec<_> =
-                        warnings.iter().map(|warning| warning["code"].as_str().unwrap()).collect();
+                    let codes: Vec<String> = warnings
+                        .iter()
+                        .map(|warning| match warning["vehicle"].as_u64() {
+                            Some(vehicle) => {
+                                format!("vehicle{vehicle}.{}", warning["code"].as_str().unwrap())
+                            }
+                            None => warning["code"].as_str().unwrap().to_owned(),
+                        })
+                        .collect();
                     assert_eq!(cell.split_whitespace().collect::<Vec<_>>(), codes);
                 }
                 (_, Some(Value::Number(number))) => {

@@ -152,7 +152,7 @@ impl VehicleClass {
 pub const BURG_SPREAD: f64 = 0.05;
 
 /// (kg·m²) yaw inertia of a passenger car of the given `mass` (kg), `wheelbase` (m) and overall `length` (m), after Burg:
-/// I = 0.1269 m · wheelbase · length. The radius of gyration that follows is taken to be right to about [`BURG_SPREAD`]; it is 3 to 15 % below
+/// I = 0.1269 × mass × wheelbase × length. The radius of gyration that follows is taken to be right to about [`BURG_SPREAD`]; it is 3 to 15 % below
 /// those of CRASH3's older and larger cars ([`VehicleClass`]).
 ///
 /// # Errors
@@ -161,6 +161,6 @@ pub fn yaw_inertia_burg<T: Real>(mass: T, wheelbase: T, length: T) -> Result<T, 
     error::positive("mass", mass.value())?;
     error::positive("wheelbase", wheelbase.value())?;
     error::positive("length", length.value())?;
-    // I = 0.1269 m l_w l
+    // I = 0.1269 × mass × wheelbase × length
     Ok(mass * wheelbase * length * 0.1269)
 }

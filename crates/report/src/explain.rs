@@ -117,6 +117,8 @@ fn forms(word: &str) -> Vec<String> {
     }
     forms.push(path.to_owned());
     forms.extend(path.rsplit_once('.').map(|(_, key)| key.to_owned()));
+    // b_0,1 is b_0.
+    forms.extend([",1", ",2"].iter().filter_map(|vehicle| word.strip_suffix(vehicle)).map(str::to_owned));
     // E_1 is E, and v_1x is v_x.
     for number in ["_1", "_2"] {
         if let Some((head, tail)) = word.split_once(number) {

@@ -43,6 +43,8 @@ struct CheckBlock {
 #[derive(Serialize)]
 struct WarningBlock {
     code: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vehicle: Option<usize>,
     message: String,
 }
 
@@ -130,6 +132,8 @@ struct VehicleBlock {
     ees: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     peak_force: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_damage_speed: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -182,6 +186,7 @@ pub(crate) fn document<'a>(
             .iter()
             .map(|warning| WarningBlock {
                 code: warning.code(),
+                vehicle: warning.vehicle(),
                 message: warnings::message(warning, Units::Si, case.axes),
             })
             .collect(),
@@ -296,6 +301,7 @@ fn vehicle(case: &Case, analysis: &Analysis, i: usize) -> VehicleBlock {
         corrected_crush_energy: oblique.map(|oblique| oblique.corrected_crush_energy),
         ees: damage.map(|damage| damage.ees),
         peak_force: oblique.map(|oblique| oblique.peak_force),
+        no_damage_speed: analysis.vehicles[i].no_damage_speed(),
     }
 }
 

@@ -67,6 +67,8 @@ struct AssumptionBlock {
 #[derive(Serialize)]
 struct WarningBlock {
     code: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vehicle: Option<usize>,
     message: String,
 }
 
@@ -216,6 +218,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
             .iter()
             .map(|warning| WarningBlock {
                 code: warning.code(),
+                vehicle: warning.vehicle(),
                 message: warning_message(warning, case, Units::Si),
             })
             .collect(),
@@ -426,10 +429,9 @@ fn message(assumption: &Assumption, units: Units) -> String {
             "0: the middle of the damage lies on the vehicle's axis or beside its centre of gravity"
                 .to_owned()
         }
-        Assumption::Pdof { opposite: Some(pdof), .. } => format!(
-            "that of the impulse, where an impact is computed; for the damage alone {}, opposite to the force on the other vehicle",
-            units.format(Quantity::Angle, *pdof)
-        ),
+        Assumption::Pdof { opposite: Some(pdof), .. } => {
+            format!("{}, opposite to the force on the other vehicle", units.format(Quantity::Angle, *pdof))
+        }
         Assumption::Pdof { opposite: None, .. } => {
             "that of the impulse, where an impact is computed".to_owned()
         }

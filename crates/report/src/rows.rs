@@ -89,7 +89,8 @@ const VEHICLE: [(&str, &str); 22] = [
     ("crash3.corrected_delta_v (m/s)", "/crash3/corrected_delta_v/%"),
 ];
 
-/// The last columns: the codes of all warnings, with spaces between them, and what to write instead of what is wrong.
+/// The last columns: the codes of all warnings, with spaces between them, as `vehicle2.burg-inertia` where one is of one vehicle, and what to write
+/// instead of what is wrong.
 const LAST: [&str; 2] = ["warnings", "help"];
 
 /// The columns of [`csv_row`]: names that do not change, with the unit of the values in parentheses. Columns may be added.
@@ -127,9 +128,12 @@ pub fn csv_row(row: Row<'_>) -> Result<String, RowError> {
         cells.extend(VEHICLE.iter().map(|(_, of_either)| cell(&place(of_either))));
     }
     let warnings = value.get("warnings").and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
-    let codes: Vec<&str> =
-        warnings.iter().filter_map(|warning| warning.get("code").and_then(Value::as_str)).collect();
-    cells.push(codes.join(" "));
+    let codes = warnings.iter().filter_map(|warning| {
+        let code = warning.get("code").and_then(Value::as_str)?;
+        let vehicle = warning.get("vehicle").and_then(Value::as_u64);
+        Some(vehicle.map_or_else(|| code.to_owned(), |vehicle| format!("vehicle{vehicle}.{code}")))
+    });
+    cells.push(codes.collect::<Vec<_>>().join(" "));
     cells.push(cell("/help"));
     line(&cells)
 }

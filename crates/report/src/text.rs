@@ -1,6 +1,6 @@
 //! A finished analysis as text for the terminal and the file.
 
-use analysis::{Analysis, CheckedQuantity, Crash3, Damage, Found, Impact};
+use analysis::{Analysis, CheckedQuantity, Crash3, Damage, Found, Impact, Warning};
 use case::{Axes, Case, Pdof, Velocity, YawSource};
 use crash3::{EnergyBasis, Stiffness, Structure};
 use pim_core::{Outcome, Regime};
@@ -31,6 +31,7 @@ pub fn text_within(case: &Case, analysis: &Analysis, units: Units, columns: usiz
     if let Some(found) = &analysis.found {
         page.found(found, analysis.basis);
     }
+    page.notice(analysis);
     page.inputs(case, analysis);
     if let Some(impact) = &analysis.impact {
         page.impact(impact);
@@ -157,6 +158,18 @@ impl Page {
         ));
     }
 
+    /// Many read no further than the first screen.
+    fn notice(&mut self, analysis: &Analysis) {
+        if analysis.warnings.iter().all(Warning::is_common) {
+            return;
+        }
+        let count = match analysis.warnings.len() {
+            1 => "1 warning".to_owned(),
+            several => format!("{several} warnings"),
+        };
+        self.line(&format!("{count}, at the end."));
+    }
+
     fn inputs(&mut self, case: &Case, analysis: &Analysis) {
         let units = self.units;
         self.heading("Inputs as understood", ["vehicle 1", "vehicle 2", ""]);
@@ -234,10 +247,16 @@ impl Page {
         self.pair(
             "PDOF as given",
             known(&|i| {
-                crush(i).and_then(|crush| crush.pdof).map(|pdof| match pdof {
+                let follows = || {
+                    let damage = analysis.vehicles[i].subject.damage.as_ref()?;
+                    let pdof = damage.pdof.filter(|_| damage.pdof_follows)?;
+                    Some(format!("opposite: {}", units.format(Quantity::Angle, pdof)))
+                };
+                let given = crush(i)?.pdof.map(|pdof| match pdof {
                     Pdof::Angle(given) => angle(&given),
                     Pdof::Clock(hour) => format!("{hour} o'clock"),
-                })
+                });
+                given.or_else(follows)
             }),
             "",
         );
@@ -262,6 +281,11 @@ impl Page {
         );
         self.pair("CG to the front", known(&|i| dimensions(i).map(|d| length(d.cg_to_front))), "");
         self.stiffness(analysis);
+        let no_damage = |i: usize| {
+            let vehicle = &analysis.vehicles[i];
+            vehicle.no_damage_speed().map(|si| both_speeds(units, si))
+        };
+        self.pair("no-damage speed b_0", known(&no_damage), "theory 5");
         for (i, vehicle) in analysis.vehicles.iter().enumerate() {
             if let Some(damage) = &vehicle.damage
                 && damage.inferred.is_none()

@@ -1,7 +1,8 @@
 //! The sentence of each warning.
 
-use analysis::Warning;
-use case::Axes;
+use analysis::{Drive, Magnitude, Warning};
+use case::{Axes, StiffnessSource};
+use crash3::Side;
 
 use crate::axes;
 use crate::units::{Quantity, Units, number};
@@ -53,13 +54,18 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
              push on that side: no corrected energy, peak force and ΔV follow; check side, PDOF and headings",
             angle(*oblique_angle)
         ),
-        Warning::DeltaVDiffers { impact: [p1, p2], crash3: [c1, c2] } => format!(
-            "CRASH3's ΔV of {} and {} (without restitution) differs from the impact's {} and {} by more than 10 %",
-            speed(*c1),
-            speed(*c2),
-            speed(*p1),
-            speed(*p2)
-        ),
+        Warning::DeltaVDiffers { impact, crash3, restitution } => {
+            let of_all = |values: &[Option<f64>; 2]| {
+                let known: Vec<String> = values.iter().flatten().map(|&si| speed(si)).collect();
+                known.join(" and ")
+            };
+            format!(
+                "CRASH3's ΔV of {} ({} restitution) differs from the impact's {} by more than 10 %",
+                of_all(crash3),
+                if *restitution { "with the same" } else { "without" },
+                of_all(impact)
+            )
+        }
         Warning::SeveralSpeeds { speeds } => {
             let all: Vec<String> = speeds.iter().map(|&si| speed(si)).collect();
             format!(
@@ -93,7 +99,7 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
             )
         }
         Warning::BurgInertia { vehicle, yaw_inertia } => format!(
-            "the yaw inertia of vehicle {vehicle} was estimated from mass, wheelbase and length (Burg: 0.1269 m · wheelbase · length) as {}; \
+            "the yaw inertia of vehicle {vehicle} was estimated from mass, wheelbase and length (Burg: I = 0.1269 × mass × wheelbase × length) as {}; \
              its radius of gyration may be {spread} off",
             units.format(Quantity::YawInertia, *yaw_inertia)
         ),
@@ -149,6 +155,151 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
             "the file gives vehicle {vehicle} a speed of {}, which was not used: the speed found is {}",
             speed(*given),
             speed(*found)
+        ),
+        Warning::SlidingDriven { tangential_work, energy_loss, sliding, cause } => format!(
+            "the work of the tangential impulse is {}, {} of the energy loss: {}",
+            units.format(Quantity::Energy, *tangential_work),
+            share(*tangential_work, *energy_loss),
+            drive(*cause, *sliding, units)
+        ),
+        Warning::RotationDriven { moment_work, energy_loss, moment_restitution } => format!(
+            "the moment impulse drives the rotation: its work is {}, {} of the energy loss; {}",
+            units.format(Quantity::Energy, *moment_work),
+            share(*moment_work, *energy_loss),
+            if *moment_restitution > 0.0 {
+                format!(
+                    "with a moment restitution of {moment_restitution} the vehicles turn each other beyond a common yaw rate, so give 0 or less"
+                )
+            } else {
+                "the impulse at the contact point alone would turn the rotation of the vehicles against each other round, and what holds them \
+                 together then acts along it; check contact points and yaw rates, or leave out `moment_restitution`"
+                    .to_owned()
+            }
+        ),
+        Warning::LargeImpulseRatio { impulse_ratio, limited } => format!(
+            "with an impulse ratio μ of {} the surfaces pull along the crush plane harder than they push; beyond 1 that wants a reason, such as parts \
+             that hook into each other: check the crush plane and the contact points, {}",
+            number(*impulse_ratio, 2),
+            if *limited {
+                "and the friction limit"
+            } else {
+                "or give a friction limit, `tangential = { friction = 0.5 }`, for surfaces that slide"
+            }
+        ),
+        Warning::ContactOffDamage { vehicle, side, distance } => format!(
+            "the contact point of vehicle {vehicle} lies {} beyond the end of the damage to its {}, as `offset` and width place that; the resultant \
+             impulse acts within the damage, so check the signs of `contact` and `offset`",
+            units.format(Quantity::Crush, *distance),
+            side_name(*side)
+        ),
+        Warning::ContactOtherHalf { vehicle, side, distance } => format!(
+            "the contact point of vehicle {vehicle} lies {} {}, but the damage is to its {}; check the sign of `contact`",
+            units.format(Quantity::Crush, *distance),
+            match side {
+                Side::Front => "behind the centre of gravity",
+                Side::Rear => "ahead of the centre of gravity",
+                Side::Left => "to the right of the vehicle's axis",
+                Side::Right => "to the left of the vehicle's axis",
+            },
+            side_name(*side)
+        ),
+        Warning::DamageOutside { vehicle, side, distance } => format!(
+            "the damage to the {} of vehicle {vehicle} reaches {} beyond the end of that side; check its width and `offset`",
+            side_name(*side),
+            units.format(Quantity::Crush, *distance)
+        ),
+        Warning::Implausible { vehicle, magnitude, value, usual: [low, high] } => {
+            let (name, quantity) = match magnitude {
+                Magnitude::Mass => ("mass", Quantity::Mass),
+                Magnitude::YawRadius => ("radius of gyration √(I/m)", Quantity::Length),
+                Magnitude::Speed => ("speed", Quantity::Speed),
+                Magnitude::CrushDepth => ("depth of crush", Quantity::Crush),
+                Magnitude::DamageWidth => ("width of the damage", Quantity::Crush),
+            };
+            let print = |si: f64| match magnitude {
+                Magnitude::Speed => units.road_speed(si),
+                _ => units.format(quantity, si),
+            };
+            let usual = if *low > 0.0 {
+                format!("{} to {}", print(*low), print(*high))
+            } else {
+                format!("at most {}", print(*high))
+            };
+            format!(
+                "the {name} of vehicle {vehicle} is {}, and {usual} is usual; check the unit",
+                print(*value)
+            )
+        }
+        Warning::HighNoDamageSpeed { vehicle, speed: si, source } => format!(
+            "the stiffness of vehicle {vehicle} says that an impact at b_0 = {} leaves no damage, and 15 mph (24 km/h) is more than any car \
+             withstands: {}",
+            units.road_speed(*si),
+            match source {
+                StiffnessSource::Coefficients | StiffnessSource::Zones => "check the unit of A and B",
+                StiffnessSource::Roots => "check the unit of d0 and d1",
+                StiffnessSource::Category(_) => "check the category and the damaged side",
+                StiffnessSource::Test(_) => "check the barrier test, its mass, width and no-damage speed",
+            }
+        ),
+        Warning::LargeAngle { path, turns, in_degrees } => format!(
+            "the angle `{path}` is {} full turns; {}",
+            number(*turns, 1),
+            if *in_degrees { "check the number" } else { "did you mean deg?" }
+        ),
+        Warning::NoResidualCrush { vehicle, energy } => format!(
+            "all depths of vehicle {vehicle} are zero, so that its crush energy of {} is that of G alone: an upper bound, as no residual crush \
+             only says that the energy was not more",
+            units.format(Quantity::Energy, *energy)
+        ),
+    }
+}
+
+fn share(work: f64, of: f64) -> String {
+    format!("{} %", number(100.0 * work / of, 1))
+}
+
+fn side_name(side: Side) -> &'static str {
+    match side {
+        Side::Left => "left side",
+        Side::Right => "right side",
+        Side::Front | Side::Rear => crate::side_name(side),
+    }
+}
+
+/// Why a tangential impulse drives the sliding (m/s), and what to do.
+fn drive(cause: Drive, sliding: f64, units: Units) -> String {
+    let speed = |si: f64| units.format(Quantity::Speed, si);
+    // The impulse opposes the sliding where it has the other sign.
+    let opposes = if sliding > 0.0 { "negative" } else { "positive" };
+    match cause {
+        Drive::RatioAlong { impulse_ratio } => format!(
+            "it drives the sliding, and friction cannot give energy; the ratio of {impulse_ratio} has the sign of the sliding before the impact, u_t = {}: a ratio that opposes it is {opposes}, so check the \
+             sign, or give a friction limit",
+            speed(sliding)
+        ),
+        Drive::RatioWithoutSliding { impulse_ratio } => format!(
+            "it drives the sliding, and friction cannot give energy; nothing slides along the crush plane before the impact that a ratio of {impulse_ratio} could oppose, so give a friction limit or \
+             `tangential = \"critical\"`"
+        ),
+        Drive::RatioBeyond { impulse_ratio, critical } => format!(
+            "it drives the sliding, and friction cannot give energy; the ratio of {impulse_ratio} does not only end the sliding before the impact, u_t = {}, but drives it back{}: give a smaller one, or a \
+             friction limit",
+            speed(sliding),
+            critical.map_or_else(String::new, |critical| format!(
+                ", beyond the critical ratio of {}",
+                number(critical, 4)
+            ))
+        ),
+        Drive::Change { change } => format!(
+            "it drives the sliding, and friction cannot give energy; the tangential velocity change of {} does not oppose the sliding before the impact, u_t = {}, or goes far beyond ending it: check its \
+             sign and size",
+            speed(change),
+            speed(sliding)
+        ),
+        Drive::Coupling => format!(
+            "the rest of the impulse alone would turn the sliding before the impact, u_t = {}, round, and the tangential impulse that stops this acts \
+             along it. No sign is wrong, but the normal work is greater by as much; check crush plane and contact points",
+            speed(sliding)
         ),
     }
 }

@@ -51,7 +51,12 @@ fn every_warning_has_a_topic_of_its_own() {
 #[test]
 fn every_check_has_a_topic() {
     let mut codes = BTreeSet::new();
-    for file in cases() {
+    // Two directions of force that are to be opposite.
+    let both = include_str!("../../../fixtures/sae-980025.toml")
+        .replace("side      = \"front\"", "side = \"front\"\npdof = \"0 deg\"")
+        .replace("side      = \"right\"", "side = \"right\"\npdof = \"70 deg\"");
+    let both = Case::parse("both.toml", &both).unwrap();
+    for file in cases().into_iter().chain([both]) {
         codes.extend(analyses(&file).flat_map(|analysis| analysis.checks).map(|check| check.code()));
     }
     assert!(codes.len() >= 5, "{codes:?}");

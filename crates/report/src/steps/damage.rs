@@ -58,6 +58,24 @@ fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: usize) -> Vec<St
             zones(&mut steps, damage, crush, &|j| stiffnesses[j], i);
         }
     }
+    if let (Structure::Uniform(stiffness), Some(inertia), Some(speed)) =
+        (&damage.structure, vehicle.subject.inertia, vehicle.no_damage_speed())
+    {
+        steps.push(step(
+            format!("no-damage speed of vehicle {i}"),
+            format!("b_0,{i}"),
+            format!("√(2 G_{i} L_{i}/m_{i})"),
+            format!(
+                "√(2 · {} · {} / {})",
+                n(stiffness.g(), "N"),
+                n(damage.width, "m"),
+                n(inertia.mass, "kg")
+            ),
+            speed,
+            "m/s",
+            "theory 5",
+        ));
+    }
     if let Some(inertia) = vehicle.subject.inertia {
         steps.push(step(
             format!("energy equivalent speed of vehicle {i}"),

@@ -1,0 +1,632 @@
+//! Inputs that are wrong but have an answer all the same: each warning on both sides of its threshold, in both labellings, axes and senses of the
+//! crush plane's normal.
+//!
+//! The values follow from the arithmetic that stands beside each case.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
+use analysis::{Analysis, Drive, Failure, Magnitude, Warning};
+use case::{Axes, Case, CaseFile, StiffnessSource};
+use crash3::Side;
+
+type Analyse = fn(&CaseFile) -> Result<Analysis, Failure>;
+
+fn parsed(text: &str) -> CaseFile {
+    Case::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}\n{text}"))
+}
+
+/// The warnings with that code, in the axes of the case.
+fn raised(analyse: Analyse, text: &str, code: &str) -> Vec<Warning> {
+    let file = parsed(text);
+    let analysis = analyse(&file).unwrap_or_else(|error| panic!("{error}\n{text}")).in_axes(file.case.axes);
+    analysis.warnings.into_iter().filter(|warning| warning.code() == code).collect()
+}
+
+#[track_caller]
+fn assert_close(actual: f64, expected: f64, tolerance: f64) {
+    assert!((actual - expected).abs() <= tolerance, "{actual} is not {expected} within {tolerance:e}");
+}
+
+/// A car of 1000 kg with k = 2 m that drives with 10 m/s squarely onto a wall, skids along it with a velocity of its own, and may turn; C lies 2 m ahead of
+/// its CG and `left` of it, in m. It is `car` 1 or 2; in z-down axes all that counts across is turned.
+///
+/// By hand, with n towards the car's rear: u_n = −10 m/s, K = (1.25, −0.5; −0.5, 2)/m for `left` = 1 m, and (1, 0; 0, 2)/m for 0.
+struct Skid {
+    car: usize,
+    axes: Axes,
+    crush_plane: f64,
+}
+
+const SKIDS: [Skid; 4] = [
+    Skid { car: 1, axes: Axes::ZUp, crush_plane: 0.0 },
+    Skid { car: 1, axes: Axes::ZUp, crush_plane: 180.0 },
+    Skid { car: 2, axes: Axes::ZUp, crush_plane: 0.0 },
+    Skid { car: 1, axes: Axes::ZDown, crush_plane: 0.0 },
+];
+
+impl Skid {
+    /// +1, or −1 where t and yaw rates are the other way round.
+    fn sign(&self) -> f64 {
+        self.axes.lateral(1.0)
+    }
+
+    /// u_t (m/s) at C, C `left` of the CG, ω (rad/s), and the keys of the law.
+    fn text(&self, sliding: f64, left: f64, yaw_rate: f64, law: &str) -> String {
+        let Self { car, axes, crush_plane } = self;
+        let (sign, wall) = (self.sign(), 3 - car);
+        // t points to the right: u_t = −(v_y + 2 ω), and u_n = −(v_x − left ω)
+        let (vx, vy) = (10.0 + left * yaw_rate, sign * (-sliding - 2.0 * yaw_rate));
+        format!(
+            "[scene]\naxes = \"{}\"\n[vehicle{wall}]\nfixed = true\n[vehicle{car}]\nmass = \"1000 kg\"\nyaw_radius = \"2 m\"\nheading = \"0 deg\"\n\
+             contact = {{ x = \"2 m\", y = \"{} m\" }}\nvelocity = {{ x = \"{vx} m/s\", y = \"{vy} m/s\" }}\nyaw_rate = \"{} rad/s\"\n[impact]\n\
+             crush_plane = \"{crush_plane} deg\"\n{law}\n",
+            axes.name(),
+            sign * left,
+            sign * yaw_rate,
+        )
+    }
+
+    fn ratio(&self, mu: f64) -> String {
+        format!("restitution = 0\ntangential = {{ ratio = {:?} }}", self.sign() * mu)
+    }
+}
+
+/// With C on the axis, P_n = 10 m and P_t = 10 μ m: with z = 10 μ, W_n = 50 m and W_t = −z (u_t + z) m, which is −2 % of E_L = W_n + W_t where
+/// z (u_t + z) = 1/1.02: at z = −0.2317 and 4.2317 for u_t = −4 m/s, at z = ±0.9901 for u_t = 0.
+#[test]
+fn a_ratio_that_drives_the_sliding() {
+    for skid in &SKIDS {
+        let sign = skid.sign();
+        let at = |sliding: f64, mu: f64| {
+            raised(analysis::impact, &skid.text(sliding, 0.0, 0.0, &skid.ratio(mu)), "sliding-driven")
+        };
+        for (sliding, mu) in
+            [(-4.0, -0.0231), (-4.0, 0.2), (-4.0, 0.4231), (0.0, 0.0990), (0.0, -0.0990), (0.0, 0.0)]
+        {
+            assert_eq!(at(sliding, mu), [], "{sliding} {mu}");
+        }
+        for (sliding, mu, expected) in [
+            (-4.0, -0.0232, Drive::RatioAlong { impulse_ratio: sign * -0.0232 }),
+            (4.0, 0.0232, Drive::RatioAlong { impulse_ratio: sign * 0.0232 }),
+            (0.0, 0.0991, Drive::RatioWithoutSliding { impulse_ratio: sign * 0.0991 }),
+            (0.0, -0.0991, Drive::RatioWithoutSliding { impulse_ratio: sign * -0.0991 }),
+            // μ_c = 4/20
+            (-4.0, 0.4233, Drive::RatioBeyond { impulse_ratio: sign * 0.4233, critical: Some(sign * 0.2) }),
+        ] {
+            let found = at(sliding, mu);
+            let [Warning::SlidingDriven { tangential_work, energy_loss, sliding: slid, cause }] = found[..]
+            else {
+                panic!("{sliding} {mu}: {found:?}")
+            };
+            let work = -10.0 * mu * (sliding + 10.0 * mu) * 1000.0;
+            assert_close(tangential_work, work, 1e-9);
+            assert_close(energy_loss, 50_000.0 + work, 1e-9);
+            assert_close(slid, sign * sliding, 1e-14);
+            match (cause, expected) {
+                (
+                    Drive::RatioBeyond { impulse_ratio, critical: Some(critical) },
+                    Drive::RatioBeyond { impulse_ratio: mu, critical: Some(expected) },
+                ) => {
+                    assert_close(critical, expected, 1e-15);
+                    assert_close(impulse_ratio, mu, 0.0);
+                }
+                _ => assert_eq!(cause, expected),
+            }
+        }
+    }
+}
+
+/// P_t = c m/2 for a change c of the tangential velocity, so that W_t = −c (2 u_t + c) m/4.
+#[test]
+fn a_change_of_velocity_that_drives_the_sliding() {
+    for skid in &SKIDS {
+        let at = |change: f64| {
+            let law =
+                format!("law = \"woolley\"\ntangential_velocity_change = \"{} m/s\"", skid.sign() * change);
+            raised(analysis::impact, &skid.text(-4.0, 0.0, 0.0, &law), "sliding-driven")
+        };
+        assert_eq!(at(4.0), []);
+        assert_eq!(at(8.0), []);
+        for change in [-1.0, 9.0] {
+            let found = at(change);
+            let [Warning::SlidingDriven { tangential_work, cause: Drive::Change { change: named }, .. }] =
+                found[..]
+            else {
+                panic!("{change}: {found:?}")
+            };
+            assert_close(tangential_work, -2250.0, 1e-9);
+            assert_close(named, skid.sign() * change, 0.0);
+        }
+    }
+}
+
+/// With C 1 m beside the axis, U = 0 takes P = (20 − u_t/2, 5 − 5 u_t/4) m/2.25: the push along n alone would make U_t of u_t = 1 m/s negative, so that
+/// P_t is positive. W_n = 5 P_n and W_t = −½ P_t u_t: −1.96 % of E_L at 1 m/s, −2.09 % at 1.1 m/s; from 4 m/s on P_t is against the sliding.
+#[test]
+fn a_push_that_turns_the_sliding_round() {
+    for skid in &SKIDS {
+        let at = |sliding: f64| {
+            let law = "restitution = 0\ntangential = \"critical\"";
+            raised(analysis::impact, &skid.text(sliding, 1.0, 0.0, law), "sliding-driven")
+        };
+        assert_eq!(at(1.0), []);
+        assert_eq!(at(-2.0), []);
+        assert_eq!(at(5.0), []);
+        for sliding in [1.1, 2.0] {
+            let found = at(sliding);
+            let [Warning::SlidingDriven { tangential_work, sliding: slid, cause: Drive::Coupling, .. }] =
+                found[..]
+            else {
+                panic!("{sliding}: {found:?}")
+            };
+            assert_close(tangential_work, -500.0 * (5.0 - 1.25 * sliding) / 2.25 * sliding, 1e-9);
+            assert_close(slid, skid.sign() * sliding, 1e-14);
+        }
+    }
+}
+
+/// Ω without a moment is ω − 5 μ, M = −4 (1 + e_m)(ω − 5 μ) m and Ω = −e_m (ω − 5 μ), so that W_m = −½ M (ω + Ω). For u_t = −4 m/s, μ = 0.2 and ω = 0
+/// that is −2 e_m (1 + e_m) m, and U_t = −2 (1 + e_m) m/s: −2.7 % of E_L for e_m = 0.5, −1.4 % for 0.3. With ω = 1 rad/s, u_t = −8 m/s,
+/// μ = 0.4 and e_m = 0 it is −2 m of 68 m.
+#[test]
+fn a_moment_that_drives_the_rotation() {
+    for skid in &SKIDS {
+        let at = |sliding: f64, yaw_rate: f64, mu: f64, e_m: f64| {
+            let law = skid.ratio(mu) + &format!("\nmoment_restitution = {e_m:?}");
+            raised(analysis::impact, &skid.text(sliding, 0.0, yaw_rate, &law), "rotation-driven")
+        };
+        assert_eq!(at(-4.0, 0.0, 0.2, 0.3), []);
+        assert_eq!(at(-4.0, 0.0, 0.2, -0.5), []);
+        assert_eq!(at(-8.0, 1.0, 0.2, 0.0), []);
+        for (sliding, yaw_rate, mu, e_m, work) in
+            [(-4.0, 0.0, 0.2, 0.5, -1500.0), (-8.0, 1.0, 0.4, 0.0, -2000.0)]
+        {
+            let found = at(sliding, yaw_rate, mu, e_m);
+            let [Warning::RotationDriven { moment_work, moment_restitution, .. }] = found[..] else {
+                panic!("{found:?}")
+            };
+            assert_close(moment_work, work, 1e-9);
+            assert_close(moment_restitution, e_m, 0.0);
+        }
+    }
+}
+
+/// The critical ratio is −u_t/20.
+#[test]
+fn a_ratio_above_one() {
+    for skid in &SKIDS {
+        let at = |sliding: f64, law: &str| {
+            raised(analysis::impact, &skid.text(sliding, 0.0, 0.0, law), "large-impulse-ratio")
+        };
+        let critical = "restitution = 0\ntangential = \"critical\"";
+        let fraction = "restitution = 0\ntangential = { fraction = 0.5 }";
+        let friction = "restitution = 0\ntangential = { friction = 1.2 }";
+        for (sliding, law, mu, limits) in [
+            (-20.1, critical, 1.005, false),
+            (20.1, critical, -1.005, false),
+            (-40.2, fraction, 1.005, false),
+            (-40.0, &skid.ratio(1.001), 1.001, false),
+            (-40.0, friction, 1.2, true),
+        ] {
+            let found = at(sliding, law);
+            let [Warning::LargeImpulseRatio { impulse_ratio, limited }] = found[..] else {
+                panic!("{found:?}")
+            };
+            assert_close(impulse_ratio, skid.sign() * mu, 1e-12);
+            assert_eq!(limited, limits);
+        }
+        assert_eq!(at(-19.9, critical), []);
+        assert_eq!(at(-39.8, fraction), []);
+        assert_eq!(at(-40.0, &skid.ratio(0.999)), []);
+        assert_eq!(at(-19.9, friction), []);
+    }
+}
+
+const OUTLINE: &str = "length = \"4.5 m\"\nwidth = \"1.8 m\"\ncg_to_front = \"2 m\"\n";
+
+/// A car of 1500 kg of which the damage is known, `of_car` and `of_crush` more of its keys.
+fn damaged(car: usize, of_car: &str, side: &str, width: f64, depths: &str, of_crush: &str) -> String {
+    format!(
+        "[vehicle{}]\nfixed = true\n[vehicle{car}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\n{of_car}[vehicle{car}.crush]\nside = \"{side}\"\n\
+         width = \"{width} m\"\ndepths = \"{depths} m\"\nmoment_arm = \"0 m\"\npdof = \"0 deg\"\n{of_crush}\n",
+        3 - car
+    )
+}
+
+const SOFT: &str = "stiffness = { A = \"40 kN/m\", B = \"500 kN/m^2\" }";
+
+#[test]
+fn a_contact_point_beside_the_damage() {
+    for car in [1, 2] {
+        let at = |side: &str, along: f64, offset: &str| {
+            let contact = match side {
+                "front" => [2.0, along],
+                "rear" => [-2.0, along],
+                "left" => [along, 0.8],
+                _ => [along, -0.8],
+            };
+            let [x, y] = contact;
+            let of_car = format!("contact = {{ x = \"{x} m\", y = \"{y} m\" }}\n");
+            let text = damaged(car, &of_car, side, 1.5, "0.3 0.3", &format!("{SOFT}\n{offset}"));
+            raised(analysis::crush, &text, "contact-off-damage")
+        };
+        for (name, side) in
+            [("front", Side::Front), ("rear", Side::Rear), ("left", Side::Left), ("right", Side::Right)]
+        {
+            // The damage reaches from −0.55 to 0.95 m; 10 cm beyond are allowed.
+            for (along, beyond) in
+                [(1.049, None), (1.051, Some(0.101)), (-0.649, None), (-0.651, Some(0.101))]
+            {
+                let found = at(name, along, "offset = \"0.2 m\"");
+                match (&found[..], beyond) {
+                    ([], None) => {}
+                    ([Warning::ContactOffDamage { vehicle, side: named, distance }], Some(beyond)) => {
+                        assert_eq!((*vehicle, *named), (car, side));
+                        assert_close(*distance, beyond, 1e-12);
+                    }
+                    _ => panic!("{name} {along}: {found:?}"),
+                }
+            }
+            assert_eq!(at(name, 1.051, ""), []);
+        }
+    }
+}
+
+#[test]
+fn a_contact_point_on_the_other_half() {
+    for car in [1, 2] {
+        for (name, side, outward) in [
+            ("front", Side::Front, [1.0, 0.0]),
+            ("rear", Side::Rear, [-1.0, 0.0]),
+            ("left", Side::Left, [0.0, 1.0]),
+            ("right", Side::Right, [0.0, -1.0]),
+        ] {
+            for (distance, expected) in [(2.0, false), (-0.099, false), (-0.101, true)] {
+                let [x, y] = outward.map(|share: f64| share * distance);
+                let of_car = format!("contact = {{ x = \"{x} m\", y = \"{y} m\" }}\n");
+                let text = damaged(car, &of_car, name, 1.5, "0.3 0.3", SOFT);
+                let found = raised(analysis::crush, &text, "contact-other-half");
+                match (&found[..], expected) {
+                    ([], false) => {}
+                    ([Warning::ContactOtherHalf { vehicle, side: named, distance }], true) => {
+                        assert_eq!((*vehicle, *named), (car, side));
+                        assert_close(*distance, 0.101, 1e-12);
+                    }
+                    _ => panic!("{name} {distance}: {found:?}"),
+                }
+            }
+        }
+    }
+}
+
+/// The outline reaches 0.9 m to each side, 2 m forward and 2.5 m back; 10 cm beyond are allowed.
+#[test]
+fn a_damage_beyond_the_outline() {
+    for car in [1, 2] {
+        for (side, offset, beyond) in [
+            ("front", 0.249, false),
+            ("front", 0.251, true),
+            ("rear", -0.249, false),
+            ("rear", -0.251, true),
+            ("left", 1.349, false),
+            ("left", 1.351, true),
+            ("right", -1.849, false),
+            ("right", -1.851, true),
+        ] {
+            let of_crush = format!("{SOFT}\noffset = \"{offset} m\"");
+            let text = damaged(car, OUTLINE, side, 1.5, "0.3 0.3", &of_crush);
+            let found = raised(analysis::crush, &text, "damage-outside");
+            match (&found[..], beyond) {
+                ([], false) => {}
+                ([Warning::DamageOutside { vehicle, distance, .. }], true) => {
+                    assert_eq!(*vehicle, car);
+                    assert_close(*distance, 0.101, 1e-12);
+                }
+                _ => panic!("{side} {offset}: {found:?}"),
+            }
+            let text = damaged(car, "", side, 1.5, "0.3 0.3", &of_crush);
+            assert_eq!(raised(analysis::crush, &text, "damage-outside"), []);
+        }
+    }
+}
+
+#[test]
+fn numbers_that_no_vehicle_has() {
+    use Magnitude::{CrushDepth, DamageWidth, Mass, YawRadius};
+    for car in [1, 2] {
+        let found = |text: &str| raised(analysis::crush, text, "implausible");
+        let check = |text: &str, expected: Option<(Magnitude, f64, [f64; 2])>| {
+            let found = found(text);
+            match (&found[..], expected) {
+                ([], None) => {}
+                (
+                    [Warning::Implausible { vehicle, magnitude, value, usual }],
+                    Some((what, number, range)),
+                ) => {
+                    assert_eq!((*vehicle, *magnitude), (car, what));
+                    assert_close(*value, number, 1e-9);
+                    assert_close(usual[0], range[0], 1e-12);
+                    assert_close(usual[1], range[1], 1e-9);
+                }
+                _ => panic!("{found:?} of\n{text}"),
+            }
+        };
+        let plain = damaged(car, "", "front", 1.5, "0.3 0.3", SOFT);
+        check(&plain, None);
+        let with_outline = damaged(car, OUTLINE, "front", 1.5, "0.3 0.3", SOFT);
+        check(&with_outline, None);
+        for (text, mass, usual) in [
+            (&plain, 99.0, Some([100.0, 50_000.0])),
+            (&plain, 101.0, None),
+            (&plain, 49_990.0, None),
+            (&plain, 50_010.0, Some([100.0, 50_000.0])),
+            // 2000 kg/m² on 4.5 m by 1.8 m
+            (&with_outline, 16_199.0, None),
+            (&with_outline, 16_201.0, Some([100.0, 16_200.0])),
+        ] {
+            let text = text.replace("1500 kg", &format!("{mass} kg"));
+            check(&text, usual.map(|usual| (Mass, mass, usual)));
+        }
+        for (radius, unusual) in [(0.79, true), (0.81, false), (3.99, false), (4.01, true)] {
+            let text = plain.replace("1.4 m", &format!("{radius} m"));
+            check(&text, unusual.then_some((YawRadius, radius, [0.8, 4.0])));
+        }
+        // I = m k²
+        let text = plain.replace("yaw_radius = \"1.4 m\"", "yaw_inertia = \"37500 kg m^2\"");
+        check(&text, Some((YawRadius, 5.0, [0.8, 4.0])));
+        for (of_car, side, most) in [
+            ("", "front", 2.0),
+            ("", "left", 2.0),
+            (OUTLINE, "front", 2.25),
+            (OUTLINE, "rear", 2.25),
+            (OUTLINE, "left", 1.8),
+            (OUTLINE, "right", 1.8),
+        ] {
+            let at = |depth: f64| damaged(car, of_car, side, 1.5, &format!("0.3 {depth} 0.3"), SOFT);
+            check(&at(most - 0.01), None);
+            check(&at(most + 0.01), Some((CrushDepth, most + 0.01, [0.0, most])));
+        }
+        for (of_car, side, most) in [
+            ("", "front", 2.6),
+            ("", "rear", 2.6),
+            ("", "left", 6.0),
+            ("", "right", 6.0),
+            (OUTLINE, "front", 1.98),
+            (OUTLINE, "left", 4.95),
+        ] {
+            let at = |width: f64| damaged(car, of_car, side, width, "0.3 0.3", SOFT);
+            check(&at(most - 0.01), None);
+            check(&at(most + 0.01), Some((DamageWidth, most + 0.01, [0.0, most])));
+        }
+    }
+}
+
+#[test]
+fn speeds_that_no_vehicle_has() {
+    for skid in &SKIDS {
+        let text = skid.text(-4.0, 0.0, 0.0, "restitution = 0\ntangential = { friction = 0.4 }");
+        // (v, 0): along the wall nothing moves.
+        let at = |speed: f64| {
+            let start = text.find("velocity").unwrap();
+            let end = start + text[start..].find('\n').unwrap();
+            let text = format!("{}speed = \"{speed} m/s\"{}", &text[..start], &text[end..]);
+            raised(analysis::impact, &text, "implausible")
+        };
+        assert_eq!(at(69.9), []);
+        let found = at(70.1);
+        let [Warning::Implausible { vehicle, magnitude: Magnitude::Speed, value, usual }] = found[..] else {
+            panic!("{found:?}")
+        };
+        assert_eq!((vehicle, usual), (skid.car, [0.0, 70.0]));
+        assert_close(value, 70.1, 1e-12);
+    }
+}
+
+/// One that is found: the crush of two equal cars head-on, e = 0, W_n = ½ (m/2) x² = 2 E, with E = w B/2 (C + A/B)² of each.
+#[test]
+fn a_speed_found_that_no_vehicle_has() {
+    let at = |speed: f64| {
+        // C + A/B = x √(m/(4 w B)) of an empty A.
+        let depth = speed * (1500.0_f64 / (4.0 * 1.5 * 2e6)).sqrt();
+        let car = |heading: f64| {
+            format!(
+                "mass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"{heading} deg\"\ncontact = {{ x = \"1.5 m\", y = \"0 m\" }}\n"
+            )
+        };
+        let crush = format!(
+            "side = \"front\"\nwidth = \"1.5 m\"\ndepths = \"{depth} {depth} m\"\nstiffness = {{ A = \"0 N/m\", B = \"2000 kN/m^2\" }}\n"
+        );
+        format!(
+            "[vehicle1]\n{}[vehicle1.crush]\n{crush}[vehicle2]\n{}speed = \"0 m/s\"\n[vehicle2.crush]\n{crush}[impact]\ncrush_plane = \"0 deg\"\n\
+             restitution = 0\ntangential = \"critical\"\n[reconstruct]\nfind = \"vehicle1.speed\"\n",
+            car(0.0),
+            car(180.0)
+        )
+    };
+    assert_eq!(raised(analysis::reconstruct, &at(69.9), "implausible"), []);
+    let found = raised(analysis::reconstruct, &at(70.1), "implausible");
+    let [Warning::Implausible { vehicle: 1, magnitude: Magnitude::Speed, value, .. }] = found[..] else {
+        panic!("{found:?}")
+    };
+    assert_close(value, 70.1, 1e-9);
+}
+
+/// b_0 = √(2 G w/m): 6.7056 m/s at G = 22,482.5 N on 1.5 m and 1500 kg.
+#[test]
+fn a_stiffness_that_withstands_too_much() {
+    for car in [1, 2] {
+        let speed = |stiffness: &str, stations: &str| {
+            let text = damaged(car, "", "front", 1.5, stations, stiffness);
+            let analysis = analysis::crush(&parsed(&text)).unwrap();
+            assert_eq!(analysis.vehicles[2 - car].no_damage_speed(), None);
+            (
+                analysis.vehicles[car - 1].no_damage_speed().unwrap(),
+                raised(analysis::crush, &text, "high-no-damage-speed"),
+            )
+        };
+        let high = 15.0 * 0.447_04;
+        let (low, found) =
+            speed("stiffness = { A = \"40 kN/m\", B = \"500 kN/m^2\", G = \"22482 N\" }", "0.3 0.3");
+        assert_close(low, high, 1e-4);
+        assert_eq!(found, []);
+        // A = √(2 G B) and d_0 = √(2 G) beyond.
+        for (stiffness, source) in [
+            ("{ A = \"40 kN/m\", B = \"500 kN/m^2\", G = \"22483 N\" }", StiffnessSource::Coefficients),
+            ("{ A = \"149943.5 N/m\", B = \"500 kN/m^2\" }", StiffnessSource::Coefficients),
+            ("{ d0 = \"212.0522 N^0.5\", d1 = \"700 N^0.5/m\" }", StiffnessSource::Roots),
+        ] {
+            let (found, warning) = speed(&format!("stiffness = {stiffness}"), "0.3 0.3");
+            assert_close(found, high, 1e-3);
+            assert_eq!(
+                warning,
+                [Warning::HighNoDamageSpeed { vehicle: car, speed: found, source }],
+                "{stiffness}"
+            );
+        }
+        // Σ G w of two zones of 0.75 m: 30,000 N · 1.5 m /2 + 14,970 N · 1.5 m /2 is 22,485 N · 1.5 m.
+        let zone = |g: f64| format!("{{ A = \"40 kN/m\", B = \"500 kN/m^2\", G = \"{g} N\" }}");
+        let zones = format!("stiffness = {{ zones = [{}, {}] }}", zone(30_000.0), zone(14_970.0));
+        let (found, warning) = speed(&zones, "0.3 0.2 0.3");
+        assert_close(found, (2.0 * 22_485.0 * 1.5 / 1500.0_f64).sqrt(), 1e-12);
+        assert!(matches!(warning[..], [Warning::HighNoDamageSpeed { source: StiffnessSource::Zones, .. }]));
+        // A fit to a test of the same car gives the test's own b_0 back.
+        let test = |b_0: f64| {
+            format!(
+                "stiffness = {{ test = {{ mass = \"1500 kg\", speed = \"15 m/s\", width = \"1.5 m\", depths = \"0.5 0.5 m\", no_damage_speed = \"{b_0} m/s\" }} }}"
+            )
+        };
+        let (found, warning) = speed(&test(2.2), "0.3 0.3");
+        assert_close(found, 2.2, 1e-12);
+        assert_eq!(warning, []);
+        let (_, warning) = speed(&test(6.71), "0.3 0.3");
+        assert!(matches!(warning[..], [Warning::HighNoDamageSpeed { source: StiffnessSource::Test(_), .. }]));
+    }
+}
+
+/// CRASH3's own categories stay below over the width of any of its cars, but for the rear of category 4.
+#[test]
+fn crash3_s_categories_withstand_less() {
+    for (side, category, mass, width) in [
+        // Length and width of SAE 870045, Table 2; masses of cars of those sizes.
+        ("front", 1, 950, 1.54),
+        ("front", 2, 1200, 1.71),
+        ("front", 3, 1500, 1.84),
+        ("front", 4, 1800, 1.96),
+        ("front", 5, 2100, 2.01),
+        ("rear", 1, 950, 1.54),
+        ("rear", 2, 1200, 1.71),
+        ("rear", 3, 1500, 1.84),
+        ("rear", 5, 2100, 2.01),
+        ("left", 1, 950, 2.0),
+        ("right", 5, 2100, 2.0),
+    ] {
+        let text =
+            damaged(1, "", side, width, "0.3 0.3", &format!("stiffness = {{ category = {category} }}"))
+                .replace("1500 kg", &format!("{mass} kg"));
+        let speed =
+            analysis::crush(&parsed(&text)).unwrap().vehicles[0].no_damage_speed().unwrap() / 0.447_04;
+        assert!((2.5..11.5).contains(&speed), "{side} {category}: {speed} mph");
+    }
+}
+
+#[test]
+fn angles_of_more_than_a_turn() {
+    let skid = &SKIDS[0];
+    let text = skid.text(-4.0, 0.0, 0.0, "restitution = 0\ntangential = { friction = 0.4 }");
+    let at = |from: &str, to: &str| {
+        assert_eq!(text.matches(from).count(), 1, "{from}");
+        raised(analysis::impact, &text.replace(from, to), "large-angle")
+    };
+    for to in ["360 deg", "-360 deg", "6.28 rad"] {
+        assert_eq!(at("heading = \"0 deg\"", &format!("heading = \"{to}\"")), []);
+    }
+    // 10 rad and 361° in turns of 2π and 360°.
+    for (from, key, to, path, expected, degrees) in [
+        ("heading = \"0 deg\"", "heading", "-361 deg", "vehicle1.heading", 361.0 / 360.0, true),
+        (
+            "crush_plane = \"0 deg\"",
+            "crush_plane",
+            "10 rad",
+            "impact.crush_plane",
+            5.0 / std::f64::consts::PI,
+            false,
+        ),
+    ] {
+        let found = at(from, &format!("{key} = \"{to}\""));
+        let [Warning::LargeAngle { path: named, turns, in_degrees }] = &found[..] else {
+            panic!("{found:?}")
+        };
+        assert_eq!((&**named, *in_degrees), (path, degrees));
+        assert_close(*turns, expected, 1e-14);
+    }
+    for (key, path) in [("pdof = \"0 deg\"", "pdof"), ("pdof = \"0 deg\"", "oblique_angle")] {
+        let text = damaged(2, "", "front", 1.5, "0.3 0.3", SOFT);
+        let (text, expected) = if path == "pdof" {
+            (text.replace(key, "pdof = \"365 deg\""), "vehicle2.crush.pdof")
+        } else {
+            // The reader refuses an angle of 90° and more.
+            (text, "")
+        };
+        let found = raised(analysis::crush, &text, "large-angle");
+        let paths: Vec<&str> = found
+            .iter()
+            .map(|warning| if let Warning::LargeAngle { path, .. } = warning { &**path } else { "" })
+            .collect();
+        assert_eq!(paths.join(""), expected);
+    }
+}
+
+#[test]
+fn no_crush_is_an_upper_bound() {
+    for car in [1, 2] {
+        let at = |depths: &str| {
+            let text = damaged(car, "", "front", 1.5, depths, SOFT);
+            raised(analysis::crush, &text, "no-residual-crush")
+        };
+        assert_eq!(at("0 0.001 0"), []);
+        let found = at("0 0 0");
+        let [Warning::NoResidualCrush { vehicle, energy }] = found[..] else { panic!("{found:?}") };
+        assert_eq!(vehicle, car);
+        // w A²/2B = 1.5 · 40²/1000 kJ
+        assert_close(energy, 2400.0, 1e-9);
+    }
+}
+
+/// PDOF_2 = θ_2 − θ_1 + PDOF_1 − 180° (theory 5) is what every command takes.
+#[test]
+fn one_pdof_gives_the_other_to_every_command() {
+    let text = include_str!("../../../fixtures/sae-980025.toml");
+    for (side, other, given, opposite) in [
+        ("front", 2, 20.0, 67.0 - 180.0 + 20.0 - 180.0 + 360.0),
+        ("right", 1, 80.0, 180.0 - 67.0 + 80.0 - 180.0),
+    ] {
+        let line = format!("side      = \"{side}\"");
+        assert_eq!(text.matches(&line).count(), 1);
+        let file = parsed(&text.replace(&line, &format!("{line}\npdof = \"{given} deg\"")));
+        let reconstructed = analysis::reconstruct(&file).unwrap();
+        let crushed = analysis::crush(&file).unwrap();
+        let compared = analysis::compare(&file).unwrap().own;
+        let sweep = analysis::Sweep { step: 0.1, steps: 1 };
+        let swept = analysis::sensitivity(&file, sweep).unwrap();
+        for analysis in [&reconstructed, &crushed, &compared, &swept.nominal] {
+            let pdof =
+                |i: usize| analysis.vehicles[i - 1].damage.as_ref().unwrap().pdof.unwrap().to_degrees();
+            assert_close(pdof(3 - other), given, 1e-12);
+            assert_close(pdof(other), opposite, 1e-12);
+            // The file gives one: there is nothing to compare it with but the impulse.
+            assert!(analysis.checks.iter().all(|check| check.code() != "pdofs-opposite"));
+            assert_eq!(
+                format!("{:?}", analysis.crash3.as_ref().map(|crash3| crash3.corrected)),
+                format!("{:?}", crushed.crash3.as_ref().map(|crash3| crash3.corrected)),
+            );
+        }
+        assert_close(swept.pdof_sweep[1].pdof[other - 1].unwrap().to_degrees(), opposite, 1e-12);
+        // The impulse's are 2.8° and 69.8° (paper, appendix).
+        let differ: Vec<&Warning> =
+            reconstructed.warnings.iter().filter(|warning| warning.code() == "pdof-differs").collect();
+        assert!(
+            matches!(differ[..], [Warning::PdofDiffers { vehicle, .. }] if *vehicle == 3 - other),
+            "{differ:?}"
+        );
+    }
+}

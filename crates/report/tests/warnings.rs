@@ -1,0 +1,158 @@
+//! The sentences of the warnings: what they tell the reader to do, in the reader's units and axes.
+
+use analysis::{Drive, Magnitude, Warning};
+use case::{Axes, StiffnessSource};
+use crash3::Side;
+use report::{Units, message};
+
+#[track_caller]
+fn says(warning: &Warning, axes: Axes, words: &[&str]) {
+    let text = message(&warning.in_axes(axes), Units::Us, axes);
+    for word in words {
+        assert!(text.contains(word), "{word:?} is not in {text:?}");
+    }
+}
+
+fn driven(sliding: f64, cause: Drive) -> Warning {
+    Warning::SlidingDriven { tangential_work: -1355.817_948, energy_loss: 13_558.179_48, sliding, cause }
+}
+
+/// 1 ft·lb is 1.355817948 J, 1 ft/s is 0.3048 m/s.
+#[test]
+fn the_sign_that_opposes_the_sliding_is_that_of_the_readers_axes() {
+    let along = driven(3.048, Drive::RatioAlong { impulse_ratio: 0.3 });
+    let common =
+        ["-1,000 ft·lb", "-10.0 % of the energy loss", "friction cannot give energy", "friction limit"];
+    says(&along, Axes::ZUp, &common);
+    says(&along, Axes::ZUp, &["ratio of 0.3 has", "u_t = 10.00 ft/s", "opposes it is negative"]);
+    says(&along, Axes::ZDown, &["ratio of -0.3 has", "u_t = -10.00 ft/s", "opposes it is positive"]);
+    let beyond = driven(-3.048, Drive::RatioBeyond { impulse_ratio: 0.5, critical: Some(0.2) });
+    says(
+        &beyond,
+        Axes::ZDown,
+        &["ratio of -0.5", "critical ratio of -0.2000", "u_t = 10.00 ft/s", "smaller"],
+    );
+    let nothing = driven(0.0, Drive::RatioWithoutSliding { impulse_ratio: 0.2 });
+    says(&nothing, Axes::ZUp, &["nothing slides", "ratio of 0.2", "friction limit"]);
+    let change = driven(-3.048, Drive::Change { change: -0.3048 });
+    says(&change, Axes::ZUp, &["change of -1.00 ft/s", "u_t = -10.00 ft/s"]);
+}
+
+#[test]
+fn a_law_that_finds_the_impulse_is_told_of_no_sign() {
+    let coupling = driven(3.048, Drive::Coupling);
+    says(&coupling, Axes::ZUp, &["-1,000 ft·lb", "No sign is wrong", "check crush plane and contact points"]);
+    let text = message(&coupling, Units::Us, Axes::ZUp);
+    assert!(!text.contains("friction") && !text.contains("check the sign"), "{text}");
+    let turned = |moment_restitution| Warning::RotationDriven {
+        moment_work: -1355.817_948,
+        energy_loss: 13_558.179_48,
+        moment_restitution,
+    };
+    says(&turned(0.5), Axes::ZUp, &["-10.0 %", "moment restitution of 0.5", "give 0 or less"]);
+    says(&turned(0.0), Axes::ZUp, &["-10.0 %", "leave out `moment_restitution`"]);
+}
+
+#[test]
+fn a_large_ratio_is_told_of_the_friction_limit_that_there_is() {
+    let ratio = |limited| Warning::LargeImpulseRatio { impulse_ratio: -2.41, limited };
+    says(
+        &ratio(false),
+        Axes::ZUp,
+        &["μ of -2.41", "or give a friction limit, `tangential = { friction = 0.5 }`"],
+    );
+    says(&ratio(true), Axes::ZDown, &["μ of 2.41", "and the friction limit"]);
+}
+
+#[test]
+fn what_is_implausible_is_named_with_what_is_usual() {
+    for (magnitude, value, usual, words) in [
+        (
+            Magnitude::Mass,
+            453_592.37,
+            [45.359_237, 45_359.237],
+            ["mass of vehicle 2 is 1,000,000 lb", "100 lb to 100,000 lb is usual"],
+        ),
+        (
+            Magnitude::YawRadius,
+            15.24,
+            [0.3048, 3.048],
+            ["√(I/m) of vehicle 2 is 50.00 ft", "1.00 ft to 10.00 ft is usual"],
+        ),
+        (
+            Magnitude::Speed,
+            447.04,
+            [0.0, 44.704],
+            ["speed of vehicle 2 is 1,000.00 mph", "at most 100.00 mph is usual"],
+        ),
+        (
+            Magnitude::CrushDepth,
+            16.0 * 0.3048,
+            [0.0, 2.54],
+            ["depth of crush of vehicle 2 is 192.0 in", "at most 100.0 in is usual"],
+        ),
+        (
+            Magnitude::DamageWidth,
+            25.4,
+            [0.0, 2.54],
+            ["width of the damage of vehicle 2 is 1,000.0 in", "at most 100.0 in"],
+        ),
+    ] {
+        let warning = Warning::Implausible { vehicle: 2, magnitude, value, usual };
+        says(&warning, Axes::ZUp, &words);
+        says(&warning, Axes::ZUp, &["check the unit"]);
+    }
+}
+
+#[test]
+fn a_place_is_named_by_side() {
+    let off = Warning::ContactOffDamage { vehicle: 2, side: Side::Left, distance: 0.254 };
+    says(
+        &off,
+        Axes::ZUp,
+        &["vehicle 2 lies 10.0 in beyond the end of the damage to its left side", "`offset`"],
+    );
+    for (side, words) in [
+        (Side::Front, "behind the centre of gravity, but the damage is to its front"),
+        (Side::Rear, "ahead of the centre of gravity, but the damage is to its rear"),
+        (Side::Left, "to the right of the vehicle's axis, but the damage is to its left side"),
+        (Side::Right, "to the left of the vehicle's axis, but the damage is to its right side"),
+    ] {
+        let other = Warning::ContactOtherHalf { vehicle: 1, side, distance: 0.254 };
+        says(&other, Axes::ZUp, &["vehicle 1 lies 10.0 in", words]);
+    }
+    let outside = Warning::DamageOutside { vehicle: 1, side: Side::Rear, distance: 0.254 };
+    says(&outside, Axes::ZUp, &["damage to the rear of vehicle 1 reaches 10.0 in beyond"]);
+}
+
+#[test]
+fn units_and_keys_to_check_are_named() {
+    for (source, words) in [
+        (StiffnessSource::Coefficients, "unit of A and B"),
+        (StiffnessSource::Zones, "unit of A and B"),
+        (StiffnessSource::Roots, "unit of d0 and d1"),
+        (StiffnessSource::Category(4), "the category"),
+        (StiffnessSource::Test(case::Fit::Exact), "the barrier test"),
+    ] {
+        let warning = Warning::HighNoDamageSpeed { vehicle: 1, speed: 8.9408, source };
+        says(&warning, Axes::ZUp, &["b_0 = 20.00 mph", words]);
+    }
+    let angle =
+        |in_degrees| Warning::LargeAngle { path: "vehicle2.heading".to_owned(), turns: 12.7, in_degrees };
+    says(&angle(false), Axes::ZUp, &["`vehicle2.heading` is 12.7 full turns", "did you mean deg?"]);
+    says(&angle(true), Axes::ZUp, &["check the number"]);
+    let none = Warning::NoResidualCrush { vehicle: 1, energy: 1355.817_948 };
+    says(&none, Axes::ZUp, &["vehicle 1 are zero", "1,000 ft·lb", "upper bound"]);
+}
+
+#[test]
+fn a_wall_has_no_delta_v() {
+    let differs = |restitution| Warning::DeltaVDiffers {
+        impact: [Some(3.048), None],
+        crash3: [Some(6.096), None],
+        restitution,
+    };
+    says(&differs(true), Axes::ZUp, &["of 20.00 ft/s (with the same restitution)", "impact's 10.00 ft/s by"]);
+    says(&differs(false), Axes::ZUp, &["(without restitution)"]);
+    assert!(!message(&differs(true), Units::Us, Axes::ZUp).contains("0.00 ft/s and"));
+}
