@@ -32,7 +32,7 @@ const DRIVING_SHARE: f64 = 0.02;
 const ROUNDING: f64 = 1e-9;
 /// Of the closing speed: sliding that rounding leaves where there is none.
 const NO_SLIDING: f64 = 1e-9;
-/// |μ| above which the surfaces pull harder than they push. Friction of sheet metal is about half of that.
+/// |μ| above which the surfaces pull harder than they push. Friction between vehicles is mostly about half of that.
 const LARGE_RATIO: f64 = 1.0;
 /// (kg) from a quadricycle to a loaded articulated lorry.
 const USUAL_MASS: [f64; 2] = [100.0, 50_000.0];
@@ -48,7 +48,7 @@ const USUAL_DEPTH: f64 = 2.0;
 const USUAL_WIDTH: [f64; 2] = [2.6, 6.0];
 /// By how much of the face a damage may be wider than it: a crushed front bows out round the corners, and a size class gives a typical outline.
 const SPREAD: f64 = 0.1;
-/// (m/s) 15 mph. Over the width of the face, CRASH3's categories stand for 3 to 11 mph, but for the rear of category 4 (15 mph).
+/// (m/s) 15 mph. Over the width of the face, CRASH3's categories stand for 3 to 11 mph, but for the rear of category 4 (16 mph).
 const HIGH_NO_DAMAGE_SPEED: f64 = 15.0 * 0.447_04;
 /// Rounding of an angle of just one turn.
 const FULL_TURN: f64 = TAU * (1.0 + 1e-9);

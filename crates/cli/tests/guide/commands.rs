@@ -105,23 +105,29 @@ fn every_command_in_the_text_is_read() {
     assert!(count > 60, "the text has only {count} commands");
 }
 
-/// An option that stands by itself is one of some command.
+/// Whether the command has an option of this name, such as `--units` or `-o`.
+fn has_option(command: &clap::Command, name: &str) -> bool {
+    command.get_arguments().any(|argument| match name.strip_prefix("--") {
+        Some(long) => argument.get_long() == Some(long),
+        None => argument.get_short().is_some_and(|short| name == format!("-{short}")),
+    })
+}
+
+/// An option that stands by itself, with a value or without, is one of some command.
 #[test]
 fn every_option_in_the_text_is_read() {
-    let names: Vec<String> = arguments::Command::command()
-        .get_subcommands()
-        .map(|command| command.get_name().to_owned())
-        .collect();
+    let mut command = arguments::Command::command();
+    command.build();
     let mut count = 0;
     for page in pages(&FOLDERS) {
         let is_option =
             |code: &String| code.strip_prefix('-').is_some_and(|rest| !rest.starts_with(char::is_numeric));
         for code in page.inline_code().into_iter().filter(is_option) {
             for options in command_lines(&code) {
-                let of_some_command = names.iter().any(|name| {
-                    let line = [&["deltav".to_owned(), name.clone()], &options[..]].concat();
+                let of_some_command = command.get_subcommands().any(|one| {
+                    let line = [&["deltav".to_owned(), one.get_name().to_owned()], &options[..]].concat();
                     // An option may be named without its value.
-                    read(&line).is_ok() || read(&[&line[..], &["1".to_owned()]].concat()).is_ok()
+                    read(&line).is_ok() || matches!(&options[..], [name] if has_option(one, name))
                 });
                 assert!(of_some_command, "{}: no command has `{code}`", page.name);
             }
@@ -157,6 +163,12 @@ fn what_the_program_does_not_have_is_refused() {
     }
     assert_eq!(command_lines("deltav draw CASE --what scene|damage").len(), 2);
     assert_eq!(words("deltav explain \"impulse ratio\""), ["deltav", "explain", "impulse ratio"]);
+    let command = arguments::Command::command();
+    let reconstruct = command.find_subcommand("reconstruct").unwrap();
+    assert_eq!(
+        ["--units", "-o", "--unit", "-u", "units", "--o"].map(|name| has_option(reconstruct, name)),
+        [true, true, false, false, false, false]
+    );
 }
 
 /// The placeholder of a command stands for each there is.

@@ -29,9 +29,9 @@ const BEFORE_A_TABLE: [&str; 9] = [
     "[impact]\ntangential = ",
 ];
 
-/// What is no word of the case file, and is meant otherwise: how a console block begins and where it is shortened, the comment that names a schema,
-/// the mark of a misprint, a lint of clippy.
-const OTHER: [&str; 5] = ["$", "...", "#:schema", "ERRATUM", "incompatible_msrv"];
+/// What is no word of the case file, and is meant otherwise: how a console block begins, where it is shortened and how it shows an exit status, the
+/// comment that names a schema, the mark of a misprint, a lint of clippy.
+const OTHER: [&str; 6] = ["$", "...", "? 2", "#:schema", "ERRATUM", "incompatible_msrv"];
 
 /// A piece may leave out what it is not about.
 fn is_of_a_piece(problem: &Problem) -> bool {
@@ -90,12 +90,32 @@ fn vocabulary() -> Vec<String> {
     words
 }
 
-/// A word of the case file, a topic of the glossary such as the code of a warning, a value of an option, a crate or another folder.
+/// A number with a unit of the program.
+fn is_a_quantity(text: &str) -> bool {
+    text.split_once(' ').is_some_and(|(number, unit)| {
+        number.parse::<f64>().is_ok() && Dimension::ALL.iter().any(|dimension| dimension.unit(unit).is_some())
+    })
+}
+
+/// Whether a title that begins with this has an apostrophe before it in CSV, so that no spreadsheet runs it.
+fn begins_a_formula(sign: &str) -> bool {
+    let title = format!("{sign}1");
+    let text = page("fixtures/sae-980025.toml").text;
+    let line = text.lines().find(|line| line.starts_with("title")).unwrap();
+    let file = Case::parse("title.toml", &text.replacen(line, &format!("title = \"{title}\""), 1)).unwrap();
+    let analysis = analysis::reconstruct(&file).unwrap();
+    let row =
+        report::csv_row(report::Row { file: "title.toml", answer: Ok((&file.case, &analysis)) }).unwrap();
+    row.split(',').any(|cell| cell == format!("'{title}"))
+}
+
+/// A word of the case file, a topic of the glossary such as the code of a warning, a column of CSV, a value of an option, a crate or another folder.
 fn is_known(word: &str, vocabulary: &[String]) -> bool {
     const OF_OPTIONS: [&str; 3] = ["monte-carlo", "latin-hypercube", "sobol"];
     let in_the_file = |word: &str| vocabulary.iter().any(|known| known == word);
     word.split('.').all(in_the_file)
         || report::topic(word).is_ok()
+        || report::csv_columns().iter().any(|column| column == word)
         || OF_OPTIONS.contains(&word)
         || root().join("crates").join(word).is_dir()
         || root().join(word).is_dir()
@@ -118,7 +138,9 @@ fn judge(code: &str, of: &Page, vocabulary: &[String]) -> bool {
     } else if is_path {
         exists(code, of)
     } else if let Some(value) = code.strip_prefix('"').and_then(|code| code.strip_suffix('"')) {
-        vocabulary.iter().any(|known| known == value) || is_a_piece(&format!("pdof = {code}"))
+        vocabulary.iter().any(|known| known == value)
+            || is_a_piece(&format!("pdof = {code}"))
+            || is_a_quantity(value)
     } else if let Some(table) = code.strip_prefix('[').and_then(|code| code.strip_suffix(']')) {
         table.split('.').all(|part| is_known(part, vocabulary))
     } else if code.contains(" = ") || code.starts_with('{') {
@@ -130,7 +152,7 @@ fn judge(code: &str, of: &Page, vocabulary: &[String]) -> bool {
         let keys = || identifiers(code).into_iter().all(|key| key == "f" || is_known(key, vocabulary));
         if shortened { keys() } else { is_a_piece(code) }
     } else if code.chars().all(word) || code.len() == 1 {
-        is_known(code, vocabulary)
+        is_known(code, vocabulary) || code.len() == 1 && begins_a_formula(code)
     } else {
         Dimension::ALL.iter().any(|dimension| dimension.unit(code).is_some())
     }
@@ -168,6 +190,11 @@ fn what_does_not_exist_is_refused() {
         "{ frictions = 0.5 }",
         "{ frictions = … }",
         "lb ft s^3",
+        "\"35 mhp\"",
+        "\"3x mph\"",
+        "errors",
+        "*",
+        "? 3",
     ];
     for code in wrong {
         assert!(!judge(code, &page, &vocabulary), "{code}");

@@ -126,11 +126,22 @@ pub(super) fn clock(hour: u8) -> f64 {
 pub(super) fn limit(code: &str) -> f64 {
     let case = json(match code {
         "damage-energy" => "impact fixtures/ricsac/01.toml",
-        "pdofs-opposite" => "crush fixtures/one-inspected.toml",
         _ => "reconstruct fixtures/sae-980025.toml",
     });
     let checks = case["checks"].as_array().unwrap();
     at(checks.iter().find(|check| check["code"] == code).unwrap(), "/limit")
+}
+
+/// (rad) how far two given PDOFs may be from opposite.
+pub(super) fn opposite_limit() -> f64 {
+    let text = page("fixtures/sae-980025.toml").text;
+    let with_pdofs = ["front", "right"].iter().fold(text, |text, side| {
+        let line = format!("side      = \"{side}\"");
+        assert_eq!(text.matches(&line).count(), 1, "{line}");
+        text.replace(&line, &format!("{line}\npdof = \"0 deg\""))
+    });
+    let analysis = analysis::crush(&Case::parse("pdofs.toml", &with_pdofs).unwrap()).unwrap();
+    analysis.checks.iter().find(|check| check.code() == "pdofs-opposite").unwrap().limit
 }
 
 /// Where the answer changes between two values, found by trying.
