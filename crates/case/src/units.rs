@@ -15,7 +15,7 @@ use crate::nearest::LONGEST;
 
 pub(crate) use pattern::{HOUR, list_pattern, pattern, percent_pattern};
 pub(crate) use spelling::nearest_unit;
-use spelling::{is_pound_a_force, normalise};
+use spelling::{Pound, is_pound_a_force, normalise};
 
 /// (N/kg, m/s²) standard gravity, which turns a weight into a mass: exact by definition (3rd CGPM, 1901; NIST SP 811,
 /// appendix B.8).
@@ -151,8 +151,8 @@ impl Dimension {
         if spelling.len() > LONGEST {
             return None;
         }
-        let wanted = normalise(spelling);
-        let of_force = wanted.replace("lbf", "lb");
+        let wanted = normalise(spelling, Pound::AsWritten);
+        let of_force = normalise(spelling, Pound::Force);
         let is_meant = |known| known == wanted || (known == of_force && is_pound_a_force(known, self));
         self.units().iter().find(|unit| unit.spellings().any(is_meant))
     }

@@ -32,8 +32,17 @@ const SIGNS: &[(&str, &str)] = &[
     ("-", " "),
 ];
 
+/// What becomes of "lbf".
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Pound {
+    /// It stays.
+    AsWritten,
+    /// It becomes "lb", as the table writes a force.
+    Force,
+}
+
 /// Brings a unit into the form in which the table spells it; the result need not be in the table.
-pub(super) fn normalise(spelling: &str) -> String {
+pub(super) fn normalise(spelling: &str, pound: Pound) -> String {
     let mut text = spelling.to_owned();
     for (sign, plain) in SIGNS {
         text = text.replace(sign, plain);
@@ -56,7 +65,7 @@ pub(super) fn normalise(spelling: &str) -> String {
         let end = rest.find(|c: char| is_word(c) != is_word(first)).unwrap_or(rest.len());
         let (piece, tail) = rest.split_at(end);
         if is_word(first) {
-            out.push_str(short_word(piece));
+            out.push_str(short_word(piece, pound));
         } else {
             // A square typed without its sign: "N/cm2".
             if piece.starts_with('2') && out.ends_with(char::is_alphabetic) {
@@ -81,7 +90,10 @@ fn is_word(c: char) -> bool {
     c.is_alphabetic() || c == '°'
 }
 
-fn short_word(word: &str) -> &str {
+fn short_word(word: &str, pound: Pound) -> &str {
+    if word == "lbf" && pound == Pound::Force {
+        return "lb";
+    }
     WORDS.iter().find(|(_, long)| long.contains(&word)).map_or(word, |(short, _)| short)
 }
 
@@ -105,7 +117,7 @@ pub(crate) fn nearest_unit(spelling: &str, dimension: Dimension) -> Option<&'sta
     }
     let letters =
         |text: &str| text.chars().filter(|c| c.is_alphanumeric()).collect::<String>().to_lowercase();
-    let wanted = letters(&normalise(&mend_words(spelling)));
+    let wanted = letters(&normalise(&mend_words(spelling), Pound::AsWritten));
     // "mN" is no slip for "MN": the one is a thousandth of a newton, the other a million.
     let is_meant = |known: &str| letters(known) == wanted && (!known.contains('M') || spelling.contains('M'));
     let mut near = dimension.units().iter().filter(|unit| unit.spellings().any(is_meant));
