@@ -559,21 +559,13 @@ fn angles_of_more_than_a_turn() {
         assert_eq!((&**named, *in_degrees), (path, degrees));
         assert_close(*turns, expected, 1e-14);
     }
-    for (key, path) in [("pdof = \"0 deg\"", "pdof"), ("pdof = \"0 deg\"", "oblique_angle")] {
-        let text = damaged(2, "", "front", 1.5, "0.3 0.3", SOFT);
-        let (text, expected) = if path == "pdof" {
-            (text.replace(key, "pdof = \"365 deg\""), "vehicle2.crush.pdof")
-        } else {
-            // The reader refuses an angle of 90° and more.
-            (text, "")
-        };
-        let found = raised(analysis::crush, &text, "large-angle");
-        let paths: Vec<&str> = found
-            .iter()
-            .map(|warning| if let Warning::LargeAngle { path, .. } = warning { &**path } else { "" })
-            .collect();
-        assert_eq!(paths.join(""), expected);
-    }
+    let text =
+        damaged(2, "", "front", 1.5, "0.3 0.3", SOFT).replace("pdof = \"0 deg\"", "pdof = \"365 deg\"");
+    let found = raised(analysis::crush, &text, "large-angle");
+    assert!(
+        matches!(&found[..], [Warning::LargeAngle { path, .. }] if path == "vehicle2.crush.pdof"),
+        "{found:?}"
+    );
 }
 
 #[test]

@@ -14,7 +14,7 @@ fn says(warning: &Warning, axes: Axes, words: &[&str]) {
 }
 
 fn driven(sliding: f64, cause: Drive) -> Warning {
-    Warning::SlidingDriven { tangential_work: -1355.817_948, energy_loss: 13_558.179_48, sliding, cause }
+    Warning::SlidingDriven { tangential_work: -1_355.817_948, energy_loss: 13_558.179_48, sliding, cause }
 }
 
 /// 1 ft·lb is 1.355817948 J, 1 ft/s is 0.3048 m/s.
@@ -45,7 +45,7 @@ fn a_law_that_finds_the_impulse_is_told_of_no_sign() {
     let text = message(&coupling, Units::Us, Axes::ZUp);
     assert!(!text.contains("friction") && !text.contains("check the sign"), "{text}");
     let turned = |moment_restitution| Warning::RotationDriven {
-        moment_work: -1355.817_948,
+        moment_work: -1_355.817_948,
         energy_loss: 13_558.179_48,
         moment_restitution,
     };
@@ -141,7 +141,7 @@ fn units_and_keys_to_check_are_named() {
         |in_degrees| Warning::LargeAngle { path: "vehicle2.heading".to_owned(), turns: 12.7, in_degrees };
     says(&angle(false), Axes::ZUp, &["`vehicle2.heading` is 12.7 full turns", "did you mean deg?"]);
     says(&angle(true), Axes::ZUp, &["check the number"]);
-    let none = Warning::NoResidualCrush { vehicle: 1, energy: 1355.817_948 };
+    let none = Warning::NoResidualCrush { vehicle: 1, energy: 1_355.817_948 };
     says(&none, Axes::ZUp, &["vehicle 1 are zero", "1,000 ft·lb", "upper bound"]);
 }
 
