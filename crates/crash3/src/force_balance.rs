@@ -88,7 +88,8 @@ pub fn crush_range_from_force<T: Real>(
     // At the limit of the force per width every depth up to the deepest bears the same force.
     let energy = narrow * (energy_per_width(stiffness, deepest) + g);
     let deep = UniformCrush { width: narrow, depth: deepest, energy };
-    let mut possible = vec![deep, of_normal_force(normal, wide, stiffness)?];
+    let mut possible =
+        vec![of_normal_force(normal, narrow, stiffness)?, of_normal_force(normal, wide, stiffness)?];
     // A table's G may exceed A²/2B. E(w) = F_n²/2Bw + w (G − A²/2B) then has its least at w = F_n/√(2BG − A²).
     let turning = normal / (g * b * 2.0 - a * a).sqrt();
     if narrow.value() < turning.value() && turning.value() < wide.value() {
