@@ -150,7 +150,7 @@ impl Diagnostics {
     ///
     /// ```
     /// let errors = case::Case::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
-    /// assert!(errors.help_on_one_line().starts_with(r#"write speed = "35 m/s""#));
+    /// assert!(errors.help_on_one_line().starts_with(r#"write number and unit as a string, for example speed = "10 mph""#));
     /// ```
     #[must_use]
     pub fn help_on_one_line(&self) -> String {

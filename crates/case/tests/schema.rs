@@ -433,13 +433,38 @@ proptest! {
     ) {
         let text = format!("{number}{gap}{unit}");
         for (name, dimension) in [key, stiffness] {
-            let takes = PATTERNS[name].is_valid(&json!(text));
-            let reads = match Quantity::parse(&text, dimension) {
-                Ok(quantity) => quantity.number() >= 0.0 || matches!(dimension, Dimension::Speed | Dimension::YawRate | Dimension::Angle),
-                Err(QuantityError::NotFinite { .. } | QuantityError::OutOfBounds { .. }) => takes,
-                Err(_) => false,
-            };
+            let (takes, reads) = taken_and_read(name, dimension, &text);
             prop_assert_eq!(takes, reads, "{} = {:?}", name, text);
         }
     }
+}
+
+/// Whether the schema takes this text for the key, and whether the reader reads it.
+fn taken_and_read(key: &str, dimension: Dimension, text: &str) -> (bool, bool) {
+    let takes = PATTERNS[key].is_valid(&json!(text));
+    let reads = match Quantity::parse(text, dimension) {
+        Ok(quantity) => {
+            quantity.number() >= 0.0
+                || matches!(dimension, Dimension::Speed | Dimension::YawRate | Dimension::Angle)
+        }
+        Err(QuantityError::NotFinite { .. } | QuantityError::OutOfBounds { .. }) => takes,
+        Err(_) => false,
+    };
+    (takes, reads)
+}
+
+/// The "lbf" at the beginning of another word is no pound-force, and what is left of the word no unit.
+#[test]
+fn a_pound_force_is_a_word_of_its_own() {
+    for (key, dimension, wrong, right) in [
+        ("yaw_inertia", Dimension::Inertia, "+3.lbfm ft^2", "+3.lbm ft^2"),
+        ("yaw_inertia", Dimension::Inertia, "3 lbfs ft s^2", "3 lbf ft s^2"),
+        ("weight", Dimension::Weight, "3 lbff", "3 lbf"),
+        ("A", Dimension::StiffnessA, "3 lbfs/in", "3 lbf/in"),
+        ("G", Dimension::StiffnessG, "3 lbff", "3 lbf"),
+    ] {
+        assert_eq!(taken_and_read(key, dimension, wrong), (false, false), "{key} = {wrong:?}");
+        assert_eq!(taken_and_read(key, dimension, right), (true, true), "{key} = {right:?}");
+    }
+    assert_eq!(taken_and_read("A", Dimension::StiffnessA, "+3.lbfm ft^2"), (false, false));
 }

@@ -226,5 +226,5 @@ fn the_json_has_the_texts_of_the_glossary() {
     }
     // "in z-down axes", "The heading turns contact point, PDOF and speed into the scene": and not itself, nor "scene frame".
     assert_eq!(topic("heading").unwrap().see_also(), ["axes", "contact point", "PDOF"]);
-    assert_eq!(topic("heading").unwrap().aliases, ["θ", "theta"]);
+    assert_eq!(topic("heading").unwrap().aliases, ["θ", "theta", "heading angle"]);
 }

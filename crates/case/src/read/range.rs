@@ -96,9 +96,11 @@ impl<'t> Reader<'t> {
             return self.no_range(&table, value, LIST_FORMS);
         }
         let ((list, values), spread) = (values?, spread?);
+        // Once for all, as a text has to be read from its beginning.
+        let spans = self.spans_in(list);
         for (index, value) in values.iter().enumerate() {
             let amount = Amount { number: value.number(), unit: Some(value.unit()) };
-            let span = self.span_in(list, index);
+            let span = spans.get(index).cloned().unwrap_or(list.span());
             let name = format!("value {} of {}", index + 1, named(&table.path_of("values")));
             self.not_within_zero(&name, span.clone(), amount, spread)?;
             let path = format!("{}[{}]", place.path, index + 1);

@@ -242,20 +242,20 @@ impl<'t> Reader<'t> {
     /// Where one of several quantities stands, in either form that [`quantities`](Self::quantities) reads.
     pub(super) fn span_of_element(&self, table: &Table<'t>, key: &str, index: usize) -> Range<usize> {
         let Some(value) = table.get(key) else { return Range::default() };
-        self.span_in(values_of(value), index)
+        let values = values_of(value);
+        self.spans_in(values).get(index).cloned().unwrap_or(values.span())
     }
 
-    /// Where one of a list of quantities stands.
-    pub(super) fn span_in(&self, value: &Spanned<DeValue<'t>>, index: usize) -> Range<usize> {
-        let element = match value.get_ref() {
-            DeValue::Array(array) => array.get(index).map(Spanned::span),
-            DeValue::String(text) => self.start_of_text(value, text).and_then(|start| {
+    /// Where each of a list of quantities stands, as far as that can be told.
+    pub(super) fn spans_in(&self, value: &Spanned<DeValue<'t>>) -> Vec<Range<usize>> {
+        match value.get_ref() {
+            DeValue::Array(array) => array.iter().map(Spanned::span).collect(),
+            DeValue::String(text) => self.start_of_text(value, text).map_or_else(Vec::new, |start| {
                 let (numbers, _) = leading_numbers(text);
-                numbers.get(index).map(|(_, at)| start + at.start..start + at.end)
+                numbers.into_iter().map(|(_, at)| start + at.start..start + at.end).collect()
             }),
-            _ => None,
-        };
-        element.unwrap_or(value.span())
+            _ => Vec::new(),
+        }
     }
 
     /// Where a string begins, if it stands in the file as it reads, without escapes.
