@@ -81,6 +81,8 @@ pub(crate) fn checks(
     let inferred = damage.iter().flatten().any(|damage| damage.inferred.is_some());
     if let [Some(f1), Some(f2)] = damage.map(|d| d.and_then(|d| d.oblique).map(|oblique| oblique.peak_force))
         && !inferred
+        // Without a force on one side there is no ratio: a warning says so.
+        && f1.min(f2) > 0.0
     {
         // max F/min F
         let value = f1.max(f2) / f1.min(f2);

@@ -32,13 +32,20 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
              and less",
             speed(*closing_speed)
         ),
-        Warning::ForceBalance { forces: [f1, f2] } => format!(
-            "the peak forces that the crush stands for differ by a factor of {}: {} on vehicle 1, {} on vehicle 2; by \
-             Newton's third law they are equal, so check stiffness, damage width and depths",
-            number(f1.max(*f2) / f1.min(*f2), 1),
-            units.format(Quantity::Force, *f1),
-            units.format(Quantity::Force, *f2)
-        ),
+        Warning::ForceBalance { forces: [f1, f2] } => {
+            let factor = f1.max(*f2) / f1.min(*f2);
+            let differ = if factor.is_finite() {
+                format!(" by a factor of {}", number(factor, 1))
+            } else {
+                String::new()
+            };
+            format!(
+                "the peak forces that the crush stands for differ{differ}: {} on vehicle 1, {} on vehicle 2; by \
+                 Newton's third law they are equal, so check stiffness, damage width and depths",
+                units.format(Quantity::Force, *f1),
+                units.format(Quantity::Force, *f2)
+            )
+        }
         Warning::PdofDiffers { vehicle, given, computed } => format!(
             "the PDOF given for vehicle {vehicle}, {}, differs from that of the impulse, {}, by more than 10°",
             angle(*given),

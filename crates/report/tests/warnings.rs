@@ -38,6 +38,31 @@ fn the_sign_that_opposes_the_sliding_is_that_of_the_readers_axes() {
     says(&change, Axes::ZUp, &["change of -1.00 ft/s", "u_t = -10.00 ft/s"]);
 }
 
+/// A profile without depth on a stiffness without A stands for no force: no ratio of forces is printed, and the warning has none.
+#[test]
+fn no_force_has_no_ratio() {
+    let text = "[vehicle1]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"0 deg\"\n\
+         contact = { x = \"1.9 m\", y = \"0.3 m\" }\n[vehicle1.crush]\nside = \"front\"\nwidth = \"1.5 m\"\n\
+         depths = \"0 0 0 0 cm\"\nstiffness = { A = \"0 N/cm\", B = \"40 N/cm^2\" }\n[vehicle2]\nmass = \"1200 kg\"\n\
+         yaw_radius = \"1.3 m\"\nheading = \"180 deg\"\nspeed = \"40 km/h\"\ncontact = { x = \"1.8 m\", y = \"0.2 m\" }\n\
+         [vehicle2.crush]\nside = \"front\"\nwidth = \"1.4 m\"\ndepths = \"0 0 0 0 cm\"\n\
+         stiffness = { A = \"100 N/cm\", B = \"40 N/cm^2\" }\n[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.2\n\
+         tangential = \"critical\"\n[reconstruct]\nfind = \"vehicle1.speed\"\n";
+    let file = case::Case::parse("case.toml", text).unwrap();
+    let analysis = analysis::reconstruct(&file).unwrap();
+    let found = analysis.warnings.iter().find(|warning| matches!(warning, Warning::ForceBalance { .. }));
+    says(found.unwrap(), Axes::ZUp, &["stands for differ: 0 lb on vehicle 1, 3,1"]);
+    for output in [
+        report::text(&file.case, &analysis, Units::Us),
+        report::html(&file, &analysis, Vec::new(), Units::Us).unwrap(),
+        report::json(&file.case, &analysis).unwrap(),
+    ] {
+        let words: Vec<&str> = output.split(|c: char| !c.is_alphanumeric()).collect();
+        assert!(!words.contains(&"inf") && !words.contains(&"NaN") && !words.contains(&"null"), "{output}");
+        assert!(!output.contains("ratio of the peak forces"), "{output}");
+    }
+}
+
 #[test]
 fn a_law_that_finds_the_impulse_is_told_of_no_sign() {
     let coupling = driven(3.048, Drive::Coupling);
