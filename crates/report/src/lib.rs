@@ -49,6 +49,7 @@
 //! It computes nothing that the analysis does not hold, but the sums that a step of the report shows on the way. No terminal, no files.
 
 mod axes;
+mod checks;
 mod comparison;
 mod drawing;
 mod explain;

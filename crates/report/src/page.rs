@@ -12,7 +12,7 @@ use sha2::{Digest as _, Sha256};
 use crate::drawing::{Drawing, DrawingError, Subject, drawing};
 use crate::steps::{StepGroup, steps};
 use crate::units::{Quantity, number};
-use crate::{Units, axes, law, warnings};
+use crate::{Units, axes, checks, law, warnings};
 
 /// All that the report says, in its order.
 struct Page {
@@ -24,11 +24,12 @@ struct Page {
     identification: Vec<(&'static str, String)>,
     drawings: Vec<Drawing>,
     method: Vec<String>,
-    inputs: Table,
+    inputs: Vec<Table>,
     results: Table,
     steps: Vec<StepGroup>,
     energy: Option<Table>,
     crash3: Option<Table>,
+    checks: Option<Table>,
     warnings: Vec<(&'static str, String)>,
     assumptions: Vec<String>,
     supplements: Vec<Supplement>,
@@ -117,11 +118,12 @@ impl Page {
             identification,
             drawings,
             method: method(analysis, case.axes),
-            inputs: inputs::table(file),
+            inputs: inputs::tables(file, analysis, units),
             results: results(seen, units),
             steps: steps(case, analysis),
             energy: seen.impact.as_ref().map(|impact| energy(impact, units)),
             crash3: crash3(seen, units),
+            checks: consistency(seen, units),
             warnings: seen
                 .warnings
                 .iter()
@@ -290,6 +292,17 @@ fn crash3(analysis: &Analysis, units: Units) -> Option<Table> {
         comparison.pair(&label, pair(row.delta_v));
     }
     Some(comparison)
+}
+
+/// The same rows as in the text.
+fn consistency(analysis: &Analysis, units: Units) -> Option<Table> {
+    let mut header = vec![String::new()];
+    header.extend(checks::COLUMNS.map(str::to_owned));
+    let rows: Vec<Vec<String>> = checks::rows(analysis, units)
+        .into_iter()
+        .map(|checks::Row { label, cells }| std::iter::once(label).chain(cells).collect())
+        .collect();
+    (!rows.is_empty()).then_some(Table { caption: "What was given against what was computed", header, rows })
 }
 
 /// What the analysis rests on besides the numbers.

@@ -1,11 +1,12 @@
 //! A finished analysis as text for the terminal and the file.
 
-use analysis::{Analysis, CheckedQuantity, Crash3, Damage, Found, Impact, Warning};
+use analysis::{Analysis, Crash3, Damage, Found, Impact, Warning};
 use case::{Axes, Case, Pdof, Velocity, YawSource};
 use crash3::{EnergyBasis, Stiffness, Structure};
 use pim_core::{Outcome, Regime};
 
 use crate::axes;
+use crate::checks;
 use crate::law;
 use crate::units::{Quantity, Units, number};
 use crate::warnings;
@@ -519,32 +520,13 @@ impl Page {
     }
 
     fn checks(&mut self, analysis: &Analysis) {
-        if analysis.checks.is_empty() {
+        let rows = checks::rows(analysis, self.units);
+        if rows.is_empty() {
             return;
         }
-        self.heading("Consistency checks", ["found", "limit", "verdict"]);
-        for check in &analysis.checks {
-            let percent = |share: f64| format!("{} %", number(100.0 * share, 1));
-            let angle = |si: f64| self.units.format(Quantity::Angle, si);
-            let (label, found, limit) = match check.quantity {
-                CheckedQuantity::ForceBalance => {
-                    ("ratio of the peak forces".to_owned(), number(check.value, 2), number(check.limit, 1))
-                }
-                CheckedQuantity::PdofsOpposite => {
-                    ("PDOFs from opposite".to_owned(), angle(check.value), angle(check.limit))
-                }
-                CheckedQuantity::DamageEnergy { .. } => {
-                    ("normal work and crush energy".to_owned(), percent(check.value), percent(check.limit))
-                }
-                CheckedQuantity::Restitution => {
-                    ("restitution".to_owned(), number(check.value, 2), number(check.limit, 1))
-                }
-                CheckedQuantity::Rotation { vehicle } => {
-                    let found = if check.passed() { "with the moment" } else { "against the moment" };
-                    (format!("rotation of vehicle {vehicle}"), found.to_owned(), "with it".to_owned())
-                }
-            };
-            self.row(&label, &found, &limit, if check.passed() { "passed" } else { "see below" });
+        self.heading(checks::TITLE, checks::COLUMNS);
+        for checks::Row { label, cells: [found, limit, verdict] } in &rows {
+            self.row(label, found, limit, verdict);
         }
     }
 
