@@ -2,7 +2,8 @@
 
 use analysis::{Ability, Assumption, Judgement, Warning};
 use case::{
-    Case, CaseFile, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm, Unit, UnitSystem,
+    Case, CaseFile, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm, StiffnessSource,
+    Unit, UnitSystem,
 };
 use crash3::ObliqueCorrection;
 use pim_core::Tangential;
@@ -405,11 +406,13 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
             "z-up: y to the left of x, angles and yaw rates counter-clockwise positive".to_owned()
         }
         Assumption::CategoryStiffness { category, side, abg: [a, b, g], .. } => format!(
-            "A = {}, B = {}, G = {}: category {category} of CRASH3's table, {}",
+            "A = {}, B = {}, G = {}: category {category} of CRASH3's table, {}{}",
             units.format(Quantity::StiffnessA, *a),
             units.format(Quantity::StiffnessB, *b),
             units.format(Quantity::StiffnessG, *g),
-            crate::side_name(*side)
+            crate::side_name(*side),
+            crate::stiffness_doubt(StiffnessSource::Category(*category), *side)
+                .map_or_else(String::new, |doubt| format!("; {doubt}"))
         ),
         Assumption::YawRate { .. } => "0: the vehicle does not turn before the impact".to_owned(),
         Assumption::ClassInertia { class, yaw_inertia, .. } => format!(

@@ -327,7 +327,7 @@ fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String
             assumptions.push(format!(
                 "Stiffness of vehicle {}: {}.",
                 i + 1,
-                crate::stiffness_source(damage.stiffness_source, damage.side)
+                crate::stiffness_source_and_doubt(damage.stiffness_source, damage.side)
             ));
         }
     }

@@ -71,6 +71,20 @@ pub(crate) fn wrapped_within(text: &str, line: usize) -> String {
     lines
 }
 
+/// The first cell of a row of so many columns: what is too long for it stands on a line of its own.
+pub(crate) fn first_cell(text: &str, width: usize) -> String {
+    if text.chars().count() < width { format!("{text:<width$}") } else { format!("{text}\n{:width$}", "") }
+}
+
+/// A text of at most so many columns, its end replaced by … where it is longer.
+fn cut(text: &str, columns: usize) -> String {
+    if text.chars().count() <= columns {
+        return text.to_owned();
+    }
+    let kept: String = text.chars().take(columns.saturating_sub(1)).collect();
+    format!("{}…", kept.trim_end())
+}
+
 struct Page {
     units: Units,
     axes: Axes,
@@ -176,7 +190,8 @@ impl Page {
         self.heading("Inputs as understood", ["vehicle 1", "vehicle 2", ""]);
         let vehicles = &case.vehicles;
         let known = |f: &dyn Fn(usize) -> Option<String>| [f(0), f(1)];
-        self.pair("name", known(&|i| vehicles[i].name.clone()), "");
+        let most = self.column() - 1;
+        self.pair("name", known(&|i| vehicles[i].name.as_deref().map(|name| cut(name, most))), "");
         self.pair("fixed object", known(&|i| vehicles[i].fixed.then(|| "yes".to_owned())), "");
         let inertia = |i: usize| analysis.vehicles[i].subject.inertia;
         self.pair("mass", known(&|i| inertia(i).map(|v| units.format(Quantity::Mass, v.mass))), "");
@@ -327,6 +342,13 @@ impl Page {
                 Some(Structure::Zones(_)) | None => None,
             });
             self.pair(label, uniform, "");
+        }
+        let doubt = analysis.vehicles.iter().find_map(|vehicle| {
+            let damage = vehicle.subject.damage.as_ref()?;
+            crate::stiffness_doubt(damage.stiffness_source, damage.side)
+        });
+        if let Some(doubt) = doubt {
+            self.paragraph(&format!("{doubt}."));
         }
         for (i, damage) in damage.into_iter().enumerate() {
             let Some(Structure::Zones(zones)) = damage.map(|damage| &damage.structure) else { continue };

@@ -209,7 +209,9 @@ fn of_test(steps: &mut Vec<Step>, stiffness: &Stiffness, test: &BarrierTest, i: 
             (
                 // b₁ = (V² − b₀²)/(b₀ C̄ + √(b₀² C̄² + Q (V² − b₀²)))
                 rest / (half + (half * half + square * rest).sqrt()),
-                format!("(V² − b_0²)/(b_0 C_T,{i} + √(b_0² C_T,{i}² + Q_T,{i} (V² − b_0²)))"),
+                format!(
+                    "(V_T,{i}² − b_0T,{i}²)/(b_0T,{i} C_T,{i} + √(b_0T,{i}² C_T,{i}² + Q_T,{i} (V_T,{i}² − b_0T,{i}²)))"
+                ),
                 format!(
                     "({v_}² − {b0_}²) / ({b0_} · {mean_} + √({b0_}² · {}² + {square_} · ({v_}² − {b0_}²)))",
                     p(mean, "m")
@@ -219,7 +221,7 @@ fn of_test(steps: &mut Vec<Step>, stiffness: &Stiffness, test: &BarrierTest, i: 
         Fit::Mean => (
             // b₁ = (V − b₀)/C̄
             (v - b0) / mean,
-            format!("(V − b_0)/C_T,{i}"),
+            format!("(V_T,{i} − b_0T,{i})/C_T,{i}"),
             format!("({} − {}) / {}", n(v, "m/s"), n(b0, "m/s"), n(mean, "m")),
         ),
     };
@@ -231,21 +233,21 @@ fn of_test(steps: &mut Vec<Step>, stiffness: &Stiffness, test: &BarrierTest, i: 
     let coefficients = [
         (
             "A",
-            format!("{m} b_0 {b}/w"),
+            format!("{m} b_0T,{i} {b}/w_T,{i}"),
             format!("{mass_} · {} · {} / {width_}", n(b0, "m/s"), n(b1, "1/s")),
             stiffness.a(),
             "N/m",
         ),
         (
             "B",
-            format!("{m} {b}²/w"),
+            format!("{m} {b}²/w_T,{i}"),
             format!("{mass_} · {}² / {width_}", p(b1, "1/s")),
             stiffness.b(),
             "N/m²",
         ),
         (
             "G",
-            format!("{m} b_0²/(2 w)"),
+            format!("{m} b_0T,{i}²/(2 w_T,{i})"),
             format!("{mass_} · {}² / (2 · {width_})", p(b0, "m/s")),
             stiffness.g(),
             "N",

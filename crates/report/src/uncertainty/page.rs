@@ -6,7 +6,7 @@ use case::Case;
 
 use super::{Histogram, method_name, quantity};
 use crate::sensitivity::output_name;
-use crate::text::{LINE, wrapped};
+use crate::text::{LINE, first_cell, wrapped};
 use crate::units::{Units, number, significant};
 
 /// Classes of the histogram.
@@ -237,10 +237,10 @@ impl<'a> Page<'a> {
                 Ok(outputs) => self.plain(output, outputs.first().copied().unwrap_or(f64::NAN)),
                 Err(_) => "none".to_owned(),
             });
-            let path = &self.uncertainty.inputs[bar.input].input.path;
+            let path = first_cell(&self.uncertainty.inputs[bar.input].input.path, 36);
             let share = number(100.0 * output.first_order.shares[bar.input], 1);
             lines.push(format!(
-                "{path:<36}{low:>10}{high:>10}  {}{share:>9} %",
+                "{path}{low:>10}{high:>10}  {}{share:>9} %",
                 both_sides(bar, output.central, longest)
             ));
         }
@@ -282,7 +282,12 @@ impl<'a> Page<'a> {
             format!("{:>10}{interval:>20}", number(index.value, 3))
         };
         for (input, index) in ranked {
-            let line = format!("{:<36}{}{}", input.input.path, cells(index.first_order), cells(index.total));
+            let line = format!(
+                "{}{}{}",
+                first_cell(&input.input.path, 36),
+                cells(index.first_order),
+                cells(index.total)
+            );
             self.line(&line);
         }
         self.line("");
@@ -301,7 +306,11 @@ impl<'a> Page<'a> {
         self.rule();
         for input in &self.uncertainty.inputs {
             let central = with_unit(input, &input.input.number.to_string());
-            self.line(&format!("{:<36}{central:>24}  {}", input.input.path, distribution(input)));
+            self.line(&format!(
+                "{}{central:>24}  {}",
+                first_cell(&input.input.path, 36),
+                distribution(input)
+            ));
         }
         let cut: Vec<&UncertainInput> = self
             .uncertainty
