@@ -234,10 +234,7 @@ fn results(analysis: &Analysis, units: Units) -> Table {
         results.pair("speed before impact", each(&|i| both(units, crate::speed(analysis, i))));
         let vector = |v: pim_core::Vector2<f64>| units.format_vector(Quantity::Speed, v.into());
         results.pair("velocity after impact", each(&|i| vector(outcome.after[i].velocity)));
-        results.pair(
-            "yaw rate after impact",
-            each(&|i| units.format(Quantity::YawRate, outcome.after[i].yaw_rate)),
-        );
+        results.pair("yaw rate after impact", each(&|i| units.yaw_rate(outcome.after[i].yaw_rate)));
         results.pair("ΔV", each(&|i| both(units, outcome.delta_v_magnitude()[i])));
         results.pair(
             "PDOF, clockwise from the heading",

@@ -123,7 +123,10 @@ fn size(row: &Derivative) -> f64 {
 fn derivatives(text: &mut String, group: &[Derivative], units: Units) {
     let Some(first) = group.first() else { return };
     let name = output_name(first.output);
-    let value = units.format(Quantity::Speed, first.output_value);
+    let beside = units
+        .beside_speed()
+        .map_or_else(String::new, |road| format!(" = {}", units.format(road, first.output_value)));
+    let value = units.format(Quantity::Speed, first.output_value) + &beside;
     let title = format!("{name}, {value}");
     text.push_str(&format!("\n{title:<50}{:>28}{:>10}{:>10}\n", "change per unit", "% per %", "influence"));
     text.push_str(&"─".repeat(LINE));

@@ -234,11 +234,7 @@ impl Page {
             }),
             "",
         );
-        self.pair(
-            "yaw rate",
-            known(&|i| vehicles[i].yaw_rate.as_ref().map(|q| units.format(Quantity::YawRate, q.si()))),
-            "",
-        );
+        self.pair("yaw rate", known(&|i| vehicles[i].yaw_rate.as_ref().map(|q| units.yaw_rate(q.si()))), "");
         let damage = |i: usize| vehicles[i].crush.as_ref().zip(analysis.vehicles[i].damage.as_ref());
         self.pair(
             "damaged side, width",
@@ -408,16 +404,8 @@ impl Page {
         self.pair("speed before", each(&|i| both_speeds(units, crate::speed(analysis, i))), "");
         self.pair("velocity before, v", each(&|i| vector(outcome.before[i].velocity)), "");
         self.pair("velocity after, V", each(&|i| vector(outcome.after[i].velocity)), "theory 2");
-        self.pair(
-            "yaw rate before, ω",
-            each(&|i| units.format(Quantity::YawRate, outcome.before[i].yaw_rate)),
-            "",
-        );
-        self.pair(
-            "yaw rate after, Ω",
-            each(&|i| units.format(Quantity::YawRate, outcome.after[i].yaw_rate)),
-            "theory 2",
-        );
+        self.pair("yaw rate before, ω", each(&|i| units.yaw_rate(outcome.before[i].yaw_rate)), "");
+        self.pair("yaw rate after, Ω", each(&|i| units.yaw_rate(outcome.after[i].yaw_rate)), "theory 2");
         self.pair("ΔV", each(&|i| both_speeds(units, outcome.delta_v_magnitude()[i])), "theory 2");
         self.pair(
             "PDOF, clockwise from heading",
