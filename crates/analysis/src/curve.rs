@@ -43,3 +43,42 @@ pub fn work_curve(file: &CaseFile, found: &Found, samples: usize) -> Result<Vec<
             .collect())
     })
 }
+
+/// As a share of the first step of a curve: as near to the touching speed as a normal work still has a sign of its own.
+const NEAR: f64 = 1e-3;
+/// Halvings of a step of the curve: the last is below the rounding of a speed.
+const HALVINGS: usize = 60;
+
+/// (m/s) the speed beyond which the normal work of a [`work_curve`] is positive, or `None` where that is the one at which the vehicles just touch. There
+/// u_n = 0 and with it W_n, whatever P_n; but the impulse that a law asks for may be a pull there, and becomes a push (P_n > 0) only at a greater approach.
+///
+/// # Errors
+/// [`Failure`], as for [`reconstruct`](crate::reconstruct).
+pub fn first_push(file: &CaseFile, curve: &[WorkPoint]) -> Result<Option<f64>, Failure> {
+    let Some(after) = curve.iter().position(|point| point.normal_work > 0.0) else { return Ok(None) };
+    let (Some(touch), Some(before), Some(after)) =
+        (curve.first(), after.checked_sub(1).and_then(|before| curve.get(before)), curve.get(after))
+    else {
+        return Ok(None);
+    };
+    at(file, &file.case, |problem| {
+        let is_push = |speed: f64| problem.normal_work(speed) > 0.0;
+        let mut low = before.speed;
+        if before == touch {
+            low += NEAR * (after.speed - low);
+            if is_push(low) {
+                return Ok(None);
+            }
+        }
+        let mut high = after.speed;
+        for _ in 0..HALVINGS {
+            let middle = low + (high - low) / 2.0;
+            if is_push(middle) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        Ok(Some(high))
+    })
+}

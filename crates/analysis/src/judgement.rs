@@ -173,7 +173,7 @@ pub fn judge(file: &CaseFile) -> Judgement {
             warning::of_restitution(law_at(collision, speed).restitution(), speed, &mut warnings);
         }
     }
-    let assumptions = assumptions(file, &subjects);
+    let assumptions = assumed(file, &subjects);
     let speeds = collision.map(|collision| collision.motions.map(|motion| motion.velocity.norm()));
     of_vehicles(file, subjects.map(|subject| subject.unwrap_or(NOTHING)), speeds, &mut warnings);
     let unpropagated = uncertainty::inputs(file)
@@ -241,7 +241,13 @@ fn of_vehicles(
     warning::of_checks(&checks, &vehicles, None, warnings);
 }
 
-fn assumptions(file: &CaseFile, subjects: &[Option<Subject>; 2]) -> Vec<Assumption> {
+/// What stands in for what the file does not say, in the order of the file: for whatever analysis uses it.
+#[must_use]
+pub fn assumptions(file: &CaseFile) -> Vec<Assumption> {
+    assumed(file, &file.subjects())
+}
+
+fn assumed(file: &CaseFile, subjects: &[Option<Subject>; 2]) -> Vec<Assumption> {
     let case = &file.case;
     let says = |path: &str| file.source.span(path).is_some();
     let mut assumptions = Vec::new();

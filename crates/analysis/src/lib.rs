@@ -38,9 +38,9 @@ mod warning;
 
 pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
-pub use curve::{WorkPoint, work_curve};
+pub use curve::{WorkPoint, first_push, work_curve};
 pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
-pub use judgement::{Ability, Assumption, Judgement, judge};
+pub use judgement::{Ability, Assumption, Judgement, assumptions, judge};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
 pub use uncertainty::{
     Plan, REASONS, Reason, Stage, UncertainInput, UncertainOutput, Uncertainty, uncertainty,

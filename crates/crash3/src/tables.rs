@@ -148,6 +148,8 @@ impl VehicleClass {
     }
 }
 
+/// (1) the coefficient of Burg's formula, see [`yaw_inertia_burg`].
+pub const BURG: f64 = 0.1269;
 /// By how much of itself the radius of gyration k may be off where [`yaw_inertia_burg`] or a [`VehicleClass`] gives it.
 pub const BURG_SPREAD: f64 = 0.05;
 
@@ -162,5 +164,5 @@ pub fn yaw_inertia_burg<T: Real>(mass: T, wheelbase: T, length: T) -> Result<T, 
     error::positive("wheelbase", wheelbase.value())?;
     error::positive("length", length.value())?;
     // I = 0.1269 × mass × wheelbase × length
-    Ok(mass * wheelbase * length * 0.1269)
+    Ok(mass * wheelbase * length * BURG)
 }

@@ -136,7 +136,7 @@ pub fn comparison_json(case: &Case, comparison: &Comparison) -> Result<String, s
     Ok(serde_json::to_string_pretty(&document)? + "\n")
 }
 
-/// The comparison as two tables and the coefficients behind them, in text of at most 98 columns but for long lists of coefficients.
+/// The comparison as tables and the coefficients behind them, in text of at most 98 columns but for long lists of coefficients.
 #[must_use]
 pub fn comparison_text(case: &Case, comparison: &Comparison, units: Units) -> String {
     let rows = rows(case, comparison, units);
@@ -147,26 +147,35 @@ pub fn comparison_text(case: &Case, comparison: &Comparison, units: Units) -> St
     let of = |pair: Option<[f64; 2]>, i: usize| pair.filter(|_| !case.vehicles[i].fixed).map(|pair| pair[i]);
     let mut text = format!("{}\n\n", case.title.as_deref().unwrap_or("Untitled case"));
 
-    let speed = name(Quantity::Speed);
-    table(
-        &mut text,
-        &[("speed", speed), ("", "change"), ("ΔV 1", speed), ("", "change"), ("ΔV 2", speed), ("", "change")],
-        answered().map(|row| {
-            let value = |si: Option<f64>| plain(Quantity::Speed, si);
-            let change = |si: Option<f64>| si.map(|si| units.signed(Quantity::Speed, si));
-            let (dv, dv_change) = (row.values.delta_v, row.delta_v_difference);
-            let cells = vec![
-                value(row.values.found),
-                change(row.found_difference),
-                value(of(dv, 0)),
-                change(of(dv_change, 0)),
-                value(of(dv, 1)),
-                change(of(dv_change, 1)),
-            ];
-            (row.law, cells)
-        }),
-    );
-    text.push('\n');
+    for quantity in [Some(Quantity::Speed), units.beside_speed()].into_iter().flatten() {
+        let speed = name(quantity);
+        table(
+            &mut text,
+            &[
+                ("speed", speed),
+                ("", "change"),
+                ("ΔV 1", speed),
+                ("", "change"),
+                ("ΔV 2", speed),
+                ("", "change"),
+            ],
+            answered().map(|row| {
+                let value = |si: Option<f64>| plain(quantity, si);
+                let change = |si: Option<f64>| si.map(|si| units.signed(quantity, si));
+                let (dv, dv_change) = (row.values.delta_v, row.delta_v_difference);
+                let cells = vec![
+                    value(row.values.found),
+                    change(row.found_difference),
+                    value(of(dv, 0)),
+                    change(of(dv_change, 0)),
+                    value(of(dv, 1)),
+                    change(of(dv_change, 1)),
+                ];
+                (row.law, cells)
+            }),
+        );
+        text.push('\n');
+    }
     let yaw_rate = name(Quantity::YawRate);
     table(
         &mut text,

@@ -289,7 +289,7 @@ fn vehicle(case: &Case, analysis: &Analysis, i: usize) -> VehicleBlock {
             .subject
             .damage
             .as_ref()
-            .map(|given| crate::stiffness_source(given.stiffness_source, given.side)),
+            .map(|given| crate::stiffness_source_and_doubt(given.stiffness_source, given.side)),
         crush_source: damage
             .map(|damage| if damage.inferred.is_some() { "force balance" } else { "measured" }),
         crush_energy: damage.map(|damage| damage.crush_energy),

@@ -2,7 +2,8 @@
 
 use analysis::{Ability, Assumption, Judgement, Warning};
 use case::{
-    Case, CaseFile, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm, Unit, UnitSystem,
+    Case, CaseFile, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm, StiffnessSource,
+    Unit, UnitSystem,
 };
 use crash3::ObliqueCorrection;
 use pim_core::Tangential;
@@ -13,6 +14,10 @@ use crate::text::{LINE, wrapped};
 use crate::units::{Quantity, Units, significant};
 use crate::warnings;
 
+/// Over what the file says in words.
+pub(crate) const CHOICES: &str = "Choices";
+/// Over what stands in for what it does not say.
+pub(crate) const ASSUMED: &str = "Assumed, since the file does not say it";
 /// Width of the first column: the longest of the keys that are usual.
 const KEY: usize = 38;
 /// Width of the column of what the file says.
@@ -108,13 +113,13 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
         line(&row([&input.path, &written, &shown(si), &shown(us)]));
     }
     line("");
-    line("Choices");
+    line(CHOICES);
     line(&"─".repeat(LINE));
     for (path, value) in choices(case) {
         line(&format!("{path:<KEY$}{value}"));
     }
     line("");
-    line("Assumed, since the file does not say it");
+    line(ASSUMED);
     line(&"─".repeat(LINE));
     for assumption in &judgement.assumptions {
         let key = format!("{:<width$} ", assumption.key(), width = KEY - 1);
@@ -334,7 +339,7 @@ fn shown((value, unit): (f64, Option<&'static Unit>)) -> String {
 }
 
 /// What the file says in words and whole numbers, key by key.
-fn choices(case: &Case) -> Vec<(String, String)> {
+pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
     let mut choices = vec![("scene.axes".to_owned(), case.axes.name().to_owned())];
     for (i, vehicle) in case.vehicles.iter().enumerate() {
         let mut say = |key: &str, value: String| choices.push((format!("vehicle{}.{key}", i + 1), value));
@@ -354,8 +359,12 @@ fn choices(case: &Case) -> Vec<(String, String)> {
         }
         match &crush.stiffness {
             StiffnessForm::Category(category) => say("crush.stiffness.category", category.to_string()),
-            StiffnessForm::Test(test) if test.fit == Fit::Mean => {
-                say("crush.stiffness.test.fit", "mean".to_owned());
+            StiffnessForm::Test(test) => {
+                let fit = match test.fit {
+                    Fit::Exact => "exact",
+                    Fit::Mean => "mean",
+                };
+                say("crush.stiffness.test.fit", fit.to_owned());
             }
             _ => {}
         }
@@ -391,17 +400,19 @@ fn clock_degrees(hour: u8) -> i32 {
 }
 
 /// What is assumed, in words.
-fn message(assumption: &Assumption, units: Units) -> String {
+pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
     match assumption {
         Assumption::ZUp => {
             "z-up: y to the left of x, angles and yaw rates counter-clockwise positive".to_owned()
         }
         Assumption::CategoryStiffness { category, side, abg: [a, b, g], .. } => format!(
-            "A = {}, B = {}, G = {}: category {category} of CRASH3's table, {}",
+            "A = {}, B = {}, G = {}: category {category} of CRASH3's table, {}{}",
             units.format(Quantity::StiffnessA, *a),
             units.format(Quantity::StiffnessB, *b),
             units.format(Quantity::StiffnessG, *g),
-            crate::side_name(*side)
+            crate::side_name(*side),
+            crate::stiffness_doubt(StiffnessSource::Category(*category), *side)
+                .map_or_else(String::new, |doubt| format!("; {doubt}"))
         ),
         Assumption::YawRate { .. } => "0: the vehicle does not turn before the impact".to_owned(),
         Assumption::ClassInertia { class, yaw_inertia, .. } => format!(

@@ -49,6 +49,7 @@
 //! It computes nothing that the analysis does not hold, but the sums that a step of the report shows on the way. No terminal, no files.
 
 mod axes;
+mod checks;
 mod comparison;
 mod drawing;
 mod explain;
@@ -116,8 +117,6 @@ fn stiffness_source(source: StiffnessSource, side: Side) -> String {
     match source {
         StiffnessSource::Coefficients => "A and B as given".to_owned(),
         StiffnessSource::Roots => "d0 and d1 as given".to_owned(),
-        // SAE 870045, Table 1: the one entry of which a digit is in doubt.
-        StiffnessSource::Category(2) if side == Side::Rear => "category 2, rear; G unsure".to_owned(),
         StiffnessSource::Category(category) => {
             let side = match side {
                 Side::Left | Side::Right => "side",
@@ -129,6 +128,19 @@ fn stiffness_source(source: StiffnessSource, side: Side) -> String {
         StiffnessSource::Test(Fit::Mean) => "barrier test, mean crush".to_owned(),
         StiffnessSource::Zones => "zone by zone as given".to_owned(),
     }
+}
+
+/// What is in doubt of a stiffness from a table: of SAE 870045's Table 1 one digit.
+fn stiffness_doubt(source: StiffnessSource, side: Side) -> Option<&'static str> {
+    (source == StiffnessSource::Category(2) && side == Side::Rear).then_some(
+        "G of category 2, rear, is in doubt: the scan of the table reads 1074 lb; 1874 lb is taken, as A²/2B = 1864 lb asks",
+    )
+}
+
+/// The same with what is in doubt of it, where there is room.
+fn stiffness_source_and_doubt(source: StiffnessSource, side: Side) -> String {
+    let doubt = stiffness_doubt(source, side).map_or_else(String::new, |doubt| format!("; {doubt}"));
+    stiffness_source(source, side) + &doubt
 }
 
 /// (m/s) speed before impact, negative where the vehicle moves backwards; zero for a fixed object.

@@ -12,7 +12,7 @@ use sha2::{Digest as _, Sha256};
 use crate::drawing::{Drawing, DrawingError, Subject, drawing};
 use crate::steps::{StepGroup, steps};
 use crate::units::{Quantity, number};
-use crate::{Units, axes, law, warnings};
+use crate::{Units, axes, checks, law, warnings};
 
 /// All that the report says, in its order.
 struct Page {
@@ -24,11 +24,12 @@ struct Page {
     identification: Vec<(&'static str, String)>,
     drawings: Vec<Drawing>,
     method: Vec<String>,
-    inputs: Table,
+    inputs: Vec<Table>,
     results: Table,
     steps: Vec<StepGroup>,
     energy: Option<Table>,
     crash3: Option<Table>,
+    checks: Option<Table>,
     warnings: Vec<(&'static str, String)>,
     assumptions: Vec<String>,
     supplements: Vec<Supplement>,
@@ -117,11 +118,12 @@ impl Page {
             identification,
             drawings,
             method: method(analysis, case.axes),
-            inputs: inputs::table(file),
+            inputs: inputs::tables(file, analysis, units),
             results: results(seen, units),
             steps: steps(case, analysis),
             energy: seen.impact.as_ref().map(|impact| energy(impact, units)),
             crash3: crash3(seen, units),
+            checks: consistency(seen, units),
             warnings: seen
                 .warnings
                 .iter()
@@ -232,10 +234,7 @@ fn results(analysis: &Analysis, units: Units) -> Table {
         results.pair("speed before impact", each(&|i| both(units, crate::speed(analysis, i))));
         let vector = |v: pim_core::Vector2<f64>| units.format_vector(Quantity::Speed, v.into());
         results.pair("velocity after impact", each(&|i| vector(outcome.after[i].velocity)));
-        results.pair(
-            "yaw rate after impact",
-            each(&|i| units.format(Quantity::YawRate, outcome.after[i].yaw_rate)),
-        );
+        results.pair("yaw rate after impact", each(&|i| units.yaw_rate(outcome.after[i].yaw_rate)));
         results.pair("ΔV", each(&|i| both(units, outcome.delta_v_magnitude()[i])));
         results.pair(
             "PDOF, clockwise from the heading",
@@ -292,6 +291,17 @@ fn crash3(analysis: &Analysis, units: Units) -> Option<Table> {
     Some(comparison)
 }
 
+/// The same rows as in the text.
+fn consistency(analysis: &Analysis, units: Units) -> Option<Table> {
+    let mut header = vec![String::new()];
+    header.extend(checks::COLUMNS.map(str::to_owned));
+    let rows: Vec<Vec<String>> = checks::rows(analysis, units)
+        .into_iter()
+        .map(|checks::Row { label, cells }| std::iter::once(label).chain(cells).collect())
+        .collect();
+    (!rows.is_empty()).then_some(Table { caption: "What was given against what was computed", header, rows })
+}
+
 /// What the analysis rests on besides the numbers.
 fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String> {
     let mut assumptions = vec![
@@ -314,7 +324,7 @@ fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String
             assumptions.push(format!(
                 "Stiffness of vehicle {}: {}.",
                 i + 1,
-                crate::stiffness_source(damage.stiffness_source, damage.side)
+                crate::stiffness_source_and_doubt(damage.stiffness_source, damage.side)
             ));
         }
     }

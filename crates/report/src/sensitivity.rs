@@ -5,7 +5,7 @@ use case::{Axes, Case};
 use crash3::ObliqueCorrection;
 use serde::Serialize;
 
-use crate::text::{LINE, wrapped};
+use crate::text::{LINE, first_cell, wrapped};
 use crate::units::{Quantity, Units, number, significant};
 
 #[derive(Serialize)]
@@ -112,15 +112,29 @@ pub(crate) fn output_name(output: Output) -> String {
     }
 }
 
+/// A change smaller than this share of the largest one of its result is the rounding of zero.
+const ROUNDING: f64 = 1e-12;
+
+/// (SI) by how much a result moves with one of an input's own units, or with the whole of it where that is more.
+fn size(row: &Derivative) -> f64 {
+    (row.value * row.input.factor()).abs() * row.input.number.abs().max(1.0)
+}
+
 fn derivatives(text: &mut String, group: &[Derivative], units: Units) {
     let Some(first) = group.first() else { return };
     let name = output_name(first.output);
-    let value = units.format(Quantity::Speed, first.output_value);
+    let beside = units
+        .beside_speed()
+        .map_or_else(String::new, |road| format!(" = {}", units.format(road, first.output_value)));
+    let value = units.format(Quantity::Speed, first.output_value) + &beside;
     let title = format!("{name}, {value}");
     text.push_str(&format!("\n{title:<50}{:>28}{:>10}{:>10}\n", "change per unit", "% per %", "influence"));
     text.push_str(&"─".repeat(LINE));
     text.push('\n');
-    for row in group.iter().filter(|row| row.value != 0.0) {
+    let largest = group.iter().map(size).fold(0.0, f64::max);
+    let (with, without): (Vec<&Derivative>, Vec<&Derivative>) =
+        group.iter().partition(|row| size(row) > ROUNDING * largest);
+    for row in with {
         let (unit, per) = match row.input.unit {
             Some(unit) => (format!(" {unit}"), format!("/({unit})")),
             None => (String::new(), String::new()),
@@ -132,12 +146,11 @@ fn derivatives(text: &mut String, group: &[Derivative], units: Units) {
         let relative = row.relative().map_or_else(|| "–".to_owned(), |relative| number(relative, 3));
         let influence = number(100.0 * row.influence(), 2);
         text.push_str(&format!(
-            "{:<34}{given:<16}{change:>28}{relative:>10}{influence:>10}\n",
-            row.input.path
+            "{}{given:<16}{change:>28}{relative:>10}{influence:>10}\n",
+            first_cell(&row.input.path, 34)
         ));
     }
-    let without: Vec<&str> =
-        group.iter().filter(|row| row.value == 0.0).map(|row| row.input.path.as_str()).collect();
+    let without: Vec<&str> = without.iter().map(|row| row.input.path.as_str()).collect();
     if !without.is_empty() {
         text.push_str(&wrapped(&format!("no influence: {}", without.join(", "))));
     }

@@ -1,11 +1,12 @@
 //! The results one by one, each with its equation and the numbers put into it: what a reader with a calculator can check.
 //!
-//! All numbers of a substitution are in SI units and degrees, and in the axes of the case: the equations hold in either handedness. A number that is not exact is printed with six significant digits, one with five or fewer
+//! All numbers of a substitution are in SI units and degrees, but for those of the file that it converts, and in the axes of the case: the equations hold in either handedness. A number that is not exact is printed with six significant digits, one with five or fewer
 //! is exact; each printed result follows from the printed numbers within their rounding.
 
 mod collision;
 mod crash3;
 mod damage;
+mod inertia;
 
 use analysis::Analysis;
 use case::Case;
@@ -29,7 +30,7 @@ pub struct Step {
     pub unit: &'static str,
     /// The result as printed, without its unit.
     pub printed: String,
-    /// Where the equation stands: `Eq 5` of SAE 980025, or `theory 3`, a section of docs/theory.md.
+    /// Where the equation stands: `Eq 5` of SAE 980025, or `theory 3`, a section of docs/theory.md. For a value without one, where it comes from: `input`, or a table.
     pub source: &'static str,
 }
 
@@ -46,7 +47,8 @@ pub struct StepGroup {
 #[must_use]
 pub fn steps(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
     let analysis = &analysis.in_axes(case.axes);
-    let mut groups = damage::groups(case, analysis);
+    let mut groups = inertia::groups(case, analysis);
+    groups.extend(damage::groups(case, analysis));
     groups.extend(collision::groups(case, analysis));
     groups.extend(crash3::groups(case, analysis));
     groups.retain(|group| !group.steps.is_empty());

@@ -1,11 +1,12 @@
 //! A finished analysis as text for the terminal and the file.
 
-use analysis::{Analysis, CheckedQuantity, Crash3, Damage, Found, Impact, Warning};
+use analysis::{Analysis, Crash3, Damage, Found, Impact, Warning};
 use case::{Axes, Case, Pdof, Velocity, YawSource};
 use crash3::{EnergyBasis, Stiffness, Structure};
 use pim_core::{Outcome, Regime};
 
 use crate::axes;
+use crate::checks;
 use crate::law;
 use crate::units::{Quantity, Units, number};
 use crate::warnings;
@@ -68,6 +69,20 @@ pub(crate) fn wrapped_within(text: &str, line: usize) -> String {
     }
     lines.push('\n');
     lines
+}
+
+/// The first cell of a row of so many columns: what is too long for it stands on a line of its own.
+pub(crate) fn first_cell(text: &str, width: usize) -> String {
+    if text.chars().count() < width { format!("{text:<width$}") } else { format!("{text}\n{:width$}", "") }
+}
+
+/// A text of at most so many columns, its end replaced by … where it is longer.
+fn cut(text: &str, columns: usize) -> String {
+    if text.chars().count() <= columns {
+        return text.to_owned();
+    }
+    let kept: String = text.chars().take(columns.saturating_sub(1)).collect();
+    format!("{}…", kept.trim_end())
 }
 
 struct Page {
@@ -175,7 +190,8 @@ impl Page {
         self.heading("Inputs as understood", ["vehicle 1", "vehicle 2", ""]);
         let vehicles = &case.vehicles;
         let known = |f: &dyn Fn(usize) -> Option<String>| [f(0), f(1)];
-        self.pair("name", known(&|i| vehicles[i].name.clone()), "");
+        let most = self.column() - 1;
+        self.pair("name", known(&|i| vehicles[i].name.as_deref().map(|name| cut(name, most))), "");
         self.pair("fixed object", known(&|i| vehicles[i].fixed.then(|| "yes".to_owned())), "");
         let inertia = |i: usize| analysis.vehicles[i].subject.inertia;
         self.pair("mass", known(&|i| inertia(i).map(|v| units.format(Quantity::Mass, v.mass))), "");
@@ -218,11 +234,7 @@ impl Page {
             }),
             "",
         );
-        self.pair(
-            "yaw rate",
-            known(&|i| vehicles[i].yaw_rate.as_ref().map(|q| units.format(Quantity::YawRate, q.si()))),
-            "",
-        );
+        self.pair("yaw rate", known(&|i| vehicles[i].yaw_rate.as_ref().map(|q| units.yaw_rate(q.si()))), "");
         let damage = |i: usize| vehicles[i].crush.as_ref().zip(analysis.vehicles[i].damage.as_ref());
         self.pair(
             "damaged side, width",
@@ -327,6 +339,13 @@ impl Page {
             });
             self.pair(label, uniform, "");
         }
+        let doubt = analysis.vehicles.iter().find_map(|vehicle| {
+            let damage = vehicle.subject.damage.as_ref()?;
+            crate::stiffness_doubt(damage.stiffness_source, damage.side)
+        });
+        if let Some(doubt) = doubt {
+            self.paragraph(&format!("{doubt}."));
+        }
         for (i, damage) in damage.into_iter().enumerate() {
             let Some(Structure::Zones(zones)) = damage.map(|damage| &damage.structure) else { continue };
             for (label, quantity, of) in coefficients {
@@ -385,16 +404,8 @@ impl Page {
         self.pair("speed before", each(&|i| both_speeds(units, crate::speed(analysis, i))), "");
         self.pair("velocity before, v", each(&|i| vector(outcome.before[i].velocity)), "");
         self.pair("velocity after, V", each(&|i| vector(outcome.after[i].velocity)), "theory 2");
-        self.pair(
-            "yaw rate before, ω",
-            each(&|i| units.format(Quantity::YawRate, outcome.before[i].yaw_rate)),
-            "",
-        );
-        self.pair(
-            "yaw rate after, Ω",
-            each(&|i| units.format(Quantity::YawRate, outcome.after[i].yaw_rate)),
-            "theory 2",
-        );
+        self.pair("yaw rate before, ω", each(&|i| units.yaw_rate(outcome.before[i].yaw_rate)), "");
+        self.pair("yaw rate after, Ω", each(&|i| units.yaw_rate(outcome.after[i].yaw_rate)), "theory 2");
         self.pair("ΔV", each(&|i| both_speeds(units, outcome.delta_v_magnitude()[i])), "theory 2");
         self.pair(
             "PDOF, clockwise from heading",
@@ -519,32 +530,13 @@ impl Page {
     }
 
     fn checks(&mut self, analysis: &Analysis) {
-        if analysis.checks.is_empty() {
+        let rows = checks::rows(analysis, self.units);
+        if rows.is_empty() {
             return;
         }
-        self.heading("Consistency checks", ["found", "limit", "verdict"]);
-        for check in &analysis.checks {
-            let percent = |share: f64| format!("{} %", number(100.0 * share, 1));
-            let angle = |si: f64| self.units.format(Quantity::Angle, si);
-            let (label, found, limit) = match check.quantity {
-                CheckedQuantity::ForceBalance => {
-                    ("ratio of the peak forces".to_owned(), number(check.value, 2), number(check.limit, 1))
-                }
-                CheckedQuantity::PdofsOpposite => {
-                    ("PDOFs from opposite".to_owned(), angle(check.value), angle(check.limit))
-                }
-                CheckedQuantity::DamageEnergy { .. } => {
-                    ("normal work and crush energy".to_owned(), percent(check.value), percent(check.limit))
-                }
-                CheckedQuantity::Restitution => {
-                    ("restitution".to_owned(), number(check.value, 2), number(check.limit, 1))
-                }
-                CheckedQuantity::Rotation { vehicle } => {
-                    let found = if check.passed() { "with the moment" } else { "against the moment" };
-                    (format!("rotation of vehicle {vehicle}"), found.to_owned(), "with it".to_owned())
-                }
-            };
-            self.row(&label, &found, &limit, if check.passed() { "passed" } else { "see below" });
+        self.heading(checks::TITLE, checks::COLUMNS);
+        for checks::Row { label, cells: [found, limit, verdict] } in &rows {
+            self.row(label, found, limit, verdict);
         }
     }
 

@@ -37,6 +37,8 @@ const DEGREE: f64 = PI / 180.0;
 pub enum Quantity {
     /// m/s
     Speed,
+    /// m/s, as drivers know it: in km/h or mph
+    RoadSpeed,
     /// m
     Length,
     /// m, of depths and widths of damage
@@ -49,6 +51,8 @@ pub enum Quantity {
     Angle,
     /// rad/s
     YawRate,
+    /// rad/s, in °/s: no digit of it is below the second decimal of rad/s
+    YawRateDegrees,
     /// J
     Energy,
     /// N·s
@@ -79,6 +83,8 @@ impl Units {
         match (quantity, self) {
             (Quantity::Speed, Self::Si) => unit("m/s", 1.0, 2),
             (Quantity::Speed, Self::Us) => unit("ft/s", FOOT, 2),
+            (Quantity::RoadSpeed, Self::Si) => unit("km/h", 1.0 / 3.6, 1),
+            (Quantity::RoadSpeed, Self::Us) => unit("mph", MILE_PER_HOUR, 2),
             (Quantity::Length, Self::Si) => unit("m", 1.0, 3),
             (Quantity::Length, Self::Us) => unit("ft", FOOT, 2),
             (Quantity::Crush, Self::Si) => unit("cm", 0.01, 1),
@@ -89,6 +95,7 @@ impl Units {
             (Quantity::YawInertia, Self::Us) => unit("lb·ft·s²", POUND_FORCE * FOOT, 0),
             (Quantity::Angle, _) => unit("°", DEGREE, 1),
             (Quantity::YawRate, _) => unit("rad/s", 1.0, 2),
+            (Quantity::YawRateDegrees, _) => unit("°/s", DEGREE, 0),
             (Quantity::Energy, Self::Si) => unit("J", 1.0, 0),
             (Quantity::Energy, Self::Us) => unit("ft·lb", FOOT * POUND_FORCE, 0),
             (Quantity::Impulse, Self::Si) => unit("N·s", 1.0, 0),
@@ -156,13 +163,20 @@ impl Units {
         format!("({}, {}) {name}", number(x / size, decimals), number(y / size, decimals))
     }
 
+    /// A yaw rate as the equations have it and as people see it, like `-3.98 rad/s = -228 °/s`.
+    pub(crate) fn yaw_rate(self, si: f64) -> String {
+        format!("{} = {}", self.format(Quantity::YawRate, si), self.format(Quantity::YawRateDegrees, si))
+    }
+
+    /// What a table of speeds is repeated in where people do not think in the unit of the equations: mph beside ft/s.
+    pub(crate) fn beside_speed(self) -> Option<Quantity> {
+        (self == Self::Us).then_some(Quantity::RoadSpeed)
+    }
+
     /// A speed as drivers know it, like `51.16 mph`.
     #[must_use]
     pub fn road_speed(self, si: f64) -> String {
-        match self {
-            Self::Si => format!("{} km/h", number(si * 3.6, 1)),
-            Self::Us => format!("{} mph", number(si / MILE_PER_HOUR, 2)),
-        }
+        self.format(Quantity::RoadSpeed, si)
     }
 }
 

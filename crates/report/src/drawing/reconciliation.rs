@@ -1,6 +1,6 @@
 //! The reconciliation: work of the normal impulse over the speed sought.
 
-use analysis::{Analysis, Found, WorkPoint, work_curve};
+use analysis::{Analysis, Found, WorkPoint, first_push, work_curve};
 use case::CaseFile;
 use kurbo::{BezPath, Point, Rect};
 
@@ -57,23 +57,31 @@ pub(super) fn draw(file: &CaseFile, analysis: &Analysis, units: Units) -> Result
     canvas.label(root, &answer, BLACK);
     canvas.place_labels(PLOT.inset(-2.0));
 
-    let steps = match found.iterations.len() {
-        0 => "closed form: no steps of a root-finder".to_owned(),
-        steps => format!("steps of the root-finder ({steps})"),
-    };
     let energy = units.format(Quantity::Energy, found.normal_work);
-    let entries = [
+    let mut entries = vec![
         (Sample::Line(CURVE), "Wₙ: work of the normal impulse".to_owned()),
         (Sample::Line(LEVEL), format!("Wₙ sought: {energy}")),
         (Sample::Dot(None, BLACK), format!("the speed found: {answer}")),
-        (Sample::Dot(Some(THIN), WHITE), steps),
     ];
+    if !found.iterations.is_empty() {
+        let steps = format!("steps of the root-finder ({})", found.iterations.len());
+        entries.push((Sample::Dot(Some(THIN), WHITE), steps));
+    }
     legend::legend(&mut canvas, HEIGHT - 74.0, 2, &entries);
+    let speed = |si: f64| units.format(Quantity::Speed, si);
+    let touch = speed(curve.first().map_or(0.0, |point| point.speed));
+    let begins = match first_push(file, &curve)? {
+        None => format!("It is zero where the vehicles just touch, at {touch}"),
+        Some(begins) => format!(
+            "It begins at {}, where the normal impulse becomes a push (Pₙ > 0); from {touch}, where the vehicles just touch, up to there they would have to \
+             pull at each other. It rises from zero",
+            speed(begins)
+        ),
+    };
     let description = format!(
-        "Work of the normal impulse over the speed of vehicle {vehicle}. It is zero where the vehicles just touch, at {}, and reaches the {energy} that the \
-         crush stands for at {answer}. Admissible speeds: {}.",
-        units.format(Quantity::Speed, curve.first().map_or(0.0, |point| point.speed)),
-        found.admissible.iter().map(|&si| units.format(Quantity::Speed, si)).collect::<Vec<_>>().join(", "),
+        "Work of the normal impulse over the speed of vehicle {vehicle}. {begins} and reaches the {energy} that the crush stands for at {answer}. Admissible \
+         speeds: {}.",
+        found.admissible.iter().map(|&si| speed(si)).collect::<Vec<_>>().join(", "),
     );
     Ok(Drawing::new(Subject::Reconciliation, format!("{title}: reconciliation"), description, canvas))
 }

@@ -3,6 +3,7 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::{Page, Table};
+use crate::checks;
 use crate::steps::{Step, StepGroup};
 
 /// Paper of any size: the browser's choice of A4 or Letter is respected, with margins that both have room for.
@@ -99,8 +100,11 @@ fn body(page: &Page) -> Markup {
         }
         section {
             h2 { "Inputs" }
-            p { "Every number of the case file in the unit in which it is written, and in the SI unit in which it is used." }
-            (table(&page.inputs))
+            p {
+                "Every number of the case file in the unit in which it is written, and in the SI unit in which it is used; what the file says in words; and what \
+                 is assumed where it says nothing."
+            }
+            @for inputs in &page.inputs { (table(inputs)) }
         }
         section {
             h2 { "Results step by step" }
@@ -116,6 +120,9 @@ fn body(page: &Page) -> Markup {
         }
         @if let Some(crash3) = &page.crash3 {
             section { h2 { "Comparison with CRASH3" } (table(crash3)) }
+        }
+        @if let Some(rows) = &page.checks {
+            section { h2 { (checks::TITLE) } (table(rows)) }
         }
         @for supplement in &page.supplements {
             section class="supplement" { h2 { (supplement.title) } pre { (supplement.text) } }

@@ -1,11 +1,43 @@
-//! The inputs: every number of the file in the file's own unit and in SI.
+//! The inputs: every number of the file in the file's own unit and in SI, what it says in words, and what is assumed.
 
+use analysis::{Analysis, Assumption};
 use case::{CaseFile, Input};
 
 use super::Table;
-use crate::units::significant;
+use crate::judgement::{self, ASSUMED, CHOICES};
+use crate::units::{Units, significant};
 
-pub(super) fn table(file: &CaseFile) -> Table {
+/// Those that have rows.
+pub(super) fn tables(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<Table> {
+    let pairs = |caption, header: [&str; 2], rows: Vec<(String, String)>| Table {
+        caption,
+        header: header.map(str::to_owned).to_vec(),
+        rows: rows.into_iter().map(|(key, value)| vec![key, value]).collect(),
+    };
+    let assumed = analysis::assumptions(file)
+        .iter()
+        .filter(|assumption| is_of(assumption, analysis))
+        .map(|assumption| (assumption.key(), judgement::message(assumption, units)))
+        .collect();
+    let mut tables = vec![
+        numbers(file),
+        pairs(CHOICES, ["key in the case file", "as given"], judgement::choices(&file.case)),
+        pairs(ASSUMED, ["key that would say it", "assumed"], assumed),
+    ];
+    tables.retain(|table| !table.rows.is_empty());
+    tables
+}
+
+/// Whether the analysis rests on the assumption: one of damage alone has no impact, and a forward one seeks no speed.
+fn is_of(assumption: &Assumption, analysis: &Analysis) -> bool {
+    match assumption {
+        Assumption::SpeedUnused { .. } => analysis.found.is_some(),
+        Assumption::YawRate { .. } | Assumption::BrachLaw | Assumption::NoMoment => analysis.impact.is_some(),
+        _ => true,
+    }
+}
+
+fn numbers(file: &CaseFile) -> Table {
     let mut rows: Vec<Vec<String>> = Vec::new();
     for input in file.case.inputs() {
         // The stations of a profile stand in one row, as in the file.
@@ -27,7 +59,7 @@ pub(super) fn table(file: &CaseFile) -> Table {
         }
     }
     Table {
-        caption: "Inputs as understood",
+        caption: "Numbers as understood",
         header: ["key in the case file", "as given", "in SI units"].map(str::to_owned).to_vec(),
         rows,
     }

@@ -1,6 +1,7 @@
 //! The page as Markdown.
 
 use super::{Page, Table};
+use crate::checks;
 use crate::steps::StepGroup;
 
 pub(super) fn write(page: &Page) -> String {
@@ -28,7 +29,10 @@ pub(super) fn write(page: &Page) -> String {
         put(&format!("{}\n", escaped(paragraph)));
     }
     put("## Inputs\n");
-    put(&table(&page.inputs));
+    for inputs in &page.inputs {
+        put(&format!("### {}\n", inputs.caption));
+        put(&table(inputs));
+    }
     put("## Results step by step\n");
     put(
         "Numbers are in SI units and degrees; one with fewer than six digits is exact, one with six is rounded. atan2(y, x) is the angle of the point (x, y).\n",
@@ -43,6 +47,10 @@ pub(super) fn write(page: &Page) -> String {
     if let Some(crash3) = &page.crash3 {
         put("## Comparison with CRASH3\n");
         put(&table(crash3));
+    }
+    if let Some(rows) = &page.checks {
+        put(&format!("## {}\n", checks::TITLE));
+        put(&table(rows));
     }
     for supplement in &page.supplements {
         put(&format!("## {}\n", supplement.title));

@@ -1,10 +1,10 @@
 //! Stiffness and crush energy.
 
 use analysis::{Analysis, Damage, Vehicle};
-use case::{Case, Crush, StiffnessForm, StiffnessLine};
+use case::{BarrierTest, Case, Crush, Fit, StiffnessForm, StiffnessLine};
 use crash3::{EnergyBasis, Stiffness, Structure};
 
-use super::{Step, StepGroup, angle, given, group, n, p, step};
+use super::{Step, StepGroup, angle, given, group, inertia, n, p, step};
 
 pub(super) fn groups(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
     let mut groups = Vec::new();
@@ -24,11 +24,13 @@ fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: usize) -> Vec<St
     let mut steps = Vec::new();
     match &damage.structure {
         Structure::Uniform(stiffness) => {
-            let line = match &crush.stiffness {
-                StiffnessForm::Line(line) => Some(line),
-                _ => None,
-            };
-            coefficients(&mut steps, stiffness, line, &i.to_string(), "");
+            match &crush.stiffness {
+                StiffnessForm::Category(category) => of_category(&mut steps, stiffness, *category, i),
+                StiffnessForm::Test(test) => of_test(&mut steps, stiffness, test, i),
+                StiffnessForm::Line(line) => coefficients(&mut steps, stiffness, line, &i.to_string(), ""),
+                // Zones have a structure of their own, below.
+                StiffnessForm::Zones(_) => {}
+            }
             if let Some(inferred) = &damage.inferred {
                 return inferred_energy(steps, damage, inferred, stiffness, i);
             }
@@ -43,10 +45,8 @@ fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: usize) -> Vec<St
         }
         Structure::Zones(stiffnesses) => {
             for (j, stiffness) in stiffnesses.iter().enumerate() {
-                let line = match &crush.stiffness {
-                    StiffnessForm::Zones(lines) => lines.get(j),
-                    _ => None,
-                };
+                let StiffnessForm::Zones(lines) = &crush.stiffness else { continue };
+                let Some(line) = lines.get(j) else { continue };
                 coefficients(
                     &mut steps,
                     stiffness,
@@ -91,19 +91,13 @@ fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: usize) -> Vec<St
 }
 
 /// A, B and G, from d_0 and d_1 where the file gives those.
-fn coefficients(
-    steps: &mut Vec<Step>,
-    stiffness: &Stiffness,
-    line: Option<&StiffnessLine>,
-    i: &str,
-    zone: &str,
-) {
+fn coefficients(steps: &mut Vec<Step>, stiffness: &Stiffness, line: &StiffnessLine, i: &str, zone: &str) {
     let (a, b, g) = (stiffness.a(), stiffness.b(), stiffness.g());
     let of = |what: &str| format!("stiffness {what} of vehicle {}{zone}", i.split(',').next().unwrap_or(i));
     let a_given = || given(of("A"), format!("A_{i}"), a, "N/m", "input");
     let b_given = || given(of("B"), format!("B_{i}"), b, "N/m²", "input");
     match line {
-        Some(StiffnessLine::Root { d0, d1, g: given_g, .. }) => {
+        StiffnessLine::Root { d0, d1, g: given_g, .. } => {
             let (d0, d1) = (d0.si(), d1.si());
             steps.push(step(
                 of("A"),
@@ -136,7 +130,7 @@ fn coefficients(
                 ),
             });
         }
-        Some(StiffnessLine::Crush { g: None, .. }) => {
+        StiffnessLine::Crush { g: None, .. } => {
             steps.extend([a_given(), b_given()]);
             let formula = format!("A_{i}²/(2 B_{i})");
             steps.push(step(
@@ -149,12 +143,119 @@ fn coefficients(
                 "theory 5",
             ));
         }
-        Some(StiffnessLine::Crush { .. }) | None => {
+        StiffnessLine::Crush { .. } => {
             steps.extend([a_given(), b_given(), given(of("G"), format!("G_{i}"), g, "N", "input")]);
         }
     }
     if let Some(limit) = stiffness.limit() {
         steps.push(given(of("limit"), format!("F_s,{i}"), limit, "N/m", "input"));
+    }
+}
+
+/// A, B and G as CRASH3's table has them.
+fn of_category(steps: &mut Vec<Step>, stiffness: &Stiffness, category: u8, i: usize) {
+    for (what, value, unit) in
+        [("A", stiffness.a(), "N/m"), ("B", stiffness.b(), "N/m²"), ("G", stiffness.g(), "N")]
+    {
+        let name = format!("stiffness {what} of vehicle {i}, from category {category} of CRASH3's table");
+        steps.push(given(name, format!("{what}_{i}"), value, unit, "SAE 870045, Table 1"));
+    }
+}
+
+/// A, B and G from a barrier test.
+fn of_test(steps: &mut Vec<Step>, stiffness: &Stiffness, test: &BarrierTest, i: usize) {
+    let of_test = |what: &str| format!("{what} in the barrier test for vehicle {i}");
+    let symbol = |what: &str| format!("{what}_T,{i}");
+    steps.push(inertia::mass(&test.mass, of_test("mass"), &format!("T,{i}")));
+    let (mass, v, b0, width) = (test.mass.kg(), test.speed.si(), test.no_damage_speed.si(), test.width.si());
+    let depths: Vec<f64> = test.depths.iter().map(case::Quantity::si).collect();
+    #[expect(clippy::cast_precision_loss, reason = "station counts are small")]
+    let zones = depths.len().saturating_sub(1).max(1) as f64;
+    let sum = |term: &dyn Fn(f64, f64) -> String| {
+        let terms: Vec<String> = depths.windows(2).map(|c| term(c[0], c[1])).collect();
+        terms.join(" + ")
+    };
+    // C̄ = Σ (Cⱼ + Cⱼ₊₁)/2n
+    let mean = depths.windows(2).map(|c| (c[0] + c[1]) / 2.0).sum::<f64>() / zones;
+    steps.push(step(
+        of_test("mean crush"),
+        symbol("C"),
+        "Σ ((C_j + C_j+1)/2)/n",
+        format!("({}) / {zones}", sum(&|c1, c2| format!("({} + {}) / 2", n(c1, "m"), n(c2, "m")))),
+        mean,
+        "m",
+        "theory 5",
+    ));
+    let (b1, formula, substitution) = match test.fit {
+        Fit::Exact => {
+            // Q = Σ (Cⱼ² + Cⱼ Cⱼ₊₁ + Cⱼ₊₁²)/3n
+            let square =
+                depths.windows(2).map(|c| (c[0] * c[0] + c[0] * c[1] + c[1] * c[1]) / 3.0).sum::<f64>()
+                    / zones;
+            let terms = sum(&|c1, c2| {
+                format!("({}² + {} · {} + {}²) / 3", p(c1, "m"), n(c1, "m"), n(c2, "m"), p(c2, "m"))
+            });
+            steps.push(step(
+                of_test("mean square of the crush"),
+                symbol("Q"),
+                "Σ ((C_j² + C_j C_j+1 + C_j+1²)/3)/n",
+                format!("({terms}) / {zones}"),
+                square,
+                "m²",
+                "theory 5",
+            ));
+            let (half, rest) = (b0 * mean, v * v - b0 * b0);
+            let [b0_, v_, mean_, square_] = [p(b0, "m/s"), p(v, "m/s"), n(mean, "m"), n(square, "m²")];
+            (
+                // b₁ = (V² − b₀²)/(b₀ C̄ + √(b₀² C̄² + Q (V² − b₀²)))
+                rest / (half + (half * half + square * rest).sqrt()),
+                format!(
+                    "(V_T,{i}² − b_0T,{i}²)/(b_0T,{i} C_T,{i} + √(b_0T,{i}² C_T,{i}² + Q_T,{i} (V_T,{i}² − b_0T,{i}²)))"
+                ),
+                format!(
+                    "({v_}² − {b0_}²) / ({b0_} · {mean_} + √({b0_}² · {}² + {square_} · ({v_}² − {b0_}²)))",
+                    p(mean, "m")
+                ),
+            )
+        }
+        Fit::Mean => (
+            // b₁ = (V − b₀)/C̄
+            (v - b0) / mean,
+            format!("(V_T,{i} − b_0T,{i})/C_T,{i}"),
+            format!("({} − {}) / {}", n(v, "m/s"), n(b0, "m/s"), n(mean, "m")),
+        ),
+    };
+    let name = of_test("slope of the speed over the crush");
+    steps.push(step(name, symbol("b"), formula, substitution, b1, "1/s", "theory 5"));
+    // A = m b₀ b₁/w,  B = m b₁²/w,  G = m b₀²/2w
+    let (mass_, width_) = (n(mass, "kg"), n(width, "m"));
+    let (m, b) = (symbol("m"), symbol("b"));
+    let coefficients = [
+        (
+            "A",
+            format!("{m} b_0T,{i} {b}/w_T,{i}"),
+            format!("{mass_} · {} · {} / {width_}", n(b0, "m/s"), n(b1, "1/s")),
+            stiffness.a(),
+            "N/m",
+        ),
+        (
+            "B",
+            format!("{m} {b}²/w_T,{i}"),
+            format!("{mass_} · {}² / {width_}", p(b1, "1/s")),
+            stiffness.b(),
+            "N/m²",
+        ),
+        (
+            "G",
+            format!("{m} b_0T,{i}²/(2 w_T,{i})"),
+            format!("{mass_} · {}² / (2 · {width_})", p(b0, "m/s")),
+            stiffness.g(),
+            "N",
+        ),
+    ];
+    for (what, formula, substitution, value, unit) in coefficients {
+        let name = format!("stiffness {what} of vehicle {i}, from the barrier test");
+        steps.push(step(name, format!("{what}_{i}"), formula, substitution, value, unit, "theory 5"));
     }
 }
 

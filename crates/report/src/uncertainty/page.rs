@@ -6,8 +6,8 @@ use case::Case;
 
 use super::{Histogram, method_name, quantity};
 use crate::sensitivity::output_name;
-use crate::text::{LINE, wrapped};
-use crate::units::{Units, number, significant};
+use crate::text::{LINE, first_cell, wrapped};
+use crate::units::{Quantity, Units, number, significant};
 
 /// Classes of the histogram.
 const CLASSES: u32 = 15;
@@ -108,6 +108,11 @@ impl<'a> Page<'a> {
         self.units.plain(quantity(output.output), si)
     }
 
+    /// What a speed is repeated in.
+    fn beside(&self, output: &UncertainOutput) -> Option<Quantity> {
+        self.units.beside_speed().filter(|_| quantity(output.output) == Quantity::Speed)
+    }
+
     /// ± the standard error, in the unit of the value.
     fn error(&self, output: &UncertainOutput, estimate: Estimate) -> String {
         estimate.standard_error.map_or_else(String::new, |error| {
@@ -157,6 +162,18 @@ impl<'a> Page<'a> {
             ));
             let error = |estimate: Estimate| self.error(output, estimate);
             lines.push(format!("{:<41}{:>11}{:>11}{:>12}", "", error(mean), error(median), error(sd)));
+            if let Some(road) = self.beside(output) {
+                let of = |si: f64| self.units.plain(road, si);
+                lines.push(format!(
+                    "{:<30}{:>11}{:>11}{:>11}{:>12}{:>13}",
+                    format!("  in {}", self.units.name(road)),
+                    of(output.central),
+                    of(mean.value),
+                    of(median.value),
+                    of(sd.value),
+                    of(output.first_order.sd)
+                ));
+            }
         }
         lines.iter().for_each(|line| self.line(line));
         self.line("");
@@ -190,6 +207,13 @@ impl<'a> Page<'a> {
                 .map(|interval| ends(self.error(output, interval.low), self.error(output, interval.high)));
             lines.push(format!("{label:<29}{}", values.concat()));
             lines.push(format!("{:<29}{}", "", errors.concat()));
+            if let Some(road) = self.beside(output) {
+                let of = |si: f64| self.units.plain(road, si);
+                let values =
+                    summary.intervals.map(|interval| ends(of(interval.low.value), of(interval.high.value)));
+                let label = format!("  in {}", self.units.name(road));
+                lines.push(format!("{label:<29}{}", values.concat()));
+            }
         }
         lines.iter().for_each(|line| self.line(line));
     }
@@ -237,10 +261,10 @@ impl<'a> Page<'a> {
                 Ok(outputs) => self.plain(output, outputs.first().copied().unwrap_or(f64::NAN)),
                 Err(_) => "none".to_owned(),
             });
-            let path = &self.uncertainty.inputs[bar.input].input.path;
+            let path = first_cell(&self.uncertainty.inputs[bar.input].input.path, 36);
             let share = number(100.0 * output.first_order.shares[bar.input], 1);
             lines.push(format!(
-                "{path:<36}{low:>10}{high:>10}  {}{share:>9} %",
+                "{path}{low:>10}{high:>10}  {}{share:>9} %",
                 both_sides(bar, output.central, longest)
             ));
         }
@@ -282,7 +306,12 @@ impl<'a> Page<'a> {
             format!("{:>10}{interval:>20}", number(index.value, 3))
         };
         for (input, index) in ranked {
-            let line = format!("{:<36}{}{}", input.input.path, cells(index.first_order), cells(index.total));
+            let line = format!(
+                "{}{}{}",
+                first_cell(&input.input.path, 36),
+                cells(index.first_order),
+                cells(index.total)
+            );
             self.line(&line);
         }
         self.line("");
@@ -301,7 +330,11 @@ impl<'a> Page<'a> {
         self.rule();
         for input in &self.uncertainty.inputs {
             let central = with_unit(input, &input.input.number.to_string());
-            self.line(&format!("{:<36}{central:>24}  {}", input.input.path, distribution(input)));
+            self.line(&format!(
+                "{}{central:>24}  {}",
+                first_cell(&input.input.path, 36),
+                distribution(input)
+            ));
         }
         let cut: Vec<&UncertainInput> = self
             .uncertainty

@@ -1,0 +1,49 @@
+//! The consistency checks in words, for the text and for the page.
+
+use analysis::{Analysis, CheckedQuantity};
+
+use crate::units::{Quantity, Units, number};
+
+/// The heading of the checks.
+pub(crate) const TITLE: &str = "Consistency checks";
+/// What stands over the columns.
+pub(crate) const COLUMNS: [&str; 3] = ["found", "limit", "verdict"];
+
+/// One check.
+pub(crate) struct Row {
+    pub(crate) label: String,
+    /// As in [`COLUMNS`].
+    pub(crate) cells: [String; 3],
+}
+
+/// All checks of the analysis. Where one is not passed, a warning below them says more.
+pub(crate) fn rows(analysis: &Analysis, units: Units) -> Vec<Row> {
+    let percent = |share: f64| format!("{} %", number(100.0 * share, 1));
+    let angle = |si: f64| units.format(Quantity::Angle, si);
+    analysis
+        .checks
+        .iter()
+        .map(|check| {
+            let (label, found, limit) = match check.quantity {
+                CheckedQuantity::ForceBalance => {
+                    ("ratio of the peak forces".to_owned(), number(check.value, 2), number(check.limit, 1))
+                }
+                CheckedQuantity::PdofsOpposite => {
+                    ("PDOFs from opposite".to_owned(), angle(check.value), angle(check.limit))
+                }
+                CheckedQuantity::DamageEnergy { .. } => {
+                    ("normal work and crush energy".to_owned(), percent(check.value), percent(check.limit))
+                }
+                CheckedQuantity::Restitution => {
+                    ("restitution".to_owned(), number(check.value, 2), number(check.limit, 1))
+                }
+                CheckedQuantity::Rotation { vehicle } => {
+                    let found = if check.passed() { "with the moment" } else { "against the moment" };
+                    (format!("rotation of vehicle {vehicle}"), found.to_owned(), "with it".to_owned())
+                }
+            };
+            let verdict = if check.passed() { "passed" } else { "see below" };
+            Row { label, cells: [found, limit, verdict.to_owned()] }
+        })
+        .collect()
+}

@@ -1,0 +1,115 @@
+//! Mass and yaw inertia, from what the file says of them.
+
+use analysis::{Analysis, Vehicle};
+use case::{Case, Mass, Quantity, STANDARD_GRAVITY, YawInertia, YawSource};
+
+use super::{Step, StepGroup, given, group, n, p, step};
+
+pub(super) fn groups(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
+    let steps = case
+        .vehicles
+        .iter()
+        .zip(&analysis.vehicles)
+        .enumerate()
+        .flat_map(|(i, (given, vehicle))| of_vehicle(given, vehicle, i + 1))
+        .collect();
+    vec![group("Mass and yaw inertia", steps)]
+}
+
+/// A number of the file, from its own unit where that is not the one of the equations.
+fn input(name: String, symbol: String, quantity: &Quantity, unit: &'static str) -> Step {
+    if quantity.unit().factor() == 1.0 {
+        return given(name, symbol, quantity.si(), unit, "input");
+    }
+    step(name, symbol, format!("as given, in {unit}"), in_si(quantity, unit), quantity.si(), unit, "input")
+}
+
+/// `3300 lb · 0.453592 kg/lb`; a number in the unit of the equations as it is.
+fn in_si(quantity: &Quantity, unit: &str) -> String {
+    let own = quantity.unit().spelling().replace(' ', "·").replace("^2", "²");
+    let number = n(quantity.number(), &own);
+    let factor = quantity.unit().factor();
+    if factor == 1.0 {
+        return number;
+    }
+    let own = if own.contains('·') { format!("({own})") } else { own };
+    format!("{number} · {}", n(factor, &format!("{unit}/{own}")))
+}
+
+/// A mass in kg: a weight over the standard gravity, by which the program divides too.
+pub(super) fn mass(written: &Mass, name: String, of: &str) -> Step {
+    let symbol = format!("m_{of}");
+    match written {
+        Mass::Mass(mass) => input(name, symbol, mass, "kg"),
+        // m = W/g
+        Mass::Weight(weight) => step(
+            name,
+            symbol,
+            format!("W_{of}/g"),
+            format!("{} / {}", in_si(weight, "N"), n(STANDARD_GRAVITY, "m/s²")),
+            written.kg(),
+            "kg",
+            "theory 1",
+        ),
+    }
+}
+
+fn of_vehicle(written: &case::Vehicle, vehicle: &Vehicle, k: usize) -> Vec<Step> {
+    let (Some(inertia), Some(written_mass)) = (vehicle.subject.inertia, &written.mass) else {
+        return Vec::new();
+    };
+    let mut steps = vec![mass(written_mass, format!("mass of vehicle {k}"), &k.to_string())];
+    let name = format!("yaw inertia of vehicle {k}");
+    let symbol = format!("I_{k}");
+    // I = m k²
+    let by_radius = |name: String, radius: f64| {
+        step(
+            name,
+            format!("I_{k}"),
+            format!("m_{k} k_{k}²"),
+            format!("{} · {}²", n(inertia.mass, "kg"), p(radius, "m")),
+            inertia.yaw_inertia,
+            "kg·m²",
+            "theory 1",
+        )
+    };
+    match (inertia.yaw_source, &written.yaw) {
+        (YawSource::Given, Some(YawInertia::Inertia(given))) => {
+            steps.push(input(name, symbol, given, "kg·m²"));
+        }
+        (YawSource::Given, Some(YawInertia::Radius(radius))) => {
+            steps.push(input(format!("radius of gyration of vehicle {k}"), format!("k_{k}"), radius, "m"));
+            steps.push(by_radius(name, radius.si()));
+        }
+        (YawSource::Class(class), _) => {
+            let Ok(known) = crash3::VehicleClass::new(class) else { return steps };
+            let name_of_radius =
+                format!("radius of gyration of vehicle {k}, from class {class} of CRASH3's table");
+            steps.push(given(name_of_radius, format!("k_{k}"), known.yaw_radius, "m", "theory 5"));
+            steps.push(by_radius(name, known.yaw_radius));
+        }
+        (YawSource::Burg, _) => {
+            let length = written.outline.map(|outline| outline.length).or(written.length);
+            let Some((wheelbase, length)) = written.wheelbase.zip(length) else { return steps };
+            steps.push(input(format!("wheelbase of vehicle {k}"), format!("wheelbase_{k}"), &wheelbase, "m"));
+            steps.push(input(format!("length of vehicle {k}"), format!("length_{k}"), &length, "m"));
+            steps.push(step(
+                format!("{name}, by Burg's formula"),
+                symbol,
+                format!("{} · m_{k} · wheelbase_{k} · length_{k}", crash3::BURG),
+                format!(
+                    "{} · {} · {} · {}",
+                    crash3::BURG,
+                    n(inertia.mass, "kg"),
+                    n(wheelbase.si(), "m"),
+                    n(length.si(), "m")
+                ),
+                inertia.yaw_inertia,
+                "kg·m²",
+                "theory 5",
+            ));
+        }
+        (YawSource::Given, None) => {}
+    }
+    steps
+}
