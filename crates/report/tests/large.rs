@@ -45,7 +45,7 @@ fn a_drawing_does_not_grow_with_the_stations() {
         let file = scanned(stations);
         let analysis = analysis::reconstruct(&file).unwrap();
         let drawing = report::drawing(&file, &analysis, Units::Us, Subject::Damage).unwrap();
-        let svg = drawing.svg().to_owned();
+        let svg = drawing.svg();
         (svg.matches("<circle").count(), svg.matches("<text").count(), svg)
     };
     let (dots, texts, svg) = drawn(6);
