@@ -1,5 +1,7 @@
 //! The units in which a file is written, for examples that suit it.
 
+use std::cell::OnceCell;
+
 use toml::de::{DeTable, DeValue};
 
 use super::values::leading_numbers;
@@ -17,16 +19,25 @@ struct Ending<'t> {
     units: Vec<&'static Unit>,
 }
 
-/// The units in which a file is written.
-pub(super) struct Written<'t>(Vec<Ending<'t>>);
+/// The units in which a file is written: looked for at the first error that wants an example.
+pub(super) struct Written<'t> {
+    document: &'t DeTable<'t>,
+    endings: OnceCell<Vec<Ending<'t>>>,
+}
 
 impl<'t> Written<'t> {
     pub(super) fn of(document: &'t DeTable<'t>) -> Self {
-        let mut endings = Vec::new();
-        for (key, value) in document {
-            collect(key.get_ref(), value.get_ref(), false, &mut endings);
-        }
-        Self(endings)
+        Self { document, endings: OnceCell::new() }
+    }
+
+    fn endings(&self) -> &[Ending<'t>] {
+        self.endings.get_or_init(|| {
+            let mut endings = Vec::new();
+            for (key, value) in self.document {
+                collect(key.get_ref(), value.get_ref(), false, &mut endings);
+            }
+            endings
+        })
     }
 
     /// A unit for an example: that in which the file has the same key elsewhere, or else something of the same kind; or one of the system in which most of it is
@@ -39,7 +50,7 @@ impl<'t> Written<'t> {
         let small = is_small(path.contains(".crush."), key);
         let unit =
             |ending: &Ending<'_>| ending.units.iter().copied().find(|unit| unit.dimension() == dimension);
-        let units = || self.0.iter().filter_map(|ending| Some((ending, unit(ending)?)));
+        let units = || self.endings().iter().filter_map(|ending| Some((ending, unit(ending)?)));
         let same =
             units().find(|(ending, _)| ending.key == key && is_small(ending.in_crush, ending.key) == small);
         let alike = || units().find(|(ending, _)| is_small(ending.in_crush, ending.key) == small);
@@ -53,7 +64,7 @@ impl<'t> Written<'t> {
 
     fn system(&self) -> UnitSystem {
         let system = |ending: &Ending<'_>| ending.units.iter().find_map(|unit| unit.system());
-        let of = |wanted| self.0.iter().filter(|ending| system(ending) == Some(wanted)).count();
+        let of = |wanted| self.endings().iter().filter(|ending| system(ending) == Some(wanted)).count();
         if of(UnitSystem::Us) > of(UnitSystem::Si) { UnitSystem::Us } else { UnitSystem::Si }
     }
 }
