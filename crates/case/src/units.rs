@@ -152,8 +152,9 @@ impl Dimension {
             return None;
         }
         let wanted = normalise(spelling, Pound::AsWritten);
-        let of_force = normalise(spelling, Pound::Force);
-        let is_meant = |known| known == wanted || (known == of_force && is_pound_a_force(known, self));
+        let of_force = wanted.contains("lbf").then(|| normalise(spelling, Pound::Force));
+        let is_meant =
+            |known| known == wanted || (of_force.as_deref() == Some(known) && is_pound_a_force(known, self));
         self.units().iter().find(|unit| unit.spellings().any(is_meant))
     }
 }

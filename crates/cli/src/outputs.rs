@@ -173,8 +173,18 @@ fn files(command: &Command) -> Files<'_> {
             }),
             ..Files::default()
         },
+        Command::Explain(arguments) => Files {
+            outputs: output(
+                arguments.output.as_deref(),
+                match arguments.format {
+                    Format::Text => "-topic.txt",
+                    Format::Json => "-topic.json",
+                },
+            ),
+            ..Files::default()
+        },
         // Standard output is theirs.
-        Command::Explain(_) | Command::Completions(_) => Files::default(),
+        Command::Completions(_) => Files::default(),
     }
 }
 

@@ -130,6 +130,8 @@ fn no_command_writes_over_another_case() {
     for arguments in [
         "check case.txt -o A.toml",
         "schema -o A.toml",
+        "explain pdof -o A.toml",
+        "explain pdof --format json -o A.toml",
         "validate -o A.toml",
         "uncertainty case.txt --samples 100 --samples-out A.toml",
     ] {

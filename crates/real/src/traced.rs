@@ -8,7 +8,7 @@ use crate::Real;
 
 /// A number inside of [`gradients`]. Everything computed from it is written down, so that the derivatives by all inputs follow at once.
 ///
-/// It belongs to the call that made it, and to its thread: anywhere else it is a constant.
+/// It belongs to the call that made it, and to its thread: after that call it is a constant, and a call inside of that one must not use it.
 #[derive(Clone, Copy, Debug)]
 pub struct Traced {
     value: f64,

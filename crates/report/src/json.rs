@@ -1,6 +1,6 @@
 //! A finished analysis as JSON, in SI units and radians.
 
-use analysis::{Analysis, CheckedQuantity, Impact};
+use analysis::{Analysis, CheckedQuantity, Impact, Warning};
 use case::Case;
 use serde::Serialize;
 
@@ -41,11 +41,17 @@ struct CheckBlock {
 }
 
 #[derive(Serialize)]
-struct WarningBlock {
+pub(crate) struct WarningBlock {
     code: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     vehicle: Option<usize>,
     message: String,
+}
+
+impl WarningBlock {
+    pub(crate) fn new(warning: &Warning, message: String) -> Self {
+        Self { code: warning.code(), vehicle: warning.vehicle(), message }
+    }
 }
 
 #[derive(Serialize)]
@@ -184,11 +190,7 @@ pub(crate) fn document<'a>(
         warnings: analysis
             .warnings
             .iter()
-            .map(|warning| WarningBlock {
-                code: warning.code(),
-                vehicle: warning.vehicle(),
-                message: warnings::message(warning, Units::Si, case.axes),
-            })
+            .map(|warning| WarningBlock::new(warning, warnings::message(warning, Units::Si, case.axes)))
             .collect(),
         checks: analysis
             .checks

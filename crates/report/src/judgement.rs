@@ -10,6 +10,7 @@ use pim_core::Tangential;
 use serde::Serialize;
 
 use crate::Subject;
+use crate::json::WarningBlock;
 use crate::text::{LINE, wrapped};
 use crate::units::{Quantity, Units, significant};
 use crate::warnings;
@@ -66,14 +67,6 @@ struct ChoiceBlock {
 #[derive(Serialize)]
 struct AssumptionBlock {
     key: String,
-    message: String,
-}
-
-#[derive(Serialize)]
-struct WarningBlock {
-    code: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    vehicle: Option<usize>,
     message: String,
 }
 
@@ -221,11 +214,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
         warnings: judgement
             .warnings
             .iter()
-            .map(|warning| WarningBlock {
-                code: warning.code(),
-                vehicle: warning.vehicle(),
-                message: warning_message(warning, case, Units::Si),
-            })
+            .map(|warning| WarningBlock::new(warning, warning_message(warning, case, Units::Si)))
             .collect(),
     };
     Ok(serde_json::to_string_pretty(&document)? + "\n")
