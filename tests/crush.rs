@@ -397,7 +397,7 @@ fn a_force_along_or_from_behind_the_side_does_not_push() {
     assert!(ObliqueCorrection::Capped.factor(89_f64.to_radians()).is_ok());
     assert_eq!(
         ObliqueCorrection::Capped.factor(2.0).unwrap_err().to_string(),
-        "a force at 2.0000 rad to the normal of the damaged side does not push on it: |α| must be less than π/2"
+        "a force at 114.6° to the normal of the damaged side does not push on it: |α| must be less than 90°"
     );
 }
 

@@ -487,6 +487,10 @@ fn a_common_velocity_may_have_two_speeds_or_none() {
     assert_eq!(beyond.root_finder().unwrap_err(), expected);
     let text = expected.to_string();
     assert!(text.contains("no speed of vehicle 1") && text.contains("4.2 J"), "{text}");
+    // The most is 25/6 J at x = 5, which is s = (x − 5) √10 = 0.
+    let nearest = beyond.nearest().unwrap();
+    assert_relative("the nearest W_n", nearest.normal_work, 25.0 / 6.0, 1e-12);
+    assert!(nearest.speed.abs() < 1e-6, "{nearest:?}");
 }
 
 #[test]

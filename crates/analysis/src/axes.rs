@@ -1,6 +1,7 @@
 //! A finished analysis in the axes of its case.
 
 use case::Axes;
+use pim_core::ImpactError;
 
 use crate::{Analysis, Drive, Failure, Impact, Warning};
 
@@ -84,6 +85,9 @@ impl Failure {
         match (axes, self) {
             (Axes::ZDown, Self::Reconcile(refusal)) => Self::Reconcile(refusal.mirrored()),
             (Axes::ZDown, Self::Impact(refusal)) => Self::Impact(refusal.mirrored()),
+            (Axes::ZDown, Self::NotReached { vehicle, energy, nearest }) => {
+                Self::NotReached { vehicle, energy, nearest: nearest.map_err(ImpactError::mirrored) }
+            }
             (_, failure) => failure,
         }
     }

@@ -148,6 +148,16 @@ pub enum Failure {
     /// No speed reconciles crush and impact.
     #[error(transparent)]
     Reconcile(#[from] ReconcileError),
+    /// No speed gives the crush energy, [`ReconcileError::NotReached`].
+    #[error("{}", ReconcileError::NotReached { vehicle: *.vehicle, energy: *.energy })]
+    NotReached {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (J) the normal work sought.
+        energy: f64,
+        /// The impact that comes nearest, or why none can happen.
+        nearest: Result<Iteration, ImpactError>,
+    },
     /// The impact has no answer.
     #[error(transparent)]
     Impact(#[from] ImpactError),
@@ -169,8 +179,17 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     // The uncorrected energies do not depend on the impact; a force balance takes its directions from the file.
     let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
     let answer = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)
-        .and_then(|problem| problem.with_restitution_curve(restitution_curve.as_ref()).solve())
-        .map_err(|refusal| Failure::from(refusal).in_axes(file.case.axes))?;
+        .map_err(Failure::from)
+        .and_then(|problem| {
+            let problem = problem.with_restitution_curve(restitution_curve.as_ref());
+            problem.solve().map_err(|refusal| match refusal {
+                ReconcileError::NotReached { vehicle, energy } => {
+                    Failure::NotReached { vehicle, energy, nearest: problem.nearest() }
+                }
+                refusal => refusal.into(),
+            })
+        })
+        .map_err(|failure| failure.in_axes(file.case.axes))?;
     let found = Found {
         unknown: input.unknown,
         speed: answer.speed,

@@ -167,7 +167,8 @@ impl Reason {
             | Failure::Reconcile(ReconcileError::Inadmissible { reason: error, .. }) => {
                 Self::of_impact(error)
             }
-            Failure::Reconcile(
+            Failure::NotReached { .. }
+            | Failure::Reconcile(
                 ReconcileError::NotReached { .. }
                 | ReconcileError::NoCrushEnergy { .. }
                 | ReconcileError::NoRestitutionLoss { .. }

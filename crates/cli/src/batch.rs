@@ -11,7 +11,7 @@ use analysis::Failure;
 use anyhow::{Context as _, Result};
 use case::{Case, Diagnostics};
 use rayon::ThreadPool;
-use report::{Refused, Row, RowError};
+use report::{Refused, Row, RowError, Units};
 
 use crate::progress::Progress;
 use crate::read;
@@ -138,7 +138,7 @@ fn reconstructed(path: &Path, row: fn(Row<'_>) -> Result<String, RowError>) -> W
         match analysis::reconstruct(&file) {
             Ok(analysis) => Ok((file.case, analysis)),
             Err(Failure::Case(errors)) => Err(of_case(errors)),
-            Err(error) => Err(sentence(error.to_string())),
+            Err(failure) => Err(sentence(report::no_answer(&failure, Units::of_case(&file.case)))),
         }
     });
     let is_error = answer.is_err();

@@ -16,8 +16,9 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         What::Reconciliation => Subject::Reconciliation,
         What::Energy => Subject::Energy,
     };
-    let drawing =
-        report::drawing(&file, &analysis::furthest(&file)?, crate::units(arguments.units, &file), subject)?;
+    let units = crate::units(arguments.units, &file);
+    let analysis = crate::answered(analysis::furthest(&file), units)?;
+    let drawing = report::drawing(&file, &analysis, units, subject)?;
     let path = arguments.output.as_deref();
     match image {
         Image::Svg => crate::write(path, drawing.svg()),

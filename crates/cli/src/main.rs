@@ -83,8 +83,8 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
     match error.downcast_ref::<Failure>() {
         // Diagnostics render themselves with the word "error" and their place in the file.
         Some(Failure::Case(_)) => ("", WRONG_INPUT),
-        Some(Failure::Ranges(_)) => ("error: ", WRONG_INPUT),
-        Some(_) => ("error: ", NO_ANSWER),
+        Some(_) => ("error: ", WRONG_INPUT),
+        None if error.is::<NoAnswer>() => ("error: ", NO_ANSWER),
         None if error.is::<NotReproduced>() => ("error: ", NO_ANSWER),
         None if error.is::<batch::Incomplete>() => ("error: ", NO_ANSWER),
         None if error.is::<DrawingError>() => ("error: ", NO_ANSWER),
@@ -118,8 +118,8 @@ fn report_analysis(
     analyse: fn(&CaseFile) -> Result<Analysis, Failure>,
 ) -> Result<()> {
     let file = case_file(&arguments.case)?;
-    let analysis = analyse(&file)?;
     let units = units(arguments.units, &file);
+    let analysis = answered(analyse(&file), units)?;
     let output = match arguments.format {
         ReportFormat::Text if arguments.output.is_none() => {
             return terminal::print(|columns| match columns {
@@ -144,13 +144,15 @@ fn supplements(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec
     }
     let samples = supplement_samples(file.case.inputs().len());
     let plan = Plan { settings: Settings::new(Method::MonteCarlo, samples, 1), index_rows: None };
-    let uncertainty = analysis::uncertainty(file, &plan, &mut |_, _, _| ControlFlow::Continue(()))?;
+    let uncertainty = analysis::uncertainty(file, &plan, &mut |_, _, _| ControlFlow::Continue(()));
+    let uncertainty = answered(uncertainty, units)?;
     let mut supplements = vec![Supplement {
         title: "Uncertainty",
         text: report::uncertainty_text(&file.case, &uncertainty, units),
     }];
     if analysis.found.is_some() {
-        let sensitivity = analysis::sensitivity(file, Sweep { step: 5_f64.to_radians(), steps: 2 })?;
+        let sensitivity = analysis::sensitivity(file, Sweep { step: 5_f64.to_radians(), steps: 2 });
+        let sensitivity = answered(sensitivity, units)?;
         let text = report::sensitivity_text(&file.case, &sensitivity, units);
         supplements.push(Supplement { title: "Sensitivity", text });
     }
@@ -198,9 +200,10 @@ fn explain(ExplainArguments { topic, format, output }: &ExplainArguments) -> Res
 
 fn report_comparison(arguments: &Arguments) -> Result<()> {
     let file = case_file(&arguments.case)?;
-    let comparison = analysis::compare(&file)?;
+    let units = units(arguments.units, &file);
+    let comparison = answered(analysis::compare(&file), units)?;
     let output = match arguments.format {
-        Format::Text => report::comparison_text(&file.case, &comparison, units(arguments.units, &file)),
+        Format::Text => report::comparison_text(&file.case, &comparison, units),
         Format::Json => report::comparison_json(&file.case, &comparison)?,
     };
     write(arguments.output.as_deref(), &output)
@@ -211,9 +214,10 @@ fn report_sensitivity(
 ) -> Result<()> {
     let file = case_file(&arguments.case)?;
     let sweep = Sweep { step: pdof_step.to_radians(), steps: *pdof_steps };
-    let sensitivity = analysis::sensitivity(&file, sweep)?;
+    let units = units(arguments.units, &file);
+    let sensitivity = answered(analysis::sensitivity(&file, sweep), units)?;
     let output = match arguments.format {
-        Format::Text => report::sensitivity_text(&file.case, &sensitivity, units(arguments.units, &file)),
+        Format::Text => report::sensitivity_text(&file.case, &sensitivity, units),
         Format::Json => report::sensitivity_json(&file.case, &sensitivity)?,
     };
     write(arguments.output.as_deref(), &output)
@@ -221,8 +225,8 @@ fn report_sensitivity(
 
 fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
     let file = case_file(&arguments.arguments.case)?;
-    let uncertainty = propagate(&file, arguments)?;
     let units = units(arguments.arguments.units, &file);
+    let uncertainty = answered(propagate(&file, arguments)?, units)?;
     if let Some(path) = &arguments.samples_out {
         let cannot = || format!("cannot write the samples to {}", path.display());
         let mut out = BufWriter::new(fs::File::create(path).with_context(cannot)?);
@@ -245,7 +249,7 @@ fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
     write(arguments.arguments.output.as_deref(), &output)
 }
 
-fn propagate(file: &CaseFile, arguments: &UncertaintyArguments) -> Result<Uncertainty> {
+fn propagate(file: &CaseFile, arguments: &UncertaintyArguments) -> Result<Result<Uncertainty, Failure>> {
     let method = match arguments.method {
         arguments::Method::MonteCarlo => Method::MonteCarlo,
         arguments::Method::LatinHypercube => Method::LatinHypercube,
@@ -263,7 +267,7 @@ fn propagate(file: &CaseFile, arguments: &UncertaintyArguments) -> Result<Uncert
             };
             progress.at(counted, done, total)
         })
-    })?)
+    }))
 }
 
 fn pool(threads: Option<u16>) -> Result<ThreadPool> {
@@ -283,6 +287,26 @@ fn units(asked: Option<UnitSystem>, file: &CaseFile) -> Units {
         Some(UnitSystem::Us) => Units::Us,
         None => Units::of_case(&file.case),
     }
+}
+
+/// Why a well-formed case has no answer, in the units of the reader.
+#[derive(Debug)]
+struct NoAnswer(String);
+
+impl std::fmt::Display for NoAnswer {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for NoAnswer {}
+
+/// The answer, or a failure that says so in the units of the reader; what is wrong with the file speaks its own.
+fn answered<T>(answer: Result<T, Failure>, units: Units) -> Result<T> {
+    answer.map_err(|failure| match failure {
+        Failure::Case(_) | Failure::Ranges(_) => failure.into(),
+        failure => NoAnswer(report::no_answer(&failure, units)).into(),
+    })
 }
 
 /// Claims of the validation that fail: how many of how many, and the first.

@@ -47,7 +47,8 @@ pub enum CrushError {
     NoRise,
     /// The force would come from behind the damaged side.
     #[error(
-        "a force at {angle:.4} rad to the normal of the damaged side does not push on it: |α| must be less than π/2"
+        "a force at {:.1}° to the normal of the damaged side does not push on it: |α| must be less than 90°",
+        .angle.to_degrees()
     )]
     NotPushing {
         /// (rad) α.

@@ -55,9 +55,10 @@ pub enum InvalidInput {
     /// The crush plane runs along the line between the two CGs, so that neither of its normals points from
     /// vehicle 2 towards vehicle 1.
     #[error(
-        "the crush plane normal at {crush_plane} rad is perpendicular to the line between the centres of \
+        "the crush plane normal at {:.2}° is perpendicular to the line between the centres of \
          gravity, so that it cannot be oriented from vehicle 2 towards vehicle 1; check the crush plane's angle, the \
-         headings and the contact points"
+         headings and the contact points",
+        .crush_plane.to_degrees()
     )]
     NormalUndefined {
         /// (rad) the crush plane angle Γ.

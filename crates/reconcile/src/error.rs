@@ -34,8 +34,7 @@ pub enum ReconcileError {
     },
     /// The vehicle moves along the crush plane, so that its speed does not change u_n.
     #[error(
-        "vehicle {vehicle} heads along the crush plane (the cosine between its heading and the normal is \
-         {cosine:.1e}), so that its speed does not change the normal work; check its heading and the crush plane, or find \
+        "vehicle {vehicle} heads along the crush plane (at 90° to its normal but for a cosine of {cosine:.1e}), so that its speed does not change the normal work; check its heading and the crush plane, or find \
          the other vehicle's speed instead"
     )]
     SpeedWithoutEffect {

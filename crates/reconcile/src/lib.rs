@@ -45,4 +45,4 @@ mod problem;
 pub use brent::{MAX_STEPS, RootError, brent};
 pub use crash3::EnergyBasis;
 pub use error::ReconcileError;
-pub use problem::{Iteration, Iterations, Method, Problem, Reconciliation, Roots, Unknown};
+pub use problem::{FASTEST, Iteration, Iterations, Method, Problem, Reconciliation, Roots, Unknown};

@@ -1,5 +1,7 @@
 //! The speed at which the work of the normal impulse equals the crush energy.
 
+use std::iter::{once, successors};
+
 use crash3::EnergyBasis;
 use pim_core::{
     Approach, Contact, ImpactError, Law, Motion, NormalTangential, Outcome, Real, RestitutionCurve,
@@ -17,7 +19,7 @@ const LEAST_COSINE: f64 = 1e-9;
 const ENERGY_MATCH: f64 = 1e-9;
 
 /// (m/s) no vehicle is faster: beyond, a root is one of the equations alone.
-const FASTEST: f64 = 1000.0;
+pub const FASTEST: f64 = 1000.0;
 
 /// Which vehicle's speed along its heading is sought.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -547,6 +549,37 @@ impl Problem<'_, f64> {
         self.closed_form().unwrap_or_else(|| self.root_finder())
     }
 
+    /// How near a problem without an answer comes to one, to tell beside [`ReconcileError::NotReached`]: of all impacts that can happen, that whose normal
+    /// work is nearest to the one sought, by a scan of the approach speed.
+    ///
+    /// # Errors
+    /// Why none can happen: the reason at the approach speed that a frictionless impact would need.
+    pub fn nearest(&self) -> Result<Iteration, ImpactError> {
+        // x² = 2 E k_nn
+        let frictionless = (2.0 * self.crush_energy * self.contact.inverse_mass().nn).sqrt();
+        // As a share, so that under a curve of restitution each speed is held against what is sought there.
+        let miss = |x: f64| match self.impact(self.line.speed(x)) {
+            Ok((law, outcome)) => (outcome.energy.normal_work / self.sought(&law) - 1.0).abs(),
+            Err(_) => f64::INFINITY,
+        };
+        let scan = successors(Some(frictionless * SCAN_START), |x| Some(x * FINE_SCAN.ratio));
+        let best = once(frictionless)
+            .chain(scan.take(FINE_SCAN.samples))
+            .min_by(|&a, &b| miss(a).total_cmp(&miss(b)))
+            .unwrap_or(frictionless);
+        let (mut low, mut high) = (best / FINE_SCAN.ratio, best * FINE_SCAN.ratio);
+        for _ in 0..TURN_STEPS {
+            let [left, right] = thirds(low, high);
+            if miss(left) < miss(right) {
+                high = right;
+            } else {
+                low = left;
+            }
+        }
+        let speed = self.line.speed(if miss(low) < miss(best) { low } else { best });
+        self.impact(speed).map(|(_, outcome)| Iteration { speed, normal_work: outcome.energy.normal_work })
+    }
+
     /// The answer by root-finding alone, which serves every law.
     ///
     /// W_n − E is scanned outwards from the speed at which the vehicles just touch (u_n = 0, where W_n = 0), with both sides of
@@ -753,11 +786,15 @@ fn opposite(a: f64, b: f64) -> bool {
     (a < 0.0 && b >= 0.0) || (a >= 0.0 && b < 0.0)
 }
 
+fn thirds(a: f64, b: f64) -> [f64; 2] {
+    [(2.0 * a + b) / 3.0, (a + 2.0 * b) / 3.0]
+}
+
 /// A point between `a` and `b`, where `f` has the same sign, at which it has the other one, if its turn towards zero reaches there.
 fn past_zero(f: &impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> Option<f64> {
     let below = f(a) < 0.0;
     for _ in 0..TURN_STEPS {
-        let (left, right) = ((2.0 * a + b) / 3.0, (a + 2.0 * b) / 3.0);
+        let [left, right] = thirds(a, b);
         let (f_left, f_right) = (f(left), f(right));
         if (f_left < 0.0) != below {
             return Some(left);

@@ -7,6 +7,7 @@ use pim_core::Regime;
 use serde::Serialize;
 
 use crate::axes;
+use crate::failures::no_answer;
 use crate::law;
 use crate::text::{LINE, wrapped};
 use crate::units::{Quantity, Units, number};
@@ -69,7 +70,7 @@ fn rows(case: &Case, comparison: &Comparison, units: Units) -> Vec<Row> {
     let laws = comparison.laws.iter().map(|row| {
         let (values, error) = match &row.answer {
             Ok(analysis) => (values(analysis, case.axes), None),
-            Err(failure) => (Values::default(), Some(failure.to_string())),
+            Err(failure) => (Values::default(), Some(no_answer(failure, units))),
         };
         let coefficients = law::coefficients(&row.law, units);
         Row { law: law::name(&row.law), coefficients, assumed: row.assumed, values, error, ..Row::default() }

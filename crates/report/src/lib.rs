@@ -13,7 +13,7 @@
 //! ```
 //!
 //! The functions: [`text`] in the [`Units`] of the reader, where every figure names its equation; [`json`] in SI units and radians, with keys that are kept;
-//! [`message`], the sentence of a warning. All speak the [`Axes`](case::Axes) of the case, which each document names. Results are converted to other units here and nowhere else.
+//! [`message`], the sentence of a warning, and [`no_answer`], that of a case without an answer. All speak the [`Axes`](case::Axes) of the case, which each document names. Results are converted to other units here and nowhere else.
 //!
 //! [`html`] is the report to hand over, one self-contained file; [`markdown`] the same without drawings. Both show the [`steps`]: every result with its
 //! equation, the numbers put into it, and its source.
@@ -53,6 +53,7 @@ mod checks;
 mod comparison;
 mod drawing;
 mod explain;
+mod failures;
 mod json;
 mod judgement;
 mod law;
@@ -69,6 +70,7 @@ mod warnings;
 pub use comparison::{comparison_json, comparison_text};
 pub use drawing::{Drawing, DrawingError, Subject, drawing};
 pub use explain::{Topic, UnknownTopic, explain, topic, topic_json, topics, topics_json, topics_text};
+pub use failures::no_answer;
 pub use json::json;
 pub use judgement::{judgement_json, judgement_text};
 pub use page::{Supplement, html, markdown};

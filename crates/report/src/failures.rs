@@ -1,0 +1,129 @@
+//! The sentence of each case without an answer.
+
+use analysis::Failure;
+use crash3::CrushError;
+use pim_core::ImpactError;
+use reconcile::ReconcileError;
+
+use crate::units::{Quantity, Units, number};
+
+/// Why there is no analysis, and what to check, in the units of the reader. The numbers are in the axes of the case, as
+/// [`reconstruct`](analysis::reconstruct) and the others leave them.
+#[must_use]
+pub fn no_answer(failure: &Failure, units: Units) -> String {
+    match failure {
+        Failure::Case(_) | Failure::Ranges(_) => failure.to_string(),
+        Failure::Impact(refusal) => of_impact(refusal, units),
+        Failure::Crush(refusal) => of_crush(refusal, units),
+        Failure::Reconcile(refusal) => of_reconciliation(refusal, units),
+        Failure::NotReached { vehicle, energy, nearest: Ok(nearest) } => {
+            let nearest = format!(
+                "; the nearest is {}, at {}",
+                units.format(Quantity::Energy, nearest.normal_work),
+                speed(nearest.speed, units)
+            );
+            not_reached(*vehicle, *energy, &nearest, units)
+        }
+        Failure::NotReached { vehicle, nearest: Err(reason), .. } => {
+            format!("no speed of vehicle {vehicle} makes a collision: {}", of_impact(reason, units))
+        }
+    }
+}
+
+fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
+    match refusal {
+        ReconcileError::Impact(reason) => of_impact(reason, units),
+        ReconcileError::NotReached { vehicle, energy } => not_reached(*vehicle, *energy, "", units),
+        ReconcileError::NoCrushEnergy { energy } => format!(
+            "the crush energy must be greater than zero, and is {}: without crush there is no speed to find; check the depths and the stiffness \
+             of both vehicles",
+            units.format(Quantity::Energy, *energy)
+        ),
+        ReconcileError::Inadmissible { vehicle, speed: si, reason } => format!(
+            "at {} vehicle {vehicle} would give the crush energy, but: {}",
+            speed(*si, units),
+            of_impact(reason, units)
+        ),
+        ReconcileError::NotConverged { last, residual } => format!(
+            "the search for the speed did not settle: {} still misses the crush energy by {}; check the input for extreme values, or try another \
+             tangential condition",
+            speed(*last, units),
+            units.format(Quantity::Energy, *residual)
+        ),
+        // Without a quantity.
+        _ => refusal.to_string(),
+    }
+}
+
+fn not_reached(vehicle: usize, energy: f64, nearest: &str, units: Units) -> String {
+    format!(
+        "no speed of vehicle {vehicle} up to {} {} makes the work of the normal impulse equal to {} while the vehicles approach and push{nearest}; \
+         check the contact points, the crush plane, the headings, the yaw rates, the restitution and the crush energy, or give a friction limit \
+         as the tangential condition",
+        number(units.value(Quantity::Speed, reconcile::FASTEST), 0),
+        units.name(Quantity::Speed),
+        units.format(Quantity::Energy, energy)
+    )
+}
+
+fn of_impact(refusal: &ImpactError, units: Units) -> String {
+    match refusal {
+        ImpactError::NotApproaching { u_n } => format!(
+            "the vehicles do not approach each other at the contact point: the normal relative velocity u_n is {} and would have to be negative; \
+             check the headings, the speeds and the crush plane",
+            units.format(Quantity::Speed, *u_n)
+        ),
+        ImpactError::Jam { impulse_ratio, k_nn, k_nt } => format!(
+            "the contact jams: with the impulse ratio μ = {impulse_ratio} the impulse would have to be infinite or negative, since k_nn + μ k_nt is \
+             not positive; this geometry needs μ {} {}: check its sign and its decimal point, and the contact points, or give a friction limit \
+             instead, against which nothing jams",
+            if *k_nt > 0.0 { "above" } else { "below" },
+            number(-k_nn / k_nt, 4)
+        ),
+        ImpactError::Pulling { normal_impulse } => format!(
+            "the tangential condition would need the vehicles to pull at each other (P_n = {}): they slide too fast for this geometry; check the \
+             contact points and the crush plane, or, if the surfaces did slide until they parted, give a friction limit or an impulse ratio instead",
+            units.format(Quantity::Impulse, *normal_impulse)
+        ),
+        ImpactError::EnergyCreated { loss, normal_work, tangential_work, moment_work } => {
+            let energy = |si: f64| units.format(Quantity::Energy, si);
+            let of_moment = match *moment_work {
+                0.0 => String::new(),
+                work => format!(" and {} that of the moment impulse", energy(work)),
+            };
+            format!(
+                "the coefficients create energy: the energy loss would be {}, of which {} is the work of the normal, {} that of the tangential \
+                 impulse{of_moment}; check that the impulse ratio has the sign that opposes the sliding, and lower its size or the restitution",
+                energy(*loss),
+                energy(*normal_work),
+                energy(*tangential_work)
+            )
+        }
+        // Without a quantity.
+        _ => refusal.to_string(),
+    }
+}
+
+fn of_crush(refusal: &CrushError, units: Units) -> String {
+    match refusal {
+        CrushError::ForceAboveLimit { force_per_width, limit } => format!(
+            "the force of the other vehicle asks for {} of width, more than the {} to which the force per width is limited: the crush cannot be \
+             inferred; check the limit, the stiffness and the other vehicle's crush",
+            units.format(Quantity::StiffnessA, *force_per_width),
+            units.format(Quantity::StiffnessA, *limit)
+        ),
+        CrushError::ForceTooGreat { force, most } => format!(
+            "the force of the other vehicle is {}, and the damaged side bears no more than {} even where it is crushed over its whole length and as \
+             deep as the centre of gravity; check the stiffness of both vehicles and the other vehicle's crush",
+            units.format(Quantity::Force, *force),
+            units.format(Quantity::Force, *most)
+        ),
+        // Without a quantity, or one that the reader refuses at its place in the file.
+        _ => refusal.to_string(),
+    }
+}
+
+/// As the equations have it, and as drivers know it.
+fn speed(si: f64, units: Units) -> String {
+    format!("{} ({})", units.format(Quantity::Speed, si), units.road_speed(si))
+}

@@ -1,0 +1,69 @@
+//! Cases without an answer, in both unit systems.
+
+use analysis::Failure;
+use pim_core::ImpactError;
+use reconcile::{Iteration, ReconcileError};
+use report::{Units, no_answer};
+
+const BEYOND: Failure = Failure::NotReached {
+    vehicle: 1,
+    energy: 135_581.795,
+    nearest: Ok(Iteration { speed: 44.704, normal_work: 13_558.179_5 }),
+};
+
+/// 1 ft·lb is 1.355 817 95 J, 1 mph is 0.447 04 m/s, 1 ft is 0.3048 m, 1 lb·s is 4.448 221 615 N·s.
+#[test]
+fn a_refusal_speaks_the_units_of_the_reader() {
+    let jam = Failure::Impact(ImpactError::Jam { impulse_ratio: -2.5, k_nn: 2.0, k_nt: 1.0 });
+    let not_approaching = Failure::Impact(ImpactError::NotApproaching { u_n: 3.048 });
+    let pulling = Failure::Impact(ImpactError::Pulling { normal_impulse: -4448.221_615 });
+    let created = ImpactError::EnergyCreated {
+        loss: -1_355.817_95,
+        normal_work: 2_711.635_9,
+        tangential_work: -5_423.271_8,
+        moment_work: 1_355.817_95,
+    };
+    let inadmissible =
+        Failure::Reconcile(ReconcileError::Inadmissible { vehicle: 2, speed: 44.704, reason: created });
+    let too_great =
+        Failure::Crush(crash3::CrushError::ForceTooGreat { force: 444_822.161_5, most: 222_411.080_8 });
+    let above_limit = Failure::Crush(crash3::CrushError::ForceAboveLimit {
+        force_per_width: 175_126.835,
+        limit: 87_563.417_5,
+    });
+    for (failure, si, us) in [
+        (
+            &BEYOND,
+            "equal to 135,582 J while the vehicles approach and push; the nearest is 13,558 J, at 44.70 m/s (160.9 km/h);",
+            "up to 3,281 ft/s makes the work of the normal impulse equal to 100,000 ft·lb while the vehicles approach and push; the nearest is 10,000 ft·lb, at 146.67 ft/s (100.00 mph);",
+        ),
+        (&jam, "needs μ above -2.0000:", "needs μ above -2.0000:"),
+        (&not_approaching, "u_n is 3.05 m/s and", "u_n is 10.00 ft/s and"),
+        (&pulling, "(P_n = -4,448 N·s)", "(P_n = -1,000 lb·s)"),
+        (
+            &inadmissible,
+            "at 44.70 m/s (160.9 km/h) vehicle 2 would",
+            "the energy loss would be -1,000 ft·lb, of which 2,000 ft·lb is the work of the normal, -4,000 ft·lb that of the tangential impulse and 1,000 ft·lb that of the moment impulse;",
+        ),
+        (
+            &too_great,
+            "is 444.8 kN, and the damaged side bears no more than 222.4 kN even",
+            "is 100,000 lb, and the damaged side bears no more than 50,000 lb even",
+        ),
+        (
+            &above_limit,
+            "1,751.3 N/cm of width, more than the 875.6 N/cm to",
+            "1,000.0 lb/in of width, more than the 500.0 lb/in to",
+        ),
+    ] {
+        for (units, expected) in [(Units::Si, si), (Units::Us, us)] {
+            let sentence = no_answer(failure, units);
+            assert!(sentence.contains(expected), "{sentence}");
+            assert!(
+                units == Units::Si
+                    || ![" J", " m/s", " N·s", " kN", " N/"].iter().any(|si| sentence.contains(si)),
+                "{sentence}"
+            );
+        }
+    }
+}
