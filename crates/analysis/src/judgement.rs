@@ -4,7 +4,7 @@ use case::{
     CaseFile, Crush, Diagnostics, ImpactLaw, InferredWidth, StiffnessForm, StiffnessLine, Subject, Velocity,
     YawSource,
 };
-use crash3::{Side, Structure};
+use crash3::{EnergyBasis, Side, Structure};
 
 use crate::warning::{self, Warning};
 use crate::{Vehicle, checks, closing_speed, damage, law_at, uncertainty};
@@ -228,8 +228,8 @@ fn of_vehicles(
     if speeds.is_some() {
         warning::of_outlines(&vehicles, warnings);
     }
-    warning::of_angles(file, warnings);
-    warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), warnings);
+    warning::of_file(file, warnings);
+    warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), None, warnings);
     warning::of_assumptions(&vehicles, warnings);
     for (vehicle, directed) in vehicles.iter_mut().zip(directed) {
         if !directed {
@@ -238,7 +238,7 @@ fn of_vehicles(
     }
     warning::of_damage(&vehicles, warnings);
     let checks = checks::checks(&vehicles, file.case.headings(), None, None);
-    warning::of_checks(&checks, &vehicles, None, warnings);
+    warning::of_checks(&checks, &vehicles, None, EnergyBasis::default(), warnings);
 }
 
 /// What stands in for what the file does not say, in the order of the file: for whatever analysis uses it.
@@ -294,7 +294,9 @@ fn assumed(file: &CaseFile, subjects: &[Option<Subject>; 2]) -> Vec<Assumption> 
             assumptions.push(Assumption::NoMoment);
         }
     }
-    if case.reconstruct.is_some() && !says("reconstruct.energy_basis") {
+    // It counts where a crush energy meets an impact.
+    let has_crush = case.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
+    if case.impact.is_some() && has_crush && !says("reconstruct.energy_basis") {
         assumptions.push(Assumption::Dissipated);
     }
     assumptions

@@ -294,8 +294,9 @@ fn judged(
         warning::of_outlines(&vehicles, &mut warnings);
     }
     let speeds = impact.as_ref().map(|impact| impact.outcome.before.map(|motion| motion.velocity.norm()));
-    warning::of_angles(file, &mut warnings);
-    warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), &mut warnings);
+    warning::of_file(file, &mut warnings);
+    let sought = found.as_ref().map(|found| found.unknown.index());
+    warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), sought, &mut warnings);
     warning::of_assumptions(&vehicles, &mut warnings);
     warning::of_damage(&vehicles, &mut warnings);
     if let Some(impact) = &impact {
@@ -304,6 +305,6 @@ fn judged(
             warning::of_delta_v(impact, crash3, &vehicles, &mut warnings);
         }
     }
-    warning::of_checks(&checks, &vehicles, impact.as_ref(), &mut warnings);
+    warning::of_checks(&checks, &vehicles, impact.as_ref(), basis, &mut warnings);
     Ok(Analysis { basis, found, impact, vehicles, crash3, checks, warnings })
 }

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use case::{CaseFile, Dimension, Dimensions, StiffnessSource, YawSource};
-use crash3::{Side, principal_angle};
+use case::{CaseFile, Dimension, Dimensions, Quantity, StiffnessForm, StiffnessSource, Velocity, YawSource};
+use crash3::{EnergyBasis, Side, principal_angle};
 use pim_core::{Contact, Outcome, Regime, Tangential};
 
 use crate::checks::{Check, CheckedQuantity};
@@ -40,14 +40,24 @@ const USUAL_MASS: [f64; 2] = [100.0, 50_000.0];
 const USUAL_AREAL_MASS: f64 = 2000.0;
 /// (m) k of cars is 1.1 to 1.7, that of a lorry of 12 m about 3.5: 0.29 times the length.
 const USUAL_YAW_RADIUS: [f64; 2] = [0.8, 4.0];
-/// (m/s) 252 km/h, 157 mph: most cars cannot drive faster.
-const USUAL_SPEED: [f64; 2] = [0.0, 70.0];
-/// (m) greatest depth where no dimensions are known: half of the length of a car, or the whole of its width.
-const USUAL_DEPTH: f64 = 2.0;
+/// (m/s) 250 km/h, 155 mph: most cars cannot drive faster.
+const USUAL_SPEED: [f64; 2] = [0.0, 250.0 / 3.6];
+/// (m/s) 100 km/h, 62 mph: cars are driven into barriers with up to 64 km/h, and slowly with 8.
+const USUAL_TEST_SPEED: [f64; 2] = [2.0, 100.0 / 3.6];
+/// (m) from a motor scooter to a road train.
+const USUAL_LENGTH: [f64; 2] = [1.8, 30.0];
+/// (m) from a motor scooter to a wide load.
+const USUAL_BODY_WIDTH: [f64; 2] = [0.6, 4.0];
+/// (m) greatest depth: with more, not much is left of the front of a car, or of its compartment.
+const USUAL_DEPTH: f64 = 1.5;
 /// (m) greatest width of a damage where no dimensions are known: a lorry is at most 2.55 or 2.6 wide, and hardly a car 6 long.
 const USUAL_WIDTH: [f64; 2] = [2.6, 6.0];
 /// By how much of the face a damage may be wider than it: a crushed front bows out round the corners, and a size class gives a typical outline.
 const SPREAD: f64 = 0.1;
+/// (m/s) 1 mph: a car that parks leaves no damage.
+const LOW_NO_DAMAGE_SPEED: f64 = 0.447_04;
+/// Between vehicles 0.3 to 1.0 is seen, and less where they are wet or the surfaces are smooth.
+const USUAL_FRICTION: [f64; 2] = [0.1, 1.0];
 /// (m/s) 15 mph. Over the width of the face, CRASH3's categories stand for 3 to 11 mph, but for the rear of category 4 (16 mph).
 const HIGH_NO_DAMAGE_SPEED: f64 = 15.0 * 0.447_04;
 /// Rounding of an angle of just one turn.
@@ -114,12 +124,14 @@ pub enum Warning {
         /// (m/s) all of them; the answer is the first.
         speeds: Vec<f64>,
     },
-    /// The speed found is negative.
+    /// The speed found or given is negative.
     MovesBackward {
         /// 1 or 2.
         vehicle: usize,
-        /// (m/s) the speed found.
+        /// (m/s) the speed.
         speed: f64,
+        /// Whether it was found.
+        found: bool,
     },
     /// CRASH3's size class stands in for what is not known of the vehicle.
     ClassValues {
@@ -170,8 +182,12 @@ pub enum Warning {
     DamageEnergyDiffers {
         /// (J) W_n.
         normal_work: f64,
-        /// (J) the crush energy on its basis.
+        /// (J) the crush energy on the basis of the case.
         crush_energy: f64,
+        /// That basis.
+        basis: EnergyBasis,
+        /// (J) the crush energy on the other basis, which is another one only under restitution.
+        on_other_basis: Option<f64>,
     },
     /// The line of action passes the CG on the side from which it would turn the vehicle the other way than the impact did.
     RotationOpposes {
@@ -265,6 +281,20 @@ pub enum Warning {
         /// Where the stiffness comes from.
         source: StiffnessSource,
     },
+    /// The stiffness of a side says that hardly any impact leaves it without a trace.
+    LowNoDamageSpeed {
+        /// 1 or 2.
+        vehicle: usize,
+        /// (m/s) b_0.
+        speed: f64,
+        /// Where the stiffness comes from.
+        source: StiffnessSource,
+    },
+    /// A friction limit that vehicles have not.
+    UnusualFriction {
+        /// The limit.
+        friction: f64,
+    },
     /// An angle of more than a full turn.
     LargeAngle {
         /// The key, such as `vehicle1.heading`.
@@ -319,17 +349,31 @@ pub enum Magnitude {
     Mass,
     /// (m) radius of gyration.
     YawRadius,
-    /// (m/s) speed before the impact.
+    /// (m) length of the body.
+    Length,
+    /// (m) width of the body.
+    BodyWidth,
+    /// (m/s) speed before the impact, as given.
     Speed,
+    /// (m/s) the speed found.
+    SpeedFound,
     /// (m) depth of crush.
     CrushDepth,
     /// (m) width of the damage.
     DamageWidth,
+    /// (kg) mass of the car in the barrier test.
+    TestMass,
+    /// (m/s) its speed.
+    TestSpeed,
+    /// (m) depth of its crush.
+    TestDepth,
+    /// (m) width of its damage.
+    TestWidth,
 }
 
 impl Warning {
     /// Every code that there is.
-    pub const CODES: [&'static str; 28] = [
+    pub const CODES: [&'static str; 30] = [
         "crush-plane",
         "contact-outside",
         "high-restitution",
@@ -356,6 +400,8 @@ impl Warning {
         "damage-outside",
         "implausible",
         "high-no-damage-speed",
+        "low-no-damage-speed",
+        "unusual-friction",
         "large-angle",
         "no-residual-crush",
     ];
@@ -390,6 +436,8 @@ impl Warning {
             Self::DamageOutside { .. } => "damage-outside",
             Self::Implausible { .. } => "implausible",
             Self::HighNoDamageSpeed { .. } => "high-no-damage-speed",
+            Self::LowNoDamageSpeed { .. } => "low-no-damage-speed",
+            Self::UnusualFriction { .. } => "unusual-friction",
             Self::LargeAngle { .. } => "large-angle",
             Self::NoResidualCrush { .. } => "no-residual-crush",
         }
@@ -415,6 +463,7 @@ impl Warning {
             | Self::DamageOutside { vehicle, .. }
             | Self::Implausible { vehicle, .. }
             | Self::HighNoDamageSpeed { vehicle, .. }
+            | Self::LowNoDamageSpeed { vehicle, .. }
             | Self::NoResidualCrush { vehicle, .. } => Some(*vehicle),
             Self::PlaneDoesNotSeparate
             | Self::HighRestitution { .. }
@@ -426,6 +475,7 @@ impl Warning {
             | Self::SlidingDriven { .. }
             | Self::RotationDriven { .. }
             | Self::LargeImpulseRatio { .. }
+            | Self::UnusualFriction { .. }
             | Self::LargeAngle { .. } => None,
         }
     }
@@ -447,7 +497,7 @@ pub(crate) fn of_found(found: &Found, given_speed: Option<f64>) -> Vec<Warning> 
         warnings.push(Warning::SeveralSpeeds { speeds: found.admissible.clone() });
     }
     if found.speed < 0.0 {
-        warnings.push(Warning::MovesBackward { vehicle, speed: found.speed });
+        warnings.push(Warning::MovesBackward { vehicle, speed: found.speed, found: true });
     }
     warnings
 }
@@ -526,9 +576,10 @@ pub(crate) fn of_outlines(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) 
     }
 }
 
-/// Of angles that were hardly meant.
-pub(crate) fn of_angles(file: &CaseFile, warnings: &mut Vec<Warning>) {
-    for input in file.case.inputs() {
+/// Of single numbers of the file that were hardly meant: angles, speeds, friction and barrier tests.
+pub(crate) fn of_file(file: &CaseFile, warnings: &mut Vec<Warning>) {
+    let case = &file.case;
+    for input in case.inputs() {
         let Some(unit) = input.unit.filter(|unit| unit.dimension() == Dimension::Angle) else { continue };
         let angle = input.si().abs();
         if angle > FULL_TURN {
@@ -536,30 +587,72 @@ pub(crate) fn of_angles(file: &CaseFile, warnings: &mut Vec<Warning>) {
             warnings.push(Warning::LargeAngle { path: input.path, turns: angle / TAU, in_degrees });
         }
     }
+    for (i, vehicle) in case.vehicles.iter().enumerate() {
+        let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.index() == i);
+        if let Some(Velocity::Speed(given)) = vehicle.motion
+            && given.si() < 0.0
+            && !sought
+        {
+            warnings.push(Warning::MovesBackward { vehicle: i + 1, speed: given.si(), found: false });
+        }
+        if let Some(crush) = &vehicle.crush
+            && let StiffnessForm::Test(test) = &crush.stiffness
+        {
+            let mut judge = |magnitude, value, usual| judge(i + 1, (magnitude, value, usual), warnings);
+            let deepest = test.depths.iter().map(Quantity::si).fold(0.0, f64::max);
+            judge(Magnitude::TestMass, test.mass.kg(), USUAL_MASS);
+            judge(Magnitude::TestSpeed, test.speed.si(), USUAL_TEST_SPEED);
+            judge(Magnitude::TestDepth, deepest, [0.0, USUAL_DEPTH]);
+            judge(Magnitude::TestWidth, test.width.si(), [0.0, usual_width(None, crush.side)]);
+        }
+    }
+    if let Some(friction) = case.impact.as_ref().and_then(|impact| impact.law.friction())
+        && !is_usual(friction, USUAL_FRICTION)
+    {
+        warnings.push(Warning::UnusualFriction { friction });
+    }
 }
 
-/// Of what the file says of each vehicle, before anything is made of it; `speeds` (m/s) as far as they are known.
-pub(crate) fn of_data(vehicles: &[Vehicle; 2], speeds: [Option<f64>; 2], warnings: &mut Vec<Warning>) {
+fn is_usual(value: f64, [low, high]: [f64; 2]) -> bool {
+    (low..=high).contains(&value)
+}
+
+/// Warns where a number of a vehicle, 1 or 2, is not usual.
+fn judge(vehicle: usize, (magnitude, value, usual): (Magnitude, f64, [f64; 2]), warnings: &mut Vec<Warning>) {
+    if !is_usual(value, usual) {
+        warnings.push(Warning::Implausible { vehicle, magnitude, value, usual });
+    }
+}
+
+/// Of what the file says of each vehicle, before anything is made of it; `speeds` (m/s) as far as they are known, and which of them, 0 or 1, was found.
+pub(crate) fn of_data(
+    vehicles: &[Vehicle; 2],
+    speeds: [Option<f64>; 2],
+    found: Option<usize>,
+    warnings: &mut Vec<Warning>,
+) {
     for (i, (vehicle, speed)) in vehicles.iter().zip(speeds).enumerate() {
         let number = i + 1;
         let subject = &vehicle.subject;
-        let mut judge = |magnitude: Magnitude, value: f64, usual: [f64; 2]| {
-            if value < usual[0] || value > usual[1] {
-                warnings.push(Warning::Implausible { vehicle: number, magnitude, value, usual });
-            }
-        };
+        let mut judge = |magnitude, value, usual| judge(number, (magnitude, value, usual), warnings);
+        // A body that cannot be says nothing of what lies within it.
+        let dimensions = subject.dimensions.as_ref().filter(|body| {
+            judge(Magnitude::Length, body.length, USUAL_LENGTH);
+            judge(Magnitude::BodyWidth, body.width, USUAL_BODY_WIDTH);
+            is_usual(body.length, USUAL_LENGTH) && is_usual(body.width, USUAL_BODY_WIDTH)
+        });
         if let Some(inertia) = subject.inertia {
-            judge(Magnitude::Mass, inertia.mass, usual_mass(subject.dimensions.as_ref()));
+            judge(Magnitude::Mass, inertia.mass, usual_mass(dimensions));
             // k = √(I/m)
             judge(Magnitude::YawRadius, (inertia.yaw_inertia / inertia.mass).sqrt(), USUAL_YAW_RADIUS);
         }
         if let Some(speed) = speed {
-            judge(Magnitude::Speed, speed.abs(), USUAL_SPEED);
+            let magnitude = if found == Some(i) { Magnitude::SpeedFound } else { Magnitude::Speed };
+            judge(magnitude, speed.abs(), USUAL_SPEED);
         }
         if let (Some(damage), Some(given)) = (&vehicle.damage, &subject.damage) {
             let inferred = damage.inferred.map(|inferred| inferred.crush.depth);
             let deepest = damage.depths.iter().copied().chain(inferred).fold(0.0, f64::max);
-            let dimensions = subject.dimensions.as_ref();
             judge(Magnitude::CrushDepth, deepest, [0.0, usual_depth(dimensions, given.side)]);
             judge(Magnitude::DamageWidth, damage.width, [0.0, usual_width(dimensions, given.side)]);
             of_stiffness(number, vehicle, damage, given.stiffness_source, warnings);
@@ -577,11 +670,11 @@ fn usual_mass(dimensions: Option<&Dimensions>) -> [f64; 2] {
 
 /// (m)
 fn usual_depth(dimensions: Option<&Dimensions>, side: Side) -> f64 {
-    match (dimensions, side) {
-        (None, _) => USUAL_DEPTH,
-        (Some(dimensions), Side::Front | Side::Rear) => dimensions.length / 2.0,
-        (Some(dimensions), Side::Left | Side::Right) => dimensions.width,
-    }
+    let possible = dimensions.map(|dimensions| match side {
+        Side::Front | Side::Rear => dimensions.length / 2.0,
+        Side::Left | Side::Right => dimensions.width,
+    });
+    possible.map_or(USUAL_DEPTH, |possible| USUAL_DEPTH.min(possible))
 }
 
 /// (m)
@@ -601,8 +694,15 @@ fn of_stiffness(
     source: StiffnessSource,
     warnings: &mut Vec<Warning>,
 ) {
-    if let Some(speed) = of.no_damage_speed().filter(|&speed| speed > HIGH_NO_DAMAGE_SPEED) {
-        warnings.push(Warning::HighNoDamageSpeed { vehicle, speed, source });
+    match of.no_damage_speed() {
+        Some(speed) if speed > HIGH_NO_DAMAGE_SPEED => {
+            warnings.push(Warning::HighNoDamageSpeed { vehicle, speed, source });
+        }
+        // With A = 0 somebody chose a line through the origin.
+        Some(speed) if speed > 0.0 && speed < LOW_NO_DAMAGE_SPEED => {
+            warnings.push(Warning::LowNoDamageSpeed { vehicle, speed, source });
+        }
+        _ => {}
     }
     if damage.inferred.is_none() && damage.depths.iter().all(|&depth| depth == 0.0) {
         warnings.push(Warning::NoResidualCrush { vehicle, energy: damage.crush_energy });
@@ -733,6 +833,7 @@ pub(crate) fn of_checks(
     checks: &[Check],
     vehicles: &[Vehicle; 2],
     impact: Option<&Impact>,
+    basis: EnergyBasis,
     warnings: &mut Vec<Warning>,
 ) {
     for check in checks.iter().filter(|check| !check.passed()) {
@@ -740,8 +841,20 @@ pub(crate) fn of_checks(
             (CheckedQuantity::PdofsOpposite, _) => {
                 warnings.push(Warning::PdofsNotOpposite { angle: check.value });
             }
-            (CheckedQuantity::DamageEnergy { normal_work, crush_energy }, _) => {
-                warnings.push(Warning::DamageEnergyDiffers { normal_work, crush_energy });
+            (CheckedQuantity::DamageEnergy { normal_work, crush_energy }, Some(impact)) => {
+                let restitution = impact.law.restitution();
+                // 1 − e²
+                let dissipated = EnergyBasis::Absorbed.dissipated(1.0, restitution);
+                let on_other_basis = (restitution > 0.0).then(|| match basis {
+                    EnergyBasis::Dissipated => crush_energy * dissipated,
+                    EnergyBasis::Absorbed => crush_energy / dissipated,
+                });
+                warnings.push(Warning::DamageEnergyDiffers {
+                    normal_work,
+                    crush_energy,
+                    basis,
+                    on_other_basis,
+                });
             }
             (CheckedQuantity::Rotation { vehicle }, Some(impact)) => {
                 let [before, after] = [&impact.outcome.before, &impact.outcome.after];

@@ -5,6 +5,7 @@
 
 use analysis::{Analysis, Check, CheckedQuantity, Failure, Warning, crush, impact, reconstruct};
 use case::{Case, CaseFile};
+use crash3::EnergyBasis;
 
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
 
@@ -66,6 +67,21 @@ fn the_normal_work_has_to_be_the_crush_energy() {
         let expected: Vec<_> =
             analysis.warnings.iter().filter(|w| matches!(w, Warning::DamageEnergyDiffers { .. })).collect();
         assert_eq!(expected.is_empty(), passed);
+    }
+    // Twice the speed with e = 0.2: E on one basis is E (1 − e²) or E/(1 − e²) on the other.
+    for (basis, of_basis, on_other) in
+        [("dissipated", EnergyBasis::Dissipated, energy * 0.96), ("absorbed", EnergyBasis::Absorbed, energy)]
+    {
+        let text = head_on([0.0, 0.0], 20.0, 0.2)
+            + &format!("[reconstruct]\nfind = \"vehicle1.speed\"\nenergy_basis = \"{basis}\"\n");
+        let warnings = analysis(impact, &text).warnings;
+        let found = warnings.iter().find_map(|warning| match warning {
+            Warning::DamageEnergyDiffers { basis, on_other_basis, .. } => Some((*basis, (*on_other_basis)?)),
+            _ => None,
+        });
+        let (basis, on_other_basis) = found.unwrap();
+        assert_eq!(basis, of_basis);
+        assert!((on_other_basis - on_other).abs() < 1e-6, "{on_other_basis}");
     }
     // A speed that was sought by the energy has it: no check.
     assert_eq!(check(&analysis(reconstruct, PAPER), "damage-energy"), None);

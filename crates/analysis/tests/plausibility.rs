@@ -233,6 +233,7 @@ fn damaged(car: usize, of_car: &str, side: &str, width: f64, depths: &str, of_cr
     )
 }
 
+const MICRO: &str = "length = \"2.5 m\"\nwidth = \"1.3 m\"\ncg_to_front = \"1.2 m\"\n";
 const SOFT: &str = "stiffness = { A = \"40 kN/m\", B = \"500 kN/m^2\" }";
 
 #[test]
@@ -332,7 +333,7 @@ fn a_damage_beyond_the_outline() {
 
 #[test]
 fn numbers_that_no_vehicle_has() {
-    use Magnitude::{CrushDepth, DamageWidth, Mass, YawRadius};
+    use Magnitude::{BodyWidth, CrushDepth, DamageWidth, Length, Mass, YawRadius};
     for car in [1, 2] {
         let found = |text: &str| raised(analysis::crush, text, "implausible");
         let check = |text: &str, expected: Option<(Magnitude, f64, [f64; 2])>| {
@@ -375,14 +376,16 @@ fn numbers_that_no_vehicle_has() {
         let text = plain.replace("yaw_radius = \"1.4 m\"", "yaw_inertia = \"37500 kg m^2\"");
         check(&text, Some((YawRadius, 5.0, [0.8, 4.0])));
         for (of_car, side, most) in [
-            ("", "front", 2.0),
-            ("", "left", 2.0),
-            (OUTLINE, "front", 2.25),
-            (OUTLINE, "rear", 2.25),
-            (OUTLINE, "left", 1.8),
-            (OUTLINE, "right", 1.8),
+            ("", "front", 1.5),
+            ("", "left", 1.5),
+            (OUTLINE, "front", 1.5),
+            (OUTLINE, "right", 1.5),
+            (MICRO, "front", 1.25),
+            (MICRO, "rear", 1.25),
+            (MICRO, "left", 1.3),
+            (MICRO, "right", 1.3),
         ] {
-            let at = |depth: f64| damaged(car, of_car, side, 1.5, &format!("0.3 {depth} 0.3"), SOFT);
+            let at = |depth: f64| damaged(car, of_car, side, 1.3, &format!("0.3 {depth} 0.3"), SOFT);
             check(&at(most - 0.01), None);
             check(&at(most + 0.01), Some((CrushDepth, most + 0.01, [0.0, most])));
         }
@@ -398,6 +401,23 @@ fn numbers_that_no_vehicle_has() {
             check(&at(most - 0.01), None);
             check(&at(most + 0.01), Some((DamageWidth, most + 0.01, [0.0, most])));
         }
+        let body = |length: f64, width: f64| {
+            let of_car = format!("length = \"{length} m\"\nwidth = \"{width} m\"\ncg_to_front = \"0.9 m\"\n");
+            damaged(car, &of_car, "front", 0.5, "0.3 0.3", SOFT).replace("1500 kg", "400 kg")
+        };
+        for (length, width, unusual) in [
+            (1.81, 0.61, None),
+            (29.9, 3.99, None),
+            (1.79, 0.61, Some((Length, 1.79, [1.8, 30.0]))),
+            (30.1, 3.99, Some((Length, 30.1, [1.8, 30.0]))),
+            (1.81, 0.59, Some((BodyWidth, 0.59, [0.6, 4.0]))),
+            (29.9, 4.01, Some((BodyWidth, 4.01, [0.6, 4.0]))),
+        ] {
+            check(&body(length, width), unusual);
+        }
+        // 4.5 ft and 0.6 ft of length and width: no bounds follow from such a body for mass, depth and width of the damage.
+        let text = body(1.37, 0.18);
+        assert_eq!(found(&text).len(), 2, "{:?}", found(&text));
     }
 }
 
@@ -412,13 +432,14 @@ fn speeds_that_no_vehicle_has() {
             let text = format!("{}speed = \"{speed} m/s\"{}", &text[..start], &text[end..]);
             raised(analysis::impact, &text, "implausible")
         };
-        assert_eq!(at(69.9), []);
-        let found = at(70.1);
+        // 250 km/h
+        assert_eq!(at(69.44), []);
+        let found = at(69.45);
         let [Warning::Implausible { vehicle, magnitude: Magnitude::Speed, value, usual }] = found[..] else {
             panic!("{found:?}")
         };
-        assert_eq!((vehicle, usual), (skid.car, [0.0, 70.0]));
-        assert_close(value, 70.1, 1e-12);
+        assert_eq!((vehicle, usual), (skid.car, [0.0, 250.0 / 3.6]));
+        assert_close(value, 69.45, 1e-12);
     }
 }
 
@@ -443,12 +464,12 @@ fn a_speed_found_that_no_vehicle_has() {
             car(180.0)
         )
     };
-    assert_eq!(raised(analysis::reconstruct, &at(69.9), "implausible"), []);
-    let found = raised(analysis::reconstruct, &at(70.1), "implausible");
-    let [Warning::Implausible { vehicle: 1, magnitude: Magnitude::Speed, value, .. }] = found[..] else {
+    assert_eq!(raised(analysis::reconstruct, &at(69.44), "implausible"), []);
+    let found = raised(analysis::reconstruct, &at(69.45), "implausible");
+    let [Warning::Implausible { vehicle: 1, magnitude: Magnitude::SpeedFound, value, .. }] = found[..] else {
         panic!("{found:?}")
     };
-    assert_close(value, 70.1, 1e-9);
+    assert_close(value, 69.45, 1e-9);
 }
 
 /// b_0 = √(2 G w/m): 6.7056 m/s at G = 22,482.5 N on 1.5 m and 1500 kg.
@@ -500,6 +521,127 @@ fn a_stiffness_that_withstands_too_much() {
         assert_eq!(warning, []);
         let (_, warning) = speed(&test(6.71), "0.3 0.3");
         assert!(matches!(warning[..], [Warning::HighNoDamageSpeed { source: StiffnessSource::Test(_), .. }]));
+    }
+}
+
+/// b_0 = √(2 G w/m): 0.447 04 m/s, 1 mph, at G = 99.922 N on 1.5 m and 1500 kg; A = √(2 G B).
+#[test]
+fn a_stiffness_that_withstands_too_little() {
+    for car in [1, 2] {
+        let found = |stiffness: &str| {
+            let text = damaged(car, "", "front", 1.5, "0.3 0.3", &format!("stiffness = {stiffness}"));
+            raised(analysis::crush, &text, "low-no-damage-speed")
+        };
+        let given = |a: &str, g: &str| format!("{{ A = \"{a}\", B = \"500 kN/m^2\"{g} }}");
+        assert_eq!(found(&given("40 kN/m", ", G = \"99.93 N\"")), []);
+        assert_eq!(found(&given("9997 N/m", "")), []);
+        for (stiffness, source) in [
+            (given("40 kN/m", ", G = \"99.91 N\""), StiffnessSource::Coefficients),
+            (given("9995 N/m", ""), StiffnessSource::Coefficients),
+            ("{ d0 = \"14.135 N^0.5\", d1 = \"700 N^0.5/m\" }".to_owned(), StiffnessSource::Roots),
+        ] {
+            let found = found(&stiffness);
+            let [Warning::LowNoDamageSpeed { vehicle, speed, source: of }] = found[..] else {
+                panic!("{stiffness}: {found:?}")
+            };
+            assert_eq!((vehicle, of), (car, source));
+            assert_close(speed, 0.447_04, 1e-3);
+        }
+        // A line through the origin is meant.
+        assert_eq!(found(&given("0 N/m", "")), []);
+    }
+}
+
+#[test]
+fn a_barrier_test_that_no_car_has() {
+    use Magnitude::{TestDepth, TestMass, TestSpeed, TestWidth};
+    for car in [1, 2] {
+        for (side, keys, expected) in [
+            ("front", ["1500 kg", "15 m/s", "1.5 m", "0.5 0.5 m"], None),
+            ("front", ["101 kg", "2.1 m/s", "2.59 m", "0.1 1.49 m"], None),
+            ("front", ["99 kg", "15 m/s", "1.5 m", "0.5 0.5 m"], Some((TestMass, 99.0, [100.0, 50_000.0]))),
+            (
+                "front",
+                ["1500 kg", "1.9 m/s", "1.5 m", "0.5 0.5 m"],
+                Some((TestSpeed, 1.9, [2.0, 100.0 / 3.6])),
+            ),
+            (
+                "front",
+                ["1500 kg", "27.8 m/s", "1.5 m", "0.5 0.5 m"],
+                Some((TestSpeed, 27.8, [2.0, 100.0 / 3.6])),
+            ),
+            ("front", ["1500 kg", "15 m/s", "2.61 m", "0.5 0.5 m"], Some((TestWidth, 2.61, [0.0, 2.6]))),
+            ("left", ["1500 kg", "15 m/s", "2.61 m", "0.5 0.5 m"], None),
+            ("front", ["1500 kg", "15 m/s", "1.5 m", "0.5 1.51 m"], Some((TestDepth, 1.51, [0.0, 1.5]))),
+        ] {
+            let [mass, speed, width, depths] = keys;
+            let stiffness = format!(
+                "stiffness = {{ test = {{ mass = \"{mass}\", speed = \"{speed}\", width = \"{width}\", depths = \"{depths}\", no_damage_speed = \"1.5 m/s\" }} }}"
+            );
+            let text = damaged(car, "", side, 1.5, "0.3 0.3", &stiffness);
+            let found = raised(analysis::crush, &text, "implausible");
+            let expected: Vec<Warning> = expected
+                .into_iter()
+                .map(|(magnitude, value, usual)| Warning::Implausible {
+                    vehicle: car,
+                    magnitude,
+                    value,
+                    usual,
+                })
+                .collect();
+            assert_eq!(found, expected, "{stiffness}");
+            assert_eq!(
+                analysis::judge(&parsed(&text))
+                    .warnings
+                    .iter()
+                    .filter(|one| one.code() == "implausible")
+                    .count(),
+                expected.len()
+            );
+        }
+    }
+}
+
+#[test]
+fn a_friction_limit_that_vehicles_have_not() {
+    for skid in &SKIDS {
+        for law in [
+            "law = \"brach\"\nrestitution = 0.1\ntangential = { friction = MU }",
+            "law = \"kudlich-slibar\"\nrestitution = 0.1\nfriction = MU",
+        ] {
+            for (friction, unusual) in
+                [(0.09, true), (0.11, false), (0.99, false), (1.01, true), (45.0, true), (0.0, true)]
+            {
+                let text = skid.text(-4.0, 0.0, 0.0, &law.replace("MU", &format!("{friction:?}")));
+                let expected = if unusual { vec![Warning::UnusualFriction { friction }] } else { Vec::new() };
+                assert_eq!(raised(analysis::impact, &text, "unusual-friction"), expected);
+            }
+            let text = skid.text(-4.0, 0.0, 0.0, &law.replace("MU", "1.01"));
+            let judged = analysis::judge(&parsed(&text)).warnings;
+            assert!(judged.contains(&Warning::UnusualFriction { friction: 1.01 }));
+        }
+    }
+}
+
+/// A speed that is sought and given nevertheless is not used, whatever its sign.
+#[test]
+fn a_speed_that_is_given_backwards() {
+    for skid in &SKIDS {
+        let law = "restitution = 0\ntangential = { friction = 0.4 }";
+        let text = skid.text(-4.0, 0.0, 0.0, law);
+        assert_eq!(raised(analysis::impact, &text, "moves-backward"), []);
+        let start = text.find("velocity").unwrap();
+        let end = start + text[start..].find('\n').unwrap();
+        let backwards = |speed: &str| {
+            // It drives onto the wall in reverse.
+            let text = format!("{}speed = \"{speed}\"{}", &text[..start], &text[end..]);
+            text.replace("x = \"2 m\"", "x = \"-2 m\"")
+        };
+        let expected = Warning::MovesBackward { vehicle: skid.car, speed: -10.0, found: false };
+        assert_eq!(raised(analysis::impact, &backwards("-10 m/s"), "moves-backward"), [expected.clone()]);
+        assert!(analysis::judge(&parsed(&backwards("-10 m/s"))).warnings.contains(&expected));
+        let sought = backwards("-10 m/s") + &format!("[reconstruct]\nfind = \"vehicle{}.speed\"\n", skid.car);
+        assert!(!analysis::judge(&parsed(&sought)).warnings.iter().any(|one| one.code() == "moves-backward"));
     }
 }
 

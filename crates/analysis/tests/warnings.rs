@@ -410,7 +410,7 @@ fn moves_backward() {
         };
         assert_eq!(at(closing - 1e-3), []);
         let found = at(closing + 1e-3);
-        let [Warning::MovesBackward { vehicle, speed }] = found[..] else { panic!("{found:?}") };
+        let [Warning::MovesBackward { vehicle, speed, found: true }] = found[..] else { panic!("{found:?}") };
         assert_eq!(vehicle, sought);
         assert_close("speed", speed, -1e-3, 1e-12);
     }

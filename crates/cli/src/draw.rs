@@ -1,8 +1,9 @@
 //! `deltav draw`.
 
+use std::io::{self, Write as _};
 use std::path::Path;
 
-use anyhow::{Result, bail};
+use anyhow::{Context as _, Result, bail};
 use report::Subject;
 
 use crate::arguments::{DrawArguments, What};
@@ -19,6 +20,9 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     let units = crate::units(arguments.units, &file);
     let analysis = crate::answered(analysis::furthest(&file), units)?;
     let drawing = report::drawing(&file, &analysis, units, subject)?;
+    // A drawing has no room for sentences, and standard output may be the drawing.
+    let warnings = report::warnings_text(&analysis, &file.case, units);
+    write!(io::stderr(), "{warnings}").context("cannot write to standard error")?;
     let path = arguments.output.as_deref();
     match image {
         Image::Svg => crate::write(path, drawing.svg()),

@@ -203,7 +203,10 @@ fn report_comparison(arguments: &Arguments) -> Result<()> {
     let units = units(arguments.units, &file);
     let comparison = answered(analysis::compare(&file), units)?;
     let output = match arguments.format {
-        Format::Text => report::comparison_text(&file.case, &comparison, units),
+        Format::Text => {
+            let text = report::comparison_text(&file.case, &comparison, units);
+            with_warnings(text, &file, &comparison.own, units)
+        }
         Format::Json => report::comparison_json(&file.case, &comparison)?,
     };
     write(arguments.output.as_deref(), &output)
@@ -217,7 +220,10 @@ fn report_sensitivity(
     let units = units(arguments.units, &file);
     let sensitivity = answered(analysis::sensitivity(&file, sweep), units)?;
     let output = match arguments.format {
-        Format::Text => report::sensitivity_text(&file.case, &sensitivity, units),
+        Format::Text => {
+            let text = report::sensitivity_text(&file.case, &sensitivity, units);
+            with_warnings(text, &file, &sensitivity.nominal, units)
+        }
         Format::Json => report::sensitivity_json(&file.case, &sensitivity)?,
     };
     write(arguments.output.as_deref(), &output)
@@ -243,7 +249,10 @@ fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
         }
     }
     let output = match arguments.arguments.format {
-        Format::Text => report::uncertainty_text(&file.case, &uncertainty, units),
+        Format::Text => {
+            let text = report::uncertainty_text(&file.case, &uncertainty, units);
+            with_warnings(text, &file, &uncertainty.nominal, units)
+        }
         Format::Json => report::uncertainty_json(&file.case, &uncertainty)?,
     };
     write(arguments.arguments.output.as_deref(), &output)
@@ -268,6 +277,14 @@ fn propagate(file: &CaseFile, arguments: &UncertaintyArguments) -> Result<Result
             progress.at(counted, done, total)
         })
     }))
+}
+
+/// The warnings of the case stand under whatever is made of it.
+fn with_warnings(text: String, file: &CaseFile, analysis: &Analysis, units: Units) -> String {
+    match report::warnings_text(analysis, &file.case, units) {
+        none if none.is_empty() => text,
+        warnings => format!("{text}\n{warnings}"),
+    }
 }
 
 fn pool(threads: Option<u16>) -> Result<ThreadPool> {

@@ -1,10 +1,10 @@
-//! What a command writes does not replace what it reads, nor any other case file, nor what else it writes.
+//! What a command writes has a place, and does not replace what it reads, nor any other case file, nor what else it writes.
 
 use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Result, bail};
+use anyhow::{Context as _, Result, bail};
 use same_file::{Handle, is_same_file};
 
 use crate::arguments::{
@@ -35,7 +35,7 @@ struct Files<'a> {
     folder: Option<Folder<'a>>,
 }
 
-/// Refuses to write over a case, to be called before anything is computed.
+/// Refuses to write over a case or to where nothing can be written, and makes the folder for files; to be called before anything is computed.
 pub(crate) fn check(command: &Command) -> Result<()> {
     let Files { cases, outputs, folder } = files(command);
     for output in &outputs {
@@ -50,6 +50,9 @@ pub(crate) fn check(command: &Command) -> Result<()> {
             bail!(
                 "{option} {name} would write over the case file {case}: give another name, such as {option} {other}"
             );
+        }
+        if !parent(path).is_dir() {
+            bail!("{option} {name}: there is no folder {}; make it first", parent(path).display());
         }
         if is_toml(path) {
             bail!(
@@ -70,7 +73,12 @@ pub(crate) fn check(command: &Command) -> Result<()> {
         );
     }
     match folder {
-        Some(folder) => check_folder(&folder, &cases, &outputs),
+        Some(folder) => {
+            check_folder(&folder, &cases, &outputs)?;
+            let Folder { option, path, .. } = folder;
+            fs::create_dir_all(path)
+                .with_context(|| format!("{option} {} cannot be made a folder", path.display()))
+        }
         None => Ok(()),
     }
 }

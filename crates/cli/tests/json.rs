@@ -978,3 +978,24 @@ fn uncertainty_draws_every_result() {
     let drawn = fs::read_to_string(folder.join("tornado-vehicle1.speed.svg")).unwrap();
     assert!(drawn.contains("impact.crush_plane"));
 }
+
+/// Whatever is made of a case, its reader is told.
+#[test]
+fn every_command_says_the_warnings_of_the_case() {
+    let text = include_str!("../../../fixtures/wide-ranges.toml");
+    let text =
+        text.replace("friction = { low = 0.3, mode = 0.4, high = 0.6 }", "friction = { low = 2, high = 4 }");
+    for command in ["impact", "compare", "sensitivity", "uncertainty", "check"] {
+        let document = json(command, &text);
+        let warnings = document["warnings"].as_array().unwrap();
+        let friction = warnings.iter().find(|warning| warning["code"] == "unusual-friction");
+        let message = friction.and_then(|warning| warning["message"].as_str()).unwrap();
+        assert!(message.contains("the friction limit is 3,"), "{command}: {message}");
+        let page = String::from_utf8(printed(&[command, "-"], &text)).unwrap();
+        assert!(page.contains("\nwarning [unusual-friction]: the friction limit is 3,"), "{command}: {page}");
+    }
+    let drawn = deltav(&["draw", "-", "--what", "scene"], text.as_bytes());
+    assert!(drawn.stdout.starts_with(b"<svg"));
+    let said = String::from_utf8(drawn.stderr).unwrap();
+    assert!(said.starts_with("warning [") && said.contains("[unusual-friction]"), "{said}");
+}

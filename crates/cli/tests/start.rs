@@ -198,20 +198,25 @@ fn every_command_has_a_manual_page() {
     let folder = temporary("man1");
     fs::create_dir(&folder).unwrap();
     assert_eq!(printed(&["man", "--output-dir", folder.to_str().unwrap()]), "");
-    let page = fs::read_to_string(folder.join("deltav.1")).unwrap();
-    assert_eq!(page, printed(&["man"]));
+    let page_of_deltav = fs::read_to_string(folder.join("deltav.1")).unwrap();
+    assert_eq!(page_of_deltav, printed(&["man"]));
     for command in commands() {
         let page_of_command = fs::read_to_string(folder.join(format!("deltav-{command}.1"))).unwrap();
         assert!(page_of_command.contains(&format!(".TH deltav-{command} 1")), "{command}");
-        assert!(page.contains(&format!(r"deltav\-{command}(1)")), "{command}");
+        assert!(page_of_deltav.contains(&format!(r"deltav\-{command}(1)")), "{command}");
     }
     // What may be given several times, and what may not.
     for (command, argument) in [("reconstruct", "CASE…"), ("explain", "TOPIC…"), ("impact", "CASE")] {
         let page = fs::read_to_string(folder.join(format!("deltav-{command}.1"))).unwrap();
         assert!(page.contains(&format!("\\fI{argument}\\fR")), "{command}: {page}");
     }
-    let nowhere = deltav(&["man", "--output-dir", "no/such/folder"]);
+    // A folder is made where there is none, but not in a file.
+    let new = folder.join("made/for/them");
+    assert_eq!(printed(&["man", "--output-dir", new.to_str().unwrap()]), "");
+    assert_eq!(fs::read_to_string(new.join("deltav.1")).unwrap(), page_of_deltav);
+    let nowhere = folder.join("deltav.1/folder");
+    let nowhere = deltav(&["man", "--output-dir", nowhere.to_str().unwrap()]);
     assert_eq!(nowhere.status.code(), Some(2));
     let message = String::from_utf8(nowhere.stderr).unwrap();
-    assert!(message.starts_with("error: cannot write the manual pages into no/such/folder: "), "{message}");
+    assert!(message.contains("deltav.1/folder cannot be made a folder: "), "{message}");
 }

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::axes;
 use crate::failures::no_answer;
+use crate::json::WarningBlock;
 use crate::law;
 use crate::text::{LINE, wrapped};
 use crate::units::{Quantity, Units, number};
@@ -58,6 +59,8 @@ struct Document<'a> {
     /// Those of the yaw rates and the signed coefficients.
     axes: &'static str,
     rows: Vec<Row>,
+    /// Of the case as it stands.
+    warnings: Vec<WarningBlock>,
 }
 
 /// The case's own law first.
@@ -133,7 +136,12 @@ fn crash3_row(row: &Correction) -> Row {
 /// Where serialisation fails, which no comparison causes.
 pub fn comparison_json(case: &Case, comparison: &Comparison) -> Result<String, serde_json::Error> {
     let title = case.title.as_deref().unwrap_or_default();
-    let document = Document { title, axes: case.axes.name(), rows: rows(case, comparison, Units::Si) };
+    let document = Document {
+        title,
+        axes: case.axes.name(),
+        rows: rows(case, comparison, Units::Si),
+        warnings: WarningBlock::all(&comparison.own, case),
+    };
     Ok(serde_json::to_string_pretty(&document)? + "\n")
 }
 

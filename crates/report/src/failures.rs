@@ -20,7 +20,7 @@ pub fn no_answer(failure: &Failure, units: Units) -> String {
             let nearest = format!(
                 "; the nearest is {}, at {}",
                 units.format(Quantity::Energy, nearest.normal_work),
-                speed(nearest.speed, units)
+                units.speed(nearest.speed)
             );
             not_reached(*vehicle, *energy, &nearest, units)
         }
@@ -41,13 +41,18 @@ fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
         ),
         ReconcileError::Inadmissible { vehicle, speed: si, reason } => format!(
             "at {} vehicle {vehicle} would give the crush energy, but: {}",
-            speed(*si, units),
+            units.speed(*si),
             of_impact(reason, units)
+        ),
+        ReconcileError::SpeedWithoutEffect { vehicle, .. } => format!(
+            "vehicle {vehicle} heads along the crush plane, at right angles to its normal, so that its speed does not change the normal work; \
+             `crush_plane` is the angle of the normal, not of the plane, so check whether it is 90° off, and the heading, or find the other \
+             vehicle's speed instead"
         ),
         ReconcileError::NotConverged { last, residual } => format!(
             "the search for the speed did not settle: {} still misses the crush energy by {}; check the input for extreme values, or try another \
              tangential condition",
-            speed(*last, units),
+            units.speed(*last),
             units.format(Quantity::Energy, *residual)
         ),
         // Without a quantity.
@@ -121,9 +126,4 @@ fn of_crush(refusal: &CrushError, units: Units) -> String {
         // Without a quantity, or one that the reader refuses at its place in the file.
         _ => refusal.to_string(),
     }
-}
-
-/// As the equations have it, and as drivers know it.
-fn speed(si: f64, units: Units) -> String {
-    format!("{} ({})", units.format(Quantity::Speed, si), units.road_speed(si))
 }

@@ -1,7 +1,7 @@
 //! A finished analysis as JSON, in SI units and radians.
 
 use analysis::{Analysis, CheckedQuantity, Impact, Warning};
-use case::Case;
+use case::{Axes, Case};
 use serde::Serialize;
 
 use crate::Units;
@@ -49,8 +49,16 @@ pub(crate) struct WarningBlock {
 }
 
 impl WarningBlock {
-    pub(crate) fn new(warning: &Warning, message: String) -> Self {
+    /// Its numbers have to be in the axes.
+    pub(crate) fn new(warning: &Warning, axes: Axes) -> Self {
+        let message = warnings::message(warning, Units::Si, axes);
         Self { code: warning.code(), vehicle: warning.vehicle(), message }
+    }
+
+    /// Those of an analysis.
+    pub(crate) fn all(analysis: &Analysis, case: &Case) -> Vec<Self> {
+        let seen = analysis.in_axes(case.axes);
+        seen.warnings.iter().map(|warning| Self::new(warning, case.axes)).collect()
     }
 }
 
@@ -187,11 +195,7 @@ pub(crate) fn document<'a>(
         title: case.title.as_deref().unwrap_or_default(),
         axes: case.axes.name(),
         energy_basis: crate::basis_name(analysis.basis),
-        warnings: analysis
-            .warnings
-            .iter()
-            .map(|warning| WarningBlock::new(warning, warnings::message(warning, Units::Si, case.axes)))
-            .collect(),
+        warnings: analysis.warnings.iter().map(|warning| WarningBlock::new(warning, case.axes)).collect(),
         checks: analysis
             .checks
             .iter()

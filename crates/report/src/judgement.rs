@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use crate::Subject;
 use crate::json::WarningBlock;
-use crate::text::{LINE, wrapped};
+use crate::text::LINE;
 use crate::units::{Quantity, Units, significant};
 use crate::warnings;
 
@@ -151,13 +151,8 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
     if judgement.warnings.is_empty() {
         text.push_str("No warnings as far as they can be told without solving the case.\n");
     }
-    for warning in &judgement.warnings {
-        let sentence = format!("warning [{}]: {}", warning.code(), warning_message(warning, case, units));
-        text.push_str(&wrapped(&sentence));
-    }
-    if !judgement.warnings.is_empty() {
-        text.push_str(&format!("\n{}", wrapped(warnings::MORE)));
-    }
+    let seen: Vec<Warning> = judgement.warnings.iter().map(|warning| warning.in_axes(case.axes)).collect();
+    text.push_str(&warnings::lines(&seen, units, case.axes, LINE));
     text
 }
 
@@ -214,14 +209,10 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
         warnings: judgement
             .warnings
             .iter()
-            .map(|warning| WarningBlock::new(warning, warning_message(warning, case, Units::Si)))
+            .map(|warning| WarningBlock::new(&warning.in_axes(case.axes), case.axes))
             .collect(),
     };
     Ok(serde_json::to_string_pretty(&document)? + "\n")
-}
-
-fn warning_message(warning: &Warning, case: &Case, units: Units) -> String {
-    warnings::message(&warning.in_axes(case.axes), units, case.axes)
 }
 
 /// The text behind a head that its further lines are indented by.

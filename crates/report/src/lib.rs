@@ -13,7 +13,7 @@
 //! ```
 //!
 //! The functions: [`text`] in the [`Units`] of the reader, where every figure names its equation; [`json`] in SI units and radians, with keys that are kept;
-//! [`message`], the sentence of a warning, and [`no_answer`], that of a case without an answer. All speak the [`Axes`](case::Axes) of the case, which each document names. Results are converted to other units here and nowhere else.
+//! [`message`], the sentence of a warning ([`warnings_text`] has all of an analysis), and [`no_answer`], that of a case without an answer. All speak the [`Axes`](case::Axes) of the case, which each document names. Results are converted to other units here and nowhere else.
 //!
 //! [`html`] is the report to hand over, one self-contained file; [`markdown`] the same without drawings. Both show the [`steps`]: every result with its
 //! equation, the numbers put into it, and its source.
@@ -84,7 +84,7 @@ pub use steps::{Step, StepGroup, steps};
 pub use text::{text, text_within};
 pub use uncertainty::{histogram, tornado, uncertainty_json, uncertainty_text, write_samples};
 pub use units::Units;
-pub use warnings::message;
+pub use warnings::{message, warnings_text};
 
 use analysis::Analysis;
 use case::{Fit, StiffnessSource};

@@ -5,6 +5,7 @@ use case::{Axes, Case};
 use crash3::ObliqueCorrection;
 use serde::Serialize;
 
+use crate::json::WarningBlock;
 use crate::text::{LINE, first_cell, wrapped};
 use crate::units::{Quantity, Units, number, significant};
 
@@ -15,6 +16,8 @@ struct Document<'a> {
     axes: &'static str,
     derivatives: Vec<DerivativeBlock<'a>>,
     pdof_sweep: Vec<SweepBlock>,
+    /// Of the case as it stands.
+    warnings: Vec<WarningBlock>,
 }
 
 /// SI per SI.
@@ -53,6 +56,7 @@ pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String
     let document = Document {
         title: case.title.as_deref().unwrap_or_default(),
         axes: case.axes.name(),
+        warnings: WarningBlock::all(&sensitivity.nominal, case),
         derivatives: sensitivity
             .derivatives
             .iter()

@@ -545,16 +545,7 @@ impl Page {
         if analysis.warnings.is_empty() {
             self.line("No warnings.");
         }
-        for warning in &analysis.warnings {
-            self.paragraph(&format!(
-                "warning [{}]: {}",
-                warning.code(),
-                warnings::message(warning, self.units, self.axes)
-            ));
-        }
-        if !analysis.warnings.is_empty() {
-            self.paragraph(warnings::MORE);
-        }
+        self.text.push_str(&warnings::lines(&analysis.warnings, self.units, self.axes, self.width));
     }
 
     fn sources(&mut self) {

@@ -173,6 +173,11 @@ impl Units {
         (self == Self::Us).then_some(Quantity::RoadSpeed)
     }
 
+    /// A speed as the equations have it and as drivers know it, like `75.03 ft/s (51.16 mph)`.
+    pub(crate) fn speed(self, si: f64) -> String {
+        format!("{} ({})", self.format(Quantity::Speed, si), self.road_speed(si))
+    }
+
     /// A speed as drivers know it, like `51.16 mph`.
     #[must_use]
     pub fn road_speed(self, si: f64) -> String {

@@ -1,19 +1,39 @@
 //! The sentence of each warning.
 
-use analysis::{Drive, Magnitude, Warning};
-use case::{Axes, StiffnessSource};
-use crash3::Side;
+use analysis::{Analysis, Drive, Magnitude, Warning};
+use case::{Axes, Case, StiffnessSource};
+use crash3::{EnergyBasis, Side};
 
 use crate::axes;
+use crate::text::{LINE, wrapped_within};
 use crate::units::{Quantity, Units, number};
 
 /// Where more is said of a warning.
 pub(crate) const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to check; its code stands in brackets.";
 
+/// The warnings of an analysis as text, to stand under what was made of it; empty where there are none.
+#[must_use]
+pub fn warnings_text(analysis: &Analysis, case: &Case, units: Units) -> String {
+    lines(&analysis.in_axes(case.axes).warnings, units, case.axes, LINE)
+}
+
+/// The warnings in lines of so many columns. Their numbers have to be in the axes.
+pub(crate) fn lines(warnings: &[Warning], units: Units, axes: Axes, line: usize) -> String {
+    let mut text = String::new();
+    for warning in warnings {
+        let sentence = format!("warning [{}]: {}", warning.code(), message(warning, units, axes));
+        text.push_str(&wrapped_within(&sentence, line));
+    }
+    if !text.is_empty() {
+        text.push_str(&wrapped_within(MORE, line));
+    }
+    text
+}
+
 /// What the warning says, in the units of the reader. Its numbers have to be in the axes: [`Analysis::in_axes`](analysis::Analysis::in_axes).
 #[must_use]
 pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
-    let speed = |si: f64| units.format(Quantity::Speed, si);
+    let speed = |si: f64| units.speed(si);
     let angle = |si: f64| units.format(Quantity::Angle, si);
     let spread = format!("±{} %", number(100.0 * crash3::BURG_SPREAD, 0));
     match warning {
@@ -67,9 +87,9 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
                 known.join(" and ")
             };
             format!(
-                "CRASH3's ΔV of {} ({} restitution) differs from the impact's {} by more than 10 %",
-                of_all(crash3),
+                "CRASH3's ΔV {} restitution, {}, differs by more than 10 % from the impact's, {}",
                 if *restitution { "with the same" } else { "without" },
+                of_all(crash3),
                 of_all(impact)
             )
         }
@@ -81,10 +101,14 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
                 all.join(", ")
             )
         }
-        Warning::MovesBackward { vehicle, speed: found } => format!(
+        Warning::MovesBackward { vehicle, speed: si, found: true } => format!(
             "the speed found for vehicle {vehicle} is {}: it would have moved backwards; check the heading and the \
              crush energy",
-            speed(*found)
+            speed(*si)
+        ),
+        Warning::MovesBackward { vehicle, speed: si, found: false } => format!(
+            "the speed given for vehicle {vehicle} is {}: it moves backwards; check the sign, and the heading",
+            speed(*si)
         ),
         Warning::ClassValues { vehicle, class, yaw_inertia, outline } => {
             let mut assumed = Vec::new();
@@ -146,12 +170,26 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
              check both PDOFs and headings",
             angle(*off)
         ),
-        Warning::DamageEnergyDiffers { normal_work, crush_energy } => format!(
-            "the work of the normal impulse, {}, differs from the crush energy that it should equal, {}, by more than 10 %: the speeds \
-             and the damage do not tell of one collision",
-            units.format(Quantity::Energy, *normal_work),
-            units.format(Quantity::Energy, *crush_energy)
-        ),
+        Warning::DamageEnergyDiffers { normal_work, crush_energy, basis, on_other_basis } => {
+            let energy = |si: f64| units.format(Quantity::Energy, si);
+            let (is, other) = match basis {
+                EnergyBasis::Dissipated => ("dissipated", "absorbed"),
+                EnergyBasis::Absorbed => ("absorbed", "dissipated"),
+            };
+            let (bases, check) = match on_other_basis {
+                Some(on_other) => (
+                    format!(" on the energy basis `{is}` ({} on `{other}`)", energy(*on_other)),
+                    "; check `energy_basis` in [reconstruct], too",
+                ),
+                None => (String::new(), ""),
+            };
+            format!(
+                "the work of the normal impulse, {}, differs by more than 10 % from what it should be by the crush energy, {}{bases}: the \
+                 speeds and the damage do not tell of one collision{check}",
+                energy(*normal_work),
+                energy(*crush_energy)
+            )
+        }
         Warning::RotationOpposes { vehicle, pdof, turned } => format!(
             "the impact turned vehicle {vehicle} by {} in yaw rate, but a force with the PDOF {} through its contact point would turn it the \
              other way; check PDOF, contact point and crush plane",
@@ -200,7 +238,7 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
             side_name(*side)
         ),
         Warning::ContactOtherHalf { vehicle, side, distance } => format!(
-            "the contact point of vehicle {vehicle} lies {} {}, but the damage is to its {}; check the sign of `contact`",
+            "the contact point of vehicle {vehicle} lies {} {}, but the damage is to its {}; check the sign of `contact`{}",
             units.format(Quantity::Crush, *distance),
             match side {
                 Side::Front => "behind the centre of gravity",
@@ -208,7 +246,11 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
                 Side::Left => "to the right of the vehicle's axis",
                 Side::Right => "to the left of the vehicle's axis",
             },
-            side_name(*side)
+            side_name(*side),
+            match side {
+                Side::Left | Side::Right => ", and `axes` in [scene], which say to which side y is counted",
+                Side::Front | Side::Rear => "",
+            }
         ),
         Warning::DamageOutside { vehicle, side, distance } => format!(
             "the damage to the {} of vehicle {vehicle} reaches {} beyond the end of that side; check its width and `offset`",
@@ -219,34 +261,52 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
             let (name, quantity) = match magnitude {
                 Magnitude::Mass => ("mass", Quantity::Mass),
                 Magnitude::YawRadius => ("radius of gyration √(I/m)", Quantity::Length),
-                Magnitude::Speed => ("speed", Quantity::Speed),
+                Magnitude::Length => ("length", Quantity::Length),
+                Magnitude::BodyWidth => ("width", Quantity::Length),
+                Magnitude::Speed => ("speed", Quantity::RoadSpeed),
+                Magnitude::SpeedFound => ("speed found", Quantity::RoadSpeed),
                 Magnitude::CrushDepth => ("depth of crush", Quantity::Crush),
                 Magnitude::DamageWidth => ("width of the damage", Quantity::Crush),
+                Magnitude::TestMass => ("mass in the barrier test", Quantity::Mass),
+                Magnitude::TestSpeed => ("speed in the barrier test", Quantity::RoadSpeed),
+                Magnitude::TestDepth => ("depth of crush in the barrier test", Quantity::Crush),
+                Magnitude::TestWidth => ("width of the damage in the barrier test", Quantity::Crush),
             };
-            let print = |si: f64| match magnitude {
-                Magnitude::Speed => units.road_speed(si),
-                _ => units.format(quantity, si),
+            let remedy = match magnitude {
+                Magnitude::SpeedFound => "check the units of depths, widths and stiffness, and the angles",
+                _ => "check the unit",
+            };
+            // A bound is a judgement, and has no decimals.
+            let bound = |si: f64| {
+                let bound = units.value(quantity, si);
+                number(bound, usize::from(bound < 20.0))
             };
             let usual = if *low > 0.0 {
-                format!("{} to {}", print(*low), print(*high))
+                format!("{} to {}", bound(*low), bound(*high))
             } else {
-                format!("at most {}", print(*high))
+                format!("at most {}", bound(*high))
             };
             format!(
-                "the {name} of vehicle {vehicle} is {}, and {usual} is usual; check the unit",
-                print(*value)
+                "the {name} of vehicle {vehicle} is {}, and {usual} {} is usual; {remedy}",
+                units.format(quantity, *value),
+                units.name(quantity)
             )
         }
         Warning::HighNoDamageSpeed { vehicle, speed: si, source } => format!(
             "the stiffness of vehicle {vehicle} says that an impact at b_0 = {} leaves no damage, and 15 mph (24 km/h) is more than any car \
              withstands: {}",
             units.road_speed(*si),
-            match source {
-                StiffnessSource::Coefficients | StiffnessSource::Zones => "check the unit of A and B",
-                StiffnessSource::Roots => "check the unit of d0 and d1",
-                StiffnessSource::Category(_) => "check the category and the damaged side",
-                StiffnessSource::Test(_) => "check the barrier test, its mass, width and no-damage speed",
-            }
+            stiffness_check(*source)
+        ),
+        Warning::LowNoDamageSpeed { vehicle, speed: si, source } => format!(
+            "the stiffness of vehicle {vehicle} says that an impact at b_0 = {} leaves damage already, and cars withstand more than 1 mph \
+             (1.6 km/h): {}",
+            units.road_speed(*si),
+            stiffness_check(*source)
+        ),
+        Warning::UnusualFriction { friction } => format!(
+            "the friction limit is {friction}, and 0.3 to 1.0 is usual between vehicles; check the decimal point, and that it is neither an angle nor \
+             per cent"
         ),
         Warning::LargeAngle { path, turns, in_degrees } => format!(
             "the angle `{path}` is {} full turns; {}",
@@ -258,6 +318,18 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
              only says that the energy was not more",
             units.format(Quantity::Energy, *energy)
         ),
+    }
+}
+
+/// What to check where a stiffness cannot be that of a car.
+fn stiffness_check(source: StiffnessSource) -> &'static str {
+    match source {
+        StiffnessSource::Coefficients | StiffnessSource::Zones => {
+            "check the units of A and B, and which is which"
+        }
+        StiffnessSource::Roots => "check the units of d0 and d1",
+        StiffnessSource::Category(_) => "check the category and the damaged side",
+        StiffnessSource::Test(_) => "check the barrier test, its mass, width and no-damage speed",
     }
 }
 
@@ -275,7 +347,7 @@ fn side_name(side: Side) -> &'static str {
 
 /// Why a tangential impulse drives the sliding (m/s), and what to do.
 fn drive(cause: Drive, sliding: f64, units: Units) -> String {
-    let speed = |si: f64| units.format(Quantity::Speed, si);
+    let speed = |si: f64| units.speed(si);
     // The impulse opposes the sliding where it has the other sign.
     let opposes = if sliding > 0.0 { "negative" } else { "positive" };
     match cause {

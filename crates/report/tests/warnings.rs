@@ -2,7 +2,7 @@
 
 use analysis::{Drive, Magnitude, Warning};
 use case::{Axes, StiffnessSource};
-use crash3::Side;
+use crash3::{EnergyBasis, Side};
 use report::{Units, message};
 
 #[track_caller]
@@ -96,36 +96,57 @@ fn what_is_implausible_is_named_with_what_is_usual() {
             Magnitude::Mass,
             453_592.37,
             [45.359_237, 45_359.237],
-            ["mass of vehicle 2 is 1,000,000 lb", "100 lb to 100,000 lb is usual"],
+            ["mass of vehicle 2 is 1,000,000 lb", "and 100 to 100,000 lb is usual"],
         ),
         (
             Magnitude::YawRadius,
             15.24,
             [0.3048, 3.048],
-            ["√(I/m) of vehicle 2 is 50.00 ft", "1.00 ft to 10.00 ft is usual"],
+            ["√(I/m) of vehicle 2 is 50.00 ft", "and 1.0 to 10.0 ft is usual"],
         ),
         (
             Magnitude::Speed,
             447.04,
             [0.0, 44.704],
-            ["speed of vehicle 2 is 1,000.00 mph", "at most 100.00 mph is usual"],
+            ["speed of vehicle 2 is 1,000.00 mph", "at most 100 mph is usual"],
         ),
         (
             Magnitude::CrushDepth,
             16.0 * 0.3048,
             [0.0, 2.54],
-            ["depth of crush of vehicle 2 is 192.0 in", "at most 100.0 in is usual"],
+            ["depth of crush of vehicle 2 is 192.0 in", "at most 100 in is usual"],
         ),
         (
             Magnitude::DamageWidth,
             25.4,
             [0.0, 2.54],
-            ["width of the damage of vehicle 2 is 1,000.0 in", "at most 100.0 in"],
+            ["width of the damage of vehicle 2 is 1,000.0 in", "at most 100 in"],
         ),
     ] {
         let warning = Warning::Implausible { vehicle: 2, magnitude, value, usual };
         says(&warning, Axes::ZUp, &words);
         says(&warning, Axes::ZUp, &["check the unit"]);
+    }
+    let usual = [0.0, 44.704];
+    let found = Warning::Implausible { vehicle: 1, magnitude: Magnitude::SpeedFound, value: 447.04, usual };
+    says(
+        &found,
+        Axes::ZUp,
+        &[
+            "the speed found of vehicle 1 is 1,000.00 mph",
+            "check the units of depths, widths and stiffness, and the angles",
+        ],
+    );
+    for (magnitude, words) in [
+        (Magnitude::Length, "the length of vehicle 1 is 32.81 ft"),
+        (Magnitude::BodyWidth, "the width of vehicle 1 is 32.81 ft"),
+        (Magnitude::TestMass, "the mass in the barrier test of vehicle 1 is 22 lb"),
+        (Magnitude::TestSpeed, "the speed in the barrier test of vehicle 1 is 22.37 mph"),
+        (Magnitude::TestDepth, "the depth of crush in the barrier test of vehicle 1 is 393.7 in"),
+        (Magnitude::TestWidth, "the width of the damage in the barrier test of vehicle 1 is 393.7 in"),
+    ] {
+        let warning = Warning::Implausible { vehicle: 1, magnitude, value: 10.0, usual: [0.0, 1.0] };
+        says(&warning, Axes::ZUp, &[words]);
     }
 }
 
@@ -153,15 +174,22 @@ fn a_place_is_named_by_side() {
 #[test]
 fn units_and_keys_to_check_are_named() {
     for (source, words) in [
-        (StiffnessSource::Coefficients, "unit of A and B"),
-        (StiffnessSource::Zones, "unit of A and B"),
-        (StiffnessSource::Roots, "unit of d0 and d1"),
+        (StiffnessSource::Coefficients, "units of A and B, and which is which"),
+        (StiffnessSource::Zones, "units of A and B"),
+        (StiffnessSource::Roots, "units of d0 and d1"),
         (StiffnessSource::Category(4), "the category"),
         (StiffnessSource::Test(case::Fit::Exact), "the barrier test"),
     ] {
         let warning = Warning::HighNoDamageSpeed { vehicle: 1, speed: 8.9408, source };
         says(&warning, Axes::ZUp, &["b_0 = 20.00 mph", words]);
+        let warning = Warning::LowNoDamageSpeed { vehicle: 1, speed: 0.089_408, source };
+        says(&warning, Axes::ZUp, &["b_0 = 0.20 mph leaves damage already", words]);
     }
+    says(
+        &Warning::UnusualFriction { friction: 45.0 },
+        Axes::ZUp,
+        &["friction limit is 45,", "0.3 to 1.0", "per cent"],
+    );
     let angle =
         |in_degrees| Warning::LargeAngle { path: "vehicle2.heading".to_owned(), turns: 12.7, in_degrees };
     says(&angle(false), Axes::ZUp, &["`vehicle2.heading` is 12.7 full turns", "did you mean deg?"]);
@@ -171,13 +199,43 @@ fn units_and_keys_to_check_are_named() {
 }
 
 #[test]
-fn a_wall_has_no_delta_v() {
+fn a_wall_has_no_delta_v_and_each_cause_its_own_words() {
     let differs = |restitution| Warning::DeltaVDiffers {
         impact: [Some(3.048), None],
         crash3: [Some(6.096), None],
         restitution,
     };
-    says(&differs(true), Axes::ZUp, &["of 20.00 ft/s (with the same restitution)", "impact's 10.00 ft/s by"]);
-    says(&differs(false), Axes::ZUp, &["(without restitution)"]);
-    assert!(!message(&differs(true), Units::Us, Axes::ZUp).contains("0.00 ft/s and"));
+    says(
+        &differs(true),
+        Axes::ZUp,
+        &["ΔV with the same restitution, 20.00 ft/s (13.64 mph),", "impact's, 10.00 ft/s (6.82 mph)"],
+    );
+    says(&differs(false), Axes::ZUp, &["ΔV without restitution, 20.00 ft/s"]);
+    assert!(!message(&differs(true), Units::Us, Axes::ZUp).contains(" and "));
+    let backward = |found| Warning::MovesBackward { vehicle: 2, speed: -4.4704, found };
+    says(
+        &backward(true),
+        Axes::ZUp,
+        &["the speed found for vehicle 2 is -14.67 ft/s (-10.00 mph)", "the crush energy"],
+    );
+    says(
+        &backward(false),
+        Axes::ZUp,
+        &["the speed given for vehicle 2 is -14.67 ft/s (-10.00 mph)", "check the sign"],
+    );
+    let energy = |basis, on_other_basis| Warning::DamageEnergyDiffers {
+        normal_work: 1_355.817_948,
+        crush_energy: 2_711.635_896,
+        basis,
+        on_other_basis,
+    };
+    let bases = &energy(EnergyBasis::Dissipated, Some(4_067.453_844));
+    says(
+        bases,
+        Axes::ZUp,
+        &["1,000 ft·lb", "2,000 ft·lb on the energy basis `dissipated` (3,000 ft·lb on `absorbed`)"],
+    );
+    let bases = &energy(EnergyBasis::Absorbed, Some(4_067.453_844));
+    says(bases, Axes::ZUp, &["2,000 ft·lb on the energy basis `absorbed` (3,000 ft·lb on `dissipated`)"]);
+    assert!(!message(&energy(EnergyBasis::Dissipated, None), Units::Us, Axes::ZUp).contains("basis"));
 }

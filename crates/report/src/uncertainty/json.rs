@@ -9,6 +9,7 @@ use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
 use super::{method_name, reason_name};
+use crate::json::WarningBlock;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -27,6 +28,8 @@ struct Document<'a> {
     sensitivity: Vec<IndexBlock<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     index_rows: Option<RowsBlock>,
+    /// Of the case as it stands.
+    warnings: Vec<WarningBlock>,
 }
 
 /// An object whose keys keep their order.
@@ -134,6 +137,7 @@ pub fn uncertainty_json(case: &Case, uncertainty: &Uncertainty) -> Result<String
     let document = Document {
         title: case.title.as_deref().unwrap_or_default(),
         axes: case.axes.name(),
+        warnings: WarningBlock::all(&uncertainty.nominal, case),
         samples: propagation.evaluated(),
         requested: propagation.requested(),
         seed: uncertainty.settings.seed,

@@ -50,7 +50,7 @@ fn frames(ledger: &mut Ledger) {
     ledger.quoted("PDOF_2 = θ_2 − θ_1 + PDOF_1 − 180°", &theory, "PDOF_2 = θ_2 − θ_1 + PDOF_1 − 180°");
     ledger.quoted("before the impact is 0 where the file has none", &guide, "0 where absent");
     ledger.made(format!("of the plane itself: {right_angle}° off is the usual slip"));
-    ledger.made(format!("Check the heading ({straight_angle}° off is the usual slip)"));
+    ledger.made(format!("a sign or a heading is wrong ({straight_angle}° off is the usual slip)"));
     ledger.made(format!("θ_1 − PDOF_1 and θ_2 − PDOF_2 differ by {straight_angle}°"));
     ledger.made(format!("|α| < {right_angle}°"));
     ledger.made(format!("The direction of force makes {right_angle}° or more with the normal"));
@@ -197,7 +197,9 @@ fn answer(ledger: &mut Ledger) {
     let energy = number(100.0 * limit("damage-energy"), 0);
     ledger.made(format!("Compare it with E where both speeds are known: a check does, to {energy} %"));
     ledger.made(format!("normal work against crush energy where both speeds are given ({energy} %)"));
-    ledger.made(format!("from the crush energy on the case's basis by more than {energy} %"));
+    ledger.made(format!(
+        "the normal impulse differs by more than {energy} % from what it should be by the crush energy"
+    ));
     // Energy grows with the square of the closing speed.
     let speed = 100.0 * (1.1_f64.sqrt() - 1.0);
     ledger.made(format!("A difference in energy of 10 % is about {speed:.0} % in closing speed"));
@@ -293,6 +295,19 @@ fn warnings(ledger: &mut Ledger) {
     stiffness(ledger);
     works(ledger);
     ledger.made(format!("|μ| is above {}:", large_ratio()));
+    let friction =
+        |mu: f64| is_warned("unusual-friction", &skid(1.0, &format!("{{ friction = {mu:?} }}"), ""));
+    ledger.made(format!(
+        "is below {} or above {}",
+        number(threshold(0.0, 0.5, friction), 1),
+        number(threshold(2.0, 0.5, friction), 1)
+    ));
+    ledger.cited(
+        "Between vehicles 0.3 to 1.0 is usual, 0.55 is a common choice",
+        "friction between vehicles as the manual of SMAC gives it: McHenry and McHenry, SAE 970947; nothing here computes it",
+    );
+    ledger.cited("A limit of 45 is per cent or degrees", "a slip, as an example");
+    ledger.made(format!("{} % is {}", 45, number(45.0 / 100.0, 2)));
     let turned = |angle: f64| {
         is_warned(
             "large-angle",
@@ -397,27 +412,50 @@ fn magnitudes(ledger: &mut Ledger) {
     );
     let radius = usual(&with(&plain, "1.4 m", "5 m"));
     let [of_cars, _] = radii();
-    // k² = l²/12 of a uniform body
     ledger.made(format!(
-        "√(I/m) of {} to {} m (cars {} to {}; a body of 12 m {})",
+        "√(I/m) of {} to {} m (cars {} to {})",
         number(radius[0], 1),
         number(radius[1], 0),
         number(of_cars.iter().copied().fold(f64::INFINITY, f64::min), 1),
-        number(of_cars.iter().copied().fold(0.0, f64::max), 1),
-        number(12.0 / 12_f64.sqrt(), 1)
+        number(of_cars.iter().copied().fold(0.0, f64::max), 1)
     ));
     let fast = skid(0.0, "{ friction = 0.5 }", "").replace("10 m/s", "100 m/s");
-    ledger.made(format!("a speed up to {} m/s, given or found", number(usual(&fast)[1], 0)));
+    ledger.made(format!("a speed up to {} km/h, crush", number(usual(&fast)[1] * 3.6, 0)));
+    let body = |length: f64, width: f64| {
+        let of_car = format!("length = \"{length} m\"\nwidth = \"{width} m\"\ncg_to_front = \"1 m\"");
+        with(&damaged(&of_car, "", SOFT), "\nwidth = \"1.5 m\"", "\nwidth = \"0.4 m\"")
+            .replace("1500 kg", "900 kg")
+    };
+    let [long, wide] = [usual(&body(70.0, 1.8)), usual(&body(4.5, 18.0))];
+    ledger.made(format!(
+        "a body {} to {} m long and {} to {} m wide",
+        number(long[0], 1),
+        number(long[1], 0),
+        number(wide[0], 1),
+        number(wide[1], 0)
+    ));
     let depth = |text: &str| usual(&with(text, "0.3 0.3 m", "4 4 m"))[1];
     let close = |value: f64, expected: f64| assert!((value - expected).abs() < 1e-9, "{value} {expected}");
-    close(depth(&outline), length / 2.0);
-    close(depth(&outline.replace("\"front\"", "\"left\"")), width);
-    ledger.made(format!("or the whole width (else {} m)", number(depth(&plain), 0)));
+    // A body so small that its own size is the bound.
+    let small = body(2.5, 1.3);
+    close(depth(&small), 2.5 / 2.0);
+    close(depth(&small.replace("\"front\"", "\"left\"")), 1.3);
+    close(depth(&outline), depth(&plain));
+    ledger.made(format!("crush no deeper than {} m, half the length or the width", number(depth(&plain), 1)));
+    let test = |mass: &str, speed: &str| {
+        let stiffness = format!(
+            "{{ test = {{ mass = \"{mass}\", speed = \"{speed}\", width = \"1.5 m\", depths = \"0.5 0.5 m\", no_damage_speed = \"1 m/s\" }} }}"
+        );
+        usual(&damaged("", "", &stiffness))
+    };
+    close(test("60 t", "15 m/s")[1], mass[1]);
+    let speeds = test("1500 kg", "50 m/s");
+    ledger.made(format!("with {} m/s to {} km/h", number(speeds[0], 0), number(speeds[1] * 3.6, 0)));
     let damage = |text: &str| usual(&with(text, "width = \"1.5 m\"", "width = \"9 m\""))[1];
     let more = damage(&outline) / width;
     close(damage(&outline.replace("\"front\"", "\"left\"")) / length, more);
     ledger.made(format!(
-        "no wider than its side and {} % (else {} m in front and rear, as lorries are no wider, {} m at the sides)",
+        "no wider than its side and {} % (else {} m in front and rear, {} m at the sides)",
         number(100.0 * (more - 1.0), 0),
         number(damage(&plain), 1),
         number(damage(&plain.replace("\"front\"", "\"left\"")), 0)
@@ -444,13 +482,14 @@ pub(super) fn no_damage_speeds() -> [f64; 3] {
 
 /// (mph) the no-damage speed from which on the program warns.
 pub(super) fn high_no_damage_speed() -> f64 {
+    threshold(20.0, 1.0, |speed| no_damage_speed_is_warned("high-no-damage-speed", speed)) / MILE_PER_HOUR
+}
+
+/// Of a no-damage speed (m/s).
+fn no_damage_speed_is_warned(code: &str, speed: f64) -> bool {
     // b_0 = √(2 G w/m), so that G = b_0² m/2w
-    let warns = |speed: f64| {
-        let stiffness =
-            format!("{{ A = \"40 kN/m\", B = \"500 kN/m^2\", G = \"{} N\" }}", speed * speed * 1500.0 / 3.0);
-        is_warned("high-no-damage-speed", &damaged("", "", &stiffness))
-    };
-    threshold(20.0, 1.0, warns) / MILE_PER_HOUR
+    let g = speed * speed * 1500.0 / 3.0;
+    is_warned(code, &damaged("", "", &format!("{{ A = \"40 kN/m\", B = \"500 kN/m^2\", G = \"{g} N\" }}")))
 }
 
 fn stiffness(ledger: &mut Ledger) {
@@ -471,6 +510,14 @@ fn stiffness(ledger: &mut Ledger) {
     ledger.made(format!(
         "stand for {least} to {most} mph over the width of the face, but for the rear of category 4 ({rear})"
     ));
+    let low = threshold(0.1, 1.0, |speed| no_damage_speed_is_warned("low-no-damage-speed", speed));
+    ledger.made(format!(
+        "at less than {} mph ({} m/s) leaves damage already: b_0 = √(2 G w/m)",
+        number(low / MILE_PER_HOUR, 0),
+        number(low, 2)
+    ));
+    ledger.made(format!("categories stand for {least} to {most} mph over the width of the face. Mostly"));
+    ledger.cited("A line that is meant to begin at zero has A = 0", "what A means");
 }
 
 /// (%) the works of the tangential and of the moment impulse, of the energy loss.
