@@ -638,7 +638,10 @@ fn a_speed_that_is_given_backwards() {
             text.replace("x = \"2 m\"", "x = \"-2 m\"")
         };
         let expected = Warning::MovesBackward { vehicle: skid.car, speed: -10.0, found: false };
-        assert_eq!(raised(analysis::impact, &backwards("-10 m/s"), "moves-backward"), [expected.clone()]);
+        assert_eq!(
+            raised(analysis::impact, &backwards("-10 m/s"), "moves-backward"),
+            std::slice::from_ref(&expected)
+        );
         assert!(analysis::judge(&parsed(&backwards("-10 m/s"))).warnings.contains(&expected));
         let sought = backwards("-10 m/s") + &format!("[reconstruct]\nfind = \"vehicle{}.speed\"\n", skid.car);
         assert!(!analysis::judge(&parsed(&sought)).warnings.iter().any(|one| one.code() == "moves-backward"));
