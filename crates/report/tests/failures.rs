@@ -16,7 +16,7 @@ const BEYOND: Failure = Failure::NotReached {
 fn a_refusal_speaks_the_units_of_the_reader() {
     let jam = Failure::Impact(ImpactError::Jam { impulse_ratio: -2.5, k_nn: 2.0, k_nt: 1.0 });
     let not_approaching = Failure::Impact(ImpactError::NotApproaching { u_n: 3.048 });
-    let pulling = Failure::Impact(ImpactError::Pulling { normal_impulse: -4448.221_615 });
+    let pulling = Failure::Impact(ImpactError::Pulling { normal_impulse: -4_448.221_615 });
     let created = ImpactError::EnergyCreated {
         loss: -1_355.817_95,
         normal_work: 2_711.635_9,
