@@ -155,8 +155,8 @@ fn impact(ledger: &mut Ledger) {
     ));
     ledger.made(format!("restitution against closing speed ({restitution} above {speed} m/s)"));
     ledger.cited(
-        "usually 0.1 or less, or give a curve",
-        "a rule of thumb, as in the templates of `deltav new`",
+        "at medium and high speeds some 0.1 (SAE 931842), or give a curve",
+        "the abstract of that paper",
     );
     ledger.quoted("With e = 1 no energy is dissipated", &theory, "With e = 1, W_n is zero at every speed");
     ledger.cited("includes interlocking, and may exceed 1", "no bound follows from the equations");
