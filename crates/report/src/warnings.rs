@@ -10,6 +10,17 @@ use crate::units::{Quantity, Units, number};
 /// Where more is said of a warning.
 pub(crate) const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to check; its code stands in brackets.";
 
+/// How many there are, for the top of a report; nothing where all are of the kind that most cases have.
+pub(crate) fn count(warnings: &[Warning]) -> Option<String> {
+    if warnings.iter().all(Warning::is_common) {
+        return None;
+    }
+    Some(match warnings.len() {
+        1 => "1 warning".to_owned(),
+        several => format!("{several} warnings"),
+    })
+}
+
 /// What the warning says, in the units of the reader. Its numbers have to be in the axes: [`Analysis::in_axes`](analysis::Analysis::in_axes).
 #[must_use]
 pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
@@ -127,11 +138,12 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
                 units.format(Quantity::Energy, *energy)
             )
         }
-        Warning::DamageCentroid { vehicle, point: [forward, aside], offset_given } => {
+        Warning::DamageCentroid { vehicle, point: [forward, aside], side, offset_given } => {
             let assumed = if *offset_given {
-                ""
+                String::new()
             } else {
-                "; no offset is given, so the middle of the damage was taken to lie on the vehicle's axis or beside its centre of gravity"
+                let middle = crate::undisplaced(*side);
+                format!("; no offset is given, so the middle of the damage was taken to lie {middle}")
             };
             format!(
                 "the force on vehicle {vehicle} was taken to act through the centroid of its damage, {} forward and {} {} of the \
