@@ -36,10 +36,11 @@ pub enum CheckedQuantity {
         /// (J) E, the share of the crush energy that the normal impulse dissipates on the case's basis.
         crush_energy: f64,
     },
-    /// e; above 15 m/s of closing speed at most 0.3, else at most 1.
+    /// e above 15 m/s of closing speed: at most 0.3. Below it all that is possible passes, and there is no check.
     Restitution,
-    /// (N·m·s) moment about the CG of the impulse that acts along the given or computed line of action, counted positive in the sense in which the
-    /// yaw rate changed.
+    /// (N·m·s) moment about the CG of the impulse that acts along the line of action of the file's PDOF, or of the computed one where a moment impulse
+    /// acts too; counted positive in the sense in which the yaw rate changed. Without either the impulse alone makes the change (I ΔΩ = r × P), and
+    /// there is nothing to hold it against.
     Rotation {
         /// 1 or 2.
         vehicle: usize,
@@ -104,10 +105,10 @@ pub(crate) fn checks(
         }
     }
     if let Some(impact) = impact {
-        let fast = -impact.outcome.approach.normal > FAST_CLOSING;
-        let limit = if fast { HIGH_RESTITUTION } else { 1.0 };
-        let value = impact.law.restitution();
-        checks.push(Check { quantity: CheckedQuantity::Restitution, value, limit });
+        if -impact.outcome.approach.normal > FAST_CLOSING {
+            let value = impact.law.restitution();
+            checks.push(Check { quantity: CheckedQuantity::Restitution, value, limit: HIGH_RESTITUTION });
+        }
         for i in [0, 1] {
             if let Some(value) = moment_with_rotation(impact, &vehicles[i], i) {
                 let quantity = CheckedQuantity::Rotation { vehicle: i + 1 };
@@ -118,10 +119,14 @@ pub(crate) fn checks(
     checks
 }
 
-/// (N·m·s) `None` where the vehicle does not turn, or has no line of action.
+/// (N·m·s) `None` where the vehicle does not turn, has no line of action, or cannot but turn with it.
 fn moment_with_rotation(impact: &Impact, vehicle: &Vehicle, i: usize) -> Option<f64> {
     let subject = &vehicle.subject;
     subject.inertia?;
+    let is_given = subject.damage.as_ref()?.pdof.is_some();
+    if !is_given && !impact.law.has_moment() {
+        return None;
+    }
     let damage = vehicle.damage.as_ref()?;
     let [forward, left] = subject.contact.or(damage.centroid)?;
     let (sin, cos) = Real::sin_cos(damage.pdof?);

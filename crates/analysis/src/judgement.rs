@@ -97,10 +97,12 @@ pub enum Assumption {
         /// Of whose damage.
         vehicle: usize,
     },
-    /// The middle of the damage lies on the vehicle's axis or beside its CG.
+    /// The middle of the damage lies on the vehicle's axis or, of damage to a side, beside its CG.
     Centred {
         /// Of whose damage.
         vehicle: usize,
+        /// Which side is damaged.
+        side: Side,
     },
     /// The direction of the force follows: from the other vehicle's PDOF or, where that is not given either, from the impulse.
     Pdof {
@@ -138,7 +140,7 @@ impl Assumption {
             Self::EnergyWithoutCrush { vehicle, .. } => (vehicle, "crush.stiffness.G"),
             Self::ExactFit { vehicle } => (vehicle, "crush.stiffness.test.fit"),
             Self::InferredWidth { vehicle } => (vehicle, "crush.width"),
-            Self::Centred { vehicle } => (vehicle, "crush.offset"),
+            Self::Centred { vehicle, .. } => (vehicle, "crush.offset"),
             Self::Pdof { vehicle, .. } => (vehicle, "crush.pdof"),
             Self::CappedCorrection { vehicle } => (vehicle, "crush.oblique"),
             Self::BrachLaw => return "impact.law".to_owned(),
@@ -348,7 +350,7 @@ fn of_crush(
         && subject.is_some_and(|subject| subject.contact.is_none())
         && damage.is_some_and(|damage| damage.face.is_some());
     if acts_at_centroid && crush.offset.is_none() {
-        assumptions.push(Assumption::Centred { vehicle });
+        assumptions.push(Assumption::Centred { vehicle, side: crush.side });
     }
     if crush.pdof.is_none() && (crush.oblique_angle.is_none() || crush.moment_arm.is_none()) {
         let opposite = damage.and_then(|damage| damage.pdof);

@@ -170,6 +170,8 @@ pub enum Warning {
         vehicle: usize,
         /// (m) the centroid, forward and left of the CG or, in z-down axes, right.
         point: [f64; 2],
+        /// Which side is damaged.
+        side: Side,
         /// Whether the file says where on the face the damage lies.
         offset_given: bool,
     },
@@ -789,9 +791,9 @@ pub(crate) fn of_assumptions(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning
                 bounds: inferred.range.map(|range| [range.lowest.energy, range.highest.energy]),
             });
         }
-        if let Some(point) = damage.centroid {
-            let offset_given = subject.damage.as_ref().is_some_and(|given| given.offset.is_some());
-            warnings.push(Warning::DamageCentroid { vehicle: number, point, offset_given });
+        if let (Some(point), Some(given)) = (damage.centroid, &subject.damage) {
+            let (side, offset_given) = (given.side, given.offset.is_some());
+            warnings.push(Warning::DamageCentroid { vehicle: number, point, side, offset_given });
         }
     }
 }

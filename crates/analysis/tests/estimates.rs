@@ -111,7 +111,7 @@ fn every_assumption_is_a_warning() {
             outline: Some([length, _, _]),
         },
         Warning::InferredEnergy { .. },
-        Warning::DamageCentroid { vehicle: 2, point: [forward, left], offset_given: true },
+        Warning::DamageCentroid { vehicle: 2, point: [forward, left], offset_given: true, .. },
     ] = class.warnings[..]
     else {
         panic!("{:?}", class.warnings)

@@ -37,7 +37,8 @@ pub(crate) enum Command {
             without an answer has its error in its row, and the others are done all the same.\n\n\
             The columns of csv have names that do not change, with units: \"file\", \"error\", \"found.value (m/s)\", \
             \"impact.energy_loss (J)\", \"vehicle1.delta_v (m/s)\", \"vehicle2.pdof (rad)\" and so on, each named as its key in --format json, in SI units \
-            and radians; \"warnings\" has the codes, which `deltav explain` explains, with the vehicle before one that concerns one; \"help\" says what to write instead of what is wrong. \
+            and radians, whatever the files are written in. With --units us they are \"found.value (mph)\", \"impact.energy_loss (ft lb)\", \"vehicle1.peak_force (lb)\", \
+            \"vehicle2.pdof (deg)\" and so on. \"warnings\" has the codes, which `deltav explain` explains, with the vehicle before one that concerns one; \"help\" says what to write instead of what is wrong. \
             A text that begins with =, +, -, @, tab or carriage return, which a spreadsheet would run as a formula, has an apostrophe before it. A line of jsonl is what --format json gives, with \"file\" before it, or \
             {\"file\": …, \"error\": …, \"help\": …}.",
         after_help = "Examples:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
@@ -46,14 +47,18 @@ pub(crate) enum Command {
             deltav reconstruct fixtures/ricsac/*.toml --format csv -o results.csv\n\n\
             Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
     )]
-    Reconstruct(ReconstructArguments),
+    Reconstruct(CasesArguments),
     /// Compute what an impact does, both speeds given
     #[command(
         long_about = "Compute what an impact does, both speeds given.\n\n\
-            Planar impact mechanics forward: impulse, motion after, ΔV, PDOF and energy. Damage is assessed beside it where the case has it.",
-        after_help = "Example:\n  deltav impact fixtures/sae-980025-impact.toml"
+            Planar impact mechanics forward: impulse, motion after, ΔV, PDOF and energy. Damage is assessed beside it where the case has it.\n\n\
+            Several files become a row each, as with `deltav reconstruct`: --format csv has the same columns, of which those of what is found are empty, and \
+            --format jsonl a line of JSON.",
+        after_help = "Examples:\n  deltav impact fixtures/sae-980025-impact.toml\n  \
+            deltav impact fixtures/ricsac/*.toml --format csv --units us -o results.csv\n\n\
+            Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
     )]
-    Impact(ReportArguments),
+    Impact(CasesArguments),
     /// Compute crush energy and ΔV from damage and PDOF alone (CRASH3)
     #[command(
         long_about = "Compute crush energy and ΔV from damage and PDOF alone (CRASH3).\n\n\
@@ -206,17 +211,17 @@ impl TypedValueParser for TopicParser {
 }
 
 #[derive(Debug, Args)]
-pub(crate) struct ReconstructArguments {
+pub(crate) struct CasesArguments {
     /// The case file (TOML), or - for standard input; several with --format csv or jsonl
     #[arg(value_name = "CASE", required = true)]
     pub(crate) cases: Vec<PathBuf>,
 
     /// Text for people, JSON in SI units and radians for programs, or a report to hand over: one HTML file with drawings, or Markdown; of any number of
     /// files a row each, as CSV or as a line of JSON
-    #[arg(long, value_enum, default_value_t = ReconstructFormat::Text)]
-    pub(crate) format: ReconstructFormat,
+    #[arg(long, value_enum, default_value_t = CasesFormat::Text)]
+    pub(crate) format: CasesFormat,
 
-    /// Units of the text; without this, those that most of the case file is written in
+    /// Units of text, report and csv; without this, those that most of the case file is written in, and SI for csv
     #[arg(long, value_enum)]
     pub(crate) units: Option<UnitSystem>,
 
@@ -230,7 +235,7 @@ pub(crate) struct ReconstructArguments {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ReconstructFormat {
+pub(crate) enum CasesFormat {
     Text,
     Json,
     Html,

@@ -1,4 +1,4 @@
-//! Many reconstructions at once: a row each, in the order of the arguments.
+//! Many cases at once: a row each, in the order of the arguments.
 
 use std::collections::VecDeque;
 use std::fmt;
@@ -14,7 +14,7 @@ use rayon::ThreadPool;
 use report::{Refused, Row, RowError, Units};
 
 use crate::progress::Progress;
-use crate::read;
+use crate::{Analyse, read};
 
 /// Cases per thread that are begun before the row whose turn it is has been written: enough that no thread waits for a slow one, and few enough to keep
 /// in memory.
@@ -46,24 +46,40 @@ impl fmt::Display for Incomplete {
 
 impl std::error::Error for Incomplete {}
 
-pub(crate) fn csv(cases: &[PathBuf], pool: &ThreadPool, output: Option<&Path>) -> Result<()> {
-    write(cases, pool, output, &report::csv_header()?, report::csv_row)
+/// What a row is.
+#[derive(Clone, Copy)]
+pub(crate) enum Rows {
+    Csv(Units),
+    Jsonl,
 }
 
-pub(crate) fn jsonl(cases: &[PathBuf], pool: &ThreadPool, output: Option<&Path>) -> Result<()> {
-    write(cases, pool, output, "", report::jsonl_row)
+impl Rows {
+    fn header(self) -> Result<String, RowError> {
+        match self {
+            Self::Csv(units) => report::csv_header(units),
+            Self::Jsonl => Ok(String::new()),
+        }
+    }
+
+    fn row(self, row: Row<'_>) -> Result<String, RowError> {
+        match self {
+            Self::Csv(units) => report::csv_row(row, units),
+            Self::Jsonl => report::jsonl_row(row),
+        }
+    }
+}
+
+/// What is to be done with the files.
+pub(crate) struct Job<'a> {
+    pub(crate) cases: &'a [PathBuf],
+    pub(crate) analyse: Analyse,
+    pub(crate) format: Rows,
 }
 
 /// A row, and whether it is an error's.
 type Written = (Result<String, RowError>, bool);
 
-fn write(
-    cases: &[PathBuf],
-    pool: &ThreadPool,
-    output: Option<&Path>,
-    header: &str,
-    row: fn(Row<'_>) -> Result<String, RowError>,
-) -> Result<()> {
+pub(crate) fn write(job: &Job<'_>, pool: &ThreadPool, output: Option<&Path>) -> Result<()> {
     let mut sink: Box<dyn Write> = match output {
         Some(path) => Box::new(
             File::create(path).with_context(|| format!("cannot write the output to {}", path.display()))?,
@@ -75,8 +91,8 @@ fn write(
         true => None,
         false => Some(Progress::new()?),
     };
-    match rows(cases, pool, &mut *sink, header, row, &mut |done| {
-        progress.as_mut().is_some_and(|progress| progress.at("case files", done, cases.len()).is_break())
+    match rows(job, pool, &mut *sink, &mut |done| {
+        progress.as_mut().is_some_and(|progress| progress.at("case files", done, job.cases.len()).is_break())
     }) {
         // Whoever reads has read enough, as `head` does.
         Err(error) if is_broken_pipe(&error) => Ok(()),
@@ -90,16 +106,14 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
 
 /// Writes each row as soon as all before it are written. `ends` is told how many are, and says whether that is enough.
 fn rows(
-    cases: &[PathBuf],
+    &Job { cases, analyse, format }: &Job<'_>,
     pool: &ThreadPool,
     sink: &mut dyn Write,
-    header: &str,
-    row: fn(Row<'_>) -> Result<String, RowError>,
     ends: &mut dyn FnMut(usize) -> bool,
 ) -> Result<()> {
     let total = cases.len();
     let ahead = AHEAD * pool.current_num_threads();
-    sink.write_all(header.as_bytes()).context(CANNOT_WRITE)?;
+    sink.write_all(format.header()?.as_bytes()).context(CANNOT_WRITE)?;
     pool.in_place_scope(|scope| {
         let mut left = cases.iter();
         let mut begun = VecDeque::new();
@@ -111,7 +125,7 @@ fn rows(
                 let (send, receive) = mpsc::sync_channel::<Written>(1);
                 scope.spawn(move |_| {
                     // Nobody waits for it where the writing has ended.
-                    let _ = send.send(reconstructed(path, row));
+                    let _ = send.send(analysed(path, analyse, format));
                 });
                 begun.push_back(receive);
             }
@@ -129,13 +143,13 @@ fn rows(
     })
 }
 
-fn reconstructed(path: &Path, row: fn(Row<'_>) -> Result<String, RowError>) -> Written {
+fn analysed(path: &Path, analyse: Analyse, format: Rows) -> Written {
     let file = path.display().to_string();
     let sentence = |error: String| (on_one_line(&error), String::new());
     let of_case = |errors: Diagnostics| (errors.one_line(), errors.help_on_one_line());
     let answer = read(path).map_err(|error| sentence(format!("{error:#}"))).and_then(|(name, bytes)| {
         let file = Case::parse_bytes(&name, &bytes).map_err(of_case)?;
-        match analysis::reconstruct(&file) {
+        match analyse(&file) {
             Ok(analysis) => Ok((file.case, analysis)),
             Err(Failure::Case(errors)) => Err(of_case(errors)),
             Err(failure) => Err(sentence(report::no_answer(&failure, Units::of_case(&file.case)))),
@@ -144,7 +158,7 @@ fn reconstructed(path: &Path, row: fn(Row<'_>) -> Result<String, RowError>) -> W
     let is_error = answer.is_err();
     let answer = answer.as_ref().map(|(case, analysis)| (case, analysis));
     let answer = answer.map_err(|(error, help)| Refused { error, help });
-    (row(Row { file: &file, answer }), is_error)
+    (format.row(Row { file: &file, answer }), is_error)
 }
 
 fn on_one_line(text: &str) -> String {

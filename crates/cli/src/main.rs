@@ -18,15 +18,19 @@ use std::process::ExitCode;
 use analysis::{Analysis, Failure, Plan, Stage, Sweep, Uncertainty};
 use anyhow::{Context as _, Result};
 use arguments::{
-    Arguments, Command, ExplainArguments, Format, PageFormat, ReconstructArguments, ReconstructFormat,
-    ReportArguments, ReportFormat, SensitivityArguments, UncertaintyArguments, UnitSystem, ValidateArguments,
+    Arguments, CasesArguments, CasesFormat, Command, ExplainArguments, Format, PageFormat, ReportArguments,
+    ReportFormat, SensitivityArguments, UncertaintyArguments, UnitSystem, ValidateArguments,
 };
+use batch::{Job, Rows};
 use case::{Case, CaseFile};
 use clap::Parser as _;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use report::{DrawingError, Supplement, Units};
 use uncertainty::{Method, Settings};
 use validation::{Data, Validation};
+
+/// What a command makes of a case.
+type Analyse = fn(&CaseFile) -> Result<Analysis, Failure>;
 
 /// Samples behind the uncertainty in a report: enough for three digits, in a blink.
 const SUPPLEMENT_SAMPLES: usize = 20_000;
@@ -62,8 +66,8 @@ fn main() -> ExitCode {
 fn run(command: Command) -> Result<()> {
     match command {
         Command::New(arguments) => new::new(&arguments),
-        Command::Reconstruct(arguments) => reconstruct(arguments),
-        Command::Impact(arguments) => report_analysis(&arguments, analysis::impact),
+        Command::Reconstruct(arguments) => report_or_rows(arguments, analysis::reconstruct),
+        Command::Impact(arguments) => report_or_rows(arguments, analysis::impact),
         Command::Crush(arguments) => report_analysis(&arguments, analysis::crush),
         Command::Check(arguments) => report_judgement(&arguments),
         Command::Compare(arguments) => report_comparison(&arguments),
@@ -92,20 +96,21 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
     }
 }
 
-fn reconstruct(arguments: ReconstructArguments) -> Result<()> {
-    let ReconstructArguments { mut cases, format, units, threads, output } = arguments;
+fn report_or_rows(arguments: CasesArguments, analyse: Analyse) -> Result<()> {
+    let CasesArguments { mut cases, format, units, threads, output } = arguments;
+    let rows =
+        |format| batch::write(&Job { cases: &cases, analyse, format }, &pool(threads)?, output.as_deref());
     let format = match format {
-        ReconstructFormat::Csv => return batch::csv(&cases, &pool(threads)?, output.as_deref()),
-        ReconstructFormat::Jsonl => return batch::jsonl(&cases, &pool(threads)?, output.as_deref()),
-        ReconstructFormat::Text => ReportFormat::Text,
-        ReconstructFormat::Json => ReportFormat::Json,
-        ReconstructFormat::Html => ReportFormat::Html,
-        ReconstructFormat::Markdown => ReportFormat::Markdown,
+        // Rows of several cases have one header: its units are not those of a case.
+        CasesFormat::Csv => return rows(Rows::Csv(units.map_or(Units::Si, Units::from))),
+        CasesFormat::Jsonl => return rows(Rows::Jsonl),
+        CasesFormat::Text => ReportFormat::Text,
+        CasesFormat::Json => ReportFormat::Json,
+        CasesFormat::Html => ReportFormat::Html,
+        CasesFormat::Markdown => ReportFormat::Markdown,
     };
     match (cases.pop(), cases.len()) {
-        (Some(case), 0) => {
-            report_analysis(&ReportArguments { case, format, units, output }, analysis::reconstruct)
-        }
+        (Some(case), 0) => report_analysis(&ReportArguments { case, format, units, output }, analyse),
         (_, others) => Err(anyhow::anyhow!(
             "{} case files are given, and a report is on one; use --format csv or --format jsonl for a row each",
             others + 1
@@ -113,10 +118,7 @@ fn reconstruct(arguments: ReconstructArguments) -> Result<()> {
     }
 }
 
-fn report_analysis(
-    arguments: &ReportArguments,
-    analyse: fn(&CaseFile) -> Result<Analysis, Failure>,
-) -> Result<()> {
+fn report_analysis(arguments: &ReportArguments, analyse: Analyse) -> Result<()> {
     let file = case_file(&arguments.case)?;
     let units = units(arguments.units, &file);
     let analysis = answered(analyse(&file), units)?;
@@ -299,10 +301,15 @@ fn case_file(path: &Path) -> Result<CaseFile> {
 }
 
 fn units(asked: Option<UnitSystem>, file: &CaseFile) -> Units {
-    match asked {
-        Some(UnitSystem::Si) => Units::Si,
-        Some(UnitSystem::Us) => Units::Us,
-        None => Units::of_case(&file.case),
+    asked.map_or_else(|| Units::of_case(&file.case), Units::from)
+}
+
+impl From<UnitSystem> for Units {
+    fn from(asked: UnitSystem) -> Self {
+        match asked {
+            UnitSystem::Si => Self::Si,
+            UnitSystem::Us => Self::Us,
+        }
     }
 }
 

@@ -7,9 +7,7 @@ use std::path::Path;
 use anyhow::{Context as _, Result, bail};
 use same_file::{Handle, is_same_file};
 
-use crate::arguments::{
-    Arguments, Command, Format, PageFormat, ReconstructFormat, ReportArguments, ReportFormat,
-};
+use crate::arguments::{Arguments, CasesFormat, Command, Format, PageFormat, ReportArguments, ReportFormat};
 
 /// A file that is written.
 struct Output<'a> {
@@ -120,22 +118,22 @@ fn files(command: &Command) -> Files<'_> {
     match command {
         // It refuses whatever exists when it writes.
         Command::New(_) => Files::default(),
-        Command::Reconstruct(arguments) => Files {
+        Command::Reconstruct(arguments) | Command::Impact(arguments) => Files {
             cases: arguments.cases.iter().map(|case| &**case).collect(),
             outputs: output(
                 arguments.output.as_deref(),
                 match arguments.format {
-                    ReconstructFormat::Text => "-report.txt",
-                    ReconstructFormat::Json => "-report.json",
-                    ReconstructFormat::Html => "-report.html",
-                    ReconstructFormat::Markdown => "-report.md",
-                    ReconstructFormat::Csv => "-rows.csv",
-                    ReconstructFormat::Jsonl => "-rows.jsonl",
+                    CasesFormat::Text => "-report.txt",
+                    CasesFormat::Json => "-report.json",
+                    CasesFormat::Html => "-report.html",
+                    CasesFormat::Markdown => "-report.md",
+                    CasesFormat::Csv => "-rows.csv",
+                    CasesFormat::Jsonl => "-rows.jsonl",
                 },
             ),
             folder: None,
         },
-        Command::Impact(arguments) | Command::Crush(arguments) => of_report(arguments),
+        Command::Crush(arguments) => of_report(arguments),
         Command::Check(arguments) | Command::Compare(arguments) => of_arguments(arguments),
         Command::Sensitivity(arguments) => of_arguments(&arguments.arguments),
         Command::Uncertainty(arguments) => {

@@ -239,3 +239,94 @@ fn no_text_of_a_case_is_a_formula_to_a_spreadsheet() {
         assert_eq!(json["title"], format!("{start}1+2"));
     }
 }
+
+/// What a unit of the US columns is in SI: the foot and the pound by definition, and standard gravity.
+fn in_si(unit: &str) -> f64 {
+    let (foot, pound): (f64, f64) = (0.3048, 0.453_592_37 * 9.806_65);
+    match unit {
+        "mph" => 5280.0 * foot / 3600.0,
+        "deg" | "deg/s" => std::f64::consts::PI / 180.0,
+        "ft lb" => foot * pound,
+        "lb s" | "lb" => pound,
+        other => panic!("{other}"),
+    }
+}
+
+/// Neither the files nor the order of the columns decide the units: they are asked for.
+#[test]
+fn us_columns_have_the_values_of_the_si_columns() {
+    let mut converted = 0;
+    for command in ["reconstruct", "impact"] {
+        for file in case_files().iter().filter(|file| !file.contains("/invalid/")) {
+            let rows = |units: &[&str]| {
+                let output = deltav(&[&[command, file, "--format", "csv"], units].concat());
+                <[Vec<String>; 2]>::try_from(records(&String::from_utf8(output.stdout).unwrap())).unwrap()
+            };
+            let [[names, default], [si_names, si], [us_names, us]] =
+                [rows(&[]), rows(&["--units", "si"]), rows(&["--units", "us"])];
+            assert_eq!((&names, &default), (&si_names, &si), "{file}");
+            assert_eq!(names.len(), us_names.len());
+            for (i, (name, us_name)) in names.iter().zip(&us_names).enumerate() {
+                let (bare, unit) = us_name.split_once(" (").unwrap_or((us_name, ""));
+                assert_eq!(name.split(" (").next(), Some(bare));
+                assert_eq!(name.contains(" ("), !unit.is_empty(), "{name} {us_name}");
+                if unit.is_empty() || si[i].is_empty() {
+                    assert_eq!(si[i], us[i], "{file}: {name}");
+                    continue;
+                }
+                let [si, us] = [&si[i], &us[i]].map(|cell| cell.parse::<f64>().unwrap());
+                let expected = si / in_si(unit.strip_suffix(')').unwrap());
+                assert!(
+                    (us - expected).abs() <= 1e-14 * expected.abs(),
+                    "{file}: {us_name}: {us}, {expected}"
+                );
+                converted += 1;
+            }
+        }
+    }
+    assert!(converted > 1000, "{converted}");
+}
+
+#[test]
+fn rows_of_impacts_are_those_of_their_json_with_nothing_found() {
+    let files: Vec<String> = case_files().into_iter().filter(|file| file.contains("ricsac/")).collect();
+    let run = |format: &str| {
+        let mut arguments = vec!["impact", "--format", format];
+        arguments.extend(files.iter().map(String::as_str));
+        deltav(&arguments)
+    };
+    let (csv, jsonl) = (run("csv"), run("jsonl"));
+    let records = records(&String::from_utf8(csv.stdout).unwrap());
+    let lines: Vec<Value> = jsonl
+        .stdout
+        .split(|&byte| byte == b'\n')
+        .filter_map(|line| serde_json::from_slice(line).ok())
+        .collect();
+    assert_eq!((records.len(), lines.len()), (files.len() + 1, files.len()));
+    let (mut answered, mut refused) = (0, 0);
+    for ((file, line), cells) in files.iter().zip(&lines).zip(&records[1..]) {
+        let alone = deltav(&["impact", file, "--format", "json"]);
+        assert_eq!((line["file"].as_str(), &cells[0]), (Some(file.as_str()), file));
+        if !alone.status.success() {
+            assert!(line["error"].is_string() && !cells[1].is_empty(), "{file}");
+            refused += 1;
+            continue;
+        }
+        let mut json: Value = serde_json::from_slice(&alone.stdout).unwrap();
+        json["file"] = file.as_str().into();
+        assert_eq!(*line, json);
+        for (column, cell) in records[0].iter().zip(cells) {
+            if column.starts_with("found.") {
+                assert_eq!(cell, "", "{file}: {column}");
+            } else if let Some(number) = json.pointer(&place(column)).and_then(Value::as_f64) {
+                let cell: f64 = cell.parse().unwrap();
+                assert!((cell - number).abs() <= 1e-15 * number.abs(), "{file}: {column}");
+            }
+        }
+        answered += 1;
+    }
+    // One file there is no case: the numbers that the papers print.
+    assert_eq!(refused, 1);
+    assert!(answered > 5, "{answered}");
+    assert_eq!((csv.status.code(), jsonl.status.code()), (Some(1), Some(1)));
+}

@@ -977,6 +977,27 @@ fn uncertainty_draws_every_result() {
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 18);
     let drawn = fs::read_to_string(folder.join("tornado-vehicle1.speed.svg")).unwrap();
     assert!(drawn.contains("impact.crush_plane"));
+    // People read speeds in mph and km/h: 22.869 m/s, the speed found, is 51.16 mph or 82.3 km/h.
+    let plots = |units: &str| {
+        let text = temporary("u-units.txt");
+        let arguments = ["uncertainty", UNCERTAIN_FILE, "--samples", "1000", "--units", units, "--plots"];
+        printed(&[&arguments[..], &[folder.to_str().unwrap(), "-o", text.to_str().unwrap()]].concat(), "");
+        ["tornado", "histogram"].map(|plot| {
+            let drawn = fs::read_to_string(folder.join(format!("{plot}-vehicle1.speed.svg"))).unwrap();
+            drawn.lines().collect::<Vec<_>>().join(" ")
+        })
+    };
+    for (units, unit, central) in [("us", "mph", "51.16"), ("si", "km/h", "82.3")] {
+        let [tornado, histogram] = plots(units);
+        for (plot, central) in
+            [(tornado, format!("central {central} ")), (histogram, format!("central: {central} "))]
+        {
+            assert!(
+                plot.contains(&format!("Speed of vehicle 1, {unit} ")) && plot.contains(&central),
+                "{plot}"
+            );
+        }
+    }
 }
 
 /// Whatever is made of a case, its reader is told.

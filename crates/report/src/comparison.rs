@@ -185,18 +185,9 @@ pub fn comparison_text(case: &Case, comparison: &Comparison, units: Units) -> St
         );
         text.push('\n');
     }
-    let yaw_rate = name(Quantity::YawRate);
     table(
         &mut text,
-        &[
-            ("PDOF 1", "°"),
-            ("PDOF 2", "°"),
-            ("E_L", name(Quantity::Energy)),
-            ("W_n", "%"),
-            ("W_t", "%"),
-            ("Ω 1", yaw_rate),
-            ("Ω 2", yaw_rate),
-        ],
+        &[("PDOF 1", "°"), ("PDOF 2", "°"), ("E_L", name(Quantity::Energy)), ("W_n", "%"), ("W_t", "%")],
         answered().map(|row| {
             let share = |share: Option<f64>| share.map(|share| number(100.0 * share, 1));
             let values = &row.values;
@@ -206,10 +197,20 @@ pub fn comparison_text(case: &Case, comparison: &Comparison, units: Units) -> St
                 plain(Quantity::Energy, values.energy_loss),
                 share(values.normal_share),
                 share(values.tangential_share),
-                plain(Quantity::YawRate, of(values.final_yaw_rate, 0)),
-                plain(Quantity::YawRate, of(values.final_yaw_rate, 1)),
             ];
             (row.law, cells)
+        }),
+    );
+    text.push('\n');
+    let rates = [Quantity::YawRate, Quantity::YawRateDegrees];
+    let [radians, degrees] = rates.map(name);
+    table(
+        &mut text,
+        &[("Ω 1", radians), ("", degrees), ("Ω 2", radians), ("", degrees)],
+        // CRASH3 knows no rotation.
+        answered().filter(|row| row.values.final_yaw_rate.is_some()).map(|row| {
+            let cells = [0, 1].map(|i| rates.map(|rate| plain(rate, of(row.values.final_yaw_rate, i))));
+            (row.law, cells.concat())
         }),
     );
     text.push_str("\nCoefficients\n");

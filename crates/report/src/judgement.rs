@@ -416,9 +416,8 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
         Assumption::InferredWidth { .. } => {
             "unknown: that of the measured damage, within what the vehicle's dimensions allow".to_owned()
         }
-        Assumption::Centred { .. } => {
-            "0: the middle of the damage lies on the vehicle's axis or beside its centre of gravity"
-                .to_owned()
+        Assumption::Centred { side, .. } => {
+            format!("0: the middle of the damage lies {}", crate::undisplaced(*side))
         }
         Assumption::Pdof { opposite: Some(pdof), .. } => {
             format!("{}, opposite to the force on the other vehicle", units.format(Quantity::Angle, *pdof))

@@ -105,6 +105,16 @@ fn unknown_name(unknown: Unknown) -> &'static str {
     }
 }
 
+/// Whether damage is laid off from the vehicle's axis, and not from beside its CG.
+fn is_end(side: Side) -> bool {
+    matches!(side, Side::Front | Side::Rear)
+}
+
+/// Where the middle of a damage without an offset lies.
+fn undisplaced(side: Side) -> &'static str {
+    if is_end(side) { "on the vehicle's axis" } else { "beside the centre of gravity" }
+}
+
 fn side_name(side: Side) -> &'static str {
     match side {
         Side::Front => "front",

@@ -20,6 +20,8 @@ struct Page {
     source: Option<String>,
     /// What was found, in one sentence.
     answer: String,
+    /// How many warnings there are.
+    notice: Option<String>,
     /// Name and value.
     identification: Vec<(&'static str, String)>,
     drawings: Vec<Drawing>,
@@ -115,6 +117,7 @@ impl Page {
             title: case.title.clone().unwrap_or_else(|| "Untitled case".to_owned()),
             source: case.source.clone(),
             answer: answer(analysis, units),
+            notice: warnings::count(&seen.warnings),
             identification,
             drawings,
             method: method(analysis, case.axes),

@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use crate::json::document;
+use crate::units::{Quantity, Units};
 
 /// What came of one file.
 #[derive(Clone, Copy, Debug)]
@@ -93,11 +94,35 @@ const VEHICLE: [(&str, &str); 22] = [
 /// instead of what is wrong.
 const LAST: [&str; 2] = ["warnings", "help"];
 
+/// What the names of columns end in, in SI and in US units, and what it is the unit of. There is one column for a speed: mph.
+const UNITS: [(&str, &str, Quantity); 6] = [
+    ("(m/s)", "(mph)", Quantity::RoadSpeed),
+    ("(rad)", "(deg)", Quantity::Angle),
+    ("(rad/s)", "(deg/s)", Quantity::YawRateDegrees),
+    ("(J)", "(ft lb)", Quantity::Energy),
+    ("(N s)", "(lb s)", Quantity::Impulse),
+    ("(N)", "(lb)", Quantity::Force),
+];
+
+/// Where the values of a column are converted: its name without the unit, the unit, and what it is of.
+fn converted(name: &str, units: Units) -> Option<(&str, &'static str, Quantity)> {
+    let find = || {
+        UNITS.iter().find_map(|&(si, us, quantity)| name.strip_suffix(si).map(|bare| (bare, us, quantity)))
+    };
+    match units {
+        Units::Si => None,
+        Units::Us => find(),
+    }
+}
+
 /// The columns of [`csv_row`]: names that do not change, with the unit of the values in parentheses. Columns may be added.
 #[must_use]
-pub fn csv_columns() -> Vec<String> {
-    let of_vehicle = |vehicle: usize| VEHICLE.map(|(name, _)| format!("vehicle{vehicle}.{name}"));
-    let shared = SHARED.map(|(name, _)| name.to_owned());
+pub fn csv_columns(units: Units) -> Vec<String> {
+    let named = |name: &str| {
+        converted(name, units).map_or_else(|| name.to_owned(), |(bare, unit, _)| format!("{bare}{unit}"))
+    };
+    let of_vehicle = |vehicle: usize| VEHICLE.map(|(name, _)| format!("vehicle{vehicle}.{}", named(name)));
+    let shared = SHARED.map(|(name, _)| named(name));
     shared.into_iter().chain(of_vehicle(1)).chain(of_vehicle(2)).chain(LAST.map(str::to_owned)).collect()
 }
 
@@ -105,12 +130,12 @@ pub fn csv_columns() -> Vec<String> {
 ///
 /// # Errors
 /// [`RowError`], which no names cause.
-pub fn csv_header() -> Result<String, RowError> {
-    line(&csv_columns())
+pub fn csv_header(units: Units) -> Result<String, RowError> {
+    line(&csv_columns(units))
 }
 
-/// One line of CSV (RFC 4180, but for the plain line feed at its end) under [`csv_header`]: SI units and radians, each number the shortest that reads
-/// back as the same, nothing where there is no value.
+/// One line of CSV (RFC 4180, but for the plain line feed at its end) under the [`csv_header`] of the same units: SI units and radians, or US units with speeds in mph
+/// and degrees. Each number is the shortest that reads back as the same; there is nothing where there is no value.
 ///
 /// A spreadsheet runs a cell that begins with `=`, `+`, `-`, `@`, tab or carriage return as a formula, and titles and names come from whoever wrote the
 /// file. Such a text, never a number, has an apostrophe before it: the spreadsheet shows a text, and a program takes the apostrophe away. [`jsonl_row`]
@@ -118,14 +143,20 @@ pub fn csv_header() -> Result<String, RowError> {
 ///
 /// # Errors
 /// [`RowError`], which no analysis causes.
-pub fn csv_row(row: Row<'_>) -> Result<String, RowError> {
+pub fn csv_row(row: Row<'_>, units: Units) -> Result<String, RowError> {
     let value = value(row)?;
-    let cell = |place: &str| value.pointer(place).map(cell).unwrap_or_default();
-    let mut cells: Vec<String> = SHARED.iter().map(|(_, place)| cell(place)).collect();
+    let cell = |name: &str, place: &str| {
+        let found = value.pointer(place);
+        match (converted(name, units), found.and_then(Value::as_f64)) {
+            (Some((_, _, quantity)), Some(si)) => cell(&units.value(quantity, si).into()),
+            _ => found.map(cell).unwrap_or_default(),
+        }
+    };
+    let mut cells: Vec<String> = SHARED.iter().map(|(name, place)| cell(name, place)).collect();
     for vehicle in [1, 2] {
         let place =
             |place: &str| place.replace('#', &vehicle.to_string()).replace('%', &(vehicle - 1).to_string());
-        cells.extend(VEHICLE.iter().map(|(_, of_either)| cell(&place(of_either))));
+        cells.extend(VEHICLE.iter().map(|(name, of_either)| cell(name, &place(of_either))));
     }
     let warnings = value.get("warnings").and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
     let codes = warnings.iter().filter_map(|warning| {
@@ -134,7 +165,7 @@ pub fn csv_row(row: Row<'_>) -> Result<String, RowError> {
         Some(vehicle.map_or_else(|| code.to_owned(), |vehicle| format!("vehicle{vehicle}.{code}")))
     });
     cells.push(codes.collect::<Vec<_>>().join(" "));
-    cells.push(cell("/help"));
+    cells.push(cell("help", "/help"));
     line(&cells)
 }
 

@@ -145,12 +145,14 @@ fn derivatives(text: &mut String, group: &[Derivative], units: Units) {
         };
         let given = format!("{}{unit}", row.input.number);
         // In the result's unit per one of the input's own.
-        let change = significant(units.value(Quantity::Speed, row.value * row.input.factor()), 4);
-        let change = format!("{change} {}{per}", units.name(Quantity::Speed));
+        let change = significant(units.value(units.speed_alone(), row.value * row.input.factor()), 4);
+        let change = format!("{change} {}{per}", units.name(units.speed_alone()));
         let relative = row.relative().map_or_else(|| "–".to_owned(), |relative| number(relative, 3));
         let influence = number(100.0 * row.influence(), 2);
+        // A number with many digits takes from the room before the change.
+        let room = 43_usize.saturating_sub(given.chars().count());
         text.push_str(&format!(
-            "{}{given:<16}{change:>28}{relative:>10}{influence:>10}\n",
+            "{}{given} {change:>room$}{relative:>10}{influence:>10}\n",
             first_cell(&row.input.path, 34)
         ));
     }
@@ -168,7 +170,7 @@ fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units, axes: Axes)
         ));
         return;
     }
-    let speed = units.name(Quantity::Speed);
+    let speed = units.name(units.speed_alone());
     text.push_str(&format!(
         "\n{:<22}{:>9}{:>9}{:>10}{:>12}{:>12}{:>12}{:>12}\n",
         "PDOF sweep, CRASH3", "PDOF 1", "PDOF 2", "ΔV", "uncorrected", "corrected", "capped", "uncapped"
@@ -187,7 +189,7 @@ fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units, axes: Axes)
         let directions = format!("{change:<22}{:>9}{:>9}", angle(row.pdof[0]), angle(row.pdof[1]));
         for vehicle in [0, 1] {
             let cell = |dv: Option<[f64; 2]>| {
-                let dv = dv.map(|dv| units.plain(Quantity::Speed, dv[vehicle]));
+                let dv = dv.map(|dv| units.plain(units.speed_alone(), dv[vehicle]));
                 format!("{:>12}", dv.unwrap_or_else(|| "–".to_owned()))
             };
             let cells = [

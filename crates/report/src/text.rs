@@ -1,6 +1,6 @@
 //! A finished analysis as text for the terminal and the file.
 
-use analysis::{Analysis, Crash3, Damage, Found, Impact, Warning};
+use analysis::{Analysis, Crash3, Damage, Found, Impact};
 use case::{Axes, Case, Pdof, Velocity, YawSource};
 use crash3::{EnergyBasis, Stiffness, Structure};
 use pim_core::{Outcome, Regime};
@@ -112,11 +112,11 @@ impl Page {
     }
 
     fn row(&mut self, label: &str, first: &str, second: &str, source: &str) {
-        // What is too long for its column moves the rest of the row, and is not glued to it.
+        // A value that is too long for its column moves the rest of the row, and is not glued to it.
         let cell = |text: &str, width: usize| format!("{text:<width$} ", width = width - 1);
         self.line(&format!(
             "{}{}{}{source}",
-            cell(label, LABEL),
+            first_cell(label, LABEL),
             cell(first, self.column()),
             cell(second, self.column())
         ));
@@ -124,7 +124,8 @@ impl Page {
 
     /// A row with one value that may be long.
     fn wide(&mut self, label: &str, value: &str, source: &str) {
-        self.line(&format!("{label:<LABEL$}{value:<width$} {source}", width = 2 * self.column() - 1));
+        let label = first_cell(label, LABEL);
+        self.line(&format!("{label}{value:<width$} {source}", width = 2 * self.column() - 1));
     }
 
     /// A row of which each vehicle has a value or a dash.
@@ -175,14 +176,9 @@ impl Page {
 
     /// Many read no further than the first screen.
     fn notice(&mut self, analysis: &Analysis) {
-        if analysis.warnings.iter().all(Warning::is_common) {
-            return;
+        if let Some(count) = warnings::count(&analysis.warnings) {
+            self.line(&format!("{count}, at the end."));
         }
-        let count = match analysis.warnings.len() {
-            1 => "1 warning".to_owned(),
-            several => format!("{several} warnings"),
-        };
-        self.line(&format!("{count}, at the end."));
     }
 
     fn inputs(&mut self, case: &Case, analysis: &Analysis) {
@@ -251,11 +247,18 @@ impl Page {
         );
         let crush = |i: usize| vehicles[i].crush.as_ref();
         let crush_length = |q: case::Quantity| units.format(Quantity::Crush, q.si());
-        self.pair(
-            "damage offset from the axis",
-            known(&|i| crush(i).and_then(|crush| crush.offset).map(crush_length)),
-            "",
-        );
+        // Of a front or rear the offset is from the vehicle's axis, of a side from its CG.
+        let side_of_y = axes::side_of_y(self.axes);
+        for (label, is_end) in [
+            (format!("damage offset {side_of_y} of the axis"), true),
+            ("damage offset ahead of the CG".to_owned(), false),
+        ] {
+            let offset = known(&|i| {
+                let crush = crush(i).filter(|crush| crate::is_end(crush.side) == is_end)?;
+                crush.offset.map(crush_length)
+            });
+            self.pair(&label, offset, "");
+        }
         self.pair(
             "PDOF as given",
             known(&|i| {

@@ -45,6 +45,14 @@ fn quantity(output: Output) -> Quantity {
     }
 }
 
+/// In a picture: people read speeds in mph and km/h.
+fn pictured(output: Output) -> Quantity {
+    match quantity(output) {
+        Quantity::Speed => Quantity::RoadSpeed,
+        other => other,
+    }
+}
+
 /// How many samples lie in each of some classes of the same width.
 struct Histogram {
     /// (unit of the output) lower end of the first class.

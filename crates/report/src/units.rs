@@ -178,6 +178,11 @@ impl Units {
         format!("{} ({})", self.format(Quantity::Speed, si), self.road_speed(si))
     }
 
+    /// What a speed stands in where there is one column for it: mph in US units. SI keeps the m/s of all its tables.
+    pub(crate) fn speed_alone(self) -> Quantity {
+        self.beside_speed().unwrap_or(Quantity::Speed)
+    }
+
     /// A speed as drivers know it, like `51.16 mph`.
     #[must_use]
     pub fn road_speed(self, si: f64) -> String {

@@ -30,6 +30,17 @@ pub(crate) fn lines(warnings: &[Warning], units: Units, axes: Axes, line: usize)
     text
 }
 
+/// How many there are, for the top of a report; nothing where all are of the kind that most cases have.
+pub(crate) fn count(warnings: &[Warning]) -> Option<String> {
+    if warnings.iter().all(Warning::is_common) {
+        return None;
+    }
+    Some(match warnings.len() {
+        1 => "1 warning".to_owned(),
+        several => format!("{several} warnings"),
+    })
+}
+
 /// What the warning says, in the units of the reader. Its numbers have to be in the axes: [`Analysis::in_axes`](analysis::Analysis::in_axes).
 #[must_use]
 pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
@@ -151,11 +162,12 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
                 units.format(Quantity::Energy, *energy)
             )
         }
-        Warning::DamageCentroid { vehicle, point: [forward, aside], offset_given } => {
+        Warning::DamageCentroid { vehicle, point: [forward, aside], side, offset_given } => {
             let assumed = if *offset_given {
-                ""
+                String::new()
             } else {
-                "; no offset is given, so the middle of the damage was taken to lie on the vehicle's axis or beside its centre of gravity"
+                let middle = crate::undisplaced(*side);
+                format!("; no offset is given, so the middle of the damage was taken to lie {middle}")
             };
             format!(
                 "the force on vehicle {vehicle} was taken to act through the centroid of its damage, {} forward and {} {} of the \

@@ -104,8 +104,11 @@ fn begins_a_formula(sign: &str) -> bool {
     let line = text.lines().find(|line| line.starts_with("title")).unwrap();
     let file = Case::parse("title.toml", &text.replacen(line, &format!("title = \"{title}\""), 1)).unwrap();
     let analysis = analysis::reconstruct(&file).unwrap();
-    let row =
-        report::csv_row(report::Row { file: "title.toml", answer: Ok((&file.case, &analysis)) }).unwrap();
+    let row = report::csv_row(
+        report::Row { file: "title.toml", answer: Ok((&file.case, &analysis)) },
+        report::Units::Si,
+    )
+    .unwrap();
     row.split(',').any(|cell| cell == format!("'{title}"))
 }
 
@@ -115,7 +118,10 @@ fn is_known(word: &str, vocabulary: &[String]) -> bool {
     let in_the_file = |word: &str| vocabulary.iter().any(|known| known == word);
     word.split('.').all(in_the_file)
         || report::topic(word).is_ok()
-        || report::csv_columns().iter().any(|column| column == word)
+        || [report::Units::Si, report::Units::Us]
+            .into_iter()
+            .flat_map(report::csv_columns)
+            .any(|column| column == word)
         || OF_OPTIONS.contains(&word)
         || root().join("crates").join(word).is_dir()
         || root().join(word).is_dir()

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use kurbo::{BezPath, PathEl, Point, Rect, Vec2};
+use kurbo::{BezPath, Line, PathEl, Point, Rect, Shape as _, Vec2};
 
 use super::font;
 use super::pens::{BLACK, GREY, Pen, WHITE};
@@ -19,6 +19,16 @@ const ASCENT: f64 = 0.97;
 const LEADER: f64 = 26.0;
 /// (px) pieces of a line that labels keep clear of.
 const PIECE: f64 = 6.0;
+
+/// What a label costs that leaves the page, covers another, or covers a point that a reader looks for: so much that any other place is better.
+const OFF_PAGE: f64 = 1e6;
+const ON_TEXT: f64 = 1e5;
+const ON_POINT: f64 = 1e4;
+/// What it costs to lie on an area that it should keep off, where a place at the nearest point costs nothing and one 10 px away 6.
+const ON_AREA: f64 = 200.0;
+/// What it costs that a label's line crosses that of another, and a piece of anything else.
+const CROSSING: f64 = 60.0;
+const CROSSED: f64 = 0.5;
 
 /// The head of an arrow.
 #[derive(Clone, Copy, PartialEq)]
@@ -43,6 +53,16 @@ struct Label {
     at: Point,
     text: String,
     colour: &'static str,
+    /// It may stand on an outline.
+    inside: bool,
+}
+
+/// An area that labels keep off.
+#[derive(Clone, Debug)]
+struct Area {
+    path: BezPath,
+    /// All of them, and not only those that are to stand beside the outlines.
+    all: bool,
 }
 
 /// Something that labels should not cover.
@@ -61,6 +81,11 @@ pub(super) struct Canvas {
     labels: Vec<Label>,
     texts: Vec<Rect>,
     obstacles: Vec<Obstacle>,
+    /// Heads of arrows, and what else no label covers.
+    points: Vec<Rect>,
+    areas: Vec<Area>,
+    /// From labels to their points.
+    leaders: Vec<Line>,
 }
 
 impl Canvas {
@@ -74,6 +99,9 @@ impl Canvas {
             labels: Vec::new(),
             texts: Vec::new(),
             obstacles: Vec::new(),
+            points: Vec::new(),
+            areas: Vec::new(),
+            leaders: Vec::new(),
         };
         canvas.element(&format!(
             "<rect width=\"{}\" height=\"{}\" fill=\"{WHITE}\"/>",
@@ -162,6 +190,7 @@ impl Canvas {
         let size = (6.0 + 2.0 * pen.width).min(length);
         let (left, right) =
             (b - direction * size + across * (size * 0.4), b - direction * size - across * (size * 0.4));
+        self.protect(Rect::from_points(left, right).union_pt(b));
         let id = self.id(id);
         let (end, tip) = match head {
             Head::Filled => {
@@ -247,6 +276,7 @@ impl Canvas {
     pub(super) fn centre_of_gravity(&mut self, id: &str, at: Point) {
         const RADIUS: f64 = 6.0;
         self.dot(id, at, RADIUS, Some(Pen { colour: BLACK, width: 1.2, dashes: "" }), WHITE);
+        self.protect(Rect::from_center_size(at, (2.0 * RADIUS, 2.0 * RADIUS)));
         let (x, y, r) = (px(at.x), px(at.y), px(RADIUS));
         let (left, right) = (px(at.x - RADIUS), px(at.x + RADIUS));
         self.element(&format!(
@@ -286,52 +316,131 @@ impl Canvas {
         ));
     }
 
+    /// No label covers this.
+    pub(super) fn protect(&mut self, area: Rect) {
+        self.points.push(area);
+    }
+
+    /// Labels keep off an area: those of [`label_beside`](Self::label_beside), or all of them.
+    pub(super) fn keep_off(&mut self, path: &BezPath, all: bool) {
+        self.areas.push(Area { path: path.clone(), all });
+    }
+
     /// A text that belongs to a point; [`place_labels`](Self::place_labels) finds it a place nearby.
     pub(super) fn label(&mut self, at: Point, text: &str, colour: &'static str) {
-        self.labels.push(Label { at, text: text.to_owned(), colour });
+        self.labels.push(Label { at, text: text.to_owned(), colour, inside: true });
+    }
+
+    /// The same beside all outlines, with a line to the point.
+    pub(super) fn label_beside(&mut self, at: Point, text: &str, colour: &'static str) {
+        self.labels.push(Label { at, text: text.to_owned(), colour, inside: false });
     }
 
     /// Places all labels inside of `bounds`, in the order in which they were given: each where it covers no other text and the least of the lines,
     /// as near to its point as that allows.
     pub(super) fn place_labels(&mut self, bounds: Rect) {
-        for Label { at, text, colour } in std::mem::take(&mut self.labels) {
+        for Label { at, text, colour, inside } in std::mem::take(&mut self.labels) {
             let size = (font::width(&text, SMALL), LINE * SMALL);
             let mut best = (f64::INFINITY, at);
             for centre in candidates(at, size) {
-                let area = Rect::from_center_size(centre, size).inflate(3.0, 1.0);
+                let area = Rect::from_center_size(centre, size).inflate(5.0, 1.0);
                 let far = 0.6 * gap(at, area);
                 // Most places are too far to be better, whatever lies there.
                 if far >= best.0 {
                     continue;
                 }
-                let cost = self.cost(area, bounds) + far;
+                let mut cost = self.cost(area, bounds, inside) + far;
+                if cost < best.0
+                    && let Some(line) = leader(at, Rect::from_center_size(centre, size))
+                {
+                    cost += self.cost_of_leader(line);
+                }
                 if cost < best.0 {
                     best = (cost, centre);
                 }
             }
             let area = Rect::from_center_size(best.1, size);
-            if gap(at, area) > LEADER {
-                let nearest = Point::new(at.x.clamp(area.x0, area.x1), at.y.clamp(area.y0, area.y1));
-                self.line("", at, nearest, Pen { colour: GREY, width: 0.8, dashes: "" });
+            if let Some(line) = leader(at, area) {
+                self.leaders.push(line);
+                self.line("", line.p0, line.p1, Pen { colour: GREY, width: 0.8, dashes: "" });
             }
             let base = Point::new(area.x0, area.y0 + ASCENT * SMALL);
             self.text(base, &text, SMALL, Anchor::Start, colour);
         }
     }
 
-    fn cost(&self, area: Rect, bounds: Rect) -> f64 {
-        let outside = if bounds.union(area) == bounds { 0.0 } else { 1e6 };
+    fn cost(&self, area: Rect, bounds: Rect, inside: bool) -> f64 {
+        let off_page = if bounds.union(area) == bounds { 0.0 } else { OFF_PAGE };
         let covers = |other: &Rect| area.intersect(*other).area() > 0.0;
-        #[expect(clippy::cast_precision_loss, reason = "a page has few texts")]
-        let texts = self.texts.iter().filter(|other| covers(other)).count() as f64 * 1e5;
+        let texts = count(self.texts.iter().filter(|other| covers(other))) * ON_TEXT;
+        let points = count(self.points.iter().filter(|other| covers(other))) * ON_POINT;
+        let kept_off = self.areas.iter().filter(|other| other.all || !inside);
+        let areas = count(kept_off.filter(|other| other.is_under(area))) * ON_AREA;
         let lines: f64 = self
             .obstacles
             .iter()
             .filter(|obstacle| covers(&obstacle.area))
             .map(|obstacle| obstacle.weight)
             .sum();
-        outside + texts + 6.0 * lines
+        off_page + texts + points + areas + 6.0 * lines
     }
+
+    fn cost_of_leader(&self, line: Line) -> f64 {
+        let leaders = count(self.leaders.iter().filter(|other| {
+            other.crossing_point(line).is_some_and(|at| {
+                [line, **other]
+                    .iter()
+                    .all(|line| Rect::from_points(line.p0, line.p1).inflate(0.1, 0.1).contains(at))
+            })
+        }));
+        let texts = count(self.texts.iter().filter(|text| cuts(line, **text)));
+        // It ends on what it belongs to.
+        let points = self.points.iter().filter(|point| !point.inflate(1.0, 1.0).contains(line.p0));
+        let points = count(points.filter(|point| cuts(line, **point)));
+        let crossed = self.obstacles.iter().filter(|obstacle| cuts(line, obstacle.area));
+        let crossed: f64 = crossed.map(|obstacle| obstacle.weight).sum();
+        texts * ON_POINT + points * ON_AREA + leaders * CROSSING + crossed * CROSSED
+    }
+}
+
+impl Area {
+    /// As far as points every few pixels of the label tell.
+    fn is_under(&self, label: Rect) -> bool {
+        const STEPS: i32 = 8;
+        (0..=STEPS).any(|step| {
+            let x = label.x0 + label.width() * f64::from(step) / f64::from(STEPS);
+            [label.y0, label.center().y, label.y1].iter().any(|&y| self.path.contains(Point::new(x, y)))
+        })
+    }
+}
+
+fn count<T>(iterator: impl Iterator<Item = T>) -> f64 {
+    iterator.fold(0.0, |count, _| count + 1.0)
+}
+
+/// From a point to the label that belongs to it, where that is not beside it.
+fn leader(at: Point, label: Rect) -> Option<Line> {
+    let nearest = Point::new(at.x.clamp(label.x0, label.x1), at.y.clamp(label.y0, label.y1));
+    (gap(at, label) > LEADER).then_some(Line::new(at, nearest))
+}
+
+/// Whether a line goes through an area.
+fn cuts(Line { p0, p1 }: Line, area: Rect) -> bool {
+    let along = p1 - p0;
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
+    // The parts of the line between the two edges in x, and in y, have to have something in common (Liang and Barsky).
+    for (from, along, low, high) in [(p0.x, along.x, area.x0, area.x1), (p0.y, along.y, area.y0, area.y1)] {
+        if along == 0.0 {
+            if from < low || from > high {
+                return false;
+            }
+            continue;
+        }
+        let ends = [(low - from) / along, (high - from) / along];
+        first = first.max(ends[0].min(ends[1]));
+        last = last.min(ends[0].max(ends[1]));
+    }
+    first <= last
 }
 
 /// Where the middle of a label may lie: around its point, nearer places first.

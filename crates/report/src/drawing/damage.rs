@@ -210,12 +210,9 @@ impl Panel<'_> {
         };
         sentences.extend(font::lines(&format!("Damage: {crush}."), SMALL, most));
         sentences.push(format!("Crush energy {}.", units.format(Quantity::Energy, damage.crush_energy)));
-        if vehicle.crush.as_ref().is_some_and(|crush| crush.offset.is_none()) {
-            sentences.extend(font::lines(
-                "No offset is given: drawn about the axis, or beside the CG.",
-                SMALL,
-                most,
-            ));
+        if let Some(crush) = vehicle.crush.as_ref().filter(|crush| crush.offset.is_none()) {
+            let middle = crate::undisplaced(crush.side);
+            sentences.extend(font::lines(&format!("No offset is given: drawn {middle}."), SMALL, most));
         }
         if let Some(class) = body.assumed {
             sentences.push(format!("Outline: typical of CRASH3's size class {class}."));

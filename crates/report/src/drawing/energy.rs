@@ -25,6 +25,8 @@ struct Row {
     energy: f64,
     fill: String,
     edge: Pen,
+    /// What it means that the work is negative.
+    driven: &'static str,
 }
 
 pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Drawing, DrawingError> {
@@ -46,7 +48,7 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
             if crush[i] > 0.0 {
                 let fill = pattern(["stripes-1", "stripes-2"][i]);
                 let energy = energy.normal_work * crush[i] / total;
-                losses.push(Row { id, name: name.to_owned(), energy, fill, edge: OUTLINE[i] });
+                losses.push(Row { id, name: name.to_owned(), energy, fill, edge: OUTLINE[i], driven: "" });
             }
         }
     } else {
@@ -57,6 +59,7 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
             energy: energy.normal_work,
             fill: pattern("stripes-1"),
             edge: OUTLINE[0],
+            driven: "",
         });
     }
     let name = "tangential work (sliding)".to_owned();
@@ -66,6 +69,7 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
         energy: energy.tangential_work,
         fill: pattern("stripes-t"),
         edge: black,
+        driven: "drives the sliding",
     });
     if energy.moment_work != 0.0 {
         let name = "moment work".to_owned();
@@ -75,6 +79,7 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
             energy: energy.moment_work,
             fill: PALE.to_owned(),
             edge: black,
+            driven: "drives the rotation",
         });
     }
 
@@ -107,6 +112,7 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
         energy: energy.before,
         fill: PALE.to_owned(),
         edge: black,
+        driven: "",
     };
     bar(&mut canvas, &initial, [x(0.0), x(energy.before)], y, energy.before, units);
     let mut left = energy.before;
@@ -127,6 +133,7 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
         energy: energy.after,
         fill: WHITE.to_owned(),
         edge: black,
+        driven: "",
     };
     bar(&mut canvas, &last, [x(0.0), x(energy.after)], y, energy.before, units);
 
@@ -138,7 +145,10 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
     let parts: Vec<String> = std::iter::once(&initial)
         .chain(&losses)
         .chain([&last])
-        .map(|row| format!("{} {}", row.name, value(row, energy.before, units)))
+        .map(|row| {
+            let remark = remark(row, energy.before).map(|remark| format!(", {remark}")).unwrap_or_default();
+            format!("{} {}{remark}", row.name, value(row, energy.before, units))
+        })
         .collect();
     Ok(Drawing::new(
         Subject::Energy,
@@ -149,7 +159,17 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
 }
 
 fn value(row: &Row, initial: f64, units: Units) -> String {
-    format!("{} ({} %)", units.format(Quantity::Energy, row.energy), number(100.0 * row.energy / initial, 1))
+    format!("{} ({} %)", units.format(Quantity::Energy, row.energy), share(row, initial))
+}
+
+/// (%)
+fn share(row: &Row, initial: f64) -> String {
+    number(100.0 * row.energy / initial, 1)
+}
+
+/// Where the share is negative as printed: not for the rounding of zero.
+fn remark(row: &Row, initial: f64) -> Option<&'static str> {
+    (!row.driven.is_empty() && share(row, initial).starts_with('-')).then_some(row.driven)
 }
 
 fn bar(canvas: &mut Canvas, row: &Row, [from, to]: [f64; 2], y: f64, initial: f64, units: Units) {
@@ -158,6 +178,9 @@ fn bar(canvas: &mut Canvas, row: &Row, [from, to]: [f64; 2], y: f64, initial: f6
     let base = y + 4.5;
     canvas.text(Point::new(LEFT - 12.0, base), &row.name, SMALL, Anchor::End, BLACK);
     canvas.text(Point::new(RIGHT + 12.0, base), &value(row, initial, units), SMALL, Anchor::Start, BLACK);
+    if let Some(remark) = remark(row, initial) {
+        canvas.text(Point::new(RIGHT + 12.0, base + 17.0), remark, SMALL, Anchor::Start, BLACK);
+    }
 }
 
 fn note(analysis: &Analysis, crush: f64, normal_work: f64, units: Units) -> String {

@@ -42,7 +42,7 @@ pub(super) fn draw(file: &CaseFile, analysis: &Analysis, units: Units) -> Result
     for &speed in found.admissible.iter().skip(1) {
         let at = axes.at(speed, axes.sought(&curve, speed));
         canvas.dot("", at, 6.0, Some(ROOT), WHITE);
-        canvas.label(at, &format!("also {}", units.format(Quantity::Speed, speed)), BLACK);
+        canvas.label(at, &format!("also {}", units.format(Quantity::RoadSpeed, speed)), BLACK);
     }
     let root = axes.at(found.speed, found.normal_work);
     canvas.line("", root, Point::new(root.x, PLOT.y1), Pen { dashes: "2 3", ..THIN });
@@ -52,8 +52,7 @@ pub(super) fn draw(file: &CaseFile, analysis: &Analysis, units: Units) -> Result
         let at = Point::new(axes.at(step.speed, 0.0).x, top(step.normal_work));
         canvas.dot("", at, 3.0, Some(THIN), WHITE);
     }
-    let answer =
-        format!("{} = {}", units.format(Quantity::Speed, found.speed), units.road_speed(found.speed));
+    let answer = units.road_speed(found.speed);
     canvas.label(root, &answer, BLACK);
     canvas.place_labels(PLOT.inset(-2.0));
 
@@ -68,7 +67,7 @@ pub(super) fn draw(file: &CaseFile, analysis: &Analysis, units: Units) -> Result
         entries.push((Sample::Dot(Some(THIN), WHITE), steps));
     }
     legend::legend(&mut canvas, HEIGHT - 74.0, 2, &entries);
-    let speed = |si: f64| units.format(Quantity::Speed, si);
+    let speed = |si: f64| units.format(Quantity::RoadSpeed, si);
     let touch = speed(curve.first().map_or(0.0, |point| point.speed));
     let begins = match first_push(file, &curve)? {
         None => format!("It is zero where the vehicles just touch, at {touch}"),
@@ -126,10 +125,10 @@ impl Axes {
         let scaled = |[low, high]: [f64; 2], quantity: Quantity| {
             [units.value(quantity, low), units.value(quantity, high)]
         };
-        let [low, high] = scaled(self.speeds, Quantity::Speed);
+        let [low, high] = scaled(self.speeds, Quantity::RoadSpeed);
         let (values, decimals) = ticks::between(low, high, 10.0);
         for value in values {
-            let x = self.at(value * units.size(Quantity::Speed), 0.0).x;
+            let x = self.at(value * units.size(Quantity::RoadSpeed), 0.0).x;
             canvas.grid(Point::new(x, PLOT.y0), Point::new(x, PLOT.y1), GRID);
             let at = Point::new(x, PLOT.y1 + 18.0);
             canvas.text(at, &number(value, decimals), SMALL, Anchor::Middle, BLACK);
@@ -143,7 +142,7 @@ impl Axes {
             canvas.text(at, &number(value, decimals), SMALL, Anchor::End, BLACK);
         }
         let below = Point::new(PLOT.center().x, PLOT.y1 + 40.0);
-        let speed = format!("speed of vehicle {vehicle} ({})", units.name(Quantity::Speed));
+        let speed = format!("speed of vehicle {vehicle} ({})", units.name(Quantity::RoadSpeed));
         canvas.text(below, &speed, SMALL, Anchor::Middle, GREY);
         let above = Point::new(EDGE, PLOT.y0 - 16.0);
         let work = format!("Wₙ ({})", units.name(Quantity::Energy));

@@ -24,6 +24,8 @@ const IMPULSE_LENGTH: f64 = 120.0;
 const PDOF_LENGTH: f64 = 95.0;
 /// (px) of n and t.
 const AXES: f64 = 52.0;
+/// (px) radius of C.
+const CONTACT: f64 = 4.5;
 /// (px) white around the outermost point, for labels.
 const MARGIN: f64 = 34.0;
 /// (px/m) the largest scale: a small vehicle does not fill the page.
@@ -279,7 +281,9 @@ impl Page {
     fn area(&mut self, placed: &Placed, impact: &Impact, i: usize) {
         if let Some(body) = &placed.body {
             let there = placed_on_page(placed, self.origin, self.scale);
-            self.canvas.path("", &(there * body.outline()), None, FILL[i]);
+            let outline = there * body.outline();
+            self.canvas.path("", &outline, None, FILL[i]);
+            self.canvas.keep_off(&outline, false);
         } else if placed.fixed {
             self.canvas.define_stripes("wall", GREY, PALE, 45, 8.0);
             let mut path = BezPath::new();
@@ -290,6 +294,8 @@ impl Page {
             path.close_path();
             let fill = self.canvas.pattern("wall");
             self.canvas.path(&format!("outline-{}", i + 1), &path, Some(THIN), &fill);
+            // No letter is legible on stripes.
+            self.canvas.keep_off(&path, true);
         }
     }
 
@@ -312,14 +318,15 @@ impl Page {
             self.canvas.arrow(name, origin, tip, AXIS, Head::Open);
             self.canvas.label(tip, name, BLACK);
         }
-        self.canvas.dot("contact", origin, 4.5, None, BLACK);
+        self.canvas.dot("contact", origin, CONTACT, None, BLACK);
+        self.canvas.protect(Rect::from_center_size(origin, (2.0 * CONTACT, 2.0 * CONTACT)));
         self.canvas.label(origin, "C", BLACK);
     }
 
     fn vehicle(&mut self, placed: &Placed, arrows: &Arrows, i: usize) {
         let cg = self.at(placed.cg);
         let number = ["₁", "₂"][i];
-        let speed = |v: Vec2| self.units.format(Quantity::Speed, v.hypot());
+        let speed = |v: Vec2| self.units.format(Quantity::RoadSpeed, v.hypot());
         if let Some(body) = &placed.body {
             let there = placed_on_page(placed, self.origin, self.scale);
             self.canvas.line("", cg, there * body.front(), HEADING);
@@ -329,7 +336,7 @@ impl Page {
         let pdof = arrows.impact.pdof[i];
         self.canvas.arrow(&format!("pdof-{}", i + 1), cg + tail, cg + unit(tail) * 9.0, PDOF, Head::Open);
         let pdof_text = format!("PDOF{number} {}", self.units.format(Quantity::Angle, pdof));
-        self.canvas.label(cg + tail, &pdof_text, BLACK);
+        self.canvas.label_beside(cg + tail, &pdof_text, BLACK);
         for (id, symbol, velocity, arrow, pen, head) in [
             ("before", "v", outcome.before[i].velocity, before, BEFORE, Head::Filled),
             ("after", "V", outcome.after[i].velocity, after, AFTER, Head::Open),
@@ -340,7 +347,7 @@ impl Page {
             }
             let text = format!("{symbol}{number} {}", speed(velocity));
             self.canvas.arrow(&format!("velocity-{id}-{}", i + 1), cg, cg + arrow, pen, head);
-            self.canvas.label(cg + arrow, &text, BLACK);
+            self.canvas.label_beside(cg + arrow, &text, BLACK);
         }
         self.canvas.centre_of_gravity(&format!("cg-{}", i + 1), cg);
         self.canvas.label(cg, &format!("CG{number}"), BLACK);
@@ -351,7 +358,7 @@ impl Page {
         let tip = self.origin + flipped(unit(p)) * IMPULSE_LENGTH;
         self.canvas.arrow("impulse", self.origin, tip, IMPULSE, Head::Filled);
         let text = format!("P {}", self.units.format(Quantity::Impulse, p.hypot()));
-        self.canvas.label(tip, &text, BLACK);
+        self.canvas.label_beside(tip, &text, BLACK);
     }
 
     fn name(&mut self, case: &Case, impact: &Impact, placed: &Placed, i: usize) {
@@ -401,8 +408,8 @@ impl Page {
         let metre = units.size(Quantity::Length);
         let length = (self.scale * metre, units.name(Quantity::Length), metre);
         legend::scale_bar(&mut self.canvas, "scale", Point::new(EDGE + 4.0, y), length, "");
-        let speed = units.size(Quantity::Speed);
-        let velocity = (arrows.per_speed * speed, units.name(Quantity::Speed), speed);
+        let speed = units.size(Quantity::RoadSpeed);
+        let velocity = (arrows.per_speed * speed, units.name(Quantity::RoadSpeed), speed);
         let at = Point::new(WIDTH / 2.0, y);
         legend::scale_bar(&mut self.canvas, "velocity-scale", at, velocity, " for the arrows of velocity");
     }
@@ -456,8 +463,8 @@ fn description(case: &Case, impact: &Impact, units: Units) -> String {
             i + 1,
             units.format(Quantity::Angle, heading),
             axes::sense(case.axes),
-            units.format_vector(Quantity::Speed, outcome.before[i].velocity.into()),
-            units.format_vector(Quantity::Speed, outcome.after[i].velocity.into()),
+            units.format_vector(Quantity::RoadSpeed, outcome.before[i].velocity.into()),
+            units.format_vector(Quantity::RoadSpeed, outcome.after[i].velocity.into()),
             units.format(Quantity::Angle, impact.pdof[i]),
         ));
     }

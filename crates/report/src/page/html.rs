@@ -44,6 +44,9 @@ pre { font-size: 0.78rem; line-height: 1.4; white-space: pre-wrap; overflow-wrap
 }
 ";
 
+/// The `id` of the warnings.
+const WARNINGS: &str = "warnings";
+
 pub(super) fn write(page: &Page) -> String {
     let markup = html! {
         (DOCTYPE)
@@ -71,6 +74,9 @@ pub(super) fn write(page: &Page) -> String {
 fn body(page: &Page) -> Markup {
     html! {
         p.answer { (page.answer) }
+        @if let Some(count) = &page.notice {
+            p { a href={ "#" (WARNINGS) } { (count) } ", at the end." }
+        }
         table {
             caption { "Identification" }
             tbody {
@@ -127,7 +133,7 @@ fn body(page: &Page) -> Markup {
         @for supplement in &page.supplements {
             section class="supplement" { h2 { (supplement.title) } pre { (supplement.text) } }
         }
-        section {
+        section id=(WARNINGS) {
             h2 { "Warnings and assumptions" }
             @if page.warnings.is_empty() {
                 p { "No warnings." }

@@ -15,6 +15,10 @@ pub(super) fn write(page: &Page) -> String {
         put(&format!("Source: {}\n", escaped(source)));
     }
     put(&format!("**{}**\n", escaped(&page.answer)));
+    if let Some(count) = &page.notice {
+        // The anchor that GitHub, GitLab and Pandoc give to the heading.
+        put(&format!("[{count}](#warnings-and-assumptions), at the end.\n"));
+    }
     for (name, value) in &page.identification {
         put(&format!("- {name}: {}", escaped(value)));
     }

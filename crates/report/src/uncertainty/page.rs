@@ -100,8 +100,16 @@ impl<'a> Page<'a> {
         self.uncertainty.outputs.iter().zip(summaries.iter().map(Option::as_ref)).collect()
     }
 
-    fn label(&self, output: &UncertainOutput) -> String {
-        format!("{}, {}", output_name(output.output), self.units.name(quantity(output.output)))
+    fn label(&self, output: &UncertainOutput, quantity: Quantity) -> String {
+        format!("{}, {}", output_name(output.output), self.units.name(quantity))
+    }
+
+    /// Where there is one line or column for the output.
+    fn alone(&self, output: &UncertainOutput) -> Quantity {
+        match quantity(output.output) {
+            Quantity::Speed => self.units.speed_alone(),
+            other => other,
+        }
     }
 
     fn plain(&self, output: &UncertainOutput, si: f64) -> String {
@@ -136,7 +144,7 @@ impl<'a> Page<'a> {
         for (output, summary) in self.rows() {
             let central = self.plain(output, output.central);
             let first = self.plain(output, output.first_order.sd);
-            let label = self.label(output);
+            let label = self.label(output, quantity(output.output));
             let Some(summary) = summary else {
                 lines.push(format!("{label:<30}{central:>11}{:>11}{:>11}{:>12}{first:>13}", "–", "–", "–"));
                 continue;
@@ -196,7 +204,7 @@ impl<'a> Page<'a> {
         self.rule();
         let mut lines = Vec::new();
         for (output, summary) in self.rows() {
-            let label = self.label(output);
+            let label = self.label(output, quantity(output.output));
             let Some(summary) = summary.filter(|summary| output.varies(summary.sd.value)) else { continue };
             let ends = |low: String, high: String| format!("{low:>8}{high:>9}");
             let values = summary.intervals.map(|interval| {
@@ -227,12 +235,13 @@ impl<'a> Page<'a> {
         }
         let Some(histogram) = Histogram::new(column, summary, CLASSES) else { return };
         let most = histogram.counts.iter().copied().max().unwrap_or_default();
-        let title = self.label(output);
+        let alone = self.alone(output);
+        let title = self.label(output, alone);
         let mut lines = Vec::new();
         for (class, &count) in (0_u32..).zip(&histogram.counts) {
             let low = histogram.low + f64::from(class) * histogram.width;
-            let from = self.plain(output, low);
-            let to = self.plain(output, low + histogram.width);
+            let from = self.units.plain(alone, low);
+            let to = self.units.plain(alone, low + histogram.width);
             let share = share(count, summary.samples);
             lines.push(format!("{from:>11} – {to:<11}{share:>8} %  {}", bar(count, most)));
         }
@@ -248,7 +257,8 @@ impl<'a> Page<'a> {
     fn tornado(&mut self) {
         let Some(&(output, _)) = self.rows().first() else { return };
         let title = format!("What moves it: {}", output_name(output.output));
-        let unit = self.units.name(quantity(output.output));
+        let alone = self.alone(output);
+        let unit = self.units.name(alone);
         let bars = self.uncertainty.tornado.ranked(0);
         let longest = bars
             .iter()
@@ -258,7 +268,7 @@ impl<'a> Page<'a> {
         let mut lines = Vec::new();
         for bar in bars.iter().take(BARS) {
             let [low, high] = [&bar.low, &bar.high].map(|end| match &end.outputs {
-                Ok(outputs) => self.plain(output, outputs.first().copied().unwrap_or(f64::NAN)),
+                Ok(outputs) => self.units.plain(alone, outputs.first().copied().unwrap_or(f64::NAN)),
                 Err(_) => "none".to_owned(),
             });
             let path = first_cell(&self.uncertainty.inputs[bar.input].input.path, 36);
@@ -275,7 +285,7 @@ impl<'a> Page<'a> {
         self.rule();
         lines.iter().for_each(|line| self.line(line));
         if let Some(next) = next {
-            let next = self.units.format(quantity(output.output), next.abs());
+            let next = self.units.format(alone, next.abs());
             self.line(&format!("{rest} more, each moving it by at most {next}"));
         }
         self.line("");

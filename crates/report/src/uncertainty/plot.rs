@@ -6,7 +6,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{Histogram, quantity};
+use super::{Histogram, pictured};
 use crate::sensitivity::output_name;
 use crate::staged::PlotError;
 use crate::units::Units;
@@ -37,7 +37,7 @@ fn output(
     units: Units,
 ) -> Result<(&UncertainOutput, String), PlotError> {
     let output = uncertainty.outputs.get(place).ok_or_else(|| failed("there is no such output"))?;
-    Ok((output, format!("{}, {}", output_name(output.output), units.name(quantity(output.output)))))
+    Ok((output, format!("{}, {}", output_name(output.output), units.name(pictured(output.output)))))
 }
 
 /// The middle 99 % of the samples of an output, with its 95 % interval and its central value, as SVG. `None` where the samples do not differ.
@@ -53,7 +53,7 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
         return Ok(None);
     }
     let Some(histogram) = Histogram::new(column, &summary, CLASSES) else { return Ok(None) };
-    let value = |si: f64| units.value(quantity(output.output), si);
+    let value = |si: f64| units.value(pictured(output.output), si);
     #[expect(clippy::cast_precision_loss, reason = "a share to draw")]
     let share = |count: usize| 100.0 * count as f64 / summary.samples as f64;
     let most = histogram.counts.iter().copied().max().unwrap_or_default();
@@ -101,7 +101,7 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
             let from = chart.backend_coord(&(value(si), 0.0));
             let to = chart.backend_coord(&(value(si), top));
             root.draw(&PathElement::new(vec![from, to], INK.stroke_width(1))).map_err(failed)?;
-            let label = format!("{words} {}", units.plain(quantity(output.output), si));
+            let label = format!("{words} {}", units.plain(pictured(output.output), si));
             root.draw(&Text::new(label, (to.0 + 4, to.1 + 6), text(12, HPos::Left))).map_err(failed)?;
         }
         root.present().map_err(failed)?;
@@ -152,7 +152,7 @@ pub fn tornado(uncertainty: &Uncertainty, place: usize, units: Units) -> Result<
                 root.draw(&Rectangle::new([(from, y - 7), (to, y + 7)], colour.filled())).map_err(failed)?;
                 let (at, side) =
                     if end < output.central { (from - 5, HPos::Right) } else { (to + 5, HPos::Left) };
-                let label = units.plain(quantity(output.output), end);
+                let label = units.plain(pictured(output.output), end);
                 root.draw(&Text::new(label, (at, y), text(11, side))).map_err(failed)?;
             }
             if value(&bar.low).is_none() || value(&bar.high).is_none() {
@@ -163,7 +163,7 @@ pub fn tornado(uncertainty: &Uncertainty, place: usize, units: Units) -> Result<
         let bottom = 60 + 22 * i32::try_from(rows).unwrap_or_default();
         root.draw(&PathElement::new(vec![(middle, 52), (middle, bottom)], INK.stroke_width(1)))
             .map_err(failed)?;
-        let central = format!("central {}", units.plain(quantity(output.output), output.central));
+        let central = format!("central {}", units.plain(pictured(output.output), output.central));
         root.draw(&Text::new(central, (middle, bottom + 14), text(12, HPos::Center))).map_err(failed)?;
         root.present().map_err(failed)?;
     }

@@ -348,10 +348,11 @@ fn sensitivity(ledger: &mut Ledger) {
     let text = page("fixtures/sae-980025.toml").text;
     let speed = |plane: &str| {
         let text = text.replace("\"-23 deg\"", &format!("\"{plane} deg\""));
-        analysis::reconstruct(&Case::parse("plane.toml", &text).unwrap()).unwrap().found.unwrap().speed / FOOT
+        analysis::reconstruct(&Case::parse("plane.toml", &text).unwrap()).unwrap().found.unwrap().speed
+            / MILE_PER_HOUR
     };
     ledger.made(format!(
-        "A crush plane turned by 2° counter-clockwise takes {} ft/s from the speed",
+        "A crush plane turned by 2° counter-clockwise takes {} mph from the speed",
         number(speed("-23") - speed("-21"), 1)
     ));
     let result = json("sensitivity fixtures/sae-980025.toml --pdof-step 10 --pdof-steps 1");
@@ -359,11 +360,11 @@ fn sensitivity(ledger: &mut Ledger) {
         .as_array()
         .unwrap()
         .iter()
-        .map(|row| at(row, "/uncorrected_delta_v/0") / FOOT)
+        .map(|row| at(row, "/uncorrected_delta_v/0") / MILE_PER_HOUR)
         .collect();
     of_vehicle_1.sort_by(f64::total_cmp);
     ledger.made(format!(
-        "Here 10° either way move CRASH3's uncorrected ΔV of vehicle 1 between {} and {} ft/s",
+        "Here 10° either way move CRASH3's uncorrected ΔV of vehicle 1 between {} and {} mph",
         number(of_vehicle_1[0], 2),
         number(of_vehicle_1[2], 2)
     ));
