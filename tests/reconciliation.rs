@@ -3,7 +3,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use pim_core::{Body, Contact, ImpactError, InvalidInput, Law, Motion, Participant, Tangential};
+use pim_core::{
+    Body, Contact, ImpactError, InvalidInput, Law, Motion, Participant, RestitutionCurve, Tangential,
+};
 use proptest::prelude::*;
 use reconcile::{EnergyBasis, MAX_STEPS, Method, Problem, ReconcileError, Unknown};
 
@@ -487,10 +489,33 @@ fn a_common_velocity_may_have_two_speeds_or_none() {
     assert_eq!(beyond.root_finder().unwrap_err(), expected);
     let text = expected.to_string();
     assert!(text.contains("no speed of vehicle 1") && text.contains("4.2 J"), "{text}");
-    // The most is 25/6 J at x = 5, which is s = (x − 5) √10 = 0.
-    let nearest = beyond.nearest().unwrap();
-    assert_relative("the nearest W_n", nearest.normal_work, 25.0 / 6.0, 1e-12);
-    assert!(nearest.speed.abs() < 1e-6, "{nearest:?}");
+}
+
+/// W_n = x (2 ω − x)/6 is at most ω²/6, at x = ω, where the car does not move along its heading. It pushes from x = 0 to x = 2 ω, and with ω ≤ 0 never.
+#[test]
+fn what_cannot_be_reached_is_told_how_near_it_comes() {
+    for yaw_rate in [0.01_f64, 3.0, 5.0, 400.0] {
+        let most = yaw_rate * yaw_rate / 6.0;
+        let curve = RestitutionCurve::new(vec![(1.0, 0.0), (2.0, 0.0)]).unwrap();
+        for share in [1.001, 3.0, 1e4] {
+            let beyond = against_a_wall(Tangential::Critical, yaw_rate, share * most).unwrap();
+            for problem in [beyond, beyond.with_restitution_curve(&curve)] {
+                assert!(matches!(problem.root_finder(), Err(ReconcileError::NotReached { .. })));
+                let nearest = problem.nearest().unwrap();
+                assert_relative("the nearest W_n", nearest.normal_work, most, 1e-12);
+                assert!(nearest.speed.abs() < 1e-5 * yaw_rate, "{nearest:?}");
+            }
+        }
+    }
+    for yaw_rate in [0.0, -3.0] {
+        let pulls = against_a_wall(Tangential::Critical, yaw_rate, 1.5).unwrap();
+        let Err(ReconcileError::NotReached { .. }) = pulls.solve() else { panic!("it has an answer") };
+        // P_n = (2 ω − x)/3 at x = √(2 E k_nn) = √6
+        let Err(ImpactError::Pulling { normal_impulse }) = pulls.nearest() else {
+            panic!("an impact can happen")
+        };
+        assert_relative("P_n", normal_impulse, (2.0 * yaw_rate - 6_f64.sqrt()) / 3.0, 1e-12);
+    }
 }
 
 #[test]
