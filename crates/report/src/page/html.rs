@@ -116,7 +116,11 @@ fn body(page: &Page) -> Markup {
             @for group in &page.steps { (steps(group)) }
         }
         @if let Some(energy) = &page.energy {
-            section { h2 { "Energy balance" } (table(energy)) }
+            section {
+                h2 { "Energy balance" }
+                (table(energy))
+                @for note in &page.energy_notes { p { (subscripts(note)) } }
+            }
         }
         @if let Some(crash3) = &page.crash3 {
             section { h2 { "Comparison with CRASH3" } (table(crash3)) }

@@ -43,6 +43,9 @@ pub(super) fn write(page: &Page) -> String {
     if let Some(energy) = &page.energy {
         put("## Energy balance\n");
         put(&table(energy));
+        for note in &page.energy_notes {
+            put(&format!("{}\n", escaped(note)));
+        }
     }
     if let Some(crash3) = &page.crash3 {
         put("## Comparison with CRASH3\n");
