@@ -28,6 +28,7 @@ struct Page {
     inputs: Vec<Table>,
     results: Table,
     steps: Vec<StepGroup>,
+    units: Units,
     energy: Option<Table>,
     /// Below the energy balance.
     energy_notes: Vec<String>,
@@ -124,6 +125,7 @@ impl Page {
             inputs: inputs::tables(file, analysis, units),
             results: results(seen, units),
             steps: steps(case, analysis),
+            units,
             energy: seen.impact.as_ref().map(|impact| energy_balance(impact, units)),
             energy_notes: energy::notes(seen, units),
             crash3: crash3(seen, units),

@@ -136,13 +136,13 @@ fn derivatives(text: &mut String, group: &[Derivative], units: Units) {
         group.iter().partition(|row| size(row) > ROUNDING * largest);
     for row in with {
         let (unit, per) = match row.input.unit {
-            Some(unit) => (format!(" {unit}"), format!("/({unit})")),
-            None => (String::new(), String::new()),
+            Some(unit) => (format!(" {unit}"), unit.to_string()),
+            None => (String::new(), "1".to_owned()),
         };
         let given = format!("{}{unit}", row.input.number);
         // In the result's unit per one of the input's own.
         let change = significant(units.value(Quantity::Speed, row.value * row.input.factor()), 4);
-        let change = format!("{change} {}{per}", units.name(Quantity::Speed));
+        let change = format!("{change} {} per {per}", units.name(Quantity::Speed));
         let relative = row.relative().map_or_else(|| "–".to_owned(), |relative| number(relative, 3));
         let influence = number(100.0 * row.influence(), 2);
         text.push_str(&format!(

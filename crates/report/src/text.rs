@@ -72,6 +72,32 @@ pub(crate) fn wrapped_within(text: &str, line: usize) -> String {
     lines
 }
 
+/// The text behind a head that its further lines are indented by.
+pub(crate) fn hanging(head: &str, text: &str) -> String {
+    hanging_within(head, text, LINE)
+}
+
+fn hanging_within(head: &str, text: &str, line: usize) -> String {
+    let indent = head.chars().count();
+    let mut lines = head.to_owned();
+    let mut column = indent;
+    for word in text.split_whitespace() {
+        let width = word.chars().count();
+        if column > indent && column + 1 + width > line {
+            lines.push('\n');
+            lines.push_str(&" ".repeat(indent));
+            column = indent;
+        } else if column > indent {
+            lines.push(' ');
+            column += 1;
+        }
+        lines.push_str(word);
+        column += width;
+    }
+    lines.push('\n');
+    lines
+}
+
 /// The first cell of a row of so many columns: what is too long for it stands on a line of its own.
 pub(crate) fn first_cell(text: &str, width: usize) -> String {
     if text.chars().count() < width { format!("{text:<width$}") } else { format!("{text}\n{:width$}", "") }
@@ -123,9 +149,14 @@ impl Page {
         ));
     }
 
-    /// A row with one value that may be long.
+    /// A row with one value, which has no source where it may be longer than a line.
     fn wide(&mut self, label: &str, value: &str, source: &str) {
-        self.line(&format!("{label:<LABEL$}{value:<width$} {source}", width = 2 * self.column() - 1));
+        let label = format!("{label:<LABEL$}");
+        if LABEL + value.chars().count() > self.width {
+            self.text.push_str(&hanging_within(&label, value, self.width));
+            return;
+        }
+        self.line(&format!("{label}{value:<width$} {source}", width = 2 * self.column() - 1));
     }
 
     /// A row of which each vehicle has a value or a dash.

@@ -5,6 +5,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use super::{Page, Table};
 use crate::checks;
 use crate::steps::{Step, StepGroup};
+use crate::units::Units;
 
 /// Paper of any size: the browser's choice of A4 or Letter is respected, with margins that both have room for.
 const STYLE: &str = "
@@ -110,10 +111,10 @@ fn body(page: &Page) -> Markup {
             h2 { "Results step by step" }
             p {
                 "Each result has its equation, the numbers put into it, and its source. Numbers are in SI units and degrees, so that a calculator gives the result; \
-                 one with fewer than six digits is exact, one with six is rounded. "
+                 one with fewer than six digits is exact, one with six is rounded. Below a result it stands in the units of the other tables. "
                 "atan2(y, x) is the angle of the point (x, y)."
             }
-            @for group in &page.steps { (steps(group)) }
+            @for group in &page.steps { (steps(group, page.units)) }
         }
         @if let Some(energy) = &page.energy {
             section {
@@ -176,7 +177,7 @@ fn table(table: &Table) -> Markup {
     }
 }
 
-fn steps(group: &StepGroup) -> Markup {
+fn steps(group: &StepGroup, units: Units) -> Markup {
     html! {
         h3 { (group.title) }
         table.steps {
@@ -189,13 +190,13 @@ fn steps(group: &StepGroup) -> Markup {
                 }
             }
             tbody {
-                @for step in &group.steps { (row(step)) }
+                @for step in &group.steps { (row(step, units)) }
             }
         }
     }
 }
 
-fn row(step: &Step) -> Markup {
+fn row(step: &Step, units: Units) -> Markup {
     html! {
         tr {
             th scope="row" { (subscripts(&step.name)) }
@@ -207,7 +208,10 @@ fn row(step: &Step) -> Markup {
                     span.numbers { "= " (step.substitution) }
                 }
             }
-            td.number { span.result { (step.printed) @if !step.unit.is_empty() { "\u{a0}" (step.unit) } } }
+            td.number {
+                span.result { (step.printed) @if !step.unit.is_empty() { "\u{a0}" (step.unit) } }
+                @if let Some(shown) = step.in_units(units) { br; "= " (shown) }
+            }
             td { (step.source) }
         }
     }

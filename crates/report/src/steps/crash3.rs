@@ -5,6 +5,7 @@ use case::{Axes, Case, Crush};
 use crash3::{EnergyBasis, ObliqueCorrection, Structure};
 
 use super::{Step, StepGroup, angle, given, group, n, p, step};
+use crate::units::Quantity;
 
 pub(super) fn groups(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
     let mut groups = Vec::new();
@@ -53,7 +54,7 @@ fn oblique(
         && stiffness.limit().is_none()
     {
         let area = super::damage::area(damage, crush);
-        steps.push(step(
+        let force = step(
             of("peak force"),
             format!("F_{i}"),
             format!("(A_{i} L_{i} + B_{i} S_1,{i})/cos α_{i}"),
@@ -68,7 +69,8 @@ fn oblique(
             oblique.peak_force,
             "N",
             "theory 5",
-        ));
+        );
+        steps.push(force.of(Quantity::Force));
     }
     let tangent = format!("tan{}", angle(alpha));
     let (formula, numbers) = match correction.map(|(correction, _)| correction) {

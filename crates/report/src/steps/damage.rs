@@ -5,6 +5,7 @@ use case::{BarrierTest, Case, Crush, Fit, StiffnessForm, StiffnessLine};
 use crash3::{EnergyBasis, Stiffness, Structure};
 
 use super::{Step, StepGroup, angle, given, group, inertia, n, p, step};
+use crate::units::Quantity;
 
 pub(super) fn groups(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
     let mut groups = Vec::new();
@@ -177,7 +178,7 @@ fn of_test(steps: &mut Vec<Step>, stiffness: &Stiffness, test: &BarrierTest, i: 
     };
     // C̄ = Σ (Cⱼ + Cⱼ₊₁)/2n
     let mean = depths.windows(2).map(|c| (c[0] + c[1]) / 2.0).sum::<f64>() / zones;
-    steps.push(step(
+    let mean_crush = step(
         of_test("mean crush"),
         symbol("C"),
         "Σ ((C_j + C_j+1)/2)/n",
@@ -185,7 +186,8 @@ fn of_test(steps: &mut Vec<Step>, stiffness: &Stiffness, test: &BarrierTest, i: 
         mean,
         "m",
         "theory 5",
-    ));
+    );
+    steps.push(mean_crush.of(Quantity::Crush));
     let (b1, formula, substitution) = match test.fit {
         Fit::Exact => {
             // Q = Σ (Cⱼ² + Cⱼ Cⱼ₊₁ + Cⱼ₊₁²)/3n
@@ -432,10 +434,11 @@ fn inferred_energy(
     let (force, width, depth) = (inferred.force, inferred.crush.width, inferred.crush.depth);
     let alpha = damage.oblique_angle;
     let of = |what: &str| format!("{what} of vehicle {i}");
-    steps.push(given(of("peak force"), format!("F_{i}"), force, "N", "theory 5"));
-    steps.push(given(of("width of the damage"), format!("w_{i}"), width, "m", "theory 5"));
+    steps.push(given(of("peak force"), format!("F_{i}"), force, "N", "theory 5").of(Quantity::Force));
+    steps
+        .push(given(of("width of the damage"), format!("w_{i}"), width, "m", "theory 5").of(Quantity::Crush));
     if depth > 0.0 {
-        steps.push(step(
+        let crush = step(
             of("inferred crush"),
             format!("C_{i}"),
             format!("(F_{i} cos α_{i}/w_{i} − A_{i})/B_{i}"),
@@ -450,7 +453,8 @@ fn inferred_energy(
             depth,
             "m",
             "theory 5",
-        ));
+        );
+        steps.push(crush.of(Quantity::Crush));
         let limited = stiffness.limit().is_some_and(|limit| a + b * depth > limit * (1.0 + 1e-9));
         if limited {
             steps.push(given(of("crush energy"), format!("E_{i}"), damage.crush_energy, "J", "theory 5"));
