@@ -1,6 +1,6 @@
 //! The results one by one, each with its equation and the numbers put into it: what a reader with a calculator can check.
 //!
-//! The result stands in SI units and in those of the report. All numbers of a substitution are in SI units and degrees, but for those of the file that it converts, and in the axes of the case: the equations hold in either handedness. A number that is not exact is printed with six significant digits, one with five or fewer
+//! The result stands in SI units and in those of the report. All numbers of a substitution are in SI units and degrees, but for those of the file that it converts, and in the axes of the case: the equations hold in either handedness. A number that is not exact is printed with at least six significant digits, one with five or fewer
 //! is exact; each printed result follows from the printed numbers within their rounding.
 
 mod collision;

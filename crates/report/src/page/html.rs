@@ -111,7 +111,7 @@ fn body(page: &Page) -> Markup {
             h2 { "Results step by step" }
             p {
                 "Each result has its equation, the numbers put into it, and its source. Numbers are in SI units and degrees, so that a calculator gives the result; \
-                 one with fewer than six digits is exact, one with six is rounded. Below a result it stands in the units of the other tables. "
+                 one with fewer than six digits is exact, any other is rounded. Below a result it stands in the units of the other tables. "
                 "atan2(y, x) is the angle of the point (x, y)."
             }
             @for group in &page.steps { (steps(group, page.units)) }

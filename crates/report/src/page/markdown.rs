@@ -36,7 +36,7 @@ pub(super) fn write(page: &Page) -> String {
     }
     put("## Results step by step\n");
     put(
-        "Numbers are in SI units and degrees; one with fewer than six digits is exact, one with six is rounded. At the end of a result it stands in the units of the other tables. atan2(y, x) is the angle of the point (x, y).\n",
+        "Numbers are in SI units and degrees; one with fewer than six digits is exact, any other is rounded. At the end of a result it stands in the units of the other tables. atan2(y, x) is the angle of the point (x, y).\n",
     );
     for group in &page.steps {
         put(&steps(group, page.units));

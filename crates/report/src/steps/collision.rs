@@ -805,7 +805,7 @@ impl Collision<'_> {
                 numbers,
                 self.impact.pdof[i].to_degrees(),
                 "°",
-                "theory 5",
+                "theory 4",
             ));
         }
         steps

@@ -161,17 +161,7 @@ fn velocity_changes(analysis: &Analysis, axes: Axes) -> Vec<Step> {
             "theory 5",
         ));
     }
-    let energies: Vec<String> =
-        analysis.vehicles.iter().filter_map(|v| v.damage.as_ref()).map(|d| n(d.crush_energy, "J")).collect();
-    steps.push(step(
-        "crush energy of both vehicles",
-        "E",
-        "E_1 + E_2",
-        energies.join(" + "),
-        crash3.crush_energy,
-        "J",
-        "Eq 5",
-    ));
+    steps.push(super::damage::total(analysis, crash3.crush_energy, "Eq 5"));
     let mut change = |name: &str, prime: &str, energy: f64, delta_v: [f64; 2]| {
         for &(i, mass, _) in &vehicles {
             let k = i + 1;

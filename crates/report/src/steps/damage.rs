@@ -499,20 +499,21 @@ fn inferred_energy(
     steps
 }
 
+/// The sum over the vehicles that have damage.
+pub(super) fn total(analysis: &Analysis, crush_energy: f64, source: &'static str) -> Step {
+    let (symbols, numbers): (Vec<String>, Vec<String>) = (1..)
+        .zip(&analysis.vehicles)
+        .filter_map(|(i, vehicle)| vehicle.damage.as_ref().map(|damage| (i, damage)))
+        .map(|(i, damage)| (format!("E_{i}"), n(damage.crush_energy, "J")))
+        .unzip();
+    let name = if symbols.len() > 1 { "crush energy of both vehicles" } else { "crush energy" };
+    step(name, "E", symbols.join(" + "), numbers.join(" + "), crush_energy, "J", source)
+}
+
 /// What the impact has to take.
 fn sought(analysis: &Analysis) -> Vec<Step> {
     let Some(found) = &analysis.found else { return Vec::new() };
-    let energies: Vec<f64> =
-        analysis.vehicles.iter().filter_map(|v| v.damage.as_ref()).map(|d| d.crush_energy).collect();
-    let both = step(
-        "crush energy of both vehicles",
-        "E",
-        "E_1 + E_2",
-        energies.iter().map(|&energy| n(energy, "J")).collect::<Vec<_>>().join(" + "),
-        found.crush_energy,
-        "J",
-        "Eq 4, 5",
-    );
+    let both = total(analysis, found.crush_energy, "Eq 4, 5");
     let e = analysis.impact.as_ref().map_or(0.0, |impact| impact.law.restitution());
     let normal_work = match analysis.basis {
         EnergyBasis::Dissipated => ("E", n(found.crush_energy, "J")),
