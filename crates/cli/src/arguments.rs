@@ -31,8 +31,8 @@ pub(crate) enum Command {
     /// Find the speed that makes impact and crush agree, and print the whole reconstruction
     #[command(
         long_about = "Find the speed that makes impact and crush agree, and print the whole reconstruction.\n\n\
-            Varies the speed that [reconstruct] names until the work of the normal impulse equals the crush energy of both \
-            vehicles.\n\n\
+            Varies the speed that [reconstruct] names until the work of the normal impulse equals what it dissipates of the \
+            crush energy of both vehicles: all of it, or with energy_basis = \"absorbed\" the share 1 − e².\n\n\
             Several files become a row each, in the order in which they are given: --format csv for a spreadsheet, --format jsonl for a program. A file \
             without an answer has its error in its row, and the others are done all the same.\n\n\
             The columns of csv have names that do not change, with units: \"file\", \"error\", \"found.value (m/s)\", \

@@ -1,6 +1,7 @@
 //! The consistency checks in words, for the text and for the page.
 
-use analysis::{Analysis, CheckedQuantity};
+use analysis::{Analysis, CheckedQuantity, FAST_CLOSING};
+use crash3::EnergyBasis;
 
 use crate::units::{Quantity, Units, number};
 
@@ -32,10 +33,22 @@ pub(crate) fn rows(analysis: &Analysis, units: Units) -> Vec<Row> {
                     ("PDOFs from opposite".to_owned(), angle(check.value), angle(check.limit))
                 }
                 CheckedQuantity::DamageEnergy { .. } => {
-                    ("normal work and crush energy".to_owned(), percent(check.value), percent(check.limit))
+                    // As much of the crush energy as W_n should be.
+                    let label = match analysis.basis {
+                        EnergyBasis::Dissipated => "normal work and crush energy",
+                        EnergyBasis::Absorbed => "normal work and (1 − e²) E",
+                    };
+                    (label.to_owned(), percent(check.value), percent(check.limit))
                 }
                 CheckedQuantity::Restitution => {
-                    ("restitution".to_owned(), number(check.value, 2), number(check.limit, 1))
+                    // Where they close slowly there is no limit, and no check.
+                    let closing = analysis.impact.as_ref().map_or(0.0, |i| -i.outcome.approach.normal);
+                    let [closing, fast] = [closing, FAST_CLOSING].map(|si| units.format(Quantity::Speed, si));
+                    (
+                        "restitution at closing speed".to_owned(),
+                        format!("{} at {closing}", number(check.value, 2)),
+                        format!("{} above {fast}", number(check.limit, 1)),
+                    )
                 }
                 CheckedQuantity::Rotation { vehicle } => {
                     let found = if check.passed() { "with the moment" } else { "against the moment" };

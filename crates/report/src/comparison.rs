@@ -10,7 +10,7 @@ use crate::axes;
 use crate::failures::no_answer;
 use crate::json::WarningBlock;
 use crate::law;
-use crate::text::{LINE, wrapped};
+use crate::text::{LINE, hanging, wrapped};
 use crate::units::{Quantity, Units, number};
 
 /// One row of the table, in SI units and radians. What a row cannot have is left out.
@@ -145,7 +145,7 @@ pub fn comparison_json(case: &Case, comparison: &Comparison) -> Result<String, s
     Ok(serde_json::to_string_pretty(&document)? + "\n")
 }
 
-/// The comparison as tables and the coefficients behind them, in text of at most 98 columns but for long lists of coefficients.
+/// The comparison as tables and the coefficients behind them, in text of at most 98 columns.
 #[must_use]
 pub fn comparison_text(case: &Case, comparison: &Comparison, units: Units) -> String {
     let rows = rows(case, comparison, units);
@@ -220,7 +220,8 @@ pub fn comparison_text(case: &Case, comparison: &Comparison, units: Units) -> St
             "" => String::new(),
             assumed => format!("; assumed: {assumed}"),
         };
-        text.push_str(&format!("{:<NAME$}{}{sliding}{assumed}\n", row.law, row.coefficients));
+        let name = format!("{:<NAME$}", row.law);
+        text.push_str(&hanging(&name, &format!("{}{sliding}{assumed}", row.coefficients)));
     }
     for row in &rows {
         if let Some(error) = &row.error {
@@ -230,7 +231,8 @@ pub fn comparison_text(case: &Case, comparison: &Comparison, units: Units) -> St
     }
     text.push('\n');
     text.push_str(&wrapped(&format!(
-        "The first row is the case's own law; the changes are from it. E_L is the energy loss, for CRASH3 the crush energy; \
+        "The first row is the case's own law; the changes are from it, computed before rounding, so that they may \
+         be off by one in the last digit from the differences of the printed figures. E_L is the energy loss, for CRASH3 the crush energy; \
          W_n and W_t are the work of the normal and the tangential impulse in % of the initial kinetic energy; Ω is the \
          yaw rate after impact, {} positive. Sources: theory 3 (laws), SAE 980025 Eq 5–8 (CRASH3).",
         axes::sense(case.axes)

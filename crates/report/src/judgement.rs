@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use crate::Subject;
 use crate::json::WarningBlock;
-use crate::text::LINE;
+use crate::text::{LINE, first_cell, hanging};
 use crate::units::{Quantity, Units, significant};
 use crate::warnings;
 
@@ -24,7 +24,7 @@ const KEY: usize = 38;
 /// Width of the column of what the file says.
 const WRITTEN: usize = 26;
 /// Width of a column of values.
-const VALUE: usize = 18;
+const VALUE: usize = 17;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -87,24 +87,8 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
     line("");
     line("The file reads without an error. It was judged, not solved.");
 
-    let row = |cells: [&str; 4]| {
-        let [key, written, si, us] = cells;
-        let key = format!("{key:<width$} ", width = KEY - 1);
-        let written = format!("{written:<width$} ", width = WRITTEN - 1);
-        format!("{key}{written}{si:<VALUE$}{us}")
-    };
     line("");
-    line(&row(["Numbers as understood", "as written", "SI", "US"]));
-    line(&"─".repeat(LINE));
-    let mut ranges = case.ranges.iter().peekable();
-    for input in case.inputs() {
-        let written = match ranges.next_if(|range| range.path == input.path) {
-            Some(range) => format!("{}; {}", amount(input.number, input.unit), spread(range)),
-            None => amount(input.number, input.unit),
-        };
-        let [si, us] = [UnitSystem::Si, UnitSystem::Us].map(|system| converted(&input, system));
-        line(&row([&input.path, &written, &shown(si), &shown(us)]));
-    }
+    numbers(case).iter().for_each(|row| line(row));
     line("");
     line(CHOICES);
     line(&"─".repeat(LINE));
@@ -124,7 +108,8 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
     text.push_str(&format!("\nCommands\n{}\n", "─".repeat(LINE)));
     for Ability { command, on, obstacle } in &judgement.commands {
         let Some(obstacle) = obstacle else {
-            text.push_str(&format!("{command:<KEY$}has all that it needs{}\n", purpose(case, command, on)));
+            let does = format!("has all that it needs{}", purpose(case, command, on));
+            text.push_str(&hanging(&format!("{command:<KEY$}"), &does));
             continue;
         };
         // It lacks what another lacks, which was told there.
@@ -154,6 +139,51 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
     let seen: Vec<Warning> = judgement.warnings.iter().map(|warning| warning.in_axes(case.axes)).collect();
     text.push_str(&warnings::lines(&seen, units, case.axes, LINE));
     text
+}
+
+/// The rows of the numbers under their heading.
+fn numbers(case: &Case) -> Vec<String> {
+    let mut ranges = case.ranges.iter().peekable();
+    let rows: Vec<[String; 5]> = case
+        .inputs()
+        .into_iter()
+        .map(|input| {
+            let spread = ranges.next_if(|range| range.path == input.path).map(spread).unwrap_or_default();
+            let [si, us] = [UnitSystem::Si, UnitSystem::Us].map(|system| shown(converted(&input, system)));
+            [amount(input.number, input.unit), spread, si, us, input.path]
+        })
+        .collect();
+    let longest = |column: usize| {
+        rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    // Keys of a barrier test are longer: then the other columns have no more room than they need.
+    let path = longest(4);
+    let [key, written, si] = if path < KEY {
+        [KEY, WRITTEN, VALUE]
+    } else {
+        let si = longest(2) + 2;
+        [path + 1, LINE.saturating_sub(path + 1 + si + longest(3)), si]
+    };
+    let row = |cells: [&str; 4]| {
+        let [path, amount, in_si, in_us] = cells;
+        format!(
+            "{}{amount:<width$} {in_si:<si$}{in_us}",
+            first_cell(path, key),
+            width = written.saturating_sub(1)
+        )
+    };
+    let mut lines = vec![row(["Numbers as understood", "as written", "SI", "US"]), "─".repeat(LINE)];
+    for [amount, spread, in_si, in_us, path] in &rows {
+        let whole = if spread.is_empty() { amount.clone() } else { format!("{amount}; {spread}") };
+        // A range that is too long for its column stands below its number.
+        let is_long = !spread.is_empty() && whole.chars().count() >= written;
+        let first = if is_long { format!("{amount};") } else { whole };
+        lines.push(row([path, &first, in_si, in_us]));
+        if is_long {
+            lines.push(format!("{:key$}{spread}", ""));
+        }
+    }
+    lines
 }
 
 /// The judgement as indented JSON, ending in a line break: `commands`, `inputs` (as written, in SI and in US units), `choices`, `assumptions` and
@@ -213,28 +243,6 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
             .collect(),
     };
     Ok(serde_json::to_string_pretty(&document)? + "\n")
-}
-
-/// The text behind a head that its further lines are indented by.
-fn hanging(head: &str, text: &str) -> String {
-    let indent = head.chars().count();
-    let mut lines = head.to_owned();
-    let mut column = indent;
-    for word in text.split_whitespace() {
-        let width = word.chars().count();
-        if column > indent && column + 1 + width > LINE {
-            lines.push('\n');
-            lines.push_str(&" ".repeat(indent));
-            column = indent;
-        } else if column > indent {
-            lines.push(' ');
-            column += 1;
-        }
-        lines.push_str(word);
-        column += width;
-    }
-    lines.push('\n');
-    lines
 }
 
 /// What a command that runs is good for in this case.

@@ -52,6 +52,7 @@ mod axes;
 mod checks;
 mod comparison;
 mod drawing;
+mod energy;
 mod explain;
 mod failures;
 mod json;

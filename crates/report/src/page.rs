@@ -11,8 +11,9 @@ use sha2::{Digest as _, Sha256};
 
 use crate::drawing::{Drawing, DrawingError, Subject, drawing};
 use crate::steps::{StepGroup, steps};
-use crate::units::{Quantity, number};
-use crate::{Units, axes, checks, law, warnings};
+use crate::text::search;
+use crate::units::Quantity;
+use crate::{Units, axes, checks, energy, law, warnings};
 
 /// All that the report says, in its order.
 struct Page {
@@ -29,7 +30,10 @@ struct Page {
     inputs: Vec<Table>,
     results: Table,
     steps: Vec<StepGroup>,
+    units: Units,
     energy: Option<Table>,
+    /// Below the energy balance.
+    energy_notes: Vec<String>,
     crash3: Option<Table>,
     checks: Option<Table>,
     warnings: Vec<(&'static str, String)>,
@@ -124,7 +128,9 @@ impl Page {
             inputs: inputs::tables(file, analysis, units),
             results: results(seen, units),
             steps: steps(case, analysis),
-            energy: seen.impact.as_ref().map(|impact| energy(impact, units)),
+            units,
+            energy: seen.impact.as_ref().map(|impact| energy_balance(impact, units)),
+            energy_notes: energy::notes(seen, units),
             crash3: crash3(seen, units),
             checks: consistency(seen, units),
             warnings: seen
@@ -169,18 +175,17 @@ fn answer(analysis: &Analysis, units: Units) -> String {
 fn method(analysis: &Analysis, axes: Axes) -> Vec<String> {
     let mut paragraphs = Vec::new();
     if let Some(found) = &analysis.found {
-        let basis = match analysis.basis {
-            EnergyBasis::Dissipated => {
-                "The crush energy is taken as the energy that the normal impulse dissipates, as in the paper."
-            }
-            EnergyBasis::Absorbed => {
-                "The crush energy is taken as the energy absorbed at maximum engagement, of which restitution gives the share e² back."
-            }
+        let (agreement, basis) = match analysis.basis {
+            EnergyBasis::Dissipated => (
+                "equals the crush energy",
+                "The crush energy is taken as the energy that the normal impulse dissipates, as in the paper.",
+            ),
+            EnergyBasis::Absorbed => (
+                "is (1 − e²) times the crush energy",
+                "The crush energy is taken as the energy absorbed at maximum engagement, of which restitution gives the share e² back.",
+            ),
         };
-        let way = match found.iterations.len() {
-            0 => "in closed form".to_owned(),
-            steps => format!("by root-finding in {steps} steps"),
-        };
+        let way = search(found);
         let roots = match found.admissible.len() {
             1 => "one admissible speed exists".to_owned(),
             several => format!(
@@ -189,7 +194,7 @@ fn method(analysis: &Analysis, axes: Axes) -> Vec<String> {
         };
         paragraphs.push(format!(
             "The crush energy of both vehicles follows from their damage by the CRASH3 algorithm. Planar impact mechanics gives the work of the normal impulse \
-             for any speed of vehicle {}. The speed at which the two agree was found {way}; {roots}. {basis}",
+             for any speed of vehicle {}. The speed at which that work {agreement} was found {way}; {roots}. {basis}",
             found.unknown.index() + 1
         ));
     } else if analysis.impact.is_some() {
@@ -247,24 +252,24 @@ fn results(analysis: &Analysis, units: Units) -> Table {
     let damage =
         |f: &dyn Fn(&analysis::Damage) -> String| [0, 1].map(|i| analysis.vehicles[i].damage.as_ref().map(f));
     results.pair("crush energy", damage(&|d| units.format(Quantity::Energy, d.crush_energy)));
-    results.pair("energy equivalent speed", damage(&|d| both(units, d.ees)));
+    results.pair("energy equivalent speed EES", damage(&|d| both(units, d.ees)));
     results
 }
 
-fn energy(impact: &analysis::Impact, units: Units) -> Table {
-    let energy = impact.outcome.energy;
+fn energy_balance(impact: &analysis::Impact, units: Units) -> Table {
+    let works = impact.outcome.energy;
     let mut balance = table("Energy balance", ["", "energy", "share of the initial energy"]);
     let mut rows = vec![
-        ("initial kinetic energy", energy.before),
-        ("normal work W_n (crush)", energy.normal_work),
-        ("tangential work W_t", energy.tangential_work),
+        ("initial kinetic energy", works.before),
+        ("normal work W_n", works.normal_work),
+        ("tangential work W_t", works.tangential_work),
     ];
     if impact.outcome.moment_impulse != 0.0 {
-        rows.push(("moment work W_m", energy.moment_work));
+        rows.push(("moment work W_m", works.moment_work));
     }
-    rows.extend([("energy loss E_L", energy.loss), ("final kinetic energy", energy.after)]);
+    rows.extend([("energy loss E_L", works.loss), ("final kinetic energy", works.after)]);
     for (name, value) in rows {
-        let share = format!("{} %", number(100.0 * value / energy.before, 1));
+        let share = energy::share(value, &works);
         balance.rows.push(vec![name.to_owned(), units.format(Quantity::Energy, value), share]);
     }
     balance

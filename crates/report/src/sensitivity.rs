@@ -140,19 +140,22 @@ fn derivatives(text: &mut String, group: &[Derivative], units: Units) {
         group.iter().partition(|row| size(row) > ROUNDING * largest);
     for row in with {
         let (unit, per) = match row.input.unit {
-            Some(unit) => (format!(" {unit}"), format!("/({unit})")),
-            None => (String::new(), String::new()),
+            Some(unit) => (format!(" {unit}"), unit.to_string()),
+            None => (String::new(), "1".to_owned()),
         };
         let given = format!("{}{unit}", row.input.number);
         // In the result's unit per one of the input's own.
         let change = significant(units.value(units.speed_alone(), row.value * row.input.factor()), 4);
-        let change = format!("{change} {}{per}", units.name(units.speed_alone()));
+        let change = format!("{change} {} per {per}", units.name(units.speed_alone()));
         let relative = row.relative().map_or_else(|| "–".to_owned(), |relative| number(relative, 3));
         let influence = number(100.0 * row.influence(), 2);
-        // A number with many digits takes from the room before the change.
-        let room = 43_usize.saturating_sub(given.chars().count());
+        // A number with many digits takes from the room before the change, or stands on a line of its own.
+        let (end, room) = match 43_usize.checked_sub(given.chars().count()) {
+            Some(room) if room >= change.chars().count() => (' ', room),
+            _ => ('\n', 78),
+        };
         text.push_str(&format!(
-            "{}{given} {change:>room$}{relative:>10}{influence:>10}\n",
+            "{}{given}{end}{change:>room$}{relative:>10}{influence:>10}\n",
             first_cell(&row.input.path, 34)
         ));
     }

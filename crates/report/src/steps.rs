@@ -1,6 +1,6 @@
 //! The results one by one, each with its equation and the numbers put into it: what a reader with a calculator can check.
 //!
-//! All numbers of a substitution are in SI units and degrees, but for those of the file that it converts, and in the axes of the case: the equations hold in either handedness. A number that is not exact is printed with six significant digits, one with five or fewer
+//! The result stands in SI units and in those of the report. All numbers of a substitution are in SI units and degrees, but for those of the file that it converts, and in the axes of the case: the equations hold in either handedness. A number that is not exact is printed with at least six significant digits, one with five or fewer
 //! is exact; each printed result follows from the printed numbers within their rounding.
 
 mod collision;
@@ -11,7 +11,7 @@ mod inertia;
 use analysis::Analysis;
 use case::Case;
 
-use crate::units::significant;
+use crate::units::{Quantity, Units, significant};
 
 /// One result.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,8 +30,49 @@ pub struct Step {
     pub unit: &'static str,
     /// The result as printed, without its unit.
     pub printed: String,
+    /// What it is in the units of the reader, where `unit` alone does not tell.
+    quantity: Option<Quantity>,
     /// Where the equation stands: `Eq 5` of SAE 980025, or `theory 3`, a section of docs/theory.md. For a value without one, where it comes from: `input`, or a table.
     pub source: &'static str,
+}
+
+impl Step {
+    /// The result as the rest of a report in these units has it, like `24.71 ft/s = 16.85 mph`; `None` where that is no other unit than its own.
+    #[must_use]
+    pub fn in_units(&self, units: Units) -> Option<String> {
+        let quantity = self.quantity.or_else(|| quantity(self.unit))?;
+        let shown: Vec<String> =
+            [Some(quantity), (quantity == Quantity::Speed).then_some(Quantity::RoadSpeed)]
+                .into_iter()
+                .flatten()
+                .filter(|&quantity| units.name(quantity) != self.unit)
+                .map(|quantity| units.format(quantity, self.value).replace('-', "−"))
+                .collect();
+        (!shown.is_empty()).then(|| shown.join(" = "))
+    }
+
+    /// Which is not what its unit alone would say.
+    fn of(self, quantity: Quantity) -> Self {
+        Self { quantity: Some(quantity), ..self }
+    }
+}
+
+/// What has the unit in most steps. Sums on the way, such as an area, are in no other unit anywhere.
+fn quantity(unit: &str) -> Option<Quantity> {
+    Some(match unit {
+        "m/s" => Quantity::Speed,
+        "m" => Quantity::Length,
+        "kg" => Quantity::Mass,
+        "kg·m²" => Quantity::YawInertia,
+        "rad/s" => Quantity::YawRateDegrees,
+        "J" => Quantity::Energy,
+        "N·s" => Quantity::Impulse,
+        "N·m·s" => Quantity::MomentImpulse,
+        "N/m" => Quantity::StiffnessA,
+        "N/m²" => Quantity::StiffnessB,
+        "N" => Quantity::StiffnessG,
+        _ => return None,
+    })
 }
 
 /// Steps that belong together.
@@ -77,6 +118,7 @@ fn step(
         value,
         unit,
         printed: digits(value),
+        quantity: None,
         source,
     }
 }
@@ -100,7 +142,7 @@ const NOTHING: f64 = 1e-12;
 
 /// A number as it is printed: exact where that takes fewer than six digits, else with six. What a conversion of units leaves in the
 /// thirteenth digit does not count.
-fn digits(value: f64) -> String {
+pub(crate) fn digits(value: f64) -> String {
     let value = if value.abs() < NOTHING { 0.0 } else { value };
     let text = match format!("{value:.11e}").parse::<f64>() {
         Ok(plain) if is_short(plain) => format!("{plain}"),
@@ -108,6 +150,9 @@ fn digits(value: f64) -> String {
     };
     text.replace('-', "−")
 }
+
+/// What is smaller has more than two zeros behind the point.
+const LONG: f64 = 1e-3;
 
 fn is_short(value: f64) -> bool {
     let text = format!("{value}");
@@ -120,9 +165,14 @@ fn rounded(value: f64) -> String {
     if (1e5..1e12).contains(&value.abs()) {
         return format!("{value:.0}");
     }
-    let text = significant(value, DIGITS);
-    if !text.contains('e') {
-        return text;
+    if value.abs() >= LONG {
+        let text = significant(value, DIGITS);
+        if !text.contains('e') {
+            return text;
+        }
+        // Behind the point stand zeros, and then all six.
+        let zeros = if value.abs() < 0.01 { 2 } else { 1 };
+        return format!("{value:.*}", DIGITS + zeros);
     }
     let scientific = format!("{value:.*e}", DIGITS - 1);
     match scientific.split_once('e') {

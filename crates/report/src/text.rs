@@ -7,6 +7,7 @@ use pim_core::{Outcome, Regime};
 
 use crate::axes;
 use crate::checks;
+use crate::energy;
 use crate::law;
 use crate::units::{Quantity, Units, number};
 use crate::warnings;
@@ -37,7 +38,7 @@ pub fn text_within(case: &Case, analysis: &Analysis, units: Units, columns: usiz
     if let Some(impact) = &analysis.impact {
         page.impact(impact);
         page.motion(case, analysis, impact);
-        page.energy(&impact.outcome);
+        page.energy(analysis, &impact.outcome);
     }
     page.damage(analysis);
     if let Some(crash3) = &analysis.crash3 {
@@ -63,6 +64,32 @@ pub(crate) fn wrapped_within(text: &str, line: usize) -> String {
             let (separator, start) = if column + 1 + width > line { ('\n', 0) } else { (' ', column + 1) };
             lines.push(separator);
             column = start;
+        }
+        lines.push_str(word);
+        column += width;
+    }
+    lines.push('\n');
+    lines
+}
+
+/// The text behind a head that its further lines are indented by.
+pub(crate) fn hanging(head: &str, text: &str) -> String {
+    hanging_within(head, text, LINE)
+}
+
+fn hanging_within(head: &str, text: &str, line: usize) -> String {
+    let indent = head.chars().count();
+    let mut lines = head.to_owned();
+    let mut column = indent;
+    for word in text.split_whitespace() {
+        let width = word.chars().count();
+        if column > indent && column + 1 + width > line {
+            lines.push('\n');
+            lines.push_str(&" ".repeat(indent));
+            column = indent;
+        } else if column > indent {
+            lines.push(' ');
+            column += 1;
         }
         lines.push_str(word);
         column += width;
@@ -122,8 +149,12 @@ impl Page {
         ));
     }
 
-    /// A row with one value that may be long.
+    /// A row with one value, which has no source where it may be longer than a line.
     fn wide(&mut self, label: &str, value: &str, source: &str) {
+        if LABEL + value.chars().count() > self.width {
+            self.text.push_str(&hanging_within(&format!("{label:<LABEL$}"), value, self.width));
+            return;
+        }
         let label = first_cell(label, LABEL);
         self.line(&format!("{label}{value:<width$} {source}", width = 2 * self.column() - 1));
     }
@@ -152,25 +183,26 @@ impl Page {
         let units = self.units;
         self.line("");
         self.line(&format!("Speed of vehicle {vehicle}: {}", both_speeds(units, found.speed)));
-        let energy = units.format(Quantity::Energy, found.crush_energy);
-        let basis = match basis {
-            EnergyBasis::Dissipated => "which the normal impulse dissipates".to_owned(),
+        let energy = |si: f64| units.format(Quantity::Energy, si);
+        let work = match basis {
+            EnergyBasis::Dissipated => format!(
+                "equals the crush energy, {}, which the normal impulse dissipates",
+                energy(found.crush_energy)
+            ),
             EnergyBasis::Absorbed => format!(
-                "absorbed at maximum engagement, of which the normal impulse dissipates {}",
-                units.format(Quantity::Energy, found.normal_work)
+                "is W_n = {} = (1 − e²) E, where the crush energy E = {} is what the vehicles absorb up to maximum engagement, and restitution gives \
+                 the share e² back",
+                energy(found.normal_work),
+                energy(found.crush_energy)
             ),
         };
         let roots = match found.admissible.len() {
             1 => "One admissible speed".to_owned(),
             several => format!("{several} admissible speeds"),
         };
-        let method = match found.iterations.len() {
-            0 => "in closed form".to_owned(),
-            steps => format!("by root-finding in {steps} steps"),
-        };
+        let method = search(found);
         self.paragraph(&format!(
-            "At this speed the work of the normal impulse equals the crush energy, {energy}, {basis}. \
-             {roots}, found {method} (theory 6)."
+            "At this speed the work of the normal impulse {work}. {roots}, found {method} (theory 6)."
         ));
     }
 
@@ -417,22 +449,25 @@ impl Page {
         );
     }
 
-    fn energy(&mut self, outcome: &Outcome) {
-        let energy = outcome.energy;
+    fn energy(&mut self, analysis: &Analysis, outcome: &Outcome) {
+        let works = outcome.energy;
         self.heading("Energy", ["", "share of initial", "source"]);
         let mut rows = vec![
-            ("initial kinetic energy", energy.before, "theory 4"),
-            ("final kinetic energy", energy.after, "theory 4"),
-            ("energy loss E_L", energy.loss, "theory 4"),
-            ("  normal work W_n (crush)", energy.normal_work, "Eq 4"),
-            ("  tangential work W_t", energy.tangential_work, "Eq 4"),
+            ("initial kinetic energy", works.before, "theory 4"),
+            ("final kinetic energy", works.after, "theory 4"),
+            ("energy loss E_L", works.loss, "theory 4"),
+            ("  normal work W_n", works.normal_work, "Eq 4"),
+            ("  tangential work W_t", works.tangential_work, "Eq 4"),
         ];
         if outcome.moment_impulse != 0.0 {
-            rows.push(("  moment work W_m", energy.moment_work, "theory 4"));
+            rows.push(("  moment work W_m", works.moment_work, "theory 4"));
         }
         for (label, value, source) in rows {
-            let share = format!("{} %", number(100.0 * value / energy.before, 1));
+            let share = energy::share(value, &works);
             self.row(label, &self.units.format(Quantity::Energy, value), &share, source);
+        }
+        for note in energy::notes(analysis, self.units) {
+            self.paragraph(&note);
         }
     }
 
@@ -460,7 +495,7 @@ impl Page {
             let pdof = |d: &Damage| d.pdof.map(|pdof| units.format(Quantity::Angle, pdof));
             self.pair("PDOF, clockwise from heading", each(&pdof), "theory 5");
         }
-        self.pair("energy equivalent speed (EBS)", each(&|d| Some(both_speeds(units, d.ees))), "theory 5");
+        self.pair("energy equivalent speed EES", each(&|d| Some(both_speeds(units, d.ees))), "theory 5");
         self.pair(
             "angle to the normal α",
             each(&|d| Some(units.format(Quantity::Angle, d.oblique_angle))),
@@ -558,6 +593,15 @@ impl Page {
              docs/theory.md. {}; n points from vehicle 2 to vehicle 1.",
             axes::conventions(self.axes)
         ));
+    }
+}
+
+/// How the speed was found.
+pub(crate) fn search(found: &Found) -> String {
+    match found.iterations.len() {
+        0 => "in closed form".to_owned(),
+        1 => "by root-finding in 1 step".to_owned(),
+        steps => format!("by root-finding in {steps} steps"),
     }
 }
 

@@ -13,6 +13,8 @@ mod evaluate;
 mod pages;
 #[path = "fixtures/substitutions.rs"]
 mod substitutions;
+#[path = "fixtures/texts.rs"]
+mod texts;
 
 use std::fs;
 use std::path::PathBuf;

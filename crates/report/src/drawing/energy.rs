@@ -40,19 +40,20 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
     let pattern = |name: &str| canvas.pattern(name);
     let black = Pen { colour: BLACK, width: 1.4, dashes: "" };
     let mut losses = Vec::new();
-    // Both vehicles share the normal work as their crush energies do, which add up to it in a reconstruction on the basis `dissipated`.
+    // Both vehicles share the normal work as their crush energies do, which add up to it in a reconstruction on the basis `dissipated`: there alone it
+    // is the crush energy.
     if total > 0.0 {
-        for (i, (id, name)) in
-            [("crush-1", "crush of vehicle 1"), ("crush-2", "crush of vehicle 2")].into_iter().enumerate()
-        {
+        let work = if is_crush(total, energy.normal_work) { "crush of" } else { "normal work," };
+        for (i, id) in ["crush-1", "crush-2"].into_iter().enumerate() {
             if crush[i] > 0.0 {
+                let name = format!("{work} vehicle {}", i + 1);
                 let fill = pattern(["stripes-1", "stripes-2"][i]);
                 let energy = energy.normal_work * crush[i] / total;
-                losses.push(Row { id, name: name.to_owned(), energy, fill, edge: OUTLINE[i], driven: "" });
+                losses.push(Row { id, name, energy, fill, edge: OUTLINE[i], driven: "" });
             }
         }
     } else {
-        let name = "normal work (crush)".to_owned();
+        let name = "normal work".to_owned();
         losses.push(Row {
             id: "normal",
             name,
@@ -183,16 +184,21 @@ fn bar(canvas: &mut Canvas, row: &Row, [from, to]: [f64; 2], y: f64, initial: f6
     }
 }
 
+/// Whether the normal work is the crush energy, but for rounding.
+fn is_crush(crush: f64, normal_work: f64) -> bool {
+    (crush - normal_work).abs() <= 1e-6 * normal_work.abs()
+}
+
 fn note(analysis: &Analysis, crush: f64, normal_work: f64, units: Units) -> String {
     let mut note = "Each bar begins where the one above it ends.".to_owned();
-    if crush > 0.0 && (crush - normal_work).abs() > 1e-6 * normal_work.abs() {
+    if crush > 0.0 && !is_crush(crush, normal_work) {
         let energy = |si: f64| units.format(Quantity::Energy, si);
         let why = match (&analysis.found, analysis.basis) {
             (Some(_), crash3::EnergyBasis::Absorbed) => "restitution gives the rest back",
             _ => "the damage and the impact do not agree",
         };
         note.push_str(&format!(
-            " The crush stands for {}, the normal work is {}: {why}. The bars share the normal work as the crush energies do.",
+            " The crush energy is {}, the normal work {}: {why}. The bars share the normal work as the crush energies do.",
             energy(crush),
             energy(normal_work)
         ));

@@ -2,6 +2,7 @@
 
 use analysis::{Analysis, Found, WorkPoint, first_push, work_curve};
 use case::CaseFile;
+use crash3::EnergyBasis;
 use kurbo::{BezPath, Point, Rect};
 
 use super::canvas::{Anchor, Canvas, SMALL};
@@ -70,16 +71,22 @@ pub(super) fn draw(file: &CaseFile, analysis: &Analysis, units: Units) -> Result
     let speed = |si: f64| units.format(Quantity::RoadSpeed, si);
     let touch = speed(curve.first().map_or(0.0, |point| point.speed));
     let begins = match first_push(file, &curve)? {
-        None => format!("It is zero where the vehicles just touch, at {touch}"),
+        None => format!("It is zero where the vehicles just touch, at {touch},"),
         Some(begins) => format!(
             "It begins at {}, where the normal impulse becomes a push (Pₙ > 0); from {touch}, where the vehicles just touch, up to there they would have to \
              pull at each other. It rises from zero",
             speed(begins)
         ),
     };
+    let crush = match analysis.basis {
+        EnergyBasis::Dissipated => format!("the crush energy, {energy},"),
+        EnergyBasis::Absorbed => format!(
+            "{energy}, which is (1 − e²) times the crush energy of {},",
+            units.format(Quantity::Energy, found.crush_energy)
+        ),
+    };
     let description = format!(
-        "Work of the normal impulse over the speed of vehicle {vehicle}. {begins} and reaches the {energy} that the crush stands for at {answer}. Admissible \
-         speeds: {}.",
+        "Work of the normal impulse over the speed of vehicle {vehicle}. {begins} and reaches {crush} at {answer}. Admissible speeds: {}.",
         found.admissible.iter().map(|&si| speed(si)).collect::<Vec<_>>().join(", "),
     );
     Ok(Drawing::new(Subject::Reconciliation, format!("{title}: reconciliation"), description, canvas))

@@ -5,6 +5,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use super::{Page, Table};
 use crate::checks;
 use crate::steps::{Step, StepGroup};
+use crate::units::Units;
 
 /// Paper of any size: the browser's choice of A4 or Letter is respected, with margins that both have room for.
 const STYLE: &str = "
@@ -116,13 +117,17 @@ fn body(page: &Page) -> Markup {
             h2 { "Results step by step" }
             p {
                 "Each result has its equation, the numbers put into it, and its source. Numbers are in SI units and degrees, so that a calculator gives the result; \
-                 one with fewer than six digits is exact, one with six is rounded. "
+                 one with fewer than six digits is exact, any other is rounded. Below a result it stands in the units of the other tables. "
                 "atan2(y, x) is the angle of the point (x, y)."
             }
-            @for group in &page.steps { (steps(group)) }
+            @for group in &page.steps { (steps(group, page.units)) }
         }
         @if let Some(energy) = &page.energy {
-            section { h2 { "Energy balance" } (table(energy)) }
+            section {
+                h2 { "Energy balance" }
+                (table(energy))
+                @for note in &page.energy_notes { p { (subscripts(note)) } }
+            }
         }
         @if let Some(crash3) = &page.crash3 {
             section { h2 { "Comparison with CRASH3" } (table(crash3)) }
@@ -178,7 +183,7 @@ fn table(table: &Table) -> Markup {
     }
 }
 
-fn steps(group: &StepGroup) -> Markup {
+fn steps(group: &StepGroup, units: Units) -> Markup {
     html! {
         h3 { (group.title) }
         table.steps {
@@ -191,13 +196,13 @@ fn steps(group: &StepGroup) -> Markup {
                 }
             }
             tbody {
-                @for step in &group.steps { (row(step)) }
+                @for step in &group.steps { (row(step, units)) }
             }
         }
     }
 }
 
-fn row(step: &Step) -> Markup {
+fn row(step: &Step, units: Units) -> Markup {
     html! {
         tr {
             th scope="row" { (subscripts(&step.name)) }
@@ -209,7 +214,10 @@ fn row(step: &Step) -> Markup {
                     span.numbers { "= " (step.substitution) }
                 }
             }
-            td.number { span.result { (step.printed) @if !step.unit.is_empty() { "\u{a0}" (step.unit) } } }
+            td.number {
+                span.result { (step.printed) @if !step.unit.is_empty() { "\u{a0}" (step.unit) } }
+                @if let Some(shown) = step.in_units(units) { br; "= " (shown) }
+            }
             td { (step.source) }
         }
     }

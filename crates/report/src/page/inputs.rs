@@ -5,7 +5,8 @@ use case::{CaseFile, Input};
 
 use super::Table;
 use crate::judgement::{self, ASSUMED, CHOICES};
-use crate::units::{Units, significant};
+use crate::steps::digits;
+use crate::units::Units;
 
 /// Those that have rows.
 pub(super) fn tables(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<Table> {
@@ -72,10 +73,10 @@ fn own(input: &Input) -> String {
     }
 }
 
-/// Six digits are more than any input has.
+/// With the digits of the steps, so that the same number looks the same.
 fn si(input: &Input) -> String {
     match input.unit {
-        Some(unit) => format!("{} {}", significant(input.si(), 6), unit.dimension().si_unit()),
+        Some(unit) => format!("{} {}", digits(input.si()).replace('−', "-"), unit.dimension().si_unit()),
         None => input.number.to_string(),
     }
 }

@@ -3,6 +3,7 @@
 use super::{Page, Table};
 use crate::checks;
 use crate::steps::StepGroup;
+use crate::units::Units;
 
 pub(super) fn write(page: &Page) -> String {
     let mut out = String::new();
@@ -39,14 +40,17 @@ pub(super) fn write(page: &Page) -> String {
     }
     put("## Results step by step\n");
     put(
-        "Numbers are in SI units and degrees; one with fewer than six digits is exact, one with six is rounded. atan2(y, x) is the angle of the point (x, y).\n",
+        "Numbers are in SI units and degrees; one with fewer than six digits is exact, any other is rounded. At the end of a result it stands in the units of the other tables. atan2(y, x) is the angle of the point (x, y).\n",
     );
     for group in &page.steps {
-        put(&steps(group));
+        put(&steps(group, page.units));
     }
     if let Some(energy) = &page.energy {
         put("## Energy balance\n");
         put(&table(energy));
+        for note in &page.energy_notes {
+            put(&format!("{}\n", escaped(note)));
+        }
     }
     if let Some(crash3) = &page.crash3 {
         put("## Comparison with CRASH3\n");
@@ -95,10 +99,13 @@ fn table(table: &Table) -> String {
     text
 }
 
-fn steps(group: &StepGroup) -> String {
+fn steps(group: &StepGroup, units: Units) -> String {
     let mut text = format!("### {}\n\n```text\n", group.title);
     for step in &group.steps {
-        let unit = if step.unit.is_empty() { String::new() } else { format!(" {}", step.unit) };
+        let mut unit = if step.unit.is_empty() { String::new() } else { format!(" {}", step.unit) };
+        if let Some(shown) = step.in_units(units) {
+            unit.push_str(&format!(" = {shown}"));
+        }
         text.push_str(&format!("{} ({})\n", step.name, step.source));
         let indent = " ".repeat(step.symbol.chars().count());
         if step.formula.is_empty() {

@@ -805,7 +805,7 @@ impl Collision<'_> {
                 numbers,
                 self.impact.pdof[i].to_degrees(),
                 "°",
-                "theory 5",
+                "theory 4",
             ));
         }
         steps
@@ -851,7 +851,7 @@ impl Collision<'_> {
         let mut steps = vec![
             kinetic("kinetic energy before", "T", ["v", "ω"], &outcome.before, energy.before),
             kinetic("kinetic energy after", "T'", ["V", "Ω"], &outcome.after, energy.after),
-            work("normal work: the crush energy", "n", p_.normal, u.normal, v.normal, energy.normal_work),
+            work("normal work", "n", p_.normal, u.normal, v.normal, energy.normal_work),
             work("tangential work", "t", p_.tangential, u.tangential, v.tangential, energy.tangential_work),
         ];
         let mut parts = (

@@ -5,6 +5,7 @@ use case::{Axes, Case, Crush};
 use crash3::{EnergyBasis, ObliqueCorrection, Structure};
 
 use super::{Step, StepGroup, angle, given, group, n, p, step};
+use crate::units::Quantity;
 
 pub(super) fn groups(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
     let mut groups = Vec::new();
@@ -53,7 +54,7 @@ fn oblique(
         && stiffness.limit().is_none()
     {
         let area = super::damage::area(damage, crush);
-        steps.push(step(
+        let force = step(
             of("peak force"),
             format!("F_{i}"),
             format!("(A_{i} L_{i} + B_{i} S_1,{i})/cos α_{i}"),
@@ -68,7 +69,8 @@ fn oblique(
             oblique.peak_force,
             "N",
             "theory 5",
-        ));
+        );
+        steps.push(force.of(Quantity::Force));
     }
     let tangent = format!("tan{}", angle(alpha));
     let (formula, numbers) = match correction.map(|(correction, _)| correction) {
@@ -159,17 +161,7 @@ fn velocity_changes(analysis: &Analysis, axes: Axes) -> Vec<Step> {
             "theory 5",
         ));
     }
-    let energies: Vec<String> =
-        analysis.vehicles.iter().filter_map(|v| v.damage.as_ref()).map(|d| n(d.crush_energy, "J")).collect();
-    steps.push(step(
-        "crush energy of both vehicles",
-        "E",
-        "E_1 + E_2",
-        energies.join(" + "),
-        crash3.crush_energy,
-        "J",
-        "Eq 5",
-    ));
+    steps.push(super::damage::total(analysis, crash3.crush_energy, "Eq 5"));
     let mut change = |name: &str, prime: &str, energy: f64, delta_v: [f64; 2]| {
         for &(i, mass, _) in &vehicles {
             let k = i + 1;

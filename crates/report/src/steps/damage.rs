@@ -5,6 +5,7 @@ use case::{BarrierTest, Case, Crush, Fit, StiffnessForm, StiffnessLine};
 use crash3::{EnergyBasis, Stiffness, Structure};
 
 use super::{Step, StepGroup, angle, given, group, inertia, n, p, step};
+use crate::units::Quantity;
 
 pub(super) fn groups(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
     let mut groups = Vec::new();
@@ -177,7 +178,7 @@ fn of_test(steps: &mut Vec<Step>, stiffness: &Stiffness, test: &BarrierTest, i: 
     };
     // C̄ = Σ (Cⱼ + Cⱼ₊₁)/2n
     let mean = depths.windows(2).map(|c| (c[0] + c[1]) / 2.0).sum::<f64>() / zones;
-    steps.push(step(
+    let mean_crush = step(
         of_test("mean crush"),
         symbol("C"),
         "Σ ((C_j + C_j+1)/2)/n",
@@ -185,7 +186,8 @@ fn of_test(steps: &mut Vec<Step>, stiffness: &Stiffness, test: &BarrierTest, i: 
         mean,
         "m",
         "theory 5",
-    ));
+    );
+    steps.push(mean_crush.of(Quantity::Crush));
     let (b1, formula, substitution) = match test.fit {
         Fit::Exact => {
             // Q = Σ (Cⱼ² + Cⱼ Cⱼ₊₁ + Cⱼ₊₁²)/3n
@@ -432,10 +434,11 @@ fn inferred_energy(
     let (force, width, depth) = (inferred.force, inferred.crush.width, inferred.crush.depth);
     let alpha = damage.oblique_angle;
     let of = |what: &str| format!("{what} of vehicle {i}");
-    steps.push(given(of("peak force"), format!("F_{i}"), force, "N", "theory 5"));
-    steps.push(given(of("width of the damage"), format!("w_{i}"), width, "m", "theory 5"));
+    steps.push(given(of("peak force"), format!("F_{i}"), force, "N", "theory 5").of(Quantity::Force));
+    steps
+        .push(given(of("width of the damage"), format!("w_{i}"), width, "m", "theory 5").of(Quantity::Crush));
     if depth > 0.0 {
-        steps.push(step(
+        let crush = step(
             of("inferred crush"),
             format!("C_{i}"),
             format!("(F_{i} cos α_{i}/w_{i} − A_{i})/B_{i}"),
@@ -450,7 +453,8 @@ fn inferred_energy(
             depth,
             "m",
             "theory 5",
-        ));
+        );
+        steps.push(crush.of(Quantity::Crush));
         let limited = stiffness.limit().is_some_and(|limit| a + b * depth > limit * (1.0 + 1e-9));
         if limited {
             steps.push(given(of("crush energy"), format!("E_{i}"), damage.crush_energy, "J", "theory 5"));
@@ -495,20 +499,21 @@ fn inferred_energy(
     steps
 }
 
+/// The sum over the vehicles that have damage.
+pub(super) fn total(analysis: &Analysis, crush_energy: f64, source: &'static str) -> Step {
+    let (symbols, numbers): (Vec<String>, Vec<String>) = (1..)
+        .zip(&analysis.vehicles)
+        .filter_map(|(i, vehicle)| vehicle.damage.as_ref().map(|damage| (i, damage)))
+        .map(|(i, damage)| (format!("E_{i}"), n(damage.crush_energy, "J")))
+        .unzip();
+    let name = if symbols.len() > 1 { "crush energy of both vehicles" } else { "crush energy" };
+    step(name, "E", symbols.join(" + "), numbers.join(" + "), crush_energy, "J", source)
+}
+
 /// What the impact has to take.
 fn sought(analysis: &Analysis) -> Vec<Step> {
     let Some(found) = &analysis.found else { return Vec::new() };
-    let energies: Vec<f64> =
-        analysis.vehicles.iter().filter_map(|v| v.damage.as_ref()).map(|d| d.crush_energy).collect();
-    let both = step(
-        "crush energy of both vehicles",
-        "E",
-        "E_1 + E_2",
-        energies.iter().map(|&energy| n(energy, "J")).collect::<Vec<_>>().join(" + "),
-        found.crush_energy,
-        "J",
-        "Eq 4, 5",
-    );
+    let both = total(analysis, found.crush_energy, "Eq 4, 5");
     let e = analysis.impact.as_ref().map_or(0.0, |impact| impact.law.restitution());
     let normal_work = match analysis.basis {
         EnergyBasis::Dissipated => ("E", n(found.crush_energy, "J")),

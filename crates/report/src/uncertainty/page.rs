@@ -1,8 +1,11 @@
 //! As text for people.
 
+use std::f64::consts::PI;
+
 use ::uncertainty::{Bar, End, Estimate, Index, Method, Shape, Summary};
-use analysis::{REASONS, Reason, UncertainInput, UncertainOutput, Uncertainty};
+use analysis::{Output, REASONS, Reason, UncertainInput, UncertainOutput, Uncertainty};
 use case::Case;
+use crash3::principal_angle;
 
 use super::{Histogram, method_name, quantity};
 use crate::sensitivity::output_name;
@@ -224,6 +227,24 @@ impl<'a> Page<'a> {
             }
         }
         lines.iter().for_each(|line| self.line(line));
+        self.turned();
+    }
+
+    /// Of each PDOF whose intervals go through straight from behind.
+    fn turned(&mut self) {
+        for (output, summary) in self.rows() {
+            let Some(summary) = summary.filter(|_| matches!(output.output, Output::Pdof { .. })) else {
+                continue;
+            };
+            let mut ends = summary.intervals.iter().flat_map(|ends| [ends.low.value, ends.high.value]);
+            let Some(end) = ends.find(|end| end.abs() > PI) else { continue };
+            let [end, same] = [end, principal_angle(end)].map(|si| self.units.format(Quantity::Angle, si));
+            self.line("");
+            self.paragraph(&format!(
+                "The {} goes through 180°, straight from behind. Its intervals are not broken there: an end at {end} is the direction {same}.",
+                output_name(output.output)
+            ));
+        }
     }
 
     /// Of the first output.

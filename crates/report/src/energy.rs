@@ -1,0 +1,51 @@
+//! The energy balance in words, for the text and for the page.
+
+use analysis::{Analysis, Warning};
+use pim_core::Energy;
+
+use crate::units::{Quantity, Units, number};
+
+/// A share of the initial energy.
+pub(crate) fn share(work: f64, energy: &Energy<f64>) -> String {
+    format!("{} %", number(100.0 * work / energy.before, 1))
+}
+
+/// What a reader who adds up the printed figures has to know.
+pub(crate) fn notes(analysis: &Analysis, units: Units) -> Vec<String> {
+    let Some(energy) = analysis.impact.as_ref().map(|impact| &impact.outcome.energy) else {
+        return Vec::new();
+    };
+    let mut notes = Vec::new();
+    let printed = |si: f64| units.format(Quantity::Energy, si);
+    // A zero of rounding is no work.
+    if printed(energy.tangential_work).starts_with('-') {
+        let is_warned =
+            analysis.warnings.iter().any(|warning| matches!(warning, Warning::SlidingDriven { .. }));
+        let size = if is_warned {
+            "Friction alone cannot do that: see the warning sliding-driven."
+        } else {
+            "That is within what coefficients fitted to staged collisions leave (deltav explain sliding-driven)."
+        };
+        notes.push(format!(
+            "W_t is negative: the tangential impulse acts along the mean sliding velocity, not against it, and adds {} to the motion, {} % of E_L. {size}",
+            printed(-energy.tangential_work),
+            number(-100.0 * energy.tangential_work / energy.loss, 1)
+        ));
+    }
+    if !adds_up(energy, |work| units.value(Quantity::Energy, work).round())
+        || !adds_up(energy, |work| (1000.0 * work / energy.before).round())
+    {
+        notes.push(
+            "Each figure is rounded by itself: a sum of printed figures may be off by one in the last digit."
+                .to_owned(),
+        );
+    }
+    notes
+}
+
+/// Whether the figures, rounded, are the sums of their rounded parts.
+fn adds_up(energy: &Energy<f64>, rounded: impl Fn(f64) -> f64) -> bool {
+    let parts = [energy.normal_work, energy.tangential_work, energy.moment_work];
+    parts.into_iter().map(&rounded).sum::<f64>() == rounded(energy.loss)
+        && rounded(energy.loss) + rounded(energy.after) == rounded(energy.before)
+}
