@@ -62,6 +62,59 @@ pub(crate) fn range(text: &str, dimension: Option<Dimension>) -> Option<String> 
     ))
 }
 
+/// The plain number in a text such as "8 %", ".08", "0,08" or "½": 0.08 of the first three. Digits of full width and the minus sign of print are those of
+/// the keyboard.
+pub(crate) fn plain(text: &str) -> Option<f64> {
+    let text: String = text.trim().chars().map(keyboard).collect();
+    let (text, share) = match text.strip_suffix('%') {
+        Some(text) => (text.trim_end(), 0.01),
+        None => (text.as_str(), 1.0),
+    };
+    let (sign, unsigned) = match text.strip_prefix('-') {
+        Some(unsigned) => (-1.0, unsigned),
+        None => (1.0, text.strip_prefix('+').unwrap_or(text)),
+    };
+    if !unsigned
+        .starts_with(|c: char| c.is_ascii_digit() || c == '.' || FRACTIONS.iter().any(|(sign, _)| *sign == c))
+    {
+        return None;
+    }
+    let digits_only = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let magnitude = match unsigned.split_once(',') {
+        // Of three digits behind it, the comma may separate thousands.
+        Some((whole, fraction)) if digits_only(whole) && digits_only(fraction) => {
+            let is_decimal = fraction.len() != 3 || whole == "0";
+            is_decimal.then(|| format!("{whole}.{fraction}")).and_then(|text| text.parse().ok())
+        }
+        _ => match amount(unsigned)? {
+            (magnitude, _, "") => Some(magnitude),
+            _ => None,
+        },
+    }?;
+    let number = sign * magnitude * share;
+    // The digits of "8 %" times 0.01, without the rounding of the product.
+    let shown = if share < 1.0 { format!("{number:.12}").parse().unwrap_or(number) } else { number };
+    shown.is_finite().then_some(shown)
+}
+
+/// A quantity in digits or signs that only look like those of the keyboard, as the keyboard has them: "5 in" for "５ in".
+pub(crate) fn typed(text: &str, dimension: Dimension) -> Option<String> {
+    let typed: String = text.chars().map(keyboard).collect();
+    let (number, unit) = split_number(&typed);
+    Some(format!("{} {}", format_number(number?), dimension.unit(unit.trim())?))
+}
+
+/// The letter of the keyboard for one that looks like it: digits, point and comma of full width, and the dashes that stand for a minus.
+pub(crate) fn keyboard(letter: char) -> char {
+    match letter {
+        '−' | '–' | '‐' | '‑' | '﹣' | '－' => '-',
+        '\u{a0}' | '\u{2009}' | '\u{202f}' | '\u{3000}' => ' ',
+        // U+FF01 to U+FF5E are ASCII in full width.
+        '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(letter) - 0xfee0).unwrap_or(letter),
+        other => other,
+    }
+}
+
 /// One decimal number for a fraction, for feet and inches, or for inches and feet behind a mark: "71.5 in" for "71 1/2 in", "74 in" for `6' 2"`.
 pub(crate) fn decimal(text: &str, dimension: Dimension) -> Option<String> {
     let text = text.replace(['′', '’'], "'").replace(['″', '”'], "\"").replace("''", "\"");
