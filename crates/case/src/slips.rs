@@ -192,7 +192,7 @@ fn rounded(number: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{decimal, range};
+    use super::{decimal, plain, range, typed};
     use crate::units::Dimension;
 
     #[test]
@@ -226,6 +226,40 @@ mod tests {
         for text in ["25 mph", "25 mph -", "about 25 mph", "25 m - 30 mph", "1e-3 mph", "25 to", ""] {
             assert_eq!(range(text, Some(Dimension::Speed)), None, "{text}");
         }
+    }
+
+    #[test]
+    fn plain_numbers_of_other_notations_are_understood() {
+        for (text, wanted) in [
+            ("8 %", 0.08),
+            ("45%", 0.45),
+            (".08", 0.08),
+            ("1.", 1.0),
+            ("05", 5.0),
+            ("0,08", 0.08),
+            ("1,5", 1.5),
+            ("0,125", 0.125),
+            ("−0.5", -0.5),
+            ("–3", -3.0),
+            ("０．３", 0.3),
+            ("½", 0.5),
+            ("1/4", 0.25),
+            ("1e-3", 0.001),
+        ] {
+            assert_eq!(plain(text), Some(wanted), "{text}");
+        }
+        // The comma of thousands, and what is no number.
+        for text in ["1,500", "1,2,3", "8 in", "inf", "nan", "", "%", "-", "e5", "1e999", "0x10"] {
+            assert_eq!(plain(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_looks_like_the_keyboard_is_typed() {
+        assert_eq!(typed("５．５\u{3000}in", Dimension::Length).as_deref(), Some("5.5 in"));
+        assert_eq!(typed("–5\u{a0}mph", Dimension::Speed).as_deref(), Some("-5 mph"));
+        assert_eq!(typed("５ mph", Dimension::Length), None);
+        assert_eq!(typed("five in", Dimension::Length), None);
     }
 
     #[test]

@@ -211,6 +211,27 @@ impl<'t> Line<'t> {
         Self { text: line, at, key, value, message }
     }
 
+    /// The key before the place of the error and the value behind it, as they have to be written.
+    fn assignment(&self) -> String {
+        let key = self.text[..self.at]
+            .trim_end_matches([' ', '=', ':'])
+            .rsplit([' ', '{', ','])
+            .next()
+            .unwrap_or_default();
+        let value = self.rest().trim_start_matches([' ', '=', ':']);
+        // In a table of one line, more keys may follow.
+        let value = if value.starts_with('"') {
+            value.split_inclusive('"').take(2).collect()
+        } else {
+            value.to_owned()
+        };
+        if key.is_empty() || value.is_empty() {
+            "write key = value".to_owned()
+        } else {
+            format!("write {} = {}", shorten(key), shorten(&value))
+        }
+    }
+
     /// What follows the place of the error.
     fn rest(&self) -> &'t str {
         &self.text[self.at..]
@@ -304,10 +325,10 @@ fn key_of_other_form(line: &Line<'_>, written: &Written) -> Found {
     let rest = line.rest();
     let text = line.text.trim();
     if rest.starts_with("==") || line.message.contains("extra `=`") {
-        return found("there are two equals signs", "write one: key = value");
+        return found("there are two equals signs", line.assignment());
     }
     if rest.starts_with(':') {
-        return found("there is a colon where the equals sign is due", "write key = value");
+        return found("there is a colon where the equals sign is due", line.assignment());
     }
     let name = text.trim_matches(|c: char| "[](){}<>".contains(c)).trim();
     let is_name = !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || "_. /-".contains(c));
@@ -325,7 +346,7 @@ fn key_of_other_form(line: &Line<'_>, written: &Written) -> Found {
         return found("between the key and its equals sign stands something else", written.suited("", help));
     }
     if after.is_empty() && text.contains('"') && line.message.contains("no value") {
-        return found("there is no equals sign behind the key", "write key = value");
+        return found("there is no equals sign behind the key", line.assignment());
     }
     None
 }
