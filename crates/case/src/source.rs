@@ -33,7 +33,8 @@ pub struct Source {
     name: String,
     text: String,
     spans: Spans,
-    written: OnceLock<Written>,
+    /// Boxed, so that an error is no larger for it.
+    written: OnceLock<Box<Written>>,
 }
 
 impl Source {
@@ -43,7 +44,7 @@ impl Source {
 
     /// The units of the file. It is read once more for them, which only an error has to pay for.
     pub(crate) fn written(&self) -> &Written {
-        self.written.get_or_init(|| Written::of(DeTable::parse_recoverable(&self.text).0.get_ref()))
+        self.written.get_or_init(|| Box::new(Written::of(DeTable::parse_recoverable(&self.text).0.get_ref())))
     }
 
     /// The name under which the file was read.

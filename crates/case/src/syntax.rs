@@ -340,7 +340,7 @@ fn key_of_other_form(line: &Line<'_>, written: &Written) -> Found {
         );
     }
     let (before, after) = text.split_once('=').unwrap_or((text, ""));
-    let words = before.trim().split_whitespace().count();
+    let words = before.split_whitespace().count();
     if words > 1 && !after.is_empty() && line.message.contains("no value") {
         let help = "write the key alone before the equals sign: a unit stands behind its number, as in speed = \"10 mph\"";
         return found("between the key and its equals sign stands something else", written.suited("", help));
