@@ -44,7 +44,10 @@ impl Diagnostic {
     fn render(&self, source: &Source) -> String {
         let title = Level::ERROR.primary_title(self.problem.to_string());
         let place = self.place(source);
-        let help = self.problem.help().map(|help| Level::HELP.message(normalize_untrusted_str(&help)));
+        let help = self
+            .problem
+            .help_in(Some(source.written()))
+            .map(|help| Level::HELP.message(normalize_untrusted_str(&help)));
         let group: Group<'_> = title.element(place).elements(help);
         Renderer::plain().render(&[group])
     }
@@ -156,7 +159,7 @@ impl Diagnostics {
     pub fn help_on_one_line(&self) -> String {
         let shown = &self.list[..self.list.len().min(SHOWN)];
         let helps = shown.iter().filter_map(|diagnostic| {
-            let help = diagnostic.problem.help()?;
+            let help = diagnostic.problem.help_in(Some(self.source.written()))?;
             Some(if shown.len() == 1 { on_one_line(&help) } else { diagnostic.placed(&self.source, &help) })
         });
         helps.collect::<Vec<_>>().join("; ")

@@ -7,7 +7,8 @@ use toml::de::{DeTable, DeValue};
 
 use crate::range::Bounds;
 use crate::schema::{
-    Condition, Form, Key, LawName, MOST_STATIONS, RANGE, RANGE_OF_LIST, Rule, Schema, TOP, VEHICLE,
+    Condition, Form, Key, LawName, MOST_STATIONS, MOST_ZONES, RANGE, RANGE_OF_LIST, Rule, Schema, TOP,
+    VEHICLE,
 };
 use crate::units::{Dimension, HOUR, Unit, list_pattern, pattern, percent_pattern};
 
@@ -172,7 +173,9 @@ impl Generator {
                 node.extend(self.content(&[schema], None));
                 node
             }
-            Form::Tables(schema) => object(json!({ "type": "array", "items": self.table(schema) })),
+            Form::Tables(schema) => {
+                object(json!({ "type": "array", "maxItems": MOST_ZONES, "items": self.table(schema) }))
+            }
             Form::WordsOrTable(words, schema) => {
                 // Each alternative has its own type, as the words bind a text alone.
                 let table = self.table(schema);

@@ -35,7 +35,7 @@
 //! # The file
 //!
 //! A dimensioned value is a string with its unit; a plain number is dimensionless. Unknown keys are errors.
-//! A file may have [`Case::LARGEST_FILE`] bytes, a list 10,000 values, and the whole file 500 ranges.
+//! A file may have [`Case::LARGEST_FILE`] bytes, a list 10,000 values, a list of zones 1,000, and the whole file 500 ranges.
 //!
 //! | table | keys |
 //! |---|---|
@@ -169,9 +169,11 @@ mod read;
 mod schema;
 mod slips;
 mod source;
+mod syntax;
 mod template;
 mod units;
 mod write;
+mod written;
 
 pub use axes::Axes;
 pub use case::{

@@ -223,7 +223,7 @@ impl CaseFile {
     ) -> Result<ReconstructionInput<T>, Diagnostics> {
         let mut demand = Demand { file: self, case, command: "reconstruct", problems: Vec::new() };
         let unknown = demand.unknown();
-        let collision = demand.collision(unknown);
+        let collision = demand.collision(|i| unknown.is_some_and(|unknown| unknown.index() != i));
         for (i, vehicle) in self.case.vehicles.iter().enumerate() {
             if !vehicle.fixed && vehicle.crush.is_none() {
                 demand.missing_crush(i);
@@ -258,7 +258,7 @@ impl CaseFile {
     /// As [`impact`](Self::impact).
     pub fn impact_with<T: Real>(&self, case: &Case<T>) -> Result<ImpactInput<T>, Diagnostics> {
         let mut demand = Demand { file: self, case, command: "impact", problems: Vec::new() };
-        let collision = demand.collision(None);
+        let collision = demand.collision(|_| true);
         demand.finish(collision.map(|collision| ImpactInput { collision, basis: self.energy_basis() }))
     }
 
@@ -325,6 +325,9 @@ fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: [Option<&mut 
     }
 }
 
+const SPEED_FORMS: &str =
+    "`speed = \"10 mph\"` along the heading, or `velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }`";
+
 /// The tables of the vehicles.
 const TABLES: [&str; 2] = ["vehicle1", "vehicle2"];
 
@@ -351,7 +354,7 @@ impl<T: Real> Demand<'_, T> {
     fn missing(&mut self, path: impl Display, example: &str) {
         let path = &path.to_string();
         let message = format!("`{path}` is missing: `deltav {}` needs it", self.command);
-        let help = format!("give {example}");
+        let help = format!("give {}", self.file.source.written().suited(path, example));
         self.problems.push(self.file.problem(path, message, Some(help)));
     }
 
@@ -404,16 +407,31 @@ impl<T: Real> Demand<'_, T> {
     }
 
     fn unknown(&mut self) -> Option<Unknown> {
-        let find = self.case.reconstruct.as_ref().map(|reconstruct| reconstruct.find);
-        self.given(find, "reconstruct.find", "`find = \"vehicle1.speed\"` in a table [reconstruct]")
+        if let Some(reconstruct) = &self.case.reconstruct {
+            return Some(reconstruct.find);
+        }
+        // A vehicle that moves, and whose speed is not given, is the one whose speed is looked for.
+        let is_open = self.case.vehicles.each_ref().map(|vehicle| !vehicle.fixed && vehicle.motion.is_none());
+        let found = if is_open == [false, true] { "vehicle2.speed" } else { "vehicle1.speed" };
+        self.missing(
+            "reconstruct.find",
+            &format!("`find = \"{found}\"` in a table [reconstruct]: the speed to find"),
+        );
+        if is_open == [true, true] {
+            let message = "`vehicle1.speed` and `vehicle2.speed` are missing: `deltav reconstruct` needs one of the two, and finds the other";
+            let help = self.file.source.written().suited("", &format!("give one vehicle {SPEED_FORMS}"));
+            self.problems.push(self.file.problem("", message, Some(help)));
+        }
+        None
     }
 
-    fn collision(&mut self, unknown: Option<Unknown>) -> Option<Collision<T>> {
+    /// `needs_speed` of the first and the second vehicle.
+    fn collision(&mut self, needs_speed: impl Fn(usize) -> bool) -> Option<Collision<T>> {
         let vehicles = [self.subject(0), self.subject(1)];
         let inertias =
             vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.inertia));
         let participants = [self.participant(0, inertias[0]), self.participant(1, inertias[1])];
-        let motions = [self.motion(0, unknown), self.motion(1, unknown)];
+        let motions = [self.motion(0, needs_speed(0)), self.motion(1, needs_speed(1))];
         let law = self.law();
         let ([v1, v2], [p1, p2], [m1, m2]) = (vehicles, participants, motions);
         let contact = self.contact([p1?, p2?])?;
@@ -511,19 +529,18 @@ impl<T: Real> Demand<'_, T> {
         self.accepted(table, Participant::new(body, heading, forward, left))
     }
 
-    fn motion(&mut self, i: usize, unknown: Option<Unknown>) -> Option<Motion<T>> {
+    fn motion(&mut self, i: usize, needs_speed: bool) -> Option<Motion<T>> {
         let table = TABLES[i];
         let vehicle = &self.case.vehicles[i];
         if vehicle.fixed {
             return Some(Motion::rest());
         }
         let yaw_rate = vehicle.yaw_rate.as_ref().map_or(T::ZERO, |rate| self.lateral(rate));
-        if unknown.is_some_and(|unknown| unknown.index() == i) {
+        if !needs_speed {
             return Some(Motion::rest().with_yaw_rate(yaw_rate));
         }
         let Some(velocity) = &vehicle.motion else {
-            let example = "`speed = \"10 mph\"` along the heading, or `velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }`";
-            self.missing(format_args!("{table}.speed"), example);
+            self.missing(format_args!("{table}.speed"), SPEED_FORMS);
             return None;
         };
         let motion = match velocity {

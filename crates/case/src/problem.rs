@@ -1,14 +1,17 @@
 //! The problems a case file can have, each with its sentence and its remedy.
 
+use std::borrow::Cow;
+
 use crash3::CrushError;
 use thiserror::Error;
 
 use crate::nearest::join;
 use crate::quantity::{Limit, Quantity, QuantityError, dimension_help, format_limit, format_number};
 use crate::range::Amount;
-use crate::schema::{LawName, RESTITUTION, TANGENTIAL};
+use crate::schema::{LawName, RESTITUTION, TANGENTIAL, dimensions_of, example_of};
 use crate::slips;
 use crate::units::{Dimension, Unit};
+use crate::written::Written;
 
 /// What is wrong at one place of a case file. `Display` says what, [`Problem::help`] what to write instead.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -25,7 +28,7 @@ pub enum Problem {
     NotUtf8 { line: usize, help: &'static str },
     /// Not TOML.
     #[error("this is not valid TOML: {message}")]
-    Syntax { message: String },
+    Syntax { message: String, help: Cow<'static, str> },
     /// A key that no table, or not this one, has.
     #[error("{table} has no key \"{key}\"")]
     UnknownKey {
@@ -75,7 +78,7 @@ pub enum Problem {
     BareNumber { path: String, number: String, dimension: Dimension, example: String },
     /// A plain number in quotes.
     #[error("{path} is the string \"{text}\", but has to be a plain number")]
-    QuotedNumber { path: String, text: String, example: String },
+    QuotedNumber { path: String, text: String, number: Option<String>, example: &'static str },
     /// A list of them.
     #[error("\"{path}\" is a list of bare numbers, but needs a unit")]
     BareNumbers { path: String, dimension: Dimension, example: String },
@@ -199,19 +202,35 @@ pub enum Problem {
 }
 
 impl Problem {
-    /// What to write instead, as a sentence without its full stop.
+    /// What to write instead, as a sentence without its full stop. [`Diagnostics`](crate::Diagnostics) show it with examples in the units of the
+    /// file.
     #[must_use]
     pub fn help(&self) -> Option<String> {
+        self.help_in(None)
+    }
+
+    /// The same, with examples in the units of a file.
+    pub(crate) fn help_in(&self, written: Option<&Written>) -> Option<String> {
+        let suited = |place: &str, example: &str| {
+            written.map_or_else(|| example.to_owned(), |written| written.suited(place, example))
+        };
         let help = match self {
             Self::TooLarge { .. } => "a case is a page of text; is this the right file?".to_owned(),
             Self::OtherFile { help, .. } | Self::NotUtf8 { help, .. } => (*help).to_owned(),
-            Self::Syntax { message } => return syntax_help(message).map(str::to_owned),
+            Self::Syntax { help, .. } => help.to_string(),
             Self::UnknownKey { belongs, nearest, known, table, key } => match (belongs, nearest) {
                 (Some(belongs), None) => format!("it belongs in {belongs}"),
                 (Some(belongs), Some(nearest)) => {
                     format!("did you mean \"{nearest}\"? \"{key}\" belongs in {belongs}")
                 }
-                (None, Some(nearest)) => format!("did you mean \"{nearest}\"?"),
+                (None, Some(nearest)) => {
+                    let unit = key.strip_prefix(nearest).map(|rest| rest.trim_start_matches(['_', '-', ' ']));
+                    let is_unit = |unit: &&str| dimensions_of(nearest).iter().any(|of_key| of_key.unit(unit).is_some());
+                    match unit.filter(is_unit) {
+                        Some(unit) => format!("the unit stands behind the number: {nearest} = \"… {unit}\""),
+                        None => format!("did you mean \"{nearest}\"?"),
+                    }
+                }
                 (None, None) => format!("the keys of {table} are {}", join(known, "and")),
             },
             Self::UnknownTable { nearest: Some(nearest), .. } => format!("did you mean [{nearest}]?"),
@@ -227,48 +246,60 @@ impl Problem {
             Self::MissingTable { table } => format!(
                 "a case has two vehicles: add [{table}]; a barrier is a vehicle with the one line fixed = true"
             ),
-            Self::MissingKey { example, .. } => format!("add a line such as {example}"),
+            Self::MissingKey { table, example, .. } => format!("add a line such as {}", suited(table, example)),
             Self::KeyOfOtherLaw { key, law, keys, owners, .. } => other_law_help(key, law, keys, owners),
             Self::MissingKeyOfLaw { example, law, keys, .. } => {
+                let example = suited("", example);
                 format!("add a line such as {example}; law = \"{law}\" uses {keys}")
             }
-            Self::WrongType { example, .. } => format!("write for example {example}"),
+            Self::WrongType { path, example, .. } => format!("write for example {}", suited(path, example)),
             Self::NotATable { path, found: "a list" } => {
                 format!("write [{path}], with single brackets, on a line of its own")
             }
             Self::NotATable { path, .. } => format!("write [{path}] on a line of its own, and its keys below"),
-            Self::BareNumber { dimension, example, .. } => format!(
-                "write number and unit as a string, for example {example}; {}",
+            Self::BareNumber { path, dimension, example, .. } => format!(
+                "write number and unit as a string, for example {}; {}",
+                suited(path, example),
                 dimension_help(*dimension)
             ),
-            Self::QuotedNumber { text, example, .. } => match slips::range(text, None) {
-                Some(range) => format!("write a range as {range}"),
-                None => format!("write {example}, without quotes"),
+            Self::QuotedNumber { text, number, example, .. } => match (slips::range(text, None), number) {
+                (Some(range), _) => format!("write a range as {range}"),
+                (None, Some(number)) => format!("write {number}, without quotes"),
+                (None, None) => format!("write a plain number without quotes, for example {example}"),
             },
-            Self::BareNumbers { dimension, example, .. } => format!(
-                "write the numbers and one unit as a string, for example {example}; {}",
+            Self::BareNumbers { path, dimension, example } => format!(
+                "write the numbers and one unit as a string, for example {}; {}",
+                suited(path, example),
                 dimension_help(*dimension)
             ),
             Self::Quantity { error, unit } => error.help_in(*unit),
             Self::BadList { text, dimension, example } => {
                 let comma = if text.contains(',') { ", and no commas" } else { "" };
                 format!(
-                    "write decimal numbers with spaces between them{comma}, and the unit once after the last: {example}; {}",
+                    "write decimal numbers with spaces between them{comma}, and the unit once after the last: {}; {}",
+                    suited("", example),
                     dimension_help(*dimension)
                 )
             }
-            Self::NotPositive { why: "", value, .. } => format!(
-                "write {} of at least {}",
-                value.dimension(),
-                format_limit(value.dimension().least_positive(), value.unit(), Limit::Least)
-            ),
+            Self::NotPositive { why: "", path, value } => {
+                let dimension = value.dimension();
+                let mut keys = path.trim_end_matches('"').rsplit('.');
+                match keys.find_map(|key| example_of(key, dimension)) {
+                    Some(example) => {
+                        format!("{dimension} is greater than zero here, as in {}", suited(path, example))
+                    }
+                    None => format!("{dimension} is greater than zero here"),
+                }
+            }
             Self::NotPositive { why, .. } => (*why).to_owned(),
             Self::Negative { value, .. } => format!("write {} of zero or more", value.dimension()),
             Self::NotAcute { .. } => {
                 "it is the angle between the force and the normal of the damaged side: 0 deg for a force square to it".to_owned()
             }
             Self::OutOfRange { example, .. } => format!("write for example {example}"),
-            Self::TooMany { .. } => "give fewer: a profile needs no more stations, and a curve of restitution no more points".to_owned(),
+            Self::TooMany { .. } => {
+                "give fewer: a profile needs no more stations, its stiffness no more zones, and a curve of restitution no more points".to_owned()
+            }
             Self::TooManyRanges { .. } => {
                 "write most of them as plain numbers: of so many stations the errors average out, those of width and stiffness do not".to_owned()
             }
@@ -285,7 +316,7 @@ impl Problem {
             }
             Self::UnknownChoice { choices, .. } => format!("write {choices}"),
             Self::Both { first, second, .. } => format!("keep one of the two: {first} or {second}"),
-            Self::NoForm { forms, .. } => format!("write {forms}"),
+            Self::NoForm { path, forms, .. } => format!("write {}", suited(path, forms)),
             Self::FixedHas { key, .. } => {
                 format!("remove {key} or, if this is a vehicle that can move, fixed = true")
             }
@@ -297,10 +328,10 @@ impl Problem {
                 list(missing)
             ),
             Self::TooFewStations { .. } => "measure the depth at both ends of the damage at least".to_owned(),
-            Self::NoPoints { .. } => format!("write for example {RESTITUTION_FORMS}"),
+            Self::NoPoints { .. } => format!("write for example {}", suited("", RESTITUTION_FORMS)),
             Self::ValueCount { .. } => format!(
                 "give both lists the same number of points, as in {} and {}",
-                RESTITUTION.example("speeds"),
+                suited("", RESTITUTION.example("speeds")),
                 RESTITUTION.example("values")
             ),
             Self::NotAscending { .. } => {
@@ -338,7 +369,7 @@ impl Problem {
                 "the two may differ by 0.1 %; correct one of them, or leave the width out".to_owned()
             }
             Self::NoRangeForm { forms, .. } => format!("write {forms}"),
-            Self::NoRange { example, .. } => format!("write for example {example}"),
+            Self::NoRange { path, example } => format!("write for example {}", suited(path, example)),
             Self::NotRising { low, high, .. } if low.in_unit(high.unit) == high.number => {
                 "write a value that is known exactly without a range".to_owned()
             }
@@ -387,34 +418,5 @@ fn counted(count: usize, noun: &str) -> String {
 }
 
 fn list(keys: &[&str]) -> String {
-    if keys.is_empty() { "nothing".to_owned() } else { join(keys, "and") }
-}
-
-/// What we say where the parser calls the absence of a value a string without quotes.
-pub(crate) const NO_VALUE: &str = "there is no value after the equals sign";
-
-/// What we say of a text in quotes that has a further one behind it.
-pub(crate) const INCH_MARK: &str = "there is a quote behind the end of the text";
-
-/// What to do about the TOML errors that a hand-written case is likely to have.
-fn syntax_help(message: &str) -> Option<&'static str> {
-    const HELP: &[(&str, &str)] = &[
-        (INCH_MARK, "write the unit in letters, as in \"70 in\": a quote ends the text"),
-        (NO_VALUE, "text and quantities stand between quotes, as in speed = \"10 mph\""),
-        ("duplicate key", "each key and each table may stand only once; remove one of the two"),
-        ("must be quoted", "write the value between quotes, as in \"10 mph\""),
-        ("invalid boolean", "write text and quantities between quotes; true and false stand alone"),
-        (
-            "array",
-            "write a list as [\"21.3 in\", \"20.3 in\"], with commas between its values and a ] at its end",
-        ),
-        ("inline table", "write a table in one line as { x = \"1.78 m\", y = \"-0.73 m\" }"),
-        ("basic string", "end the text with a quote on the same line, and write a backslash as \\\\"),
-        ("literal string", "end the text with a quote on the same line"),
-        ("recursion", "no value of a case needs tables nested so deeply"),
-        ("recurse", "no value of a case needs tables nested so deeply"),
-        ("key with no value", "write key = value; a comment begins with #"),
-        ("newline", "write one key = value per line; text and quantities stand between quotes"),
-    ];
-    HELP.iter().find(|(part, _)| message.contains(part)).map(|(_, help)| *help)
+    if keys.is_empty() { "none of its keys".to_owned() } else { join(keys, "and") }
 }

@@ -1,6 +1,7 @@
 //! A number with its unit, as it was written.
 
 use std::fmt;
+use std::ops::Range;
 
 use pim_core::Real;
 use thiserror::Error;
@@ -158,7 +159,7 @@ pub(crate) fn not_a_number(text: &str, dimension: Dimension) -> QuantityError {
     let value = shorten(text);
     if dimension.unit(text).is_some() {
         QuantityError::MissingNumber { value, dimension }
-    } else if let Some(decimal) = slips::decimal(text, dimension) {
+    } else if let Some(decimal) = slips::decimal(text, dimension).or_else(|| slips::typed(text, dimension)) {
         QuantityError::NotDecimal { value, decimal }
     } else {
         bad_number(value, dimension)
@@ -202,6 +203,22 @@ pub(crate) fn split_number(text: &str) -> (Option<f64>, &str) {
     }
     let (number, rest) = unsigned.split_at(end);
     (number.parse::<f64>().ok().map(|magnitude| sign * magnitude), rest)
+}
+
+/// The numbers at the beginning of a text, each with its place, and what comes after the last.
+pub(crate) fn leading_numbers(text: &str) -> (Vec<(f64, Range<usize>)>, &str) {
+    let mut numbers = Vec::new();
+    let mut rest = text.trim_start();
+    while let (Some(number), after) = split_number(rest) {
+        let end = text.len() - after.len();
+        numbers.push((number, text.len() - rest.len()..end));
+        rest = after.trim_start();
+        if rest.len() == after.len() {
+            // No space: what follows is not a further number, but a unit, or a typo such as "1.2.3".
+            break;
+        }
+    }
+    (numbers, rest.trim())
 }
 
 /// The shortest text that reads back as the same number.

@@ -5,7 +5,6 @@ mod range;
 mod tree;
 mod values;
 mod vehicle;
-mod written;
 
 use toml::de::DeTable;
 
@@ -142,7 +141,9 @@ impl<'t> Reader<'t> {
     }
 
     fn axes(&mut self, scene: &Table<'t>) -> Option<Axes> {
-        self.choice(scene, "axes", &Axes::ALL.map(|axes| (axes.name(), axes)))
+        const FORMS: &str = "\"z-up\", with y to the left and angles counter-clockwise positive, or \"z-down\", those of SAE J670, with y to the right \
+                             and angles clockwise positive";
+        self.choice_among(scene, "axes", &Axes::ALL.map(|axes| (axes.name(), axes)), FORMS)
     }
 
     /// A crush that is inferred needs one that was measured.

@@ -7,6 +7,9 @@ use crate::units::Dimension;
 /// The largest number of stations: far more than any scan of a vehicle gives.
 pub(crate) const MOST_STATIONS: usize = 10_000;
 
+/// The largest number of zones, each with a stiffness of its own: as many as a stiffness was ever told apart in, and many more.
+pub(crate) const MOST_ZONES: usize = 1_000;
+
 /// The largest number of ranges. Each costs as much time as the whole case, and stands for an error that is independent of all others.
 pub(crate) const MOST_RANGES: usize = 500;
 
@@ -844,6 +847,41 @@ pub fn keys() -> Vec<String> {
     paths
 }
 
+/// What people call some keys, which resembles them too little to be found by its letters.
+const OTHER_NAMES: [(&str, &str); 7] = [
+    ("min", "low"),
+    ("minimum", "low"),
+    ("max", "high"),
+    ("maximum", "high"),
+    ("mean", "value"),
+    ("sigma", "sd"),
+    ("crush", "depths"),
+];
+
+/// The line that sets a key of this name to a quantity of that dimension, in any table.
+pub(crate) fn example_of(name: &str, dimension: Dimension) -> Option<&'static str> {
+    let keys = ALL.into_iter().chain([&TEST]).flat_map(|schema| schema.keys);
+    let of_dimension = |key: &&Key| {
+        key.name == name
+            && matches!(key.form, Form::Quantity(of_key, _) | Form::Quantities(of_key, ..) if of_key == dimension)
+    };
+    keys.into_iter().find(of_dimension).map(|key| key.example)
+}
+
+/// What a key of this name measures, in any table: nothing where it is no quantity.
+pub(crate) fn dimensions_of(name: &str) -> Vec<Dimension> {
+    let schemas = ALL.into_iter().chain([&TEST]);
+    schemas
+        .flat_map(|schema| schema.keys)
+        .filter(|key| key.name == name)
+        .filter_map(|key| match key.form {
+            Form::Quantity(dimension, _) | Form::Quantities(dimension, ..) => Some(dimension),
+            Form::AngleOrHour => Some(Dimension::Angle),
+            _ => None,
+        })
+        .collect()
+}
+
 impl Schema {
     pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
         self.keys.iter().map(|key| key.name)
@@ -856,6 +894,19 @@ impl Schema {
     /// The example line of a key of this table.
     pub(crate) fn example(&self, name: &str) -> &'static str {
         self.keys.iter().find(|key| key.name == name).map_or("", |key| key.example)
+    }
+
+    /// The key of this table that goes by another name elsewhere.
+    pub(crate) fn of_other_name(&self, name: &str) -> Option<&'static str> {
+        let (_, key) = OTHER_NAMES.iter().find(|(other, _)| other.eq_ignore_ascii_case(name))?;
+        self.has(key).then_some(*key)
+    }
+
+    /// The quantity of this table that has a unit at the end of its name: `speed` of "speed_mph".
+    pub(crate) fn without_unit(&self, name: &str) -> Option<&'static str> {
+        let (key, unit) = name.rsplit_once(['_', '-', ' '])?;
+        let known = self.names().find(|known| *known == key)?;
+        dimensions_of(key).iter().any(|dimension| dimension.unit(unit).is_some()).then_some(known)
     }
 
     /// Where a key that this table does not have belongs.

@@ -62,6 +62,59 @@ pub(crate) fn range(text: &str, dimension: Option<Dimension>) -> Option<String> 
     ))
 }
 
+/// The plain number in a text such as "8 %", ".08", "0,08" or "½": 0.08 of the first three. Digits of full width and the minus sign of print are those of
+/// the keyboard.
+pub(crate) fn plain(text: &str) -> Option<f64> {
+    let text: String = text.trim().chars().map(keyboard).collect();
+    let (text, share) = match text.strip_suffix('%') {
+        Some(text) => (text.trim_end(), 0.01),
+        None => (text.as_str(), 1.0),
+    };
+    let (sign, unsigned) = match text.strip_prefix('-') {
+        Some(unsigned) => (-1.0, unsigned),
+        None => (1.0, text.strip_prefix('+').unwrap_or(text)),
+    };
+    if !unsigned
+        .starts_with(|c: char| c.is_ascii_digit() || c == '.' || FRACTIONS.iter().any(|(sign, _)| *sign == c))
+    {
+        return None;
+    }
+    let digits_only = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let magnitude = match unsigned.split_once(',') {
+        // Of three digits behind it, the comma may separate thousands.
+        Some((whole, fraction)) if digits_only(whole) && digits_only(fraction) => {
+            let is_decimal = fraction.len() != 3 || whole == "0";
+            is_decimal.then(|| format!("{whole}.{fraction}")).and_then(|text| text.parse().ok())
+        }
+        _ => match amount(unsigned)? {
+            (magnitude, _, "") => Some(magnitude),
+            _ => None,
+        },
+    }?;
+    let number = sign * magnitude * share;
+    // The digits of "8 %" times 0.01, without the rounding of the product.
+    let shown = if share < 1.0 { format!("{number:.12}").parse().unwrap_or(number) } else { number };
+    shown.is_finite().then_some(shown)
+}
+
+/// A quantity in digits or signs that only look like those of the keyboard, as the keyboard has them: "5 in" for "５ in".
+pub(crate) fn typed(text: &str, dimension: Dimension) -> Option<String> {
+    let typed: String = text.chars().map(keyboard).collect();
+    let (number, unit) = split_number(&typed);
+    Some(format!("{} {}", format_number(number?), dimension.unit(unit.trim())?))
+}
+
+/// The letter of the keyboard for one that looks like it: digits, point and comma of full width, and the dashes that stand for a minus.
+pub(crate) fn keyboard(letter: char) -> char {
+    match letter {
+        '−' | '–' | '‐' | '‑' | '﹣' | '－' => '-',
+        '\u{a0}' | '\u{2009}' | '\u{202f}' | '\u{3000}' => ' ',
+        // U+FF01 to U+FF5E are ASCII in full width.
+        '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(letter) - 0xfee0).unwrap_or(letter),
+        other => other,
+    }
+}
+
 /// One decimal number for a fraction, for feet and inches, or for inches and feet behind a mark: "71.5 in" for "71 1/2 in", "74 in" for `6' 2"`.
 pub(crate) fn decimal(text: &str, dimension: Dimension) -> Option<String> {
     let text = text.replace(['′', '’'], "'").replace(['″', '”'], "\"").replace("''", "\"");
@@ -139,7 +192,7 @@ fn rounded(number: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{decimal, range};
+    use super::{decimal, plain, range, typed};
     use crate::units::Dimension;
 
     #[test]
@@ -173,6 +226,40 @@ mod tests {
         for text in ["25 mph", "25 mph -", "about 25 mph", "25 m - 30 mph", "1e-3 mph", "25 to", ""] {
             assert_eq!(range(text, Some(Dimension::Speed)), None, "{text}");
         }
+    }
+
+    #[test]
+    fn plain_numbers_of_other_notations_are_understood() {
+        for (text, wanted) in [
+            ("8 %", 0.08),
+            ("45%", 0.45),
+            (".08", 0.08),
+            ("1.", 1.0),
+            ("05", 5.0),
+            ("0,08", 0.08),
+            ("1,5", 1.5),
+            ("0,125", 0.125),
+            ("−0.5", -0.5),
+            ("–3", -3.0),
+            ("０．３", 0.3),
+            ("½", 0.5),
+            ("1/4", 0.25),
+            ("1e-3", 0.001),
+        ] {
+            assert_eq!(plain(text), Some(wanted), "{text}");
+        }
+        // The comma of thousands, and what is no number.
+        for text in ["1,500", "1,2,3", "8 in", "inf", "nan", "", "%", "-", "e5", "1e999", "0x10"] {
+            assert_eq!(plain(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_looks_like_the_keyboard_is_typed() {
+        assert_eq!(typed("５．５\u{3000}in", Dimension::Length).as_deref(), Some("5.5 in"));
+        assert_eq!(typed("–5\u{a0}mph", Dimension::Speed).as_deref(), Some("-5 mph"));
+        assert_eq!(typed("５ mph", Dimension::Length), None);
+        assert_eq!(typed("five in", Dimension::Length), None);
     }
 
     #[test]

@@ -2,6 +2,11 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::OnceLock;
+
+use toml::de::DeTable;
+
+use crate::written::Written;
 
 /// (bytes) where each key's value, or each table's header, stands.
 #[derive(Clone, Debug, Default)]
@@ -28,11 +33,18 @@ pub struct Source {
     name: String,
     text: String,
     spans: Spans,
+    /// Boxed, so that an error is no larger for it.
+    written: OnceLock<Box<Written>>,
 }
 
 impl Source {
     pub(crate) fn new(name: &str, text: &str, spans: Spans) -> Self {
-        Self { name: name.to_owned(), text: text.to_owned(), spans }
+        Self { name: name.to_owned(), text: text.to_owned(), spans, written: OnceLock::new() }
+    }
+
+    /// The units of the file. It is read once more for them, which only an error has to pay for.
+    pub(crate) fn written(&self) -> &Written {
+        self.written.get_or_init(|| Box::new(Written::of(DeTable::parse_recoverable(&self.text).0.get_ref())))
     }
 
     /// The name under which the file was read.

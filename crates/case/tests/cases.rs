@@ -878,6 +878,77 @@ fn a_misspelt_key_is_not_missing_as_well() {
 }
 
 #[test]
+fn a_thousand_zones_are_read_and_no_more() {
+    let text = |zones: usize| {
+        let depths = "1 ".repeat(zones + 1);
+        let zone = "{ A = \"300 lb/in\", B = \"40 lb/in^2\" }, ";
+        format!(
+            "[vehicle1]\n[vehicle1.crush]\nside = \"front\"\nwidth = \"60 in\"\ndepths = \"{depths}in\"\n\
+             stiffness = {{ zones = [{}] }}\n[vehicle2]\nfixed = true",
+            zone.repeat(zones)
+        )
+    };
+    let crush = read(&text(1000)).case.vehicles[0].crush.clone().unwrap();
+    assert!(matches!(crush.stiffness, StiffnessForm::Zones(zones) if zones.len() == 1000));
+    let refused = problems(&text(1001));
+    assert!(matches!(refused[..], [Problem::TooMany { count: 1001, limit: 1000, .. }]), "{refused:?}");
+}
+
+/// One of the speeds is what is looked for: only the other one is asked for.
+#[test]
+fn a_reconstruction_asks_for_one_of_the_two_speeds() {
+    let paper = paper();
+    let (before, _) = paper.split_once("[reconstruct]").unwrap();
+    let asked = |text: &str| {
+        let errors = Case::parse("case.toml", text).unwrap().reconstruction().unwrap_err();
+        errors
+            .list()
+            .iter()
+            .map(|one| (one.problem().to_string(), one.problem().help().unwrap()))
+            .collect::<Vec<_>>()
+    };
+    // The paper gives vehicle 2 a speed, and looks for that of vehicle 1.
+    let one = asked(before);
+    assert_eq!(one.len(), 1, "{one:?}");
+    assert!(one[0].0.starts_with("`reconstruct.find` is missing"), "{one:?}");
+    assert!(one[0].1.contains("`find = \"vehicle1.speed\"`"), "{one:?}");
+    let other = before
+        .replace("[vehicle1]", "[vehicle1]\nspeed = \"75 ft/s\"")
+        .replace("speed       = \"10 mph\"", "");
+    assert!(asked(&other)[0].1.contains("`find = \"vehicle2.speed\"`"), "{:?}", asked(&other));
+    let none = asked(&before.replace("speed       = \"10 mph\"", ""));
+    assert_eq!(none.len(), 2, "{none:?}");
+    assert!(none.iter().any(|(what, _)| what.contains("needs one of the two")), "{none:?}");
+    // With the one that is looked for named, the other is asked for.
+    let named = asked(&paper.replace("speed       = \"10 mph\"", ""));
+    assert!(matches!(&named[..], [(what, _)] if what.starts_with("`vehicle2.speed`")), "{named:?}");
+}
+
+/// What the user wrote is not converted, only the examples are.
+#[test]
+fn a_number_of_the_user_keeps_its_unit() {
+    let text = "[vehicle1]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nwheelbase = \"5' 11\\\"\"\n\
+                contact = { x = \"1 m\" }\n[vehicle2]\nfixed = true";
+    let errors = Case::parse("case.toml", text).unwrap_err().to_string();
+    assert!(errors.contains("write \"71 in\""), "{errors}");
+    // 6.3 ft are 1.92 m.
+    assert!(errors.contains("distance = \"1.9 m\""), "{errors}");
+}
+
+/// A bracket that is left open is one error, and what stands before it is still judged.
+#[test]
+fn an_open_bracket_hides_nothing_before_it() {
+    let text =
+        "[vehicle1]\nspeed = 35\ncontact = { x = \"1 m\", y = \"2 m\"\nmass = 12\n[vehicle2]\nfixed = 1\n";
+    let found = problems(text);
+    assert!(matches!(found[..], [Problem::BareNumber { .. }, Problem::Syntax { .. }]), "{found:?}");
+    // A table over several lines is no slip, but the comma in it is.
+    let text = "[vehicle1]\ncontact = {\n  x = \"1 m\"\n  y = \"2 m\"\n}\n[vehicle2]\nfixed = true\n";
+    let found = Case::parse("case.toml", text).unwrap_err().to_string();
+    assert!(found.contains("case.toml:4:3") && found.contains("with commas between"), "{found}");
+}
+
+#[test]
 fn a_file_of_a_megabyte_is_read_and_a_larger_one_is_not() {
     let padded = |length: usize| format!("{OTHER_FORMS}#{}", "x".repeat(length - OTHER_FORMS.len() - 1));
     assert!(Case::parse("case.toml", &padded(1_000_000)).is_ok());

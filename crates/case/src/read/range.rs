@@ -237,7 +237,7 @@ impl<'t> Reader<'t> {
                 if matches!(value.get_ref(), DeValue::Integer(_) | DeValue::Float(_)) =>
             {
                 let number = shorten(&self.text[value.span()]);
-                let unit = self.written.example(&place.path, dimension).map_or("", Unit::spelling);
+                let unit = self.written().example(&place.path, dimension).map_or("", Unit::spelling);
                 let example = format!("{key} = \"{number} {unit}\"");
                 self.report(
                     value.span(),

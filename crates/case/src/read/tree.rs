@@ -1,5 +1,6 @@
 //! The spanned tree: tables, their keys, and the problems of both.
 
+use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range as Span;
 
@@ -8,13 +9,16 @@ use toml::de::{DeTable, DeValue, Error};
 
 use crate::diagnostic::Diagnostic;
 use crate::nearest::nearest;
-use crate::problem::{INCH_MARK, NO_VALUE, Problem};
+use crate::problem::Problem;
 use crate::quantity::shorten;
 use crate::range::Range;
 use crate::schema::Schema;
 use crate::source::Spans;
+use crate::syntax;
+use crate::written::Written;
 
-use super::written::Written;
+/// Of so many broken lines the text is looked at: more than are shown.
+const EXPLAINED: usize = 50;
 
 /// Walks the tree, and remembers where everything stood and what was wrong with it.
 pub(super) struct Reader<'t> {
@@ -22,7 +26,8 @@ pub(super) struct Reader<'t> {
     spans: Spans,
     problems: Vec<Diagnostic>,
     ranges: BTreeMap<String, Range>,
-    pub(super) written: Written<'t>,
+    document: &'t DeTable<'t>,
+    written: OnceCell<Written>,
 }
 
 /// One table of the file.
@@ -84,8 +89,19 @@ impl<'t> Table<'t> {
 
 impl<'t> Reader<'t> {
     pub(super) fn new(text: &'t str, document: &'t DeTable<'t>) -> Self {
-        let written = Written::of(document);
-        Self { text, spans: Spans::default(), problems: Vec::new(), ranges: BTreeMap::new(), written }
+        Self {
+            text,
+            spans: Spans::default(),
+            problems: Vec::new(),
+            ranges: BTreeMap::new(),
+            document,
+            written: OnceCell::new(),
+        }
+    }
+
+    /// The units of the file, looked for at the first error that wants an example.
+    pub(super) fn written(&self) -> &Written {
+        self.written.get_or_init(|| Written::of(self.document))
     }
 
     pub(super) fn report(&mut self, span: Span<usize>, problem: Problem) {
@@ -150,13 +166,14 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// A list of tables; `forms` is what the value may look like.
+    /// A list of at most so many tables; `forms` is what the value may look like.
     pub(super) fn tables(
         &mut self,
         parent: &Table<'t>,
         key: &'static str,
         schema: &'static Schema,
         forms: &'static str,
+        most: usize,
     ) -> Option<Vec<Table<'t>>> {
         let value = parent.get(key)?;
         let path = parent.path_of(key);
@@ -170,6 +187,7 @@ impl<'t> Reader<'t> {
             self.report(value.span(), wrong(path, value.get_ref(), "a list of tables in braces"));
             return None;
         };
+        self.not_too_many(&path, value, array.len(), most)?;
         let mut tables = Vec::new();
         for (index, element) in array.iter().enumerate() {
             let path = format!("{path}[{}]", index + 1);
@@ -196,10 +214,12 @@ impl<'t> Reader<'t> {
                 self.spans.insert(table.path_of(name), value.span());
                 continue;
             }
-            let meant = nearest(name, schema.names());
+            let other_name = schema.of_other_name(name);
+            let meant =
+                other_name.or_else(|| schema.without_unit(name)).or_else(|| nearest(name, schema.names()));
             table.meant.extend(meant);
             let is_table = value.get_ref().is_table() && self.text[value.span()].starts_with('[');
-            let belongs = Schema::belongs(name);
+            let belongs = if other_name.is_some() { None } else { Schema::belongs(name) };
             let problem = if table.path.is_empty() && is_table && (belongs.is_none() || name == "crush") {
                 // "vehicle3" resembles both vehicles, and is neither.
                 let nearest =
@@ -242,7 +262,7 @@ impl<'t> Reader<'t> {
 
     /// Reports a table whose keys make up none of its forms, unless a misspelt key explains that.
     pub(super) fn no_form<T>(&mut self, table: &Table<'t>, forms: &'static str) -> Option<T> {
-        if table.meant.is_empty() {
+        if !table.has_misspelt() {
             let names: Vec<&'static str> = table.schema.names().collect();
             let given = table.given(&names);
             self.report_path(&table.path, Problem::NoForm { path: table.path.clone(), given, forms });
@@ -252,38 +272,38 @@ impl<'t> Reader<'t> {
 
     /// The places of all keys, and the problems: those of TOML, and those of the tree that do not follow from them.
     pub(super) fn finish(self, errors: &[Error]) -> (Spans, Vec<Diagnostic>) {
-        let mut errors: Vec<_> = errors.iter().map(|error| (error.span(), error.message())).collect();
-        errors.sort_by_key(|(span, _)| span.as_ref().map_or(0, |span| span.start));
+        let mut errors: Vec<_> =
+            errors.iter().map(|error| (error.span().unwrap_or_default(), error.message())).collect();
+        errors.sort_by_key(|(span, _)| span.start);
 
         let newlines: Vec<usize> = self.text.match_indices('\n').map(|(at, _)| at).collect();
-        let line = |span: &Option<Span<usize>>| {
-            span.as_ref().map(|span| newlines.partition_point(|&newline| newline < span.start))
-        };
+        let line = |span: &Span<usize>| newlines.partition_point(|&newline| newline < span.start);
         let mut all = Vec::new();
         let mut broken_lines = BTreeSet::new();
         let mut in_array = false;
+        // (bytes) where an unclosed brace or bracket begins: the parser takes all that follows for its content.
+        let mut end = usize::MAX;
         for (span, message) in errors {
             // The first error of a line causes the others, and an unclosed list makes every later line an error.
             let first_of_line = broken_lines.insert(line(&span));
             let follows = in_array && message.contains("array");
             in_array |= message.contains("array");
-            if first_of_line && !follows {
-                let no_value =
-                    message.contains("must be quoted") && span.as_ref().is_some_and(Span::is_empty);
-                // `"70""`: the mark of inches.
-                let is_mark = |span: &Span<usize>| {
-                    let behind = self.text.get(span.start..).is_some_and(|text| text.starts_with('"'));
-                    let before = self.text.get(..span.start).and_then(|text| text.strip_suffix('"'));
-                    behind && before.is_some_and(|text| text.ends_with(|c: char| c.is_ascii_digit()))
-                };
-                let message = match &span {
-                    _ if no_value => NO_VALUE,
-                    Some(span) if is_mark(span) => INCH_MARK,
-                    _ => message,
-                }
-                .to_owned();
-                all.push(Diagnostic::new(span, Problem::Syntax { message }));
+            if !first_of_line || follows {
+                continue;
             }
+            if let Some(open) = all.is_empty().then(|| syntax::unclosed(self.text, &span, message)).flatten()
+            {
+                end = open.span.start;
+                broken_lines.insert(line(&open.span));
+                all.push(Diagnostic::new(Some(open.span), open.problem));
+                break;
+            }
+            let problem = if all.len() < EXPLAINED {
+                syntax::problem(self.text, &span, message, self.written())
+            } else {
+                syntax::unexplained(message)
+            };
+            all.push(Diagnostic::new(Some(span), problem));
         }
         // What could not be read may be what seems to be missing.
         let is_whole = all.is_empty();
@@ -298,7 +318,13 @@ impl<'t> Reader<'t> {
                     | Problem::NoForm { .. }
                     | Problem::NoRangeForm { .. }
             );
-            (is_whole || !is_missing) && !broken_lines.contains(&line(&diagnostic.span()))
+            let Some(span) = diagnostic.span() else { return is_whole || !is_missing };
+            // The parser puts an empty value where it found none.
+            let is_made_up = !is_whole && span.is_empty();
+            (is_whole || !is_missing)
+                && !is_made_up
+                && span.start < end
+                && !broken_lines.contains(&line(&span))
         });
         all.extend(from_tree);
         (self.spans, all)

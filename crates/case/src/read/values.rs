@@ -9,9 +9,12 @@ use toml::de::DeValue;
 use super::tree::{Reader, Table, kind};
 use crate::nearest::{join, nearest};
 use crate::problem::Problem;
-use crate::quantity::{Quantity, QuantityError, find_unit, not_a_number, shorten, split_number};
+use crate::quantity::{
+    Quantity, QuantityError, find_unit, format_number, leading_numbers, not_a_number, shorten, split_number,
+};
 use crate::range::Bounds;
 use crate::schema::MOST_STATIONS;
+use crate::slips;
 use crate::units::Dimension;
 
 /// Which signs a quantity may have.
@@ -111,7 +114,7 @@ impl<'t> Reader<'t> {
     }
 
     fn unreadable(&self, place: &Place, error: QuantityError, dimension: Dimension) -> Problem {
-        Problem::Quantity { error, unit: self.written.example(&place.path, dimension) }
+        Problem::Quantity { error, unit: self.written().example(&place.path, dimension) }
     }
 
     /// Several quantities: one string with the unit at its end, a list of strings and ranges, or a table with the one or the other and a
@@ -141,7 +144,7 @@ impl<'t> Reader<'t> {
     ) -> Option<Vec<Quantity>> {
         let read = match value.get_ref() {
             DeValue::Array(array) => {
-                self.not_too_many(&place.path, value, array.len())?;
+                self.not_too_many(&place.path, value, array.len(), MOST_STATIONS)?;
                 let is_bare = |one: &Spanned<DeValue<'_>>| plain_number(one.get_ref()).is_some();
                 if !array.is_empty() && array.iter().all(is_bare) {
                     return self.bare_numbers(place, value, dimension);
@@ -176,7 +179,7 @@ impl<'t> Reader<'t> {
         let array = value.get_ref().as_array().into_iter().flatten();
         let numbers: Vec<&str> = array.take(SHOWN + 1).map(|one| &self.text[one.span()]).collect();
         let key = place.path.rsplit('.').next().unwrap_or_default();
-        let example = match self.written.example(&place.path, dimension) {
+        let example = match self.written().example(&place.path, dimension) {
             Some(unit) if numbers.len() <= SHOWN => format!("{key} = \"{} {unit}\"", numbers.join(" ")),
             _ => place.example.to_owned(),
         };
@@ -184,11 +187,17 @@ impl<'t> Reader<'t> {
         None
     }
 
-    fn not_too_many(&mut self, path: &str, value: &'t Spanned<DeValue<'t>>, count: usize) -> Option<()> {
-        if count <= MOST_STATIONS {
+    pub(super) fn not_too_many(
+        &mut self,
+        path: &str,
+        value: &'t Spanned<DeValue<'t>>,
+        count: usize,
+        limit: usize,
+    ) -> Option<()> {
+        if count <= limit {
             return Some(());
         }
-        let problem = Problem::TooMany { path: path.to_owned(), count, limit: MOST_STATIONS };
+        let problem = Problem::TooMany { path: path.to_owned(), count, limit };
         self.report(value.span(), problem);
         None
     }
@@ -224,7 +233,7 @@ impl<'t> Reader<'t> {
                 return None;
             }
         };
-        self.not_too_many(&place.path, value, numbers.len())?;
+        self.not_too_many(&place.path, value, numbers.len(), MOST_STATIONS)?;
         let start = self.start_of_text(value, text);
         let one = |(index, (number, at)): (usize, (f64, Range<usize>))| {
             let span = start.map_or(value.span(), |start| start + at.start..start + at.end);
@@ -276,7 +285,13 @@ impl<'t> Reader<'t> {
             DeValue::String(text) => return Some(text),
             DeValue::Integer(_) | DeValue::Float(_) => {
                 let number = shorten(&self.text[value.span()]);
-                Problem::BareNumber { path, number, dimension, example: example.to_owned() }
+                let example = match hour_of(&number).filter(|_| place.path.ends_with(".pdof")) {
+                    Some(hour) => {
+                        format!("pdof = \"{hour} deg\" or, of the hour of a clock, pdof = \"{hour} o'clock\"")
+                    }
+                    None => example.to_owned(),
+                };
+                Problem::BareNumber { path, number, dimension, example }
             }
             other => Problem::WrongType { path, found: kind(other), wanted, example },
         };
@@ -337,11 +352,8 @@ impl<'t> Reader<'t> {
             (Some(number), _) if accepts(number) => return Some(number),
             (Some(value), _) => Problem::OutOfRange { path: name, value, range, example },
             (None, DeValue::String(text)) => {
-                let example = match text.trim().parse::<f64>() {
-                    Ok(_) => format!("{key} = {}", text.trim()),
-                    Err(_) => example.to_owned(),
-                };
-                Problem::QuotedNumber { path: name, text: shorten(text), example }
+                let number = slips::plain(text).map(|number| format!("{key} = {}", format_number(number)));
+                Problem::QuotedNumber { path: name, text: shorten(text), number, example }
             }
             (None, DeValue::Integer(_)) => {
                 Problem::WrongType { path, found: NOT_DECIMAL, wanted: "a decimal number", example }
@@ -370,7 +382,7 @@ impl<'t> Reader<'t> {
             self.report(value.span(), Problem::WrongType { path, found, wanted: WANTED, example });
             return None;
         };
-        self.not_too_many(&path, value, array.len())?;
+        self.not_too_many(&path, value, array.len(), MOST_STATIONS)?;
         let element = |(index, element): (usize, &'t Spanned<DeValue<'t>>)| {
             if element.get_ref().is_table() {
                 return self.range_of_number(&whole.element(index), element, bounds);
@@ -380,9 +392,8 @@ impl<'t> Reader<'t> {
                 (Some(number), _) if accepts(bounds, number) => return Some(number),
                 (Some(value), _) => Problem::OutOfRange { path: place(), value, range, example },
                 (None, DeValue::String(text)) => {
-                    let is_number = text.trim().parse::<f64>().is_ok();
-                    let example = if is_number { text.trim() } else { example }.to_owned();
-                    Problem::QuotedNumber { path: place(), text: shorten(text), example }
+                    let number = slips::plain(text).map(format_number);
+                    Problem::QuotedNumber { path: place(), text: shorten(text), number, example }
                 }
                 (None, other) => {
                     let found = if other.is_integer() { NOT_DECIMAL } else { kind(other) };
@@ -399,17 +410,6 @@ impl<'t> Reader<'t> {
 
     /// A whole number from 1 to `last`; `range` says so in words.
     pub(super) fn counted(
-        &mut self,
-        table: &Table<'t>,
-        key: &'static str,
-        range: &'static str,
-        last: u8,
-    ) -> Option<u8> {
-        self.counted_at(&Place::of_key(table, key), table, key, range, last)
-    }
-
-    /// The same with an example of its own.
-    pub(super) fn counted_at(
         &mut self,
         place: &Place,
         table: &Table<'t>,
@@ -505,6 +505,11 @@ impl<'t> Reader<'t> {
     }
 }
 
+/// The hour of a clock.
+pub(super) fn hour_of(number: &str) -> Option<u8> {
+    number.parse().ok().filter(|hour| (1..=12).contains(hour))
+}
+
 /// What a plain number has to be, in words.
 pub(super) fn words(bounds: Bounds) -> &'static str {
     match bounds {
@@ -542,20 +547,4 @@ fn plain_number(value: &DeValue<'_>) -> Option<f64> {
 /// A key as an error text names it.
 pub(super) fn named(path: &str) -> String {
     format!("\"{path}\"")
-}
-
-/// The numbers at the beginning of a text, each with its place, and what comes after the last.
-pub(super) fn leading_numbers(text: &str) -> (Vec<(f64, Range<usize>)>, &str) {
-    let mut numbers = Vec::new();
-    let mut rest = text.trim_start();
-    while let (Some(number), after) = split_number(rest) {
-        let end = text.len() - after.len();
-        numbers.push((number, text.len() - rest.len()..end));
-        rest = after.trim_start();
-        if rest.len() == after.len() {
-            // No space: what follows is not a further number, but a unit, or a typo such as "1.2.3".
-            break;
-        }
-    }
-    (numbers, rest.trim())
 }

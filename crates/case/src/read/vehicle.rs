@@ -2,7 +2,7 @@
 
 use super::differ;
 use super::tree::{Reader, Table};
-use super::values::{Place, Sign, leading_numbers, named};
+use super::values::{Place, Sign, hour_of, named};
 use crate::case::{
     BarrierTest, ContactPoint, Crush, Fit, Mass, Outline, Pdof, StiffnessForm, StiffnessLine, Vehicle,
     Velocity, YawInertia,
@@ -10,7 +10,9 @@ use crate::case::{
 use crate::problem::Problem;
 use crate::quantity::{Quantity, format_number, shorten};
 use crate::range::Bounds;
-use crate::schema::{CONTACT, CRUSH, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY, ZONE};
+use crate::schema::{
+    CONTACT, CRUSH, MOST_ZONES, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY, ZONE,
+};
 use crate::units::Dimension;
 use crash3::{CrushError, ObliqueCorrection, Side};
 use toml::de::DeValue;
@@ -36,7 +38,7 @@ impl<'t> Reader<'t> {
             fixed,
             mass: self.mass(&table),
             yaw: self.yaw(&table),
-            class: self.counted(&table, "class", "a whole number from 1 to 6", 6),
+            class: self.class(&table),
             wheelbase: self.quantity(&table, "wheelbase", Dimension::Length, Sign::Positive),
             length: None,
             heading: self.quantity(&table, "heading", Dimension::Angle, Sign::Any),
@@ -50,6 +52,15 @@ impl<'t> Reader<'t> {
             vehicle.length = self.quantity(&table, "length", Dimension::Length, Sign::Positive);
         }
         Some(vehicle)
+    }
+
+    fn class(&mut self, table: &Table<'t>) -> Option<u8> {
+        let place = Place {
+            example: "class = 3; 1 to 6 are CRASH3's size classes of cars, from the smallest to the largest, which `deltav explain class` \
+                      describes; leave it out where yaw inertia and outline are given",
+            ..Place::of_key(table, "class")
+        };
+        self.counted(&place, table, "class", "a whole number from 1 to 6", 6)
     }
 
     fn mass(&mut self, table: &Table<'t>) -> Option<Mass> {
@@ -219,10 +230,9 @@ impl<'t> Reader<'t> {
         };
         let Some(hour) = hour else {
             if let Some(text) = value.get_ref().as_str().filter(|text| is_like_a_clock(text)) {
-                let hour = leading_numbers(text)
-                    .0
-                    .first()
-                    .and_then(|(hour, _)| (1..=12).find(|&n| f64::from(n) == *hour));
+                let digits = text.trim_start().trim_start_matches('0');
+                let end = digits.find(|c: char| !c.is_ascii_digit()).unwrap_or(digits.len());
+                let hour = hour_of(&digits[..end]);
                 let text = shorten(text);
                 self.report(value.span(), Problem::HourForm { path: crush.path_of("pdof"), text, hour });
                 return None;
@@ -275,7 +285,7 @@ impl<'t> Reader<'t> {
                               test",
                     ..Place::of_key(&table, "category")
                 };
-                self.counted_at(&place, &table, "category", "a whole number from 1 to 5", 5)
+                self.counted(&place, &table, "category", "a whole number from 1 to 5", 5)
                     .map(StiffnessForm::Category)
             }
             ["test"] => {
@@ -283,7 +293,7 @@ impl<'t> Reader<'t> {
                 self.barrier_test(&test).map(StiffnessForm::Test)
             }
             ["zones"] => {
-                let zones = self.tables(&table, "zones", &ZONE, ZONE_FORMS)?;
+                let zones = self.tables(&table, "zones", &ZONE, ZONE_FORMS, MOST_ZONES)?;
                 // Every zone is looked at before the first fault ends it.
                 let lines: Vec<Option<StiffnessLine>> =
                     zones.iter().map(|zone| self.stiffness_line(zone, ZONE_FORMS)).collect();
@@ -380,12 +390,16 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// Whether a text is a time of day, or names the clock.
+/// Whether a text is a time of day, names the clock, or is a Collision Deformation Classification (SAE J224), which begins with the hour: "11FDEW2".
 fn is_like_a_clock(text: &str) -> bool {
+    let is_cdc = matches!(text.trim().as_bytes(), [d1, d2, letters @ .., extent]
+        if [d1, d2, extent].iter().all(|byte| byte.is_ascii_digit())
+            && letters.len() == 4
+            && letters.iter().all(u8::is_ascii_alphabetic));
     let is_time = text.trim().split_once(':').is_some_and(|(hours, minutes)| {
         [hours, minutes].iter().all(|part| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit()))
     });
-    is_time || text.to_lowercase().contains("clock")
+    is_cdc || is_time || text.to_lowercase().contains("clock")
 }
 
 /// Whether the length stands without the rest of the outline, for the yaw inertia.

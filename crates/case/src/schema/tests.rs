@@ -17,7 +17,7 @@ that list. `deltav explain KEY` says more about a key, and [how-do-i.md](how-do-
 - Any number can be a [range](#a-range). Several values stand in one text, `\"21.3 20.3 in\"`, or in a list, `[\"21.3 in\", \"20.3 in\"]`.
 - *If left out*: **needed** where the table cannot do without, else what holds then. At a dash the text says it, or nothing stands in for the value: `deltav check`
   lists what is assumed, and what is missing for which command.
-- A file has 1,000,000 bytes, a list 10,000 values and the whole case 500 ranges at most.
+- A file has 1,000,000 bytes, a list 10,000 values, a list of zones 1,000 and the whole case 500 ranges at most.
 ";
 
 /// What a value looks like.

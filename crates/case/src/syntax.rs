@@ -1,0 +1,499 @@
+//! Lines that are no TOML: what is wrong with them, and how the same is written.
+//!
+//! The parser says what it expected. What was meant shows in the line itself: each of [`SLIPS`] recognises one way of writing that is usual elsewhere.
+
+use std::ops::Range;
+
+use crate::problem::Problem;
+use crate::quantity::{format_number, shorten};
+use crate::schema::{dimensions_of, example_of};
+use crate::slips::{keyboard, plain};
+use crate::units::Dimension;
+use crate::written::Written;
+
+/// A brace or bracket that nothing closes.
+pub(crate) struct Unclosed {
+    pub(crate) span: Range<usize>,
+    pub(crate) problem: Problem,
+}
+
+/// Quotes that are letters of print, and what else stands for them on a keyboard.
+const FOREIGN_QUOTES: [char; 13] = ['“', '”', '„', '‟', '‘', '’', '‚', '‛', '«', '»', '´', '`', '＂'];
+
+/// How comments begin elsewhere.
+const FOREIGN_COMMENTS: [&str; 5] = ["//", ";", "--", "/*", "%"];
+
+/// The line of an error, and what can be told of it.
+struct Line<'t> {
+    /// Without its comment.
+    text: &'t str,
+    /// (bytes) of the error, in the line.
+    at: usize,
+    /// The key before the equals sign that the error stands behind.
+    key: &'t str,
+    /// What stands behind that sign: to the end of the line or, in a table of one line, to the next comma that a key follows.
+    value: &'t str,
+    /// What the parser says.
+    message: &'t str,
+}
+
+/// The text of its problem: what is wrong, and what to write.
+type Found = Option<(String, String)>;
+
+/// What a line is recognised by, the surest first.
+const SLIPS: [fn(&Line<'_>, &Written) -> Found; 13] = [
+    depth,
+    no_value,
+    inch_mark,
+    typographic_quotes,
+    backslash,
+    other_comment,
+    key_of_other_form,
+    lost_quote,
+    quotes_within,
+    behind_the_value,
+    other_brackets,
+    number,
+    bare_text,
+];
+
+/// The problem at the place of an error of the parser.
+pub(crate) fn problem(text: &str, span: &Range<usize>, message: &str, written: &Written) -> Problem {
+    let line = Line::at(text, span.start, message);
+    match SLIPS.iter().find_map(|slip| slip(&line, written)) {
+        Some((message, help)) => Problem::Syntax { message, help: help.into() },
+        None => {
+            Problem::Syntax { message: message.to_owned(), help: written.suited("", help(message)).into() }
+        }
+    }
+}
+
+/// The same without a look at the line, where there are too many to be shown.
+pub(crate) fn unexplained(message: &str) -> Problem {
+    Problem::Syntax { message: message.to_owned(), help: help(message).into() }
+}
+
+fn help(message: &str) -> &'static str {
+    if message.contains("duplicate") {
+        "each key and each table may stand only once; remove one of the two"
+    } else if message.contains("inline table") || message.contains("key-value pairs") {
+        "write a table in one line as { x = \"1.78 m\", y = \"-0.73 m\" }, with commas between its keys and a } at its end"
+    } else if message.contains("array") {
+        "write a list as [\"21.3 in\", \"20.3 in\"], with commas between its values and a ] at its end"
+    } else if message.contains("key") || message.contains("table") {
+        "write key = value, where a key is one word; a table begins with its name in brackets, as [vehicle1]; a comment begins with #"
+    } else {
+        "write one key = value per line; text and quantities stand between quotes, as in speed = \"10 mph\""
+    }
+}
+
+/// The brace or bracket in which an error stands, if its own line leaves it open and does not mean to go on.
+pub(crate) fn unclosed(text: &str, error: &Range<usize>, message: &str) -> Option<Unclosed> {
+    if message.contains("recurs") {
+        return None;
+    }
+    let open = *openers(text, 0, error.start).last()?;
+    let (start, end) = bounds_of_line(text, open);
+    let of_line = openers(text, start, end);
+    // Those that were opened before on the line are closed after it.
+    if !of_line.contains(&open) || has_odd_quotes(&text[start..end]) {
+        return None;
+    }
+    let line = without_comment(&text[start..end]).trim_end();
+    let goes_on = line.ends_with([',', '{', '[']);
+    if goes_on {
+        return None;
+    }
+    let closers: String = of_line
+        .iter()
+        .rev()
+        .map(|&at| if text[at..].starts_with('{') { '}' } else { ']' })
+        .take(60)
+        .collect();
+    let name = &text[open..=open];
+    let message = format!("the {name} is not closed on its line");
+    let help = match line.chars().last() {
+        Some(wrong @ (')' | '}' | ']' | '>')) if !closers.contains(wrong) => {
+            format!("write {closers} in place of the {wrong} at the end of the line")
+        }
+        _ => format!("add {closers} at the end of the line"),
+    };
+    Some(Unclosed { span: open..open + 1, problem: Problem::Syntax { message, help: help.into() } })
+}
+
+/// (bytes) the braces and brackets between two places that are open at the second, those in texts and comments apart.
+fn openers(text: &str, from: usize, to: usize) -> Vec<usize> {
+    let bytes = &text.as_bytes()[..to.min(text.len())];
+    let mut open = Vec::new();
+    let mut at = from;
+    while let Some(&byte) = bytes.get(at) {
+        let rest = &bytes[at..];
+        let length = match byte {
+            b'"' | b'\'' => length_of_text(rest, byte),
+            b'#' => rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len()),
+            b'{' | b'[' => {
+                open.push(at);
+                1
+            }
+            b'}' | b']' => {
+                let opener = if byte == b'}' { b'{' } else { b'[' };
+                if open.last().is_some_and(|&last| bytes[last] == opener) {
+                    open.pop();
+                }
+                1
+            }
+            _ => 1,
+        };
+        at += length;
+    }
+    open
+}
+
+/// (bytes) of the text in quotes that begins here. One that is not closed ends with its line.
+fn length_of_text(bytes: &[u8], quote: u8) -> usize {
+    let triple = [quote; 3];
+    if bytes.starts_with(&triple) {
+        let inside = &bytes[3..];
+        return inside.windows(3).position(|three| three == triple).map_or(bytes.len(), |end| end + 6);
+    }
+    let mut at = 1;
+    while let Some(&byte) = bytes.get(at) {
+        match byte {
+            b'\n' => return at,
+            b'\\' if quote == b'"' && bytes.get(at + 1).is_some_and(|&next| next != b'\n') => at += 2,
+            _ if byte == quote => return at + 1,
+            _ => at += 1,
+        }
+    }
+    bytes.len()
+}
+
+fn bounds_of_line(text: &str, at: usize) -> (usize, usize) {
+    let start = text[..at].rfind('\n').map_or(0, |newline| newline + 1);
+    let end = text[at..].find('\n').map_or(text.len(), |newline| at + newline);
+    (start, end)
+}
+
+/// A line up to the # of its comment.
+fn without_comment(line: &str) -> &str {
+    let bytes = line.as_bytes();
+    let mut at = 0;
+    while let Some(&byte) = bytes.get(at) {
+        match byte {
+            b'#' => return &line[..at],
+            b'"' | b'\'' => at += length_of_text(&bytes[at..], byte),
+            _ => at += 1,
+        }
+    }
+    line
+}
+
+fn has_odd_quotes(line: &str) -> bool {
+    let escaped = line.matches("\\\"").count();
+    (line.matches('"').count() - escaped) % 2 == 1
+}
+
+impl<'t> Line<'t> {
+    fn at(text: &'t str, at: usize, message: &'t str) -> Self {
+        // (bytes) longer lines are no slip of a hand.
+        const LONGEST: usize = 2000;
+        let at = (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or_default();
+        let (start, end) = bounds_of_line(text, at);
+        let whole = if end - start > LONGEST { "" } else { &text[start..end] };
+        let line = without_comment(whole).trim_end();
+        let at = (at - start).min(line.len());
+        let equals = line[..at].rfind('=').or_else(|| line.find('='));
+        let (key, value) =
+            equals.map_or(("", ""), |equals| (line[..equals].trim_end(), line[equals + 1..].trim_start()));
+        let key = key.rsplit(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or_default();
+        let is_in_table = equals.is_some_and(|equals| line[..equals].contains('{'));
+        let value = if is_in_table { in_table(value) } else { value };
+        Self { text: line, at, key, value, message }
+    }
+
+    /// The key before the place of the error and the value behind it, as they have to be written.
+    fn assignment(&self) -> String {
+        let key = self.text[..self.at]
+            .trim_end_matches([' ', '=', ':'])
+            .rsplit([' ', '{', ','])
+            .next()
+            .unwrap_or_default();
+        let value = self.rest().trim_start_matches([' ', '=', ':']);
+        // In a table of one line, more keys may follow.
+        let value = if value.starts_with('"') {
+            value.split_inclusive('"').take(2).collect()
+        } else {
+            value.to_owned()
+        };
+        if key.is_empty() || value.is_empty() {
+            "write key = value".to_owned()
+        } else {
+            format!("write {} = {}", shorten(key), shorten(&value))
+        }
+    }
+
+    /// What follows the place of the error.
+    fn rest(&self) -> &'t str {
+        &self.text[self.at..]
+    }
+}
+
+/// A value in a table of one line: up to its end, or to the next key.
+fn in_table(value: &str) -> &str {
+    let next = value.find('=').and_then(|equals| value[..equals].rfind(','));
+    value[..next.unwrap_or(value.len())].trim_end_matches(['}', ']', ' '])
+}
+
+fn found(message: impl Into<String>, help: impl Into<String>) -> Found {
+    Some((message.into(), help.into()))
+}
+
+fn depth(line: &Line<'_>, _: &Written) -> Found {
+    let is_deep = line.message.contains("recurs");
+    is_deep.then(|| (line.message.to_owned(), "no value of a case needs tables nested so deeply".to_owned()))
+}
+
+fn no_value(line: &Line<'_>, written: &Written) -> Found {
+    let is_empty =
+        line.value.is_empty() && line.text.ends_with('=') && line.message.contains("must be quoted");
+    is_empty.then(|| {
+        let help = "text and quantities stand between quotes, as in speed = \"10 mph\"; leave the line out where the value is not known";
+        ("there is no value after the equals sign".to_owned(), written.suited("", help))
+    })
+}
+
+/// `"70""`: the mark of inches.
+fn inch_mark(line: &Line<'_>, _: &Written) -> Found {
+    let before = line.text[..line.at].strip_suffix('"')?;
+    let is_mark = line.rest().starts_with('"') && before.ends_with(|c: char| c.is_ascii_digit());
+    is_mark.then(|| {
+        let help = "write the unit in letters, as in \"70 in\": a quote ends the text";
+        ("there is a quote behind the end of the text".to_owned(), help.to_owned())
+    })
+}
+
+/// The text from `at` on, without the quotes of any kind around it.
+fn unquoted(text: &str) -> String {
+    let is_quote = |c: char| c == '"' || c == '\'' || FOREIGN_QUOTES.contains(&c);
+    let text = text.trim().trim_start_matches(is_quote);
+    let text = text.split(is_quote).next().unwrap_or_default();
+    shorten(text.trim())
+}
+
+fn typographic_quotes(line: &Line<'_>, _: &Written) -> Found {
+    // A mark of feet or inches is none of the value's quotes.
+    let begins = line.value.starts_with(FOREIGN_QUOTES);
+    let ends = line.value.starts_with(['"', '\'']) && line.value.ends_with(FOREIGN_QUOTES);
+    let key = line.key.is_empty().then(|| line.text.trim_start().starts_with(FOREIGN_QUOTES));
+    if !(begins || ends) || key == Some(true) {
+        return None;
+    }
+    found(
+        "a quote here is typographic, like “ ” or ‘ ’, and such quotes do not enclose a text",
+        format!("write straight quotes: \"{}\"", unquoted(line.value)),
+    )
+}
+
+fn backslash(line: &Line<'_>, _: &Written) -> Found {
+    let is_escape = ["escape", "unicode", "hexadecimal"].iter().any(|word| line.message.contains(word));
+    let text = line.value.strip_prefix('"').filter(|text| is_escape && text.contains('\\'))?;
+    let text = shorten(text.trim_end_matches('"'));
+    let help = if text.contains('\'') {
+        format!("write each backslash as \\\\: \"{}\"", text.replace('\\', "\\\\"))
+    } else {
+        format!("write '{text}' in single quotes, or each backslash as \\\\")
+    };
+    found("a backslash in a text in double quotes begins an escape, and this one is none", help)
+}
+
+fn other_comment(line: &Line<'_>, _: &Written) -> Found {
+    let is_comment = FOREIGN_COMMENTS.iter().any(|begin| {
+        let after = |text: &str| text.strip_prefix(begin).map(|after| !after.trim().is_empty());
+        after(line.text.trim_start()) == Some(true) || after(line.rest()) == Some(true)
+    });
+    is_comment.then(|| ("this is no comment".to_owned(), "begin a comment with #".to_owned()))
+}
+
+/// What stands where a key and its equals sign are due.
+fn key_of_other_form(line: &Line<'_>, written: &Written) -> Found {
+    if line.message.contains("duplicate") {
+        return None;
+    }
+    if !(line.message.contains("key") || line.message.contains("table") || line.message.contains('=')) {
+        return None;
+    }
+    let rest = line.rest();
+    let text = line.text.trim();
+    if rest.starts_with("==") || line.message.contains("extra `=`") {
+        return found("there are two equals signs", line.assignment());
+    }
+    if rest.starts_with(':') {
+        return found("there is a colon where the equals sign is due", line.assignment());
+    }
+    let name = text.trim_matches(|c: char| "[](){}<>".contains(c)).trim();
+    let is_name = !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || "_. /-".contains(c));
+    if is_name && name.len() < text.len() {
+        let name = shorten(name).replace([' ', '/'], ".");
+        return found(
+            "this is not how the header of a table is written",
+            format!("write [{name}] on a line of its own"),
+        );
+    }
+    let (before, after) = text.split_once('=').unwrap_or((text, ""));
+    let words = before.split_whitespace().count();
+    if words > 1 && !after.is_empty() && line.message.contains("no value") {
+        let help = "write the key alone before the equals sign: a unit stands behind its number, as in speed = \"10 mph\"";
+        return found("between the key and its equals sign stands something else", written.suited("", help));
+    }
+    if after.is_empty() && text.contains('"') && line.message.contains("no value") {
+        return found("there is no equals sign behind the key", line.assignment());
+    }
+    None
+}
+
+fn lost_quote(line: &Line<'_>, _: &Written) -> Found {
+    if !has_odd_quotes(line.text) && !line.message.contains("string") {
+        return None;
+    }
+    let quote = if line.value.starts_with('\'') { '\'' } else { '"' };
+    let help = |text: &str| format!("write {quote}{}{quote}", shorten(text.trim()));
+    match line.value.strip_prefix(quote) {
+        Some(text) if line.message.contains("invalid basic") || line.message.contains("invalid literal") => {
+            found("a text has no quote at its end", help(text))
+        }
+        None if line.message.contains("opening quote") && line.value.ends_with('"') => {
+            let text = line.value.trim_end_matches('"');
+            let is_number_with_mark = text.contains('\'');
+            if is_number_with_mark {
+                return found(
+                    "a text has no quote at its beginning",
+                    "write number and unit between quotes, and the unit in letters: 5' 3\" is \"63 in\"",
+                );
+            }
+            found("a text has no quote at its beginning", help(text))
+        }
+        _ if has_odd_quotes(line.text) => found(
+            "one of the quotes of this line is missing",
+            "put a quote before and behind each text, as in { x = \"1.78 m\", y = \"-0.73 m\" }",
+        ),
+        _ => None,
+    }
+}
+
+/// `"2012 Toyota "Camry""`, and `'it's a car'`.
+fn quotes_within(line: &Line<'_>, _: &Written) -> Found {
+    let quote = line.value.chars().next().filter(|c| matches!(c, '"' | '\''))?;
+    let text = line.value.strip_prefix(quote)?.strip_suffix(quote)?;
+    if !text.contains(quote) || text.contains('=') {
+        return None;
+    }
+    if text.split(quote).skip(1).step_by(2).all(|between| between.trim() == ",") {
+        return found(
+            "several values stand without brackets",
+            format!("write them as a list: [{}]", shorten(line.value)),
+        );
+    }
+    let help = match quote {
+        '"' if text.contains('\'') => {
+            format!("write the inner quotes as \\\": \"{}\"", shorten(&text.replace('"', "\\\"")))
+        }
+        '"' => format!("write the whole text in single quotes: '{}'", shorten(text)),
+        _ => format!("write the whole text in double quotes: \"{}\"", shorten(text)),
+    };
+    found("there is a quote inside of a text in quotes, which ends the text", help)
+}
+
+/// What stands behind a value that is complete.
+fn behind_the_value(line: &Line<'_>, _: &Written) -> Found {
+    let rest = line.rest().trim();
+    let value = line.value.strip_suffix(rest)?.trim();
+    if !line.message.contains("expected newline") || !value.starts_with(['"', '\'', '{', '[']) {
+        return None;
+    }
+    if let "," | ";" | "." = rest {
+        return found(format!("there is a {rest} behind the value"), format!("remove the {rest}"));
+    }
+    let is_unit = |text: &str| Dimension::ALL.iter().any(|dimension| dimension.unit(text).is_some());
+    let text = value.trim_matches(['"', '\'']);
+    if is_unit(rest) {
+        return found("the unit stands behind the quote", format!("write \"{} {rest}\"", shorten(text)));
+    }
+    None
+}
+
+/// Parentheses, brackets around a table, and braces around a list.
+fn other_brackets(line: &Line<'_>, _: &Written) -> Found {
+    let value = line.text.split_once('=')?.1.trim();
+    let inside = value.strip_prefix(['(', '[', '{', '<'])?.trim_end_matches([')', ']', '}', '>']).trim();
+    let has_keys = inside.split('"').step_by(2).any(|part| part.contains(['=', ':']));
+    let wanted = if has_keys { ('{', '}') } else { ('[', ']') };
+    if inside.is_empty() || value.starts_with(wanted.0) && value.ends_with(wanted.1) {
+        return None;
+    }
+    let (open, close) = wanted;
+    let what = if has_keys { "a table in one line stands in braces" } else { "a list stands in brackets" };
+    found(what, format!("write {open} {} {close}", shorten(inside)))
+}
+
+/// A number that TOML does not read.
+fn number(line: &Line<'_>, written: &Written) -> Found {
+    let number = plain(line.value)?;
+    let key = line.key;
+    let message = format!("{} is not how a number is written here", shorten(line.value));
+    let of_key = dimensions_of(key);
+    if let Some(dimension) = of_key.first() {
+        let example = written.suited("", example_of(key, *dimension)?);
+        return found(
+            message,
+            format!("write number and unit between quotes, with a decimal point, as in {example}"),
+        );
+    }
+    let point = if line.value.contains(',') { "with a decimal point, " } else { "" };
+    found(message, format!("write {point}{key} = {}", format_number(number)))
+}
+
+/// A value without quotes.
+fn bare_text(line: &Line<'_>, written: &Written) -> Found {
+    let is_value = [
+        "must be quoted",
+        "invalid boolean",
+        "invalid float",
+        "invalid integer",
+        "expected newline",
+        "invalid fraction",
+    ];
+    if line.value.is_empty() || !is_value.iter().any(|part| line.message.contains(part)) {
+        return None;
+    }
+    let word = line.value.to_lowercase();
+    match word.as_str() {
+        "true" | "yes" | "on" => {
+            return found("this is no true or false", "write true, in small letters and without quotes");
+        }
+        "false" | "no" | "off" => {
+            return found("this is no true or false", "write false, in small letters and without quotes");
+        }
+        "none" | "null" | "nan" | "nil" | "unknown" | "?" => {
+            return found(
+                "there is no value that means unknown",
+                "leave the line out where the value is not known",
+            );
+        }
+        _ => {}
+    }
+    if line.value.starts_with(|c: char| "\"'[{(".contains(c)) || line.value.contains('"') {
+        return None;
+    }
+    let text: String = line.value.chars().map(keyboard).collect();
+    let example = match dimensions_of(line.key).first() {
+        Some(dimension) if !text.contains(char::is_alphabetic) => {
+            let example = written.suited("", example_of(line.key, *dimension)?);
+            return found(
+                "a quantity stands between quotes, with its unit",
+                format!("write it as in {example}"),
+            );
+        }
+        _ => shorten(text.trim()),
+    };
+    found("a text or a quantity stands between quotes", format!("write {} = \"{example}\"", line.key))
+}
