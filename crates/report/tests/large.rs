@@ -55,3 +55,26 @@ fn a_drawing_does_not_grow_with_the_stations() {
     assert!(many_texts < texts + 40, "{texts} {many_texts}");
     assert!(svg.contains("C1 to C10000: 10.0 in to 18.0 in deep"), "{svg}");
 }
+
+/// Texts of a case may be long, too.
+#[test]
+fn a_page_with_long_texts_comes_soon() {
+    let text = include_str!("../../../fixtures/sae-980025.toml");
+    let long = |letters: usize| "collision of two vehicles ".repeat(letters / 26);
+    let (title, name) = (long(50_000), "x".repeat(20_000));
+    let text: String = text
+        .lines()
+        .map(|line| match line.split_whitespace().next() {
+            Some("title") => format!("title = \"{title}\"\n"),
+            Some("source") => format!("source = \"{title}\"\n"),
+            Some("name") => format!("name = \"{name}\"\n"),
+            _ => format!("{line}\n"),
+        })
+        .collect();
+    let file = Case::parse("long.toml", &text).unwrap();
+    let analysis = analysis::reconstruct(&file).unwrap();
+    let start = Instant::now();
+    let page = report::html(&file, &analysis, Vec::new(), Units::Us).unwrap();
+    assert!(page.matches(name.as_str()).count() > 0);
+    assert!(start.elapsed() < SOON, "{:?}", start.elapsed());
+}
