@@ -11,7 +11,7 @@
 mod canvas;
 mod damage;
 mod energy;
-mod font;
+pub(crate) mod font;
 mod legend;
 mod pens;
 mod raster;

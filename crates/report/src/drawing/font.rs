@@ -7,7 +7,7 @@ use skrifa::{FontRef, MetadataProvider as _};
 const UNKNOWN: f64 = 1.0;
 
 /// (px) width of a text in letters of the given size (px).
-pub(super) fn width(text: &str, size: f64) -> f64 {
+pub(crate) fn width(text: &str, size: f64) -> f64 {
     let Ok(font) = FontRef::new(dejavu::sans::regular()) else {
         return text.chars().map(|_| UNKNOWN * size).sum();
     };
