@@ -17,7 +17,7 @@ mod pens;
 mod raster;
 mod reconciliation;
 mod scene;
-mod ticks;
+pub(crate) mod ticks;
 mod vehicle;
 
 use analysis::{Analysis, Failure};

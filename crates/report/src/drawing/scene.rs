@@ -98,6 +98,8 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
         page.edge(placed, i);
     }
     page.axes(impact);
+    // Before the other values: it has the fewest places, as its arrow is mostly over both vehicles.
+    page.name_impulse(impact);
     for (i, placed) in scene.iter().enumerate().filter(|(_, placed)| !placed.fixed) {
         page.vehicle(placed, &arrows, i);
     }
@@ -351,9 +353,17 @@ impl Page {
     }
 
     fn impulse(&mut self, impact: &Impact) {
-        let p = vec2(impact.outcome.impulse_vector);
-        let tip = self.origin + flipped(unit(p)) * IMPULSE_LENGTH;
+        let tip = self.tip_of_impulse(impact);
         self.canvas.arrow("impulse", self.origin, tip, IMPULSE, Head::Filled);
+    }
+
+    fn tip_of_impulse(&self, impact: &Impact) -> Point {
+        self.origin + flipped(unit(vec2(impact.outcome.impulse_vector))) * IMPULSE_LENGTH
+    }
+
+    fn name_impulse(&mut self, impact: &Impact) {
+        let p = vec2(impact.outcome.impulse_vector);
+        let tip = self.tip_of_impulse(impact);
         let text = format!("P {}", self.units.format(Quantity::Impulse, p.hypot()));
         self.canvas.label_beside(tip, &text, BLACK);
     }

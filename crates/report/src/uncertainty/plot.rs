@@ -8,10 +8,10 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::marks::{self, Mark};
 use super::{Histogram, pictured};
-use crate::drawing::font;
+use crate::drawing::{font, ticks};
 use crate::sensitivity::output_name;
 use crate::staged::PlotError;
-use crate::units::Units;
+use crate::units::{Units, number};
 
 /// Okabe & Ito's blue and orange, which stay apart in grey and for the colour-blind.
 const BLUE: RGBColor = RGBColor(0, 114, 178);
@@ -82,6 +82,9 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
     // Where the answer is no straight line of the inputs, the central value may lie beyond nearly all samples.
     let ends = [histogram.low.min(output.central), high.max(output.central)].map(value);
 
+    // Of the numbers below the plot, of which there are some ten.
+    let (_, decimals) = ticks::round((ends[1] - ends[0]) / 10.0);
+
     let mut svg = String::new();
     {
         let root = SVGBackend::with_string(&mut svg, (720, 420)).into_drawing_area();
@@ -103,6 +106,7 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
             .axis_desc_style(text(13, HPos::Left))
             .x_desc(across)
             .y_desc("% of the samples")
+            .x_label_formatter(&|at| number(*at, decimals))
             .draw()
             .map_err(failed)?;
         let bars = (0_u32..).zip(&histogram.counts).map(|(class, &count)| {
@@ -149,9 +153,11 @@ pub fn tornado(uncertainty: &Uncertainty, place: usize, units: Units) -> Result<
     };
     let bars: Vec<&Bar> = uncertainty.tornado.ranked(place).into_iter().take(BARS).collect();
     let ends = bars.iter().flat_map(|bar| [value(&bar.low), value(&bar.high)]).flatten();
-    let longest = ends.map(|end| (end - output.central).abs()).fold(0.0, f64::max);
-
     let print = |end: f64| units.plain(pictured(output.output), end);
+    // Bars for what changes no digit would show rounding as if it were an effect.
+    let printed = print(output.central);
+    let ends: Vec<f64> = ends.filter(|end| print(*end) != printed).collect();
+    let longest = ends.iter().map(|end| (end - output.central).abs()).fold(0.0, f64::max);
     let labels: Vec<Vec<(f64, String)>> = bars
         .iter()
         .map(|bar| marks::of_bar([value(&bar.low), value(&bar.high)], output.central, print))
@@ -204,7 +210,8 @@ pub fn tornado(uncertainty: &Uncertainty, place: usize, units: Units) -> Result<
         let bottom = 60 + 22 * i32::try_from(rows).unwrap_or_default();
         root.draw(&PathElement::new(vec![(middle, 52), (middle, bottom)], INK.stroke_width(1)))
             .map_err(failed)?;
-        let central = format!("central {}", print(output.central));
+        let same = if ends.is_empty() { "; no input alone changes it as printed" } else { "" };
+        let central = format!("central {printed}{same}");
         root.draw(&Text::new(central, (middle, bottom + 14), text(12, HPos::Center))).map_err(failed)?;
         root.present().map_err(failed)?;
     }
