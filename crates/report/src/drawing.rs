@@ -11,13 +11,13 @@
 mod canvas;
 mod damage;
 mod energy;
-mod font;
+pub(crate) mod font;
 mod legend;
 mod pens;
 mod raster;
 mod reconciliation;
 mod scene;
-mod ticks;
+pub(crate) mod ticks;
 mod vehicle;
 
 use analysis::{Analysis, Failure};

@@ -11,6 +11,8 @@ mod drawings;
 mod evaluate;
 #[path = "fixtures/pages.rs"]
 mod pages;
+#[path = "fixtures/plots.rs"]
+mod plots;
 #[path = "fixtures/substitutions.rs"]
 mod substitutions;
 #[path = "fixtures/texts.rs"]

@@ -7,7 +7,7 @@ use kurbo::{BezPath, Point, Rect, Vec2};
 use super::canvas::{Anchor, Canvas, SMALL};
 use super::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use super::pens::{BLACK, CRUSHED, FILL, GREY, OUTLINE, THIN, WHITE};
-use super::vehicle::{Body, Profile, placed, profile};
+use super::vehicle::{Body, Outline, Profile, placed, profile};
 use super::{Drawing, DrawingError, Subject, font};
 use crate::Units;
 use crate::units::Quantity;
@@ -26,6 +26,8 @@ const BESIDE: f64 = 20.0;
 const DOT: f64 = 2.2;
 /// Stations whose depths the caption lists; of more it says between what they lie.
 const LISTED: usize = 50;
+/// (m) how far damage may reach beyond an outline before the caption says so: bodies have no sharp corners.
+const BEYOND: f64 = 0.1;
 /// (px) height of a line of the captions.
 const ROW: f64 = 18.0;
 
@@ -181,7 +183,7 @@ impl Panel<'_> {
     }
 
     fn caption(&self, case: &Case, units: Units, most: f64) -> Vec<String> {
-        let Self { number, body, damage, .. } = self;
+        let Self { number, body, profile, damage } = self;
         let vehicle = &case.vehicles[number - 1];
         let name = vehicle.name.as_deref().map(|name| format!(" · {name}")).unwrap_or_default();
         let side = vehicle.crush.as_ref().map_or("", |crush| crate::side_name(crush.side));
@@ -214,8 +216,25 @@ impl Panel<'_> {
             let middle = crate::undisplaced(crush.side);
             sentences.extend(font::lines(&format!("No offset is given: drawn {middle}."), SMALL, most));
         }
-        if let Some(class) = body.assumed {
-            sentences.push(format!("Outline: typical of CRASH3's size class {class}."));
+        let outline = match body.outline {
+            Outline::Given => None,
+            Outline::OfClass(class) => Some(format!("Outline: typical of CRASH3's size class {class}.")),
+            Outline::Nearest(class) => {
+                Some(format!("Outline: CRASH3's size class {class}, assumed, nearest by radius of gyration."))
+            }
+        };
+        let beyond: Vec<String> = body
+            .beyond(profile.face.iter().chain(&profile.crushed).copied())
+            .into_iter()
+            .filter(|(_, by)| *by > BEYOND)
+            .map(|(side, by)| {
+                format!("{} past its {}", units.format(Quantity::Crush, by), crate::side_name(side))
+            })
+            .collect();
+        let beyond = (!beyond.is_empty())
+            .then(|| format!("The damage reaches beyond the outline as drawn: {}.", beyond.join(", ")));
+        for note in [outline, beyond].into_iter().flatten() {
+            sentences.extend(font::lines(&note, SMALL, most));
         }
         sentences
     }

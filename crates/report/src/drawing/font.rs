@@ -23,7 +23,7 @@ fn advance() -> impl Fn(char) -> f64 {
 }
 
 /// (px) width of a text in letters of the given size (px).
-pub(super) fn width(text: &str, size: f64) -> f64 {
+pub(crate) fn width(text: &str, size: f64) -> f64 {
     text.chars().map(advance()).sum::<f64>() * size
 }
 

@@ -58,9 +58,12 @@ pub(super) fn draw(file: &CaseFile, analysis: &Analysis, units: Units) -> Result
     canvas.place_labels(PLOT.inset(-2.0));
 
     let energy = units.format(Quantity::Energy, found.normal_work);
+    // What is sought may depend on the speed: an inferred crush, or a basis that restitution has a part in.
+    let varies = curve.iter().any(|point| units.format(Quantity::Energy, point.sought) != energy);
+    let there = if varies { " at the speed found" } else { "" };
     let mut entries = vec![
         (Sample::Line(CURVE), "Wₙ: work of the normal impulse".to_owned()),
-        (Sample::Line(LEVEL), format!("Wₙ sought: {energy}")),
+        (Sample::Line(LEVEL), format!("Wₙ sought: {energy}{there}")),
         (Sample::Dot(None, BLACK), format!("the speed found: {answer}")),
     ];
     if !found.iterations.is_empty() {

@@ -1,6 +1,6 @@
 //! The scene: both vehicles at impact, seen from above.
 
-use analysis::{Analysis, Impact, Vehicle};
+use analysis::{Analysis, Impact};
 use case::{Axes, Case};
 use kurbo::{Affine, BezPath, Point, Rect, Vec2};
 
@@ -9,7 +9,7 @@ use super::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use super::pens::{
     AFTER, AXIS, BEFORE, BLACK, FILL, GREY, HEADING, IMPULSE, OUTLINE, PALE, PDOF, PLANE, Pen, THIN,
 };
-use super::vehicle::{Body, placed};
+use super::vehicle::{Body, Outline, placed};
 use super::{Drawing, DrawingError, Subject, font};
 use crate::Units;
 use crate::axes;
@@ -37,8 +37,7 @@ const WALL_DEPTH: f64 = 0.5;
 const SLOWEST: f64 = 1e-6;
 
 /// A vehicle in the scene; lengths in metres from C, y upwards.
-struct Placed<'a> {
-    vehicle: &'a Vehicle,
+struct Placed {
     body: Option<Body>,
     cg: Vec2,
     forward: Vec2,
@@ -63,10 +62,8 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
     let impact = analysis.impact.as_ref().ok_or(DrawingError::NoImpact { subject: Subject::Scene })?;
     let scene = [0, 1].map(|i| {
         let participant = &impact.contact.participants()[i];
-        let vehicle = &analysis.vehicles[i];
         Placed {
-            vehicle,
-            body: Body::of(vehicle),
+            body: Body::of(&analysis.vehicles[i]),
             // r points from the CG to C, which is the origin.
             cg: -vec2(participant.arm()),
             forward: vec2(participant.forward()),
@@ -101,6 +98,8 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
         page.edge(placed, i);
     }
     page.axes(impact);
+    // Before the other values: it has the fewest places, as its arrow is mostly over both vehicles.
+    page.name_impulse(impact);
     for (i, placed) in scene.iter().enumerate().filter(|(_, placed)| !placed.fixed) {
         page.vehicle(placed, &arrows, i);
     }
@@ -354,9 +353,17 @@ impl Page {
     }
 
     fn impulse(&mut self, impact: &Impact) {
-        let p = vec2(impact.outcome.impulse_vector);
-        let tip = self.origin + flipped(unit(p)) * IMPULSE_LENGTH;
+        let tip = self.tip_of_impulse(impact);
         self.canvas.arrow("impulse", self.origin, tip, IMPULSE, Head::Filled);
+    }
+
+    fn tip_of_impulse(&self, impact: &Impact) -> Point {
+        self.origin + flipped(unit(vec2(impact.outcome.impulse_vector))) * IMPULSE_LENGTH
+    }
+
+    fn name_impulse(&mut self, impact: &Impact) {
+        let p = vec2(impact.outcome.impulse_vector);
+        let tip = self.tip_of_impulse(impact);
         let text = format!("P {}", self.units.format(Quantity::Impulse, p.hypot()));
         self.canvas.label_beside(tip, &text, BLACK);
     }
@@ -425,16 +432,16 @@ impl Page {
             (Sample::CentreOfGravity, "CG: centre of gravity".to_owned()),
         ];
         for (i, placed) in scene.iter().enumerate() {
-            let text = match (&placed.body, placed.fixed) {
-                (Some(Body { assumed: Some(class), .. }), _) => {
-                    let chosen = placed.vehicle.subject.dimensions.is_some();
-                    let why = if chosen { "" } else { ", assumed" };
-                    format!("outline {}: CRASH3 class {class}{why}", i + 1)
+            let number = i + 1;
+            let text = match (placed.body.map(|body| body.outline), placed.fixed) {
+                (Some(Outline::Given), _) => format!("outline {number}, as given"),
+                (Some(Outline::OfClass(class)), _) => format!("outline {number}: CRASH3 class {class}"),
+                (Some(Outline::Nearest(class)), _) => {
+                    format!("outline {number}: CRASH3 class {class}, assumed")
                 }
-                (Some(_), _) => format!("outline {}, as given", i + 1),
                 (None, true) => {
                     let fill = self.canvas.pattern("wall");
-                    entries.push((Sample::Box(THIN, fill), format!("{}: fixed object", i + 1)));
+                    entries.push((Sample::Box(THIN, fill), format!("{number}: fixed object")));
                     continue;
                 }
                 (None, false) => continue,

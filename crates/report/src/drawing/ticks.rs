@@ -1,7 +1,7 @@
 //! Round lengths and steps.
 
 /// The greatest 1, 2 or 5 times a power of ten that is not above `most` (> 0), and how many decimals it has.
-pub(super) fn round(most: f64) -> (f64, usize) {
+pub(crate) fn round(most: f64) -> (f64, usize) {
     let mut power = 1.0;
     let mut decimals = 0;
     while power * 10.0 <= most {

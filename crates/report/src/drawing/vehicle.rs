@@ -9,8 +9,18 @@ use kurbo::{Affine, BezPath, Point, Rect, RoundedRect, Shape as _, Vec2};
 #[derive(Clone, Copy)]
 pub(super) struct Body {
     pub(super) dimensions: Dimensions,
-    /// The CRASH3 class whose typical outline stands in for one that is not known.
-    pub(super) assumed: Option<u8>,
+    pub(super) outline: Outline,
+}
+
+/// Where an outline is from.
+#[derive(Clone, Copy)]
+pub(super) enum Outline {
+    /// The file gives it.
+    Given,
+    /// The file gives the CRASH3 class, whose typical outline it is.
+    OfClass(u8),
+    /// The file gives neither: that of the CRASH3 class whose radius of gyration is nearest.
+    Nearest(u8),
 }
 
 /// The class whose outline stands in where not even the yaw inertia is known.
@@ -20,7 +30,8 @@ impl Body {
     /// The vehicle's own outline, else that of the CRASH3 class whose radius of gyration is nearest; `None` for a fixed object without one.
     pub(super) fn of(vehicle: &Vehicle) -> Option<Self> {
         if let Some(dimensions) = vehicle.subject.dimensions {
-            return Some(Self { dimensions, assumed: dimensions.class });
+            let outline = dimensions.class.map_or(Outline::Given, Outline::OfClass);
+            return Some(Self { dimensions, outline });
         }
         let inertia = vehicle.subject.inertia?;
         // k = √(I/m)
@@ -37,7 +48,7 @@ impl Body {
             cg_to_front: known.cg_to_front,
             class: Some(class),
         };
-        Some(Self { dimensions, assumed: Some(class) })
+        Some(Self { dimensions, outline: Outline::Nearest(class) })
     }
 
     fn bounds(&self) -> Rect {
@@ -64,6 +75,20 @@ impl Body {
         path.quad_to((behind + 0.03 * length, 0.0), (behind, right * 0.66));
         path.close_path();
         path
+    }
+
+    /// (m) how far points lie beyond the front, the rear, the left and the right of the body; negative where none does.
+    pub(super) fn beyond(&self, points: impl Iterator<Item = Point>) -> [(Side, f64); 4] {
+        let Rect { x0: rear, x1: front, y0: right, y1: left } = self.bounds();
+        let mut beyond =
+            [Side::Front, Side::Rear, Side::Left, Side::Right].map(|side| (side, f64::NEG_INFINITY));
+        for point in points {
+            let here = [point.x - front, rear - point.x, point.y - left, right - point.y];
+            for ((_, most), here) in beyond.iter_mut().zip(here) {
+                *most = most.max(here);
+            }
+        }
+        beyond
     }
 
     pub(super) fn corners(&self) -> [Point; 4] {
