@@ -65,7 +65,9 @@ fn others(case: &Case, own: &Analysis) -> Vec<(ImpactLaw, &'static str)> {
     };
     let (friction, assumed_friction) = match impact.law.friction() {
         Some(friction) => (friction, ""),
-        None => (ASSUMED_FRICTION, "the friction limit, a usual one for sheet metal"),
+        None => {
+            (ASSUMED_FRICTION, "the friction limit, within the 0.3 to 1.0 that is usual between vehicles")
+        }
     };
     let (tangential_restitution, assumed_restitution) = match impact.law {
         ImpactLaw::Ishikawa { tangential_restitution, .. } => (tangential_restitution, ""),

@@ -59,7 +59,7 @@ pub struct Oblique<T = f64> {
     pub peak_force: T,
 }
 
-/// What is assumed of friction where the case says nothing: a usual value for sheet metal on sheet metal.
+/// What is assumed of friction where the case says nothing: within the 0.3 to 1.0 that is usual between vehicles.
 pub(crate) const ASSUMED_FRICTION: f64 = 0.5;
 
 /// CRASH3's answer.

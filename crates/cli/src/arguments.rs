@@ -297,7 +297,7 @@ pub(crate) struct CompletionsArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct ManArguments {
-    /// Write the pages of the program and of each command into DIR, which has to exist
+    /// Write the pages of the program and of each command into DIR, which is made where there is none
     #[arg(long, value_name = "DIR")]
     pub(crate) output_dir: Option<PathBuf>,
 }
@@ -402,7 +402,7 @@ pub(crate) struct UncertaintyArguments {
     #[arg(long, value_name = "FILE")]
     pub(crate) samples_out: Option<PathBuf>,
 
-    /// Also write a histogram and a tornado of each result into DIR as SVG, which has to exist
+    /// Also write a histogram and a tornado of each result into DIR as SVG, which is made where there is none
     #[arg(long, value_name = "DIR")]
     pub(crate) plots: Option<PathBuf>,
 }
@@ -447,7 +447,7 @@ pub(crate) struct ValidateArguments {
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Also write the plots computed-against-measured.svg and reconstructed-speed.svg into DIR, which has to exist
+    /// Also write the plots computed-against-measured.svg and reconstructed-speed.svg into DIR, which is made where there is none
     #[arg(long, value_name = "DIR")]
     pub(crate) plots: Option<PathBuf>,
 }

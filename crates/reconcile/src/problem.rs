@@ -353,6 +353,7 @@ impl<'a, T: Real> Problem<'a, T> {
     ///
     /// # Errors
     /// [`ImpactError`].
+    #[inline(always)]
     pub fn impact(&self, speed: T) -> Result<(Law<T>, Outcome<T>), ImpactError> {
         let motions = self.motions(speed);
         let law = self.law(-self.contact.approach(&motions).velocity.normal);

@@ -16,6 +16,19 @@ pub fn no_answer(failure: &Failure, units: Units) -> String {
         Failure::Impact(refusal) => of_impact(refusal, units),
         Failure::Crush(refusal) => of_crush(refusal, units),
         Failure::Reconcile(refusal) => of_reconciliation(refusal, units),
+        Failure::NotReached { vehicle, energy, nearest: Ok(nearest) }
+            if nearest.speed.abs() > reconcile::FASTEST =>
+        {
+            format!(
+                "no speed of vehicle {vehicle} up to {} makes the work of the normal impulse equal to {}: that takes {}, where it is {}; the \
+                 heading lies nearly along the crush plane, or the crush energy is far too large; check `crush_plane`, the angle of the normal, the \
+                 headings, and the units of depths, widths and stiffness",
+                fastest(units),
+                units.format(Quantity::Energy, *energy),
+                units.speed(nearest.speed),
+                units.format(Quantity::Energy, nearest.normal_work)
+            )
+        }
         Failure::NotReached { vehicle, energy, nearest: Ok(nearest) } => {
             let nearest = format!(
                 "; the nearest is {}, at {}",
@@ -62,13 +75,16 @@ fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
 
 fn not_reached(vehicle: usize, energy: f64, nearest: &str, units: Units) -> String {
     format!(
-        "no speed of vehicle {vehicle} up to {} {} makes the work of the normal impulse equal to {} while the vehicles approach and push{nearest}; \
-         check the contact points, the crush plane, the headings, the yaw rates, the restitution and the crush energy, or give a friction limit \
-         as the tangential condition",
-        number(units.value(Quantity::Speed, reconcile::FASTEST), 0),
-        units.name(Quantity::Speed),
+        "no speed of vehicle {vehicle} up to {} makes the work of the normal impulse equal to {} while the vehicles approach and push{nearest}; \
+         check the contact points, the crush plane, the headings, the yaw rates, the restitution and the crush energy",
+        fastest(units),
         units.format(Quantity::Energy, energy)
     )
+}
+
+/// It is a judgement, and has no decimals.
+fn fastest(units: Units) -> String {
+    format!("{} {}", number(units.value(Quantity::Speed, reconcile::FASTEST), 0), units.name(Quantity::Speed))
 }
 
 fn of_impact(refusal: &ImpactError, units: Units) -> String {

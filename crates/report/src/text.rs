@@ -42,7 +42,7 @@ pub fn text_within(case: &Case, analysis: &Analysis, units: Units, columns: usiz
     }
     page.damage(analysis);
     if let Some(crash3) = &analysis.crash3 {
-        page.crash3(case, crash3);
+        page.crash3(case, crash3, analysis.basis);
     }
     page.checks(analysis);
     page.warnings(analysis);
@@ -523,7 +523,7 @@ impl Page {
         );
     }
 
-    fn crash3(&mut self, case: &Case, crash3: &Crash3) {
+    fn crash3(&mut self, case: &Case, crash3: &Crash3, basis: EnergyBasis) {
         let units = self.units;
         self.heading("CRASH3's own answer", ["vehicle 1", "vehicle 2", "source"]);
         self.wide("crush energy", &units.format(Quantity::Energy, crash3.crush_energy), "Eq 5");
@@ -544,6 +544,15 @@ impl Page {
             pair(crash3.effective_mass_ratio.map(|ratio| number(ratio, 4))),
             "theory 5",
         );
+        if let Some(factor) = crash3.restitution_factor {
+            let assumed = if case.reconstruct.is_none() { ", assumed" } else { "" };
+            let factor = number(factor, 4);
+            self.wide(
+                "restitution factor f_e",
+                &format!("{factor} (energy basis: {}{assumed})", crate::basis_name(basis)),
+                "theory 5",
+            );
+        }
         self.pair("ΔV uncorrected", speeds(crash3.delta_v, 1.0), "Eq 6, 7");
         if let Some(factor) = crash3.restitution_factor {
             self.pair("ΔV uncorrected, restitution", speeds(crash3.delta_v, factor), "theory 5");

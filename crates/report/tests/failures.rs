@@ -14,6 +14,11 @@ const BEYOND: Failure = Failure::NotReached {
 /// 1 ft·lb is 1.355 817 95 J, 1 mph is 0.447 04 m/s, 1 ft is 0.3048 m, 1 lb·s is 4.448 221 615 N·s.
 #[test]
 fn a_refusal_speaks_the_units_of_the_reader() {
+    let too_fast = Failure::NotReached {
+        vehicle: 2,
+        energy: 135_581.795,
+        nearest: Ok(Iteration { speed: 4_470.4, normal_work: 135_581.795 }),
+    };
     let jam = Failure::Impact(ImpactError::Jam { impulse_ratio: -2.5, k_nn: 2.0, k_nt: 1.0 });
     let not_approaching = Failure::Impact(ImpactError::NotApproaching { u_n: 3.048 });
     let pulling = Failure::Impact(ImpactError::Pulling { normal_impulse: -4_448.221_615 });
@@ -36,6 +41,11 @@ fn a_refusal_speaks_the_units_of_the_reader() {
             &BEYOND,
             "equal to 135,582 J while the vehicles approach and push; the nearest is 13,558 J, at 44.70 m/s (160.9 km/h);",
             "up to 3,281 ft/s makes the work of the normal impulse equal to 100,000 ft·lb while the vehicles approach and push; the nearest is 10,000 ft·lb, at 146.67 ft/s (100.00 mph);",
+        ),
+        (
+            &too_fast,
+            "up to 1,000 m/s makes the work of the normal impulse equal to 135,582 J: that takes 4,470.40 m/s (16,093.4 km/h), where it is 135,582 J;",
+            "up to 3,281 ft/s makes the work of the normal impulse equal to 100,000 ft·lb: that takes 14,666.67 ft/s (10,000.00 mph), where it is 100,000 ft·lb;",
         ),
         (&jam, "needs μ above -2.0000:", "needs μ above -2.0000:"),
         (&not_approaching, "u_n is 3.05 m/s and", "u_n is 10.00 ft/s and"),
