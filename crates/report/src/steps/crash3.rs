@@ -114,8 +114,16 @@ fn oblique(
 fn peak_force(damage: &Damage, crush: &Crush, peak: f64, i: usize) -> Vec<Step> {
     let alpha = damage.oblique_angle;
     let total = |formula: String, substitution: String| {
-        step(format!("peak force, vehicle {i}"), format!("F_{i}"), formula, substitution, peak, "N", "theory 5")
-            .of(Quantity::Force)
+        step(
+            format!("peak force, vehicle {i}"),
+            format!("F_{i}"),
+            formula,
+            substitution,
+            peak,
+            "N",
+            "theory 5",
+        )
+        .of(Quantity::Force)
     };
     if let Structure::Uniform(stiffness) = &damage.structure
         && stiffness.limit().is_none()

@@ -9,7 +9,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::{Histogram, pictured};
 use crate::sensitivity::output_name;
 use crate::staged::PlotError;
-use crate::units::Units;
+use crate::units::{Units, number};
 
 /// Okabe & Ito's blue and orange, which stay apart in grey and for the colour-blind.
 const BLUE: RGBColor = RGBColor(0, 114, 178);
@@ -17,6 +17,9 @@ const ORANGE: RGBColor = RGBColor(230, 159, 0);
 const INK: RGBColor = RGBColor(40, 40, 40);
 const FONT: &str = "sans-serif";
 const CLASSES: u32 = 40;
+const MOST_TICKS: usize = 10;
+/// Decimals beyond which no figure goes.
+const MOST_DECIMALS: usize = 12;
 /// Bars of a tornado, the longest.
 const BARS: usize = 20;
 
@@ -59,6 +62,9 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
     let most = histogram.counts.iter().copied().max().unwrap_or_default();
     let high = histogram.low + f64::from(CLASSES) * histogram.width;
 
+    let decimals = tick_decimals(value(high) - value(histogram.low));
+    // No coarser than the ticks below it.
+    let figure = |si: f64| number(value(si), decimals.max(units.decimals(pictured(output.output))));
     let mut svg = String::new();
     {
         let root = SVGBackend::with_string(&mut svg, (720, 420)).into_drawing_area();
@@ -78,6 +84,8 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
             .axis_style(INK)
             .label_style(text(12, HPos::Left))
             .axis_desc_style(text(13, HPos::Left))
+            .x_labels(MOST_TICKS)
+            .x_label_formatter(&|tick| number(*tick, decimals))
             .x_desc(across)
             .y_desc("% of the samples")
             .draw()
@@ -101,12 +109,23 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
             let from = chart.backend_coord(&(value(si), 0.0));
             let to = chart.backend_coord(&(value(si), top));
             root.draw(&PathElement::new(vec![from, to], INK.stroke_width(1))).map_err(failed)?;
-            let label = format!("{words} {}", units.plain(pictured(output.output), si));
+            let label = format!("{words} {}", figure(si));
             root.draw(&Text::new(label, (to.0 + 4, to.1 + 6), text(12, HPos::Left))).map_err(failed)?;
         }
         root.present().map_err(failed)?;
     }
     Ok(Some(svg))
+}
+
+/// The decimals of 1, 2 or 5 times a power of ten of which no more than [`MOST_TICKS`] go into a width.
+fn tick_decimals(width: f64) -> usize {
+    let mut step = width / f64::from(u32::try_from(MOST_TICKS).unwrap_or(u32::MAX));
+    let mut decimals = 0;
+    while step < 1.0 && decimals < MOST_DECIMALS {
+        step *= 10.0;
+        decimals += 1;
+    }
+    decimals
 }
 
 /// What each input alone does to an output, from its 2.5 % to its 97.5 % quantile, the longest bars first, as SVG.
