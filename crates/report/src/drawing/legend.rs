@@ -37,6 +37,11 @@ pub(super) enum Sample {
     Windscreen(Pen),
 }
 
+/// Of the windscreen of an outline.
+pub(super) fn windscreen() -> (Sample, String) {
+    (Sample::Windscreen(THIN), "windscreen: shows the front".to_owned())
+}
+
 /// The legend in columns of equal width, from `top` downwards. Gives the place below it.
 pub(super) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(Sample, String)]) -> f64 {
     let columns = columns.max(1);

@@ -453,7 +453,7 @@ impl Page {
 fn body_entries(scene: &[Placed; 2]) -> Vec<(Sample, String)> {
     let mut entries = Vec::new();
     if scene.iter().any(|placed| placed.body.is_some()) {
-        entries.push((Sample::Windscreen(THIN), "windscreen: shows the front".to_owned()));
+        entries.push(legend::windscreen());
     }
     if scene.iter().any(|placed| placed.body.is_some() && !placed.fixed) {
         entries.push((Sample::Line(HEADING), "heading, from the CG to the front".to_owned()));
