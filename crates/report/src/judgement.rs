@@ -268,7 +268,7 @@ fn purpose(case: &Case, command: &str, on: &str) -> String {
     }
 }
 
-fn spread(range: &Range) -> String {
+pub(crate) fn spread(range: &Range) -> String {
     match range.spread {
         Spread::Normal { sd } => format!("sd {sd}"),
         Spread::Uniform { low, high } => format!("{low} to {high}"),

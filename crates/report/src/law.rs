@@ -81,7 +81,8 @@ pub(crate) fn correction(correction: ObliqueCorrection) -> String {
         ObliqueCorrection::None => "1".to_owned(),
         ObliqueCorrection::Capped => "1 + tan²α ≤ 2".to_owned(),
         ObliqueCorrection::Uncapped => "1 + tan²α".to_owned(),
-        ObliqueCorrection::Friction(mu) => format!("1+tanα·min(tanα, {mu})"),
+        // |tan α| min(|tan α|, μ), in the columns that the label has.
+        ObliqueCorrection::Friction(mu) => format!("1+min(tan²α,{mu}|tanα|)"),
         ObliqueCorrection::Secant => "1/cos α".to_owned(),
     }
 }

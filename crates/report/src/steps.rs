@@ -20,9 +20,9 @@ pub struct Step {
     pub name: String,
     /// Its symbol, such as `E_1`; `_` begins a subscript.
     pub symbol: String,
-    /// The equation's right side in symbols; empty where the value is given or solved for.
+    /// The equation's right side in symbols; empty where the value is given or solved for, and where the symbol itself is the equation.
     pub formula: String,
-    /// The same with numbers and units: `·` multiplies, a unit follows its number after a no-break space. Empty as the formula is.
+    /// The same with numbers and units: `·` multiplies, a unit follows its number after a no-break space. Empty where the value is given or solved for.
     pub substitution: String,
     /// The program's own result, in `unit`.
     pub value: f64,

@@ -491,9 +491,17 @@ impl Page {
             self.pair("crush energy, bounds", each(&bounds), "theory 5");
         }
         self.pair("crush energy E", each(&|d| Some(energy(d.crush_energy))), "Eq 5");
-        if analysis.impact.is_none() {
+        // That of the impulse stands above; here is the one that the file puts in its place.
+        let is_given =
+            |i: usize| analysis.vehicles[i].subject.damage.as_ref().is_some_and(|d| d.pdof.is_some());
+        if analysis.impact.is_none() || [0, 1].into_iter().any(is_given) {
+            let label = if analysis.impact.is_none() {
+                "PDOF, clockwise from heading"
+            } else {
+                "PDOF that CRASH3 uses"
+            };
             let pdof = |d: &Damage| d.pdof.map(|pdof| units.format(Quantity::Angle, pdof));
-            self.pair("PDOF, clockwise from heading", each(&pdof), "theory 5");
+            self.pair(label, each(&pdof), "theory 5");
         }
         self.pair("energy equivalent speed EES", each(&|d| Some(both_speeds(units, d.ees))), "theory 5");
         self.pair(

@@ -136,6 +136,11 @@ impl Units {
         self.display(quantity).name
     }
 
+    /// Decimals that make sense.
+    pub(crate) fn decimals(self, quantity: Quantity) -> usize {
+        self.display(quantity).decimals
+    }
+
     /// An SI value without its unit, for the columns of a table.
     pub(crate) fn plain(self, quantity: Quantity, si: f64) -> String {
         let Display { size, decimals, .. } = self.display(quantity);

@@ -91,6 +91,7 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
         (Sample::Box(CRUSHED, fill), "crushed area of the side".to_owned()),
         (Sample::Line(CRUSHED), "profile through the stations C1, C2 …".to_owned()),
         (Sample::CentreOfGravity, "CG: centre of gravity".to_owned()),
+        legend::windscreen(),
     ];
     legend::legend(&mut canvas, bottom + 36.0, 3, &entries);
     let description = captions.iter().map(|lines| lines.join(" ")).collect::<Vec<_>>().join(" ");

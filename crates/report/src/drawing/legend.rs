@@ -1,6 +1,6 @@
 //! What stands above and below a drawing: its title, the legend, the scale bar.
 
-use kurbo::{Point, Rect};
+use kurbo::{BezPath, Point, Rect};
 
 use super::canvas::{Anchor, Canvas, Head, LARGE, SMALL};
 use super::font;
@@ -33,6 +33,13 @@ pub(super) enum Sample {
     Box(Pen, String),
     CentreOfGravity,
     Dot(Option<Pen>, &'static str),
+    /// As on a vehicle that faces to the right.
+    Windscreen(Pen),
+}
+
+/// Of the windscreen of an outline.
+pub(super) fn windscreen() -> (Sample, String) {
+    (Sample::Windscreen(THIN), "windscreen: shows the front".to_owned())
 }
 
 /// The legend in columns of equal width, from `top` downwards. Gives the place below it.
@@ -55,6 +62,15 @@ pub(super) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(
                 canvas.rect("", Rect::from_center_size(middle, (SAMPLE - 6.0, 14.0)), Some(*pen), fill);
             }
             Sample::CentreOfGravity => canvas.centre_of_gravity("", middle),
+            Sample::Windscreen(pen) => {
+                let mut path = BezPath::new();
+                path.move_to((middle.x + 2.0, middle.y - 8.0));
+                path.quad_to((middle.x + 7.0, middle.y), (middle.x + 2.0, middle.y + 8.0));
+                path.line_to((middle.x - 7.0, middle.y + 6.5));
+                path.quad_to((middle.x - 3.0, middle.y), (middle.x - 7.0, middle.y - 6.5));
+                path.close_path();
+                canvas.path("", &path, Some(*pen), "none");
+            }
             Sample::Dot(pen, fill) => canvas.dot("", middle, 5.0, *pen, fill),
         }
         let left = x + SAMPLE + 8.0;

@@ -73,7 +73,8 @@ pub(super) fn draw(file: &CaseFile, analysis: &Analysis, units: Units) -> Result
     legend::legend(&mut canvas, HEIGHT - 74.0, 2, &entries);
     let speed = |si: f64| units.format(Quantity::RoadSpeed, si);
     let touch = speed(curve.first().map_or(0.0, |point| point.speed));
-    let begins = match first_push(file, &curve)? {
+    // An interval whose ends look the same is none to the reader.
+    let begins = match first_push(file, &curve)?.filter(|&begins| speed(begins) != touch) {
         None => format!("It is zero where the vehicles just touch, at {touch},"),
         Some(begins) => format!(
             "It begins at {}, where the normal impulse becomes a push (Pₙ > 0); from {touch}, where the vehicles just touch, up to there they would have to \

@@ -83,7 +83,7 @@ pub(super) fn draw(case: &Case, analysis: &Analysis, units: Units) -> Result<Dra
 
     let bar_row = HEADER + SCENE + 30.0;
     #[expect(clippy::cast_precision_loss, reason = "a legend has few entries")]
-    let rows = (7 + scene.len()).div_ceil(3) as f64;
+    let rows = (7 + scene.len() + body_entries(&scene).len()).div_ceil(3) as f64;
     let height = bar_row + 22.0 + 24.0 * (rows + 0.5) + 10.0;
     let canvas = Canvas::new(Subject::Scene.name(), WIDTH, height);
     let mut page = Page { canvas, units, axes: case.axes, scale, origin, wall: wall_ends(&scene, impact) };
@@ -431,6 +431,7 @@ impl Page {
             (Sample::Dot(None, BLACK), "C: contact point of the impulse".to_owned()),
             (Sample::CentreOfGravity, "CG: centre of gravity".to_owned()),
         ];
+        entries.extend(body_entries(scene));
         for (i, placed) in scene.iter().enumerate() {
             let number = i + 1;
             let text = match (placed.body.map(|body| body.outline), placed.fixed) {
@@ -441,7 +442,8 @@ impl Page {
                 }
                 (None, true) => {
                     let fill = self.canvas.pattern("wall");
-                    entries.push((Sample::Box(THIN, fill), format!("{number}: fixed object")));
+                    entries
+                        .push((Sample::Box(THIN, fill), format!("{number}: fixed object, extent not known")));
                     continue;
                 }
                 (None, false) => continue,
@@ -450,6 +452,18 @@ impl Page {
         }
         entries
     }
+}
+
+/// Of what is drawn on a body, where one is drawn.
+fn body_entries(scene: &[Placed; 2]) -> Vec<(Sample, String)> {
+    let mut entries = Vec::new();
+    if scene.iter().any(|placed| placed.body.is_some()) {
+        entries.push(legend::windscreen());
+    }
+    if scene.iter().any(|placed| placed.body.is_some() && !placed.fixed) {
+        entries.push((Sample::Line(HEADING), "heading, from the CG to the front".to_owned()));
+    }
+    entries
 }
 
 /// In the axes of the case, and so is the impact.

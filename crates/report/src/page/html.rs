@@ -208,11 +208,8 @@ fn row(step: &Step, units: Units) -> Markup {
             th scope="row" { (subscripts(&step.name)) }
             td {
                 (subscripts(&step.symbol))
-                @if !step.formula.is_empty() {
-                    " = " (subscripts(&step.formula))
-                    br;
-                    span.numbers { "= " (step.substitution) }
-                }
+                @if !step.formula.is_empty() { " = " (subscripts(&step.formula)) }
+                @if !step.substitution.is_empty() { br; span.numbers { "= " (step.substitution) } }
             }
             td.number {
                 span.result { (step.printed) @if !step.unit.is_empty() { "\u{a0}" (step.unit) } }

@@ -38,31 +38,58 @@ fn is_of(assumption: &Assumption, analysis: &Analysis) -> bool {
     }
 }
 
+/// A row of the numbers: the stations of a profile stand in one, as in the file.
+struct Row {
+    path: String,
+    own: Vec<String>,
+    /// What is known of each, empty where nothing is.
+    spreads: Vec<String>,
+    si: Vec<String>,
+}
+
+impl Row {
+    fn cells(self) -> Vec<String> {
+        let mut own = self.own.join(", ");
+        let known: Vec<&str> =
+            self.spreads.iter().map(|spread| if spread.is_empty() { "–" } else { spread }).collect();
+        match known.as_slice() {
+            spreads if spreads.iter().all(|&spread| spread == "–") => {}
+            [spread] => own.push_str(&format!("; {spread}")),
+            [first, rest @ ..] if rest.iter().all(|spread| spread == first) => {
+                own.push_str(&format!("; each {first}"));
+            }
+            spreads => own.push_str(&format!("; {}", spreads.join(", "))),
+        }
+        vec![self.path, own, self.si.join(", ")]
+    }
+}
+
 fn numbers(file: &CaseFile) -> Table {
-    let mut rows: Vec<Vec<String>> = Vec::new();
+    let mut ranges = file.case.ranges.iter().peekable();
+    let mut rows: Vec<Row> = Vec::new();
     for input in file.case.inputs() {
-        // The stations of a profile stand in one row, as in the file.
+        let spread =
+            ranges.next_if(|range| range.path == input.path).map(judgement::spread).unwrap_or_default();
         let (path, first) = match input.path.strip_suffix("[1]") {
             Some(list) => (list.to_owned(), true),
             None => (input.path.split('[').next().unwrap_or_default().to_owned(), !input.path.ends_with(']')),
         };
         match rows.last_mut() {
-            Some(row) if !first && row.first() == Some(&path) => {
-                for (cell, more) in row.iter_mut().skip(1).zip([own(&input), si(&input)]) {
-                    cell.push_str(", ");
-                    cell.push_str(&more);
-                }
+            Some(row) if !first && row.path == path => {
+                row.own.push(own(&input));
+                row.spreads.push(spread);
+                row.si.push(si(&input));
             }
             _ => {
                 let path = if first { path } else { input.path.clone() };
-                rows.push(vec![path, own(&input), si(&input)]);
+                rows.push(Row { path, own: vec![own(&input)], spreads: vec![spread], si: vec![si(&input)] });
             }
         }
     }
     Table {
         caption: "Numbers as understood",
         header: ["key in the case file", "as given", "in SI units"].map(str::to_owned).to_vec(),
-        rows,
+        rows: rows.into_iter().map(Row::cells).collect(),
     }
 }
 

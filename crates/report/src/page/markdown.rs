@@ -108,13 +108,11 @@ fn steps(group: &StepGroup, units: Units) -> String {
         }
         text.push_str(&format!("{} ({})\n", step.name, step.source));
         let indent = " ".repeat(step.symbol.chars().count());
-        if step.formula.is_empty() {
-            text.push_str(&format!("  {} = {}{unit}\n", step.symbol, step.printed));
-        } else {
-            text.push_str(&format!(
-                "  {} = {}\n  {indent} = {}\n  {indent} = {}{unit}\n",
-                step.symbol, step.formula, step.substitution, step.printed
-            ));
+        let mut left = step.symbol.as_str();
+        let sides = [step.formula.as_str(), &step.substitution, &format!("{}{unit}", step.printed)];
+        for right in sides.into_iter().filter(|side| !side.is_empty()) {
+            text.push_str(&format!("  {left} = {right}\n"));
+            left = &indent;
         }
     }
     text.push_str("```\n");

@@ -1,7 +1,7 @@
 //! Geometry, speed, impulse, motion and energy.
 
 use analysis::{Analysis, Found, Impact};
-use case::{Axes, Case, ContactPoint, Velocity};
+use case::{Axes, Case, ContactPoint, Restitution, Velocity};
 use pim_core::{NormalTangential, Real, Regime, Tangential};
 
 use super::{Step, StepGroup, angle, given, group, n, p, step};
@@ -182,7 +182,7 @@ impl Collision<'_> {
         let det = k.determinant();
         steps.push(step(
             "determinant of K",
-            "D",
+            "det K",
             "k_nn k_tt − k_nt²",
             format!("{} · {} − {}²", n(k.nn, "1/kg"), n(k.tt, "1/kg"), p(k.nt, "1/kg")),
             det,
@@ -236,16 +236,16 @@ impl Collision<'_> {
                 "theory 6",
             )
         };
-        let closed = found.iterations.is_empty() && found.admissible.len() == 1 && !self.has_curve();
+        let closed = found.iterations.is_empty() && found.admissible.len() == 1 && self.curve().is_none();
         let (alpha, beta, alpha_formula, alpha_numbers, beta_formula, beta_numbers);
         let tau = -slope.tangential / slope.normal;
         let at_touch = rest.tangential + rest.normal * tau;
         match (closed, self.tangential_restitution(), impact.law.tangential()) {
             (true, Some(e_t), _) => {
-                // P_n = [k_tt (1+e) x + k_nt (1+e_t) u_t]/D with u_t = u_t(0) + τ x
+                // P_n = [k_tt (1+e) x + k_nt (1+e_t) u_t]/det K with u_t = u_t(0) + τ x
                 alpha = (k_matrix.tt * (1.0 + e) + k_matrix.nt * (1.0 + e_t) * tau) / det;
                 beta = k_matrix.nt * (1.0 + e_t) * at_touch / det;
-                alpha_formula = "[k_tt (1 + e) + k_nt (1 + e_t) τ]/D";
+                alpha_formula = "[k_tt (1 + e) + k_nt (1 + e_t) τ]/det K";
                 alpha_numbers = format!(
                     "({} · (1 + {}) + {} · (1 + {}) · {}) / {}",
                     n(k_matrix.tt, "1/kg"),
@@ -255,7 +255,7 @@ impl Collision<'_> {
                     n(tau, ""),
                     n(det, "1/kg²")
                 );
-                beta_formula = "k_nt (1 + e_t) u_t0/D";
+                beta_formula = "k_nt (1 + e_t) u_t0/det K";
                 beta_numbers = format!(
                     "{} · (1 + {}) · {} / {}",
                     n(k_matrix.nt, "1/kg"),
@@ -377,12 +377,44 @@ impl Collision<'_> {
         steps
     }
 
-    fn has_curve(&self) -> bool {
-        self.case
-            .impact
-            .as_ref()
-            .and_then(|impact| impact.law.restitution())
-            .is_some_and(|e| matches!(e, case::Restitution::OfClosingSpeed { .. }))
+    /// (m/s, –) the points of e over the closing speed, where the file gives a curve.
+    fn curve(&self) -> Option<Vec<[f64; 2]>> {
+        match self.case.impact.as_ref()?.law.restitution()? {
+            Restitution::Constant(_) => None,
+            Restitution::OfClosingSpeed { speeds, values } => {
+                Some(speeds.iter().zip(values).map(|(speed, &e)| [speed.si(), e]).collect())
+            }
+        }
+    }
+
+    /// e: a number of the file, or between two points of its curve.
+    fn restitution(&self) -> Step {
+        let e = self.impact.law.restitution();
+        let plain = |name: &str| given(name, "e", e, "", "input");
+        let Some(points) = self.curve() else { return plain("coefficient of restitution") };
+        let normal = self.impact.outcome.approach.normal;
+        let around = points.windows(2).find(|pair| (pair[0][0]..pair[1][0]).contains(&-normal));
+        let Some(&[[slow, e_slow], [fast, e_fast]]) = around else {
+            return plain("coefficient of restitution, of the nearer end of its curve");
+        };
+        step(
+            "coefficient of restitution, between two points (a, b) of its curve",
+            "e",
+            "e_a + (e_b − e_a) (−u_n − v_a)/(v_b − v_a)",
+            format!(
+                "{} + ({} − {}) · (−{} − {}) / ({} − {})",
+                n(e_slow, ""),
+                n(e_fast, ""),
+                n(e_slow, ""),
+                p(normal, "m/s"),
+                n(slow, "m/s"),
+                n(fast, "m/s"),
+                n(slow, "m/s")
+            ),
+            e,
+            "",
+            "theory 3",
+        )
     }
 
     fn approach(&self) -> Vec<Step> {
@@ -469,7 +501,7 @@ impl Collision<'_> {
         let (impact, outcome) = (self.impact, &self.impact.outcome);
         let (k, u, p_) = (impact.contact.inverse_mass(), outcome.approach, outcome.impulse);
         let (e, mu, det) = (impact.law.restitution(), outcome.impulse_ratio, k.determinant());
-        let mut steps = vec![given("coefficient of restitution", "e", e, "", "input")];
+        let mut steps = vec![self.restitution()];
         if impact.law.has_moment() {
             steps.push(given(
                 "normal impulse on vehicle 1, by the law's three conditions",
@@ -525,7 +557,7 @@ impl Collision<'_> {
         // The two components at once, where the law has a condition on U_t.
         let pair = match (tangential, e_t) {
             (_, Some(e_t)) => Some((
-                "[(1 + e_t) u_t k_nt − (1 + e) u_n k_tt]/D",
+                "[(1 + e_t) u_t k_nt − (1 + e) u_n k_tt]/det K",
                 format!(
                     "((1 + {}) · {} · {} − (1 + {}) · {} · {}) / {}",
                     n(e_t, ""),
@@ -536,7 +568,7 @@ impl Collision<'_> {
                     n(k.tt, "1/kg"),
                     n(det, "1/kg²")
                 ),
-                "[(1 + e) u_n k_nt − (1 + e_t) u_t k_nn]/D",
+                "[(1 + e) u_n k_nt − (1 + e_t) u_t k_nn]/det K",
                 format!(
                     "((1 + {}) · {} · {} − (1 + {}) · {} · {}) / {}",
                     n(e, ""),
@@ -549,7 +581,7 @@ impl Collision<'_> {
                 ),
             )),
             (Tangential::VelocityChange(change), None) => Some((
-                "[−(1 + e) u_n k_tt − k_nt (U_t − u_t)]/D",
+                "[−(1 + e) u_n k_tt − k_nt (U_t − u_t)]/det K",
                 format!(
                     "((−1) · (1 + {}) · {} · {} − {} · {}) / {}",
                     n(e, ""),
@@ -559,7 +591,7 @@ impl Collision<'_> {
                     n(change, "m/s"),
                     n(det, "1/kg²")
                 ),
-                "[k_nn (U_t − u_t) + (1 + e) u_n k_nt]/D",
+                "[k_nn (U_t − u_t) + (1 + e) u_n k_nt]/det K",
                 format!(
                     "({} · {} + (1 + {}) · {} · {}) / {}",
                     n(k.nn, "1/kg"),
@@ -889,8 +921,8 @@ impl Collision<'_> {
         steps.push(step(
             "share of the initial energy",
             "E_L/T",
-            "100 E_L/T",
-            format!("100 · {} / {}", n(energy.loss, "J"), n(energy.before, "J")),
+            "",
+            format!("{} / {}", n(energy.loss, "J"), n(energy.before, "J")),
             100.0 * energy.loss / energy.before,
             "%",
             "theory 4",

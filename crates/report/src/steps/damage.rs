@@ -262,7 +262,7 @@ fn of_test(steps: &mut Vec<Step>, stiffness: &Stiffness, test: &BarrierTest, i: 
 }
 
 /// (m) between the stations.
-fn spacings(damage: &Damage, crush: &Crush) -> Vec<f64> {
+pub(super) fn spacings(damage: &Damage, crush: &Crush) -> Vec<f64> {
     let intervals = damage.depths.len().saturating_sub(1);
     match &crush.spacing {
         Some(spacing) => spacing.iter().map(case::Quantity::si).collect(),

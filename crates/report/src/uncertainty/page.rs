@@ -20,6 +20,10 @@ const LONGEST: usize = 50;
 const SIDE: usize = 13;
 /// Bars of the tornado: beyond them none is worth a line.
 const BARS: usize = 15;
+/// (columns) of an end of an interval, without the blank before it.
+const END: usize = 8;
+/// Decimals beyond which no figure goes.
+const MOST_DECIMALS: usize = 6;
 /// (–) a cut that takes less away is not worth a line.
 const NOTICED_CUT: f64 = 1e-6;
 
@@ -115,22 +119,31 @@ impl<'a> Page<'a> {
         }
     }
 
-    fn plain(&self, output: &UncertainOutput, si: f64) -> String {
-        self.units.plain(quantity(output.output), si)
-    }
-
     /// What a speed is repeated in.
     fn beside(&self, output: &UncertainOutput) -> Option<Quantity> {
         self.units.beside_speed().filter(|_| quantity(output.output) == Quantity::Speed)
     }
 
-    /// ± the standard error, in the unit of the value.
-    fn error(&self, output: &UncertainOutput, estimate: Estimate) -> String {
+    /// ± the standard error, in the unit of the value, in at most so many columns.
+    fn error(&self, output: &UncertainOutput, estimate: Estimate, columns: usize) -> String {
         estimate.standard_error.map_or_else(String::new, |error| {
             let error = self.units.value(quantity(output.output), error);
-            // Two digits, and all that stand before the point.
-            format!("±{}", if error < 10.0 { significant(error, 2) } else { number(error, 0) })
+            // Two digits, and all that stand before the point; fewer where there is no room.
+            let shown = if error < 10.0 { significant(error, 2) } else { number(error, 0) };
+            let fits = |shown: &str| shown.chars().count() < columns;
+            let shorter = || Some(significant(error, 1)).filter(|shown| error < 10.0 && fits(shown));
+            let shown =
+                if fits(&shown) { shown } else { shorter().unwrap_or_else(|| format!("{error:.0e}")) };
+            format!("±{shown}")
         })
+    }
+
+    /// An SI value with decimals enough for two digits of a standard deviation (SI) that is not zero.
+    fn resolved(&self, quantity: Quantity, sd: f64) -> impl Fn(f64) -> String + use<> {
+        let units = self.units;
+        let decimals =
+            units.decimals(quantity).max(decimals_of(units.value(quantity, sd))).min(MOST_DECIMALS);
+        move |si| number(units.value(quantity, si), decimals)
     }
 
     fn results(&mut self) {
@@ -145,8 +158,11 @@ impl<'a> Page<'a> {
         let mut apart = Vec::new();
         let mut lines = Vec::new();
         for (output, summary) in self.rows() {
-            let central = self.plain(output, output.central);
-            let first = self.plain(output, output.first_order.sd);
+            let sd = summary.map_or(output.first_order.sd, |summary| summary.sd.value);
+            let sd = if output.varies(sd) { sd } else { 0.0 };
+            let plain = self.resolved(quantity(output.output), sd);
+            let central = plain(output.central);
+            let first = plain(output.first_order.sd);
             let label = self.label(output, quantity(output.output));
             let Some(summary) = summary else {
                 lines.push(format!("{label:<30}{central:>11}{:>11}{:>11}{:>12}{first:>13}", "–", "–", "–"));
@@ -157,7 +173,7 @@ impl<'a> Page<'a> {
                 continue;
             }
             let [mean, median, sd] = [summary.mean, summary.median, summary.sd];
-            let of = |estimate: Estimate| self.plain(output, estimate.value);
+            let of = |estimate: Estimate| plain(estimate.value);
             let by = 100.0 * (output.first_order.sd / sd.value - 1.0);
             let differs = if output.differs(sd.value) {
                 apart.push(output_name(output.output));
@@ -171,10 +187,10 @@ impl<'a> Page<'a> {
                 of(median),
                 of(sd)
             ));
-            let error = |estimate: Estimate| self.error(output, estimate);
+            let error = |estimate: Estimate| self.error(output, estimate, 10);
             lines.push(format!("{:<41}{:>11}{:>11}{:>12}", "", error(mean), error(median), error(sd)));
             if let Some(road) = self.beside(output) {
-                let of = |si: f64| self.units.plain(road, si);
+                let of = self.resolved(road, sd.value);
                 lines.push(format!(
                     "{:<30}{:>11}{:>11}{:>11}{:>12}{:>13}",
                     format!("  in {}", self.units.name(road)),
@@ -203,27 +219,31 @@ impl<'a> Page<'a> {
 
     fn intervals(&mut self) {
         self.line("");
-        self.line(&format!("{:<30}{:>16}{:>17}{:>17}{:>17}", "Intervals", "50 %", "90 %", "95 %", "99 %"));
+        self.line(&format!("{:<25}{:>18}{:>18}{:>18}{:>18}", "Intervals", "50 %", "90 %", "95 %", "99 %"));
         self.rule();
         let mut lines = Vec::new();
         for (output, summary) in self.rows() {
             let label = self.label(output, quantity(output.output));
             let Some(summary) = summary.filter(|summary| output.varies(summary.sd.value)) else { continue };
-            let ends = |low: String, high: String| format!("{low:>8}{high:>9}");
-            let values = summary.intervals.map(|interval| {
-                ends(self.plain(output, interval.low.value), self.plain(output, interval.high.value))
-            });
-            let errors = summary
-                .intervals
-                .map(|interval| ends(self.error(output, interval.low), self.error(output, interval.high)));
-            lines.push(format!("{label:<29}{}", values.concat()));
-            lines.push(format!("{:<29}{}", "", errors.concat()));
+            // A blank before each: figures that run together are misread.
+            let cell = |text: String| {
+                let text = if text.chars().count() > END { text.replace(',', "") } else { text };
+                format!(" {text:>END$}")
+            };
+            let ends = |low: String, high: String| cell(low) + &cell(high);
+            let plain = self.resolved(quantity(output.output), summary.sd.value);
+            let values =
+                summary.intervals.map(|interval| ends(plain(interval.low.value), plain(interval.high.value)));
+            let error = |estimate: Estimate| self.error(output, estimate, END);
+            let errors = summary.intervals.map(|interval| ends(error(interval.low), error(interval.high)));
+            lines.push(format!("{label:<25}{}", values.concat()));
+            lines.push(format!("{:<25}{}", "", errors.concat()));
             if let Some(road) = self.beside(output) {
-                let of = |si: f64| self.units.plain(road, si);
+                let of = self.resolved(road, summary.sd.value);
                 let values =
                     summary.intervals.map(|interval| ends(of(interval.low.value), of(interval.high.value)));
                 let label = format!("  in {}", self.units.name(road));
-                lines.push(format!("{label:<29}{}", values.concat()));
+                lines.push(format!("{label:<25}{}", values.concat()));
             }
         }
         lines.iter().for_each(|line| self.line(line));
@@ -420,6 +440,14 @@ fn with_unit(input: &UncertainInput, number: &str) -> String {
 
 fn value(end: &End) -> Option<f64> {
     end.outputs.as_ref().ok().and_then(|outputs| outputs.first().copied())
+}
+
+/// The decimals that two significant digits of a number need.
+fn decimals_of(value: f64) -> usize {
+    let scientific = format!("{:.1e}", value.abs());
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    let decimals = exponent.filter(|_| value != 0.0).map_or(0, |exponent| 1 - exponent);
+    usize::try_from(decimals).unwrap_or_default()
 }
 
 /// (%)

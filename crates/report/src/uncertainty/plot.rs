@@ -23,6 +23,7 @@ const CLASSES: u32 = 40;
 const HEADROOM: f64 = 1.25;
 /// (px) height of a row of labels.
 const ROW: i32 = 15;
+const MOST_TICKS: u8 = 10;
 /// Bars of a tornado, the longest.
 const BARS: usize = 20;
 /// (px) how far the longest bar of a tornado reaches.
@@ -82,9 +83,9 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
     // Where the answer is no straight line of the inputs, the central value may lie beyond nearly all samples.
     let ends = [histogram.low.min(output.central), high.max(output.central)].map(value);
 
-    // Of the numbers below the plot, of which there are some ten.
-    let (_, decimals) = ticks::round((ends[1] - ends[0]) / 10.0);
-
+    let (_, decimals) = ticks::round((ends[1] - ends[0]) / f64::from(MOST_TICKS));
+    // No coarser than the ticks below it.
+    let figure = |si: f64| number(value(si), decimals.max(units.decimals(pictured(output.output))));
     let mut svg = String::new();
     {
         let root = SVGBackend::with_string(&mut svg, (720, 420)).into_drawing_area();
@@ -104,9 +105,10 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
             .axis_style(INK)
             .label_style(text(12, HPos::Left))
             .axis_desc_style(text(13, HPos::Left))
+            .x_labels(usize::from(MOST_TICKS))
+            .x_label_formatter(&|tick| number(*tick, decimals))
             .x_desc(across)
             .y_desc("% of the samples")
-            .x_label_formatter(&|at| number(*at, decimals))
             .draw()
             .map_err(failed)?;
         let bars = (0_u32..).zip(&histogram.counts).map(|(class, &count)| {
@@ -124,7 +126,7 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
             (ninety_five.high.value, "97.5 %:"),
         ]
         .map(|(si, words)| {
-            let label = format!("{words} {}", units.plain(pictured(output.output), si));
+            let label = format!("{words} {}", figure(si));
             (chart.backend_coord(&(value(si), 0.0)), label)
         });
         let (left, top) = chart.backend_coord(&(ends[0], share(most) * HEADROOM));
