@@ -189,7 +189,10 @@ impl Reason {
 
     /// The reason of a case: what the engine refuses of its damage is told as a problem of the file, which no longer says of which kind.
     fn of_case(case: &Case, failure: &Failure) -> Self {
-        let refusals = case.vehicles.iter().filter_map(|vehicle| {
+        if !matches!(failure, Failure::Case(_)) {
+            return Self::of(failure);
+        }
+        let mut refusals = case.vehicles.iter().filter_map(|vehicle| {
             let crush = vehicle.crush.as_ref()?;
             match crush.stiffness.structure(crush.side).err()? {
                 CrushError::NoDamageSpeed { .. } => Some(Self::NoDamageSpeed),
@@ -197,8 +200,7 @@ impl Reason {
                 _ => None,
             }
         });
-        let of_file = matches!(failure, Failure::Case(_));
-        refusals.filter(|_| of_file).next().unwrap_or_else(|| Self::of(failure))
+        refusals.next().unwrap_or(Self::Other)
     }
 
     fn of_impact(error: &ImpactError) -> Self {
