@@ -10,6 +10,7 @@ use ::uncertainty::{
     TORNADO_PROBABILITIES, Tornado, Truncation,
 };
 use case::{Bounds, Case, CaseFile, Diagnostics, Input, Range, Spread};
+use crash3::CrushError;
 use pim_core::{ImpactError, Outcome};
 use real::Gradient;
 use reconcile::ReconcileError;
@@ -127,17 +128,23 @@ pub enum Reason {
     Jam,
     /// The vehicles would have to pull at each other.
     Pulling,
-    /// Something else, such as a stiffness that cannot be.
+    /// The speed without damage is not below that of the barrier test.
+    NoDamageSpeed,
+    /// The force per width is limited to less than A, with which it begins.
+    LimitBelowStart,
+    /// Something else.
     Other,
 }
 
 /// All reasons.
-pub const REASONS: [Reason; 6] = [
+pub const REASONS: [Reason; 8] = [
     Reason::NotApproaching,
     Reason::NoRoot,
     Reason::EnergyCreated,
     Reason::Jam,
     Reason::Pulling,
+    Reason::NoDamageSpeed,
+    Reason::LimitBelowStart,
     Reason::Other,
 ];
 
@@ -152,6 +159,8 @@ impl Reason {
             Self::Jam => 4,
             Self::Pulling => 5,
             Self::Other => 6,
+            Self::NoDamageSpeed => 7,
+            Self::LimitBelowStart => 8,
         }
     }
 
@@ -176,6 +185,22 @@ impl Reason {
             ) => Self::NoRoot,
             Failure::Reconcile(_) | Failure::Case(_) | Failure::Crush(_) | Failure::Ranges(_) => Self::Other,
         }
+    }
+
+    /// The reason of a case: what the engine refuses of its damage is told as a problem of the file, which no longer says of which kind.
+    fn of_case(case: &Case, failure: &Failure) -> Self {
+        if !matches!(failure, Failure::Case(_)) {
+            return Self::of(failure);
+        }
+        let mut refusals = case.vehicles.iter().filter_map(|vehicle| {
+            let crush = vehicle.crush.as_ref()?;
+            match crush.stiffness.structure(crush.side).err()? {
+                CrushError::NoDamageSpeed { .. } => Some(Self::NoDamageSpeed),
+                CrushError::LimitBelowStart { .. } => Some(Self::LimitBelowStart),
+                _ => None,
+            }
+        });
+        refusals.next().unwrap_or(Self::Other)
     }
 
     fn of_impact(error: &ImpactError) -> Self {
@@ -417,26 +442,30 @@ impl<'a> Sample<'a> {
                         column[lane] = *result;
                     }
                 }
-                Err(failure) => *reason = Reason::of(&failure).code(),
+                Err(refusal) => *reason = refusal.code(),
             }
         }
     }
 
-    fn answer(&self, numbers: &[f64], results: &mut [f64]) -> Result<(), Failure> {
+    fn answer(&self, numbers: &[f64], results: &mut [f64]) -> Result<(), Reason> {
         let mut numbers = numbers.iter();
         let mut is_uncertain = self.is_uncertain.iter();
         let case = self.case.map_numbers(|central| match is_uncertain.next() {
             Some(true) => numbers.next().copied().unwrap_or(central),
             _ => central,
         });
+        self.solve(&case, results).map_err(|failure| Reason::of_case(&case, &failure))
+    }
+
+    fn solve(&self, case: &Case, results: &mut [f64]) -> Result<(), Failure> {
         if self.is_reconstruction {
-            at(self.file, &case, |problem| {
+            at(self.file, case, |problem| {
                 let answer = problem.solve()?;
                 self.write(answer.speed, &answer.outcome, results);
                 Ok(())
             })
         } else {
-            let (_, outcome) = collide(&self.file.impact_with(&case)?.collision)?;
+            let (_, outcome) = collide(&self.file.impact_with(case)?.collision)?;
             self.write(0.0, &outcome, results);
             Ok(())
         }

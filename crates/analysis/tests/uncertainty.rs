@@ -158,6 +158,29 @@ fn samples_without_an_answer_are_counted_by_reason() {
     assert!(columns[1].iter().all(|pdof| pdof.is_nan() || pdof.abs() < 1e-12));
 }
 
+/// A twelfth of the speeds without damage, and a fifth of the limits, are such that no stiffness follows.
+#[test]
+fn a_stiffness_that_cannot_be_is_a_reason_of_its_own() {
+    let barrier = include_str!("../../../fixtures/barrier.toml");
+    let line = barrier.lines().find(|line| line.starts_with("stiffness")).unwrap();
+    let failed = |stiffness: &str, reason| {
+        let result = run(&barrier.replace(line, stiffness), 10_000);
+        assert_eq!(result.failed(Reason::Other), 0, "{stiffness}");
+        result.failed(reason) as f64
+    };
+    // From 6 to 60 km/h, those from 55.5 km/h on: a twelfth.
+    let test = "stiffness = { test = { mass = \"1200 kg\", speed = \"55.5 km/h\", width = \"150 cm\", depths = \"46 48 46 cm\", \
+                no_damage_speed = { low = \"6 km/h\", high = \"60 km/h\" } } }";
+    // √(n p (1 − p)) = 27.6
+    let failed_tests = failed(test, Reason::NoDamageSpeed);
+    assert!((10_000.0 / 12.0 - failed_tests).abs() < 4.0 * 27.6, "{failed_tests}");
+    // From 500 to 1500 N/cm, those below 700 N/cm: a fifth.
+    let limit = "stiffness = { A = \"700 N/cm\", B = \"50 N/cm^2\", limit = { low = \"500 N/cm\", high = \"1500 N/cm\" } }";
+    // √(n p (1 − p)) = 40
+    let failed_limits = failed(limit, Reason::LimitBelowStart);
+    assert!((2000.0 - failed_limits).abs() < 4.0 * 40.0, "{failed_limits}");
+}
+
 /// A vehicle with A and B as ranges: without G, each sample has G = A²/2B.
 #[test]
 fn g_follows_from_a_and_b_of_each_sample() {

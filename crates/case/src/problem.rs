@@ -172,6 +172,12 @@ pub enum Problem {
     /// A crush inferred from one that is not there.
     #[error("[{vehicle}.crush] takes its crush from the force balance, but [{other}] has no measured crush")]
     NothingMeasured { vehicle: &'static str, other: &'static str },
+    /// A force per width that is limited to less than it begins with; `start` names A and says what it is.
+    #[error("{path} is {limit}, but has to be at least {start}, at which crush begins")]
+    LimitBelowStart { path: String, limit: Quantity, start: String },
+    /// A speed without damage at which the test left some.
+    #[error("{path} is {value}, but has to be less than the {speed} of the test, which crushed the car")]
+    NoDamageSpeed { path: String, value: Quantity, speed: Quantity },
     /// What the engine refuses of a stiffness.
     #[error("{error}")]
     Stiffness { error: CrushError, remedy: &'static str },
@@ -363,6 +369,12 @@ impl Problem {
             }
             Self::NothingMeasured { other, .. } => {
                 format!("add [{other}.crush] with side, width, depths and stiffness")
+            }
+            Self::LimitBelowStart { .. } => {
+                "raise the limit, or leave it out where the force is not known to be limited".to_owned()
+            }
+            Self::NoDamageSpeed { .. } => {
+                "it is the speed up to which no crush remains, below the speed of the test".to_owned()
             }
             Self::Stiffness { remedy, .. } => (*remedy).to_owned(),
             Self::WidthMismatch { .. } => {

@@ -785,7 +785,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
             "sd",
             "{ values = …, sd = … }",
             Form::Deviation,
-            "Standard deviation. Beside `value`: a normal distribution.",
+            "Standard deviation. Beside `values`: a normal distribution.",
         ),
         key(
             "within",

@@ -62,6 +62,10 @@ pub(crate) fn problem(text: &str, span: &Range<usize>, message: &str, written: &
     let line = Line::at(text, span.start, message);
     match SLIPS.iter().find_map(|slip| slip(&line, written)) {
         Some((message, help)) => Problem::Syntax { message, help: help.into() },
+        None if message.contains("duplicate") => {
+            let message = repeated(text, span.start).unwrap_or_else(|| message.to_owned());
+            Problem::Syntax { message, help: help("duplicate").into() }
+        }
         None => {
             Problem::Syntax { message: message.to_owned(), help: written.suited("", help(message)).into() }
         }
@@ -85,6 +89,42 @@ fn help(message: &str) -> &'static str {
     } else {
         "write one key = value per line; text and quantities stand between quotes, as in speed = \"10 mph\""
     }
+}
+
+/// What stands twice, and where it stood first: where both are lines of their own.
+fn repeated(text: &str, at: usize) -> Option<String> {
+    let (start, end) = bounds_of_line(text, at);
+    let line = without_comment(&text[start..end]).trim();
+    let before = || text[..start].lines().map(|line| without_comment(line).trim()).enumerate();
+    if let Some(name) = name_of_table(line) {
+        let (first, _) = before().find(|(_, line)| name_of_table(line).as_ref() == Some(&name))?;
+        return Some(format!("the table [{}] stands twice, first on line {}", shorten(&name), first + 1));
+    }
+    // A key in braces is not looked for.
+    let key = line.split_once('=')?.0.trim();
+    if !text[start..at.min(end)].trim().is_empty() {
+        return None;
+    }
+    let of_table = before().filter(|(_, line)| name_of_table(line).is_some()).last();
+    let is_same = |line: &str| line.split_once('=').is_some_and(|(other, _)| other.trim() == key);
+    let (first, _) =
+        before().skip(of_table.map_or(0, |(header, _)| header)).find(|(_, line)| is_same(line))?;
+    Some(format!("the key \"{}\" stands twice, first on line {}", shorten(key), first + 1))
+}
+
+/// The name in the header of a table, without spaces.
+fn name_of_table(line: &str) -> Option<String> {
+    let name = line.strip_prefix('[')?.strip_suffix(']')?;
+    let is_name = name.chars().all(|c| c.is_alphanumeric() || "_-. ".contains(c));
+    is_name.then(|| name.replace(' ', ""))
+}
+
+/// (bytes) from a header that stands twice to the next header: what stands between them is double as well.
+pub(crate) fn section_of_header(text: &str, at: usize) -> Option<Range<usize>> {
+    let (start, end) = bounds_of_line(text, at);
+    name_of_table(without_comment(&text[start..end]).trim())?;
+    let next = text[end..].find("\n[").map_or(text.len(), |next| end + next);
+    Some(start..next)
 }
 
 /// The brace or bracket in which an error stands, if its own line leaves it open and does not mean to go on.

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, Args, Parser, ValueEnum};
 use clap_complete::Shell;
+use uncertainty::MIN_SAMPLES;
 
 /// Reconstructs a two-vehicle collision from its damage.
 ///
@@ -395,7 +396,7 @@ pub(crate) struct UncertaintyArguments {
     pub(crate) method: Method,
 
     /// Also compute Sobol' indices: how much of the variance each input brings. ROWS times as many evaluations as there are uncertain inputs, and two more
-    #[arg(long, value_name = "ROWS", num_args = 0..=1, require_equals = true, default_missing_value = "4096", value_parser = count)]
+    #[arg(long, value_name = "ROWS", num_args = 0..=1, require_equals = true, default_missing_value = "4096", value_parser = rows)]
     pub(crate) sobol: Option<usize>,
 
     /// Also write every sample, with its inputs, to FILE as CSV (SI units and radians); no .toml file is overwritten
@@ -428,6 +429,15 @@ fn count(text: &str) -> Result<usize, String> {
     number
         .flatten()
         .ok_or_else(|| "give a whole number, without commas or points, such as 100000 or 1e6".to_owned())
+}
+
+/// Before the samples are drawn, which may take minutes.
+fn rows(text: &str) -> Result<usize, String> {
+    let rows = count(text)?;
+    if rows < MIN_SAMPLES {
+        return Err(format!("the number of rows must be at least {MIN_SAMPLES}"));
+    }
+    Ok(rows)
 }
 
 fn degrees(text: &str) -> Result<f64, String> {

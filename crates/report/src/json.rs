@@ -155,11 +155,11 @@ struct Crash3Block {
     crush_energy: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     corrected_crush_energy: Option<f64>,
-    moment_arm: [f64; 2],
+    moment_arm: OfMovable,
     effective_mass_ratio: [f64; 2],
-    delta_v: [f64; 2],
+    delta_v: OfMovable,
     #[serde(skip_serializing_if = "Option::is_none")]
-    corrected_delta_v: Option<[f64; 2]>,
+    corrected_delta_v: Option<OfMovable>,
     #[serde(skip_serializing_if = "Option::is_none")]
     restitution_factor: Option<f64>,
     corrections: Vec<CorrectionBlock>,
@@ -171,7 +171,7 @@ struct CorrectionBlock {
     oblique: &'static str,
     factor: [f64; 2],
     crush_energy: f64,
-    delta_v: [f64; 2],
+    delta_v: OfMovable,
 }
 
 /// The analysis as indented JSON, ending in a line break.
@@ -228,10 +228,10 @@ pub(crate) fn document<'a>(
         crash3: analysis.crash3.as_ref().map(|crash3| Crash3Block {
             crush_energy: crash3.crush_energy,
             corrected_crush_energy: crash3.corrected.map(|corrected| corrected.crush_energy),
-            moment_arm: crash3.moment_arm,
+            moment_arm: of_movable(case, crash3.moment_arm),
             effective_mass_ratio: crash3.effective_mass_ratio,
-            delta_v: crash3.delta_v,
-            corrected_delta_v: crash3.corrected.map(|corrected| corrected.delta_v),
+            delta_v: of_movable(case, crash3.delta_v),
+            corrected_delta_v: crash3.corrected.map(|corrected| of_movable(case, corrected.delta_v)),
             restitution_factor: crash3.restitution_factor,
             corrections: crash3
                 .corrections
@@ -240,7 +240,7 @@ pub(crate) fn document<'a>(
                     oblique: law::correction_name(row.correction),
                     factor: row.factor,
                     crush_energy: row.crush_energy,
-                    delta_v: row.delta_v,
+                    delta_v: of_movable(case, row.delta_v),
                 })
                 .collect(),
         }),
@@ -309,6 +309,13 @@ fn vehicle(case: &Case, analysis: &Analysis, i: usize) -> VehicleBlock {
         peak_force: oblique.map(|oblique| oblique.peak_force),
         no_damage_speed: analysis.vehicles[i].no_damage_speed(),
     }
+}
+
+/// What only a vehicle has that can move: `None` of a fixed object.
+pub(crate) type OfMovable = [Option<f64>; 2];
+
+pub(crate) fn of_movable(case: &Case, values: [f64; 2]) -> OfMovable {
+    [0, 1].map(|i| (!case.vehicles[i].fixed).then_some(values[i]))
 }
 
 /// No minus before zero.

@@ -5,7 +5,7 @@ use case::{Axes, Case};
 use crash3::ObliqueCorrection;
 use serde::Serialize;
 
-use crate::json::WarningBlock;
+use crate::json::{OfMovable, WarningBlock, of_movable};
 use crate::text::{LINE, first_cell, wrapped};
 use crate::units::{Quantity, Units, number, significant};
 
@@ -36,14 +36,14 @@ struct DerivativeBlock<'a> {
 struct SweepBlock {
     change: f64,
     pdof: [Option<f64>; 2],
-    moment_arm: [f64; 2],
-    uncorrected_delta_v: [f64; 2],
+    moment_arm: OfMovable,
+    uncorrected_delta_v: OfMovable,
     #[serde(skip_serializing_if = "Option::is_none")]
-    delta_v: Option<[f64; 2]>,
+    delta_v: Option<OfMovable>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    capped_delta_v: Option<[f64; 2]>,
+    capped_delta_v: Option<OfMovable>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    uncapped_delta_v: Option<[f64; 2]>,
+    uncapped_delta_v: Option<OfMovable>,
 }
 
 /// The sensitivity as indented JSON, ending in a line break: `{"derivatives": [{"output": …, "input": …, "value": …}], "pdof_sweep": [{"change": …,
@@ -74,11 +74,11 @@ pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String
             .map(|row| SweepBlock {
                 change: row.change + 0.0,
                 pdof: row.pdof,
-                moment_arm: row.crash3.moment_arm,
-                uncorrected_delta_v: row.crash3.delta_v,
-                delta_v: row.crash3.corrected.map(|corrected| corrected.delta_v),
-                capped_delta_v: row.corrected(ObliqueCorrection::Capped),
-                uncapped_delta_v: row.corrected(ObliqueCorrection::Uncapped),
+                moment_arm: of_movable(case, row.crash3.moment_arm),
+                uncorrected_delta_v: of_movable(case, row.crash3.delta_v),
+                delta_v: row.crash3.corrected.map(|corrected| of_movable(case, corrected.delta_v)),
+                capped_delta_v: row.corrected(ObliqueCorrection::Capped).map(|dv| of_movable(case, dv)),
+                uncapped_delta_v: row.corrected(ObliqueCorrection::Uncapped).map(|dv| of_movable(case, dv)),
             })
             .collect(),
     };
@@ -99,7 +99,7 @@ pub fn sensitivity_text(case: &Case, sensitivity: &Sensitivity, units: Units) ->
              in % for 1 % of the input, or for 1° of an angle, whose zero is a matter of choice.",
         ));
     }
-    sweep(&mut text, sensitivity, units, case.axes);
+    sweep(&mut text, sensitivity, units, case);
     text
 }
 
@@ -165,7 +165,7 @@ fn derivatives(text: &mut String, group: &[Derivative], units: Units) {
     }
 }
 
-fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units, axes: Axes) {
+fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units, case: &Case) {
     if sensitivity.pdof_sweep.is_empty() {
         text.push('\n');
         text.push_str(&wrapped(
@@ -190,7 +190,8 @@ fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units, axes: Axes)
         let nominal = if row.change == 0.0 { " (nominal)" } else { "" };
         let change = format!("{}{nominal}", units.signed(Quantity::Angle, row.change));
         let directions = format!("{change:<22}{:>9}{:>9}", angle(row.pdof[0]), angle(row.pdof[1]));
-        for vehicle in [0, 1] {
+        // What is fixed has no ΔV.
+        for vehicle in [0, 1].into_iter().filter(|vehicle| !case.vehicles[*vehicle].fixed) {
             let cell = |dv: Option<[f64; 2]>| {
                 let dv = dv.map(|dv| units.plain(units.speed_alone(), dv[vehicle]));
                 format!("{:>12}", dv.unwrap_or_else(|| "–".to_owned()))
@@ -203,12 +204,13 @@ fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units, axes: Axes)
             ]
             .map(cell)
             .concat();
-            let directions = if vehicle == 0 { directions.as_str() } else { "" };
+            let is_first = vehicle == 0 || case.vehicles[0].fixed;
+            let directions = if is_first { directions.as_str() } else { "" };
             text.push_str(&format!("{directions:<40}{:>10}{cells}\n", vehicle + 1));
         }
     }
     text.push('\n');
-    let sense = match axes {
+    let sense = match case.axes {
         Axes::ZUp => "positive counter-clockwise as in Table 3 of SAE 980025",
         Axes::ZDown => "positive clockwise, against the sense of Table 3 of SAE 980025",
     };

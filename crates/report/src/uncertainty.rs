@@ -24,6 +24,8 @@ fn reason_name(reason: Reason) -> &'static str {
         Reason::EnergyCreated => "energy_created",
         Reason::Jam => "jam",
         Reason::Pulling => "pulling",
+        Reason::NoDamageSpeed => "no_damage_speed",
+        Reason::LimitBelowStart => "limit_below_start",
         Reason::Other => "other",
     }
 }

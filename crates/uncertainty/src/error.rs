@@ -88,6 +88,12 @@ pub enum InvalidRequest {
         /// Number of samples.
         samples: usize,
     },
+    /// A number of rows for the indices that tells nothing, or that no point set reaches.
+    #[error("the number of rows must be between {} and {MAX_SAMPLES}, and is {rows}", crate::MIN_SAMPLES)]
+    Rows {
+        /// Number of rows.
+        rows: usize,
+    },
     /// Two lists that belong together differ in length.
     #[error("there must be one {what} for each of the {expected} inputs, and there are {given}")]
     Length {

@@ -116,7 +116,12 @@ pub fn sensitivity<M: Model>(
     if inputs.is_empty() {
         return Err(InvalidRequest::NoInputs);
     }
-    let points = Points::new(settings.method, settings.seed, 2 * inputs.len(), settings.samples)?;
+    let points = Points::new(settings.method, settings.seed, 2 * inputs.len(), settings.samples).map_err(
+        |refusal| match refusal {
+            InvalidRequest::Samples { samples: rows } => InvalidRequest::Rows { rows },
+            refusal => refusal,
+        },
+    )?;
     let instructions = settings.instructions;
     let design = Design { model, inputs, points, shifts: shifts(instructions, model, inputs), instructions };
 

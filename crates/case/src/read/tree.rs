@@ -283,13 +283,22 @@ impl<'t> Reader<'t> {
         let mut in_array = false;
         // (bytes) where an unclosed brace or bracket begins: the parser takes all that follows for its content.
         let mut end = usize::MAX;
+        // (bytes) a table whose header stands twice, which is told once.
+        let mut double = 0..0;
         for (span, message) in errors {
+            let is_double = message.contains("duplicate");
+            if is_double && double.contains(&span.start) {
+                continue;
+            }
             // The first error of a line causes the others, and an unclosed list makes every later line an error.
             let first_of_line = broken_lines.insert(line(&span));
             let follows = in_array && message.contains("array");
             in_array |= message.contains("array");
             if !first_of_line || follows {
                 continue;
+            }
+            if is_double && let Some(section) = syntax::section_of_header(self.text, span.start) {
+                double = section;
             }
             if let Some(open) = all.is_empty().then(|| syntax::unclosed(self.text, &span, message)).flatten()
             {

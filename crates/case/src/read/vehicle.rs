@@ -8,7 +8,7 @@ use crate::case::{
     Velocity, YawInertia,
 };
 use crate::problem::Problem;
-use crate::quantity::{Quantity, format_number, shorten};
+use crate::quantity::{Limit, Quantity, format_limit, format_number, shorten};
 use crate::range::Bounds;
 use crate::schema::{
     CONTACT, CRUSH, MOST_ZONES, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY, ZONE,
@@ -277,6 +277,10 @@ impl<'t> Reader<'t> {
                                   depths = \"42 50 54 54 50 42 cm\", no_damage_speed = \"8 km/h\" }";
         const ZONE_FORMS: &str =
             "zones = [{ A = \"587 N/cm\", B = \"63.3 N/cm^2\" }, { A = \"400 N/cm\", B = \"50 N/cm^2\" }]";
+        const BESIDE_FORMS: &str = "limit and G beside A and B or beside d0 and d1, as in stiffness = { A = \"587 N/cm\", B = \"63.3 N/cm^2\", \
+                                    limit = \"1500 N/cm\" }; a category and a test stand alone";
+        const IN_ZONE_FORMS: &str = "limit and G in the zone that they are of, as in \
+                                     zones = [{ A = \"587 N/cm\", B = \"63.3 N/cm^2\", limit = \"1500 N/cm\" }, …]";
         let table = self.inline(crush, "stiffness", &STIFFNESS, "a table in braces", FORMS)?;
         match table.given(&["category", "test", "zones", "A", "B", "d0", "d1", "G", "limit"])[..] {
             ["category"] => {
@@ -299,6 +303,10 @@ impl<'t> Reader<'t> {
                     zones.iter().map(|zone| self.stiffness_line(zone, ZONE_FORMS)).collect();
                 lines.into_iter().collect::<Option<_>>().map(StiffnessForm::Zones)
             }
+            ["category" | "test", "G" | "limit"] | ["category" | "test", "G", "limit"] => {
+                self.no_form(&table, BESIDE_FORMS)
+            }
+            ["zones", "G" | "limit"] | ["zones", "G", "limit"] => self.no_form(&table, IN_ZONE_FORMS),
             ["category" | "test" | "zones", ..] => self.no_form(&table, FORMS),
             _ => self.stiffness_line(&table, FORMS).map(StiffnessForm::Line),
         }
@@ -331,14 +339,20 @@ impl<'t> Reader<'t> {
             _ => return self.no_form(table, forms),
         };
         if let Err(error) = line.stiffness() {
-            let remedy = match error {
-                CrushError::LimitBelowStart { .. } => {
-                    "raise the limit, or leave it out where the force is not known to be limited"
-                }
-                _ => "check the numbers and their units",
-            };
             let path = table.path_of("limit");
-            self.report_path(&path, Problem::Stiffness { error, remedy });
+            let problem = match (error, limit) {
+                (CrushError::LimitBelowStart { a, .. }, Some(limit)) => {
+                    let start = match &line {
+                        StiffnessLine::Crush { a, .. } => format!("A, {a}"),
+                        StiffnessLine::Root { .. } => {
+                            format!("A = d0·d1, {}", format_limit(a, limit.unit(), Limit::Least))
+                        }
+                    };
+                    Problem::LimitBelowStart { path: named(&path), limit, start }
+                }
+                _ => Problem::Stiffness { error, remedy: "check the numbers and their units" },
+            };
+            self.report_path(&path, problem);
             return None;
         }
         Some(line)
@@ -366,17 +380,19 @@ impl<'t> Reader<'t> {
             fit: fit.unwrap_or_default(),
         };
         if let Err(error) = test.stiffness() {
-            let (key, remedy) = match error {
-                CrushError::NoDamageSpeed { .. } => (
-                    "no_damage_speed",
-                    "it is the speed up to which no crush remains, below the speed of the test",
-                ),
-                CrushError::NoCrushInTest => {
-                    ("depths", "give the residual crush that was measured after the test")
+            let refused = |remedy| Problem::Stiffness { error, remedy };
+            let (key, problem) = match error {
+                CrushError::NoDamageSpeed { .. } => {
+                    let path = named(&table.path_of("no_damage_speed"));
+                    let (value, speed) = (test.no_damage_speed, test.speed);
+                    ("no_damage_speed", Problem::NoDamageSpeed { path, value, speed })
                 }
-                _ => ("speed", "check the numbers and their units"),
+                CrushError::NoCrushInTest => {
+                    ("depths", refused("give the residual crush that was measured after the test"))
+                }
+                _ => ("speed", refused("check the numbers and their units")),
             };
-            self.report_path(&table.path_of(key), Problem::Stiffness { error, remedy });
+            self.report_path(&table.path_of(key), problem);
             return None;
         }
         Some(test)
@@ -390,7 +406,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// Whether a text is a time of day, names the clock, or is a Collision Deformation Classification (SAE J224), which begins with the hour: "11FDEW2".
+/// Whether a text is a time of day, names the clock or the hour, or is a Collision Deformation Classification (SAE J224), which begins with the hour: "11FDEW2".
 fn is_like_a_clock(text: &str) -> bool {
     let is_cdc = matches!(text.trim().as_bytes(), [d1, d2, letters @ .., extent]
         if [d1, d2, extent].iter().all(|byte| byte.is_ascii_digit())
@@ -399,7 +415,10 @@ fn is_like_a_clock(text: &str) -> bool {
     let is_time = text.trim().split_once(':').is_some_and(|(hours, minutes)| {
         [hours, minutes].iter().all(|part| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit()))
     });
-    is_cdc || is_time || text.to_lowercase().contains("clock")
+    let lower = text.trim().to_lowercase();
+    let is_hour =
+        ["uhr", "hour", "hours", "h"].contains(&lower.trim_start_matches(|c: char| !c.is_alphabetic()));
+    is_cdc || is_time || is_hour || lower.contains("clock")
 }
 
 /// Whether the length stands without the rest of the outline, for the yaw inertia.

@@ -416,6 +416,8 @@ fn in_words(reason: Reason) -> &'static str {
         Reason::EnergyCreated => "the coefficients would create energy",
         Reason::Jam => "the contact jams",
         Reason::Pulling => "the vehicles would have to pull at each other",
+        Reason::NoDamageSpeed => "the speed without damage is not below that of the barrier test",
+        Reason::LimitBelowStart => "the limit of the force per width is below A, at which crush begins",
         Reason::Other => "the numbers are impossible for another reason",
     }
 }
