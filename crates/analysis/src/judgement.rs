@@ -1,10 +1,10 @@
 //! A case judged without solving it: what it can be used for, what is assumed, and the warnings that need no answer.
 
 use case::{
-    CaseFile, Crush, Diagnostics, ImpactLaw, InferredWidth, StiffnessForm, StiffnessLine, Subject, Velocity,
-    YawSource,
+    CaseFile, Crush, Diagnostics, ImpactLaw, Inertia, InferredWidth, StiffnessForm, StiffnessLine, Subject,
+    Velocity, YawSource,
 };
-use crash3::{EnergyBasis, Side, Structure};
+use crash3::{EnergyBasis, Side, Structure, VehicleClass};
 
 use crate::warning::{self, Warning};
 use crate::{Vehicle, checks, closing_speed, damage, law_at, uncertainty};
@@ -67,6 +67,13 @@ pub enum Assumption {
         vehicle: usize,
         /// (kg·m²) the estimate.
         yaw_inertia: f64,
+    },
+    /// Drawings take the outline of CRASH3's size class.
+    Outline {
+        /// Of which vehicle.
+        vehicle: usize,
+        /// The class whose radius of gyration is nearest, 1 to 6.
+        class: u8,
     },
     /// The speed that the file gives is the one sought, and is not used.
     SpeedUnused {
@@ -134,6 +141,7 @@ impl Assumption {
             Self::ClassInertia { vehicle, .. } | Self::BurgInertia { vehicle, .. } => {
                 (vehicle, "yaw_inertia")
             }
+            Self::Outline { vehicle, .. } => (vehicle, "length"),
             Self::SpeedUnused { vehicle, .. } => (vehicle, "speed"),
             Self::CategoryStiffness { vehicle, .. } => (vehicle, "crush.stiffness"),
             Self::EqualSpacing { vehicle } => (vehicle, "crush.spacing"),
@@ -149,6 +157,16 @@ impl Assumption {
         };
         format!("vehicle{vehicle}.{key}")
     }
+}
+
+/// The size class of CRASH3 whose radius of gyration is nearest, and its typical measures: what drawings show of a vehicle without an outline.
+#[must_use]
+pub fn nearest_class(inertia: &Inertia) -> Option<(u8, VehicleClass)> {
+    // k = √(I/m)
+    let radius = (inertia.yaw_inertia / inertia.mass).sqrt();
+    let distance = |class: &VehicleClass| (class.yaw_radius - radius).abs();
+    let known = (1..=6).filter_map(|class| VehicleClass::new(class).ok().map(|known| (class, known)));
+    known.min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)))
 }
 
 /// Judges a case without solving it.
@@ -270,6 +288,11 @@ fn assumed(file: &CaseFile, subjects: &[Option<Subject>; 2]) -> Vec<Assumption> 
                 }
                 YawSource::Burg => assumptions.push(Assumption::BurgInertia { vehicle: number, yaw_inertia }),
             }
+        }
+        if let Some(Subject { inertia: Some(inertia), dimensions: None, .. }) = subject
+            && let Some((class, _)) = nearest_class(inertia)
+        {
+            assumptions.push(Assumption::Outline { vehicle: number, class });
         }
         let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.index() == i);
         if let Some(motion) = vehicle.motion.filter(|_| sought) {

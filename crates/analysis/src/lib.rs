@@ -40,7 +40,7 @@ pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, first_push, work_curve};
 pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
-pub use judgement::{Ability, Assumption, Judgement, assumptions, judge};
+pub use judgement::{Ability, Assumption, Judgement, assumptions, judge, nearest_class};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
 pub use uncertainty::{
     Plan, REASONS, Reason, Stage, UncertainInput, UncertainOutput, Uncertainty, uncertainty,

@@ -272,3 +272,26 @@ fn what_stands_in_for_an_unknown_vehicle_is_listed() {
     });
     assert!((opposite.unwrap().to_degrees() + 135.0).abs() < 1e-9);
 }
+
+/// Radii of gyration of CRASH3's classes: SAE 870045, Table 2.
+#[test]
+fn an_outline_that_is_not_given_is_that_of_the_nearest_class() {
+    let outlines = |of_car: &str| -> Vec<Assumption> {
+        let text = PAPER.replace("yaw_inertia = \"2437 lb ft s^2\"", of_car);
+        assert_ne!(text, PAPER);
+        let assumed = judge(&parsed(&text)).assumptions.into_iter();
+        assumed.filter(|one| matches!(one, Assumption::Outline { vehicle: 1, .. })).collect()
+    };
+    for class in 1..=6 {
+        let radius = crash3::VehicleClass::new(class).unwrap().yaw_radius;
+        for off in [-0.001, 0.0, 0.001] {
+            let expected = Assumption::Outline { vehicle: 1, class };
+            assert_eq!(outlines(&format!("yaw_radius = \"{} m\"", radius + off)), [expected]);
+        }
+    }
+    for known in
+        ["class = 4", "yaw_radius = \"1.4 m\"\nlength = \"4.5 m\"\nwidth = \"1.8 m\"\ncg_to_front = \"2 m\""]
+    {
+        assert_eq!(outlines(known), []);
+    }
+}

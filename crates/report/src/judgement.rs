@@ -411,6 +411,9 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
             "{}, Burg's estimate from mass, wheelbase and length",
             units.format(Quantity::YawInertia, *yaw_inertia)
         ),
+        Assumption::Outline { class, .. } => format!(
+            "not given, nor `width`, `cg_to_front` or `class`: drawings take the outline of CRASH3's size class {class}, nearest by radius of gyration"
+        ),
         Assumption::SpeedUnused { given, .. } => format!(
             "unknown: this is the speed to be found, and the {} that the file gives is not used",
             units.format(Quantity::Speed, *given)

@@ -2,7 +2,7 @@
 
 use analysis::{Damage, Vehicle};
 use case::{Case, Dimensions};
-use crash3::{Side, VehicleClass};
+use crash3::Side;
 use kurbo::{Affine, BezPath, Point, Rect, RoundedRect, Shape as _, Vec2};
 
 /// The body seen from above, in its own axes: x forward, y left of the CG (m).
@@ -23,9 +23,6 @@ pub(super) enum Outline {
     Nearest(u8),
 }
 
-/// The class whose outline stands in where not even the yaw inertia is known.
-const MIDDLE_CLASS: u8 = 3;
-
 impl Body {
     /// The vehicle's own outline, else that of the CRASH3 class whose radius of gyration is nearest; `None` for a fixed object without one.
     pub(super) fn of(vehicle: &Vehicle) -> Option<Self> {
@@ -33,15 +30,7 @@ impl Body {
             let outline = dimensions.class.map_or(Outline::Given, Outline::OfClass);
             return Some(Self { dimensions, outline });
         }
-        let inertia = vehicle.subject.inertia?;
-        // k = √(I/m)
-        let radius = (inertia.yaw_inertia / inertia.mass).sqrt();
-        let distance = |class: &VehicleClass| (class.yaw_radius - radius).abs();
-        let nearest = (1..=6)
-            .filter_map(|class| VehicleClass::new(class).ok().map(|known| (class, known)))
-            .min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)));
-        let (class, known) =
-            nearest.or_else(|| VehicleClass::new(MIDDLE_CLASS).ok().map(|c| (MIDDLE_CLASS, c)))?;
+        let (class, known) = analysis::nearest_class(&vehicle.subject.inertia?)?;
         let dimensions = Dimensions {
             length: known.length,
             width: known.width,

@@ -255,7 +255,9 @@ fn velocity_changes(analysis: &Analysis, axes: Axes) -> Vec<Step> {
         ));
     }
     steps.push(super::damage::total(analysis, crash3.crush_energy, "Eq 5"));
+    // The impulse has a ΔV_1 of its own.
     let change = |steps: &mut Vec<Step>, name: &str, prime: &str, energy: f64, delta_v: [f64; 2]| {
+        let symbol = if prime.is_empty() { "ΔV_CRASH3,".to_owned() } else { format!("ΔV{prime}_") };
         for &(i, mass, _) in &vehicles {
             let k = i + 1;
             let (mut formula, mut numbers) = (Vec::new(), Vec::new());
@@ -265,7 +267,7 @@ fn velocity_changes(analysis: &Analysis, axes: Axes) -> Vec<Step> {
             }
             steps.push(step(
                 format!("velocity change of vehicle {k}, {name}"),
-                format!("ΔV{prime}_{k}"),
+                format!("{symbol}{k}"),
                 format!("√(2 E{prime}/[{}])/m_{k}", formula.join(" + ")),
                 format!("√(2 · {} / ({})) / {}", n(energy, "J"), numbers.join(" + "), n(mass, "kg")),
                 delta_v[i],
