@@ -62,6 +62,7 @@ fn a_search_for_a_speed_allocates_nothing() {
             .unwrap();
             problem.solve().unwrap();
             problem.root_finder().unwrap();
+            assert!(problem.speeds().count() > 0);
         });
         assert_eq!(info.count_total, 0, "{law:?}");
     }

@@ -101,6 +101,28 @@ pub fn brent(
     Err(RootError::NotConverged { last: b, residual: fb })
 }
 
+/// The ends of a narrowed bracket are within this factor of each other, 2^¼.
+const NARROW: f64 = 1.189_207_115_002_721;
+
+/// A bracket of the same change of sign with ends of nearly one size, from one whose lower end is zero or more. [`brent`] resolves a
+/// root relative to its size, and may need more than [`MAX_STEPS`] for one that is small beside its bracket.
+pub(crate) fn narrowed(f: impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2]) -> [f64; 2] {
+    let below = f(low) < 0.0;
+    let is_left = |x: f64| (f(x) < 0.0) == below;
+    while high > NARROW * low {
+        let x = if low > 0.0 { low.sqrt() * high.sqrt() } else { high / 1024.0 };
+        if x == 0.0 {
+            break;
+        }
+        if is_left(x) {
+            low = x;
+        } else {
+            high = x;
+        }
+    }
+    [low, high]
+}
+
 /// The step from b at which the inverse parabola through the three points (a secant where a = c) is zero.
 fn interpolate([a, b, c]: [f64; 3], [fa, fb, fc]: [f64; 3]) -> f64 {
     let s = fb / fa;

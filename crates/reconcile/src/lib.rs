@@ -18,16 +18,17 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The types: a [`Problem`] is a collision with one [`Unknown`] speed; solving it gives a [`Reconciliation`], which holds the speed, all
-//! admissible [`Roots`], the impact at that speed, and the [`Method`] that found it.
+//! The types: a [`Problem`] is a collision with one [`Unknown`] speed; solving it gives a [`Reconciliation`], which holds the speed, the
+//! impact at that speed, and the [`Method`] that found it. [`Problem::speeds`] lists all admissible speeds.
 //!
 //! # Guarantees
 //!
-//! - The relative velocity at C is affine in the speed. Under an impact law without a limit, W_n is then quadratic in it and the answer is a closed form;
-//!   under a friction limit, a fraction of μ_c or a restitution that depends on the closing speed, Brent's method ([`brent`]) refines brackets from
-//!   a scan. Both agree to 1e-10 where both apply.
-//! - An admissible speed is one of at most 1000 m/s at which the vehicles approach, push, and lose energy. Of several, the answer is the one with the
-//!   slowest approach, and all are listed.
+//! - The relative velocity at C is affine in the speed. Under an impact law without a limit, W_n is then quadratic in it and the answer
+//!   is a closed form. Under a friction limit, a fraction of μ_c or a restitution that depends on the closing speed, W_n is a ratio of
+//!   polynomials piece by piece; their extrema isolate the roots, which Brent's method ([`brent`]) finds. Both agree to 1e-10 where
+//!   both apply.
+//! - An admissible speed is one of at most 1000 m/s at which the vehicles approach, push, and lose energy. All are found, however many
+//!   and however near to each other; the answer is the one with the slowest approach.
 //! - [`Problem::residual`] gives the exact derivatives of a root, on numbers that carry their derivative.
 //! - Nothing is allocated.
 //!
@@ -38,11 +39,17 @@
 //! It finds one speed along a heading, from the energy alone. It does not measure crush (see `crash3`), nor does it use
 //! rest positions or momentum after impact.
 
+mod answer;
 mod brent;
+mod closed_form;
 mod error;
+mod nearest;
+mod pieces;
+mod polynomial;
 mod problem;
 
+pub use answer::{FASTEST, Iteration, Iterations, Method, Reconciliation};
 pub use brent::{MAX_STEPS, RootError, brent};
 pub use crash3::EnergyBasis;
 pub use error::ReconcileError;
-pub use problem::{FASTEST, Iteration, Iterations, Method, Problem, Reconciliation, Roots, Unknown};
+pub use problem::{Problem, Unknown};

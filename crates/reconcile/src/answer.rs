@@ -1,0 +1,135 @@
+//! What a search for the speed finds.
+
+use pim_core::{Law, Outcome, Real};
+
+use crate::brent::MAX_STEPS;
+use crate::error::ReconcileError;
+use crate::problem::Problem;
+
+/// (m/s) no vehicle is faster: beyond, a root is one of the equations alone.
+pub const FASTEST: f64 = 1000.0;
+
+/// The answer: the speed, and the impact that it makes.
+#[derive(Clone, Copy, Debug)]
+pub struct Reconciliation<T = f64> {
+    /// (m/s) the speed found, along the vehicle's heading. Of several admissible speeds, the one with the slowest approach.
+    pub speed: T,
+    /// How many speeds are admissible: [`Problem::speeds`] lists them.
+    pub admissible: usize,
+    /// The law at the speed found: the given one, with the restitution of this closing speed where that varies.
+    pub law: Law<T>,
+    /// The impact at the speed found.
+    pub outcome: Outcome<T>,
+    /// (J) the normal work that was sought: the crush energy on the basis `dissipated`.
+    pub normal_work: T,
+    /// How the speed was found.
+    pub method: Method,
+}
+
+/// How a speed was found.
+#[derive(Clone, Copy, Debug)]
+#[expect(clippy::large_enum_variant, reason = "a box would be an allocation")]
+pub enum Method {
+    /// W_n is quadratic in the speed.
+    ClosedForm,
+    /// Brent's method.
+    RootFinder(Iterations),
+}
+
+/// One step of the root-finder.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Iteration {
+    /// (m/s) speed tried.
+    pub speed: f64,
+    /// (J) W_n at that speed.
+    pub normal_work: f64,
+}
+
+/// The steps that led to the speed found.
+#[derive(Clone, Copy)]
+pub struct Iterations {
+    steps: [Iteration; MAX_STEPS],
+    count: usize,
+}
+
+impl std::fmt::Debug for Iterations {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_list().entries(self.as_slice()).finish()
+    }
+}
+
+impl Iterations {
+    pub(crate) fn none() -> Self {
+        Self { steps: [Iteration::default(); MAX_STEPS], count: 0 }
+    }
+
+    pub(crate) fn push(&mut self, step: Iteration) {
+        if let Some(place) = self.steps.get_mut(self.count) {
+            *place = step;
+            self.count += 1;
+        }
+    }
+
+    /// The steps in the order in which they were made.
+    #[must_use]
+    pub fn as_slice(&self) -> &[Iteration] {
+        &self.steps[..self.count]
+    }
+}
+
+/// Whether a speed is one of the equations alone.
+#[inline(always)]
+pub(crate) fn is_too_fast<T: Real>(speed: T) -> bool {
+    speed.abs() > T::from(FASTEST)
+}
+
+/// Judges the speeds that give the energy, in the order of their approach.
+pub(crate) struct Search<'a, T> {
+    problem: &'a Problem<'a, T>,
+    first: Option<(T, Law<T>, Outcome<T>, Method)>,
+    admissible: usize,
+    refused: Option<ReconcileError>,
+}
+
+impl<'a, T: Real> Search<'a, T> {
+    pub(crate) fn new(problem: &'a Problem<'a, T>) -> Self {
+        Self { problem, first: None, admissible: 0, refused: None }
+    }
+
+    pub(crate) fn consider(&mut self, speed: T, method: Method) {
+        if is_too_fast(speed) {
+            return;
+        }
+        let problem = self.problem;
+        match problem.impact(speed) {
+            Ok((law, outcome)) => {
+                self.admissible += 1;
+                if self.first.is_none() {
+                    self.first = Some((speed, law, outcome, method));
+                }
+            }
+            Err(reason) => {
+                let vehicle = problem.vehicle();
+                self.refused.get_or_insert(ReconcileError::Inadmissible {
+                    vehicle,
+                    speed: speed.value(),
+                    reason,
+                });
+            }
+        }
+    }
+
+    pub(crate) fn finish(self) -> Result<Reconciliation<T>, ReconcileError> {
+        let problem = self.problem;
+        match self.first {
+            Some((speed, law, outcome, method)) => {
+                let normal_work = problem.sought(&law);
+                Ok(Reconciliation { speed, admissible: self.admissible, law, outcome, normal_work, method })
+            }
+            None => Err(self.refused.unwrap_or(ReconcileError::NotReached {
+                vehicle: problem.vehicle(),
+                energy: problem.sought(&problem.law).value(),
+            })),
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! How near a problem without an answer comes to one.
+
+use std::iter::{once, successors};
+
+use pim_core::ImpactError;
+
+use crate::answer::Iteration;
+use crate::problem::Problem;
+
+/// The scan of approach speeds goes from this share of the one that a frictionless impact would need …
+const SCAN_START: f64 = 1.0 / 1024.0;
+/// … by this factor, 2^¹⁄₃₂, …
+const SCAN_RATIO: f64 = 1.021_897_148_654_116_7;
+/// … to 1024 times that speed.
+const SCAN_SAMPLES: usize = 641;
+/// The best of the samples is narrowed by thirds, (2/3)⁴⁴ ≈ 2⁻²⁶: there W_n is as near as at its turn but for rounding.
+const TURN_STEPS: usize = 44;
+
+impl Problem<'_, f64> {
+    /// How near a problem without an answer comes to one, to tell beside [`ReconcileError::NotReached`]: of all impacts that can happen, that whose normal
+    /// work is nearest to the one sought, by a scan of the approach speed.
+    ///
+    /// # Errors
+    /// Why none can happen: the reason at the approach speed that a frictionless impact would need.
+    pub fn nearest(&self) -> Result<Iteration, ImpactError> {
+        let frictionless = self.frictionless_approach_speed();
+        // As a share, so that under a curve of restitution each speed is held against what is sought there.
+        let miss = |x: f64| match self.impact(self.line.speed(x)) {
+            Ok((law, outcome)) => (outcome.energy.normal_work / self.sought(&law) - 1.0).abs(),
+            Err(_) => f64::INFINITY,
+        };
+        let scan = successors(Some(frictionless * SCAN_START), |x| Some(x * SCAN_RATIO));
+        let best = once(frictionless)
+            .chain(scan.take(SCAN_SAMPLES))
+            .min_by(|&a, &b| miss(a).total_cmp(&miss(b)))
+            .unwrap_or(frictionless);
+        let (mut low, mut high) = (best / SCAN_RATIO, best * SCAN_RATIO);
+        for _ in 0..TURN_STEPS {
+            let [left, right] = thirds(low, high);
+            if miss(left) < miss(right) {
+                high = right;
+            } else {
+                low = left;
+            }
+        }
+        let speed = self.line.speed(if miss(low) < miss(best) { low } else { best });
+        self.impact(speed).map(|(_, outcome)| Iteration { speed, normal_work: outcome.energy.normal_work })
+    }
+}
+
+fn thirds(a: f64, b: f64) -> [f64; 2] {
+    [(2.0 * a + b) / 3.0, (a + 2.0 * b) / 3.0]
+}

@@ -1,0 +1,385 @@
+//! All approach speeds at which W_n has the value sought.
+//!
+//! The relative velocity at C is affine in the approach speed x = −u_n, and e is linear in x between two points of a restitution
+//! curve. So the range of x falls into *stretches* of linear e, and these into *pieces* in which one law without a limit holds: a
+//! piece ends where sliding begins, ends or turns, where the contact jams, or where the law ceases to push. Within a piece W_n minus
+//! the value sought is a ratio of polynomials of x:
+//!
+//! | law | P_n | degree of the numerator, e constant | e linear |
+//! |---|---|---:|---:|
+//! | a condition on U_t, or a ratio; sticking or sliding under a friction limit; with a moment impulse or without | polynomial | 2 | 4 |
+//! | fraction of μ_c | c_n (1+e) x / d | 3 | 6 |
+//! | fraction of μ_c with a moment impulse | see [`Problem::fraction_of_critical`] | 4 | 8 |
+//!
+//! The extrema of the numerator part each piece so that each part has at most one root (Rolle), which Brent's method finds on the law's
+//! own W_n. A jump of W_n from one piece to the next is no change of sign within a piece, so it is never taken for a root.
+
+use crash3::EnergyBasis;
+use pim_core::{Law, LawImpulse, Regime, RestitutionCurve, Tangential};
+
+use crate::answer::{FASTEST, Iteration, Iterations};
+use crate::brent::{RootError, brent, narrowed};
+use crate::error::ReconcileError;
+use crate::polynomial::{Points, Polynomial, opposite};
+use crate::problem::Problem;
+
+/// Relative distance in normal work within which a root counts as one: far above the root-finder's rounding, far below what any
+/// measurement of crush resolves.
+const ENERGY_MATCH: f64 = 1e-9;
+
+/// The contact may jam at the end of a piece under a fraction of μ_c, and W_n is infinite there: its sign is taken at this relative
+/// distance, far above rounding.
+const BESIDE_A_JAM: f64 = 1e-12;
+
+/// An approach speed at which W_n has the value sought.
+pub(crate) struct Root {
+    /// (m/s) x = −u_n.
+    pub(crate) x: f64,
+    /// How it was found.
+    pub(crate) iterations: Iterations,
+}
+
+/// A range of approach speeds x = start + length t in which e is linear in t.
+#[derive(Clone, Copy)]
+struct Stretch {
+    start: f64,
+    length: f64,
+    /// The law at t = 0 and at t = 1.
+    laws: [Law; 2],
+    /// (m/s) the approach speeds that belong to it.
+    range: [f64; 2],
+}
+
+impl Stretch {
+    fn parameter(&self, x: f64) -> f64 {
+        (x - self.start) / self.length
+    }
+
+    fn approach_speed(&self, t: f64) -> f64 {
+        let [low, high] = self.range;
+        (self.start + self.length * t).max(low).min(high)
+    }
+
+    /// The interval of t.
+    fn interval(&self) -> [f64; 2] {
+        self.range.map(|x| self.parameter(x))
+    }
+
+    /// x(t).
+    fn x(&self) -> Polynomial {
+        Polynomial::new([self.start, self.length])
+    }
+
+    /// 1 + c e(t).
+    fn one_plus(&self, c: f64) -> Polynomial {
+        let [e0, e1] = self.laws.map(|law| law.restitution());
+        if e0 == e1 {
+            Polynomial::new([1.0 + c * e0])
+        } else {
+            Polynomial::new([1.0 + c * e0, c * (e1 - e0)])
+        }
+    }
+
+    /// The polynomial of t of something that is affine in x and affine in e.
+    fn polynomial(&self, value: impl Fn(&Law, f64) -> f64) -> Polynomial {
+        let ends = [self.start, self.start + self.length];
+        let [from, to] = &self.laws;
+        let [a, b] = ends.map(|x| value(from, x));
+        if from == to {
+            return Polynomial::new([a, b - a]);
+        }
+        let [c, d] = ends.map(|x| value(to, x));
+        // a (1−t)² + (b + c) t (1−t) + d t²
+        let middle = b + c;
+        Polynomial::new([a, middle - 2.0 * a, a + d - middle])
+    }
+}
+
+/// The law without a limit that holds in a piece.
+#[derive(Clone, Copy)]
+enum Branch {
+    /// The law itself, which has no limit.
+    Own,
+    /// Friction suffices for the law's condition on U_t.
+    Full,
+    /// The impulse ratio is the friction limit, against the sliding.
+    Ratio(f64),
+}
+
+impl Branch {
+    fn law(self, law: &Law) -> Law {
+        match self {
+            Self::Own => *law,
+            Self::Full => law.without_limit(),
+            Self::Ratio(mu) => law.with_ratio(mu),
+        }
+    }
+}
+
+/// Approach speeds between which W_n less the value sought changes its sign once, under one branch of the law.
+struct Bracket {
+    ends: [f64; 2],
+    branch: Branch,
+}
+
+impl Problem<'_, f64> {
+    /// The approach speeds at which W_n has the value sought, in ascending order: all up to [`FASTEST`].
+    pub(crate) fn roots(&self) -> impl Iterator<Item = Result<Root, ReconcileError>> {
+        let mut last = f64::NAN;
+        self.stretches()
+            .flat_map(move |stretch| {
+                self.pieces(stretch).flat_map(move |piece| self.brackets(stretch, piece))
+            })
+            .filter_map(|bracket| self.root(&bracket).transpose())
+            // A root on the border of two pieces belongs to both.
+            .filter(move |root| {
+                root.as_ref().is_err()
+                    || root.as_ref().is_ok_and(|root| std::mem::replace(&mut last, root.x) != root.x)
+            })
+    }
+
+    /// The ranges in which e is linear, as far as the vehicles approach and the unknown is no faster than [`FASTEST`].
+    fn stretches(&self) -> impl Iterator<Item = Stretch> {
+        let points = self.restitution.map_or(&[][..], RestitutionCurve::points);
+        let [least, most] = self.reach();
+        let size = self.frictionless_approach_speed();
+        // Outside of the points e is constant.
+        let constant = move |from: f64, to: f64| {
+            let laws = [self.law(from); 2];
+            Stretch { start: 0.0, length: size, laws, range: [from, to] }
+        };
+        let before = constant(0.0, points.first().map_or(f64::INFINITY, |&(x, _)| x));
+        let between = points.windows(2).filter_map(move |pair| match *pair {
+            [(from, _), (to, _)] => {
+                let laws = [self.law(from), self.law(to)];
+                Some(Stretch { start: from, length: to - from, laws, range: [from, to] })
+            }
+            _ => None,
+        });
+        let after = points.last().map(|&(x, _)| constant(x, f64::INFINITY));
+        std::iter::once(before)
+            .chain(between)
+            .chain(after)
+            .map(move |stretch| {
+                let [from, to] = stretch.range;
+                Stretch { range: [from.max(least), to.min(most)], ..stretch }
+            })
+            .filter(|stretch| {
+                let [from, to] = stretch.range;
+                // With e = 1 throughout no work is done.
+                from < to && !stretch.laws.iter().all(|law| law.restitution() == 1.0)
+            })
+    }
+
+    /// (m/s) the least and the greatest approach speed that a speed of at most [`FASTEST`] makes.
+    fn reach(&self) -> [f64; 2] {
+        // x = −(u_n(s=0) + s w_n)
+        let (at_rest, reach) = (self.line.at_rest.normal, self.line.slope.normal.abs() * FASTEST);
+        [(-at_rest - reach).max(0.0), reach - at_rest]
+    }
+
+    /// The pieces of a stretch, as intervals of t.
+    fn pieces(&self, stretch: Stretch) -> impl Iterator<Item = [f64; 2]> {
+        let [from, to] = stretch.interval();
+        let mut left = from;
+        self.borders(&stretch).into_iter().chain([to]).filter_map(move |right| {
+            let piece = [left, right];
+            left = right;
+            (piece[0] < piece[1]).then_some(piece)
+        })
+    }
+
+    /// Where one piece of a stretch ends and the next begins.
+    fn borders(&self, stretch: &Stretch) -> Points {
+        let interval = stretch.interval();
+        let roots = |polynomial: Polynomial| polynomial.roots(interval);
+        match self.law.tangential() {
+            // Friction suffices between P_t = −limit P_n and P_t = limit P_n; beyond, it turns about where the sliding does.
+            Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
+                let spare = |c_t: f64| {
+                    roots(stretch.polynomial(|law, x| {
+                        let p = self.impulse(&law.without_limit(), x).linear;
+                        limit * p.normal + c_t * p.tangential
+                    }))
+                };
+                let sliding = stretch.polynomial(|law, x| {
+                    let free = self.impulse(&law.with_ratio(0.0), x);
+                    let k = self.contact.inverse_mass();
+                    k.separation(self.line.at(x), free.linear, free.moment).velocity.tangential
+                });
+                spare(1.0).merged(spare(-1.0)).merged(roots(sliding))
+            }
+            Tangential::FractionOfCritical(f) if f != 0.0 => {
+                let critical = self.critical(stretch);
+                let borders = roots(critical.normal).merged(roots(self.normal_jam(&critical, f)));
+                if self.law.has_moment() {
+                    borders.merged(roots(self.moment_jam(&critical, f)))
+                } else {
+                    borders
+                }
+            }
+            Tangential::FractionOfCritical(_)
+            | Tangential::Critical
+            | Tangential::Ratio(_)
+            | Tangential::VelocityChange(_)
+            | Tangential::Restitution(_) => Points::none(),
+        }
+    }
+
+    /// The law that holds in a piece, told from its middle.
+    fn branch(&self, x: f64) -> Branch {
+        match self.law.tangential() {
+            Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
+                let LawImpulse { linear: p, regime, .. } = self.impulse(&self.law(x), x);
+                match regime {
+                    Some(Regime::Sliding) if p.normal * p.tangential < 0.0 => Branch::Ratio(-limit),
+                    Some(Regime::Sliding) => Branch::Ratio(limit),
+                    Some(Regime::Full) | None => Branch::Full,
+                }
+            }
+            // Without friction, whatever μ_c.
+            Tangential::FractionOfCritical(0.0) => Branch::Ratio(0.0),
+            _ => Branch::Own,
+        }
+    }
+
+    /// Where W_n passes the value sought within a piece.
+    fn brackets(&self, stretch: Stretch, piece: [f64; 2]) -> impl Iterator<Item = Bracket> {
+        let branch = self.branch(stretch.approach_speed(0.5 * (piece[0] + piece[1])));
+        let [mut low, mut high] = piece.map(|t| stretch.approach_speed(t));
+        if let Tangential::FractionOfCritical(_) = self.law.tangential() {
+            low *= 1.0 + BESIDE_A_JAM;
+            high *= 1.0 - BESIDE_A_JAM;
+        }
+        let isolating = self.excess(&stretch, branch).extrema(piece);
+        let mut left = (low, self.missing(branch, low));
+        isolating
+            .into_iter()
+            .map(move |t| stretch.approach_speed(t).max(low).min(high))
+            .chain([high])
+            // Between two jams next to each other rounding leaves nothing.
+            .take_while(move |_| low < high)
+            .filter_map(move |x| {
+                let right = (x, self.missing(branch, x));
+                let ends = [left.0, right.0];
+                let changes = opposite(left.1, right.1);
+                left = right;
+                changes.then_some(Bracket { ends, branch })
+            })
+    }
+
+    /// (J) the numerator of W_n less the value sought, as a crush energy on the basis.
+    fn excess(&self, stretch: &Stretch, branch: Branch) -> Polynomial {
+        let (push, divisor) = match (branch, self.law.tangential()) {
+            (Branch::Own, Tangential::FractionOfCritical(f)) => self.fraction_of_critical(stretch, f),
+            _ => {
+                let push = stretch.polynomial(|law, x| self.impulse(&branch.law(law), x).linear.normal);
+                (push, Polynomial::new([1.0]))
+            }
+        };
+        let work = 0.5 * (stretch.x() * push);
+        let sought = -self.crush_energy * divisor;
+        match self.basis {
+            // ½ (1−e) x P_n − E
+            EnergyBasis::Dissipated => stretch.one_plus(-1.0) * work + sought,
+            // ½ x P_n/(1+e) − E
+            EnergyBasis::Absorbed => work + stretch.one_plus(1.0) * sought,
+        }
+    }
+
+    /// Numerator and denominator of P_n under a fraction of μ_c, with the critical impulse c, μ = f c_t/c_n,
+    /// d = k_nn c_n + f k_nt c_t and n = k_nm c_n + f k_tm c_t:
+    ///
+    /// - P_n = c_n (1+e) x / d without a moment impulse,
+    /// - P_n = c_n [(1+e) x g + (1+e_m) k_nm (s d + (1+e) x n)] / (d g) with one, where s = ω₁ − ω₂ and g = k_mm d − k_nm n.
+    fn fraction_of_critical(&self, stretch: &Stretch, f: f64) -> (Polynomial, Polynomial) {
+        let k = self.contact.inverse_mass();
+        let critical = self.critical(stretch);
+        let d = self.normal_jam(&critical, f);
+        // (1+e) x = −(1+e) u_n
+        let change = stretch.one_plus(1.0) * stretch.x();
+        if !self.law.has_moment() {
+            return (critical.normal * change, d);
+        }
+        let g = self.moment_jam(&critical, f);
+        let n = k.nm * critical.normal + (f * k.tm) * critical.tangential;
+        let turning = self.line.spin * d + change * n;
+        let share = (1.0 + self.law.moment_restitution()) * k.nm;
+        (critical.normal * (change * g + share * turning), d * g)
+    }
+
+    /// The critical impulse c, up to a factor.
+    fn critical(&self, stretch: &Stretch) -> Critical {
+        let part = |along_normal: bool| {
+            stretch.polynomial(|law, x| {
+                let c = self.impulse(&law.without_limit(), x).linear;
+                if along_normal { c.normal } else { c.tangential }
+            })
+        };
+        Critical { normal: part(true), tangential: part(false) }
+    }
+
+    /// d = k_nn c_n + f k_nt c_t: the contact jams where it is zero.
+    fn normal_jam(&self, critical: &Critical, f: f64) -> Polynomial {
+        let k = self.contact.inverse_mass();
+        k.nn * critical.normal + (f * k.nt) * critical.tangential
+    }
+
+    /// g = k_mm d − k_nm n: where it is zero, no moment impulse gives a common yaw rate.
+    fn moment_jam(&self, critical: &Critical, f: f64) -> Polynomial {
+        let k = self.contact.inverse_mass();
+        let n = k.nm * critical.normal + (f * k.tm) * critical.tangential;
+        k.mm * self.normal_jam(critical, f) + -k.nm * n
+    }
+
+    fn impulse(&self, law: &Law, x: f64) -> LawImpulse {
+        law.impulse(&self.contact.inverse_mass(), self.line.at(x))
+    }
+
+    /// (J) W_n at the approach speed x less the value sought, as a crush energy on the basis.
+    fn missing(&self, branch: Branch, x: f64) -> f64 {
+        let law = branch.law(&self.law(x));
+        // Where the vehicles just touch no work is done, whatever the quotient of two zeros.
+        let work = if x == 0.0 {
+            0.0
+        } else {
+            match self.basis {
+                EnergyBasis::Dissipated => self.work_at(&law, self.line.at(x)),
+                // W_n/(1−e²) = ½ x P_n/(1+e), which is finite where e = 1
+                EnergyBasis::Absorbed => {
+                    0.5 * x * self.impulse(&law, x).linear.normal / (1.0 + law.restitution())
+                }
+            }
+        };
+        work - self.crush_energy
+    }
+
+    /// The root in a bracket; `None` where rounding has made a bracket beside a jump.
+    fn root(&self, bracket: &Bracket) -> Result<Option<Root>, ReconcileError> {
+        let mut iterations = Iterations::none();
+        let observe = |x: f64, residual: f64| {
+            iterations.push(Iteration {
+                speed: self.line.speed(x),
+                normal_work: self.basis.dissipated(residual + self.crush_energy, self.law(x).restitution()),
+            });
+        };
+        let missing = |x: f64| self.missing(bracket.branch, x);
+        match brent(missing, narrowed(missing, bracket.ends), 0.0, observe) {
+            Ok(x) => {
+                let is_root = self.missing(Branch::Own, x).abs() <= self.crush_energy * ENERGY_MATCH;
+                Ok(is_root.then_some(Root { x, iterations }))
+            }
+            Err(RootError::NotBracketed { .. }) => Ok(None),
+            Err(RootError::NotConverged { residual, .. }) if !residual.is_finite() => Ok(None),
+            Err(RootError::NotConverged { last, residual }) => {
+                Err(ReconcileError::NotConverged { last: self.line.speed(last), residual })
+            }
+        }
+    }
+}
+
+/// The critical impulse of a law.
+struct Critical {
+    normal: Polynomial,
+    tangential: Polynomial,
+}
