@@ -27,7 +27,7 @@ const BEYOND: f64 = 0.2;
 pub fn work_curve(file: &CaseFile, found: &Found, samples: usize) -> Result<Vec<WorkPoint>, Failure> {
     at(file, &file.case, |problem| {
         let touch = problem.touching_speed();
-        let steps = found.iterations.iter().map(|step| step.speed);
+        let steps = found.iterations.iter().flatten().map(|step| step.speed);
         let farthest = found.admissible.iter().copied().chain(steps).fold(found.speed, |far, speed| {
             if (speed - touch).abs() > (far - touch).abs() { speed } else { far }
         });

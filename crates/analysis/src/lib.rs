@@ -84,8 +84,8 @@ pub struct Found {
     pub crush_energy: f64,
     /// (J) normal work sought: the crush energy, less what restitution gives back where the basis is absorbed energy.
     pub normal_work: f64,
-    /// The steps of the root-finder; none where a closed form gave the answer.
-    pub iterations: Vec<Iteration>,
+    /// The steps of the root-finder; `None` where a closed form gave the answer.
+    pub iterations: Option<Vec<Iteration>>,
 }
 
 /// An impact with what it was computed from.
@@ -178,27 +178,28 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
     // The uncorrected energies do not depend on the impact; a force balance takes its directions from the file.
     let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
-    let answer = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)
+    let (answer, speeds) = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)
         .map_err(Failure::from)
         .and_then(|problem| {
             let problem = problem.with_restitution_curve(restitution_curve.as_ref());
-            problem.solve().map_err(|refusal| match refusal {
+            let answer = problem.solve().map_err(|refusal| match refusal {
                 ReconcileError::NotReached { vehicle, energy } => {
                     Failure::NotReached { vehicle, energy, nearest: problem.nearest() }
                 }
                 refusal => refusal.into(),
-            })
+            })?;
+            Ok((answer, problem.speeds().collect()))
         })
         .map_err(|failure| failure.in_axes(file.case.axes))?;
     let found = Found {
         unknown: input.unknown,
         speed: answer.speed,
-        admissible: answer.roots.speeds().to_vec(),
+        admissible: speeds,
         crush_energy,
         normal_work: answer.normal_work,
         iterations: match &answer.method {
-            Method::ClosedForm => Vec::new(),
-            Method::RootFinder(iterations) => iterations.as_slice().to_vec(),
+            Method::ClosedForm => None,
+            Method::RootFinder(iterations) => Some(iterations.as_slice().to_vec()),
         },
     };
     let warnings = warning::of_found(&found, input.given_speed);

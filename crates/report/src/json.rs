@@ -215,10 +215,11 @@ pub(crate) fn document<'a>(
             value: plain(found.speed),
             admissible_roots: found.admissible.len(),
             roots: found.admissible.iter().copied().map(plain).collect(),
-            method: if found.iterations.is_empty() { "closed form" } else { "root finder" },
+            method: if found.iterations.is_some() { "root finder" } else { "closed form" },
             iterations: found
                 .iterations
                 .iter()
+                .flatten()
                 .map(|step| IterationBlock { speed: plain(step.speed), normal_work: plain(step.normal_work) })
                 .collect(),
         }),

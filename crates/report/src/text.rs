@@ -615,10 +615,12 @@ impl Page {
 
 /// How the speed was found.
 pub(crate) fn search(found: &Found) -> String {
-    match found.iterations.len() {
-        0 => "in closed form".to_owned(),
-        1 => "by root-finding in 1 step".to_owned(),
-        steps => format!("by root-finding in {steps} steps"),
+    match found.iterations.as_ref().map(Vec::len) {
+        None => "in closed form".to_owned(),
+        // An end of the bracket was the root already.
+        Some(0) => "by root-finding".to_owned(),
+        Some(1) => "by root-finding in 1 step".to_owned(),
+        Some(steps) => format!("by root-finding in {steps} steps"),
     }
 }
 

@@ -49,7 +49,7 @@ pub(super) fn draw(file: &CaseFile, analysis: &Analysis, units: Units) -> Result
     canvas.line("", root, Point::new(root.x, PLOT.y1), Pen { dashes: "2 3", ..THIN });
     canvas.dot("root", root, 6.0, None, BLACK);
     // Over the root: the last steps are all on it.
-    for step in &found.iterations {
+    for step in found.iterations.iter().flatten() {
         let at = Point::new(axes.at(step.speed, 0.0).x, top(step.normal_work));
         canvas.dot("", at, 3.0, Some(THIN), WHITE);
     }
@@ -66,8 +66,8 @@ pub(super) fn draw(file: &CaseFile, analysis: &Analysis, units: Units) -> Result
         (Sample::Line(LEVEL), format!("Wₙ sought: {energy}{there}")),
         (Sample::Dot(None, BLACK), format!("the speed found: {answer}")),
     ];
-    if !found.iterations.is_empty() {
-        let steps = format!("steps of the root-finder ({})", found.iterations.len());
+    if let Some(steps) = found.iterations.as_ref().filter(|steps| !steps.is_empty()) {
+        let steps = format!("steps of the root-finder ({})", steps.len());
         entries.push((Sample::Dot(Some(THIN), WHITE), steps));
     }
     legend::legend(&mut canvas, HEIGHT - 74.0, 2, &entries);

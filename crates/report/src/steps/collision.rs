@@ -236,7 +236,7 @@ impl Collision<'_> {
                 "theory 6",
             )
         };
-        let closed = found.iterations.is_empty() && found.admissible.len() == 1 && self.curve().is_none();
+        let closed = found.iterations.is_none() && found.admissible.len() == 1 && self.curve().is_none();
         let (alpha, beta, alpha_formula, alpha_numbers, beta_formula, beta_numbers);
         let tau = -slope.tangential / slope.normal;
         let at_touch = rest.tangential + rest.normal * tau;
