@@ -66,7 +66,8 @@ fn the_jump_of_a_moment() {
             return false;
         };
         let Tangential::Ratio(mu) = laws[1].tangential() else { panic!("{laws:?}") };
-        let (full, sliding) = (solve(&scene, Condition::CommonTangential), solve(&scene, Condition::Ratio(mu)));
+        let (full, sliding) =
+            (solve(&scene, Condition::CommonTangential), solve(&scene, Condition::Ratio(mu)));
         // Near a jam rounding grows, and so does the jump.
         let det = k.nn * k.tt - k.nt * k.nt;
         if needed > 10.0 || (k.nn + mu * k.nt) < 0.1 * k.nn || (full.ratio - mu).abs() > 1e-6 {
@@ -101,7 +102,8 @@ fn a_common_yaw_rate_is_continuous() {
     });
     for_all(20_000, 0.7, any, |scene| {
         let all = borders(&scene);
-        for (border, [one, other]) in &all {
+        // A moment may pull, and what pulls is no impact.
+        for (border, [one, other]) in all.iter().filter(|(_, sides)| sides.iter().all(|p| p.normal > 0.0)) {
             assert!(distance(*one, *other) <= size(*one) * 1e-6, "{border:?} {one:?} {other:?}");
         }
         !all.is_empty()
@@ -124,7 +126,8 @@ fn kudlich_slibar_jumps_where_the_signs_differ() {
             if opposite != differ || v_t.abs() < 1e-6 * scale || full.impulse[0] <= 0.0 {
                 return false;
             }
-            let limit = borders(&scene).into_iter().find(|(border, _)| matches!(border.switch, Switch::Limit(_)));
+            let limit =
+                borders(&scene).into_iter().find(|(border, _)| matches!(border.switch, Switch::Limit(_)));
             let Some((border, [one, other])) = limit else { return false };
             if full.ratio.abs() < 1e-6 {
                 return false;

@@ -449,10 +449,10 @@ fn a_moment_beside_the_friction_limit() {
         let Switch::Limit(needed) = border else { panic!("{border:?}") };
         assert_close("needed", needed, NEEDED, 1e-12);
         assert_close("given", given, NEEDED, 1e-9);
-        for (side, [work, moment, one, other]) in sides
-            .iter()
-            .zip([[153_239.336, 7_683.260, -2.320_443, 1.723_542], [152_959.230, 7_502.851, -2.366_552, 1.777_068]])
-        {
+        for (side, [work, moment, one, other]) in sides.iter().zip([
+            [153_239.336, 7_683.260, -2.320_443, 1.723_542],
+            [152_959.230, 7_502.851, -2.366_552, 1.777_068],
+        ]) {
             assert_close("W_n", side.normal_work, work, 0.001);
             assert_close("M", side.moment.unwrap(), moment, 0.001);
             assert_close("Ω_1", side.yaw_rates[0].unwrap(), one, 1e-6);
@@ -464,7 +464,9 @@ fn a_moment_beside_the_friction_limit() {
         let here = if text == full { 153_239.336 } else { 152_959.230 };
         assert_close("W_n of the answer", work, here, 0.001);
     }
-    for (share, expected) in [(0.98, 0), (0.9900, 0), (0.9902, 1), (1.0, 1), (1.0101, 1), (1.0102, 0), (1.02, 0)] {
+    for (share, expected) in
+        [(0.98, 0), (0.9900, 0), (0.9902, 1), (1.0, 1), (1.0101, 1), (1.0102, 0), (1.02, 0)]
+    {
         let near = with(full, limit, &format!("{}", NEEDED * share));
         assert_eq!(raised(analysis::impact, &near, "near-jump").len(), expected, "{share}");
     }

@@ -29,7 +29,7 @@ impl<T: Real> Law<T> {
     /// The borders that the impulse at this approach has: that of the friction limit, if a push gives the full impulse; and that of the
     /// direction, if the surfaces slide here and on the border. A law without a friction limit has none.
     ///
-    /// Whether the impulse jumps there is seen by comparing the impulses of the two laws.
+    /// Whether the impulse jumps there is seen by comparing the impulses of the two laws, which need not be pushes.
     #[must_use]
     pub fn borders(&self, k: &InverseMass<T>, approach: Approach<T>) -> [Option<Border<T>>; 2] {
         let (Tangential::Friction(limit) | Tangential::FullOrSliding(limit)) = self.tangential() else {
