@@ -19,6 +19,8 @@ mod derivatives;
 #[cfg(test)]
 mod invariants;
 #[cfg(test)]
+mod jumps;
+#[cfg(test)]
 mod laws;
 #[cfg(test)]
 mod licences;

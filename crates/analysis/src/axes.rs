@@ -1,9 +1,9 @@
 //! A finished analysis in the axes of its case.
 
 use case::Axes;
-use pim_core::ImpactError;
+use pim_core::{ImpactError, Switch};
 
-use crate::{Analysis, Drive, Failure, Impact, Warning};
+use crate::{Analysis, Drive, Failure, Impact, JumpSide, Warning};
 
 impl Analysis {
     /// The same analysis with its impact, contact points, centroids and warnings in the given axes, for the eyes of a reader. An analysis itself is in the axes of
@@ -47,6 +47,14 @@ impl Warning {
             *sliding = axes.lateral(*sliding);
             *cause = cause.in_axes(axes);
         }
+        if let Self::NearJump { border, given, sides } = &mut seen {
+            // A friction limit has no direction.
+            if let Switch::Direction(sliding) = border {
+                *sliding = axes.lateral(*sliding);
+                *given = axes.lateral(*given);
+            }
+            *sides = sides.map(|side| side.in_axes(axes));
+        }
         seen
     }
 }
@@ -65,6 +73,13 @@ impl Drive {
             Self::Change { change } => Self::Change { change: turned(change) },
             Self::Coupling => Self::Coupling,
         }
+    }
+}
+
+impl JumpSide {
+    fn in_axes(self, axes: Axes) -> Self {
+        let turned = |value: Option<f64>| value.map(|value| axes.lateral(value));
+        Self { moment: turned(self.moment), yaw_rates: self.yaw_rates.map(turned), ..self }
     }
 }
 

@@ -45,7 +45,7 @@ pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitiv
 pub use uncertainty::{
     Plan, REASONS, Reason, Stage, UncertainInput, UncertainOutput, Uncertainty, uncertainty,
 };
-pub use warning::{Drive, FAST_CLOSING, Magnitude, Warning};
+pub use warning::{Drive, FAST_CLOSING, JumpSide, Magnitude, Warning};
 
 use case::{Case, CaseFile, Collision, Diagnostics, Evidence, Subject};
 use crash3::{CrushError, EnergyBasis, Structure};

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use case::{CaseFile, Dimension, Dimensions, Quantity, StiffnessForm, StiffnessSource, Velocity, YawSource};
 use crash3::{EnergyBasis, Side, principal_angle};
-use pim_core::{Contact, Outcome, Regime, Tangential};
+use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential};
 
 use crate::checks::{Check, CheckedQuantity};
 use crate::damage::Crash3;
@@ -32,6 +32,10 @@ const DRIVING_SHARE: f64 = 0.02;
 const ROUNDING: f64 = 1e-9;
 /// Of the closing speed: sliding that rounding leaves where there is none.
 const NO_SLIDING: f64 = 1e-9;
+/// A border within this share of the friction limit, or of the sliding before impact, is near: neither is known better.
+const NEAR: f64 = 0.01;
+/// Of the change of motion in the impact. Over [`NEAR`], an answer without a jump changes by about as much, so that a tenth of that is lost in it.
+const JUMP: f64 = 0.1 * NEAR;
 /// |μ| above which the surfaces pull harder than they push. Friction between vehicles is mostly about half of that.
 const LARGE_RATIO: f64 = 1.0;
 /// (kg) from a quadricycle to a loaded articulated lorry.
@@ -236,6 +240,15 @@ pub enum Warning {
         /// Whether the law has a friction limit.
         limited: bool,
     },
+    /// The answer lies beside a border of the law at which it jumps.
+    NearJump {
+        /// What switches there, and at which number.
+        border: Switch,
+        /// The number of the case that it is compared with: the friction limit, or (m/s) u_t.
+        given: f64,
+        /// What the law gives on either side: the full impulse and sliding, or sliding as in the answer and the other way.
+        sides: [JumpSide; 2],
+    },
     /// The contact point lies beside the damage.
     ContactOffDamage {
         /// 1 or 2.
@@ -315,6 +328,17 @@ pub enum Warning {
     },
 }
 
+/// What a law gives on one side of a jump.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JumpSide {
+    /// (J) W_n.
+    pub normal_work: f64,
+    /// (N·m·s) M, under a law that has one.
+    pub moment: Option<f64>,
+    /// (rad/s) Ω; none of a fixed object.
+    pub yaw_rates: [Option<f64>; 2],
+}
+
 /// How a tangential impulse comes to drive the sliding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drive {
@@ -375,7 +399,7 @@ pub enum Magnitude {
 
 impl Warning {
     /// Every code that there is.
-    pub const CODES: [&'static str; 30] = [
+    pub const CODES: [&'static str; 31] = [
         "crush-plane",
         "contact-outside",
         "high-restitution",
@@ -397,6 +421,7 @@ impl Warning {
         "sliding-driven",
         "rotation-driven",
         "large-impulse-ratio",
+        "near-jump",
         "contact-off-damage",
         "contact-other-half",
         "damage-outside",
@@ -433,6 +458,7 @@ impl Warning {
             Self::SlidingDriven { .. } => "sliding-driven",
             Self::RotationDriven { .. } => "rotation-driven",
             Self::LargeImpulseRatio { .. } => "large-impulse-ratio",
+            Self::NearJump { .. } => "near-jump",
             Self::ContactOffDamage { .. } => "contact-off-damage",
             Self::ContactOtherHalf { .. } => "contact-other-half",
             Self::DamageOutside { .. } => "damage-outside",
@@ -477,6 +503,7 @@ impl Warning {
             | Self::SlidingDriven { .. }
             | Self::RotationDriven { .. }
             | Self::LargeImpulseRatio { .. }
+            | Self::NearJump { .. }
             | Self::UnusualFriction { .. }
             | Self::LargeAngle { .. } => None,
         }
@@ -514,6 +541,52 @@ pub(crate) fn of_impact(impact: &Impact, warnings: &mut Vec<Warning>) {
             matches!(impact.law.tangential(), Tangential::Friction(_) | Tangential::FullOrSliding(_));
         warnings.push(Warning::LargeImpulseRatio { impulse_ratio, limited });
     }
+    of_jumps(impact, warnings);
+}
+
+/// Of a friction limit near which the law's answer jumps.
+fn of_jumps(impact: &Impact, warnings: &mut Vec<Warning>) {
+    let (contact, law, before) = (&impact.contact, &impact.law, impact.outcome.before);
+    let (Tangential::Friction(limit) | Tangential::FullOrSliding(limit)) = law.tangential() else { return };
+    let borders = law.borders(&contact.inverse_mass(), contact.approach(&before));
+    for border in borders.into_iter().flatten() {
+        let (at, given) = match border.switch {
+            Switch::Limit(needed) => (needed, limit),
+            Switch::Direction(sliding) => (sliding, impact.outcome.approach.tangential),
+        };
+        if (at - given).abs() > NEAR * given.abs() {
+            continue;
+        }
+        // Where one side has no answer, there are no two answers to choose from.
+        let [(one, true), (other, true)] = border.laws.map(|law| contact.attempt(before, &law)) else {
+            continue;
+        };
+        if step(contact, [&one, &other]) > JUMP {
+            let sides = [one, other].map(|outcome| JumpSide {
+                normal_work: outcome.energy.normal_work,
+                moment: law.has_moment().then_some(outcome.moment_impulse),
+                yaw_rates: [0, 1].map(|i| {
+                    let moves = !contact.participants()[i].body().is_fixed();
+                    moves.then_some(outcome.after[i].yaw_rate)
+                }),
+            });
+            warnings.push(Warning::NearJump { border: border.switch, given, sides });
+        }
+    }
+}
+
+/// How far apart two answers to the same impact are, as a share of what the impact does to the motion. The energy weighs velocities and yaw
+/// rates against each other: √(T(V − V′)/T(V − v)).
+fn step(contact: &Contact, [one, other]: [&Outcome; 2]) -> f64 {
+    let energy = |from: &[Motion; 2], to: &[Motion; 2]| -> f64 {
+        let bodies = contact.participants().iter().map(|participant| participant.body());
+        let changes = from.iter().zip(to).map(|(from, to)| Motion {
+            velocity: to.velocity - from.velocity,
+            yaw_rate: to.yaw_rate - from.yaw_rate,
+        });
+        bodies.zip(changes).map(|(body, change)| body.kinetic_energy(&change)).sum()
+    };
+    (energy(&other.after, &one.after) / energy(&one.before, &one.after)).sqrt()
 }
 
 /// Of works that add energy.

@@ -7,8 +7,9 @@
 
 use std::f64::consts::PI;
 
-use analysis::{Analysis, Failure, Warning};
+use analysis::{Analysis, Failure, JumpSide, Warning};
 use case::{Case, CaseFile};
+use pim_core::Switch;
 
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
 const PAPER_FORWARD: &str = include_str!("../../../fixtures/sae-980025-impact.toml");
@@ -426,4 +427,123 @@ fn given_speed_unused() {
     assert_close("given", given, 70.0 * 0.3048, 1e-12);
     // docs/theory.md: 75.03 ft/s.
     assert_close("found", found, 75.03 * 0.3048, 0.005 * 0.3048);
+}
+
+/// The one warning of a jump: what switches and what it is compared with, and both sides.
+#[track_caller]
+fn jump(text: &str) -> (Switch, f64, [JumpSide; 2]) {
+    let found = raised(analysis::impact, text, "near-jump");
+    let [Warning::NearJump { border, given, sides }] = found[..] else { panic!("{found:?}") };
+    (border, given, sides)
+}
+
+/// Sticking and sliding as an elimination of the nine equations of impulse and momentum gives them at |P_t|/P_n of the full impulse.
+#[test]
+fn a_moment_beside_the_friction_limit() {
+    const NEEDED: f64 = 0.394_697_104_361_8;
+    let full = include_str!("../../../fixtures/jump-full.toml");
+    let sliding = include_str!("../../../fixtures/jump-sliding.toml");
+    let limit = "0.39469710475650066";
+    for text in [full, sliding] {
+        let (border, given, sides) = jump(text);
+        let Switch::Limit(needed) = border else { panic!("{border:?}") };
+        assert_close("needed", needed, NEEDED, 1e-12);
+        assert_close("given", given, NEEDED, 1e-9);
+        for (side, [work, moment, one, other]) in sides.iter().zip([
+            [153_239.336, 7_683.260, -2.320_443, 1.723_542],
+            [152_959.230, 7_502.851, -2.366_552, 1.777_068],
+        ]) {
+            assert_close("W_n", side.normal_work, work, 0.001);
+            assert_close("M", side.moment.unwrap(), moment, 0.001);
+            assert_close("Ω_1", side.yaw_rates[0].unwrap(), one, 1e-6);
+            assert_close("Ω_2", side.yaw_rates[1].unwrap(), other, 1e-6);
+        }
+        // The answer itself is one of the two.
+        let file = Case::parse("case.toml", text).unwrap();
+        let work = analysis::impact(&file).unwrap().impact.unwrap().outcome.energy.normal_work;
+        let here = if text == full { 153_239.336 } else { 152_959.230 };
+        assert_close("W_n of the answer", work, here, 0.001);
+    }
+    for (share, expected) in
+        [(0.98, 0), (0.9900, 0), (0.9902, 1), (1.0, 1), (1.0101, 1), (1.0102, 0), (1.02, 0)]
+    {
+        let near = with(full, limit, &format!("{}", NEEDED * share));
+        assert_eq!(raised(analysis::impact, &near, "near-jump").len(), expected, "{share}");
+    }
+    // With e_m = 0 and without a moment the ratio is 0.416608 and 0.368885, and there is no jump.
+    for (moment, needed) in [("0", 0.416_608), ("-1", 0.368_885)] {
+        let text = with(full, "= -0.5 ", &format!("= {moment} "));
+        for share in [0.995, 1.0, 1.005] {
+            let at = with(&text, limit, &format!("{}", needed * share));
+            assert_eq!(raised(analysis::impact, &at, "near-jump"), [], "{moment} {share}");
+        }
+    }
+}
+
+/// A car of 1000 kg and k = 1 m meets a wall 1 m ahead and 1 m beside its CG, so that K = (2 1; 1 2)/1000 kg, with u_n = −1 m/s.
+fn turned_round(sliding: f64, limit: f64, contact: f64, axes: &str) -> String {
+    let across = -sliding * -contact;
+    format!(
+        "[scene]\naxes = \"{axes}\"\n[vehicle2]\nfixed = true\n[vehicle1]\nmass = \"1000 kg\"\nyaw_radius = \"1 m\"\n\
+         heading = \"0 deg\"\ncontact = {{ x = \"1 m\", y = \"{contact} m\" }}\nvelocity = {{ x = \"1 m/s\", y = \"{across} m/s\" }}\n\
+         [impact]\ncrush_plane = \"0 deg\"\nlaw = \"kudlich-slibar\"\nrestitution = 0.5\nfriction = {limit}\n"
+    )
+}
+
+/// By hand with ε = ½: without friction P_n = 750 N·s and U_t = u_t + ¾.
+///
+/// u_t = −0.6: U_t = 0.15, but the full impulse is (700, 100) N·s, which needs μ = 1/7, and sliding has μ = −1/7: P_n = 1500/(2 − 1/7). W_n = P_n/4 m/s and
+/// Ω = −(P_n + P_t)/1000 kg·m. u_t = −0.75: U_t = 0, and the full impulse (625, 250) N·s needs μ = 0.4; with 0.2 it slides with
+/// P_n = 1500/2.2 where U_t < 0, and with 1500/1.8 where U_t > 0.
+#[test]
+fn a_full_impact_against_the_sliding_without_friction() {
+    let assert_sides = |sides: [JumpSide; 2], expected: [[f64; 2]; 2]| {
+        for (side, [normal, tangential]) in sides.iter().zip(expected) {
+            assert_close("W_n", side.normal_work, normal / 4.0, 1e-9);
+            assert_close("Ω", side.yaw_rates[0].unwrap(), -(normal + tangential) / 1000.0, 1e-12);
+            assert_eq!((side.moment, side.yaw_rates[1]), (None, None));
+        }
+    };
+    let seventh = 1.0 / 7.0;
+    let slid = 1500.0 / (2.0 - seventh);
+    for limit in [seventh * 0.9901, seventh * 1.0099] {
+        let (border, given, sides) = jump(&turned_round(-0.6, limit, -1.0, "z-up"));
+        let Switch::Limit(needed) = border else { panic!("{border:?}") };
+        assert_close("needed", needed, seventh, 1e-12);
+        assert_close("given", given, limit, 1e-15);
+        assert_sides(sides, [[700.0, 100.0], [slid, -seventh * slid]]);
+    }
+    for limit in [seventh * 0.98, seventh * 1.02] {
+        assert_eq!(raised(analysis::impact, &turned_round(-0.6, limit, -1.0, "z-up"), "near-jump"), []);
+    }
+    let [against, along] = [[1500.0 / 2.2, 300.0 / 2.2], [1500.0 / 1.8, -300.0 / 1.8]];
+    for (sliding, expected) in
+        [(-0.768, None), (-0.757, Some([against, along])), (-0.743, Some([along, against])), (-0.732, None)]
+    {
+        let text = turned_round(sliding, 0.2, -1.0, "z-up");
+        let Some(expected) = expected else {
+            assert_eq!(raised(analysis::impact, &text, "near-jump"), [], "{sliding}");
+            continue;
+        };
+        let (border, given, sides) = jump(&text);
+        let Switch::Direction(at) = border else { panic!("{border:?}") };
+        assert_close("u_t", at, -0.75, 1e-12);
+        assert_close("given", given, sliding, 1e-12);
+        assert_sides(sides, expected);
+        // The same scene written down in the other axes.
+        let mirrored = turned_round(sliding, 0.2, 1.0, "z-down");
+        let seen = raised(analysis::impact, &mirrored, "near-jump");
+        let [Warning::NearJump { border: Switch::Direction(seen_at), given: seen_given, sides: seen }] =
+            seen.iter().map(|warning| warning.in_axes(case::Axes::ZDown)).collect::<Vec<_>>()[..]
+        else {
+            panic!("{seen:?}")
+        };
+        assert_close("u_t seen", seen_at, 0.75, 1e-12);
+        assert_close("given seen", seen_given, -sliding, 1e-12);
+        for (seen, side) in seen.iter().zip(sides) {
+            assert_close("Ω seen", seen.yaw_rates[0].unwrap(), -side.yaw_rates[0].unwrap(), 1e-12);
+        }
+    }
+    // With a limit of 0.4 and more the full impact is possible on both sides of u_t = −0.75.
+    assert_eq!(raised(analysis::impact, &turned_round(-0.752, 0.41, -1.0, "z-up"), "near-jump"), []);
 }

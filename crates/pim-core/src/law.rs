@@ -16,6 +16,10 @@ pub enum Tangential<T = f64> {
     FractionOfCritical(T),
     /// Coulomb friction: U_t = 0 while friction of at most this coefficient (≥ 0) can hold the surfaces together, else
     /// they still slide and |P_t| has the limit's size.
+    ///
+    /// The impulse is continuous in limit and velocities: at the border both regimes have the same ratio P_t/P_n, and with it the
+    /// normal condition has one answer. A moment impulse other than e_m = 0 makes it jump:
+    /// [`with_moment_restitution`](Law::with_moment_restitution).
     Friction(T),
     /// U_t − u_t as given (m/s).
     VelocityChange(T),
@@ -23,6 +27,10 @@ pub enum Tangential<T = f64> {
     Restitution(T),
     /// U_t = −e u_t with the normal coefficient e, while friction of at most this coefficient (≥ 0) can do that, else they slide as
     /// under [`Friction`](Self::Friction).
+    ///
+    /// The impulse jumps where the push along the normal turns the sliding round by itself, to less than e |u_t|: reversing it all the way
+    /// then takes a P_t of one sign, and friction against the sliding has the other. It jumps at the border of the two regimes, and
+    /// between two directions of sliding. With e = 0 it is continuous. [`Law::borders`] finds the place.
     FullOrSliding(T),
 }
 
@@ -131,6 +139,11 @@ impl<T: Real> Law<T> {
 
     /// The same law with a moment impulse M = (1 + e_m) M_c at C, where M_c is the one that gives a common yaw rate: e_m = −1 is none, e_m = 0 a
     /// common yaw rate.
+    ///
+    /// Under a friction limit M, and with it P and the motion after impact, jump where sticking turns into sliding. M_c is found under
+    /// the condition of each regime, U_t = 0 or P_t = ±μ P_n, and these agree at the border for the moment M that acts, but not for the
+    /// whole M_c. They agree for both only where M = M_c (e_m = 0) or M = 0 (e_m = −1); theory, section 3, has the size of the jump, and
+    /// [`Law::borders`] finds the place.
     ///
     /// # Errors
     /// Where e_m lies outside [−1, 1].
@@ -248,7 +261,7 @@ impl<T: Real> Law<T> {
     }
 
     #[inline(always)]
-    fn conditions<'a>(&self, k: &'a InverseMass<T>, approach: Approach<T>) -> Conditions<'a, T> {
+    pub(crate) fn conditions<'a>(&self, k: &'a InverseMass<T>, approach: Approach<T>) -> Conditions<'a, T> {
         Conditions { k, approach, restitution: self.restitution, moment: self.moment_restitution }
     }
 
@@ -305,7 +318,7 @@ pub(crate) struct Solution<T> {
 }
 
 /// The conditions that all laws share: the normal one, and the moment's.
-struct Conditions<'a, T> {
+pub(crate) struct Conditions<'a, T> {
     k: &'a InverseMass<T>,
     approach: Approach<T>,
     restitution: T,
@@ -395,9 +408,20 @@ impl<T: Real> Conditions<'_, T> {
         if (p.normal > T::ZERO) & (p.tangential.abs() <= limit * p.normal) {
             return LawImpulse { regime: Some(Regime::Full), ..full };
         }
-        let free = self.with_ratio(T::ZERO);
-        let sliding = self.k.separation(self.approach, free.linear, free.moment).velocity.tangential;
-        let mu = if sliding > T::ZERO { -limit } else { limit };
+        let mu = against(self.free_sliding(), limit);
         LawImpulse { regime: Some(Regime::Sliding), ..self.with_ratio(mu) }
     }
+
+    /// (m/s) U_t as it would be without friction.
+    #[inline(always)]
+    pub(crate) fn free_sliding(&self) -> T {
+        let free = self.with_ratio(T::ZERO);
+        self.k.separation(self.approach, free.linear, free.moment).velocity.tangential
+    }
+}
+
+/// The impulse ratio of that size which opposes the sliding (m/s).
+#[inline(always)]
+pub(crate) fn against<T: Real>(sliding: T, size: T) -> T {
+    if sliding > T::ZERO { -size } else { size }
 }

@@ -71,6 +71,7 @@
 //! print are marked `ERRATUM`.
 
 mod body;
+mod border;
 mod contact;
 mod error;
 mod impact;
@@ -79,6 +80,7 @@ mod mirror;
 mod restitution;
 
 pub use body::{Body, Motion, Participant};
+pub use border::{Border, Switch};
 pub use contact::{Approach, Contact, InverseMass, NormalTangential};
 pub use error::{ImpactError, InvalidInput};
 pub use impact::{Energy, Outcome, normal_work, pdof};

@@ -1,8 +1,9 @@
 //! The sentence of each warning.
 
-use analysis::{Analysis, Drive, Magnitude, Warning};
+use analysis::{Analysis, Drive, JumpSide, Magnitude, Warning};
 use case::{Axes, Case, StiffnessSource};
 use crash3::{EnergyBasis, Side};
+use pim_core::Switch;
 
 use crate::axes;
 use crate::text::{LINE, wrapped_within};
@@ -243,6 +244,32 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
                 "or give a friction limit, `tangential = { friction = 0.5 }`, for surfaces that slide"
             }
         ),
+        Warning::NearJump { border, given, sides: [one, other] } => {
+            let (near, [here, there]) = match border {
+                Switch::Limit(needed) => (
+                    format!(
+                        "the full impulse needs a friction limit of {}, which is within 1 % of the limit given, {}",
+                        number(*needed, 4),
+                        number(*given, 4)
+                    ),
+                    ["the full impulse", "sliding"],
+                ),
+                Switch::Direction(sliding) => (
+                    format!(
+                        "the normal impulse alone would just end a sliding of u_t = {} before the impact, which is within 1 % of that of \
+                         the case, {}",
+                        speed(*sliding),
+                        speed(*given)
+                    ),
+                    ["sliding as in the answer", "sliding the other way"],
+                ),
+            };
+            format!(
+                "{near}, and the answer of the law jumps there: {here} gives {}; {there} gives {}. Neither is the surer one, so report both",
+                jump_side(one, units),
+                jump_side(other, units)
+            )
+        }
         Warning::ContactOffDamage { vehicle, side, distance } => format!(
             "the contact point of vehicle {vehicle} lies {} beyond the end of the damage to its {}, as `offset` and width place that; the resultant \
              impulse acts within the damage, so check the signs of `contact` and `offset`",
@@ -343,6 +370,17 @@ fn stiffness_check(source: StiffnessSource) -> &'static str {
         StiffnessSource::Category(_) => "check the category and the damaged side",
         StiffnessSource::Test(_) => "check the barrier test, its mass, width and no-damage speed",
     }
+}
+
+/// What a law gives on one side of a jump.
+fn jump_side(side: &JumpSide, units: Units) -> String {
+    let mut values = vec![format!("W_n = {}", units.format(Quantity::Energy, side.normal_work))];
+    values.extend(side.moment.map(|moment| format!("M = {}", units.format(Quantity::MomentImpulse, moment))));
+    values.extend(side.yaw_rates.iter().enumerate().filter_map(|(i, rate)| {
+        // Jumps of a few per cent do not show in two decimals.
+        rate.map(|rate| format!("Ω_{} = {} rad/s", i + 1, number(rate, 3)))
+    }));
+    values.join(", ")
 }
 
 fn share(work: f64, of: f64) -> String {

@@ -1,8 +1,9 @@
 //! The sentences of the warnings: what they tell the reader to do, in the reader's units and axes.
 
-use analysis::{Drive, Magnitude, Warning};
+use analysis::{Drive, JumpSide, Magnitude, Warning};
 use case::{Axes, StiffnessSource};
 use crash3::{EnergyBasis, Side};
+use pim_core::Switch;
 use report::{Units, message};
 
 #[track_caller]
@@ -87,6 +88,50 @@ fn a_large_ratio_is_told_of_the_friction_limit_that_there_is() {
         &["μ of -2.41", "or give a friction limit, `tangential = { friction = 0.5 }`"],
     );
     says(&ratio(true), Axes::ZDown, &["μ of 2.41", "and the friction limit"]);
+}
+
+/// 1 ft·lb·s is 1.355817948 N·m·s. A fixed object has no yaw rate.
+#[test]
+fn both_sides_of_a_jump_are_told() {
+    let side =
+        |normal_work: f64, moment, rate| JumpSide { normal_work, moment, yaw_rates: [Some(rate), None] };
+    let limit = Warning::NearJump {
+        border: Switch::Limit(0.394_697),
+        given: 0.4,
+        sides: [
+            side(135_581.794_8, Some(13_558.179_48), -2.3204),
+            side(271_163.589_6, Some(1_355.817_948), -2.3666),
+        ],
+    };
+    says(
+        &limit,
+        Axes::ZUp,
+        &["a friction limit of 0.3947", "the limit given, 0.4000", "within 1 %", "report both"],
+    );
+    says(
+        &limit,
+        Axes::ZUp,
+        &[
+            "the full impulse gives W_n = 100,000 ft·lb, M = 10,000 ft·lb·s, Ω_1 = -2.320 rad/s;",
+            "sliding gives W_n = 200,000 ft·lb, M = 1,000 ft·lb·s, Ω_1 = -2.367 rad/s.",
+        ],
+    );
+    says(&limit, Axes::ZDown, &["of 0.3947", "given, 0.4000", "M = -10,000 ft·lb·s, Ω_1 = 2.320 rad/s;"]);
+    let turn = Warning::NearJump {
+        border: Switch::Direction(-3.048),
+        given: -3.0632,
+        sides: [side(135_581.794_8, None, 1.0), side(271_163.589_6, None, -1.0)],
+    };
+    says(
+        &turn,
+        Axes::ZUp,
+        &[
+            "u_t = -10.00 ft/s",
+            "that of the case, -10.05 ft/s",
+            "sliding as in the answer gives W_n = 100,000 ft·lb, Ω_1 = 1.000 rad/s; sliding the other way gives",
+        ],
+    );
+    says(&turn, Axes::ZDown, &["u_t = 10.00 ft/s", "that of the case, 10.05 ft/s"]);
 }
 
 #[test]

@@ -44,7 +44,8 @@
 //!
 //! - The same inputs, settings and model give the same bits for any number of threads, with and without the feature `parallel`, for any of the [`Instructions`] and
 //!   in any build profile. Nothing here calls the mathematical functions of the platform; a model that does has its own bits.
-//! - Every point follows from seed, number of input and number of sample alone. All distributions go through their inverse
+//! - Every point follows from seed, number of input and number of sample alone, but for Latin hypercube and Sobol' points also from how many of each
+//!   there are. All distributions go through their inverse
 //!   transform, so that every method serves every distribution; only independent points become normal numbers by Box–Muller, which is quicker.
 //! - Samples without an answer are counted by reason. An output that is infinite or NaN counts as a failure.
 //! - A run that is ended early leaves the first samples of the whole run, evenly from all replicates.

@@ -1,8 +1,8 @@
 //! Points in the unit cube, each from its index alone: shares between 0 and 1 for every input of every sample.
 //!
-//! Samples are dealt in turn to [`REPLICATES`] point sets: sample j is point ⌊j/16⌋ of set j mod 16. For Latin hypercube and Sobol' points
-//! the sets are randomised independently of each other, so that the spread of a result between them tells its
-//! standard error; and each whole number of blocks from the beginning has the same number of points of each.
+//! Samples are dealt in turn to [`REPLICATES`] point sets: sample j is point ⌊j/16⌋ of set j mod 16. Each set is random by itself, so that the spread of
+//! a result between them tells its standard error; and each whole number of blocks from the beginning has the same number of points of each. Latin
+//! hypercube sets are independent of each other. Sobol' sets are, but for correlations between two inputs, which cancel among them.
 //!
 //! # References
 //!
@@ -20,7 +20,7 @@ use sobol::Sobol;
 
 pub use sobol::MAX_INPUTS as MAX_SOBOL_INPUTS;
 
-/// Number of independent point sets that the samples are dealt to.
+/// Number of point sets that the samples are dealt to.
 pub const REPLICATES: usize = 16;
 
 /// The least number of samples: one block, four points of each replicate.
@@ -37,7 +37,8 @@ pub enum Method {
     MonteCarlo,
     /// In every replicate, each input has exactly one point in each of as many equal strata as there are points.
     LatinHypercube,
-    /// Sobol' points, scrambled after Owen. Best where a power of two of samples is asked for.
+    /// Sobol' points, scrambled after Owen, but for the first digits, which are shifted. Best where a power of two of samples is asked for: in between, a part of the
+    /// points of each replicate is less even, and so are pairs of inputs.
     Sobol,
 }
 
@@ -70,7 +71,7 @@ impl Points {
         if samples < MIN_SAMPLES || count > MAX_SAMPLES {
             return Err(InvalidRequest::Samples { samples });
         }
-        // The numbers 1, 2, 3 keep the sequences of the methods apart under one seed.
+        // The numbers 1 to 4 keep the sequences of the methods apart under one seed.
         let all = 0..inputs;
         let inputs = match method {
             Method::MonteCarlo => {
@@ -83,7 +84,8 @@ impl Points {
                 return Err(InvalidRequest::TooManyInputs { inputs, limit: MAX_SOBOL_INPUTS });
             }
             Method::Sobol => {
-                Inputs::Sobol(all.map(|input| Sobol::new(input, key(seed, &[3, input as u64]))).collect())
+                let seeds: Vec<_> = all.map(|input| key(seed, &[3, input as u64])).collect();
+                Inputs::Sobol(Sobol::all(&seeds, key(seed, &[4]), count / REPLICATES as u64))
             }
         };
         Ok(Self { samples: count, inputs })

@@ -11,7 +11,7 @@ use crate::points::{Method, REPLICATES};
 /// Levels of the intervals of a [`Summary`].
 pub const LEVELS: [f64; 4] = [0.5, 0.9, 0.95, 0.99];
 
-/// A standard error of a quantile needs as many samples expected beyond it: (in each replicate).
+/// A standard error of a quantile needs as many samples expected beyond it.
 const TAIL_SAMPLES: f64 = 5.0;
 
 /// A statistic and how well the samples tell it.
@@ -37,8 +37,12 @@ pub struct Interval {
 /// Statistics of one output.
 ///
 /// Monte Carlo: the standard error of the mean is s/√n, that of s follows from the fourth moment, that of a quantile from the order
-/// statistics one binomial standard deviation of the count to either side. Latin hypercube and Sobol': all follow from the spread of the statistic between the
-/// [`REPLICATES`] independent point sets, s/√16; with 15 degrees of freedom they are themselves uncertain by a fifth.
+/// statistics one binomial standard deviation of the count to either side.
+///
+/// Latin hypercube and Sobol': the standard errors of the mean and of s follow from their spread between the [`REPLICATES`] point sets, s/√16. That of a quantile is half
+/// of the distance between the order statistics to either side of it, as for Monte Carlo, but as far away as the numbers of samples below the quantile, which differ
+/// between the replicates, tell: by their standard error and one place more. The spread of the replicates' own quantiles would not do: where one input rules the result, they
+/// keep to their strata, and the quantile of all samples does not. With 15 degrees of freedom all these are themselves uncertain by a fifth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Summary {
     /// Number of samples that succeeded.
@@ -74,7 +78,7 @@ impl Summary {
         let quantiles = Quantiles::of(values);
         let errors = match method {
             Method::MonteCarlo => Errors::by_formula(&moments, &quantiles),
-            Method::LatinHypercube | Method::Sobol => Errors::by_replicates(column),
+            Method::LatinHypercube | Method::Sobol => Errors::by_replicates(column, values, &quantiles),
         };
 
         let quantile = |place: usize| Estimate {
@@ -165,20 +169,39 @@ impl Quantiles {
     fn of(values: &[f64]) -> Self {
         let count = values.len();
         let places = PROBABILITIES.map(|probability| Place::of(probability, count));
-        let mut wanted: Vec<usize> = places.iter().flat_map(Place::wanted).collect();
-        wanted.sort_unstable();
-        wanted.dedup();
-        let found = order_statistics(values, &wanted);
-        let at = |rank: usize| found[wanted.partition_point(|wanted| *wanted < rank)];
+        let found = Ordered::of(values, places.iter().flat_map(Place::wanted));
         Self {
-            values: places.each_ref().map(|place| {
-                let (low, high) = (at(place.below), at(place.above));
-                // Q = x₍ₖ₎ + (h − k)·(x₍ₖ₊₁₎ − x₍ₖ₎), h = (n − 1)p
-                low + (high - low) * place.part
-            }),
+            values: places.each_ref().map(|place| found.between(place)),
             half_distances: places
-                .map(|place| place.around.map(|(before, after)| 0.5 * (at(after) - at(before)))),
+                .map(|place| place.around.map(|(before, after)| 0.5 * (found.at(after) - found.at(before)))),
         }
+    }
+}
+
+/// Some of the values in their order.
+struct Ordered {
+    places: Vec<usize>,
+    values: Vec<f64>,
+}
+
+impl Ordered {
+    fn of(values: &[f64], wanted: impl Iterator<Item = usize>) -> Self {
+        let mut places: Vec<usize> = wanted.collect();
+        places.sort_unstable();
+        places.dedup();
+        let values = order_statistics(values, &places);
+        Self { places, values }
+    }
+
+    /// At a place that was wanted.
+    fn at(&self, place: usize) -> f64 {
+        self.values[self.places.partition_point(|wanted| *wanted < place)]
+    }
+
+    fn between(&self, place: &Place) -> f64 {
+        let (low, high) = (self.at(place.below), self.at(place.above));
+        // Q = x₍ₖ₎ + (h − k)·(x₍ₖ₊₁₎ − x₍ₖ₎)
+        low + (high - low) * place.part
     }
 }
 
@@ -194,8 +217,8 @@ impl Place {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between zero and the count")]
     fn of(probability: f64, count: usize) -> Self {
         let last = count - 1;
+        // h = (n − 1)p
         let position = last as f64 * probability;
-        let below = position.floor();
         let around = tail_is_populated(probability, count).then(|| {
             // √(np(1 − p))
             let deviation = (count as f64 * probability * (1.0 - probability)).sqrt();
@@ -203,8 +226,14 @@ impl Place {
             let after = ((position + deviation).round() as usize).min(last);
             (before, after)
         });
+        Self { around, ..Self::at(position, count) }
+    }
+
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between zero and the count")]
+    fn at(position: f64, count: usize) -> Self {
+        let below = position.floor();
         let index = below as usize;
-        Self { below: index, above: (index + 1).min(last), part: position - below, around }
+        Self { below: index, above: (index + 1).min(count - 1), part: position - below, around: None }
     }
 
     fn wanted(&self) -> impl Iterator<Item = usize> + use<> {
@@ -347,10 +376,9 @@ impl Errors {
         Self { mean: Some(mean), sd: Some(of_sd), quantiles: quantiles.half_distances }
     }
 
-    fn by_replicates(column: &[f64]) -> Self {
+    fn by_replicates(column: &[f64], values: &[f64], quantiles: &Quantiles) -> Self {
         let mut means = Vec::with_capacity(REPLICATES);
         let mut sds = Vec::with_capacity(REPLICATES);
-        let mut quantiles = PROBABILITIES.map(|_| Vec::with_capacity(REPLICATES));
         for replicate in 0..REPLICATES {
             let own = without_nan(column.iter().skip(replicate).step_by(REPLICATES));
             if own.len() < 2 {
@@ -359,21 +387,61 @@ impl Errors {
             let moments = Moments::of(&own);
             means.push(moments.mean);
             sds.push(moments.sd());
-            let of_replicate = Quantiles::of(&own);
-            for ((all, value), probability) in
-                quantiles.iter_mut().zip(of_replicate.values).zip(PROBABILITIES)
-            {
-                if tail_is_populated(probability, moments.count) {
-                    all.push(value);
-                }
-            }
         }
-        Self {
-            mean: error_of_mean(&means),
-            sd: error_of_mean(&sds),
-            quantiles: quantiles.map(|all| error_of_mean(&all)),
+        let mut of_quantiles = [None; PROBABILITIES.len()];
+        if means.len() == REPLICATES {
+            let deviations = deviations_of_place(column, &quantiles.values);
+            let populated = PROBABILITIES.map(|probability| tail_is_populated(probability, values.len()));
+            let found = half_distances(values, deviations);
+            of_quantiles = std::array::from_fn(|place| populated[place].then_some(found[place]));
+        }
+        Self { mean: error_of_mean(&means), sd: error_of_mean(&sds), quantiles: of_quantiles }
+    }
+}
+
+/// How far from its place among the ordered values each quantile may be, by the numbers of samples below it in the replicates. NaN is in none.
+fn deviations_of_place(column: &[f64], quantiles: &[f64; PROBABILITIES.len()]) -> [f64; PROBABILITIES.len()] {
+    let (rows, rest) = column.as_chunks::<REPLICATES>();
+    let mut last = [f64::NAN; REPLICATES];
+    last[..rest.len()].copy_from_slice(rest);
+    let rows = || rows.iter().chain(std::iter::once(&last));
+    let mut counts = [0_u64; REPLICATES];
+    for row in rows() {
+        for (count, value) in counts.iter_mut().zip(row) {
+            *count += u64::from(!value.is_nan());
         }
     }
+    let all = counts.iter().sum::<u64>() as f64;
+    quantiles.map(|quantile| {
+        // Twice the number below, so that a value at the quantile itself counts by half.
+        let mut twice = [0_u64; REPLICATES];
+        for row in rows() {
+            for (twice, &value) in twice.iter_mut().zip(row) {
+                *twice += u64::from(value < quantile) + u64::from(value <= quantile);
+            }
+        }
+        let share = 0.5 * twice.iter().sum::<u64>() as f64 / all;
+        let squares = twice.iter().zip(counts).map(|(&twice, count)| {
+            let excess = 0.5 * twice as f64 - share * count as f64;
+            excess * excess
+        });
+        let replicates = REPLICATES as f64;
+        // √(R/(R − 1)·Σ(cᵣ − Fnᵣ)² + 1), F = Σcᵣ/n
+        (replicates / (replicates - 1.0) * squares.sum::<f64>() + 1.0).sqrt()
+    })
+}
+
+/// Half of the distance between the values so many places after and before each quantile.
+fn half_distances(values: &[f64], deviations: [f64; PROBABILITIES.len()]) -> [f64; PROBABILITIES.len()] {
+    let last = (values.len() - 1) as f64;
+    let mut ends = PROBABILITIES.map(|probability| [last * probability; 2]);
+    for ([before, after], deviation) in ends.iter_mut().zip(deviations) {
+        *before = (*before - deviation).max(0.0);
+        *after = (*after + deviation).min(last);
+    }
+    let ends = ends.map(|ends| ends.map(|position| Place::at(position, values.len())));
+    let found = Ordered::of(values, ends.iter().flatten().flat_map(Place::wanted));
+    ends.map(|[before, after]| 0.5 * (found.between(&after) - found.between(&before)))
 }
 
 /// s/√R over the replicates, where all of them have a value.

@@ -84,11 +84,69 @@ fn standard_errors_are_the_spread_over_seeds() {
             let mean = list.iter().map(|(value, _)| value).sum::<f64>() / count;
             let spread = list.iter().map(|(value, _)| (value - mean).powi(2)).sum::<f64>() / (count - 1.0);
             let stated = list.iter().map(|(_, error)| error * error).sum::<f64>() / count;
-            // The spread of 200 is uncertain by 1/√400 = 5 %, four times over; quantiles of a replicate of 256 are a
-            // little biased against those of the whole, so that their errors come out somewhat great.
+            // The spread of 200 is uncertain by 1/√400 = 5 %, four times over; to the error of a quantile belongs a place more.
             let ratio = (stated / spread).sqrt();
             assert!((0.8..1.25).contains(&ratio), "{method:?}, estimate {number}: {ratio}");
         }
+    }
+}
+
+/// Ratio of the spread of the 2.5 %, 50 % and 97.5 % quantile over so many seeds to their stated errors.
+fn ratios<M: Model>(model: &M, inputs: &[Distribution], method: Method, samples: usize) -> [f64; 3] {
+    let seeds: u64 = 100;
+    let mut estimates = [(); 3].map(|()| Vec::new());
+    for seed in 0..seeds {
+        let summary = run(model, inputs, &Settings::new(method, samples, seed)).summaries()[0].unwrap();
+        let interval = summary.intervals[2];
+        for (list, estimate) in estimates.iter_mut().zip([interval.low, summary.median, interval.high]) {
+            list.push((estimate.value, estimate.standard_error.unwrap()));
+        }
+    }
+    estimates.map(|list| {
+        let count = list.len() as f64;
+        let mean = list.iter().map(|(value, _)| value).sum::<f64>() / count;
+        let spread = list.iter().map(|(value, _)| (value - mean).powi(2)).sum::<f64>() / (count - 1.0);
+        let stated = list.iter().map(|(_, error)| error * error).sum::<f64>() / count;
+        (spread / stated).sqrt()
+    })
+}
+
+/// Where one input rules the result, its strata do, and the quantiles of the replicates tell nothing of the quantile of all samples. The spread over 100 seeds is
+/// uncertain by 7 %, three times over. Where the quantile lies between two strata of all replicates, as the median of a power of two does, the one place that is
+/// always allowed for is more than twice what is needed.
+#[test]
+fn errors_of_quantiles_are_honest_where_one_input_rules() {
+    let alone = Function::new(1, |x: &[f64], y: &mut [f64]| {
+        y[0] = x[0] + 10.0;
+        Ok(())
+    });
+    let nearly = Function::new(1, |x: &[f64], y: &mut [f64]| {
+        y[0] = x[0] + 0.1 * x[1];
+        if x[1] > 23.0 { Err(1) } else { Ok(()) }
+    });
+    let two = [normal(20.0, 3.0); 2];
+    for method in [Method::LatinHypercube, Method::Sobol] {
+        for samples in [1024, 2500, 4096] {
+            let found = ratios(&alone, &[normal(20.0, 3.0)], method, samples);
+            assert!(found.iter().all(|ratio| (0.3..1.2).contains(ratio)), "{method:?}, {samples}: {found:?}");
+            let found = ratios(&nearly, &two, method, samples);
+            assert!(found.iter().all(|ratio| (0.6..1.2).contains(ratio)), "{method:?}, {samples}: {found:?}");
+        }
+    }
+}
+
+/// Many inputs, some of which act together: the errors are those of chance.
+#[test]
+fn errors_of_quantiles_are_honest_with_many_inputs() {
+    let model = Function::new(1, |x: &[f64], y: &mut [f64]| {
+        let sum: f64 = x.iter().zip(1..).map(|(x, number)| x / (1.0 + 0.3 * f64::from(number))).sum();
+        y[0] = sum + 0.3 * (x[3] * x[7] + x[20] * x[25] + x[1] * x[12] * x[30]);
+        Ok(())
+    });
+    let inputs = [normal(0.0, 1.0); 31];
+    for method in [Method::LatinHypercube, Method::Sobol] {
+        let found = ratios(&model, &inputs, method, 1024);
+        assert!(found.iter().all(|ratio| (0.7..1.25).contains(ratio)), "{method:?}: {found:?}");
     }
 }
 
@@ -241,7 +299,7 @@ impl Model for Mixed {
 fn bits_are_pinned_for_every_instruction_set() {
     let available = Instructions::available();
     assert!(!available.is_empty());
-    let pins = [0xC0C8_8C4B_7924_6231, 0xCDC9_05D5_A89B_3CD4, 0x39C0_47A5_6263_713E];
+    let pins = [0xC0C8_8C4B_7924_6231, 0xE039_9DE9_7110_9359, 0x6DC2_9DC2_055B_2940];
     let hashes = METHODS.map(|method| {
         let hashes: Vec<u64> = available
             .iter()

@@ -1,5 +1,12 @@
 //! Scrambled Sobol' points.
 //!
+//! Each replicate takes the same first points of the sequence and scrambles them by itself. But so few points of so many inputs are not even
+//! in every pair of inputs: of 64 points, two inputs out of 31 often have the same first digit throughout, or one has in the first place the digit
+//! that the other has in the second. Scrambling turns the sign of such a correlation and leaves its size, and 16 random signs do not cancel. Therefore
+//! the first digits are only shifted, by bits that are random in every replicate, but chosen together for digits that coincide: of any two
+//! of these, the bits agree in eight replicates and differ in eight, so that the correlations cancel. What depends on one input alone, or on three, still
+//! varies between any two replicates as if they were independent, so that the spread between them is that of chance.
+//!
 //! # References
 //!
 //! I. M. Sobol', *On the distribution of points in a cube and the approximate evaluation of integrals*, USSR Comput. Math. Math. Phys. 7
@@ -7,10 +14,11 @@
 //! P. Bratley and B. L. Fox, *Algorithm 659*, ACM TOMS 14 (1988): the recurrence of the direction numbers.
 //! S. Laine and T. Karras, *Stratified sampling for stochastic transparency*, Computer Graphics Forum 30 (2011), and
 //! B. Burley, *Practical hash-based Owen scrambling*, JCGT 9 (2020): scrambling by a hash in which each bit depends on those below it only.
+//! J. J. Sylvester, *Thoughts on inverse orthogonal matrices*, Philosophical Magazine 34 (1867): the matrix of signs with orthogonal rows.
 
-use super::REPLICATES;
 use super::direction_numbers::DIRECTION_NUMBERS;
-use crate::random::{key, unit};
+use super::{REPLICATES, permuted};
+use crate::random::{bits, key, unit};
 
 /// The most inputs that the direction numbers serve. The first needs none.
 pub const MAX_INPUTS: usize = DIRECTION_NUMBERS.len() + 1;
@@ -21,6 +29,9 @@ const DIRECTIONS: usize = 28;
 // Even, and 2 modulo 4, so that each bit depends on the next lower one. Digits of π (as Blowfish takes them), but for the last two bits.
 const FOLDS: [u64; 3] = [0x243F_6A88_85A3_08D2, 0x1319_8A2E_0370_7346, 0xA409_3822_299F_31D2];
 
+/// The most digits that are shifted. What is left of a correlation where only later ones coincide is below 3/64.
+pub(super) const SHIFTED: usize = 4;
+
 /// Points of one input.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sobol {
@@ -28,10 +39,45 @@ pub(super) struct Sobol {
     directions: [u64; DIRECTIONS],
     /// What the scrambling of each replicate adds and multiplies.
     keys: [[u64; REPLICATES]; 4],
+    /// Ones in the digits that are shifted.
+    shifted: u64,
+    /// What they are shifted by in each replicate.
+    shifts: [u64; REPLICATES],
 }
 
 impl Sobol {
-    pub(super) fn new(input: usize, seed: u64) -> Self {
+    /// All inputs, of which each replicate has `points` points. `seeds` has one for each input, and one for what they have in common.
+    pub(super) fn all(seeds: &[u64], common: u64, points: u64) -> Vec<Self> {
+        let mut all: Vec<_> = seeds.iter().enumerate().map(|(input, &seed)| Self::new(input, seed)).collect();
+        // As many points as are in the greatest power of two. Digits beyond those that tell these apart would be shifted alike in all of them.
+        let places = (points.max(1).ilog2() as usize).min(DIRECTIONS);
+        let digits = SHIFTED.min(places);
+        for input in &mut all {
+            input.shifted = (1 << digits) - 1;
+        }
+
+        // Digits that are the same, sums of the same places of the index, stand together.
+        let mut coinciding: Vec<_> = (0..all.len())
+            .flat_map(|input| (0..digits).map(move |digit| (input, digit)))
+            .map(|(input, digit)| (sum_of(&all[input].directions[..places], digit), input, digit))
+            .collect();
+        coinciding.sort_unstable();
+        let same = coinciding.chunk_by(|first, second| first.0 == second.0);
+        for (group, members) in (0..).zip(same.flat_map(|same| same.chunks(REPLICATES))) {
+            let seed = key(common, &[group]);
+            for (&(_, input, digit), row) in members.iter().zip(ROWS) {
+                for (replicate, shift) in (0..).zip(&mut all[input].shifts) {
+                    let column = permuted(replicate, REPLICATES as u64, key(seed, &[0]));
+                    // bᵣ + |row ∧ π(r)| modulo 2
+                    let sign = (bits(seed, 1) >> replicate) ^ u64::from((row & column).count_ones());
+                    *shift |= (sign & 1) << digit;
+                }
+            }
+        }
+        all
+    }
+
+    fn new(input: usize, seed: u64) -> Self {
         let step = |step: u64| {
             move |replicate: usize| {
                 let word = key(seed, &[step, replicate as u64]);
@@ -40,13 +86,14 @@ impl Sobol {
             }
         };
         let keys = [0, 1, 2, 3].map(|number| std::array::from_fn(step(number)));
-        Self { directions: directions(input), keys }
+        Self { directions: directions(input), keys, shifted: 0, shifts: [0; REPLICATES] }
     }
 
     /// The point at `index`, scrambled for each replicate.
     #[inline(always)]
     pub(super) fn fill(&self, index: u64, shares: &mut [f64; REPLICATES]) {
         let digits = point(&self.directions, index);
+        let first = digits & self.shifted;
         let [add, multiply, add_again, multiply_again] = &self.keys;
         for (replicate, share) in shares.iter_mut().enumerate() {
             // Digit 1 is the lowest bit here: nothing flows from a higher bit to a lower one, so that points that agree in
@@ -57,9 +104,19 @@ impl Sobol {
             word ^= word.wrapping_mul(FOLDS[1]);
             word = word.wrapping_add(add_again[replicate]).wrapping_mul(multiply_again[replicate]);
             word ^= word.wrapping_mul(FOLDS[2]);
+            word = (word & !self.shifted) | (first ^ self.shifts[replicate]);
             *share = unit(word.reverse_bits());
         }
     }
+}
+
+/// The rows of the matrix of signs (−1)^|row ∧ column| in the order in which they are given out. No four of the first six multiply to one, which would be a
+/// sign that all replicates have in common.
+const ROWS: [u64; REPLICATES] = [0, 1, 2, 4, 8, 15, 3, 5, 6, 9, 10, 12, 7, 11, 13, 14];
+
+/// The places of the index that a digit is the sum of, modulo 2.
+fn sum_of(directions: &[u64], digit: usize) -> u64 {
+    directions.iter().rev().fold(0, |places, direction| places << 1 | (direction >> digit) & 1)
 }
 
 /// x = i₁v₁ ⊕ i₂v₂ ⊕ …, i = …i₂i₁ in binary, the first digit of x in the lowest bit.

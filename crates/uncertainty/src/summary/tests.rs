@@ -60,20 +60,42 @@ fn replicates_give_the_standard_error() {
     let column: Vec<f64> = (0..16_000).map(|index| f64::from(index % 16)).collect();
     let summary = Summary::of(&column, false, Method::Sobol).unwrap();
     let expected = (16.0_f64 * 17.0 / 12.0).sqrt() / 4.0;
-    for estimate in [summary.mean, summary.median, summary.intervals[2].low] {
-        assert!((estimate.standard_error.unwrap() - expected).abs() < 1e-13);
-    }
+    assert!((summary.mean.standard_error.unwrap() - expected).abs() < 1e-13);
     assert_eq!(summary.sd.standard_error, Some(0.0));
-    // 1000 in each replicate: five beyond the ends of the 99 % interval, just. A sample less in one of them is too few.
-    assert!(summary.intervals[3].low.standard_error.is_some());
-    assert_eq!(
-        Summary::of(&column[1..], false, Method::Sobol).unwrap().intervals[3].low.standard_error,
-        None
-    );
     // No replicate but one.
     let mut lonely = vec![f64::NAN; 1600];
     lonely.iter_mut().step_by(16).for_each(|value| *value = 1.0);
-    assert_eq!(Summary::of(&lonely, false, Method::Sobol).unwrap().mean.standard_error, None);
+    let lonely = Summary::of(&lonely, false, Method::Sobol).unwrap();
+    assert_eq!((lonely.mean.standard_error, lonely.median.standard_error), (None, None));
+}
+
+/// A thousand values of each replicate. The median is 7.5: all of eight replicates lie below and none of the others, which differ from the mean of 500 by 500. So
+/// √(16/15·16·500² + 1) = 2065.6 places before and after place 7999.5: 5933.9 and 10065.1, of values 5 and 10.
+/// The lower quartile, place 3999.75, is 3 + ¾: four replicates below, 4·750² + 12·250² = 3·10⁶, √(16/15·3·10⁶ + 1) = 1788.9 places: 2210.9 and 5788.6, values 2 and 5.
+/// With the value at the quantile itself in one replicate, half of that counts: at 2.5 %, place 399.975 of value 0, 500 of replicate 0 lie below, and the mean is 31.25:
+/// √(16/15·(468.75² + 15·31.25²) + 1) = 500.0: from place 0 to 900 all are 0.
+#[test]
+fn numbers_below_a_quantile_give_its_standard_error() {
+    let column: Vec<f64> = (0..16_000).map(|index| f64::from(index % 16)).collect();
+    for method in [Method::LatinHypercube, Method::Sobol] {
+        let summary = Summary::of(&column, true, method).unwrap();
+        let found = [summary.median, summary.intervals[0].low, summary.intervals[2].low];
+        let expected = [(7.5, 2.5), (3.75, 1.5), (0.0, 0.0)]
+            .map(|(value, error)| Estimate { value, standard_error: Some(error) });
+        assert_eq!(found, expected);
+    }
+    // Replicates alike, 0 … 99 in each: nothing but the one place, which is between n + 1 and n − 1 in sixteen equal values each.
+    let column: Vec<f64> = (0..1600).map(|index| f64::from(index / 16)).collect();
+    let summary = Summary::of(&column, true, Method::Sobol).unwrap();
+    // Place 1599/2 = 799.5 between 49 and 50; 798.5 is among the 49 and 800.5 among the 50.
+    assert_eq!(summary.median, Estimate { value: 49.5, standard_error: Some(0.5) });
+    // Five samples beyond are enough, as for Monte Carlo.
+    assert!(summary.intervals[3].low.standard_error.is_some());
+    let few = Summary::of(&column[..999], true, Method::Sobol).unwrap();
+    assert_eq!(
+        (few.intervals[3].low.standard_error, few.intervals[2].low.standard_error.is_some()),
+        (None, true)
+    );
 }
 
 #[test]

@@ -294,6 +294,7 @@ fn warnings(ledger: &mut Ledger) {
     magnitudes(ledger);
     stiffness(ledger);
     works(ledger);
+    jumps(ledger);
     ledger.made(format!("|μ| is above {}:", large_ratio()));
     let friction =
         |mu: f64| is_warned("unusual-friction", &skid(1.0, &format!("{{ friction = {mu:?} }}"), ""));
@@ -353,6 +354,50 @@ fn is_warned(code: &str, text: &str) -> bool {
 pub(super) fn large_ratio() -> String {
     let warns = |mu: f64| is_warned("large-impulse-ratio", &skid(-40.0, &format!("{{ ratio = {mu} }}"), ""));
     number(threshold(2.0, 0.5, warns), 0)
+}
+
+fn jumps(ledger: &mut Ledger) {
+    let text = page("fixtures/jump-full.toml").text;
+    let law = "{ friction = 0.39469710475650066 }";
+    assert!(text.contains(law));
+    let needed = 0.394_697_104_361_8;
+    let near = |share: f64| {
+        is_warned("near-jump", &text.replace(law, &format!("{{ friction = {} }}", needed * (1.0 + share))))
+    };
+    let share = number(100.0 * threshold(0.0, 0.05, near), 0);
+    ledger.made(format!("The answer lies within {share} % of a place where the law jumps to another"));
+    ledger.made(format!("needs a friction limit that is within {share} % of the one given"));
+    ledger.made(format!("the sliding u_t is within {share} % of one"));
+    ledger.made(format!("no input is known to {share} %"));
+    ledger.made(format!("changes more over {share} %"));
+    // M, and with it the step of the motion, goes with e_m: from which e_m on it is named, and the step that this makes.
+    let sides = |e_m: f64| {
+        let text = text.replace("= -0.5 ", &format!("= {e_m} "));
+        // The ratio of the full impulse is that of the critical condition.
+        let critical =
+            analysed(&text.replace(law, "\"critical\"")).impact.unwrap().outcome.impulse_ratio.abs();
+        [1.0 + 1e-9, 1.0 - 1e-9]
+            .map(|share| text.replace(law, &format!("{{ friction = {} }}", critical * share)))
+    };
+    let least = threshold(-0.5, -0.001, |e_m| is_warned("near-jump", &sides(e_m)[0]));
+    let [one, other] = sides(least).map(|text| analysed(&text).impact.unwrap());
+    // (J) twice the energy of a change of motion, from the answer or from rest.
+    let changed = |i: usize, from: [f64; 3]| {
+        let (body, after) = (one.contact.participants()[i].body(), one.outcome.after[i]);
+        let [x, y, turned] =
+            [after.velocity.x - from[0], after.velocity.y - from[1], after.yaw_rate - from[2]];
+        (x * x + y * y) / body.inverse_mass() + turned * turned / body.inverse_yaw_inertia()
+    };
+    let [jump, whole] = [&other.outcome.after, &one.outcome.before].map(|motions| -> f64 {
+        (0..2).map(|i| changed(i, [motions[i].velocity.x, motions[i].velocity.y, motions[i].yaw_rate])).sum()
+    });
+    let step = (jump / whole).sqrt();
+    ledger.made(format!(
+        "A jump of less than {} % of what the impact does is not named",
+        number(100.0 * step, 1)
+    ));
+    ledger.cited("(not with e_m = 0)", "0 is a common yaw rate");
+    ledger.cited("but for e_m = 0 and −1", "0 is a common yaw rate");
 }
 
 fn places(ledger: &mut Ledger) {

@@ -1,9 +1,16 @@
-use super::{DIRECTION_NUMBERS, DIRECTIONS, MAX_INPUTS, Sobol, directions, point};
+use super::{DIRECTION_NUMBERS, DIRECTIONS, MAX_INPUTS, SHIFTED, Sobol, directions, point, sum_of};
 use crate::points::REPLICATES;
+use crate::random::key;
 
 /// The point as a number.
 fn plain(input: usize, index: u64) -> f64 {
     point(&directions(input), index).reverse_bits() as f64 / 2.0_f64.powi(64)
+}
+
+/// The inputs of replicates of so many points.
+fn all(inputs: usize, seed: u64, points: u64) -> Vec<Sobol> {
+    let seeds: Vec<u64> = (1..=inputs as u64).map(|input| key(seed, &[input])).collect();
+    Sobol::all(&seeds, seed, points)
 }
 
 /// Points 1 to 3 in any dimension begin with ½, and points 4 to 7 of the first dimensions are printed in S. Joe and F. Y. Kuo,
@@ -83,8 +90,7 @@ fn the_table_is_unchanged() {
 /// Every power-of-two block of points has one point in each of as many equal intervals, scrambled or not, in every input.
 #[test]
 fn each_block_is_stratified_in_every_input() {
-    for input in 0..MAX_INPUTS {
-        let sobol = Sobol::new(input, 77);
+    for (input, sobol) in all(MAX_INPUTS, 77, 512).into_iter().enumerate() {
         let mut shares = [0.0; REPLICATES];
         for power in [1, 4, 9] {
             let count = 1_usize << power;
@@ -106,7 +112,7 @@ fn each_block_is_stratified_in_every_input() {
 /// The first two inputs are a (0, 2)-sequence (Sobol' 1967): one point in each elementary rectangle, whatever its shape, scrambled too.
 #[test]
 fn the_first_two_inputs_fill_every_elementary_rectangle() {
-    let (first, second) = (Sobol::new(0, 3), Sobol::new(1, 4));
+    let [first, second] = all(2, 3, 256).try_into().unwrap();
     let count = 256;
     let mut shares = [[0.0; REPLICATES]; 2];
     let mut points = Vec::new();
@@ -163,4 +169,53 @@ fn scrambling_is_uniform_and_its_coins_are_independent() {
     assert_eq!(both[0], 0);
     assert!(both[1..].iter().all(|&count| fair(count)), "{both:?}");
     assert!((sum / seeds as f64 - 0.5).abs() < 5.0 / (12.0 * seeds as f64).sqrt());
+}
+
+/// Bits of the digits of two inputs that coincide agree in half of the replicates; all others are coins.
+#[test]
+fn shifts_of_digits_that_coincide_are_orthogonal() {
+    let (inputs, places) = (31, 6);
+    let patterns: Vec<(usize, u64, usize)> = (0..inputs)
+        .flat_map(|input| (0..SHIFTED).map(move |digit| (input, digit)))
+        .map(|(input, digit)| (input, sum_of(&directions(input)[..places], digit), digit))
+        .collect();
+    let seeds = 50;
+    let (mut coinciding, mut others, mut squares, mut ones) = (0, 0.0, 0.0, 0.0);
+    for seed in 0..seeds {
+        let all = all(inputs, seed, 1 << places);
+        let bits: Vec<u16> = patterns
+            .iter()
+            .map(|&(input, _, digit)| {
+                (0..).zip(all[input].shifts).fold(0, |bits, (replicate, shift)| {
+                    bits | u16::from((shift >> digit) & 1 == 1) << replicate
+                })
+            })
+            .collect();
+        ones += f64::from(bits.iter().map(|bits| bits.count_ones()).sum::<u32>());
+        for (place, first) in patterns.iter().enumerate() {
+            for (other, second) in patterns.iter().enumerate().skip(place + 1) {
+                let agreeing = (bits[place] ^ bits[other]).count_zeros();
+                if first.1 == second.1 {
+                    assert_eq!(agreeing, 8, "{first:?}, {second:?}");
+                    coinciding += 1;
+                } else {
+                    others += 1.0;
+                    squares += (f64::from(agreeing) - 8.0).powi(2);
+                }
+            }
+        }
+    }
+    assert!(coinciding > 50 * seeds, "{coinciding}");
+    // 16 coins: variance 4. Of their share of ones, ¼ over 31·4·16·50 = 99,200.
+    assert!((squares / others - 4.0).abs() < 0.1, "{}", squares / others);
+    let all = (patterns.len() * REPLICATES) as f64 * seeds as f64;
+    assert!((ones / all - 0.5).abs() < 5.0 * (0.25 / all).sqrt(), "{}", ones / all);
+}
+
+/// Digits beyond those that tell the points apart are left to the scrambling, which takes another coin for each point.
+#[test]
+fn few_points_have_few_digits_shifted() {
+    for (points, digits) in [(4, 2), (7, 2), (8, 3), (16, 4), (1 << 28, 4)] {
+        assert!(all(3, 1, points).iter().all(|sobol| sobol.shifted == (1 << digits) - 1), "{points}");
+    }
 }
