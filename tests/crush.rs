@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use crash3::{
-    CrushError, EnergyBasis, Inertia, ObliqueCorrection, Profile, Side, Stiffness, crush_energy, delta_v,
-    energy_equivalent_speed, moment_arm, peak_force,
+    CrushError, EnergyBasis, Inertia, ObliqueCorrection, Profile, Side, Stiffness, crush_energy,
+    crush_range_from_force, delta_v, energy_equivalent_speed, moment_arm, peak_force,
 };
 use pim_core::Tangential;
 use proptest::prelude::*;
@@ -563,5 +563,42 @@ fn velocity_changes_refuse_what_no_vehicle_has() {
             );
         }
         assert_eq!(basis.restitution_factor(0.0), Ok(1.0));
+    }
+}
+
+/// 200 kN on a side of 2 m that begins with 50 kN/m and reaches 850 kN/m where the crush, 1 m deep, is at the CG: from 0.235 m to 2 m of width are possible. The
+/// nominal width is the one given, or the nearest of these.
+#[test]
+fn an_inferred_crush_has_the_nearest_possible_width() {
+    let stiffness = Stiffness::from_abg(50e3, 800e3, 3125.0).unwrap();
+    let narrowest = 200e3 / 850e3;
+    for (asked, width) in [(0.1, narrowest), (1.0, 1.0), (3.0, 2.0)] {
+        let range = crush_range_from_force(200e3, 0.0, &stiffness, asked, 2.0, 1.0).unwrap();
+        assert_relative("w", range.nominal.width, width, 1e-12);
+        assert_relative("C", range.nominal.depth, (200e3 / width - 50e3) / 800e3, 1e-12);
+    }
+}
+
+/// Up to G = A²/B = 3125 N the widest damage takes the least energy; a greater G puts the least at F/√(2BG − A²), and can put the greatest at the widest.
+#[test]
+fn the_least_energy_is_not_always_that_of_the_widest_damage() {
+    for (g, least, greatest) in [
+        (1562.5, 2.0, 200e3 / 850e3),
+        (3125.0, 2.0, 200e3 / 850e3),
+        (20e3, 200e3 / 29.5e9_f64.sqrt(), 200e3 / 850e3),
+        (80e3, 200e3 / 125.5e9_f64.sqrt(), 2.0),
+    ] {
+        let stiffness = Stiffness::from_abg(50e3, 800e3, g).unwrap();
+        let range = crush_range_from_force(200e3, 0.0, &stiffness, 1.0, 2.0, 1.0).unwrap();
+        assert_relative("least", range.lowest.width, least, 1e-12);
+        assert_relative("greatest", range.highest.width, greatest, 1e-12);
+        // E = w (A C + B C²/2 + G) at every width between.
+        for step in 0..=1000 {
+            let width = 200e3 / 850e3 + (2.0 - 200e3 / 850e3) * f64::from(step) / 1000.0;
+            let depth = (200e3 / width - 50e3) / 800e3;
+            let energy = width * (50e3 * depth + 400e3 * depth * depth + g);
+            let rounding = 1e-12 * energy;
+            assert!(energy >= range.lowest.energy - rounding && energy <= range.highest.energy + rounding);
+        }
     }
 }

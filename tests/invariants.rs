@@ -150,6 +150,7 @@ fn the_impulse_ratio_is_the_one_asked_for() {
                 assert_close("μ", effects.ratio, critical, scale.ratio * ROUNDING);
             }
             Tangential::Ratio(mu) => assert_close("P_t", p_t, mu * p_n, tolerance),
+            Tangential::FractionOfCritical(0.0) => assert_close("P_t", p_t, 0.0, tolerance),
             Tangential::FractionOfCritical(f) => {
                 let critical = effects.critical_ratio.unwrap();
                 assert_close("μ", effects.ratio, f * critical, scale.ratio * ROUNDING);

@@ -333,6 +333,8 @@ pub(crate) fn verdict(scene: &Scene) -> Verdict {
     let pushes = sticking.impulse[0] > 0.0;
     let under = |condition| (condition, solve(scene, condition));
     let (condition, effects) = match scene.tangential {
+        // Without friction, whatever μ_c is.
+        Tangential::FractionOfCritical(0.0) => under(Condition::Ratio(0.0)),
         Tangential::FractionOfCritical(_) if !pushes => return Verdict::Pulling(sticking.impulse[0]),
         Tangential::Critical => (Condition::CommonTangential, sticking),
         Tangential::Ratio(mu) => under(Condition::Ratio(mu)),
@@ -404,9 +406,11 @@ impl Scale {
             effects.critical_ratio.is_some_and(|mu_c| (mu_c - effects.ratio).abs() <= 1e-6 * critical_ratio);
         let (growth, ratio) = match scene.tangential {
             Tangential::Critical => (nn * tt / (nn * tt - nt * nt), critical_ratio),
-            Tangential::FractionOfCritical(_) => (critical * given(effects.ratio), critical_ratio),
+            Tangential::FractionOfCritical(f) if f != 0.0 => {
+                (critical * given(effects.ratio), critical_ratio)
+            }
             Tangential::Friction(_) if sticks => (critical * given(effects.ratio), critical_ratio),
-            Tangential::Ratio(_) | Tangential::Friction(_) => {
+            Tangential::Ratio(_) | Tangential::FractionOfCritical(_) | Tangential::Friction(_) => {
                 (given(effects.ratio), 1.0 + effects.ratio.abs())
             }
             Tangential::FullOrSliding(limit) if (effects.ratio.abs() - limit).abs() <= 1e-9 * limit => {
@@ -608,7 +612,7 @@ fn impact_is_the_brute_force_solution() {
             (Verdict::Pulling(expected), Err(ImpactError::Pulling { normal_impulse })) => {
                 let common = solve(&scene, Condition::CommonTangential);
                 let scene = match scene.tangential {
-                    Tangential::FractionOfCritical(_) => scene.under(Tangential::Critical),
+                    Tangential::FractionOfCritical(f) if f != 0.0 => scene.under(Tangential::Critical),
                     _ => scene,
                 };
                 let scale = Scale::of(&scene, &common);

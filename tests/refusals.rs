@@ -2,11 +2,14 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use pim_core::{Body, Contact, ImpactError, InvalidInput, Law, Motion, Participant, Tangential, Vector2};
+use pim_core::{
+    Body, Contact, ImpactError, InvalidInput, Law, Motion, Participant, Real, Tangential, Vector2,
+};
+use real::Traced;
 
 use crate::compare::assert_close;
 use crate::oracle::{Effects, Verdict, verdict};
-use crate::scenes::{Scene, for_all, scene_under};
+use crate::scenes::{Scene, for_all, scene, scene_under};
 
 const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
@@ -157,7 +160,8 @@ fn sliding_along_each_other_is_no_approach() {
     }
 }
 
-/// Where a common tangential velocity takes P_n = 0 exactly, it is no push: the law is refused, and another's outcome has no μ_c.
+/// Where a common tangential velocity takes P_n = 0 exactly, it is no push: the law is refused, and another's outcome has no μ_c. A share of that μ_c
+/// is refused too, but none of it is without friction.
 #[test]
 fn no_push_is_no_critical_ratio() {
     let critical = Law::new(0.0, Tangential::Critical).unwrap();
@@ -174,13 +178,78 @@ fn no_push_is_no_critical_ratio() {
             looked += 1;
             let refused = contact.impact(motions, &critical);
             assert!(matches!(refused, Err(ImpactError::Pulling { normal_impulse: 0.0 })), "{refused:?}");
-            let fraction = Law::new(0.0, Tangential::FractionOfCritical(0.0)).unwrap();
-            assert!(contact.impact(motions, &fraction).is_err());
+            let share = Law::new(0.0, Tangential::FractionOfCritical(f64::MIN_POSITIVE)).unwrap();
+            let refused = contact.impact(motions, &share);
+            assert!(matches!(refused, Err(ImpactError::Pulling { normal_impulse: 0.0 })), "{refused:?}");
             let frictionless = Law::new(0.0, Tangential::Ratio(0.0)).unwrap();
-            assert_eq!(contact.impact(motions, &frictionless).unwrap().critical_impulse_ratio, None);
+            let outcome = contact.impact(motions, &frictionless).unwrap();
+            assert_eq!(outcome.critical_impulse_ratio, None);
+            // μ_c = P_t/0, of which 0 would not be a number.
+            let none = Law::new(0.0, Tangential::FractionOfCritical(0.0)).unwrap();
+            assert_eq!(contact.impact(motions, &none), Ok(outcome));
         }
     }
     assert!(looked > 0);
+}
+
+/// f = 0 is without friction in every scene, also where the critical condition pulls, with and without a moment impulse: the impact, or the
+/// refusal, of μ = 0.
+#[test]
+fn no_share_of_the_critical_ratio_is_no_friction() {
+    let pulls = std::cell::Cell::new(0);
+    for_all(20_000, 0.8, scene(), |scene| {
+        let [frictionless, none, critical] =
+            [Tangential::Ratio(0.0), Tangential::FractionOfCritical(0.0), Tangential::Critical]
+                .map(|law| scene.under(law).impact());
+        if frictionless.is_ok() && matches!(critical, Err(ImpactError::Pulling { .. })) {
+            pulls.set(pulls.get() + 1);
+        }
+        match (&none, &frictionless) {
+            (Ok(none), Ok(frictionless)) => {
+                assert_eq!(none.impulse, frictionless.impulse);
+                assert_eq!(none.moment_impulse, frictionless.moment_impulse);
+                assert_eq!(none.after, frictionless.after);
+                assert_eq!(none.energy, frictionless.energy);
+                let ratios = [none, frictionless].map(|outcome| outcome.critical_impulse_ratio);
+                assert_eq!(ratios[0].is_some(), ratios[1].is_some());
+            }
+            _ => assert_eq!(none, frictionless),
+        }
+        frictionless.is_ok()
+    });
+    assert!(pulls.get() > 500, "{}", pulls.get());
+}
+
+/// By f the impulse moves only where a push gives μ_c; the other derivatives at f = 0 are those at μ = 0.
+#[test]
+fn the_derivatives_without_friction_are_numbers() {
+    let outcome = |across: f64, tangential: fn(Traced) -> Tangential<Traced>| {
+        let gradients = real::gradients(&[0.0, across], |numbers| {
+            let &[share, across] = numbers else { unreachable!() };
+            let n = Traced::from;
+            let body = Body::new(n(1.0), n(1.0)).unwrap();
+            let places = [Participant::new(body, n(0.0), n(-1.0), n(-1.0)).unwrap(), Participant::barrier()];
+            let velocity = Vector2::new(n(-2.0), across);
+            let motions = [Motion { velocity, yaw_rate: n(0.0) }, Motion::rest()];
+            let law = Law::new(n(0.0), tangential(share)).unwrap();
+            let outcome = Contact::new(places, n(0.0)).unwrap().impact(motions, &law)?;
+            Ok::<_, ImpactError>(vec![outcome.impulse.normal, outcome.impulse.tangential])
+        });
+        gradients.unwrap()
+    };
+    for across in [-7.0, -4.0, -2.0, -1.0, 1.0, 2.0, 4.0, 7.0] {
+        let none = outcome(across, Tangential::FractionOfCritical);
+        let frictionless = outcome(across, |_| Tangential::Ratio(Traced::ZERO));
+        for (none, frictionless) in none.iter().zip(&frictionless) {
+            assert_eq!(none.value, frictionless.value);
+            assert_eq!(none.by[1], frictionless.by[1], "by the velocity across, {across}");
+        }
+        // By hand, with K = ((2, −1), (−1, 2)) and u = (−2, across): P_n = −u_n/k_nn = 1 at f = 0, so that ∂P_t/∂f = μ_c, and the impulse
+        // of μ_c is along (k_tt 2 + k_nt across, −k_nn across − k_nt 2).
+        let [c_n, c_t] = [4.0 - across, 2.0 - 2.0 * across];
+        let expected = if c_n > 0.0 { c_t / c_n } else { 0.0 };
+        assert_close("∂P_t/∂f", none[1].by[0], expected, 1e-12);
+    }
 }
 
 /// E_L may fall below zero by 1e-12 of the energy that the impulses exchange, and no further: elastic in the normal direction, elastic

@@ -84,8 +84,8 @@ pub struct Crash3 {
 /// CRASH3's ΔV under one correction for oblique forces, with a common normal velocity.
 #[derive(Clone, Copy, Debug)]
 pub struct Correction {
-    /// The correction.
-    pub correction: ObliqueCorrection,
+    /// The correction of each vehicle: one kind for both, of which each has the friction limit of its own.
+    pub corrections: [ObliqueCorrection; 2],
     /// The factor on each vehicle's crush energy; one for a fixed object.
     pub factor: [f64; 2],
     /// (J) crush energy of both vehicles, corrected.
@@ -212,7 +212,6 @@ pub(crate) fn crash3(
     let mut corrected_energy = Some(0.0);
     let mut inertias = [Inertia::fixed(); 2];
     let mut moment_arm = [0.0; 2];
-    let mut friction = None;
     for (i, vehicle) in vehicles.iter().enumerate() {
         let Some(inertia) = vehicle.subject.inertia else { continue };
         let Some(damage) = &vehicle.damage else { return Ok(None) };
@@ -221,11 +220,6 @@ pub(crate) fn crash3(
             corrected_energy.zip(damage.oblique).map(|(sum, oblique)| sum + oblique.corrected_crush_energy);
         moment_arm[i] = damage.moment_arm;
         inertias[i] = Inertia::new(inertia.mass, inertia.yaw_inertia, damage.moment_arm)?;
-        if let Some(ObliqueCorrection::Friction(given)) =
-            vehicle.subject.damage.as_ref().map(|d| d.correction)
-        {
-            friction = Some(given);
-        }
     }
     let corrected = match corrected_energy {
         Some(crush_energy) => {
@@ -235,11 +229,11 @@ pub(crate) fn crash3(
     };
     let mut corrections = Vec::new();
     for correction in [
-        ObliqueCorrection::None,
-        ObliqueCorrection::Capped,
-        ObliqueCorrection::Uncapped,
-        ObliqueCorrection::Friction(friction.unwrap_or(ASSUMED_FRICTION)),
-        ObliqueCorrection::Secant,
+        [ObliqueCorrection::None; 2],
+        [ObliqueCorrection::Capped; 2],
+        [ObliqueCorrection::Uncapped; 2],
+        friction_limits(vehicles).map(ObliqueCorrection::Friction),
+        [ObliqueCorrection::Secant; 2],
     ] {
         corrections.extend(corrected_by(correction, vehicles, inertias)?);
     }
@@ -254,9 +248,19 @@ pub(crate) fn crash3(
     }))
 }
 
+/// Each vehicle's own friction limit; where it has none that of the other, as the surfaces are the same, and where neither has one the assumed one.
+fn friction_limits(vehicles: &[Vehicle; 2]) -> [f64; 2] {
+    let [first, second] =
+        vehicles.each_ref().map(|vehicle| match vehicle.subject.damage.as_ref()?.correction {
+            ObliqueCorrection::Friction(limit) => Some(limit),
+            _ => None,
+        });
+    [first.or(second), second.or(first)].map(|limit| limit.unwrap_or(ASSUMED_FRICTION))
+}
+
 /// `None` where a force does not push on its damaged side.
 fn corrected_by(
-    correction: ObliqueCorrection,
+    corrections: [ObliqueCorrection; 2],
     vehicles: &[Vehicle; 2],
     inertias: [Inertia; 2],
 ) -> Result<Option<Correction>, CrushError> {
@@ -264,10 +268,10 @@ fn corrected_by(
     let mut factor = [1.0; 2];
     for (i, vehicle) in vehicles.iter().enumerate() {
         let Some(damage) = &vehicle.damage else { continue };
-        let Ok(oblique) = correction.factor(damage.oblique_angle) else { return Ok(None) };
+        let Ok(oblique) = corrections[i].factor(damage.oblique_angle) else { return Ok(None) };
         factor[i] = oblique.factor;
         crush_energy += damage.crush_energy * oblique.factor;
     }
     let delta_v = crash3::delta_v(crush_energy, inertias)?;
-    Ok(Some(Correction { correction, factor, crush_energy, delta_v }))
+    Ok(Some(Correction { corrections, factor, crush_energy, delta_v }))
 }

@@ -182,12 +182,7 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
         .map_err(Failure::from)
         .and_then(|problem| {
             let problem = problem.with_restitution_curve(restitution_curve.as_ref());
-            let answer = problem.solve().map_err(|refusal| match refusal {
-                ReconcileError::NotReached { vehicle, energy } => {
-                    Failure::NotReached { vehicle, energy, nearest: problem.nearest() }
-                }
-                refusal => refusal.into(),
-            })?;
+            let answer = problem.solve().map_err(|refusal| refused(&problem, refusal))?;
             Ok((answer, problem.speeds().collect()))
         })
         .map_err(|failure| failure.in_axes(file.case.axes))?;
@@ -206,6 +201,16 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     let impact = Impact::new(contact, answer.law, answer.outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
     judged(file, vehicles, input.basis, Some(impact.law.restitution()), (Some(found), Some(impact)), warnings)
+}
+
+/// Why a problem has no answer, with the impact that comes nearest to one.
+pub(crate) fn refused(problem: &Problem<'_>, refusal: ReconcileError) -> Failure {
+    match refusal {
+        ReconcileError::NotReached { vehicle, energy } => {
+            Failure::NotReached { vehicle, energy, nearest: problem.nearest() }
+        }
+        refusal => refusal.into(),
+    }
 }
 
 /// What the impact does, both speeds given.

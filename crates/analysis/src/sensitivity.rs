@@ -137,7 +137,9 @@ pub struct SweepRow {
     pub change: f64,
     /// (rad) PDOF of both vehicles; none of a fixed object.
     pub pdof: [Option<f64>; 2],
-    /// CRASH3's answer with the arms and angles of that direction.
+    /// (rad) α of both vehicles; none of a fixed object. One that the file gives turns with the force.
+    pub oblique_angle: [Option<f64>; 2],
+    /// CRASH3's answer with the angles and arms of that direction; an arm that the file gives stays.
     pub crash3: Crash3,
 }
 
@@ -268,7 +270,8 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepR
         #[expect(clippy::cast_precision_loss, reason = "a u32 is exact in f64")]
         let change = step as f64 * sweep.step;
         // A line of action that turns counter-clockwise turns both PDOFs, which count clockwise, the other way.
-        let pdof = nominal_pdof.map(|pdof| pdof.map(|pdof| principal_angle(pdof - axes.lateral(change))));
+        let turned = |angle: f64| principal_angle(angle - axes.lateral(change));
+        let pdof = nominal_pdof.map(|pdof| pdof.map(turned));
         let mut subjects = nominal.vehicles.each_ref().map(|vehicle| vehicle.subject.clone());
         for (subject, pdof) in subjects.iter_mut().zip(pdof) {
             let Some(damage) = &mut subject.damage else { continue };
@@ -277,12 +280,15 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepR
                 return Ok(Vec::new());
             }
             damage.pdof = pdof;
-            damage.oblique_angle = None;
-            damage.moment_arm = None;
+            // α = PDOF − PDOF of a square hit: what the file gives in its place says how the damaged surface stands, which the force does not turn.
+            // A given arm stays, as no point is known that would give it in another direction.
+            damage.oblique_angle = damage.oblique_angle.map(turned);
         }
         let vehicles = damage::assess(subjects, [None, None])?;
+        let oblique_angle =
+            vehicles.each_ref().map(|vehicle| vehicle.damage.as_ref().map(|damage| damage.oblique_angle));
         if let Some(crash3) = damage::crash3(&vehicles, nominal.basis, restitution)? {
-            rows.push(SweepRow { change, pdof, crash3 });
+            rows.push(SweepRow { change, pdof, oblique_angle, crash3 });
         }
     }
     Ok(rows)
@@ -292,6 +298,7 @@ impl SweepRow {
     /// The row of one correction for oblique forces; none where a force does not push on its damaged side.
     #[must_use]
     pub fn corrected(&self, correction: ObliqueCorrection) -> Option<[f64; 2]> {
-        self.crash3.corrections.iter().find(|row| row.correction == correction).map(|row| row.delta_v)
+        let mut rows = self.crash3.corrections.iter();
+        rows.find(|row| row.corrections == [correction; 2]).map(|row| row.delta_v)
     }
 }

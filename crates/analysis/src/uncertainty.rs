@@ -18,7 +18,7 @@ use reconcile::ReconcileError;
 use block::{Block, Number};
 
 use crate::sensitivity::{Output, at, gradients};
-use crate::{Analysis, Failure, collide, impact, reconstruct};
+use crate::{Analysis, Failure, collide, impact, reconstruct, refused};
 
 /// What is asked for.
 #[derive(Clone, Copy, Debug)]
@@ -173,9 +173,8 @@ impl Reason {
     fn of(failure: &Failure) -> Self {
         match failure {
             Failure::Impact(error)
-            | Failure::Reconcile(ReconcileError::Inadmissible { reason: error, .. }) => {
-                Self::of_impact(error)
-            }
+            | Failure::Reconcile(ReconcileError::Inadmissible { reason: error, .. })
+            | Failure::NotReached { nearest: Err(error), .. } => Self::of_impact(error),
             Failure::NotReached { .. }
             | Failure::Reconcile(
                 ReconcileError::NotReached { .. }
@@ -460,7 +459,7 @@ impl<'a> Sample<'a> {
     fn solve(&self, case: &Case, results: &mut [f64]) -> Result<(), Failure> {
         if self.is_reconstruction {
             at(self.file, case, |problem| {
-                let answer = problem.solve()?;
+                let answer = problem.solve().map_err(|refusal| refused(problem, refusal))?;
                 self.write(answer.speed, &answer.outcome, results);
                 Ok(())
             })

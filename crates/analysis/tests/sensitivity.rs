@@ -165,3 +165,46 @@ fn a_damage_without_a_pdof_has_no_sweep() {
     let sensitivity = sensitivity(&file, Sweep { step: 0.1, steps: 2 }).unwrap();
     assert!(sensitivity.derivatives.is_empty() && sensitivity.pdof_sweep.is_empty());
 }
+
+/// The pole with h = 0.9 m and α = 30° of its own, which contact point and PDOF would make 0.3 m and 0°: in every row h stays, and α turns as the PDOF does.
+#[test]
+fn the_sweep_keeps_what_the_file_gives() {
+    let pole = fs::read_to_string(fixtures().join("pole.toml")).unwrap();
+    let given = "pdof = \"0 deg\"\nmoment_arm = \"0.9 m\"\noblique_angle = \"30 deg\"";
+    let line = pole.lines().find(|line| line.starts_with("pdof")).unwrap();
+    let text = pole.replace(line, given);
+    // Two zones of 0.3 m from 0.4 to 0.5 m: A C̄ + B Q/2 + A²/2B with C̄ = 0.45 m and Q = 0.61/3 m².
+    let energy: f64 = 0.6 * (50e3 * 0.45 + 800e3 * 0.61 / 6.0 + 50e3 * 50e3 / 1.6e6);
+    // γ = k²/(k² + h²),  ΔV = √(2 γ E/m)
+    let uncorrected = (2.0 * 1.96 / (1.96 + 0.81) * energy / 1500.0).sqrt();
+    assert!((uncorrected - 7.72).abs() < 5e-3);
+    let sweep = Sweep { step: 10_f64.to_radians(), steps: 2 };
+    for (axes, sign) in [("z-up", -1.0), ("z-down", 1.0)] {
+        let file = Case::parse("x.toml", &format!("axes = \"{axes}\"\n{text}")).unwrap();
+        let alone = crush(&file).unwrap().crash3.unwrap();
+        let rows = sensitivity(&file, sweep).unwrap().pdof_sweep;
+        assert_eq!(rows.len(), 5);
+        assert_eq!(rows[2].crash3.delta_v, alone.delta_v);
+        assert_eq!(rows[2].crash3.corrected.unwrap().delta_v, alone.corrected.unwrap().delta_v);
+        for row in &rows {
+            // A line of action that turns counter-clockwise takes from the PDOF and from α, which count clockwise.
+            let alpha = 30_f64.to_radians() + sign * row.change;
+            assert!((row.oblique_angle[0].unwrap() - alpha).abs() < 1e-12);
+            assert_eq!(row.crash3.moment_arm[0], 0.9);
+            assert!((row.crash3.delta_v[0] / uncorrected - 1.0).abs() < 1e-12);
+            // √(1 + tan²α), at most √2
+            let factor = (1.0 / alpha.cos()).min(2_f64.sqrt());
+            let corrected = row.crash3.corrected.unwrap().delta_v[0];
+            assert!((corrected / (uncorrected * factor) - 1.0).abs() < 1e-12, "{corrected}");
+            if row.change == 0.0 {
+                assert!((corrected - 8.92).abs() < 5e-3, "{corrected}");
+            }
+        }
+    }
+    // Only one of the two given: the other follows from contact point and PDOF.
+    let file = Case::parse("x.toml", &text.replace("oblique_angle = \"30 deg\"\n", "")).unwrap();
+    for row in sensitivity(&file, sweep).unwrap().pdof_sweep {
+        assert_eq!(row.crash3.moment_arm[0], 0.9);
+        assert!((row.oblique_angle[0].unwrap() + row.change).abs() < 1e-12);
+    }
+}

@@ -158,6 +158,37 @@ fn samples_without_an_answer_are_counted_by_reason() {
     assert!(columns[1].iter().all(|pdof| pdof.is_nan() || pdof.abs() < 1e-12));
 }
 
+/// A car at 10° to a wall whose contact point lies anywhere along its side. Far behind the CG, stopping that point along the wall takes a pull at every speed.
+#[test]
+fn what_would_have_to_pull_at_every_speed_is_counted_so() {
+    let case = include_str!("../../../fixtures/no-answer/not-reached.toml");
+    assert!(case.contains("x = \"-2.0 m\""));
+    let range = "x = { low = \"-2.5 m\", mode = \"2 m\", high = \"2.5 m\" }";
+    let result = run(&case.replace("x = \"-2.0 m\"", range), 2000);
+    let (sin, cos) = 10_f64.to_radians().sin_cos();
+    let pulls = |x: f64| {
+        let (along, across) = (x * cos - 0.8 * sin, x * sin + 0.8 * cos);
+        // P_n ∝ k_tt (1 + e)|u_n| + k_nt u_t, with m k_tt = 1 + r_n²/k² and m k_nt = r_t r_n/k² in the sense of u_t
+        (1.0 + across * across / 2.25) * 1.1 * sin + along * across / 2.25 * cos <= 0.0
+    };
+    let distributions: Vec<_> = result.inputs.iter().map(|input| input.distribution).collect();
+    let sampler = Sampler::new(&distributions, &result.settings).unwrap();
+    let mut expected = 0;
+    let mut left = 2000;
+    for block in 0.. {
+        let mut columns = vec![[0.0; LANES]; 1];
+        sampler.fill(block, &mut columns);
+        expected += columns[0].iter().take(left).filter(|x| pulls(**x)).count();
+        if left <= LANES {
+            break;
+        }
+        left -= LANES;
+    }
+    assert!(expected > 100, "{expected}");
+    assert_eq!(result.failed(Reason::Pulling), expected);
+    assert_eq!(result.failed(Reason::NoRoot), 0);
+}
+
 /// A twelfth of the speeds without damage, and a fifth of the limits, are such that no stiffness follows.
 #[test]
 fn a_stiffness_that_cannot_be_is_a_reason_of_its_own() {

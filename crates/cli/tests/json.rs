@@ -314,7 +314,7 @@ fn a_pole_gives_the_barrier_speed_and_one_velocity_change() {
     let mut document = json("crush", POLE);
     take_nulls(&mut document, &["/crash3/moment_arm", "/crash3/delta_v", "/crash3/corrected_delta_v"]);
     for correction in document["crash3"]["corrections"].as_array_mut().unwrap() {
-        take_nulls(correction, &["/delta_v"]);
+        take_nulls(correction, &["/delta_v", "/friction"]);
     }
     assert_no_null(&document);
     let at = |pointer: &str| number(&document, pointer);
@@ -343,6 +343,7 @@ fn the_sweep_has_nothing_of_what_is_fixed() {
     for row in rows {
         let of_both = [
             "/pdof",
+            "/oblique_angle",
             "/moment_arm",
             "/uncorrected_delta_v",
             "/delta_v",
@@ -357,6 +358,54 @@ fn the_sweep_has_nothing_of_what_is_fixed() {
     let rows: Vec<&str> =
         sweep.lines().filter(|line| line.contains("(nominal)") || line.contains(" 0.00")).collect();
     assert!(rows.len() == 1 && !rows[0].contains(" 0.00"), "{sweep}");
+}
+
+/// What the file gives of arm and angle is said to be held or turned, and the nominal row is the answer of `crush`.
+#[test]
+fn the_sweep_says_what_the_file_gives() {
+    for key in ["pdof_sweep_held", "pdof_sweep_turned"] {
+        assert_eq!(json("sensitivity", POLE).get(key), None);
+    }
+    let line = POLE.lines().find(|line| line.starts_with("pdof")).unwrap();
+    let given = "pdof = \"0 deg\"\nmoment_arm = \"0.9 m\"\noblique_angle = \"30 deg\"";
+    let case = POLE.replace(line, given);
+    let document = json("sensitivity", &case);
+    assert_eq!(document["pdof_sweep_held"], serde_json::json!(["vehicle1.crush.moment_arm"]));
+    assert_eq!(document["pdof_sweep_turned"], serde_json::json!(["vehicle1.crush.oblique_angle"]));
+    let rows = document["pdof_sweep"].as_array().unwrap();
+    let nominal = rows.iter().find(|row| row["change"] == 0.0).unwrap();
+    let alone = json("crush", &case);
+    assert_eq!(nominal["uncorrected_delta_v"], alone["crash3"]["delta_v"]);
+    assert_eq!(nominal["delta_v"], alone["crash3"]["corrected_delta_v"]);
+    assert_eq!(nominal["oblique_angle"][0], alone["vehicle1"]["oblique_angle"]);
+    let text = String::from_utf8(printed(&["sensitivity", "-"], &case)).unwrap();
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(text.contains("The moment arm of vehicle 1 is held at the value that the file gives."), "{text}");
+    assert!(
+        text.contains("The oblique angle of vehicle 1 starts from the one that the file gives"),
+        "{text}"
+    );
+}
+
+/// CRASH3's friction limits are told by vehicle, in text and in JSON.
+#[test]
+fn friction_limits_are_told_by_vehicle() {
+    let case = PAPER
+        .replace("[vehicle1.crush]", "[vehicle1.crush]\noblique = { friction = 0.8 }")
+        .replace("[vehicle2.crush]", "[vehicle2.crush]\noblique = { friction = 0.05 }");
+    let document = json("reconstruct", &case);
+    let rows = document["crash3"]["corrections"].as_array().unwrap();
+    for row in rows {
+        let expected = (row["oblique"] == "friction").then(|| serde_json::json!([0.8, 0.05]));
+        assert_eq!(row.get("friction"), expected.as_ref());
+    }
+    let compared = json("compare", &case);
+    let rows = compared["rows"].as_array().unwrap();
+    let row = rows.iter().find(|row| row["law"] == "CRASH3, friction-limited").unwrap();
+    assert_eq!(row["friction"], serde_json::json!([0.8, 0.05]));
+    assert!(row["coefficients"].as_str().unwrap().ends_with("1+min(tan²α,μ|tanα|), μ_1 = 0.8, μ_2 = 0.05"));
+    let text = String::from_utf8(printed(&["reconstruct", "-"], &case)).unwrap();
+    assert!(text.contains("The friction limit μ is 0.8 for vehicle 1 and 0.05 for vehicle 2.\n"), "{text}");
 }
 
 /// Takes the second number of each pair, which has to be null, away.
@@ -444,7 +493,7 @@ fn where_there_is_no_critical_ratio_its_key_is_null() {
     assert_eq!(impact.remove("critical_impulse_ratio"), Some(Value::Null));
     take_nulls(&mut document, &["/crash3/moment_arm", "/crash3/delta_v", "/crash3/corrected_delta_v"]);
     for correction in document["crash3"]["corrections"].as_array_mut().unwrap() {
-        take_nulls(correction, &["/delta_v"]);
+        take_nulls(correction, &["/delta_v", "/friction"]);
     }
     assert_no_null(&document);
 }

@@ -12,7 +12,7 @@ pub enum Tangential<T = f64> {
     Critical,
     /// P_t = μ P_n with μ as given.
     Ratio(T),
-    /// P_t = f μ_c P_n with 0 ≤ f ≤ 1.
+    /// P_t = f μ_c P_n with 0 ≤ f ≤ 1; f = 0 is without friction, whether or not a push gives μ_c.
     FractionOfCritical(T),
     /// Coulomb friction: U_t = 0 while friction of at most this coefficient (≥ 0) can hold the surfaces together, else
     /// they still slide and |P_t| has the limit's size.
@@ -240,7 +240,13 @@ impl<T: Real> Law<T> {
             Tangential::Ratio(mu) => (conditions.with_ratio(mu), conditions.critical_direction()),
             Tangential::FractionOfCritical(f) => {
                 let critical = conditions.with_change(-u_t).linear;
-                (conditions.with_ratio(f * critical.tangential / critical.normal), critical)
+                // No share of μ_c is no friction, also where no push gives μ_c.
+                let ratio = if self.needs_critical() | (critical.normal > T::ZERO) {
+                    f * critical.tangential / critical.normal
+                } else {
+                    T::ZERO
+                };
+                (conditions.with_ratio(ratio), critical)
             }
             Tangential::Friction(limit) => {
                 let full = conditions.with_change(-u_t);
@@ -268,8 +274,14 @@ impl<T: Real> Law<T> {
     /// Whether the law has an impulse that pushes. A fraction of μ_c needs a push that gives μ_c, too.
     #[inline(always)]
     pub(crate) fn pushes(&self, solution: &Solution<T>) -> bool {
-        let is_fraction = matches!(self.tangential, Tangential::FractionOfCritical(_));
-        (solution.impulse.linear.normal > T::ZERO) & ((solution.critical.normal > T::ZERO) | !is_fraction)
+        (solution.impulse.linear.normal > T::ZERO)
+            & ((solution.critical.normal > T::ZERO) | !self.needs_critical())
+    }
+
+    /// Whether the law takes a share of μ_c, without which it has no impulse.
+    #[inline(always)]
+    fn needs_critical(&self) -> bool {
+        matches!(self.tangential, Tangential::FractionOfCritical(f) if f != T::ZERO)
     }
 
     /// Why it has none.
@@ -277,7 +289,9 @@ impl<T: Real> Law<T> {
     pub(crate) fn refusal(&self, k: &InverseMass<T>, solution: &Solution<T>) -> ImpactError {
         let impulse = solution.impulse.linear;
         let (asks_for, ratio) = match self.tangential {
-            Tangential::FractionOfCritical(_) if solution.critical.normal <= T::ZERO => {
+            Tangential::FractionOfCritical(_)
+                if self.needs_critical() && solution.critical.normal <= T::ZERO =>
+            {
                 (solution.critical, None)
             }
             Tangential::Ratio(mu) => (impulse, Some(mu)),

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::axes;
 use crate::failures::no_answer;
-use crate::json::WarningBlock;
+use crate::json::{OfMovable, WarningBlock, of_movable};
 use crate::law;
 use crate::text::{LINE, hanging, wrapped};
 use crate::units::{Quantity, Units, number};
@@ -21,6 +21,9 @@ struct Row {
     coefficients: String,
     #[serde(skip_serializing_if = "str::is_empty")]
     assumed: &'static str,
+    /// CRASH3's friction limits by vehicle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    friction: Option<OfMovable>,
     #[serde(flatten)]
     values: Values,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -79,7 +82,7 @@ fn rows(case: &Case, comparison: &Comparison, units: Units) -> Vec<Row> {
         Row { law: law::name(&row.law), coefficients, assumed: row.assumed, values, error, ..Row::default() }
     });
     let corrections = comparison.own.crash3.iter().flat_map(|crash3| &crash3.corrections);
-    let mut rows: Vec<Row> = laws.chain(corrections.map(crash3_row)).collect();
+    let mut rows: Vec<Row> = laws.chain(corrections.map(|row| crash3_row(case, row))).collect();
     for row in &mut rows {
         row.found_difference = row.values.found.zip(own.values.found).map(|(found, own)| found - own);
         row.delta_v_difference =
@@ -115,8 +118,9 @@ pub(crate) fn regime_name(regime: Regime) -> &'static str {
     }
 }
 
-fn crash3_row(row: &Correction) -> Row {
-    let law = match row.correction {
+fn crash3_row(case: &Case, row: &Correction) -> Row {
+    let [correction, _] = row.corrections;
+    let law = match correction {
         ObliqueCorrection::None => "CRASH3, uncorrected",
         ObliqueCorrection::Capped => "CRASH3, corrected",
         ObliqueCorrection::Uncapped => "CRASH3, corrected, no cap",
@@ -125,8 +129,9 @@ fn crash3_row(row: &Correction) -> Row {
     };
     let values =
         Values { delta_v: Some(row.delta_v), energy_loss: Some(row.crush_energy), ..Values::default() };
-    let coefficients = format!("common normal velocity; energy times {}", law::correction(row.correction));
-    Row { law, coefficients, values, ..Row::default() }
+    let coefficients = format!("common normal velocity; energy times {}", law::factor(row));
+    let friction = law::friction_limits(row).map(|limits| of_movable(case, limits));
+    Row { law, coefficients, values, friction, ..Row::default() }
 }
 
 /// The comparison as indented JSON, ending in a line break: `{"title": …, "rows": [{"law": …, "found": …, "delta_v": […], …}]}`. The
@@ -249,7 +254,8 @@ fn table(
     rows: impl Iterator<Item = (&'static str, Vec<Option<String>>)>,
 ) {
     let mut line = |name: &str, cells: Vec<String>| {
-        let cells: String = cells.into_iter().map(|cell| format!("{cell:>COLUMN$}")).collect();
+        let cells: String =
+            cells.into_iter().map(|cell| format!("  {cell:>width$}", width = COLUMN - 2)).collect();
         text.push_str(format!("{name:<NAME$}{cells}").trim_end());
         text.push('\n');
     };

@@ -169,6 +169,9 @@ struct Crash3Block {
 #[derive(Serialize)]
 struct CorrectionBlock {
     oblique: &'static str,
+    /// The limits by vehicle, of the friction-limited correction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    friction: Option<OfMovable>,
     factor: [f64; 2],
     crush_energy: f64,
     delta_v: OfMovable,
@@ -238,7 +241,8 @@ pub(crate) fn document<'a>(
                 .corrections
                 .iter()
                 .map(|row| CorrectionBlock {
-                    oblique: law::correction_name(row.correction),
+                    oblique: law::row_name(row),
+                    friction: law::friction_limits(row).map(|limits| of_movable(case, limits)),
                     factor: row.factor,
                     crush_energy: row.crush_energy,
                     delta_v: of_movable(case, row.delta_v),

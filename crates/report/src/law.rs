@@ -1,5 +1,6 @@
 //! Impact laws and their coefficients in words.
 
+use analysis::Correction;
 use case::{ImpactLaw, Restitution};
 use crash3::ObliqueCorrection;
 use pim_core::Tangential;
@@ -75,14 +76,36 @@ pub(crate) fn correction_name(correction: ObliqueCorrection) -> &'static str {
     }
 }
 
-/// Its factor on the crush energy of an oblique force.
-pub(crate) fn correction(correction: ObliqueCorrection) -> String {
-    match correction {
-        ObliqueCorrection::None => "1".to_owned(),
-        ObliqueCorrection::Capped => "1 + tan²α ≤ 2".to_owned(),
-        ObliqueCorrection::Uncapped => "1 + tan²α".to_owned(),
-        // |tan α| min(|tan α|, μ), in the columns that the label has.
-        ObliqueCorrection::Friction(mu) => format!("1+min(tan²α,{mu}|tanα|)"),
-        ObliqueCorrection::Secant => "1/cos α".to_owned(),
+/// The name of a row of corrections, of one kind for both vehicles.
+pub(crate) fn row_name(row: &Correction) -> &'static str {
+    let [first, _] = row.corrections;
+    correction_name(first)
+}
+
+/// The friction limits of a row of corrections that has them.
+pub(crate) fn friction_limits(row: &Correction) -> Option<[f64; 2]> {
+    match row.corrections {
+        [ObliqueCorrection::Friction(first), ObliqueCorrection::Friction(second)] => Some([first, second]),
+        _ => None,
     }
+}
+
+/// The factor on the crush energy of an oblique force.
+pub(crate) fn factor(row: &Correction) -> String {
+    let [first, _] = row.corrections;
+    match (first, friction_limits(row)) {
+        (_, Some([mu_1, mu_2])) if mu_1 != mu_2 => {
+            format!("{}, μ_1 = {mu_1}, μ_2 = {mu_2}", friction_factor(&"μ"))
+        }
+        (ObliqueCorrection::Friction(mu), _) => friction_factor(&mu),
+        (ObliqueCorrection::None, _) => "1".to_owned(),
+        (ObliqueCorrection::Capped, _) => "1 + tan²α ≤ 2".to_owned(),
+        (ObliqueCorrection::Uncapped, _) => "1 + tan²α".to_owned(),
+        (ObliqueCorrection::Secant, _) => "1/cos α".to_owned(),
+    }
+}
+
+/// |tan α| min(|tan α|, μ) and 1, in the columns that a label has.
+pub(crate) fn friction_factor(mu: &dyn std::fmt::Display) -> String {
+    format!("1+min(tan²α,{mu}|tanα|)")
 }

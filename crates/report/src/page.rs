@@ -293,7 +293,7 @@ fn crash3(analysis: &Analysis, units: Units) -> Option<Table> {
         }
     }
     for row in &crash3.corrections {
-        let label = format!("CRASH3 with factor {} (theory 5)", law::correction(row.correction));
+        let label = format!("CRASH3 with factor {} (theory 5)", law::factor(row));
         comparison.pair(&label, pair(row.delta_v));
     }
     Some(comparison)

@@ -1,7 +1,7 @@
 //! How much the answer moves with each estimate, as text and as JSON.
 
 use analysis::{Derivative, Output, Sensitivity};
-use case::{Axes, Case};
+use case::{Axes, Case, Damage};
 use crash3::ObliqueCorrection;
 use serde::Serialize;
 
@@ -16,6 +16,12 @@ struct Document<'a> {
     axes: &'static str,
     derivatives: Vec<DerivativeBlock<'a>>,
     pdof_sweep: Vec<SweepBlock>,
+    /// What the file gives in place of what would follow from the direction: kept in every row of the sweep.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pdof_sweep_held: Vec<String>,
+    /// The same, turned with the direction.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pdof_sweep_turned: Vec<String>,
     /// Of the case as it stands.
     warnings: Vec<WarningBlock>,
 }
@@ -36,6 +42,7 @@ struct DerivativeBlock<'a> {
 struct SweepBlock {
     change: f64,
     pdof: [Option<f64>; 2],
+    oblique_angle: [Option<f64>; 2],
     moment_arm: OfMovable,
     uncorrected_delta_v: OfMovable,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -53,7 +60,12 @@ struct SweepBlock {
 /// # Errors
 /// Where serialisation fails, which no sensitivity causes.
 pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String, serde_json::Error> {
+    let paths = |key: &str, vehicles: Vec<usize>| -> Vec<String> {
+        vehicles.into_iter().map(|vehicle| format!("vehicle{vehicle}.crush.{key}")).collect()
+    };
     let document = Document {
+        pdof_sweep_held: paths("moment_arm", given_in_sweep(sensitivity, |damage| damage.moment_arm)),
+        pdof_sweep_turned: paths("oblique_angle", given_in_sweep(sensitivity, |damage| damage.oblique_angle)),
         title: case.title.as_deref().unwrap_or_default(),
         axes: case.axes.name(),
         warnings: WarningBlock::all(&sensitivity.nominal, case),
@@ -74,6 +86,7 @@ pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String
             .map(|row| SweepBlock {
                 change: row.change + 0.0,
                 pdof: row.pdof,
+                oblique_angle: row.oblique_angle.map(|angle| angle.map(|angle| angle + 0.0)),
                 moment_arm: of_movable(case, row.crash3.moment_arm),
                 uncorrected_delta_v: of_movable(case, row.crash3.delta_v),
                 delta_v: row.crash3.corrected.map(|corrected| of_movable(case, corrected.delta_v)),
@@ -83,6 +96,18 @@ pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String
             .collect(),
     };
     Ok(serde_json::to_string_pretty(&document)? + "\n")
+}
+
+/// The vehicles in the sweep, 1 or 2, of whose damage the file gives something.
+fn given_in_sweep(sensitivity: &Sensitivity, given: fn(&Damage) -> Option<f64>) -> Vec<usize> {
+    if sensitivity.pdof_sweep.is_empty() {
+        return Vec::new();
+    }
+    let vehicles = (1..).zip(&sensitivity.nominal.vehicles);
+    vehicles
+        .filter(|(_, vehicle)| vehicle.subject.damage.as_ref().is_some_and(|damage| given(damage).is_some()))
+        .map(|(vehicle, _)| vehicle)
+        .collect()
 }
 
 /// The sensitivity as tables.
@@ -151,7 +176,8 @@ fn derivatives(text: &mut String, group: &[Derivative], units: Units) {
         let influence = number(100.0 * row.influence(), 2);
         // A number with many digits takes from the room before the change, or stands on a line of its own.
         let (end, room) = match 43_usize.checked_sub(given.chars().count()) {
-            Some(room) if room >= change.chars().count() => (' ', room),
+            // Two blanks at least.
+            Some(room) if room > change.chars().count() => (' ', room),
             _ => ('\n', 78),
         };
         text.push_str(&format!(
@@ -214,8 +240,24 @@ fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units, case: &Case
         Axes::ZUp => "positive counter-clockwise as in Table 3 of SAE 980025",
         Axes::ZDown => "positive clockwise, against the sense of Table 3 of SAE 980025",
     };
+    let of = |vehicles: &[usize]| match vehicles {
+        [vehicle] => format!("of vehicle {vehicle}"),
+        _ => "of both vehicles".to_owned(),
+    };
+    let mut given = String::new();
+    let held = given_in_sweep(sensitivity, |damage| damage.moment_arm);
+    if !held.is_empty() {
+        given.push_str(&format!(" The moment arm {} is held at the value that the file gives.", of(&held)));
+    }
+    let turned = given_in_sweep(sensitivity, |damage| damage.oblique_angle);
+    if !turned.is_empty() {
+        given.push_str(&format!(
+            " The oblique angle {} starts from the one that the file gives, clockwise positive, and turns with the PDOF.",
+            of(&turned)
+        ));
+    }
     text.push_str(&wrapped(&format!(
         "The lines of action are turned about the points through which the forces act, {sense}; moment arms \
-         and angles to the damaged sides follow. \"corrected\" is by the correction that the case asks for; all are without restitution (Eq 6–8).",
+         and angles to the damaged sides follow.{given} \"corrected\" is by the correction that the case asks for; all are without restitution (Eq 6–8).",
     )));
 }

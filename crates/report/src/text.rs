@@ -98,9 +98,13 @@ fn hanging_within(head: &str, text: &str, line: usize) -> String {
     lines
 }
 
-/// The first cell of a row of so many columns: what is too long for it stands on a line of its own.
+/// The first cell of a row of so many columns, of which the last two are blank: what is too long for it stands on a line of its own.
 pub(crate) fn first_cell(text: &str, width: usize) -> String {
-    if text.chars().count() < width { format!("{text:<width$}") } else { format!("{text}\n{:width$}", "") }
+    if text.chars().count() + 2 <= width {
+        format!("{text:<width$}")
+    } else {
+        format!("{text}\n{:width$}", "")
+    }
 }
 
 /// A text of at most so many columns, its end replaced by … where it is longer.
@@ -139,8 +143,8 @@ impl Page {
     }
 
     fn row(&mut self, label: &str, first: &str, second: &str, source: &str) {
-        // A value that is too long for its column moves the rest of the row, and is not glued to it.
-        let cell = |text: &str, width: usize| format!("{text:<width$} ", width = width - 1);
+        // A value that is too long for its column moves the rest of the row: with less than two blanks between, two values read as one.
+        let cell = |text: &str, width: usize| format!("{text:<width$}  ", width = width - 2);
         self.line(&format!(
             "{}{}{}{source}",
             first_cell(label, LABEL),
@@ -156,7 +160,7 @@ impl Page {
             return;
         }
         let label = first_cell(label, LABEL);
-        self.line(&format!("{label}{value:<width$} {source}", width = 2 * self.column() - 1));
+        self.line(&format!("{label}{value:<width$}  {source}", width = 2 * self.column() - 2));
     }
 
     /// A row of which each vehicle has a value or a dash.
@@ -218,7 +222,7 @@ impl Page {
         self.heading("Inputs as understood", ["vehicle 1", "vehicle 2", ""]);
         let vehicles = &case.vehicles;
         let known = |f: &dyn Fn(usize) -> Option<String>| [f(0), f(1)];
-        let most = self.column() - 1;
+        let most = self.column() - 2;
         self.pair("name", known(&|i| vehicles[i].name.as_deref().map(|name| cut(name, most))), "");
         self.pair("fixed object", known(&|i| vehicles[i].fixed.then(|| "yes".to_owned())), "");
         let inertia = |i: usize| analysis.vehicles[i].subject.inertia;
@@ -578,9 +582,18 @@ impl Page {
             ["ΔV 1, without restitution", "ΔV 2, without restitution", "source"],
         );
         for row in &crash3.corrections {
-            let factor = law::correction(row.correction);
-            let label = format!("{:<9}{factor}", law::correction_name(row.correction));
+            // A number would take the label over its columns.
+            let factor =
+                law::friction_limits(row).map_or_else(|| law::factor(row), |_| law::friction_factor(&"μ"));
+            let label = format!("{:<9}{factor}", law::row_name(row));
             self.pair(&label, speeds(row.delta_v, 1.0), "theory 5");
+        }
+        for [first, second] in crash3.corrections.iter().filter_map(law::friction_limits) {
+            self.line(&if first == second {
+                format!("The friction limit μ is {first}.")
+            } else {
+                format!("The friction limit μ is {first} for vehicle 1 and {second} for vehicle 2.")
+            });
         }
     }
 
