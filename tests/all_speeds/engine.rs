@@ -55,8 +55,9 @@ fn eliminate<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> ([f64; N]
         determinant *= a[i][i];
         for row in i + 1..N {
             let factor = a[row][i] / a[i][i];
-            for column in i..N {
-                a[row][column] -= factor * a[i][column];
+            let above = a[i];
+            for (entry, above) in a[row].iter_mut().zip(above).skip(i) {
+                *entry -= factor * above;
             }
             b[row] -= factor * b[i];
         }

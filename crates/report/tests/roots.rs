@@ -33,12 +33,12 @@ fn assert_roots(name: &str, expected: &[(f64, f64)]) {
 }
 
 #[test]
-fn a_root_beside_a_jump_is_the_answer() {
+fn the_only_root_is_the_answer() {
     assert_roots("curve-ks-noanswer", &[(-29.631_284_532_644_308, 1e-9)]);
 }
 
 #[test]
-fn the_slower_approach_beside_a_jump_is_the_answer() {
+fn the_slower_approach_is_the_answer() {
     assert_roots("hidden-root", &[(-69.460_441_049_538_96, 1e-9), (-69.722, 5e-4)]);
 }
 
@@ -54,7 +54,7 @@ fn a_fifth_root_is_counted_and_listed() {
 }
 
 #[test]
-fn both_roots_about_a_narrow_turn_are_found() {
+fn a_root_between_two_others_is_found() {
     let expected = [(-8.2934, 5e-5), (-8.457_758_360_765_421, 1e-9), (-12.4420, 5e-5)];
     assert_roots("fraction-moment", &expected);
 }
