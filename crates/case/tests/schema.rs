@@ -88,7 +88,7 @@ fn it_is_a_schema_of_its_draft() {
 fn valid_cases_are_valid() {
     let validator = validator();
     let mut read = 0;
-    let fixtures = ["", "laws", "no-answer", "ricsac"].into_iter().flat_map(cases);
+    let fixtures = ["", "laws", "no-answer", "ricsac", "roots"].into_iter().flat_map(cases);
     let templates = Template::ALL.into_iter().flat_map(|template| {
         [UnitSystem::Si, UnitSystem::Us]
             .map(|units| (format!("{} {units:?}", template.name()), template.text(units).to_owned()))
