@@ -410,6 +410,7 @@ fn uncertainty(ledger: &mut Ledger) {
         "where that is more than {} % off",
         number(100.0 * ::uncertainty::FIRST_ORDER_LIMIT, 0)
     ));
+    ledger.made(format!("The other two methods lay {} sets of points", ::uncertainty::REPLICATES));
     let level = number(100.0 * ::uncertainty::LEVELS[2], 0);
     ledger.made(format!("| {level} % | {level} % of the samples lie between these two |"));
     ledger.made(format!("\"With the stated ranges, {level} % of the computed speeds lie between …\""));

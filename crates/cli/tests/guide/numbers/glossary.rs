@@ -227,6 +227,9 @@ fn ranges(ledger: &mut Ledger) {
     ledger.cited("that an input brings, 0 to 1", "the range of a share");
     let [low, high] = uncertainty::TORNADO_PROBABILITIES.map(|probability| number(100.0 * probability, 1));
     ledger.made(format!("is put to its {low} % and its {high} % quantile"));
+    let sets = uncertainty::REPLICATES;
+    ledger.made(format!("in each of {sets} sets, each range is divided"));
+    ledger.made(format!("in {sets} sets that are scrambled by the seed"));
     ledger.cited("(JCGM 100:2008), equation 10", "the place of the equation");
     ledger.made(format!(
         "where it differs from the samples by more than {} %",
