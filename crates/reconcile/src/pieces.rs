@@ -23,13 +23,13 @@ use crate::error::ReconcileError;
 use crate::polynomial::{Points, Polynomial, opposite};
 use crate::problem::Problem;
 
-/// Relative distance in normal work within which a root counts as one: far above the root-finder's rounding, far below what any
-/// measurement of crush resolves.
-const ENERGY_MATCH: f64 = 1e-9;
-
-/// The contact may jam at the end of a piece under a fraction of μ_c, and W_n is infinite there: its sign is taken at this relative
-/// distance, far above rounding.
+/// Under a fraction of μ_c the contact may jam at the end of a piece, where W_n is infinite: its sign is taken at this relative distance,
+/// far above rounding.
 const BESIDE_A_JAM: f64 = 1e-12;
+
+/// A root has the energy sought within this share. Rounding of the speed moves W_n by more only nearer than 1e-9 to a jam; a change of
+/// sign by rounding on the wrong side of a jam or a jump leaves far more.
+const ENERGY_MATCH: f64 = 1e-6;
 
 /// An approach speed at which W_n has the value sought.
 pub(crate) struct Root {
@@ -209,17 +209,20 @@ impl Problem<'_, f64> {
                 });
                 spare(1.0).merged(spare(-1.0)).merged(roots(sliding))
             }
-            Tangential::FractionOfCritical(f) if f != 0.0 => {
+            Tangential::FractionOfCritical(f) => {
+                let Branch::Own = self.branch_of_fraction(f) else { return Points::none() };
                 let critical = self.critical(stretch);
-                let borders = roots(critical.normal).merged(roots(self.normal_jam(&critical, f)));
-                if self.law.has_moment() {
-                    borders.merged(roots(self.moment_jam(&critical, f)))
-                } else {
-                    borders
+                let moment = self.law.moment_restitution();
+                let mut borders = roots(critical.normal);
+                if moment != 0.0 {
+                    borders = borders.merged(roots(self.normal_jam(&critical, f)));
                 }
+                if moment != -1.0 {
+                    borders = borders.merged(roots(self.moment_jam(&critical, f)));
+                }
+                borders
             }
-            Tangential::FractionOfCritical(_)
-            | Tangential::Critical
+            Tangential::Critical
             | Tangential::Ratio(_)
             | Tangential::VelocityChange(_)
             | Tangential::Restitution(_) => Points::none(),
@@ -237,9 +240,21 @@ impl Problem<'_, f64> {
                     Some(Regime::Full) | None => Branch::Full,
                 }
             }
-            // Without friction, whatever μ_c.
-            Tangential::FractionOfCritical(0.0) => Branch::Ratio(0.0),
+            Tangential::FractionOfCritical(f) => self.branch_of_fraction(f),
             _ => Branch::Own,
+        }
+    }
+
+    /// Under f = 0 there is no friction. Under f = 1 the ratio is μ_c and nothing jams, where the moment impulse is none or M_c; any other
+    /// moment impulse differs between the law that gives μ_c and a ratio of that size.
+    fn branch_of_fraction(&self, f: f64) -> Branch {
+        let moment = self.law.moment_restitution();
+        if f == 0.0 {
+            Branch::Ratio(0.0)
+        } else if f == 1.0 && (moment == -1.0 || moment == 0.0) {
+            Branch::Full
+        } else {
+            Branch::Own
         }
     }
 
@@ -247,7 +262,7 @@ impl Problem<'_, f64> {
     fn brackets(&self, stretch: Stretch, piece: [f64; 2]) -> impl Iterator<Item = Bracket> {
         let branch = self.branch(stretch.approach_speed(0.5 * (piece[0] + piece[1])));
         let [mut low, mut high] = piece.map(|t| stretch.approach_speed(t));
-        if let Tangential::FractionOfCritical(_) = self.law.tangential() {
+        if let (Tangential::FractionOfCritical(_), Branch::Own) = (self.law.tangential(), branch) {
             low *= 1.0 + BESIDE_A_JAM;
             high *= 1.0 - BESIDE_A_JAM;
         }
@@ -291,7 +306,8 @@ impl Problem<'_, f64> {
     /// d = k_nn c_n + f k_nt c_t and n = k_nm c_n + f k_tm c_t:
     ///
     /// - P_n = c_n (1+e) x / d without a moment impulse,
-    /// - P_n = c_n [(1+e) x g + (1+e_m) k_nm (s d + (1+e) x n)] / (d g) with one, where s = ω₁ − ω₂ and g = k_mm d − k_nm n.
+    /// - P_n = c_n [(1+e) x g + (1+e_m) k_nm (s d + (1+e) x n)] / (d g) with one, where s = ω₁ − ω₂ and g = k_mm d − k_nm n,
+    /// - P_n = c_n [(1+e) x k_mm + k_nm s] / g with a common yaw rate, e_m = 0, where d cancels.
     fn fraction_of_critical(&self, stretch: &Stretch, f: f64) -> (Polynomial, Polynomial) {
         let k = self.contact.inverse_mass();
         let critical = self.critical(stretch);
@@ -302,9 +318,13 @@ impl Problem<'_, f64> {
             return (critical.normal * change, d);
         }
         let g = self.moment_jam(&critical, f);
+        let moment = self.law.moment_restitution();
+        if moment == 0.0 {
+            return (critical.normal * (k.mm * change + Polynomial::new([k.nm * self.line.spin])), g);
+        }
         let n = k.nm * critical.normal + (f * k.tm) * critical.tangential;
         let turning = self.line.spin * d + change * n;
-        let share = (1.0 + self.law.moment_restitution()) * k.nm;
+        let share = (1.0 + moment) * k.nm;
         (critical.normal * (change * g + share * turning), d * g)
     }
 
