@@ -180,7 +180,7 @@ fn the_sweep_keeps_what_the_file_gives() {
     assert!((uncorrected - 7.72).abs() < 5e-3);
     let sweep = Sweep { step: 10_f64.to_radians(), steps: 2 };
     for (axes, sign) in [("z-up", -1.0), ("z-down", 1.0)] {
-        let file = Case::parse("x.toml", &format!("axes = \"{axes}\"\n{text}")).unwrap();
+        let file = Case::parse("x.toml", &format!("scene = {{ axes = \"{axes}\" }}\n{text}")).unwrap();
         let alone = crush(&file).unwrap().crash3.unwrap();
         let rows = sensitivity(&file, sweep).unwrap().pdof_sweep;
         assert_eq!(rows.len(), 5);
