@@ -1,6 +1,7 @@
 //! Derivatives against central differences, and the sweep against cases with the turned PDOF.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+#![expect(clippy::disallowed_methods, reason = "an oracle shares no function with what it judges")]
 
 use std::fs;
 use std::path::{Path, PathBuf};
