@@ -1,6 +1,7 @@
 //! Impacts without friction, and the friction limits of CRASH3's correction, against hand calculations.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking")]
+#![expect(clippy::disallowed_methods, reason = "an oracle shares no function with what it judges")]
 
 use analysis::{Analysis, Correction, impact, reconstruct};
 use case::{Case, CaseFile};

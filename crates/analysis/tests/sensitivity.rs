@@ -1,6 +1,7 @@
 //! Derivatives against central differences, and the sweep against cases with the turned PDOF.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+#![expect(clippy::disallowed_methods, reason = "an oracle shares no function with what it judges")]
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -180,7 +181,7 @@ fn the_sweep_keeps_what_the_file_gives() {
     assert!((uncorrected - 7.72).abs() < 5e-3);
     let sweep = Sweep { step: 10_f64.to_radians(), steps: 2 };
     for (axes, sign) in [("z-up", -1.0), ("z-down", 1.0)] {
-        let file = Case::parse("x.toml", &format!("axes = \"{axes}\"\n{text}")).unwrap();
+        let file = Case::parse("x.toml", &format!("scene = {{ axes = \"{axes}\" }}\n{text}")).unwrap();
         let alone = crush(&file).unwrap().crash3.unwrap();
         let rows = sensitivity(&file, sweep).unwrap().pdof_sweep;
         assert_eq!(rows.len(), 5);

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::axes;
 use crate::failures::no_answer;
-use crate::json::{OfMovable, WarningBlock, of_movable};
+use crate::json::WarningBlock;
 use crate::law;
 use crate::text::{LINE, hanging, wrapped};
 use crate::units::{Quantity, Units, number};
@@ -23,7 +23,7 @@ struct Row {
     assumed: &'static str,
     /// CRASH3's friction limits by vehicle.
     #[serde(skip_serializing_if = "Option::is_none")]
-    friction: Option<OfMovable>,
+    friction: Option<[f64; 2]>,
     #[serde(flatten)]
     values: Values,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -82,7 +82,7 @@ fn rows(case: &Case, comparison: &Comparison, units: Units) -> Vec<Row> {
         Row { law: law::name(&row.law), coefficients, assumed: row.assumed, values, error, ..Row::default() }
     });
     let corrections = comparison.own.crash3.iter().flat_map(|crash3| &crash3.corrections);
-    let mut rows: Vec<Row> = laws.chain(corrections.map(|row| crash3_row(case, row))).collect();
+    let mut rows: Vec<Row> = laws.chain(corrections.map(crash3_row)).collect();
     for row in &mut rows {
         row.found_difference = row.values.found.zip(own.values.found).map(|(found, own)| found - own);
         row.delta_v_difference =
@@ -118,7 +118,7 @@ pub(crate) fn regime_name(regime: Regime) -> &'static str {
     }
 }
 
-fn crash3_row(case: &Case, row: &Correction) -> Row {
+fn crash3_row(row: &Correction) -> Row {
     let [correction, _] = row.corrections;
     let law = match correction {
         ObliqueCorrection::None => "CRASH3, uncorrected",
@@ -130,8 +130,7 @@ fn crash3_row(case: &Case, row: &Correction) -> Row {
     let values =
         Values { delta_v: Some(row.delta_v), energy_loss: Some(row.crush_energy), ..Values::default() };
     let coefficients = format!("common normal velocity; energy times {}", law::factor(row));
-    let friction = law::friction_limits(row).map(|limits| of_movable(case, limits));
-    Row { law, coefficients, values, friction, ..Row::default() }
+    Row { law, coefficients, values, friction: law::friction_limits(row), ..Row::default() }
 }
 
 /// The comparison as indented JSON, ending in a line break: `{"title": …, "rows": [{"law": …, "found": …, "delta_v": […], …}]}`. The

@@ -158,11 +158,11 @@ fn numbers(case: &Case) -> Vec<String> {
     };
     // Keys of a barrier test are longer: then the other columns have no more room than they need.
     let path = longest(4);
-    let [key, written, si] = if path < KEY {
+    let [key, written, si] = if path + 2 <= KEY {
         [KEY, WRITTEN, VALUE]
     } else {
         let si = longest(2) + 2;
-        [path + 1, LINE.saturating_sub(path + 1 + si + longest(3)), si]
+        [path + 2, LINE.saturating_sub(path + 2 + si + longest(3)), si]
     };
     let row = |cells: [&str; 4]| {
         let [path, amount, in_si, in_us] = cells;

@@ -286,7 +286,7 @@ impl Page {
         // Of a front or rear the offset is from the vehicle's axis, of a side from its CG.
         let side_of_y = axes::side_of_y(self.axes);
         for (label, is_end) in [
-            (format!("damage offset {side_of_y} of the axis"), true),
+            (format!("damage offset {side_of_y} of axis"), true),
             ("damage offset ahead of the CG".to_owned(), false),
         ] {
             let offset = known(&|i| {

@@ -86,6 +86,7 @@ pub(crate) fn rms(errors: &[f64]) -> f64 {
 }
 
 #[cfg(test)]
+#[expect(clippy::disallowed_methods, reason = "an independent formula, no bits of which are compared")]
 mod tests {
     use super::{ErrorRate, STUDENT};
 

@@ -363,13 +363,14 @@ fn the_stiffer_side_would_make_the_speeds_higher() {
     }
 }
 
-/// x̄ ± t s √(1 + 1/n), by hand: of 1, 2, 3 and 6, x̄ = 3, s² = 14/3, t = 3.182 for three degrees of freedom.
+/// x̄ ± t s √(1 + 1/n), by hand: of 1, 2, 3 and 6, x̄ = 3, s² = 14/3, t = 3.182 446 31 for three degrees of freedom.
 #[test]
 fn the_error_rate_is_that_of_the_textbook() {
     let rate = ErrorRate::of(&[1.0, 2.0, 3.0, 6.0]);
     assert_eq!((rate.count, rate.mean, rate.range), (4, 3.0, [1.0, 6.0]));
     assert!((rate.rms - 12.5_f64.sqrt()).abs() < 1e-15);
-    let reach = 3.182 * (14.0 / 3.0 * 1.25_f64).sqrt();
+    let t: f64 = 3.182_446_31;
+    let reach = t * (14.0 / 3.0 * 1.25_f64).sqrt();
     assert!((rate.limits[0] - (3.0 - reach)).abs() < 1e-12 && (rate.limits[1] - (3.0 + reach)).abs() < 1e-12);
     assert!(ErrorRate::of(&[1.0]).limits[0].is_nan());
 }
