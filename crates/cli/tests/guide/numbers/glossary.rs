@@ -370,7 +370,8 @@ fn jumps(ledger: &mut Ledger) {
     ledger.made(format!("the sliding u_t is within {share} % of one"));
     ledger.made(format!("No input is known to {share} %"));
     ledger.made(format!("is not named: over {share} %"));
-    // M, and with it the step of the motion, goes with e_m: from which e_m on it is named, and the step that this makes.
+    // M, and with it the step of the motion, goes with e_m: from which e_m on it is named, and the step that
+    // this makes.
     let sides = |e_m: f64| {
         let text = text.replace("= -0.5 ", &format!("= {e_m} "));
         // The ratio of the full impulse is that of the critical condition.
