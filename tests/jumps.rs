@@ -27,7 +27,8 @@ fn distance(a: NormalTangential, b: NormalTangential) -> f64 {
     (a.normal - b.normal).hypot(a.tangential - b.tangential)
 }
 
-/// theory, section 3: without a moment impulse, both regimes have one impulse at their border, and the direction of sliding turns where nothing slides.
+/// theory, section 3: without a moment impulse, both regimes have one impulse at their border, and the
+/// direction of sliding turns where nothing slides.
 #[test]
 fn coulomb_friction_is_continuous_without_a_moment() {
     let law = (0.0..1.5).prop_map(Tangential::Friction);
@@ -49,8 +50,8 @@ fn coulomb_friction_is_continuous_without_a_moment() {
     });
 }
 
-/// M_slide/M_full = 1 − e_m (b_full/b_slide − 1), where 1/b is what M_c gains per unit of relative yaw rate before impact, under the
-/// condition of each regime: the oracle has it from two scenes that differ in it. The works of the normal impulse are the oracle's, too.
+/// M_slide/M_full = 1 − e_m (b_full/b_slide − 1) of theory, section 3, against the oracle, which solves both
+/// regimes by elimination.
 #[test]
 fn the_jump_of_a_moment() {
     let any = (scene(), 0.01..1.5, -0.99..0.99).prop_map(|(scene, limit, moment): (Scene, f64, f64)| Scene {
@@ -110,7 +111,8 @@ fn a_common_yaw_rate_is_continuous() {
     });
 }
 
-/// theory, section 3: Kudlich and Slibar's law jumps just where the push turns the sliding round to less than ε |u_t|.
+/// theory, section 3: Kudlich and Slibar's law jumps just where the push turns the sliding round to less than
+/// ε |u_t|.
 #[test]
 fn kudlich_slibar_jumps_where_the_signs_differ() {
     let law = (0.0..1.0).prop_map(Tangential::FullOrSliding);

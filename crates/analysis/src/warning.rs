@@ -32,9 +32,11 @@ const DRIVING_SHARE: f64 = 0.02;
 const ROUNDING: f64 = 1e-9;
 /// Of the closing speed: sliding that rounding leaves where there is none.
 const NO_SLIDING: f64 = 1e-9;
-/// A border within this share of the friction limit, or of the sliding before impact, is near: neither is known better.
+/// A border within this share of the friction limit, or of the sliding before impact, is near: neither is
+/// known better.
 const NEAR: f64 = 0.01;
-/// Of the change of motion in the impact. Over [`NEAR`], an answer without a jump changes by about as much, so that a tenth of that is lost in it.
+/// Of the change of motion in the impact. Over [`NEAR`], an answer without a jump changes by about as much,
+/// so that a tenth of that is lost in it.
 const JUMP: f64 = 0.1 * NEAR;
 /// |μ| above which the surfaces pull harder than they push. Friction between vehicles is mostly about half of that.
 const LARGE_RATIO: f64 = 1.0;
@@ -246,7 +248,8 @@ pub enum Warning {
         border: Switch,
         /// The number of the case that it is compared with: the friction limit, or (m/s) u_t.
         given: f64,
-        /// What the law gives on either side: the full impulse and sliding, or sliding as in the answer and the other way.
+        /// What the law gives on either side: the full impulse and sliding, or sliding as in the answer and
+        /// the other way.
         sides: [JumpSide; 2],
     },
     /// The contact point lies beside the damage.
@@ -575,8 +578,8 @@ fn of_jumps(impact: &Impact, warnings: &mut Vec<Warning>) {
     }
 }
 
-/// How far apart two answers to the same impact are, as a share of what the impact does to the motion. The energy weighs velocities and yaw
-/// rates against each other: √(T(V − V′)/T(V − v)).
+/// How far apart two answers to the same impact are, as a share of what the impact does to the motion. The
+/// energy weighs velocities and yaw rates against each other: √(T(V − V′)/T(V − v)).
 fn step(contact: &Contact, [one, other]: [&Outcome; 2]) -> f64 {
     let energy = |from: &[Motion; 2], to: &[Motion; 2]| -> f64 {
         let bodies = contact.participants().iter().map(|participant| participant.body());

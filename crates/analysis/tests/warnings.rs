@@ -437,7 +437,8 @@ fn jump(text: &str) -> (Switch, f64, [JumpSide; 2]) {
     (border, given, sides)
 }
 
-/// Sticking and sliding as an elimination of the nine equations of impulse and momentum gives them at |P_t|/P_n of the full impulse.
+/// Sticking and sliding as an elimination of the nine equations of impulse and momentum gives them at
+/// |P_t|/P_n of the full impulse.
 #[test]
 fn a_moment_beside_the_friction_limit() {
     const NEEDED: f64 = 0.394_697_104_361_8;
@@ -480,7 +481,8 @@ fn a_moment_beside_the_friction_limit() {
     }
 }
 
-/// A car of 1000 kg and k = 1 m meets a wall 1 m ahead and 1 m beside its CG, so that K = (2 1; 1 2)/1000 kg, with u_n = −1 m/s.
+/// A car of 1000 kg and k = 1 m meets a wall 1 m ahead and 1 m beside its CG, so that K = (2 1; 1 2)/1000 kg,
+/// with u_n = −1 m/s.
 fn turned_round(sliding: f64, limit: f64, contact: f64, axes: &str) -> String {
     let across = -sliding * -contact;
     format!(
@@ -492,9 +494,10 @@ fn turned_round(sliding: f64, limit: f64, contact: f64, axes: &str) -> String {
 
 /// By hand with ε = ½: without friction P_n = 750 N·s and U_t = u_t + ¾.
 ///
-/// u_t = −0.6: U_t = 0.15, but the full impulse is (700, 100) N·s, which needs μ = 1/7, and sliding has μ = −1/7: P_n = 1500/(2 − 1/7). W_n = P_n/4 m/s and
-/// Ω = −(P_n + P_t)/1000 kg·m. u_t = −0.75: U_t = 0, and the full impulse (625, 250) N·s needs μ = 0.4; with 0.2 it slides with
-/// P_n = 1500/2.2 where U_t < 0, and with 1500/1.8 where U_t > 0.
+/// u_t = −0.6: U_t = 0.15, but the full impulse is (700, 100) N·s, which needs μ = 1/7, and sliding has μ =
+/// −1/7: P_n = 1500/(2 − 1/7). W_n = P_n/4 m/s and Ω = −(P_n + P_t)/1000 kg·m. u_t = −0.75: U_t = 0, and the
+/// full impulse (625, 250) N·s needs μ = 0.4; with 0.2 it slides with P_n = 1500/2.2 where U_t < 0, and with
+/// 1500/1.8 where U_t > 0.
 #[test]
 fn a_full_impact_against_the_sliding_without_friction() {
     let assert_sides = |sides: [JumpSide; 2], expected: [[f64; 2]; 2]| {

@@ -8,9 +8,11 @@ use crate::law::{Law, Regime, Tangential, against};
 /// What switches, and at which number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Switch<T = f64> {
-    /// Between the full impulse and sliding: the friction limit that just suffices, |P_t|/P_n of the full impulse.
+    /// Between the full impulse and sliding: the friction limit that just suffices, |P_t|/P_n of the full
+    /// impulse.
     Limit(T),
-    /// Between two directions of sliding: (m/s) the sliding u_t before impact that leaves none after a frictionless one.
+    /// Between two directions of sliding: (m/s) the sliding u_t before impact that leaves none after a
+    /// frictionless one.
     Direction(T),
 }
 
@@ -19,17 +21,20 @@ pub enum Switch<T = f64> {
 pub struct Border<T = f64> {
     /// What switches there.
     pub switch: Switch<T>,
-    /// The laws, without a limit, whose impulses at this approach are those on either side of the border: of [`Switch::Limit`] the full
-    /// impulse and sliding, of [`Switch::Direction`] sliding as here and the other way. The first border is one of μ at this
-    /// approach; on the way to the second only u_t changes, on which an impulse of given ratio does not depend.
+    /// The laws, without a limit, whose impulses at this approach are those on either side of the border: of
+    /// [`Switch::Limit`] the full impulse and sliding, of [`Switch::Direction`] sliding as here and the other
+    /// way. The first border is one of μ at this approach; on the way to the second only u_t changes, on
+    /// which an impulse of given ratio does not depend.
     pub laws: [Law<T>; 2],
 }
 
 impl<T: Real> Law<T> {
-    /// The borders that the impulse at this approach has: that of the friction limit, if a push gives the full impulse; and that of the
-    /// direction, if the surfaces slide here and on the border. A law without a friction limit has none.
+    /// The borders that the impulse at this approach has: that of the friction limit, if a push gives the
+    /// full impulse; and that of the direction, if the surfaces slide here and on the border. A law without a
+    /// friction limit has none.
     ///
-    /// Whether the impulse jumps there is seen by comparing the impulses of the two laws, which need not be pushes.
+    /// Whether the impulse jumps there is seen by comparing the impulses of the two laws, which need not be
+    /// pushes.
     #[must_use]
     pub fn borders(&self, k: &InverseMass<T>, approach: Approach<T>) -> [Option<Border<T>>; 2] {
         let (Tangential::Friction(limit) | Tangential::FullOrSliding(limit)) = self.tangential() else {

@@ -17,9 +17,9 @@ pub enum Tangential<T = f64> {
     /// Coulomb friction: U_t = 0 while friction of at most this coefficient (≥ 0) can hold the surfaces together, else
     /// they still slide and |P_t| has the limit's size.
     ///
-    /// The impulse is continuous in limit and velocities: at the border both regimes have the same ratio P_t/P_n, and with it the
-    /// normal condition has one answer. A moment impulse other than e_m = 0 makes it jump:
-    /// [`with_moment_restitution`](Law::with_moment_restitution).
+    /// The impulse is continuous in limit and velocities: at the border both regimes have the same ratio
+    /// P_t/P_n, and with it the normal condition has one answer. A moment impulse other than e_m = 0 makes it
+    /// jump: [`with_moment_restitution`](Law::with_moment_restitution).
     Friction(T),
     /// U_t − u_t as given (m/s).
     VelocityChange(T),
@@ -28,9 +28,10 @@ pub enum Tangential<T = f64> {
     /// U_t = −e u_t with the normal coefficient e, while friction of at most this coefficient (≥ 0) can do that, else they slide as
     /// under [`Friction`](Self::Friction).
     ///
-    /// The impulse jumps where the push along the normal turns the sliding round by itself, to less than e |u_t|: reversing it all the way
-    /// then takes a P_t of one sign, and friction against the sliding has the other. It jumps at the border of the two regimes, and
-    /// between two directions of sliding. With e = 0 it is continuous. [`Law::borders`] finds the place.
+    /// The impulse jumps where the push along the normal turns the sliding round by itself, to less than e
+    /// |u_t|: reversing it all the way then takes a P_t of one sign, and friction against the sliding has the
+    /// other. It jumps at the border of the two regimes, and between two directions of sliding. With e = 0 it
+    /// is continuous. [`Law::borders`] finds the place.
     FullOrSliding(T),
 }
 
@@ -140,10 +141,11 @@ impl<T: Real> Law<T> {
     /// The same law with a moment impulse M = (1 + e_m) M_c at C, where M_c is the one that gives a common yaw rate: e_m = −1 is none, e_m = 0 a
     /// common yaw rate.
     ///
-    /// Under a friction limit M, and with it P and the motion after impact, jump where sticking turns into sliding. M_c is found under
-    /// the condition of each regime, U_t = 0 or P_t = ±μ P_n, and these agree at the border for the moment M that acts, but not for the
-    /// whole M_c. They agree for both only where M = M_c (e_m = 0) or M = 0 (e_m = −1); theory, section 3, has the size of the jump, and
-    /// [`Law::borders`] finds the place.
+    /// Under a friction limit M, and with it P and the motion after impact, jump where sticking turns into
+    /// sliding. M_c is found under the condition of each regime, U_t = 0 or P_t = ±μ P_n, and these agree at
+    /// the border for the moment M that acts, but not for the whole M_c. They agree for both only where M =
+    /// M_c (e_m = 0) or M = 0 (e_m = −1); theory, section 3, has the size of the jump, and [`Law::borders`]
+    /// finds the place.
     ///
     /// # Errors
     /// Where e_m lies outside [−1, 1].

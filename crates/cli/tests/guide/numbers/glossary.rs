@@ -371,9 +371,10 @@ fn jumps(ledger: &mut Ledger) {
     ledger.made(format!("The answer lies within {share} % of a place where the law jumps to another"));
     ledger.made(format!("needs a friction limit that is within {share} % of the one given"));
     ledger.made(format!("the sliding u_t is within {share} % of one"));
-    ledger.made(format!("no input is known to {share} %"));
-    ledger.made(format!("changes more over {share} %"));
-    // M, and with it the step of the motion, goes with e_m: from which e_m on it is named, and the step that this makes.
+    ledger.made(format!("No input is known to {share} %"));
+    ledger.made(format!("is not named: over {share} %"));
+    // M, and with it the step of the motion, goes with e_m: from which e_m on it is named, and the step that
+    // this makes.
     let sides = |e_m: f64| {
         let text = text.replace("= -0.5 ", &format!("= {e_m} "));
         // The ratio of the full impulse is that of the critical condition.
