@@ -9,6 +9,10 @@
 #[cfg(test)]
 mod allocation;
 #[cfg(test)]
+mod benchmarks;
+#[cfg(test)]
+mod binaries;
+#[cfg(test)]
 mod compare;
 #[cfg(test)]
 mod coulomb;

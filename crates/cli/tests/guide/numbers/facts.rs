@@ -10,7 +10,7 @@ use super::ledger::{
     FOOT, FOOT_POUND, Fact, Ledger, MILE_PER_HOUR, at, bounds, clock, degrees, deltav, high_restitution,
     json, limit, number, threshold, width_tolerance, within,
 };
-use crate::prose::page;
+use crate::guide::prose::page;
 
 /// All of them.
 pub(super) fn facts() -> Vec<Fact> {
