@@ -21,6 +21,8 @@ mod crush;
 #[cfg(test)]
 mod derivatives;
 #[cfg(test)]
+mod examples;
+#[cfg(test)]
 mod invariants;
 #[cfg(test)]
 mod laws;
