@@ -11,6 +11,10 @@ mod all_speeds;
 #[cfg(test)]
 mod allocation;
 #[cfg(test)]
+mod benchmarks;
+#[cfg(test)]
+mod binaries;
+#[cfg(test)]
 mod compare;
 #[cfg(test)]
 mod coulomb;
@@ -18,6 +22,8 @@ mod coulomb;
 mod crush;
 #[cfg(test)]
 mod derivatives;
+#[cfg(test)]
+mod examples;
 #[cfg(test)]
 mod invariants;
 #[cfg(test)]

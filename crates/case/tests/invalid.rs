@@ -9,19 +9,16 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
 
 use case::Case;
 
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/invalid")
-}
+use crate::changes::{BASE, changed, folder, invalid_cases};
 
-/// The names, without their ending, of the files with that ending.
-fn names(ending: &str) -> BTreeSet<String> {
+/// The names of the texts.
+fn texts() -> BTreeSet<String> {
     let files = fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().path());
     files
-        .filter(|path| path.extension().is_some_and(|extension| extension == ending))
+        .filter(|path| path.extension().is_some_and(|extension| extension == "txt"))
         .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
         .collect()
 }
@@ -29,12 +26,11 @@ fn names(ending: &str) -> BTreeSet<String> {
 #[test]
 fn every_invalid_case_has_its_text() {
     let update = std::env::var_os("UPDATE").is_some();
-    let cases = names("toml");
-    assert!(cases.len() >= 40, "only {} invalid cases were found", cases.len());
+    let cases = invalid_cases();
+    assert!(cases.len() >= 270, "only {} invalid cases were found", cases.len());
     let mut failures = Vec::new();
-    for name in &cases {
-        let text = fs::read_to_string(folder().join(format!("{name}.toml"))).unwrap();
-        let Err(diagnostics) = Case::parse(&format!("{name}.toml"), &text) else {
+    for (name, text) in &cases {
+        let Err(diagnostics) = Case::parse(&format!("{name}.toml"), text) else {
             failures.push(format!("{name}.toml is accepted"));
             continue;
         };
@@ -50,18 +46,47 @@ fn every_invalid_case_has_its_text() {
             Err(_) => failures.push(format!("{name}.txt is missing; the program says\n{rendered}")),
         }
     }
-    for orphan in names("txt").difference(&cases) {
-        failures.push(format!("{orphan}.txt has no {orphan}.toml"));
+    for orphan in texts().iter().filter(|name| !cases.contains_key(*name)) {
+        failures.push(format!("{orphan}.txt belongs to no case"));
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
 #[test]
 fn every_error_says_what_to_write() {
-    for name in names("toml") {
-        let text = fs::read_to_string(folder().join(format!("{name}.toml"))).unwrap();
+    for (name, text) in invalid_cases() {
         for diagnostic in Case::parse(&name, &text).unwrap_err().list() {
             assert!(diagnostic.problem().help().is_some(), "{name}: {} has no help", diagnostic.problem());
         }
     }
+}
+
+/// What is wrong with a changed case comes from its change.
+#[test]
+fn the_case_that_is_changed_is_valid() {
+    let text = fs::read_to_string(folder().join(format!("{BASE}.toml"))).unwrap();
+    if let Err(diagnostics) = Case::parse("base.toml", &text) {
+        panic!("{diagnostics}");
+    }
+}
+
+#[test]
+fn changes_are_made_where_they_stand() {
+    let changes = "# of one case\n\nthe-first\n+x = 0\n a = 1\n\nthe-last\n-c = 3\n+c = 4\n\nboth\n-a = 1\n b = 2\n+\n-c = 3\n";
+    let cases = changed("a = 1\nb = 2\nc = 3\n", changes);
+    let cases: Vec<(&str, &str)> = cases.iter().map(|(name, text)| (&**name, &**text)).collect();
+    assert_eq!(
+        cases,
+        [
+            ("both", "b = 2\n\n"),
+            ("the-first", "x = 0\na = 1\nb = 2\nc = 3\n"),
+            ("the-last", "a = 1\nb = 2\nc = 4\n")
+        ]
+    );
+}
+
+#[test]
+#[should_panic(expected = "needs its place once")]
+fn a_change_without_a_place_is_refused() {
+    changed("a = 1\na = 1\n", "which\n-a = 1\n+a = 2\n");
 }

@@ -5,18 +5,24 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::LazyLock;
 
 use serde_json::Value;
+
+use crate::changes::invalid_cases;
 
 fn deltav(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_deltav")).current_dir("../..").args(arguments).output().unwrap()
 }
 
-/// All case files of the fixtures, wrong ones and ones without an answer too, sorted.
+/// All case files of the fixtures, wrong ones and ones without an answer too, each part sorted.
 fn case_files() -> Vec<String> {
     fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
         for entry in fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
+            if path.ends_with("invalid") {
+                continue;
+            }
             if path.is_dir() {
                 collect(&path, files);
             } else if path.extension().is_some_and(|extension| extension == "toml") {
@@ -27,8 +33,23 @@ fn case_files() -> Vec<String> {
     let mut files = Vec::new();
     collect(Path::new("../../fixtures"), &mut files);
     files.sort();
-    files.iter().map(|path| path.strip_prefix("../..").unwrap().display().to_string()).collect()
+    let mut files: Vec<String> =
+        files.iter().map(|path| path.strip_prefix("../..").unwrap().display().to_string()).collect();
+    files.extend(INVALID.iter().cloned());
+    files
 }
+
+/// The invalid cases, most of which stand in the fixtures as changes of one, as a file each.
+static INVALID: LazyLock<Vec<String>> = LazyLock::new(|| {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("invalid");
+    fs::create_dir_all(&folder).unwrap();
+    let write = |(name, text)| {
+        let path = folder.join(format!("{name}.toml"));
+        fs::write(&path, text).unwrap();
+        path.display().to_string()
+    };
+    invalid_cases().into_iter().map(write).collect()
+});
 
 /// Records of RFC 4180, read by its grammar.
 fn records(csv: &str) -> Vec<Vec<String>> {

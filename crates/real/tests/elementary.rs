@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "clippy's exemption for tests leaves out the helpers beside them")]
 #![expect(clippy::disallowed_methods, reason = "powers of two are exact")]
 
-use astro_float::{BigFloat, Consts, RoundingMode, WORD_BIT_SIZE};
+use astro_float_num::{BigFloat, Consts, RoundingMode, WORD_BIT_SIZE};
 use proptest::prelude::{ProptestConfig, Strategy, any, prop_assert, prop_assert_eq, proptest};
 use real::elementary::{SIN_COS_LIMIT, atan2, exp, ln, sin_cos};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, LN_2, PI, SQRT_2};
@@ -26,7 +26,7 @@ fn big(x: f64) -> BigFloat {
     if x == 0.0 || !x.is_subnormal() {
         return BigFloat::from_f64(x, PRECISION);
     }
-    // astro-float 0.9.6 reads a subnormal number as half of what it is, so it gets a normal one and the exponent afterwards.
+    // astro-float-num 0.3.7 reads a subnormal number as half of what it is, so it gets a normal one and the exponent afterwards.
     let mut scaled = BigFloat::from_f64(x * 2.0_f64.powi(200), PRECISION);
     scaled.set_exponent(scaled.exponent().unwrap() - 200);
     scaled

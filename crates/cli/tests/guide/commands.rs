@@ -3,7 +3,7 @@
 use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser as _};
 
-use crate::prose::{pages, root};
+use crate::guide::prose::{pages, root};
 
 #[path = "../../src/arguments.rs"]
 #[allow(dead_code, reason = "the arguments are read, not used")]

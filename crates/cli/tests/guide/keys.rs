@@ -2,7 +2,7 @@
 
 use case::{Case, Dimension, Problem};
 
-use crate::prose::{Page, page, pages, root};
+use crate::guide::prose::{Page, page, pages, root};
 
 /// Where a piece of a case file can stand.
 const TABLES: [&str; 8] = [

@@ -7,7 +7,7 @@
 
 use std::ops::Range;
 
-use crate::prose::{Page, page, pages};
+use crate::guide::prose::{Page, page, pages};
 
 mod facts;
 mod glossary;

@@ -10,7 +10,7 @@ use super::ledger::{
     FOOT, FOOT_POUND, Fact, Ledger, MILE_PER_HOUR, at, bounds, clock, degrees, deltav, high_restitution,
     json, limit, number, threshold, width_tolerance, within,
 };
-use crate::prose::page;
+use crate::guide::prose::page;
 
 /// All of them.
 pub(super) fn facts() -> Vec<Fact> {
@@ -46,6 +46,10 @@ fn readme(ledger: &mut Ledger) {
     ledger.made(format!(
         "the exit status: {wrong} for a wrong file or command line, {no_answer} for a case without an answer"
     ));
+    ledger.cited(
+        "compiles for 7 minutes of processor time, which is about 4 minutes where two cores have nothing else to do, and leaves 1.1 GB",
+        "user and system time of `cargo test --workspace --no-run` by Rust 1.95 on x86-64, and `du -sh target` afterwards",
+    );
     let oldest = page("Cargo.toml")
         .text
         .split_once("\nrust-version = \"")

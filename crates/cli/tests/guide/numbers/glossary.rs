@@ -11,7 +11,7 @@ use super::ledger::{
     FOOT, Ledger, MILE_PER_HOUR, bounds, clock, degrees, high_restitution, json, limit, number,
     opposite_limit, threshold, within,
 };
-use crate::prose::page;
+use crate::guide::prose::page;
 
 /// All of them.
 pub(super) fn facts(ledger: &mut Ledger) {

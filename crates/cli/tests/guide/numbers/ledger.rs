@@ -7,7 +7,7 @@ use analysis::Warning;
 use case::Case;
 use serde_json::Value;
 
-use crate::prose::{Page, page, root};
+use crate::guide::prose::{Page, page, root};
 
 /// A phrase with numbers, and the page in which it stands.
 pub(super) struct Fact {

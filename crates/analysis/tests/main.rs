@@ -1,0 +1,9 @@
+//! The tests of a case analysed, in one binary.
+
+mod checks;
+mod estimates;
+mod judgement;
+mod plausibility;
+mod sensitivity;
+mod uncertainty;
+mod warnings;

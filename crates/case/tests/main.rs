@@ -1,0 +1,9 @@
+//! The tests of the case file, in one binary.
+
+mod cases;
+mod changes;
+mod estimates;
+mod guide;
+mod invalid;
+mod large;
+mod schema;

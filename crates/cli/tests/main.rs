@@ -1,0 +1,10 @@
+//! The tests of the program, in one binary; what needs a process of its own stands beside it.
+
+mod batch;
+#[path = "../../case/tests/changes.rs"]
+mod changes;
+mod examples;
+mod guide;
+mod json;
+mod outputs;
+mod start;

@@ -1,9 +1,0 @@
-//! The examples run, and their numbers hold.
-
-#[path = "../examples/derivative.rs"]
-mod derivative;
-
-#[test]
-fn the_derivative_example_runs() {
-    derivative::main();
-}

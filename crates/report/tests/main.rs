@@ -1,0 +1,8 @@
+//! The tests of what is reported, in one binary.
+
+mod explain;
+mod failures;
+mod fixtures;
+mod large;
+mod validation;
+mod warnings;

@@ -1,0 +1,33 @@
+//! What the benchmarks measure. These stand here because the tests of a package need all that its benchmarks link.
+
+use crash3::crush_energy;
+use deltav_benches::{Example, FRICTION, TANGENTIAL_CONDITIONS};
+use pim_core::Tangential;
+
+/// That both targets measure the paper's example and not something like it: theory, section 7.
+#[test]
+fn the_example_is_the_papers() {
+    let example = Example::new().unwrap();
+    let energies = example.damage.each_ref().map(|(profile, stiffness)| crush_energy(profile, stiffness));
+    for (energy, expected) in energies.into_iter().zip([102_165.0, 38_657.0]) {
+        assert!((energy - expected).abs() < 0.5, "{energy} J, expected {expected} J");
+    }
+
+    let problem = example.problem(Tangential::Critical).unwrap();
+    for answer in [problem.solve().unwrap(), problem.root_finder().unwrap()] {
+        assert!((answer.speed - 22.869).abs() < 5e-4, "{} m/s", answer.speed);
+        assert!((answer.outcome.impulse_ratio - 0.36885).abs() < 5e-6, "{answer:?}");
+    }
+    // Friction that is rough enough for the critical ratio gives the critical law's answer.
+    let rough = example.problem(FRICTION).unwrap().solve().unwrap();
+    assert!((rough.speed - 22.869).abs() < 5e-4, "{} m/s", rough.speed);
+}
+
+#[test]
+fn every_condition_has_an_impact() {
+    let example = Example::new().unwrap();
+    for (name, tangential) in TANGENTIAL_CONDITIONS {
+        let outcome = example.contact.impact(example.motions, &Example::law(tangential).unwrap());
+        assert!(outcome.is_ok(), "{name}: {outcome:?}");
+    }
+}
