@@ -2,6 +2,7 @@
 
 mod checks;
 mod estimates;
+mod friction;
 mod judgement;
 mod plausibility;
 mod sensitivity;

@@ -4,5 +4,6 @@ mod explain;
 mod failures;
 mod fixtures;
 mod large;
+mod roots;
 mod validation;
 mod warnings;
