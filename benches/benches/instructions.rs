@@ -9,7 +9,9 @@ use case::{Case, CaseFile, Diagnostics};
 use crash3::{Profile, Stiffness, crush_energy};
 use deltav_benches::{CASE_FILE, Example, FRACTION, FRICTION, RATIO, Refused};
 use gungraun::{library_benchmark, library_benchmark_group, main};
-use pim_core::{Contact, ImpactError, InvalidInput, Law, Motion, Outcome, Participant, Tangential};
+use pim_core::{
+    Contact, ImpactError, InvalidInput, Law, Motion, Outcome, Participant, RestitutionCurve, Tangential,
+};
 use reconcile::{Problem, ReconcileError, Reconciliation};
 
 type Impact = ([Motion; 2], Law, Contact);
@@ -84,9 +86,21 @@ fn closed_form(problem: &'static Problem) -> Result<Reconciliation, ReconcileErr
     problem.solve()
 }
 
+/// e falls from 0.5 to 0.1 with the closing speed, in four pieces.
+fn curve_input(tangential: Tangential) -> &'static Problem<'static> {
+    kept(Example::new().and_then(|example| {
+        let points = vec![(2.0, 0.5), (10.0, 0.35), (20.0, 0.2), (30.0, 0.1)];
+        let curve: &'static RestitutionCurve = Box::leak(Box::new(RestitutionCurve::new(points)?));
+        Ok(example.problem(tangential)?.with_restitution_curve(curve))
+    }))
+}
+
 #[library_benchmark(setup = problem_input, teardown = check)]
 #[bench::critical(Tangential::Critical)]
 #[bench::friction(FRICTION)]
+#[bench::fraction(FRACTION)]
+#[bench::critical_with_a_curve(args = (Tangential::Critical), setup = curve_input)]
+#[bench::friction_with_a_curve(args = (FRICTION), setup = curve_input)]
 fn root_finder(problem: &'static Problem) -> Result<Reconciliation, ReconcileError> {
     problem.root_finder()
 }
