@@ -23,8 +23,8 @@ fn allowed() -> BTreeSet<String> {
     list.iter().map(|value| name(value.get_ref())).collect()
 }
 
-/// The packages that are built here and are not of this workspace. Those of other platforms and features need not have been downloaded.
-fn dependencies() -> Vec<Value> {
+/// The packages that are built here. Those of other platforms and features need not have been downloaded.
+pub(crate) fn packages() -> Vec<Value> {
     let rustc = Command::new("rustc").arg("-vV").output().unwrap();
     let version = String::from_utf8_lossy(&rustc.stdout).into_owned();
     let host = version.lines().find_map(|line| line.strip_prefix("host: ")).unwrap();
@@ -35,8 +35,12 @@ fn dependencies() -> Vec<Value> {
         .unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let metadata: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let packages = metadata["packages"].as_array().unwrap();
-    packages.iter().filter(|package| !package["source"].is_null()).cloned().collect()
+    metadata["packages"].as_array().unwrap().clone()
+}
+
+/// The packages that are built here and are not of this workspace.
+fn dependencies() -> Vec<Value> {
+    packages().into_iter().filter(|package| !package["source"].is_null()).collect()
 }
 
 /// The licences of an SPDX expression that are used: those of the first alternative all of which is allowed. The old "MIT/Apache-2.0" is a choice.
@@ -99,6 +103,17 @@ fn every_dependency_has_an_allowed_licence() {
     }
     assert!(refused.is_empty(), "not allowed by deny.toml:\n{}", refused.join("\n"));
     assert!(used.is_subset(&allowed));
+}
+
+#[test]
+fn the_workspace_has_the_customary_licence() {
+    for package in packages().iter().filter(|package| package["source"].is_null()) {
+        assert_eq!(package["license"], "MIT OR Apache-2.0", "{}", package["name"]);
+    }
+    let text = |name: &str| fs::read_to_string(root().join(name)).unwrap();
+    assert!(text("LICENSE-MIT").contains("Copyright (c) 2026 The deltav developers\n"));
+    let apache = text("LICENSE-APACHE");
+    assert!(apache.contains("Version 2.0, January 2004") && apache.contains("END OF TERMS AND CONDITIONS"));
 }
 
 #[test]

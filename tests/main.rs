@@ -35,7 +35,11 @@ mod licences;
 #[cfg(test)]
 mod line_of_action;
 #[cfg(test)]
+mod maps;
+#[cfg(test)]
 mod oracle;
+#[cfg(test)]
+mod packages;
 #[cfg(test)]
 mod paper_equations;
 #[cfg(test)]

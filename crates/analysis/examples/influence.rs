@@ -16,7 +16,7 @@ fn speed(file: &CaseFile, path: &str, change: f64) -> Result<f64, Box<dyn Error>
 
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     // SAE 980025, appendix.
-    let file = Case::parse("sae-980025.toml", include_str!("../../../fixtures/sae-980025.toml"))?;
+    let file = Case::parse("sae-980025.toml", case::EXAMPLE)?;
     let sensitivity = analysis::sensitivity(&file, Sweep { step: 5_f64.to_radians(), steps: 1 })?;
 
     let of_the_speed = |output: Output| output == Output::Speed { vehicle: 1 };

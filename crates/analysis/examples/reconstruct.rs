@@ -8,7 +8,7 @@ use case::Case;
 
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     // SAE 980025, appendix.
-    let file = Case::parse("sae-980025.toml", include_str!("../../../fixtures/sae-980025.toml"))?;
+    let file = Case::parse("sae-980025.toml", case::EXAMPLE)?;
     let analysis = analysis::reconstruct(&file)?;
 
     let found = analysis.found.as_ref().ok_or("a reconstruction finds a speed")?;

@@ -2,8 +2,7 @@
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let text = include_str!("../../../fixtures/sae-980025.toml");
-//! let file = case::Case::parse("sae-980025.toml", text)?;
+//! let file = case::Case::parse("sae-980025.toml", case::EXAMPLE)?;
 //! let analysis = analysis::reconstruct(&file)?;
 //! let found = analysis.found.as_ref().ok_or("a reconstruction finds a speed")?;
 //! assert!((found.speed - 22.9).abs() < 0.05); // SAE 980025, appendix: 22.9 m/s

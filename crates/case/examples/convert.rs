@@ -12,7 +12,7 @@ fn in_si(input: &Input) -> String {
 
 pub(crate) fn main() -> Result<(), Diagnostics> {
     // SAE 980025, appendix.
-    let file = Case::parse("sae-980025.toml", include_str!("../../../fixtures/sae-980025.toml"))?;
+    let file = Case::parse("sae-980025.toml", case::EXAMPLE)?;
 
     let inputs = file.case.inputs();
     for input in inputs.iter().take(4) {

@@ -175,6 +175,9 @@ mod units;
 mod write;
 mod written;
 
+/// The example of SAE 980025, appendix, as a case file: what is the speed of the GMC Jimmy?
+pub const EXAMPLE: &str = include_str!("../sae-980025.toml");
+
 pub use axes::Axes;
 pub use case::{
     BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass, Outline, Pdof, Reconstruct,

@@ -53,6 +53,18 @@ fn problems(text: &str) -> Vec<Problem> {
     errors.list().iter().map(|diagnostic| diagnostic.problem().clone()).collect()
 }
 
+/// The crate carries a copy, as a package has nothing from outside of it. The path to the schema leads nowhere there.
+#[test]
+fn the_example_of_the_crate_is_that_of_the_fixtures() {
+    let (schema, rest) =
+        paper().split_once('\n').map(|(line, rest)| (line.to_owned(), rest.to_owned())).unwrap();
+    assert_eq!(schema, "#:schema ../docs/case.schema.json");
+    assert!(
+        case::EXAMPLE == rest,
+        "crates/case/sae-980025.toml is not fixtures/sae-980025.toml without its first line"
+    );
+}
+
 /// SAE 980025, appendix: the paper prints metric values beside some of its own.
 #[test]
 fn the_papers_example_is_read() {

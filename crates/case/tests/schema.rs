@@ -75,7 +75,7 @@ fn the_committed_schema_is_current() {
     let committed = fs::read_to_string(&path).unwrap();
     assert!(
         committed == json_schema(),
-        "docs/case.schema.json is not current: UPDATE=1 cargo test -p case writes it anew"
+        "docs/case.schema.json is not current: UPDATE=1 cargo test -p deltav-case writes it anew"
     );
 }
 

@@ -142,7 +142,7 @@ pub(crate) enum Command {
     /// Explain a term, a symbol, a key of the case file or the code of a warning
     #[command(
         long_about = "Explain a term, a symbol, a key of the case file or the code of a warning.\n\n\
-            The same texts stand in docs/glossary.md. Without a topic, all topics are listed.\n\n\
+            The same texts stand in crates/report/glossary.md. Without a topic, all topics are listed.\n\n\
             --format json has \"term\", \"kind\", \"also\" (other names), \"text\" (Markdown) and \"see_also\" (terms that the text uses); without a topic, a list of all.",
         after_help = "Examples:\n  deltav explain\n  deltav explain crush plane\n  deltav explain μ_c\n  \
             deltav explain vehicle1.crush.offset\n  deltav explain delta-v-differs\n  \

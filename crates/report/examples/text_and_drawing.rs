@@ -9,7 +9,7 @@ use report::{Subject, Units};
 
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     // SAE 980025, appendix.
-    let file = Case::parse("sae-980025.toml", include_str!("../../../fixtures/sae-980025.toml"))?;
+    let file = Case::parse("sae-980025.toml", case::EXAMPLE)?;
     let analysis = analysis::reconstruct(&file)?;
 
     let text = report::text(&file.case, &analysis, Units::Si);

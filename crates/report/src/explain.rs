@@ -1,11 +1,11 @@
-//! Short texts on terms, symbols, keys of the case file and warnings: docs/glossary.md, looked up.
+//! Short texts on terms, symbols, keys of the case file and warnings: glossary.md, looked up.
 
 use std::sync::OnceLock;
 
 use serde::Serialize;
 
 /// The source of all texts: `## group`, `### name`, a line `Also: …; …` with other names, and the text.
-const GLOSSARY: &str = include_str!("../../../docs/glossary.md");
+const GLOSSARY: &str = include_str!("../glossary.md");
 
 /// One entry of the glossary.
 #[derive(Clone, Debug, PartialEq, Eq)]

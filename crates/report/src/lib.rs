@@ -2,7 +2,7 @@
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let file = case::Case::parse("sae-980025.toml", include_str!("../../../fixtures/sae-980025.toml"))?;
+//! let file = case::Case::parse("sae-980025.toml", case::EXAMPLE)?;
 //! let analysis = analysis::reconstruct(&file)?;
 //! let text = report::text(&file.case, &analysis, report::Units::Us);
 //! assert!(text.contains("75.03 ft/s")); // SAE 980025: 75 ft/s
@@ -20,7 +20,7 @@
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! # let file = case::Case::parse("sae-980025.toml", include_str!("../../../fixtures/sae-980025.toml"))?;
+//! # let file = case::Case::parse("sae-980025.toml", case::EXAMPLE)?;
 //! # let analysis = analysis::reconstruct(&file)?;
 //! let scene = report::drawing(&file, &analysis, report::Units::Us, report::Subject::Scene)?;
 //! assert!(scene.svg().starts_with("<svg"));
@@ -38,7 +38,7 @@
 //! that, and [`write_samples`] gives the samples themselves.
 //!
 //! [`judgement_text`] and [`judgement_json`] say what was understood of a case before it is solved; [`explain`](explain()) has a short text on each term,
-//! symbol, key and warning, from docs/glossary.md.
+//! symbol, key and warning, from glossary.md.
 //!
 //! Of many cases, [`csv_row`] under [`csv_header`] gives a line each for a spreadsheet, and [`jsonl_row`] for a program.
 //!

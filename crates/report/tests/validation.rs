@@ -1,6 +1,6 @@
 //! The pages in `docs` and the README say what the program says.
 //!
-//! `UPDATE=1 cargo test -p report` writes the pages anew. Read the difference before you keep it.
+//! `UPDATE=1 cargo test -p deltav-report` writes the pages anew. Read the difference before you keep it.
 
 #![allow(
     clippy::unwrap_used,
@@ -29,7 +29,10 @@ fn assert_current(name: &str, now: &str) {
         fs::write(&path, now).unwrap();
     }
     let kept = fs::read_to_string(&path).unwrap_or_default();
-    assert!(kept == now, "docs/{name} is not current: write it anew with UPDATE=1 cargo test -p report");
+    assert!(
+        kept == now,
+        "docs/{name} is not current: write it anew with UPDATE=1 cargo test -p deltav-report"
+    );
 }
 
 #[test]

@@ -13,12 +13,12 @@ pub struct Data {
 
 macro_rules! ricsac {
     ($($test:literal: $file:literal),* $(,)?) => {
-        vec![$(($test, include_str!(concat!("../../../fixtures/ricsac/", $file)))),*]
+        vec![$(($test, include_str!(concat!("../ricsac/", $file)))),*]
     };
 }
 
 impl Data {
-    /// `fixtures/ricsac` and `fixtures/sae-980025.toml`, as they were when the program was built.
+    /// `ricsac/*.toml` beside `src`, which `fixtures/ricsac` leads to, and [`case::EXAMPLE`], as they were when the program was built.
     #[must_use]
     pub fn built_in() -> Self {
         Self {
@@ -26,8 +26,8 @@ impl Data {
                 1: "01.toml", 3: "03.toml", 4: "04.toml", 5: "05.toml", 6: "06.toml", 7: "07.toml",
                 8: "08.toml", 9: "09.toml", 10: "10.toml", 11: "11.toml", 12: "12.toml",
             ],
-            example: include_str!("../../../fixtures/sae-980025.toml"),
-            published: include_str!("../../../fixtures/ricsac/published.toml"),
+            example: case::EXAMPLE,
+            published: include_str!("../ricsac/published.toml"),
         }
     }
 }

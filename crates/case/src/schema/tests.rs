@@ -153,7 +153,7 @@ fn the_guide_lists_these_keys() {
     let written = std::fs::read_to_string(&path).unwrap();
     assert!(
         written == wanted,
-        "docs/guide/case-file.md is not current: UPDATE=1 cargo test -p case writes it anew"
+        "docs/guide/case-file.md is not current: UPDATE=1 cargo test -p deltav-case writes it anew"
     );
 }
 

@@ -9,7 +9,7 @@ use crate::guide::prose::{pages, root};
 #[allow(dead_code, reason = "the arguments are read, not used")]
 mod arguments;
 
-const FOLDERS: [&str; 3] = ["docs", "docs/guide", "benches"];
+const FOLDERS: [&str; 4] = ["docs", "docs/guide", "crates/report", "benches"];
 
 /// What a word in capitals stands for.
 fn meant(word: &str) -> Vec<&str> {

@@ -278,7 +278,7 @@ fn how_do_i(ledger: &mut Ledger) {
         number(uniform, 0),
         number(100.0 * (all - uniform) / all, 0)
     ));
-    let glossary = page("docs/glossary.md");
+    let glossary = page("crates/report/glossary.md");
     ledger.cited(
         "some 0.1 at medium and high speeds, and 0.2 to 0.4 in rear-end collisions with a ΔV of 2 to 5 mph (SAE 931842)",
         "the abstract of that paper: values measured in low-speed collisions, and what is usual above",
@@ -301,7 +301,7 @@ fn how_do_i(ledger: &mut Ledger) {
 
 fn impact(ledger: &mut Ledger) {
     ledger.page("docs/guide/impact.md");
-    let glossary = page("docs/glossary.md");
+    let glossary = page("crates/report/glossary.md");
     ledger.quoted(
         "It falls with the closing speed: some 0.1 at medium and high speeds",
         &page("docs/guide/how-do-i.md"),

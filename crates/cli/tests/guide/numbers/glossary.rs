@@ -1,4 +1,4 @@
-//! Phrases of docs/glossary.md, put together from where their numbers come from.
+//! Phrases of crates/report/glossary.md, put together from where their numbers come from.
 
 use std::f64::consts::PI;
 
@@ -15,7 +15,7 @@ use crate::guide::prose::page;
 
 /// All of them.
 pub(super) fn facts(ledger: &mut Ledger) {
-    ledger.page("docs/glossary.md");
+    ledger.page("crates/report/glossary.md");
     frames(ledger);
     vehicles(ledger);
     damage(ledger);

@@ -1,0 +1,66 @@
+//! Reconstructs a two-vehicle collision from its damage.
+//!
+//! Measured crush gives the energy that the collision took (CRASH3). Planar impact mechanics gives the speed at which the
+//! impact takes just this energy. The method is that of Brach & Brach, SAE 980025 (1998); this is the example of its appendix:
+//!
+//! ```
+//! use deltav::prelude::*;
+//!
+//! let file = Case::parse("sae-980025.toml", deltav::case::EXAMPLE)?; // or the text of a case file of your own
+//! let analysis = reconstruct(&file)?;
+//! let found = analysis.found.as_ref().ok_or("a reconstruction finds a speed")?;
+//! assert!((found.speed - 22.9).abs() < 0.05); // the paper: 22.9 m/s
+//!
+//! println!("{}", deltav::report::text(&file.case, &analysis, Units::Us)); // every figure with its equation
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! The same from numbers, without a case file. All are in SI units and radians; the crush energies are those that the paper prints:
+//!
+//! ```
+//! use deltav::prelude::*;
+//!
+//! let jimmy = Participant::polar(Body::new(1676.5, 3304.1)?, 180_f64.to_radians(), 1.920, -22.4_f64.to_radians())?;
+//! let altima = Participant::polar(Body::new(1548.1, 2935.3)?, 67_f64.to_radians(), 1.158, -39_f64.to_radians())?;
+//! let contact = Contact::new([jimmy, altima], -23_f64.to_radians())?;
+//! let motions = [Motion::rest(), Motion::along(67_f64.to_radians(), 4.4704)];
+//! let law = Law::new(0.3, Tangential::Critical)?;
+//! let energy = 1.02e5 + 3.87e4;
+//! let answer = Problem::new(contact, law, motions, Unknown::Speed1, energy, EnergyBasis::Dissipated)?.solve()?;
+//! assert!((answer.speed - 22.9).abs() < 0.05); // the paper: 22.9 m/s
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # The crates
+//!
+//! Each is a module here under its own name, and can be taken alone.
+//!
+//! | module | what it is |
+//! |---|---|
+//! | [`pim_core`] | planar impact mechanics: bodies, contact, impact law, outcome; frames and signs are drawn there |
+//! | [`crash3`] | CRASH3 damage: profile, stiffness, crush energy, ΔV |
+//! | [`reconcile`] | the speed that makes the two agree |
+//! | [`uncertainty`] | propagates input ranges to the results of any function |
+//! | [`case`] | the case file: TOML, units, diagnostics |
+//! | [`analysis`] | from a case to a finished analysis, with its warnings |
+//! | [`report`] | a finished analysis as text, JSON, HTML, Markdown and drawings |
+//! | [`validation`] | staged collisions beside what the papers print of them |
+//! | [`real`] | the number that the equations run on, with derivatives |
+//!
+//! With the feature `parallel`, [`uncertainty`] runs on all cores. The results have the same bits with and without it.
+//!
+//! # What it does not do
+//!
+//! It adds nothing to these crates. No motion before or after the impact, no rest positions, no rollover, no occupant loads.
+
+pub use {analysis, case, crash3, pim_core, real, reconcile, report, uncertainty, validation};
+
+/// What most reconstructions need: `use deltav::prelude::*;`.
+pub mod prelude {
+    pub use analysis::{Analysis, Failure, Warning, crush, impact, reconstruct};
+    pub use case::{Case, CaseFile, Diagnostics};
+    pub use crash3::{EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, crush_energy};
+    pub use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, RestitutionCurve, Tangential};
+    pub use reconcile::{Problem, Reconciliation, Unknown};
+    pub use report::Units;
+}
