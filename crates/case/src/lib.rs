@@ -192,7 +192,7 @@ pub use problem::Problem;
 pub use quantity::{Quantity, QuantityError};
 pub use range::{Amount, Bounds, Range, Spread};
 pub use read::CaseFile;
-pub use schema::keys;
+pub use schema::{keys, number_keys};
 pub use source::Source;
 pub use template::Template;
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
