@@ -33,6 +33,7 @@ mod curve;
 mod damage;
 mod judgement;
 mod sensitivity;
+mod thresholds;
 mod uncertainty;
 mod warning;
 
@@ -42,10 +43,11 @@ pub use curve::{WorkPoint, first_push, work_curve};
 pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
 pub use judgement::{Ability, Assumption, Judgement, assumptions, judge, nearest_class};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
+pub use thresholds::FAST_CLOSING;
 pub use uncertainty::{
     Plan, REASONS, Reason, Stage, UncertainInput, UncertainOutput, Uncertainty, uncertainty,
 };
-pub use warning::{Drive, FAST_CLOSING, JumpSide, Magnitude, Warning};
+pub use warning::{Drive, JumpSide, Magnitude, Warning};
 
 use case::{Case, CaseFile, Collision, Diagnostics, Evidence, Subject};
 use crash3::{CrushError, EnergyBasis, Structure};

@@ -162,6 +162,7 @@ mod input;
 mod json_schema;
 mod model;
 mod nearest;
+mod number;
 mod problem;
 mod quantity;
 mod range;
