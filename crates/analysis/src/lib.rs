@@ -49,7 +49,7 @@ pub use uncertainty::{
 };
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 
-use case::{Case, CaseFile, Collision, Diagnostics, Evidence, Subject};
+use case::{Case, CaseFile, Collision, Command, Diagnostics, Evidence, Subject};
 use crash3::{CrushError, EnergyBasis, Structure};
 use pim_core::{Contact, ImpactError, Law, Outcome, Real};
 use reconcile::{Iteration, Method, Problem, ReconcileError, Unknown};
@@ -263,21 +263,21 @@ pub fn crush(file: &CaseFile) -> Result<Analysis, Failure> {
 /// # Errors
 /// [`Failure`].
 pub fn furthest(file: &CaseFile) -> Result<Analysis, Failure> {
-    match furthest_command(&file.case) {
-        "reconstruct" => reconstruct(file),
-        "impact" => impact(file),
-        _ => crush(file),
-    }
+    let (_, solve) = furthest_solver(&file.case);
+    solve(file)
 }
 
-/// The command of that name.
-fn furthest_command(case: &Case) -> &'static str {
+/// What solves a case: one of [`reconstruct`], [`impact`] and [`crush`].
+type Solve = fn(&CaseFile) -> Result<Analysis, Failure>;
+
+/// The command that goes as far as the case does, and what it runs.
+fn furthest_solver(case: &Case) -> (Command, Solve) {
     if case.reconstruct.is_some() {
-        "reconstruct"
+        (Command::Reconstruct, reconstruct)
     } else if case.impact.is_some() && case.vehicles.iter().all(|v| v.fixed || v.motion.is_some()) {
-        "impact"
+        (Command::Impact, impact)
     } else {
-        "crush"
+        (Command::Crush, crush)
     }
 }
 

@@ -156,6 +156,7 @@
 
 mod axes;
 mod case;
+mod command;
 mod diagnostic;
 mod foreign;
 mod input;
@@ -181,6 +182,7 @@ pub use case::{
     BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass, Outline, Pdof, Reconstruct,
     Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
 };
+pub use command::Command;
 pub use diagnostic::{Diagnostic, Diagnostics};
 pub use input::Input;
 pub use json_schema::json_schema;

@@ -2,8 +2,8 @@
 
 use analysis::{Ability, Assumption, Judgement, Warning};
 use case::{
-    Case, CaseFile, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm, StiffnessSource,
-    Unit, UnitSystem,
+    Case, CaseFile, Command, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm,
+    StiffnessSource, Unit, UnitSystem,
 };
 use crash3::ObliqueCorrection;
 use pim_core::Tangential;
@@ -109,7 +109,7 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
     text.push_str(&format!("\nCommands\n{}\n", "─".repeat(LINE)));
     for Ability { command, on, obstacle } in &judgement.commands {
         let Some(obstacle) = obstacle else {
-            let does = format!("has all that it needs{}", purpose(case, command, on));
+            let does = format!("has all that it needs{}", purpose(case, *command, *on));
             text.push_str(&hanging(&format!("{command:<KEY$}"), &does));
             continue;
         };
@@ -202,7 +202,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
             .commands
             .iter()
             .map(|Ability { command, obstacle, .. }| CommandBlock {
-                command,
+                command: command.name(),
                 runs: obstacle.is_none(),
                 obstacles: obstacle
                     .iter()
@@ -247,19 +247,19 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
 }
 
 /// What a command that runs is good for in this case.
-fn purpose(case: &Case, command: &str, on: &str) -> String {
+fn purpose(case: &Case, command: Command, on: Command) -> String {
     match (&case.reconstruct, command) {
-        (Some(reconstruct), "reconstruct") => {
+        (Some(reconstruct), Command::Reconstruct) => {
             format!(" to find {}", words::unknown_name(reconstruct.find))
         }
-        (_, "draw") => {
+        (_, Command::Draw) => {
             let is_damaged = case.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
             let what: Vec<&str> = Subject::ALL
                 .into_iter()
                 .filter(|subject| match subject {
-                    Subject::Scene | Subject::Energy => on != "crush",
+                    Subject::Scene | Subject::Energy => on != Command::Crush,
                     Subject::Damage => is_damaged,
-                    Subject::Reconciliation => on == "reconstruct",
+                    Subject::Reconciliation => on == Command::Reconstruct,
                 })
                 .map(Subject::name)
                 .collect();
