@@ -2,7 +2,7 @@
 
 use analysis::Analysis;
 use case::{Fit, StiffnessSource};
-use crash3::{EnergyBasis, Side};
+use crash3::{DoubtfulDigit, EnergyBasis, Side};
 use pim_core::Regime;
 use reconcile::Unknown;
 
@@ -57,11 +57,14 @@ pub(crate) fn stiffness_source(source: StiffnessSource, side: Side) -> String {
     }
 }
 
-/// What is in doubt of a stiffness from a table: of SAE 870045's Table 1 one digit.
-pub(crate) fn stiffness_doubt(source: StiffnessSource, side: Side) -> Option<&'static str> {
-    (source == StiffnessSource::Category(2) && side == Side::Rear).then_some(
-        "G of category 2, rear, is in doubt: the scan of the table reads 1074 lb; 1874 lb is taken, as A²/2B = 1864 lb asks",
-    )
+/// What is in doubt of a stiffness from a table.
+pub(crate) fn stiffness_doubt(source: StiffnessSource, side: Side) -> Option<String> {
+    let StiffnessSource::Category(category) = source else { return None };
+    let DoubtfulDigit { scanned, taken, expected } = DoubtfulDigit::of_category(side, category)?;
+    let side = side_name(side);
+    Some(format!(
+        "G of category {category}, {side}, is in doubt: the scan of the table reads {scanned} lb; {taken} lb is taken, as A²/2B = {expected:.0} lb asks"
+    ))
 }
 
 /// The same with what is in doubt of it, where there is room.
