@@ -5,11 +5,8 @@ use std::f64::consts::PI;
 use crash3::principal_angle;
 use pim_core::Real;
 
-use crate::warning::{FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
+use crate::thresholds::{ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
 use crate::{Impact, Vehicle};
-
-/// How far the work of the normal impulse may be from the crush energy.
-const ENERGY_DIFFERENCE: f64 = 0.1;
 
 /// One comparison. Values are in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! A case judged without solving it: what it can be used for, what is assumed, and the warnings that need no answer.
 
 use case::{
-    CaseFile, Crush, Diagnostics, ImpactLaw, Inertia, InferredWidth, StiffnessForm, StiffnessLine, Subject,
-    Velocity, YawSource,
+    CaseFile, Command, Crush, Diagnostics, ImpactLaw, Inertia, InferredWidth, StiffnessForm, StiffnessLine,
+    Subject, Velocity, YawSource,
 };
 use crash3::{EnergyBasis, Side, Structure, VehicleClass};
 
@@ -24,9 +24,9 @@ pub struct Judgement {
 #[derive(Debug)]
 pub struct Ability {
     /// The command.
-    pub command: &'static str,
+    pub command: Command,
     /// The one of the first three whose answer it works on: itself for those.
-    pub on: &'static str,
+    pub on: Command,
     /// What is missing or does not fit together, where anything does.
     pub obstacle: Option<Diagnostics>,
 }
@@ -199,24 +199,26 @@ pub fn judge(file: &CaseFile) -> Judgement {
     let unpropagated = uncertainty::inputs(file)
         .err()
         .or_else(|| if seeks { file.reconstruction().err() } else { file.impact().err() });
-    let (reconstruction, impact, crush) = (reconstruction.err(), impact.err(), file.crush().err());
-    let obstacle = |on: &str| match on {
-        "reconstruct" => reconstruction.clone(),
-        "impact" => impact.clone(),
-        _ => crush.clone(),
+    let lacking = [
+        (Command::Reconstruct, reconstruction.err()),
+        (Command::Impact, impact.err()),
+        (Command::Crush, file.crush().err()),
+    ];
+    let of = |command, on| {
+        let obstacle =
+            lacking.iter().find(|(command, _)| *command == on).and_then(|(_, obstacle)| obstacle.clone());
+        Ability { command, on, obstacle }
     };
-    let itself = |command| Ability { command, on: command, obstacle: obstacle(command) };
-    let of = |command, on| Ability { command, on, obstacle: obstacle(on) };
-    let solved = if seeks { "reconstruct" } else { "impact" };
-    let furthest = crate::furthest_command(&file.case);
+    let solved = if seeks { Command::Reconstruct } else { Command::Impact };
+    let (furthest, _) = crate::furthest_solver(&file.case);
     let commands = [
-        itself("reconstruct"),
-        itself("impact"),
-        itself("crush"),
-        Ability { command: "uncertainty", on: solved, obstacle: unpropagated },
-        of("compare", solved),
-        of("sensitivity", furthest),
-        of("draw", furthest),
+        of(Command::Reconstruct, Command::Reconstruct),
+        of(Command::Impact, Command::Impact),
+        of(Command::Crush, Command::Crush),
+        Ability { command: Command::Uncertainty, on: solved, obstacle: unpropagated },
+        of(Command::Compare, solved),
+        of(Command::Sensitivity, furthest),
+        of(Command::Draw, furthest),
     ];
     Judgement { commands, assumptions, warnings }
 }

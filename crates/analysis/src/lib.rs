@@ -32,6 +32,7 @@ mod curve;
 mod damage;
 mod judgement;
 mod sensitivity;
+mod thresholds;
 mod uncertainty;
 mod warning;
 
@@ -41,12 +42,13 @@ pub use curve::{WorkPoint, first_push, work_curve};
 pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
 pub use judgement::{Ability, Assumption, Judgement, assumptions, judge, nearest_class};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
+pub use thresholds::FAST_CLOSING;
 pub use uncertainty::{
     Plan, REASONS, Reason, Stage, UncertainInput, UncertainOutput, Uncertainty, uncertainty,
 };
-pub use warning::{Drive, FAST_CLOSING, JumpSide, Magnitude, Warning};
+pub use warning::{Drive, JumpSide, Magnitude, Warning};
 
-use case::{Case, CaseFile, Collision, Diagnostics, Evidence, Subject};
+use case::{Case, CaseFile, Collision, Command, Diagnostics, Evidence, Subject};
 use crash3::{CrushError, EnergyBasis, Structure};
 use pim_core::{Contact, ImpactError, Law, Outcome, Real};
 use reconcile::{Iteration, Method, Problem, ReconcileError, Unknown};
@@ -260,21 +262,21 @@ pub fn crush(file: &CaseFile) -> Result<Analysis, Failure> {
 /// # Errors
 /// [`Failure`].
 pub fn furthest(file: &CaseFile) -> Result<Analysis, Failure> {
-    match furthest_command(&file.case) {
-        "reconstruct" => reconstruct(file),
-        "impact" => impact(file),
-        _ => crush(file),
-    }
+    let (_, solve) = furthest_solver(&file.case);
+    solve(file)
 }
 
-/// The command of that name.
-fn furthest_command(case: &Case) -> &'static str {
+/// What solves a case: one of [`reconstruct`], [`impact`] and [`crush`].
+type Solve = fn(&CaseFile) -> Result<Analysis, Failure>;
+
+/// The command that goes as far as the case does, and what it runs.
+fn furthest_solver(case: &Case) -> (Command, Solve) {
     if case.reconstruct.is_some() {
-        "reconstruct"
+        (Command::Reconstruct, reconstruct)
     } else if case.impact.is_some() && case.vehicles.iter().all(|v| v.fixed || v.motion.is_some()) {
-        "impact"
+        (Command::Impact, impact)
     } else {
-        "crush"
+        (Command::Crush, crush)
     }
 }
 

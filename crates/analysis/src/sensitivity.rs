@@ -55,12 +55,31 @@ pub enum Output {
 impl Output {
     /// The outputs of an analysis with an impact: the speed found, if there is one; no ΔV and PDOF of a fixed object.
     pub(crate) fn of(analysis: &Analysis) -> Vec<Self> {
-        let moves = |vehicle: &usize| analysis.vehicles[vehicle - 1].subject.inertia.is_some();
-        let found = analysis.found.as_ref().map(|found| Self::Speed { vehicle: found.unknown.index() + 1 });
-        let delta_v = [1, 2].into_iter().filter(moves).map(|vehicle| Self::DeltaV { vehicle });
-        let pdof = [1, 2].into_iter().filter(moves).map(|vehicle| Self::Pdof { vehicle });
-        let impact = [Self::ClosingSpeed, Self::EnergyLoss, Self::NormalWork, Self::TangentialWork];
-        found.into_iter().chain(delta_v).chain(pdof).chain(impact).collect()
+        let found = analysis.found.as_ref().map(|found| found.unknown.index() + 1);
+        let mut outputs = Self::of_two_vehicles(found.unwrap_or(1)).to_vec();
+        outputs.retain(|output| match output {
+            Self::Speed { .. } => found.is_some(),
+            Self::DeltaV { vehicle } | Self::Pdof { vehicle } => {
+                analysis.vehicles[vehicle - 1].subject.inertia.is_some()
+            }
+            Self::ClosingSpeed | Self::EnergyLoss | Self::NormalWork | Self::TangentialWork => true,
+        });
+        outputs
+    }
+
+    /// Those of a reconstruction of two vehicles, `found` the one whose speed is sought.
+    pub(crate) const fn of_two_vehicles(found: usize) -> [Self; 9] {
+        [
+            Self::Speed { vehicle: found },
+            Self::DeltaV { vehicle: 1 },
+            Self::DeltaV { vehicle: 2 },
+            Self::Pdof { vehicle: 1 },
+            Self::Pdof { vehicle: 2 },
+            Self::ClosingSpeed,
+            Self::EnergyLoss,
+            Self::NormalWork,
+            Self::TangentialWork,
+        ]
     }
 
     /// Its value in an impact; `found` is the speed found.

@@ -398,10 +398,11 @@ impl<'a> Sample<'a> {
             input.number
         });
         let (mut places, mut marks) = (0.., is_uncertain.iter());
-        let block = Block::new(&case.map_numbers(|number| match marks.next() {
+        let numbers = case.map_numbers(|number| match marks.next() {
             Some(true) => places.next().map_or(Number::Known(number), Number::Uncertain),
             _ => Number::Known(number),
-        }));
+        });
+        let block = Block::new(&numbers, inputs.len());
         case.title = None;
         case.source = None;
         for vehicle in &mut case.vehicles {

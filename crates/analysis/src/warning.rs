@@ -8,17 +8,9 @@ use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential};
 
 use crate::checks::{Check, CheckedQuantity};
 use crate::damage::Crash3;
+use crate::thresholds::{FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
 use crate::{Damage, Found, Impact, Vehicle};
 
-/// Newton's third law: the peak forces of the two vehicles should be the same. Stiffness and crush are uncertain, but not by
-/// more than this factor.
-pub(crate) const FORCE_RATIO: f64 = 2.0;
-/// (rad) how far a PDOF judged by eye may be from the computed one: 10°.
-pub(crate) const PDOF_DIFFERENCE: f64 = 10.0 * std::f64::consts::PI / 180.0;
-/// Restitution falls with closing speed: above [`FAST_CLOSING`], more than this is not seen in vehicle collisions.
-pub(crate) const HIGH_RESTITUTION: f64 = 0.3;
-/// (m/s) see [`CheckedQuantity::Restitution`](crate::CheckedQuantity::Restitution)
-pub const FAST_CLOSING: f64 = 15.0;
 /// How far CRASH3's ΔV may be from that of the impact.
 const DELTA_V_DIFFERENCE: f64 = 0.1;
 /// (m) how far the contact point may be outside of the outline: the roundness of a bumper.

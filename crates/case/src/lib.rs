@@ -156,12 +156,14 @@
 
 mod axes;
 mod case;
+mod command;
 mod diagnostic;
 mod foreign;
 mod input;
 mod json_schema;
 mod model;
 mod nearest;
+mod number;
 mod problem;
 mod quantity;
 mod range;
@@ -183,6 +185,7 @@ pub use case::{
     BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass, Outline, Pdof, Reconstruct,
     Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
 };
+pub use command::Command;
 pub use diagnostic::{Diagnostic, Diagnostics};
 pub use input::Input;
 pub use json_schema::json_schema;
@@ -195,7 +198,7 @@ pub use problem::Problem;
 pub use quantity::{Quantity, QuantityError};
 pub use range::{Amount, Bounds, Range, Spread};
 pub use read::CaseFile;
-pub use schema::keys;
+pub use schema::{keys, number_keys};
 pub use source::Source;
 pub use template::Template;
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};

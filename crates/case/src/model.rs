@@ -9,7 +9,7 @@ use pim_core::{Body, Contact, Law, Motion, Participant, Real, RestitutionCurve, 
 use reconcile::Unknown;
 
 use crate::{
-    Axes, Case, CaseFile, ContactPoint, Crush, Diagnostic, Diagnostics, Fit, ImpactLaw, Quantity,
+    Axes, Case, CaseFile, Command, ContactPoint, Crush, Diagnostic, Diagnostics, Fit, ImpactLaw, Quantity,
     Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity,
 };
 
@@ -221,7 +221,7 @@ impl CaseFile {
         &self,
         case: &Case<T>,
     ) -> Result<ReconstructionInput<T>, Diagnostics> {
-        let mut demand = Demand { file: self, case, command: "reconstruct", problems: Vec::new() };
+        let mut demand = Demand { file: self, case, command: Command::Reconstruct, problems: Vec::new() };
         let unknown = demand.unknown();
         let collision = demand.collision(|i| unknown.is_some_and(|unknown| unknown.index() != i));
         for (i, vehicle) in self.case.vehicles.iter().enumerate() {
@@ -257,7 +257,7 @@ impl CaseFile {
     /// # Errors
     /// As [`impact`](Self::impact).
     pub fn impact_with<T: Real>(&self, case: &Case<T>) -> Result<ImpactInput<T>, Diagnostics> {
-        let mut demand = Demand { file: self, case, command: "impact", problems: Vec::new() };
+        let mut demand = Demand { file: self, case, command: Command::Impact, problems: Vec::new() };
         let collision = demand.collision(|_| true);
         demand.finish(collision.map(|collision| ImpactInput { collision, basis: self.energy_basis() }))
     }
@@ -267,7 +267,8 @@ impl CaseFile {
     /// # Errors
     /// Everything that is missing or does not fit together, with the place where it belongs.
     pub fn crush(&self) -> Result<CrushOnly, Diagnostics> {
-        let mut demand = Demand { file: self, case: &self.case, command: "crush", problems: Vec::new() };
+        let mut demand =
+            Demand { file: self, case: &self.case, command: Command::Crush, problems: Vec::new() };
         let vehicles = [demand.subject(0), demand.subject(1)];
         for (i, vehicle) in self.case.vehicles.iter().enumerate() {
             if !vehicle.fixed {
@@ -296,7 +297,8 @@ impl CaseFile {
     #[must_use]
     pub fn subjects(&self) -> [Option<Subject>; 2] {
         // What is missing is not told: that is up to the commands.
-        let mut demand = Demand { file: self, case: &self.case, command: "check", problems: Vec::new() };
+        let mut demand =
+            Demand { file: self, case: &self.case, command: Command::Check, problems: Vec::new() };
         let mut subjects = [demand.subject(0), demand.subject(1)];
         fill_opposite_pdof(self.case.headings(), subjects.each_mut().map(Option::as_mut));
         subjects
@@ -346,7 +348,7 @@ struct Demand<'a, T> {
     file: &'a CaseFile,
     /// The file's case, or the same with other numbers.
     case: &'a Case<T>,
-    command: &'static str,
+    command: Command,
     problems: Vec<Diagnostic>,
 }
 

@@ -6,7 +6,8 @@ use crash3::CrushError;
 use thiserror::Error;
 
 use crate::nearest::join;
-use crate::quantity::{Limit, Quantity, QuantityError, dimension_help, format_limit, format_number};
+use crate::number::format_number;
+use crate::quantity::{Limit, Quantity, QuantityError, dimension_help, format_limit};
 use crate::range::Amount;
 use crate::schema::{LawName, RESTITUTION, TANGENTIAL, dimensions_of, example_of};
 use crate::slips;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::quantity::format_number;
+use crate::number::format_number;
 use crate::units::Unit;
 
 /// An uncertain number of a case: one of [`Case::inputs`](crate::Case::inputs), and what is known of it.

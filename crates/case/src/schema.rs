@@ -827,23 +827,64 @@ static ALL: [&Schema; 11] = [
 /// ```
 #[must_use]
 pub fn keys() -> Vec<String> {
-    fn walk(schema: &Schema, within: &str, paths: &mut Vec<String>) {
+    walked(|_| true)
+}
+
+/// The path of every key of a case file that holds a number or several, each of which can be a range: `vehicle1.mass`, …,
+/// `impact.restitution`, `impact.restitution.speeds`, … They are among [`keys`], and have no numbers of elements.
+///
+/// ```
+/// let keys = case::number_keys();
+/// assert!(keys.contains(&"vehicle1.crush.depths".to_owned()));
+/// assert!(!keys.contains(&"vehicle1.crush.side".to_owned()));
+/// ```
+#[must_use]
+pub fn number_keys() -> Vec<String> {
+    walked(|form| match form {
+        Form::Number(_)
+        | Form::Numbers(_)
+        | Form::Quantity(..)
+        | Form::Quantities(..)
+        | Form::AngleOrHour
+        | Form::NumberOrTable(..) => true,
+        Form::Text
+        | Form::Flag
+        | Form::Words(_)
+        | Form::Law
+        | Form::Count(_)
+        | Form::Vehicle
+        | Form::Table(_)
+        | Form::Tables(_)
+        | Form::WordsOrTable(..)
+        | Form::Value
+        | Form::Values
+        | Form::Deviation
+        | Form::Percent
+        | Form::Probability => false,
+    })
+}
+
+/// The paths of the keys whose form is wanted.
+fn walked(is_wanted: fn(&Form) -> bool) -> Vec<String> {
+    fn walk(schema: &Schema, within: &str, is_wanted: fn(&Form) -> bool, paths: &mut Vec<String>) {
         for key in schema.keys {
             let path = format!("{within}{}", key.name);
             let inner = format!("{path}.");
-            paths.push(path);
+            if is_wanted(&key.form) {
+                paths.push(path);
+            }
             match key.form {
-                Form::Vehicle => walk(&VEHICLE, &inner, paths),
+                Form::Vehicle => walk(&VEHICLE, &inner, is_wanted, paths),
                 Form::Table(schema)
                 | Form::Tables(schema)
                 | Form::WordsOrTable(_, schema)
-                | Form::NumberOrTable(_, schema) => walk(schema, &inner, paths),
+                | Form::NumberOrTable(_, schema) => walk(schema, &inner, is_wanted, paths),
                 _ => {}
             }
         }
     }
     let mut paths = Vec::new();
-    walk(&TOP, "", &mut paths);
+    walk(&TOP, "", is_wanted, &mut paths);
     paths
 }
 

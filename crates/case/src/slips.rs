@@ -1,6 +1,6 @@
 //! Numbers written as people write them elsewhere: a case does not read them, but knows what to write instead.
 
-use crate::quantity::{format_number, split_number};
+use crate::number::{format_number, split_number};
 use crate::units::Dimension;
 
 /// What stands between a number and how far it may be off, and between the two ends of a range. The longer come first.

@@ -4,8 +4,9 @@
 
 use std::ops::Range;
 
+use crate::number::format_number;
 use crate::problem::Problem;
-use crate::quantity::{format_number, shorten};
+use crate::quantity::shorten;
 use crate::schema::{dimensions_of, example_of};
 use crate::slips::{keyboard, plain};
 use crate::units::Dimension;

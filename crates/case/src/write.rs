@@ -7,7 +7,8 @@ use crate::case::{
     BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass, Outline, Pdof, Reconstruct,
     Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
 };
-use crate::quantity::{Quantity, format_number};
+use crate::number::format_number;
+use crate::quantity::Quantity;
 use crate::range::{Amount, Spread};
 use crate::schema::LawName;
 use crash3::EnergyBasis;

@@ -2,7 +2,7 @@
 
 use toml::de::{DeTable, DeValue};
 
-use crate::quantity::{format_number, leading_numbers};
+use crate::number::{format_number, leading_numbers};
 use crate::schema::{RANGE, RANGE_OF_LIST, dimensions_of};
 use crate::units::{Dimension, Unit, UnitSystem};
 

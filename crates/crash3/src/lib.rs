@@ -69,4 +69,4 @@ pub use force_balance::{CrushRange, UniformCrush, crush_from_force, crush_range_
 pub use profile::{Profile, Zone, equal_spacing};
 pub use real::Real;
 pub use stiffness::{Stiffness, Structure};
-pub use tables::{BURG, BURG_SPREAD, VehicleClass, yaw_inertia_burg};
+pub use tables::{BURG, BURG_SPREAD, DoubtfulDigit, VehicleClass, yaw_inertia_burg};

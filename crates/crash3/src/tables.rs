@@ -49,8 +49,7 @@ const SIDE: Categories = [
 ];
 
 impl<T: Real> Stiffness<T> {
-    /// CRASH3's stiffness category of a side: A, B and a G of its own. One number is doubtful: the table was read from a poor scan,
-    /// in which G of category 2, rear, reads 1074 lb (taken: 1874 lb, as A²/2B = 1864 lb asks).
+    /// CRASH3's stiffness category of a side: A, B and a G of its own. [`DoubtfulDigit::of_category`] has the one number in doubt.
     ///
     /// # References
     /// SAE 870045, Table 1.
@@ -72,6 +71,31 @@ impl<T: Real> Stiffness<T> {
             T::from(b * POUND_FORCE / (INCH * INCH)),
             T::from(g * POUND_FORCE),
         )
+    }
+}
+
+/// A number of a table that was read from a poor scan, all in pounds-force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DoubtfulDigit {
+    /// What the scan reads.
+    pub scanned: f64,
+    /// What is taken.
+    pub taken: f64,
+    /// A²/2B of the same row, which tells the two apart.
+    pub expected: f64,
+}
+
+impl DoubtfulDigit {
+    /// What is in doubt of G of a stiffness category: that of category 2, rear, alone.
+    ///
+    /// # References
+    /// SAE 870045, Table 1.
+    #[must_use]
+    pub fn of_category(side: Side, category: u8) -> Option<Self> {
+        let [_, [a, b, g], ..] = REAR;
+        // A²/2B
+        let expected = a * a / (2.0 * b);
+        (side == Side::Rear && category == 2).then_some(Self { scanned: 1074.0, taken: g, expected })
     }
 }
 

@@ -3,15 +3,15 @@
 use analysis::{Analysis, Comparison, Correction};
 use case::{Axes, Case};
 use crash3::ObliqueCorrection;
-use pim_core::Regime;
 use serde::Serialize;
 
 use crate::axes;
 use crate::failures::no_answer;
 use crate::json::WarningBlock;
 use crate::law;
-use crate::text::{LINE, hanging, wrapped};
 use crate::units::{Quantity, Units, number};
+use crate::words::regime_name;
+use crate::wrap::{LINE, hanging, wrapped};
 
 /// One row of the table, in SI units and radians. What a row cannot have is left out.
 #[derive(Default, Serialize)]
@@ -107,14 +107,6 @@ fn values(analysis: &Analysis, axes: Axes) -> Values {
         tangential_share: Some(share(energy.tangential_work)),
         moment_share: impact.law.has_moment().then(|| share(energy.moment_work)),
         final_yaw_rate: Some(outcome.after.map(|motion| axes.lateral(motion.yaw_rate) + 0.0)),
-    }
-}
-
-/// The value of the JSON key `regime`.
-pub(crate) fn regime_name(regime: Regime) -> &'static str {
-    match regime {
-        Regime::Full => "full",
-        Regime::Sliding => "sliding",
     }
 }
 

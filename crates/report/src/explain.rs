@@ -4,6 +4,8 @@ use std::sync::OnceLock;
 
 use serde::Serialize;
 
+use crate::wrap::wrapped_within;
+
 /// The source of all texts: `## group`, `### name`, a line `Also: …; …` with other names, and the text.
 const GLOSSARY: &str = include_str!("../glossary.md");
 
@@ -169,7 +171,7 @@ fn nearest(word: &str) -> Vec<&'static str> {
 pub fn explain(topic: &Topic, columns: usize) -> String {
     let mut text = format!("{}\n{}\n", topic.name, "─".repeat(columns));
     if !topic.aliases.is_empty() {
-        text.push_str(&crate::text::wrapped_within(&format!("Also: {}", topic.aliases.join("; ")), columns));
+        text.push_str(&wrapped_within(&format!("Also: {}", topic.aliases.join("; ")), columns));
     }
     for paragraph in topic.text.split("\n\n") {
         text.push('\n');
@@ -177,7 +179,7 @@ pub fn explain(topic: &Topic, columns: usize) -> String {
             text.push_str(paragraph);
             text.push('\n');
         } else {
-            text.push_str(&crate::text::wrapped_within(paragraph, columns));
+            text.push_str(&wrapped_within(paragraph, columns));
         }
     }
     text
@@ -228,7 +230,7 @@ pub fn topics_json() -> Result<String, serde_json::Error> {
 /// The names of all topics under their headings, in lines of so many columns.
 #[must_use]
 pub fn topics_text(columns: usize) -> String {
-    let mut text = crate::text::wrapped_within(
+    let mut text = wrapped_within(
         "`deltav explain TOPIC` explains one of these; symbols, keys of the case file and codes of warnings are known too.",
         columns,
     );
@@ -236,7 +238,7 @@ pub fn topics_text(columns: usize) -> String {
     let mut names: Vec<&str> = Vec::new();
     let mut flush = |group: &str, names: &mut Vec<&str>| {
         if !names.is_empty() {
-            let list = crate::text::wrapped_within(&names.join("; "), columns);
+            let list = wrapped_within(&names.join("; "), columns);
             text.push_str(&format!("\n{group}\n{}\n{list}", "─".repeat(columns)));
             names.clear();
         }

@@ -5,9 +5,9 @@ use case::{Axes, Case};
 use serde::Serialize;
 
 use crate::Units;
-use crate::comparison::regime_name;
 use crate::law;
 use crate::warnings;
+use crate::words;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -197,7 +197,7 @@ pub(crate) fn document<'a>(
         file,
         title: case.title.as_deref().unwrap_or_default(),
         axes: case.axes.name(),
-        energy_basis: crate::basis_name(analysis.basis),
+        energy_basis: words::basis_name(analysis.basis),
         warnings: analysis.warnings.iter().map(|warning| WarningBlock::new(warning, case.axes)).collect(),
         checks: analysis
             .checks
@@ -214,7 +214,7 @@ pub(crate) fn document<'a>(
             })
             .collect(),
         found: analysis.found.as_ref().map(|found| FoundBlock {
-            quantity: crate::unknown_name(found.unknown),
+            quantity: words::unknown_name(found.unknown),
             value: plain(found.speed),
             admissible_roots: found.admissible.len(),
             roots: found.admissible.iter().copied().map(plain).collect(),
@@ -257,7 +257,7 @@ fn impact(case: &Case, impact: &Impact) -> ImpactBlock {
     let has_moment = impact.law.has_moment();
     ImpactBlock {
         law: case.impact.as_ref().map_or("brach", |given| given.law.name()),
-        regime: outcome.regime.map(regime_name),
+        regime: outcome.regime.map(words::regime_name),
         restitution: impact.law.restitution(),
         impulse_ratio: plain(outcome.impulse_ratio),
         critical_impulse_ratio: outcome.critical_impulse_ratio.map(plain),
@@ -288,7 +288,7 @@ fn vehicle(case: &Case, analysis: &Analysis, i: usize) -> VehicleBlock {
     VehicleBlock {
         name: case.vehicles[i].name.clone(),
         fixed: fixed.then_some(true),
-        speed: moves.map(|_| plain(crate::speed(analysis, i))),
+        speed: moves.map(|_| plain(words::speed(analysis, i))),
         velocity: moves.map(|outcome| plain_pair(outcome.before[i].velocity.into())),
         yaw_rate: moves.map(|outcome| plain(outcome.before[i].yaw_rate)),
         final_velocity: moves.map(|outcome| plain_pair(outcome.after[i].velocity.into())),
@@ -300,7 +300,7 @@ fn vehicle(case: &Case, analysis: &Analysis, i: usize) -> VehicleBlock {
             .subject
             .damage
             .as_ref()
-            .map(|given| crate::stiffness_source_and_doubt(given.stiffness_source, given.side)),
+            .map(|given| words::stiffness_source_and_doubt(given.stiffness_source, given.side)),
         crush_source: damage
             .map(|damage| if damage.inferred.is_some() { "force balance" } else { "measured" }),
         crush_energy: damage.map(|damage| damage.crush_energy),

@@ -2,8 +2,8 @@
 
 use analysis::{Ability, Assumption, Judgement, Warning};
 use case::{
-    Case, CaseFile, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm, StiffnessSource,
-    Unit, UnitSystem,
+    Case, CaseFile, Command, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm,
+    StiffnessSource, Unit, UnitSystem,
 };
 use crash3::ObliqueCorrection;
 use pim_core::Tangential;
@@ -11,9 +11,10 @@ use serde::Serialize;
 
 use crate::Subject;
 use crate::json::WarningBlock;
-use crate::text::{LINE, first_cell, hanging};
 use crate::units::{Quantity, Units, significant};
 use crate::warnings;
+use crate::words;
+use crate::wrap::{LINE, first_cell, hanging};
 
 /// Over what the file says in words.
 pub(crate) const CHOICES: &str = "Choices";
@@ -108,7 +109,7 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
     text.push_str(&format!("\nCommands\n{}\n", "─".repeat(LINE)));
     for Ability { command, on, obstacle } in &judgement.commands {
         let Some(obstacle) = obstacle else {
-            let does = format!("has all that it needs{}", purpose(case, command, on));
+            let does = format!("has all that it needs{}", purpose(case, *command, *on));
             text.push_str(&hanging(&format!("{command:<KEY$}"), &does));
             continue;
         };
@@ -201,7 +202,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
             .commands
             .iter()
             .map(|Ability { command, obstacle, .. }| CommandBlock {
-                command,
+                command: command.name(),
                 runs: obstacle.is_none(),
                 obstacles: obstacle
                     .iter()
@@ -246,19 +247,19 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
 }
 
 /// What a command that runs is good for in this case.
-fn purpose(case: &Case, command: &str, on: &str) -> String {
+fn purpose(case: &Case, command: Command, on: Command) -> String {
     match (&case.reconstruct, command) {
-        (Some(reconstruct), "reconstruct") => {
-            format!(" to find {}", crate::unknown_name(reconstruct.find))
+        (Some(reconstruct), Command::Reconstruct) => {
+            format!(" to find {}", words::unknown_name(reconstruct.find))
         }
-        (_, "draw") => {
+        (_, Command::Draw) => {
             let is_damaged = case.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
             let what: Vec<&str> = Subject::ALL
                 .into_iter()
                 .filter(|subject| match subject {
-                    Subject::Scene | Subject::Energy => on != "crush",
+                    Subject::Scene | Subject::Energy => on != Command::Crush,
                     Subject::Damage => is_damaged,
-                    Subject::Reconciliation => on == "reconstruct",
+                    Subject::Reconciliation => on == Command::Reconstruct,
                 })
                 .map(Subject::name)
                 .collect();
@@ -341,7 +342,7 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
             say("class", class.to_string());
         }
         let Some(crush) = &vehicle.crush else { continue };
-        say("crush.side", crate::side_name(crush.side).to_owned());
+        say("crush.side", words::side_name(crush.side).to_owned());
         if crush.from_force_balance {
             say("crush.from_force_balance", "true".to_owned());
         }
@@ -372,8 +373,8 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
         }
     }
     if let Some(reconstruct) = &case.reconstruct {
-        choices.push(("reconstruct.find".to_owned(), crate::unknown_name(reconstruct.find).to_owned()));
-        let basis = crate::basis_name(reconstruct.energy_basis);
+        choices.push(("reconstruct.find".to_owned(), words::unknown_name(reconstruct.find).to_owned()));
+        let basis = words::basis_name(reconstruct.energy_basis);
         choices.push(("reconstruct.energy_basis".to_owned(), basis.to_owned()));
     }
     choices
@@ -398,8 +399,8 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
             units.format(Quantity::StiffnessA, *a),
             units.format(Quantity::StiffnessB, *b),
             units.format(Quantity::StiffnessG, *g),
-            crate::side_name(*side),
-            crate::stiffness_doubt(StiffnessSource::Category(*category), *side)
+            words::side_name(*side),
+            words::stiffness_doubt(StiffnessSource::Category(*category), *side)
                 .map_or_else(String::new, |doubt| format!("; {doubt}"))
         ),
         Assumption::YawRate { .. } => "0: the vehicle does not turn before the impact".to_owned(),
@@ -428,7 +429,7 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
             "unknown: that of the measured damage, within what the vehicle's dimensions allow".to_owned()
         }
         Assumption::Centred { side, .. } => {
-            format!("0: the middle of the damage lies {}", crate::undisplaced(*side))
+            format!("0: the middle of the damage lies {}", words::undisplaced(*side))
         }
         Assumption::Pdof { opposite: Some(pdof), .. } => {
             format!("{}, opposite to the force on the other vehicle", units.format(Quantity::Angle, *pdof))

@@ -67,6 +67,8 @@ mod text;
 mod uncertainty;
 mod units;
 mod warnings;
+mod words;
+mod wrap;
 
 pub use comparison::{comparison_json, comparison_text};
 pub use drawing::{Drawing, DrawingError, Subject, drawing};
@@ -86,82 +88,3 @@ pub use text::{text, text_within};
 pub use uncertainty::{histogram, tornado, uncertainty_json, uncertainty_text, write_samples};
 pub use units::Units;
 pub use warnings::{message, warnings_text};
-
-use analysis::Analysis;
-use case::{Fit, StiffnessSource};
-use crash3::{EnergyBasis, Side};
-use reconcile::Unknown;
-
-fn basis_name(basis: EnergyBasis) -> &'static str {
-    match basis {
-        EnergyBasis::Dissipated => "dissipated",
-        EnergyBasis::Absorbed => "absorbed",
-    }
-}
-
-fn unknown_name(unknown: Unknown) -> &'static str {
-    match unknown {
-        Unknown::Speed1 => "vehicle1.speed",
-        Unknown::Speed2 => "vehicle2.speed",
-    }
-}
-
-/// Whether damage is laid off from the vehicle's axis, and not from beside its CG.
-fn is_end(side: Side) -> bool {
-    matches!(side, Side::Front | Side::Rear)
-}
-
-/// Where the middle of a damage without an offset lies.
-fn undisplaced(side: Side) -> &'static str {
-    if is_end(side) { "on the vehicle's axis" } else { "beside the centre of gravity" }
-}
-
-fn side_name(side: Side) -> &'static str {
-    match side {
-        Side::Front => "front",
-        Side::Right => "right",
-        Side::Rear => "rear",
-        Side::Left => "left",
-    }
-}
-
-/// Where a stiffness comes from, short enough for a column.
-fn stiffness_source(source: StiffnessSource, side: Side) -> String {
-    match source {
-        StiffnessSource::Coefficients => "A and B as given".to_owned(),
-        StiffnessSource::Roots => "d0 and d1 as given".to_owned(),
-        StiffnessSource::Category(category) => {
-            let side = match side {
-                Side::Left | Side::Right => "side",
-                Side::Front | Side::Rear => side_name(side),
-            };
-            format!("CRASH3 category {category}, {side}")
-        }
-        StiffnessSource::Test(Fit::Exact) => "barrier test, exact fit".to_owned(),
-        StiffnessSource::Test(Fit::Mean) => "barrier test, mean crush".to_owned(),
-        StiffnessSource::Zones => "zone by zone as given".to_owned(),
-    }
-}
-
-/// What is in doubt of a stiffness from a table: of SAE 870045's Table 1 one digit.
-fn stiffness_doubt(source: StiffnessSource, side: Side) -> Option<&'static str> {
-    (source == StiffnessSource::Category(2) && side == Side::Rear).then_some(
-        "G of category 2, rear, is in doubt: the scan of the table reads 1074 lb; 1874 lb is taken, as A²/2B = 1864 lb asks",
-    )
-}
-
-/// The same with what is in doubt of it, where there is room.
-fn stiffness_source_and_doubt(source: StiffnessSource, side: Side) -> String {
-    let doubt = stiffness_doubt(source, side).map_or_else(String::new, |doubt| format!("; {doubt}"));
-    stiffness_source(source, side) + &doubt
-}
-
-/// (m/s) speed before impact, negative where the vehicle moves backwards; zero for a fixed object.
-fn speed(analysis: &Analysis, vehicle: usize) -> f64 {
-    analysis.impact.as_ref().map_or(0.0, |impact| {
-        let velocity = impact.outcome.before[vehicle].velocity;
-        let forward = impact.contact.participants()[vehicle].forward();
-        let size = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
-        if velocity.x * forward.x + velocity.y * forward.y < 0.0 { -size } else { size }
-    })
-}

@@ -13,7 +13,7 @@ use crate::drawing::{Drawing, DrawingError, Subject, drawing};
 use crate::steps::{StepGroup, steps};
 use crate::text::search;
 use crate::units::Quantity;
-use crate::{Units, axes, checks, energy, law, warnings};
+use crate::{Units, axes, checks, energy, law, warnings, words};
 
 /// All that the report says, in its order.
 struct Page {
@@ -239,7 +239,7 @@ fn results(analysis: &Analysis, units: Units) -> Table {
     if let Some(impact) = &analysis.impact {
         let outcome = &impact.outcome;
         let each = |f: &dyn Fn(usize) -> String| [0, 1].map(|i| moves(i).then(|| f(i)));
-        results.pair("speed before impact", each(&|i| both(units, crate::speed(analysis, i))));
+        results.pair("speed before impact", each(&|i| both(units, words::speed(analysis, i))));
         let vector = |v: pim_core::Vector2<f64>| units.format_vector(Quantity::Speed, v.into());
         results.pair("velocity after impact", each(&|i| vector(outcome.after[i].velocity)));
         results.pair("yaw rate after impact", each(&|i| units.yaw_rate(outcome.after[i].yaw_rate)));
@@ -332,7 +332,7 @@ fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String
             assumptions.push(format!(
                 "Stiffness of vehicle {}: {}.",
                 i + 1,
-                crate::stiffness_source_and_doubt(damage.stiffness_source, damage.side)
+                words::stiffness_source_and_doubt(damage.stiffness_source, damage.side)
             ));
         }
     }

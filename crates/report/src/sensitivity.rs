@@ -6,8 +6,8 @@ use crash3::ObliqueCorrection;
 use serde::Serialize;
 
 use crate::json::{OfMovable, WarningBlock, of_movable};
-use crate::text::{LINE, first_cell, wrapped};
 use crate::units::{Quantity, Units, number, significant};
+use crate::wrap::{LINE, first_cell, wrapped};
 
 #[derive(Serialize)]
 struct Document<'a> {

@@ -11,11 +11,12 @@ use crate::energy;
 use crate::law;
 use crate::units::{Quantity, Units, number};
 use crate::warnings;
+use crate::words;
+use crate::wrap::{LINE, first_cell, hanging_within, wrapped_within};
 
 const LABEL: usize = 32;
 /// Of the last column of a table, the source.
 const SOURCE: usize = 12;
-pub(crate) const LINE: usize = 98;
 
 /// The analysis as text of 98 columns.
 #[must_use]
@@ -48,63 +49,6 @@ pub fn text_within(case: &Case, analysis: &Analysis, units: Units, columns: usiz
     page.warnings(analysis);
     page.sources();
     page.text
-}
-
-/// A paragraph in lines of at most 98 columns.
-pub(crate) fn wrapped(text: &str) -> String {
-    wrapped_within(text, LINE)
-}
-
-pub(crate) fn wrapped_within(text: &str, line: usize) -> String {
-    let mut lines = String::new();
-    let mut column = 0;
-    for word in text.split_whitespace() {
-        let width = word.chars().count();
-        if column > 0 {
-            let (separator, start) = if column + 1 + width > line { ('\n', 0) } else { (' ', column + 1) };
-            lines.push(separator);
-            column = start;
-        }
-        lines.push_str(word);
-        column += width;
-    }
-    lines.push('\n');
-    lines
-}
-
-/// The text behind a head that its further lines are indented by.
-pub(crate) fn hanging(head: &str, text: &str) -> String {
-    hanging_within(head, text, LINE)
-}
-
-fn hanging_within(head: &str, text: &str, line: usize) -> String {
-    let indent = head.chars().count();
-    let mut lines = head.to_owned();
-    let mut column = indent;
-    for word in text.split_whitespace() {
-        let width = word.chars().count();
-        if column > indent && column + 1 + width > line {
-            lines.push('\n');
-            lines.push_str(&" ".repeat(indent));
-            column = indent;
-        } else if column > indent {
-            lines.push(' ');
-            column += 1;
-        }
-        lines.push_str(word);
-        column += width;
-    }
-    lines.push('\n');
-    lines
-}
-
-/// The first cell of a row of so many columns, of which the last two are blank: what is too long for it stands on a line of its own.
-pub(crate) fn first_cell(text: &str, width: usize) -> String {
-    if text.chars().count() + 2 <= width {
-        format!("{text:<width$}")
-    } else {
-        format!("{text}\n{:width$}", "")
-    }
 }
 
 /// A text of at most so many columns, its end replaced by … where it is longer.
@@ -274,7 +218,7 @@ impl Page {
                 damage(i).map(|(crush, damage)| {
                     format!(
                         "{}, {}",
-                        crate::side_name(crush.side),
+                        words::side_name(crush.side),
                         units.format(Quantity::Crush, damage.width)
                     )
                 })
@@ -290,7 +234,7 @@ impl Page {
             ("damage offset ahead of the CG".to_owned(), false),
         ] {
             let offset = known(&|i| {
-                let crush = crush(i).filter(|crush| crate::is_end(crush.side) == is_end)?;
+                let crush = crush(i).filter(|crush| words::is_end(crush.side) == is_end)?;
                 crush.offset.map(crush_length)
             });
             self.pair(&label, offset, "");
@@ -361,7 +305,7 @@ impl Page {
                 .subject
                 .damage
                 .as_ref()
-                .map(|d| crate::stiffness_source(d.stiffness_source, d.side))
+                .map(|d| words::stiffness_source(d.stiffness_source, d.side))
         });
         self.pair("stiffness from", source, "");
         type Coefficient = (&'static str, Quantity, fn(&Stiffness) -> Option<f64>);
@@ -380,7 +324,7 @@ impl Page {
         }
         let doubt = analysis.vehicles.iter().find_map(|vehicle| {
             let damage = vehicle.subject.damage.as_ref()?;
-            crate::stiffness_doubt(damage.stiffness_source, damage.side)
+            words::stiffness_doubt(damage.stiffness_source, damage.side)
         });
         if let Some(doubt) = doubt {
             self.paragraph(&format!("{doubt}."));
@@ -440,7 +384,7 @@ impl Page {
         self.heading("Motion", ["vehicle 1", "vehicle 2", "source"]);
         let each = |f: &dyn Fn(usize) -> String| [0, 1].map(|i| (!case.vehicles[i].fixed).then(|| f(i)));
         let vector = |v: pim_core::Vector2<f64>| units.format_vector(Quantity::Speed, v.into());
-        self.pair("speed before", each(&|i| both_speeds(units, crate::speed(analysis, i))), "");
+        self.pair("speed before", each(&|i| both_speeds(units, words::speed(analysis, i))), "");
         self.pair("velocity before, v", each(&|i| vector(outcome.before[i].velocity)), "");
         self.pair("velocity after, V", each(&|i| vector(outcome.after[i].velocity)), "theory 2");
         self.pair("yaw rate before, ω", each(&|i| units.yaw_rate(outcome.before[i].yaw_rate)), "");
@@ -561,7 +505,7 @@ impl Page {
             let factor = number(factor, 4);
             self.wide(
                 "restitution factor f_e",
-                &format!("{factor} (energy basis: {}{assumed})", crate::basis_name(basis)),
+                &format!("{factor} (energy basis: {}{assumed})", words::basis_name(basis)),
                 "theory 5",
             );
         }

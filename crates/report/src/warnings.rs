@@ -6,8 +6,9 @@ use crash3::{EnergyBasis, Side};
 use pim_core::Switch;
 
 use crate::axes;
-use crate::text::{LINE, wrapped_within};
 use crate::units::{Quantity, Units, number};
+use crate::words;
+use crate::wrap::{LINE, wrapped_within};
 
 /// Where more is said of a warning.
 pub(crate) const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to check; its code stands in brackets.";
@@ -167,7 +168,7 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
             let assumed = if *offset_given {
                 String::new()
             } else {
-                let middle = crate::undisplaced(*side);
+                let middle = words::undisplaced(*side);
                 format!("; no offset is given, so the middle of the damage was taken to lie {middle}")
             };
             format!(
@@ -391,7 +392,7 @@ fn side_name(side: Side) -> &'static str {
     match side {
         Side::Left => "left side",
         Side::Right => "right side",
-        Side::Front | Side::Rear => crate::side_name(side),
+        Side::Front | Side::Rear => words::side_name(side),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Why a distribution or a request makes no sense.
 
-use crate::points::MAX_SAMPLES;
+use crate::limits::{MAX_SAMPLES, MIN_SAMPLES};
 
 /// Why a distribution cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -80,16 +80,13 @@ pub enum InvalidRequest {
         limit: usize,
     },
     /// A number of samples that tells nothing, or that no point set reaches.
-    #[error(
-        "the number of samples must be between {} and {MAX_SAMPLES}, and is {samples}",
-        crate::MIN_SAMPLES
-    )]
+    #[error("the number of samples must be between {} and {MAX_SAMPLES}, and is {samples}", MIN_SAMPLES)]
     Samples {
         /// Number of samples.
         samples: usize,
     },
     /// A number of rows for the indices that tells nothing, or that no point set reaches.
-    #[error("the number of rows must be between {} and {MAX_SAMPLES}, and is {rows}", crate::MIN_SAMPLES)]
+    #[error("the number of rows must be between {} and {MAX_SAMPLES}, and is {rows}", MIN_SAMPLES)]
     Rows {
         /// Number of rows.
         rows: usize,

@@ -65,6 +65,7 @@
 mod distribution;
 mod error;
 mod first_order;
+mod limits;
 mod model;
 mod normal;
 mod points;
@@ -79,8 +80,9 @@ mod tornado;
 pub use distribution::{Distribution, MIN_KEPT, Shape, Truncation};
 pub use error::{InvalidDistribution, InvalidRequest};
 pub use first_order::{FIRST_ORDER_LIMIT, FirstOrder};
+pub use limits::{MAX_SAMPLES, MIN_SAMPLES, REPLICATES};
 pub use model::{Failures, Function, LANES, Lanes, Model, NOT_FINITE, SUCCEEDED};
-pub use points::{MAX_SAMPLES, MAX_SOBOL_INPUTS, MIN_SAMPLES, Method, REPLICATES};
+pub use points::{MAX_SOBOL_INPUTS, Method};
 pub use propagate::{Propagation, propagate};
 pub use run::{Instructions, Progress};
 pub use sampler::{Sampler, Settings};

@@ -14,20 +14,12 @@ mod direction_numbers;
 mod sobol;
 
 use crate::error::InvalidRequest;
+use crate::limits::{MAX_SAMPLES, MIN_SAMPLES, REPLICATES};
 use crate::model::{LANES, Lanes};
 use crate::random::{bits, key, unit};
 use sobol::Sobol;
 
 pub use sobol::MAX_INPUTS as MAX_SOBOL_INPUTS;
-
-/// Number of point sets that the samples are dealt to.
-pub const REPLICATES: usize = 16;
-
-/// The least number of samples: one block, four points of each replicate.
-pub const MIN_SAMPLES: usize = LANES;
-
-/// The greatest number of samples, 2³², for which the strata and the direction numbers are made.
-pub const MAX_SAMPLES: u64 = 1 << 32;
 
 /// How points are laid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

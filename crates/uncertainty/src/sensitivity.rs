@@ -11,8 +11,9 @@ use std::ops::Range;
 
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
+use crate::limits::REPLICATES;
 use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures, evaluate};
-use crate::points::{Points, REPLICATES};
+use crate::points::Points;
 use crate::run::{Instructions, Progress, Span, in_order};
 use crate::sampler::{Settings, fill};
 

@@ -5,8 +5,9 @@
 //! R. J. Hyndman and Y. Fan, *Sample quantiles in statistical packages*, American Statistician 50 (1996): quantiles are their type 7, as in NumPy.
 //! M. G. Kendall and A. Stuart, *The Advanced Theory of Statistics*, volume 1, sections 10.5 and 14: standard errors of moments; order statistics.
 
+use crate::limits::REPLICATES;
 use crate::model::LANES;
-use crate::points::{Method, REPLICATES};
+use crate::points::Method;
 
 /// Levels of the intervals of a [`Summary`].
 pub const LEVELS: [f64; 4] = [0.5, 0.9, 0.95, 0.99];

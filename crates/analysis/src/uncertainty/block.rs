@@ -6,8 +6,8 @@
 
 use ::uncertainty::{LANES, Lanes};
 use case::{
-    Axes, Case, ContactPoint, ImpactLaw, Mass, Quantity, Restitution, StiffnessForm, StiffnessLine, Velocity,
-    YawInertia,
+    Axes, Case, ContactPoint, Crush, Impact, ImpactLaw, Mass, Quantity, Reconstruct, Restitution,
+    StiffnessForm, StiffnessLine, Velocity, YawInertia,
 };
 use crash3::{EnergyBasis, Stiffness, Zone, equal_spacing, zone_energy};
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2};
@@ -67,11 +67,16 @@ struct Vehicle {
 }
 
 impl Block {
-    /// `None` where the case is left to [`Sample`](super::Sample).
-    pub(super) fn new(case: &Case<Number>) -> Option<Self> {
-        let reconstruct = case.reconstruct.as_ref()?;
-        let impact = case.impact.as_ref()?;
-        let (restitution, tangential_restitution) = match &impact.law {
+    /// `None` where the case is left to [`Sample`](super::Sample): where it has another shape, or where one of its uncertain numbers, of which there are
+    /// `inputs`, is none that a block reads.
+    ///
+    /// The structs of the case are taken apart field by field, here and for the vehicles, so that a new key does not compile before somebody has decided
+    /// what a block does with it.
+    pub(super) fn new(case: &Case<Number>, inputs: usize) -> Option<Self> {
+        let Case { title: _, source: _, axes, vehicles: [one, two], impact, reconstruct, ranges: _ } = case;
+        let Reconstruct { find: unknown, energy_basis: basis } = reconstruct.as_ref()?;
+        let Impact { crush_plane, law } = impact.as_ref()?;
+        let (restitution, tangential_restitution) = match law {
             ImpactLaw::Brach { restitution, tangential: Tangential::Critical, moment_restitution: None } => {
                 (restitution, Number::Known(0.0))
             }
@@ -81,20 +86,34 @@ impl Block {
             _ => return None,
         };
         let Restitution::Constant(restitution) = restitution else { return None };
-        let [one, two] = &case.vehicles;
-        let unknown = reconstruct.find;
-        Some(Self {
-            axes: case.axes,
-            unknown,
-            basis: reconstruct.energy_basis,
+        let block = Self {
+            axes: *axes,
+            unknown: *unknown,
+            basis: *basis,
             vehicles: [
-                Vehicle::new(one, unknown == Unknown::Speed1)?,
-                Vehicle::new(two, unknown == Unknown::Speed2)?,
+                Vehicle::new(one, *unknown == Unknown::Speed1)?,
+                Vehicle::new(two, *unknown == Unknown::Speed2)?,
             ],
-            crush_plane: impact.crush_plane,
+            crush_plane: *crush_plane,
             restitution: *restitution,
             tangential_restitution,
-        })
+        };
+        (block.numbers().filter(|number| number.is_uncertain()).count() == inputs).then_some(block)
+    }
+
+    /// Every number that it reads.
+    fn numbers(&self) -> impl Iterator<Item = Number> {
+        let Self {
+            axes: _,
+            unknown: _,
+            basis: _,
+            vehicles,
+            crush_plane,
+            restitution,
+            tangential_restitution,
+        } = self;
+        let of_vehicles = vehicles.iter().flat_map(Vehicle::quantities).map(|quantity| quantity.number());
+        of_vehicles.chain([crush_plane.number(), *restitution, *tangential_restitution])
     }
 
     /// Solves a block for the outputs of a reconstruction of two vehicles, and tells of each sample whether that is its answer.
@@ -132,10 +151,10 @@ impl Block {
     }
 }
 
-/// Number of outputs of a reconstruction of two vehicles.
-const OUTPUTS: usize = 9;
+/// Number of outputs of a reconstruction of two vehicles: with one more or fewer of them, the list in [`answer`] does not compile.
+const OUTPUTS: usize = Output::of_two_vehicles(1).len();
 
-/// Its outputs, in the order of [`Output::of`]. A list, as a closure or a loop over it would not be inlined.
+/// Its outputs, in the order of [`Output::of_two_vehicles`]. A list, as a closure or a loop over it would not be inlined.
 #[inline(always)]
 fn answer(central: &[f64; OUTPUTS], speed: f64, outcome: &Outcome) -> [f64; OUTPUTS] {
     [
@@ -181,33 +200,70 @@ impl VehicleLanes {
 
 impl Vehicle {
     fn new(vehicle: &case::Vehicle<Number>, is_sought: bool) -> Option<Self> {
-        let crush = vehicle.crush.as_ref()?;
-        // What enters neither the crush energy nor the impact may still refuse a sample.
-        let beside = [vehicle.wheelbase, vehicle.length, crush.offset, crush.oblique_angle, crush.moment_arm];
-        let outline = vehicle.outline.map(|outline| [outline.length, outline.width, outline.cg_to_front]);
-        let mut beside = beside.into_iter().flatten().chain(outline.into_iter().flatten());
-        if vehicle.fixed
-            || crush.from_force_balance
-            || crush.spacing.is_some()
-            || crush.pdof.is_some()
-            || crush.oblique.is_some()
-            || beside.any(|quantity| quantity.number().is_uncertain())
-        {
+        let case::Vehicle {
+            name: _,
+            fixed,
+            mass,
+            yaw,
+            // Where mass, inertia and crush are given, as a block asks for, these are for drawings and warnings.
+            class: _,
+            wheelbase: _,
+            length: _,
+            outline: _,
+            heading,
+            contact,
+            motion,
+            yaw_rate,
+            crush,
+        } = vehicle;
+        let Crush {
+            from_force_balance,
+            width,
+            depths,
+            spacing,
+            stiffness,
+            pdof,
+            oblique,
+            // These are for CRASH3's own answer, which no sample asks for.
+            side: _,
+            offset: _,
+            oblique_angle: _,
+            moment_arm: _,
+        } = crush.as_ref()?;
+        if *fixed || *from_force_balance || spacing.is_some() || pdof.is_some() || oblique.is_some() {
             return None;
         }
-        let StiffnessForm::Line(stiffness) = crush.stiffness else { return None };
-        let stiffness = Line::new(stiffness)?;
+        let StiffnessForm::Line(stiffness) = stiffness else { return None };
         Some(Self {
-            mass: vehicle.mass?,
-            yaw: vehicle.yaw?,
-            heading: vehicle.heading?,
-            contact: vehicle.contact?,
-            motion: if is_sought { None } else { Some(vehicle.motion?) },
-            yaw_rate: vehicle.yaw_rate,
-            width: crush.width?,
-            depths: crush.depths.clone(),
-            stiffness,
+            mass: (*mass)?,
+            yaw: (*yaw)?,
+            heading: (*heading)?,
+            contact: (*contact)?,
+            motion: if is_sought { None } else { Some((*motion)?) },
+            yaw_rate: *yaw_rate,
+            width: (*width)?,
+            depths: depths.clone(),
+            stiffness: Line::new(*stiffness)?,
         })
+    }
+
+    /// Every number that it reads, with its unit.
+    fn quantities(&self) -> impl Iterator<Item = Quantity<Number>> {
+        let Self { mass, yaw, heading, contact, motion, yaw_rate, width, depths, stiffness } = self;
+        let (Mass::Mass(mass) | Mass::Weight(mass)) = mass;
+        let (YawInertia::Inertia(yaw) | YawInertia::Radius(yaw)) = yaw;
+        let contact = match contact {
+            ContactPoint::Polar { distance, angle } => [distance, angle],
+            ContactPoint::Cartesian { x, y } => [x, y],
+        };
+        let motion = match motion {
+            None => [None; 2],
+            Some(Velocity::Speed(speed)) => [Some(speed), None],
+            Some(Velocity::Vector { x, y }) => [Some(x), Some(y)],
+        };
+        let given =
+            [mass, yaw, heading, width].into_iter().chain(contact).chain(motion.into_iter().flatten());
+        given.chain(yaw_rate).chain(depths).chain(stiffness.quantities()).copied()
     }
 
     #[inline(always)]
@@ -317,6 +373,13 @@ impl Line {
             StiffnessLine::Root { d0, d1, g: None, limit: None } => Some(Self::Root([d0, d1])),
             StiffnessLine::Root { d0, d1, g: Some(g), limit: None } => Some(Self::RootEnergy([d0, d1, g])),
             _ => None,
+        }
+    }
+
+    fn quantities(&self) -> &[Quantity<Number>] {
+        match self {
+            Self::Crush(two) | Self::Root(two) => two,
+            Self::CrushEnergy(three) | Self::RootEnergy(three) => three,
         }
     }
 

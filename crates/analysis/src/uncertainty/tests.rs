@@ -4,10 +4,11 @@ use super::{REASONS, Reason, Sample, UncertainInput, beside, central, inputs};
 use crate::reconstruct;
 use crate::sensitivity::Output;
 use ::uncertainty::{Distribution, Instructions, LANES, Lanes, Method, Model, Sampler, Settings, propagate};
-use case::{Case, CaseFile};
+use case::{Amount, Bounds, Case, CaseFile, Range, Spread};
 use std::ops::ControlFlow;
 
 const UNCERTAIN: &str = include_str!("../../../../fixtures/sae-980025-uncertain.toml");
+const CERTAIN: &str = include_str!("../../../../fixtures/sae-980025.toml");
 
 #[test]
 fn directions_are_counted_on_beyond_half_a_turn() {
@@ -34,8 +35,12 @@ struct Sampled {
 
 impl Sampled {
     fn new(text: &str) -> Self {
-        let file = Case::parse("case.toml", text).unwrap();
-        let nominal = reconstruct(&file).unwrap();
+        Self::of(Case::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}")))
+    }
+
+    fn of(file: CaseFile) -> Self {
+        let nominal =
+            reconstruct(&file).unwrap_or_else(|failure| panic!("{failure}\n{}", file.case.to_toml()));
         let outputs = Output::of(&nominal);
         Self { inputs: inputs(&file).unwrap(), central: central(&nominal, &outputs), outputs, file }
     }
@@ -168,6 +173,141 @@ fn other_shapes_have_no_block() {
         assert_ne!(text, UNCERTAIN, "{from}");
         let sampled = Sampled::new(&text);
         assert!(sampled.sample().block.is_none(), "{to}");
+    }
+}
+
+/// The paper's example with other lines in the place of those that begin with a word, at each of both vehicles.
+fn with_lines(changes: &[(&str, &str)]) -> String {
+    let changed = |line: &str| {
+        let change = changes.iter().find(|(word, _)| line.split(' ').next() == Some(word));
+        format!("{}\n", change.map_or(line, |(_, other)| *other))
+    };
+    assert!(
+        changes.iter().all(|(word, _)| CERTAIN.lines().any(|line| line.starts_with(word))),
+        "{changes:?}"
+    );
+    CERTAIN.lines().map(changed).collect()
+}
+
+/// Cases that have every key between them which can be a range.
+fn cases_of_all_keys() -> Vec<String> {
+    let stiffness = |form: &str| with_lines(&[("stiffness", &format!("stiffness = {{ {form} }}"))]);
+    let zones = |form: &str| stiffness(&format!("zones = [{}]", vec![format!("{{ {form} }}"); 5].join(", ")));
+    let test = |mass: &str| {
+        let rest = "speed = \"56 km/h\", width = \"1.6 m\", depths = \"42 50 54 54 50 42 cm\", no_damage_speed = \"8 km/h\"";
+        stiffness(&format!("test = {{ {mass}, {rest} }}"))
+    };
+    let crush = |lines: &str| with_lines(&[("side", &format!("side = \"front\"\n{lines}"))]);
+    let tangential = |lines: &str| with_lines(&[("tangential", lines)]);
+    let a_b = "A = \"140 lb/in\", B = \"42 psi\"";
+    let d0_d1 = "d0 = \"30 lb^0.5\", d1 = \"77.5 lb^0.5/ft\"";
+    let [g, limit] = ["G = \"450 lb\"", "limit = \"250 kN/m\""];
+    // Vehicle 2 is the one whose speed is sought.
+    let of_speed_2 = |motion: &str| {
+        CERTAIN
+            .replace("\nspeed  ", "\n# speed")
+            .replace("vehicle1.speed", "vehicle2.speed")
+            .replace("\"67 deg\"", "\"10 deg\"")
+            .replace("[vehicle1]\n", &format!("[vehicle1]\n{motion}\n"))
+    };
+    vec![
+        CERTAIN.to_owned(),
+        of_speed_2("speed = \"75 ft/s\""),
+        of_speed_2("velocity = { x = \"-75 ft/s\", y = \"1 ft/s\" }"),
+        with_lines(&[("speed", "velocity = { x = \"1.7 m/s\", y = \"4.1 m/s\" }")]),
+        with_lines(&[
+            ("weight", "mass = \"1600 kg\""),
+            ("yaw_inertia", "yaw_radius = \"1.4 m\"\nyaw_rate = \"5 deg/s\""),
+            ("contact", "contact = { x = \"1.2 m\", y = \"-0.73 m\" }"),
+        ]),
+        with_lines(&[("name", "length = \"4.4 m\"\nwheelbase = \"2.6 m\"")]),
+        with_lines(&[(
+            "weight",
+            "weight = \"3500 lb\"\nlength = \"4.4 m\"\nwidth = \"1.7 m\"\ncg_to_front = \"2 m\"",
+        )]),
+        with_lines(&[("width", "spacing = \"13 13 13 13 13 in\"")]),
+        crush("offset = \"3 in\""),
+        crush("pdof = \"20 deg\""),
+        crush("oblique_angle = \"20 deg\""),
+        crush("moment_arm = \"2 ft\""),
+        crush("oblique = { friction = 0.5 }"),
+        stiffness(a_b),
+        stiffness(&format!("{a_b}, {g}, {limit}")),
+        stiffness(&format!("{d0_d1}, {g}, {limit}")),
+        stiffness(&format!("{a_b}, {g}")),
+        stiffness(&format!("{d0_d1}, {g}")),
+        stiffness(&format!("{a_b}, {limit}")),
+        stiffness(&format!("{d0_d1}, {limit}")),
+        zones(&format!("{a_b}, {g}, {limit}")),
+        zones(&format!("{d0_d1}, {g}, {limit}")),
+        test("mass = \"1500 kg\""),
+        test("weight = \"3300 lb\""),
+        with_lines(&[("restitution", "restitution = { speeds = \"1 30 m/s\", values = [0.4, 0.2] }")]),
+        tangential("tangential = { ratio = -0.1 }"),
+        tangential("tangential = { fraction = 0.9 }"),
+        tangential("tangential = { friction = 0.5 }"),
+        tangential("tangential = \"critical\"\nmoment_restitution = -0.9"),
+        tangential("law = \"ishikawa\"\ntangential_restitution = 0.1"),
+        tangential("law = \"kudlich-slibar\"\nfriction = 0.5"),
+        with_lines(&[
+            ("restitution", ""),
+            ("tangential", "law = \"woolley\"\ntangential_velocity_change = \"-2 m/s\""),
+        ]),
+    ]
+}
+
+/// The path of a key, without the numbers of elements.
+fn key_of(path: &str) -> String {
+    path.split(['[', ']']).step_by(2).collect()
+}
+
+/// Whatever number of a case is the range: a block gives the bits of its samples and reads that number, or there is none.
+#[test]
+fn a_block_ignores_no_key() {
+    let mut missing: BTreeSet<String> = case::number_keys().into_iter().collect();
+    let (mut with_block, mut without) = (BTreeSet::new(), BTreeSet::new());
+    for text in cases_of_all_keys() {
+        let parsed = || Case::parse("case.toml", &text).unwrap_or_else(|errors| panic!("{errors}\n{text}"));
+        for number in parsed().case.inputs() {
+            let (path, bounds) = (number.path.clone(), Bounds::None);
+            let sd = Amount { number: 0.05 * number.number.abs() + 1e-3, unit: number.unit };
+            let mut file = parsed();
+            file.case.ranges = vec![Range { path, spread: Spread::Normal { sd }, bounds }];
+            let sampled = Sampled::of(file);
+            missing.remove(&key_of(&number.path));
+            let in_blocks = sampled.sample();
+            if in_blocks.block.is_none() {
+                without.insert(key_of(&number.path));
+                continue;
+            }
+            with_block.insert(key_of(&number.path));
+            let one_by_one = Sample { block: None, ..sampled.sample() };
+            let distributions = sampled.distributions();
+            let settings = Settings::new(Method::LatinHypercube, LANES, 7);
+            let mut columns = vec![[0.0; LANES]];
+            Sampler::new(&distributions, &settings).unwrap().fill(0, &mut columns);
+            let [results, expected] = [in_blocks, one_by_one].map(|model| {
+                let mut outputs = vec![[0.0; LANES]; sampled.outputs.len()];
+                let mut reasons = [0; LANES];
+                model.evaluate(&columns, &mut outputs, &mut reasons);
+                (outputs.iter().map(|column| column.map(f64::to_bits)).collect::<Vec<_>>(), reasons)
+            });
+            assert!(results == expected, "{}: {text}", number.path);
+            let varies = |column: &[u64; LANES]| column.iter().any(|bits| *bits != column[0]);
+            assert!(results.0.iter().any(varies), "a block does not read {}: {text}", number.path);
+        }
+    }
+    assert!(missing.is_empty(), "no case has {missing:?}");
+    // Both answers were seen, so that the loop above compared something.
+    assert!(with_block.contains("vehicle1.crush.depths") && without.contains("vehicle1.crush.moment_arm"));
+}
+
+/// Its outputs are those of the list by which a block is compiled.
+#[test]
+fn a_reconstruction_of_two_vehicles_has_the_outputs_of_a_block() {
+    for (text, found) in [(CERTAIN.to_owned(), 1), (cases_of_all_keys().swap_remove(1), 2)] {
+        let file = Case::parse("case.toml", &text).unwrap();
+        assert_eq!(Output::of(&reconstruct(&file).unwrap()), Output::of_two_vehicles(found));
     }
 }
 

@@ -5,8 +5,9 @@ use toml::de::DeValue;
 
 use super::tree::{Reader, Table, kind};
 use super::values::{Place, Sign, accepts, named, words};
+use crate::number::split_number;
 use crate::problem::Problem;
-use crate::quantity::{Quantity, shorten, split_number};
+use crate::quantity::{Quantity, shorten};
 use crate::range::{Amount, Bounds, Range, Spread};
 use crate::schema::{RANGE, RANGE_OF_LIST, RESTITUTION, Schema};
 use crate::units::{Dimension, Unit};

@@ -8,10 +8,9 @@ use toml::de::DeValue;
 
 use super::tree::{Reader, Table, kind};
 use crate::nearest::{join, nearest};
+use crate::number::{format_number, leading_numbers, split_number};
 use crate::problem::Problem;
-use crate::quantity::{
-    Quantity, QuantityError, find_unit, format_number, leading_numbers, not_a_number, shorten, split_number,
-};
+use crate::quantity::{Quantity, QuantityError, find_unit, not_a_number, shorten};
 use crate::range::Bounds;
 use crate::schema::MOST_STATIONS;
 use crate::slips;

@@ -7,8 +7,9 @@ use crate::case::{
     BarrierTest, ContactPoint, Crush, Fit, Mass, Outline, Pdof, StiffnessForm, StiffnessLine, Vehicle,
     Velocity, YawInertia,
 };
+use crate::number::format_number;
 use crate::problem::Problem;
-use crate::quantity::{Limit, Quantity, format_limit, format_number, shorten};
+use crate::quantity::{Limit, Quantity, format_limit, shorten};
 use crate::range::Bounds;
 use crate::schema::{
     CONTACT, CRUSH, MOST_ZONES, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY, ZONE,

@@ -3,7 +3,8 @@ use std::fmt::Write as _;
 
 use super::spelling::WORDS;
 use super::{Dimension, STANDARD_GRAVITY, Unit};
-use crate::quantity::{Limit, Quantity, QuantityError, format_limit, format_number};
+use crate::number::format_number;
+use crate::quantity::{Limit, Quantity, QuantityError, format_limit};
 
 /// (–) half a unit of the seventh digit, the precision to which SP 811 prints what it does not print exactly.
 const PRINTED: f64 = 5e-7;

@@ -11,6 +11,7 @@ use super::vehicle::{Body, Outline, Profile, placed, profile};
 use super::{Drawing, DrawingError, Subject, font};
 use crate::Units;
 use crate::units::Quantity;
+use crate::words;
 
 /// (px) height of the vehicles' room.
 const ROOM: f64 = 430.0;
@@ -187,7 +188,7 @@ impl Panel<'_> {
         let Self { number, body, profile, damage } = self;
         let vehicle = &case.vehicles[number - 1];
         let name = vehicle.name.as_deref().map(|name| format!(" · {name}")).unwrap_or_default();
-        let side = vehicle.crush.as_ref().map_or("", |crush| crate::side_name(crush.side));
+        let side = vehicle.crush.as_ref().map_or("", |crush| words::side_name(crush.side));
         let width = units.format(Quantity::Crush, damage.width);
         let mut sentences = vec![font::cut(&format!("Vehicle {number}{name}"), SMALL, most)];
         // The unit does not go to a line of its own.
@@ -214,7 +215,7 @@ impl Panel<'_> {
         sentences.extend(font::lines(&format!("Damage: {crush}."), SMALL, most));
         sentences.push(format!("Crush energy {}.", units.format(Quantity::Energy, damage.crush_energy)));
         if let Some(crush) = vehicle.crush.as_ref().filter(|crush| crush.offset.is_none()) {
-            let middle = crate::undisplaced(crush.side);
+            let middle = words::undisplaced(crush.side);
             sentences.extend(font::lines(&format!("No offset is given: drawn {middle}."), SMALL, most));
         }
         let outline = match body.outline {
@@ -229,7 +230,7 @@ impl Panel<'_> {
             .into_iter()
             .filter(|(_, by)| *by > BEYOND)
             .map(|(side, by)| {
-                format!("{} past its {}", units.format(Quantity::Crush, by), crate::side_name(side))
+                format!("{} past its {}", units.format(Quantity::Crush, by), words::side_name(side))
             })
             .collect();
         let beyond = (!beyond.is_empty())

@@ -1,5 +1,7 @@
 //! A page as blocks, and the two ways to write them.
 
+use crate::wrap::LINE;
+
 /// A part of a page.
 pub(super) enum Block {
     Title(String),
@@ -28,8 +30,6 @@ impl Table {
         column < self.labels || self.claims && column + 1 == self.header.len()
     }
 }
-
-const LINE: usize = 98;
 
 pub(super) fn text(blocks: &[Block]) -> String {
     let mut out = String::new();

@@ -6,6 +6,7 @@ use crash3::{EnergyBasis, Stiffness, Structure};
 
 use super::{Step, StepGroup, angle, given, group, inertia, n, p, step};
 use crate::units::Quantity;
+use crate::words;
 
 pub(super) fn groups(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
     let mut groups = Vec::new();
@@ -521,6 +522,6 @@ fn sought(analysis: &Analysis) -> Vec<Step> {
             ("E (1 − e²)", format!("{} · (1 − {}²)", n(found.crush_energy, "J"), p(e, "")))
         }
     };
-    let name = format!("normal work sought, basis {}", crate::basis_name(analysis.basis));
+    let name = format!("normal work sought, basis {}", words::basis_name(analysis.basis));
     vec![both, step(name, "W_n", normal_work.0, normal_work.1, found.normal_work, "J", "theory 6")]
 }

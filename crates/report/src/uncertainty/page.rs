@@ -9,8 +9,8 @@ use crash3::principal_angle;
 
 use super::{Histogram, method_name, quantity};
 use crate::sensitivity::output_name;
-use crate::text::{LINE, first_cell, wrapped};
 use crate::units::{Quantity, Units, number, significant};
+use crate::wrap::{LINE, first_cell, wrapped};
 
 /// Classes of the histogram.
 const CLASSES: u32 = 15;

@@ -23,7 +23,7 @@ use crate::random::{bits, key, unit};
 /// The most inputs that the direction numbers serve. The first needs none.
 pub const MAX_INPUTS: usize = DIRECTION_NUMBERS.len() + 1;
 
-/// Enough for [`super::MAX_SAMPLES`] over all replicates.
+/// Enough for [`MAX_SAMPLES`](crate::MAX_SAMPLES) over all replicates.
 const DIRECTIONS: usize = 28;
 
 // Even, and 2 modulo 4, so that each bit depends on the next lower one. Digits of π (as Blowfish takes them), but for the last two bits.

@@ -1,0 +1,92 @@
+//! Names of what the engines tell apart, and what is said of a stiffness and a speed: below all that writes a document.
+
+use analysis::Analysis;
+use case::{Fit, StiffnessSource};
+use crash3::{DoubtfulDigit, EnergyBasis, Side};
+use pim_core::Regime;
+use reconcile::Unknown;
+
+pub(crate) fn basis_name(basis: EnergyBasis) -> &'static str {
+    match basis {
+        EnergyBasis::Dissipated => "dissipated",
+        EnergyBasis::Absorbed => "absorbed",
+    }
+}
+
+pub(crate) fn unknown_name(unknown: Unknown) -> &'static str {
+    match unknown {
+        Unknown::Speed1 => "vehicle1.speed",
+        Unknown::Speed2 => "vehicle2.speed",
+    }
+}
+
+/// Whether damage is laid off from the vehicle's axis, and not from beside its CG.
+pub(crate) fn is_end(side: Side) -> bool {
+    matches!(side, Side::Front | Side::Rear)
+}
+
+/// Where the middle of a damage without an offset lies.
+pub(crate) fn undisplaced(side: Side) -> &'static str {
+    if is_end(side) { "on the vehicle's axis" } else { "beside the centre of gravity" }
+}
+
+pub(crate) fn side_name(side: Side) -> &'static str {
+    match side {
+        Side::Front => "front",
+        Side::Right => "right",
+        Side::Rear => "rear",
+        Side::Left => "left",
+    }
+}
+
+/// Where a stiffness comes from, short enough for a column.
+pub(crate) fn stiffness_source(source: StiffnessSource, side: Side) -> String {
+    match source {
+        StiffnessSource::Coefficients => "A and B as given".to_owned(),
+        StiffnessSource::Roots => "d0 and d1 as given".to_owned(),
+        StiffnessSource::Category(category) => {
+            let side = match side {
+                Side::Left | Side::Right => "side",
+                Side::Front | Side::Rear => side_name(side),
+            };
+            format!("CRASH3 category {category}, {side}")
+        }
+        StiffnessSource::Test(Fit::Exact) => "barrier test, exact fit".to_owned(),
+        StiffnessSource::Test(Fit::Mean) => "barrier test, mean crush".to_owned(),
+        StiffnessSource::Zones => "zone by zone as given".to_owned(),
+    }
+}
+
+/// What is in doubt of a stiffness from a table.
+pub(crate) fn stiffness_doubt(source: StiffnessSource, side: Side) -> Option<String> {
+    let StiffnessSource::Category(category) = source else { return None };
+    let DoubtfulDigit { scanned, taken, expected } = DoubtfulDigit::of_category(side, category)?;
+    let side = side_name(side);
+    Some(format!(
+        "G of category {category}, {side}, is in doubt: the scan of the table reads {scanned} lb; {taken} lb is taken, as A²/2B = {expected:.0} lb asks"
+    ))
+}
+
+/// The same with what is in doubt of it, where there is room.
+pub(crate) fn stiffness_source_and_doubt(source: StiffnessSource, side: Side) -> String {
+    let doubt = stiffness_doubt(source, side).map_or_else(String::new, |doubt| format!("; {doubt}"));
+    stiffness_source(source, side) + &doubt
+}
+
+/// (m/s) speed before impact, negative where the vehicle moves backwards; zero for a fixed object.
+pub(crate) fn speed(analysis: &Analysis, vehicle: usize) -> f64 {
+    analysis.impact.as_ref().map_or(0.0, |impact| {
+        let velocity = impact.outcome.before[vehicle].velocity;
+        let forward = impact.contact.participants()[vehicle].forward();
+        let size = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
+        if velocity.x * forward.x + velocity.y * forward.y < 0.0 { -size } else { size }
+    })
+}
+
+/// The value of the JSON key `regime`.
+pub(crate) fn regime_name(regime: Regime) -> &'static str {
+    match regime {
+        Regime::Full => "full",
+        Regime::Sliding => "sliding",
+    }
+}
