@@ -87,7 +87,6 @@ pub use uncertainty::{histogram, tornado, uncertainty_json, uncertainty_text, wr
 pub use units::Units;
 pub use warnings::{message, warnings_text};
 
-use analysis::Analysis;
 use case::{Fit, StiffnessSource};
 use crash3::{EnergyBasis, Side};
 use reconcile::Unknown;
@@ -154,14 +153,4 @@ fn stiffness_doubt(source: StiffnessSource, side: Side) -> Option<&'static str> 
 fn stiffness_source_and_doubt(source: StiffnessSource, side: Side) -> String {
     let doubt = stiffness_doubt(source, side).map_or_else(String::new, |doubt| format!("; {doubt}"));
     stiffness_source(source, side) + &doubt
-}
-
-/// (m/s) speed before impact, negative where the vehicle moves backwards; zero for a fixed object.
-fn speed(analysis: &Analysis, vehicle: usize) -> f64 {
-    analysis.impact.as_ref().map_or(0.0, |impact| {
-        let velocity = impact.outcome.before[vehicle].velocity;
-        let forward = impact.contact.participants()[vehicle].forward();
-        let size = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
-        if velocity.x * forward.x + velocity.y * forward.y < 0.0 { -size } else { size }
-    })
 }

@@ -440,7 +440,7 @@ impl Page {
         self.heading("Motion", ["vehicle 1", "vehicle 2", "source"]);
         let each = |f: &dyn Fn(usize) -> String| [0, 1].map(|i| (!case.vehicles[i].fixed).then(|| f(i)));
         let vector = |v: pim_core::Vector2<f64>| units.format_vector(Quantity::Speed, v.into());
-        self.pair("speed before", each(&|i| both_speeds(units, crate::speed(analysis, i))), "");
+        self.pair("speed before", each(&|i| both_speeds(units, analysis.speed(i))), "");
         self.pair("velocity before, v", each(&|i| vector(outcome.before[i].velocity)), "");
         self.pair("velocity after, V", each(&|i| vector(outcome.after[i].velocity)), "theory 2");
         self.pair("yaw rate before, ω", each(&|i| units.yaw_rate(outcome.before[i].yaw_rate)), "");
