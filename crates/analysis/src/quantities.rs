@@ -306,14 +306,14 @@ pub const QUANTITIES: &[OutputQuantity] = &[
     row(
         "crash3.crush_energy",
         "/crash3/crush_energy",
-        ["crush energy", "E", "Eq 5"],
+        ["crush energy, total", "E", "Eq 5"],
         Kind::Energy,
         Of::Collision(|a| Some(crash3(a)?.crush_energy)),
     ),
     row(
         "crash3.corrected_crush_energy",
         "/crash3/corrected_crush_energy",
-        ["corrected crush energy", "E'", "Eq 8"],
+        ["corrected crush energy, total", "E'", "Eq 8"],
         Kind::Energy,
         Of::Collision(|a| Some(crash3(a)?.corrected?.crush_energy)),
     ),

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use analysis::{Analysis, OutputQuantity, QUANTITIES, Values};
+use analysis::{Analysis, Of, OutputQuantity, QUANTITIES, Values};
 use case::{Case, CaseFile};
 use serde_json::Value;
 
@@ -142,4 +142,41 @@ fn keys_are_unique_and_found() {
         assert_eq!(analysis::quantity(quantity.key).unwrap().pointer, quantity.pointer);
         assert_eq!(quantity.is_of_vehicle(), quantity.pointer.contains(['#', '%']), "{}", quantity.key);
     }
+}
+
+/// The tables of a text: the line with the names of the columns, and the labels of the rows.
+fn tables(text: &str) -> Vec<(&str, Vec<&str>)> {
+    let lines: Vec<&str> = text.lines().collect();
+    let mut tables: Vec<(&str, Vec<&str>)> = Vec::new();
+    for (i, line) in lines.iter().enumerate() {
+        if lines.get(i + 1).is_some_and(|rule| rule.starts_with('─')) {
+            tables.push((line, Vec::new()));
+        } else if let Some((_, rows)) = tables.last_mut() {
+            // Two blanks end a label.
+            rows.push(line.trim_start().split("  ").next().unwrap_or_default());
+        }
+    }
+    tables
+}
+
+/// One number for both vehicles has no place under the name of one, nor one without direction under n.
+#[test]
+fn what_is_shared_stands_in_no_column_of_a_vehicle() {
+    let shared = || QUANTITIES.iter().filter(|quantity| matches!(quantity.of, Of::Collision(_)));
+    let (mut below, mut elsewhere) = (BTreeSet::new(), BTreeSet::new());
+    for (name, file, analysis) in analyses() {
+        let text = report::text(&file.case, &analysis, report::Units::Si);
+        for (header, labels) in tables(&text) {
+            let named = ["vehicle 1", "along n"].iter().any(|column| header.contains(column));
+            for label in labels {
+                if shared().any(|quantity| quantity.label == label) {
+                    assert!(!named, "{name}: {label} stands under {header}");
+                    elsewhere.insert(label.to_owned());
+                } else if named && QUANTITIES.iter().any(|quantity| quantity.label == label) {
+                    below.insert(label.to_owned());
+                }
+            }
+        }
+    }
+    assert!(below.len() > 10 && elsewhere.len() > 10, "{below:?} {elsewhere:?}");
 }
