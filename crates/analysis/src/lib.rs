@@ -16,6 +16,8 @@
 //!
 //! [`judge`] reads a case without solving it: what it can be used for, what is assumed, and the warnings that need no answer.
 //!
+//! [`QUANTITIES`] has a row for every number that an analysis gives: its key, label, symbol, kind, source and how to read it.
+//!
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
 //! [`Warning`]s. A [`Failure`] says whether the file or the physics is to blame.
 //!
@@ -31,6 +33,7 @@ mod compare;
 mod curve;
 mod damage;
 mod judgement;
+mod quantities;
 mod sensitivity;
 mod thresholds;
 mod uncertainty;
@@ -41,6 +44,7 @@ pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, first_push, work_curve};
 pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
 pub use judgement::{Ability, Assumption, Judgement, assumptions, judge, nearest_class};
+pub use quantities::{Kind, Of, OutputQuantity, QUANTITIES, Values, quantity};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
 pub use thresholds::FAST_CLOSING;
 pub use uncertainty::{
@@ -70,6 +74,26 @@ pub struct Analysis {
     pub checks: Vec<Check>,
     /// What a careful reader should know.
     pub warnings: Vec<Warning>,
+}
+
+impl Analysis {
+    /// Whether vehicle 1 or 2, by its index 0 or 1, is one that can move: not a fixed object.
+    #[must_use]
+    pub fn moves(&self, vehicle: usize) -> bool {
+        self.vehicles[vehicle].subject.inertia.is_some()
+    }
+
+    /// (m/s) speed of a vehicle, by its index 0 or 1, before the impact: negative where it moves backwards, zero for a fixed object.
+    #[must_use]
+    pub fn speed(&self, vehicle: usize) -> f64 {
+        self.impact.as_ref().map_or(0.0, |impact| {
+            let velocity = impact.outcome.before[vehicle].velocity;
+            let forward = impact.contact.participants()[vehicle].forward();
+            // |v| = √(v_x² + v_y²)
+            let size = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
+            if velocity.x * forward.x + velocity.y * forward.y < 0.0 { -size } else { size }
+        })
+    }
 }
 
 /// A speed that reconciles crush and impact.

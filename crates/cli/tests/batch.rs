@@ -108,7 +108,9 @@ fn rows_stand_in_the_order_of_the_arguments_and_are_the_same_for_any_number_of_t
 fn place(column: &str) -> String {
     let name = column.split(" (").next().unwrap();
     let mut place = name.replace('.', "/");
-    for (end, index) in [("/before", "/0"), ("/after", "/1"), ("/x", "/0"), ("/y", "/1")] {
+    for (end, index) in
+        [("/before", "/0"), ("/after", "/1"), ("/x", "/0"), ("/y", "/1"), ("/low", "/0"), ("/high", "/1")]
+    {
         if let Some(list) = place.strip_suffix(end) {
             place = format!("{list}{index}");
         }
@@ -193,6 +195,7 @@ fn a_row_says_what_the_json_of_its_file_says() {
                     compared += 1;
                 }
                 (_, Some(Value::String(text))) => assert_eq!(cell, text, "{file}: {column}"),
+                (_, Some(Value::Bool(fixed))) => assert_eq!(*cell, fixed.to_string(), "{file}: {column}"),
                 (_, None | Some(Value::Null)) => assert_eq!(cell, "", "{file}: {column}"),
                 (_, other) => panic!("{column} has {other:?}"),
             }
@@ -267,9 +270,88 @@ fn in_si(unit: &str) -> f64 {
     match unit {
         "mph" => 5280.0 * foot / 3600.0,
         "deg" | "deg/s" => std::f64::consts::PI / 180.0,
-        "ft lb" => foot * pound,
+        "ft" => foot,
+        "ft lb" | "ft lb s" => foot * pound,
         "lb s" | "lb" => pound,
         other => panic!("{other}"),
+    }
+}
+
+/// ½ m v² before less that after is what the works of the impulses add up to: the one of the moment impulse too.
+#[test]
+fn the_energy_of_a_row_balances() {
+    let csv = deltav(&["reconstruct", "fixtures/laws/moment.toml", "--format", "csv"]).stdout;
+    let [columns, cells] = <[Vec<String>; 2]>::try_from(records(&String::from_utf8(csv).unwrap())).unwrap();
+    let energy = |name: &str| -> f64 {
+        let name = format!("impact.{name} (J)");
+        cells[columns.iter().position(|column| *column == name).unwrap()].parse().unwrap()
+    };
+    let loss = energy("initial_energy") - energy("final_energy");
+    let works = ["normal_work", "tangential_work", "moment_work"].map(energy);
+    assert!(works[2] > 1000.0, "{works:?}");
+    assert!((loss - works.iter().sum::<f64>()).abs() < 1e-9 * loss, "{loss} {works:?}");
+    assert!((energy("energy_loss") - loss).abs() < 1e-9 * loss);
+}
+
+/// Columns are promises: those of today, in their order, with their units.
+#[test]
+fn columns_keep_their_names_and_order() {
+    let csv = deltav(&["reconstruct", "fixtures/laws/moment.toml", "--format", "csv"]).stdout;
+    let mut columns = records(&String::from_utf8(csv).unwrap())[0].clone().into_iter();
+    let of_vehicle = [
+        "name",
+        "speed (m/s)",
+        "velocity.x (m/s)",
+        "velocity.y (m/s)",
+        "yaw_rate (rad/s)",
+        "final_velocity.x (m/s)",
+        "final_velocity.y (m/s)",
+        "final_yaw_rate (rad/s)",
+        "delta_v (m/s)",
+        "delta_v.x (m/s)",
+        "delta_v.y (m/s)",
+        "pdof (rad)",
+        "stiffness_source",
+        "crush_source",
+        "crush_energy (J)",
+        "ees (m/s)",
+        "oblique_angle (rad)",
+        "oblique_factor",
+        "corrected_crush_energy (J)",
+        "peak_force (N)",
+        "crash3.delta_v (m/s)",
+        "crash3.corrected_delta_v (m/s)",
+    ];
+    let shared = [
+        "file",
+        "error",
+        "title",
+        "axes",
+        "found.quantity",
+        "found.value (m/s)",
+        "found.admissible_roots",
+        "energy_basis",
+        "impact.law",
+        "impact.restitution",
+        "impact.impulse_ratio",
+        "impact.critical_impulse_ratio",
+        "impact.normal_impulse (N s)",
+        "impact.tangential_impulse (N s)",
+        "impact.normal_velocity.before (m/s)",
+        "impact.normal_velocity.after (m/s)",
+        "impact.tangential_velocity.before (m/s)",
+        "impact.tangential_velocity.after (m/s)",
+        "impact.initial_energy (J)",
+        "impact.final_energy (J)",
+        "impact.energy_loss (J)",
+        "impact.normal_work (J)",
+        "impact.tangential_work (J)",
+    ];
+    let vehicles = [1, 2].into_iter().flat_map(|i| of_vehicle.map(|name| format!("vehicle{i}.{name}")));
+    for name in
+        shared.map(str::to_owned).into_iter().chain(vehicles).chain(["warnings", "help"].map(str::to_owned))
+    {
+        assert!(columns.any(|column| column == name), "{name} is missing or elsewhere");
     }
 }
 

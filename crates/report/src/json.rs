@@ -288,7 +288,7 @@ fn vehicle(case: &Case, analysis: &Analysis, i: usize) -> VehicleBlock {
     VehicleBlock {
         name: case.vehicles[i].name.clone(),
         fixed: fixed.then_some(true),
-        speed: moves.map(|_| plain(words::speed(analysis, i))),
+        speed: moves.map(|_| plain(analysis.speed(i))),
         velocity: moves.map(|outcome| plain_pair(outcome.before[i].velocity.into())),
         yaw_rate: moves.map(|outcome| plain(outcome.before[i].yaw_rate)),
         final_velocity: moves.map(|outcome| plain_pair(outcome.after[i].velocity.into())),

@@ -239,7 +239,7 @@ fn results(analysis: &Analysis, units: Units) -> Table {
     if let Some(impact) = &analysis.impact {
         let outcome = &impact.outcome;
         let each = |f: &dyn Fn(usize) -> String| [0, 1].map(|i| moves(i).then(|| f(i)));
-        results.pair("speed before impact", each(&|i| both(units, words::speed(analysis, i))));
+        results.pair("speed before impact", each(&|i| both(units, analysis.speed(i))));
         let vector = |v: pim_core::Vector2<f64>| units.format_vector(Quantity::Speed, v.into());
         results.pair("velocity after impact", each(&|i| vector(outcome.after[i].velocity)));
         results.pair("yaw rate after impact", each(&|i| units.yaw_rate(outcome.after[i].yaw_rate)));

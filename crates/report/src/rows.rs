@@ -1,6 +1,6 @@
 //! Many reconstructions, a row each: as CSV for a spreadsheet, or as one JSON document a line.
 
-use analysis::Analysis;
+use analysis::{Analysis, Kind, OutputQuantity, QUANTITIES, Values};
 use case::Case;
 use serde::Serialize;
 use serde_json::Value;
@@ -37,70 +37,95 @@ pub enum RowError {
     Csv(#[from] csv::Error),
 }
 
-/// A column that is there once: its name and, in the JSON document, its place (RFC 6901).
-const SHARED: [(&str, &str); 23] = [
-    ("file", "/file"),
-    ("error", "/error"),
-    ("title", "/title"),
-    ("axes", "/axes"),
-    ("found.quantity", "/found/quantity"),
-    ("found.value (m/s)", "/found/value"),
-    ("found.admissible_roots", "/found/admissible_roots"),
-    ("energy_basis", "/energy_basis"),
-    ("impact.law", "/impact/law"),
-    ("impact.restitution", "/impact/restitution"),
-    ("impact.impulse_ratio", "/impact/impulse_ratio"),
-    ("impact.critical_impulse_ratio", "/impact/critical_impulse_ratio"),
-    ("impact.normal_impulse (N s)", "/impact/normal_impulse"),
-    ("impact.tangential_impulse (N s)", "/impact/tangential_impulse"),
-    ("impact.normal_velocity.before (m/s)", "/impact/normal_velocity/0"),
-    ("impact.normal_velocity.after (m/s)", "/impact/normal_velocity/1"),
-    ("impact.tangential_velocity.before (m/s)", "/impact/tangential_velocity/0"),
-    ("impact.tangential_velocity.after (m/s)", "/impact/tangential_velocity/1"),
-    ("impact.initial_energy (J)", "/impact/initial_energy"),
-    ("impact.final_energy (J)", "/impact/final_energy"),
-    ("impact.energy_loss (J)", "/impact/energy_loss"),
-    ("impact.normal_work (J)", "/impact/normal_work"),
-    ("impact.tangential_work (J)", "/impact/tangential_work"),
+/// A column of text or of a count: its name, its place in the JSON document (RFC 6901), and the quantity before whose column it stands.
+struct Text {
+    name: &'static str,
+    place: &'static str,
+    before: &'static str,
+}
+
+const fn text(name: &'static str, place: &'static str, before: &'static str) -> Text {
+    Text { name, place, before }
+}
+
+/// Those that are there once.
+const SHARED: [Text; 9] = [
+    text("file", "/file", "found.value"),
+    text("error", "/error", "found.value"),
+    text("title", "/title", "found.value"),
+    text("axes", "/axes", "found.value"),
+    text("found.quantity", "/found/quantity", "found.value"),
+    text("found.admissible_roots", "/found/admissible_roots", "impact.restitution"),
+    text("energy_basis", "/energy_basis", "impact.restitution"),
+    text("impact.law", "/impact/law", "impact.restitution"),
+    text("impact.regime", "/impact/regime", "impact.restitution"),
 ];
 
-/// Columns of each vehicle: what follows `vehicle1` and `vehicle2`, and the place, in which `#` is the number of the vehicle and `%` one less.
-const VEHICLE: [(&str, &str); 22] = [
-    ("name", "/vehicle#/name"),
-    ("speed (m/s)", "/vehicle#/speed"),
-    ("velocity.x (m/s)", "/vehicle#/velocity/0"),
-    ("velocity.y (m/s)", "/vehicle#/velocity/1"),
-    ("yaw_rate (rad/s)", "/vehicle#/yaw_rate"),
-    ("final_velocity.x (m/s)", "/vehicle#/final_velocity/0"),
-    ("final_velocity.y (m/s)", "/vehicle#/final_velocity/1"),
-    ("final_yaw_rate (rad/s)", "/vehicle#/final_yaw_rate"),
-    ("delta_v (m/s)", "/vehicle#/delta_v"),
-    ("delta_v.x (m/s)", "/vehicle#/delta_v_vector/0"),
-    ("delta_v.y (m/s)", "/vehicle#/delta_v_vector/1"),
-    ("pdof (rad)", "/vehicle#/pdof"),
-    ("stiffness_source", "/vehicle#/stiffness_source"),
-    ("crush_source", "/vehicle#/crush_source"),
-    ("crush_energy (J)", "/vehicle#/crush_energy"),
-    ("ees (m/s)", "/vehicle#/ees"),
-    ("oblique_angle (rad)", "/vehicle#/oblique_angle"),
-    ("oblique_factor", "/vehicle#/oblique_factor"),
-    ("corrected_crush_energy (J)", "/vehicle#/corrected_crush_energy"),
-    ("peak_force (N)", "/vehicle#/peak_force"),
-    ("crash3.delta_v (m/s)", "/crash3/delta_v/%"),
-    ("crash3.corrected_delta_v (m/s)", "/crash3/corrected_delta_v/%"),
+/// Those of each vehicle: the place has `#` for the number of the vehicle.
+const VEHICLE: [Text; 4] = [
+    text("name", "/vehicle#/name", "speed"),
+    text("fixed", "/vehicle#/fixed", "speed"),
+    text("stiffness_source", "/vehicle#/stiffness_source", "crush_energy"),
+    text("crush_source", "/vehicle#/crush_source", "crush_energy"),
 ];
+
+/// What stands in a column.
+enum Column {
+    /// What the JSON document has at this place.
+    Place(String),
+    /// A quantity of the collision, or of the vehicle with this index.
+    Quantity(&'static OutputQuantity, usize),
+}
+
+/// The columns before the last: names in SI units, and what stands in them. Every quantity has one.
+fn columns() -> Vec<(String, Column)> {
+    let mut columns = Vec::new();
+    let mut add = |texts: &[Text], vehicle: Option<usize>| {
+        let prefix = vehicle.map_or_else(String::new, |i| format!("vehicle{}.", i + 1));
+        let number = vehicle.map_or_else(String::new, |i| (i + 1).to_string());
+        for quantity in QUANTITIES.iter().filter(|quantity| quantity.is_of_vehicle() == vehicle.is_some()) {
+            for text in texts.iter().filter(|text| text.before == quantity.key) {
+                let place = text.place.replace('#', &number);
+                columns.push((format!("{prefix}{}", text.name), Column::Place(place)));
+            }
+            let name = format!("{prefix}{}{}", quantity.key, unit(quantity.kind));
+            columns.push((name, Column::Quantity(quantity, vehicle.unwrap_or_default())));
+        }
+    };
+    add(&SHARED, None);
+    add(&VEHICLE, Some(0));
+    add(&VEHICLE, Some(1));
+    columns
+}
+
+/// What the name of a column in SI units ends in.
+fn unit(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Ratio => "",
+        Kind::Speed => " (m/s)",
+        Kind::Length => " (m)",
+        Kind::Angle => " (rad)",
+        Kind::YawRate => " (rad/s)",
+        Kind::Energy => " (J)",
+        Kind::Impulse => " (N s)",
+        Kind::MomentImpulse => " (N m s)",
+        Kind::Force => " (N)",
+    }
+}
 
 /// The last columns: the codes of all warnings, with spaces between them, as `vehicle2.burg-inertia` where one is of one vehicle, and what to write
 /// instead of what is wrong.
 const LAST: [&str; 2] = ["warnings", "help"];
 
 /// What the names of columns end in, in SI and in US units, and what it is the unit of. There is one column for a speed: mph.
-const UNITS: [(&str, &str, Quantity); 6] = [
+const UNITS: [(&str, &str, Quantity); 8] = [
     ("(m/s)", "(mph)", Quantity::RoadSpeed),
+    ("(m)", "(ft)", Quantity::Length),
     ("(rad)", "(deg)", Quantity::Angle),
     ("(rad/s)", "(deg/s)", Quantity::YawRateDegrees),
     ("(J)", "(ft lb)", Quantity::Energy),
     ("(N s)", "(lb s)", Quantity::Impulse),
+    ("(N m s)", "(ft lb s)", Quantity::MomentImpulse),
     ("(N)", "(lb)", Quantity::Force),
 ];
 
@@ -118,12 +143,11 @@ fn converted(name: &str, units: Units) -> Option<(&str, &'static str, Quantity)>
 /// The columns of [`csv_row`]: names that do not change, with the unit of the values in parentheses. Columns may be added.
 #[must_use]
 pub fn csv_columns(units: Units) -> Vec<String> {
-    let named = |name: &str| {
-        converted(name, units).map_or_else(|| name.to_owned(), |(bare, unit, _)| format!("{bare}{unit}"))
+    let named = |name: String| match converted(&name, units) {
+        Some((bare, unit, _)) => format!("{bare}{unit}"),
+        None => name,
     };
-    let of_vehicle = |vehicle: usize| VEHICLE.map(|(name, _)| format!("vehicle{vehicle}.{}", named(name)));
-    let shared = SHARED.map(|(name, _)| named(name));
-    shared.into_iter().chain(of_vehicle(1)).chain(of_vehicle(2)).chain(LAST.map(str::to_owned)).collect()
+    columns().into_iter().map(|(name, _)| named(name)).chain(LAST.map(str::to_owned)).collect()
 }
 
 /// The line with the names of the columns.
@@ -145,19 +169,26 @@ pub fn csv_header(units: Units) -> Result<String, RowError> {
 /// [`RowError`], which no analysis causes.
 pub fn csv_row(row: Row<'_>, units: Units) -> Result<String, RowError> {
     let value = value(row)?;
-    let cell = |name: &str, place: &str| {
-        let found = value.pointer(place);
-        match (converted(name, units), found.and_then(Value::as_f64)) {
-            (Some((_, _, quantity)), Some(si)) => cell(&units.value(quantity, si).into()),
-            _ => found.map(cell).unwrap_or_default(),
-        }
+    let seen = row.answer.ok().map(|(case, analysis)| analysis.in_axes(case.axes));
+    let number = |name: &str, quantity: &OutputQuantity, vehicle: usize| {
+        let si = match quantity.values(seen.as_ref()?) {
+            Values::Shared(value) => value,
+            Values::Pair(values) => values[vehicle],
+        };
+        Some(match (converted(name, units), si?) {
+            (Some((_, _, unit)), si) => units.value(unit, si),
+            (None, si) => si,
+        })
     };
-    let mut cells: Vec<String> = SHARED.iter().map(|(name, place)| cell(name, place)).collect();
-    for vehicle in [1, 2] {
-        let place =
-            |place: &str| place.replace('#', &vehicle.to_string()).replace('%', &(vehicle - 1).to_string());
-        cells.extend(VEHICLE.iter().map(|(name, of_either)| cell(name, &place(of_either))));
-    }
+    let mut cells: Vec<String> = columns()
+        .into_iter()
+        .map(|(name, column)| match column {
+            Column::Place(place) => value.pointer(&place).map(cell).unwrap_or_default(),
+            Column::Quantity(quantity, vehicle) => {
+                number(&name, quantity, vehicle).map(|number| cell(&number.into())).unwrap_or_default()
+            }
+        })
+        .collect();
     let warnings = value.get("warnings").and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
     let codes = warnings.iter().filter_map(|warning| {
         let code = warning.get("code").and_then(Value::as_str)?;
@@ -165,7 +196,7 @@ pub fn csv_row(row: Row<'_>, units: Units) -> Result<String, RowError> {
         Some(vehicle.map_or_else(|| code.to_owned(), |vehicle| format!("vehicle{vehicle}.{code}")))
     });
     cells.push(codes.collect::<Vec<_>>().join(" "));
-    cells.push(cell("help", "/help"));
+    cells.push(value.pointer("/help").map(cell).unwrap_or_default());
     line(&cells)
 }
 

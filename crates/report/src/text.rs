@@ -68,6 +68,22 @@ struct Page {
     text: String,
 }
 
+/// A part in which each row has one value: only here can one stand that belongs to neither vehicle, so that none stands in the column of one.
+struct Shared<'a>(&'a mut Page);
+
+impl Shared<'_> {
+    /// A row, which has no source where its value may be longer than a line.
+    fn value(&mut self, label: &str, value: &str, source: &str) {
+        let page = &mut *self.0;
+        if LABEL + value.chars().count() > page.width {
+            page.text.push_str(&hanging_within(&format!("{label:<LABEL$}"), value, page.width));
+            return;
+        }
+        let label = first_cell(label, LABEL);
+        page.line(&format!("{label}{value:<width$}  {source}", width = 2 * page.column() - 2));
+    }
+}
+
 impl Page {
     fn line(&mut self, line: &str) {
         self.text.push_str(line.trim_end());
@@ -97,14 +113,10 @@ impl Page {
         ));
     }
 
-    /// A row with one value, which has no source where it may be longer than a line.
-    fn wide(&mut self, label: &str, value: &str, source: &str) {
-        if LABEL + value.chars().count() > self.width {
-            self.text.push_str(&hanging_within(&format!("{label:<LABEL$}"), value, self.width));
-            return;
-        }
-        let label = first_cell(label, LABEL);
-        self.line(&format!("{label}{value:<width$}  {source}", width = 2 * self.column() - 2));
+    /// A heading without columns for the vehicles, above numbers that both share.
+    fn shared(&mut self, heading: &str, source: &str) -> Shared<'_> {
+        self.heading(heading, ["", "", source]);
+        Shared(self)
     }
 
     /// A row of which each vehicle has a value or a dash.
@@ -281,18 +293,35 @@ impl Page {
             vehicle.no_damage_speed().map(|si| both_speeds(units, si))
         };
         self.pair("no-damage speed b_0", known(&no_damage), "theory 5");
+        self.shared_inputs(case, analysis);
+    }
+
+    /// What is no column of a vehicle: profiles, which need the whole line, and what belongs to the collision.
+    fn shared_inputs(&mut self, case: &Case, analysis: &Analysis) {
+        let units = self.units;
+        let mut profiles = Vec::new();
         for (i, vehicle) in analysis.vehicles.iter().enumerate() {
             if let Some(damage) = &vehicle.damage
                 && damage.inferred.is_none()
             {
                 let depths = units.format_all(Quantity::Crush, &damage.depths);
-                self.wide(&format!("crush depths, vehicle {}", i + 1), &depths, "");
+                profiles.push((format!("crush depths, vehicle {}", i + 1), depths));
             }
         }
+        let heading = match (profiles.is_empty(), case.impact.is_some()) {
+            (false, true) => "Crush depths and impact law",
+            (false, false) => "Crush depths",
+            (true, true) => "Impact law",
+            (true, false) => return,
+        };
+        let mut rows = self.shared(heading, "");
+        for (label, depths) in &profiles {
+            rows.value(label, depths, "");
+        }
         if let Some(impact) = &case.impact {
-            self.wide("crush plane Γ", &angle(&impact.crush_plane), "");
-            self.wide("impact law", law::name(&impact.law), "");
-            self.wide("coefficients", &law::coefficients(&impact.law, units), "");
+            rows.value("crush plane Γ", &units.format(Quantity::Angle, impact.crush_plane.si()), "");
+            rows.value("impact law", law::name(&impact.law), "");
+            rows.value("coefficients", &law::coefficients(&impact.law, units), "");
         }
     }
 
@@ -354,25 +383,26 @@ impl Page {
         let impulse = |si: f64| units.format(Quantity::Impulse, si);
         let p = outcome.impulse;
         self.row("impulse on vehicle 1, P", &impulse(p.normal), &impulse(p.tangential), "theory 3");
+        let mut rows = self.shared("Impact as a whole", "source");
         if impact.law.has_moment() {
             let moment = units.format(Quantity::MomentImpulse, outcome.moment_impulse);
-            self.wide("moment impulse on vehicle 1, M", &moment, "theory 3");
+            rows.value("moment impulse on vehicle 1, M", &moment, "theory 3");
         }
         let e = (impact.law.restitution() * 1e4).round() / 1e4;
-        self.wide("restitution e", &e.to_string(), "");
+        rows.value("restitution e", &e.to_string(), "");
         if let Some(regime) = outcome.regime {
             let regime = match regime {
                 Regime::Full => "sufficient for the tangential condition",
                 Regime::Sliding => "insufficient: the surfaces slide to the end",
             };
-            self.wide("friction", regime, "theory 3");
+            rows.value("friction", regime, "theory 3");
         }
-        self.wide("impulse ratio μ = P_t/P_n", &number(outcome.impulse_ratio, 4), "theory 3");
+        rows.value("impulse ratio μ = P_t/P_n", &number(outcome.impulse_ratio, 4), "theory 3");
         let critical = outcome
             .critical_impulse_ratio
             .map_or_else(|| "none: no push ends the sliding".to_owned(), |critical| number(critical, 4));
-        self.wide("critical impulse ratio μ_c", &critical, "theory 3");
-        self.wide(
+        rows.value("critical impulse ratio μ_c", &critical, "theory 3");
+        rows.value(
             "direction of the impulse",
             &format!("{} in the scene", units.format(Quantity::Angle, outcome.impulse_direction())),
             "theory 2",
@@ -384,7 +414,7 @@ impl Page {
         self.heading("Motion", ["vehicle 1", "vehicle 2", "source"]);
         let each = |f: &dyn Fn(usize) -> String| [0, 1].map(|i| (!case.vehicles[i].fixed).then(|| f(i)));
         let vector = |v: pim_core::Vector2<f64>| units.format_vector(Quantity::Speed, v.into());
-        self.pair("speed before", each(&|i| both_speeds(units, words::speed(analysis, i))), "");
+        self.pair("speed before", each(&|i| both_speeds(units, analysis.speed(i))), "");
         self.pair("velocity before, v", each(&|i| vector(outcome.before[i].velocity)), "");
         self.pair("velocity after, V", each(&|i| vector(outcome.after[i].velocity)), "theory 2");
         self.pair("yaw rate before, ω", each(&|i| units.yaw_rate(outcome.before[i].yaw_rate)), "");
@@ -481,8 +511,22 @@ impl Page {
 
     fn crash3(&mut self, case: &Case, crash3: &Crash3, basis: EnergyBasis) {
         let units = self.units;
-        self.heading("CRASH3's own answer", ["vehicle 1", "vehicle 2", "source"]);
-        self.wide("crush energy", &units.format(Quantity::Energy, crash3.crush_energy), "Eq 5");
+        let mut rows = self.shared("CRASH3's own answer", "source");
+        let energy = |si: f64| units.format(Quantity::Energy, si);
+        rows.value("crush energy, total", &energy(crash3.crush_energy), "Eq 5");
+        if let Some(corrected) = crash3.corrected {
+            rows.value("corrected crush energy, total", &energy(corrected.crush_energy), "Eq 8");
+        }
+        if let Some(factor) = crash3.restitution_factor {
+            let assumed = if case.reconstruct.is_none() { ", assumed" } else { "" };
+            let factor = number(factor, 4);
+            rows.value(
+                "restitution factor f_e",
+                &format!("{factor} (energy basis: {}{assumed})", words::basis_name(basis)),
+                "theory 5",
+            );
+        }
+        self.heading("CRASH3 by vehicle", ["vehicle 1", "vehicle 2", "source"]);
         // A fixed object has no arm and no ΔV.
         let pair = |values: [String; 2]| {
             let [first, second] = values;
@@ -500,22 +544,11 @@ impl Page {
             pair(crash3.effective_mass_ratio.map(|ratio| number(ratio, 4))),
             "theory 5",
         );
-        if let Some(factor) = crash3.restitution_factor {
-            let assumed = if case.reconstruct.is_none() { ", assumed" } else { "" };
-            let factor = number(factor, 4);
-            self.wide(
-                "restitution factor f_e",
-                &format!("{factor} (energy basis: {}{assumed})", words::basis_name(basis)),
-                "theory 5",
-            );
-        }
         self.pair("ΔV uncorrected", speeds(crash3.delta_v, 1.0), "Eq 6, 7");
         if let Some(factor) = crash3.restitution_factor {
             self.pair("ΔV uncorrected, restitution", speeds(crash3.delta_v, factor), "theory 5");
         }
         if let Some(corrected) = crash3.corrected {
-            let energy = units.format(Quantity::Energy, corrected.crush_energy);
-            self.wide("corrected crush energy", &energy, "Eq 8");
             self.pair("ΔV corrected", speeds(corrected.delta_v, 1.0), "Eq 6, 7, 8");
             if let Some(factor) = crash3.restitution_factor {
                 self.pair("ΔV corrected, restitution", speeds(corrected.delta_v, factor), "theory 5");

@@ -73,16 +73,6 @@ pub(crate) fn stiffness_source_and_doubt(source: StiffnessSource, side: Side) ->
     stiffness_source(source, side) + &doubt
 }
 
-/// (m/s) speed before impact, negative where the vehicle moves backwards; zero for a fixed object.
-pub(crate) fn speed(analysis: &Analysis, vehicle: usize) -> f64 {
-    analysis.impact.as_ref().map_or(0.0, |impact| {
-        let velocity = impact.outcome.before[vehicle].velocity;
-        let forward = impact.contact.participants()[vehicle].forward();
-        let size = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
-        if velocity.x * forward.x + velocity.y * forward.y < 0.0 { -size } else { size }
-    })
-}
-
 /// The value of the JSON key `regime`.
 pub(crate) fn regime_name(regime: Regime) -> &'static str {
     match regime {

@@ -4,6 +4,7 @@ mod explain;
 mod failures;
 mod fixtures;
 mod large;
+mod quantities;
 mod roots;
 mod validation;
 mod warnings;

@@ -1,0 +1,496 @@
+//! Every output quantity of an analysis, one row each.
+//!
+//! What presents results chooses from [`QUANTITIES`]: a label, a symbol, a unit and a source stand here alone.
+
+use pim_core::{Energy, Outcome};
+
+use crate::{Analysis, Crash3, Damage, Oblique};
+
+/// A number that a finished analysis gives.
+#[derive(Clone, Copy, Debug)]
+pub struct OutputQuantity {
+    /// Names it in columns and lists of outputs: that of a vehicle follows `vehicle1.` or `vehicle2.`.
+    pub key: &'static str,
+    /// Its place in the JSON (RFC 6901); `#` is the number of the vehicle and `%` one less.
+    pub pointer: &'static str,
+    /// What a table calls it. Components of one vector share the label of the vector.
+    pub label: &'static str,
+    /// As the equations have it; empty where they have none.
+    pub symbol: &'static str,
+    /// What kind of number it is.
+    pub kind: Kind,
+    /// Equation n of SAE 980025 or section n of docs/theory.md; empty where it needs no equation.
+    pub source: &'static str,
+    /// What it belongs to, and how to get it. Numbers that count across or turn are in the axes of the analysis.
+    pub of: Of,
+}
+
+/// What kind of number a quantity is: which units it has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Without unit.
+    Ratio,
+    /// m/s
+    Speed,
+    /// m
+    Length,
+    /// rad
+    Angle,
+    /// rad/s
+    YawRate,
+    /// J
+    Energy,
+    /// N·s
+    Impulse,
+    /// N·m·s
+    MomentImpulse,
+    /// N
+    Force,
+}
+
+/// What a quantity belongs to, with the function that reads it from an analysis: `None` where that does not have it.
+#[derive(Clone, Copy, Debug)]
+pub enum Of {
+    /// One number for the whole collision, which is neither vehicle's.
+    Collision(fn(&Analysis) -> Option<f64>),
+    /// The part along the normal n.
+    Normal(fn(&Analysis) -> Option<f64>),
+    /// The part along the tangent t.
+    Tangential(fn(&Analysis) -> Option<f64>),
+    /// One number for each vehicle, by its index 0 or 1.
+    Vehicle(fn(&Analysis, usize) -> Option<f64>),
+}
+
+/// The values of a quantity in one analysis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Values {
+    /// That of the collision: a table shows it across both columns of the vehicles.
+    Shared(Option<f64>),
+    /// Those of vehicle 1 and 2.
+    Pair([Option<f64>; 2]),
+}
+
+impl OutputQuantity {
+    /// Its values, in the axes of the analysis.
+    #[must_use]
+    pub fn values(&self, analysis: &Analysis) -> Values {
+        // No minus before zero.
+        let plain = |value: Option<f64>| value.map(|value| value + 0.0);
+        match self.of {
+            Of::Collision(get) | Of::Normal(get) | Of::Tangential(get) => {
+                Values::Shared(plain(get(analysis)))
+            }
+            Of::Vehicle(get) => Values::Pair([0, 1].map(|i| plain(get(analysis, i)))),
+        }
+    }
+
+    /// Whether each vehicle has one.
+    #[must_use]
+    pub fn is_of_vehicle(&self) -> bool {
+        matches!(self.of, Of::Vehicle(_))
+    }
+}
+
+/// The quantity of that key.
+#[must_use]
+pub fn quantity(key: &str) -> Option<&'static OutputQuantity> {
+    QUANTITIES.iter().find(|quantity| quantity.key == key)
+}
+
+fn found(analysis: &Analysis) -> Option<f64> {
+    Some(analysis.found.as_ref()?.speed)
+}
+
+fn outcome(analysis: &Analysis) -> Option<&Outcome> {
+    Some(&analysis.impact.as_ref()?.outcome)
+}
+
+fn energy(analysis: &Analysis) -> Option<&Energy> {
+    Some(&outcome(analysis)?.energy)
+}
+
+/// The impact, where the vehicle takes part in it as one that can move.
+fn motion(analysis: &Analysis, i: usize) -> Option<&Outcome> {
+    outcome(analysis).filter(|_| analysis.moves(i))
+}
+
+/// The moment impulse and its work, under a law with one.
+fn moment(analysis: &Analysis) -> Option<&Outcome> {
+    let impact = analysis.impact.as_ref()?;
+    impact.law.has_moment().then_some(&impact.outcome)
+}
+
+fn pdof(analysis: &Analysis, i: usize) -> Option<f64> {
+    let computed = analysis.impact.as_ref().filter(|_| analysis.moves(i)).map(|impact| impact.pdof[i]);
+    computed.or_else(|| damage(analysis, i)?.pdof)
+}
+
+fn damage(analysis: &Analysis, i: usize) -> Option<&Damage> {
+    analysis.vehicles[i].damage.as_ref()
+}
+
+fn oblique(analysis: &Analysis, i: usize) -> Option<Oblique> {
+    damage(analysis, i)?.oblique
+}
+
+fn crash3(analysis: &Analysis) -> Option<&Crash3> {
+    analysis.crash3.as_ref()
+}
+
+/// CRASH3's answer, for a vehicle that can move.
+fn moved(analysis: &Analysis, i: usize) -> Option<&Crash3> {
+    crash3(analysis).filter(|_| analysis.moves(i))
+}
+
+/// A row whose number is the collision's.
+const fn row(
+    key: &'static str,
+    pointer: &'static str,
+    [label, symbol, source]: [&'static str; 3],
+    kind: Kind,
+    of: Of,
+) -> OutputQuantity {
+    OutputQuantity { key, pointer, label, symbol, kind, source, of }
+}
+
+/// All quantities: those of the collision in the order of its tables, then those of each vehicle.
+pub const QUANTITIES: &[OutputQuantity] = &[
+    row("found.value", "/found/value", ["speed found", "v", "theory 6"], Kind::Speed, Of::Collision(found)),
+    row(
+        "impact.restitution",
+        "/impact/restitution",
+        ["restitution e", "e", ""],
+        Kind::Ratio,
+        Of::Collision(|a| Some(a.impact.as_ref()?.law.restitution())),
+    ),
+    row(
+        "impact.impulse_ratio",
+        "/impact/impulse_ratio",
+        ["impulse ratio μ = P_t/P_n", "μ", "theory 3"],
+        Kind::Ratio,
+        Of::Collision(|a| Some(outcome(a)?.impulse_ratio)),
+    ),
+    row(
+        "impact.critical_impulse_ratio",
+        "/impact/critical_impulse_ratio",
+        ["critical impulse ratio μ_c", "μ_c", "theory 3"],
+        Kind::Ratio,
+        Of::Collision(|a| outcome(a)?.critical_impulse_ratio),
+    ),
+    row(
+        "impact.normal_impulse",
+        "/impact/normal_impulse",
+        ["impulse on vehicle 1, P", "P_n", "theory 3"],
+        Kind::Impulse,
+        Of::Normal(|a| Some(outcome(a)?.impulse.normal)),
+    ),
+    row(
+        "impact.tangential_impulse",
+        "/impact/tangential_impulse",
+        ["impulse on vehicle 1, P", "P_t", "theory 3"],
+        Kind::Impulse,
+        Of::Tangential(|a| Some(outcome(a)?.impulse.tangential)),
+    ),
+    row(
+        "impact.normal_velocity.before",
+        "/impact/normal_velocity/0",
+        ["relative velocity before, u", "u_n", "theory 1"],
+        Kind::Speed,
+        Of::Normal(|a| Some(outcome(a)?.approach.normal)),
+    ),
+    row(
+        "impact.normal_velocity.after",
+        "/impact/normal_velocity/1",
+        ["relative velocity after, U", "U_n", "theory 2"],
+        Kind::Speed,
+        Of::Normal(|a| Some(outcome(a)?.separation.normal)),
+    ),
+    row(
+        "impact.tangential_velocity.before",
+        "/impact/tangential_velocity/0",
+        ["relative velocity before, u", "u_t", "theory 1"],
+        Kind::Speed,
+        Of::Tangential(|a| Some(outcome(a)?.approach.tangential)),
+    ),
+    row(
+        "impact.tangential_velocity.after",
+        "/impact/tangential_velocity/1",
+        ["relative velocity after, U", "U_t", "theory 2"],
+        Kind::Speed,
+        Of::Tangential(|a| Some(outcome(a)?.separation.tangential)),
+    ),
+    row(
+        "impact.initial_energy",
+        "/impact/initial_energy",
+        ["initial kinetic energy", "", "theory 4"],
+        Kind::Energy,
+        Of::Collision(|a| Some(energy(a)?.before)),
+    ),
+    row(
+        "impact.final_energy",
+        "/impact/final_energy",
+        ["final kinetic energy", "", "theory 4"],
+        Kind::Energy,
+        Of::Collision(|a| Some(energy(a)?.after)),
+    ),
+    row(
+        "impact.energy_loss",
+        "/impact/energy_loss",
+        ["energy loss E_L", "E_L", "theory 4"],
+        Kind::Energy,
+        Of::Collision(|a| Some(energy(a)?.loss)),
+    ),
+    row(
+        "impact.normal_work",
+        "/impact/normal_work",
+        ["normal work W_n", "W_n", "Eq 4"],
+        Kind::Energy,
+        Of::Collision(|a| Some(energy(a)?.normal_work)),
+    ),
+    row(
+        "impact.tangential_work",
+        "/impact/tangential_work",
+        ["tangential work W_t", "W_t", "Eq 4"],
+        Kind::Energy,
+        Of::Collision(|a| Some(energy(a)?.tangential_work)),
+    ),
+    row(
+        "impact.moment_work",
+        "/impact/moment_work",
+        ["moment work W_m", "W_m", "theory 4"],
+        Kind::Energy,
+        Of::Collision(|a| Some(moment(a)?.energy.moment_work)),
+    ),
+    row(
+        "impact.moment_impulse",
+        "/impact/moment_impulse",
+        ["moment impulse on vehicle 1, M", "M", "theory 3"],
+        Kind::MomentImpulse,
+        Of::Collision(|a| Some(moment(a)?.moment_impulse)),
+    ),
+    row(
+        "impact.impulse.x",
+        "/impact/impulse/0",
+        ["impulse on vehicle 1 in the scene", "P_x", "theory 2"],
+        Kind::Impulse,
+        Of::Collision(|a| Some(outcome(a)?.impulse_vector.x)),
+    ),
+    row(
+        "impact.impulse.y",
+        "/impact/impulse/1",
+        ["impulse on vehicle 1 in the scene", "P_y", "theory 2"],
+        Kind::Impulse,
+        Of::Collision(|a| Some(outcome(a)?.impulse_vector.y)),
+    ),
+    row(
+        "impact.impulse_direction",
+        "/impact/impulse_direction",
+        ["direction of the impulse", "", "theory 2"],
+        Kind::Angle,
+        Of::Collision(|a| Some(outcome(a)?.impulse_direction())),
+    ),
+    row(
+        "impact.normal.x",
+        "/impact/normal/0",
+        ["normal of the crush plane in the scene", "n", "theory 1"],
+        Kind::Ratio,
+        Of::Collision(|a| Some(a.impact.as_ref()?.contact.normal().x)),
+    ),
+    row(
+        "impact.normal.y",
+        "/impact/normal/1",
+        ["normal of the crush plane in the scene", "n", "theory 1"],
+        Kind::Ratio,
+        Of::Collision(|a| Some(a.impact.as_ref()?.contact.normal().y)),
+    ),
+    row(
+        "crash3.crush_energy",
+        "/crash3/crush_energy",
+        ["crush energy, total", "E", "Eq 5"],
+        Kind::Energy,
+        Of::Collision(|a| Some(crash3(a)?.crush_energy)),
+    ),
+    row(
+        "crash3.corrected_crush_energy",
+        "/crash3/corrected_crush_energy",
+        ["corrected crush energy, total", "E'", "Eq 8"],
+        Kind::Energy,
+        Of::Collision(|a| Some(crash3(a)?.corrected?.crush_energy)),
+    ),
+    row(
+        "crash3.restitution_factor",
+        "/crash3/restitution_factor",
+        ["restitution factor f_e", "f_e", "theory 5"],
+        Kind::Ratio,
+        Of::Collision(|a| crash3(a)?.restitution_factor),
+    ),
+    row(
+        "speed",
+        "/vehicle#/speed",
+        ["speed before", "v", ""],
+        Kind::Speed,
+        Of::Vehicle(|a, i| motion(a, i).map(|_| a.speed(i))),
+    ),
+    row(
+        "velocity.x",
+        "/vehicle#/velocity/0",
+        ["velocity before, v", "v_x", ""],
+        Kind::Speed,
+        Of::Vehicle(|a, i| Some(motion(a, i)?.before[i].velocity.x)),
+    ),
+    row(
+        "velocity.y",
+        "/vehicle#/velocity/1",
+        ["velocity before, v", "v_y", ""],
+        Kind::Speed,
+        Of::Vehicle(|a, i| Some(motion(a, i)?.before[i].velocity.y)),
+    ),
+    row(
+        "yaw_rate",
+        "/vehicle#/yaw_rate",
+        ["yaw rate before, ω", "ω", ""],
+        Kind::YawRate,
+        Of::Vehicle(|a, i| Some(motion(a, i)?.before[i].yaw_rate)),
+    ),
+    row(
+        "final_velocity.x",
+        "/vehicle#/final_velocity/0",
+        ["velocity after, V", "V_x", "theory 2"],
+        Kind::Speed,
+        Of::Vehicle(|a, i| Some(motion(a, i)?.after[i].velocity.x)),
+    ),
+    row(
+        "final_velocity.y",
+        "/vehicle#/final_velocity/1",
+        ["velocity after, V", "V_y", "theory 2"],
+        Kind::Speed,
+        Of::Vehicle(|a, i| Some(motion(a, i)?.after[i].velocity.y)),
+    ),
+    row(
+        "final_yaw_rate",
+        "/vehicle#/final_yaw_rate",
+        ["yaw rate after, Ω", "Ω", "theory 2"],
+        Kind::YawRate,
+        Of::Vehicle(|a, i| Some(motion(a, i)?.after[i].yaw_rate)),
+    ),
+    row(
+        "delta_v",
+        "/vehicle#/delta_v",
+        ["ΔV", "ΔV", "theory 2"],
+        Kind::Speed,
+        Of::Vehicle(|a, i| Some(motion(a, i)?.delta_v_magnitude()[i])),
+    ),
+    row(
+        "delta_v.x",
+        "/vehicle#/delta_v_vector/0",
+        ["ΔV in the scene", "ΔV_x", "theory 2"],
+        Kind::Speed,
+        Of::Vehicle(|a, i| Some(motion(a, i)?.delta_v[i].x)),
+    ),
+    row(
+        "delta_v.y",
+        "/vehicle#/delta_v_vector/1",
+        ["ΔV in the scene", "ΔV_y", "theory 2"],
+        Kind::Speed,
+        Of::Vehicle(|a, i| Some(motion(a, i)?.delta_v[i].y)),
+    ),
+    row(
+        "pdof",
+        "/vehicle#/pdof",
+        ["PDOF, clockwise from heading", "PDOF", "theory 4"],
+        Kind::Angle,
+        Of::Vehicle(pdof),
+    ),
+    row(
+        "crush_energy",
+        "/vehicle#/crush_energy",
+        ["crush energy E", "E", "Eq 5"],
+        Kind::Energy,
+        Of::Vehicle(|a, i| Some(damage(a, i)?.crush_energy)),
+    ),
+    row(
+        "crush_energy_bounds.low",
+        "/vehicle#/crush_energy_bounds/0",
+        ["crush energy, bounds", "E", "theory 5"],
+        Kind::Energy,
+        Of::Vehicle(|a, i| Some(damage(a, i)?.inferred?.range?.lowest.energy)),
+    ),
+    row(
+        "crush_energy_bounds.high",
+        "/vehicle#/crush_energy_bounds/1",
+        ["crush energy, bounds", "E", "theory 5"],
+        Kind::Energy,
+        Of::Vehicle(|a, i| Some(damage(a, i)?.inferred?.range?.highest.energy)),
+    ),
+    row(
+        "ees",
+        "/vehicle#/ees",
+        ["energy equivalent speed EES", "EES", "theory 5"],
+        Kind::Speed,
+        Of::Vehicle(|a, i| Some(damage(a, i)?.ees)),
+    ),
+    row(
+        "oblique_angle",
+        "/vehicle#/oblique_angle",
+        ["angle to the normal α", "α", "theory 5"],
+        Kind::Angle,
+        Of::Vehicle(|a, i| Some(damage(a, i)?.oblique_angle)),
+    ),
+    row(
+        "oblique_factor",
+        "/vehicle#/oblique_factor",
+        ["oblique correction factor", "f", "Eq 8"],
+        Kind::Ratio,
+        Of::Vehicle(|a, i| Some(oblique(a, i)?.factor.factor)),
+    ),
+    row(
+        "corrected_crush_energy",
+        "/vehicle#/corrected_crush_energy",
+        ["corrected crush energy", "E'", "Eq 8"],
+        Kind::Energy,
+        Of::Vehicle(|a, i| Some(oblique(a, i)?.corrected_crush_energy)),
+    ),
+    row(
+        "peak_force",
+        "/vehicle#/peak_force",
+        ["peak force", "F", "theory 5"],
+        Kind::Force,
+        Of::Vehicle(|a, i| Some(oblique(a, i)?.peak_force)),
+    ),
+    row(
+        "no_damage_speed",
+        "/vehicle#/no_damage_speed",
+        ["no-damage speed b_0", "b_0", "theory 5"],
+        Kind::Speed,
+        Of::Vehicle(|a, i| a.vehicles[i].no_damage_speed()),
+    ),
+    row(
+        "crash3.moment_arm",
+        "/crash3/moment_arm/%",
+        ["moment arm h", "h", "theory 5"],
+        Kind::Length,
+        Of::Vehicle(|a, i| Some(moved(a, i)?.moment_arm[i])),
+    ),
+    row(
+        "crash3.effective_mass_ratio",
+        "/crash3/effective_mass_ratio/%",
+        ["effective mass ratio γ", "γ", "theory 5"],
+        Kind::Ratio,
+        // That of a fixed object is 1.
+        Of::Vehicle(|a, i| Some(crash3(a)?.effective_mass_ratio[i])),
+    ),
+    row(
+        "crash3.delta_v",
+        "/crash3/delta_v/%",
+        ["ΔV uncorrected", "ΔV", "Eq 6, 7"],
+        Kind::Speed,
+        Of::Vehicle(|a, i| Some(moved(a, i)?.delta_v[i])),
+    ),
+    row(
+        "crash3.corrected_delta_v",
+        "/crash3/corrected_delta_v/%",
+        ["ΔV corrected", "ΔV'", "Eq 6, 7, 8"],
+        Kind::Speed,
+        Of::Vehicle(|a, i| Some(moved(a, i)?.corrected?.delta_v[i])),
+    ),
+];
