@@ -134,3 +134,6 @@ fn interpolate([a, b, c]: [f64; 3], [fa, fb, fc]: [f64; 3]) -> f64 {
     };
     -p / q
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,42 @@
+use super::*;
+
+/// The ends of what is left of a bracket, which must hold the change of sign of x − root or of root − x.
+#[track_caller]
+fn assert_narrowed(root: f64, bracket: [f64; 2]) {
+    for sign in [1.0, -1.0] {
+        let f = |x: f64| sign * (x - root);
+        let [low, high] = narrowed(f, bracket);
+        assert!(bracket[0] <= low && low <= root && root <= high && high <= bracket[1], "{low:e} {high:e}");
+        // ⁴√2
+        assert!(low.to_bits() == high.to_bits() || high <= 1.19 * low, "{low:e} {high:e}");
+    }
+}
+
+#[test]
+fn a_narrowed_bracket_has_the_root_and_ends_of_one_size() {
+    assert_narrowed(1e-30, [0.0, 1.0]);
+    assert_narrowed(3.0, [1e-200, 1e100]);
+    assert_narrowed(0.7, [0.0, 0.7]);
+    assert_narrowed(5.0, [4.9, 1e9]);
+}
+
+#[test]
+fn a_root_at_an_end_stays_in_the_narrowed_bracket() {
+    // Zero counts as positive, so that only a falling line changes its sign from its root on.
+    let [low, high] = narrowed(|x| 1.0 - x, [1.0, 8.0]);
+    assert!(low == 1.0 && high <= 1.19, "{low} {high}");
+    assert_narrowed(8.0, [1.0, 8.0]);
+    // The first point tried, √1·√16, is the root.
+    assert_narrowed(4.0, [1.0, 16.0]);
+}
+
+#[test]
+fn a_bracket_that_is_narrow_is_left_alone() {
+    assert_eq!(narrowed(|x| x - 1.1, [1.0, 1.15]), [1.0, 1.15]);
+}
+
+/// Nothing is between zero and the least number.
+#[test]
+fn a_root_at_zero_ends_the_narrowing() {
+    assert_eq!(narrowed(|x| -x, [0.0, 1.0])[0], 0.0);
+}
