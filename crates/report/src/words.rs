@@ -1,6 +1,5 @@
 //! Names of what the engines tell apart, and what is said of a stiffness and a speed: below all that writes a document.
 
-use analysis::Analysis;
 use case::{Fit, StiffnessSource};
 use crash3::{DoubtfulDigit, EnergyBasis, Side};
 use pim_core::Regime;
