@@ -2,7 +2,7 @@
 
 use crash3::crush_energy;
 use deltav_benches::{Example, FRICTION, TANGENTIAL_CONDITIONS};
-use pim_core::Tangential;
+use pim_core::{Regime, Tangential};
 
 /// That both targets measure the paper's example and not something like it: theory, section 7.
 #[test]
@@ -23,11 +23,30 @@ fn the_example_is_the_papers() {
     assert!((rough.speed - 22.869).abs() < 5e-4, "{} m/s", rough.speed);
 }
 
+/// The place of a condition in the list: one that is new does not compile before it has a place.
+fn place(tangential: Tangential) -> usize {
+    match tangential {
+        Tangential::Critical => 0,
+        Tangential::Ratio(_) => 1,
+        Tangential::FractionOfCritical(_) => 2,
+        Tangential::Friction(_) => 3,
+        Tangential::VelocityChange(_) => 4,
+        Tangential::Restitution(_) => 5,
+        Tangential::FullOrSliding(_) => 6,
+    }
+}
+
 #[test]
 fn every_condition_has_an_impact() {
     let example = Example::new().unwrap();
+    let places: Vec<usize> =
+        TANGENTIAL_CONDITIONS.into_iter().map(|(_, tangential)| place(tangential)).collect();
+    assert_eq!(places, [0, 1, 2, 3, 4, 5, 6]);
     for (name, tangential) in TANGENTIAL_CONDITIONS {
         let outcome = example.contact.impact(example.motions, &Example::law(tangential).unwrap());
-        assert!(outcome.is_ok(), "{name}: {outcome:?}");
+        assert!(
+            outcome.as_ref().is_ok_and(|outcome| outcome.regime != Some(Regime::Sliding)),
+            "{name}: {outcome:?}"
+        );
     }
 }

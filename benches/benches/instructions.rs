@@ -7,7 +7,9 @@ use std::process::exit;
 
 use case::{Case, CaseFile, Diagnostics};
 use crash3::{Profile, Stiffness, crush_energy};
-use deltav_benches::{CASE_FILE, Example, FRACTION, FRICTION, RATIO, Refused};
+use deltav_benches::{
+    CASE_FILE, Example, FRACTION, FRICTION, FULL_OR_SLIDING, RATIO, RESTITUTION, Refused, VELOCITY_CHANGE,
+};
 use gungraun::{library_benchmark, library_benchmark_group, main};
 use pim_core::{
     Contact, ImpactError, InvalidInput, Law, Motion, Outcome, Participant, RestitutionCurve, Tangential,
@@ -62,6 +64,9 @@ fn problem_input(tangential: Tangential) -> &'static Problem<'static> {
 #[bench::ratio(RATIO)]
 #[bench::fraction(FRACTION)]
 #[bench::friction(FRICTION)]
+#[bench::velocity_change(VELOCITY_CHANGE)]
+#[bench::restitution(RESTITUTION)]
+#[bench::full_or_sliding(FULL_OR_SLIDING)]
 fn impact((motions, law, contact): &'static Impact) -> Result<Outcome, ImpactError> {
     contact.impact(*motions, law)
 }

@@ -145,6 +145,20 @@ pub const FRACTION: Tangential = Tangential::FractionOfCritical(0.9);
 /// Rougher than the critical ratio asks for, so that the surfaces hold at the speed found.
 pub const FRICTION: Tangential = Tangential::Friction(0.5);
 
+/// The sliding of the example, slowed down by less than a common velocity would take.
+pub const VELOCITY_CHANGE: Tangential = Tangential::VelocityChange(-2.0);
+/// A little of the sliding turned round.
+pub const RESTITUTION: Tangential = Tangential::Restitution(0.1);
+/// Friction that suffices for the normal coefficient along the surface.
+pub const FULL_OR_SLIDING: Tangential = Tangential::FullOrSliding(0.8);
+
 /// Every tangential condition that the law knows, and a name for its benchmark.
-pub const TANGENTIAL_CONDITIONS: [(&str, Tangential); 4] =
-    [("critical", Tangential::Critical), ("ratio", RATIO), ("fraction", FRACTION), ("friction", FRICTION)];
+pub const TANGENTIAL_CONDITIONS: [(&str, Tangential); 7] = [
+    ("critical", Tangential::Critical),
+    ("ratio", RATIO),
+    ("fraction", FRACTION),
+    ("friction", FRICTION),
+    ("velocity change", VELOCITY_CHANGE),
+    ("restitution", RESTITUTION),
+    ("full or sliding", FULL_OR_SLIDING),
+];
