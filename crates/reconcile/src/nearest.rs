@@ -17,7 +17,7 @@ const SCAN_SAMPLES: usize = 641;
 const TURN_STEPS: usize = 44;
 
 impl Problem<'_, f64> {
-    /// How near a problem without an answer comes to one, to tell beside [`ReconcileError::NotReached`]: of all impacts that can happen, that whose normal
+    /// How near a problem without an answer comes to one, to tell beside [`NotReached`](crate::ReconcileError::NotReached): of all impacts that can happen, that whose normal
     /// work is nearest to the one sought, by a scan of the approach speed.
     ///
     /// # Errors
