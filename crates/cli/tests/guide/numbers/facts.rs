@@ -1,4 +1,4 @@
-//! Phrases of the README and the guide, put together from where their numbers come from.
+//! Patterns of the README and the guide, put together from where their numbers come from.
 
 use std::f64::consts::PI;
 
@@ -34,7 +34,7 @@ fn contents(ledger: &mut Ledger) {
     ledger.page("docs/guide/README.md");
     let [no_answer, wrong] = statuses();
     ledger.made(format!(
-        "its exit status where that is not {}: {no_answer} for a case without an answer, {wrong} for a file or a command line",
+        "{}: {no_answer} … without … {wrong}",
         deltav("reconstruct fixtures/sae-980025.toml").1
     ));
     assert_eq!(deltav("reconstruct --frictions").1, wrong);
@@ -43,11 +43,9 @@ fn contents(ledger: &mut Ledger) {
 fn readme(ledger: &mut Ledger) {
     ledger.page("README.md");
     let [no_answer, wrong] = statuses();
-    ledger.made(format!(
-        "the exit status: {wrong} for a wrong file or command line, {no_answer} for a case without an answer"
-    ));
+    ledger.made(format!("status … {wrong} … {no_answer}"));
     ledger.cited(
-        "compiles for 7 minutes of processor time, which is about 4 minutes where two cores have nothing else to do, and leaves 1.1 GB",
+        "compiles … 7 minutes … 4 minutes … 1.1 GB",
         "user and system time of `cargo test --workspace --no-run` by Rust 1.95 on x86-64, and `du -sh target` afterwards",
     );
     let oldest = page("Cargo.toml")
@@ -59,9 +57,10 @@ fn readme(ledger: &mut Ledger) {
         .next()
         .unwrap()
         .to_owned();
-    ledger.made(format!("With a Rust toolchain ({oldest} or newer)"));
-    ledger.made(format!("Rust {oldest} is the oldest with which the tests were run"));
-    ledger.cited("The dependencies ask for 1.89", "rust-version in the manifest of nalgebra 0.35");
+    ledger.made(format!("toolchain … ({oldest}"));
+    ledger.made(format!("{oldest} … oldest"));
+    ledger.cited("dependencies need 1.89", "rust-version in the manifest of nalgebra 0.35");
+    ledger.cited("but 1.89 … tested", "the same number: no test runs with it");
 
     let case = json("reconstruct fixtures/sae-980025.toml");
     let of = |path: &str| at(&case, path);
@@ -162,10 +161,10 @@ fn conventions(ledger: &mut Ledger) {
         let (last, rest) = numbers.split_last().unwrap();
         if rest.is_empty() { (*last).to_owned() } else { format!("{} and {last}", rest.join(", ")) }
     };
-    ledger.made(format!("panels {} are in the default axes", panels(&|heading| heading.ends_with("(z-up)"))));
-    ledger.made(format!("{} in those of SAE J670", panels(&|heading| heading.ends_with("(z-down)"))));
+    ledger.made(format!("panels … {}", panels(&|heading| heading.ends_with("(z-up)"))));
+    ledger.made(format!("{} in … those … J670", panels(&|heading| heading.ends_with("(z-down)"))));
     ledger.made(format!(
-        "{} hold in both, and {} lists",
+        "{} … {} … lists",
         panels(&|heading| !heading.contains("z-") && !heading.contains("Signs") && !heading.is_empty()),
         panels(&|heading| heading.contains("Signs"))
     ));
@@ -176,18 +175,14 @@ fn conventions(ledger: &mut Ledger) {
     ledger.made(format!(
         "| n turned by {right_angle}° counter-clockwise | n turned by {right_angle}° clockwise |"
     ));
-    ledger.made(format!("Two cars that meet head-on have headings {straight_angle}° apart"));
-    ledger.made(format!("the usual slip is to give that of the plane, {right_angle}° off"));
-    ledger.made(format!("Γ and Γ + {straight_angle}° are the same plane"));
+    ledger.made(format!("headings … {straight_angle}°"));
+    ledger.made(format!("plane … {right_angle}°"));
+    ledger.made(format!("+ {straight_angle}° … plane"));
     let theory = page("docs/theory.md");
-    ledger.quoted(
-        "an approach has u_n < 0, and a push on vehicle 1 has P_n > 0",
-        &theory,
-        "vehicle 1: n·(r_2 − r_1) > 0. So an approach has u_n < 0 and a push has P_n > 0",
-    );
+    ledger.quoted("approach … u_n < 0 … 1 … P_n > 0", &theory, "1: n·(r_2 − r_1) > 0 … u_n < 0 … P_n > 0");
     let square = |side: Side| number(side.square_pdof().to_degrees(), 0);
     ledger.made(format!(
-        "clockwise from the vehicle's own heading: {}° in front, {}° from its right, {}° from its left, {}° from behind",
+        "heading … {}° in … {}° … {}° … {}°",
         square(Side::Front),
         square(Side::Right),
         square(Side::Left),
@@ -198,60 +193,42 @@ fn conventions(ledger: &mut Ledger) {
         format!("{} {}°", if angle < 0.0 { "+" } else { "−" }, number(angle.abs(), 0))
     };
     ledger.made(format!(
-        "α = PDOF {} on the front, {} on the right, {} on the rear, {} on the left",
+        "{} … front … {} … {} … {}",
         minus(Side::Front),
         minus(Side::Right),
         minus(Side::Rear),
         minus(Side::Left)
     ));
-    ledger.made(format!("is {}°; an hour is {}° wide", number(clock(2), 0), number(clock(2) - clock(1), 0)));
-    ledger.cited("A force through the CG has h = 0", "a distance from itself");
+    ledger.made(format!("{}° … hour … {}°", number(clock(2), 0), number(clock(2) - clock(1), 0)));
+    ledger.cited("through … h = 0", "a distance from itself");
 }
 
 fn crush(ledger: &mut Ledger) {
     ledger.page("docs/guide/crush.md");
     let [least, most] = bounds("category");
     ledger.made(format!("| CRASH3's category, {least} to {most} |"));
-    ledger.cited(
-        "cars of the 1970s, read from a poor scan",
-        "the age of the crash tests behind CRASH3's table",
-    );
+    ledger.cited("the … 1970s", "the age of the crash tests behind CRASH3's table");
     // B = d_1²
-    ledger.made(format!("is a factor of {} in B", number((0.3048_f64 / 0.0254).powi(2), 0)));
+    ledger.made(format!("factor … {} in", number((0.3048_f64 / 0.0254).powi(2), 0)));
     // What rebounds of the energy is e².
-    ledger.quoted(
-        "energy per width that leaves no crush, A²/2B unless",
-        &page("docs/theory.md"),
-        "G = A²/2B",
-    );
-    ledger.quoted("(1/cos α)", &page("docs/theory.md"), "1/cos α is");
+    ledger.quoted("A²/2B … unless", &page("docs/theory.md"), "G = A²/2B");
+    ledger.quoted("(1/cos α)", &page("docs/theory.md"), "1/cos α comes");
     let rebound = |e: f64| number(100.0 * e * e, 0);
-    ledger.made(format!(
-        "With e = 0.1 the two differ by {} % in energy, with e = 0.3 by {} %",
-        rebound(0.1),
-        rebound(0.3)
-    ));
+    ledger.made(format!("e = 0.1 … differ … {} % in … = 0.3 … {} %", rebound(0.1), rebound(0.3)));
     let capped = |angle: f64| ObliqueCorrection::Capped.factor(angle).unwrap().capped;
-    ledger.made(format!(
-        "CRASH3 multiplies the energy by 1 + tan²α (Eq 8), with α at most {}°",
-        degrees(threshold(1.5, 0.1, capped))
-    ));
-    ledger.quoted("multiplies the energy by 1 + tan²α", &page("docs/theory.md"), "E' = E (1 + tan²α)");
-    ledger.made(format!("beyond {} it warns", number(limit("force-balance"), 0)));
-    ledger.quoted(
-        "b_0 = √(2 G w/m) is the speed of an impact of that energy",
-        &page("docs/theory.md"),
-        "b_0 = √(2 G w/m)",
-    );
+    ledger.made(format!("CRASH3 … multiplies … 1 + tan²α … 8) … {}°", degrees(threshold(1.5, 0.1, capped))));
+    ledger.quoted("multiplies … 1 + tan²α", &page("docs/theory.md"), "E' = E (1 + tan²α)");
+    ledger.made(format!("{} … warns", number(limit("force-balance"), 0)));
+    ledger.quoted("b_0 = √(2 … speed", &page("docs/theory.md"), "b_0 = √(2 G w/m)");
     let [least, most, _] = no_damage_speeds();
     ledger.made(format!(
-        "{} to {} mph is usual, and above {} mph a warning says so",
+        "{} … {} mph … usual … {} mph",
         number(least, 0),
         number(most, 0),
         number(high_no_damage_speed(), 0)
     ));
     ledger.quoted(
-        "a common normal velocity, e = 0",
+        "velocity … e = 0",
         &page("docs/theory.md"),
         "A common normal velocity (e = 0) is built into Eq 6 and 7",
     );
@@ -273,50 +250,46 @@ fn how_do_i(ledger: &mut Ledger) {
     let [all, uniform] =
         [energy(&text), energy(&text.replace(&line, &format!("\"{average} {average} in\"")))];
     ledger.made(format!(
-        "whose crush is {} in on the average, {} ft·lb, {} % less than from its six depths",
+        "crush … {} in … {} ft·lb, {} %",
         number(average, 2),
         number(uniform, 0),
         number(100.0 * (all - uniform) / all, 0)
     ));
     let glossary = page("crates/report/glossary.md");
     ledger.cited(
-        "some 0.1 at medium and high speeds, and 0.2 to 0.4 in rear-end collisions with a ΔV of 2 to 5 mph (SAE 931842)",
+        "0.1 … medium … 0.2 … 0.4 in … 2 … 5 mph … 931842)",
         "the abstract of that paper: values measured in low-speed collisions, and what is usual above",
     );
     ledger.cited("(SAE 1999-01-0097)", "the abstract of Monson and Germane's paper says that it falls");
     let [speed, restitution] = high_restitution();
-    ledger.made(format!("The program warns above {restitution} at more than {speed} m/s"));
+    ledger.made(format!("program … {restitution} … {speed} m/s"));
     ledger.quoted(
-        "(0.55 is usual between vehicles, 0.3 to 1.0 the range: SMAC, McHenry & McHenry, SAE 970947; try both ends)",
+        "(0.55 … usual … 0.3 … 1.0 … 970947",
         &glossary,
         "Between vehicles 0.55 is usual, and 0.3 to 1.0 the range (SMAC: McHenry & McHenry, SAE 970947)",
     );
-    ledger.made(format!("have to agree to {} %", number(100.0 * width_tolerance(), 1)));
-    ledger.made(format!("is {}°. An hour is {}° wide", number(clock(2), 0), number(clock(2) - clock(1), 0)));
-    ledger.made(format!("if it is more than {}° from the impulse", pdof_difference()));
+    ledger.made(format!("agree … {} %", number(100.0 * width_tolerance(), 1)));
+    ledger.made(format!("{}° … hour … {}°", number(clock(2), 0), number(clock(2) - clock(1), 0)));
+    ledger.made(format!("{}° … impulse", pdof_difference()));
     let [least, most] = bounds("class");
-    ledger.made(format!(", {least} to {most}, takes CRASH3's size class"));
-    ledger.made(format!("good to ±{} % of the radius of gyration", number(100.0 * crash3::BURG_SPREAD, 0)));
+    ledger.made(format!("{least} … {most} … selects … CRASH3's"));
+    ledger.made(format!("±{} % … radius", number(100.0 * crash3::BURG_SPREAD, 0)));
 }
 
 fn impact(ledger: &mut Ledger) {
     ledger.page("docs/guide/impact.md");
     let glossary = page("crates/report/glossary.md");
-    ledger.quoted(
-        "It falls with the closing speed: some 0.1 at medium and high speeds",
-        &page("docs/guide/how-do-i.md"),
-        "some 0.1 at medium and high speeds",
-    );
+    ledger.quoted("0.1 … medium", &page("docs/guide/how-do-i.md"), "0.1 at medium and high speeds");
     ledger.cited(
-        "0.3 and more at walking speed",
+        "0.3 … walking",
         "the range of the program's own template of a rear-end collision, 0.35 at 2 m/s",
     );
     let [speed, restitution] = high_restitution();
-    ledger.made(format!("A warning comes above {restitution} at more than {speed} m/s"));
-    ledger.quoted("With e = 1 nothing is dissipated", &glossary, "With e = 1 no energy is dissipated");
+    ledger.made(format!("warns … {restitution} … {speed} m/s"));
+    ledger.quoted("e = 1 … nothing", &glossary, "With e = 1 no energy is dissipated");
     let [least, most] = bounds("moment_restitution");
-    ledger.made(format!("between {least} (none, the default) and {most} adds a moment impulse"));
-    ledger.quoted("; 0 leaves a common yaw rate", &glossary, "over 0 (common yaw rate) to 1");
+    ledger.made(format!("{least} … default … {most}"));
+    ledger.quoted("; 0 … leaves", &glossary, "over 0 (common yaw rate) to 1");
 }
 
 /// The exit statuses of a case without an answer, and of a file that is wrong.
@@ -328,26 +301,24 @@ fn statuses() -> [i32; 2] {
 fn reconciliation(ledger: &mut Ledger) {
     ledger.page("docs/guide/reconciliation.md");
     let theory = page("docs/theory.md");
-    ledger.quoted("(1 − e²)(E_1 + E_2) on the absorbed one", &theory, "(absorbed basis: (1−e²)(E_1 + E_2))");
-    ledger.made(format!("Mostly the heading is off by {}°", degrees(PI)));
+    ledger.quoted("(1 − e²)(E_1 + E_2) … absorbed", &theory, "(absorbed basis: (1−e²)(E_1 + E_2))");
+    ledger.made(format!("heading … {}°", degrees(PI)));
     let [no_answer, wrong] = statuses();
-    ledger.made(format!("The exit status is {no_answer}: the file is well formed"));
-    ledger.made(format!("has status {wrong} and a place in it"));
-    ledger.made(format!(
-        "a warning says so if it is more than {}° from that of the impulse",
-        pdof_difference()
-    ));
-    ledger.cited("the normal velocity with s = 0", "the definition of u_n0");
+    ledger.made(format!("status … {no_answer}"));
+    ledger.made(format!("status … {wrong}"));
+    ledger.made(format!("{}° … impulse", pdof_difference()));
+    ledger.cited("velocity … s = 0", "the definition of u_n0");
     // Energy grows with the square of the closing speed.
     let speed = 100.0 * (1.1_f64.sqrt() - 1.0);
-    ledger.made(format!("an error of 10 % in energy is about {speed:.0} % in closing speed"));
-    ledger.quoted("A speed of more than 1000 m/s is no answer", &theory, "a speed of at most 1000 m/s");
+    ledger.made(format!("error … 10 % in … {speed:.0} % in"));
+    ledger.quoted("1000 m/s … answer", &theory, "a speed of at most 1000 m/s");
+    ledger.quoted("finds all … 1000 m/s", &theory, "a speed of at most 1000 m/s");
 }
 
 fn sensitivity(ledger: &mut Ledger) {
     ledger.page("docs/guide/sensitivity.md");
-    ledger.cited("change of the result in per cent for 1 % of the input", "the definition");
-    ledger.cited("the same, but for 1° of an angle", "the definition");
+    ledger.cited("1 % … input", "the definition");
+    ledger.cited("1° … angle", "the definition");
     // Tried, not by the derivative.
     let text = page("fixtures/sae-980025.toml").text;
     let speed = |plane: &str| {
@@ -355,10 +326,7 @@ fn sensitivity(ledger: &mut Ledger) {
         analysis::reconstruct(&Case::parse("plane.toml", &text).unwrap()).unwrap().found.unwrap().speed
             / MILE_PER_HOUR
     };
-    ledger.made(format!(
-        "A crush plane turned by 2° counter-clockwise takes {} mph from the speed",
-        number(speed("-23") - speed("-21"), 1)
-    ));
+    ledger.made(format!("2° … counter-clockwise … {} mph", number(speed("-23") - speed("-21"), 1)));
     let result = json("sensitivity fixtures/sae-980025.toml --pdof-step 10 --pdof-steps 1");
     let mut of_vehicle_1: Vec<f64> = result["pdof_sweep"]
         .as_array()
@@ -368,7 +336,7 @@ fn sensitivity(ledger: &mut Ledger) {
         .collect();
     of_vehicle_1.sort_by(f64::total_cmp);
     ledger.made(format!(
-        "Here 10° either way move CRASH3's uncorrected ΔV of vehicle 1 between {} and {} mph",
+        "10° … either … CRASH3's … 1 … {} … {} mph",
         number(of_vehicle_1[0], 2),
         number(of_vehicle_1[2], 2)
     ));
@@ -379,45 +347,38 @@ fn tutorial(ledger: &mut Ledger) {
     let text = page("fixtures/sae-980025.toml").text;
     let case = Case::parse("sae-980025.toml", &text).unwrap().case;
     let heading = |vehicle: usize| degrees(case.vehicles[vehicle].heading.unwrap().si());
-    ledger.made(format!("the Jimmy drove west, so its heading is {}°", heading(0)));
-    ledger.made(format!("The Altima drove at {}° from x", heading(1)));
+    ledger.made(format!("heading … {}°", heading(0)));
+    ledger.made(format!("drove … {}°", heading(1)));
     let Some(case::ContactPoint::Polar { distance, angle }) = case.vehicles[0].contact else {
         panic!("{:?}", case.vehicles[0].contact)
     };
     assert!(angle.si() < 0.0);
     ledger.made(format!(
-        "The contact point lies {} ft from its centre of gravity, {}° to the right of the heading",
+        "contact … {} ft … {}°",
         number(distance.si() / FOOT, 1),
         number(angle.si().abs().to_degrees(), 1)
     ));
     let impact = case.impact.as_ref().unwrap();
     let plane = degrees(impact.crush_plane.si());
     let right_angle = degrees(PI / 2.0);
-    ledger.made(format!("The crush plane lies along the Altima's side, at {}°", heading(1)));
-    ledger.made(format!(": {}° − {right_angle}° = {plane}°", heading(1)));
+    ledger.made(format!("Altima's … {}°", heading(1)));
+    ledger.made(format!("{}° − {right_angle}° = {plane}°", heading(1)));
     assert_eq!(plane, degrees(case.vehicles[1].heading.unwrap().si() - PI / 2.0));
-    ledger.made(format!("above {} it wants a reason, and a warning says so", large_ratio()));
-    ledger.cited("in per cent for 1 % of the input, or for 1° of an angle", "the definition");
-    ledger.quoted(
-        "whether n points from 2 to 1",
-        &page("docs/theory.md"),
-        "n points from vehicle 2 towards vehicle 1",
-    );
+    ledger.made(format!("above {} … justified", large_ratio()));
+    ledger.cited("1 % … input … 1°", "the definition");
+    ledger.quoted("points … 2 … 1", &page("docs/theory.md"), "n points from vehicle 2 towards vehicle 1");
 }
 
 fn uncertainty(ledger: &mut Ledger) {
     ledger.page("docs/guide/uncertainty.md");
-    ledger.made(format!("lies within it with {} %, within twice of it with {} %", within(1.0), within(2.0)));
+    ledger.made(format!("{} % … within … {} %", within(1.0), within(2.0)));
     // confidence = 0.95 against 0.05
-    ledger.made(format!("within 10 %, and I would bet {} to 1", number(0.95 / 0.05, 0)));
-    ledger.made(format!(
-        "where that is more than {} % off",
-        number(100.0 * ::uncertainty::FIRST_ORDER_LIMIT, 0)
-    ));
-    ledger.made(format!("The other two methods lay {} sets of points", ::uncertainty::REPLICATES));
+    ledger.made(format!("within … 10 % … {} … 1", number(0.95 / 0.05, 0)));
+    ledger.made(format!("more than {} % off", number(100.0 * ::uncertainty::FIRST_ORDER_LIMIT, 0)));
+    ledger.made(format!("methods … {}", ::uncertainty::REPLICATES));
     let level = number(100.0 * ::uncertainty::LEVELS[2], 0);
     ledger.made(format!("| {level} % | {level} % of the samples lie between these two |"));
-    ledger.made(format!("\"With the stated ranges, {level} % of the computed speeds lie between …\""));
+    ledger.made(format!("ranges … {level} %"));
     let [low, high] = ::uncertainty::TORNADO_PROBABILITIES.map(|probability| number(100.0 * probability, 1));
-    ledger.made(format!("One input at a time at its {low} % and its {high} % quantile"));
+    ledger.made(format!("{low} % … {high} % … quantile"));
 }

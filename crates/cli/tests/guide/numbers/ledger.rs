@@ -1,4 +1,4 @@
-//! Where the numbers of phrases come from: results of the program, its limits, other pages.
+//! Where the numbers of patterns come from: results of the program, its limits, other pages.
 
 use std::f64::consts::PI;
 use std::process::Command;
@@ -9,10 +9,10 @@ use serde_json::Value;
 
 use crate::guide::prose::{Page, page, root};
 
-/// A phrase with numbers, and the page in which it stands.
+/// Numbers with their units and an anchor word, ` … ` between them, and the page in which they stand.
 pub(super) struct Fact {
     pub(super) page: &'static str,
-    pub(super) phrase: String,
+    pub(super) pattern: String,
 }
 
 /// The output and the exit status of the program, run in the root of the repository.
@@ -79,7 +79,7 @@ pub(super) const FOOT: f64 = 0.3048;
 pub(super) const MILE_PER_HOUR: f64 = 0.44704;
 pub(super) const FOOT_POUND: f64 = FOOT * 4.448_221_615_260_5;
 
-/// Phrases of one page after the other.
+/// Patterns of one page after the other.
 #[derive(Default)]
 pub(super) struct Ledger {
     pub(super) facts: Vec<Fact>,
@@ -93,27 +93,28 @@ impl Ledger {
     }
 
     /// Its numbers were put in by the caller.
-    pub(super) fn made(&mut self, phrase: impl Into<String>) {
-        self.facts.push(Fact { page: self.page, phrase: phrase.into() });
+    pub(super) fn made(&mut self, pattern: impl Into<String>) {
+        self.facts.push(Fact { page: self.page, pattern: pattern.into() });
     }
 
-    /// Its numbers stand in another page, in these words.
+    /// Its numbers stand in another page, in this pattern.
     #[track_caller]
-    pub(super) fn quoted(&mut self, phrase: &str, source: &Page, words: &str) {
+    pub(super) fn quoted(&mut self, pattern: &str, source: &Page, words: &str) {
         let one_line = source.text.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(one_line.contains(words), "{} does not say {words:?}", source.name);
+        let is_there = !super::places(&one_line, words, &super::numbers(&one_line)).is_empty();
+        assert!(is_there, "{} does not say {words:?}", source.name);
         let of =
             |text: &str| super::numbers(text).into_iter().map(|at| text[at].to_owned()).collect::<Vec<_>>();
         let there = of(words);
-        for value in of(phrase) {
-            assert!(there.contains(&value), "{value} of {phrase:?} is not in {words:?}");
+        for value in of(pattern) {
+            assert!(there.contains(&value), "{value} of {pattern:?} is not in {words:?}");
         }
-        self.made(phrase);
+        self.made(pattern);
     }
 
     /// It is not computed: a definition, a date, a rule of thumb. Why it is right stands beside it.
-    pub(super) fn cited(&mut self, phrase: &str, _source: &'static str) {
-        self.made(phrase);
+    pub(super) fn cited(&mut self, pattern: &str, _source: &'static str) {
+        self.made(pattern);
     }
 }
 
