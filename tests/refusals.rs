@@ -44,7 +44,7 @@ fn masses_and_inertias_are_positive() {
     assert!(Body::<f64>::fixed().is_fixed());
     assert_eq!(
         Body::new(-3.0, 1.0).unwrap_err().to_string(),
-        "the mass must be greater than zero, and is -3"
+        "the mass is -3, but must be greater than zero"
     );
 }
 
@@ -347,7 +347,7 @@ fn coefficients_lie_in_their_ranges() {
     assert_eq!(ratio(-2.0).unwrap().tangential(), Tangential::Ratio(-2.0));
     assert_eq!(
         e(1.5).unwrap_err().to_string(),
-        "the coefficient of restitution must lie between 0 and 1, and is 1.5"
+        "the coefficient of restitution is 1.5, but must lie between 0 and 1"
     );
 }
 

@@ -340,7 +340,7 @@ fn barrier_tests_that_cannot_be_are_refused() {
     let refused = |mass, speed, no_damage| BarrierTest::new(mass, speed, profile(), no_damage).unwrap_err();
     assert_eq!(
         refused(1500.0, 10.0, 10.0).to_string(),
-        "the barrier test at 10.000 m/s crushed the car, so the speed without damage must be less than that, and is 10.000 m/s"
+        "the speed without damage is 10.000 m/s, but must be less than 10.000 m/s, at which the barrier test crushed the car"
     );
     assert!(matches!(refused(0.0, 10.0, 2.0), CrushError::NotPositive { what: "mass", .. }));
     assert!(matches!(refused(1500.0, 0.0, 0.0), CrushError::NotPositive { .. }));

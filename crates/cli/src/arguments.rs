@@ -10,8 +10,9 @@ use uncertainty::MIN_SAMPLES;
 
 /// Reconstructs a two-vehicle collision from its damage.
 ///
-/// The damage of both vehicles gives the crush energy (CRASH3), and planar impact mechanics gives the speed at which the impact would take just
-/// this energy (Brach & Brach, SAE 980025). A case is a TOML file: `deltav new` writes one to begin with, and fixtures/sae-980025.toml is the paper's example.
+/// CRASH3 turns the damage of both vehicles into an energy, and planar impact mechanics finds the speed at
+/// which the impact dissipates exactly that energy (Brach & Brach, SAE 980025). A case is a TOML file:
+/// `deltav new` writes a template, and fixtures/sae-980025.toml is the paper's example.
 #[derive(Debug, Parser)]
 #[command(
     name = "deltav",
@@ -22,25 +23,33 @@ use uncertainty::MIN_SAMPLES;
     after_help = "Exit status: 0 done; 1 the case is well formed but has no answer, or a claim of validate fails; 2 the case file or the command line is wrong."
 )]
 pub(crate) enum Command {
-    /// Write a commented case file to begin with
+    /// Write a commented case file to start from
     #[command(
-        long_about = "Write a commented case file to begin with.\n\n\
-            It runs as it is. Its numbers are invented: each line says what it is, for you to put in your own. An existing file is not overwritten.",
+        long_about = "Write a commented case file to start from.\n\n\
+            The file runs as it is, but its numbers are made up. Each line says what its number is; replace them with yours. An existing file is not overwritten.",
         after_help = "Examples:\n  deltav new -o case.toml\n  deltav new --template barrier --units us -o case.toml\n  deltav reconstruct case.toml"
     )]
     New(NewArguments),
-    /// Find the speed that makes impact and crush agree, and print the whole reconstruction
+    /// Find the speed at which impact and crush agree, and print the whole reconstruction
     #[command(
-        long_about = "Find the speed that makes impact and crush agree, and print the whole reconstruction.\n\n\
-            Varies the speed that [reconstruct] names until the work of the normal impulse equals what it dissipates of the \
-            crush energy of both vehicles: all of it, or with energy_basis = \"absorbed\" the share 1 − e².\n\n\
-            Several files become a row each, in the order in which they are given: --format csv for a spreadsheet, --format jsonl for a program. A file \
-            without an answer has its error in its row, and the others are done all the same.\n\n\
-            The columns of csv have names that do not change, with units: \"file\", \"error\", \"found.value (m/s)\", \
-            \"impact.energy_loss (J)\", \"vehicle1.delta_v (m/s)\", \"vehicle2.pdof (rad)\" and so on, each named as its key in --format json, in SI units \
-            and radians, whatever the files are written in. With --units us they are \"found.value (mph)\", \"impact.energy_loss (ft lb)\", \"vehicle1.peak_force (lb)\", \
-            \"vehicle2.pdof (deg)\" and so on. \"warnings\" has the codes, which `deltav explain` explains, with the vehicle before one that concerns one; \"help\" says what to write instead of what is wrong. \
-            A text that begins with =, +, -, @, tab or carriage return, which a spreadsheet would run as a formula, has an apostrophe before it. A line of jsonl is what --format json gives, with \"file\" before it, or \
+        long_about = "Find the speed at which impact and crush agree, and print the whole reconstruction.\n\n\
+            The program varies the speed that [reconstruct] names until the work of the normal impulse \
+            equals the crush energy of both vehicles or, with energy_basis = \"absorbed\", the share 1 − e² \
+            of it.\n\n\
+            Several files give one row each, in the order of the command line: use --format csv for a \
+            spreadsheet, --format jsonl for a program. If a file has no answer, its row holds the error, \
+            and the other files are still processed.\n\n\
+            The names of the csv columns do not change and include the unit: \"file\", \"error\", \
+            \"found.value (m/s)\", \
+            \"impact.energy_loss (J)\", \"vehicle1.delta_v (m/s)\", \"vehicle2.pdof (rad)\" and so on, each \
+            named after its key in --format json. They are in SI units and radians, whatever units the \
+            files use. With --units us the columns are \"found.value (mph)\", \"impact.energy_loss (ft \
+            lb)\", \"vehicle1.peak_force (lb)\", \
+            \"vehicle2.pdof (deg)\" and so on. The \"warnings\" column lists warning codes, prefixed with \
+            the vehicle where one applies; `deltav explain CODE` describes each. \"help\" says what to \
+            write instead of what is wrong. If a text begins with =, +, -, @, tab or carriage return, it \
+            gets an apostrophe in front, because a spreadsheet would run it as a formula. A line of jsonl \
+            is the object of --format json with \"file\" added in front, or \
             {\"file\": …, \"error\": …, \"help\": …}.",
         after_help = "Examples:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
             deltav reconstruct fixtures/sae-980025.toml --format json -o result.json\n  \
@@ -49,12 +58,13 @@ pub(crate) enum Command {
             Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
     )]
     Reconstruct(CasesArguments),
-    /// Compute what an impact does, both speeds given
+    /// Compute an impact from two known speeds
     #[command(
-        long_about = "Compute what an impact does, both speeds given.\n\n\
-            Planar impact mechanics forward: impulse, motion after, ΔV, PDOF and energy. Damage is assessed beside it where the case has it.\n\n\
-            Several files become a row each, as with `deltav reconstruct`: --format csv has the same columns, of which those of what is found are empty, and \
-            --format jsonl a line of JSON.",
+        long_about = "Compute an impact from two known speeds.\n\n\
+            Planar impact mechanics gives the impulse, the motion after the impact, ΔV, PDOF and energy. If \
+            the case has damage, it is evaluated too.\n\n\
+            Several files give one row each, as with `deltav reconstruct`: --format csv has the same \
+            columns, but those for the speed found are empty; --format jsonl writes one line of JSON.",
         after_help = "Examples:\n  deltav impact fixtures/sae-980025-impact.toml\n  \
             deltav impact fixtures/ricsac/*.toml --format csv --units us -o results.csv\n\n\
             Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
@@ -63,87 +73,92 @@ pub(crate) enum Command {
     /// Compute crush energy and ΔV from damage and PDOF alone (CRASH3)
     #[command(
         long_about = "Compute crush energy and ΔV from damage and PDOF alone (CRASH3).\n\n\
-            Each damaged vehicle needs a PDOF in its crush table, as no impact is computed that could give it.",
+            Each damaged vehicle needs a PDOF in its crush table, because no impact is computed that could provide one.",
         after_help = "Example:\n  deltav crush fixtures/sae-980025-crush.toml"
     )]
     Crush(ReportArguments),
-    /// Read and judge a case without solving it
+    /// Check a case without solving it
     #[command(
-        long_about = "Read and judge a case without solving it.\n\n\
-            Prints what was understood, every number as written and in both unit systems; what was assumed where the file says nothing; which commands the \
-            case has enough for, and what the others lack; and every warning that needs no answer.",
+        long_about = "Check a case without solving it.\n\n\
+            Prints what the program understood, with every number as written and in both unit systems; what it assumes where the file says nothing; which commands can run, and what the others still need; and every warning that does not require a solution.",
         after_help = "Examples:\n  deltav check fixtures/sae-980025.toml\n  \
             deltav check fixtures/one-inspected.toml --format json\n\n\
-            Exit status: 0 the file reads, with warnings or without; 2 it does not."
+            Exit status: 0 the file is valid, with or without warnings; 2 it is not."
     )]
     Check(Arguments),
-    /// Put the answers of every impact law and of CRASH3 side by side
+    /// Compare the answers of every impact law and of CRASH3
     #[command(
-        long_about = "Put the answers of every impact law and of CRASH3 side by side.\n\n\
-            The case is solved under its own law and under Brach's, Woolley's, Ishikawa's and Kudlich–Slibar's, with its own coefficients where they \
-            fit and stated assumptions where not: how much does the answer depend on that choice? A case with [reconstruct] is \
-            reconstructed under each; one with both speeds is computed forward.",
+        long_about = "Compare the answers of every impact law and of CRASH3.\n\n\
+            Shows how much the answer depends on the choice of impact law. The case is solved under its own \
+            law and under Brach's, Woolley's, Ishikawa's and Kudlich–Slibar's, with its own coefficients \
+            where they apply and stated assumptions elsewhere. A case with [reconstruct] is reconstructed \
+            under each law; a case with both speeds is computed forward.",
         after_help = "Example:\n  deltav compare fixtures/sae-980025.toml"
     )]
     Compare(Arguments),
-    /// Say how much the answer moves with each estimate
+    /// Show how sensitive the answer is to each input
     #[command(
-        long_about = "Say how much the answer moves with each estimate.\n\n\
-            A case with [reconstruct] gets the exact derivative of the speed found and of both velocity changes by each number of the file, in that \
-            number's own unit and in per cent per per cent, the most influential first. Any case whose damage and directions of force are \
-            known gets a sweep of the PDOF: CRASH3's answer for lines of action turned to both sides, positive counter-clockwise, or clockwise in a case with z-down axes.",
+        long_about = "Show how sensitive the answer is to each input.\n\n\
+            For a case with [reconstruct], prints the exact derivatives of the speed found and of both \
+            velocity changes with respect to each number of the file, in that number's own unit and in per \
+            cent per per cent, the most influential first. For any case with known damage and directions of \
+            force, also sweeps the PDOF: CRASH3's answer with the lines of action turned to both sides, \
+            counter-clockwise positive, or clockwise in a case with z-down axes.",
         after_help = "Examples:\n  deltav sensitivity fixtures/sae-980025.toml\n  \
             deltav sensitivity fixtures/sae-980025.toml --pdof-step 10 --pdof-steps 1 --format json"
     )]
     Sensitivity(SensitivityArguments),
-    /// Say between what and what the results lie, where numbers of the case are ranges
+    /// Propagate input ranges and distributions to the results
     #[command(
-        long_about = "Say between what and what the results lie, where numbers of the case are ranges.\n\n\
+        long_about = "Propagate input ranges and distributions to the results.\n\n\
             No measurement of a crash is exact. Any number of a case can be a range:\n  \
             speed = { value = \"10 mph\", sd = \"1 mph\" }  normal\n  \
             yaw_radius = { value = \"1.4 m\", within = \"10 %\", confidence = 0.95 }  normal, 95 % within 10 %\n  \
             restitution = { low = 0.2, high = 0.4 }  uniform\n  \
             width = { low = \"63 in\", mode = \"65 in\", high = \"66 in\" }  triangular\n  \
             depths = { values = \"21.3 20.3 13.8 in\", sd = \"0.5 in\" }  each station by itself\n\n\
-            Each sample draws all ranges independently of each other and goes through the same equations as `deltav reconstruct` (or, without \
-            [reconstruct], `deltav impact`). Printed are mean, standard deviation, median and the intervals that hold 50, 90, 95 and 99 % of the samples, each with the standard error that \
-            the number of samples leaves; what was without an answer, by reason; what each input alone does (tornado); and the first-order propagation \
-            (GUM) beside it. The same seed gives the same bytes, with any number of threads.",
+            Each sample draws all ranges independently and solves the same equations as `deltav \
+            reconstruct` (or, without [reconstruct], `deltav impact`). The report has the mean, standard \
+            deviation, median and the intervals that hold 50, 90, 95 and 99 % of the samples, each with its \
+            standard error; the number of samples without an answer, by reason; the effect of each input \
+            alone (tornado); and the first-order propagation (GUM) for comparison. The same seed gives the \
+            same bytes, with any number of threads.",
         after_help = "Examples:\n  deltav uncertainty fixtures/sae-980025-uncertain.toml\n  \
             deltav uncertainty fixtures/sae-980025-uncertain.toml --method sobol --samples 65536 --sobol\n  \
             deltav uncertainty fixtures/sae-980025-uncertain.toml --format json -o result.json --samples-out samples.csv --plots .\n\n\
-            Ctrl-C ends the sampling, and prints the results so far."
+            Ctrl-C ends the sampling and prints the results so far."
     )]
     Uncertainty(UncertaintyArguments),
     /// Draw the scene, the damage, the reconciliation or the energy, as SVG or PNG
     #[command(
         long_about = "Draw the scene, the damage, the reconciliation or the energy, as SVG or PNG.\n\n\
-            A case with [reconstruct] is reconstructed first; another with both speeds is computed forward; one without [impact] has its damage alone to draw. \
-            Scene and damage are to scale. A vehicle without length, width and cg_to_front or class is drawn with the outline of the CRASH3 size class \
-            whose radius of gyration is nearest to its own; the legend says so.",
+            A case with [reconstruct] is reconstructed first; a case with both speeds is computed forward; for a case without [impact], only the damage can be drawn. Scene and damage are to scale. A vehicle that has neither class nor length, width and cg_to_front is drawn with the outline of the CRASH3 size class whose radius of gyration is nearest to its own, and the legend notes this.",
         after_help = "Examples:\n  deltav draw fixtures/sae-980025.toml --what scene -o scene.svg\n  \
             deltav draw fixtures/sae-980025.toml --what energy -o energy.png"
     )]
     Draw(DrawArguments),
-    /// Show the program's own error rate, on staged collisions that it carries
+    /// Measure the program's error rate on built-in staged collisions
     #[command(
-        long_about = "Show the program's own error rate, on staged collisions that it carries.\n\n\
-            Runs eleven of the RICSAC staged collisions (Jones & Baum 1978) and sets its results beside those that are published: Tables 1 to 3 and the \
-            appendix of SAE 980025, and the energies of SAE 871993. Each number is either claimed to reproduce within a tolerance, or carries the \
-            reason why it does not; misprints are marked ERRATUM. Then the main job: the speed of vehicle 1 of each collision from its crush, \
-            beside the true one, the error rate of that, and how it depends on what the analyst chooses.\n\n\
-            It reads no file. What it computes from are fixtures/ricsac/*.toml, as they were when the program was built: open one, change it, and \
-            run `deltav reconstruct` on it to see what follows.",
+        long_about = "Measure the program's error rate on built-in staged collisions.\n\n\
+            Runs eleven of the RICSAC staged collisions (Jones & Baum 1978) and compares the results with \
+            the published ones: Tables 1 to 3 and the appendix of SAE 980025, and the energies of SAE \
+            871993. Each number is either claimed to reproduce within a tolerance, or listed with the \
+            reason why it does not; misprints are marked ERRATUM. Then reconstructs the speed of vehicle 1 \
+            of each collision from its crush, compares it with the true speed, and shows the error rate and \
+            how it depends on the analyst's choices.\n\n\
+            It reads no file: the data are fixtures/ricsac/*.toml as they were when the program was built. \
+            To try a change, edit one of those files and run `deltav reconstruct` on it.",
         after_help = "Example:\n  deltav validate\n  deltav validate --format json -o validation.json\n  \
             deltav validate --format markdown -o docs/validation.md --plots docs\n\n\
-            Exit status: 0 all that is claimed comes out; 1 something that is claimed does not."
+            Exit status: 0 every claimed number reproduces; 1 at least one does not."
     )]
     Validate(ValidateArguments),
     /// Explain a term, a symbol, a key of the case file or the code of a warning
     #[command(
         long_about = "Explain a term, a symbol, a key of the case file or the code of a warning.\n\n\
-            The same texts stand in crates/report/glossary.md. Without a topic, all topics are listed.\n\n\
-            --format json has \"term\", \"kind\", \"also\" (other names), \"text\" (Markdown) and \"see_also\" (terms that the text uses); without a topic, a list of all.",
+            The same texts are in crates/report/glossary.md. Without a topic, the command lists all topics.\n\n\
+            --format json writes \"term\", \"kind\", \"also\" (other names), \"text\" (Markdown) and \
+            \"see_also\" (terms that the text uses); without a topic, it writes a list of all topics.",
         after_help = "Examples:\n  deltav explain\n  deltav explain crush plane\n  deltav explain μ_c\n  \
             deltav explain vehicle1.crush.offset\n  deltav explain delta-v-differs\n  \
             deltav explain --format json -o glossary.json"
@@ -152,21 +167,24 @@ pub(crate) enum Command {
     /// Print the JSON Schema of the case file, for editors
     #[command(
         long_about = "Print the JSON Schema of the case file, for editors.\n\n\
-            A case file that begins with the line `#:schema case.schema.json`, the path from the case to the schema, is completed and checked while you write it: \
-            in Visual Studio Code with the extension Even Better TOML, and in other editors built on Taplo. The program itself does not need it, and checks more.",
+            If the first line of a case file is `#:schema case.schema.json`, with the path from the case to \
+            the schema, Visual Studio Code with the extension Even Better TOML and other editors built on \
+            Taplo complete and check the file while you write it. The program itself does not need the \
+            schema, and checks more.",
         after_help = "Example:\n  deltav schema -o case.schema.json"
     )]
     Schema(SchemaArguments),
-    /// Print the completions of a shell
+    /// Print shell completions
     #[command(
-        long_about = "Print the completions of a shell: commands, options and their values on the tabulator key.",
+        long_about = "Print shell completions: commands, options and their values on the Tab key.",
         after_help = "Examples:\n  deltav completions bash > ~/.local/share/bash-completion/completions/deltav\n  \
             deltav completions zsh > ~/.zfunc/_deltav\n  deltav completions fish > ~/.config/fish/completions/deltav.fish"
     )]
     Completions(CompletionsArguments),
     /// Print the manual page
     #[command(
-        long_about = "Print the manual page, in roff.\n\nWith --output-dir, write it and a page for each command into a folder instead.",
+        long_about = "Print the manual page, in roff.\n\nWith --output-dir, write it and one page for each \
+        command into a folder instead.",
         after_help = "Examples:\n  deltav man > deltav.1\n  deltav man --output-dir ~/.local/share/man/man1"
     )]
     Man(ManArguments),
@@ -174,7 +192,7 @@ pub(crate) enum Command {
 
 #[derive(Debug, Args)]
 pub(crate) struct ExplainArguments {
-    /// What to explain, in one word or several
+    /// What to explain, in one or more words
     #[arg(value_parser = TopicParser, hide_possible_values = true)]
     pub(crate) topic: Vec<String>,
 
@@ -217,16 +235,17 @@ pub(crate) struct CasesArguments {
     #[arg(value_name = "CASE", required = true)]
     pub(crate) cases: Vec<PathBuf>,
 
-    /// Text for people, JSON in SI units and radians for programs, or a report to hand over: one HTML file with drawings, or Markdown; of any number of
-    /// files a row each, as CSV or as a line of JSON
+    /// Text for people, JSON in SI units and radians for programs, or a report to hand over: one HTML file
+    /// with drawings, or Markdown; for any number of files, one row each as CSV or as a line of JSON
     #[arg(long, value_enum, default_value_t = CasesFormat::Text)]
     pub(crate) format: CasesFormat,
 
-    /// Units of text, report and csv; without this, those that most of the case file is written in, and SI for csv
+    /// Units of text, report and csv; the default is the units that most of the case file uses, and SI for
+    /// csv
     #[arg(long, value_enum)]
     pub(crate) units: Option<UnitSystem>,
 
-    /// Threads to work on csv and jsonl; without this, one for each processor
+    /// Number of threads for csv and jsonl; the default is one for each processor
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
 
@@ -251,7 +270,7 @@ pub(crate) struct NewArguments {
     #[arg(long, value_enum, default_value_t = Template::FrontSide)]
     pub(crate) template: Template,
 
-    /// Units of the numbers, which are round in them
+    /// Units of the numbers; they are round in either
     #[arg(long, value_enum, default_value_t = CaseUnits::Si)]
     pub(crate) units: CaseUnits,
 
@@ -298,7 +317,7 @@ pub(crate) struct CompletionsArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct ManArguments {
-    /// Write the pages of the program and of each command into DIR, which is made where there is none
+    /// Write the pages of the program and of each command into DIR, which is created if needed
     #[arg(long, value_name = "DIR")]
     pub(crate) output_dir: Option<PathBuf>,
 }
@@ -313,7 +332,7 @@ pub(crate) struct ReportArguments {
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
     pub(crate) format: ReportFormat,
 
-    /// Units of the text; without this, those that most of the case file is written in
+    /// Units of the text; the default is the units that most of the case file uses
     #[arg(long, value_enum)]
     pub(crate) units: Option<UnitSystem>,
 
@@ -339,11 +358,11 @@ pub(crate) struct DrawArguments {
     #[arg(long, value_enum)]
     pub(crate) what: What,
 
-    /// Units of the drawing; without this, those that most of the case file is written in
+    /// Units of the drawing; the default is the units that most of the case file uses
     #[arg(long, value_enum)]
     pub(crate) units: Option<UnitSystem>,
 
-    /// Write to FILE, whose name ends in .svg or .png; without this, SVG to standard output
+    /// Write to FILE, which must end in .svg or .png; without this option, SVG goes to standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 }
@@ -354,7 +373,7 @@ pub(crate) enum What {
     Scene,
     /// Each damaged vehicle with its crush profile in place
     Damage,
-    /// Work of the normal impulse over the speed sought
+    /// Work of the normal impulse against the speed sought
     Reconciliation,
     /// Where the initial kinetic energy went
     Energy,
@@ -365,11 +384,11 @@ pub(crate) struct SensitivityArguments {
     #[command(flatten)]
     pub(crate) arguments: Arguments,
 
-    /// Degrees from one direction of force to the next
+    /// Step of the PDOF sweep in degrees
     #[arg(long, value_name = "DEGREES", default_value_t = 5.0, value_parser = degrees, allow_negative_numbers = true)]
     pub(crate) pdof_step: f64,
 
-    /// Directions of force to each side of the nominal one
+    /// Number of steps to each side of the nominal direction
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(0..=180))]
     pub(crate) pdof_steps: u32,
 }
@@ -379,31 +398,33 @@ pub(crate) struct UncertaintyArguments {
     #[command(flatten)]
     pub(crate) arguments: Arguments,
 
-    /// How many samples; four times as many halve the standard errors
+    /// Number of samples; four times as many halve the standard errors
     #[arg(long, value_name = "N", default_value = "100000", value_parser = count)]
     pub(crate) samples: usize,
 
-    /// Where the random numbers begin
+    /// Random seed
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     pub(crate) seed: u64,
 
-    /// Threads to work on; without this, one for each processor
+    /// Number of threads; the default is one for each processor
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
 
-    /// How the samples are laid
+    /// Sampling method
     #[arg(long, value_enum, default_value_t = Method::MonteCarlo)]
     pub(crate) method: Method,
 
-    /// Also compute Sobol' indices: how much of the variance each input brings. ROWS times as many evaluations as there are uncertain inputs, and two more
+    /// Also compute Sobol' indices: the share of the variance that each input causes. This takes ROWS ×
+    /// (number of uncertain inputs + 2) evaluations
     #[arg(long, value_name = "ROWS", num_args = 0..=1, require_equals = true, default_missing_value = "4096", value_parser = rows)]
     pub(crate) sobol: Option<usize>,
 
-    /// Also write every sample, with its inputs, to FILE as CSV (SI units and radians); no .toml file is overwritten
+    /// Also write every sample and its inputs to FILE as CSV (SI units and radians); a .toml file is not
+    /// overwritten
     #[arg(long, value_name = "FILE")]
     pub(crate) samples_out: Option<PathBuf>,
 
-    /// Also write a histogram and a tornado of each result into DIR as SVG, which is made where there is none
+    /// Also write a histogram and a tornado of each result as SVG into DIR, which is created if needed
     #[arg(long, value_name = "DIR")]
     pub(crate) plots: Option<PathBuf>,
 }
@@ -414,7 +435,7 @@ pub(crate) enum Method {
     MonteCarlo,
     /// Each range divided into equal shares, one point in each
     LatinHypercube,
-    /// Scrambled Sobol' points, best where N is a power of two
+    /// Scrambled Sobol' points, best if N is a power of two
     Sobol,
 }
 
@@ -457,7 +478,8 @@ pub(crate) struct ValidateArguments {
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Also write the plots computed-against-measured.svg and reconstructed-speed.svg into DIR, which is made where there is none
+    /// Also write the plots computed-against-measured.svg and reconstructed-speed.svg into DIR, which is
+    /// created if needed
     #[arg(long, value_name = "DIR")]
     pub(crate) plots: Option<PathBuf>,
 }
@@ -478,7 +500,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,
 
-    /// Units of the text; without this, those that most of the case file is written in
+    /// Units of the text; the default is the units that most of the case file uses
     #[arg(long, value_enum)]
     pub(crate) units: Option<UnitSystem>,
 

@@ -35,7 +35,7 @@ impl fmt::Display for Incomplete {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Failed { failed, total } => {
-                write!(f, "{failed} of {total} case files without an answer: their rows say why")
+                write!(f, "{failed} of {total} cases failed; see the error in their rows")
             }
             Self::Ended { done, total } => {
                 write!(f, "ended by Ctrl-C: rows of the first {done} of {total} case files are written")

@@ -380,9 +380,9 @@ fn the_sweep_says_what_the_file_gives() {
     assert_eq!(nominal["oblique_angle"][0], alone["vehicle1"]["oblique_angle"]);
     let text = String::from_utf8(printed(&["sensitivity", "-"], &case)).unwrap();
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(text.contains("The moment arm of vehicle 1 is held at the value that the file gives."), "{text}");
+    assert!(text.contains("The moment arm of vehicle 1 keeps the value that the file gives."), "{text}");
     assert!(
-        text.contains("The oblique angle of vehicle 1 starts from the one that the file gives"),
+        text.contains("The oblique angle of vehicle 1 starts at the value that the file gives"),
         "{text}"
     );
 }

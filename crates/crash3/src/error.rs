@@ -5,7 +5,7 @@
 #[non_exhaustive]
 pub enum CrushError {
     /// NaN or infinite.
-    #[error("the {what} must be a finite number, and is {value}")]
+    #[error("the {what} is {value}, but must be a finite number")]
     NotFinite {
         /// Which quantity.
         what: &'static str,
@@ -13,7 +13,7 @@ pub enum CrushError {
         value: f64,
     },
     /// Zero or negative where physics asks for a positive number.
-    #[error("the {what} must be greater than zero, and is {value}")]
+    #[error("the {what} is {value}, but must be greater than zero")]
     NotPositive {
         /// Which quantity.
         what: &'static str,
@@ -21,7 +21,7 @@ pub enum CrushError {
         value: f64,
     },
     /// Below zero.
-    #[error("the {what} must not be negative, and is {value}")]
+    #[error("the {what} is {value}, but must not be negative")]
     Negative {
         /// Which quantity.
         what: &'static str,
@@ -29,13 +29,13 @@ pub enum CrushError {
         value: f64,
     },
     /// A profile needs two stations or more.
-    #[error("a crush profile needs at least 2 stations, and has {stations}")]
+    #[error("a crush profile needs at least 2 stations, but has {stations}")]
     TooFewStations {
         /// Their number.
         stations: usize,
     },
     /// One spacing lies between each two neighbouring stations.
-    #[error("{stations} stations need {} spacings between them, and {spacings} are given", .stations - 1)]
+    #[error("{stations} stations need {} spacings between them, but {spacings} are given", .stations - 1)]
     SpacingCount {
         /// Number of stations.
         stations: usize,
@@ -43,7 +43,7 @@ pub enum CrushError {
         spacings: usize,
     },
     /// G = A²/2B does not exist for B = 0.
-    #[error("with B = 0 the energy G cannot follow as A²/2B: give G")]
+    #[error("with B = 0, G cannot be computed as A²/2B; give G")]
     NoRise,
     /// The force would come from behind the damaged side.
     #[error(
@@ -56,7 +56,8 @@ pub enum CrushError {
     },
     /// The force cannot be limited to less than it begins with.
     #[error(
-        "the force per width cannot be limited to {limit:.0} N/m where A, at which crush begins, is {a:.0} N/m"
+        "the limit of the force per width is {limit:.0} N/m, but must be at least A = {a:.0} N/m, at which \
+         crush begins"
     )]
     LimitBelowStart {
         /// (N/m) F_s.
@@ -65,7 +66,7 @@ pub enum CrushError {
         a: f64,
     },
     /// Each zone between two stations has its own stiffness.
-    #[error("the profile has {zones} zones between its stations, and stiffness is given for {stiffnesses}")]
+    #[error("the profile has {zones} zones between its stations, but stiffness is given for {stiffnesses}")]
     ZoneCount {
         /// Number of zones.
         zones: usize,
@@ -74,8 +75,8 @@ pub enum CrushError {
     },
     /// A barrier test at this speed would leave no crush.
     #[error(
-        "the barrier test at {speed:.3} m/s crushed the car, so the speed without damage must be less than that, and is \
-         {no_damage_speed:.3} m/s"
+        "the speed without damage is {no_damage_speed:.3} m/s, but must be less than {speed:.3} m/s, at \
+         which the barrier test crushed the car"
     )]
     NoDamageSpeed {
         /// (m/s) b_0.
@@ -83,10 +84,10 @@ pub enum CrushError {
         /// (m/s) V.
         speed: f64,
     },
-    /// A barrier test without crush tells no stiffness.
+    /// No stiffness follows from a barrier test without crush.
     #[error("the barrier test left no crush, so no stiffness follows from it")]
     NoCrushInTest,
-    /// A stiffness category that CRASH3 has not.
+    /// No such CRASH3 stiffness category.
     #[error("CRASH3 has no stiffness category {category} for the {side}: it has {known}")]
     NoCategory {
         /// As asked for.
@@ -96,7 +97,7 @@ pub enum CrushError {
         /// Those that there are.
         known: &'static str,
     },
-    /// A size class that CRASH3 has not.
+    /// No such CRASH3 size class.
     #[error("CRASH3 has no vehicle class {class}: it has {known}")]
     NoClass {
         /// As asked for.
@@ -106,8 +107,8 @@ pub enum CrushError {
     },
     /// The force balance asks more of a structure than it can bear.
     #[error(
-        "the force of the other vehicle asks for {force_per_width:.0} N/m, more than the {limit:.0} N/m to which the force per \
-         width is limited: the crush cannot be inferred"
+        "the force of the other vehicle requires {force_per_width:.0} N/m, more than the limit of \
+         {limit:.0} N/m, so the crush cannot be inferred"
     )]
     ForceAboveLimit {
         /// (N/m) as asked for.
@@ -116,12 +117,12 @@ pub enum CrushError {
         limit: f64,
     },
     /// With B = 0 every crush has the same force.
-    #[error("with B = 0 the force is the same at every depth: the crush cannot be inferred from it")]
+    #[error("with B = 0 the force is the same at every depth, so the crush cannot be inferred from it")]
     NoCrushFromForce,
     /// Not even a crush as deep as the CG and as wide as the side bears the force.
     #[error(
-        "the force of the other vehicle is {force:.0} N, and the damaged side bears no more than {most:.0} N even where it is \
-         crushed over its whole length and as deep as the centre of gravity"
+        "the force of the other vehicle is {force:.0} N, but the damaged side can bear no more than \
+         {most:.0} N, even if it is crushed over its whole length and as deep as the centre of gravity"
     )]
     ForceTooGreat {
         /// (N) normal to the side.
@@ -130,13 +131,13 @@ pub enum CrushError {
         most: f64,
     },
     /// The restitution leaves no dissipated energy, or is not a coefficient of restitution at all.
-    #[error("the coefficient of restitution must be at least 0 and less than 1, and is {value}")]
+    #[error("the coefficient of restitution is {value}, but must be at least 0 and less than 1")]
     Restitution {
         /// e.
         value: f64,
     },
     /// Both sides are fixed.
-    #[error("both vehicles are fixed: at least one must be able to move")]
+    #[error("both vehicles are fixed, but at least one must be able to move")]
     BothFixed,
 }
 

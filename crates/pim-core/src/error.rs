@@ -5,7 +5,7 @@
 #[non_exhaustive]
 pub enum InvalidInput {
     /// NaN or infinite.
-    #[error("the {what} must be a finite number, and is {value}")]
+    #[error("the {what} is {value}, but must be a finite number")]
     NotFinite {
         /// Which quantity.
         what: &'static str,
@@ -13,7 +13,7 @@ pub enum InvalidInput {
         value: f64,
     },
     /// Zero or negative where physics asks for a positive number.
-    #[error("the {what} must be greater than zero, and is {value}")]
+    #[error("the {what} is {value}, but must be greater than zero")]
     NotPositive {
         /// Which quantity.
         what: &'static str,
@@ -21,7 +21,7 @@ pub enum InvalidInput {
         value: f64,
     },
     /// Outside the interval that the quantity is defined on.
-    #[error("the {what} must lie between {low} and {high}, and is {value}")]
+    #[error("the {what} is {value}, but must lie between {low} and {high}")]
     OutOfRange {
         /// Which quantity.
         what: &'static str,
@@ -44,7 +44,7 @@ pub enum InvalidInput {
         value: f64,
     },
     /// Two fixed bodies cannot collide.
-    #[error("both bodies are fixed: at least one must be able to move")]
+    #[error("both bodies are fixed, but at least one must be able to move")]
     BothFixed,
     /// A fixed body was given a velocity or a yaw rate.
     #[error("body {body} is fixed and cannot have a velocity or a yaw rate")]
@@ -76,7 +76,7 @@ pub enum ImpactError {
     /// u_n ≥ 0: the contact points do not approach each other.
     #[error(
         "the vehicles do not approach each other at the contact point: the normal relative velocity u_n is \
-         {u_n:.6} m/s and would have to be negative; check the headings, the speeds and the crush plane"
+         {u_n:.6} m/s, but must be negative; check the headings, the speeds and the crush plane"
     )]
     NotApproaching {
         /// (m/s) normal component of the relative velocity at C before impact.
@@ -85,9 +85,10 @@ pub enum ImpactError {
     /// k_nn + μ k_nt ≤ 0: the geometry jams before the normal velocity can reverse.
     #[error(
         "the contact jams: with the impulse ratio μ = {impulse_ratio:.6} the impulse would have to be infinite \
-         or negative, since k_nn + μ k_nt = {k_nn:.6e} + {impulse_ratio:.6} × {k_nt:.6e} 1/kg is not positive; \
-         this geometry needs μ {} {:.6}: check its sign and its decimal point, and the contact points, or give a friction limit \
-         instead, against which nothing jams", if *.k_nt > 0.0 { "above" } else { "below" }, -.k_nn / .k_nt
+         or negative, because k_nn + μ k_nt = {k_nn:.6e} + {impulse_ratio:.6} × {k_nt:.6e} 1/kg is not \
+         positive; \
+         this geometry needs μ {} {:.6}: check its sign and decimal point and the contact points, or give a \
+         friction limit instead; the friction law cannot jam", if *.k_nt > 0.0 { "above" } else { "below" }, -.k_nn / .k_nt
     )]
     Jam {
         /// μ = P_t/P_n.
@@ -100,9 +101,10 @@ pub enum ImpactError {
     /// The tangential condition, such as a common tangential velocity at C, would need P_n ≤ 0: the vehicles would have to
     /// pull at each other.
     #[error(
-        "the tangential condition would need the vehicles to pull at each other (P_n = {normal_impulse:.6} N·s): they \
-         slide too fast for this geometry; check the contact points and the crush plane, or, if the surfaces did slide \
-         until they parted, give a friction limit or an impulse ratio instead"
+        "the tangential condition would require the vehicles to pull on each other (P_n = \
+         {normal_impulse:.6} N·s), because they slide too fast for this geometry; check the contact points \
+         and the crush plane or, if the surfaces did slide until they separated, give a friction limit or \
+         an impulse ratio instead"
     )]
     Pulling {
         /// (N·s) the normal impulse that the conditions ask for.

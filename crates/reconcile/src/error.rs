@@ -8,7 +8,8 @@ use pim_core::{ImpactError, InvalidInput};
 pub enum ReconcileError {
     /// There is nothing to match.
     #[error(
-        "the crush energy must be greater than zero, and is {energy} J: without crush there is no speed to find; check \
+        "the crush energy is {energy} J, but must be greater than zero, because without crush there is no \
+         speed to find; check \
          the depths and the stiffness of both vehicles"
     )]
     NoCrushEnergy {
@@ -17,24 +18,24 @@ pub enum ReconcileError {
     },
     /// e = 1: W_n is zero at every speed.
     #[error(
-        "with a restitution of {restitution} the normal impulse takes no energy at any speed, so that no speed \
-         can match the crush energy; give a restitution below 1, as vehicles that stay crushed have"
+        "with a restitution of {restitution} the normal impulse dissipates no energy at any speed, so no \
+         speed fits the crush energy; give a restitution below 1"
     )]
     NoRestitutionLoss {
         /// e.
         restitution: f64,
     },
     /// The vehicle whose speed is sought is a barrier.
-    #[error(
-        "vehicle {vehicle} is fixed and has no speed that could be found; find the other vehicle's speed"
-    )]
+    #[error("vehicle {vehicle} is fixed and has no speed to find; find the other vehicle's speed")]
     Fixed {
         /// 1 or 2.
         vehicle: usize,
     },
     /// The vehicle moves along the crush plane, so that its speed does not change u_n.
     #[error(
-        "vehicle {vehicle} heads along the crush plane (at 90° to its normal but for a cosine of {cosine:.1e}), so that its speed does not change the normal work; check its heading and the crush plane, or find \
+        "vehicle {vehicle} heads along the crush plane (at 90° to its normal but for a cosine of \
+         {cosine:.1e}), so its speed does not change the normal work; check its heading and the crush \
+         plane, or find \
          the other vehicle's speed instead"
     )]
     SpeedWithoutEffect {
@@ -70,7 +71,8 @@ pub enum ReconcileError {
     Impact(#[from] ImpactError),
     /// The root-finder stopped short of its tolerance.
     #[error(
-        "the search for the speed did not settle: {last:.9} m/s still misses the crush energy by {residual:.3e} J; check \
+        "the search for the speed did not converge: {last:.9} m/s still misses the crush energy by \
+         {residual:.3e} J; check \
          the input for extreme values, or try another tangential condition"
     )]
     NotConverged {

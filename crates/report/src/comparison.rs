@@ -211,7 +211,8 @@ pub fn comparison_text(case: &Case, comparison: &Comparison, units: Units) -> St
     );
     text.push_str("\nCoefficients\n");
     for row in &rows {
-        let sliding = if row.values.regime == Some("sliding") { "; slides to the end" } else { "" };
+        let sliding =
+            if row.values.regime == Some("sliding") { "; sliding continues until separation" } else { "" };
         let assumed = match row.assumed {
             "" => String::new(),
             assumed => format!("; assumed: {assumed}"),

@@ -24,10 +24,11 @@ pub(crate) fn notes(analysis: &Analysis, units: Units) -> Vec<String> {
         let size = if is_warned {
             "Friction alone cannot do that: see the warning sliding-driven."
         } else {
-            "That is within what coefficients fitted to staged collisions leave (deltav explain sliding-driven)."
+            "Coefficients fitted to staged collisions leave as much (deltav explain sliding-driven)."
         };
         notes.push(format!(
-            "W_t is negative: the tangential impulse acts along the mean sliding velocity, not against it, and adds {} to the motion, {} % of E_L. {size}",
+            "W_t is negative: the tangential impulse acts along the mean sliding velocity instead of \
+             against it, and adds {} to the motion, {} % of E_L. {size}",
             printed(-energy.tangential_work),
             number(-100.0 * energy.tangential_work / energy.loss, 1)
         ));
@@ -36,7 +37,8 @@ pub(crate) fn notes(analysis: &Analysis, units: Units) -> Vec<String> {
         || !adds_up(energy, |work| (1000.0 * work / energy.before).round())
     {
         notes.push(
-            "Each figure is rounded by itself: a sum of printed figures may be off by one in the last digit."
+            "Each figure is rounded separately, so a sum of printed figures may be off by one in the last \
+             digit."
                 .to_owned(),
         );
     }

@@ -20,8 +20,9 @@ pub fn no_answer(failure: &Failure, units: Units) -> String {
             if nearest.speed.abs() > reconcile::FASTEST =>
         {
             format!(
-                "no speed of vehicle {vehicle} up to {} makes the work of the normal impulse equal to {}: that takes {}, where it is {}; the \
-                 heading lies nearly along the crush plane, or the crush energy is far too large; check `crush_plane`, the angle of the normal, the \
+                "no speed of vehicle {vehicle} up to {} makes the work of the normal impulse equal to {}; \
+                 it would take {}, which gives {}; either the heading lies nearly along the crush plane, or \
+                 the crush energy is far too large; check `crush_plane`, the angle of the normal, the \
                  headings, and the units of depths, widths and stiffness",
                 fastest(units),
                 units.format(Quantity::Energy, *energy),
@@ -31,7 +32,7 @@ pub fn no_answer(failure: &Failure, units: Units) -> String {
         }
         Failure::NotReached { vehicle, energy, nearest: Ok(nearest) } => {
             let nearest = format!(
-                "; the nearest is {}, at {}",
+                "; the closest is {}, at {}",
                 units.format(Quantity::Energy, nearest.normal_work),
                 units.speed(nearest.speed)
             );
@@ -48,7 +49,8 @@ fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
         ReconcileError::Impact(reason) => of_impact(reason, units),
         ReconcileError::NotReached { vehicle, energy } => not_reached(*vehicle, *energy, "", units),
         ReconcileError::NoCrushEnergy { energy } => format!(
-            "the crush energy must be greater than zero, and is {}: without crush there is no speed to find; check the depths and the stiffness \
+            "the crush energy is {}, but must be greater than zero, because without crush there is no speed \
+             to find; check the depths and the stiffness \
              of both vehicles",
             units.format(Quantity::Energy, *energy)
         ),
@@ -58,12 +60,13 @@ fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
             of_impact(reason, units)
         ),
         ReconcileError::SpeedWithoutEffect { vehicle, .. } => format!(
-            "vehicle {vehicle} heads along the crush plane, at right angles to its normal, so that its speed does not change the normal work; \
-             `crush_plane` is the angle of the normal, not of the plane, so check whether it is 90° off, and the heading, or find the other \
-             vehicle's speed instead"
+            "vehicle {vehicle} heads along the crush plane, at right angles to its normal, so its speed \
+             does not change the normal work; `crush_plane` is the angle of the normal, not of the plane, \
+             so check whether it is 90° off, check the heading, or find the other vehicle's speed instead"
         ),
         ReconcileError::NotConverged { last, residual } => format!(
-            "the search for the speed did not settle: {} still misses the crush energy by {}; check the input for extreme values, or try another \
+            "the search for the speed did not converge: {} still misses the crush energy by {}; check the \
+             input for extreme values, or try another \
              tangential condition",
             units.speed(*last),
             units.format(Quantity::Energy, *residual)
@@ -90,20 +93,22 @@ fn fastest(units: Units) -> String {
 fn of_impact(refusal: &ImpactError, units: Units) -> String {
     match refusal {
         ImpactError::NotApproaching { u_n } => format!(
-            "the vehicles do not approach each other at the contact point: the normal relative velocity u_n is {} and would have to be negative; \
-             check the headings, the speeds and the crush plane",
+            "the vehicles do not approach each other at the contact point: the normal relative velocity u_n \
+             is {}, but must be negative; check the headings, the speeds and the crush plane",
             units.format(Quantity::Speed, *u_n)
         ),
         ImpactError::Jam { impulse_ratio, k_nn, k_nt } => format!(
-            "the contact jams: with the impulse ratio μ = {impulse_ratio} the impulse would have to be infinite or negative, since k_nn + μ k_nt is \
-             not positive; this geometry needs μ {} {}: check its sign and its decimal point, and the contact points, or give a friction limit \
-             instead, against which nothing jams",
+            "the contact jams: with the impulse ratio μ = {impulse_ratio} the impulse would have to be \
+             infinite or negative, because k_nn + μ k_nt is not positive; this geometry needs μ {} {}: \
+             check its sign and decimal point and the contact points, or give a friction limit instead; the \
+             friction law cannot jam",
             if *k_nt > 0.0 { "above" } else { "below" },
             number(-k_nn / k_nt, 4)
         ),
         ImpactError::Pulling { normal_impulse } => format!(
-            "the tangential condition would need the vehicles to pull at each other (P_n = {}): they slide too fast for this geometry; check the \
-             contact points and the crush plane, or, if the surfaces did slide until they parted, give a friction limit or an impulse ratio instead",
+            "the tangential condition would require the vehicles to pull on each other (P_n = {}), because \
+             they slide too fast for this geometry; check the contact points and the crush plane or, if the \
+             surfaces did slide until they separated, give a friction limit or an impulse ratio instead",
             units.format(Quantity::Impulse, *normal_impulse)
         ),
         ImpactError::EnergyCreated { loss, normal_work, tangential_work, moment_work } => {
@@ -128,14 +133,15 @@ fn of_impact(refusal: &ImpactError, units: Units) -> String {
 fn of_crush(refusal: &CrushError, units: Units) -> String {
     match refusal {
         CrushError::ForceAboveLimit { force_per_width, limit } => format!(
-            "the force of the other vehicle asks for {} of width, more than the {} to which the force per width is limited: the crush cannot be \
-             inferred; check the limit, the stiffness and the other vehicle's crush",
+            "the force of the other vehicle requires {} of width, more than the limit of {}, so the crush \
+             cannot be inferred; check the limit, the stiffness and the other vehicle's crush",
             units.format(Quantity::StiffnessA, *force_per_width),
             units.format(Quantity::StiffnessA, *limit)
         ),
         CrushError::ForceTooGreat { force, most } => format!(
-            "the force of the other vehicle is {}, and the damaged side bears no more than {} even where it is crushed over its whole length and as \
-             deep as the centre of gravity; check the stiffness of both vehicles and the other vehicle's crush",
+            "the force of the other vehicle is {}, but the damaged side can bear no more than {}, even if \
+             it is crushed over its whole length and as deep as the centre of gravity; check the stiffness \
+             of both vehicles and the other vehicle's crush",
             units.format(Quantity::Force, *force),
             units.format(Quantity::Force, *most)
         ),

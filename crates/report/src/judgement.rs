@@ -19,7 +19,7 @@ use crate::wrap::{LINE, first_cell, hanging};
 /// Over what the file says in words.
 pub(crate) const CHOICES: &str = "Choices";
 /// Over what stands in for what it does not say.
-pub(crate) const ASSUMED: &str = "Assumed, since the file does not say it";
+pub(crate) const ASSUMED: &str = "Assumed, because the file does not say";
 /// Width of the first column: the longest of the keys that are usual.
 const KEY: usize = 38;
 /// Width of the column of what the file says.
@@ -86,7 +86,7 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
         line(&format!("Source: {source}"));
     }
     line("");
-    line("The file reads without an error. It was judged, not solved.");
+    line("The case file is valid. It has been checked but not solved.");
 
     line("");
     numbers(case).iter().for_each(|row| line(row));
@@ -135,7 +135,7 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
     }
     text.push('\n');
     if judgement.warnings.is_empty() {
-        text.push_str("No warnings as far as they can be told without solving the case.\n");
+        text.push_str("No warnings (checks that need a solution were not run).\n");
     }
     let seen: Vec<Warning> = judgement.warnings.iter().map(|warning| warning.in_axes(case.axes)).collect();
     text.push_str(&warnings::lines(&seen, units, case.axes, LINE));
@@ -413,10 +413,11 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
             units.format(Quantity::YawInertia, *yaw_inertia)
         ),
         Assumption::Outline { class, .. } => format!(
-            "not given, nor `width`, `cg_to_front` or `class`: drawings take the outline of CRASH3's size class {class}, nearest by radius of gyration"
+            "neither this nor `width`, `cg_to_front` or `class` is given: drawings use the outline of \
+             CRASH3's size class {class}, which has the nearest radius of gyration"
         ),
         Assumption::SpeedUnused { given, .. } => format!(
-            "unknown: this is the speed to be found, and the {} that the file gives is not used",
+            "unknown: this is the speed to find; the {} that the file gives is not used",
             units.format(Quantity::Speed, *given)
         ),
         Assumption::EqualSpacing { .. } => "equal: the stations divide the width into equal parts".to_owned(),
@@ -424,9 +425,11 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
             let values: Vec<String> = g.iter().map(|&si| units.format(Quantity::StiffnessG, si)).collect();
             format!("A²/2B (d0²/2) = {}", values.join(", "))
         }
-        Assumption::ExactFit { .. } => "exact: the line gives the test's kinetic energy back".to_owned(),
+        Assumption::ExactFit { .. } => "exact: the line reproduces the test's kinetic energy".to_owned(),
         Assumption::InferredWidth { .. } => {
-            "unknown: that of the measured damage, within what the vehicle's dimensions allow".to_owned()
+            "unknown: the width of the measured damage is used, within what the vehicle's dimensions \
+             allow"
+                .to_owned()
         }
         Assumption::Centred { side, .. } => {
             format!("0: the middle of the damage lies {}", words::undisplaced(*side))
@@ -434,16 +437,14 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
         Assumption::Pdof { opposite: Some(pdof), .. } => {
             format!("{}, opposite to the force on the other vehicle", units.format(Quantity::Angle, *pdof))
         }
-        Assumption::Pdof { opposite: None, .. } => {
-            "that of the impulse, where an impact is computed".to_owned()
-        }
+        Assumption::Pdof { opposite: None, .. } => "that of the impulse, if an impact is computed".to_owned(),
         Assumption::CappedCorrection { .. } => {
             "capped: 1 + tan²α, with α at most 45°, a factor of 2".to_owned()
         }
         Assumption::BrachLaw => "brach".to_owned(),
         Assumption::NoMoment => "-1: no moment impulse".to_owned(),
         Assumption::Dissipated => {
-            "dissipated: the crush energy is what the normal impulse dissipates".to_owned()
+            "dissipated: the crush energy is the energy that the normal impulse dissipates".to_owned()
         }
     }
 }

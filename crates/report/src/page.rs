@@ -178,11 +178,12 @@ fn method(analysis: &Analysis, axes: Axes) -> Vec<String> {
         let (agreement, basis) = match analysis.basis {
             EnergyBasis::Dissipated => (
                 "equals the crush energy",
-                "The crush energy is taken as the energy that the normal impulse dissipates, as in the paper.",
+                "The crush energy is the energy that the normal impulse dissipates, as the paper assumes.",
             ),
             EnergyBasis::Absorbed => (
                 "is (1 − e²) times the crush energy",
-                "The crush energy is taken as the energy absorbed at maximum engagement, of which restitution gives the share e² back.",
+                "The crush energy is the energy absorbed at maximum engagement, of which restitution \
+                 returns the share e².",
             ),
         };
         let way = search(found);
@@ -212,7 +213,8 @@ fn method(analysis: &Analysis, axes: Axes) -> Vec<String> {
     }
     paragraphs.push(format!(
         "The method is that of R. M. Brach and R. M. Brach, Crush Energy and Planar Impact Mechanics for Accident Reconstruction, SAE 980025 (1998). Eq n names \
-         equation n of that paper, its misprints mended; theory n is section n of docs/theory.md, which derives the equations and lists the misprints. \
+         equation n of that paper, with its misprints corrected; theory n is section n of docs/theory.md, \
+         which derives the equations and lists the misprints. \
          {}; n points from vehicle 2 to vehicle 1, t is n turned by +90°.",
         axes::conventions(axes)
     ));
@@ -313,11 +315,13 @@ fn consistency(analysis: &Analysis, units: Units) -> Option<Table> {
 /// What the analysis rests on besides the numbers.
 fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String> {
     let mut assumptions = vec![
-        "Two rigid bodies in the plane, one impact without duration: no tyre forces during it, no change of position or of inertia by the crush.".to_owned(),
+        "Two rigid bodies collide in the plane in one instantaneous impact, without tyre forces; the crush \
+         changes neither positions nor inertias."
+            .to_owned(),
     ];
     if let Some(impact) = &file.case.impact {
         assumptions.push(format!(
-            "Impact law: {}, with {}. Contact point, crush plane and coefficients are the analyst's.",
+            "Impact law: {}, with {}. The analyst chose contact point, crush plane and coefficients.",
             law::name(&impact.law),
             law::coefficients(&impact.law, units)
         ));

@@ -195,7 +195,8 @@ fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units, case: &Case
     if sensitivity.pdof_sweep.is_empty() {
         text.push('\n');
         text.push_str(&wrapped(
-            "No sweep of the PDOF: it needs the damage and the PDOF of both vehicles, and of each its contact point or its outline.",
+            "No PDOF sweep: it needs the damage, the PDOF and either the contact point or the outline of \
+             both vehicles.",
         ));
         return;
     }
@@ -247,17 +248,19 @@ fn sweep(text: &mut String, sensitivity: &Sensitivity, units: Units, case: &Case
     let mut given = String::new();
     let held = given_in_sweep(sensitivity, |damage| damage.moment_arm);
     if !held.is_empty() {
-        given.push_str(&format!(" The moment arm {} is held at the value that the file gives.", of(&held)));
+        given.push_str(&format!("  The moment arm {} keeps the value that the file gives.", of(&held)));
     }
     let turned = given_in_sweep(sensitivity, |damage| damage.oblique_angle);
     if !turned.is_empty() {
         given.push_str(&format!(
-            " The oblique angle {} starts from the one that the file gives, clockwise positive, and turns with the PDOF.",
+            "  The oblique angle {} starts at the value that the file gives, clockwise positive, and turns \
+             with the PDOF.",
             of(&turned)
         ));
     }
     text.push_str(&wrapped(&format!(
         "The lines of action are turned about the points through which the forces act, {sense}; moment arms \
-         and angles to the damaged sides follow.{given} \"corrected\" is by the correction that the case asks for; all are without restitution (Eq 6–8).",
+         and angles to the damaged sides follow.{given} \"corrected\" uses the correction that the case \
+         asks for; all values are without restitution (Eq 6–8).",
     )));
 }

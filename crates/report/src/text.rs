@@ -393,14 +393,14 @@ impl Page {
         if let Some(regime) = outcome.regime {
             let regime = match regime {
                 Regime::Full => "sufficient for the tangential condition",
-                Regime::Sliding => "insufficient: the surfaces slide to the end",
+                Regime::Sliding => "insufficient: sliding continues until separation",
             };
             rows.value("friction", regime, "theory 3");
         }
         rows.value("impulse ratio μ = P_t/P_n", &number(outcome.impulse_ratio, 4), "theory 3");
         let critical = outcome
             .critical_impulse_ratio
-            .map_or_else(|| "none: no push ends the sliding".to_owned(), |critical| number(critical, 4));
+            .map_or_else(|| "none: no push can end the sliding".to_owned(), |critical| number(critical, 4));
         rows.value("critical impulse ratio μ_c", &critical, "theory 3");
         rows.value(
             "direction of the impulse",
@@ -596,7 +596,8 @@ impl Page {
     fn sources(&mut self) {
         self.line("");
         self.paragraph(&format!(
-            "Sources: Eq n is equation n of Brach & Brach, SAE 980025 (1998), its misprints mended; theory n is section n of \
+            "Sources: Eq n is equation n of Brach & Brach, SAE 980025 (1998), with its misprints corrected; \
+             theory n is section n of \
              docs/theory.md. {}; n points from vehicle 2 to vehicle 1.",
             axes::conventions(self.axes)
         ));

@@ -11,7 +11,8 @@ use crate::words;
 use crate::wrap::{LINE, wrapped_within};
 
 /// Where more is said of a warning.
-pub(crate) const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to check; its code stands in brackets.";
+pub(crate) const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to \
+check; the code is in brackets.";
 
 /// The warnings of an analysis as text, to stand under what was made of it; empty where there are none.
 #[must_use]
@@ -56,13 +57,13 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
                 .to_owned()
         }
         Warning::ContactOutside { vehicle, distance } => format!(
-            "the contact point lies {} outside of the outline of vehicle {vehicle}; the resultant impulse acts \
-             within the damage",
+            "the contact point lies {} outside the outline of vehicle {vehicle}, but the resultant impulse \
+             acts within the damage",
             units.format(Quantity::Length, *distance)
         ),
         Warning::HighRestitution { restitution, closing_speed } => format!(
-            "a restitution of {restitution} at a closing speed of {} is high: above 15 m/s (49 ft/s) tests show 0.3 \
-             and less",
+            "a restitution of {restitution} at a closing speed of {} is high: above 15 m/s (49 ft/s), tests \
+             show 0.3 or less",
             speed(*closing_speed)
         ),
         Warning::ForceBalance { forces: [f1, f2] } => {
@@ -73,8 +74,8 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
                 String::new()
             };
             format!(
-                "the peak forces that the crush stands for differ{differ}: {} on vehicle 1, {} on vehicle 2; by \
-                 Newton's third law they are equal, so check stiffness, damage width and depths",
+                "the peak forces that follow from the crush differ{differ}: {} on vehicle 1, {} on vehicle \
+                 2; by Newton's third law they must be equal, so check stiffness, damage width and depths",
                 units.format(Quantity::Force, *f1),
                 units.format(Quantity::Force, *f2)
             )
@@ -90,8 +91,9 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
             angle(*oblique_angle)
         ),
         Warning::SideNotPushed { vehicle, oblique_angle } => format!(
-            "the force on vehicle {vehicle} makes an angle of {} with the normal of the damaged side, so it does not \
-             push on that side: no corrected energy, peak force and ΔV follow; check side, PDOF and headings",
+            "the force on vehicle {vehicle} makes an angle of {} with the normal of the damaged side, so it \
+             does not push on that side, and there is no corrected energy, peak force or ΔV; check side, \
+             PDOF and headings",
             angle(*oblique_angle)
         ),
         Warning::DeltaVDiffers { impact, crash3, restitution } => {
@@ -109,18 +111,20 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
         Warning::SeveralSpeeds { speeds } => {
             let all: Vec<String> = speeds.iter().map(|&si| speed(si)).collect();
             format!(
-                "{} speeds give the crush energy: {}; the answer is the first, that with the slowest approach",
+                "{} speeds give the crush energy: {}; the answer is the first, which has the slowest \
+                 approach",
                 speeds.len(),
                 all.join(", ")
             )
         }
         Warning::MovesBackward { vehicle, speed: si, found: true } => format!(
-            "the speed found for vehicle {vehicle} is {}: it would have moved backwards; check the heading and the \
-             crush energy",
+            "the speed found for vehicle {vehicle} is {}, so it would have moved backwards; check the \
+             heading and the crush energy",
             speed(*si)
         ),
         Warning::MovesBackward { vehicle, speed: si, found: false } => format!(
-            "the speed given for vehicle {vehicle} is {}: it moves backwards; check the sign, and the heading",
+            "the speed given for vehicle {vehicle} is {}, so it moves backwards; check the sign and the \
+             heading",
             speed(*si)
         ),
         Warning::ClassValues { vehicle, class, yaw_inertia, outline } => {
@@ -138,7 +142,8 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
                 ));
             }
             format!(
-                "vehicle {vehicle} was given typical values of CRASH3's size class {class} (SAE 870045, from a poor scan): {}",
+                "vehicle {vehicle} has typical values of CRASH3's size class {class} (SAE 870045, from a \
+                 poor scan): {}",
                 assumed.join("; ")
             )
         }
@@ -155,7 +160,7 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
             };
             let bounds = bounds.map_or_else(String::new, |bounds| {
                 let [least, most] = bounds.map(|si| units.format(Quantity::Energy, si));
-                format!("; the width is not known, and what is possible lies between {least} and {most}")
+                format!("; the width is not known, so the energy may be anywhere between {least} and {most}")
             });
             format!(
                 "the crush of vehicle {vehicle} was not measured but inferred from the force of {} on the other vehicle: {crush} over {}, {}{bounds}",
@@ -169,10 +174,11 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
                 String::new()
             } else {
                 let middle = words::undisplaced(*side);
-                format!("; no offset is given, so the middle of the damage was taken to lie {middle}")
+                format!("; no offset is given, so the middle of the damage is assumed to lie {middle}")
             };
             format!(
-                "the force on vehicle {vehicle} was taken to act through the centroid of its damage, {} forward and {} {} of the \
+                "the force on vehicle {vehicle} is assumed to act through the centroid of its damage, {} \
+                 forward and {} {} of the \
                  centre of gravity{assumed}",
                 units.format(Quantity::Length, *forward),
                 units.format(Quantity::Length, *aside),
@@ -180,8 +186,8 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
             )
         }
         Warning::PdofsNotOpposite { angle: off } => format!(
-            "the two directions of force that the file gives are {} from opposite in the scene; by Newton's third law they are opposite, so \
-             check both PDOFs and headings",
+            "the two directions of force that the file gives are {} from opposite in the scene; by Newton's \
+             third law they must be opposite, so check both PDOFs and headings",
             angle(*off)
         ),
         Warning::DamageEnergyDiffers { normal_work, crush_energy, basis, on_other_basis } => {
@@ -193,13 +199,14 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
             let (bases, check) = match on_other_basis {
                 Some(on_other) => (
                     format!(" on the energy basis `{is}` ({} on `{other}`)", energy(*on_other)),
-                    "; check `energy_basis` in [reconstruct], too",
+                    "; also check `energy_basis` in [reconstruct]",
                 ),
                 None => (String::new(), ""),
             };
             format!(
-                "the work of the normal impulse, {}, differs by more than 10 % from what it should be by the crush energy, {}{bases}: the \
-                 speeds and the damage do not tell of one collision{check}",
+                "the work of the normal impulse, {}, differs by more than 10 % from the value that follows \
+                 from the crush energy, {}{bases}: the speeds and the damage are inconsistent with each \
+                 other{check}",
                 energy(*normal_work),
                 energy(*crush_energy)
             )
@@ -227,17 +234,20 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
             share(*moment_work, *energy_loss),
             if *moment_restitution > 0.0 {
                 format!(
-                    "with a moment restitution of {moment_restitution} the vehicles turn each other beyond a common yaw rate, so give 0 or less"
+                    "a moment restitution of {moment_restitution} turns the vehicles beyond a common yaw \
+                     rate, so give 0 or less"
                 )
             } else {
-                "the impulse at the contact point alone would turn the rotation of the vehicles against each other round, and what holds them \
-                 together then acts along it; check contact points and yaw rates, or leave out `moment_restitution`"
+                "the impulse at the contact point alone would reverse the relative rotation of the \
+                 vehicles, and the moment that keeps them together then acts along that rotation; check \
+                 contact points and yaw rates, or leave out `moment_restitution`"
                     .to_owned()
             }
         ),
         Warning::LargeImpulseRatio { impulse_ratio, limited } => format!(
-            "with an impulse ratio μ of {} the surfaces pull along the crush plane harder than they push; beyond 1 that wants a reason, such as parts \
-             that hook into each other: check the crush plane and the contact points, {}",
+            "with an impulse ratio μ of {} the surfaces pull along the crush plane harder than they push; a \
+             ratio above 1 needs justification, such as interlocking parts: check the crush plane and the \
+             contact points, {}",
             number(*impulse_ratio, 2),
             if *limited {
                 "and the friction limit"
@@ -257,8 +267,8 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
                 ),
                 Switch::Direction(sliding) => (
                     format!(
-                        "the normal impulse alone would just end a sliding of u_t = {} before the impact, which is within 1 % of that of \
-                         the case, {}",
+                        "the normal impulse alone would just end a sliding velocity of u_t = {}, which is \
+                         within 1 % of the one before the impact, {}",
                         speed(*sliding),
                         speed(*given)
                     ),
@@ -266,14 +276,16 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
                 ),
             };
             format!(
-                "{near}, and the answer of the law jumps there: {here} gives {}; {there} gives {}. Neither is the surer one, so report both",
+                "{near}, and the answer of the law jumps there: {here} gives {}; {there} gives {}. Neither \
+                 is more certain than the other, so report both",
                 jump_side(one, units),
                 jump_side(other, units)
             )
         }
         Warning::ContactOffDamage { vehicle, side, distance } => format!(
-            "the contact point of vehicle {vehicle} lies {} beyond the end of the damage to its {}, as `offset` and width place that; the resultant \
-             impulse acts within the damage, so check the signs of `contact` and `offset`",
+            "the contact point of vehicle {vehicle} lies {} beyond the end of the damage to its {}, as \
+             placed by `offset` and width; the resultant impulse acts within the damage, so check the signs \
+             of `contact` and `offset`",
             units.format(Quantity::Crush, *distance),
             side_name(*side)
         ),
@@ -288,7 +300,7 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
             },
             side_name(*side),
             match side {
-                Side::Left | Side::Right => ", and `axes` in [scene], which say to which side y is counted",
+                Side::Left | Side::Right => ", and `axes` in [scene], which sets the positive side of y",
                 Side::Front | Side::Rear => "",
             }
         ),
@@ -327,26 +339,26 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
                 format!("at most {}", bound(*high))
             };
             format!(
-                "the {name} of vehicle {vehicle} is {}, and {usual} {} is usual; {remedy}",
+                "the {name} of vehicle {vehicle} is {}, but {usual} {} is usual; {remedy}",
                 units.format(quantity, *value),
                 units.name(quantity)
             )
         }
         Warning::HighNoDamageSpeed { vehicle, speed: si, source } => format!(
-            "the stiffness of vehicle {vehicle} says that an impact at b_0 = {} leaves no damage, and 15 mph (24 km/h) is more than any car \
-             withstands: {}",
+            "the stiffness of vehicle {vehicle} implies no damage up to b_0 = {}, but for cars more than 15 \
+             mph (24 km/h) is implausible: {}",
             units.road_speed(*si),
             stiffness_check(*source)
         ),
         Warning::LowNoDamageSpeed { vehicle, speed: si, source } => format!(
-            "the stiffness of vehicle {vehicle} says that an impact at b_0 = {} leaves damage already, and cars withstand more than 1 mph \
-             (1.6 km/h): {}",
+            "the stiffness of vehicle {vehicle} implies damage from as little as b_0 = {}, but for cars \
+             less than 1 mph (1.6 km/h) is implausible: {}",
             units.road_speed(*si),
             stiffness_check(*source)
         ),
         Warning::UnusualFriction { friction } => format!(
-            "the friction limit is {friction}, and 0.3 to 1.0 is usual between vehicles; check the decimal point, and that it is neither an angle nor \
-             per cent"
+            "the friction limit is {friction}, but 0.3 to 1.0 is usual between vehicles; check the decimal \
+             point, and that it is neither an angle nor a percentage"
         ),
         Warning::LargeAngle { path, turns, in_degrees } => format!(
             "the angle `{path}` is {} full turns; {}",
@@ -354,8 +366,8 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
             if *in_degrees { "check the number" } else { "did you mean deg?" }
         ),
         Warning::NoResidualCrush { vehicle, energy } => format!(
-            "all depths of vehicle {vehicle} are zero, so that its crush energy of {} is that of G alone: an upper bound, as no residual crush \
-             only says that the energy was not more",
+            "all depths of vehicle {vehicle} are zero, so its crush energy of {} comes from G alone; this \
+             is an upper bound, because without residual crush the energy may have been anything less",
             units.format(Quantity::Energy, *energy)
         ),
     }
@@ -365,7 +377,7 @@ pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
 fn stiffness_check(source: StiffnessSource) -> &'static str {
     match source {
         StiffnessSource::Coefficients | StiffnessSource::Zones => {
-            "check the units of A and B, and which is which"
+            "check the units of A and B, and that they are not swapped"
         }
         StiffnessSource::Roots => "check the units of d0 and d1",
         StiffnessSource::Category(_) => "check the category and the damaged side",
@@ -403,16 +415,19 @@ fn drive(cause: Drive, sliding: f64, units: Units) -> String {
     let opposes = if sliding > 0.0 { "negative" } else { "positive" };
     match cause {
         Drive::RatioAlong { impulse_ratio } => format!(
-            "it drives the sliding, and friction cannot give energy; the ratio of {impulse_ratio} has the sign of the sliding before the impact, u_t = {}: a ratio that opposes it is {opposes}, so check the \
-             sign, or give a friction limit",
+            "it drives the sliding, but friction cannot add energy; the ratio of {impulse_ratio} has the \
+             sign of the sliding before the impact, u_t = {}. A ratio that opposes the sliding is \
+             {opposes}, so check the sign, or give a friction limit",
             speed(sliding)
         ),
         Drive::RatioWithoutSliding { impulse_ratio } => format!(
-            "it drives the sliding, and friction cannot give energy; nothing slides along the crush plane before the impact that a ratio of {impulse_ratio} could oppose, so give a friction limit or \
+            "it drives the sliding, but friction cannot add energy; before the impact there is no sliding \
+             along the crush plane for a ratio of {impulse_ratio} to oppose, so give a friction limit or \
              `tangential = \"critical\"`"
         ),
         Drive::RatioBeyond { impulse_ratio, critical } => format!(
-            "it drives the sliding, and friction cannot give energy; the ratio of {impulse_ratio} does not only end the sliding before the impact, u_t = {}, but drives it back{}: give a smaller one, or a \
+            "it drives the sliding, but friction cannot add energy; the ratio of {impulse_ratio} not only \
+             ends the sliding before the impact, u_t = {}, but reverses it{}: give a smaller ratio, or a \
              friction limit",
             speed(sliding),
             critical.map_or_else(String::new, |critical| format!(
@@ -421,14 +436,16 @@ fn drive(cause: Drive, sliding: f64, units: Units) -> String {
             ))
         ),
         Drive::Change { change } => format!(
-            "it drives the sliding, and friction cannot give energy; the tangential velocity change of {} does not oppose the sliding before the impact, u_t = {}, or goes far beyond ending it: check its \
-             sign and size",
+            "it drives the sliding, but friction cannot add energy; the tangential velocity change of {} \
+             does not oppose the sliding before the impact, u_t = {}, or goes far beyond ending it: check \
+             its sign and size",
             speed(change),
             speed(sliding)
         ),
         Drive::Coupling => format!(
-            "the rest of the impulse alone would turn the sliding before the impact, u_t = {}, round, and the tangential impulse that stops this acts \
-             along it. No sign is wrong, but the normal work is greater by as much; check crush plane and contact points",
+            "the rest of the impulse alone would reverse the sliding before the impact, u_t = {}, and the \
+             tangential impulse that prevents this acts along the sliding. No sign is wrong, but the normal \
+             work is greater by the same amount; check crush plane and contact points",
             speed(sliding)
         ),
     }

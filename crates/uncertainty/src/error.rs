@@ -7,7 +7,7 @@ use crate::limits::{MAX_SAMPLES, MIN_SAMPLES};
 #[non_exhaustive]
 pub enum InvalidDistribution {
     /// A number that is infinite or NaN.
-    #[error("the {name} must be a finite number, and is {value}")]
+    #[error("the {name} is {value}, but must be a finite number")]
     NotFinite {
         /// What the number is.
         name: &'static str,
@@ -16,7 +16,7 @@ pub enum InvalidDistribution {
     },
     /// A normal distribution without width.
     #[error(
-        "the standard deviation must be greater than zero, and is {sd}; give a value that is certain as a plain value"
+        "the standard deviation is {sd}, but must be greater than zero; write an exact value without a range"
     )]
     NoDeviation {
         /// (unit of the input) the standard deviation.
@@ -24,8 +24,8 @@ pub enum InvalidDistribution {
     },
     /// Bounds in the wrong order, or equal.
     #[error(
-        "the lower bound must be below the upper bound, and they are {low} and {high}; give a value that is certain \
-         as a plain value"
+        "the bounds are {low} and {high}, but the lower must be below the upper; write an exact value \
+         without a range"
     )]
     Empty {
         /// (unit of the input) lower bound.
@@ -34,7 +34,7 @@ pub enum InvalidDistribution {
         high: f64,
     },
     /// A mode outside the bounds.
-    #[error("the likeliest value must lie between the bounds {low} and {high}, and is {mode}")]
+    #[error("the likeliest value is {mode}, but must lie between the bounds {low} and {high}")]
     ModeOutside {
         /// (unit of the input) lower bound.
         low: f64,
@@ -45,7 +45,8 @@ pub enum InvalidDistribution {
     },
     /// Bounds that cut away all but [`crate::MIN_KEPT`] of the distribution.
     #[error(
-        "a value of {mean} with a standard deviation of {sd} lies between {low} and {high} with a probability of {kept:.1e} only; \
+        "a value of {mean} with a standard deviation of {sd} lies between {low} and {high} with a \
+         probability of only {kept:.1e}; \
          check the value and its deviation"
     )]
     NothingKept {
@@ -71,7 +72,8 @@ pub enum InvalidRequest {
     NoInputs,
     /// More inputs than the direction numbers of the Sobol' points serve.
     #[error(
-        "Sobol' points serve up to {limit} inputs here, and there are {inputs}; take Latin hypercube or Monte Carlo points"
+        "Sobol' points allow at most {limit} inputs, but there are {inputs}; use Latin hypercube or Monte \
+         Carlo points"
     )]
     TooManyInputs {
         /// Number of inputs.
@@ -80,19 +82,19 @@ pub enum InvalidRequest {
         limit: usize,
     },
     /// A number of samples that tells nothing, or that no point set reaches.
-    #[error("the number of samples must be between {} and {MAX_SAMPLES}, and is {samples}", MIN_SAMPLES)]
+    #[error("the number of samples must be between {} and {MAX_SAMPLES}, but is {samples}", MIN_SAMPLES)]
     Samples {
         /// Number of samples.
         samples: usize,
     },
     /// A number of rows for the indices that tells nothing, or that no point set reaches.
-    #[error("the number of rows must be between {} and {MAX_SAMPLES}, and is {rows}", MIN_SAMPLES)]
+    #[error("the number of rows must be between {} and {MAX_SAMPLES}, but is {rows}", MIN_SAMPLES)]
     Rows {
         /// Number of rows.
         rows: usize,
     },
     /// Two lists that belong together differ in length.
-    #[error("there must be one {what} for each of the {expected} inputs, and there are {given}")]
+    #[error("there must be one {what} for each of the {expected} inputs, but there are {given}")]
     Length {
         /// What the list holds.
         what: &'static str,
@@ -102,7 +104,7 @@ pub enum InvalidRequest {
         given: usize,
     },
     /// A probability that is none.
-    #[error("the two probabilities must be above 0, below 1 and in rising order, and are {low} and {high}")]
+    #[error("the two probabilities are {low} and {high}, but must be above 0, below 1 and in rising order")]
     Probabilities {
         /// The lower.
         low: f64,

@@ -336,5 +336,5 @@ fn requests_that_make_no_sense_are_refused() {
     };
     assert_eq!(refusal(&[], 1000), InvalidRequest::NoInputs);
     let few = refusal(&[normal(0.0, 1.0); 2], 10);
-    assert_eq!(few.to_string(), "the number of samples must be between 64 and 4294967296, and is 10");
+    assert_eq!(few.to_string(), "the number of samples must be between 64 and 4294967296, but is 10");
 }

@@ -78,7 +78,7 @@ pub(super) fn draw(file: &CaseFile, analysis: &Analysis, units: Units) -> Result
         None => format!("It is zero where the vehicles just touch, at {touch},"),
         Some(begins) => format!(
             "It begins at {}, where the normal impulse becomes a push (Pₙ > 0); from {touch}, where the vehicles just touch, up to there they would have to \
-             pull at each other. It rises from zero",
+             pull on each other. It rises from zero",
             speed(begins)
         ),
     };

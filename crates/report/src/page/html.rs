@@ -153,7 +153,7 @@ fn body(page: &Page) -> Markup {
         }
         section {
             h2 { "Case file" }
-            p { "The whole of " (page.case_name) "; from it alone the program gives this report again." }
+            p { "The complete text of " (page.case_name) "; the program can reproduce this report from it alone." }
             pre { code { (page.case_text) } }
         }
     }

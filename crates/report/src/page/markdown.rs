@@ -39,9 +39,9 @@ pub(super) fn write(page: &Page) -> String {
         put(&table(inputs));
     }
     put("## Results step by step\n");
-    put(
-        "Numbers are in SI units and degrees; one with fewer than six digits is exact, any other is rounded. At the end of a result it stands in the units of the other tables. atan2(y, x) is the angle of the point (x, y).\n",
-    );
+    put("Numbers are in SI units and degrees, rounded to six significant digits; shorter ones are exact. \
+         Each result is repeated in the units of the other tables. atan2(y, x) is the angle of the point \
+         (x, y).\n");
     for group in &page.steps {
         put(&steps(group, page.units));
     }
@@ -77,7 +77,7 @@ pub(super) fn write(page: &Page) -> String {
     }
     put("\n## Case file\n");
     put(&format!(
-        "The whole of {}; from it alone the program gives this report again.\n",
+        "The complete text of {}; the program can reproduce this report from it alone.\n",
         escaped(&page.case_name)
     ));
     let fence = fence(&page.case_text);

@@ -105,14 +105,17 @@ pub(super) fn headline(validation: &Validation) -> String {
     let [least, most] = rate.range;
     let [low, high] = rate.limits;
     let trip = errors.round_trip_relative.range.map(f64::abs);
+    let direction = if rate.mean < 0.0 { "low" } else { "high" };
     format!(
-        "Over {} staged collisions, the speed of vehicle 1 reconstructed from the published crush profiles with CRASH3's stiffness differs from the true \
-         one by {} m/s ({}) in the mean, and by {} to {} m/s ({} to {}) in the single collision; the rms error is {} m/s, and one more such \
-         error would lie between {} and {} m/s with a probability of 95 %. From the energies that SAE 871993 publishes for the same impacts, the \
-         true speeds come back within {} %; that checks the solution alone, as the contact points were solved back from these energies.",
+        "Over {} staged collisions, the speed of vehicle 1 was reconstructed from the published crush profiles with \
+         CRASH3's stiffness. On average it is {} m/s ({} %) too {direction}; single collisions are off by {} to {} m/s \
+         ({} to {}), with an rms error of {} m/s. For a further collision, expect an error between {} and {} m/s (95 % \
+         prediction interval). With the energies that SAE 871993 publishes for the same impacts, the program finds the \
+         true speeds within {} %. That checks only the solution, because the contact points were solved back from these \
+         energies.",
         rate.count,
-        signed(rate.mean, 1),
-        percent(share.mean, 0),
+        number(rate.mean.abs(), 1),
+        number(100.0 * share.mean.abs(), 0),
         signed(least, 1),
         signed(most, 1),
         percent(share.range[0], 0),
@@ -141,7 +144,10 @@ pub(super) fn page(validation: &Validation) -> Vec<Block> {
     blocks.extend(choices(validation));
     blocks.extend([
         heading("Known differences and misprints"),
-        paragraph("The numbers in square brackets above. Nothing is claimed of a cell with such a number, unless it stands beside a tolerance."),
+        paragraph(
+            "These are the numbers in square brackets above. Nothing is claimed about a cell with \
+        such a number, unless it also has a tolerance.",
+        ),
         Block::Notes(notes.0),
     ]);
     blocks.extend(sources());
@@ -160,20 +166,24 @@ fn verdict(validation: &Validation) -> Vec<Block> {
         format!("{} of the {claimed} numbers that are claimed to reproduce FAIL.", failures.len())
     };
     let mut blocks = vec![paragraph(format!(
-        "{outcome} {known} more are known not to come out, or cannot be claimed because inputs are not published; each names its reason. \
-         {errata} numbers are misprinted or mislabelled in the paper; they are mended, marked ERRATUM, and compared with what is meant."
+        "{outcome} {known} more are known not to reproduce, or cannot be claimed because inputs are not \
+         published; a reason is given for each. {errata} numbers are misprinted or mislabelled in the \
+         paper; they are corrected, marked ERRATUM, and compared with the value that was meant."
     ))];
     if !failures.is_empty() {
         let list: Vec<String> = failures.into_iter().map(|(place, _)| place).collect();
         blocks.push(paragraph(format!("Failing: {}.", list.join("; "))));
     }
     blocks.push(paragraph(
-        "What this is worth: e and μ of SAE 871993 were fitted to these very tests, the distances d_1 and d_2 from the CG to the contact point were \
-         solved back from its numbers, and some misprinted inputs were mended by them. So the PIM rows show that the equations are those of the \
-         paper, and how well they describe an impact of which all is known. They do not show that they predict one. The reconstruction from \
-         the crush profiles uses e, μ and contact points of the test too, but its energy comes from the damage: it is the test of what this program is \
-         for. One choice in it was made with the paper's rows in view: the struck sides of tests 1, 6 and 7 have CRASH3's stiffness category 1, \
-         with which those rows come out, and not the stiffer category 2 that a later source lists, with which the speeds found would be higher still.",
+        "How much this proves: e and μ of SAE 871993 were fitted to these very tests, the distances d_1 and \
+         d_2 from the CG to the contact point were solved back from its numbers, and some misprinted inputs \
+         were corrected with them. The PIM rows therefore show that the equations are those of the paper, \
+         and how well they describe an impact about which everything is known. They do not show that the \
+         equations predict an impact. The reconstruction from the crush profiles also uses e, μ and contact \
+         points of the test, but its energy comes from the damage, so it tests the program's main purpose. \
+         One choice in it was made with knowledge of the paper's rows: the struck sides of tests 1, 6 and 7 \
+         have CRASH3's stiffness category 1, which reproduces those rows, and not the stiffer category 2 \
+         that a later source lists, which would make the speeds found higher still.",
     ));
     blocks
 }
@@ -197,9 +207,11 @@ fn error_rates(validation: &Validation) -> Vec<Block> {
     vec![
         heading("Error rate"),
         paragraph(
-            "Velocity changes from the true speeds against the measured ones, in ft/s. PIM: the total ΔV; CRASH3: the corrected ΔV. The 95 % limits are \
-             those within which one more error of the same kind would lie, mean ± t s √(1 + 1/n), if errors were independent and normally \
-             distributed. The two vehicles of a collision are not independent, as their momenta are opposite: the limits are a guide.",
+            "Errors of the velocity changes computed from the true speeds, compared with the measured ones, \
+             in ft/s. PIM: the total ΔV; CRASH3: the corrected ΔV. The 95 % limits are a prediction \
+             interval for one further error, mean ± t s √(1 + 1/n), if errors are independent and normally \
+             distributed. The two vehicles of a collision are not independent, because their momentum \
+             changes are opposite, so the limits are only a guide.",
         ),
         Block::Table(Table {
             labels: 1,
@@ -213,7 +225,7 @@ fn error_rates(validation: &Validation) -> Vec<Block> {
                 row("CRASH3, the paper's rows", &dv.crash3_paper, foot),
             ],
         }),
-        paragraph("Reconstructed against true speed of vehicle 1, in m/s and as a share of the true speed."),
+        paragraph("Errors of the reconstructed speed of vehicle 1, in m/s and as a share of the true speed."),
         Block::Table(Table {
             labels: 1,
             claims: false,
@@ -285,17 +297,21 @@ fn table2(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
     vec![
         heading("Table 2: velocity changes (ft/s)"),
         paragraph(
-            "Ours beside the paper's; vehicle 1, vehicle 2. PIM at the true speeds: crush ΔV from the work of the normal impulse by CRASH3's equations, \
+            "Our values and the paper's, for vehicle 1 and vehicle 2. PIM at the true speeds: crush ΔV from \
+             the work of the normal impulse by CRASH3's equations, \
              total ΔV of the impact. CRASH3 takes the direction of the force from the PIM impulse, as the paper does, and does not limit the \
              oblique angle to 45°, as its Table 3 shows.",
         ),
         paragraph(
-            "CRASH3 stands twice. \"Profiles\" is what this program computes from the published crush profiles with CRASH3's stiffness categories. \
-             \"Implied\" takes the crush energy that the paper's own numbers imply: of each vehicle from its Table 3 (tests 1, 3 to 7), else of both \
-             from its uncorrected row, shared as the profiles share it. Where the two differ, the paper computed from a stiffness or a profile \
-             that it does not state; where \"implied\" comes out, the equations are the same and only that input differs. The tolerance on the \
-             uncorrected row from the profiles is 2.5 % beyond the rounding of the print (0.05 ft/s), and in test 4 the implied rows have \
-             0.3 ft/s beyond it, as no pair of energies gives its Table 3 better.",
+            "CRASH3 appears twice. \"Profiles\" is what this program computes from the published crush \
+             profiles with CRASH3's stiffness categories. \
+             \"Implied\" takes the crush energy that the paper's own numbers imply: for each vehicle from \
+             its Table 3 (tests 1, 3 to 7), otherwise for both from its uncorrected row, divided in the \
+             same proportion as the profiles. Where the two differ, the paper used a stiffness or a profile \
+             that it does not state; where \"implied\" agrees with the paper, the equations are the same \
+             and only that input differs. The tolerance on the uncorrected row from the profiles is 2.5 % \
+             plus the rounding of the print (0.05 ft/s). In test 4 the implied rows have 0.3 ft/s more, \
+             because no pair of energies reproduces its Table 3 better.",
         ),
         Block::Table(Table {
             labels: 2,
@@ -332,8 +348,10 @@ fn table1(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
     vec![
         heading("Table 1: rms error per collision geometry (ft/s)"),
         paragraph(
-            "\"Ours\" is the rms of our own total or corrected ΔV less the measured one, CRASH3's from the published profiles and beside it from the implied \
-             energies. \"Rows\" is the rms of the rows that the paper prints; that is what its Table 1 claims and what is compared with it.",
+            "\"Ours\" is the rms difference between our total or corrected ΔV and the measured one; for \
+             CRASH3, \"ours\" is from the published profiles and \"implied\" from the implied energies. \
+             \"Rows\" is the rms of the rows that the paper prints. Its Table 1 claims to be this value, so \
+             the two are compared.",
         ),
         Block::Table(Table {
             labels: 3,
@@ -383,8 +401,9 @@ fn table3(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
     vec![
         heading("Table 3: turning the direction of the force (ft/s)"),
         paragraph(
-            "CRASH3's corrected ΔV from the implied energies, with the direction of the PIM impulse turned counter-clockwise. The two energies of a test \
-             were fitted to its ten numbers here, so that eight of the ten are a check. In test 4 the fit leaves 0.25 ft/s.",
+            "CRASH3's corrected ΔV from the implied energies, with the direction of the PIM impulse turned \
+             counter-clockwise. The two energies of a test were fitted to its ten numbers here, so eight of \
+             the ten are a check. In test 4 the fit leaves an error of 0.25 ft/s.",
         ),
         Block::Table(Table {
             labels: 1,
@@ -428,7 +447,8 @@ fn energies(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
     vec![
         heading("Energies of the impacts (ft·lb)"),
         paragraph(
-            "Beside SAE 871993, Table 1. Claimed within 1 %; the tolerance stands in ft·lb. A negative loss is work that the tangential impulse gives back.",
+            "Comparison with SAE 871993, Table 1. Agreement is claimed within 1 %; the tolerance is given \
+             in ft·lb. A negative loss is work that the tangential impulse returns.",
         ),
         Block::Table(Table {
             labels: 2,
@@ -463,7 +483,10 @@ fn appendix(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
         .collect();
     vec![
         heading("The paper's example"),
-        paragraph("`deltav reconstruct fixtures/sae-980025.toml` beside the paper's appendix and text."),
+        paragraph(
+            "`deltav reconstruct fixtures/sae-980025.toml` compared with the paper's appendix and \
+        text.",
+        ),
         Block::Table(Table {
             labels: 2,
             claims: true,
@@ -502,7 +525,8 @@ fn reconstruction(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
     vec![
         heading("Reconstruction: speed of vehicle 1 (m/s) from crush energy (kJ)"),
         paragraph(
-            "The reconciler is given the motion of vehicle 2, e and μ of the test, and a crush energy E of both vehicles, and looks for the speed of \
+            "The reconciler is given the motion of vehicle 2, e and μ of the test, and a crush energy E of \
+             both vehicles, and finds the speed of \
              vehicle 1 at which the normal impulse takes E. First from E of the published profiles with CRASH3's stiffness: what `deltav \
              reconstruct fixtures/ricsac/NN.toml` answers, and the error rate of the method. Then from E that the paper's CRASH3 row implies. \
              Last from the normal loss that SAE 871993 prints for the impact, a round trip that has to find the true speed within 0.5 %. The error is in m/s and in % of the true speed.",

@@ -82,7 +82,8 @@ impl<'a> Page<'a> {
         ));
         if propagation.evaluated() < propagation.requested() {
             self.paragraph(&format!(
-                "Ended early: {} samples were asked for. The results are of those that were done.",
+                "Ended early: {} samples were requested. The results cover only the samples that were \
+                 completed.",
                 grouped(propagation.requested())
             ));
         }
@@ -205,13 +206,14 @@ impl<'a> Page<'a> {
         lines.iter().for_each(|line| self.line(line));
         self.line("");
         self.paragraph(
-            "± is the standard error that the number of samples leaves. The first-order standard deviation is that of the GUM (JCGM 100, equation 10), from the \
-             exact derivatives at the central values.",
+            "± is the standard error due to the number of samples. The first-order standard deviation \
+             follows the GUM (JCGM 100, equation 10), with the exact derivatives at the central values.",
         );
         if !apart.is_empty() {
             self.paragraph(&format!(
-                "Warning: the first-order standard deviation differs by more than 10 % from that of the samples for: {}. There the result is no straight \
-                 line over the ranges of the inputs; trust the samples.",
+                "Warning: the first-order standard deviation differs by more than 10 % from that of the \
+                 samples for: {}. There the result is not linear over the ranges of the inputs; trust the \
+                 samples.",
                 apart.join(", ")
             ));
         }
@@ -261,7 +263,8 @@ impl<'a> Page<'a> {
             let [end, same] = [end, principal_angle(end)].map(|si| self.units.format(Quantity::Angle, si));
             self.line("");
             self.paragraph(&format!(
-                "The {} goes through 180°, straight from behind. Its intervals are not broken there: an end at {end} is the direction {same}.",
+                "The {} passes through 180°, straight from behind. Its intervals are not cut there: an end \
+                 at {end} is the direction {same}.",
                 output_name(output.output)
             ));
         }
@@ -297,7 +300,7 @@ impl<'a> Page<'a> {
     /// Of the first output.
     fn tornado(&mut self) {
         let Some(&(output, _)) = self.rows().first() else { return };
-        let title = format!("What moves it: {}", output_name(output.output));
+        let title = format!("Main drivers: {}", output_name(output.output));
         let alone = self.alone(output);
         let unit = self.units.name(alone);
         let bars = self.uncertainty.tornado.ranked(0);
@@ -327,12 +330,13 @@ impl<'a> Page<'a> {
         lines.iter().for_each(|line| self.line(line));
         if let Some(next) = next {
             let next = self.units.format(alone, next.abs());
-            self.line(&format!("{rest} more, each moving it by at most {next}"));
+            self.line(&format!("{rest} more, each with an effect of at most {next}"));
         }
         self.line("");
         self.paragraph(
-            "One input at a time at its 2.5 % and its 97.5 % quantile, the others at their central values: ░ where it is low, █ where it is high. \"First order\" is \
-             the share of the variance by the derivatives.",
+            "Each input in turn is set to its 2.5 % and its 97.5 % quantile, with the others at their \
+             central values: ░ the input is low, █ the input is high. \"First order\" is the share of the \
+             variance from the derivatives.",
         );
     }
 
@@ -367,8 +371,10 @@ impl<'a> Page<'a> {
         }
         self.line("");
         self.paragraph(&format!(
-            "First: the share of the variance that would vanish if this input alone were known. Total: the share that would remain if all others were. Saltelli's \
-             sampling with Jansen's estimators: {} in {}, of which {} have an answer throughout and count.",
+            "First: the share of the variance that would vanish if this input alone were known exactly. \
+             Total: the share that would remain if all others were. Saltelli's \
+             sampling with Jansen's estimators: {} in {}, of which {} have an answer throughout and are \
+             used.",
             counted(indices.evaluations(), "evaluation"),
             counted(indices.rows(), "row"),
             grouped(indices.used())
@@ -395,7 +401,7 @@ impl<'a> Page<'a> {
             .collect();
         if !cut.is_empty() {
             self.line("");
-            self.paragraph("Cut, since physics allows no more:");
+            self.paragraph("Distributions cut at physical limits:");
         }
         for input in cut {
             let kept = input.truncation().map_or(1.0, |cut| cut.kept);
@@ -415,7 +421,7 @@ fn in_words(reason: Reason) -> &'static str {
         Reason::NoRoot => "no speed makes crush and impact agree",
         Reason::EnergyCreated => "the coefficients would create energy",
         Reason::Jam => "the contact jams",
-        Reason::Pulling => "the vehicles would have to pull at each other",
+        Reason::Pulling => "the vehicles would have to pull on each other",
         Reason::NoDamageSpeed => "the speed without damage is not below that of the barrier test",
         Reason::LimitBelowStart => "the limit of the force per width is below A, at which crush begins",
         Reason::Other => "the numbers are impossible for another reason",
