@@ -426,7 +426,7 @@ fn profiles_refuse_what_no_damage_can_be() {
     }
     assert_eq!(
         CrushError::SpacingCount { stations: 3, spacings: 1 }.to_string(),
-        "3 stations need 2 spacings between them, and 1 are given"
+        "3 stations need 2 spacings between them, but 1 are given"
     );
     for at in 0..3 {
         let with = |bad: f64| {

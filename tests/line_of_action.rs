@@ -174,8 +174,8 @@ fn forces_that_no_crush_bears_are_refused() {
     let stiffness = Stiffness::from_ab(50e3, 1e6).unwrap().with_limit(200e3).unwrap();
     assert_eq!(
         crush_from_force(400e3, 0.0, 1.5, &stiffness).unwrap_err().to_string(),
-        "the force of the other vehicle asks for 266667 N/m, more than the 200000 N/m to which the force per width is \
-         limited: the crush cannot be inferred"
+        "the force of the other vehicle requires 266667 N/m, more than the limit of 200000 N/m, so the crush cannot be \
+         inferred"
     );
     assert!(crush_from_force(300e3, 0.0, 1.5, &stiffness).is_ok());
     assert!(crush_from_force(300e3 * (1.0 + 1e-12), 0.0, 1.5, &stiffness).is_err());
@@ -188,8 +188,8 @@ fn forces_that_no_crush_bears_are_refused() {
     // 200 kN/m over 1.5 m is all that the side bears.
     assert_eq!(
         crush_range_from_force(301e3, 0.0, &stiffness, 1.0, 1.5, 0.9).unwrap_err().to_string(),
-        "the force of the other vehicle is 301000 N, and the damaged side bears no more than 300000 N even where it is \
-         crushed over its whole length and as deep as the centre of gravity"
+        "the force of the other vehicle is 301000 N, but the damaged side can bear no more than 300000 N, even \
+         if it is crushed over its whole length and as deep as the centre of gravity"
     );
     for [nominal, widest, deepest] in [[0.0, 1.5, 0.9], [1.0, -1.5, 0.9], [1.0, 1.5, f64::NAN]] {
         assert!(crush_range_from_force(100e3, 0.0, &stiffness, nominal, widest, deepest).is_err());

@@ -245,7 +245,7 @@ fn a_limit_below_a_is_refused() {
     let stiffness = Stiffness::from_ab(50e3, 1e6).unwrap();
     assert_eq!(
         stiffness.with_limit(49e3).unwrap_err().to_string(),
-        "the force per width cannot be limited to 49000 N/m where A, at which crush begins, is 50000 N/m"
+        "the limit of the force per width is 49000 N/m, but must be at least A = 50000 N/m, at which crush begins"
     );
     assert!(matches!(stiffness.with_limit(f64::NAN), Err(CrushError::NotFinite { .. })));
 }
@@ -292,7 +292,7 @@ fn the_same_stiffness_in_every_zone_is_uniform() {
     assert_eq!(refused, CrushError::ZoneCount { zones: 3, stiffnesses: 2 });
     assert_eq!(
         refused.to_string(),
-        "the profile has 3 zones between its stations, and stiffness is given for 2"
+        "the profile has 3 zones between its stations, but stiffness is given for 2"
     );
     assert_eq!(two.peak_force(&three, 0.0), Err(refused));
     assert!(matches!(two.peak_force(&three, 2.0), Err(CrushError::NotPushing { .. })));

@@ -39,16 +39,16 @@ fn a_refusal_speaks_the_units_of_the_reader() {
     for (failure, si, us) in [
         (
             &BEYOND,
-            "equal to 135,582 J while the vehicles approach and push; the nearest is 13,558 J, at 44.70 m/s (160.9 km/h);",
-            "up to 3,281 ft/s makes the work of the normal impulse equal to 100,000 ft·lb while the vehicles approach and push; the nearest is 10,000 ft·lb, at 146.67 ft/s (100.00 mph);",
+            "equal to 135,582 J while the vehicles approach and push; the closest is 13,558 J, at 44.70 m/s (160.9 km/h);",
+            "up to 3,281 ft/s makes the work of the normal impulse equal to 100,000 ft·lb while the vehicles approach and push; the closest is 10,000 ft·lb, at 146.67 ft/s (100.00 mph);",
         ),
         (
             &too_fast,
-            "up to 1,000 m/s makes the work of the normal impulse equal to 135,582 J: that takes 4,470.40 m/s (16,093.4 km/h), where it is 135,582 J;",
-            "up to 3,281 ft/s makes the work of the normal impulse equal to 100,000 ft·lb: that takes 14,666.67 ft/s (10,000.00 mph), where it is 100,000 ft·lb;",
+            "up to 1,000 m/s makes the work of the normal impulse equal to 135,582 J; it would take 4,470.40 m/s (16,093.4 km/h), which gives 135,582 J;",
+            "up to 3,281 ft/s makes the work of the normal impulse equal to 100,000 ft·lb; it would take 14,666.67 ft/s (10,000.00 mph), which gives 100,000 ft·lb;",
         ),
         (&jam, "needs μ above -2.0000:", "needs μ above -2.0000:"),
-        (&not_approaching, "u_n is 3.05 m/s and", "u_n is 10.00 ft/s and"),
+        (&not_approaching, "u_n is 3.05 m/s, but", "u_n is 10.00 ft/s, but"),
         (&pulling, "(P_n = -4,448 N·s)", "(P_n = -1,000 lb·s)"),
         (
             &inadmissible,
@@ -57,13 +57,13 @@ fn a_refusal_speaks_the_units_of_the_reader() {
         ),
         (
             &too_great,
-            "is 444.8 kN, and the damaged side bears no more than 222.4 kN even",
-            "is 100,000 lb, and the damaged side bears no more than 50,000 lb even",
+            "is 444.8 kN, but the damaged side can bear no more than 222.4 kN, even",
+            "is 100,000 lb, but the damaged side can bear no more than 50,000 lb, even",
         ),
         (
             &above_limit,
-            "1,751.3 N/cm of width, more than the 875.6 N/cm to",
-            "1,000.0 lb/in of width, more than the 500.0 lb/in to",
+            "1,751.3 N/cm of width, more than the limit of 875.6 N/cm",
+            "1,000.0 lb/in of width, more than the limit of 500.0 lb/in",
         ),
     ] {
         for (units, expected) in [(Units::Si, si), (Units::Us, us)] {

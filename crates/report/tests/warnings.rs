@@ -23,10 +23,10 @@ fn driven(sliding: f64, cause: Drive) -> Warning {
 fn the_sign_that_opposes_the_sliding_is_that_of_the_readers_axes() {
     let along = driven(3.048, Drive::RatioAlong { impulse_ratio: 0.3 });
     let common =
-        ["-1,000 ft·lb", "-10.0 % of the energy loss", "friction cannot give energy", "friction limit"];
+        ["-1,000 ft·lb", "-10.0 % of the energy loss", "friction cannot add energy", "friction limit"];
     says(&along, Axes::ZUp, &common);
-    says(&along, Axes::ZUp, &["ratio of 0.3 has", "u_t = 10.00 ft/s", "opposes it is negative"]);
-    says(&along, Axes::ZDown, &["ratio of -0.3 has", "u_t = -10.00 ft/s", "opposes it is positive"]);
+    says(&along, Axes::ZUp, &["ratio of 0.3 has", "u_t = 10.00 ft/s", "opposes the sliding is negative"]);
+    says(&along, Axes::ZDown, &["ratio of -0.3 has", "u_t = -10.00 ft/s", "opposes the sliding is positive"]);
     let beyond = driven(-3.048, Drive::RatioBeyond { impulse_ratio: 0.5, critical: Some(0.2) });
     says(
         &beyond,
@@ -34,7 +34,7 @@ fn the_sign_that_opposes_the_sliding_is_that_of_the_readers_axes() {
         &["ratio of -0.5", "critical ratio of -0.2000", "u_t = 10.00 ft/s", "smaller"],
     );
     let nothing = driven(0.0, Drive::RatioWithoutSliding { impulse_ratio: 0.2 });
-    says(&nothing, Axes::ZUp, &["nothing slides", "ratio of 0.2", "friction limit"]);
+    says(&nothing, Axes::ZUp, &["there is no sliding", "ratio of 0.2", "friction limit"]);
     let change = driven(-3.048, Drive::Change { change: -0.3048 });
     says(&change, Axes::ZUp, &["change of -1.00 ft/s", "u_t = -10.00 ft/s"]);
 }
@@ -52,7 +52,7 @@ fn no_force_has_no_ratio() {
     let file = case::Case::parse("case.toml", text).unwrap();
     let analysis = analysis::reconstruct(&file).unwrap();
     let found = analysis.warnings.iter().find(|warning| matches!(warning, Warning::ForceBalance { .. }));
-    says(found.unwrap(), Axes::ZUp, &["stands for differ: 0 lb on vehicle 1, 3,1"]);
+    says(found.unwrap(), Axes::ZUp, &["follow from the crush differ: 0 lb on vehicle 1, 3,1"]);
     for output in [
         report::text(&file.case, &analysis, Units::Us),
         report::html(&file, &analysis, Vec::new(), Units::Us).unwrap(),
@@ -127,11 +127,11 @@ fn both_sides_of_a_jump_are_told() {
         Axes::ZUp,
         &[
             "u_t = -10.00 ft/s",
-            "that of the case, -10.05 ft/s",
+            "the one before the impact, -10.05 ft/s",
             "sliding as in the answer gives W_n = 100,000 ft·lb, Ω_1 = 1.000 rad/s; sliding the other way gives",
         ],
     );
-    says(&turn, Axes::ZDown, &["u_t = 10.00 ft/s", "that of the case, 10.05 ft/s"]);
+    says(&turn, Axes::ZDown, &["u_t = 10.00 ft/s", "the one before the impact, 10.05 ft/s"]);
 }
 
 #[test]
@@ -141,13 +141,13 @@ fn what_is_implausible_is_named_with_what_is_usual() {
             Magnitude::Mass,
             453_592.37,
             [45.359_237, 45_359.237],
-            ["mass of vehicle 2 is 1,000,000 lb", "and 100 to 100,000 lb is usual"],
+            ["mass of vehicle 2 is 1,000,000 lb", "but 100 to 100,000 lb is usual"],
         ),
         (
             Magnitude::YawRadius,
             15.24,
             [0.3048, 3.048],
-            ["√(I/m) of vehicle 2 is 50.00 ft", "and 1.0 to 10.0 ft is usual"],
+            ["√(I/m) of vehicle 2 is 50.00 ft", "but 1.0 to 10.0 ft is usual"],
         ),
         (
             Magnitude::Speed,
@@ -219,7 +219,7 @@ fn a_place_is_named_by_side() {
 #[test]
 fn units_and_keys_to_check_are_named() {
     for (source, words) in [
-        (StiffnessSource::Coefficients, "units of A and B, and which is which"),
+        (StiffnessSource::Coefficients, "units of A and B, and that they are not swapped"),
         (StiffnessSource::Zones, "units of A and B"),
         (StiffnessSource::Roots, "units of d0 and d1"),
         (StiffnessSource::Category(4), "the category"),
@@ -228,12 +228,12 @@ fn units_and_keys_to_check_are_named() {
         let warning = Warning::HighNoDamageSpeed { vehicle: 1, speed: 8.9408, source };
         says(&warning, Axes::ZUp, &["b_0 = 20.00 mph", words]);
         let warning = Warning::LowNoDamageSpeed { vehicle: 1, speed: 0.089_408, source };
-        says(&warning, Axes::ZUp, &["b_0 = 0.20 mph leaves damage already", words]);
+        says(&warning, Axes::ZUp, &["implies damage from as little as b_0 = 0.20 mph", words]);
     }
     says(
         &Warning::UnusualFriction { friction: 45.0 },
         Axes::ZUp,
-        &["friction limit is 45,", "0.3 to 1.0", "per cent"],
+        &["friction limit is 45,", "0.3 to 1.0", "percentage"],
     );
     let angle =
         |in_degrees| Warning::LargeAngle { path: "vehicle2.heading".to_owned(), turns: 12.7, in_degrees };

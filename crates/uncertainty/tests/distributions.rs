@@ -114,7 +114,7 @@ fn what_makes_no_distribution_is_refused() {
     // Φ(−5) = 2.9e-7 is below the least share, Φ(−4.7) = 1.3e-6 above.
     let refused = Distribution::truncated_normal(0.0, 1.0, 5.0, f64::INFINITY).unwrap_err();
     let text = refused.to_string();
-    assert!(text.contains("between 5 and inf with a probability of 2.9e-7 only"), "{text}");
+    assert!(text.contains("between 5 and inf with a probability of only 2.9e-7"), "{text}");
     assert!(Distribution::truncated_normal(0.0, 1.0, 4.7, f64::INFINITY).is_ok());
 }
 
