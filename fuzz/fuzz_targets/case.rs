@@ -41,7 +41,7 @@ fn judge(file: &CaseFile, result: Result<Analysis, Failure>) {
         }
     };
     for units in [Units::Us, Units::Si] {
-        let text = report::text(&file.case, &analysis, units);
+        let text = report::results(&file.case, &analysis, units).text();
         assert_finite(file, &text);
     }
     let json = report::json(&file.case, &analysis).expect("an analysis is JSON");

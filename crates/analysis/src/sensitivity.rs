@@ -89,26 +89,41 @@ impl Output {
             Self::Speed { .. } => found,
             Self::DeltaV { vehicle } => outcome.delta_v_magnitude()[vehicle - 1],
             Self::Pdof { vehicle } => outcome.pdof()[vehicle - 1],
-            // −u_n
-            Self::ClosingSpeed => -outcome.approach.normal,
+            Self::ClosingSpeed => outcome.closing_speed(),
             Self::EnergyLoss => outcome.energy.loss,
             Self::NormalWork => outcome.energy.normal_work,
             Self::TangentialWork => outcome.energy.tangential_work,
         }
     }
 
+    /// The vehicle that it belongs to, 1 or 2; none for one of the collision.
+    #[must_use]
+    pub fn vehicle(self) -> Option<usize> {
+        match self {
+            Self::Speed { vehicle } | Self::DeltaV { vehicle } | Self::Pdof { vehicle } => Some(vehicle),
+            Self::ClosingSpeed | Self::EnergyLoss | Self::NormalWork | Self::TangentialWork => None,
+        }
+    }
+
+    /// Its key in the table of results.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Speed { .. } => "speed",
+            Self::DeltaV { .. } => "delta_v",
+            Self::Pdof { .. } => "pdof",
+            Self::ClosingSpeed => "impact.closing_speed",
+            Self::EnergyLoss => "impact.energy_loss",
+            Self::NormalWork => "impact.normal_work",
+            Self::TangentialWork => "impact.tangential_work",
+        }
+    }
+
     /// The key of the JSON that names it.
     #[must_use]
     pub fn path(self) -> String {
-        match self {
-            Self::Speed { vehicle } => format!("vehicle{vehicle}.speed"),
-            Self::DeltaV { vehicle } => format!("vehicle{vehicle}.delta_v"),
-            Self::Pdof { vehicle } => format!("vehicle{vehicle}.pdof"),
-            Self::ClosingSpeed => "impact.closing_speed".to_owned(),
-            Self::EnergyLoss => "impact.energy_loss".to_owned(),
-            Self::NormalWork => "impact.normal_work".to_owned(),
-            Self::TangentialWork => "impact.tangential_work".to_owned(),
-        }
+        let key = self.key();
+        self.vehicle().map_or_else(|| key.to_owned(), |vehicle| format!("vehicle{vehicle}.{key}"))
     }
 }
 

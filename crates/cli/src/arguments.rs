@@ -76,7 +76,7 @@ pub(crate) enum Command {
             Each damaged vehicle needs a PDOF in its crush table, because no impact is computed that could provide one.",
         after_help = "Example:\n  deltav crush fixtures/sae-980025-crush.toml"
     )]
-    Crush(ReportArguments),
+    Crush(Arguments),
     /// Check a case without solving it
     #[command(
         long_about = "Check a case without solving it.\n\n\
@@ -196,7 +196,7 @@ pub(crate) struct ExplainArguments {
     #[arg(value_parser = TopicParser, hide_possible_values = true)]
     pub(crate) topic: Vec<String>,
 
-    /// Text for people, or JSON for programs
+    /// Text for people, JSON for programs, or a page as HTML or Markdown
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,
 
@@ -264,6 +264,27 @@ pub(crate) enum CasesFormat {
     Jsonl,
 }
 
+/// What has a row for each of many cases.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Rows {
+    Csv,
+    Jsonl,
+}
+
+impl CasesFormat {
+    /// The format of a document on one case, or that of rows.
+    pub(crate) fn of_one(self) -> Result<Format, Rows> {
+        match self {
+            Self::Text => Ok(Format::Text),
+            Self::Json => Ok(Format::Json),
+            Self::Html => Ok(Format::Html),
+            Self::Markdown => Ok(Format::Markdown),
+            Self::Csv => Err(Rows::Csv),
+            Self::Jsonl => Err(Rows::Jsonl),
+        }
+    }
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct NewArguments {
     /// Kind of collision
@@ -323,32 +344,6 @@ pub(crate) struct ManArguments {
 }
 
 /// Of the commands that have a report to hand over.
-#[derive(Debug, Args)]
-pub(crate) struct ReportArguments {
-    /// The case file (TOML), or - for standard input
-    pub(crate) case: PathBuf,
-
-    /// Text for people, JSON in SI units and radians for programs, or a report to hand over: one HTML file with drawings, or Markdown
-    #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
-    pub(crate) format: ReportFormat,
-
-    /// Units of the text; the default is the units that most of the case file uses
-    #[arg(long, value_enum)]
-    pub(crate) units: Option<UnitSystem>,
-
-    /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ReportFormat {
-    Text,
-    Json,
-    Html,
-    Markdown,
-}
-
 #[derive(Debug, Args)]
 pub(crate) struct DrawArguments {
     /// The case file (TOML), or - for standard input
@@ -470,9 +465,9 @@ fn degrees(text: &str) -> Result<f64, String> {
 
 #[derive(Debug, Args)]
 pub(crate) struct ValidateArguments {
-    /// Text for people, JSON in SI units and radians for programs, or a Markdown page
-    #[arg(long, value_enum, default_value_t = PageFormat::Text)]
-    pub(crate) format: PageFormat,
+    /// Text for people, JSON in SI units and radians for programs, or a page as HTML or Markdown
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
 
     /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE")]
@@ -484,19 +479,13 @@ pub(crate) struct ValidateArguments {
     pub(crate) plots: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum PageFormat {
-    Text,
-    Json,
-    Markdown,
-}
-
 #[derive(Debug, Args)]
 pub(crate) struct Arguments {
     /// The case file (TOML), or - for standard input
     pub(crate) case: PathBuf,
 
-    /// Text for people, or JSON in SI units and radians for programs
+    /// Text for people, JSON in SI units and radians for programs, or a document to hand over: one HTML file,
+    /// or Markdown
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,
 
@@ -513,6 +502,8 @@ pub(crate) struct Arguments {
 pub(crate) enum Format {
     Text,
     Json,
+    Html,
+    Markdown,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -21,7 +21,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     let analysis = crate::answered(analysis::furthest(&file), units)?;
     let drawing = report::drawing(&file, &analysis, units, subject)?;
     // A drawing has no room for sentences, and standard output may be the drawing.
-    let warnings = report::warnings_text(&analysis, &file.case, units);
+    let warnings = report::warnings(&file.case, &analysis, units).text();
     write!(io::stderr(), "{warnings}").context("cannot write to standard error")?;
     let path = arguments.output.as_deref();
     match image {

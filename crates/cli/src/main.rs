@@ -18,14 +18,14 @@ use std::process::ExitCode;
 use analysis::{Analysis, Failure, Plan, Stage, Sweep, Uncertainty};
 use anyhow::{Context as _, Result};
 use arguments::{
-    Arguments, CasesArguments, CasesFormat, Command, ExplainArguments, Format, PageFormat, ReportArguments,
-    ReportFormat, SensitivityArguments, UncertaintyArguments, UnitSystem, ValidateArguments,
+    Arguments, CasesArguments, Command, ExplainArguments, Format, SensitivityArguments, UncertaintyArguments,
+    UnitSystem, ValidateArguments,
 };
 use batch::{Job, Rows};
 use case::{Case, CaseFile};
 use clap::Parser as _;
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use report::{DrawingError, Supplement, Units};
+use report::{Document, DrawingError, Supplement, Units};
 use uncertainty::{Method, Settings};
 use validation::{Data, Validation};
 
@@ -38,9 +38,6 @@ const SUPPLEMENT_SAMPLES: usize = 20_000;
 /// remain below a second's work. The report says how many they are.
 const LEAST_SUPPLEMENT_SAMPLES: usize = 500;
 const SUPPLEMENT_NUMBERS: usize = 30_000_000;
-
-/// Columns of an explanation where there is no terminal to fill.
-const EXPLAIN_COLUMNS: usize = 98;
 
 /// The files that `deltav validate --plots` writes.
 const VALIDATION_PLOTS: [&str; 2] = ["computed-against-measured.svg", "reconstructed-speed.svg"];
@@ -100,17 +97,14 @@ fn report_or_rows(arguments: CasesArguments, analyse: Analyse) -> Result<()> {
     let CasesArguments { mut cases, format, units, threads, output } = arguments;
     let rows =
         |format| batch::write(&Job { cases: &cases, analyse, format }, &pool(threads)?, output.as_deref());
-    let format = match format {
+    let format = match format.of_one() {
+        Ok(format) => format,
         // Rows of several cases have one header: its units are not those of a case.
-        CasesFormat::Csv => return rows(Rows::Csv(units.map_or(Units::Si, Units::from))),
-        CasesFormat::Jsonl => return rows(Rows::Jsonl),
-        CasesFormat::Text => ReportFormat::Text,
-        CasesFormat::Json => ReportFormat::Json,
-        CasesFormat::Html => ReportFormat::Html,
-        CasesFormat::Markdown => ReportFormat::Markdown,
+        Err(arguments::Rows::Csv) => return rows(Rows::Csv(units.map_or(Units::Si, Units::from))),
+        Err(arguments::Rows::Jsonl) => return rows(Rows::Jsonl),
     };
     match (cases.pop(), cases.len()) {
-        (Some(case), 0) => report_analysis(&ReportArguments { case, format, units, output }, analyse),
+        (Some(case), 0) => report_analysis(&Arguments { case, format, units, output }, analyse),
         (_, others) => Err(anyhow::anyhow!(
             "{} case files are given, and a report is on one; use --format csv or --format jsonl for a row each",
             others + 1
@@ -118,25 +112,48 @@ fn report_or_rows(arguments: CasesArguments, analyse: Analyse) -> Result<()> {
     }
 }
 
-fn report_analysis(arguments: &ReportArguments, analyse: Analyse) -> Result<()> {
+fn report_analysis(arguments: &Arguments, analyse: Analyse) -> Result<()> {
     let file = case_file(&arguments.case)?;
     let units = units(arguments.units, &file);
     let analysis = answered(analyse(&file), units)?;
-    let output = match arguments.format {
-        ReportFormat::Text if arguments.output.is_none() => {
-            return terminal::print(|columns| match columns {
-                Some(columns) => report::text_within(&file.case, &analysis, units, columns),
-                None => report::text(&file.case, &analysis, units),
-            });
-        }
-        ReportFormat::Text => report::text(&file.case, &analysis, units),
-        ReportFormat::Json => report::json(&file.case, &analysis)?,
-        ReportFormat::Html => report::html(&file, &analysis, supplements(&file, &analysis, units)?, units)?,
-        ReportFormat::Markdown => {
-            report::markdown(&file, &analysis, supplements(&file, &analysis, units)?, units)?
+    let document = match arguments.format {
+        // In a terminal the results; the report to hand over has all steps and the case file besides.
+        Format::Text | Format::Json => report::results(&file.case, &analysis, units),
+        Format::Html | Format::Markdown => {
+            report::handover(&file, &analysis, supplements(&file, &analysis, units)?, units)?
         }
     };
-    write(arguments.output.as_deref(), &output)
+    present(&document, arguments, || report::json(&file.case, &analysis))
+}
+
+/// Writes a document, or its data as JSON, to where the arguments say.
+fn present<E>(
+    document: &Document,
+    arguments: &Arguments,
+    json: impl FnOnce() -> Result<String, E>,
+) -> Result<()>
+where
+    anyhow::Error: From<E>,
+{
+    present_as(document, arguments.format, arguments.output.as_deref(), json)
+}
+
+fn present_as<E>(
+    document: &Document,
+    format: Format,
+    output: Option<&Path>,
+    json: impl FnOnce() -> Result<String, E>,
+) -> Result<()>
+where
+    anyhow::Error: From<E>,
+{
+    match format {
+        Format::Text if output.is_none() => terminal::print(document),
+        Format::Text => write(output, document.text()),
+        Format::Json => write(output, json()?),
+        Format::Html => write(output, document.html()),
+        Format::Markdown => write(output, document.markdown()),
+    }
 }
 
 /// What ranges of the case make of the answer, for a report to hand over.
@@ -150,13 +167,13 @@ fn supplements(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec
     let uncertainty = answered(uncertainty, units)?;
     let mut supplements = vec![Supplement {
         title: "Uncertainty",
-        text: report::uncertainty_text(&file.case, &uncertainty, units),
+        document: report::uncertainty(&file.case, &uncertainty, units),
     }];
     if analysis.found.is_some() {
         let sensitivity = analysis::sensitivity(file, Sweep { step: 5_f64.to_radians(), steps: 2 });
         let sensitivity = answered(sensitivity, units)?;
-        let text = report::sensitivity_text(&file.case, &sensitivity, units);
-        supplements.push(Supplement { title: "Sensitivity", text });
+        let document = report::sensitivity(&file.case, &sensitivity, units);
+        supplements.push(Supplement { title: "Sensitivity", document });
     }
     Ok(supplements)
 }
@@ -168,17 +185,8 @@ fn supplement_samples(numbers: usize) -> usize {
 fn report_judgement(arguments: &Arguments) -> Result<()> {
     let file = case_file(&arguments.case)?;
     let judgement = analysis::judge(&file);
-    let output = match arguments.format {
-        Format::Text => {
-            let text = report::judgement_text(&file, &judgement, units(arguments.units, &file));
-            if arguments.output.is_none() {
-                return terminal::print(|_| text);
-            }
-            text
-        }
-        Format::Json => report::judgement_json(&file, &judgement)?,
-    };
-    write(arguments.output.as_deref(), &output)
+    let document = report::judgement(&file, &judgement, units(arguments.units, &file));
+    present(&document, arguments, || report::judgement_json(&file, &judgement))
 }
 
 fn explain(ExplainArguments { topic, format, output }: &ExplainArguments) -> Result<()> {
@@ -186,32 +194,18 @@ fn explain(ExplainArguments { topic, format, output }: &ExplainArguments) -> Res
         [] => None,
         words => Some(report::topic(&words.join(" "))?),
     };
-    let text =
-        |columns| topic.map_or_else(|| report::topics_text(columns), |topic| report::explain(topic, columns));
-    match format {
-        Format::Text if output.is_none() => {
-            terminal::print(|columns| text(columns.unwrap_or(EXPLAIN_COLUMNS).clamp(40, 100)))
-        }
-        Format::Text => write(output.as_deref(), text(EXPLAIN_COLUMNS)),
-        Format::Json => {
-            let json = topic.map_or_else(report::topics_json, report::topic_json)?;
-            write(output.as_deref(), json)
-        }
-    }
+    let document = topic.map_or_else(report::list_of_topics, report::explanation);
+    present_as(&document, *format, output.as_deref(), || {
+        topic.map_or_else(report::topics_json, report::topic_json)
+    })
 }
 
 fn report_comparison(arguments: &Arguments) -> Result<()> {
     let file = case_file(&arguments.case)?;
     let units = units(arguments.units, &file);
     let comparison = answered(analysis::compare(&file), units)?;
-    let output = match arguments.format {
-        Format::Text => {
-            let text = report::comparison_text(&file.case, &comparison, units);
-            with_warnings(text, &file, &comparison.own, units)
-        }
-        Format::Json => report::comparison_json(&file.case, &comparison)?,
-    };
-    write(arguments.output.as_deref(), &output)
+    let document = report::comparison(&file.case, &comparison, units);
+    present(&document, arguments, || report::comparison_json(&file.case, &comparison))
 }
 
 fn report_sensitivity(
@@ -221,14 +215,8 @@ fn report_sensitivity(
     let sweep = Sweep { step: pdof_step.to_radians(), steps: *pdof_steps };
     let units = units(arguments.units, &file);
     let sensitivity = answered(analysis::sensitivity(&file, sweep), units)?;
-    let output = match arguments.format {
-        Format::Text => {
-            let text = report::sensitivity_text(&file.case, &sensitivity, units);
-            with_warnings(text, &file, &sensitivity.nominal, units)
-        }
-        Format::Json => report::sensitivity_json(&file.case, &sensitivity)?,
-    };
-    write(arguments.output.as_deref(), &output)
+    let document = report::sensitivity(&file.case, &sensitivity, units);
+    present(&document, arguments, || report::sensitivity_json(&file.case, &sensitivity))
 }
 
 fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
@@ -250,14 +238,8 @@ fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
             }
         }
     }
-    let output = match arguments.arguments.format {
-        Format::Text => {
-            let text = report::uncertainty_text(&file.case, &uncertainty, units);
-            with_warnings(text, &file, &uncertainty.nominal, units)
-        }
-        Format::Json => report::uncertainty_json(&file.case, &uncertainty)?,
-    };
-    write(arguments.arguments.output.as_deref(), &output)
+    let document = report::uncertainty(&file.case, &uncertainty, units);
+    present(&document, &arguments.arguments, || report::uncertainty_json(&file.case, &uncertainty))
 }
 
 fn propagate(file: &CaseFile, arguments: &UncertaintyArguments) -> Result<Result<Uncertainty, Failure>> {
@@ -279,14 +261,6 @@ fn propagate(file: &CaseFile, arguments: &UncertaintyArguments) -> Result<Result
             progress.at(counted, done, total)
         })
     }))
-}
-
-/// The warnings of the case stand under whatever is made of it.
-fn with_warnings(text: String, file: &CaseFile, analysis: &Analysis, units: Units) -> String {
-    match report::warnings_text(analysis, &file.case, units) {
-        none if none.is_empty() => text,
-        warnings => format!("{text}\n{warnings}"),
-    }
 }
 
 fn pool(threads: Option<u16>) -> Result<ThreadPool> {
@@ -356,12 +330,9 @@ fn validate(arguments: &ValidateArguments) -> Result<()> {
 
 /// Writes everything first: what fails is to be seen in full.
 fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
-    let output = match arguments.format {
-        PageFormat::Text => report::validation_text(validation),
-        PageFormat::Json => report::validation_json(validation)?,
-        PageFormat::Markdown => report::validation_markdown(validation),
-    };
-    write(arguments.output.as_deref(), &output)?;
+    present_as(&report::validation(validation), arguments.format, arguments.output.as_deref(), || {
+        report::validation_json(validation)
+    })?;
     if let Some(folder) = &arguments.plots {
         let plots =
             [report::computed_against_measured(validation)?, report::reconstructed_speed(validation)?];
@@ -419,7 +390,7 @@ mod tests {
 
     use case::Case;
 
-    use crate::arguments::{PageFormat, ValidateArguments};
+    use crate::arguments::{Format, ValidateArguments};
 
     use super::{NO_ANSWER, lead_and_status, read_at_most, show, supplement_samples};
 
@@ -438,8 +409,7 @@ mod tests {
     #[test]
     fn a_claim_that_fails_ends_with_status_1_after_the_page_is_written() {
         let page = std::env::temp_dir().join(format!("deltav-failing-{}.txt", std::process::id()));
-        let arguments =
-            ValidateArguments { format: PageFormat::Text, output: Some(page.clone()), plots: None };
+        let arguments = ValidateArguments { format: Format::Text, output: Some(page.clone()), plots: None };
         let mut validation = validation::validate(&validation::Data::built_in()).unwrap();
         assert!(show(&validation, &arguments).is_ok());
         validation.energies[3].normal.ours *= 1.02;

@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context as _, Result, bail};
 use same_file::{Handle, is_same_file};
 
-use crate::arguments::{Arguments, CasesFormat, Command, Format, PageFormat, ReportArguments, ReportFormat};
+use crate::arguments::{Arguments, Command, Format, Rows};
 
 /// A file that is written.
 struct Output<'a> {
@@ -122,19 +122,17 @@ fn files(command: &Command) -> Files<'_> {
             cases: arguments.cases.iter().map(|case| &**case).collect(),
             outputs: output(
                 arguments.output.as_deref(),
-                match arguments.format {
-                    CasesFormat::Text => "-report.txt",
-                    CasesFormat::Json => "-report.json",
-                    CasesFormat::Html => "-report.html",
-                    CasesFormat::Markdown => "-report.md",
-                    CasesFormat::Csv => "-rows.csv",
-                    CasesFormat::Jsonl => "-rows.jsonl",
+                match arguments.format.of_one() {
+                    Ok(format) => ending(format, REPORT),
+                    Err(Rows::Csv) => "-rows.csv",
+                    Err(Rows::Jsonl) => "-rows.jsonl",
                 },
             ),
             folder: None,
         },
-        Command::Crush(arguments) => of_report(arguments),
-        Command::Check(arguments) | Command::Compare(arguments) => of_arguments(arguments),
+        Command::Crush(arguments) | Command::Check(arguments) | Command::Compare(arguments) => {
+            of_arguments(arguments)
+        }
         Command::Sensitivity(arguments) => of_arguments(&arguments.arguments),
         Command::Uncertainty(arguments) => {
             let mut files = of_arguments(&arguments.arguments);
@@ -154,14 +152,7 @@ fn files(command: &Command) -> Files<'_> {
         },
         Command::Validate(arguments) => Files {
             cases: Vec::new(),
-            outputs: output(
-                arguments.output.as_deref(),
-                match arguments.format {
-                    PageFormat::Text => "-page.txt",
-                    PageFormat::Json => "-page.json",
-                    PageFormat::Markdown => "-page.md",
-                },
-            ),
+            outputs: output(arguments.output.as_deref(), ending(arguments.format, PAGE)),
             folder: arguments.plots.as_deref().map(|path| Folder {
                 option: "--plots",
                 path,
@@ -180,13 +171,7 @@ fn files(command: &Command) -> Files<'_> {
             ..Files::default()
         },
         Command::Explain(arguments) => Files {
-            outputs: output(
-                arguments.output.as_deref(),
-                match arguments.format {
-                    Format::Text => "-topic.txt",
-                    Format::Json => "-topic.json",
-                },
-            ),
+            outputs: output(arguments.output.as_deref(), ending(arguments.format, TOPIC)),
             ..Files::default()
         },
         // Standard output is theirs.
@@ -194,22 +179,27 @@ fn files(command: &Command) -> Files<'_> {
     }
 }
 
-fn of_report(arguments: &ReportArguments) -> Files<'_> {
-    let ending = match arguments.format {
-        ReportFormat::Text => "-report.txt",
-        ReportFormat::Json => "-report.json",
-        ReportFormat::Html => "-report.html",
-        ReportFormat::Markdown => "-report.md",
-    };
-    Files { cases: vec![&arguments.case], outputs: output(arguments.output.as_deref(), ending), folder: None }
+fn of_arguments(arguments: &Arguments) -> Files<'_> {
+    Files {
+        cases: vec![&arguments.case],
+        outputs: output(arguments.output.as_deref(), ending(arguments.format, REPORT)),
+        folder: None,
+    }
 }
 
-fn of_arguments(arguments: &Arguments) -> Files<'_> {
-    let ending = match arguments.format {
-        Format::Text => "-report.txt",
-        Format::Json => "-report.json",
-    };
-    Files { cases: vec![&arguments.case], outputs: output(arguments.output.as_deref(), ending), folder: None }
+/// What names to propose end in, in the order of [`ending`].
+type Endings = [&'static str; 4];
+const REPORT: Endings = ["-report.txt", "-report.json", "-report.html", "-report.md"];
+const PAGE: Endings = ["-page.txt", "-page.json", "-page.html", "-page.md"];
+const TOPIC: Endings = ["-topic.txt", "-topic.json", "-topic.html", "-topic.md"];
+
+fn ending(format: Format, [text, json, html, markdown]: Endings) -> &'static str {
+    match format {
+        Format::Text => text,
+        Format::Json => json,
+        Format::Html => html,
+        Format::Markdown => markdown,
+    }
 }
 
 fn output<'a>(path: Option<&'a Path>, ending: &'static str) -> Vec<Output<'a>> {

@@ -11,7 +11,7 @@
 //! let found = analysis.found.as_ref().ok_or("a reconstruction finds a speed")?;
 //! assert!((found.speed - 22.9).abs() < 0.05); // the paper: 22.9 m/s
 //!
-//! println!("{}", deltav::report::text(&file.case, &analysis, Units::Us)); // every figure with its equation
+//! println!("{}", deltav::report::results(&file.case, &analysis, Units::Us).text()); // every figure with its equation
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

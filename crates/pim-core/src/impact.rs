@@ -61,6 +61,13 @@ impl<T: Real> Outcome<T> {
         [pdof(f1, self.impulse_vector), pdof(f2, -self.impulse_vector)]
     }
 
+    /// (m/s) −u_n: how fast the vehicles close along the normal at C.
+    #[inline(always)]
+    #[must_use]
+    pub fn closing_speed(&self) -> T {
+        -self.approach.normal
+    }
+
     /// (m/s) |ΔV| of both vehicles.
     #[inline(always)]
     #[must_use]

@@ -12,7 +12,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let file = Case::parse("sae-980025.toml", case::EXAMPLE)?;
     let analysis = analysis::reconstruct(&file)?;
 
-    let text = report::text(&file.case, &analysis, Units::Si);
+    let text = report::results(&file.case, &analysis, Units::Si).text();
     for line in text.lines().take(5) {
         println!("{line}");
     }

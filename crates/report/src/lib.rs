@@ -4,7 +4,7 @@
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let file = case::Case::parse("sae-980025.toml", case::EXAMPLE)?;
 //! let analysis = analysis::reconstruct(&file)?;
-//! let text = report::text(&file.case, &analysis, report::Units::Us);
+//! let text = report::results(&file.case, &analysis, report::Units::Us).text();
 //! assert!(text.contains("75.03 ft/s")); // SAE 980025: 75 ft/s
 //! let json = report::json(&file.case, &analysis)?;
 //! assert!(json.contains("\"admissible_roots\": 1"));
@@ -50,41 +50,46 @@
 
 mod axes;
 mod checks;
-mod comparison;
+mod data;
+mod document;
 mod drawing;
 mod energy;
-mod explain;
 mod failures;
-mod json;
-mod judgement;
+mod glossary;
 mod law;
-mod page;
-mod rows;
-mod sensitivity;
+mod sections;
 mod staged;
 mod steps;
-mod text;
 mod uncertainty;
+mod understood;
 mod units;
 mod warnings;
 mod words;
-mod wrap;
+mod writers;
 
-pub use comparison::{comparison_json, comparison_text};
+pub use data::comparison::comparison_json;
+pub use data::csv::{Refused, Row, RowError, csv_columns, csv_header, csv_row, jsonl_row};
+pub use data::json::json;
+pub use data::judgement::judgement_json;
+pub use data::samples::write_samples;
+pub use data::sensitivity::sensitivity_json;
+pub use data::topics::{topic_json, topics_json};
+pub use data::uncertainty::uncertainty_json;
+pub use data::validation::validation_json;
+pub use document::Document;
 pub use drawing::{Drawing, DrawingError, Subject, drawing};
-pub use explain::{Topic, UnknownTopic, explain, topic, topic_json, topics, topics_json, topics_text};
 pub use failures::no_answer;
-pub use json::json;
-pub use judgement::{judgement_json, judgement_text};
-pub use page::{Supplement, html, markdown};
-pub use rows::{Refused, Row, RowError, csv_columns, csv_header, csv_row, jsonl_row};
-pub use sensitivity::{sensitivity_json, sensitivity_text};
-pub use staged::{
-    PlotError, computed_against_measured, reconstructed_speed, validation_headline, validation_json,
-    validation_markdown, validation_text,
-};
+pub use glossary::{Topic, UnknownTopic, topic, topics};
+pub use sections::comparison::comparison;
+pub use sections::handover::{Supplement, handover};
+pub use sections::judgement::judgement;
+pub use sections::results::results;
+pub use sections::sensitivity::sensitivity;
+pub use sections::topics::{explanation, list_of_topics};
+pub use sections::uncertainty::uncertainty;
+pub use sections::validation::{validation, validation_headline};
+pub use staged::{PlotError, computed_against_measured, reconstructed_speed};
 pub use steps::{Step, StepGroup, steps};
-pub use text::{text, text_within};
-pub use uncertainty::{histogram, tornado, uncertainty_json, uncertainty_text, write_samples};
+pub use uncertainty::{histogram, tornado};
 pub use units::Units;
-pub use warnings::{message, warnings_text};
+pub use warnings::{message, warnings};

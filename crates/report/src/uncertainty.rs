@@ -1,23 +1,18 @@
-//! Between what and what the answer lies: as text, JSON, samples and plots.
+//! Histograms and tornados, and what they share with the tables of the uncertainty.
 
-mod json;
 mod marks;
-mod page;
 mod plot;
-mod samples;
 
-pub use json::uncertainty_json;
-pub use page::uncertainty_text;
 pub use plot::{histogram, tornado};
-pub use samples::write_samples;
 
 use ::uncertainty::{Method, Summary};
 use analysis::{Output, Reason};
 
+use crate::sections::output_quantity;
 use crate::units::Quantity;
 
 /// The key of the JSON and of the samples.
-fn reason_name(reason: Reason) -> &'static str {
+pub(crate) fn reason_name(reason: Reason) -> &'static str {
     match reason {
         Reason::NotApproaching => "not_approaching",
         Reason::NoRoot => "no_root",
@@ -31,7 +26,7 @@ fn reason_name(reason: Reason) -> &'static str {
 }
 
 /// As the command line has it.
-fn method_name(method: Method) -> &'static str {
+pub(crate) fn method_name(method: Method) -> &'static str {
     match method {
         Method::MonteCarlo => "monte-carlo",
         Method::LatinHypercube => "latin-hypercube",
@@ -40,36 +35,28 @@ fn method_name(method: Method) -> &'static str {
     }
 }
 
-fn quantity(output: Output) -> Quantity {
-    match output {
-        Output::Speed { .. } | Output::DeltaV { .. } | Output::ClosingSpeed => Quantity::Speed,
-        Output::Pdof { .. } => Quantity::Angle,
-        Output::EnergyLoss | Output::NormalWork | Output::TangentialWork => Quantity::Energy,
-    }
-}
-
 /// In a picture: people read speeds in mph and km/h.
 fn pictured(output: Output) -> Quantity {
-    match quantity(output) {
+    match output_quantity(output) {
         Quantity::Speed => Quantity::RoadSpeed,
         other => other,
     }
 }
 
 /// How many samples lie in each of some classes of the same width.
-struct Histogram {
+pub(crate) struct Histogram {
     /// (unit of the output) lower end of the first class.
-    low: f64,
+    pub(crate) low: f64,
     /// (unit of the output) width of a class.
-    width: f64,
-    counts: Vec<usize>,
+    pub(crate) width: f64,
+    pub(crate) counts: Vec<usize>,
     /// Samples below the first and above the last class.
-    outside: [usize; 2],
+    pub(crate) outside: [usize; 2],
 }
 
 impl Histogram {
     /// Of the middle 99 % of the samples that have an answer; `None` where they do not differ.
-    fn new(column: &[f64], summary: &Summary, classes: u32) -> Option<Self> {
+    pub(crate) fn new(column: &[f64], summary: &Summary, classes: u32) -> Option<Self> {
         let [.., widest] = summary.intervals;
         let (low, high) = (widest.low.value, widest.high.value);
         let width = (high - low) / f64::from(classes);

@@ -5,32 +5,32 @@ use case::{Axes, Case, StiffnessSource};
 use crash3::{EnergyBasis, Side};
 use pim_core::Switch;
 
-use crate::axes;
+use crate::document::{Block, Document};
 use crate::units::{Quantity, Units, number};
-use crate::words;
-use crate::wrap::{LINE, wrapped_within};
+use crate::{axes, words};
 
 /// Where more is said of a warning.
-pub(crate) const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to \
-check; the code is in brackets.";
+const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to check; the code is in \
+                    brackets.";
 
-/// The warnings of an analysis as text, to stand under what was made of it; empty where there are none.
-#[must_use]
-pub fn warnings_text(analysis: &Analysis, case: &Case, units: Units) -> String {
-    lines(&analysis.in_axes(case.axes).warnings, units, case.axes, LINE)
+/// The warnings as a part of a document. Their numbers have to be in the axes.
+pub(crate) fn block(warnings: &[Warning], units: Units, axes: Axes) -> Block {
+    let sentence = |warning: &Warning| (warning.code(), message(warning, units, axes));
+    Block::Warnings { warnings: warnings.iter().map(sentence).collect(), more: MORE }
 }
 
-/// The warnings in lines of so many columns. Their numbers have to be in the axes.
-pub(crate) fn lines(warnings: &[Warning], units: Units, axes: Axes, line: usize) -> String {
-    let mut text = String::new();
-    for warning in warnings {
-        let sentence = format!("warning [{}]: {}", warning.code(), message(warning, units, axes));
-        text.push_str(&wrapped_within(&sentence, line));
-    }
-    if !text.is_empty() {
-        text.push_str(&wrapped_within(MORE, line));
-    }
-    text
+/// The warnings of an analysis alone; nothing where it has none.
+#[must_use]
+pub fn warnings(case: &Case, analysis: &Analysis, units: Units) -> Document {
+    let mut page = Document::new();
+    page.blocks.extend(of_analysis(analysis, case, units));
+    page
+}
+
+/// The same, for what is made of an analysis: nothing where it has no warnings.
+pub(crate) fn of_analysis(analysis: &Analysis, case: &Case, units: Units) -> Option<Block> {
+    let warnings = analysis.in_axes(case.axes).warnings;
+    (!warnings.is_empty()).then(|| block(&warnings, units, case.axes))
 }
 
 /// How many there are, for the top of a report; nothing where all are of the kind that most cases have.

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 use analysis::{Analysis, Warning};
 use case::{Case, CaseFile};
-use report::{explain, topic, topic_json, topics, topics_json, topics_text};
+use report::{explanation, list_of_topics, topic, topic_json, topics, topics_json};
 
 /// Every valid case of the fixtures.
 fn cases() -> Vec<CaseFile> {
@@ -195,15 +195,15 @@ fn an_unknown_topic_names_its_neighbours() {
 #[test]
 fn lines_fit_and_equations_keep_theirs() {
     for topic in topics() {
-        let text = explain(topic, 80);
+        let text = explanation(topic).text_within(80);
         assert!(text.starts_with(topic.name) && text.ends_with('\n'));
         for line in text.lines().filter(|line| !line.starts_with("    ")) {
             assert!(line.chars().count() <= 80, "{line}");
         }
     }
-    let text = explain(topic("EES").unwrap(), 60);
+    let text = explanation(topic("EES").unwrap()).text_within(60);
     assert!(text.contains("\n    EES = √(2 E/m)\n"), "{text}");
-    let list = topics_text(80);
+    let list = list_of_topics().text_within(80);
     assert!(topics().iter().all(|topic| list.replace('\n', " ").contains(topic.name)));
 }
 

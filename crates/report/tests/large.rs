@@ -74,7 +74,7 @@ fn a_page_with_long_texts_comes_soon() {
     let file = Case::parse("long.toml", &text).unwrap();
     let analysis = analysis::reconstruct(&file).unwrap();
     let start = Instant::now();
-    let page = report::html(&file, &analysis, Vec::new(), Units::Us).unwrap();
+    let page = report::handover(&file, &analysis, Vec::new(), Units::Us).unwrap().html();
     assert!(page.matches(name.as_str()).count() > 0);
     assert!(start.elapsed() < SOON, "{:?}", start.elapsed());
 }

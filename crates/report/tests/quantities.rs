@@ -165,7 +165,7 @@ fn what_is_shared_stands_in_no_column_of_a_vehicle() {
     let shared = || QUANTITIES.iter().filter(|quantity| matches!(quantity.of, Of::Collision(_)));
     let (mut below, mut elsewhere) = (BTreeSet::new(), BTreeSet::new());
     for (name, file, analysis) in analyses() {
-        let text = report::text(&file.case, &analysis, report::Units::Si);
+        let text = report::results(&file.case, &analysis, report::Units::Si).text();
         for (header, labels) in tables(&text) {
             let named = ["vehicle 1", "along n"].iter().any(|column| header.contains(column));
             for label in labels {

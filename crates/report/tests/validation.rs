@@ -37,7 +37,7 @@ fn assert_current(name: &str, now: &str) {
 
 #[test]
 fn the_page_is_current() {
-    assert_current("validation.md", &report::validation_markdown(&built_in()));
+    assert_current("validation.md", &report::validation(&built_in()).markdown());
 }
 
 #[test]
@@ -74,7 +74,7 @@ fn the_headline_is_that_of_the_speeds() {
 
 #[test]
 fn lines_of_text_fit_the_terminal() {
-    let text = report::validation_text(&built_in());
+    let text = report::validation(&built_in()).text();
     let long: Vec<&str> = text.lines().filter(|line| line.chars().count() > 98).collect();
     assert!(long.is_empty(), "{}", long.join("\n"));
 }
@@ -87,13 +87,14 @@ fn a_failure_is_shouted() {
     assert!(matches!(cell.claim, Claim::Reproduces { .. }));
     cell.ours += 1.0;
     let place = "Table 2, test 1, PimCrush, vehicle 2";
-    for page in [report::validation_text(&validation), report::validation_markdown(&validation)] {
+    for page in [report::validation(&validation).text(), report::validation(&validation).markdown()] {
         let page = words(&page);
         assert!(page.contains("1 of the 231 numbers that are claimed to reproduce FAIL."), "{page}");
         assert!(page.contains(&format!("Failing: {place}.")), "{page}");
     }
     assert!(
-        report::validation_text(&validation)
+        report::validation(&validation)
+            .text()
             .lines()
             .any(|line| line.ends_with("FAILS, ≤ 0.10") || line.ends_with("≤ 0.10, FAILS"))
     );
@@ -105,7 +106,7 @@ fn a_failure_is_shouted() {
 #[test]
 fn nothing_is_hidden() {
     let validation = built_in();
-    let page = words(&report::validation_text(&validation));
+    let page = words(&report::validation(&validation).text());
     for (place, cell) in validation.cells() {
         if let Claim::KnownDifference { reason } = &cell.claim {
             let tail: String = reason.chars().skip(1).collect();

@@ -54,8 +54,8 @@ fn no_force_has_no_ratio() {
     let found = analysis.warnings.iter().find(|warning| matches!(warning, Warning::ForceBalance { .. }));
     says(found.unwrap(), Axes::ZUp, &["follow from the crush differ: 0 lb on vehicle 1, 3,1"]);
     for output in [
-        report::text(&file.case, &analysis, Units::Us),
-        report::html(&file, &analysis, Vec::new(), Units::Us).unwrap(),
+        report::results(&file.case, &analysis, Units::Us).text(),
+        report::handover(&file, &analysis, Vec::new(), Units::Us).unwrap().html(),
         report::json(&file.case, &analysis).unwrap(),
     ] {
         let words: Vec<&str> = output.split(|c: char| !c.is_alphanumeric()).collect();

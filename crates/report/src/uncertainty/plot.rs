@@ -6,10 +6,10 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+use super::Histogram;
 use super::marks::{self, Mark};
-use super::{Histogram, pictured};
 use crate::drawing::{font, ticks};
-use crate::sensitivity::output_name;
+use crate::sections::output_name;
 use crate::staged::PlotError;
 use crate::units::{Units, number};
 
@@ -59,7 +59,7 @@ fn output(
     units: Units,
 ) -> Result<(&UncertainOutput, String), PlotError> {
     let output = uncertainty.outputs.get(place).ok_or_else(|| failed("there is no such output"))?;
-    Ok((output, format!("{}, {}", output_name(output.output), units.name(pictured(output.output)))))
+    Ok((output, format!("{}, {}", output_name(output.output), units.name(super::pictured(output.output)))))
 }
 
 /// The middle 99 % of the samples of an output, with its 95 % interval and its central value, as SVG. `None` where the samples do not differ.
@@ -75,7 +75,7 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
         return Ok(None);
     }
     let Some(histogram) = Histogram::new(column, &summary, CLASSES) else { return Ok(None) };
-    let value = |si: f64| units.value(pictured(output.output), si);
+    let value = |si: f64| units.value(super::pictured(output.output), si);
     #[expect(clippy::cast_precision_loss, reason = "a share to draw")]
     let share = |count: usize| 100.0 * count as f64 / summary.samples as f64;
     let most = histogram.counts.iter().copied().max().unwrap_or_default();
@@ -85,7 +85,7 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Resul
 
     let (_, decimals) = ticks::round((ends[1] - ends[0]) / f64::from(MOST_TICKS));
     // No coarser than the ticks below it.
-    let figure = |si: f64| number(value(si), decimals.max(units.decimals(pictured(output.output))));
+    let figure = |si: f64| number(value(si), decimals.max(units.decimals(super::pictured(output.output))));
     let mut svg = String::new();
     {
         let root = SVGBackend::with_string(&mut svg, (720, 420)).into_drawing_area();
@@ -155,7 +155,7 @@ pub fn tornado(uncertainty: &Uncertainty, place: usize, units: Units) -> Result<
     };
     let bars: Vec<&Bar> = uncertainty.tornado.ranked(place).into_iter().take(BARS).collect();
     let ends = bars.iter().flat_map(|bar| [value(&bar.low), value(&bar.high)]).flatten();
-    let print = |end: f64| units.plain(pictured(output.output), end);
+    let print = |end: f64| units.plain(super::pictured(output.output), end);
     // Bars for what changes no digit would show rounding as if it were an effect.
     let printed = print(output.central);
     let ends: Vec<f64> = ends.filter(|end| print(*end) != printed).collect();

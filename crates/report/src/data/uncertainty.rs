@@ -8,8 +8,8 @@ use case::Case;
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
-use super::{method_name, reason_name};
-use crate::json::WarningBlock;
+use super::json::WarningBlock;
+use crate::uncertainty::{method_name, reason_name};
 
 #[derive(Serialize)]
 struct Document<'a> {

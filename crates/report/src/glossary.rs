@@ -2,10 +2,6 @@
 
 use std::sync::OnceLock;
 
-use serde::Serialize;
-
-use crate::wrap::wrapped_within;
-
 /// The source of all texts: `## group`, `### name`, a line `Also: …; …` with other names, and the text.
 const GLOSSARY: &str = include_str!("../glossary.md");
 
@@ -166,90 +162,9 @@ fn nearest(word: &str) -> Vec<&'static str> {
     nearest
 }
 
-/// A topic as text in lines of so many columns.
-#[must_use]
-pub fn explain(topic: &Topic, columns: usize) -> String {
-    let mut text = format!("{}\n{}\n", topic.name, "─".repeat(columns));
-    if !topic.aliases.is_empty() {
-        text.push_str(&wrapped_within(&format!("Also: {}", topic.aliases.join("; ")), columns));
-    }
-    for paragraph in topic.text.split("\n\n") {
-        text.push('\n');
-        if paragraph.starts_with("    ") {
-            text.push_str(paragraph);
-            text.push('\n');
-        } else {
-            text.push_str(&wrapped_within(paragraph, columns));
-        }
-    }
-    text
-}
-
 /// The words of a text in small letters, a space before and after each, so that no name is found within another word.
 fn words(text: &str) -> String {
     let is_part = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '–' | '\'');
     let words = text.split(|c: char| !is_part(c)).filter(|word| !word.is_empty());
     format!(" {} ", words.collect::<Vec<_>>().join(" ").to_lowercase())
-}
-
-/// A topic as JSON.
-#[derive(Serialize)]
-struct Entry {
-    term: &'static str,
-    kind: &'static str,
-    also: &'static [&'static str],
-    text: &'static str,
-    see_also: Vec<&'static str>,
-}
-
-impl Entry {
-    fn new(topic: &'static Topic) -> Self {
-        let Topic { name: term, group: kind, aliases: also, text } = topic;
-        Self { term, kind, also, text, see_also: topic.see_also() }
-    }
-}
-
-/// A topic as indented JSON, ending in a line break: `term`, `kind` (the heading that it stands under), `also` (its other names), `text` (Markdown) and
-/// `see_also`, the terms of other topics that the text uses.
-///
-/// # Errors
-/// Where serialisation fails, which no topic causes.
-pub fn topic_json(topic: &'static Topic) -> Result<String, serde_json::Error> {
-    Ok(serde_json::to_string_pretty(&Entry::new(topic))? + "\n")
-}
-
-/// All topics as a list of what [`topic_json`] gives, in the order of the glossary.
-///
-/// # Errors
-/// Where serialisation fails, which no topic causes.
-pub fn topics_json() -> Result<String, serde_json::Error> {
-    let entries: Vec<Entry> = topics().iter().map(Entry::new).collect();
-    Ok(serde_json::to_string_pretty(&entries)? + "\n")
-}
-
-/// The names of all topics under their headings, in lines of so many columns.
-#[must_use]
-pub fn topics_text(columns: usize) -> String {
-    let mut text = wrapped_within(
-        "`deltav explain TOPIC` explains one of these; symbols, keys of the case file and codes of warnings are known too.",
-        columns,
-    );
-    let mut group = "";
-    let mut names: Vec<&str> = Vec::new();
-    let mut flush = |group: &str, names: &mut Vec<&str>| {
-        if !names.is_empty() {
-            let list = wrapped_within(&names.join("; "), columns);
-            text.push_str(&format!("\n{group}\n{}\n{list}", "─".repeat(columns)));
-            names.clear();
-        }
-    };
-    for topic in topics() {
-        if topic.group != group {
-            flush(group, &mut names);
-            group = topic.group;
-        }
-        names.push(topic.name);
-    }
-    flush(group, &mut names);
-    text
 }

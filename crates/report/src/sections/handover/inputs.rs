@@ -3,26 +3,27 @@
 use analysis::{Analysis, Assumption};
 use case::{CaseFile, Input};
 
-use super::Table;
-use crate::judgement::{self, ASSUMED, CHOICES};
+use crate::document::{Column, Table, Width};
+use crate::sections::judgement::{ASSUMED, CHOICES, NUMBERS};
 use crate::steps::digits;
+use crate::understood;
 use crate::units::Units;
 
 /// Those that have rows.
 pub(super) fn tables(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<Table> {
-    let pairs = |caption, header: [&str; 2], rows: Vec<(String, String)>| Table {
-        caption,
-        header: header.map(str::to_owned).to_vec(),
-        rows: rows.into_iter().map(|(key, value)| vec![key, value]).collect(),
+    let pairs = |title: &str, [key, value]: [&str; 2], rows: Vec<(String, String)>| {
+        let mut table = Table::new(title, [key, value].map(|name| Column::words(name, Width::Fit(0))));
+        rows.into_iter().for_each(|(key, value)| table.row([key, value]));
+        table
     };
     let assumed = analysis::assumptions(file)
         .iter()
         .filter(|assumption| is_of(assumption, analysis))
-        .map(|assumption| (assumption.key(), judgement::message(assumption, units)))
+        .map(|assumption| (assumption.key(), understood::message(assumption, units)))
         .collect();
     let mut tables = vec![
         numbers(file),
-        pairs(CHOICES, ["key in the case file", "as given"], judgement::choices(&file.case)),
+        pairs(CHOICES, ["key in the case file", "as given"], understood::choices(&file.case)),
         pairs(ASSUMED, ["key that would say it", "assumed"], assumed),
     ];
     tables.retain(|table| !table.rows.is_empty());
@@ -48,7 +49,7 @@ struct Row {
 }
 
 impl Row {
-    fn cells(self) -> Vec<String> {
+    fn cells(self) -> [String; 3] {
         let mut own = self.own.join(", ");
         let known: Vec<&str> =
             self.spreads.iter().map(|spread| if spread.is_empty() { "–" } else { spread }).collect();
@@ -60,7 +61,7 @@ impl Row {
             }
             spreads => own.push_str(&format!("; {}", spreads.join(", "))),
         }
-        vec![self.path, own, self.si.join(", ")]
+        [self.path, own, self.si.join(", ")]
     }
 }
 
@@ -69,7 +70,7 @@ fn numbers(file: &CaseFile) -> Table {
     let mut rows: Vec<Row> = Vec::new();
     for input in file.case.inputs() {
         let spread =
-            ranges.next_if(|range| range.path == input.path).map(judgement::spread).unwrap_or_default();
+            ranges.next_if(|range| range.path == input.path).map(understood::spread).unwrap_or_default();
         let (path, first) = match input.path.strip_suffix("[1]") {
             Some(list) => (list.to_owned(), true),
             None => (input.path.split('[').next().unwrap_or_default().to_owned(), !input.path.ends_with(']')),
@@ -86,11 +87,10 @@ fn numbers(file: &CaseFile) -> Table {
             }
         }
     }
-    Table {
-        caption: "Numbers as understood",
-        header: ["key in the case file", "as given", "in SI units"].map(str::to_owned).to_vec(),
-        rows: rows.into_iter().map(Row::cells).collect(),
-    }
+    let columns = ["key in the case file", "as given", "in SI units"];
+    let mut table = Table::new(NUMBERS, columns.map(|name| Column::words(name, Width::Fit(0))));
+    rows.into_iter().for_each(|row| table.row(row.cells()));
+    table
 }
 
 fn own(input: &Input) -> String {

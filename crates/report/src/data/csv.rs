@@ -5,7 +5,7 @@ use case::Case;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::json::document;
+use super::json::document;
 use crate::units::{Quantity, Units};
 
 /// What came of one file.

@@ -1,4 +1,4 @@
-//! As text for people.
+//! The spread of the results that ranges in the case cause.
 
 use std::f64::consts::PI;
 
@@ -7,10 +7,11 @@ use analysis::{Output, REASONS, Reason, UncertainInput, UncertainOutput, Uncerta
 use case::Case;
 use crash3::principal_angle;
 
-use super::{Histogram, method_name, quantity};
-use crate::sensitivity::output_name;
+use super::chosen::{output_name, output_quantity as quantity};
+use crate::document::{Block, Column, Document, NONE, Table, Width};
+use crate::uncertainty::{Histogram, method_name};
 use crate::units::{Quantity, Units, number, significant};
-use crate::wrap::{LINE, first_cell, wrapped};
+use crate::warnings;
 
 /// Classes of the histogram.
 const CLASSES: u32 = 15;
@@ -27,44 +28,32 @@ const MOST_DECIMALS: usize = 6;
 /// (–) a cut that takes less away is not worth a line.
 const NOTICED_CUT: f64 = 1e-6;
 
-/// The uncertainty as tables and bars of at most 98 columns.
+/// The summary of each output as tables and bars, what drives them, and the warnings of the case as it stands.
 #[must_use]
-pub fn uncertainty_text(case: &Case, uncertainty: &Uncertainty, units: Units) -> String {
-    let mut page = Page { uncertainty, units, text: String::new() };
-    page.head(case);
-    page.failures();
+pub fn uncertainty(case: &Case, uncertainty: &Uncertainty, units: Units) -> Document {
+    let mut page = Page { uncertainty, units, document: Document::new() };
+    page.document.title(case);
+    page.head();
     page.results();
     page.intervals();
     page.histogram();
     page.tornado();
     page.indices();
     page.inputs();
-    page.text
+    let Page { mut document, .. } = page;
+    document.blocks.extend(warnings::of_analysis(&uncertainty.nominal, case, units));
+    document
 }
 
 struct Page<'a> {
     uncertainty: &'a Uncertainty,
     units: Units,
-    text: String,
+    document: Document,
 }
 
 impl<'a> Page<'a> {
-    fn line(&mut self, line: &str) {
-        self.text.push_str(line.trim_end());
-        self.text.push('\n');
-    }
-
-    fn paragraph(&mut self, words: &str) {
-        self.text.push_str(&wrapped(words));
-    }
-
-    fn rule(&mut self) {
-        self.line(&"─".repeat(LINE));
-    }
-
-    fn head(&mut self, case: &Case) {
+    fn head(&mut self) {
         let uncertainty = self.uncertainty;
-        self.line(case.title.as_deref().unwrap_or("Untitled case"));
         let propagation = &uncertainty.propagation;
         let method = match uncertainty.settings.method {
             Method::MonteCarlo => "Monte Carlo",
@@ -73,33 +62,33 @@ impl<'a> Page<'a> {
             other => method_name(other),
         };
         let inputs = counted(uncertainty.inputs.len(), "uncertain input");
-        self.line("");
-        self.paragraph(&format!(
+        let mut lines = vec![format!(
             "{} of {inputs}, {method}, seed {}; {} have an answer.",
             counted(propagation.evaluated(), "sample"),
             uncertainty.settings.seed,
             grouped(propagation.succeeded()),
-        ));
+        )];
         if propagation.evaluated() < propagation.requested() {
-            self.paragraph(&format!(
+            lines.push(format!(
                 "Ended early: {} samples were requested. The results cover only the samples that were \
                  completed.",
                 grouped(propagation.requested())
             ));
         }
+        lines.extend(self.failures());
+        self.document.push(Block::List(lines));
     }
 
-    fn failures(&mut self) {
+    /// How many samples have no answer, by reason.
+    fn failures(&self) -> Vec<String> {
         let evaluated = self.uncertainty.propagation.evaluated();
-        for reason in REASONS {
+        let of = |reason: Reason| {
             let failed = self.uncertainty.failed(reason);
-            if failed > 0 {
-                #[expect(clippy::cast_precision_loss, reason = "a share for people")]
-                let share = 100.0 * failed as f64 / evaluated as f64;
-                let share = significant(share, 2);
-                self.line(&format!("  {:>11} ({share} %) without: {}", grouped(failed), in_words(reason)));
-            }
-        }
+            #[expect(clippy::cast_precision_loss, reason = "a share for people")]
+            let share = significant(100.0 * failed as f64 / evaluated as f64, 2);
+            (failed > 0).then(|| format!("{} ({share} %) without: {}", grouped(failed), in_words(reason)))
+        };
+        REASONS.into_iter().filter_map(of).collect()
     }
 
     /// Each output with its summary.
@@ -148,16 +137,20 @@ impl<'a> Page<'a> {
     }
 
     fn results(&mut self) {
-        self.line("");
-        let head = ["central", "mean", "median", "std. dev.", "first order", "differs"];
-        let [central, mean, median, sd, first, differs] = head;
-        self.line(&format!(
-            "{:<30}{central:>11}{mean:>11}{median:>11}{sd:>12}{first:>13}{differs:>10}",
-            "Results"
-        ));
-        self.rule();
+        let mut table = Table::new(
+            "Results",
+            [
+                Column::words("", Width::Fixed(30)),
+                Column::numbers("central", Width::Fixed(11)),
+                Column::numbers("mean", Width::Fixed(11)),
+                Column::numbers("median", Width::Fixed(11)),
+                Column::numbers("std. dev.", Width::Fixed(12)),
+                Column::numbers("first order", Width::Fixed(13)),
+                Column::numbers("differs", Width::Fixed(10)),
+            ],
+        );
+        let none = || NONE.to_owned();
         let mut apart = Vec::new();
-        let mut lines = Vec::new();
         for (output, summary) in self.rows() {
             let sd = summary.map_or(output.first_order.sd, |summary| summary.sd.value);
             let sd = if output.varies(sd) { sd } else { 0.0 };
@@ -166,15 +159,15 @@ impl<'a> Page<'a> {
             let first = plain(output.first_order.sd);
             let label = self.label(output, quantity(output.output));
             let Some(summary) = summary else {
-                lines.push(format!("{label:<30}{central:>11}{:>11}{:>11}{:>12}{first:>13}", "–", "–", "–"));
+                table.row([label, central, none(), none(), none(), first, String::new()]);
                 continue;
             };
             if !output.varies(summary.sd.value) {
-                lines.push(format!("{label:<30}{central:>11}{:>58}", "does not vary"));
+                let [mean, median, sd, first] = [const { String::new() }; 4];
+                table.row([label, central, mean, median, sd, first, "does not vary".to_owned()]);
                 continue;
             }
             let [mean, median, sd] = [summary.mean, summary.median, summary.sd];
-            let of = |estimate: Estimate| plain(estimate.value);
             let by = 100.0 * (output.first_order.sd / sd.value - 1.0);
             let differs = if output.differs(sd.value) {
                 apart.push(output_name(output.output));
@@ -182,35 +175,31 @@ impl<'a> Page<'a> {
             } else {
                 "no".to_owned()
             };
-            lines.push(format!(
-                "{label:<30}{central:>11}{:>11}{:>11}{:>12}{first:>13}{differs:>10}",
-                of(mean),
-                of(median),
-                of(sd)
-            ));
-            let error = |estimate: Estimate| self.error(output, estimate, 10);
-            lines.push(format!("{:<41}{:>11}{:>11}{:>12}", "", error(mean), error(median), error(sd)));
+            // The standard error stands below the value.
+            let of = |estimate: Estimate| {
+                format!("{}\n{}", plain(estimate.value), self.error(output, estimate, 10))
+            };
+            table.row([label, central, of(mean), of(median), of(sd), first, differs]);
             if let Some(road) = self.beside(output) {
                 let of = self.resolved(road, sd.value);
-                lines.push(format!(
-                    "{:<30}{:>11}{:>11}{:>11}{:>12}{:>13}",
+                table.row([
                     format!("  in {}", self.units.name(road)),
                     of(output.central),
                     of(mean.value),
                     of(median.value),
                     of(sd.value),
-                    of(output.first_order.sd)
-                ));
+                    of(output.first_order.sd),
+                    String::new(),
+                ]);
             }
         }
-        lines.iter().for_each(|line| self.line(line));
-        self.line("");
-        self.paragraph(
+        self.document.push(table);
+        self.document.paragraph(
             "± is the standard error due to the number of samples. The first-order standard deviation \
              follows the GUM (JCGM 100, equation 10), with the exact derivatives at the central values.",
         );
         if !apart.is_empty() {
-            self.paragraph(&format!(
+            self.document.paragraph(format!(
                 "Warning: the first-order standard deviation differs by more than 10 % from that of the \
                  samples for: {}. There the result is not linear over the ranges of the inputs; trust the \
                  samples.",
@@ -220,35 +209,28 @@ impl<'a> Page<'a> {
     }
 
     fn intervals(&mut self) {
-        self.line("");
-        self.line(&format!("{:<25}{:>18}{:>18}{:>18}{:>18}", "Intervals", "50 %", "90 %", "95 %", "99 %"));
-        self.rule();
-        let mut lines = Vec::new();
+        let mut columns = vec![Column::words("", Width::Fixed(25))];
+        for level in ["50 %", "90 %", "95 %", "99 %"] {
+            columns.push(Column::numbers("", Width::Fixed(END + 1)));
+            columns.push(Column::numbers(level, Width::Fixed(END + 1)));
+        }
+        let mut table = Table::new("Intervals", columns);
         for (output, summary) in self.rows() {
             let label = self.label(output, quantity(output.output));
             let Some(summary) = summary.filter(|summary| output.varies(summary.sd.value)) else { continue };
-            // A blank before each: figures that run together are misread.
-            let cell = |text: String| {
-                let text = if text.chars().count() > END { text.replace(',', "") } else { text };
-                format!(" {text:>END$}")
-            };
-            let ends = |low: String, high: String| cell(low) + &cell(high);
+            let ends = summary.intervals.map(|interval| [interval.low, interval.high]);
             let plain = self.resolved(quantity(output.output), summary.sd.value);
-            let values =
-                summary.intervals.map(|interval| ends(plain(interval.low.value), plain(interval.high.value)));
-            let error = |estimate: Estimate| self.error(output, estimate, END);
-            let errors = summary.intervals.map(|interval| ends(error(interval.low), error(interval.high)));
-            lines.push(format!("{label:<25}{}", values.concat()));
-            lines.push(format!("{:<25}{}", "", errors.concat()));
+            let cell =
+                |end: Estimate| format!("{}\n{}", short(plain(end.value)), self.error(output, end, END));
+            table.cells(std::iter::once(label).chain(ends.into_iter().flatten().map(cell)));
             if let Some(road) = self.beside(output) {
                 let of = self.resolved(road, summary.sd.value);
-                let values =
-                    summary.intervals.map(|interval| ends(of(interval.low.value), of(interval.high.value)));
+                let cells = ends.into_iter().flatten().map(|end| short(of(end.value)));
                 let label = format!("  in {}", self.units.name(road));
-                lines.push(format!("{label:<25}{}", values.concat()));
+                table.cells(std::iter::once(label).chain(cells));
             }
         }
-        lines.iter().for_each(|line| self.line(line));
+        self.document.push(table);
         self.turned();
     }
 
@@ -261,12 +243,12 @@ impl<'a> Page<'a> {
             let mut ends = summary.intervals.iter().flat_map(|ends| [ends.low.value, ends.high.value]);
             let Some(end) = ends.find(|end| end.abs() > PI) else { continue };
             let [end, same] = [end, principal_angle(end)].map(|si| self.units.format(Quantity::Angle, si));
-            self.line("");
-            self.paragraph(&format!(
+            let turned = format!(
                 "The {} passes through 180°, straight from behind. Its intervals are not cut there: an end \
                  at {end} is the direction {same}.",
                 output_name(output.output)
-            ));
+            );
+            self.document.paragraph(turned);
         }
     }
 
@@ -281,20 +263,24 @@ impl<'a> Page<'a> {
         let most = histogram.counts.iter().copied().max().unwrap_or_default();
         let alone = self.alone(output);
         let title = self.label(output, alone);
-        let mut lines = Vec::new();
+        let mut table = Table::new(
+            title,
+            [
+                Column::words("", Width::Fixed(25)),
+                Column::numbers("", Width::Fixed(10)),
+                Column::bars("", Width::Share),
+            ],
+        );
         for (class, &count) in (0_u32..).zip(&histogram.counts) {
             let low = histogram.low + f64::from(class) * histogram.width;
             let from = self.units.plain(alone, low);
             let to = self.units.plain(alone, low + histogram.width);
-            let share = share(count, summary.samples);
-            lines.push(format!("{from:>11} – {to:<11}{share:>8} %  {}", bar(count, most)));
+            let share = format!("{} %", share(count, summary.samples));
+            table.row([format!("{from:>11} – {to}"), share, bar(count, most)]);
         }
-        self.line("");
-        self.line(&title);
-        self.rule();
-        lines.iter().for_each(|line| self.line(line));
         let [below, above] = histogram.outside.map(|count| share(count, summary.samples));
-        self.line(&format!("{:<25}{below:>8} % below, {above} % above", ""));
+        table.notes.push(format!("{below} % lie below and {above} % above."));
+        self.document.push(table);
     }
 
     /// Of the first output.
@@ -309,31 +295,32 @@ impl<'a> Page<'a> {
             .flat_map(|bar| [&bar.low, &bar.high])
             .filter_map(value)
             .fold(0.0_f64, |longest, value| longest.max((value - output.central).abs()));
-        let mut lines = Vec::new();
+        let mut table = Table::new(
+            title,
+            [
+                Column::words("", Width::Fixed(36)),
+                Column::numbers(format!("low, {unit}"), Width::Fixed(10)),
+                Column::numbers("high", Width::Fixed(10)),
+                Column::bars("", Width::Fixed(2 * SIDE + 3)),
+                Column::numbers("first order", Width::Fixed(11)),
+            ],
+        );
         for bar in bars.iter().take(BARS) {
             let [low, high] = [&bar.low, &bar.high].map(|end| match &end.outputs {
                 Ok(outputs) => self.units.plain(alone, outputs.first().copied().unwrap_or(f64::NAN)),
                 Err(_) => "none".to_owned(),
             });
-            let path = first_cell(&self.uncertainty.inputs[bar.input].input.path, 36);
+            let path = self.uncertainty.inputs[bar.input].input.path.clone();
             let share = number(100.0 * output.first_order.shares[bar.input], 1);
-            lines.push(format!(
-                "{path}{low:>10}{high:>10}  {}{share:>9} %",
-                both_sides(bar, output.central, longest)
-            ));
+            table.row([path, low, high, both_sides(bar, output.central, longest), format!("{share} %")]);
         }
         let rest = bars.len().saturating_sub(BARS);
-        let next = bars.get(BARS).and_then(|bar| bar.swing(0));
-        self.line("");
-        self.line(&format!("{title:<36}{:>10}{:>10}{:>40}", format!("low, {unit}"), "high", "first order"));
-        self.rule();
-        lines.iter().for_each(|line| self.line(line));
-        if let Some(next) = next {
+        if let Some(next) = bars.get(BARS).and_then(|bar| bar.swing(0)) {
             let next = self.units.format(alone, next.abs());
-            self.line(&format!("{rest} more, each with an effect of at most {next}"));
+            table.notes.push(format!("{rest} more, each with an effect of at most {next}"));
         }
-        self.line("");
-        self.paragraph(
+        self.document.push(table);
+        self.document.paragraph(
             "Each input in turn is set to its 2.5 % and its 97.5 % quantile, with the others at their \
              central values: ░ the input is low, █ the input is high. \"First order\" is the share of the \
              variance from the derivatives.",
@@ -345,32 +332,35 @@ impl<'a> Page<'a> {
         let Some(indices) = &self.uncertainty.indices else { return };
         let Some(&(output, _)) = self.rows().first() else { return };
         let title = format!("Sobol' indices: {}", output_name(output.output));
-        self.line("");
-        self.line(&format!("{title:<36}{:>10}{:>20}{:>10}{:>20}", "first", "95 %", "total", "95 %"));
-        self.rule();
         let Some(Some(all)) = indices.indices().first() else {
-            self.paragraph("Too few rows have an answer, or the result does not vary.");
+            self.document.heading(title);
+            self.document.paragraph("Too few rows have an answer, or the result does not vary.");
             return;
         };
+        let mut table = Table::new(
+            title,
+            [
+                Column::words("", Width::Fixed(36)),
+                Column::numbers("first", Width::Fixed(10)),
+                Column::numbers("95 %", Width::Fixed(20)),
+                Column::numbers("total", Width::Fixed(10)),
+                Column::numbers("95 %", Width::Fixed(20)),
+            ],
+        );
         let mut ranked: Vec<_> = self.uncertainty.inputs.iter().zip(all).collect();
         ranked.sort_by(|(_, one), (_, other)| other.total.value.total_cmp(&one.total.value));
         let cells = |index: Index| {
             let interval = index
                 .interval95()
                 .map_or_else(String::new, |[low, high]| format!("{} to {}", number(low, 3), number(high, 3)));
-            format!("{:>10}{interval:>20}", number(index.value, 3))
+            [number(index.value, 3), interval]
         };
         for (input, index) in ranked {
-            let line = format!(
-                "{}{}{}",
-                first_cell(&input.input.path, 36),
-                cells(index.first_order),
-                cells(index.total)
-            );
-            self.line(&line);
+            let cells = [cells(index.first_order), cells(index.total)].concat();
+            table.cells(std::iter::once(input.input.path.clone()).chain(cells));
         }
-        self.line("");
-        self.paragraph(&format!(
+        self.document.push(table);
+        self.document.paragraph(format!(
             "First: the share of the variance that would vanish if this input alone were known exactly. \
              Total: the share that would remain if all others were. Saltelli's \
              sampling with Jansen's estimators: {} in {}, of which {} have an answer throughout and are \
@@ -382,37 +372,40 @@ impl<'a> Page<'a> {
     }
 
     fn inputs(&mut self) {
-        self.line("");
-        self.line(&format!("{:<36}{:>24}  {}", "Ranges", "central value", "distribution"));
-        self.rule();
+        let mut table = Table::new(
+            "Ranges",
+            [
+                Column::words("", Width::Fixed(36)),
+                Column::numbers("central value", Width::Fixed(24)),
+                Column::words("", Width::Fixed(2)),
+                Column::words("distribution", Width::Share),
+            ],
+        );
+        let mut cut = Vec::new();
         for input in &self.uncertainty.inputs {
             let central = with_unit(input, &input.input.number.to_string());
-            self.line(&format!(
-                "{}{central:>24}  {}",
-                first_cell(&input.input.path, 36),
-                distribution(input)
-            ));
-        }
-        let cut: Vec<&UncertainInput> = self
-            .uncertainty
-            .inputs
-            .iter()
-            .filter(|input| input.truncation().is_some_and(|cut| 1.0 - cut.kept > NOTICED_CUT))
-            .collect();
-        if !cut.is_empty() {
-            self.line("");
-            self.paragraph("Distributions cut at physical limits:");
-        }
-        for input in cut {
+            table.row([input.input.path.clone(), central, String::new(), distribution(input)]);
             let kept = input.truncation().map_or(1.0, |cut| cut.kept);
-            let away = significant(100.0 * (1.0 - kept), 2);
-            let mean = with_unit(input, &significant(input.distribution.mean(), 4));
-            self.paragraph(&format!(
-                "{}: {}; {away} % of the normal distribution is cut away, which moves its mean to {mean}",
-                input.input.path, input.bounds
-            ));
+            if 1.0 - kept > NOTICED_CUT {
+                let away = significant(100.0 * (1.0 - kept), 2);
+                let mean = with_unit(input, &significant(input.distribution.mean(), 4));
+                cut.push(format!(
+                    "{}: {}; {away} % of the normal distribution is cut away, which moves its mean to {mean}",
+                    input.input.path, input.bounds
+                ));
+            }
+        }
+        self.document.push(table);
+        if !cut.is_empty() {
+            self.document.paragraph("Distributions cut at physical limits:");
+            self.document.push(Block::List(cut));
         }
     }
+}
+
+/// A figure for a narrow column: without commas where it is too long with them.
+fn short(figure: String) -> String {
+    if figure.chars().count() > END { figure.replace(',', "") } else { figure }
 }
 
 fn in_words(reason: Reason) -> &'static str {

@@ -1,10 +1,10 @@
-//! What the comparison says, block by block.
+//! The comparison with the RICSAC collisions, block by block.
 
 use validation::{
     Cell, Claim, DEGREE, ErrorRate, FOOT_PER_SECOND, FOOT_POUND, Method, Row, Unit, Validation,
 };
 
-use super::layout::{Block, Table};
+use crate::document::{Block, Column, Document, Table, Width};
 use crate::units::number;
 
 /// Reasons and misprints, numbered in the order in which the page comes upon them.
@@ -91,6 +91,17 @@ fn tests(tests: &[u8]) -> String {
     tests.iter().map(u8::to_string).collect::<Vec<_>>().join(", ")
 }
 
+/// A table of numbers, of which the first columns are words; so is the last where it has claims.
+fn table(words: usize, claims: bool, header: &[&str], rows: Vec<Vec<String>>) -> Block {
+    let column = |(i, name): (usize, &&str)| {
+        let is_words = i < words || claims && i + 1 == header.len();
+        if is_words { Column::words(*name, Width::Fit(0)) } else { Column::numbers(*name, Width::Fit(0)) }
+    };
+    let mut table = Table::new("", header.iter().enumerate().map(column).collect::<Vec<_>>());
+    rows.into_iter().for_each(|row| table.cells(row));
+    Block::Table(table)
+}
+
 fn paragraph(words: impl Into<String>) -> Block {
     Block::Paragraph(words.into())
 }
@@ -99,7 +110,9 @@ fn heading(words: &str) -> Block {
     Block::Heading(words.to_owned())
 }
 
-pub(super) fn headline(validation: &Validation) -> String {
+/// How far reconstructed speeds are from true ones, and why: the paragraph that stands in the README.
+#[must_use]
+pub fn validation_headline(validation: &Validation) -> String {
     let errors = &validation.speed_errors;
     let [rate, share] = [errors.profiles, errors.profiles_relative];
     let [least, most] = rate.range;
@@ -127,11 +140,19 @@ pub(super) fn headline(validation: &Validation) -> String {
     )
 }
 
-pub(super) fn page(validation: &Validation) -> Vec<Block> {
+/// The comparison as a page: `docs/validation.md` as Markdown.
+#[must_use]
+pub fn validation(validation: &Validation) -> Document {
+    let mut page = Document::new();
+    page.blocks = blocks(validation);
+    page
+}
+
+fn blocks(validation: &Validation) -> Vec<Block> {
     let mut notes = Notes::default();
     let mut blocks = vec![
-        Block::Title("Validation on the RICSAC staged collisions".to_owned()),
-        paragraph(headline(validation)),
+        Block::Title { title: "Validation on the RICSAC staged collisions".to_owned(), source: None },
+        paragraph(validation_headline(validation)),
     ];
     blocks.extend(verdict(validation));
     blocks.extend(error_rates(validation));
@@ -203,7 +224,7 @@ fn error_rates(validation: &Validation) -> Vec<Block> {
     let dv = &validation.delta_v_errors;
     let speed = &validation.speed_errors;
     let foot = FOOT_PER_SECOND;
-    let header = vec!["errors", "n", "rms", "mean", "range", "95 % limits"];
+    let header = ["errors", "n", "rms", "mean", "range", "95 % limits"];
     vec![
         heading("Error rate"),
         paragraph(
@@ -213,24 +234,24 @@ fn error_rates(validation: &Validation) -> Vec<Block> {
              distributed. The two vehicles of a collision are not independent, because their momentum \
              changes are opposite, so the limits are only a guide.",
         ),
-        Block::Table(Table {
-            labels: 1,
-            claims: false,
-            header: header.clone(),
-            rows: vec![
+        table(
+            1,
+            false,
+            &header,
+            vec![
                 row("PIM, ours", &dv.pim, foot),
                 row("PIM, the paper's rows", &dv.pim_paper, foot),
                 row("CRASH3 from the published profiles, ours", &dv.crash3, foot),
                 row("CRASH3 from the implied energies, ours", &dv.crash3_implied, foot),
                 row("CRASH3, the paper's rows", &dv.crash3_paper, foot),
             ],
-        }),
+        ),
         paragraph("Errors of the reconstructed speed of vehicle 1, in m/s and as a share of the true speed."),
-        Block::Table(Table {
-            labels: 1,
-            claims: false,
-            header,
-            rows: vec![
+        table(
+            1,
+            false,
+            &header,
+            vec![
                 row("from the published profiles, m/s", &speed.profiles, 1.0),
                 row("from the published profiles, %", &speed.profiles_relative, 0.01),
                 row("from the implied energies, m/s", &speed.implied, 1.0),
@@ -238,7 +259,7 @@ fn error_rates(validation: &Validation) -> Vec<Block> {
                 row("from the energies of SAE 871993, m/s", &speed.round_trip, 1.0),
                 row("from the energies of SAE 871993, %", &speed.round_trip_relative, 0.01),
             ],
-        }),
+        ),
         Block::Picture {
             file: "computed-against-measured.svg",
             says: "Computed against measured ΔV, PIM and CRASH3, one point per vehicle, with the line of equality",
@@ -313,14 +334,12 @@ fn table2(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
              plus the rounding of the print (0.05 ft/s). In test 4 the implied rows have 0.3 ft/s more, \
              because no pair of energies reproduces its Table 3 better.",
         ),
-        Block::Table(Table {
-            labels: 2,
-            claims: true,
-            header: vec![
-                "test", "row", "ours 1", "ours 2", "paper 1", "paper 2", "diff 1", "diff 2", "claim",
-            ],
+        table(
+            2,
+            true,
+            &["test", "row", "ours 1", "ours 2", "paper 1", "paper 2", "diff 1", "diff 2", "claim"],
             rows,
-        }),
+        ),
     ]
 }
 
@@ -353,14 +372,12 @@ fn table1(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
              \"Rows\" is the rms of the rows that the paper prints. Its Table 1 claims to be this value, so \
              the two are compared.",
         ),
-        Block::Table(Table {
-            labels: 3,
-            claims: true,
-            header: vec![
-                "geometry", "tests", "method", "ours", "implied", "rows", "printed", "diff", "claim",
-            ],
+        table(
+            3,
+            true,
+            &["geometry", "tests", "method", "ours", "implied", "rows", "printed", "diff", "claim"],
             rows,
-        }),
+        ),
     ]
 }
 
@@ -405,23 +422,16 @@ fn table3(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
              counter-clockwise. The two energies of a test were fitted to its ten numbers here, so eight of \
              the ten are a check. In test 4 the fit leaves an error of 0.25 ft/s.",
         ),
-        Block::Table(Table {
-            labels: 1,
-            claims: true,
-            header: vec![
-                "test", "turn", "ours 1", "ours 2", "paper 1", "paper 2", "diff 1", "diff 2", "claim",
-            ],
+        table(
+            1,
+            true,
+            &["test", "turn", "ours 1", "ours 2", "paper 1", "paper 2", "diff 1", "diff 2", "claim"],
             rows,
-        }),
+        ),
         paragraph(
             "Its last column, the rms deviation from the nominal values: ours, that of the paper's rows, and as printed.",
         ),
-        Block::Table(Table {
-            labels: 1,
-            claims: true,
-            header: vec!["tests", "turn", "ours", "rows", "printed", "diff", "claim"],
-            rows: rms,
-        }),
+        table(1, true, &["tests", "turn", "ours", "rows", "printed", "diff", "claim"], rms),
     ]
 }
 
@@ -450,12 +460,7 @@ fn energies(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
             "Comparison with SAE 871993, Table 1. Agreement is claimed within 1 %; the tolerance is given \
              in ft·lb. A negative loss is work that the tangential impulse returns.",
         ),
-        Block::Table(Table {
-            labels: 2,
-            claims: true,
-            header: vec!["test", "energy", "ours", "printed", "diff", "claim"],
-            rows,
-        }),
+        table(2, true, &["test", "energy", "ours", "printed", "diff", "claim"], rows),
     ]
 }
 
@@ -487,12 +492,7 @@ fn appendix(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
             "`deltav reconstruct fixtures/sae-980025.toml` compared with the paper's appendix and \
         text.",
         ),
-        Block::Table(Table {
-            labels: 2,
-            claims: true,
-            header: vec!["quantity", "unit", "ours", "paper", "diff", "claim"],
-            rows,
-        }),
+        table(2, true, &["quantity", "unit", "ours", "paper", "diff", "claim"], rows),
     ]
 }
 
@@ -531,15 +531,15 @@ fn reconstruction(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
              reconstruct fixtures/ricsac/NN.toml` answers, and the error rate of the method. Then from E that the paper's CRASH3 row implies. \
              Last from the normal loss that SAE 871993 prints for the impact, a round trip that has to find the true speed within 0.5 %. The error is in m/s and in % of the true speed.",
         ),
-        Block::Table(Table {
-            labels: 1,
-            claims: true,
-            header: vec![
+        table(
+            1,
+            true,
+            &[
                 "test", "true", "E prof.", "found", "error", "%", "E impl.", "found", "%", "E 871993",
                 "found", "%", "claim",
             ],
             rows,
-        }),
+        ),
     ]
 }
 
@@ -574,21 +574,12 @@ fn choices(validation: &Validation) -> Vec<Block> {
              casework, and e of SAE 871993; and with μ = μ_c and e = 0. The reconstruction takes no PDOF, as it computes the direction of the \
              impulse. CRASH3 does: its corrected ΔV (ft/s) from the same profiles, and how both change when the PDOF is turned by 10° either way.",
         ),
-        Block::Table(Table {
-            labels: 1,
-            claims: false,
-            header: vec![
-                "test",
-                "true",
-                "e, μ fitted",
-                "μ_c, e fitted",
-                "μ_c, e = 0",
-                "CRASH3 ΔV",
-                "PDOF -10°",
-                "+10°",
-            ],
+        table(
+            1,
+            false,
+            &["test", "true", "e, μ fitted", "μ_c, e fitted", "μ_c, e = 0", "CRASH3 ΔV", "PDOF -10°", "+10°"],
             rows,
-        }),
+        ),
     ]
 }
 

@@ -1,9 +1,9 @@
-//! The page as HTML.
+//! A document as HTML.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::{Page, Table};
-use crate::checks;
+use super::{anchor, code_spans};
+use crate::document::{Block, Cells, Column, Row, Table};
 use crate::steps::{Step, StepGroup};
 use crate::units::Units;
 
@@ -28,6 +28,8 @@ tbody th { font-weight: normal; }
 .steps .numbers { color: #444; }
 .result { font-weight: bold; }
 .number { font-variant-numeric: tabular-nums; }
+.right { text-align: right; }
+.bar { font-family: 'DejaVu Sans Mono', Consolas, monospace; white-space: pre; font-size: 0.7rem; }
 code, pre { font-family: 'DejaVu Sans Mono', Consolas, monospace; }
 pre { font-size: 0.78rem; line-height: 1.4; white-space: pre-wrap; overflow-wrap: anywhere; border: 1px solid #ccc; padding: 0.8rem; }
 .digest { font-size: 0.85rem; }
@@ -37,7 +39,6 @@ pre { font-size: 0.78rem; line-height: 1.4; white-space: pre-wrap; overflow-wrap
   table { font-size: 8pt; }
   th, td { padding-top: 0.15rem; padding-bottom: 0.15rem; }
   pre { font-size: 7.5pt; }
-  .supplement pre { font-size: 6.2pt; white-space: pre; }
   h2, h3, caption { break-after: avoid; }
   figure, table, tr, li, .answer { break-inside: avoid; }
   thead { display: table-header-group; }
@@ -45,140 +46,166 @@ pre { font-size: 0.78rem; line-height: 1.4; white-space: pre-wrap; overflow-wrap
 }
 ";
 
-/// The `id` of the warnings.
-const WARNINGS: &str = "warnings";
-
-pub(super) fn write(page: &Page) -> String {
+/// The document as one page: a section for each of its headings.
+pub(crate) fn write(blocks: &[Block]) -> String {
+    let title = blocks.iter().find_map(|block| match block {
+        Block::Title { title, .. } => Some(title.as_str()),
+        _ => None,
+    });
+    let mut sections = blocks.chunk_by(|_, next| !matches!(next, Block::Heading(_)));
     let markup = html! {
         (DOCTYPE)
         html lang="en" {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
-                title { (page.title) }
+                title { (title.unwrap_or("deltav")) }
                 style { (PreEscaped(STYLE)) }
             }
             body {
-                header {
-                    h1 { (page.title) }
-                    @if let Some(source) = &page.source {
-                        p { "Source: " (source) }
-                    }
-                }
-                main { (body(page)) }
+                main { @for section in sections.by_ref() { (self::section(section)) } }
             }
         }
     };
     markup.into_string() + "\n"
 }
 
-fn body(page: &Page) -> Markup {
-    html! {
-        p.answer { (page.answer) }
-        @if let Some(count) = &page.notice {
-            p { a href={ "#" (WARNINGS) } { (count) } ", at the end." }
-        }
-        table {
-            caption { "Identification" }
-            tbody {
-                @for (name, value) in &page.identification {
-                    tr {
-                        th scope="row" { (name) }
-                        @if name.starts_with("SHA") { td { code.digest { (value) } } } @else { td { (value) } }
-                    }
+fn section(blocks: &[Block]) -> Markup {
+    match blocks.first() {
+        Some(Block::Heading(heading)) => html! {
+            section id=(anchor(heading)) { @for part in blocks { (block(part)) } }
+        },
+        _ => html! { @for part in blocks { (block(part)) } },
+    }
+}
+
+fn block(block: &Block) -> Markup {
+    match block {
+        Block::Title { title, source } => html! {
+            header {
+                h1 { (title) }
+                @if let Some(source) = source { p { "Source: " (source) } }
+            }
+        },
+        Block::Heading(heading) => html! { h2 { (heading) } },
+        Block::Subheading(heading) => html! { h3 { (heading) } },
+        Block::Paragraph(words) => html! { p { (prose(words)) } },
+        Block::Answer { found, how } => html! {
+            p.answer { (found) }
+            @if !how.is_empty() { p { (prose(how)) } }
+        },
+        Block::Notice { count, heading } => html! {
+            p {
+                @match heading {
+                    Some(heading) => { a href={ "#" (anchor(heading)) } { (count) } ", at the end." }
+                    None => { (count) ", at the end." }
                 }
             }
-        }
-        (table(&page.results))
-        @if !page.drawings.is_empty() {
-            section {
-                h2 { "Drawings" }
-                @for drawing in &page.drawings {
-                    figure {
-                        (PreEscaped(drawing.svg()))
-                        figcaption { (drawing.title()) }
-                    }
-                }
-            }
-        }
-        section {
-            h2 { "Method" }
-            @for paragraph in &page.method { p { (subscripts(paragraph)) } }
-        }
-        section {
-            h2 { "Inputs" }
-            p {
-                "Every number of the case file in the unit in which it is written, and in the SI unit in which it is used; what the file says in words; and what \
-                 is assumed where it says nothing."
-            }
-            @for inputs in &page.inputs { (table(inputs)) }
-        }
-        section {
-            h2 { "Results step by step" }
-            p {
-                "Each result has its equation, the numbers put into it, and its source. Numbers are in SI units and degrees, so that a calculator gives the result; \
-                 one with fewer than six digits is exact, any other is rounded. Below a result it stands in the units of the other tables. "
-                "atan2(y, x) is the angle of the point (x, y)."
-            }
-            @for group in &page.steps { (steps(group, page.units)) }
-        }
-        @if let Some(energy) = &page.energy {
-            section {
-                h2 { "Energy balance" }
-                (table(energy))
-                @for note in &page.energy_notes { p { (subscripts(note)) } }
-            }
-        }
-        @if let Some(crash3) = &page.crash3 {
-            section { h2 { "Comparison with CRASH3" } (table(crash3)) }
-        }
-        @if let Some(rows) = &page.checks {
-            section { h2 { (checks::TITLE) } (table(rows)) }
-        }
-        @for supplement in &page.supplements {
-            section class="supplement" { h2 { (supplement.title) } pre { (supplement.text) } }
-        }
-        section id=(WARNINGS) {
-            h2 { "Warnings and assumptions" }
-            @if page.warnings.is_empty() {
+        },
+        Block::Warnings { warnings, more } => html! {
+            @if warnings.is_empty() {
                 p { "No warnings." }
             } @else {
                 ul {
-                    @for (code, message) in &page.warnings { li { code { (code) } ": " (message) "." } }
+                    @for (code, message) in warnings { li { code { (code) } ": " (prose(message)) "." } }
+                }
+                @if !more.is_empty() { p { (prose(more)) } }
+            }
+        },
+        Block::List(items) => html! { ul { @for item in items { li { (prose(item)) } } } },
+        Block::Notes(notes) => html! { ol { @for note in notes { li { (prose(note)) } } } },
+        Block::Facts { title, facts } => html! {
+            table {
+                caption { (title) }
+                tbody {
+                    @for (name, value) in facts {
+                        tr {
+                            th scope="row" { (name) }
+                            @if name.starts_with("SHA") { td { code.digest { (value) } } } @else { td { (value) } }
+                        }
+                    }
                 }
             }
-            ul {
-                @for assumption in &page.assumptions { li { (subscripts(assumption)) } }
+        },
+        Block::Entries(entries) => html! {
+            table {
+                tbody {
+                    @for (words, value) in entries {
+                        tr { th scope="row" { (subscripts_of_row(words)) } td { (prose(value)) } }
+                    }
+                }
             }
-        }
-        section {
-            h2 { "Case file" }
-            p { "The complete text of " (page.case_name) "; the program can reproduce this report from it alone." }
-            pre { code { (page.case_text) } }
-        }
+        },
+        Block::Table(table) => self::table(table),
+        Block::Steps { group, units } => steps(group, *units),
+        Block::Drawing(drawing) => html! {
+            figure {
+                (PreEscaped(drawing.svg()))
+                figcaption { (drawing.title()) }
+            }
+        },
+        Block::Picture { file, says } => html! { img src=(file) alt=(says); },
+        Block::Listing { text, .. } => html! { pre { code { (text) } } },
     }
 }
 
 fn table(table: &Table) -> Markup {
     html! {
         table {
-            caption { (table.caption) }
+            @if !table.title.is_empty() { caption { (table.title) } }
             thead {
                 tr {
-                    @for name in &table.header {
-                        @if name.is_empty() { td {} } @else { th scope="col" { (name) } }
-                    }
-                }
-            }
-            tbody {
-                @for row in &table.rows {
-                    tr {
-                        @for (i, cell) in row.iter().enumerate() {
-                            @if i == 0 { th scope="row" { (subscripts_of_row(cell)) } } @else { td.number { (cell) } }
+                    @for column in &table.columns {
+                        @if column.heading().is_empty() {
+                            td {}
+                        } @else {
+                            th.right[column.cells == Cells::Numbers] scope="col" { (subscripts(&column.heading())) }
                         }
                     }
                 }
             }
+            tbody {
+                @for row in &table.rows { (self::row(row, &table.columns)) }
+            }
+        }
+        @for note in &table.notes { p { (prose(note)) } }
+    }
+}
+
+fn row(row: &Row, columns: &[Column]) -> Markup {
+    match row {
+        Row::Cells(cells) => html! {
+            tr {
+                @for (i, (cell, column)) in cells.iter().zip(columns).enumerate() {
+                    @if i == 0 {
+                        th scope="row" { (subscripts_of_row(cell)) }
+                    } @else if column.cells == Cells::Bars {
+                        td.bar { (cell) }
+                    } @else {
+                        td.number.right[column.cells == Cells::Numbers] { (lines(cell)) }
+                    }
+                }
+            }
+        },
+        Row::Shared { label, value, source } => html! {
+            tr {
+                th scope="row" { (subscripts(label)) }
+                td.number colspan=(columns.len().saturating_sub(2)) { (value) }
+                td { (source) }
+            }
+        },
+        Row::Detail(words) => {
+            html! { tr { td {} td colspan=(columns.len().saturating_sub(1)) { (prose(words)) } } }
+        }
+    }
+}
+
+/// Each on a line of its own.
+fn lines(text: &str) -> Markup {
+    html! {
+        @for (i, line) in text.lines().enumerate() {
+            @if i > 0 { br; }
+            (subscripts(line))
         }
     }
 }
@@ -196,13 +223,13 @@ fn steps(group: &StepGroup, units: Units) -> Markup {
                 }
             }
             tbody {
-                @for step in &group.steps { (row(step, units)) }
+                @for step in &group.steps { (self::step(step, units)) }
             }
         }
     }
 }
 
-fn row(step: &Step, units: Units) -> Markup {
+fn step(step: &Step, units: Units) -> Markup {
     html! {
         tr {
             th scope="row" { (subscripts(&step.name)) }
@@ -226,6 +253,15 @@ fn subscripts_of_row(text: &str) -> Markup {
         html! { code { (text) } }
     } else {
         subscripts(text)
+    }
+}
+
+/// A sentence of the program: what it has between backticks is code.
+fn prose(text: &str) -> Markup {
+    html! {
+        @for (part, is_code) in code_spans(text) {
+            @if is_code { code { (part) } } @else { (subscripts(part)) }
+        }
     }
 }
 

@@ -1,0 +1,112 @@
+//! A case judged without solving it, as JSON.
+
+use analysis::{Ability, Judgement};
+use case::{CaseFile, Unit, UnitSystem};
+use serde::Serialize;
+
+use super::json::WarningBlock;
+use crate::understood::{choices, converted, message, spread};
+use crate::units::Units;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    title: &'a str,
+    /// Those of all signed values: `z-up` or `z-down`.
+    axes: &'static str,
+    commands: Vec<CommandBlock>,
+    inputs: Vec<InputBlock>,
+    choices: Vec<ChoiceBlock>,
+    assumptions: Vec<AssumptionBlock>,
+    warnings: Vec<WarningBlock>,
+}
+
+#[derive(Serialize)]
+struct CommandBlock {
+    command: &'static str,
+    runs: bool,
+    obstacles: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct InputBlock {
+    path: String,
+    number: f64,
+    unit: Option<&'static str>,
+    si: f64,
+    si_unit: Option<&'static str>,
+    us: f64,
+    us_unit: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    range: Option<String>,
+}
+
+#[derive(Serialize)]
+struct ChoiceBlock {
+    path: String,
+    value: String,
+}
+
+#[derive(Serialize)]
+struct AssumptionBlock {
+    key: String,
+    message: String,
+}
+
+/// The judgement as indented JSON, ending in a line break: `commands`, `inputs` (as written, in SI and in US units), `choices`, `assumptions` and
+/// `warnings`. SI units here are those with a plain 1 before them: m, kg, N, rad.
+///
+/// # Errors
+/// Where serialisation fails, which no judgement causes.
+pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, serde_json::Error> {
+    let case = &file.case;
+    let mut ranges = case.ranges.iter().peekable();
+    let document = Document {
+        title: case.title.as_deref().unwrap_or_default(),
+        axes: case.axes.name(),
+        commands: judgement
+            .commands
+            .iter()
+            .map(|Ability { command, obstacle, .. }| CommandBlock {
+                command: command.name(),
+                runs: obstacle.is_none(),
+                obstacles: obstacle
+                    .iter()
+                    .flat_map(|obstacle| obstacle.list())
+                    .map(|problem| problem.problem().to_string())
+                    .collect(),
+            })
+            .collect(),
+        inputs: case
+            .inputs()
+            .into_iter()
+            .map(|input| {
+                let (us, us_unit) = converted(&input, UnitSystem::Us);
+                InputBlock {
+                    number: input.number,
+                    unit: input.unit.map(Unit::spelling),
+                    si: input.si(),
+                    si_unit: input.unit.map(|unit| unit.dimension().si_unit()),
+                    us,
+                    us_unit: us_unit.map(Unit::spelling),
+                    range: ranges.next_if(|range| range.path == input.path).map(spread),
+                    path: input.path,
+                }
+            })
+            .collect(),
+        choices: choices(case).into_iter().map(|(path, value)| ChoiceBlock { path, value }).collect(),
+        assumptions: judgement
+            .assumptions
+            .iter()
+            .map(|assumption| AssumptionBlock {
+                key: assumption.key(),
+                message: message(assumption, Units::Si),
+            })
+            .collect(),
+        warnings: judgement
+            .warnings
+            .iter()
+            .map(|warning| WarningBlock::new(&warning.in_axes(case.axes), case.axes))
+            .collect(),
+    };
+    Ok(serde_json::to_string_pretty(&document)? + "\n")
+}

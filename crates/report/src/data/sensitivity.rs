@@ -1,0 +1,109 @@
+//! How sensitive the answer is to each input, as JSON.
+
+use analysis::Sensitivity;
+use case::{Case, Damage};
+use crash3::ObliqueCorrection;
+use serde::Serialize;
+
+use super::json::{OfMovable, WarningBlock, of_movable};
+
+#[derive(Serialize)]
+struct Document<'a> {
+    title: &'a str,
+    /// Those of the inputs and of the turned directions.
+    axes: &'static str,
+    derivatives: Vec<DerivativeBlock<'a>>,
+    pdof_sweep: Vec<SweepBlock>,
+    /// What the file gives in place of what would follow from the direction: kept in every row of the sweep.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pdof_sweep_held: Vec<String>,
+    /// The same, turned with the direction.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pdof_sweep_turned: Vec<String>,
+    /// Of the case as it stands.
+    warnings: Vec<WarningBlock>,
+}
+
+/// SI per SI.
+#[derive(Serialize)]
+struct DerivativeBlock<'a> {
+    output: String,
+    input: &'a str,
+    value: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    relative: Option<f64>,
+    influence: f64,
+}
+
+/// SI and radians.
+#[derive(Serialize)]
+struct SweepBlock {
+    change: f64,
+    pdof: [Option<f64>; 2],
+    oblique_angle: [Option<f64>; 2],
+    moment_arm: OfMovable,
+    uncorrected_delta_v: OfMovable,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    delta_v: Option<OfMovable>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    capped_delta_v: Option<OfMovable>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uncapped_delta_v: Option<OfMovable>,
+}
+
+/// The sensitivity as indented JSON, ending in a line break: `{"derivatives": [{"output": …, "input": …, "value": …}], "pdof_sweep": [{"change": …,
+/// "delta_v": […]}]}`. Derivatives are SI per SI, `relative` is per cent per per cent, and
+/// `influence` the relative change for 1 % of the input, or for 1° of an angle, by which they are ranked.
+///
+/// # Errors
+/// Where serialisation fails, which no sensitivity causes.
+pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String, serde_json::Error> {
+    let paths = |key: &str, vehicles: Vec<usize>| -> Vec<String> {
+        vehicles.into_iter().map(|vehicle| format!("vehicle{vehicle}.crush.{key}")).collect()
+    };
+    let document = Document {
+        pdof_sweep_held: paths("moment_arm", given_in_sweep(sensitivity, |damage| damage.moment_arm)),
+        pdof_sweep_turned: paths("oblique_angle", given_in_sweep(sensitivity, |damage| damage.oblique_angle)),
+        title: case.title.as_deref().unwrap_or_default(),
+        axes: case.axes.name(),
+        warnings: WarningBlock::all(&sensitivity.nominal, case),
+        derivatives: sensitivity
+            .derivatives
+            .iter()
+            .map(|row| DerivativeBlock {
+                output: row.output.path(),
+                input: &row.input.path,
+                value: row.value + 0.0,
+                relative: row.relative().map(|relative| relative + 0.0),
+                influence: row.influence() + 0.0,
+            })
+            .collect(),
+        pdof_sweep: sensitivity
+            .pdof_sweep
+            .iter()
+            .map(|row| SweepBlock {
+                change: row.change + 0.0,
+                pdof: row.pdof,
+                oblique_angle: row.oblique_angle.map(|angle| angle.map(|angle| angle + 0.0)),
+                moment_arm: of_movable(case, row.crash3.moment_arm),
+                uncorrected_delta_v: of_movable(case, row.crash3.delta_v),
+                delta_v: row.crash3.corrected.map(|corrected| of_movable(case, corrected.delta_v)),
+                capped_delta_v: row.corrected(ObliqueCorrection::Capped).map(|dv| of_movable(case, dv)),
+                uncapped_delta_v: row.corrected(ObliqueCorrection::Uncapped).map(|dv| of_movable(case, dv)),
+            })
+            .collect(),
+    };
+    Ok(serde_json::to_string_pretty(&document)? + "\n")
+}
+
+/// The vehicles in the sweep, 1 or 2, of whose damage the file gives something.
+pub(crate) fn given_in_sweep(sensitivity: &Sensitivity, given: fn(&Damage) -> Option<f64>) -> Vec<usize> {
+    if sensitivity.pdof_sweep.is_empty() {
+        return Vec::new();
+    }
+    let vehicles = (1..).zip(&sensitivity.nominal.vehicles);
+    vehicles
+        .filter(|(_, vehicle)| vehicle.subject.damage.as_ref().is_some_and(|damage| given(damage).is_some()))
+        .map(|(vehicle, _)| vehicle)
+        .collect()
+}

@@ -1,0 +1,40 @@
+//! Topics of the glossary as JSON.
+
+use serde::Serialize;
+
+use crate::glossary::{Topic, topics};
+
+/// A topic.
+#[derive(Serialize)]
+struct Entry {
+    term: &'static str,
+    kind: &'static str,
+    also: &'static [&'static str],
+    text: &'static str,
+    see_also: Vec<&'static str>,
+}
+
+impl Entry {
+    fn new(topic: &'static Topic) -> Self {
+        let Topic { name: term, group: kind, aliases: also, text } = topic;
+        Self { term, kind, also, text, see_also: topic.see_also() }
+    }
+}
+
+/// A topic as indented JSON, ending in a line break: `term`, `kind` (the heading that it stands under), `also` (its other names), `text` (Markdown) and
+/// `see_also`, the terms of other topics that the text uses.
+///
+/// # Errors
+/// Where serialisation fails, which no topic causes.
+pub fn topic_json(topic: &'static Topic) -> Result<String, serde_json::Error> {
+    Ok(serde_json::to_string_pretty(&Entry::new(topic))? + "\n")
+}
+
+/// All topics as a list of what [`topic_json`] gives, in the order of the glossary.
+///
+/// # Errors
+/// Where serialisation fails, which no topic causes.
+pub fn topics_json() -> Result<String, serde_json::Error> {
+    let entries: Vec<Entry> = topics().iter().map(Entry::new).collect();
+    Ok(serde_json::to_string_pretty(&entries)? + "\n")
+}

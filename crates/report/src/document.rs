@@ -1,0 +1,291 @@
+//! What a command has to say, before it is decided how it looks: the parts of a document, which the sections fill and the writers write.
+
+use analysis::Warning;
+
+use crate::drawing::Drawing;
+use crate::steps::StepGroup;
+use crate::units::Units;
+use crate::{warnings, writers};
+
+/// A document of the program. [`text`](Self::text), [`markdown`](Self::markdown) and [`html`](Self::html) write it.
+#[derive(Clone, Debug)]
+pub struct Document {
+    pub(crate) blocks: Vec<Block>,
+    /// Of a line of text: the fewest that its tables need, and the most that they use.
+    columns: [usize; 2],
+}
+
+/// Columns of a page of text, where no terminal says otherwise.
+pub(crate) const LINE: usize = 98;
+
+/// A part of a document.
+#[derive(Clone, Debug)]
+pub(crate) enum Block {
+    /// Of the whole, and where the case is from.
+    Title {
+        title: String,
+        source: Option<String>,
+    },
+    Heading(String),
+    Subheading(String),
+    Paragraph(String),
+    /// What was found, and how.
+    Answer {
+        found: String,
+        how: String,
+    },
+    /// How many warnings there are; they stand under the heading of this name.
+    Notice {
+        count: String,
+        heading: Option<&'static str>,
+    },
+    /// Codes and sentences, with what stands under them.
+    Warnings {
+        warnings: Vec<(&'static str, String)>,
+        more: &'static str,
+    },
+    List(Vec<String>),
+    /// Numbered from 1.
+    Notes(Vec<String>),
+    /// Name and value.
+    Facts {
+        title: &'static str,
+        facts: Vec<(&'static str, String)>,
+    },
+    /// Words and what is said of them, which may take several lines.
+    Entries(Vec<(String, String)>),
+    Table(Table),
+    Steps {
+        group: StepGroup,
+        units: Units,
+    },
+    Drawing(Box<Drawing>),
+    /// A file beside the page.
+    Picture {
+        file: &'static str,
+        says: &'static str,
+    },
+    /// A text to be kept letter by letter.
+    Listing {
+        language: &'static str,
+        text: String,
+    },
+}
+
+/// Rows under named columns.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Table {
+    /// Of the table; without one the first column has a name of its own.
+    pub(crate) title: String,
+    pub(crate) columns: Vec<Column>,
+    pub(crate) rows: Vec<Row>,
+    /// Sentences on the table, right below it.
+    pub(crate) notes: Vec<String>,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Column {
+    pub(crate) name: String,
+    /// Below the name.
+    pub(crate) unit: String,
+    pub(crate) cells: Cells,
+    pub(crate) width: Width,
+}
+
+/// What the cells of a column are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Cells {
+    /// They begin at the left.
+    Words,
+    /// They end at the right.
+    Numbers,
+    /// Bars of letters, of which each blank counts.
+    Bars,
+}
+
+/// How wide a column of a text is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Width {
+    /// So many columns, with the blanks to the next.
+    Fixed(usize),
+    /// As its longest cell, at least so many where there is room for them, and two blanks to the next.
+    Fit(usize),
+    /// What the others leave, divided among all that share it.
+    Share,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum Row {
+    /// One for each column; a cell may have several lines.
+    Cells(Vec<String>),
+    /// A value that belongs to all columns between the first and the last.
+    Shared { label: String, value: String, source: String },
+    /// A sentence on the row above.
+    Detail(String),
+}
+
+impl Column {
+    pub(crate) fn words(name: impl Into<String>, width: Width) -> Self {
+        Self { name: name.into(), unit: String::new(), cells: Cells::Words, width }
+    }
+
+    pub(crate) fn numbers(name: impl Into<String>, width: Width) -> Self {
+        Self { cells: Cells::Numbers, ..Self::words(name, width) }
+    }
+
+    pub(crate) fn bars(name: impl Into<String>, width: Width) -> Self {
+        Self { cells: Cells::Bars, ..Self::words(name, width) }
+    }
+
+    pub(crate) fn unit(self, unit: impl Into<String>) -> Self {
+        Self { unit: unit.into(), ..self }
+    }
+
+    /// Name and unit on one line.
+    pub(crate) fn heading(&self) -> String {
+        match (self.name.as_str(), self.unit.as_str()) {
+            ("", unit) => unit.to_owned(),
+            (name, "") => name.to_owned(),
+            (name, unit) => format!("{name}, {unit}"),
+        }
+    }
+}
+
+/// What stands for a value that there is not.
+pub(crate) const NONE: &str = "–";
+
+impl Table {
+    pub(crate) fn new(title: impl Into<String>, columns: impl Into<Vec<Column>>) -> Self {
+        Self { title: title.into(), columns: columns.into(), rows: Vec::new(), notes: Vec::new() }
+    }
+
+    /// Of values of both vehicles, or of any two things, with their source.
+    pub(crate) fn of_two(title: &str, [first, second, source]: [&str; 3]) -> Self {
+        Self::new(
+            title,
+            [
+                Column::words("", Width::Fixed(32)),
+                Column::words(first, Width::Share),
+                Column::words(second, Width::Share),
+                Column::words(source, Width::Fixed(12)),
+            ],
+        )
+    }
+
+    pub(crate) fn cells(&mut self, cells: impl IntoIterator<Item = String>) {
+        self.rows.push(Row::Cells(cells.into_iter().collect()));
+    }
+
+    pub(crate) fn row<const N: usize>(&mut self, cells: [String; N]) {
+        self.rows.push(Row::Cells(cells.into()));
+    }
+
+    /// A row of which each vehicle has a value or a dash; none where neither has one.
+    pub(crate) fn pair(&mut self, label: &str, values: [Option<String>; 2], source: &str) {
+        if values.iter().any(Option::is_some) {
+            let [first, second] = values.map(|value| value.unwrap_or_else(|| NONE.to_owned()));
+            self.row([label.to_owned(), first, second, source.to_owned()]);
+        }
+    }
+
+    /// A row with one value, which belongs to neither vehicle.
+    pub(crate) fn shared(&mut self, label: &str, value: &str, source: &str) {
+        let [label, value, source] = [label, value, source].map(str::to_owned);
+        self.rows.push(Row::Shared { label, value, source });
+    }
+}
+
+impl From<Table> for Block {
+    fn from(table: Table) -> Self {
+        Self::Table(table)
+    }
+}
+
+impl Document {
+    pub(crate) fn new() -> Self {
+        Self { blocks: Vec::new(), columns: [LINE, LINE] }
+    }
+
+    /// For lines of fewer or more columns.
+    pub(crate) fn with_columns(self, columns: [usize; 2]) -> Self {
+        Self { columns, ..self }
+    }
+
+    pub(crate) fn push(&mut self, block: impl Into<Block>) {
+        self.blocks.push(block.into());
+    }
+
+    pub(crate) fn title(&mut self, case: &case::Case) {
+        let title = case.title.clone().unwrap_or_else(|| "Untitled case".to_owned());
+        self.push(Block::Title { title, source: case.source.clone() });
+    }
+
+    pub(crate) fn heading(&mut self, heading: impl Into<String>) {
+        self.push(Block::Heading(heading.into()));
+    }
+
+    pub(crate) fn paragraph(&mut self, words: impl Into<String>) {
+        self.push(Block::Paragraph(words.into()));
+    }
+
+    /// How many warnings there are at the end; nothing where all are of the kind that most cases have.
+    pub(crate) fn notice(&mut self, warnings: &[Warning]) {
+        self.noticed(warnings, None);
+    }
+
+    /// The same, with a link to the heading that they stand under.
+    pub(crate) fn notice_of(&mut self, warnings: &[Warning], heading: &'static str) {
+        self.noticed(warnings, Some(heading));
+    }
+
+    fn noticed(&mut self, warnings: &[Warning], heading: Option<&'static str>) {
+        if let Some(count) = warnings::count(warnings) {
+            self.push(Block::Notice { count, heading });
+        }
+    }
+
+    /// Adds another document as one of its parts: without the title and the warnings of that, and with its headings one level lower.
+    pub(crate) fn part(&mut self, heading: &str, part: Self) {
+        self.heading(heading);
+        self.blocks.extend(part.blocks.into_iter().filter_map(|block| match block {
+            Block::Title { .. } | Block::Notice { .. } | Block::Warnings { .. } => None,
+            Block::Heading(heading) => Some(Block::Subheading(heading)),
+            other => Some(other),
+        }));
+    }
+
+    /// Text of 98 columns.
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.text_within(LINE)
+    }
+
+    /// Text for lines of so many columns, as far as its tables allow.
+    #[must_use]
+    pub fn text_within(&self, columns: usize) -> String {
+        writers::text(&self.blocks, self.line(columns), false)
+    }
+
+    /// The same with its headings in bold and its warnings in yellow, by the escape sequences of a terminal (ECMA-48).
+    #[must_use]
+    pub fn terminal(&self, columns: usize) -> String {
+        writers::text(&self.blocks, self.line(columns), true)
+    }
+
+    fn line(&self, columns: usize) -> usize {
+        let [least, most] = self.columns;
+        columns.clamp(least, most)
+    }
+
+    /// Markdown (`CommonMark` with tables). Drawings are not in it: what they show stands in words.
+    #[must_use]
+    pub fn markdown(&self) -> String {
+        writers::markdown(&self.blocks)
+    }
+
+    /// One self-contained HTML file: no scripts, nothing from a network, made to be printed on A4 or Letter.
+    #[must_use]
+    pub fn html(&self) -> String {
+        writers::html(&self.blocks)
+    }
+}

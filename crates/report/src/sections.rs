@@ -1,0 +1,13 @@
+//! What each command has to say, as a document.
+
+mod chosen;
+pub(crate) mod comparison;
+pub(crate) mod handover;
+pub(crate) mod judgement;
+pub(crate) mod results;
+pub(crate) mod sensitivity;
+pub(crate) mod topics;
+pub(crate) mod uncertainty;
+pub(crate) mod validation;
+
+pub(crate) use chosen::{output_name, output_quantity};

@@ -1,0 +1,286 @@
+//! The report to hand over: everything that the analysis rests on, and every result with its equation.
+
+mod inputs;
+
+use analysis::{Analysis, Found, Impact};
+use case::{Axes, CaseFile};
+use crash3::EnergyBasis;
+use sha2::{Digest as _, Sha256};
+
+use super::chosen::{Chosen, both_speeds};
+use super::results::search;
+use crate::document::{Block, Document, Table};
+use crate::drawing::{Drawing, DrawingError, Subject, drawing};
+use crate::steps::steps;
+use crate::{Units, axes, checks, energy, law, warnings, words};
+
+/// A part of the report that is a document of its own, such as that of `deltav uncertainty`.
+#[derive(Clone, Debug)]
+pub struct Supplement {
+    /// Its heading.
+    pub title: &'static str,
+    /// What it says.
+    pub document: Document,
+}
+
+/// Over the warnings and what the analysis rests on.
+const WARNINGS: &str = "Warnings and assumptions";
+
+/// The report to hand over. As HTML it has all drawings; as Markdown it says what they show, and `deltav draw` makes them.
+///
+/// # Errors
+/// [`DrawingError::Analysis`] where the curve of the reconciliation cannot be computed.
+pub fn handover(
+    file: &CaseFile,
+    analysis: &Analysis,
+    supplements: Vec<Supplement>,
+    units: Units,
+) -> Result<Document, DrawingError> {
+    let case = &file.case;
+    let seen = &analysis.in_axes(case.axes);
+    let mut page = Document::new();
+    page.title(case);
+    page.push(Block::Answer { found: answer(analysis, units), how: String::new() });
+    page.notice_of(&seen.warnings, WARNINGS);
+    page.push(Block::Facts { title: "Identification", facts: identification(file, analysis) });
+    page.push(results(seen, units));
+    let drawings = drawings(file, analysis, units)?;
+    if !drawings.is_empty() {
+        page.heading("Drawings");
+    }
+    page.blocks.extend(drawings.into_iter().map(|drawing| Block::Drawing(Box::new(drawing))));
+    page.heading("Method");
+    page.blocks.extend(method(analysis, case.axes).into_iter().map(Block::Paragraph));
+    page.heading("Inputs");
+    page.paragraph(
+        "Every number of the case file in its own unit and in the SI unit that the program uses; what the \
+         file says in words; and what the program assumes where the file does not say.",
+    );
+    page.blocks.extend(inputs::tables(file, analysis, units).into_iter().map(Block::Table));
+    page.heading("Results step by step");
+    page.paragraph(
+        "Each result has its equation, the numbers in it, and its source. Numbers are in SI units and \
+         degrees, so a calculator gives the printed result. A number with fewer than six digits is exact; \
+         any other is rounded. Each result is repeated in the units of the other tables. atan2(y, x) is the \
+         angle of the point (x, y).",
+    );
+    page.blocks.extend(steps(case, analysis).into_iter().map(|group| Block::Steps { group, units }));
+    if let Some(impact) = &seen.impact {
+        page.heading("Energy balance");
+        page.push(energy_balance(seen, impact, units));
+    }
+    if let Some(table) = crash3(seen, units) {
+        page.heading("Comparison with CRASH3");
+        page.push(table);
+    }
+    if let Some(checks) = checks::table(seen, units) {
+        page.heading(checks.title.clone());
+        page.push(Table { title: "What was given against what was computed".to_owned(), ..checks });
+    }
+    for Supplement { title, document } in supplements {
+        page.part(title, document);
+    }
+    page.heading(WARNINGS);
+    page.push(warnings::block(&seen.warnings, units, case.axes));
+    page.push(Block::List(assumptions(file, analysis, units)));
+    page.heading("Case file");
+    let name = file.source.name();
+    page.paragraph(format!(
+        "The complete text of {name}; the program can reproduce this report from it alone."
+    ));
+    page.push(Block::Listing { language: "toml", text: file.source.text().to_owned() });
+    Ok(page)
+}
+
+/// All that the analysis has something for: one of damage alone has no scene, a forward one no reconciliation.
+fn drawings(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec<Drawing>, DrawingError> {
+    let mut drawings = Vec::new();
+    for subject in Subject::ALL {
+        match drawing(file, analysis, units, subject) {
+            Ok(drawing) => drawings.push(drawing),
+            Err(DrawingError::NoImpact { .. } | DrawingError::NoDamage | DrawingError::NoReconciliation) => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(drawings)
+}
+
+fn identification(file: &CaseFile, analysis: &Analysis) -> Vec<(&'static str, String)> {
+    let kind = match (&analysis.found, &analysis.impact) {
+        (Some(_), _) => "reconstruction: a speed from the damage of both vehicles",
+        (None, Some(_)) => "impact, computed forward from both speeds",
+        (None, None) => "damage alone (CRASH3)",
+    };
+    vec![
+        ("Case", file.case.title.clone().unwrap_or_else(|| "untitled".to_owned())),
+        ("Case file", file.source.name().to_owned()),
+        ("SHA-256 of the case file", sha256(file.source.text())),
+        ("Analysis", kind.to_owned()),
+        ("Program", format!("deltav {}", env!("CARGO_PKG_VERSION"))),
+    ]
+}
+
+fn sha256(text: &str) -> String {
+    Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn answer(analysis: &Analysis, units: Units) -> String {
+    let found = |found: &Found| {
+        format!(
+            "Speed of vehicle {} before impact: {}.",
+            found.unknown.index() + 1,
+            both_speeds(units, found.speed)
+        )
+    };
+    match (&analysis.found, &analysis.impact, &analysis.crash3) {
+        (Some(answer), ..) => found(answer),
+        (None, Some(impact), _) => {
+            let [first, second] = impact.outcome.delta_v_magnitude().map(|dv| both_speeds(units, dv));
+            format!("Velocity changes: {first} of vehicle 1 and {second} of vehicle 2.")
+        }
+        (None, None, Some(crash3)) => {
+            let [first, second] = crash3.delta_v.map(|dv| both_speeds(units, dv));
+            format!("CRASH3's velocity changes: {first} of vehicle 1 and {second} of vehicle 2.")
+        }
+        (None, None, None) => "The damage gives the crush energies below.".to_owned(),
+    }
+}
+
+fn method(analysis: &Analysis, axes: Axes) -> Vec<String> {
+    let mut paragraphs = Vec::new();
+    if let Some(found) = &analysis.found {
+        let (agreement, basis) = match analysis.basis {
+            EnergyBasis::Dissipated => (
+                "equals the crush energy",
+                "The crush energy is the energy that the normal impulse dissipates, as the paper assumes.",
+            ),
+            EnergyBasis::Absorbed => (
+                "is (1 − e²) times the crush energy",
+                "The crush energy is the energy absorbed at maximum engagement, of which restitution \
+                 returns the share e².",
+            ),
+        };
+        let way = search(found);
+        let roots = match found.admissible.len() {
+            1 => "one admissible speed exists".to_owned(),
+            several => format!(
+                "{several} admissible speeds exist, and the one with the slowest approach is the answer"
+            ),
+        };
+        paragraphs.push(format!(
+            "The crush energy of both vehicles follows from their damage by the CRASH3 algorithm. Planar impact mechanics gives the work of the normal impulse \
+             for any speed of vehicle {}. The speed at which that work {agreement} was found {way}; {roots}. {basis}",
+            found.unknown.index() + 1
+        ));
+    } else if analysis.impact.is_some() {
+        paragraphs.push(
+            "Planar impact mechanics gives the motion after the impact from that before it: one condition along the normal of the crush plane and one along \
+             the plane determine the impulse, and the impulse all the rest."
+                .to_owned(),
+        );
+    } else {
+        paragraphs.push(
+            "The CRASH3 algorithm gives the crush energy from damage and stiffness, and the velocity changes from the energy of both vehicles and the principal \
+             direction of force."
+                .to_owned(),
+        );
+    }
+    paragraphs.push(format!(
+        "The method is that of R. M. Brach and R. M. Brach, Crush Energy and Planar Impact Mechanics for Accident Reconstruction, SAE 980025 (1998). Eq n names \
+         equation n of that paper, with its misprints corrected; theory n is section n of docs/theory.md, \
+         which derives the equations and lists the misprints. \
+         {}; n points from vehicle 2 to vehicle 1, t is n turned by +90°.",
+        axes::conventions(axes)
+    ));
+    paragraphs
+}
+
+/// Over the columns of the vehicles: these tables name no equations, which stand in the steps.
+fn of_vehicles(title: &str) -> Table {
+    Table::of_two(title, ["vehicle 1", "vehicle 2", "source"])
+}
+
+fn results(analysis: &Analysis, units: Units) -> Table {
+    let chosen = Chosen { analysis, units };
+    let mut table = of_vehicles("Results at a glance");
+    if analysis.impact.is_some() {
+        chosen.pair(&mut table, "speed");
+        chosen.vectors(&mut table, "final_velocity");
+        for key in ["final_yaw_rate", "delta_v", "pdof"] {
+            chosen.pair(&mut table, key);
+        }
+    }
+    chosen.pair(&mut table, "crush_energy");
+    chosen.pair(&mut table, "ees");
+    table
+}
+
+fn energy_balance(analysis: &Analysis, impact: &Impact, units: Units) -> Table {
+    let mut table = Table::of_two("Energy balance", ["energy", "share of the initial energy", "source"]);
+    for key in [
+        "impact.initial_energy",
+        "impact.normal_work",
+        "impact.tangential_work",
+        "impact.moment_work",
+        "impact.energy_loss",
+        "impact.final_energy",
+    ] {
+        let share = |si: f64| energy::share(si, &impact.outcome.energy);
+        Chosen { analysis, units }.energy(&mut table, key, "", share);
+    }
+    table.notes = energy::notes(analysis, units);
+    table
+}
+
+fn crash3(analysis: &Analysis, units: Units) -> Option<Table> {
+    let crash3 = analysis.crash3.as_ref()?;
+    let mut table = of_vehicles("ΔV by impact mechanics and by CRASH3");
+    let pair = |values: [f64; 2]| [0, 1].map(|i| analysis.moves(i).then(|| both_speeds(units, values[i])));
+    if let Some(impact) = &analysis.impact {
+        table.pair("planar impact mechanics", pair(impact.outcome.delta_v_magnitude()), "theory 2");
+    }
+    table.pair("CRASH3, uncorrected", pair(crash3.delta_v), "Eq 6, 7");
+    if let Some(corrected) = crash3.corrected {
+        table.pair("CRASH3, corrected for the oblique force", pair(corrected.delta_v), "Eq 6, 7, 8");
+        if let Some(factor) = crash3.restitution_factor {
+            let label = "CRASH3, corrected, with restitution";
+            table.pair(label, pair(corrected.delta_v.map(|dv| dv * factor)), "theory 5");
+        }
+    }
+    for row in &crash3.corrections {
+        let label = format!("CRASH3 with factor {}", law::factor(row));
+        table.pair(&label, pair(row.delta_v), "theory 5");
+    }
+    Some(table)
+}
+
+/// What the analysis rests on besides the numbers.
+fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String> {
+    let mut assumptions = vec![
+        "Two rigid bodies collide in the plane in one instantaneous impact, without tyre forces; the crush \
+         changes neither positions nor inertias."
+            .to_owned(),
+    ];
+    if let Some(impact) = &file.case.impact {
+        assumptions.push(format!(
+            "Impact law: {}, with {}. The analyst chose contact point, crush plane and coefficients.",
+            law::name(&impact.law),
+            law::coefficients(&impact.law, units)
+        ));
+    }
+    if analysis.vehicles.iter().any(|vehicle| vehicle.damage.is_some()) {
+        assumptions.push(
+            "Crush: the force per width grows linearly with the residual crush, and the profile is straight between its stations.".to_owned(),
+        );
+    }
+    for (i, vehicle) in analysis.vehicles.iter().enumerate() {
+        if let Some(damage) = &vehicle.subject.damage {
+            assumptions.push(format!(
+                "Stiffness of vehicle {}: {}.",
+                i + 1,
+                words::stiffness_source_and_doubt(damage.stiffness_source, damage.side)
+            ));
+        }
+    }
+    assumptions
+}

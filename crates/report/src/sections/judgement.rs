@@ -1,0 +1,135 @@
+//! A case judged without solving it: what was understood, what was assumed, and what it can be used for.
+
+use analysis::{Ability, Judgement, Warning};
+use case::{Case, CaseFile, Command, UnitSystem};
+
+use crate::Subject;
+use crate::document::{Block, Column, Document, Row, Table, Width};
+use crate::understood::{amount, choices, converted, message, shown, spread};
+use crate::units::Units;
+use crate::{warnings, words};
+
+/// Over the numbers of the file.
+pub(crate) const NUMBERS: &str = "Numbers as understood";
+/// Over what the file says in words.
+pub(crate) const CHOICES: &str = "Choices";
+/// Over what stands in for what it does not say.
+pub(crate) const ASSUMED: &str = "Assumed, because the file does not say";
+/// (columns) of the keys that are usual.
+const KEY: usize = 36;
+/// (columns) of what the file says.
+const WRITTEN: usize = 22;
+/// (columns) of a value.
+const VALUE: usize = 14;
+
+/// Every number of the file as written and in both unit systems, the choices, what was assumed, the commands that the case has
+/// enough for, and the warnings, whose numbers are in the units of the reader.
+#[must_use]
+pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Document {
+    let case = &file.case;
+    let mut page = Document::new();
+    page.title(case);
+    page.paragraph("The case file is valid. It has been checked but not solved.");
+    page.push(numbers(case));
+    page.heading(CHOICES);
+    page.push(Block::Entries(choices(case)));
+    page.heading(ASSUMED);
+    let assumed = judgement.assumptions.iter().map(|one| (one.key(), message(one, units)));
+    if judgement.assumptions.is_empty() {
+        page.paragraph("nothing");
+    } else {
+        page.push(Block::Entries(assumed.collect()));
+    }
+    page.push(commands(case, judgement));
+    if judgement.warnings.is_empty() {
+        page.paragraph("No warnings (checks that need a solution were not run).");
+    } else {
+        let seen: Vec<Warning> =
+            judgement.warnings.iter().map(|warning| warning.in_axes(case.axes)).collect();
+        page.push(warnings::block(&seen, units, case.axes));
+    }
+    page
+}
+
+fn commands(case: &Case, judgement: &Judgement) -> Table {
+    let columns = [Column::words("", Width::Fixed(KEY + 2)), Column::words("", Width::Share)];
+    let mut table = Table::new("Commands", columns);
+    for Ability { command, on, obstacle } in &judgement.commands {
+        let Some(obstacle) = obstacle else {
+            let does = format!("has all that it needs{}", purpose(case, *command, *on));
+            table.row([command.to_string(), does]);
+            continue;
+        };
+        // It lacks what another lacks, which was told there.
+        let is_told = on != command
+            && judgement.commands.iter().any(|other| {
+                other.command == *on
+                    && other.obstacle.as_ref().is_some_and(|other| other.list() == obstacle.list())
+            });
+        if is_told {
+            table.row([command.to_string(), format!("cannot run, as {on} cannot")]);
+            continue;
+        }
+        table.row([command.to_string(), "cannot run".to_owned()]);
+        // What helps with both vehicles is said once, after the last that it helps with.
+        let problems: Vec<_> =
+            obstacle.list().iter().map(|one| (one.problem().to_string(), one.problem().help())).collect();
+        for (i, (problem, help)) in problems.iter().enumerate() {
+            let is_repeated = problems[i + 1..].iter().any(|(_, later)| later == help);
+            let help = help.as_ref().filter(|_| !is_repeated).map(|help| format!("; {help}"));
+            table.rows.push(Row::Detail(format!("{problem}{}", help.unwrap_or_default())));
+        }
+    }
+    table
+}
+
+fn numbers(case: &Case) -> Table {
+    let mut table = Table::new(
+        NUMBERS,
+        [
+            Column::words("", Width::Fit(KEY)),
+            Column::words("as written", Width::Fit(WRITTEN)),
+            Column::words("SI", Width::Fit(VALUE)),
+            Column::words("US", Width::Fit(0)),
+        ],
+    );
+    let mut ranges = case.ranges.iter().peekable();
+    for input in case.inputs() {
+        let spread = ranges.next_if(|range| range.path == input.path).map(spread);
+        let amount = amount(input.number, input.unit);
+        let written = match spread {
+            None => amount,
+            // A range that is too long for the column stands below its number.
+            Some(spread) if amount.chars().count() + spread.chars().count() + 2 > WRITTEN => {
+                format!("{amount};\n{spread}")
+            }
+            Some(spread) => format!("{amount}; {spread}"),
+        };
+        let [si, us] = [UnitSystem::Si, UnitSystem::Us].map(|system| shown(converted(&input, system)));
+        table.row([input.path, written, si, us]);
+    }
+    table
+}
+
+/// What a command that runs is good for in this case.
+fn purpose(case: &Case, command: Command, on: Command) -> String {
+    match (&case.reconstruct, command) {
+        (Some(reconstruct), Command::Reconstruct) => {
+            format!(" to find {}", words::unknown_name(reconstruct.find))
+        }
+        (_, Command::Draw) => {
+            let is_damaged = case.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
+            let what: Vec<&str> = Subject::ALL
+                .into_iter()
+                .filter(|subject| match subject {
+                    Subject::Scene | Subject::Energy => on != Command::Crush,
+                    Subject::Damage => is_damaged,
+                    Subject::Reconciliation => on == Command::Reconstruct,
+                })
+                .map(Subject::name)
+                .collect();
+            format!(" for --what {}", what.join(", "))
+        }
+        _ => String::new(),
+    }
+}

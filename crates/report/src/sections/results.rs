@@ -1,0 +1,459 @@
+//! A finished analysis as text for the terminal and the file.
+
+use analysis::{Analysis, Crash3, Damage, Found, Impact};
+use case::{Axes, Case, Pdof, Velocity, YawSource};
+use crash3::{EnergyBasis, Stiffness, Structure};
+use pim_core::{Outcome, Regime};
+
+use super::chosen::{Chosen, both_speeds, label};
+use crate::document::{Block, Document, Table};
+use crate::units::{Quantity, Units};
+use crate::{axes, checks, energy, law, warnings, words};
+
+/// The analysis for the terminal and the file: what was found, all inputs and results with their equations, and the warnings.
+#[must_use]
+pub fn results(case: &Case, analysis: &Analysis, units: Units) -> Document {
+    let analysis = &analysis.in_axes(case.axes);
+    // Values need 88 columns, and the eye follows no more than 120.
+    let mut page = Page { units, axes: case.axes, document: Document::new().with_columns([88, 120]) };
+    page.document.title(case);
+    if let Some(found) = &analysis.found {
+        page.found(found, analysis.basis);
+    }
+    // Many read no further than the first screen.
+    page.document.notice(&analysis.warnings);
+    page.inputs(case, analysis);
+    if let Some(impact) = &analysis.impact {
+        page.impact(analysis, impact);
+        page.motion(analysis);
+        page.energy(analysis, &impact.outcome);
+    }
+    page.damage(analysis);
+    if let Some(crash3) = &analysis.crash3 {
+        page.crash3(case, analysis, crash3);
+    }
+    page.checks(analysis);
+    page.document.push(warnings::block(&analysis.warnings, units, case.axes));
+    page.sources();
+    page.document
+}
+
+struct Page {
+    units: Units,
+    axes: Axes,
+    document: Document,
+}
+
+/// Over the columns of the vehicles.
+const VEHICLES: [&str; 3] = ["vehicle 1", "vehicle 2", ""];
+/// The same, where each row has a source.
+const SOURCED: [&str; 3] = ["vehicle 1", "vehicle 2", "source"];
+
+impl Page {
+    fn found(&mut self, found: &Found, basis: EnergyBasis) {
+        let vehicle = found.unknown.index() + 1;
+        let units = self.units;
+        let energy = |si: f64| units.format(Quantity::Energy, si);
+        let work = match basis {
+            EnergyBasis::Dissipated => format!(
+                "equals the crush energy, {}, which the normal impulse dissipates",
+                energy(found.crush_energy)
+            ),
+            EnergyBasis::Absorbed => format!(
+                "is W_n = {} = (1 − e²) E, where the crush energy E = {} is what the vehicles absorb up to maximum engagement, and restitution gives \
+                 the share e² back",
+                energy(found.normal_work),
+                energy(found.crush_energy)
+            ),
+        };
+        let roots = match found.admissible.len() {
+            1 => "One admissible speed".to_owned(),
+            several => format!("{several} admissible speeds"),
+        };
+        let method = search(found);
+        self.document.push(Block::Answer {
+            found: format!("Speed of vehicle {vehicle}: {}", both_speeds(units, found.speed)),
+            how: format!(
+                "At this speed the work of the normal impulse {work}. {roots}, found {method} (theory 6)."
+            ),
+        });
+    }
+
+    fn inputs(&mut self, case: &Case, analysis: &Analysis) {
+        let units = self.units;
+        let mut table = Table::of_two("Inputs as understood", VEHICLES);
+        let vehicles = &case.vehicles;
+        let known = |f: &dyn Fn(usize) -> Option<String>| [f(0), f(1)];
+        table.pair("name", known(&|i| vehicles[i].name.clone()), "");
+        table.pair("fixed object", known(&|i| vehicles[i].fixed.then(|| "yes".to_owned())), "");
+        let inertia = |i: usize| analysis.vehicles[i].subject.inertia;
+        table.pair("mass", known(&|i| inertia(i).map(|v| units.format(Quantity::Mass, v.mass))), "");
+        table.pair(
+            "yaw inertia",
+            known(&|i| inertia(i).map(|v| units.format(Quantity::YawInertia, v.yaw_inertia))),
+            "",
+        );
+        table.pair(
+            "yaw inertia from",
+            known(&|i| match inertia(i).map(|v| v.yaw_source) {
+                Some(YawSource::Class(class)) => Some(format!("CRASH3's class {class}")),
+                Some(YawSource::Burg) => Some("Burg's estimate".to_owned()),
+                Some(YawSource::Given) | None => None,
+            }),
+            "",
+        );
+        let angle = |q: &case::Quantity| units.format(Quantity::Angle, q.si());
+        table.pair("heading θ", known(&|i| vehicles[i].heading.as_ref().map(angle)), "");
+        table.pair(
+            "contact point C, forward",
+            known(&|i| analysis.vehicles[i].subject.contact.map(|c| units.format(Quantity::Length, c[0]))),
+            "",
+        );
+        table.pair(
+            &format!("contact point C, {}", axes::side_of_y(self.axes)),
+            known(&|i| analysis.vehicles[i].subject.contact.map(|c| units.format(Quantity::Length, c[1]))),
+            "",
+        );
+        let sought = |i: usize| analysis.found.as_ref().is_some_and(|found| found.unknown.index() == i);
+        table.pair(
+            "speed",
+            known(&|i| match &vehicles[i].motion {
+                _ if sought(i) => Some("sought".to_owned()),
+                Some(Velocity::Speed(speed)) => Some(both_speeds(units, speed.si())),
+                Some(Velocity::Vector { x, y }) => {
+                    Some(units.format_vector(Quantity::Speed, [x.si(), y.si()]))
+                }
+                None => None,
+            }),
+            "",
+        );
+        table.pair("yaw rate", known(&|i| vehicles[i].yaw_rate.as_ref().map(|q| units.yaw_rate(q.si()))), "");
+        let damage = |i: usize| vehicles[i].crush.as_ref().zip(analysis.vehicles[i].damage.as_ref());
+        table.pair(
+            "damaged side, width",
+            known(&|i| {
+                damage(i).map(|(crush, damage)| {
+                    format!(
+                        "{}, {}",
+                        words::side_name(crush.side),
+                        units.format(Quantity::Crush, damage.width)
+                    )
+                })
+            }),
+            "",
+        );
+        let crush = |i: usize| vehicles[i].crush.as_ref();
+        let crush_length = |q: case::Quantity| units.format(Quantity::Crush, q.si());
+        // Of a front or rear the offset is from the vehicle's axis, of a side from its CG.
+        let side_of_y = axes::side_of_y(self.axes);
+        for (label, is_end) in [
+            (format!("damage offset {side_of_y} of axis"), true),
+            ("damage offset ahead of the CG".to_owned(), false),
+        ] {
+            let offset = known(&|i| {
+                let crush = crush(i).filter(|crush| words::is_end(crush.side) == is_end)?;
+                crush.offset.map(crush_length)
+            });
+            table.pair(&label, offset, "");
+        }
+        table.pair(
+            "PDOF as given",
+            known(&|i| {
+                let follows = || {
+                    let damage = analysis.vehicles[i].subject.damage.as_ref()?;
+                    let pdof = damage.pdof.filter(|_| damage.pdof_follows)?;
+                    Some(format!("opposite: {}", units.format(Quantity::Angle, pdof)))
+                };
+                let given = crush(i)?.pdof.map(|pdof| match pdof {
+                    Pdof::Angle(given) => angle(&given),
+                    Pdof::Clock(hour) => format!("{hour} o'clock"),
+                });
+                given.or_else(follows)
+            }),
+            "",
+        );
+        table.pair(
+            "angle α as given",
+            known(&|i| crush(i).and_then(|crush| crush.oblique_angle).map(|q| angle(&q))),
+            "",
+        );
+        table.pair(
+            "moment arm h as given",
+            known(&|i| {
+                crush(i).and_then(|crush| crush.moment_arm).map(|q| units.format(Quantity::Length, q.si()))
+            }),
+            "",
+        );
+        let dimensions = |i: usize| analysis.vehicles[i].subject.dimensions;
+        let length = |si: f64| units.format(Quantity::Length, si);
+        table.pair(
+            "outline, length by width",
+            known(&|i| dimensions(i).map(|d| format!("{} by {}", length(d.length), length(d.width)))),
+            "",
+        );
+        table.pair("CG to the front", known(&|i| dimensions(i).map(|d| length(d.cg_to_front))), "");
+        self.stiffness(analysis, &mut table);
+        Chosen { analysis, units }.pair(&mut table, "no_damage_speed");
+        self.document.push(table);
+        self.shared_inputs(case, analysis);
+    }
+
+    /// What is no column of a vehicle: profiles, which need the whole line, and what belongs to the collision.
+    fn shared_inputs(&mut self, case: &Case, analysis: &Analysis) {
+        let units = self.units;
+        let mut profiles = Vec::new();
+        for (i, vehicle) in analysis.vehicles.iter().enumerate() {
+            if let Some(damage) = &vehicle.damage
+                && damage.inferred.is_none()
+            {
+                let depths = units.format_all(Quantity::Crush, &damage.depths);
+                profiles.push((format!("crush depths, vehicle {}", i + 1), depths));
+            }
+        }
+        let heading = match (profiles.is_empty(), case.impact.is_some()) {
+            (false, true) => "Crush depths and impact law",
+            (false, false) => "Crush depths",
+            (true, true) => "Impact law",
+            (true, false) => return,
+        };
+        let mut table = Table::of_two(heading, [""; 3]);
+        for (label, depths) in &profiles {
+            table.shared(label, depths, "");
+        }
+        if let Some(impact) = &case.impact {
+            table.shared("crush plane Γ", &units.format(Quantity::Angle, impact.crush_plane.si()), "");
+            table.shared("impact law", law::name(&impact.law), "");
+            table.shared("coefficients", &law::coefficients(&impact.law, units), "");
+        }
+        self.document.push(table);
+    }
+
+    /// Coefficients in one row where they are the same all along the side, else in one row for each vehicle and coefficient.
+    fn stiffness(&self, analysis: &Analysis, table: &mut Table) {
+        let units = self.units;
+        let damage = [0, 1].map(|i| analysis.vehicles[i].damage.as_ref());
+        let source = [0, 1].map(|i| {
+            analysis.vehicles[i]
+                .subject
+                .damage
+                .as_ref()
+                .map(|d| words::stiffness_source(d.stiffness_source, d.side))
+        });
+        table.pair("stiffness from", source, "");
+        type Coefficient = (&'static str, Quantity, fn(&Stiffness) -> Option<f64>);
+        let coefficients: [Coefficient; 4] = [
+            ("stiffness A", Quantity::StiffnessA, |s| Some(s.a())),
+            ("stiffness B", Quantity::StiffnessB, |s| Some(s.b())),
+            ("stiffness G", Quantity::StiffnessG, |s| Some(s.g())),
+            ("limit of the force per width", Quantity::StiffnessA, Stiffness::limit),
+        ];
+        for (label, quantity, of) in coefficients {
+            let uniform = damage.map(|damage| match damage.map(|damage| &damage.structure) {
+                Some(Structure::Uniform(stiffness)) => of(stiffness).map(|si| units.format(quantity, si)),
+                Some(Structure::Zones(_)) | None => None,
+            });
+            table.pair(label, uniform, "");
+        }
+        let doubt = analysis.vehicles.iter().find_map(|vehicle| {
+            let damage = vehicle.subject.damage.as_ref()?;
+            words::stiffness_doubt(damage.stiffness_source, damage.side)
+        });
+        if let Some(doubt) = doubt {
+            table.notes.push(format!("{doubt}."));
+        }
+        for (i, damage) in damage.into_iter().enumerate() {
+            let Some(Structure::Zones(zones)) = damage.map(|damage| &damage.structure) else { continue };
+            for (label, quantity, of) in coefficients {
+                if zones.iter().any(|zone| of(zone).is_some()) {
+                    let values: Vec<String> = zones
+                        .iter()
+                        .map(|zone| of(zone).map_or_else(|| "–".to_owned(), |si| units.format(quantity, si)))
+                        .collect();
+                    table.notes.push(format!("{label} by zone, vehicle {}: {}", i + 1, values.join(", ")));
+                }
+            }
+        }
+    }
+
+    fn impact(&mut self, analysis: &Analysis, impact: &Impact) {
+        let chosen = Chosen { analysis, units: self.units };
+        let mut table = Table::of_two("Impact", ["along n", "along t", "source"]);
+        for keys in [
+            ["impact.normal_velocity.before", "impact.tangential_velocity.before"],
+            ["impact.normal_velocity.after", "impact.tangential_velocity.after"],
+            ["impact.normal_impulse", "impact.tangential_impulse"],
+        ] {
+            chosen.along(&mut table, keys);
+        }
+        self.document.push(table);
+        let mut table = Table::of_two("Impact as a whole", ["", "", "source"]);
+        chosen.shared(&mut table, "impact.moment_impulse");
+        // As many digits as the coefficient has, which the case gives; that of a curve has no end.
+        let e = (impact.law.restitution() * 1e4).round() / 1e4;
+        chosen.shared_with(&mut table, "impact.restitution", |_| e.to_string());
+        if let Some(regime) = impact.outcome.regime {
+            let regime = match regime {
+                Regime::Full => "sufficient for the tangential condition",
+                Regime::Sliding => "insufficient: sliding continues until separation",
+            };
+            table.shared("friction", regime, "theory 3");
+        }
+        chosen.shared(&mut table, "impact.impulse_ratio");
+        chosen.shared(&mut table, "impact.critical_impulse_ratio");
+        if impact.outcome.critical_impulse_ratio.is_none() {
+            let label = label("impact.critical_impulse_ratio");
+            table.shared(label, "none: no push can end the sliding", "theory 3");
+        }
+        chosen.shared_with(&mut table, "impact.impulse_direction", |angle| format!("{angle} in the scene"));
+        self.document.push(table);
+    }
+
+    fn motion(&mut self, analysis: &Analysis) {
+        let chosen = Chosen { analysis, units: self.units };
+        let mut table = Table::of_two("Motion", SOURCED);
+        chosen.pair(&mut table, "speed");
+        chosen.vectors(&mut table, "velocity");
+        chosen.vectors(&mut table, "final_velocity");
+        for key in ["yaw_rate", "final_yaw_rate", "delta_v", "pdof"] {
+            chosen.pair(&mut table, key);
+        }
+        self.document.push(table);
+    }
+
+    fn energy(&mut self, analysis: &Analysis, outcome: &Outcome) {
+        let chosen = Chosen { analysis, units: self.units };
+        let mut table = Table::of_two("Energy", ["", "share of initial", "source"]);
+        let share = |si: f64| energy::share(si, &outcome.energy);
+        for (key, indent) in [
+            ("impact.initial_energy", ""),
+            ("impact.final_energy", ""),
+            ("impact.energy_loss", ""),
+            ("impact.normal_work", "  "),
+            ("impact.tangential_work", "  "),
+            ("impact.moment_work", "  "),
+        ] {
+            chosen.energy(&mut table, key, indent, share);
+        }
+        table.notes = energy::notes(analysis, self.units);
+        self.document.push(table);
+    }
+
+    fn damage(&mut self, analysis: &Analysis) {
+        let chosen = Chosen { analysis, units: self.units };
+        let units = self.units;
+        let damage = [0, 1].map(|i| analysis.vehicles[i].damage.as_ref());
+        if damage.iter().all(Option::is_none) {
+            return;
+        }
+        let mut table = Table::of_two("Damage", SOURCED);
+        let each = |f: &dyn Fn(&Damage) -> Option<String>| damage.map(|damage| damage.and_then(f));
+        let energy = |si: f64| units.format(Quantity::Energy, si);
+        if damage.iter().flatten().any(|damage| damage.inferred.is_some()) {
+            let evidence =
+                |d: &Damage| if d.inferred.is_some() { "inferred from the force" } else { "measured" };
+            table.pair("the crush was", each(&|d| Some(evidence(d).to_owned())), "theory 5");
+            let bounds = |d: &Damage| {
+                let range = d.inferred?.range?;
+                Some(format!("{} to {}", energy(range.lowest.energy), energy(range.highest.energy)))
+            };
+            table.pair(label("crush_energy_bounds.low"), each(&bounds), "theory 5");
+        }
+        chosen.pair(&mut table, "crush_energy");
+        // That of the impulse stands above; here is the one that the file puts in its place.
+        let is_given =
+            |i: usize| analysis.vehicles[i].subject.damage.as_ref().is_some_and(|d| d.pdof.is_some());
+        if analysis.impact.is_none() || [0, 1].into_iter().any(is_given) {
+            let label = if analysis.impact.is_none() { label("pdof") } else { "PDOF that CRASH3 uses" };
+            let pdof = |d: &Damage| d.pdof.map(|pdof| units.format(Quantity::Angle, pdof));
+            table.pair(label, each(&pdof), "theory 5");
+        }
+        chosen.pair(&mut table, "ees");
+        chosen.pair(&mut table, "oblique_angle");
+        chosen.pair_with(&mut table, "oblique_factor", |i, factor| {
+            let is_capped = damage[i].and_then(|d| d.oblique).is_some_and(|oblique| oblique.factor.capped);
+            if is_capped { format!("{factor} (capped)") } else { factor }
+        });
+        chosen.pair(&mut table, "corrected_crush_energy");
+        chosen.pair(&mut table, "peak_force");
+        self.document.push(table);
+    }
+
+    fn crash3(&mut self, case: &Case, analysis: &Analysis, crash3: &Crash3) {
+        let basis = analysis.basis;
+        let units = self.units;
+        let chosen = Chosen { analysis, units };
+        let mut table = Table::of_two("CRASH3's own answer", ["", "", "source"]);
+        chosen.shared(&mut table, "crash3.crush_energy");
+        chosen.shared(&mut table, "crash3.corrected_crush_energy");
+        chosen.shared_with(&mut table, "crash3.restitution_factor", |factor| {
+            let assumed = if case.reconstruct.is_none() { ", assumed" } else { "" };
+            format!("{factor} (energy basis: {}{assumed})", words::basis_name(basis))
+        });
+        self.document.push(table);
+        let mut table = Table::of_two("CRASH3 by vehicle", SOURCED);
+        // A fixed object has no arm and no ΔV.
+        let pair = |values: [String; 2]| {
+            let [first, second] = values;
+            let known = |i: usize, value: String| (!case.vehicles[i].fixed).then_some(value);
+            [known(0, first), known(1, second)]
+        };
+        let speeds = |delta_v: [f64; 2], factor: f64| pair(delta_v.map(|dv| both_speeds(units, dv * factor)));
+        chosen.pair(&mut table, "crash3.moment_arm");
+        chosen.pair(&mut table, "crash3.effective_mass_ratio");
+        chosen.pair(&mut table, "crash3.delta_v");
+        if let Some(factor) = crash3.restitution_factor {
+            table.pair("ΔV uncorrected, restitution", speeds(crash3.delta_v, factor), "theory 5");
+        }
+        if let Some(corrected) = crash3.corrected {
+            chosen.pair(&mut table, "crash3.corrected_delta_v");
+            if let Some(factor) = crash3.restitution_factor {
+                table.pair("ΔV corrected, restitution", speeds(corrected.delta_v, factor), "theory 5");
+            }
+        }
+        self.document.push(table);
+        let mut table = Table::of_two(
+            "CRASH3 by oblique correction",
+            ["ΔV 1, without restitution", "ΔV 2, without restitution", "source"],
+        );
+        for row in &crash3.corrections {
+            // A number would take the label over its columns.
+            let factor =
+                law::friction_limits(row).map_or_else(|| law::factor(row), |_| law::friction_factor(&"μ"));
+            let label = format!("{:<9}{factor}", law::row_name(row));
+            table.pair(&label, speeds(row.delta_v, 1.0), "theory 5");
+        }
+        for [first, second] in crash3.corrections.iter().filter_map(law::friction_limits) {
+            table.notes.push(if first == second {
+                format!("The friction limit μ is {first}.")
+            } else {
+                format!("The friction limit μ is {first} for vehicle 1 and {second} for vehicle 2.")
+            });
+        }
+        self.document.push(table);
+    }
+
+    fn checks(&mut self, analysis: &Analysis) {
+        if let Some(table) = checks::table(analysis, self.units) {
+            self.document.push(table);
+        }
+    }
+
+    fn sources(&mut self) {
+        self.document.paragraph(format!(
+            "Sources: Eq n is equation n of Brach & Brach, SAE 980025 (1998), with its misprints corrected; \
+             theory n is section n of docs/theory.md. {}; n points from vehicle 2 to vehicle 1.",
+            axes::conventions(self.axes)
+        ));
+    }
+}
+
+/// How the speed was found.
+pub(crate) fn search(found: &Found) -> String {
+    match found.iterations.as_ref().map(Vec::len) {
+        None => "in closed form".to_owned(),
+        // An end of the bracket was the root already.
+        Some(0) => "by root-finding".to_owned(),
+        Some(1) => "by root-finding in 1 step".to_owned(),
+        Some(steps) => format!("by root-finding in {steps} steps"),
+    }
+}

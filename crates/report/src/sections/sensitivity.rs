@@ -1,0 +1,167 @@
+//! How sensitive the answer is to each input.
+
+use analysis::{Derivative, Sensitivity, SweepRow};
+use case::{Axes, Case};
+use crash3::ObliqueCorrection;
+
+use super::chosen::{or_none, output_name, output_quantity};
+use crate::data::sensitivity::given_in_sweep;
+use crate::document::{Column, Document, Table, Width};
+use crate::units::{Quantity, Units, number, significant};
+use crate::warnings;
+
+/// The derivatives and the sweep as tables, and the warnings of the case as it stands.
+#[must_use]
+pub fn sensitivity(case: &Case, sensitivity: &Sensitivity, units: Units) -> Document {
+    let mut page = Document::new();
+    page.title(case);
+    for group in sensitivity.derivatives.chunk_by(|a, b| a.output == b.output) {
+        if let Some(first) = group.first() {
+            page.push(derivatives(first, group, units));
+        }
+    }
+    if !sensitivity.derivatives.is_empty() {
+        page.paragraph(
+            "Each derivative is exact, with all other numbers as given (theory 6). The influence, by which they are ranked, is the change of the result \
+             in % for 1 % of the input, or for 1° of an angle, whose zero is a matter of choice.",
+        );
+    }
+    if sensitivity.pdof_sweep.is_empty() {
+        page.paragraph(
+            "No PDOF sweep: it needs the damage, the PDOF and either the contact point or the outline of \
+             both vehicles.",
+        );
+    } else {
+        page.push(sweep(sensitivity, units, case));
+        page.paragraph(on_the_sweep(sensitivity, case.axes));
+    }
+    page.blocks.extend(warnings::of_analysis(&sensitivity.nominal, case, units));
+    page
+}
+
+/// A change smaller than this share of the largest one of its result is the rounding of zero.
+const ROUNDING: f64 = 1e-12;
+
+/// (SI) by how much a result moves with one of an input's own units, or with the whole of it where that is more.
+fn size(row: &Derivative) -> f64 {
+    (row.value * row.input.factor()).abs() * row.input.number.abs().max(1.0)
+}
+
+fn derivatives(first: &Derivative, group: &[Derivative], units: Units) -> Table {
+    let quantity = output_quantity(first.output);
+    // Where there is one column for a speed, it is that of the road.
+    let (alone, beside) = match quantity {
+        Quantity::Speed => (units.speed_alone(), units.beside_speed()),
+        other => (other, None),
+    };
+    let beside =
+        beside.map_or_else(String::new, |road| format!(" = {}", units.format(road, first.output_value)));
+    let value = units.format(quantity, first.output_value) + &beside;
+    let mut table = Table::new(
+        format!("{}, {value}", output_name(first.output)),
+        [
+            Column::words("", Width::Fixed(34)),
+            Column::words("", Width::Fixed(16)),
+            Column::numbers("change per unit", Width::Fixed(28)),
+            Column::numbers("% per %", Width::Fixed(10)),
+            Column::numbers("influence", Width::Fixed(10)),
+        ],
+    );
+    let largest = group.iter().map(size).fold(0.0, f64::max);
+    let (with, without): (Vec<&Derivative>, Vec<&Derivative>) =
+        group.iter().partition(|row| size(row) > ROUNDING * largest);
+    for row in with {
+        let (unit, per) = match row.input.unit {
+            Some(unit) => (format!(" {unit}"), unit.to_string()),
+            None => (String::new(), "1".to_owned()),
+        };
+        // In the result's unit per one of the input's own.
+        let change = significant(units.value(alone, row.value * row.input.factor()), 4);
+        table.row([
+            row.input.path.clone(),
+            format!("{}{unit}", row.input.number),
+            format!("{change} {} per {per}", units.name(alone)),
+            or_none(row.relative().map(|relative| number(relative, 3))),
+            number(100.0 * row.influence(), 2),
+        ]);
+    }
+    let without: Vec<&str> = without.iter().map(|row| row.input.path.as_str()).collect();
+    if !without.is_empty() {
+        table.notes.push(format!("no influence: {}", without.join(", ")));
+    }
+    table
+}
+
+fn sweep(sensitivity: &Sensitivity, units: Units, case: &Case) -> Table {
+    let speed = units.name(units.speed_alone());
+    let delta_v = |name: &str| Column::numbers(name, Width::Fixed(12)).unit(speed);
+    let mut table = Table::new(
+        "PDOF sweep, CRASH3",
+        [
+            Column::words("", Width::Fixed(22)).unit("change, °"),
+            Column::numbers("PDOF 1", Width::Fixed(9)).unit("°"),
+            Column::numbers("PDOF 2", Width::Fixed(9)).unit("°"),
+            Column::numbers("ΔV", Width::Fixed(10)).unit("vehicle"),
+            delta_v("uncorrected"),
+            delta_v("corrected"),
+            delta_v("capped"),
+            delta_v("uncapped"),
+        ],
+    );
+    for row in &sensitivity.pdof_sweep {
+        // What is fixed has no ΔV.
+        for (n, vehicle) in [0, 1].into_iter().filter(|vehicle| !case.vehicles[*vehicle].fixed).enumerate() {
+            let [change, first, second] =
+                if n == 0 { turned(row, units) } else { [const { String::new() }; 3] };
+            let cell =
+                |dv: Option<[f64; 2]>| or_none(dv.map(|dv| units.plain(units.speed_alone(), dv[vehicle])));
+            table.row([
+                change,
+                first,
+                second,
+                (vehicle + 1).to_string(),
+                cell(Some(row.crash3.delta_v)),
+                cell(row.crash3.corrected.map(|corrected| corrected.delta_v)),
+                cell(row.corrected(ObliqueCorrection::Capped)),
+                cell(row.corrected(ObliqueCorrection::Uncapped)),
+            ]);
+        }
+    }
+    table
+}
+
+/// By how much the directions are turned, and both PDOFs.
+fn turned(row: &SweepRow, units: Units) -> [String; 3] {
+    let nominal = if row.change == 0.0 { " (nominal)" } else { "" };
+    let [first, second] = row.pdof.map(|pdof| or_none(pdof.map(|pdof| units.plain(Quantity::Angle, pdof))));
+    [format!("{}{nominal}", units.signed(Quantity::Angle, row.change)), first, second]
+}
+
+fn on_the_sweep(sensitivity: &Sensitivity, axes: Axes) -> String {
+    let sense = match axes {
+        Axes::ZUp => "positive counter-clockwise as in Table 3 of SAE 980025",
+        Axes::ZDown => "positive clockwise, against the sense of Table 3 of SAE 980025",
+    };
+    let of = |vehicles: &[usize]| match vehicles {
+        [vehicle] => format!("of vehicle {vehicle}"),
+        _ => "of both vehicles".to_owned(),
+    };
+    let mut given = String::new();
+    let held = given_in_sweep(sensitivity, |damage| damage.moment_arm);
+    if !held.is_empty() {
+        given.push_str(&format!(" The moment arm {} keeps the value that the file gives.", of(&held)));
+    }
+    let turned = given_in_sweep(sensitivity, |damage| damage.oblique_angle);
+    if !turned.is_empty() {
+        given.push_str(&format!(
+            " The oblique angle {} starts at the value that the file gives, clockwise positive, and turns \
+             with the PDOF.",
+            of(&turned)
+        ));
+    }
+    format!(
+        "The lines of action are turned about the points through which the forces act, {sense}; moment arms \
+         and angles to the damaged sides follow.{given} \"corrected\" uses the correction that the case \
+         asks for; all values are without restitution (Eq 6–8).",
+    )
+}

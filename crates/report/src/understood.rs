@@ -1,0 +1,192 @@
+//! What was understood of a case, in words: ranges, units, choices, and what is assumed where the file says nothing.
+
+use analysis::Assumption;
+use case::{
+    Case, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm, StiffnessSource, Unit,
+    UnitSystem,
+};
+use crash3::ObliqueCorrection;
+use pim_core::Tangential;
+
+use crate::units::{Quantity, Units, significant};
+use crate::words;
+
+pub(crate) fn spread(range: &Range) -> String {
+    match range.spread {
+        Spread::Normal { sd } => format!("sd {sd}"),
+        Spread::Uniform { low, high } => format!("{low} to {high}"),
+        Spread::Triangular { low, high } => format!("likeliest of {low} to {high}"),
+        Spread::Within { percent, confidence } => {
+            format!("within {percent} % ({})", significant(confidence, 2))
+        }
+    }
+}
+
+pub(crate) fn amount(number: f64, unit: Option<&'static Unit>) -> String {
+    unit.map_or_else(|| number.to_string(), |unit| format!("{number} {unit}"))
+}
+
+/// The units in which people of a custom know a quantity; depths and widths of damage in smaller ones than other lengths.
+fn usual(dimension: Dimension, in_crush: bool, system: UnitSystem) -> &'static str {
+    let (si, us) = match dimension {
+        Dimension::Length if in_crush => ("cm", "in"),
+        Dimension::Length => ("m", "ft"),
+        Dimension::Mass => ("kg", "lb"),
+        Dimension::Weight | Dimension::StiffnessG => ("N", "lb"),
+        Dimension::Speed => ("m/s", "mph"),
+        Dimension::Angle => ("rad", "deg"),
+        Dimension::YawRate => ("rad/s", "deg/s"),
+        Dimension::Inertia => ("kg m^2", "lb ft s^2"),
+        Dimension::StiffnessA => ("N/cm", "lb/in"),
+        Dimension::StiffnessB => ("N/cm^2", "lb/in^2"),
+        Dimension::RootForce => ("N^0.5", "lb^0.5"),
+        Dimension::RootForcePerLength => ("N^0.5/cm", "lb^0.5/in"),
+    };
+    match system {
+        UnitSystem::Si => si,
+        UnitSystem::Us => us,
+    }
+}
+
+pub(crate) fn converted(input: &Input, system: UnitSystem) -> (f64, Option<&'static Unit>) {
+    let unit = input.unit.and_then(|unit| {
+        let in_crush = input.path.contains(".crush.") && !input.path.ends_with(".moment_arm");
+        unit.dimension().unit(usual(unit.dimension(), in_crush, system))
+    });
+    match unit {
+        // As written, without the rounding of two conversions.
+        Some(unit) if input.unit == Some(unit) => (input.number, Some(unit)),
+        Some(unit) => (input.si() / unit.factor(), Some(unit)),
+        None => (input.number, None),
+    }
+}
+
+/// Six digits are more than any input has, and zeros at the end say nothing.
+pub(crate) fn shown((value, unit): (f64, Option<&'static Unit>)) -> String {
+    // Through the text of six digits: the shortest decimal that reads back as it has no zeros at its end and no exponent.
+    let rounded = format!("{value:.5e}").parse().unwrap_or(value);
+    let digits = if rounded == 0.0 { "0".to_owned() } else { rounded.to_string() };
+    unit.map_or_else(|| digits.clone(), |unit| format!("{digits} {unit}"))
+}
+
+/// What the file says in words and whole numbers, key by key.
+pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
+    let mut choices = vec![("scene.axes".to_owned(), case.axes.name().to_owned())];
+    for (i, vehicle) in case.vehicles.iter().enumerate() {
+        let mut say = |key: &str, value: String| choices.push((format!("vehicle{}.{key}", i + 1), value));
+        if let Some(name) = &vehicle.name {
+            say("name", name.clone());
+        }
+        if vehicle.fixed {
+            say("fixed", "true".to_owned());
+        }
+        if let Some(class) = vehicle.class {
+            say("class", class.to_string());
+        }
+        let Some(crush) = &vehicle.crush else { continue };
+        say("crush.side", words::side_name(crush.side).to_owned());
+        if crush.from_force_balance {
+            say("crush.from_force_balance", "true".to_owned());
+        }
+        match &crush.stiffness {
+            StiffnessForm::Category(category) => say("crush.stiffness.category", category.to_string()),
+            StiffnessForm::Test(test) => {
+                let fit = match test.fit {
+                    Fit::Exact => "exact",
+                    Fit::Mean => "mean",
+                };
+                say("crush.stiffness.test.fit", fit.to_owned());
+            }
+            _ => {}
+        }
+        if let Some(Pdof::Clock(hour)) = crush.pdof {
+            say("crush.pdof", format!("{hour} o'clock = {}°", clock_degrees(hour)));
+        }
+        match crush.oblique {
+            // Its number stands among the numbers.
+            None | Some(ObliqueCorrection::Friction(_)) => {}
+            Some(correction) => say("crush.oblique", crate::law::correction_name(correction).to_owned()),
+        }
+    }
+    if let Some(impact) = &case.impact {
+        choices.push(("impact.law".to_owned(), impact.law.name().to_owned()));
+        if matches!(impact.law, ImpactLaw::Brach { tangential: Tangential::Critical, .. }) {
+            choices.push(("impact.tangential".to_owned(), "critical".to_owned()));
+        }
+    }
+    if let Some(reconstruct) = &case.reconstruct {
+        choices.push(("reconstruct.find".to_owned(), words::unknown_name(reconstruct.find).to_owned()));
+        let basis = words::basis_name(reconstruct.energy_basis);
+        choices.push(("reconstruct.energy_basis".to_owned(), basis.to_owned()));
+    }
+    choices
+}
+
+/// (°) clockwise, in (−180°, 180°].
+fn clock_degrees(hour: u8) -> i32 {
+    match i32::from(hour % 12) * 30 {
+        degrees @ 0..=180 => degrees,
+        degrees => degrees - 360,
+    }
+}
+
+/// What is assumed, in words.
+pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
+    match assumption {
+        Assumption::ZUp => {
+            "z-up: y to the left of x, angles and yaw rates counter-clockwise positive".to_owned()
+        }
+        Assumption::CategoryStiffness { category, side, abg: [a, b, g], .. } => format!(
+            "A = {}, B = {}, G = {}: category {category} of CRASH3's table, {}{}",
+            units.format(Quantity::StiffnessA, *a),
+            units.format(Quantity::StiffnessB, *b),
+            units.format(Quantity::StiffnessG, *g),
+            words::side_name(*side),
+            words::stiffness_doubt(StiffnessSource::Category(*category), *side)
+                .map_or_else(String::new, |doubt| format!("; {doubt}"))
+        ),
+        Assumption::YawRate { .. } => "0: the vehicle does not turn before the impact".to_owned(),
+        Assumption::ClassInertia { class, yaw_inertia, .. } => format!(
+            "{}, with the radius of gyration of CRASH3's size class {class}",
+            units.format(Quantity::YawInertia, *yaw_inertia)
+        ),
+        Assumption::BurgInertia { yaw_inertia, .. } => format!(
+            "{}, Burg's estimate from mass, wheelbase and length",
+            units.format(Quantity::YawInertia, *yaw_inertia)
+        ),
+        Assumption::Outline { class, .. } => format!(
+            "neither this nor `width`, `cg_to_front` or `class` is given: drawings use the outline of \
+             CRASH3's size class {class}, which has the nearest radius of gyration"
+        ),
+        Assumption::SpeedUnused { given, .. } => format!(
+            "unknown: this is the speed to find; the {} that the file gives is not used",
+            units.format(Quantity::Speed, *given)
+        ),
+        Assumption::EqualSpacing { .. } => "equal: the stations divide the width into equal parts".to_owned(),
+        Assumption::EnergyWithoutCrush { g, .. } => {
+            let values: Vec<String> = g.iter().map(|&si| units.format(Quantity::StiffnessG, si)).collect();
+            format!("A²/2B (d0²/2) = {}", values.join(", "))
+        }
+        Assumption::ExactFit { .. } => "exact: the line reproduces the test's kinetic energy".to_owned(),
+        Assumption::InferredWidth { .. } => {
+            "unknown: the width of the measured damage is used, within what the vehicle's dimensions \
+             allow"
+                .to_owned()
+        }
+        Assumption::Centred { side, .. } => {
+            format!("0: the middle of the damage lies {}", words::undisplaced(*side))
+        }
+        Assumption::Pdof { opposite: Some(pdof), .. } => {
+            format!("{}, opposite to the force on the other vehicle", units.format(Quantity::Angle, *pdof))
+        }
+        Assumption::Pdof { opposite: None, .. } => "that of the impulse, if an impact is computed".to_owned(),
+        Assumption::CappedCorrection { .. } => {
+            "capped: 1 + tan²α, with α at most 45°, a factor of 2".to_owned()
+        }
+        Assumption::BrachLaw => "brach".to_owned(),
+        Assumption::NoMoment => "-1: no moment impulse".to_owned(),
+        Assumption::Dissipated => {
+            "dissipated: the crush energy is the energy that the normal impulse dissipates".to_owned()
+        }
+    }
+}
