@@ -54,7 +54,7 @@ fn judge(file: &CaseFile, result: Result<Analysis, Failure>) {
     assert!(!has_null(&value), "not finite:\n{json}");
     // The drawings take as long as a hundred analyses.
     if file.source.text().len() % 16 == 0 {
-        let page = report::html(file, &analysis, Vec::new(), Units::Us).expect("an analysis can be drawn");
+        let page = report::handover(file, &analysis, Vec::new(), Units::Us).expect("an analysis can be drawn").html();
         assert_finite(file, &page);
     }
 }

@@ -1,4 +1,4 @@
-//! A finished analysis as text for people, as JSON for programs, as a report to hand over and as drawings; and the program's own validation.
+//! A finished analysis in words, as data and as drawings; and the program's own validation.
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -12,11 +12,17 @@
 //! # }
 //! ```
 //!
-//! The functions: [`text`] in the [`Units`] of the reader, where every figure names its equation; [`json`] in SI units and radians, with keys that are kept;
-//! [`message`], the sentence of a warning ([`warnings_text`] has all of an analysis), and [`no_answer`], that of a case without an answer. All speak the [`Axes`](case::Axes) of the case, which each document names. Results are converted to other units here and nowhere else.
+//! What a command has to say is a [`Document`], which writes itself as text, as Markdown and as HTML: [`results`], where every figure
+//! names its equation; [`handover`], the report to hand over, with the [`steps`] (every result with its equation and the numbers in it),
+//! all drawings and the case file; [`comparison`], [`sensitivity`], [`uncertainty`], [`judgement`] and [`validation`]; [`warnings`] alone;
+//! [`explanation`] of a term, symbol, key or warning, from glossary.md.
 //!
-//! [`html`] is the report to hand over, one self-contained file; [`markdown`] the same without drawings. Both show the [`steps`]: every result with its
-//! equation, the numbers put into it, and its source.
+//! The same for programs is data in SI units and radians, with keys that are kept: [`json`], [`comparison_json`] and so on; of many cases
+//! [`csv_row`] under [`csv_header`] gives a line each for a spreadsheet, and [`jsonl_row`] for a program; [`write_samples`] gives the samples of
+//! an uncertainty.
+//!
+//! [`message`] is the sentence of a warning and [`no_answer`] that of a case without an answer. All speak the [`Axes`](case::Axes) of the case,
+//! which each document names, and the [`Units`] of the reader. Results are converted to other units here and nowhere else.
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -31,22 +37,17 @@
 //! [`drawing`] draws a [`Subject`]: the scene and the damage to scale, the reconciliation, the energy. A [`Drawing`] is SVG, or PNG with the letters of
 //! DejaVu Sans, which the crate carries. Colours are told apart with any colour vision, and dashes, heads and hatching say the same in grey.
 //!
-//! [`validation_text`], [`validation_json`] and [`validation_markdown`] write the comparison with the RICSAC collisions;
-//! [`computed_against_measured`] and [`reconstructed_speed`] plot it as SVG.
-//!
-//! [`uncertainty_text`] and [`uncertainty_json`] say between what and what the results of a case with ranges lie; [`histogram`] and [`tornado`] plot
-//! that, and [`write_samples`] gives the samples themselves.
-//!
-//! [`judgement_text`] and [`judgement_json`] say what was understood of a case before it is solved; [`explain`](explain()) has a short text on each term,
-//! symbol, key and warning, from glossary.md.
-//!
-//! Of many cases, [`csv_row`] under [`csv_header`] gives a line each for a spreadsheet, and [`jsonl_row`] for a program.
+//! [`histogram`] and [`tornado`] plot an uncertainty, [`computed_against_measured`] and [`reconstructed_speed`] the validation.
 //!
 //! `examples/text_and_drawing.rs` goes from a file to a text and a drawing.
 //!
 //! # What it does not do
 //!
 //! It computes nothing that the analysis does not hold, but the sums that a step of the report shows on the way. No terminal, no files.
+//!
+//! # Inside
+//!
+//! `sections` fill a `document` with `words`, numbers in `units` and drawings; `writers` write it. `data` is for programs. No arrow points back.
 
 mod axes;
 mod checks;

@@ -219,9 +219,10 @@ struct Place {
 fn places(table: &Table, line: usize) -> Vec<Place> {
     let longest = |i: usize, column: &Column| {
         let of_row = |row: &Row| match row {
-            Row::Cells(cells) => cells
-                .get(i)
-                .map_or(0, |cell| cell.split('\n').map(|line| line.chars().count()).max().unwrap_or(0)),
+            // What stands below its first line has the columns behind it to itself.
+            Row::Cells(cells) => {
+                cells.get(i).and_then(|cell| cell.lines().next()).map_or(0, |line| line.chars().count())
+            }
             Row::Shared { label, .. } if i == 0 => label.chars().count(),
             Row::Shared { .. } | Row::Detail(_) => 0,
         };
@@ -265,7 +266,8 @@ fn laid_out(cells: &[String], columns: &[Place], line: usize) -> String {
     let mut out = String::new();
     let mut current = String::new();
     let mut used = 0;
-    let mut is_label = false;
+    // Whether the cell before is the first, and whether it is one of words.
+    let (mut is_label, mut is_words) = (false, false);
     for (i, (cell, place)) in cells.iter().zip(columns).enumerate() {
         let width = cell.chars().count();
         if width == 0 {
@@ -282,8 +284,10 @@ fn laid_out(cells: &[String], columns: &[Place], line: usize) -> String {
             Cells::Words | Cells::Bars => used + 2,
         };
         let mut start = wanted.max(least);
-        // A first cell that is too long has a line of its own, and what would go beyond a line is on the next.
-        if used > 0 && (is_label && used + 2 > wanted || start > wanted && start + width > line) {
+        // A first cell that is too long has a line of its own, as have words that a figure would run into; and what would go
+        // beyond a line is on the next.
+        let runs_into = used + 2 > wanted && (is_label || is_words && place.cells == Cells::Numbers);
+        if used > 0 && (runs_into || start > wanted && start + width > line) {
             out.push_str(current.trim_end());
             out.push('\n');
             (current, used, start) = (String::new(), 0, wanted);
@@ -298,7 +302,7 @@ fn laid_out(cells: &[String], columns: &[Place], line: usize) -> String {
             current.push_str(cell);
         }
         used = start + width;
-        is_label = i == 0;
+        (is_label, is_words) = (i == 0, place.cells == Cells::Words);
     }
     out.push_str(current.trim_end());
     out.push('\n');
