@@ -159,7 +159,7 @@ fn table(table: &Table) -> Markup {
                         @if column.heading().is_empty() {
                             td {}
                         } @else {
-                            th.right[column.cells == Cells::Numbers] scope="col" { (subscripts(&column.heading())) }
+                            th class=[is_number(column).then_some("right")] scope="col" { (subscripts(&column.heading())) }
                         }
                     }
                 }
@@ -182,7 +182,7 @@ fn row(row: &Row, columns: &[Column]) -> Markup {
                     } @else if column.cells == Cells::Bars {
                         td.bar { (cell) }
                     } @else {
-                        td.number.right[column.cells == Cells::Numbers] { (lines(cell)) }
+                        td class=(if is_number(column) { "number right" } else { "number" }) { (lines(cell)) }
                     }
                 }
             }
@@ -198,6 +198,10 @@ fn row(row: &Row, columns: &[Column]) -> Markup {
             html! { tr { td {} td colspan=(columns.len().saturating_sub(1)) { (prose(words)) } } }
         }
     }
+}
+
+fn is_number(column: &Column) -> bool {
+    column.cells == Cells::Numbers
 }
 
 /// Each on a line of its own.
