@@ -37,6 +37,18 @@ pub enum Output {
         /// 1 or 2.
         vehicle: usize,
     },
+    /// (m/s) ΔV along the vehicle's forward axis.
+    DeltaVLongitudinal {
+        /// 1 or 2.
+        vehicle: usize,
+    },
+    /// (m/s) ΔV across it, to the left, or to the right in z-down axes.
+    DeltaVLateral {
+        /// 1 or 2.
+        vehicle: usize,
+        /// Those of the case.
+        axes: Axes,
+    },
     /// (rad) principal direction of force.
     Pdof {
         /// 1 or 2.
@@ -54,21 +66,22 @@ pub enum Output {
 
 impl Output {
     /// The outputs of an analysis with an impact: the speed found, if there is one; no ΔV and PDOF of a fixed object.
-    pub(crate) fn of(analysis: &Analysis) -> Vec<Self> {
+    pub(crate) fn of(analysis: &Analysis, axes: Axes) -> Vec<Self> {
         let found = analysis.found.as_ref().map(|found| found.unknown.index() + 1);
-        let mut outputs = Self::of_two_vehicles(found.unwrap_or(1)).to_vec();
+        let mut outputs = Self::of_two_vehicles(found.unwrap_or(1), axes).to_vec();
         outputs.retain(|output| match output {
             Self::Speed { .. } => found.is_some(),
-            Self::DeltaV { vehicle } | Self::Pdof { vehicle } => {
-                analysis.vehicles[vehicle - 1].subject.inertia.is_some()
-            }
+            Self::DeltaV { vehicle }
+            | Self::DeltaVLongitudinal { vehicle }
+            | Self::DeltaVLateral { vehicle, .. }
+            | Self::Pdof { vehicle } => analysis.vehicles[vehicle - 1].subject.inertia.is_some(),
             Self::ClosingSpeed | Self::EnergyLoss | Self::NormalWork | Self::TangentialWork => true,
         });
         outputs
     }
 
     /// Those of a reconstruction of two vehicles, `found` the one whose speed is sought.
-    pub(crate) const fn of_two_vehicles(found: usize) -> [Self; 9] {
+    pub(crate) const fn of_two_vehicles(found: usize, axes: Axes) -> [Self; 13] {
         [
             Self::Speed { vehicle: found },
             Self::DeltaV { vehicle: 1 },
@@ -79,6 +92,10 @@ impl Output {
             Self::EnergyLoss,
             Self::NormalWork,
             Self::TangentialWork,
+            Self::DeltaVLongitudinal { vehicle: 1 },
+            Self::DeltaVLateral { vehicle: 1, axes },
+            Self::DeltaVLongitudinal { vehicle: 2 },
+            Self::DeltaVLateral { vehicle: 2, axes },
         ]
     }
 
@@ -88,6 +105,10 @@ impl Output {
         match self {
             Self::Speed { .. } => found,
             Self::DeltaV { vehicle } => outcome.delta_v_magnitude()[vehicle - 1],
+            Self::DeltaVLongitudinal { vehicle } => outcome.delta_v_components()[vehicle - 1][0],
+            Self::DeltaVLateral { vehicle, axes } => {
+                axes.lateral(outcome.delta_v_components()[vehicle - 1][1])
+            }
             Self::Pdof { vehicle } => outcome.pdof()[vehicle - 1],
             Self::ClosingSpeed => outcome.closing_speed(),
             Self::EnergyLoss => outcome.energy.loss,
@@ -100,7 +121,11 @@ impl Output {
     #[must_use]
     pub fn vehicle(self) -> Option<usize> {
         match self {
-            Self::Speed { vehicle } | Self::DeltaV { vehicle } | Self::Pdof { vehicle } => Some(vehicle),
+            Self::Speed { vehicle }
+            | Self::DeltaV { vehicle }
+            | Self::DeltaVLongitudinal { vehicle }
+            | Self::DeltaVLateral { vehicle, .. }
+            | Self::Pdof { vehicle } => Some(vehicle),
             Self::ClosingSpeed | Self::EnergyLoss | Self::NormalWork | Self::TangentialWork => None,
         }
     }
@@ -111,6 +136,8 @@ impl Output {
         match self {
             Self::Speed { .. } => "speed",
             Self::DeltaV { .. } => "delta_v",
+            Self::DeltaVLongitudinal { .. } => "delta_v_longitudinal",
+            Self::DeltaVLateral { .. } => "delta_v_lateral",
             Self::Pdof { .. } => "pdof",
             Self::ClosingSpeed => "impact.closing_speed",
             Self::EnergyLoss => "impact.energy_loss",
@@ -201,7 +228,7 @@ pub fn sensitivity(file: &CaseFile, sweep: Sweep) -> Result<Sensitivity, Failure
 }
 
 fn derivatives(file: &CaseFile, nominal: &Analysis) -> Result<Vec<Derivative>, Failure> {
-    let outputs: Vec<Output> = Output::of(nominal)
+    let outputs: Vec<Output> = Output::of(nominal, file.case.axes)
         .into_iter()
         .filter(|output| matches!(output, Output::Speed { .. } | Output::DeltaV { .. }))
         .collect();

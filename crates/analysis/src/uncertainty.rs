@@ -106,9 +106,11 @@ fn scale(output: Output, nominal: &Analysis) -> f64 {
     let outcome = nominal.impact.as_ref().map(|impact| &impact.outcome);
     match output {
         Output::Pdof { .. } => 1.0,
-        Output::Speed { .. } | Output::DeltaV { .. } | Output::ClosingSpeed => {
-            outcome.map_or(0.0, |outcome| outcome.approach.normal.abs())
-        }
+        Output::Speed { .. }
+        | Output::DeltaV { .. }
+        | Output::DeltaVLongitudinal { .. }
+        | Output::DeltaVLateral { .. }
+        | Output::ClosingSpeed => outcome.map_or(0.0, |outcome| outcome.approach.normal.abs()),
         Output::EnergyLoss | Output::NormalWork | Output::TangentialWork => {
             outcome.map_or(0.0, |outcome| outcome.energy.before)
         }
@@ -246,7 +248,7 @@ pub fn uncertainty(
 ) -> Result<Uncertainty, Failure> {
     let inputs = inputs(file)?;
     let nominal = if file.case.reconstruct.is_some() { reconstruct(file)? } else { impact(file)? };
-    let outputs = Output::of(&nominal);
+    let outputs = Output::of(&nominal, file.case.axes);
     let central = central(&nominal, &outputs);
     let first_order = first_order(file, &nominal, &outputs, &inputs)?;
 

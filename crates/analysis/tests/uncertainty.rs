@@ -127,7 +127,9 @@ fn a_linear_case_comes_out_exactly() {
             "impact.closing_speed",
             "impact.energy_loss",
             "impact.normal_work",
-            "impact.tangential_work"
+            "impact.tangential_work",
+            "vehicle1.delta_v_longitudinal",
+            "vehicle1.delta_v_lateral"
         ]
     );
 }

@@ -61,6 +61,16 @@ impl<T: Real> Outcome<T> {
         [pdof(f1, self.impulse_vector), pdof(f2, -self.impulse_vector)]
     }
 
+    /// (m/s) ΔV of both vehicles along their own forward axes and to their left: longitudinal and lateral, as recorders store them. The sign of the
+    /// lateral one turns with the axes.
+    #[inline(always)]
+    #[must_use]
+    pub fn delta_v_components(&self) -> [[T; 2]; 2] {
+        let [f1, f2] = self.forward;
+        let [dv1, dv2] = self.delta_v;
+        [ahead_and_left(f1, dv1), ahead_and_left(f2, dv2)]
+    }
+
     /// (m/s) −u_n: how fast the vehicles close along the normal at C.
     #[inline(always)]
     #[must_use]
@@ -82,11 +92,17 @@ impl<T: Real> Outcome<T> {
 #[inline(always)]
 #[must_use]
 pub fn pdof<T: Real>(forward: Vector2<T>, impulse: Vector2<T>) -> T {
-    let ahead = impulse.x * forward.x + impulse.y * forward.y;
-    let left = impulse.y * forward.x - impulse.x * forward.y;
+    let [ahead, left] = ahead_and_left(forward, impulse);
     // The force comes from −P; clockwise from the heading is to the right: PDOF = atan2(P_left, −P_ahead).
     // Adding zero turns −0 into +0, so that a push from straight behind is +π and never −π.
     (left + 0.0).atan2(-ahead)
+}
+
+/// A vector of the scene along the unit vector of a vehicle's forward axis, and to its left.
+#[inline(always)]
+fn ahead_and_left<T: Real>(forward: Vector2<T>, vector: Vector2<T>) -> [T; 2] {
+    // a·f, and the third component of f × a
+    [vector.x * forward.x + vector.y * forward.y, vector.y * forward.x - vector.x * forward.y]
 }
 
 /// (J) the energy balance of an impact: `before` − `after` = `loss` = `normal_work` + `tangential_work` + `moment_work`.

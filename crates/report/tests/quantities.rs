@@ -180,3 +180,65 @@ fn what_is_shared_stands_in_no_column_of_a_vehicle() {
     }
     assert!(below.len() > 10 && elsewhere.len() > 10, "{below:?} {elsewhere:?}");
 }
+
+/// A row whose label stands in no table of the text, and where its number stands instead.
+const ELSEWHERE: [(&str, &str); 1] = [("found.value", "in the answer above all tables")];
+
+#[test]
+fn each_row_stands_in_csv_glossary_and_text() {
+    let columns = report::csv_columns(report::Units::Si);
+    let mut labels = BTreeSet::new();
+    for (_, file, analysis) in analyses() {
+        let text = report::results(&file.case, &analysis, report::Units::Si).text();
+        let rows = tables(&text).into_iter().flat_map(|(_, rows)| rows.into_iter().map(str::to_owned));
+        labels.extend(rows.collect::<Vec<_>>());
+    }
+    let mut unknown = BTreeSet::new();
+    for quantity in QUANTITIES {
+        let key = if quantity.is_of_vehicle() {
+            format!("vehicle2.{}", quantity.key)
+        } else {
+            quantity.key.to_owned()
+        };
+        let is_column = |name: &String| {
+            name.strip_prefix(&key).is_some_and(|unit| unit.is_empty() || unit.starts_with(" ("))
+        };
+        assert!(columns.iter().any(is_column), "{key} has no column");
+        if report::topic(quantity.name).is_err() {
+            unknown.insert(quantity.name);
+        }
+        let is_elsewhere = ELSEWHERE.iter().any(|(key, _)| *key == quantity.key);
+        assert_ne!(labels.contains(quantity.label), is_elsewhere, "{} in the text", quantity.label);
+    }
+    assert!(unknown.is_empty(), "not in the glossary: {unknown:?}");
+}
+
+/// By the heading of each vehicle: the part forward, ΔV·(cos θ, sin θ), and that to the left, ΔV·(−sin θ, cos θ), which z-down axes count to the right.
+#[test]
+fn the_parts_of_a_velocity_change_are_those_along_the_axes_of_the_vehicle() {
+    let mut seen = 0;
+    for (name, file, analysis) in analyses() {
+        let json = json(&file, &analysis);
+        for i in 0..2 {
+            let vehicle = &json[format!("vehicle{}", i + 1)];
+            let Some(vector) = vehicle["delta_v_vector"].as_array() else { continue };
+            let [x, y] = [0, 1].map(|axis| vector[axis].as_f64().unwrap());
+            let heading = file.case.vehicles[i].heading.as_ref().unwrap().si();
+            let part = |key: &str| vehicle[key].as_f64().unwrap();
+            // In z-down axes angles count clockwise, and the y axis of the vehicle is to its right: the same formula.
+            let expected = [x * heading.cos() + y * heading.sin(), y * heading.cos() - x * heading.sin()];
+            let found = [part("delta_v_longitudinal"), part("delta_v_lateral")];
+            let scale = part("delta_v").max(1e-9);
+            for (found, expected) in found.into_iter().zip(expected) {
+                assert!((found - expected).abs() <= 1e-12 * scale, "{name}: {found} {expected}");
+            }
+            // A force from the right pushes to the left: tan PDOF = lateral / −longitudinal, lateral counted to the left.
+            let left = if file.case.axes == case::Axes::ZDown { -found[1] } else { found[1] };
+            let pdof = left.atan2(-found[0]);
+            let turn = (pdof - part("pdof")).rem_euclid(std::f64::consts::TAU);
+            assert!(turn.min(std::f64::consts::TAU - turn) < 1e-9, "{name}: {pdof}");
+            seen += usize::from(left.abs() > 0.1);
+        }
+    }
+    assert!(seen > 20, "{seen}");
+}

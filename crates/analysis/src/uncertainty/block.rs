@@ -141,7 +141,7 @@ impl Block {
                 Problem::pose(contact, law, motions, self.unknown, crush_energy[lane], self.basis);
             let (speed, outcome, is_answer) = problem.attempt();
             answered[lane] = is_law & is_1 & is_2 & is_contact & is_posed & is_answer;
-            for (column, value) in values.iter_mut().zip(answer(central, speed, &outcome)) {
+            for (column, value) in values.iter_mut().zip(answer(self.axes, central, speed, &outcome)) {
                 column[lane] = value;
             }
         }
@@ -152,11 +152,11 @@ impl Block {
 }
 
 /// Number of outputs of a reconstruction of two vehicles: with one more or fewer of them, the list in [`answer`] does not compile.
-const OUTPUTS: usize = Output::of_two_vehicles(1).len();
+const OUTPUTS: usize = Output::of_two_vehicles(1, Axes::ZUp).len();
 
 /// Its outputs, in the order of [`Output::of_two_vehicles`]. A list, as a closure or a loop over it would not be inlined.
 #[inline(always)]
-fn answer(central: &[f64; OUTPUTS], speed: f64, outcome: &Outcome) -> [f64; OUTPUTS] {
+fn answer(axes: Axes, central: &[f64; OUTPUTS], speed: f64, outcome: &Outcome) -> [f64; OUTPUTS] {
     [
         value(Output::Speed { vehicle: 1 }, central[0], speed, outcome),
         value(Output::DeltaV { vehicle: 1 }, central[1], speed, outcome),
@@ -167,6 +167,10 @@ fn answer(central: &[f64; OUTPUTS], speed: f64, outcome: &Outcome) -> [f64; OUTP
         value(Output::EnergyLoss, central[6], speed, outcome),
         value(Output::NormalWork, central[7], speed, outcome),
         value(Output::TangentialWork, central[8], speed, outcome),
+        value(Output::DeltaVLongitudinal { vehicle: 1 }, central[9], speed, outcome),
+        value(Output::DeltaVLateral { vehicle: 1, axes }, central[10], speed, outcome),
+        value(Output::DeltaVLongitudinal { vehicle: 2 }, central[11], speed, outcome),
+        value(Output::DeltaVLateral { vehicle: 2, axes }, central[12], speed, outcome),
     ]
 }
 

@@ -125,6 +125,12 @@ struct VehicleBlock {
     final_yaw_rate: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     delta_v: Option<f64>,
+    /// Forward.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    delta_v_longitudinal: Option<f64>,
+    /// Along the y axis.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    delta_v_lateral: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     delta_v_vector: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -296,6 +302,8 @@ fn vehicle(case: &Case, analysis: &Analysis, i: usize) -> VehicleBlock {
         final_velocity: moves.map(|outcome| plain_pair(outcome.after[i].velocity.into())),
         final_yaw_rate: moves.map(|outcome| plain(outcome.after[i].yaw_rate)),
         delta_v: moves.map(|outcome| outcome.delta_v_magnitude()[i]),
+        delta_v_longitudinal: moves.map(|outcome| plain(outcome.delta_v_components()[i][0])),
+        delta_v_lateral: moves.map(|outcome| plain(outcome.delta_v_components()[i][1])),
         delta_v_vector: moves.map(|outcome| plain_pair(outcome.delta_v[i].into())),
         pdof: impact.map(|impact| impact.pdof[i]).or(given_pdof).map(plain),
         stiffness_source: analysis.vehicles[i]

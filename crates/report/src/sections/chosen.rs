@@ -69,6 +69,19 @@ impl Chosen<'_> {
         table.pair(x.label, cells, x.source);
     }
 
+    /// A row of one vector, which is neither vehicle's, with the keys `key.x` and `key.y`.
+    pub(crate) fn shared_vector(self, table: &mut Table, key: &str) {
+        let [Some(x), Some(y)] = ["x", "y"].map(|axis| quantity(&format!("{key}.{axis}"))) else { return };
+        if let [[Some(first), _], [Some(second), _]] = [x, y].map(|row| self.values(row)) {
+            let vector = [first, second];
+            let cell = match printed(x.kind) {
+                Some(quantity) => self.units.format_vector(quantity, vector),
+                None => format!("({})", vector.map(|part| number(part, 4)).join(", ")),
+            };
+            table.shared(x.label, &cell, x.source);
+        }
+    }
+
     /// A row of the parts along n and t.
     pub(crate) fn along(self, table: &mut Table, [normal, tangential]: [&str; 2]) {
         let [Some(n), Some(t)] = [normal, tangential].map(quantity) else { return };

@@ -206,7 +206,7 @@ fn results(analysis: &Analysis, units: Units) -> Table {
     if analysis.impact.is_some() {
         chosen.pair(&mut table, "speed");
         chosen.vectors(&mut table, "final_velocity");
-        for key in ["final_yaw_rate", "delta_v", "pdof"] {
+        for key in ["final_yaw_rate", "delta_v", "delta_v_longitudinal", "delta_v_lateral", "pdof"] {
             chosen.pair(&mut table, key);
         }
     }

@@ -304,7 +304,10 @@ impl Page {
             let label = label("impact.critical_impulse_ratio");
             table.shared(label, "none: no push can end the sliding", "theory 3");
         }
+        chosen.shared(&mut table, "impact.closing_speed");
         chosen.shared_with(&mut table, "impact.impulse_direction", |angle| format!("{angle} in the scene"));
+        chosen.shared_vector(&mut table, "impact.impulse");
+        chosen.shared_vector(&mut table, "impact.normal");
         self.document.push(table);
     }
 
@@ -314,9 +317,11 @@ impl Page {
         chosen.pair(&mut table, "speed");
         chosen.vectors(&mut table, "velocity");
         chosen.vectors(&mut table, "final_velocity");
-        for key in ["yaw_rate", "final_yaw_rate", "delta_v", "pdof"] {
+        for key in ["yaw_rate", "final_yaw_rate", "delta_v", "delta_v_longitudinal", "delta_v_lateral"] {
             chosen.pair(&mut table, key);
         }
+        chosen.vectors(&mut table, "delta_v");
+        chosen.pair(&mut table, "pdof");
         self.document.push(table);
     }
 
