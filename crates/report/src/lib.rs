@@ -28,11 +28,11 @@
 //! # }
 //! ```
 //!
-//! [`drawing`] draws a [`Subject`]: the scene and the damage to scale, the reconciliation, the energy. A [`Drawing`] is SVG, or PNG with the letters of
-//! DejaVu Sans, which the crate carries. Colours are told apart with any colour vision, and dashes, heads and hatching say the same in grey.
+//! [`drawing`](drawing()) draws a [`Subject`]: the scene and the damage to scale, the reconciliation, the energy. A [`Drawing`] is SVG or PNG; the crate
+//! [`drawing`](::drawing) makes all of them.
 //!
 //! [`validation_text`], [`validation_json`] and [`validation_markdown`] write the comparison with the RICSAC collisions;
-//! [`computed_against_measured`] and [`reconstructed_speed`] plot it as SVG.
+//! [`computed_against_measured`] and [`reconstructed_speed`] plot it.
 //!
 //! [`uncertainty_text`] and [`uncertainty_json`] say between what and what the results of a case with ranges lie; [`histogram`] and [`tornado`] plot
 //! that, and [`write_samples`] gives the samples themselves.
@@ -70,8 +70,9 @@ mod warnings;
 mod words;
 mod wrap;
 
+pub use ::drawing::{Drawing, PngError};
 pub use comparison::{comparison_json, comparison_text};
-pub use drawing::{Drawing, DrawingError, Subject, drawing};
+pub use drawing::{DrawingError, Subject, drawing};
 pub use explain::{Topic, UnknownTopic, explain, topic, topic_json, topics, topics_json, topics_text};
 pub use failures::no_answer;
 pub use json::json;
@@ -80,7 +81,7 @@ pub use page::{Supplement, html, markdown};
 pub use rows::{Refused, Row, RowError, csv_columns, csv_header, csv_row, jsonl_row};
 pub use sensitivity::{sensitivity_json, sensitivity_text};
 pub use staged::{
-    PlotError, computed_against_measured, reconstructed_speed, validation_headline, validation_json,
+    computed_against_measured, reconstructed_speed, validation_headline, validation_json,
     validation_markdown, validation_text,
 };
 pub use steps::{Step, StepGroup, steps};

@@ -1,13 +1,12 @@
 //! The comparison with the RICSAC collisions as text, JSON, Markdown and plots.
 
 mod json;
-mod label;
 mod layout;
 mod page;
 mod plot;
 
 pub use json::validation_json;
-pub use plot::{PlotError, computed_against_measured, reconstructed_speed};
+pub use plot::{computed_against_measured, reconstructed_speed};
 
 use validation::Validation;
 

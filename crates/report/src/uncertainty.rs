@@ -1,7 +1,6 @@
 //! Between what and what the answer lies: as text, JSON, samples and plots.
 
 mod json;
-mod marks;
 mod page;
 mod plot;
 mod samples;

@@ -26,7 +26,7 @@ pub(super) fn write(page: &Page) -> String {
     put("");
     put(&table(&page.results));
     for drawing in &page.drawings {
-        let what = drawing.subject().name();
+        let what = drawing.name();
         put(&format!("- {what}: {}", escaped(drawing.description())));
     }
     put("\n## Method\n");
