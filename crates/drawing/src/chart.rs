@@ -10,6 +10,8 @@ use crate::ticks;
 
 /// (px) from a chart to the numbers to its left.
 const BESIDE: f64 = 8.0;
+/// (px) how far a number below a chart may reach beyond its right end: what is left to the edge of the page.
+const BEYOND: f64 = 38.0;
 /// (px) white between two numbers below a chart.
 const BETWEEN: f64 = 10.0;
 
@@ -70,7 +72,7 @@ impl Chart {
         canvas.text(above, &upward.title, SMALL, Anchor::Start, GREY);
     }
 
-    /// As many numbers as have room beside each other.
+    /// As many numbers as have room beside each other and on the page.
     pub(crate) fn ticks_across(&self, axis: &Axis, most: u8) -> (Vec<f64>, usize) {
         let [low, high] = self.across.map(|end| end / axis.unit);
         let has_room = |(values, decimals): &(Vec<f64>, usize)| {
@@ -82,6 +84,11 @@ impl Chart {
             })
         };
         let all = (1..=most).rev().map(|most| ticks::between(low, high, f64::from(most)));
-        all.into_iter().find(has_room).unwrap_or_default()
+        let (mut values, decimals) = all.into_iter().find(has_room).unwrap_or_default();
+        let end = |value: f64| {
+            self.at(value * axis.unit, self.upward[0]).x + font::width(&number(value, decimals), SMALL) / 2.0
+        };
+        values.retain(|&value| end(value) <= self.area.x1 + BEYOND);
+        (values, decimals)
     }
 }

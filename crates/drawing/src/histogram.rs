@@ -19,6 +19,8 @@ const STRIP: f64 = 74.0;
 const BESIDE: f64 = 2.0;
 /// (px) from the plot to the legend.
 const BELOW: f64 = 58.0;
+/// Numbers below the plot, and beside it.
+const MOST: [u8; 2] = [10, 6];
 const CLASS: Pen = Pen { width: 1.0, ..OUTLINE[0] };
 
 /// How a number is distributed: a bar for each class, and lines at the ends of an interval and at the central value.
@@ -65,7 +67,7 @@ impl HistogramPicture {
     pub fn draw(&self) -> Drawing {
         let chart = self.chart();
         let [low, high] = &self.interval;
-        let (_, ticks) = chart.ticks_across(&self.across, MOST);
+        let (_, ticks) = chart.ticks_across(&self.across, MOST[0]);
         let decimals = self.decimals.max(ticks);
         let marks = [("low", low, BOUND), ("central", &self.central, AXIS), ("high", high, BOUND)]
             .map(|(id, mark, pen)| (id, mark, pen, mark.label(self.across.unit, decimals)));
@@ -73,7 +75,7 @@ impl HistogramPicture {
         let mut canvas = Canvas::new(NAME, WIDTH, PLOT.y1 + BELOW + legend::height(3, 3) + 6.0);
         legend::header(&mut canvas, &self.title, &self.subtitle);
         let upward = Axis { title: self.upward.clone(), unit: 1.0 };
-        chart.draw(&mut canvas, &self.across, &upward, [MOST, 6]);
+        chart.draw(&mut canvas, &self.across, &upward, MOST);
         let (mut left, mut class) = (self.low, 0);
         for &share in &self.shares {
             class += 1;
@@ -113,9 +115,6 @@ impl HistogramPicture {
         Chart { area: PLOT, left: EDGE, across, upward }
     }
 }
-
-/// Numbers below the plot.
-const MOST: u8 = 10;
 
 impl HistogramMark {
     fn label(&self, unit: f64, decimals: usize) -> String {

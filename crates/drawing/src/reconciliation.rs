@@ -16,6 +16,8 @@ const PLOT: Rect = Rect::new(EDGE + 92.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HE
 const HEIGHT: f64 = HEADER + 556.0;
 /// How far the plot reaches above the highest work of interest.
 const ABOVE: f64 = 1.45;
+/// Numbers below the plot, and beside it.
+const MOST: [u8; 2] = [10, 6];
 /// The root itself.
 const ROOT: Pen = Pen { colour: BLACK, width: 2.0, dashes: "" };
 
@@ -64,7 +66,7 @@ impl ReconciliationPicture {
         let chart = self.chart();
         let mut canvas = Canvas::new(NAME, WIDTH, HEIGHT);
         legend::header(&mut canvas, &self.title, &self.subtitle);
-        chart.draw(&mut canvas, &self.speed, &self.work, [10, 6]);
+        chart.draw(&mut canvas, &self.speed, &self.work, MOST);
 
         self.curve(&chart, &mut canvas, "sought", LEVEL, |point| point.sought);
         self.curve(&chart, &mut canvas, "work", CURVE, |point| point.work);

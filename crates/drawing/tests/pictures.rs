@@ -244,7 +244,7 @@ fn classes_and_lines_of_a_histogram_stand_at_their_values() {
         let drawing = picture.draw();
         let svg = drawing.svg();
         let tree = reader.tree(&svg);
-        reader.readable("histogram", &svg);
+        let texts = reader.readable("histogram", &svg);
         let [across, upward] = scales(&svg, 0.0, 960.0);
         for (k, &share) in (0_u8..).zip(&picture.shares) {
             let class = area(&tree, &format!("histogram-class-{}", k + 1));
@@ -267,6 +267,9 @@ fn classes_and_lines_of_a_histogram_stand_at_their_values() {
             assert!((drawn - value * 3.6).abs() < 2.0 * PIXEL * across.pixel(), "{id}: {drawn}, {value} m/s");
             assert!(svg.contains(&format!(">{label}</text>")), "{label}");
             assert!(drawing.description().contains(label), "{label}");
+            // No line runs through a label.
+            let (_, label) = texts.iter().find(|(words, _)| words == label).unwrap();
+            assert!(f64::from(label.bottom()) < number(&svg, "histogram-central", "y2"), "{id}");
         }
         assert!(drawing.description().starts_with("The speed is distributed. "));
         let dashes = |id: &str| attribute(&svg, &format!("histogram-{id}"), "stroke-dasharray");
@@ -283,6 +286,23 @@ fn labels_of_a_histogram_have_no_fewer_decimals_than_its_axis() {
     // From 72.000 to 72.018 km/h, in steps of 0.002 km/h.
     assert!(svg.contains(">72.002</text>") && svg.contains(">2.5 %: 72.000</text>"), "{svg}");
     assert!(svg.contains(">97.5 %: 72.014</text>"), "{svg}");
+}
+
+#[test]
+fn long_numbers_below_a_chart_are_fewer() {
+    let mark = |value: f64, lead: &str| HistogramMark { value, lead: text(lead) };
+    let picture = HistogramPicture {
+        across: axis("energy, J", 1.0),
+        low: 123_456_700.0,
+        width: 0.02,
+        interval: [mark(123_456_700.01, "2.5 %:"), mark(123_456_700.09, "97.5 %:")],
+        ..histogram(123_456_700.05)
+    };
+    let svg = picture.draw().svg();
+    Reader::new().readable("histogram", &svg);
+    // A hundredth is some 85 px wide, and such a number 103 px: there is one for every two hundredths. That at the right end would leave the page.
+    let numbers = |hundredths: u8| svg.contains(&format!(">123,456,700.{hundredths:02}</text>"));
+    assert_eq!([0, 1, 2, 4, 5, 6, 8, 10].map(numbers), [true, false, true, true, false, true, true, false]);
 }
 
 /// (px) where a bar of the tornado begins and ends.
