@@ -376,6 +376,8 @@ mod tests {
                         }
                         None => assert!(gap(*own, area) <= nearest, "{points:?}: {area:?}"),
                     }
+                    let covers = points.iter().any(|(point, _)| overlap(area, symbol(*point)));
+                    assert!(!covers, "{points:?}: {area:?}");
                 }
             }
         }

@@ -70,7 +70,7 @@ fn scatter() -> ScatterPicture {
         point(3.0, 4.0, Marker::Circle, true, "1"),
         point(3.0, 4.0, Marker::Square, false, "2"),
         point(3.0, 4.0, Marker::Diamond, false, "3"),
-        point(11.7, 6.2, Marker::Square, true, "12"),
+        point(12.3, 6.2, Marker::Square, true, "12"),
     ];
     let line = (1..=9).map(|k| point(f64::from(k), f64::from(k), Marker::Diamond, false, "")).collect();
     ScatterPicture {
@@ -376,8 +376,8 @@ fn points_of_a_scatter_stand_at_their_values_and_the_line_where_both_are_equal()
             let (x, y) = (across.value(number(&svg, &id, x)), upward.value(number(&svg, &id, y)));
             assert!((x - y).abs() < 2.0 * PIXEL * across.pixel(), "{x} {y}");
         }
-        // Beyond the greatest number, which is 11.7 m/s or 42.12 km/h; both panels have the same axes.
-        assert!(across.value(number(&svg, &id, "x2")) > 42.12 * 1.04);
+        // Beyond the greatest number, which is 12.3 m/s or 44.28 km/h; both panels have the same axes.
+        assert!(across.value(number(&svg, &id, "x2")) > 44.28 * 1.04);
     }
     let labels =
         ["1", "2", "3", "12", "A crowd", "A line", "Circle", "Square", "Triangle", "Diamond", "equal"];
@@ -446,6 +446,18 @@ fn bars_of_the_energy_are_as_long_as_their_energies() {
     // Work that gives energy back goes to the right, from where the crush ended.
     let left = |id: &str| number(&svg, &format!("energy-{id}"), "x");
     assert!((left("tangential") - left("crush-1")).abs() < 2.0 * PIXEL);
+
+    // Where it comes first, the bars go beyond the initial energy, and stay left of the values.
+    let mut picture = energy();
+    picture.losses.reverse();
+    let svg = picture.draw().svg();
+    let [initial, tangential] = ["initial", "tangential"].map(|id| {
+        let [x, width] = ["x", "width"].map(|name| number(&svg, &format!("energy-{id}"), name));
+        x + width
+    });
+    let values = svg.split(">80000 J<").next().unwrap().rsplit(" x=\"").next().unwrap();
+    let values: f64 = values.split('"').next().unwrap().parse().unwrap();
+    assert!(initial < tangential && tangential < values, "{initial} {tangential} {values}");
 }
 
 #[test]
