@@ -409,6 +409,33 @@ mod tests {
         }
     }
 
+    /// A ring of heads of arrows where the label would stand otherwise.
+    #[test]
+    fn a_label_of_any_kind_covers_no_head_of_an_arrow() {
+        let at = Point::new(100.0, 100.0);
+        let around = [
+            (-1.0, -1.0),
+            (0.0, -1.0),
+            (1.0, -1.0),
+            (-1.0, 0.0),
+            (1.0, 0.0),
+            (-1.0, 1.0),
+            (0.0, 1.0),
+            (1.0, 1.0),
+        ];
+        let heads = around.map(|(x, y)| symbol(at + kurbo::Vec2::new(x, y) * 16.0));
+        for kind in [Kind::Anywhere, Kind::BesideOutlines, Kind::OfPoint] {
+            let mut placer = Placer::default();
+            for head in heads {
+                placer.protect(head);
+            }
+            placer.label(at, "10", "black", kind);
+            let label = &placer.place(PAGE)[0];
+            let area = text_area(label.base, &label.text, SMALL, Anchor::Start);
+            assert!(heads.iter().all(|head| !overlap(area, *head)), "{kind:?}: {area:?}");
+        }
+    }
+
     #[test]
     fn a_line_without_end_is_no_obstacle() {
         let mut placer = Placer::default();
