@@ -120,7 +120,7 @@ fn the_plots_say_how_far_points_are_off() {
     let errors = validation.reconstructions.iter().map(|line| line.found - line.true_speed);
     let [least, most] =
         [errors.clone().fold(0.0, f64::min), errors.fold(0.0, f64::max)].map(|error| format!("{error:.1}"));
-    let words = format!("published profiles: 11 points, differences from {least} to {most}.");
+    let words = format!(" From published profiles: 11 points, differences from {least} to {most};");
     assert!(drawing.description().contains(&words), "{}", drawing.description());
 }
 

@@ -62,7 +62,7 @@ pub fn computed_against_measured(validation: &Validation) -> Drawing {
         title: "Computed against measured ΔV".to_owned(),
         subtitle: "One point for each vehicle, labelled with its test. Filled: vehicle 1; hollow: vehicle 2."
             .to_owned(),
-        description: format!("Computed over measured ΔV of each vehicle, in ft/s. {}.", said.join(". ")),
+        description: format!("Computed over measured ΔV of each vehicle, in ft/s. {}.", said.join("; ")),
         across,
         upward,
         panels,
@@ -105,7 +105,10 @@ pub fn reconstructed_speed(validation: &Validation) -> Drawing {
         subtitle:
             "One point for each test and source of the energy. Labels: test. The diamonds lie on the line."
                 .to_owned(),
-        description: format!("Reconstructed over true speed of vehicle 1, in m/s. {}.", said.join(". ")),
+        description: format!(
+            "Reconstructed over true speed of vehicle 1, in m/s, by source of the crush energy. From {}.",
+            said.join("; from ")
+        ),
         across,
         upward: Axis { title: "reconstructed speed of vehicle 1 (m/s)".to_owned(), unit: 1.0 },
         panels: vec![ScatterPanel { title: String::new(), points }],

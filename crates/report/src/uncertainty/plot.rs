@@ -8,9 +8,11 @@ use super::{Histogram, pictured};
 use crate::sensitivity::output_name;
 use crate::units::{Units, number};
 
+/// Classes of a histogram.
 const CLASSES: u32 = 40;
 /// Bars of a tornado, the longest.
 const BARS: usize = 20;
+const NO_ANSWER: &str = "no answer at an end";
 
 /// An output and what to call it.
 fn output(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<(&UncertainOutput, String)> {
@@ -114,8 +116,6 @@ pub fn tornado(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<
     };
     Some(picture.draw())
 }
-
-const NO_ANSWER: &str = "no answer at an end";
 
 /// The input of a bar.
 fn path<'a>(uncertainty: &'a Uncertainty, bar: &Bar) -> &'a str {
