@@ -231,10 +231,14 @@ fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
     if let Some(folder) = &arguments.plots {
         for (place, output) in uncertainty.outputs.iter().enumerate() {
             let name = output.output.path();
-            let tornado = report::tornado(&uncertainty, place, units)?;
-            write(Some(&folder.join(format!("tornado-{name}.svg"))), &tornado)?;
-            if let Some(histogram) = report::histogram(&uncertainty, place, units)? {
-                write(Some(&folder.join(format!("histogram-{name}.svg"))), &histogram)?;
+            let plots = [
+                ("tornado", report::tornado(&uncertainty, place, units)),
+                ("histogram", report::histogram(&uncertainty, place, units)),
+            ];
+            for (plot, drawing) in plots {
+                if let Some(drawing) = drawing {
+                    write(Some(&folder.join(format!("{plot}-{name}.svg"))), drawing.svg())?;
+                }
             }
         }
     }
@@ -334,10 +338,9 @@ fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
         report::validation_json(validation)
     })?;
     if let Some(folder) = &arguments.plots {
-        let plots =
-            [report::computed_against_measured(validation)?, report::reconstructed_speed(validation)?];
+        let plots = [report::computed_against_measured(validation), report::reconstructed_speed(validation)];
         for (name, plot) in VALIDATION_PLOTS.into_iter().zip(plots) {
-            write(Some(&folder.join(name)), &plot)?;
+            write(Some(&folder.join(name)), plot.svg())?;
         }
     }
     let failures = validation.failures();

@@ -44,6 +44,7 @@
 //! | [`case`] | the case file: TOML, units, diagnostics |
 //! | [`analysis`] | from a case to a finished analysis, with its warnings |
 //! | [`report`] | a finished analysis as text, JSON, HTML, Markdown and drawings |
+//! | [`drawing`] | pictures of a collision and of its numbers, as SVG and PNG |
 //! | [`validation`] | staged collisions beside what the papers print of them |
 //! | [`real`] | the number that the equations run on, with derivatives |
 //!
@@ -53,7 +54,7 @@
 //!
 //! It adds nothing to these crates. No motion before or after the impact, no rest positions, no rollover, no occupant loads.
 
-pub use {analysis, case, crash3, pim_core, real, reconcile, report, uncertainty, validation};
+pub use {analysis, case, crash3, drawing, pim_core, real, reconcile, report, uncertainty, validation};
 
 /// What most reconstructions need: `use deltav::prelude::*;`.
 pub mod prelude {

@@ -1,8 +1,8 @@
 //! What a command has to say, before it is decided how it looks: the parts of a document, which the sections fill and the writers write.
 
+use ::drawing::Drawing;
 use analysis::Warning;
 
-use crate::drawing::Drawing;
 use crate::steps::StepGroup;
 use crate::units::Units;
 use crate::{warnings, writers};

@@ -34,8 +34,8 @@
 //! # }
 //! ```
 //!
-//! [`drawing`] draws a [`Subject`]: the scene and the damage to scale, the reconciliation, the energy. A [`Drawing`] is SVG, or PNG with the letters of
-//! DejaVu Sans, which the crate carries. Colours are told apart with any colour vision, and dashes, heads and hatching say the same in grey.
+//! [`drawing`](drawing()) draws a [`Subject`]: the scene and the damage to scale, the reconciliation, the energy. A [`Drawing`] is SVG or PNG; the crate
+//! [`drawing`](::drawing) makes all of them.
 //!
 //! [`histogram`] and [`tornado`] plot an uncertainty, [`computed_against_measured`] and [`reconstructed_speed`] the validation.
 //!
@@ -68,6 +68,7 @@ mod warnings;
 mod words;
 mod writers;
 
+pub use ::drawing::{Drawing, PngError};
 pub use data::comparison::comparison_json;
 pub use data::csv::{Refused, Row, RowError, csv_columns, csv_header, csv_row, jsonl_row};
 pub use data::json::json;
@@ -78,7 +79,7 @@ pub use data::topics::{topic_json, topics_json};
 pub use data::uncertainty::uncertainty_json;
 pub use data::validation::validation_json;
 pub use document::Document;
-pub use drawing::{Drawing, DrawingError, Subject, drawing};
+pub use drawing::{DrawingError, Subject, drawing};
 pub use failures::no_answer;
 pub use glossary::{Topic, UnknownTopic, topic, topics};
 pub use sections::comparison::comparison;
@@ -89,7 +90,7 @@ pub use sections::sensitivity::sensitivity;
 pub use sections::topics::{explanation, list_of_topics};
 pub use sections::uncertainty::uncertainty;
 pub use sections::validation::{validation, validation_headline};
-pub use staged::{PlotError, computed_against_measured, reconstructed_speed};
+pub use staged::{computed_against_measured, reconstructed_speed};
 pub use steps::{Step, StepGroup, steps};
 pub use uncertainty::{histogram, tornado};
 pub use units::Units;

@@ -1,6 +1,5 @@
 //! Histograms and tornados, and what they share with the tables of the uncertainty.
 
-mod marks;
 mod plot;
 
 pub use plot::{histogram, tornado};

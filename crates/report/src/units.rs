@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+pub(crate) use ::drawing::{number, significant};
 use case::{Case, UnitSystem};
 
 /// The units that text speaks.
@@ -192,35 +193,5 @@ impl Units {
     #[must_use]
     pub fn road_speed(self, si: f64) -> String {
         self.format(Quantity::RoadSpeed, si)
-    }
-}
-
-/// A number with the given decimals, thousands set apart by commas, and no minus before zero.
-pub(crate) fn number(value: f64, decimals: usize) -> String {
-    let plain = format!("{:.decimals$}", value.abs());
-    let (whole, fraction) = plain.split_once('.').map_or((plain.as_str(), None), |(w, f)| (w, Some(f)));
-    let mut grouped = String::new();
-    for (i, digit) in whole.chars().enumerate() {
-        if i > 0 && (whole.len() - i).is_multiple_of(3) {
-            grouped.push(',');
-        }
-        grouped.push(digit);
-    }
-    let negative = value < 0.0 && plain.bytes().any(|b| (b'1'..=b'9').contains(&b));
-    let sign = if negative { "-" } else { "" };
-    match fraction {
-        Some(fraction) => format!("{sign}{grouped}.{fraction}"),
-        None => format!("{sign}{grouped}"),
-    }
-}
-
-/// A number with so many significant digits, as a decimal where that is not long.
-pub(crate) fn significant(value: f64, digits: usize) -> String {
-    let scientific = format!("{value:.*e}", digits - 1);
-    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
-    match exponent.map(|exponent| i32::try_from(digits).unwrap_or(i32::MAX) - 1 - exponent) {
-        // Up to six decimals, and no digits before the point beyond those asked for.
-        Some(decimals @ 0..=6) => format!("{value:.*}", usize::try_from(decimals).unwrap_or_default()),
-        _ => scientific,
     }
 }

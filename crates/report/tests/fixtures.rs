@@ -13,6 +13,8 @@ mod evaluate;
 mod pages;
 #[path = "fixtures/plots.rs"]
 mod plots;
+#[path = "../../drawing/tests/reader.rs"]
+pub(crate) mod reader;
 #[path = "fixtures/substitutions.rs"]
 mod substitutions;
 #[path = "fixtures/texts.rs"]

@@ -12,7 +12,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use validation::{Claim, Data, Validation, validate};
+use resvg::usvg::Tree;
+use validation::{Claim, Data, Row, Validation, validate};
+
+use super::fixtures::reader::{Reader, Scale, area, attribute, scales};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -43,8 +46,82 @@ fn the_page_is_current() {
 #[test]
 fn the_plots_are_current() {
     let validation = built_in();
-    assert_current("computed-against-measured.svg", &report::computed_against_measured(&validation).unwrap());
-    assert_current("reconstructed-speed.svg", &report::reconstructed_speed(&validation).unwrap());
+    assert_current("computed-against-measured.svg", &report::computed_against_measured(&validation).svg());
+    assert_current("reconstructed-speed.svg", &report::reconstructed_speed(&validation).svg());
+}
+
+/// Where the symbol of a point is, in the units of the axes of a chart. A triangle's middle lies up to a pixel below that of its box.
+#[track_caller]
+fn assert_drawn(svg: &str, tree: &Tree, [across, upward]: &[Scale; 2], id: &str, [x, y]: [f64; 2]) {
+    let symbol = area(tree, id);
+    let drawn = [
+        across.value(f64::from(symbol.left() + symbol.right()) / 2.0),
+        upward.value(f64::from(symbol.top() + symbol.bottom()) / 2.0),
+    ];
+    assert!((drawn[0] - x).abs() < 0.05 * across.pixel(), "{id}: {drawn:?} for {x}, {y}");
+    assert!((drawn[1] - y).abs() < 1.1 * upward.pixel(), "{id}: {drawn:?} for {x}, {y}");
+    assert!(attribute(svg, id, "fill").is_some());
+}
+
+#[test]
+fn the_plots_have_every_point_in_its_place() {
+    const FOOT: f64 = 0.3048;
+    let validation = built_in();
+    let reader = Reader::new();
+    let svg = report::computed_against_measured(&validation).svg();
+    let tree = reader.tree(&svg);
+    let labels = reader.readable("computed against measured", &svg);
+    let mut tests = Vec::new();
+    for (panel, row) in [(1, Row::PimTotal), (2, Row::CrashCorrected)] {
+        let left = f64::from(panel - 1) * 600.0;
+        let scales = scales(&svg, left + 24.0, left + 624.0);
+        let lines: Vec<_> = validation.table2.iter().filter(|line| line.row == row).collect();
+        assert_eq!(lines.len(), 11);
+        for (k, line) in lines.into_iter().enumerate() {
+            for i in [0, 1] {
+                let id = format!("computed-against-measured-point-{panel}-{}", 2 * k + i + 1);
+                let at = [line.measured[i] / FOOT, line.cells[i].ours / FOOT];
+                assert_drawn(&svg, &tree, &scales, &id, at);
+                // Vehicle 2 is hollow.
+                assert_eq!(attribute(&svg, &id, "fill").unwrap() == "none", i == 1, "{id}");
+                tests.push(line.test.to_string());
+            }
+        }
+    }
+    let count = |words: &str| labels.iter().filter(|(label, _)| label == words).count();
+    for test in &tests {
+        let ticks = if test == "10" { 4 } else { 0 };
+        assert_eq!(count(test) - ticks, tests.iter().filter(|other| *other == test).count(), "{test}");
+    }
+    for line in validation.table1.iter().filter(|line| line.method == validation::Method::Pim) {
+        assert_eq!(count(&line.geometry), 1, "{}", line.geometry);
+    }
+
+    let svg = report::reconstructed_speed(&validation).svg();
+    let tree = reader.tree(&svg);
+    reader.readable("reconstructed speed", &svg);
+    let scales = scales(&svg, 0.0, 648.0);
+    let tests = validation.reconstructions.len();
+    assert_eq!(tests, 11);
+    for (k, line) in validation.reconstructions.iter().enumerate() {
+        for (source, speed) in [line.found, line.found_implied, line.round_trip.ours].into_iter().enumerate()
+        {
+            let id = format!("reconstructed-speed-point-1-{}", source * tests + k + 1);
+            assert_drawn(&svg, &tree, &scales, &id, [line.true_speed, speed]);
+        }
+    }
+}
+
+/// What a reader who cannot see a plot is told: the farthest points, looked up in the tables.
+#[test]
+fn the_plots_say_how_far_points_are_off() {
+    let validation = built_in();
+    let drawing = report::reconstructed_speed(&validation);
+    let errors = validation.reconstructions.iter().map(|line| line.found - line.true_speed);
+    let [least, most] =
+        [errors.clone().fold(0.0, f64::min), errors.fold(0.0, f64::max)].map(|error| format!("{error:.1}"));
+    let words = format!(" From published profiles: 11 points, differences from {least} to {most};");
+    assert!(drawing.description().contains(&words), "{}", drawing.description());
 }
 
 fn words(text: &str) -> String {

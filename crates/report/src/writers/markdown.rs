@@ -56,7 +56,7 @@ fn block(block: &Block) -> String {
             format!("### {}\n\n{}", escaped(&group.title), listing("text", &lines))
         }
         Block::Drawing(drawing) => {
-            format!("- {}: {}\n", drawing.subject().name(), escaped(drawing.description()))
+            format!("- {}: {}\n", drawing.name(), escaped(drawing.description()))
         }
         Block::Picture { file, says } => format!("![{says}]({file})\n"),
         Block::Listing { language, text } => listing(language, text),

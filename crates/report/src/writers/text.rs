@@ -120,7 +120,7 @@ impl Page {
             Block::Table(table) => self.table(table, is_beneath_a_heading(block, before)),
             Block::Steps { group, units } => self.steps(group, *units),
             Block::Drawing(drawing) => {
-                let words = format!("{}: {}", drawing.subject().name(), drawing.description());
+                let words = format!("{}: {}", drawing.name(), drawing.description());
                 self.wrapped(&words);
             }
             Block::Picture { .. } => {}

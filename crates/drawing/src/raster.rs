@@ -5,29 +5,29 @@ use std::sync::Arc;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb::Database};
 
-use super::DrawingError;
+/// The SVG could not be turned into pixels.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the drawing could not be turned into a PNG: {0}")]
+pub struct PngError(String);
 
 /// Pixels for each unit of the SVG.
 const SCALE: f32 = 2.0;
 
 /// The drawing as resvg reads it, with the one font that the program carries: no font of the machine has a say in the result.
-pub(super) fn tree(svg: &str) -> Result<Tree, DrawingError> {
+fn tree(svg: &str) -> Result<Tree, PngError> {
     let mut fonts = Database::new();
     fonts.load_font_data(dejavu::sans::regular().to_vec());
     let options =
         Options { fontdb: Arc::new(fonts), font_family: "DejaVu Sans".to_owned(), ..Options::default() };
-    Tree::from_str(svg, &options).map_err(|error| DrawingError::Png(error.to_string()))
+    Tree::from_str(svg, &options).map_err(|error| PngError(error.to_string()))
 }
 
-pub(super) fn png(svg: &str) -> Result<Vec<u8>, DrawingError> {
+pub(crate) fn png(svg: &str) -> Result<Vec<u8>, PngError> {
     let tree = tree(svg)?;
-    let size = tree
-        .size()
-        .to_int_size()
-        .scale_by(SCALE)
-        .ok_or_else(|| DrawingError::Png("it has no size".to_owned()))?;
+    let size =
+        tree.size().to_int_size().scale_by(SCALE).ok_or_else(|| PngError("it has no size".to_owned()))?;
     let mut pixels = Pixmap::new(size.width(), size.height())
-        .ok_or_else(|| DrawingError::Png("there is no memory for it".to_owned()))?;
+        .ok_or_else(|| PngError("there is no memory for it".to_owned()))?;
     resvg::render(&tree, Transform::from_scale(SCALE, SCALE), &mut pixels.as_mut());
-    pixels.encode_png().map_err(|error| DrawingError::Png(error.to_string()))
+    pixels.encode_png().map_err(|error| PngError(error.to_string()))
 }

@@ -4,7 +4,7 @@
 pub(crate) fn round(most: f64) -> (f64, usize) {
     let mut power = 1.0;
     let mut decimals = 0;
-    while power * 10.0 <= most {
+    while power * 10.0 <= most && power < 1e300 {
         power *= 10.0;
     }
     while power > most && decimals < 12 {
@@ -16,8 +16,12 @@ pub(crate) fn round(most: f64) -> (f64, usize) {
 }
 
 /// Round numbers from `low` to `high`, not more than `most` steps apart, with the decimals that they need.
-pub(super) fn between(low: f64, high: f64, most: f64) -> (Vec<f64>, usize) {
+pub(crate) fn between(low: f64, high: f64, most: f64) -> (Vec<f64>, usize) {
     let least = (high - low) / most;
+    // Between ends that are alike but for rounding, or without bounds, there is nothing to count.
+    if !(least.is_normal() && least > 1e-12 * low.abs().max(high.abs()) && least < 1e300) {
+        return (Vec::new(), 0);
+    }
     // The greatest round number below ten times the least, that is still above it.
     let (mut step, mut decimals) = round(least * 9.999);
     for candidate in [least * 4.999, least * 2.499, least * 1.999] {
@@ -51,5 +55,15 @@ mod tests {
     fn ticks_are_round_and_few() {
         assert_eq!(between(0.0, 27.4, 8.0), (vec![0.0, 5.0, 10.0, 15.0, 20.0, 25.0], 0));
         assert_eq!(between(-3.0, 3.0, 6.0).0, [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(between(1000.0, 1000.001, 5.0).0.len(), 6);
+    }
+
+    #[test]
+    fn there_are_none_between_ends_that_are_alike_or_without_bounds() {
+        let ends =
+            [(7.0, 7.0), (1e20, 1e20), (2.0, 1.0), (0.0, f64::INFINITY), (f64::NAN, 1.0), (-1e308, 1e308)];
+        for (low, high) in ends {
+            assert!(between(low, high, 5.0).0.is_empty(), "{low} to {high}");
+        }
     }
 }

@@ -2,31 +2,41 @@
 
 use kurbo::{BezPath, Point, Rect};
 
-use super::canvas::{Anchor, Canvas, Head, LARGE, SMALL};
-use super::font;
-use super::pens::{BLACK, GREY, Pen, THIN};
-use super::ticks;
+use crate::canvas::{Canvas, Head};
+use crate::font::{self, Anchor, LARGE, SMALL};
+use crate::pens::{BLACK, GREY, Pen, THIN};
+use crate::symbol::Symbol;
+use crate::ticks;
 
-/// (px) width of all drawings.
-pub(super) const WIDTH: f64 = 960.0;
+/// (px) width of a drawing that has no reason for another one.
+pub(crate) const WIDTH: f64 = 960.0;
 /// (px) white edge.
-pub(super) const EDGE: f64 = 24.0;
+pub(crate) const EDGE: f64 = 24.0;
 /// (px) from the top to what is drawn below the title.
-pub(super) const HEADER: f64 = 66.0;
+pub(crate) const HEADER: f64 = 66.0;
 /// (px) height of a line of the legend.
 const ROW: f64 = 24.0;
 /// (px) width of a sample in the legend.
 const SAMPLE: f64 = 40.0;
 
 /// The title and a line below it.
-pub(super) fn header(canvas: &mut Canvas, title: &str, below: &str) {
-    let most = WIDTH - 2.0 * EDGE;
+pub(crate) fn header(canvas: &mut Canvas, title: &str, below: &str) {
+    let most = canvas.size().0 - 2.0 * EDGE;
     canvas.text(Point::new(EDGE, 30.0), &font::cut(title, LARGE, most), LARGE, Anchor::Start, BLACK);
     canvas.text(Point::new(EDGE, 52.0), &font::cut(below, SMALL, most), SMALL, Anchor::Start, GREY);
 }
 
+/// A unit of the reader, for a bar that shows the scale.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ScaleUnit {
+    /// As it is printed.
+    pub name: String,
+    /// How much it is in SI units.
+    pub size: f64,
+}
+
 /// A sample of what the drawing uses.
-pub(super) enum Sample {
+pub(crate) enum Sample {
     Arrow(Pen, Head),
     Line(Pen),
     /// A filled box with its edge.
@@ -35,20 +45,20 @@ pub(super) enum Sample {
     Dot(Option<Pen>, &'static str),
     /// As on a vehicle that faces to the right.
     Windscreen(Pen),
+    Symbol(Symbol),
 }
 
 /// Of the windscreen of an outline.
-pub(super) fn windscreen() -> (Sample, String) {
+pub(crate) fn windscreen() -> (Sample, String) {
     (Sample::Windscreen(THIN), "windscreen: shows the front".to_owned())
 }
 
-/// The legend in columns of equal width, from `top` downwards. Gives the place below it.
-pub(super) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(Sample, String)]) -> f64 {
+/// The legend in columns of equal width, from `top` downwards.
+pub(crate) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(Sample, String)]) {
     let columns = columns.max(1);
     #[expect(clippy::cast_precision_loss, reason = "a legend has few entries")]
-    let width = (WIDTH - 2.0 * EDGE) / columns as f64;
-    canvas.grid(Point::new(EDGE, top), Point::new(WIDTH - EDGE, top), THIN);
-    let rows = entries.len().div_ceil(columns);
+    let width = (canvas.size().0 - 2.0 * EDGE) / columns as f64;
+    canvas.grid(Point::new(EDGE, top), Point::new(canvas.size().0 - EDGE, top), THIN);
     for (i, (sample, text)) in entries.iter().enumerate() {
         #[expect(clippy::cast_precision_loss, reason = "a legend has few entries")]
         let (column, row) = ((i % columns) as f64, (i / columns) as f64);
@@ -71,30 +81,36 @@ pub(super) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(
                 path.close_path();
                 canvas.path("", &path, Some(*pen), "none");
             }
+            Sample::Symbol(symbol) => symbol.draw(canvas, "", middle),
             Sample::Dot(pen, fill) => canvas.dot("", middle, 5.0, *pen, fill),
         }
         let left = x + SAMPLE + 8.0;
         let most = width - SAMPLE - 16.0;
         canvas.text(Point::new(left, y + 4.5), &font::cut(text, SMALL, most), SMALL, Anchor::Start, BLACK);
     }
-    #[expect(clippy::cast_precision_loss, reason = "a legend has few entries")]
-    let height = (rows as f64 + 0.5) * ROW;
-    top + height
 }
 
-/// A bar of round length: `pixels` for each unit named `unit`, which is `si` in SI units. Gives the place to the right of its text.
-pub(super) fn scale_bar(
+/// (px) height of so many entries in columns.
+pub(crate) fn height(entries: usize, columns: usize) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "a legend has few entries")]
+    let rows = entries.div_ceil(columns.max(1)) as f64;
+    ROW * (rows + 0.5)
+}
+
+/// A bar of round length: `pixels` for each of the units. Gives the place to the right of its text.
+pub(crate) fn scale_bar(
     canvas: &mut Canvas,
     id: &str,
     at: Point,
-    (pixels, unit, si): (f64, &str, f64),
+    pixels: f64,
+    ScaleUnit { name, size }: &ScaleUnit,
     what: &str,
 ) -> f64 {
     let (length, decimals) = ticks::round(150.0 / pixels);
     let end = Point::new(at.x + length * pixels, at.y);
     let pen = Pen { colour: BLACK, width: 2.0, dashes: "" };
-    canvas.scale(id, at, end, length * si, pen);
-    let text = format!("{length:.decimals$} {unit}{what}");
+    canvas.scale(id, at, end, length * size, pen);
+    let text = format!("{length:.decimals$} {name}{what}");
     let left = end.x + 10.0;
     canvas.text(Point::new(left, at.y + 4.5), &text, SMALL, Anchor::Start, BLACK);
     left + font::width(&text, SMALL)

@@ -3,8 +3,20 @@
 use skrifa::instance::{LocationRef, Size};
 use skrifa::{FontRef, MetadataProvider as _};
 
+/// (px) letters of labels.
+pub(crate) const SMALL: f64 = 13.0;
+/// (px) letters of headings.
+pub(crate) const LARGE: f64 = 17.0;
 /// (em) of a letter that the font has not: those of East Asian scripts are square.
 const UNKNOWN: f64 = 1.0;
+
+/// Which point of a text is given.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
 
 /// (em) how far a letter moves on.
 fn advance() -> impl Fn(char) -> f64 {
@@ -28,7 +40,7 @@ pub(crate) fn width(text: &str, size: f64) -> f64 {
 }
 
 /// The text, cut to the given width (px) with an ellipsis where it is longer.
-pub(super) fn cut(text: &str, size: f64, most: f64) -> String {
+pub(crate) fn cut(text: &str, size: f64, most: f64) -> String {
     let advance = advance();
     let ellipsis = advance('…');
     // (em) up to each letter; and the end of the last with which an ellipsis still fits.
@@ -46,7 +58,7 @@ pub(super) fn cut(text: &str, size: f64, most: f64) -> String {
 }
 
 /// The text in lines of at most the given width (px), broken at blanks.
-pub(super) fn lines(text: &str, size: f64, most: f64) -> Vec<String> {
+pub(crate) fn lines(text: &str, size: f64, most: f64) -> Vec<String> {
     let advance = advance();
     let mut lines: Vec<String> = Vec::new();
     // (em) of the last line

@@ -1,0 +1,332 @@
+//! A page of shapes and labels, and how it becomes SVG.
+
+use std::fmt::Write as _;
+
+use kurbo::{BezPath, PathEl, Point, Rect, Vec2};
+
+use crate::font::{Anchor, SMALL};
+use crate::labels::{self, Kind, Placer};
+use crate::number::significant;
+use crate::pens::{BLACK, GREY, Pen, WHITE};
+
+/// The head of an arrow.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Head {
+    /// A filled triangle.
+    Filled,
+    /// Two strokes.
+    Open,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Canvas {
+    width: f64,
+    height: f64,
+    prefix: &'static str,
+    body: String,
+    placer: Placer,
+}
+
+impl Canvas {
+    /// (px) of the given size; the `id`s of its shapes begin with `prefix`.
+    pub(crate) fn new(prefix: &'static str, width: f64, height: f64) -> Self {
+        let mut canvas = Self { width, height, prefix, body: String::new(), placer: Placer::default() };
+        canvas.element(&format!(
+            "<rect width=\"{}\" height=\"{}\" fill=\"{WHITE}\"/>",
+            px(width),
+            px(height)
+        ));
+        canvas
+    }
+
+    pub(crate) fn size(&self) -> (f64, f64) {
+        (self.width, self.height)
+    }
+
+    pub(crate) fn body(&self) -> &str {
+        &self.body
+    }
+
+    pub(crate) fn element(&mut self, element: &str) {
+        self.body.push_str(element);
+        self.body.push('\n');
+    }
+
+    fn id(&self, id: &str) -> String {
+        if id.is_empty() { String::new() } else { format!(" id=\"{}-{id}\"", self.prefix) }
+    }
+
+    /// A stripe pattern, named for [`pattern`](Self::pattern): what colour says, in grey as well.
+    pub(crate) fn define_stripes(&mut self, name: &str, colour: &str, ground: &str, degrees: i32, gap: f64) {
+        let id = self.id(name);
+        self.element(&format!(
+            "<defs><pattern{id} width=\"{0}\" height=\"{0}\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate({degrees})\">\
+             <rect width=\"{0}\" height=\"{0}\" fill=\"{ground}\"/><rect width=\"{1}\" height=\"{0}\" fill=\"{colour}\"/></pattern></defs>",
+            px(gap),
+            px(gap / 3.0)
+        ));
+    }
+
+    /// A fill by name.
+    pub(crate) fn pattern(&self, name: &str) -> String {
+        format!("url(#{}-{name})", self.prefix)
+    }
+
+    pub(crate) fn line(&mut self, id: &str, a: Point, b: Point, pen: Pen) {
+        self.placer.block(a, b, 1.0);
+        let id = self.id(id);
+        self.element(&format!(
+            "<line{id} x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"{}/>",
+            px(a.x),
+            px(a.y),
+            px(b.x),
+            px(b.y),
+            stroke(pen)
+        ));
+    }
+
+    /// A line that no label has to avoid: a grid.
+    pub(crate) fn grid(&mut self, a: Point, b: Point, pen: Pen) {
+        self.element(&format!(
+            "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"{}/>",
+            px(a.x),
+            px(a.y),
+            px(b.x),
+            px(b.y),
+            stroke(pen)
+        ));
+    }
+
+    /// An arrow from `a` to `b`. Its line carries the id and reaches to the very tip.
+    pub(crate) fn arrow(&mut self, id: &str, a: Point, b: Point, pen: Pen, head: Head) {
+        self.placer.block(a, b, 4.0);
+        let along = b - a;
+        let length = along.hypot();
+        let direction = if length > 0.0 { along / length } else { Vec2::new(1.0, 0.0) };
+        let across = Vec2::new(-direction.y, direction.x);
+        let size = (6.0 + 2.0 * pen.width).min(length);
+        let (left, right) =
+            (b - direction * size + across * (size * 0.4), b - direction * size - across * (size * 0.4));
+        self.protect(Rect::from_points(left, right).union_pt(b));
+        let id = self.id(id);
+        let (end, tip) = match head {
+            Head::Filled => {
+                // A thick line would be blunt at the tip: it ends inside of the head, which is drawn over it.
+                let neck = b - direction * (size * 0.6);
+                let corners = [b, left, right].map(|corner| format!("{} {}", px(corner.x), px(corner.y)));
+                (neck, format!("<path d=\"M{}Z\" fill=\"{}\"/>", corners.join("L"), pen.colour))
+            }
+            Head::Open => {
+                let solid = Pen { dashes: "", ..pen };
+                let corners = [left, b, right].map(|corner| format!("{} {}", px(corner.x), px(corner.y)));
+                (b, format!("<path d=\"M{}\"{} fill=\"none\"/>", corners.join("L"), stroke(solid)))
+            }
+        };
+        let [from, to, end] = [a, b, end].map(|point| format!("{} {}", px(point.x), px(point.y)));
+        self.element(&format!(
+            "<g{id} data-from=\"{from}\" data-to=\"{to}\"><path d=\"M{from}L{end}\"{} fill=\"none\"/>{tip}</g>",
+            stroke(pen)
+        ));
+    }
+
+    /// A bar with ticks at both ends that stands for `si` (in SI units).
+    pub(crate) fn scale(&mut self, id: &str, a: Point, b: Point, si: f64, pen: Pen) {
+        self.placer.block(a, b, 10.0);
+        let id = self.id(id);
+        let tick = Vec2::new(0.0, 5.0);
+        let ends = [a, b].map(|end| {
+            let (top, bottom) = (end - tick, end + tick);
+            format!("M{} {}L{} {}", px(top.x), px(top.y), px(bottom.x), px(bottom.y))
+        });
+        self.element(&format!(
+            "<g{id} data-from=\"{} {}\" data-to=\"{} {}\" data-si=\"{}\"><path d=\"{}{}M{} {}L{} {}\"{} fill=\"none\"/></g>",
+            px(a.x), px(a.y), px(b.x), px(b.y),
+            significant(si, 6),
+            ends[0], ends[1],
+            px(a.x), px(a.y), px(b.x), px(b.y),
+            stroke(pen)
+        ));
+    }
+
+    pub(crate) fn path(&mut self, id: &str, path: &BezPath, pen: Option<Pen>, fill: &str) {
+        if let Some(pen) = pen {
+            let mut last = None;
+            for element in path.flatten_to_lines() {
+                if let Some(from) = last.replace(element) {
+                    self.placer.block(from, element, pen.width * 0.25);
+                }
+            }
+        }
+        let id = self.id(id);
+        let line = pen.map(stroke).unwrap_or_default();
+        self.element(&format!("<path{id} d=\"{}\"{line} fill=\"{fill}\"/>", data(path)));
+    }
+
+    pub(crate) fn rect(&mut self, id: &str, area: Rect, pen: Option<Pen>, fill: &str) {
+        let id = self.id(id);
+        let line = pen.map(stroke).unwrap_or_default();
+        self.element(&format!(
+            "<rect{id} x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"{line} fill=\"{fill}\"/>",
+            px(area.x0),
+            px(area.y0),
+            px(area.width()),
+            px(area.height())
+        ));
+    }
+
+    pub(crate) fn dot(&mut self, id: &str, at: Point, radius: f64, pen: Option<Pen>, fill: &str) {
+        self.placer.avoid(Rect::from_center_size(at, (2.0 * radius + 2.0, 2.0 * radius + 2.0)), 30.0);
+        let id = self.id(id);
+        let line = pen.map(stroke).unwrap_or_default();
+        self.element(&format!(
+            "<circle{id} cx=\"{}\" cy=\"{}\" r=\"{}\"{line} fill=\"{fill}\"/>",
+            px(at.x),
+            px(at.y),
+            px(radius)
+        ));
+    }
+
+    /// A centre of gravity: black and white quarters.
+    pub(crate) fn centre_of_gravity(&mut self, id: &str, at: Point) {
+        const RADIUS: f64 = 6.0;
+        self.dot(id, at, RADIUS, Some(Pen { colour: BLACK, width: 1.2, dashes: "" }), WHITE);
+        self.protect(Rect::from_center_size(at, (2.0 * RADIUS, 2.0 * RADIUS)));
+        let (x, y, r) = (px(at.x), px(at.y), px(RADIUS));
+        let (left, right) = (px(at.x - RADIUS), px(at.x + RADIUS));
+        self.element(&format!(
+            "<path d=\"M{x} {y}L{right} {y}A{r} {r} 0 0 0 {x} {}ZM{x} {y}L{left} {y}A{r} {r} 0 0 0 {x} {}Z\" fill=\"{BLACK}\"/>",
+            px(at.y - RADIUS),
+            px(at.y + RADIUS)
+        ));
+    }
+
+    /// A text at a given place on its base line.
+    pub(crate) fn text(&mut self, at: Point, text: &str, size: f64, anchor: Anchor, colour: &str) {
+        self.placer.taken(labels::text_area(at, text, size, anchor));
+        self.write(at, text, size, anchor, colour);
+    }
+
+    fn write(&mut self, at: Point, text: &str, size: f64, anchor: Anchor, colour: &str) {
+        let anchor = match anchor {
+            Anchor::Start => "",
+            Anchor::Middle => " text-anchor=\"middle\"",
+            Anchor::End => " text-anchor=\"end\"",
+        };
+        // The white rim keeps letters legible where a line runs below them.
+        self.element(&format!(
+            "<text x=\"{}\" y=\"{}\" font-size=\"{}\"{anchor} fill=\"{colour}\" stroke=\"{WHITE}\" stroke-width=\"3\" \
+             stroke-linejoin=\"round\" paint-order=\"stroke\">{}</text>",
+            px(at.x),
+            px(at.y),
+            px(size),
+            escaped(text)
+        ));
+    }
+
+    /// No label covers this.
+    pub(crate) fn protect(&mut self, area: Rect) {
+        self.placer.protect(area);
+    }
+
+    /// Labels keep off an area: those of [`label_beside`](Self::label_beside), or all of them.
+    pub(crate) fn keep_off(&mut self, path: &BezPath, all: bool) {
+        self.placer.keep_off(path, all);
+    }
+
+    /// A text that belongs to a point; [`place_labels`](Self::place_labels) finds it a place nearby.
+    pub(crate) fn label(&mut self, at: Point, text: &str, colour: &'static str) {
+        self.placer.label(at, text, colour, Kind::Anywhere);
+    }
+
+    /// The same beside all outlines, with a line to the point.
+    pub(crate) fn label_beside(&mut self, at: Point, text: &str, colour: &'static str) {
+        self.placer.label(at, text, colour, Kind::BesideOutlines);
+    }
+
+    /// The same of one point among many, which [`protect`](Self::protect) has told of.
+    pub(crate) fn label_of_point(&mut self, at: Point, text: &str, colour: &'static str) {
+        self.placer.label(at, text, colour, Kind::OfPoint);
+    }
+
+    /// Places all labels inside of `bounds` ([`Placer::place`]).
+    pub(crate) fn place_labels(&mut self, bounds: Rect) {
+        for label in self.placer.place(bounds) {
+            if let Some(leader) = label.leader {
+                self.grid(leader.p0, leader.p1, Pen { colour: GREY, width: 0.8, dashes: "" });
+            }
+            self.write(label.base, &label.text, SMALL, Anchor::Start, label.colour);
+        }
+    }
+}
+
+fn stroke(Pen { colour, width, dashes }: Pen) -> String {
+    let dashes = if dashes.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dashes}\"") };
+    format!(" stroke=\"{colour}\" stroke-width=\"{}\"{dashes}", px(width))
+}
+
+/// Two decimals, as few as are needed.
+pub(crate) fn px(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+fn data(path: &BezPath) -> String {
+    let mut data = String::new();
+    let mut put = |letter: &str, points: &[Point]| {
+        data.push_str(letter);
+        for (i, point) in points.iter().enumerate() {
+            let blank = if i == 0 { "" } else { " " };
+            // Writing to a string does not fail.
+            let _ = write!(data, "{blank}{} {}", px(point.x), px(point.y));
+        }
+    };
+    for element in path {
+        match element {
+            PathEl::MoveTo(a) => put("M", &[a]),
+            PathEl::LineTo(a) => put("L", &[a]),
+            PathEl::QuadTo(a, b) => put("Q", &[a, b]),
+            PathEl::CurveTo(a, b, c) => put("C", &[a, b, c]),
+            PathEl::ClosePath => put("Z", &[]),
+        }
+    }
+    data
+}
+
+/// The corners of a path, its curves as a few chords.
+trait Flatten {
+    fn flatten_to_lines(&self) -> Vec<Point>;
+}
+
+impl Flatten for BezPath {
+    fn flatten_to_lines(&self) -> Vec<Point> {
+        let mut points = Vec::new();
+        let mut start = None;
+        kurbo::flatten(self.iter(), 1.0, |element| match element {
+            PathEl::MoveTo(point) => {
+                start = Some(point);
+                points.push(point);
+            }
+            PathEl::LineTo(point) => points.push(point),
+            _ => points.extend(start),
+        });
+        points
+    }
+}
+
+/// A text as XML has to have it. Characters that XML cannot hold are left out.
+pub(crate) fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\t' | '\n' | '\r' => out.push(' '),
+            control if control.is_control() || matches!(control, '\u{fffe}' | '\u{ffff}') => {}
+            letter => out.push(letter),
+        }
+    }
+    out
+}

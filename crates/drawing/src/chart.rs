@@ -1,0 +1,94 @@
+//! Axes with ticks, for all pictures that plot one number over another.
+
+use kurbo::{Point, Rect};
+
+use crate::canvas::Canvas;
+use crate::font::{self, Anchor, SMALL};
+use crate::number::number;
+use crate::pens::{BLACK, GREY, GRID, THIN};
+use crate::ticks;
+
+/// (px) from a chart to the numbers to its left.
+const BESIDE: f64 = 8.0;
+/// (px) how far a number below a chart may reach beyond its right end: what is left to the edge of the page.
+const BEYOND: f64 = 38.0;
+/// (px) white between two numbers below a chart.
+const BETWEEN: f64 = 10.0;
+
+/// What an axis of a chart shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// What stands beside it, with the unit of its numbers.
+    pub title: String,
+    /// How much the unit of its numbers is in the unit of the data.
+    pub unit: f64,
+}
+
+/// Where the data lie on a page.
+pub(crate) struct Chart {
+    pub(crate) area: Rect,
+    /// (px) where the title of the upward axis begins, above the area.
+    pub(crate) left: f64,
+    /// The ends of both axes, in the units of the data.
+    pub(crate) across: [f64; 2],
+    pub(crate) upward: [f64; 2],
+}
+
+impl Chart {
+    pub(crate) fn at(&self, across: f64, upward: f64) -> Point {
+        let share = |[low, high]: [f64; 2], value: f64| (value - low) / (high - low);
+        Point::new(
+            self.area.x0 + share(self.across, across) * self.area.width(),
+            self.area.y1 - share(self.upward, upward) * self.area.height(),
+        )
+    }
+
+    /// The frame, the grid with its numbers, no more than `most` across and upward, and the titles of both axes.
+    pub(crate) fn draw(&self, canvas: &mut Canvas, across: &Axis, upward: &Axis, most: [u8; 2]) {
+        let Self { area, left, .. } = *self;
+        canvas.rect("", area, Some(THIN), "none");
+        let (values, decimals) = self.ticks_across(across, most[0]);
+        let x = |value: f64| self.at(value * across.unit, self.upward[0]).x;
+        // Where the first number begins below the lowest one of the upward axis, all go deeper.
+        let begins = |value: &f64| x(*value) - font::width(&number(*value, decimals), SMALL) / 2.0;
+        let is_below = values.first().map(begins).is_some_and(|begins| begins <= area.x0 - BESIDE);
+        let base = area.y1 + if is_below { 21.0 } else { 18.0 };
+        for &value in &values {
+            let x = x(value);
+            canvas.grid(Point::new(x, area.y0), Point::new(x, area.y1), GRID);
+            canvas.text(Point::new(x, base), &number(value, decimals), SMALL, Anchor::Middle, BLACK);
+        }
+        let (values, decimals) =
+            ticks::between(self.upward[0] / upward.unit, self.upward[1] / upward.unit, f64::from(most[1]));
+        for value in values {
+            let y = self.at(self.across[0], value * upward.unit).y;
+            canvas.grid(Point::new(area.x0, y), Point::new(area.x1, y), GRID);
+            let at = Point::new(area.x0 - BESIDE, y + 4.5);
+            canvas.text(at, &number(value, decimals), SMALL, Anchor::End, BLACK);
+        }
+        let below = Point::new(area.center().x, area.y1 + 40.0);
+        canvas.text(below, &across.title, SMALL, Anchor::Middle, GREY);
+        let above = Point::new(left, area.y0 - 16.0);
+        canvas.text(above, &upward.title, SMALL, Anchor::Start, GREY);
+    }
+
+    /// As many numbers as have room beside each other and on the page.
+    pub(crate) fn ticks_across(&self, axis: &Axis, most: u8) -> (Vec<f64>, usize) {
+        let [low, high] = self.across.map(|end| end / axis.unit);
+        let has_room = |(values, decimals): &(Vec<f64>, usize)| {
+            values.windows(2).all(|pair| {
+                let [one, other] =
+                    [pair[0], pair[1]].map(|value| font::width(&number(value, *decimals), SMALL));
+                let apart = (pair[1] - pair[0]) / (high - low) * self.area.width();
+                (one + other) / 2.0 + BETWEEN <= apart
+            })
+        };
+        let all = (1..=most).rev().map(|most| ticks::between(low, high, f64::from(most)));
+        let (mut values, decimals) = all.into_iter().find(has_room).unwrap_or_default();
+        let end = |value: f64| {
+            self.at(value * axis.unit, self.upward[0]).x + font::width(&number(value, decimals), SMALL) / 2.0
+        };
+        values.retain(|&value| end(value) <= self.area.x1 + BEYOND);
+        (values, decimals)
+    }
+}

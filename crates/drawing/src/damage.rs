@@ -1,0 +1,207 @@
+//! The damage: each vehicle with its crush profile in place.
+
+use kurbo::{Affine, BezPath, Point, Rect, Vec2};
+
+use crate::canvas::Canvas;
+use crate::finished::Drawing;
+use crate::font::{self, Anchor, SMALL};
+use crate::footprint::{Footprint, placed};
+use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
+use crate::pens::{BLACK, CRUSHED, FILL, GREY, OUTLINE, THIN, WHITE};
+
+const NAME: &str = "damage";
+
+/// (px) height of the vehicles' room.
+const ROOM: f64 = 430.0;
+/// (px) white around a vehicle, for the names of the stations.
+const MARGIN: f64 = 44.0;
+/// (px/m)
+const LARGEST: f64 = 130.0;
+/// (px) the least distance between the names of two stations, with one figure and with more.
+const APART: [f64; 2] = [19.0, 30.0];
+/// (px) how far beyond the face the names of stations stand.
+const BESIDE: f64 = 20.0;
+/// (px) radius of a station.
+const DOT: f64 = 2.2;
+/// (px) height of a line of the captions.
+const ROW: f64 = 18.0;
+
+/// Each damaged vehicle from above, with its crush profile.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DamagePicture {
+    /// Of the case.
+    pub title: String,
+    /// Vehicles 1 and 2, where they are damaged.
+    pub vehicles: [Option<DamagedVehicle>; 2],
+    /// Of the scale bar.
+    pub length: ScaleUnit,
+}
+
+/// A damaged vehicle, in its own axes: x forward, y left of the CG (m).
+#[derive(Clone, Debug, PartialEq)]
+pub struct DamagedVehicle {
+    /// Its outline.
+    pub footprint: Footprint,
+    /// Stations on the undamaged face.
+    pub face: Vec<[f64; 2]>,
+    /// The same stations as deep as the crush.
+    pub crushed: Vec<[f64; 2]>,
+    /// Out of the vehicle; a unit vector along an axis.
+    pub outward: [f64; 2],
+    /// The stations are marked and named C1, C2 ….
+    pub has_stations: bool,
+    /// Heads the caption.
+    pub name: String,
+    /// The sentences of the caption.
+    pub caption: Vec<String>,
+}
+
+struct Panel<'a> {
+    i: usize,
+    vehicle: &'a DamagedVehicle,
+}
+
+impl DamagePicture {
+    /// Draws it.
+    #[must_use]
+    pub fn draw(&self) -> Drawing {
+        let vehicles = self.vehicles.iter().enumerate();
+        let panels: Vec<Panel> =
+            vehicles.filter_map(|(i, vehicle)| Some(Panel { i, vehicle: vehicle.as_ref()? })).collect();
+        #[expect(clippy::cast_precision_loss, reason = "there are two panels at most")]
+        let width = (WIDTH - 2.0 * EDGE) / panels.len().max(1) as f64;
+        // The same scale for both: the vehicles can be compared.
+        let scale = panels.iter().fold(LARGEST, |scale, panel| {
+            let extent = panel.extent();
+            scale.min((width - 2.0 * MARGIN) / extent.width()).min((ROOM - 2.0 * MARGIN) / extent.height())
+        });
+        let captions: Vec<Vec<String>> = panels.iter().map(|panel| panel.caption(width - 16.0)).collect();
+        let rows = captions.iter().map(Vec::len).max().unwrap_or(0);
+        #[expect(clippy::cast_precision_loss, reason = "a caption has few lines")]
+        let bottom = HEADER + ROOM + ROW * (rows as f64 + 1.0);
+        let mut canvas = Canvas::new(NAME, WIDTH, bottom + 118.0);
+        canvas.define_stripes("crushed", GREY, WHITE, 45, 6.0);
+
+        legend::header(&mut canvas, &self.title, "Damage: crush profiles in place, to scale, forward is up");
+        let room = Rect::new(EDGE, HEADER, WIDTH - EDGE, HEADER + ROOM);
+        for (k, (panel, caption)) in panels.iter().zip(&captions).enumerate() {
+            #[expect(clippy::cast_precision_loss, reason = "there are two panels at most")]
+            let left = EDGE + k as f64 * width;
+            let middle = Point::new(left + width / 2.0, HEADER + ROOM / 2.0);
+            panel.draw(&mut canvas, middle, scale);
+            for (row, line) in caption.iter().enumerate() {
+                #[expect(clippy::cast_precision_loss, reason = "a caption has few lines")]
+                let y = HEADER + ROOM + ROW * (row as f64 + 1.0);
+                canvas.text(Point::new(left + 4.0, y), line, SMALL, Anchor::Start, BLACK);
+            }
+        }
+        canvas.place_labels(room);
+        let at = Point::new(EDGE + 4.0, bottom + 14.0);
+        legend::scale_bar(&mut canvas, "scale", at, scale * self.length.size, &self.length, "");
+        let fill = canvas.pattern("crushed");
+        let entries = [
+            (Sample::Box(CRUSHED, fill), "crushed area of the side".to_owned()),
+            (Sample::Line(CRUSHED), "profile through the stations C1, C2 …".to_owned()),
+            (Sample::CentreOfGravity, "CG: centre of gravity".to_owned()),
+            legend::windscreen(),
+        ];
+        legend::legend(&mut canvas, bottom + 36.0, 3, &entries);
+        let description = captions.iter().map(|lines| lines.join(" ")).collect::<Vec<_>>().join(" ");
+        Drawing::new(
+            NAME,
+            format!("{}: damage", self.title),
+            format!("Outline of each damaged vehicle from above, with its crush profile. {description}"),
+            canvas,
+        )
+    }
+}
+
+fn points(points: &[[f64; 2]]) -> impl Iterator<Item = Point> {
+    points.iter().map(|&[x, y]| Point::new(x, y))
+}
+
+impl Panel<'_> {
+    /// (m) of outline and damage: x to the right, y downwards.
+    fn extent(&self) -> Rect {
+        let there = self.there(Point::ZERO, 1.0);
+        let footprint = &self.vehicle.footprint;
+        let points = footprint.corners().into_iter().chain(points(&self.vehicle.face));
+        let start = there * footprint.middle();
+        points.fold(Rect::from_points(start, start), |rect, point| rect.union_pt(there * point))
+    }
+
+    /// Forward is up.
+    fn there(&self, cg: Point, scale: f64) -> Affine {
+        placed(Vec2::new(0.0, 1.0), cg, scale)
+    }
+
+    fn draw(&self, canvas: &mut Canvas, middle: Point, scale: f64) {
+        let Self { i, vehicle } = *self;
+        let number = i + 1;
+        let extent = self.extent();
+        let cg = middle - extent.center().to_vec2() * scale;
+        let there = self.there(cg, scale);
+        let outline = there * vehicle.footprint.outline();
+        canvas.path(&format!("outline-{number}"), &outline, Some(OUTLINE[i]), FILL[i]);
+        canvas.path("", &(there * vehicle.footprint.windscreen()), Some(THIN), WHITE);
+        let face: Vec<Point> = points(&vehicle.face).map(|at| there * at).collect();
+        let crushed: Vec<Point> = points(&vehicle.crushed).map(|at| there * at).collect();
+        let mut area = BezPath::new();
+        for (k, &point) in face.iter().chain(crushed.iter().rev()).enumerate() {
+            if k == 0 { area.move_to(point) } else { area.line_to(point) }
+        }
+        area.close_path();
+        let fill = canvas.pattern("crushed");
+        canvas.path(&format!("crush-{number}"), &area, Some(CRUSHED), &fill);
+        canvas.centre_of_gravity(&format!("cg-{number}"), cg);
+        canvas.label(cg, "CG", BLACK);
+        if vehicle.has_stations {
+            self.stations(canvas, &face, &crushed);
+        }
+    }
+
+    /// The stations, and the names of as many as there is room for, the first and the last among them.
+    fn stations(&self, canvas: &mut Canvas, face: &[Point], crushed: &[Point]) {
+        let [forward, left] = self.vehicle.outward;
+        let outward = Vec2::new(-left, -forward);
+        let shortest = face.windows(2).map(|pair| (pair[1] - pair[0]).hypot()).fold(f64::INFINITY, f64::min);
+        let apart = if face.len() < 10 { APART[0] } else { APART[1] };
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a small positive number"
+        )]
+        let every = (apart / shortest.max(0.001)).ceil().max(1.0) as usize;
+        let last = face.len().saturating_sub(1);
+        let mut dotted: Option<Point> = None;
+        for (j, (&on_face, &deep)) in face.iter().zip(crushed).enumerate() {
+            // Stations closer than a dot is large would only make the line of the profile thicker, and a scan has thousands of them.
+            if j == last || dotted.is_none_or(|before| (on_face - before).hypot() >= DOT) {
+                canvas.dot("", deep, DOT, None, BLACK);
+                dotted = Some(on_face);
+            }
+            if j != last && (j % every != 0 || last - j < every) {
+                continue;
+            }
+            let end = on_face + outward * (BESIDE - 8.0);
+            canvas.grid(on_face, end, THIN);
+            let name = format!("C{}", j + 1);
+            // The text's base line lies below its middle.
+            let at = on_face + outward * BESIDE + Vec2::new(0.0, 0.35 * SMALL);
+            let anchor = if outward.x > 0.5 {
+                Anchor::Start
+            } else if outward.x < -0.5 {
+                Anchor::End
+            } else {
+                Anchor::Middle
+            };
+            canvas.text(at, &name, SMALL, anchor, BLACK);
+        }
+    }
+
+    fn caption(&self, most: f64) -> Vec<String> {
+        let mut lines = vec![font::cut(&self.vehicle.name, SMALL, most)];
+        lines.extend(self.vehicle.caption.iter().flat_map(|sentence| font::lines(sentence, SMALL, most)));
+        lines
+    }
+}

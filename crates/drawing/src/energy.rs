@@ -1,0 +1,167 @@
+//! The energy: where the initial kinetic energy went.
+
+use kurbo::{Point, Rect};
+
+use crate::canvas::Canvas;
+use crate::finished::Drawing;
+use crate::font::{self, Anchor, SMALL};
+use crate::legend::{self, EDGE, HEADER, WIDTH};
+use crate::pens::{BLACK, FILL, GREY, OUTLINE, PALE, Pen, THIN, WHITE};
+
+const NAME: &str = "energy";
+
+/// (px) of the bars' room: names to the left, values to the right.
+const LEFT: f64 = EDGE + 196.0;
+const RIGHT: f64 = WIDTH - EDGE - 190.0;
+/// (px) from bar to bar, and the height of a bar.
+const STEP: f64 = 46.0;
+const BAR: f64 = 28.0;
+
+/// Bars from the initial kinetic energy to what is left of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EnergyPicture {
+    /// Of the case.
+    pub title: String,
+    /// Before the impact.
+    pub initial: EnergyBar,
+    /// What took the energy, in order: each bar begins where the one above it ends.
+    pub losses: Vec<(Loss, EnergyBar)>,
+    /// What is left of it.
+    pub rest: EnergyBar,
+    /// Stands below the bars.
+    pub note: String,
+}
+
+/// What takes kinetic energy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loss {
+    /// The crush of vehicle 1, or its share of the normal work.
+    Vehicle1,
+    /// The same of vehicle 2.
+    Vehicle2,
+    /// The normal work, where it is not shared.
+    Normal,
+    /// The tangential work.
+    Tangential,
+    /// The moment work.
+    Moment,
+}
+
+/// An energy with its words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EnergyBar {
+    /// Stands to its left.
+    pub name: String,
+    /// (J)
+    pub energy: f64,
+    /// Stands to its right.
+    pub value: String,
+    /// Stands below its value.
+    pub remark: Option<String>,
+}
+
+impl Loss {
+    fn id(self) -> &'static str {
+        match self {
+            Self::Vehicle1 => "crush-1",
+            Self::Vehicle2 => "crush-2",
+            Self::Normal => "normal",
+            Self::Tangential => "tangential",
+            Self::Moment => "moment",
+        }
+    }
+
+    fn pen(self) -> Pen {
+        match self {
+            Self::Vehicle1 | Self::Normal => OUTLINE[0],
+            Self::Vehicle2 => OUTLINE[1],
+            Self::Tangential | Self::Moment => EDGE_OF_BAR,
+        }
+    }
+
+    fn fill(self, canvas: &Canvas) -> String {
+        match self {
+            Self::Vehicle1 | Self::Normal => canvas.pattern("stripes-1"),
+            Self::Vehicle2 => canvas.pattern("stripes-2"),
+            Self::Tangential => canvas.pattern("stripes-t"),
+            Self::Moment => PALE.to_owned(),
+        }
+    }
+}
+
+const EDGE_OF_BAR: Pen = Pen { colour: BLACK, width: 1.4, dashes: "" };
+
+impl EnergyPicture {
+    /// Draws it.
+    #[must_use]
+    pub fn draw(&self) -> Drawing {
+        let Self { title, initial, losses, rest, note } = self;
+        #[expect(clippy::cast_precision_loss, reason = "there are few rows")]
+        let bottom = HEADER + STEP * (losses.len() as f64 + 2.0) + 6.0;
+        let lines = font::lines(note, SMALL, WIDTH - 2.0 * EDGE);
+        #[expect(clippy::cast_precision_loss, reason = "a note has few lines")]
+        let height = bottom + 18.0 * (lines.len() as f64 + 1.0);
+        let mut canvas = Canvas::new(NAME, WIDTH, height);
+        canvas.define_stripes("stripes-1", OUTLINE[0].colour, FILL[0], 45, 7.0);
+        canvas.define_stripes("stripes-2", OUTLINE[1].colour, FILL[1], -45, 7.0);
+        canvas.define_stripes("stripes-t", GREY, WHITE, 90, 6.0);
+        legend::header(&mut canvas, title, "Energy: where the initial kinetic energy went");
+
+        // What is taken away goes from the right to the left; what is left is the final motion. Work that gives energy back goes to the right.
+        let highest = losses
+            .iter()
+            .scan(initial.energy, |left, (_, bar)| {
+                *left -= bar.energy;
+                Some(*left)
+            })
+            .fold(initial.energy, f64::max);
+        let x = |joule: f64| LEFT + joule.max(0.0) / highest * (RIGHT - LEFT);
+        let mut y = HEADER + STEP / 2.0;
+        initial.draw(&mut canvas, "initial", [x(0.0), x(initial.energy)], y, (EDGE_OF_BAR, PALE));
+        let mut left = initial.energy;
+        for (loss, bar) in losses {
+            let from = left;
+            left -= bar.energy;
+            let mark = Point::new(x(from), y + BAR / 2.0);
+            y += STEP;
+            canvas.grid(mark, Point::new(x(from), y - BAR / 2.0), THIN);
+            let fill = loss.fill(&canvas);
+            bar.draw(&mut canvas, loss.id(), [x(left), x(from)], y, (loss.pen(), &fill));
+        }
+        let mark = Point::new(x(left), y + BAR / 2.0);
+        y += STEP;
+        canvas.grid(mark, Point::new(x(left), y - BAR / 2.0), THIN);
+        rest.draw(&mut canvas, "final", [x(0.0), x(rest.energy)], y, (EDGE_OF_BAR, WHITE));
+
+        for (k, line) in lines.iter().enumerate() {
+            #[expect(clippy::cast_precision_loss, reason = "a note has few lines")]
+            let y = bottom + 18.0 * (k as f64 + 1.0);
+            canvas.text(Point::new(EDGE, y), line, SMALL, Anchor::Start, GREY);
+        }
+        let bars = std::iter::once(initial).chain(losses.iter().map(|(_, bar)| bar)).chain([rest]);
+        let parts: Vec<String> = bars.map(EnergyBar::words).collect();
+        let description = format!(
+            "Bars from the initial kinetic energy to what is left of it: {}. {note}",
+            parts.join("; ")
+        );
+        Drawing::new(NAME, format!("{title}: energy"), description, canvas)
+    }
+}
+
+impl EnergyBar {
+    fn draw(&self, canvas: &mut Canvas, id: &str, [from, to]: [f64; 2], y: f64, (edge, fill): (Pen, &str)) {
+        let area = Rect::new(from.min(to), y - BAR / 2.0, from.max(to), y + BAR / 2.0);
+        canvas.rect(id, area, Some(edge), fill);
+        let base = y + 4.5;
+        canvas.text(Point::new(LEFT - 12.0, base), &self.name, SMALL, Anchor::End, BLACK);
+        canvas.text(Point::new(RIGHT + 12.0, base), &self.value, SMALL, Anchor::Start, BLACK);
+        if let Some(remark) = &self.remark {
+            canvas.text(Point::new(RIGHT + 12.0, base + 17.0), remark, SMALL, Anchor::Start, BLACK);
+        }
+    }
+
+    fn words(&self) -> String {
+        let remark = self.remark.as_ref().map(|remark| format!(", {remark}")).unwrap_or_default();
+        format!("{} {}{remark}", self.name, self.value)
+    }
+}

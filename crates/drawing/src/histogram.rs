@@ -1,0 +1,123 @@
+//! A histogram with its interval and its central value.
+
+use kurbo::{Point, Rect};
+
+use crate::canvas::Canvas;
+use crate::chart::{Axis, Chart};
+use crate::finished::Drawing;
+use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
+use crate::number::number;
+use crate::pens::{AXIS, BLACK, BOUND, FILL, OUTLINE, Pen};
+
+const NAME: &str = "histogram";
+
+/// (px) of the plot.
+const PLOT: Rect = Rect::new(EDGE + 48.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 394.0);
+/// (px) above the highest bar, for three rows of labels.
+const STRIP: f64 = 74.0;
+/// (px) from the labels to the ends of their lines, and to the frame.
+const BESIDE: f64 = 2.0;
+/// (px) from the plot to the legend.
+const BELOW: f64 = 58.0;
+/// Numbers below the plot, and beside it.
+const MOST: [u8; 2] = [10, 6];
+const CLASS: Pen = Pen { width: 1.0, ..OUTLINE[0] };
+
+/// How a number is distributed: a bar for each class, and lines at the ends of an interval and at the central value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HistogramPicture {
+    /// What is distributed, with its unit.
+    pub title: String,
+    /// The line below it.
+    pub subtitle: String,
+    /// What a reader who cannot see it has to be told. The labels of the lines are added to it.
+    pub description: String,
+    /// Across; its unit is that of the labels.
+    pub across: Axis,
+    /// The least number of decimals in the labels. They have no fewer than the axis.
+    pub decimals: usize,
+    /// Upward, of the shares.
+    pub upward: String,
+    /// The lower end of the first class, in the unit of the data.
+    pub low: f64,
+    /// The width of each class, more than zero.
+    pub width: f64,
+    /// (%) what lies in each class.
+    pub shares: Vec<f64>,
+    /// The ends of the interval.
+    pub interval: [HistogramMark; 2],
+    /// The central value, which may lie beyond all classes.
+    pub central: HistogramMark,
+    /// What the legend says of a class, of the interval and of the central value.
+    pub legend: [String; 3],
+}
+
+/// A line of a histogram.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HistogramMark {
+    /// In the unit of the data.
+    pub value: f64,
+    /// What stands before the value, such as `central:`.
+    pub lead: String,
+}
+
+impl HistogramPicture {
+    /// Draws it.
+    #[must_use]
+    pub fn draw(&self) -> Drawing {
+        let chart = self.chart();
+        let [low, high] = &self.interval;
+        let (_, ticks) = chart.ticks_across(&self.across, MOST[0]);
+        let decimals = self.decimals.max(ticks);
+        let marks = [("low", low, BOUND), ("central", &self.central, AXIS), ("high", high, BOUND)]
+            .map(|(id, mark, pen)| (id, mark, pen, mark.label(self.across.unit, decimals)));
+
+        let mut canvas = Canvas::new(NAME, WIDTH, PLOT.y1 + BELOW + legend::height(3, 3) + 6.0);
+        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let upward = Axis { title: self.upward.clone(), unit: 1.0 };
+        chart.draw(&mut canvas, &self.across, &upward, MOST);
+        let (mut left, mut class) = (self.low, 0);
+        for &share in &self.shares {
+            class += 1;
+            let right = left + self.width;
+            let area = Rect::from_points(chart.at(left, 0.0), chart.at(right, share));
+            canvas.rect(&format!("class-{class}"), area, Some(CLASS), FILL[0]);
+            left = right;
+        }
+        for (id, mark, pen, label) in &marks {
+            let bottom = chart.at(mark.value, 0.0);
+            let top = Point::new(bottom.x, PLOT.y0 + STRIP);
+            canvas.line(id, bottom, top, *pen);
+            canvas.protect(Rect::from_center_size(top, (BESIDE, BESIDE)));
+            canvas.label_of_point(top, label, BLACK);
+        }
+        // Above all lines, so that none runs through a label.
+        canvas.place_labels(Rect { y1: PLOT.y0 + STRIP, ..PLOT }.inset(-BESIDE));
+
+        let [classes, interval, central] = self.legend.clone();
+        let entries = [
+            (Sample::Box(CLASS, FILL[0].to_owned()), classes),
+            (Sample::Line(BOUND), interval),
+            (Sample::Line(AXIS), central),
+        ];
+        legend::legend(&mut canvas, PLOT.y1 + BELOW, 3, &entries);
+        let labels: Vec<&str> = marks.iter().map(|(.., label)| label.as_str()).collect();
+        let description = format!("{} {}.", self.description, labels.join("; "));
+        Drawing::new(NAME, format!("{}: histogram", self.title), description, canvas)
+    }
+
+    fn chart(&self) -> Chart {
+        let high = self.shares.iter().fold(self.low, |high, _| high + self.width);
+        let marks = [&self.interval[0], &self.interval[1], &self.central].map(|mark| mark.value);
+        let across = [marks.into_iter().fold(self.low, f64::min), marks.into_iter().fold(high, f64::max)];
+        let most = self.shares.iter().copied().fold(0.0, f64::max);
+        let upward = [0.0, most * PLOT.height() / (PLOT.height() - STRIP)];
+        Chart { area: PLOT, left: EDGE, across, upward }
+    }
+}
+
+impl HistogramMark {
+    fn label(&self, unit: f64, decimals: usize) -> String {
+        format!("{} {}", self.lead, number(self.value / unit, decimals))
+    }
+}

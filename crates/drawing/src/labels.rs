@@ -1,0 +1,446 @@
+//! Where the labels of a picture go: the one placer of all pictures.
+
+use kurbo::{BezPath, Line, Point, Rect, Shape as _};
+
+use crate::font::{self, Anchor, SMALL};
+
+/// Height of a line of text over the size of its letters.
+const LINE: f64 = 1.25;
+/// Share of a line above the base of its letters.
+const ASCENT: f64 = 0.97;
+/// (px) how far a label's line reaches before it is drawn; that of a label which names one point of many.
+const LEADER: f64 = 26.0;
+const LEADER_OF_POINT: f64 = 13.0;
+/// (px) pieces of a line that labels keep clear of.
+const PIECE: f64 = 6.0;
+
+/// What a label costs that leaves the page, covers another, or covers a point that a reader looks for: so much that any other place is better.
+const OFF_PAGE: f64 = 1e6;
+const ON_TEXT: f64 = 1e5;
+const ON_POINT: f64 = 1e4;
+/// What it costs to lie on an area that it should keep off, where a place at the nearest point costs nothing and one 10 px away 6.
+const ON_AREA: f64 = 200.0;
+/// What it costs that a label without a line lies as near to another point as to its own, and one with a line so near that its own label has no room.
+const MISLEADING: f64 = 300.0;
+const CROWDING: f64 = 60.0;
+/// (px) how much nearer its own point has to be, and how far apart points are of which nobody sees that they are two.
+const PLAIN: f64 = 3.0;
+const SAME: f64 = 1.0;
+/// What it costs that a label's line crosses that of another, and a piece of anything else.
+const CROSSING: f64 = 60.0;
+const CROSSED: f64 = 0.5;
+
+/// Where a label may stand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Kind {
+    /// On an outline, too.
+    Anywhere,
+    /// Beside all outlines.
+    BesideOutlines,
+    /// Where it is plain which of many points it names.
+    OfPoint,
+}
+
+/// A label that has yet to find its place.
+#[derive(Clone, Debug)]
+struct Label {
+    at: Point,
+    text: String,
+    colour: &'static str,
+    kind: Kind,
+}
+
+/// An area that labels keep off.
+#[derive(Clone, Debug)]
+struct Area {
+    path: BezPath,
+    /// All of them, and not only those that are to stand beside the outlines.
+    all: bool,
+}
+
+/// Something that labels should not cover.
+#[derive(Clone, Copy, Debug)]
+struct Obstacle {
+    area: Rect,
+    weight: f64,
+}
+
+/// A label in its place.
+pub(crate) struct Placed {
+    /// Where its text begins, on the base line.
+    pub(crate) base: Point,
+    pub(crate) text: String,
+    pub(crate) colour: &'static str,
+    /// From the point that it belongs to, where that is not beside it.
+    pub(crate) leader: Option<Line>,
+}
+
+/// What is on a page so far, and the labels that have yet to find their places on it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Placer {
+    labels: Vec<Label>,
+    texts: Vec<Rect>,
+    obstacles: Vec<Obstacle>,
+    /// Heads of arrows, and what else no label covers.
+    points: Vec<Rect>,
+    areas: Vec<Area>,
+    /// From labels to their points.
+    leaders: Vec<Line>,
+}
+
+impl Placer {
+    /// Labels keep off the line from `a` to `b`, the more the greater the weight.
+    pub(crate) fn block(&mut self, a: Point, b: Point, weight: f64) {
+        let length = (b - a).hypot();
+        if length.is_infinite() {
+            return;
+        }
+        let mut done = 0.0;
+        while done <= length {
+            let at = if length > 0.0 { a + (b - a) * (done / length) } else { a };
+            self.avoid(Rect::from_center_size(at, (PIECE, PIECE)), weight);
+            done += PIECE;
+        }
+    }
+
+    /// Labels keep off an area, the more the greater the weight.
+    pub(crate) fn avoid(&mut self, area: Rect, weight: f64) {
+        self.obstacles.push(Obstacle { area, weight });
+    }
+
+    /// A text stands here: no label covers it.
+    pub(crate) fn taken(&mut self, area: Rect) {
+        self.texts.push(area);
+    }
+
+    /// No label covers this.
+    pub(crate) fn protect(&mut self, area: Rect) {
+        self.points.push(area);
+    }
+
+    /// Labels keep off an area: those that stand beside all outlines, or all of them.
+    pub(crate) fn keep_off(&mut self, path: &BezPath, all: bool) {
+        self.areas.push(Area { path: path.clone(), all });
+    }
+
+    /// A text that belongs to a point.
+    pub(crate) fn label(&mut self, at: Point, text: &str, colour: &'static str, kind: Kind) {
+        self.labels.push(Label { at, text: text.to_owned(), colour, kind });
+    }
+
+    /// Places all labels inside of `bounds`, in the order in which they were given: each where it covers no other text and the least of the lines,
+    /// as near to its point as that allows.
+    pub(crate) fn place(&mut self, bounds: Rect) -> Vec<Placed> {
+        let mut placed = Vec::new();
+        for Label { at, text, colour, kind } in std::mem::take(&mut self.labels) {
+            let size = (font::width(&text, SMALL), LINE * SMALL);
+            let mut best = (f64::INFINITY, at);
+            for centre in candidates(at, size) {
+                let area = Rect::from_center_size(centre, size).inflate(5.0, 1.0);
+                let far = 0.6 * gap(at, area);
+                // Most places are too far to be better, whatever lies there.
+                if far >= best.0 {
+                    continue;
+                }
+                let mut cost = self.cost(area, bounds, kind) + far;
+                if cost < best.0 {
+                    let label = Rect::from_center_size(centre, size);
+                    let line = leader(at, label, kind);
+                    cost += line.map_or(0.0, |line| self.cost_of_leader(line));
+                    if kind == Kind::OfPoint {
+                        cost += self.cost_of_others(at, label, line.is_some());
+                    }
+                }
+                if cost < best.0 {
+                    best = (cost, centre);
+                }
+            }
+            let area = Rect::from_center_size(best.1, size);
+            let leader = leader(at, area, kind);
+            if let Some(line) = leader {
+                self.leaders.push(line);
+                self.block(line.p0, line.p1, 1.0);
+            }
+            let base = Point::new(area.x0, area.y0 + ASCENT * SMALL);
+            self.taken(text_area(base, &text, SMALL, Anchor::Start));
+            placed.push(Placed { base, text, colour, leader });
+        }
+        placed
+    }
+
+    fn cost(&self, area: Rect, bounds: Rect, kind: Kind) -> f64 {
+        let off_page = if bounds.union(area) == bounds { 0.0 } else { OFF_PAGE };
+        let covers = |other: &Rect| area.intersect(*other).area() > 0.0;
+        let texts = count(self.texts.iter().filter(|other| covers(other))) * ON_TEXT;
+        let points = count(self.points.iter().filter(|other| covers(other))) * ON_POINT;
+        let kept_off = self.areas.iter().filter(|other| other.all || kind == Kind::BesideOutlines);
+        let areas = count(kept_off.filter(|other| other.is_under(area))) * ON_AREA;
+        let lines: f64 = self
+            .obstacles
+            .iter()
+            .filter(|obstacle| covers(&obstacle.area))
+            .map(|obstacle| obstacle.weight)
+            .sum();
+        off_page + texts + points + areas + 6.0 * lines
+    }
+
+    /// What it costs that a label lies near to other points than its own.
+    fn cost_of_others(&self, at: Point, label: Rect, has_line: bool) -> f64 {
+        let others = self.points.iter().map(Rect::center).filter(|other| (*other - at).hypot() > SAME);
+        let nearest = others.map(|other| gap(other, label)).fold(f64::INFINITY, f64::min);
+        match has_line {
+            false if nearest < gap(at, label) + PLAIN => MISLEADING,
+            true if nearest < LEADER_OF_POINT => CROWDING,
+            _ => 0.0,
+        }
+    }
+
+    fn cost_of_leader(&self, line: Line) -> f64 {
+        let leaders = count(self.leaders.iter().filter(|other| {
+            other.crossing_point(line).is_some_and(|at| {
+                [line, **other]
+                    .iter()
+                    .all(|line| Rect::from_points(line.p0, line.p1).inflate(0.1, 0.1).contains(at))
+            })
+        }));
+        let texts = count(self.texts.iter().filter(|text| cuts(line, **text)));
+        // It ends on what it belongs to.
+        let points = self.points.iter().filter(|point| !point.inflate(1.0, 1.0).contains(line.p0));
+        let points = count(points.filter(|point| cuts(line, **point)));
+        let crossed = self.obstacles.iter().filter(|obstacle| cuts(line, obstacle.area));
+        let crossed: f64 = crossed.map(|obstacle| obstacle.weight).sum();
+        texts * ON_POINT + points * ON_AREA + leaders * CROSSING + crossed * CROSSED
+    }
+}
+
+/// The box of a text that is anchored at a point of its base line.
+pub(crate) fn text_area(at: Point, text: &str, size: f64, anchor: Anchor) -> Rect {
+    let width = font::width(text, size);
+    let left = match anchor {
+        Anchor::Start => at.x,
+        Anchor::Middle => at.x - width / 2.0,
+        Anchor::End => at.x - width,
+    };
+    let top = at.y - ASCENT * size;
+    Rect::new(left, top, left + width, top + LINE * size)
+}
+
+impl Area {
+    /// As far as points every few pixels of the label tell.
+    fn is_under(&self, label: Rect) -> bool {
+        const STEPS: i32 = 8;
+        (0..=STEPS).any(|step| {
+            let x = label.x0 + label.width() * f64::from(step) / f64::from(STEPS);
+            [label.y0, label.center().y, label.y1].iter().any(|&y| self.path.contains(Point::new(x, y)))
+        })
+    }
+}
+
+fn count<T>(iterator: impl Iterator<Item = T>) -> f64 {
+    iterator.fold(0.0, |count, _| count + 1.0)
+}
+
+/// From a point to the label that belongs to it, where that is not beside it.
+fn leader(at: Point, label: Rect, kind: Kind) -> Option<Line> {
+    let most = if kind == Kind::OfPoint { LEADER_OF_POINT } else { LEADER };
+    let nearest = Point::new(at.x.clamp(label.x0, label.x1), at.y.clamp(label.y0, label.y1));
+    (gap(at, label) > most).then_some(Line::new(at, nearest))
+}
+
+/// Whether a line goes through an area.
+fn cuts(Line { p0, p1 }: Line, area: Rect) -> bool {
+    let along = p1 - p0;
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
+    // The parts of the line between the two edges in x, and in y, have to have something in common (Liang and Barsky).
+    for (from, along, low, high) in [(p0.x, along.x, area.x0, area.x1), (p0.y, along.y, area.y0, area.y1)] {
+        if along == 0.0 {
+            if from < low || from > high {
+                return false;
+            }
+            continue;
+        }
+        let ends = [(low - from) / along, (high - from) / along];
+        first = first.max(ends[0].min(ends[1]));
+        last = last.min(ends[0].max(ends[1]));
+    }
+    first <= last
+}
+
+/// Where the middle of a label may lie: around its point, nearer places first.
+fn candidates(at: Point, (width, height): (f64, f64)) -> impl Iterator<Item = Point> {
+    const DIRECTIONS: [(f64, f64); 16] = [
+        (1.0, -1.0),
+        (-1.0, -1.0),
+        (1.0, 1.0),
+        (-1.0, 1.0),
+        (1.0, 0.0),
+        (-1.0, 0.0),
+        (0.0, -1.0),
+        (0.0, 1.0),
+        (1.0, -0.5),
+        (-1.0, -0.5),
+        (1.0, 0.5),
+        (-1.0, 0.5),
+        (0.5, -1.0),
+        (-0.5, -1.0),
+        (0.5, 1.0),
+        (-0.5, 1.0),
+    ];
+    (0..40).flat_map(move |ring| {
+        let distance = 9.0 + 7.0 * f64::from(ring);
+        DIRECTIONS.iter().map(move |&(x, y)| {
+            Point::new(at.x + x * (width / 2.0 + distance), at.y + y * (height / 2.0 + distance))
+        })
+    })
+}
+
+/// (px) from a point to an area.
+fn gap(at: Point, area: Rect) -> f64 {
+    let (dx, dy) =
+        ((area.x0 - at.x).max(at.x - area.x1).max(0.0), (area.y0 - at.y).max(at.y - area.y1).max(0.0));
+    (dx * dx + dy * dy).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use kurbo::{Point, Rect};
+
+    use super::{Kind, LEADER_OF_POINT, Placed, Placer, gap, text_area};
+    use crate::font::{Anchor, SMALL};
+
+    const PAGE: Rect = Rect::new(0.0, 0.0, 200.0, 200.0);
+
+    fn symbol(at: Point) -> Rect {
+        Rect::from_center_size(at, (14.0, 14.0))
+    }
+
+    /// The labels of points with symbols, in the order of the points.
+    fn placed(points: &[(Point, &str)], bounds: Rect) -> Vec<(Placed, Rect)> {
+        let mut placer = Placer::default();
+        for (at, text) in points {
+            placer.protect(symbol(*at));
+            placer.label(*at, text, "black", Kind::OfPoint);
+        }
+        let placed = placer.place(bounds).into_iter();
+        placed
+            .map(|label| {
+                let area = text_area(label.base, &label.text, SMALL, Anchor::Start);
+                (label, area)
+            })
+            .collect()
+    }
+
+    fn overlap(one: Rect, other: Rect) -> bool {
+        one.intersect(other).area() > 0.0
+    }
+
+    /// Six points on one spot in a corner of the page: the labels have to keep clear of it, of each other and of the edge.
+    #[test]
+    fn labels_of_a_crowd_stay_apart_and_inside() {
+        let at = Point::new(12.0, 12.0);
+        let labels = placed(&[(at, "12"); 6], PAGE);
+        assert_eq!(labels.len(), 6);
+        for (i, (_, area)) in labels.iter().enumerate() {
+            assert_eq!(PAGE.union(*area), PAGE, "{area:?}");
+            assert!(!overlap(*area, symbol(at)));
+            assert!(labels[..i].iter().all(|(_, other)| !overlap(*area, *other)));
+        }
+    }
+
+    #[test]
+    fn a_lone_label_is_beside_its_point_without_a_line() {
+        let at = Point::new(100.0, 100.0);
+        let [(label, area)] = &placed(&[(at, "7")], PAGE)[..] else { panic!() };
+        assert!(label.leader.is_none() && gap(at, *area) < LEADER_OF_POINT, "{area:?}");
+    }
+
+    /// Pairs of points at every distance and in every direction, as on a dial: each label is nearer to its own, or has a line to it.
+    #[test]
+    fn it_is_plain_which_point_a_label_names() {
+        let mut lines = 0;
+        let middle = Point::new(100.0, 100.0);
+        for x in -10..=10 {
+            for y in -10..=10 {
+                let other = middle + kurbo::Vec2::new(f64::from(x), f64::from(y)) * 2.3;
+                if (other - middle).hypot() < 1.5 {
+                    continue;
+                }
+                let points = [(middle, "10"), (other, "7"), (Point::new(150.0, 100.0), "8")];
+                for ((own, _), (label, area)) in points.iter().zip(placed(&points, PAGE)) {
+                    let nearest =
+                        points.iter().map(|(point, _)| gap(*point, area)).fold(f64::INFINITY, f64::min);
+                    match label.leader {
+                        Some(line) => {
+                            lines += 1;
+                            assert_eq!(line.p0, *own, "{points:?}");
+                        }
+                        None => assert!(gap(*own, area) <= nearest, "{points:?}: {area:?}"),
+                    }
+                    let covers = points.iter().any(|(point, _)| overlap(area, symbol(*point)));
+                    assert!(!covers, "{points:?}: {area:?}");
+                }
+            }
+        }
+        assert!(lines > 0);
+    }
+
+    /// Every few pixels, each of the three lines of a histogram, whose labels have the room above them alone.
+    #[test]
+    fn three_labels_have_room_above_their_lines() {
+        let room = Rect::new(72.0, 100.0, 920.0, 174.0);
+        let ends = || (0..=16_u8).map(|step| 72.0 + 53.0 * f64::from(step));
+        for low in ends() {
+            for central in ends().chain([low + 3.0, low + 40.0]) {
+                for high in ends().chain([low + 2.0, central + 30.0]).filter(|high| *high >= low) {
+                    let points = [
+                        (low, "2.5 %: 1,234,567"),
+                        (central, "central: 1,234,567"),
+                        (high, "97.5 %: 1,234,567"),
+                    ]
+                    .map(|(x, text)| (Point::new(x.min(920.0), 174.0), text));
+                    let labels = placed(&points, room);
+                    for (i, (label, area)) in labels.iter().enumerate() {
+                        assert_eq!(room.union(*area), room, "{low} {central} {high}: {}", label.text);
+                        let apart = labels[..i].iter().all(|(_, other)| !overlap(*area, *other));
+                        assert!(apart, "{low} {central} {high}: {}", label.text);
+                    }
+                }
+            }
+        }
+    }
+
+    /// A ring of heads of arrows where the label would stand otherwise.
+    #[test]
+    fn a_label_of_any_kind_covers_no_head_of_an_arrow() {
+        let at = Point::new(100.0, 100.0);
+        let around = [
+            (-1.0, -1.0),
+            (0.0, -1.0),
+            (1.0, -1.0),
+            (-1.0, 0.0),
+            (1.0, 0.0),
+            (-1.0, 1.0),
+            (0.0, 1.0),
+            (1.0, 1.0),
+        ];
+        let heads = around.map(|(x, y)| symbol(at + kurbo::Vec2::new(x, y) * 16.0));
+        for kind in [Kind::Anywhere, Kind::BesideOutlines, Kind::OfPoint] {
+            let mut placer = Placer::default();
+            for head in heads {
+                placer.protect(head);
+            }
+            placer.label(at, "10", "black", kind);
+            let label = &placer.place(PAGE)[0];
+            let area = text_area(label.base, &label.text, SMALL, Anchor::Start);
+            assert!(heads.iter().all(|head| !overlap(area, *head)), "{kind:?}: {area:?}");
+        }
+    }
+
+    #[test]
+    fn a_line_without_end_is_no_obstacle() {
+        let mut placer = Placer::default();
+        placer.block(Point::ORIGIN, Point::new(f64::INFINITY, 0.0), 1.0);
+        placer.label(Point::new(100.0, 100.0), "7", "black", Kind::Anywhere);
+        assert_eq!(placer.place(PAGE).len(), 1);
+    }
+}

@@ -1,0 +1,88 @@
+//! Pictures of a collision and of its numbers, as SVG and PNG.
+//!
+//! ```
+//! use drawing::{Axis, HistogramMark, HistogramPicture};
+//!
+//! let mark = |value: f64, lead: &str| HistogramMark { value, lead: lead.to_owned() };
+//! let drawing = HistogramPicture {
+//!     title: "Speed of vehicle 1, km/h".to_owned(),
+//!     subtitle: "Histogram: 200 samples".to_owned(),
+//!     description: "How the speed of vehicle 1 is distributed, in km/h.".to_owned(),
+//!     // The data are in m/s, and 1 km/h is 1/3.6 m/s.
+//!     across: Axis { title: "speed of vehicle 1, km/h".to_owned(), unit: 1.0 / 3.6 },
+//!     decimals: 1,
+//!     upward: "% of the samples".to_owned(),
+//!     low: 20.0,
+//!     width: 1.0,
+//!     shares: vec![5.0, 15.0, 45.0, 25.0, 10.0],
+//!     interval: [mark(20.4, "2.5 %:"), mark(24.8, "97.5 %:")],
+//!     central: mark(22.5, "central:"),
+//!     legend: ["samples by class", "95 % interval", "central value"].map(str::to_owned),
+//! }
+//! .draw();
+//! assert!(drawing.svg().contains(">central: 81.0</text>"));
+//! assert!(drawing.description().ends_with("2.5 %: 73.4; central: 81.0; 97.5 %: 89.3."));
+//! ```
+//!
+//! Each picture is a struct of plain figures and of the words that stand beside them; its `draw` gives a [`Drawing`], which is SVG or PNG:
+//!
+//! | picture | shows |
+//! |---|---|
+//! | [`ScenePicture`] | both vehicles at impact, seen from above |
+//! | [`DamagePicture`] | each damaged vehicle with its crush profile in place |
+//! | [`EnergyPicture`] | where the initial kinetic energy went |
+//! | [`ReconciliationPicture`] | work of the normal impulse over the speed sought |
+//! | [`HistogramPicture`] | how a result is distributed, with its interval and its central value |
+//! | [`TornadoPicture`] | what each input alone does to a result |
+//! | [`ScatterPicture`] | points of one number over another, with the line where both are equal |
+//!
+//! # Conventions of all pictures
+//!
+//! Colours are those of Okabe and Ito, which people with any kind of colour vision tell apart; what colour says is said by dashes, shapes and
+//! hatching as well, so that the pictures read in grey. Labels are placed where they cover neither each other nor, as far as there is room, a line.
+//! Coordinates are written with two decimals of a pixel, so that the bytes are the same on every machine. Each picture has a title and a description.
+//!
+//! Widths of texts are those of DejaVu Sans, which the crate carries. Its letters are among the widest, so that what fits with them fits with those of
+//! another reader's font; a PNG has the letters themselves.
+//!
+//! Arrows carry an `id` such as `scene-velocity-before-1`, and `data-from` and `data-to`; a scale bar such as `scene-scale` has `data-si` as well, what it
+//! stands for in SI units.
+//!
+//! # What it does not do
+//!
+//! It knows no case, no file and no unit: what a number means, and how it reads, is said by whoever asks for the picture. All numbers are to be finite.
+
+mod canvas;
+mod chart;
+mod damage;
+mod energy;
+mod finished;
+mod font;
+mod footprint;
+mod histogram;
+mod labels;
+mod legend;
+mod number;
+mod pens;
+mod raster;
+mod reconciliation;
+mod scatter;
+mod scene;
+mod symbol;
+mod ticks;
+mod tornado;
+
+pub use chart::Axis;
+pub use damage::{DamagePicture, DamagedVehicle};
+pub use energy::{EnergyBar, EnergyPicture, Loss};
+pub use finished::Drawing;
+pub use footprint::Footprint;
+pub use histogram::{HistogramMark, HistogramPicture};
+pub use legend::ScaleUnit;
+pub use number::{number, significant};
+pub use raster::PngError;
+pub use reconciliation::{CurvePoint, ReconciliationPicture};
+pub use scatter::{ScatterPanel, ScatterPicture, ScatterPoint};
+pub use scene::{SceneArrow, SceneMotion, ScenePicture, SceneVehicle};
+pub use symbol::{Marker, Symbol};
+pub use tornado::{TornadoBar, TornadoPicture};

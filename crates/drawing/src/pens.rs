@@ -1,0 +1,41 @@
+//! The colours and lines of all drawings. Colours: M. Okabe and K. Ito, *Color Universal Design* (2008).
+
+pub(crate) const BLACK: &str = "#111111";
+pub(crate) const GREY: &str = "#595959";
+pub(crate) const PALE: &str = "#d9d9d9";
+pub(crate) const WHITE: &str = "#ffffff";
+pub(crate) const BLUE: &str = "#0072b2";
+pub(crate) const VERMILION: &str = "#d55e00";
+pub(crate) const GREEN: &str = "#009e73";
+pub(crate) const PURPLE: &str = "#cc79a7";
+
+/// A line: colour, width (px) and dashes.
+#[derive(Clone, Copy)]
+pub(crate) struct Pen {
+    pub(crate) colour: &'static str,
+    pub(crate) width: f64,
+    pub(crate) dashes: &'static str,
+}
+
+const fn pen(colour: &'static str, width: f64, dashes: &'static str) -> Pen {
+    Pen { colour, width, dashes }
+}
+
+pub(crate) const OUTLINE: [Pen; 2] = [pen(BLUE, 2.0, ""), pen(VERMILION, 2.0, "")];
+pub(crate) const FILL: [&str; 2] = ["#dcebf5", "#fae3d0"];
+pub(crate) const PLANE: Pen = pen(GREY, 1.4, "10 4 2 4");
+pub(crate) const AXIS: Pen = pen(BLACK, 1.6, "");
+pub(crate) const THIN: Pen = pen(GREY, 1.0, "");
+pub(crate) const HEADING: Pen = pen(GREY, 1.0, "2 3");
+pub(crate) const BEFORE: Pen = pen(GREEN, 3.0, "");
+pub(crate) const AFTER: Pen = pen(PURPLE, 3.0, "8 4");
+pub(crate) const IMPULSE: Pen = pen(BLACK, 4.0, "");
+pub(crate) const PDOF: Pen = pen(BLACK, 1.6, "1.5 3.5");
+pub(crate) const CURVE: Pen = pen(BLUE, 2.5, "");
+pub(crate) const LEVEL: Pen = pen(VERMILION, 2.0, "9 5");
+pub(crate) const CRUSHED: Pen = pen(BLACK, 1.8, "");
+pub(crate) const GRID: Pen = pen(PALE, 1.0, "");
+/// The ends of an interval.
+pub(crate) const BOUND: Pen = pen(BLACK, 1.6, "6 4");
+/// Where two numbers are equal.
+pub(crate) const EQUALITY: Pen = pen(GREY, 1.4, "7 4");

@@ -1,0 +1,132 @@
+//! Points of one number over another of the same kind, with the line where both are equal.
+
+use kurbo::{Point, Rect};
+
+use crate::canvas::Canvas;
+use crate::chart::{Axis, Chart};
+use crate::finished::Drawing;
+use crate::font::{Anchor, SMALL};
+use crate::legend::{self, EDGE, HEADER, Sample};
+use crate::pens::{BLACK, EQUALITY};
+use crate::symbol::Symbol;
+use crate::ticks;
+
+/// (px) a panel with the numbers to its left, and the plot alone, which is square.
+const PANEL: f64 = 600.0;
+const PLOT: f64 = 536.0;
+/// (px) from the plot to the right end of its panel: the last number of the axis reaches into it.
+const BESIDE: f64 = 16.0;
+/// (px) above the plot, for the title of the upward axis, and for its own where it has one.
+const ABOVE: f64 = 34.0;
+const TITLE: f64 = 20.0;
+/// (px) from the plot to the legend.
+const BELOW: f64 = 58.0;
+/// How far the axes reach beyond the greatest number, for the label of its point.
+const BEYOND: f64 = 1.04;
+/// Numbers of each axis.
+const MOST: u8 = 8;
+
+/// Panels of points side by side, with the same axes, which begin at zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ScatterPicture {
+    /// The first part of the `id`s in its SVG.
+    pub name: &'static str,
+    /// What is compared.
+    pub title: String,
+    /// The line below it.
+    pub subtitle: String,
+    /// What a reader who cannot see it has to be told.
+    pub description: String,
+    /// Of every panel.
+    pub across: Axis,
+    /// Of every panel.
+    pub upward: Axis,
+    /// From the left.
+    pub panels: Vec<ScatterPanel>,
+    /// What the symbols stand for.
+    pub legend: Vec<(Symbol, String)>,
+    /// What the legend says of the line where both numbers are equal.
+    pub equality: String,
+}
+
+/// A plot of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ScatterPanel {
+    /// Stands above it; empty where there is one panel alone.
+    pub title: String,
+    /// No coordinate is negative.
+    pub points: Vec<ScatterPoint>,
+}
+
+/// A point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ScatterPoint {
+    /// Across and upward, in the unit of the data.
+    pub at: [f64; 2],
+    /// How it is drawn.
+    pub symbol: Symbol,
+    /// Stands near it.
+    pub label: Option<String>,
+}
+
+impl ScatterPicture {
+    /// Draws it.
+    #[must_use]
+    pub fn draw(&self) -> Drawing {
+        #[expect(clippy::cast_precision_loss, reason = "there are few panels")]
+        let page = 2.0 * EDGE + PANEL * self.panels.len().max(1) as f64;
+        let columns = 2 * self.panels.len();
+        let has_titles = self.panels.iter().any(|panel| !panel.title.is_empty());
+        let top = HEADER + ABOVE + if has_titles { TITLE } else { 0.0 };
+        let bottom = top + PLOT + BELOW;
+        let height = bottom + legend::height(self.legend.len() + 1, columns) + 6.0;
+        let mut canvas = Canvas::new(self.name, page, height);
+        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let end = self.end();
+        let mut left = EDGE;
+        for (number, panel) in (1_usize..).zip(&self.panels) {
+            let right = left + PANEL - BESIDE;
+            let area = Rect::new(right - PLOT, top, right, top + PLOT);
+            let chart = Chart { area, left, across: [0.0, end], upward: [0.0, end] };
+            canvas.text(Point::new(left, top - 16.0 - TITLE), &panel.title, SMALL, Anchor::Start, BLACK);
+            chart.draw(&mut canvas, &self.across, &self.upward, [MOST, MOST]);
+            panel.draw(&mut canvas, &chart, number, end);
+            left += PANEL;
+        }
+        let mut entries: Vec<(Sample, String)> =
+            self.legend.iter().map(|(symbol, words)| (Sample::Symbol(*symbol), words.clone())).collect();
+        entries.push((Sample::Line(EQUALITY), self.equality.clone()));
+        legend::legend(&mut canvas, bottom, columns, &entries);
+        Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
+    }
+
+    /// Where the axes end: at a round number beyond all points.
+    fn end(&self) -> f64 {
+        let points = self.panels.iter().flat_map(|panel| &panel.points);
+        let greatest = points.flat_map(|point| point.at).fold(0.0, f64::max);
+        let unit = self.across.unit;
+        let (step, _) = ticks::round(greatest * BEYOND / unit / f64::from(MOST));
+        (greatest * BEYOND / unit / step).ceil().max(1.0) * step * unit
+    }
+}
+
+impl ScatterPanel {
+    fn draw(&self, canvas: &mut Canvas, chart: &Chart, number: usize, end: f64) {
+        canvas.line(&format!("equality-{number}"), chart.at(0.0, 0.0), chart.at(end, end), EQUALITY);
+        // What is hollow hides nothing, so it goes on top.
+        for is_filled in [true, false] {
+            for (k, point) in (1_usize..).zip(&self.points) {
+                if point.symbol.is_filled == is_filled {
+                    let at = chart.at(point.at[0], point.at[1]);
+                    point.symbol.draw(canvas, &format!("point-{number}-{k}"), at);
+                }
+            }
+        }
+        for point in &self.points {
+            if let Some(label) = &point.label {
+                canvas.label_of_point(chart.at(point.at[0], point.at[1]), label, BLACK);
+            }
+        }
+        canvas.place_labels(chart.area.inset(-2.0));
+    }
+}

@@ -1,0 +1,76 @@
+//! The symbols of points.
+
+use kurbo::{BezPath, Point, Rect, Vec2};
+
+use crate::canvas::Canvas;
+use crate::pens::{BLUE, GREEN, PURPLE, Pen, VERMILION};
+
+/// (px) of a circle, and half the size of any symbol with its edge.
+const RADIUS: f64 = 5.0;
+const HALF: f64 = 7.0;
+
+/// A shape in its colour, filled or hollow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Symbol {
+    /// Its shape.
+    pub marker: Marker,
+    /// Whether it is filled.
+    pub is_filled: bool,
+}
+
+/// Shapes and colours that stay apart in grey and for people with any kind of colour vision.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Marker {
+    /// Blue.
+    Circle,
+    /// Vermilion.
+    Square,
+    /// Green.
+    Triangle,
+    /// Purple.
+    Diamond,
+}
+
+impl Marker {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Circle, Self::Square, Self::Triangle, Self::Diamond];
+
+    fn colour(self) -> &'static str {
+        match self {
+            Self::Circle => BLUE,
+            Self::Square => VERMILION,
+            Self::Triangle => GREEN,
+            Self::Diamond => PURPLE,
+        }
+    }
+
+    /// (px) around the middle; none of a circle.
+    fn corners(self) -> &'static [(f64, f64)] {
+        match self {
+            Self::Circle => &[],
+            Self::Square => &[(-4.5, -4.5), (4.5, -4.5), (4.5, 4.5), (-4.5, 4.5)],
+            Self::Triangle => &[(0.0, -6.5), (6.0, 4.5), (-6.0, 4.5)],
+            Self::Diamond => &[(0.0, -6.5), (6.5, 0.0), (0.0, 6.5), (-6.5, 0.0)],
+        }
+    }
+}
+
+impl Symbol {
+    /// At a point, which no label covers.
+    pub(crate) fn draw(self, canvas: &mut Canvas, id: &str, at: Point) {
+        let pen = Pen { colour: self.marker.colour(), width: 1.8, dashes: "" };
+        let fill = if self.is_filled { pen.colour } else { "none" };
+        let mut path = BezPath::new();
+        for (k, &(x, y)) in self.marker.corners().iter().enumerate() {
+            let corner = at + Vec2::new(x, y);
+            if k == 0 { path.move_to(corner) } else { path.line_to(corner) }
+        }
+        if path.is_empty() {
+            canvas.dot(id, at, RADIUS, Some(pen), fill);
+        } else {
+            path.close_path();
+            canvas.path(id, &path, Some(pen), fill);
+        }
+        canvas.protect(Rect::from_center_size(at, (2.0 * HALF, 2.0 * HALF)));
+    }
+}

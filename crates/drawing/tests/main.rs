@@ -1,0 +1,6 @@
+//! The tests of the pictures, in one binary.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+mod pictures;
+mod reader;

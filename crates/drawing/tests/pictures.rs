@@ -1,0 +1,473 @@
+//! Pictures of invented figures: what is drawn is what was given, and can be read.
+
+use drawing::{
+    Axis, CurvePoint, DamagePicture, DamagedVehicle, Drawing, EnergyBar, EnergyPicture, Footprint,
+    HistogramMark, HistogramPicture, Loss, Marker, ReconciliationPicture, ScaleUnit, ScatterPanel,
+    ScatterPicture, ScatterPoint, SceneArrow, SceneMotion, ScenePicture, SceneVehicle, Symbol, TornadoBar,
+    TornadoPicture,
+};
+
+use crate::reader::{Reader, area, attribute, number, scales};
+
+/// (px) two decimals are written.
+const PIXEL: f64 = 0.02;
+
+const KM_PER_HOUR: f64 = 1.0 / 3.6;
+
+fn text(words: &str) -> String {
+    words.to_owned()
+}
+
+fn axis(title: &str, unit: f64) -> Axis {
+    Axis { title: text(title), unit }
+}
+
+fn histogram(central: f64) -> HistogramPicture {
+    let mark = |value: f64, lead: &str| HistogramMark { value, lead: text(lead) };
+    HistogramPicture {
+        title: text("Speed & more, km/h"),
+        subtitle: text("Histogram of <200> samples"),
+        description: text("The speed is distributed."),
+        across: axis("speed, km/h", KM_PER_HOUR),
+        decimals: 1,
+        upward: text("% of the samples"),
+        low: 20.0,
+        width: 1.0,
+        shares: vec![5.0, 15.0, 45.0, 25.0, 10.0],
+        interval: [mark(20.4, "2.5 %:"), mark(24.8, "97.5 %:")],
+        central: mark(central, "central:"),
+        legend: ["samples", "interval", "central value"].map(text),
+    }
+}
+
+fn tornado(longest: f64) -> TornadoPicture {
+    let bar = |name: &str, ends: [Option<f64>; 2]| TornadoBar {
+        name: text(name),
+        ends,
+        labels: ends.iter().flatten().map(|end| (*end, format!("{end:.1}"))).collect(),
+        remark: ends.contains(&None).then(|| text("no answer at an end")),
+    };
+    TornadoPicture {
+        title: text("Speed, km/h"),
+        subtitle: text("Tornado"),
+        description: text("Mass does most."),
+        central: 80.0,
+        central_label: text("central 80.0"),
+        longest,
+        bars: vec![bar("mass", [Some(76.0), Some(82.0)]), bar("yaw_radius", [None, Some(79.0)])],
+        legend: ["low", "high"].map(text),
+    }
+}
+
+/// Two panels; in the first three points lie on one spot.
+fn scatter() -> ScatterPicture {
+    let point = |x: f64, y: f64, marker: Marker, is_filled: bool, label: &str| ScatterPoint {
+        at: [x, y],
+        symbol: Symbol { marker, is_filled },
+        label: (!label.is_empty()).then(|| text(label)),
+    };
+    let crowd = vec![
+        point(3.0, 4.0, Marker::Circle, true, "1"),
+        point(3.0, 4.0, Marker::Square, false, "2"),
+        point(3.0, 4.0, Marker::Diamond, false, "3"),
+        point(12.3, 6.2, Marker::Square, true, "12"),
+    ];
+    let line = (1..=9).map(|k| point(f64::from(k), f64::from(k), Marker::Diamond, false, "")).collect();
+    ScatterPicture {
+        name: "scatter",
+        title: text("One over the other"),
+        subtitle: text("Invented"),
+        description: text("Most points lie on the line."),
+        across: axis("one (km/h)", KM_PER_HOUR),
+        upward: axis("other (km/h)", KM_PER_HOUR),
+        panels: vec![
+            ScatterPanel { title: text("A crowd"), points: crowd },
+            ScatterPanel { title: text("A line"), points: line },
+        ],
+        legend: Marker::ALL
+            .map(|marker| (Symbol { marker, is_filled: true }, format!("{marker:?}")))
+            .to_vec(),
+        equality: text("equal"),
+    }
+}
+
+const CAR: Footprint = Footprint { length: 4.0, width: 1.7, cg_to_front: 2.0 };
+
+/// A car that drives to the right into a wall.
+fn scene() -> ScenePicture {
+    let arrow = |x: f64, y: f64, label: &str| SceneArrow { vector: [x, y], label: text(label) };
+    let car = SceneVehicle {
+        name: text("1 · car"),
+        legend: Some(text("outline 1")),
+        footprint: Some(CAR),
+        cg: [-2.0, 0.5],
+        forward: [1.0, 0.0],
+        motion: Some(SceneMotion {
+            before: arrow(10.0, 0.0, "v₁ 36 km/h"),
+            after: arrow(-1.0, 0.5, "V₁ 4 km/h"),
+            force_from: arrow(1.0, 0.0, "PDOF₁ 0°"),
+        }),
+    };
+    let wall = SceneVehicle {
+        name: text("2 · wall"),
+        legend: Some(text("2: fixed object")),
+        footprint: None,
+        cg: [0.0, 0.0],
+        forward: [1.0, 0.0],
+        motion: None,
+    };
+    ScenePicture {
+        title: text("Wall"),
+        description: text("A car drives into a wall."),
+        is_z_down: false,
+        vehicles: [car, wall],
+        normal: [-1.0, 0.0],
+        impulse: arrow(-16_500.0, 750.0, "P 16,517 N·s"),
+        length: ScaleUnit { name: text("m"), size: 1.0 },
+        speed: ScaleUnit { name: text("km/h"), size: KM_PER_HOUR },
+    }
+}
+
+fn damage() -> DamagePicture {
+    let front = DamagedVehicle {
+        footprint: CAR,
+        face: vec![[2.0, 0.7], [2.0, 0.0], [2.0, -0.7]],
+        crushed: vec![[1.8, 0.7], [1.6, 0.0], [1.9, -0.7]],
+        outward: [1.0, 0.0],
+        has_stations: true,
+        name: text("Vehicle 1"),
+        caption: vec![text("Damage: front, 140 cm wide."), text("Crush energy 50,000 J.")],
+    };
+    let length = ScaleUnit { name: text("m"), size: 1.0 };
+    DamagePicture { title: text("Wall"), vehicles: [Some(front), None], length }
+}
+
+fn energy() -> EnergyPicture {
+    let bar = |name: &str, energy: f64, remark: Option<&str>| EnergyBar {
+        name: text(name),
+        energy,
+        value: format!("{energy:.0} J"),
+        remark: remark.map(text),
+    };
+    EnergyPicture {
+        title: text("Wall"),
+        initial: bar("initial kinetic energy", 80_000.0, None),
+        losses: vec![
+            (Loss::Vehicle1, bar("crush of vehicle 1", 50_000.0, None)),
+            (Loss::Tangential, bar("tangential work", -2_000.0, Some("drives the sliding"))),
+        ],
+        rest: bar("final motion", 32_000.0, None),
+        note: text("Each bar begins where the one above it ends."),
+    }
+}
+
+/// W = 800 v² and 50,000 J sought: at 7.91 m/s.
+fn reconciliation() -> ReconciliationPicture {
+    let point = |k: u32| {
+        let speed = f64::from(k) * 0.1;
+        CurvePoint { speed, work: 800.0 * speed * speed, sought: 50_000.0 }
+    };
+    let root = (50_000.0_f64 / 800.0).sqrt();
+    ReconciliationPicture {
+        title: text("Wall"),
+        subtitle: text("Reconciliation"),
+        description: text("The work rises to what is sought."),
+        speed: axis("speed (km/h)", KM_PER_HOUR),
+        work: axis("W (J)", 1.0),
+        curve: (0..=150).map(point).collect(),
+        found: [root, 50_000.0],
+        found_label: text("28.5 km/h"),
+        others: vec![(12.0, text("also 43.2 km/h"))],
+        steps: vec![[7.0, 39_200.0], [7.9, 49_928.0]],
+        sought: text("50,000 J"),
+    }
+}
+
+fn all() -> [Drawing; 7] {
+    [
+        scene().draw(),
+        damage().draw(),
+        energy().draw(),
+        reconciliation().draw(),
+        histogram(22.5).draw(),
+        tornado(4.0).draw(),
+        scatter().draw(),
+    ]
+}
+
+#[test]
+fn every_picture_can_be_read_and_has_its_title_and_description() {
+    let reader = Reader::new();
+    for (drawing, again) in all().iter().zip(all()) {
+        let (name, svg) = (drawing.name(), drawing.svg());
+        let texts = reader.readable(name, &svg);
+        assert!(texts.len() > 5, "{name}");
+        assert!(texts.iter().all(|(words, _)| !words.contains('…') || name == "damage"), "{name}");
+        for part in ["title", "description"] {
+            assert!(svg.contains(&format!(" id=\"{name}-{part}\">")), "{name}: {part}");
+        }
+        assert_eq!(svg, again.svg(), "{name}");
+        // No more than two decimals in what places something.
+        let numbers = svg.split([' ', '"', 'M', 'L', ',']).filter(|word| word.parse::<f64>().is_ok());
+        let long =
+            numbers.filter(|word| word.split_once('.').is_some_and(|(_, decimals)| decimals.len() > 2));
+        let long: Vec<&str> = long.filter(|word| !svg.contains(&format!("data-si=\"{word}\""))).collect();
+        assert!(long.is_empty(), "{name}: {long:?}");
+    }
+}
+
+#[test]
+fn what_xml_reserves_is_escaped() {
+    let svg = histogram(22.5).draw().svg();
+    assert!(
+        svg.contains(">Speed &amp; more, km/h</text>") && svg.contains("of &lt;200&gt; samples"),
+        "{svg}"
+    );
+    assert!(!svg.contains("& more") && !svg.contains("<200>"), "{svg}");
+}
+
+#[test]
+fn a_png_has_twice_the_pixels() {
+    let drawing = tornado(4.0).draw();
+    let pixels = resvg::tiny_skia::Pixmap::decode_png(&drawing.png().unwrap()).unwrap();
+    assert_eq!(pixels.width(), 1920);
+    // Not all white: letters and bars.
+    assert!(pixels.pixels().iter().filter(|pixel| pixel.red() < 100).count() > 1000);
+}
+
+#[test]
+fn classes_and_lines_of_a_histogram_stand_at_their_values() {
+    let reader = Reader::new();
+    // The second one beyond all classes, to the left, and the third to the right.
+    for central in [22.5, 14.0, 31.0] {
+        let picture = histogram(central);
+        let drawing = picture.draw();
+        let svg = drawing.svg();
+        let tree = reader.tree(&svg);
+        let texts = reader.readable("histogram", &svg);
+        let [across, upward] = scales(&svg, 0.0, 960.0);
+        for (k, &share) in (0_u8..).zip(&picture.shares) {
+            let class = area(&tree, &format!("histogram-class-{}", k + 1));
+            let low = (20.0 + f64::from(k)) * 3.6;
+            for (pixel, value) in [(class.left(), low), (class.right(), low + 3.6)] {
+                let drawn = across.value(f64::from(pixel));
+                assert!((drawn - value).abs() < 2.0 * PIXEL * across.pixel(), "class {k}: {drawn}, {value}");
+            }
+            for (pixel, value) in [(class.bottom(), 0.0), (class.top(), share)] {
+                let drawn = upward.value(f64::from(pixel));
+                assert!((drawn - value).abs() < 2.0 * PIXEL * upward.pixel(), "class {k}: {drawn}, {value}");
+            }
+        }
+        // 20.4 m/s are 73.44 km/h, and so on.
+        let label = format!("central: {:.1}", central * 3.6);
+        let lines =
+            [("low", 20.4, "2.5 %: 73.4"), ("central", central, &label), ("high", 24.8, "97.5 %: 89.3")];
+        for (id, value, label) in lines {
+            let drawn = across.value(number(&svg, &format!("histogram-{id}"), "x1"));
+            assert!((drawn - value * 3.6).abs() < 2.0 * PIXEL * across.pixel(), "{id}: {drawn}, {value} m/s");
+            assert!(svg.contains(&format!(">{label}</text>")), "{label}");
+            assert!(drawing.description().contains(label), "{label}");
+            // No line runs through a label.
+            let (_, label) = texts.iter().find(|(words, _)| words == label).unwrap();
+            assert!(f64::from(label.bottom()) < number(&svg, "histogram-central", "y2"), "{id}");
+        }
+        assert!(drawing.description().starts_with("The speed is distributed. "));
+        let dashes = |id: &str| attribute(&svg, &format!("histogram-{id}"), "stroke-dasharray");
+        assert!(dashes("low").is_some() && dashes("high").is_some() && dashes("central").is_none());
+    }
+}
+
+#[test]
+fn labels_of_a_histogram_have_no_fewer_decimals_than_its_axis() {
+    let picture = HistogramPicture { decimals: 0, width: 0.001, ..histogram(20.002) };
+    let mark = |value: f64, lead: &str| HistogramMark { value, lead: text(lead) };
+    let picture = HistogramPicture { interval: [mark(20.0, "2.5 %:"), mark(20.004, "97.5 %:")], ..picture };
+    let svg = picture.draw().svg();
+    // From 72.000 to 72.018 km/h, in steps of 0.002 km/h.
+    assert!(svg.contains(">72.002</text>") && svg.contains(">2.5 %: 72.000</text>"), "{svg}");
+    assert!(svg.contains(">97.5 %: 72.014</text>"), "{svg}");
+}
+
+#[test]
+fn long_numbers_below_a_chart_are_fewer() {
+    let mark = |value: f64, lead: &str| HistogramMark { value, lead: text(lead) };
+    let picture = HistogramPicture {
+        across: axis("energy, J", 1.0),
+        low: 123_456_700.0,
+        width: 0.02,
+        interval: [mark(123_456_700.01, "2.5 %:"), mark(123_456_700.09, "97.5 %:")],
+        ..histogram(123_456_700.05)
+    };
+    let svg = picture.draw().svg();
+    Reader::new().readable("histogram", &svg);
+    // A hundredth is some 85 px wide, and such a number 103 px: there is one for every two hundredths. That at the right end would leave the page.
+    let numbers = |hundredths: u8| svg.contains(&format!(">123,456,700.{hundredths:02}</text>"));
+    assert_eq!([0, 1, 2, 4, 5, 6, 8, 10].map(numbers), [true, false, true, true, false, true, true, false]);
+}
+
+/// (px) where a bar of the tornado begins and ends.
+fn bar(svg: &str, id: &str) -> [f64; 2] {
+    let [x, width] = ["x", "width"].map(|name| number(svg, &format!("tornado-{id}"), name));
+    [x, x + width]
+}
+
+#[test]
+fn bars_of_a_tornado_reach_from_the_central_value_to_their_ends() {
+    let svg = tornado(4.0).draw().svg();
+    let middle = number(&svg, "tornado-central", "x1");
+    // 4 km/h are the longest bar.
+    let [left, right] = bar(&svg, "low-1");
+    let pixel = (right - left) / 4.0;
+    assert!((right - middle).abs() < PIXEL && right - left >= 180.0, "{left} {right} {middle}");
+    for (id, from, to) in [("high-1", 80.0, 82.0), ("high-2", 79.0, 80.0)] {
+        for (drawn, value) in bar(&svg, id).into_iter().zip([from, to]) {
+            assert!((drawn - middle - (value - 80.0) * pixel).abs() < 2.0 * PIXEL, "{id}: {drawn}");
+        }
+    }
+    assert!(attribute(&svg, "tornado-low-2", "x").is_none(), "an end without an answer has no bar");
+    for words in
+        ["mass", "yaw_radius", "76.0", "82.0", "79.0", "no answer at an end", "central 80.0", "low", "high"]
+    {
+        assert!(svg.contains(&format!(">{words}</text>")), "{words}");
+    }
+    // Low and high differ in more than their colour.
+    let fill = |id: &str| attribute(&svg, &format!("tornado-{id}"), "fill").unwrap();
+    assert!(fill("low-1").starts_with("url(#") && fill("high-1").starts_with('#'));
+}
+
+#[test]
+fn a_tornado_of_which_nothing_is_to_be_seen_has_no_bars() {
+    let svg = tornado(0.0).draw().svg();
+    assert!(!svg.contains("tornado-low-") && !svg.contains("tornado-high-"), "{svg}");
+    assert!(svg.contains(">76.0</text>"), "{svg}");
+}
+
+#[test]
+fn a_tornado_grows_with_its_names() {
+    let reader = Reader::new();
+    let mut picture = tornado(4.0);
+    picture.bars[0].name = "vehicle1.crush.zones[12].stiffness.coefficient.".repeat(4);
+    picture.bars[1].labels = vec![(79.0, "low 1,234,567.89, high 1,234,568.90".repeat(2))];
+    let svg = picture.draw().svg();
+    reader.readable("tornado", &svg);
+    assert!(!svg.contains('…'), "{svg}");
+}
+
+#[test]
+fn points_of_a_scatter_stand_at_their_values_and_the_line_where_both_are_equal() {
+    let reader = Reader::new();
+    let picture = scatter();
+    let svg = picture.draw().svg();
+    let tree = reader.tree(&svg);
+    for (panel, (left, right)) in picture.panels.iter().zip([(0.0, 624.0), (624.0, 1248.0)]) {
+        let number_of_panel = if left == 0.0 { 1 } else { 2 };
+        let [across, upward] = scales(&svg, left, right);
+        for (k, point) in panel.points.iter().enumerate() {
+            let symbol = area(&tree, &format!("scatter-point-{number_of_panel}-{}", k + 1));
+            let [x, y] = [
+                across.value(f64::from(symbol.left() + symbol.right()) / 2.0),
+                upward.value(f64::from(symbol.top() + symbol.bottom()) / 2.0),
+            ];
+            let far = (x - 3.6 * point.at[0]).abs().max((y - 3.6 * point.at[1]).abs());
+            assert!(far < 2.0 * PIXEL * across.pixel(), "{point:?}: {x} {y}");
+        }
+        let id = format!("scatter-equality-{number_of_panel}");
+        for (x, y) in [("x1", "y1"), ("x2", "y2")] {
+            let (x, y) = (across.value(number(&svg, &id, x)), upward.value(number(&svg, &id, y)));
+            assert!((x - y).abs() < 2.0 * PIXEL * across.pixel(), "{x} {y}");
+        }
+        // Beyond the greatest number, which is 12.3 m/s or 44.28 km/h; both panels have the same axes.
+        assert!(across.value(number(&svg, &id, "x2")) > 44.28 * 1.04);
+    }
+    let labels =
+        ["1", "2", "3", "12", "A crowd", "A line", "Circle", "Square", "Triangle", "Diamond", "equal"];
+    for label in labels {
+        assert!(svg.contains(&format!(">{label}</text>")), "{label}");
+    }
+}
+
+#[test]
+fn a_hollow_symbol_hides_nothing() {
+    let svg = scatter().draw().svg();
+    let fill = |k: u8| attribute(&svg, &format!("scatter-point-1-{k}"), "fill").unwrap();
+    assert_eq!([fill(1), fill(2), fill(3)], ["#0072b2", "none", "none"].map(text));
+}
+
+#[test]
+fn arrows_of_a_scene_point_where_the_vectors_do() {
+    let svg = scene().draw().svg();
+    let ends = |id: &str| {
+        ["data-from", "data-to"].map(|name| {
+            let at = attribute(&svg, id, name).unwrap();
+            let (x, y) = at.split_once(' ').unwrap();
+            [x, y].map(|number| number.parse::<f64>().unwrap())
+        })
+    };
+    let [from, to] = ends("scene-velocity-before-1");
+    assert!(to[0] > from[0] + 100.0 && (to[1] - from[1]).abs() < PIXEL);
+    // 1 m/s to the left and 0.5 m/s to the left of that, where the page's y runs downwards.
+    let [from, to] = ends("scene-velocity-after-1");
+    assert!(((to[0] - from[0]) / (to[1] - from[1]) - 2.0).abs() < 0.01, "{from:?} {to:?}");
+    // The force comes from ahead: its arrow ends at the CG.
+    let [from, to] = ends("scene-pdof-1");
+    assert!(from[0] > to[0]);
+    // The CG lies 2 m behind C and 0.5 m to its left, by the scale bar.
+    let [start, end] = ends("scene-scale");
+    let metre = (end[0] - start[0]) / number(&svg, "scene-scale", "data-si");
+    let [cg, c] = ["scene-cg-1", "scene-contact"].map(|id| ["cx", "cy"].map(|name| number(&svg, id, name)));
+    assert!((c[0] - cg[0] - 2.0 * metre).abs() < 0.1 && (c[1] - cg[1] - 0.5 * metre).abs() < 0.1);
+}
+
+#[test]
+fn crush_is_as_deep_and_as_wide_as_it_was_given() {
+    let reader = Reader::new();
+    let svg = damage().draw().svg();
+    let crush = area(&reader.tree(&svg), "damage-crush-1");
+    let ends = ["data-from", "data-to"].map(|name| attribute(&svg, "damage-scale", name).unwrap());
+    let [start, end] = ends.map(|at| at.split_once(' ').unwrap().0.parse::<f64>().unwrap());
+    let metre = (end - start) / number(&svg, "damage-scale", "data-si");
+    assert!((f64::from(crush.width()) / metre - 1.4).abs() < 1e-3, "{crush:?}");
+    assert!((f64::from(crush.height()) / metre - 0.4).abs() < 1e-3, "{crush:?}");
+    for station in ["C1", "C2", "C3"] {
+        assert!(svg.contains(&format!(">{station}</text>")), "{station}");
+    }
+    let nothing = DamagePicture { vehicles: [None, None], ..damage() };
+    assert!(nothing.draw().svg().contains(">Wall</text>"));
+}
+
+#[test]
+fn bars_of_the_energy_are_as_long_as_their_energies() {
+    let svg = energy().draw().svg();
+    let width = |id: &str| number(&svg, &format!("energy-{id}"), "width");
+    let per_joule = width("initial") / 80_000.0;
+    for (id, joule) in [("crush-1", 50_000.0), ("tangential", 2_000.0), ("final", 32_000.0)] {
+        assert!((width(id) - per_joule * joule).abs() < 2.0 * PIXEL, "{id}");
+    }
+    // Work that gives energy back goes to the right, from where the crush ended.
+    let left = |id: &str| number(&svg, &format!("energy-{id}"), "x");
+    assert!((left("tangential") - left("crush-1")).abs() < 2.0 * PIXEL);
+
+    // Where it comes first, the bars go beyond the initial energy, and stay left of the values.
+    let mut picture = energy();
+    picture.losses.reverse();
+    let svg = picture.draw().svg();
+    let [initial, tangential] = ["initial", "tangential"].map(|id| {
+        let [x, width] = ["x", "width"].map(|name| number(&svg, &format!("energy-{id}"), name));
+        x + width
+    });
+    let values = svg.split(">80000 J<").next().unwrap().rsplit(" x=\"").next().unwrap();
+    let values: f64 = values.split('"').next().unwrap().parse().unwrap();
+    assert!(initial < tangential && tangential < values, "{initial} {tangential} {values}");
+}
+
+#[test]
+fn the_root_of_a_reconciliation_stands_at_its_speed_and_work() {
+    let svg = reconciliation().draw().svg();
+    let [across, upward] = scales(&svg, 0.0, 960.0);
+    let speed = across.value(number(&svg, "reconciliation-root", "cx"));
+    let work = upward.value(number(&svg, "reconciliation-root", "cy"));
+    // √(50,000 / 800) = 7.906 m/s
+    assert!((speed - 7.906 * 3.6).abs() < 2.0 * PIXEL * across.pixel(), "{speed}");
+    assert!((work - 50_000.0).abs() < 2.0 * PIXEL * upward.pixel(), "{work}");
+    assert!(svg.contains(">steps of the root-finder (2)</text>") && svg.contains(">also 43.2 km/h</text>"));
+}
