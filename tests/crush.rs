@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use crash3::{
     CrushError, EnergyBasis, Inertia, ObliqueCorrection, Profile, Side, Stiffness, crush_energy,
-    crush_range_from_force, delta_v, energy_equivalent_speed, moment_arm, peak_force,
+    crush_range_from_force, delta_v, energy_equivalent_speed, moment_arm, peak_force, zone_force,
 };
 use pim_core::Tangential;
 use proptest::prelude::*;
@@ -64,6 +64,28 @@ fn the_peak_force_is_the_integral_of_the_force_per_width() {
         let expected = over_width(&plain, |depth| a + b * depth) / angle.cos();
         assert_relative("F", force, expected, 1e-12);
         true
+    });
+}
+
+/// The integrals of C and C²/2 over the width, their means, and energy and force made of them.
+#[test]
+fn the_sums_of_a_profile_are_integrals_and_give_its_energy_and_force() {
+    for_all(5000, 0.9, (profile(), stiffness()), |(plain, (a, b, g))| {
+        let (profile, stiffness) = (make(&plain), Stiffness::from_abg(a, b, g).unwrap());
+        let sums = profile.sums();
+        let width: f64 = plain.1.iter().sum();
+        assert_relative("L", sums.width, width, 1e-15);
+        assert_relative("S_1", sums.area, over_width(&plain, |depth| depth), 1e-13);
+        assert_relative("S_2", sums.second_moment, over_width(&plain, |depth| depth * depth / 2.0), 1e-13);
+        let (mean, square) = (sums.mean_depth(), sums.mean_square_depth());
+        assert_relative("C̄", mean, over_width(&plain, |depth| depth) / width, 1e-13);
+        assert_relative("Q", square, over_width(&plain, |depth| depth * depth) / width, 1e-13);
+        let energy = a * sums.area + b * sums.second_moment + g * width;
+        assert_relative("E", crush_energy(&profile, &stiffness), energy, 1e-12);
+        let force: f64 = profile.zones().map(|zone| zone_force(zone, &stiffness)).sum();
+        assert_relative("F", force, a * width + b * sums.area, 1e-12);
+        assert_relative("F", peak_force(&profile, &stiffness, 0.0).unwrap(), force, 1e-14);
+        sums.area > 0.0
     });
 }
 

@@ -7,7 +7,7 @@ use pim_core::{
     Body, Contact, ImpactError, InvalidInput, Law, Motion, Participant, RestitutionCurve, Tangential,
 };
 use proptest::prelude::*;
-use reconcile::{EnergyBasis, MAX_STEPS, Method, Problem, ReconcileError, Unknown};
+use reconcile::{EnergyBasis, MAX_STEPS, Method, Problem, Quadratic, ReconcileError, Unknown};
 
 use crate::compare::{assert_close, assert_relative};
 use crate::oracle::{Condition, Verdict, approach, solve, verdict};
@@ -444,6 +444,57 @@ fn against_a_wall(law: Tangential, yaw_rate: f64, energy: f64) -> Result<Problem
     let law = Law::new(0.0, law).unwrap();
     let motions = [Motion::rest().with_yaw_rate(yaw_rate), Motion::rest()];
     Problem::new(contact, law, motions, Unknown::Speed1, energy, EnergyBasis::Dissipated)
+}
+
+/// The numbers of the hand calculation above, with ω = 5: P_n = (10 − x)/3, and c = 2 · 1.5 J.
+#[test]
+fn the_numbers_on_the_way_by_hand() {
+    let problem = against_a_wall(Tangential::Critical, 5.0, 1.5).unwrap();
+    let (line, quadratic) = (problem.line(), problem.quadratic().unwrap());
+    for (what, actual, expected) in [
+        ("u_n0", line.at_rest.normal, -5.0),
+        ("u_t,rest", line.at_rest.tangential, -5.0),
+        ("c_n", line.slope.normal, -1.0 / 10_f64.sqrt()),
+        ("c_t", line.slope.tangential, -3.0 / 10_f64.sqrt()),
+        ("ω₁ − ω₂", line.relative_yaw_rate, 5.0),
+        ("τ", line.tangential_slope(), -3.0),
+        ("u_t0", line.tangential_at_touch(), 10.0),
+        ("α", quadratic.alpha, -1.0 / 3.0),
+        ("β", quadratic.beta, 10.0 / 3.0),
+        ("c", quadratic.c, 3.0),
+    ] {
+        assert_close(what, actual, expected, 1e-13);
+    }
+    let mirrored = line.mirrored();
+    assert_eq!(mirrored.at_rest.normal, line.at_rest.normal);
+    assert_eq!(mirrored.slope.tangential, -line.slope.tangential);
+    assert_eq!(mirrored.tangential_slope(), -line.tangential_slope());
+    assert_eq!(mirrored.tangential_at_touch(), -line.tangential_at_touch());
+    assert_eq!(mirrored.relative_yaw_rate, -5.0);
+}
+
+/// Each impact lies on the line and on P_n = α x + β, and x meets the quadratic.
+#[test]
+fn the_numbers_on_the_way_are_those_of_the_impact() {
+    for_all(5000, 0.2, case(all_laws()), |case| {
+        let (Verdict::Impact(effects), [u_n, u_t]) = (verdict(&case.scene), approach(&case.scene)) else {
+            return false;
+        };
+        let problem = case.problem(effects.normal_work);
+        let line = problem.line();
+        let at = line.at(-u_n);
+        let size = case.speed_scale() * case.slope().abs() * (1.0 + line.tangential_slope().abs());
+        assert_close("u_t", at.velocity.tangential, u_t, 1e-12 * size);
+        assert_close("s", line.speed(-u_n), case.speed, 1e-11 * (case.speed_scale() + case.speed.abs()));
+        let Some(Quadratic { alpha, beta, c }) = problem.quadratic() else {
+            assert!(!case.scene.law().is_affine());
+            return false;
+        };
+        let pushes = (alpha * u_n).abs() + beta.abs();
+        assert_close("P_n", alpha * -u_n + beta, effects.impulse[0], 1e-9 * pushes);
+        assert_close("c", (alpha * -u_n + beta) * -u_n, c, 1e-9 * (pushes * u_n.abs() + c));
+        true
+    });
 }
 
 /// With ω = 5 the work is x (10 − x)/6: 1.5 J at x = 1 and at x = 9, and never more than 25/6 J.

@@ -314,9 +314,14 @@ fn a_barrier_test_s_stiffness_gives_its_kinetic_energy_back() {
         // b₀ = A √(w/(m B)), whatever the profile.
         let width: f64 = plain.1.iter().sum();
         assert_close("b₀", exact.a() * (width / (mass * exact.b())).sqrt(), share * speed, 1e-9 * speed);
+        // The line V = b₀ + b₁ C whose square is twice the energy per mass and width; A B⁻¹ = b₀/b₁.
+        assert_relative("b₁", test.slope(), share * speed * exact.b() / exact.a(), 1e-12);
         // The mean of squares is not less than the square of the mean.
         let mean = test.fit_mean().unwrap();
         assert!(crush_energy(&make(&plain), &mean) >= kinetic * (1.0 - 1e-12));
+        let mean_depth = over_width(&plain, |depth| depth) / width;
+        assert_relative("b₁", test.mean_slope(), (1.0 - share) * speed / mean_depth, 1e-12);
+        assert_eq!(test.profile(), &make(&plain));
         true
     });
 }

@@ -69,6 +69,8 @@ pub struct Crash3 {
     pub crush_energy: f64,
     /// (m) moment arms; zero for a fixed object.
     pub moment_arm: [f64; 2],
+    /// (m²) k², the squares of the radii of gyration; zero for a fixed object.
+    pub square_radius: [f64; 2],
     /// γ of both vehicles; one for a fixed object.
     pub effective_mass_ratio: [f64; 2],
     /// (m/s) velocity changes from the uncorrected energy, with a common normal velocity (e = 0).
@@ -240,6 +242,7 @@ pub(crate) fn crash3(
     Ok(Some(Crash3 {
         crush_energy,
         moment_arm,
+        square_radius: inertias.map(|inertia| inertia.square_radius()),
         effective_mass_ratio: inertias.map(|inertia| inertia.effective_mass_ratio()),
         delta_v: crash3::delta_v(crush_energy, inertias)?,
         corrected,

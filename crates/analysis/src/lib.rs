@@ -55,7 +55,7 @@ pub use warning::{Drive, JumpSide, Magnitude, Warning};
 use case::{Case, CaseFile, Collision, Command, Diagnostics, Evidence, Subject};
 use crash3::{CrushError, EnergyBasis, Structure};
 use pim_core::{Contact, ImpactError, Law, Outcome, Real};
-use reconcile::{Iteration, Method, Problem, ReconcileError, Unknown};
+use reconcile::{ApproachLine, Iteration, Method, Problem, Quadratic, ReconcileError, Unknown};
 
 /// A finished analysis, in the axes of the engine: y to the left, counter-clockwise positive. [`Analysis::in_axes`] has it in others.
 #[derive(Clone, Debug)]
@@ -109,6 +109,10 @@ pub struct Found {
     pub crush_energy: f64,
     /// (J) normal work sought: the crush energy, less what restitution gives back where the basis is absorbed energy.
     pub normal_work: f64,
+    /// How the speed moves the relative velocity at C.
+    pub line: ApproachLine,
+    /// What the closed form was solved from; `None` where the root-finder gave the answer.
+    pub quadratic: Option<Quadratic>,
     /// The steps of the root-finder; `None` where a closed form gave the answer.
     pub iterations: Option<Vec<Iteration>>,
 }
@@ -203,20 +207,22 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
     // The uncorrected energies do not depend on the impact; a force balance takes its directions from the file.
     let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
-    let (answer, speeds) = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)
+    let (problem, answer) = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)
         .map_err(Failure::from)
         .and_then(|problem| {
             let problem = problem.with_restitution_curve(restitution_curve.as_ref());
             let answer = problem.solve().map_err(|refusal| refused(&problem, refusal))?;
-            Ok((answer, problem.speeds().collect()))
+            Ok((problem, answer))
         })
         .map_err(|failure| failure.in_axes(file.case.axes))?;
     let found = Found {
         unknown: input.unknown,
         speed: answer.speed,
-        admissible: speeds,
+        admissible: problem.speeds().collect(),
         crush_energy,
         normal_work: answer.normal_work,
+        line: problem.line(),
+        quadratic: problem.quadratic(),
         iterations: match &answer.method {
             Method::ClosedForm => None,
             Method::RootFinder(iterations) => Some(iterations.as_slice().to_vec()),

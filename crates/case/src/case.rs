@@ -321,11 +321,18 @@ impl<T: Real> StiffnessLine<T> {
 }
 
 impl<T: Real> BarrierTest<T> {
-    pub(crate) fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
+    /// The test, in SI units.
+    ///
+    /// # Errors
+    /// What no barrier test can have.
+    pub fn test(&self) -> Result<crash3::BarrierTest<T>, CrushError> {
         let depths = self.depths.iter().map(Quantity::si).collect();
         let profile = Profile::equally_spaced(depths, self.width.si())?;
-        let test =
-            crash3::BarrierTest::new(self.mass.kg(), self.speed.si(), profile, self.no_damage_speed.si())?;
+        crash3::BarrierTest::new(self.mass.kg(), self.speed.si(), profile, self.no_damage_speed.si())
+    }
+
+    pub(crate) fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
+        let test = self.test()?;
         match self.fit {
             Fit::Exact => test.fit(),
             Fit::Mean => test.fit_mean(),

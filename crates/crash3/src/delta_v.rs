@@ -8,6 +8,7 @@ use crate::error::{self, CrushError};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertia<T = f64> {
     inverse_mass: T,
+    square_radius: T,
     effective_mass_ratio: T,
     inverse_effective_mass: T,
 }
@@ -23,11 +24,12 @@ impl<T: Real> Inertia<T> {
         error::positive("yaw inertia", yaw_inertia.value())?;
         error::finite("moment arm", moment_arm.value())?;
         // k² = I/m
-        let k2 = yaw_inertia / mass;
+        let square_radius = yaw_inertia / mass;
         // γ = k²/(k² + h²)
-        let effective_mass_ratio = k2 / (k2 + moment_arm * moment_arm);
+        let effective_mass_ratio = square_radius / (square_radius + moment_arm * moment_arm);
         Ok(Self {
             inverse_mass: T::ONE / mass,
+            square_radius,
             effective_mass_ratio,
             inverse_effective_mass: T::ONE / (effective_mass_ratio * mass),
         })
@@ -36,7 +38,19 @@ impl<T: Real> Inertia<T> {
     /// A barrier: it takes no velocity.
     #[must_use]
     pub fn fixed() -> Self {
-        Self { inverse_mass: T::ZERO, effective_mass_ratio: T::ONE, inverse_effective_mass: T::ZERO }
+        Self {
+            inverse_mass: T::ZERO,
+            square_radius: T::ZERO,
+            effective_mass_ratio: T::ONE,
+            inverse_effective_mass: T::ZERO,
+        }
+    }
+
+    /// (m²) k² = I/m, the square of the radius of gyration; zero for a barrier, which has none.
+    #[inline(always)]
+    #[must_use]
+    pub fn square_radius(&self) -> T {
+        self.square_radius
     }
 
     /// γ = k²/(k² + h²): the share of the mass that a force at the distance h from the CG has to move.

@@ -4,7 +4,7 @@ use real::Real;
 
 use crate::energy::pushing_cosine;
 use crate::error::{self, CrushError};
-use crate::stiffness::Stiffness;
+use crate::stiffness::{Saturation, Stiffness};
 
 /// A crush of the same depth over its whole width.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -147,9 +147,9 @@ fn of_normal_force<T: Real>(
 fn energy_per_width<T: Real>(stiffness: &Stiffness<T>, depth: T) -> T {
     let (a, b) = (stiffness.a(), stiffness.b());
     match stiffness.saturation() {
-        Some((limit, knee)) if depth.value() > knee.value() => {
+        Some(Saturation { force, depth: knee }) if depth.value() > knee.value() => {
             // (A + F_s) C_s/2 + F_s (C − C_s)
-            (a + limit) * knee / 2.0 + limit * (depth - knee)
+            (a + force) * knee / 2.0 + force * (depth - knee)
         }
         // A C + B C²/2
         _ => a * depth + b * depth * depth / 2.0,

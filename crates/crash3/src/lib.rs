@@ -32,11 +32,15 @@
 //! | `depths` | C_j | residual crush at station j | m |
 //! | `width` | L; w_j | width of the damage; of one zone between stations | m |
 //! | `a`, `b`, `g` | A, B, G | stiffness: force per width A + B C, energy per width G before crush | N/m, N/m², N |
+//! | `area`, `second_moment` | S_1; S_2 | ∫ C and ∫ C²/2 over the width of a [`ProfileSums`] | m²; m³ |
+//! | `mean_depth`, `mean_square_depth` | C̄; Q | mean and mean square of the depth over the width | m; m² |
+//! | `slope` | b_1 | of the speed over the crush in a [`BarrierTest`] | 1/s |
 //! | `limit` | F_s | force per width beyond which A + B C is flat | N/m |
-//! | `d0`, `d1` | d_0, d_1 | the same: A = d_0 d_1, B = d_1², G = d_0²/2 | √N, √N/m |
+//! | `d0`, `d1` | d_0, d_1 | the same as A, B and G: A = d_0 d_1, B = d_1², G = d_0²/2 | √N, √N/m |
 //! | `oblique_angle` | α | between the force and the normal of the damaged side | rad |
 //! | `pdof` | PDOF | direction from which the force comes, clockwise from the heading | rad |
 //! | `moment_arm` | h | distance from the CG to the force's line of action | m |
+//! | `square_radius` | k² | I/m | m² |
 //! | `effective_mass_ratio` | γ | k²/(k² + h²) | – |
 //!
 //! `examples/damage.rs` goes from depths to energy and ΔV, `examples/barrier_test.rs` from a test to a stiffness.
@@ -62,11 +66,13 @@ mod tables;
 
 pub use barrier_test::BarrierTest;
 pub use delta_v::{EnergyBasis, Inertia, delta_v, energy_equivalent_speed};
-pub use direction::{DamagedFace, Side, moment_arm, opposite_pdof, principal_angle};
-pub use energy::{ObliqueCorrection, ObliqueFactor, crush_energy, peak_force, zone_energy};
+pub use direction::{DamagedFace, Side, moment_arm, opposite_pdof};
+pub use energy::{
+    ObliqueCorrection, ObliqueFactor, Yielding, crush_energy, peak_force, zone_energy, zone_force,
+};
 pub use error::CrushError;
 pub use force_balance::{CrushRange, UniformCrush, crush_from_force, crush_range_from_force};
-pub use profile::{Profile, Zone, equal_spacing};
-pub use real::Real;
-pub use stiffness::{Stiffness, Structure};
+pub use profile::{Profile, ProfileSums, Zone, equal_spacing};
+pub use real::{Real, principal_angle};
+pub use stiffness::{Saturation, Stiffness, Structure};
 pub use tables::{BURG, BURG_SPREAD, DoubtfulDigit, VehicleClass, yaw_inertia_burg};

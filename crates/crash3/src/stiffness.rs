@@ -129,15 +129,27 @@ impl<T: Real> Stiffness<T> {
         }
     }
 
-    /// (N/m) F_s and (m) the depth at which the force reaches it; none where it never does.
+    /// Where the force per width reaches its limit; `None` where it never does.
     #[inline(always)]
-    pub(crate) fn saturation(&self) -> Option<(T, T)> {
+    #[must_use]
+    pub fn saturation(&self) -> Option<Saturation<T>> {
         match self.limit {
             // C_s = (F_s − A)/B
-            Some(limit) if self.b.value() > 0.0 => Some((limit, (limit - self.a) / self.b)),
+            Some(force) if self.b.value() > 0.0 => {
+                Some(Saturation { force, depth: (force - self.a) / self.b })
+            }
             _ => None,
         }
     }
+}
+
+/// Where the force per width ceases to rise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Saturation<T = f64> {
+    /// (N/m) F_s.
+    pub force: T,
+    /// (m) C_s, the depth at which the force per width reaches it.
+    pub depth: T,
 }
 
 /// What a damaged side resists with: the same stiffness all along, or one for each zone between two stations.

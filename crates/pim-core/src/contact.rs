@@ -1,5 +1,7 @@
 //! Where two bodies meet: arms, crush plane, and the inverse mass that C feels.
 
+use core::f64::consts::PI;
+
 use nalgebra::Vector2;
 use real::Real;
 
@@ -123,6 +125,10 @@ impl<T: Real> InverseMass<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<T = f64> {
     pub(crate) participants: [Participant<T>; 2],
+    /// Γ as given.
+    pub(crate) crush_plane: T,
+    /// Whether n points against Γ.
+    pub(crate) turned: bool,
     pub(crate) normal: Vector2<T>,
     pub(crate) arms: [NormalTangential<T>; 2],
     pub(crate) inverse_mass: InverseMass<T>,
@@ -154,12 +160,13 @@ impl<T: Real> Contact<T> {
         let along = NormalTangential::of(between, n);
         let distance = (between.x * between.x + between.y * between.y).sqrt();
         let is_oriented = along.normal.abs() > distance * NORMAL_RESOLUTION;
-        let normal = if along.normal > T::ZERO { n } else { -n };
+        let is_ahead = along.normal > T::ZERO;
+        let normal = if is_ahead { n } else { -n };
         let arms = [NormalTangential::of(p1.arm, normal), NormalTangential::of(p2.arm, normal)];
         let inverse_mass = InverseMass::new([&p1.body, &p2.body], arms);
         let both_fixed = p1.body.is_fixed() & p2.body.is_fixed();
         let can_be = is_oriented & !both_fixed & angle(crush_plane).is_ok();
-        (Self { participants, normal, arms, inverse_mass }, can_be)
+        (Self { participants, crush_plane, turned: !is_ahead, normal, arms, inverse_mass }, can_be)
     }
 
     /// Why there is no contact.
@@ -177,6 +184,27 @@ impl<T: Real> Contact<T> {
     #[must_use]
     pub fn participants(&self) -> &[Participant<T>; 2] {
         &self.participants
+    }
+
+    /// (rad) Γ, the scene angle of a normal of the crush plane, as given to [`new`](Self::new).
+    #[inline(always)]
+    #[must_use]
+    pub fn crush_plane(&self) -> T {
+        self.crush_plane
+    }
+
+    /// Whether n points against Γ, because the normal at Γ points from vehicle 1 to vehicle 2.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_turned(&self) -> bool {
+        self.turned
+    }
+
+    /// (rad) the scene angle of n, in (−π, π]: Γ, or Γ + π where it is turned.
+    #[must_use]
+    pub fn normal_angle(&self) -> T {
+        let turn = if self.turned { PI } else { 0.0 };
+        real::principal_angle(self.crush_plane + turn)
     }
 
     /// Unit normal n of the crush plane in the scene frame, oriented from vehicle 2 towards vehicle 1.

@@ -61,6 +61,13 @@ impl<T: Real> Outcome<T> {
         [pdof(f1, self.impulse_vector), pdof(f2, -self.impulse_vector)]
     }
 
+    /// (rad/s) ω_1 − ω_2 before impact, and Ω_1 − Ω_2 after it.
+    #[inline(always)]
+    #[must_use]
+    pub fn relative_yaw_rate(&self) -> [T; 2] {
+        [relative_yaw_rate(&self.before), relative_yaw_rate(&self.after)]
+    }
+
     /// (m/s) |ΔV| of both vehicles.
     #[inline(always)]
     #[must_use]
@@ -129,12 +136,12 @@ fn tangential_work<T: Real>(
 #[inline(always)]
 fn moment_work<T: Real>(before: &[Motion<T>; 2], moment: T, after: &[Motion<T>; 2]) -> T {
     // W_m = −½ M (ω₁ − ω₂ + Ω₁ − Ω₂)
-    -(moment * (spin(before) + spin(after))) * 0.5
+    -(moment * (relative_yaw_rate(before) + relative_yaw_rate(after))) * 0.5
 }
 
 /// (rad/s) yaw rate of vehicle 1 relative to vehicle 2.
 #[inline(always)]
-fn spin<T: Real>([one, two]: &[Motion<T>; 2]) -> T {
+fn relative_yaw_rate<T: Real>([one, two]: &[Motion<T>; 2]) -> T {
     one.yaw_rate - two.yaw_rate
 }
 
@@ -145,7 +152,7 @@ fn creates_energy<T: Real>(outcome: &Outcome<T>, law: &Law<T>) -> bool {
     let mut exchanged = p.normal.abs() * (u.normal.abs() + v.normal.abs())
         + p.tangential.abs() * (u.tangential.abs() + v.tangential.abs());
     if law.has_moment() {
-        let [before, after] = [spin(&outcome.before), spin(&outcome.after)];
+        let [before, after] = outcome.relative_yaw_rate();
         exchanged += outcome.moment_impulse.abs() * (before.abs() + after.abs());
     }
     outcome.energy.loss < -(exchanged * ENERGY_ROUNDING)

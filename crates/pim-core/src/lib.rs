@@ -38,6 +38,7 @@
 //!
 //! | code | symbol | meaning | unit |
 //! |---|---|---|---|
+//! | `crush_plane`, `normal_angle` | Γ | scene angle of the crush plane's normal: as given, and that of n | rad |
 //! | `forward` | (cos θ, sin θ) | unit vector of the vehicle's own forward axis | – |
 //! | `arm`, `arms` | r_i | vector from CG_i to C; in n–t axes (d_d, d_c) and (d_b, d_a) of the paper's Eq 2 | m |
 //! | `inverse_mass` | K | contact inverse-mass matrix, U = u + K P | 1/kg |

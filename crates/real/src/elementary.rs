@@ -293,6 +293,17 @@ pub fn exp(x: f64) -> f64 {
     power * first * second
 }
 
+/// The least integer that is not below x: exact, with the sign of x where it is zero. Infinities and NaN stay what they are.
+#[inline(always)]
+#[must_use]
+pub fn ceil(x: f64) -> f64 {
+    let size = x.abs();
+    // Beyond 2⁵² every number is an integer; below, the sum has no room for a fraction.
+    let nearest = if size < TWO_TO_52 { (size + TWO_TO_52) - TWO_TO_52 } else { size };
+    let nearest = nearest.copysign(x);
+    if nearest < x { (nearest + 1.0).copysign(x) } else { nearest }
+}
+
 /// Two numbers with the ratio of `least` ≤ `most`, such that a sum of them is finite and a product with their ratio keeps its low bits.
 ///
 /// Two infinities count as equal, two zeros as 0/1. Where `most` is finite the scaling is exact, except where the ratio is below

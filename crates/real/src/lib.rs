@@ -26,6 +26,7 @@
 //! | [`gradients`], [`Traced`] | the derivatives by all inputs at once, of a formula that is evaluated on numbers that remember what they were computed from |
 //! | [`elementary::sin_cos`] | sine and cosine of an angle in radians, up to [`elementary::SIN_COS_LIMIT`] |
 //! | [`elementary::atan2`] | angle of a vector in radians, over all of `f64` |
+//! | [`principal_angle`] | the same direction in (−π, π] |
 //! | [`elementary::ln`], [`elementary::exp`] | natural logarithm and exponential, over all of `f64`; for sampling, not part of [`Real`] |
 //!
 //! # Same bits everywhere
@@ -48,10 +49,12 @@
 //! No logarithm or exponential of a [`Real`], no power: only what the equations use. No `f64 * T`: write the constant on the right, `x * 0.5`.
 //! No complex numbers, no `f32`, and no reduction of angles beyond [`elementary::SIN_COS_LIMIT`].
 
+mod angle;
 mod dual;
 pub mod elementary;
 mod traced;
 
+pub use angle::principal_angle;
 pub use dual::Dual;
 pub use traced::{Gradient, Traced, gradients};
 

@@ -4,7 +4,7 @@
 
 use astro_float_num::{BigFloat, Consts, RoundingMode, WORD_BIT_SIZE};
 use proptest::prelude::{ProptestConfig, Strategy, any, prop_assert, prop_assert_eq, proptest};
-use real::elementary::{SIN_COS_LIMIT, atan2, exp, ln, sin_cos};
+use real::elementary::{SIN_COS_LIMIT, atan2, ceil, exp, ln, sin_cos};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, LN_2, PI, SQRT_2};
 use std::hint::black_box;
 
@@ -502,6 +502,21 @@ fn ln_and_exp_of_special_values() {
 }
 
 /// Any bits at all: infinities, NaN and subnormal numbers too.
+#[test]
+fn ceil_is_that_of_the_standard_library() {
+    let mut random = Random(11);
+    let special = [0.0, 0.5, 1.0, 1.5, 2.5, f64::MIN_POSITIVE, f64::from_bits(1), f64::MAX, f64::INFINITY];
+    let large = [51, 52, 53].map(|power| 2.0_f64.powi(power));
+    let near = large.into_iter().chain([1.0, 2.0, 3.0]).flat_map(|x| neighbours(x, 3));
+    let drawn: Vec<f64> = (0..100_000).map(|_| random.with_exponent(1003, 1076)).collect();
+    for x in special.into_iter().chain(near).chain(drawn) {
+        for x in [x, -x] {
+            assert_eq!(ceil(x).to_bits(), x.ceil().to_bits(), "at {x}");
+        }
+    }
+    assert!(ceil(f64::NAN).is_nan());
+}
+
 fn any_bits() -> impl Strategy<Value = f64> {
     any::<u64>().prop_map(f64::from_bits)
 }

@@ -55,12 +55,49 @@ impl<T: Real> Problem<'_, T> {
     /// Where W_n has the value sought, under a law without a limit.
     #[inline(always)]
     pub(crate) fn approaches(&self) -> Approaches<T> {
-        // P_n(x) = α x + β
+        self.unlimited().approaches()
+    }
+
+    /// W_n as a quadratic of the approach speed, or `None` under a law that has no closed form: what the closed form is solved from.
+    #[must_use]
+    pub fn quadratic(&self) -> Option<Quadratic<T>> {
+        self.has_closed_form().then(|| self.unlimited())
+    }
+
+    /// The same under a law that is known to have one.
+    #[inline(always)]
+    fn unlimited(&self) -> Quadratic<T> {
         let k = self.contact.inverse_mass();
         let push = |x: T| self.law.impulse(&k, self.line.at(x)).linear.normal;
+        // P_n(x) = α x + β
         let beta = push(T::ZERO);
         let alpha = push(T::ONE) - beta;
-        Approaches::new(alpha, beta, self.sought(&self.law), self.law.restitution())
+        // c = 2 W_n/(1−e)
+        let c = self.sought(&self.law) * 2.0 / (T::ONE - self.law.restitution());
+        Quadratic { alpha, beta, c }
+    }
+}
+
+/// The condition on the approach speed x = −u_n where P_n is affine in it: with W_n = ½ (1−e) x P_n and P_n = α x + β it is α x² + β x = c.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quadratic<T = f64> {
+    /// (kg) α = dP_n/dx.
+    pub alpha: T,
+    /// (N·s) β = P_n where the vehicles just touch, x = 0.
+    pub beta: T,
+    /// (J) c = 2 W_n/(1−e), with the normal work sought.
+    pub c: T,
+}
+
+impl<T: Real> Quadratic<T> {
+    #[inline(always)]
+    fn approaches(&self) -> Approaches<T> {
+        let Self { alpha, beta, c } = *self;
+        // α x² + β x − c = 0; since c > 0, x > 0 means P_n > 0
+        // q = −½ (β ± √…) with the sign that does not cancel; the roots are q/α and −c/q.
+        let root = (beta * beta + alpha * c * 4.0).sqrt();
+        let q = -(if beta < T::ZERO { beta - root } else { beta + root }) * 0.5;
+        Approaches([q / alpha, -(c / q)])
     }
 }
 
@@ -69,17 +106,6 @@ impl<T: Real> Problem<'_, T> {
 pub(crate) struct Approaches<T>([T; 2]);
 
 impl<T: Real> Approaches<T> {
-    /// Where W_n = ½ (1−e) x P_n with P_n = α x + β.
-    #[inline(always)]
-    fn new(alpha: T, beta: T, energy: T, e: T) -> Self {
-        // α x² + β x − c = 0,  c = 2 W_n/(1−e); since c > 0, x > 0 means P_n > 0
-        let c = energy * 2.0 / (T::ONE - e);
-        // q = −½ (β ± √…) with the sign that does not cancel; the roots are q/α and −c/q.
-        let root = (beta * beta + alpha * c * 4.0).sqrt();
-        let q = -(if beta < T::ZERO { beta - root } else { beta + root }) * 0.5;
-        Self([q / alpha, -(c / q)])
-    }
-
     /// Those that are positive, the least first.
     pub(crate) fn ascending(self) -> impl Iterator<Item = T> {
         self.ordered().into_iter().filter(|x| is_root(*x))

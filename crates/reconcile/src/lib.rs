@@ -19,7 +19,18 @@
 //! ```
 //!
 //! The types: a [`Problem`] is a collision with one [`Unknown`] speed; solving it gives a [`Reconciliation`], which holds the speed, the
-//! impact at that speed, and the [`Method`] that found it. [`Problem::speeds`] lists all admissible speeds.
+//! impact at that speed, and the [`Method`] that found it. [`Problem::speeds`] lists all admissible speeds. The numbers on the way to a closed form are
+//! [`Problem::line`] and [`Problem::quadratic`].
+//!
+//! | code | symbol | meaning | unit |
+//! |---|---|---|---|
+//! | `x` | x = −u_n | approach speed | m/s |
+//! | `slope` | c_n, c_t | du/ds, by the speed s that is sought | – |
+//! | `at_rest` | u_n0, u_t,rest | u at the speed s = 0 | m/s |
+//! | `tangential_slope` | τ | du_t/dx | – |
+//! | `tangential_at_touch` | u_t0 | u_t at x = 0 | m/s |
+//! | `alpha`, `beta` | α, β | P_n = α x + β in a [`Quadratic`] | kg, N·s |
+//! | `c` | c | 2 W_n/(1−e) | J |
 //!
 //! # Guarantees
 //!
@@ -43,6 +54,7 @@ mod answer;
 mod brent;
 mod closed_form;
 mod error;
+mod line;
 mod nearest;
 mod pieces;
 mod polynomial;
@@ -50,6 +62,8 @@ mod problem;
 
 pub use answer::{FASTEST, Iteration, Iterations, Method, Reconciliation};
 pub use brent::{MAX_STEPS, RootError, brent};
+pub use closed_form::Quadratic;
 pub use crash3::EnergyBasis;
 pub use error::ReconcileError;
+pub use line::ApproachLine;
 pub use problem::{Problem, Unknown};

@@ -320,10 +320,13 @@ impl Problem<'_, f64> {
         let g = self.moment_jam(&critical, f);
         let moment = self.law.moment_restitution();
         if moment == 0.0 {
-            return (critical.normal * (k.mm * change + Polynomial::new([k.nm * self.line.spin])), g);
+            return (
+                critical.normal * (k.mm * change + Polynomial::new([k.nm * self.line.relative_yaw_rate])),
+                g,
+            );
         }
         let n = k.nm * critical.normal + (f * k.tm) * critical.tangential;
-        let turning = self.line.spin * d + change * n;
+        let turning = self.line.relative_yaw_rate * d + change * n;
         let share = (1.0 + moment) * k.nm;
         (critical.normal * (change * g + share * turning), d * g)
     }

@@ -8,6 +8,7 @@ use pim_core::{
 
 use crate::answer::{Method, Reconciliation, Search, is_too_fast};
 use crate::error::ReconcileError;
+use crate::line::ApproachLine;
 
 /// Where the cosine between heading and crush plane normal is below this, rounding of the angles decides what the speed does.
 const LEAST_COSINE: f64 = 1e-9;
@@ -64,49 +65,6 @@ pub struct Problem<'a, T = f64> {
     pub(crate) line: ApproachLine<T>,
 }
 
-/// How the relative velocity at C depends on the approach speed x = −u_n: u = (−x, u_t), u_t affine in x.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ApproachLine<T> {
-    /// u at the speed s = 0.
-    pub(crate) at_rest: NormalTangential<T>,
-    /// ω_1 − ω_2, which the speed leaves alone.
-    pub(crate) spin: T,
-    /// du/ds.
-    pub(crate) slope: NormalTangential<T>,
-}
-
-impl<T: Real> ApproachLine<T> {
-    #[inline(always)]
-    fn tangential_slope(&self) -> T {
-        // du_t/dx = −w_t/w_n
-        -self.slope.tangential / self.slope.normal
-    }
-
-    /// u_t at x = 0.
-    #[inline(always)]
-    fn tangential_at_touch(&self) -> T {
-        // u_t(x) = u_t(s=0) − (x + u_n(s=0)) w_t/w_n
-        self.at_rest.tangential + self.at_rest.normal * self.tangential_slope()
-    }
-
-    /// The approach at the approach speed x.
-    #[inline(always)]
-    pub(crate) fn at(&self, x: T) -> Approach<T> {
-        let velocity = NormalTangential {
-            normal: -x,
-            tangential: self.tangential_at_touch() + x * self.tangential_slope(),
-        };
-        Approach { velocity, spin: self.spin }
-    }
-
-    /// s for the approach speed x.
-    #[inline(always)]
-    pub(crate) fn speed(&self, x: T) -> T {
-        // s = −(x + u_n(s=0))/w_n
-        -(x + self.at_rest.normal) / self.slope.normal
-    }
-}
-
 impl<'a, T: Real> Problem<'a, T> {
     /// The speed of `unknown` along its heading is to make W_n equal `crush_energy` (J, of both vehicles) on `basis`.
     /// The velocity that `motions` gives for that vehicle is not used; its yaw rate is.
@@ -140,7 +98,7 @@ impl<'a, T: Real> Problem<'a, T> {
         basis: EnergyBasis,
     ) -> (Self, bool) {
         let motions = unknown.with_velocity(motions, Vector2::new(T::ZERO, T::ZERO));
-        let Approach { velocity: at_rest, spin } = contact.approach(&motions);
+        let Approach { velocity: at_rest, spin: relative_yaw_rate } = contact.approach(&motions);
         let participant = unknown.of(*contact.participants());
         // u is vehicle 1 relative to vehicle 2, so that vehicle 2's speed counts against it.
         let forward = contact.resolve(participant.forward());
@@ -148,7 +106,7 @@ impl<'a, T: Real> Problem<'a, T> {
             Unknown::Speed1 => forward,
             Unknown::Speed2 => NormalTangential { normal: -forward.normal, tangential: -forward.tangential },
         };
-        let line = ApproachLine { at_rest, spin, slope };
+        let line = ApproachLine { at_rest, slope, relative_yaw_rate };
         let problem = Self { contact, law, restitution: None, motions, unknown, crush_energy, basis, line };
         let makes_sense = !participant.body().is_fixed()
             & (crush_energy > T::ZERO)
@@ -181,6 +139,13 @@ impl<'a, T: Real> Problem<'a, T> {
     #[must_use]
     pub fn with_restitution_curve(self, curve: impl Into<Option<&'a RestitutionCurve<T>>>) -> Self {
         Self { restitution: curve.into(), ..self }
+    }
+
+    /// How the relative velocity at C depends on the speed.
+    #[inline(always)]
+    #[must_use]
+    pub fn line(&self) -> ApproachLine<T> {
+        self.line
     }
 
     /// (m/s) the speed at which the vehicles just touch: u_n = 0.
