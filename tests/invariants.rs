@@ -126,7 +126,7 @@ fn the_contact_moves_after_the_impact_as_the_vehicles_do() {
         let after = contact.inverse_mass().separation(before, outcome.impulse, outcome.moment_impulse);
         let [w1, w2] = effects.yaw_rates;
         let size = scale.yaw_rates[0] + scale.yaw_rates[1];
-        assert_close("Ω₁ − Ω₂", after.spin, w1 - w2, size * ROUNDING);
+        assert_close("Ω₁ − Ω₂", after.relative_yaw_rate, w1 - w2, size * ROUNDING);
         assert_close("U_n", after.velocity.normal, effects.separation[0], scale.velocity * ROUNDING);
         assert_close("U_t", after.velocity.tangential, effects.separation[1], scale.velocity * ROUNDING);
         true

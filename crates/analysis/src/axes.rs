@@ -90,6 +90,7 @@ impl Impact {
     fn mirrored(&self) -> Self {
         Self {
             contact: self.contact.mirrored(),
+            given_law: self.given_law.mirrored(),
             law: self.law.mirrored(),
             outcome: self.outcome.mirrored(),
             pdof: self.pdof,

@@ -2,8 +2,8 @@
 
 use case::{Evidence, InferredWidth, Subject};
 use crash3::{
-    CrushError, CrushRange, EnergyBasis, Inertia, ObliqueCorrection, ObliqueFactor, Profile, Structure,
-    UniformCrush,
+    CrushError, CrushRange, EnergyBasis, ObliqueCorrection, ObliqueFactor, Profile, SideStiffness,
+    StruckVehicle, UniformCrush,
 };
 
 use pim_core::Real;
@@ -20,7 +20,7 @@ pub struct Damage<T = f64> {
     /// What the crush was inferred to be, where it was not measured.
     pub inferred: Option<Inferred<T>>,
     /// The stiffness.
-    pub structure: Structure<T>,
+    pub structure: SideStiffness<T>,
     /// (J) crush energy, uncorrected.
     pub crush_energy: T,
     /// (m/s) energy equivalent speed of the uncorrected crush energy.
@@ -159,7 +159,7 @@ fn vehicle<T: Real>(
             };
             let UniformCrush { width, depth, .. } = inferred.crush;
             let profile = Profile::equally_spaced(vec![depth; 2], width)?;
-            (profile, Structure::Uniform(*stiffness), Some(inferred))
+            (profile, SideStiffness::Uniform(*stiffness), Some(inferred))
         }
     };
     let centroid = match (given.moment_arm, subject.contact, &given.face) {
@@ -212,7 +212,7 @@ pub(crate) fn crash3(
 ) -> Result<Option<Crash3>, CrushError> {
     let mut crush_energy = 0.0;
     let mut corrected_energy = Some(0.0);
-    let mut inertias = [Inertia::fixed(); 2];
+    let mut inertias = [StruckVehicle::fixed(); 2];
     let mut moment_arm = [0.0; 2];
     for (i, vehicle) in vehicles.iter().enumerate() {
         let Some(inertia) = vehicle.subject.inertia else { continue };
@@ -221,7 +221,7 @@ pub(crate) fn crash3(
         corrected_energy =
             corrected_energy.zip(damage.oblique).map(|(sum, oblique)| sum + oblique.corrected_crush_energy);
         moment_arm[i] = damage.moment_arm;
-        inertias[i] = Inertia::new(inertia.mass, inertia.yaw_inertia, damage.moment_arm)?;
+        inertias[i] = StruckVehicle::new(inertia.mass, inertia.yaw_inertia, damage.moment_arm)?;
     }
     let corrected = match corrected_energy {
         Some(crush_energy) => {
@@ -265,7 +265,7 @@ fn friction_limits(vehicles: &[Vehicle; 2]) -> [f64; 2] {
 fn corrected_by(
     corrections: [ObliqueCorrection; 2],
     vehicles: &[Vehicle; 2],
-    inertias: [Inertia; 2],
+    inertias: [StruckVehicle; 2],
 ) -> Result<Option<Correction>, CrushError> {
     let mut crush_energy = 0.0;
     let mut factor = [1.0; 2];

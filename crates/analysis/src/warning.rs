@@ -553,7 +553,8 @@ fn of_jumps(impact: &Impact, warnings: &mut Vec<Warning>) {
             continue;
         }
         // Where one side has no answer, there are no two answers to choose from.
-        let [(one, true), (other, true)] = border.laws.map(|law| contact.attempt(before, &law)) else {
+        let [(one, true), (other, true)] = border.laws.map(|law| contact.impact_with_validity(before, &law))
+        else {
             continue;
         };
         if step(contact, [&one, &other]) > JUMP {

@@ -6,14 +6,14 @@ use crate::error::{self, CrushError};
 
 /// What the velocity change of a vehicle depends on, besides the energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inertia<T = f64> {
+pub struct StruckVehicle<T = f64> {
     inverse_mass: T,
     square_radius: T,
     effective_mass_ratio: T,
     inverse_effective_mass: T,
 }
 
-impl<T: Real> Inertia<T> {
+impl<T: Real> StruckVehicle<T> {
     /// A vehicle of mass m (kg) and yaw inertia I (kg·m²) that is hit by a force whose line of action passes its CG
     /// at the distance h = `moment_arm` (m).
     ///
@@ -69,7 +69,7 @@ impl<T: Real> Inertia<T> {
 ///
 /// # Errors
 /// Where the energy is negative or not finite, or both vehicles are fixed.
-pub fn delta_v<T: Real>(energy: T, vehicles: [Inertia<T>; 2]) -> Result<[T; 2], CrushError> {
+pub fn delta_v<T: Real>(energy: T, vehicles: [StruckVehicle<T>; 2]) -> Result<[T; 2], CrushError> {
     error::not_negative("crush energy", energy.value())?;
     let [v1, v2] = vehicles;
     let inverse = v1.inverse_effective_mass + v2.inverse_effective_mass;

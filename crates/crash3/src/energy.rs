@@ -4,7 +4,7 @@ use real::Real;
 
 use crate::error::{self, CrushError};
 use crate::profile::{Profile, Zone};
-use crate::stiffness::{Saturation, Stiffness, Structure};
+use crate::stiffness::{Saturation, SideStiffness, Stiffness};
 
 /// (J) the energy that made the crush: the integral of A + B C over depth and width, for a profile that is linear
 /// between its stations.
@@ -138,7 +138,7 @@ pub fn zone_force<T: Real>(zone: Zone<T>, stiffness: &Stiffness<T>) -> T {
     }
 }
 
-impl<T: Real> Structure<T> {
+impl<T: Real> SideStiffness<T> {
     /// (J) the energy that made the crush: [`crush_energy`], zone by zone where the stiffness differs along the side.
     ///
     /// # Errors

@@ -123,7 +123,7 @@ fn of_normal_force<T: Real>(
 ) -> Result<UniformCrush<T>, CrushError> {
     let (a, b, g) = (stiffness.a(), stiffness.b(), stiffness.g());
     let force_per_width = normal / width;
-    if let Some(limit) = stiffness.limit()
+    if let Some(limit) = stiffness.saturation_force()
         // A width that was computed from the limit itself is one rounding off.
         && force_per_width.value() > limit.value() * (1.0 + f64::EPSILON * 4.0)
     {

@@ -33,7 +33,7 @@ impl<T: Real> Zone<T> {
     /// Whether it can be part of a profile: its width is greater than zero, and no depth is negative.
     #[inline(always)]
     #[must_use]
-    pub fn is_possible(&self) -> bool {
+    pub fn is_valid(&self) -> bool {
         let [c1, c2] = self.depths.map(T::value);
         error::positive("spacing between stations", self.width.value()).is_ok()
             & error::not_negative("crush depth", c1).is_ok()

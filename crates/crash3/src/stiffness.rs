@@ -11,7 +11,7 @@ pub struct Stiffness<T = f64> {
     a: T,
     b: T,
     g: T,
-    limit: Option<T>,
+    saturation_force: Option<T>,
 }
 
 impl<T: Real> Stiffness<T> {
@@ -35,16 +35,16 @@ impl<T: Real> Stiffness<T> {
     /// Where one of them is negative or not finite.
     #[inline(always)]
     pub fn from_abg(a: T, b: T, g: T) -> Result<Self, CrushError> {
-        let stiffness = Self { a, b, g, limit: None };
+        let stiffness = Self { a, b, g, saturation_force: None };
         stiffness.check()?;
         Ok(stiffness)
     }
 
-    /// The same without a reason, for loops over many samples: the stiffness, and whether there can be one.
+    /// Like [`from_abg`](Self::from_abg), but returns a validity flag in place of an error, so that loops over many samples vectorise.
     #[inline(always)]
     #[must_use]
-    pub fn pose_abg(a: T, b: T, g: T) -> (Self, bool) {
-        let stiffness = Self { a, b, g, limit: None };
+    pub fn from_abg_with_validity(a: T, b: T, g: T) -> (Self, bool) {
+        let stiffness = Self { a, b, g, saturation_force: None };
         (stiffness, stiffness.check().is_ok())
     }
 
@@ -98,23 +98,23 @@ impl<T: Real> Stiffness<T> {
         self.g
     }
 
-    /// The same structure with a force per width that rises no further than F_s = `limit` (N/m).
+    /// The same stiffness with a force per width that saturates: it rises no further than `force`, F_s (N/m).
     ///
     /// # Errors
-    /// Where the limit is below A or not finite.
-    pub fn with_limit(self, limit: T) -> Result<Self, CrushError> {
-        error::finite("limit of the force per width", limit.value())?;
-        if limit.value() < self.a.value() {
-            return Err(CrushError::LimitBelowStart { limit: limit.value(), a: self.a.value() });
+    /// Where the force is below A or not finite.
+    pub fn with_saturation_force(self, force: T) -> Result<Self, CrushError> {
+        error::finite("limit of the force per width", force.value())?;
+        if force.value() < self.a.value() {
+            return Err(CrushError::LimitBelowStart { limit: force.value(), a: self.a.value() });
         }
-        Ok(Self { limit: Some(limit), ..self })
+        Ok(Self { saturation_force: Some(force), ..self })
     }
 
-    /// (N/m) F_s, the force per width beyond which the structure yields without a further rise.
+    /// (N/m) F_s, the force per width beyond which the structure yields without a further rise: key `limit` of a case.
     #[inline(always)]
     #[must_use]
-    pub fn limit(&self) -> Option<T> {
-        self.limit
+    pub fn saturation_force(&self) -> Option<T> {
+        self.saturation_force
     }
 
     /// (N/m) the force per width at the depth C (m).
@@ -123,17 +123,17 @@ impl<T: Real> Stiffness<T> {
     pub fn force_per_width(&self, depth: T) -> T {
         // f = min(A + B C, F_s)
         let rising = self.a + self.b * depth;
-        match self.limit {
-            Some(limit) if rising.value() > limit.value() => limit,
+        match self.saturation_force {
+            Some(force) if rising.value() > force.value() => force,
             _ => rising,
         }
     }
 
-    /// Where the force per width reaches its limit; `None` where it never does.
+    /// Where the force per width saturates; `None` where it never does.
     #[inline(always)]
     #[must_use]
     pub fn saturation(&self) -> Option<Saturation<T>> {
-        match self.limit {
+        match self.saturation_force {
             // C_s = (F_s − A)/B
             Some(force) if self.b.value() > 0.0 => {
                 Some(Saturation { force, depth: (force - self.a) / self.b })
@@ -154,7 +154,7 @@ pub struct Saturation<T = f64> {
 
 /// What a damaged side resists with: the same stiffness all along, or one for each zone between two stations.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Structure<T = f64> {
+pub enum SideStiffness<T = f64> {
     /// The same everywhere.
     Uniform(Stiffness<T>),
     /// One for each interval between neighbouring stations, in their order.

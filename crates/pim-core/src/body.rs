@@ -28,10 +28,10 @@ impl<T: Real> Body<T> {
         Ok(body)
     }
 
-    /// The same without a reason, for loops over many samples: the body, and whether there can be one.
+    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many samples vectorise.
     #[inline(always)]
     #[must_use]
-    pub fn pose(mass: T, yaw_inertia: T) -> (Self, bool) {
+    pub fn new_with_validity(mass: T, yaw_inertia: T) -> (Self, bool) {
         let body = Self::of(mass, yaw_inertia);
         (body, body.check().is_ok())
     }
@@ -139,10 +139,10 @@ impl<T: Real> Participant<T> {
         Ok(Self::of(body, heading, forward, left))
     }
 
-    /// The same without a reason, for loops over many samples: the participant, and whether there can be one.
+    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many samples vectorise.
     #[inline(always)]
     #[must_use]
-    pub fn pose(body: Body<T>, heading: T, forward: T, left: T) -> (Self, bool) {
+    pub fn new_with_validity(body: Body<T>, heading: T, forward: T, left: T) -> (Self, bool) {
         (Self::of(body, heading, forward, left), Self::check(heading, forward, left).is_ok())
     }
 

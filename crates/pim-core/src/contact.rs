@@ -63,7 +63,7 @@ pub struct Approach<T = f64> {
     /// (m/s) u, velocity of vehicle 1 relative to vehicle 2 at C.
     pub velocity: NormalTangential<T>,
     /// (rad/s) ω_1 − ω_2, yaw rate of vehicle 1 relative to vehicle 2.
-    pub spin: T,
+    pub relative_yaw_rate: T,
 }
 
 impl<T: Real> InverseMass<T> {
@@ -99,7 +99,10 @@ impl<T: Real> InverseMass<T> {
         Approach {
             velocity: self.separation_velocity(approach.velocity, p, moment),
             // Ω₁ − Ω₂ = ω₁ − ω₂ + k_nm P_n + k_tm P_t + k_mm M
-            spin: approach.spin + self.nm * p.normal + self.tm * p.tangential + self.mm * moment,
+            relative_yaw_rate: approach.relative_yaw_rate
+                + self.nm * p.normal
+                + self.tm * p.tangential
+                + self.mm * moment,
         }
     }
 
@@ -142,16 +145,16 @@ impl<T: Real> Contact<T> {
     /// Where Γ is not finite, both bodies are fixed, or the normal cannot be oriented.
     #[inline(always)]
     pub fn new(participants: [Participant<T>; 2], crush_plane: T) -> Result<Self, InvalidInput> {
-        match Self::pose(participants, crush_plane) {
+        match Self::new_with_validity(participants, crush_plane) {
             (contact, true) => Ok(contact),
             _ => Err(Self::impossible(&participants, crush_plane)),
         }
     }
 
-    /// The same without a reason, for loops over many samples: the contact, and whether there can be one.
+    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many samples vectorise.
     #[inline(always)]
     #[must_use]
-    pub fn pose(participants: [Participant<T>; 2], crush_plane: T) -> (Self, bool) {
+    pub fn new_with_validity(participants: [Participant<T>; 2], crush_plane: T) -> (Self, bool) {
         let [p1, p2] = &participants;
         let (sin, cos) = crush_plane.sin_cos();
         let n = Vector2::new(cos, sin);
@@ -257,7 +260,7 @@ impl<T: Real> Contact<T> {
                 normal: v.normal - m1.yaw_rate * r1.tangential + m2.yaw_rate * r2.tangential,
                 tangential: v.tangential + m1.yaw_rate * r1.normal - m2.yaw_rate * r2.normal,
             },
-            spin: m1.yaw_rate - m2.yaw_rate,
+            relative_yaw_rate: m1.yaw_rate - m2.yaw_rate,
         }
     }
 

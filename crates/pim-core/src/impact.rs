@@ -170,17 +170,18 @@ impl<T: Real> Contact<T> {
     /// coefficients create energy, or a motion is not one that the body can have.
     pub fn impact(&self, motions: [Motion<T>; 2], law: &Law<T>) -> Result<Outcome<T>, ImpactError> {
         self.check(&motions)?;
-        match self.attempt(motions, law) {
+        match self.impact_with_validity(motions, law) {
             (outcome, true) => Ok(outcome),
             _ => Err(self.refusal(motions, law)),
         }
     }
 
-    /// What the law's conditions give, and whether a collision can do that: [`impact`](Self::impact) without a reason and, for bodies
-    /// and laws of a known kind, without a branch, for loops over many samples. A fixed body has to be at rest.
+    /// Like [`impact`](Self::impact), but returns what the law's conditions give and a validity flag in place of an error, so that loops over many
+    /// samples vectorise: for bodies and laws of a known kind there is no branch. The flag says whether a collision can do that. A fixed body
+    /// has to be at rest.
     #[inline(always)]
     #[must_use]
-    pub fn attempt(&self, motions: [Motion<T>; 2], law: &Law<T>) -> (Outcome<T>, bool) {
+    pub fn impact_with_validity(&self, motions: [Motion<T>; 2], law: &Law<T>) -> (Outcome<T>, bool) {
         let approach = self.approach(&motions);
         let solution = law.solve(&self.inverse_mass, approach);
         let pushes = (approach.velocity.normal < T::ZERO) & law.pushes(&solution);
@@ -192,7 +193,7 @@ impl<T: Real> Contact<T> {
         (outcome, possible)
     }
 
-    /// Why what [`attempt`](Self::attempt) gives is not possible.
+    /// Why what [`impact_with_validity`](Self::impact_with_validity) gives is not possible.
     #[cold]
     fn refusal(&self, motions: [Motion<T>; 2], law: &Law<T>) -> ImpactError {
         let approach = self.approach(&motions);

@@ -81,10 +81,10 @@ impl<T: Real> Law<T> {
         Ok(law)
     }
 
-    /// The same without a reason, for loops over many samples: the law, and whether there can be one.
+    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many samples vectorise.
     #[inline(always)]
     #[must_use]
-    pub fn pose(restitution: T, tangential: Tangential<T>) -> (Self, bool) {
+    pub fn new_with_validity(restitution: T, tangential: Tangential<T>) -> (Self, bool) {
         let law = Self { restitution, tangential, moment_restitution: -T::ONE };
         (law, law.check().is_ok())
     }
@@ -398,9 +398,9 @@ impl<T: Real> Conditions<'_, T> {
         }
         let k = self.k;
         let correction = correction();
-        let spin = |p: NormalTangential<T>| k.nm * p.normal + k.tm * p.tangential;
+        let turn = |p: NormalTangential<T>| k.nm * p.normal + k.tm * p.tangential;
         // Ω₁ − Ω₂ = (ω₁ − ω₂) + k_m·(P₀ + M P′) + k_mm M = 0
-        let common = -(self.approach.spin + spin(plain)) / (k.mm + spin(correction));
+        let common = -(self.approach.relative_yaw_rate + turn(plain)) / (k.mm + turn(correction));
         // M = (1 + e_m) M_c
         let moment = (self.moment + 1.0) * common;
         LawImpulse {

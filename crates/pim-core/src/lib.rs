@@ -56,7 +56,7 @@
 //! # Which impact law?
 //!
 //! [`Law`] has the table: each row's two conditions, its source, when it fits, and what it assumes of the tangential direction. Where restitution depends on
-//! the closing speed, a [`RestitutionCurve`] gives the law its coefficient.
+//! the closing speed, a [`RestitutionCurve`] makes the law a [`VaryingLaw`].
 //!
 //! `examples/impact.rs` is the paper's impact forward, `examples/laws.rs` one geometry under several laws.
 //!
@@ -88,4 +88,4 @@ pub use impact::{Energy, Outcome, normal_work, pdof};
 pub use law::{Law, LawImpulse, Regime, Tangential};
 pub use nalgebra::{self, Vector2};
 pub use real::Real;
-pub use restitution::RestitutionCurve;
+pub use restitution::{RestitutionCurve, VaryingLaw};

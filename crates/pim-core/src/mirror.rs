@@ -12,6 +12,7 @@ use crate::contact::{Contact, InverseMass, NormalTangential};
 use crate::error::{ImpactError, InvalidInput};
 use crate::impact::Outcome;
 use crate::law::Law;
+use crate::restitution::VaryingLaw;
 
 /// Not −value, which of nothing would make a negative nothing.
 fn flipped<T: Real>(value: T) -> T {
@@ -70,6 +71,14 @@ impl<T: Real> Law<T> {
             unsigned => unsigned,
         };
         Self { tangential, ..*self }
+    }
+}
+
+impl<T: Real> VaryingLaw<T> {
+    /// The same law in axes of the other handedness.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        Self { nominal: self.nominal.mirrored(), curve: self.curve.clone() }
     }
 }
 

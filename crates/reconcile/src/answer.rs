@@ -85,14 +85,14 @@ pub(crate) fn is_too_fast<T: Real>(speed: T) -> bool {
 
 /// Judges the speeds that give the energy, in the order of their approach.
 pub(crate) struct Search<'a, T> {
-    problem: &'a Problem<'a, T>,
+    problem: &'a Problem<T>,
     first: Option<(T, Law<T>, Outcome<T>, Method)>,
     admissible: usize,
     refused: Option<ReconcileError>,
 }
 
 impl<'a, T: Real> Search<'a, T> {
-    pub(crate) fn new(problem: &'a Problem<'a, T>) -> Self {
+    pub(crate) fn new(problem: &'a Problem<T>) -> Self {
         Self { problem, first: None, admissible: 0, refused: None }
     }
 
@@ -128,7 +128,7 @@ impl<'a, T: Real> Search<'a, T> {
             }
             None => Err(self.refused.unwrap_or(ReconcileError::NotReached {
                 vehicle: problem.vehicle(),
-                energy: problem.sought(&problem.law).value(),
+                energy: problem.normal_work_sought().value(),
             })),
         }
     }

@@ -11,7 +11,14 @@
 //! let motions = [Motion::rest(), Motion::along(67_f64.to_radians(), 4.4704)];
 //! let law = Law::new(0.3, Tangential::Critical)?;
 //!
-//! let problem = Problem::new(contact, law, motions, Unknown::Speed1, 1.41e5, EnergyBasis::Dissipated)?;
+//! let problem = Problem {
+//!     contact,
+//!     law: law.into(),
+//!     motions,
+//!     unknown: Unknown::Speed1,
+//!     crush_energy: 1.41e5,
+//!     basis: EnergyBasis::Dissipated,
+//! };
 //! let answer = problem.solve()?;
 //! assert!((answer.speed - 22.9).abs() < 0.05); // the paper: 22.9 m/s
 //! assert!((answer.outcome.energy.normal_work - 1.41e5).abs() < 1e-3);
@@ -28,7 +35,7 @@
 //! | `slope` | c_n, c_t | du/ds, by the speed s that is sought | – |
 //! | `at_rest` | u_n0, u_t,rest | u at the speed s = 0 | m/s |
 //! | `tangential_slope` | τ | du_t/dx | – |
-//! | `tangential_at_touch` | u_t0 | u_t at x = 0 | m/s |
+//! | `tangential_at_zero_approach` | u_t0 | u_t at x = 0 | m/s |
 //! | `alpha`, `beta` | α, β | P_n = α x + β in a [`Quadratic`] | kg, N·s |
 //! | `c` | c | 2 W_n/(1−e) | J |
 //!
@@ -58,6 +65,7 @@ mod line;
 mod nearest;
 mod pieces;
 mod polynomial;
+mod posed;
 mod problem;
 
 pub use answer::{FASTEST, Iteration, Iterations, Method, Reconciliation};

@@ -25,7 +25,7 @@ impl<T: Real> ApproachLine<T> {
     /// (m/s) u_t0, the tangential velocity where the vehicles just touch, x = 0.
     #[inline(always)]
     #[must_use]
-    pub fn tangential_at_touch(&self) -> T {
+    pub fn tangential_at_zero_approach(&self) -> T {
         // u_t0 = u_t(s=0) + u_n(s=0) τ
         self.at_rest.tangential + self.at_rest.normal * self.tangential_slope()
     }
@@ -37,9 +37,9 @@ impl<T: Real> ApproachLine<T> {
         let velocity = NormalTangential {
             normal: -x,
             // u_t = u_t0 + τ x
-            tangential: self.tangential_at_touch() + x * self.tangential_slope(),
+            tangential: self.tangential_at_zero_approach() + x * self.tangential_slope(),
         };
-        Approach { velocity, spin: self.relative_yaw_rate }
+        Approach { velocity, relative_yaw_rate: self.relative_yaw_rate }
     }
 
     /// (m/s) the speed s that gives the approach speed x (m/s).

@@ -9,7 +9,7 @@ pub(super) use profile::share_below;
 
 use analysis::{Analysis, Damage, Vehicle};
 use case::{Case, Crush, Evidence};
-use crash3::{EnergyBasis, Profile, Structure, Yielding};
+use crash3::{EnergyBasis, Profile, SideStiffness, Yielding};
 
 use super::{Step, StepGroup, group, n, p, step};
 use crate::words;
@@ -38,13 +38,13 @@ pub(super) fn measured(vehicle: &Vehicle) -> Option<&Profile> {
 
 fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: usize) -> Vec<Step> {
     let mut steps = stiffness::steps(&damage.structure, &crush.stiffness, i);
-    if let (Some(inferred), Structure::Uniform(stiffness)) = (&damage.inferred, &damage.structure) {
+    if let (Some(inferred), SideStiffness::Uniform(stiffness)) = (&damage.inferred, &damage.structure) {
         steps.extend(inferred::steps(damage, inferred, stiffness, i));
         return steps;
     }
     let Some(profile) = measured(vehicle) else { return steps };
     match &damage.structure {
-        Structure::Uniform(stiffness) => {
+        SideStiffness::Uniform(stiffness) => {
             if profile.zones().all(|zone| zone.yielding(stiffness) == Yielding::Nowhere) {
                 steps.extend(profile::whole(profile, stiffness, damage.crush_energy, i));
             } else {
@@ -52,7 +52,7 @@ fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: usize) -> Vec<St
                 steps.extend(profile::zone_by_zone(zones, damage.crush_energy, i));
             }
         }
-        Structure::Zones(stiffnesses) => {
+        SideStiffness::Zones(stiffnesses) => {
             let zones = profile.zones().zip(stiffnesses.iter().copied());
             steps.extend(profile::zone_by_zone(zones, damage.crush_energy, i));
         }
@@ -65,7 +65,7 @@ fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: usize) -> Vec<St
 fn speeds(vehicle: &Vehicle, damage: &Damage, i: usize) -> Vec<Step> {
     let Some(inertia) = vehicle.subject.inertia else { return Vec::new() };
     let mut steps = Vec::new();
-    if let (Structure::Uniform(stiffness), Some(speed)) = (&damage.structure, vehicle.no_damage_speed()) {
+    if let (SideStiffness::Uniform(stiffness), Some(speed)) = (&damage.structure, vehicle.no_damage_speed()) {
         steps.push(step(
             format!("no-damage speed of vehicle {i}"),
             format!("b_0,{i}"),

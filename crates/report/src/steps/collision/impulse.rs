@@ -1,6 +1,5 @@
 //! The impulse at C, and what is left of the relative velocity.
 
-use case::Restitution;
 use pim_core::{Regime, Tangential};
 
 use super::super::{Step, angle, given, n, p, step};
@@ -10,24 +9,13 @@ use super::Collision;
 type Components = [(&'static str, String); 2];
 
 impl Collision<'_> {
-    /// (m/s, –) the points of e over the closing speed, where the file gives a curve.
-    fn curve(&self) -> Option<Vec<[f64; 2]>> {
-        match self.case.impact.as_ref()?.law.restitution()? {
-            Restitution::Constant(_) => None,
-            Restitution::OfClosingSpeed { speeds, values } => {
-                Some(speeds.iter().zip(values).map(|(speed, &e)| [speed.si(), e]).collect())
-            }
-        }
-    }
-
     /// e: a number of the file, or between two points of its curve.
     fn restitution(&self) -> Step {
         let e = self.impact.law.restitution();
         let plain = |name: &str| given(name, "e", e, "", "input");
-        let Some(points) = self.curve() else { return plain("coefficient of restitution") };
+        let Some(curve) = self.impact.given_law.curve() else { return plain("coefficient of restitution") };
         let normal = self.impact.outcome.approach.normal;
-        let around = points.windows(2).find(|pair| (pair[0][0]..pair[1][0]).contains(&-normal));
-        let Some(&[[slow, e_slow], [fast, e_fast]]) = around else {
+        let [Some((slow, e_slow)), Some((fast, e_fast))] = curve.around(-normal) else {
             return plain("coefficient of restitution, of the nearer end of its curve");
         };
         step(

@@ -85,7 +85,7 @@ impl Collision<'_> {
             n(e_t, ""),
             n(line.tangential_slope(), "")
         );
-        let at_touch = n(line.tangential_at_touch(), "m/s");
+        let at_touch = n(line.tangential_at_zero_approach(), "m/s");
         let beta = format!("{} · (1 + {}) · {at_touch} / {det}", n(k.nt, "1/kg"), n(e_t, ""));
         Some(Push {
             alpha: ("[k_tt (1 + e) + k_nt (1 + e_t) τ]/det K", alpha),
@@ -149,7 +149,7 @@ impl Collision<'_> {
                 "u_t0",
                 "u_t,rest + u_n0 τ",
                 format!("{} + {} · {}", n(at_rest.tangential, "m/s"), n(at_rest.normal, "m/s"), n(tau, "")),
-                line.tangential_at_touch(),
+                line.tangential_at_zero_approach(),
                 "m/s",
                 "theory 6",
             ),

@@ -1,7 +1,7 @@
 //! The force at maximum crush.
 
 use analysis::Damage;
-use crash3::{Profile, Saturation, Stiffness, Structure, Yielding, Zone, zone_force};
+use crash3::{Profile, Saturation, SideStiffness, Stiffness, Yielding, Zone, zone_force};
 
 use super::super::damage::share_below;
 use super::super::{Step, angle, n, step};
@@ -24,7 +24,7 @@ pub(super) fn steps(damage: &Damage, profile: &Profile, peak: f64, i: usize) -> 
     };
     let mut zones: Vec<(Zone, Stiffness)> = Vec::new();
     match &damage.structure {
-        Structure::Uniform(stiffness) if stiffness.limit().is_none() => {
+        SideStiffness::Uniform(stiffness) if stiffness.saturation_force().is_none() => {
             let sums = profile.sums();
             return vec![total(
                 format!("(A_{i} L_{i} + B_{i} S_1,{i})/cos α_{i}"),
@@ -37,8 +37,8 @@ pub(super) fn steps(damage: &Damage, profile: &Profile, peak: f64, i: usize) -> 
                 ),
             )];
         }
-        Structure::Uniform(stiffness) => zones.extend(profile.zones().map(|zone| (zone, *stiffness))),
-        Structure::Zones(stiffnesses) => zones.extend(profile.zones().zip(stiffnesses.iter().copied())),
+        SideStiffness::Uniform(stiffness) => zones.extend(profile.zones().map(|zone| (zone, *stiffness))),
+        SideStiffness::Zones(stiffnesses) => zones.extend(profile.zones().zip(stiffnesses.iter().copied())),
     }
     let mut steps: Vec<Step> =
         (1..).zip(&zones).map(|(j, (zone, stiffness))| of_zone(*zone, stiffness, i, j)).collect();

@@ -44,7 +44,7 @@ fn crushed(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: usize
     );
     let (name, symbol) = (format!("crush energy of vehicle {i}"), format!("E_{i}"));
     // At its limit the force per width no longer tells the depth.
-    let limited = stiffness.limit().is_some_and(|limit| a + b * depth > limit * (1.0 + 1e-9));
+    let limited = stiffness.saturation_force().is_some_and(|limit| a + b * depth > limit * (1.0 + 1e-9));
     let energy = if limited {
         given(name, symbol, damage.crush_energy, "J", "theory 5")
     } else {

@@ -1,28 +1,30 @@
 //! A, B and G, as they follow from what the file gives.
 
 use case::{StiffnessForm, StiffnessLine};
-use crash3::{Stiffness, Structure};
+use crash3::{SideStiffness, Stiffness};
 
 use super::super::{Step, given, n, p, step};
 use super::barrier_test;
 
-pub(super) fn steps(structure: &Structure, form: &StiffnessForm, i: usize) -> Vec<Step> {
+pub(super) fn steps(structure: &SideStiffness, form: &StiffnessForm, i: usize) -> Vec<Step> {
     match (structure, form) {
-        (Structure::Uniform(stiffness), StiffnessForm::Category(category)) => {
+        (SideStiffness::Uniform(stiffness), StiffnessForm::Category(category)) => {
             of_category(stiffness, *category, i)
         }
-        (Structure::Uniform(stiffness), StiffnessForm::Test(test)) => barrier_test::steps(stiffness, test, i),
-        (Structure::Uniform(stiffness), StiffnessForm::Line(line)) => {
+        (SideStiffness::Uniform(stiffness), StiffnessForm::Test(test)) => {
+            barrier_test::steps(stiffness, test, i)
+        }
+        (SideStiffness::Uniform(stiffness), StiffnessForm::Line(line)) => {
             of_line(stiffness, line, &i.to_string(), &format!("vehicle {i}"))
         }
-        (Structure::Zones(stiffnesses), StiffnessForm::Zones(lines)) => (1..)
+        (SideStiffness::Zones(stiffnesses), StiffnessForm::Zones(lines)) => (1..)
             .zip(stiffnesses.iter().zip(lines))
             .flat_map(|(j, (stiffness, line))| {
                 of_line(stiffness, line, &format!("{i},{j}"), &format!("vehicle {i}, zone {j}"))
             })
             .collect(),
         // Each zone has a line of its own, and nothing else has zones.
-        (Structure::Zones(_), _) | (_, StiffnessForm::Zones(_)) => Vec::new(),
+        (SideStiffness::Zones(_), _) | (_, StiffnessForm::Zones(_)) => Vec::new(),
     }
 }
 
@@ -50,7 +52,7 @@ fn of_line(stiffness: &Stiffness, line: &StiffnessLine, i: &str, whose: &str) ->
             derived_g(format!("A_{i}²/(2 B_{i})"), format!("{}² / (2 · {})", p(a, "N/m"), n(b, "N/m²")))
         }
     });
-    if let Some(limit) = stiffness.limit() {
+    if let Some(limit) = stiffness.saturation_force() {
         steps.push(given(of("limit"), format!("F_s,{i}"), limit, "N/m", "input"));
     }
     steps
