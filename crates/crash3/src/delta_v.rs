@@ -84,6 +84,7 @@ pub fn delta_v<T: Real>(energy: T, vehicles: [StruckVehicle<T>; 2]) -> Result<[T
 
 /// Which energy the crush stands for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum EnergyBasis {
     /// The energy that the normal impulse dissipated, W_n: SAE 980025.
     #[default]

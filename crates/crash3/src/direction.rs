@@ -9,6 +9,7 @@ use crate::profile::Profile;
 
 /// The damaged side of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
     /// The front.
     Front,
@@ -62,10 +63,19 @@ pub fn moment_arm<T: Real>([forward, left]: [T; 2], pdof: T) -> T {
 
 /// The face of a vehicle that was damaged, and where on it the damage lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::DamagedFaceData<T>",
+        into = "crate::data::DamagedFaceData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct DamagedFace<T = f64> {
-    side: Side,
-    distance: T,
-    offset: T,
+    pub(crate) side: Side,
+    pub(crate) distance: T,
+    pub(crate) offset: T,
 }
 
 impl<T: Real> DamagedFace<T> {

@@ -63,6 +63,7 @@ fn flat<T: Real>(
 
 /// Where along a zone the force per width has reached its saturation.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Yielding<T = f64> {
     /// Nowhere: it is A + B C.
     Nowhere,
@@ -182,6 +183,7 @@ fn sum<T: Real>(
 
 /// How the energy of a force that is not normal to the damaged side is corrected: the factor on the energy for the angle α.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum ObliqueCorrection<T = f64> {
     /// 1 + tan²α with |α| limited to 45°, so never more than 2: CRASH3.
     #[default]
@@ -200,6 +202,7 @@ pub enum ObliqueCorrection<T = f64> {
 
 /// The corrected share of an oblique force's energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ObliqueFactor<T = f64> {
     /// What the crush energy is multiplied with.
     pub factor: T,

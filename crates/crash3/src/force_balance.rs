@@ -1,5 +1,7 @@
 //! The crush of a vehicle that could not be inspected, from the force on the one that could.
 
+use alloc::vec;
+
 use real::Real;
 
 use crate::energy::pushing_cosine;
@@ -8,6 +10,7 @@ use crate::stiffness::{Saturation, Stiffness};
 
 /// A crush of the same depth over its whole width.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct UniformCrush<T = f64> {
     /// (m) w.
     pub width: T,
@@ -19,6 +22,7 @@ pub struct UniformCrush<T = f64> {
 
 /// What a force says of a damage whose width is not known.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CrushRange<T = f64> {
     /// The least energy: as a rule that of the widest damage.
     pub lowest: UniformCrush<T>,

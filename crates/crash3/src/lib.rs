@@ -45,6 +45,13 @@
 //!
 //! `examples/damage.rs` goes from depths to energy and ΔV, `examples/barrier_test.rs` from a test to a stiffness.
 //!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `std`, on by default | nothing of its own. Without it the crate is `no_std` and needs `alloc`; results have the same bits |
+//! | `serde` | inputs and results can be written and read, errors and [`StruckVehicle`] cannot. Reading goes through the constructors, so that what cannot be is refused |
+//!
 //! # What it does not do
 //!
 //! It finds no direction of force: the PDOF is an input (`pim-core` computes it from impulse and momentum). It knows no units
@@ -54,7 +61,13 @@
 //!
 //! R. M. Brach and R. M. Brach, *Crush Energy and Planar Impact Mechanics for Accident Reconstruction*, SAE 980025 (1998), called *the paper*.
 
+#![cfg_attr(not(feature = "std"), no_std)]
+
+extern crate alloc;
+
 mod barrier_test;
+#[cfg(feature = "serde")]
+mod data;
 mod delta_v;
 mod direction;
 mod energy;

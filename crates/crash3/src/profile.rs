@@ -1,18 +1,31 @@
 //! What was measured: depths of crush along the damaged side.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use real::Real;
 
 use crate::error::{self, CrushError};
 
 /// A crush profile: residual crush depths C_1 … C_N at stations along the damage, linear between them.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::ProfileData<T>",
+        into = "crate::data::ProfileData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct Profile<T = f64> {
-    depths: Vec<T>,
-    spacings: Vec<T>,
+    pub(crate) depths: Vec<T>,
+    pub(crate) spacings: Vec<T>,
 }
 
 /// One trapezoid of a profile, between two neighbouring stations.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Zone<T = f64> {
     /// (m) w_j, distance between the stations.
     pub width: T,
@@ -76,6 +89,7 @@ impl<T: Real> Zone<T> {
 /// What a profile adds up to. For a stiffness without saturation the crush energy is A S_1 + B S_2 + G L, and the force normal to the side A L + B S_1;
 /// [`crush_energy`](crate::crush_energy) adds them zone by zone.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ProfileSums<T = f64> {
     /// (m) L, the width of the damage.
     pub width: T,

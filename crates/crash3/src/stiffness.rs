@@ -1,5 +1,7 @@
 //! What the structure resists with: force per width as a linear function of crush.
 
+use alloc::vec::Vec;
+
 use real::Real;
 
 use crate::error::{self, CrushError};
@@ -7,6 +9,15 @@ use crate::error::{self, CrushError};
 /// CRASH3's stiffness coefficients: force per width A + B C, flat beyond a limit if there is one, and the energy per width G that
 /// is stored before any crush remains.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::StiffnessData<T>",
+        into = "crate::data::StiffnessData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct Stiffness<T = f64> {
     a: T,
     b: T,
@@ -145,6 +156,7 @@ impl<T: Real> Stiffness<T> {
 
 /// Where the force per width ceases to rise.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Saturation<T = f64> {
     /// (N/m) F_s.
     pub force: T,
@@ -154,6 +166,14 @@ pub struct Saturation<T = f64> {
 
 /// What a damaged side resists with: the same stiffness all along, or one for each zone between two stations.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
 pub enum SideStiffness<T = f64> {
     /// The same everywhere.
     Uniform(Stiffness<T>),

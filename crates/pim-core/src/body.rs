@@ -7,6 +7,15 @@ use crate::error::{self, InvalidInput};
 
 /// A rigid body in the plane: mass and yaw inertia, or fixed to the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::BodyData<T>",
+        into = "crate::data::BodyData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct Body<T = f64> {
     // All four are zero for a fixed body, so that the equations need no case of their own for it:
     // it takes an impulse without moving and carries no kinetic energy.
@@ -61,6 +70,20 @@ impl<T: Real> Body<T> {
         self.inverse_mass == T::ZERO
     }
 
+    /// (kg) m, zero for a fixed body.
+    #[inline(always)]
+    #[must_use]
+    pub fn mass(&self) -> T {
+        self.mass
+    }
+
+    /// (kg·m²) I about the CG, zero for a fixed body.
+    #[inline(always)]
+    #[must_use]
+    pub fn yaw_inertia(&self) -> T {
+        self.yaw_inertia
+    }
+
     /// (1/kg) 1/m, zero for a fixed body.
     #[inline(always)]
     #[must_use]
@@ -87,6 +110,14 @@ impl<T: Real> Body<T> {
 
 /// How a body moves: scene velocity of its CG and yaw rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
 pub struct Motion<T = f64> {
     /// (m/s) velocity of the CG in the scene frame.
     pub velocity: Vector2<T>,
@@ -120,6 +151,15 @@ impl<T: Real> Motion<T> {
 
 /// One of the two bodies in its place: heading, and the arm from its CG to the contact point C.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::ParticipantData<T>",
+        into = "crate::data::ParticipantData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct Participant<T = f64> {
     pub(crate) body: Body<T>,
     /// Unit vector of the body's own forward axis in the scene.

@@ -13,6 +13,7 @@ const NORMAL_RESOLUTION: f64 = 1e-12;
 
 /// A vector at C in the axes of the crush plane: along its normal n and along t, which is n turned by +90°.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NormalTangential<T = f64> {
     /// Component along n.
     pub normal: T,
@@ -42,6 +43,7 @@ impl<T: Real> NormalTangential<T> {
 /// The contact inverse-mass matrix K in n–t axes: U = u + K P. Symmetric and positive definite. A moment impulse at C adds a third
 /// row and column.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct InverseMass<T = f64> {
     /// (1/kg) k_nn.
     pub nn: T,
@@ -59,6 +61,7 @@ pub struct InverseMass<T = f64> {
 
 /// How two bodies approach each other at C.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Approach<T = f64> {
     /// (m/s) u, velocity of vehicle 1 relative to vehicle 2 at C.
     pub velocity: NormalTangential<T>,
@@ -126,6 +129,15 @@ impl<T: Real> InverseMass<T> {
 ///
 /// The same contact serves every velocity and every impact law.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::ContactData<T>",
+        into = "crate::data::ContactData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct Contact<T = f64> {
     pub(crate) participants: [Participant<T>; 2],
     /// Γ as given.

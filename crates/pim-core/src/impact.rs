@@ -14,6 +14,14 @@ const ENERGY_ROUNDING: f64 = 1e-12;
 
 /// Everything that an impact does.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
 pub struct Outcome<T = f64> {
     /// (N·s) impulse P on vehicle 1, along n and t. Vehicle 2 receives −P.
     pub impulse: NormalTangential<T>,
@@ -91,6 +99,7 @@ pub fn pdof<T: Real>(forward: Vector2<T>, impulse: Vector2<T>) -> T {
 
 /// (J) the energy balance of an impact: `before` − `after` = `loss` = `normal_work` + `tangential_work` + `moment_work`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Energy<T = f64> {
     /// (J) kinetic energy of both vehicles before impact.
     pub before: T,

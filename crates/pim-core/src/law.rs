@@ -7,6 +7,7 @@ use crate::error::{self, ImpactError, InvalidInput};
 
 /// The tangential condition of an impact law.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Tangential<T = f64> {
     /// U_t = 0: a common tangential velocity at C after impact, μ = μ_c.
     Critical,
@@ -37,6 +38,7 @@ pub enum Tangential<T = f64> {
 
 /// Whether an impact law with a friction limit reached the limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Regime {
     /// Friction sufficed for the law's condition on U_t.
     Full,
@@ -61,6 +63,15 @@ pub enum Regime {
 /// Brach & Brach, SAE 980025, "Summary of planar impact mechanics", which names the others: Woolley (SAE 870046 and 1987), Ishikawa (1985, 1994),
 /// Steffan & Moser (1996, after Kudlich and Slibar). The moment impulse: Brach, *Mechanical Impact Dynamics* (1991).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::LawData<T>",
+        into = "crate::data::LawData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct Law<T = f64> {
     pub(crate) restitution: T,
     pub(crate) tangential: Tangential<T>,
@@ -317,6 +328,7 @@ impl<T: Real> Law<T> {
 
 /// What a law asks for: impulse and moment impulse on vehicle 1; vehicle 2 receives their opposites.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LawImpulse<T = f64> {
     /// (N·s) impulse P at C.
     pub linear: NormalTangential<T>,

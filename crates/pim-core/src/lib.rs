@@ -60,6 +60,13 @@
 //!
 //! `examples/impact.rs` is the paper's impact forward, `examples/laws.rs` one geometry under several laws.
 //!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `std`, on by default | nothing of its own. Without it the crate is `no_std` and needs `alloc`; results have the same bits |
+//! | `serde` | inputs and results can be written and read, errors cannot. Reading goes through the constructors, so that what cannot be is refused |
+//!
 //! # What it does not do
 //!
 //! No crush (see `crash3`), no search for an unknown speed (see `reconcile`), no motion before or after the impact,
@@ -71,9 +78,15 @@
 //! called *the paper*. Its printed equations have misprints; what stands here was derived afresh, and departures from
 //! print are marked `ERRATUM`.
 
+#![cfg_attr(not(feature = "std"), no_std)]
+
+extern crate alloc;
+
 mod body;
 mod border;
 mod contact;
+#[cfg(feature = "serde")]
+mod data;
 mod error;
 mod impact;
 mod law;

@@ -11,6 +11,14 @@ pub const FASTEST: f64 = 1000.0;
 
 /// The answer: the speed, and the impact that it makes.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
 pub struct Reconciliation<T = f64> {
     /// (m/s) the speed found, along the vehicle's heading. Of several admissible speeds, the one with the slowest approach.
     pub speed: T,
@@ -29,6 +37,7 @@ pub struct Reconciliation<T = f64> {
 /// How a speed was found.
 #[derive(Clone, Copy, Debug)]
 #[expect(clippy::large_enum_variant, reason = "a box would be an allocation")]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Method {
     /// W_n is quadratic in the speed.
     ClosedForm,
@@ -38,6 +47,7 @@ pub enum Method {
 
 /// One step of the root-finder.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Iteration {
     /// (m/s) speed tried.
     pub speed: f64,
@@ -52,8 +62,8 @@ pub struct Iterations {
     count: usize,
 }
 
-impl std::fmt::Debug for Iterations {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Debug for Iterations {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_list().entries(self.as_slice()).finish()
     }
 }
@@ -74,6 +84,45 @@ impl Iterations {
     #[must_use]
     pub fn as_slice(&self) -> &[Iteration] {
         &self.steps[..self.count]
+    }
+}
+
+/// A list of the steps, as many as there are.
+#[cfg(feature = "serde")]
+impl serde::Serialize for Iterations {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.as_slice())
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Iterations {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_seq(Steps)
+    }
+}
+
+/// Reads the steps of a search.
+#[cfg(feature = "serde")]
+struct Steps;
+
+#[cfg(feature = "serde")]
+impl<'de> serde::de::Visitor<'de> for Steps {
+    type Value = Iterations;
+
+    fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "at most {MAX_STEPS} steps of a root-finder")
+    }
+
+    fn visit_seq<A: serde::de::SeqAccess<'de>>(self, mut steps: A) -> Result<Iterations, A::Error> {
+        let mut iterations = Iterations::none();
+        while let Some(step) = steps.next_element()? {
+            if iterations.count == MAX_STEPS {
+                return Err(serde::de::Error::invalid_length(MAX_STEPS + 1, &self));
+            }
+            iterations.push(step);
+        }
+        Ok(iterations)
     }
 }
 

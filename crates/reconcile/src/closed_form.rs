@@ -93,6 +93,7 @@ impl<T: Real> Posed<'_, T> {
 
 /// The condition on the approach speed x = −u_n where P_n is affine in it: with W_n = ½ (1−e) x P_n and P_n = α x + β it is α x² + β x = c.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quadratic<T = f64> {
     /// (kg) α = dP_n/dx.
     pub alpha: T,

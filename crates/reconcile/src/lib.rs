@@ -52,10 +52,19 @@
 //!
 //! `examples/speed.rs` finds the paper's speed on both energy bases.
 //!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `std`, on by default | nothing of its own. Without it the crate is `no_std`; its engines need `alloc`; results have the same bits |
+//! | `serde` | problems and answers can be written and read, errors cannot |
+//!
 //! # What it does not do
 //!
 //! It finds one speed along a heading, from the energy alone. It does not measure crush (see `crash3`), nor does it use
 //! rest positions or momentum after impact.
+
+#![cfg_attr(not(feature = "std"), no_std)]
 
 mod answer;
 mod brent;

@@ -1,6 +1,6 @@
 //! How near a problem without an answer comes to one.
 
-use std::iter::{once, successors};
+use core::iter::{once, successors};
 
 use pim_core::ImpactError;
 

@@ -134,7 +134,7 @@ impl<'a> Posed<'a> {
             // A root on the border of two pieces belongs to both.
             .filter(move |root| {
                 root.as_ref().is_err()
-                    || root.as_ref().is_ok_and(|root| std::mem::replace(&mut last, root.x) != root.x)
+                    || root.as_ref().is_ok_and(|root| core::mem::replace(&mut last, root.x) != root.x)
             })
     }
 
@@ -157,7 +157,7 @@ impl<'a> Posed<'a> {
             _ => None,
         });
         let after = points.last().map(|&(x, _)| constant(x, f64::INFINITY));
-        std::iter::once(before)
+        core::iter::once(before)
             .chain(between)
             .chain(after)
             .map(move |stretch| {

@@ -1,5 +1,7 @@
 //! A problem for which a speed can be sought, and the search.
 
+use real::Real;
+
 use crate::answer::{Method, Reconciliation, Search, is_too_fast};
 use crate::error::ReconcileError;
 use crate::line::ApproachLine;
@@ -40,6 +42,6 @@ impl<'a> Posed<'a> {
     /// root is of this size.
     pub(crate) fn frictionless_approach_speed(self) -> f64 {
         // x² = 2 E k_nn
-        (2.0 * self.problem.crush_energy * self.problem.contact.inverse_mass().nn).sqrt()
+        Real::sqrt(2.0 * self.problem.crush_energy * self.problem.contact.inverse_mass().nn)
     }
 }

@@ -16,6 +16,7 @@ const LEAST_COSINE: f64 = 1e-9;
 
 /// Which vehicle's speed along its heading is sought.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Unknown {
     /// The speed of vehicle 1.
     Speed1,
@@ -58,6 +59,14 @@ impl Unknown {
 ///
 /// Any values may stand here. [`check`](Self::check) says whether they make a problem; [`solve`](Self::solve) begins with that.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
 pub struct Problem<T = f64> {
     /// The geometry.
     pub contact: Contact<T>,
