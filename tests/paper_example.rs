@@ -7,7 +7,7 @@ use crash3::{
     EnergyBasis, ObliqueCorrection, Profile, Stiffness, StruckVehicle, crush_energy, delta_v, moment_arm,
 };
 use pim_core::{Body, Contact, Law, Motion, Participant, Tangential};
-use reconcile::{Method, Problem, Reconciliation, Unknown};
+use reconcile::{Problem, Reconciliation, SolutionMethod, Unknown};
 
 use crate::compare::{assert_close, assert_printed, assert_relative};
 use crate::reconciliation::posed;
@@ -126,7 +126,7 @@ fn the_speed_is_the_one_that_the_paper_finds() {
     assert_printed(answer.speed, "22.9");
     assert_eq!(answer.admissible, 1);
     assert!(problem().speeds().eq([answer.speed]));
-    assert!(matches!(answer.method, Method::ClosedForm));
+    assert!(matches!(answer.method, SolutionMethod::ClosedForm));
     assert_relative("W_n", answer.outcome.energy.normal_work, energies().iter().sum(), 1e-12);
     assert_relative("W_n", problem().normal_work(answer.speed), energies().iter().sum(), 1e-12);
     let [before, _] = answer.outcome.before;

@@ -7,7 +7,7 @@ use pim_core::{
     Body, Contact, ImpactError, InvalidInput, Law, Motion, Participant, Real, RestitutionCurve, Tangential,
 };
 use proptest::prelude::*;
-use reconcile::{EnergyBasis, MAX_STEPS, Method, Problem, Quadratic, ReconcileError, Unknown};
+use reconcile::{EnergyBasis, MAX_STEPS, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown};
 
 use crate::compare::{assert_close, assert_relative};
 use crate::oracle::{Condition, Verdict, approach, solve, verdict};
@@ -180,7 +180,7 @@ fn the_answer_gives_the_energy_back() {
         for speed in speeds {
             assert_relative("W_n", problem.normal_work(speed), answer.normal_work, 1e-12 * size + 1e-9);
         }
-        if let Method::RootFinder(iterations) = answer.method {
+        if let SolutionMethod::RootFinder(iterations) = answer.method {
             assert!(iterations.as_slice().len() <= MAX_STEPS);
             if let Some(last) = iterations.as_slice().last() {
                 assert_close("the last step", last.speed, answer.speed, 1e-9 * case.speed_scale());
@@ -413,8 +413,8 @@ fn closed_form_and_root_finder_agree() {
         let problem = case.problem(work);
         match (problem.closed_form().unwrap(), problem.root_finder()) {
             (Ok(closed), Ok(found)) => {
-                assert!(matches!(closed.method, Method::ClosedForm));
-                assert!(matches!(found.method, Method::RootFinder(_)));
+                assert!(matches!(closed.method, SolutionMethod::ClosedForm));
+                assert!(matches!(found.method, SolutionMethod::RootFinder(_)));
                 assert_eq!(closed.admissible, found.admissible);
                 let scale = case.speed_scale() + closed.speed.abs();
                 assert_close("the speed", found.speed, closed.speed, 1e-10 * scale);
@@ -640,7 +640,7 @@ fn a_speed_below_the_first_sample_is_found() {
 #[test]
 fn the_steps_of_a_search_are_printed() {
     let answer = against_a_wall(Tangential::Critical, 5.0, 1.5).unwrap().root_finder().unwrap();
-    let Method::RootFinder(iterations) = answer.method else { panic!("{:?}", answer.method) };
+    let SolutionMethod::RootFinder(iterations) = answer.method else { panic!("{:?}", answer.method) };
     assert!(!iterations.as_slice().is_empty());
     assert_eq!(format!("{iterations:?}"), format!("{:?}", iterations.as_slice()));
 }

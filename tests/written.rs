@@ -9,7 +9,7 @@ use crash3::{
 };
 use pim_core::{Body, Contact, Law, LawImpulse, Participant, RestitutionCurve, Tangential, VaryingLaw};
 use real::Dual;
-use reconcile::{Iterations, MAX_STEPS, Method, Problem, Reconciliation, Unknown};
+use reconcile::{Iterations, MAX_STEPS, Problem, Reconciliation, SolutionMethod, Unknown};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, from_value, json, to_value};
@@ -162,8 +162,8 @@ fn problems_and_answers() {
             let answer_read: Reconciliation = again(&answer);
             assert_eq!(format!("{answer_read:?}"), text);
             match answer.method {
-                Method::ClosedForm => closed.set(closed.get() + 1),
-                Method::RootFinder(_) => searched.set(searched.get() + 1),
+                SolutionMethod::ClosedForm => closed.set(closed.get() + 1),
+                SolutionMethod::RootFinder(_) => searched.set(searched.get() + 1),
             }
         }
         true

@@ -12,6 +12,7 @@ use crate::Vehicle;
 
 /// What the damage of one vehicle says.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Damage<T = f64> {
     /// (m) width of the damage.
     pub width: T,
@@ -39,6 +40,7 @@ pub struct Damage<T = f64> {
 
 /// A crush inferred from the force on the other vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Inferred<T = f64> {
     /// (N) the peak force of the other vehicle.
     pub force: T,
@@ -50,6 +52,7 @@ pub struct Inferred<T = f64> {
 
 /// What follows for an oblique force that pushes on the damaged side.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Oblique<T = f64> {
     /// The factor on the crush energy.
     pub factor: ObliqueFactor<T>,
@@ -64,6 +67,7 @@ pub(crate) const ASSUMED_FRICTION: f64 = 0.5;
 
 /// CRASH3's answer.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Crash3 {
     /// (J) crush energy of both vehicles.
     pub crush_energy: f64,
@@ -85,6 +89,7 @@ pub struct Crash3 {
 
 /// CRASH3's ΔV under one correction for oblique forces, with a common normal velocity.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Correction {
     /// The correction of each vehicle: one kind for both, of which each has the friction limit of its own.
     pub corrections: [ObliqueCorrection; 2],
@@ -98,6 +103,7 @@ pub struct Correction {
 
 /// CRASH3's answer with the correction for oblique forces.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Corrected {
     /// (J) crush energy of both vehicles.
     pub crush_energy: f64,

@@ -55,10 +55,11 @@ pub use warning::{Drive, JumpSide, Magnitude, Warning};
 use case::{Case, CaseFile, Collision, Command, Diagnostics, Evidence, Subject};
 use crash3::{CrushError, EnergyBasis, SideStiffness};
 use pim_core::{Contact, ImpactError, Law, Outcome, Real, VaryingLaw};
-use reconcile::{ApproachLine, Iteration, Method, Problem, Quadratic, ReconcileError, Unknown};
+use reconcile::{ApproachLine, Iteration, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown};
 
 /// A finished analysis, in the axes of the engine: y to the left, counter-clockwise positive. [`Analysis::in_axes`] has it in others.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Analysis {
     /// What the crush energy stands for.
     pub basis: EnergyBasis,
@@ -98,6 +99,7 @@ impl Analysis {
 
 /// A speed that reconciles crush and impact.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Found {
     /// Whose speed.
     pub unknown: Unknown,
@@ -119,6 +121,7 @@ pub struct Found {
 
 /// An impact with what it was computed from.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Impact {
     /// The geometry.
     pub contact: Contact,
@@ -220,8 +223,8 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
         line: problem.line(),
         quadratic: problem.quadratic(),
         iterations: match &answer.method {
-            Method::ClosedForm => None,
-            Method::RootFinder(iterations) => Some(iterations.as_slice().to_vec()),
+            SolutionMethod::ClosedForm => None,
+            SolutionMethod::RootFinder(iterations) => Some(iterations.as_slice().to_vec()),
         },
     };
     let warnings = warning::of_found(&found, input.given_speed);

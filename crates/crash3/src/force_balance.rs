@@ -10,6 +10,7 @@ use crate::stiffness::{Saturation, Stiffness};
 
 /// A crush of the same depth over its whole width.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct UniformCrush<T = f64> {
     /// (m) w.
@@ -22,6 +23,7 @@ pub struct UniformCrush<T = f64> {
 
 /// What a force says of a damage whose width is not known.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CrushRange<T = f64> {
     /// The least energy: as a rule that of the widest damage.

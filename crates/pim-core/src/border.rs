@@ -19,6 +19,7 @@ pub enum Switch<T = f64> {
 
 /// A border between two conditions of a law with a friction limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
     feature = "serde",

@@ -14,6 +14,7 @@ const ENERGY_ROUNDING: f64 = 1e-12;
 
 /// Everything that an impact does.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
     feature = "serde",
@@ -99,6 +100,7 @@ pub fn pdof<T: Real>(forward: Vector2<T>, impulse: Vector2<T>) -> T {
 
 /// (J) the energy balance of an impact: `before` − `after` = `loss` = `normal_work` + `tangential_work` + `moment_work`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Energy<T = f64> {
     /// (J) kinetic energy of both vehicles before impact.

@@ -6,6 +6,8 @@ use crate::contact::{Approach, InverseMass, NormalTangential};
 use crate::error::{self, ImpactError, InvalidInput};
 
 /// The tangential condition of an impact law.
+///
+/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is decided there; adding one is a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Tangential<T = f64> {
@@ -328,6 +330,7 @@ impl<T: Real> Law<T> {
 
 /// What a law asks for: impulse and moment impulse on vehicle 1; vehicle 2 receives their opposites.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LawImpulse<T = f64> {
     /// (N·s) impulse P at C.

@@ -11,6 +11,7 @@ pub const FASTEST: f64 = 1000.0;
 
 /// The answer: the speed, and the impact that it makes.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
     feature = "serde",
@@ -31,14 +32,16 @@ pub struct Reconciliation<T = f64> {
     /// (J) the normal work that was sought: the crush energy on the basis `dissipated`.
     pub normal_work: T,
     /// How the speed was found.
-    pub method: Method,
+    pub method: SolutionMethod,
 }
 
 /// How a speed was found.
+///
+/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is decided there; adding one is a breaking change.
 #[derive(Clone, Copy, Debug)]
 #[expect(clippy::large_enum_variant, reason = "a box would be an allocation")]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Method {
+pub enum SolutionMethod {
     /// W_n is quadratic in the speed.
     ClosedForm,
     /// Brent's method.
@@ -135,7 +138,7 @@ pub(crate) fn is_too_fast<T: Real>(speed: T) -> bool {
 /// Judges the speeds that give the energy, in the order of their approach.
 pub(crate) struct Search<'a, T> {
     problem: &'a Problem<T>,
-    first: Option<(T, Law<T>, Outcome<T>, Method)>,
+    first: Option<(T, Law<T>, Outcome<T>, SolutionMethod)>,
     admissible: usize,
     refused: Option<ReconcileError>,
 }
@@ -145,7 +148,7 @@ impl<'a, T: Real> Search<'a, T> {
         Self { problem, first: None, admissible: 0, refused: None }
     }
 
-    pub(crate) fn consider(&mut self, speed: T, method: Method) {
+    pub(crate) fn consider(&mut self, speed: T, method: SolutionMethod) {
         if is_too_fast(speed) {
             return;
         }

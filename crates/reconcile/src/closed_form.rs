@@ -2,7 +2,7 @@
 
 use pim_core::{ImpactError, Outcome, Real, Tangential};
 
-use crate::answer::{Method, Reconciliation, Search, is_too_fast};
+use crate::answer::{Reconciliation, Search, SolutionMethod, is_too_fast};
 use crate::error::ReconcileError;
 use crate::posed::Posed;
 use crate::problem::Problem;
@@ -57,7 +57,7 @@ impl<T: Real> Posed<'_, T> {
         let approaches = self.approaches();
         let mut search = Search::new(problem);
         for x in approaches.ascending() {
-            search.consider(line.speed(x), Method::ClosedForm);
+            search.consider(line.speed(x), SolutionMethod::ClosedForm);
         }
         // A jam leaves no root at all: say so rather than that none was found.
         let law = problem.law.nominal();

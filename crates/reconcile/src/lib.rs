@@ -26,7 +26,7 @@
 //! ```
 //!
 //! The types: a [`Problem`] is a collision with one [`Unknown`] speed; solving it gives a [`Reconciliation`], which holds the speed, the
-//! impact at that speed, and the [`Method`] that found it. [`Problem::speeds`] lists all admissible speeds. The numbers on the way to a closed form are
+//! impact at that speed, and the [`SolutionMethod`] that found it. [`Problem::speeds`] lists all admissible speeds. The numbers on the way to a closed form are
 //! [`Problem::line`] and [`Problem::quadratic`].
 //!
 //! | code | symbol | meaning | unit |
@@ -77,7 +77,7 @@ mod polynomial;
 mod posed;
 mod problem;
 
-pub use answer::{FASTEST, Iteration, Iterations, Method, Reconciliation};
+pub use answer::{FASTEST, Iteration, Iterations, Reconciliation, SolutionMethod};
 pub use brent::{MAX_STEPS, RootError, brent};
 pub use closed_form::Quadratic;
 pub use crash3::EnergyBasis;

@@ -2,7 +2,7 @@
 
 use real::Real;
 
-use crate::answer::{Method, Reconciliation, Search, is_too_fast};
+use crate::answer::{Reconciliation, Search, SolutionMethod, is_too_fast};
 use crate::error::ReconcileError;
 use crate::line::ApproachLine;
 use crate::problem::Problem;
@@ -19,7 +19,7 @@ impl<'a> Posed<'a> {
         let mut search = Search::new(self.problem);
         for root in self.roots() {
             let root = root?;
-            search.consider(self.line.speed(root.x), Method::RootFinder(root.iterations));
+            search.consider(self.line.speed(root.x), SolutionMethod::RootFinder(root.iterations));
         }
         search.finish()
     }

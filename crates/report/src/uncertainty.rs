@@ -11,7 +11,7 @@ pub use page::uncertainty_text;
 pub use plot::{histogram, tornado};
 pub use samples::write_samples;
 
-use ::uncertainty::{Method, Summary};
+use ::uncertainty::{SamplingMethod, Summary};
 use analysis::{Output, Reason};
 
 use crate::units::Quantity;
@@ -31,11 +31,11 @@ fn reason_name(reason: Reason) -> &'static str {
 }
 
 /// As the command line has it.
-fn method_name(method: Method) -> &'static str {
+fn method_name(method: SamplingMethod) -> &'static str {
     match method {
-        Method::MonteCarlo => "monte-carlo",
-        Method::LatinHypercube => "latin-hypercube",
-        Method::Sobol => "sobol",
+        SamplingMethod::MonteCarlo => "monte-carlo",
+        SamplingMethod::LatinHypercube => "latin-hypercube",
+        SamplingMethod::Sobol => "sobol",
         _ => "other",
     }
 }
