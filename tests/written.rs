@@ -1,4 +1,5 @@
-//! What the engines write with their feature `serde` is read again as the same, and what no constructor accepts is refused.
+//! What the engines write with their feature `serde` is read again as the same, and what no constructor
+//! accepts is refused.
 
 use std::cell::Cell;
 use std::fmt::Debug;

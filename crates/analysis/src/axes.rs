@@ -6,8 +6,9 @@ use pim_core::{ImpactError, Switch};
 use crate::{Analysis, Drive, Failure, Impact, JumpSide, Warning};
 
 impl Analysis {
-    /// The same analysis with its impact, approach line, contact points, centroids and warnings in the given axes, for the eyes of a reader. An analysis itself is in the axes of
-    /// the engine whatever the case is written in. A [`DamagedFace`](crash3::DamagedFace) stays as it is.
+    /// The same analysis with its impact, approach line, contact points, centroids and warnings in the given
+    /// axes, for the eyes of a reader. An analysis itself is in the axes of the engine whatever the case is
+    /// written in. A [`DamagedFace`](crash3::DamagedFace) stays as it is.
     #[must_use]
     pub fn in_axes(&self, axes: Axes) -> Self {
         let mut seen = self.clone();

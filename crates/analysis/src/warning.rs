@@ -63,7 +63,8 @@ const FULL_TURN: f64 = TAU * (1.0 + 1e-9);
 
 /// Something that does not stop the analysis but should be known to who defends it. Values are in SI units.
 ///
-/// Matched without a catch-all arm wherever a warning is worded, so that a new one does not compile before it has its words; adding one is a breaking change.
+/// Matched without a catch-all arm wherever a warning is worded, so that a new one does not compile before it
+/// has its words; adding one is a breaking change.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Warning {
     /// The crush plane does not separate the two CGs.

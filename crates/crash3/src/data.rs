@@ -1,4 +1,5 @@
-//! What the types with an invariant are written as: the numbers that their constructors take. Reading goes through the constructors.
+//! What the types with an invariant are written as: the numbers that their constructors take. Reading goes
+//! through the constructors.
 
 use alloc::vec::Vec;
 

@@ -84,7 +84,8 @@ pub fn delta_v<T: Real>(energy: T, vehicles: [StruckVehicle<T>; 2]) -> Result<[T
 
 /// Which energy the crush stands for.
 ///
-/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is decided there; adding one is a breaking change.
+/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is
+/// decided there; adding one is a breaking change.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum EnergyBasis {

@@ -183,7 +183,8 @@ fn sum<T: Real>(
 
 /// How the energy of a force that is not normal to the damaged side is corrected: the factor on the energy for the angle α.
 ///
-/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is decided there; adding one is a breaking change.
+/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is
+/// decided there; adding one is a breaking change.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum ObliqueCorrection<T = f64> {

@@ -18,14 +18,16 @@
 //! # Ok::<(), crash3::CrushError>(())
 //! ```
 //!
-//! The types: a [`Profile`] of depths and a [`Stiffness`] give [`crush_energy`] and [`peak_force`]; an [`ObliqueCorrection`] raises the energy of
-//! a force that is not normal to the damaged [`Side`]; two [`StruckVehicle`]s turn the sum of both vehicles' energies into [`delta_v`]; [`EnergyBasis`]
-//! says what restitution does to that. Each number may be any [`Real`]; plain `f64` is the default.
+//! The types: a [`Profile`] of depths and a [`Stiffness`] give [`crush_energy`] and [`peak_force`]; an
+//! [`ObliqueCorrection`] raises the energy of a force that is not normal to the damaged [`Side`]; two
+//! [`StruckVehicle`]s turn the sum of both vehicles' energies into [`delta_v`]; [`EnergyBasis`] says what
+//! restitution does to that. Each number may be any [`Real`]; plain `f64` is the default.
 //!
-//! A stiffness comes from its coefficients, from a [`BarrierTest`] or from CRASH3's table ([`Stiffness::from_category`]); a [`SideStiffness`] is one
-//! that may differ between the stations. The force acts through the centroid of the damage on a [`DamagedFace`]. Where only one vehicle could be
-//! inspected, [`crush_from_force`] infers the other's crush from the force on both. [`VehicleClass`] and [`yaw_inertia_burg`] stand in for
-//! dimensions and inertia that are not known.
+//! A stiffness comes from its coefficients, from a [`BarrierTest`] or from CRASH3's table
+//! ([`Stiffness::from_category`]); a [`SideStiffness`] is one that may differ between the stations. The force
+//! acts through the centroid of the damage on a [`DamagedFace`]. Where only one vehicle could be inspected,
+//! [`crush_from_force`] infers the other's crush from the force on both. [`VehicleClass`] and
+//! [`yaw_inertia_burg`] stand in for dimensions and inertia that are not known.
 //!
 //! | code | symbol | meaning | unit |
 //! |---|---|---|---|

@@ -86,8 +86,8 @@ impl<T: Real> Zone<T> {
     }
 }
 
-/// What a profile adds up to. For a stiffness without saturation the crush energy is A S_1 + B S_2 + G L, and the force normal to the side A L + B S_1;
-/// [`crush_energy`](crate::crush_energy) adds them zone by zone.
+/// What a profile adds up to. For a stiffness without saturation the crush energy is A S_1 + B S_2 + G L, and
+/// the force normal to the side A L + B S_1; [`crush_energy`](crate::crush_energy) adds them zone by zone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

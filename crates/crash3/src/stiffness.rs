@@ -51,7 +51,8 @@ impl<T: Real> Stiffness<T> {
         Ok(stiffness)
     }
 
-    /// Like [`from_abg`](Self::from_abg), but returns a validity flag in place of an error, so that loops over many samples vectorise.
+    /// Like [`from_abg`](Self::from_abg), but returns a validity flag in place of an error, so that loops
+    /// over many samples vectorise.
     #[inline(always)]
     #[must_use]
     pub fn from_abg_with_validity(a: T, b: T, g: T) -> (Self, bool) {
@@ -121,7 +122,8 @@ impl<T: Real> Stiffness<T> {
         Ok(Self { saturation_force: Some(force), ..self })
     }
 
-    /// (N/m) F_s, the force per width beyond which the structure yields without a further rise: key `limit` of a case.
+    /// (N/m) F_s, the force per width beyond which the structure yields without a further rise: key `limit`
+    /// of a case.
     #[inline(always)]
     #[must_use]
     pub fn saturation_force(&self) -> Option<T> {

@@ -37,7 +37,8 @@ impl<T: Real> Body<T> {
         Ok(body)
     }
 
-    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many samples vectorise.
+    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many
+    /// samples vectorise.
     #[inline(always)]
     #[must_use]
     pub fn new_with_validity(mass: T, yaw_inertia: T) -> (Self, bool) {
@@ -179,7 +180,8 @@ impl<T: Real> Participant<T> {
         Ok(Self::of(body, heading, forward, left))
     }
 
-    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many samples vectorise.
+    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many
+    /// samples vectorise.
     #[inline(always)]
     #[must_use]
     pub fn new_with_validity(body: Body<T>, heading: T, forward: T, left: T) -> (Self, bool) {

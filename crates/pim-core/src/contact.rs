@@ -163,7 +163,8 @@ impl<T: Real> Contact<T> {
         }
     }
 
-    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many samples vectorise.
+    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many
+    /// samples vectorise.
     #[inline(always)]
     #[must_use]
     pub fn new_with_validity(participants: [Participant<T>; 2], crush_plane: T) -> (Self, bool) {

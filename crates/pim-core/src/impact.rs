@@ -187,9 +187,9 @@ impl<T: Real> Contact<T> {
         }
     }
 
-    /// Like [`impact`](Self::impact), but returns what the law's conditions give and a validity flag in place of an error, so that loops over many
-    /// samples vectorise: for bodies and laws of a known kind there is no branch. The flag says whether a collision can do that. A fixed body
-    /// has to be at rest.
+    /// Like [`impact`](Self::impact), but returns what the law's conditions give and a validity flag in place
+    /// of an error, so that loops over many samples vectorise: for bodies and laws of a known kind there is
+    /// no branch. The flag says whether a collision can do that. A fixed body has to be at rest.
     #[inline(always)]
     #[must_use]
     pub fn impact_with_validity(&self, motions: [Motion<T>; 2], law: &Law<T>) -> (Outcome<T>, bool) {

@@ -7,7 +7,8 @@ use crate::error::{self, ImpactError, InvalidInput};
 
 /// The tangential condition of an impact law.
 ///
-/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is decided there; adding one is a breaking change.
+/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is
+/// decided there; adding one is a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Tangential<T = f64> {
@@ -94,7 +95,8 @@ impl<T: Real> Law<T> {
         Ok(law)
     }
 
-    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many samples vectorise.
+    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many
+    /// samples vectorise.
     #[inline(always)]
     #[must_use]
     pub fn new_with_validity(restitution: T, tangential: Tangential<T>) -> (Self, bool) {

@@ -52,8 +52,8 @@ impl<T: Real> RestitutionCurve<T> {
         &self.points
     }
 
-    /// The points (closing speed in m/s, coefficient of restitution) next to a closing speed (m/s): the last of those that are not above it, and the
-    /// first that is.
+    /// The points (closing speed in m/s, coefficient of restitution) next to a closing speed (m/s): the last
+    /// of those that are not above it, and the first that is.
     #[must_use]
     pub fn around(&self, closing_speed: T) -> [Option<(T, T)>; 2] {
         let next = self.points.partition_point(|(speed, _)| *speed <= closing_speed);
@@ -75,8 +75,8 @@ impl<T: Real> RestitutionCurve<T> {
     }
 }
 
-/// An impact law at every closing speed: its coefficient of restitution is a number, or the [`RestitutionCurve`] that
-/// [`Law::with_restitution_curve`] gave it.
+/// An impact law at every closing speed: its coefficient of restitution is a number, or the
+/// [`RestitutionCurve`] that [`Law::with_restitution_curve`] gave it.
 ///
 /// ```
 /// use pim_core::{Law, RestitutionCurve, Tangential, VaryingLaw};

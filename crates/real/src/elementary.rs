@@ -293,7 +293,8 @@ pub fn exp(x: f64) -> f64 {
     power * first * second
 }
 
-/// √x, rounded correctly: the bits of the processor's own, for where there is no standard library to reach that. NaN below zero, −0 of −0.
+/// √x, rounded correctly: the bits of the processor's own, for where there is no standard library to reach
+/// that. NaN below zero, −0 of −0.
 #[must_use]
 pub fn sqrt(x: f64) -> f64 {
     if x.is_nan() || x < 0.0 {
@@ -319,7 +320,8 @@ pub fn sqrt(x: f64) -> f64 {
     rounded * f64::from_bits((half + 1023 - 1024 - 1) << 52)
 }
 
-/// The least integer that is not below x: exact, with the sign of x where it is zero. Infinities and NaN stay what they are.
+/// The least integer that is not below x: exact, with the sign of x where it is zero. Infinities and NaN stay
+/// what they are.
 #[inline(always)]
 #[must_use]
 pub fn ceil(x: f64) -> f64 {

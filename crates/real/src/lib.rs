@@ -80,7 +80,8 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 ///
 /// Implementations mark every function `#[inline(always)]` and select instead of branching, so that a loop over samples is vectorised.
 ///
-/// The trait is sealed: the equations rely on numbers that behave as these do, and a later version may ask more of them.
+/// The trait is sealed: the equations rely on numbers that behave as these do, and a later version may ask
+/// more of them.
 pub trait Real:
     sealed::Sealed
     + Copy

@@ -37,7 +37,8 @@ pub struct Reconciliation<T = f64> {
 
 /// How a speed was found.
 ///
-/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is decided there; adding one is a breaking change.
+/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is
+/// decided there; adding one is a breaking change.
 #[derive(Clone, Copy, Debug)]
 #[expect(clippy::large_enum_variant, reason = "a box would be an allocation")]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

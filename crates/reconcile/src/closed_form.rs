@@ -8,8 +8,8 @@ use crate::posed::Posed;
 use crate::problem::Problem;
 
 impl<T: Real> Problem<T> {
-    /// The answer in closed form, or `None` where W_n is not quadratic in the speed: a friction limit may switch, a fraction of μ_c makes it cubic, and a
-    /// restitution that varies changes what is sought.
+    /// The answer in closed form, or `None` where W_n is not quadratic in the speed: a friction limit may
+    /// switch, a fraction of μ_c makes it cubic, and a restitution that varies changes what is sought.
     ///
     /// # Errors
     /// [`ReconcileError`].
@@ -18,15 +18,18 @@ impl<T: Real> Problem<T> {
         self.has_closed_form().then(|| self.posed()?.closed_form())
     }
 
-    /// W_n as a quadratic of the approach speed, or `None` under a law that has no closed form: what the closed form is solved from.
+    /// W_n as a quadratic of the approach speed, or `None` under a law that has no closed form: what the
+    /// closed form is solved from.
     #[must_use]
     pub fn quadratic(&self) -> Option<Quadratic<T>> {
         self.has_closed_form().then(|| Posed { problem: self, line: self.line() }.quadratic())
     }
 
-    /// Like [`solve`](Problem::solve), but in place of an error it returns a validity flag, so that loops over many samples vectorise: the speed with
-    /// the slowest approach that the closed form gives, its impact, and whether a collision can be so. Where the flag is set, the answer has the same
-    /// bits. It is not set wherever `solve` may still find one: under a law that has no closed form, or at a faster approach.
+    /// Like [`solve`](Problem::solve), but in place of an error it returns a validity flag, so that loops
+    /// over many samples vectorise: the speed with the slowest approach that the closed form gives, its
+    /// impact, and whether a collision can be so. Where the flag is set, the answer has the same bits. It is
+    /// not set wherever `solve` may still find one: under a law that has no closed form, or at a faster
+    /// approach.
     #[inline(always)]
     #[must_use]
     pub fn solve_with_validity(&self) -> (T, Outcome<T>, bool) {
@@ -91,7 +94,9 @@ impl<T: Real> Posed<'_, T> {
     }
 }
 
-/// The condition on the approach speed x = −u_n where P_n is affine in it: with W_n = ½ (1−e) x P_n and P_n = α x + β it is α x² + β x = c.
+/// The condition on the approach speed x = −u_n where P_n is affine in it, P_n = α x + β.
+///
+/// With W_n = ½ (1−e) x P_n it is α x² + β x = c.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quadratic<T = f64> {
@@ -115,7 +120,8 @@ impl<T: Real> Quadratic<T> {
     }
 }
 
-/// The approach speeds x = −u_n at which W_n has the value sought; not numbers where there are none, and of no use where not positive.
+/// The approach speeds x = −u_n at which W_n has the value sought; not numbers where there are none, and of
+/// no use where not positive.
 #[derive(Clone, Copy)]
 pub(crate) struct Approaches<T>([T; 2]);
 

@@ -25,8 +25,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The types: a [`Problem`] is a collision with one [`Unknown`] speed; solving it gives a [`Reconciliation`], which holds the speed, the
-//! impact at that speed, and the [`SolutionMethod`] that found it. [`Problem::speeds`] lists all admissible speeds. The numbers on the way to a closed form are
+//! The types: a [`Problem`] is a collision with one [`Unknown`] speed; solving it gives a [`Reconciliation`],
+//! which holds the speed, the impact at that speed, and the [`SolutionMethod`] that found it.
+//! [`Problem::speeds`] lists all admissible speeds. The numbers on the way to a closed form are
 //! [`Problem::line`] and [`Problem::quadratic`].
 //!
 //! | code | symbol | meaning | unit |

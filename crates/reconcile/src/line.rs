@@ -2,7 +2,8 @@
 
 use pim_core::{Approach, NormalTangential, Real};
 
-/// The relative velocity u at C is affine in the unknown speed s, and so are u_t and s in the approach speed x = −u_n.
+/// The relative velocity u at C is affine in the unknown speed s, and so are u_t and s in the approach speed
+/// x = −u_n.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -38,8 +38,8 @@ impl<'a> Posed<'a> {
             .filter(move |&speed| !is_too_fast(speed) && self.problem.impact(speed).is_ok())
     }
 
-    /// (m/s) the approach speed at which a frictionless and plastic impact absorbs the crush energy: whatever the law, that of a
-    /// root is of this size.
+    /// (m/s) the approach speed at which a frictionless and plastic impact absorbs the crush energy: whatever
+    /// the law, that of a root is of this size.
     pub(crate) fn frictionless_approach_speed(self) -> f64 {
         // x² = 2 E k_nn
         Real::sqrt(2.0 * self.problem.crush_energy * self.problem.contact.inverse_mass().nn)

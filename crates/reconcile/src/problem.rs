@@ -54,10 +54,11 @@ impl Unknown {
     }
 }
 
-/// A collision of which one speed is unknown and the crush energy is known: the speed of `unknown` along its heading shall make W_n equal the
-/// crush energy on `basis`.
+/// A collision of which one speed is unknown and the crush energy is known: the speed of `unknown` along its
+/// heading shall make W_n equal the crush energy on `basis`.
 ///
-/// Any values may stand here. [`check`](Self::check) says whether they make a problem; [`solve`](Self::solve) begins with that.
+/// Any values may stand here. [`check`](Self::check) says whether they make a problem; [`solve`](Self::solve)
+/// begins with that.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -86,7 +87,8 @@ impl<T: Real> Problem<T> {
     /// Whether a speed can be sought at all.
     ///
     /// # Errors
-    /// Where the vehicle is fixed, the crush energy is not positive, e = 1, or the speed has no effect on u_n.
+    /// Where the vehicle is fixed, the crush energy is not positive, e = 1, or the speed has no effect on
+    /// u_n.
     #[inline(always)]
     pub fn check(&self) -> Result<(), ReconcileError> {
         if self.makes_sense(self.line().slope) { Ok(()) } else { Err(self.refusal()) }
@@ -234,8 +236,8 @@ impl Problem {
         self.posed()?.root_finder()
     }
 
-    /// (m/s) the admissible speeds, from the slowest approach to the fastest, however many; none where [`check`](Self::check) refuses the problem. The
-    /// first is that of [`solve`](Self::solve).
+    /// (m/s) the admissible speeds, from the slowest approach to the fastest, however many; none where
+    /// [`check`](Self::check) refuses the problem. The first is that of [`solve`](Self::solve).
     pub fn speeds(&self) -> impl Iterator<Item = f64> {
         self.posed().into_iter().flat_map(Posed::speeds)
     }

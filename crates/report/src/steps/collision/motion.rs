@@ -156,7 +156,8 @@ impl Collision<'_> {
     fn pdof(&self, i: usize) -> Step {
         let (k, vector) = (i + 1, self.impact.outcome.impulse_vector);
         let (theta, x, y) = (angle(self.heading(i)), n(vector.x, "N·s"), n(vector.y, "N·s"));
-        // The force on vehicle 2 is −P. A PDOF is clockwise in any axes: what counts is the component to the left, which in z-down axes is −y.
+        // The force on vehicle 2 is −P. A PDOF is clockwise in any axes: what counts is the component to the
+        // left, which in z-down axes is −y.
         let (left, left_numbers) = if (i == 0) == (self.case.axes == Axes::ZUp) {
             (format!("P_y cos θ_{k} − P_x sin θ_{k}"), format!("{y} · cos{theta} − {x} · sin{theta}"))
         } else {

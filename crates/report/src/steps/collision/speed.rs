@@ -15,7 +15,8 @@ struct Push {
 }
 
 impl Collision<'_> {
-    /// The speed found: in closed form where the reader can follow that, else as what the work of the normal impulse below confirms.
+    /// The speed found: in closed form where the reader can follow that, else as what the work of the normal
+    /// impulse below confirms.
     pub(super) fn speed(&self, found: &Found) -> Vec<Step> {
         let unsolved = || vec![self.solved(found, "", String::new())];
         let Some(quadratic) = &found.quadratic else { return unsolved() };

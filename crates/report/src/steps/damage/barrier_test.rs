@@ -63,7 +63,8 @@ struct Slope {
     value: f64,
 }
 
-/// The mean of a term of both ends of each zone, in numbers. The stations are equally spaced, so that the zones weigh the same.
+/// The mean of a term of both ends of each zone, in numbers. The stations are equally spaced, so that the
+/// zones weigh the same.
 fn mean(depths: &[f64], term: impl Fn(f64, f64) -> String) -> String {
     let terms: Vec<String> = depths.windows(2).map(|ends| term(ends[0], ends[1])).collect();
     format!("({}) / {}", terms.join(" + "), terms.len())

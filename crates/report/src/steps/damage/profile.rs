@@ -134,7 +134,8 @@ fn rising(stiffness: &Stiffness, [c1, c2]: [f64; 2]) -> String {
     )
 }
 
-/// The same where the force has reached its limit: the energy at the knee, (A + F_s) C_s/2, and what the flat part adds.
+/// The same where the force has reached its limit: the energy at the knee, (A + F_s) C_s/2, and what the flat
+/// part adds.
 fn flat(stiffness: &Stiffness, Saturation { force, depth: knee }: Saturation, [c1, c2]: [f64; 2]) -> String {
     let (force, knee) = (n(force, "N/m"), n(knee, "m"));
     format!(
