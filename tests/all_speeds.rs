@@ -29,7 +29,7 @@ struct Given {
     speeds: Vec<f64>,
 }
 
-fn given(problem: &Problem<'_>) -> Result<Given, ReconcileError> {
+fn given(problem: &Problem) -> Result<Given, ReconcileError> {
     let answer = problem.solve()?;
     Ok(Given { answer: answer.speed, count: answer.admissible, speeds: problem.speeds().collect() })
 }

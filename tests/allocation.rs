@@ -2,8 +2,9 @@
 
 use allocation_counter::measure;
 use pim_core::{ImpactError, Tangential};
-use reconcile::{EnergyBasis, Problem, Unknown};
+use reconcile::{EnergyBasis, Unknown};
 
+use crate::reconciliation::posed;
 use crate::scenes::{Car, Scene};
 
 fn collision(tangential: Tangential) -> Scene {
@@ -51,7 +52,7 @@ fn a_search_for_a_speed_allocates_nothing() {
     for law in LAWS {
         let scene = collision(law);
         let info = measure(|| {
-            let problem = Problem::new(
+            let problem = posed(
                 scene.contact(),
                 scene.law(),
                 scene.motions(),

@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use crash3::{
-    CrushError, EnergyBasis, Inertia, ObliqueCorrection, Profile, Side, Stiffness, crush_energy,
-    crush_range_from_force, delta_v, energy_equivalent_speed, moment_arm, peak_force,
+    CrushError, EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, StruckVehicle, crush_energy,
+    crush_range_from_force, delta_v, energy_equivalent_speed, moment_arm, peak_force, zone_force,
 };
 use pim_core::Tangential;
 use proptest::prelude::*;
@@ -64,6 +64,28 @@ fn the_peak_force_is_the_integral_of_the_force_per_width() {
         let expected = over_width(&plain, |depth| a + b * depth) / angle.cos();
         assert_relative("F", force, expected, 1e-12);
         true
+    });
+}
+
+/// The integrals of C and C²/2 over the width, their means, and energy and force made of them.
+#[test]
+fn the_sums_of_a_profile_are_integrals_and_give_its_energy_and_force() {
+    for_all(5000, 0.9, (profile(), stiffness()), |(plain, (a, b, g))| {
+        let (profile, stiffness) = (make(&plain), Stiffness::from_abg(a, b, g).unwrap());
+        let sums = profile.sums();
+        let width: f64 = plain.1.iter().sum();
+        assert_relative("L", sums.width, width, 1e-15);
+        assert_relative("S_1", sums.area, over_width(&plain, |depth| depth), 1e-13);
+        assert_relative("S_2", sums.second_moment, over_width(&plain, |depth| depth * depth / 2.0), 1e-13);
+        let (mean, square) = (sums.mean_depth(), sums.mean_square_depth());
+        assert_relative("C̄", mean, over_width(&plain, |depth| depth) / width, 1e-13);
+        assert_relative("Q", square, over_width(&plain, |depth| depth * depth) / width, 1e-13);
+        let energy = a * sums.area + b * sums.second_moment + g * width;
+        assert_relative("E", crush_energy(&profile, &stiffness), energy, 1e-12);
+        let force: f64 = profile.zones().map(|zone| zone_force(zone, &stiffness)).sum();
+        assert_relative("F", force, a * width + b * sums.area, 1e-12);
+        assert_relative("F", peak_force(&profile, &stiffness, 0.0).unwrap(), force, 1e-14);
+        sums.area > 0.0
     });
 }
 
@@ -183,7 +205,7 @@ fn vehicles() -> impl Strategy<Value = Vehicles> {
 #[test]
 fn velocity_changes_are_the_paper_s_eq_6_and_eq_7() {
     for_all(10_000, 1.0, vehicles(), |(masses, inertias, arms, energy)| {
-        let inertia = [0, 1].map(|i| Inertia::new(masses[i], inertias[i], arms[i]).unwrap());
+        let inertia = [0, 1].map(|i| StruckVehicle::new(masses[i], inertias[i], arms[i]).unwrap());
         let [m1, m2] = masses;
         // γ = k²/(k² + h²),  k² = I/m
         let [g1, g2] = [0, 1].map(|i| {
@@ -210,15 +232,15 @@ fn velocity_changes_are_the_paper_s_eq_6_and_eq_7() {
 #[test]
 fn a_barrier_takes_no_velocity() {
     for_all(2000, 1.0, vehicles(), |(masses, inertias, arms, energy)| {
-        let car = Inertia::new(masses[0], inertias[0], arms[0]).unwrap();
+        let car = StruckVehicle::new(masses[0], inertias[0], arms[0]).unwrap();
         let expected = (2.0 * energy * car.effective_mass_ratio() / masses[0]).sqrt();
-        let [dv, none] = delta_v(energy, [car, Inertia::fixed()]).unwrap();
+        let [dv, none] = delta_v(energy, [car, StruckVehicle::fixed()]).unwrap();
         assert_relative("ΔV", dv, expected, 1e-13);
         assert_eq!(none, 0.0);
-        assert_eq!(delta_v(energy, [Inertia::fixed(), car]).unwrap(), [0.0, dv]);
+        assert_eq!(delta_v(energy, [StruckVehicle::fixed(), car]).unwrap(), [0.0, dv]);
         true
     });
-    assert_eq!(Inertia::<f64>::fixed().effective_mass_ratio(), 1.0);
+    assert_eq!(StruckVehicle::<f64>::fixed().effective_mass_ratio(), 1.0);
 }
 
 /// A collinear impact of two points, from momentum and restitution alone.
@@ -232,7 +254,7 @@ fn restitution_raises_velocity_changes_as_a_two_body_impact_does() {
         let [after1, after2] = [v1, v2].map(|v| common - e * (v - common));
         let absorbed = kinetic(v1, v2) - kinetic(common, common);
         let dissipated = kinetic(v1, v2) - kinetic(after1, after2);
-        let at_cg = [m1, m2].map(|m| Inertia::new(m, 1.0, 0.0).unwrap());
+        let at_cg = [m1, m2].map(|m| StruckVehicle::new(m, 1.0, 0.0).unwrap());
         for (basis, energy) in [(EnergyBasis::Dissipated, dissipated), (EnergyBasis::Absorbed, absorbed)] {
             let factor = basis.restitution_factor(e).unwrap();
             let [dv1, dv2] = delta_v(energy, at_cg).unwrap();
@@ -260,9 +282,9 @@ fn crash3_agrees_with_an_impact_without_friction() {
         let inertia = |i: usize| {
             let car = scene.cars[i];
             if car.fixed {
-                Inertia::fixed()
+                StruckVehicle::fixed()
             } else {
-                Inertia::new(car.mass, car.mass * car.yaw_radius.powi(2), arms[i].tangential).unwrap()
+                StruckVehicle::new(car.mass, car.mass * car.yaw_radius.powi(2), arms[i].tangential).unwrap()
             }
         };
         let dissipated = outcome.energy.normal_work;
@@ -529,9 +551,12 @@ fn stiffnesses_refuse_what_no_structure_has() {
 #[test]
 fn velocity_changes_refuse_what_no_vehicle_has() {
     for bad in [0.0, -1.0] {
-        assert_eq!(Inertia::new(bad, 1.0, 0.0), Err(CrushError::NotPositive { what: "mass", value: bad }));
         assert_eq!(
-            Inertia::new(1.0, bad, 0.0),
+            StruckVehicle::new(bad, 1.0, 0.0),
+            Err(CrushError::NotPositive { what: "mass", value: bad })
+        );
+        assert_eq!(
+            StruckVehicle::new(1.0, bad, 0.0),
             Err(CrushError::NotPositive { what: "yaw inertia", value: bad })
         );
         assert_eq!(
@@ -542,19 +567,19 @@ fn velocity_changes_refuse_what_no_vehicle_has() {
     for bad in NOT_FINITE {
         let not_finite =
             |error: CrushError| assert!(matches!(error, CrushError::NotFinite { .. }), "{error:?}");
-        not_finite(Inertia::new(bad, 1.0, 0.0).unwrap_err());
-        not_finite(Inertia::new(1.0, bad, 0.0).unwrap_err());
-        not_finite(Inertia::new(1.0, 1.0, bad).unwrap_err());
-        not_finite(delta_v(bad, [Inertia::new(1.0, 1.0, 0.0).unwrap(); 2]).unwrap_err());
+        not_finite(StruckVehicle::new(bad, 1.0, 0.0).unwrap_err());
+        not_finite(StruckVehicle::new(1.0, bad, 0.0).unwrap_err());
+        not_finite(StruckVehicle::new(1.0, 1.0, bad).unwrap_err());
+        not_finite(delta_v(bad, [StruckVehicle::new(1.0, 1.0, 0.0).unwrap(); 2]).unwrap_err());
         not_finite(energy_equivalent_speed(bad, 1.0).unwrap_err());
         not_finite(energy_equivalent_speed(1.0, bad).unwrap_err());
     }
-    let car = Inertia::new(1500.0, 2700.0, 0.5).unwrap();
+    let car = StruckVehicle::new(1500.0, 2700.0, 0.5).unwrap();
     let negative = CrushError::Negative { what: "crush energy", value: -1.0 };
     assert_eq!(delta_v(-1.0, [car; 2]), Err(negative));
     assert_eq!(energy_equivalent_speed(-1.0, 1500.0), Err(negative));
     assert_eq!(delta_v(0.0, [car; 2]), Ok([0.0; 2]));
-    assert_eq!(delta_v(1.0, [Inertia::fixed(); 2]), Err(CrushError::BothFixed));
+    assert_eq!(delta_v(1.0, [StruckVehicle::fixed(); 2]), Err(CrushError::BothFixed));
     for basis in [EnergyBasis::Dissipated, EnergyBasis::Absorbed] {
         for bad in [1.0, 1.5, -0.1, f64::NAN, f64::INFINITY] {
             let refused = basis.restitution_factor(bad);

@@ -1,9 +1,11 @@
 //! The equations carry derivatives: [`Dual`] in place of `f64`.
 
-use crash3::{EnergyBasis, Inertia, Profile, Stiffness, crush_energy, delta_v};
+use crash3::{EnergyBasis, Profile, Stiffness, StruckVehicle, crush_energy, delta_v};
 use pim_core::{Body, Contact, Law, Motion, Participant, Real, Tangential};
 use real::Dual;
-use reconcile::{Problem, Unknown};
+use reconcile::Unknown;
+
+use crate::reconciliation::posed;
 
 /// What the derivatives are taken by: restitution, mass of vehicle 1, crush plane, heading of vehicle 2, stiffness B.
 const INPUTS: [f64; 5] = [0.3, 1676.5, -0.4014, 1.1694, 633e3];
@@ -25,13 +27,13 @@ fn chain<T: Real>(
     let contact = Contact::new([one, two], crush_plane).unwrap();
     let law = Law::new(restitution, tangential).unwrap();
     let motions = [Motion::rest().with_yaw_rate(t(0.1)), Motion::along(heading, t(4.47))];
-    let problem = Problem::new(contact, law, motions, Unknown::Speed1, energy, basis).unwrap();
+    let problem = posed(contact, law, motions, Unknown::Speed1, energy, basis).unwrap();
     let answer = problem.closed_form().unwrap().unwrap();
     let outcome = answer.outcome;
     let [v1, v2] = outcome.delta_v_magnitude();
     let inertia = [
-        Inertia::new(mass, t(3304.1), t(0.646)).unwrap(),
-        Inertia::new(t(1548.1), t(2935.3), t(0.592)).unwrap(),
+        StruckVehicle::new(mass, t(3304.1), t(0.646)).unwrap(),
+        StruckVehicle::new(t(1548.1), t(2935.3), t(0.592)).unwrap(),
     ];
     let [crash1, _] = delta_v(energy, inertia).unwrap();
     let factor = basis.restitution_factor(restitution).unwrap();

@@ -126,7 +126,7 @@ fn the_contact_moves_after_the_impact_as_the_vehicles_do() {
         let after = contact.inverse_mass().separation(before, outcome.impulse, outcome.moment_impulse);
         let [w1, w2] = effects.yaw_rates;
         let size = scale.yaw_rates[0] + scale.yaw_rates[1];
-        assert_close("Ω₁ − Ω₂", after.spin, w1 - w2, size * ROUNDING);
+        assert_close("Ω₁ − Ω₂", after.relative_yaw_rate, w1 - w2, size * ROUNDING);
         assert_close("U_n", after.velocity.normal, effects.separation[0], scale.velocity * ROUNDING);
         assert_close("U_t", after.velocity.tangential, effects.separation[1], scale.velocity * ROUNDING);
         true
@@ -406,6 +406,14 @@ fn the_normal_points_from_vehicle_2_to_vehicle_1() {
         // The same plane.
         let turned = n.x * scene.crush_plane.sin() - n.y * scene.crush_plane.cos();
         assert_close("n × Γ", turned, 0.0, ROUNDING);
+        // Γ as given, and n along it or against it.
+        assert_eq!(contact.crush_plane().to_bits(), scene.crush_plane.to_bits());
+        let along = n.x * scene.crush_plane.cos() + n.y * scene.crush_plane.sin();
+        assert_eq!(contact.is_turned(), along < 0.0);
+        assert_direction("n", contact.normal_angle(), f64::atan2(n.y, n.x), ROUNDING);
+        assert!((-PI..=PI).contains(&contact.normal_angle()));
+        let mirrored = contact.mirrored();
+        assert_direction("n mirrored", mirrored.normal_angle(), f64::atan2(-n.y, n.x), ROUNDING);
         // Between the CGs, except that a barrier has none.
         let [d1, d2] = [r1, r2].map(|r| n.x * r[0] + n.y * r[1]);
         let separates = (scene.cars[0].fixed || d1 < 0.0) && (scene.cars[1].fixed || d2 > 0.0);

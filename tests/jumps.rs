@@ -61,7 +61,7 @@ fn the_jump_of_a_moment() {
     });
     for_all(5_000, 0.3, any, |scene| {
         let (k, approach) = at(&scene);
-        let Some((Border { switch: Switch::Limit(needed), laws }, [one, other])) =
+        let Some((Border { switch: Switch::Limit(needed), laws, .. }, [one, other])) =
             borders(&scene).into_iter().find(|(border, _)| matches!(border.switch, Switch::Limit(_)))
         else {
             return false;

@@ -18,7 +18,9 @@ fn impact(scene: &Scene, law: Law) -> Option<Outcome> {
 /// The same to the last bit, but for μ_c, which a law that asks for it has from its impulse and the others compute beside it.
 #[track_caller]
 fn assert_equal(a: &Outcome, b: &Outcome) {
-    assert_eq!(Outcome { critical_impulse_ratio: b.critical_impulse_ratio, ..*a }, *b);
+    let mut same = *a;
+    same.critical_impulse_ratio = b.critical_impulse_ratio;
+    assert_eq!(same, *b);
     match (a.critical_impulse_ratio, b.critical_impulse_ratio) {
         (Some(a), Some(b)) => assert_close("μ_c", a, b, 1e-9 * (1.0 + b.abs())),
         (a, b) => assert_eq!(a, b),
@@ -46,8 +48,9 @@ fn a_full_impact_has_the_same_restitution_in_both_directions() {
         if full.regime != Some(Regime::Full) {
             return false;
         }
-        let other = impact(&scene, Law::ishikawa(scene.restitution, scene.restitution).unwrap()).unwrap();
-        assert_eq!(full, Outcome { regime: Some(Regime::Full), ..other });
+        let mut other = impact(&scene, Law::ishikawa(scene.restitution, scene.restitution).unwrap()).unwrap();
+        other.regime = Some(Regime::Full);
+        assert_eq!(full, other);
         true
     });
 }
@@ -277,8 +280,11 @@ fn an_impulse_backwards_is_at_half_a_turn() {
             if outcome.impulse_vector.y == 0.0 {
                 assert_eq!(outcome.impulse_direction(), std::f64::consts::PI);
             }
-            let zeros = [0.0, -0.0].map(|y| Outcome { impulse_vector: Vector2::new(-1.0, y), ..outcome });
-            assert_eq!(zeros.map(|outcome| outcome.impulse_direction()), [std::f64::consts::PI; 2]);
+            for y in [0.0, -0.0] {
+                let mut backwards = outcome;
+                backwards.impulse_vector = Vector2::new(-1.0, y);
+                assert_eq!(backwards.impulse_direction(), std::f64::consts::PI);
+            }
         }
     }
 }

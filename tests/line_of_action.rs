@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crash3::{
-    CrushError, DamagedFace, Inertia, ObliqueCorrection, Profile, Side, Stiffness, crush_energy,
+    CrushError, DamagedFace, ObliqueCorrection, Profile, Side, Stiffness, StruckVehicle, crush_energy,
     crush_from_force, crush_range_from_force, delta_v, moment_arm, opposite_pdof, peak_force,
 };
 use proptest::prelude::*;
@@ -143,7 +143,8 @@ fn uniform() -> impl Strategy<Value = (Stiffness, f64, f64, f64)> {
 fn a_force_gives_the_uniform_crush_back_that_made_it() {
     for_all(3000, 1.0, uniform(), |(stiffness, width, depth, angle)| {
         let profile = Profile::equally_spaced(vec![depth; 2], width).unwrap();
-        for stiffness in [stiffness, stiffness.with_limit(stiffness.force_per_width(1.0)).unwrap()] {
+        for stiffness in [stiffness, stiffness.with_saturation_force(stiffness.force_per_width(1.0)).unwrap()]
+        {
             let force = peak_force(&profile, &stiffness, angle).unwrap();
             let inferred = crush_from_force(force, angle, width, &stiffness).unwrap();
             assert_close("C", inferred.depth, depth, 1e-12);
@@ -171,7 +172,7 @@ fn a_force_that_leaves_no_crush_is_stored_elastically() {
 
 #[test]
 fn forces_that_no_crush_bears_are_refused() {
-    let stiffness = Stiffness::from_ab(50e3, 1e6).unwrap().with_limit(200e3).unwrap();
+    let stiffness = Stiffness::from_ab(50e3, 1e6).unwrap().with_saturation_force(200e3).unwrap();
     assert_eq!(
         crush_from_force(400e3, 0.0, 1.5, &stiffness).unwrap_err().to_string(),
         "the force of the other vehicle requires 266667 N/m, more than the limit of 200000 N/m, so the crush cannot be \
@@ -210,7 +211,7 @@ fn the_bounds_hold_every_width_that_is_possible() {
             let (a, b) = (given.a(), given.b());
             let mut stiffness = Stiffness::from_abg(a, b, g * a * a / (2.0 * b)).unwrap();
             if is_limited {
-                stiffness = stiffness.with_limit(a + b * knee).unwrap();
+                stiffness = stiffness.with_saturation_force(a + b * knee).unwrap();
             }
             let (widest, deepest) = (3.5, 1.2);
             let profile = Profile::equally_spaced(vec![depth; 2], width).unwrap();
@@ -238,7 +239,7 @@ fn integrated(stiffness: &Stiffness, depth: f64) -> f64 {
     let dc = depth / f64::from(steps);
     let force = |c: f64| {
         let rising = stiffness.a() + stiffness.b() * c;
-        stiffness.limit().map_or(rising, |limit| rising.min(limit))
+        stiffness.saturation_force().map_or(rising, |limit| rising.min(limit))
     };
     (0..steps).map(|i| force((f64::from(i) + 0.5) * dc) * dc).sum::<f64>() + stiffness.g()
 }
@@ -255,7 +256,7 @@ fn the_bounds_are_reached() {
             let (a, b) = (given.a(), given.b());
             let mut stiffness = Stiffness::from_abg(a, b, g * a * a / (2.0 * b)).unwrap();
             if is_limited {
-                stiffness = stiffness.with_limit(a + b * knee).unwrap();
+                stiffness = stiffness.with_saturation_force(a + b * knee).unwrap();
             }
             let force = peak_force(&Profile::equally_spaced(vec![depth; 2], width).unwrap(), &stiffness, 0.0)
                 .unwrap();
@@ -307,7 +308,7 @@ fn the_bounds_by_hand() {
     assert_relative("widest", weak.lowest.energy, 3750.0, 1e-13);
     assert_eq!(weak.nominal, weak.lowest);
     // Limited to 250 kN/m, which 0.2 m reach: as deep as 0.8 m, E/w = 10 + 20 + 250·0.6 + 1.25 kJ/m, over 600/250 m.
-    let limited = stiffness.with_limit(250e3).unwrap();
+    let limited = stiffness.with_saturation_force(250e3).unwrap();
     let range = crush_range_from_force(600e3, 0.0, &limited, 1.5, 4.0, 0.8).unwrap();
     assert_relative("narrowest", range.highest.width, 2.4, 1e-14);
     assert_relative("highest", range.highest.energy, 2.4 * 181.25e3, 1e-13);
@@ -474,7 +475,8 @@ fn table_3_of_the_paper_comes_out() {
                 energy += staged.energies[i] * FOOT_POUND * factor;
             }
             let inertia = |i: usize| {
-                Inertia::new(staged.masses[i], staged.inertias[i], moment_arm(points[i], pdof[i])).unwrap()
+                StruckVehicle::new(staged.masses[i], staged.inertias[i], moment_arm(points[i], pdof[i]))
+                    .unwrap()
             };
             let found = delta_v(energy, [inertia(0), inertia(1)]).unwrap();
             let what = |vehicle: u8| format!("test {}, {change:+}°, vehicle {vehicle}", staged.test);

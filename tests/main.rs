@@ -60,3 +60,5 @@ mod structures;
 mod turns;
 #[cfg(test)]
 mod twins;
+#[cfg(test)]
+mod written;

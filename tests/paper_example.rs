@@ -4,12 +4,13 @@
 //! `ERRATUM` says so and the test shows the difference.
 
 use crash3::{
-    EnergyBasis, Inertia, ObliqueCorrection, Profile, Stiffness, crush_energy, delta_v, moment_arm,
+    EnergyBasis, ObliqueCorrection, Profile, Stiffness, StruckVehicle, crush_energy, delta_v, moment_arm,
 };
 use pim_core::{Body, Contact, Law, Motion, Participant, Tangential};
-use reconcile::{Method, Problem, Reconciliation, Unknown};
+use reconcile::{Problem, Reconciliation, SolutionMethod, Unknown};
 
 use crate::compare::{assert_close, assert_printed, assert_relative};
+use crate::reconciliation::posed;
 
 /// (m).
 pub(crate) const FOOT: f64 = 0.3048;
@@ -70,11 +71,11 @@ fn energies() -> [f64; 2] {
     })
 }
 
-fn problem() -> Problem<'static> {
+fn problem() -> Problem {
     let [e1, e2] = energies();
     let law = Law::new(RESTITUTION, Tangential::Critical).unwrap();
     let motions = [Motion::rest(), Motion::along(HEADINGS[1].to_radians(), 10.0 * MPH)];
-    Problem::new(contact(), law, motions, Unknown::Speed1, e1 + e2, EnergyBasis::Dissipated).unwrap()
+    posed(contact(), law, motions, Unknown::Speed1, e1 + e2, EnergyBasis::Dissipated).unwrap()
 }
 
 pub(crate) fn reconciliation() -> Reconciliation {
@@ -125,7 +126,7 @@ fn the_speed_is_the_one_that_the_paper_finds() {
     assert_printed(answer.speed, "22.9");
     assert_eq!(answer.admissible, 1);
     assert!(problem().speeds().eq([answer.speed]));
-    assert!(matches!(answer.method, Method::ClosedForm));
+    assert!(matches!(answer.method, SolutionMethod::ClosedForm));
     assert_relative("W_n", answer.outcome.energy.normal_work, energies().iter().sum(), 1e-12);
     assert_relative("W_n", problem().normal_work(answer.speed), energies().iter().sum(), 1e-12);
     let [before, _] = answer.outcome.before;
@@ -194,7 +195,7 @@ fn crash3_alone_needs_the_arms() {
     assert_printed(h1, "0.646");
     assert_printed(h2, "0.592");
     assert_printed(h2 / FOOT, "1.943");
-    let inertia = |i: usize, h: f64| Inertia::new(mass(i), yaw_inertia(i), h).unwrap();
+    let inertia = |i: usize, h: f64| StruckVehicle::new(mass(i), yaw_inertia(i), h).unwrap();
     let energy: f64 = energies().iter().sum();
     assert_printed(inertia(0, h1).effective_mass_ratio(), "0.825");
     assert_printed(inertia(1, h2).effective_mass_ratio(), "0.844");
@@ -237,8 +238,7 @@ fn absorbed_energy_asks_for_a_lower_speed() {
     let [e1, e2] = energies();
     let law = Law::new(RESTITUTION, Tangential::Critical).unwrap();
     let motions = [Motion::rest(), Motion::along(HEADINGS[1].to_radians(), 10.0 * MPH)];
-    let absorbed =
-        Problem::new(contact(), law, motions, Unknown::Speed1, e1 + e2, EnergyBasis::Absorbed).unwrap();
+    let absorbed = posed(contact(), law, motions, Unknown::Speed1, e1 + e2, EnergyBasis::Absorbed).unwrap();
     assert_relative("W_n", absorbed.normal_work_sought(), 0.91 * (e1 + e2), 1e-14);
     let answer = absorbed.solve().unwrap();
     assert_relative("W_n", answer.outcome.energy.normal_work, 0.91 * (e1 + e2), 1e-12);

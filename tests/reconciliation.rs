@@ -4,14 +4,33 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use pim_core::{
-    Body, Contact, ImpactError, InvalidInput, Law, Motion, Participant, RestitutionCurve, Tangential,
+    Body, Contact, ImpactError, InvalidInput, Law, Motion, Participant, Real, RestitutionCurve, Tangential,
 };
 use proptest::prelude::*;
-use reconcile::{EnergyBasis, MAX_STEPS, Method, Problem, ReconcileError, Unknown};
+use reconcile::{EnergyBasis, MAX_STEPS, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown};
 
 use crate::compare::{assert_close, assert_relative};
 use crate::oracle::{Condition, Verdict, approach, solve, verdict};
 use crate::scenes::{Car, Scene, for_all, scene};
+
+/// A problem, or why it makes none.
+pub(crate) fn posed<T: Real>(
+    contact: Contact<T>,
+    law: Law<T>,
+    motions: [Motion<T>; 2],
+    unknown: Unknown,
+    crush_energy: T,
+    basis: EnergyBasis,
+) -> Result<Problem<T>, ReconcileError> {
+    let problem = Problem { contact, law: law.into(), motions, unknown, crush_energy, basis };
+    problem.check().map(|()| problem)
+}
+
+/// The same problem under a restitution that depends on the closing speed.
+pub(crate) fn with_curve(problem: &Problem, curve: &RestitutionCurve) -> Problem {
+    let law = problem.law.nominal().with_restitution_curve(curve.clone());
+    Problem { law, ..problem.clone() }
+}
 
 /// A collision of which one vehicle moves along its heading, at a speed to be found.
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +51,7 @@ impl Case {
     }
 
     /// The problem to which the crush energy of both vehicles is the one that dissipates `normal_work`.
-    pub(crate) fn problem(&self, normal_work: f64) -> Problem<'static> {
+    pub(crate) fn problem(&self, normal_work: f64) -> Problem {
         let e = self.scene.restitution;
         let energy = match self.basis {
             EnergyBasis::Dissipated => normal_work,
@@ -40,7 +59,7 @@ impl Case {
         };
         // What the velocity of the unknown is must not matter.
         let scene = self.at(f64::MAX);
-        Problem::new(scene.contact(), scene.law(), scene.motions(), self.unknown, energy, self.basis).unwrap()
+        posed(scene.contact(), scene.law(), scene.motions(), self.unknown, energy, self.basis).unwrap()
     }
 
     /// (m/s) how well a speed can be known: the size of what u_n is a difference of, over what a speed of 1 m/s adds to u_n.
@@ -148,7 +167,7 @@ fn the_answer_gives_the_energy_back() {
         let speeds: Vec<f64> = problem.speeds().collect();
         assert_eq!(answer.admissible, speeds.len());
         assert_eq!(answer.speed, speeds[0]);
-        assert_eq!(answer.outcome.before, problem.motions(answer.speed));
+        assert_eq!(answer.outcome.before, problem.motions_at(answer.speed));
         // What it answers is what the impact does at that speed.
         let expected = case.at(answer.speed).impact().unwrap();
         let (dv, expected) = (answer.outcome.delta_v_magnitude(), expected.delta_v_magnitude());
@@ -161,7 +180,7 @@ fn the_answer_gives_the_energy_back() {
         for speed in speeds {
             assert_relative("W_n", problem.normal_work(speed), answer.normal_work, 1e-12 * size + 1e-9);
         }
-        if let Method::RootFinder(iterations) = answer.method {
+        if let SolutionMethod::RootFinder(iterations) = answer.method {
             assert!(iterations.as_slice().len() <= MAX_STEPS);
             if let Some(last) = iterations.as_slice().last() {
                 assert_close("the last step", last.speed, answer.speed, 1e-9 * case.speed_scale());
@@ -394,8 +413,8 @@ fn closed_form_and_root_finder_agree() {
         let problem = case.problem(work);
         match (problem.closed_form().unwrap(), problem.root_finder()) {
             (Ok(closed), Ok(found)) => {
-                assert!(matches!(closed.method, Method::ClosedForm));
-                assert!(matches!(found.method, Method::RootFinder(_)));
+                assert!(matches!(closed.method, SolutionMethod::ClosedForm));
+                assert!(matches!(found.method, SolutionMethod::RootFinder(_)));
                 assert_eq!(closed.admissible, found.admissible);
                 let scale = case.speed_scale() + closed.speed.abs();
                 assert_close("the speed", found.speed, closed.speed, 1e-10 * scale);
@@ -428,7 +447,7 @@ fn only_laws_with_a_quadratic_have_a_closed_form() {
 /// By hand, along n = +y and t = −x: k_nn = k_tt = 2, k_nt = 1, det K = 3. With the yaw rate ω, u = −(ω + s/√10, ω + 3s/√10); in the
 /// approach speed x = ω + s/√10 that is u_t = 2ω − 3x, so that a common velocity takes P_n = (2x + u_t)/3 = (2ω − x)/3 and
 /// W_n = x (2ω − x)/6.
-fn against_a_wall(law: Tangential, yaw_rate: f64, energy: f64) -> Result<Problem<'static>, ReconcileError> {
+fn against_a_wall(law: Tangential, yaw_rate: f64, energy: f64) -> Result<Problem, ReconcileError> {
     let heading = f64::atan2(-1.0, 3.0);
     let car = Car {
         fixed: false,
@@ -443,7 +462,58 @@ fn against_a_wall(law: Tangential, yaw_rate: f64, energy: f64) -> Result<Problem
     let contact = Contact::new([car.participant(), Participant::barrier()], FRAC_PI_2).unwrap();
     let law = Law::new(0.0, law).unwrap();
     let motions = [Motion::rest().with_yaw_rate(yaw_rate), Motion::rest()];
-    Problem::new(contact, law, motions, Unknown::Speed1, energy, EnergyBasis::Dissipated)
+    posed(contact, law, motions, Unknown::Speed1, energy, EnergyBasis::Dissipated)
+}
+
+/// The numbers of the hand calculation above, with ω = 5: P_n = (10 − x)/3, and c = 2 · 1.5 J.
+#[test]
+fn the_numbers_on_the_way_by_hand() {
+    let problem = against_a_wall(Tangential::Critical, 5.0, 1.5).unwrap();
+    let (line, quadratic) = (problem.line(), problem.quadratic().unwrap());
+    for (what, actual, expected) in [
+        ("u_n0", line.at_rest.normal, -5.0),
+        ("u_t,rest", line.at_rest.tangential, -5.0),
+        ("c_n", line.slope.normal, -1.0 / 10_f64.sqrt()),
+        ("c_t", line.slope.tangential, -3.0 / 10_f64.sqrt()),
+        ("ω₁ − ω₂", line.relative_yaw_rate, 5.0),
+        ("τ", line.tangential_slope(), -3.0),
+        ("u_t0", line.tangential_at_zero_approach(), 10.0),
+        ("α", quadratic.alpha, -1.0 / 3.0),
+        ("β", quadratic.beta, 10.0 / 3.0),
+        ("c", quadratic.c, 3.0),
+    ] {
+        assert_close(what, actual, expected, 1e-13);
+    }
+    let mirrored = line.mirrored();
+    assert_eq!(mirrored.at_rest.normal, line.at_rest.normal);
+    assert_eq!(mirrored.slope.tangential, -line.slope.tangential);
+    assert_eq!(mirrored.tangential_slope(), -line.tangential_slope());
+    assert_eq!(mirrored.tangential_at_zero_approach(), -line.tangential_at_zero_approach());
+    assert_eq!(mirrored.relative_yaw_rate, -5.0);
+}
+
+/// Each impact lies on the line and on P_n = α x + β, and x meets the quadratic.
+#[test]
+fn the_numbers_on_the_way_are_those_of_the_impact() {
+    for_all(5000, 0.2, case(all_laws()), |case| {
+        let (Verdict::Impact(effects), [u_n, u_t]) = (verdict(&case.scene), approach(&case.scene)) else {
+            return false;
+        };
+        let problem = case.problem(effects.normal_work);
+        let line = problem.line();
+        let at = line.at(-u_n);
+        let size = case.speed_scale() * case.slope().abs() * (1.0 + line.tangential_slope().abs());
+        assert_close("u_t", at.velocity.tangential, u_t, 1e-12 * size);
+        assert_close("s", line.speed(-u_n), case.speed, 1e-11 * (case.speed_scale() + case.speed.abs()));
+        let Some(Quadratic { alpha, beta, c }) = problem.quadratic() else {
+            assert!(!case.scene.law().is_affine());
+            return false;
+        };
+        let pushes = (alpha * u_n).abs() + beta.abs();
+        assert_close("P_n", alpha * -u_n + beta, effects.impulse[0], 1e-9 * pushes);
+        assert_close("c", (alpha * -u_n + beta) * -u_n, c, 1e-9 * (pushes * u_n.abs() + c));
+        true
+    });
 }
 
 /// With ω = 5 the work is x (10 − x)/6: 1.5 J at x = 1 and at x = 9, and never more than 25/6 J.
@@ -485,7 +555,7 @@ fn what_cannot_be_reached_is_told_how_near_it_comes() {
         let curve = RestitutionCurve::new(vec![(1.0, 0.0), (2.0, 0.0)]).unwrap();
         for share in [1.001, 3.0, 1e4] {
             let beyond = against_a_wall(Tangential::Critical, yaw_rate, share * most).unwrap();
-            for problem in [beyond, beyond.with_restitution_curve(&curve)] {
+            for problem in [with_curve(&beyond, &curve), beyond] {
                 assert!(matches!(problem.root_finder(), Err(ReconcileError::NotReached { .. })));
                 let nearest = problem.nearest().unwrap();
                 assert_relative("the nearest W_n", nearest.normal_work, most, 1e-12);
@@ -526,7 +596,7 @@ fn a_speed_that_creates_energy_is_refused_by_name() {
     // n = −x: with the heading 0.3 the car slides along +y, which is −t; friction against that has μ > 0.
     let law = Law::new(0.9, Tangential::Ratio(-1.5)).unwrap();
     let motions = [Motion::rest(), Motion::rest()];
-    let problem = Problem::new(contact, law, motions, Unknown::Speed1, 1e4, EnergyBasis::Dissipated).unwrap();
+    let problem = posed(contact, law, motions, Unknown::Speed1, 1e4, EnergyBasis::Dissipated).unwrap();
     for answer in [problem.solve(), problem.root_finder()] {
         let error = answer.unwrap_err();
         let ReconcileError::Inadmissible { vehicle, speed, reason } = error else { panic!("{error:?}") };
@@ -570,7 +640,7 @@ fn a_speed_below_the_first_sample_is_found() {
 #[test]
 fn the_steps_of_a_search_are_printed() {
     let answer = against_a_wall(Tangential::Critical, 5.0, 1.5).unwrap().root_finder().unwrap();
-    let Method::RootFinder(iterations) = answer.method else { panic!("{:?}", answer.method) };
+    let SolutionMethod::RootFinder(iterations) = answer.method else { panic!("{:?}", answer.method) };
     assert!(!iterations.as_slice().is_empty());
     assert_eq!(format!("{iterations:?}"), format!("{:?}", iterations.as_slice()));
 }
@@ -580,10 +650,10 @@ pub(crate) fn head_on(
     unknown: Unknown,
     e: f64,
     energy: f64,
-) -> Result<Problem<'static>, ReconcileError> {
+) -> Result<Problem, ReconcileError> {
     let contact = Contact::new(places, 0.0).unwrap();
     let law = Law::new(e, Tangential::Critical).unwrap();
-    Problem::new(contact, law, [Motion::rest(); 2], unknown, energy, EnergyBasis::Dissipated)
+    posed(contact, law, [Motion::rest(); 2], unknown, energy, EnergyBasis::Dissipated)
 }
 
 pub(crate) fn places(heading: f64) -> [Participant; 2] {

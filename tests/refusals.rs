@@ -156,7 +156,7 @@ fn sliding_along_each_other_is_no_approach() {
         let (contact, motions) = exact([0.0, speed], 0.0);
         assert_eq!(contact.approach(&motions).velocity.normal, 0.0);
         assert_eq!(contact.impact(motions, &law), Err(ImpactError::NotApproaching { u_n: 0.0 }));
-        assert!(!contact.attempt(motions, &law).1);
+        assert!(!contact.impact_with_validity(motions, &law).1);
     }
 }
 
@@ -273,7 +273,7 @@ fn rounding_may_create_energy_and_nothing_else() {
         };
         // The loss over the exchange, and whether the impact is possible.
         let at = |excess: f64| {
-            let (outcome, possible) = contact.attempt(scene.motions(), &law(excess));
+            let (outcome, possible) = contact.impact_with_validity(scene.motions(), &law(excess));
             let (p, u, v) = (outcome.impulse, outcome.approach, outcome.separation);
             let mut exchanged = p.normal.abs() * (u.normal.abs() + v.normal.abs())
                 + p.tangential.abs() * (u.tangential.abs() + v.tangential.abs());
@@ -295,7 +295,7 @@ fn rounding_may_create_energy_and_nothing_else() {
                     within = middle;
                 }
             }
-            let pushes = contact.attempt(scene.motions(), &law(within)).0.impulse.normal > 0.0;
+            let pushes = contact.impact_with_validity(scene.motions(), &law(within)).0.impulse.normal > 0.0;
             (pushes && (at(within).0 / share - 1.0).abs() < 0.05).then_some(within)
         };
         if contact.impact(scene.motions(), &law(0.0)).is_err() {

@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
-use pim_core::{ImpactError, InvalidInput, Law, RestitutionCurve, Tangential};
+use pim_core::{ImpactError, InvalidInput, Law, RestitutionCurve, Tangential, VaryingLaw};
 use proptest::prelude::*;
 use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
 
 use crate::compare::{assert_close, assert_relative};
 use crate::oracle::{Verdict, approach, verdict};
-use crate::reconciliation::{Case, all_laws, case, head_on, places};
+use crate::reconciliation::{Case, all_laws, case, head_on, places, posed, with_curve};
 use crate::scenes::{Scene, for_all};
 
 fn curve(points: &[(f64, f64)]) -> RestitutionCurve {
@@ -43,7 +43,15 @@ fn a_curve_is_linear_between_its_points_and_constant_outside() {
 #[test]
 fn a_curve_changes_the_restitution_of_a_law_and_nothing_else() {
     let law = |e: f64| Law::new(e, Tangential::Friction(0.6)).unwrap().with_moment_restitution(-0.5).unwrap();
-    assert_eq!(curve(&[(2.0, 0.5), (6.0, 0.25)]).law(law(0.9), 4.0), law(0.375));
+    let varying = law(0.9).with_restitution_curve(curve(&[(2.0, 0.5), (6.0, 0.25)]));
+    assert_eq!(varying.at(4.0), law(0.375));
+    assert_eq!(varying.nominal(), law(0.5), "that of the first point");
+    assert_eq!(varying.curve().unwrap().around(4.0), [Some((2.0, 0.5)), Some((6.0, 0.25))]);
+    assert_eq!(varying.curve().unwrap().around(6.0), [Some((6.0, 0.25)), None]);
+    assert_eq!(varying.curve().unwrap().around(1.0), [None, Some((2.0, 0.5))]);
+    let constant = VaryingLaw::from(law(0.9));
+    assert_eq!([constant.at(0.0), constant.at(4.0)], [law(0.9); 2]);
+    assert!(constant.curve().is_none());
 }
 
 #[test]
@@ -123,7 +131,7 @@ fn the_speed_under_a_curve_is_that_of_the_restitution_there() {
             EnergyBasis::Absorbed => work / (1.0 - e * e),
         };
         let through = curve(&points);
-        let problem = Problem::new(
+        let problem = posed(
             case.scene.contact(),
             case.scene.law(),
             case.scene.motions(),
@@ -131,8 +139,8 @@ fn the_speed_under_a_curve_is_that_of_the_restitution_there() {
             energy,
             case.basis,
         )
-        .unwrap()
-        .with_restitution_curve(&through);
+        .unwrap();
+        let problem = with_curve(&problem, &through);
         assert!(problem.closed_form().is_none());
         let answer = problem.solve().unwrap_or_else(|error| panic!("{error}"));
         let speeds: Vec<f64> = problem.speeds().collect();
@@ -159,8 +167,7 @@ fn a_flat_curve_is_a_constant() {
         let Ok(outcome) = case.scene.impact() else { return false };
         let problem = case.problem(outcome.energy.normal_work);
         let flat = curve(&[(speed, case.scene.restitution), (speed + 5.0, case.scene.restitution)]);
-        let (Ok(constant), Ok(curved)) = (problem.solve(), problem.with_restitution_curve(&flat).solve())
-        else {
+        let (Ok(constant), Ok(curved)) = (problem.solve(), with_curve(&problem, &flat).solve()) else {
             return false;
         };
         if constant.admissible != 1 || curved.admissible != 1 || case.slope().abs() < 0.02 {
@@ -173,10 +180,10 @@ fn a_flat_curve_is_a_constant() {
     });
 }
 
-fn central(energy: f64, basis: EnergyBasis) -> Problem<'static> {
+fn central(energy: f64, basis: EnergyBasis) -> Problem {
     let contact = pim_core::Contact::new(places(PI), 0.0).unwrap();
     let law = Law::new(0.3, Tangential::Critical).unwrap();
-    Problem::new(contact, law, [pim_core::Motion::rest(); 2], Unknown::Speed1, energy, basis).unwrap()
+    posed(contact, law, [pim_core::Motion::rest(); 2], Unknown::Speed1, energy, basis).unwrap()
 }
 
 /// By hand, head-on and central with equal masses: W_n = ½ m̄ (1−e²) v² with m̄ = 750 kg, and ½ m̄ v² is absorbed.
@@ -187,7 +194,7 @@ fn a_curve_by_hand() {
     for (energy, basis) in
         [(375.0 * 100.0 * (1.0 - 0.09), EnergyBasis::Dissipated), (375.0 * 100.0, EnergyBasis::Absorbed)]
     {
-        let answer = central(energy, basis).with_restitution_curve(&falling).solve().unwrap();
+        let answer = with_curve(&central(energy, basis), &falling).solve().unwrap();
         assert_eq!(answer.admissible, 1);
         assert_relative("the speed", answer.speed, 10.0, 1e-12);
         assert_relative("e", answer.law.restitution(), 0.3, 1e-12);
@@ -200,7 +207,7 @@ fn a_curve_by_hand() {
 fn where_the_restitution_is_one_there_is_no_speed() {
     let elastic = curve(&[(5.0, 1.0), (15.0, 0.2)]);
     for (energy, basis) in [(375.0 * 64.0, EnergyBasis::Dissipated), (37_500.0, EnergyBasis::Absorbed)] {
-        let answer = central(energy, basis).with_restitution_curve(&elastic).solve().unwrap();
+        let answer = with_curve(&central(energy, basis), &elastic).solve().unwrap();
         assert_eq!(answer.admissible, 1);
         assert_relative("the speed", answer.speed, 10.0, 1e-12);
     }
@@ -211,16 +218,16 @@ fn where_the_restitution_is_one_there_is_no_speed() {
         for (energy, basis) in
             [(absorbed * (1.0 - e * e), EnergyBasis::Dissipated), (absorbed, EnergyBasis::Absorbed)]
         {
-            let answer = central(energy, basis).with_restitution_curve(&elastic).solve().unwrap();
+            let answer = with_curve(&central(energy, basis), &elastic).solve().unwrap();
             assert_relative("the speed", answer.speed, 5.0 + above, 1e-8);
         }
     }
     // 4 m/s would absorb it.
-    let answer = central(375.0 * 16.0, EnergyBasis::Absorbed).with_restitution_curve(&elastic).solve();
+    let answer = with_curve(&central(375.0 * 16.0, EnergyBasis::Absorbed), &elastic).solve();
     assert!(matches!(answer, Err(ReconcileError::NotReached { vehicle: 1, .. })), "{answer:?}");
     let always = curve(&[(0.0, 1.0)]);
     for basis in [EnergyBasis::Absorbed, EnergyBasis::Dissipated] {
-        let answer = central(1e4, basis).with_restitution_curve(&always).solve();
+        let answer = with_curve(&central(1e4, basis), &always).solve();
         assert!(matches!(answer, Err(ReconcileError::NoRestitutionLoss { restitution: 1.0 })), "{answer:?}");
     }
 }
@@ -230,8 +237,7 @@ fn where_the_restitution_is_one_there_is_no_speed() {
 fn a_narrow_peak_of_a_curve_is_not_overlooked() {
     let peak = curve(&[(9.99, 0.0), (10.0, 0.9), (10.01, 0.0)]);
     let energy = 375.0 * 9.5 * 9.5;
-    let speeds: Vec<f64> =
-        central(energy, EnergyBasis::Dissipated).with_restitution_curve(&peak).speeds().collect();
+    let speeds: Vec<f64> = with_curve(&central(energy, EnergyBasis::Dissipated), &peak).speeds().collect();
     let [first, falling, rising] = speeds[..] else { panic!("{speeds:?}") };
     assert_relative("the speed", first, 9.5, 1e-12);
     assert!(9.99 < falling && falling < 10.0 && 10.0 < rising && rising < 10.01);

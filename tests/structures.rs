@@ -4,7 +4,7 @@
 //! thesis (De Montfort University), Appendix D, gives them.
 
 use crash3::{
-    BarrierTest, CrushError, ObliqueCorrection, Profile, Side, Stiffness, Structure, VehicleClass,
+    BarrierTest, CrushError, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, VehicleClass,
     crush_energy, peak_force, yaw_inertia_burg,
 };
 use proptest::prelude::*;
@@ -148,7 +148,7 @@ fn limited() -> impl Strategy<Value = (f64, f64, f64, f64)> {
 }
 
 fn with_limit((a, b, g, limit): (f64, f64, f64, f64)) -> Stiffness {
-    Stiffness::from_abg(a, b, g).unwrap().with_limit(limit).unwrap()
+    Stiffness::from_abg(a, b, g).unwrap().with_saturation_force(limit).unwrap()
 }
 
 /// ∫ min(A + B c, F_s) dc up to `depth`, by the sum of many thin slices.
@@ -221,9 +221,9 @@ fn a_limited_force_is_exact_where_stations_lie_on_the_knee() {
 fn a_limit_that_is_never_reached_changes_nothing_and_one_at_a_leaves_a_constant_force() {
     for_all(500, 1.0, (profile(), stiffness()), |(plain, (a, b, g))| {
         let free = Stiffness::from_abg(a, b, g).unwrap();
-        let far = free.with_limit(a + b * 2.0).unwrap();
+        let far = free.with_saturation_force(a + b * 2.0).unwrap();
         assert_eq!(crush_energy(&make(&plain), &far).to_bits(), crush_energy(&make(&plain), &free).to_bits());
-        let constant = free.with_limit(a).unwrap();
+        let constant = free.with_saturation_force(a).unwrap();
         let expected = over_width(&plain, |depth| a * depth + g);
         assert_relative("E", crush_energy(&make(&plain), &constant), expected, 1e-12);
         let peak = peak_force(&make(&plain), &constant, 0.0).unwrap();
@@ -231,7 +231,7 @@ fn a_limit_that_is_never_reached_changes_nothing_and_one_at_a_leaves_a_constant_
         true
     });
     // B = 0 never reaches a limit.
-    let level = Stiffness::from_abg(50e3, 0.0, 10.0).unwrap().with_limit(50e3).unwrap();
+    let level = Stiffness::from_abg(50e3, 0.0, 10.0).unwrap().with_saturation_force(50e3).unwrap();
     assert_relative(
         "E",
         crush_energy(&Profile::equally_spaced(vec![0.2; 2], 2.0).unwrap(), &level),
@@ -244,10 +244,10 @@ fn a_limit_that_is_never_reached_changes_nothing_and_one_at_a_leaves_a_constant_
 fn a_limit_below_a_is_refused() {
     let stiffness = Stiffness::from_ab(50e3, 1e6).unwrap();
     assert_eq!(
-        stiffness.with_limit(49e3).unwrap_err().to_string(),
+        stiffness.with_saturation_force(49e3).unwrap_err().to_string(),
         "the limit of the force per width is 49000 N/m, but must be at least A = 50000 N/m, at which crush begins"
     );
-    assert!(matches!(stiffness.with_limit(f64::NAN), Err(CrushError::NotFinite { .. })));
+    assert!(matches!(stiffness.with_saturation_force(f64::NAN), Err(CrushError::NotFinite { .. })));
 }
 
 #[test]
@@ -257,7 +257,7 @@ fn zones_have_each_their_own_stiffness() {
         (Just(plain), proptest::collection::vec(limited(), zones))
     });
     for_all(100, 1.0, per_zone, |(plain, lines): (Plain, Vec<(f64, f64, f64, f64)>)| {
-        let structure = Structure::Zones(lines.iter().copied().map(with_limit).collect());
+        let structure = SideStiffness::Zones(lines.iter().copied().map(with_limit).collect());
         let energy = structure.crush_energy(&make(&plain)).unwrap();
         let expected = strips(&plain, |zone, depth| {
             let (a, b, g, limit) = lines[zone];
@@ -278,8 +278,8 @@ fn zones_have_each_their_own_stiffness() {
 fn the_same_stiffness_in_every_zone_is_uniform() {
     for_all(500, 1.0, (profile(), limited()), |(plain, line)| {
         let stiffness = with_limit(line);
-        let zones = Structure::Zones(vec![stiffness; plain.1.len()]);
-        let uniform = Structure::Uniform(stiffness);
+        let zones = SideStiffness::Zones(vec![stiffness; plain.1.len()]);
+        let uniform = SideStiffness::Uniform(stiffness);
         let profile = make(&plain);
         assert_eq!(zones.crush_energy(&profile), uniform.crush_energy(&profile));
         assert_eq!(zones.peak_force(&profile, 0.2), uniform.peak_force(&profile, 0.2));
@@ -287,7 +287,7 @@ fn the_same_stiffness_in_every_zone_is_uniform() {
         true
     });
     let three = Profile::equally_spaced(vec![0.1; 4], 1.0).unwrap();
-    let two = Structure::Zones(vec![Stiffness::from_ab(50e3, 1e6).unwrap(); 2]);
+    let two = SideStiffness::Zones(vec![Stiffness::from_ab(50e3, 1e6).unwrap(); 2]);
     let refused = two.crush_energy(&three).unwrap_err();
     assert_eq!(refused, CrushError::ZoneCount { zones: 3, stiffnesses: 2 });
     assert_eq!(
@@ -314,9 +314,14 @@ fn a_barrier_test_s_stiffness_gives_its_kinetic_energy_back() {
         // b₀ = A √(w/(m B)), whatever the profile.
         let width: f64 = plain.1.iter().sum();
         assert_close("b₀", exact.a() * (width / (mass * exact.b())).sqrt(), share * speed, 1e-9 * speed);
+        // The line V = b₀ + b₁ C whose square is twice the energy per mass and width; A B⁻¹ = b₀/b₁.
+        assert_relative("b₁", test.slope(), share * speed * exact.b() / exact.a(), 1e-12);
         // The mean of squares is not less than the square of the mean.
         let mean = test.fit_mean().unwrap();
         assert!(crush_energy(&make(&plain), &mean) >= kinetic * (1.0 - 1e-12));
+        let mean_depth = over_width(&plain, |depth| depth) / width;
+        assert_relative("b₁", test.mean_slope(), (1.0 - share) * speed / mean_depth, 1e-12);
+        assert_eq!(test.profile(), &make(&plain));
         true
     });
 }

@@ -2,11 +2,11 @@
 
 use pim_core::{Contact, Law, Motion, RestitutionCurve, Tangential};
 use proptest::prelude::*;
-use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
+use reconcile::{EnergyBasis, ReconcileError, Unknown};
 
 use crate::compare::assert_relative;
 use crate::oracle::{Condition, approach, solve};
-use crate::reconciliation::{Case, all_laws, case, places};
+use crate::reconciliation::{Case, all_laws, case, places, posed, with_curve};
 use crate::scenes::for_all;
 
 /// By hand, head-on and central with equal masses and e = e₀ + (1 − e₀) v/v₁: W_n = 375 v² (1 − e²) is greatest where
@@ -16,7 +16,7 @@ fn two_speeds_about_the_greatest_work_under_a_curve() {
     let contact = Contact::new(places(std::f64::consts::PI), 0.0).unwrap();
     let law = Law::new(0.3, Tangential::Critical).unwrap();
     let problem = |energy: f64, basis: EnergyBasis| {
-        Problem::new(contact, law, [Motion::rest(); 2], Unknown::Speed1, energy, basis).unwrap()
+        posed(contact, law, [Motion::rest(); 2], Unknown::Speed1, energy, basis).unwrap()
     };
     for step in 0..40 {
         let e0 = 0.02 * f64::from(step);
@@ -27,7 +27,7 @@ fn two_speeds_about_the_greatest_work_under_a_curve() {
         let greatest = 375.0 * v * v * (1.0 - e * e);
         for below in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10] {
             let energy = greatest * (1.0 - below);
-            let problem = problem(energy, EnergyBasis::Dissipated).with_restitution_curve(&curve);
+            let problem = with_curve(&problem(energy, EnergyBasis::Dissipated), &curve);
             let speeds: Vec<f64> = problem.speeds().collect();
             let [slow, fast] = speeds[..] else { panic!("{e0} {below} {speeds:?}") };
             assert!(slow < v && v < fast, "{slow} {v} {fast}");
@@ -40,7 +40,7 @@ fn two_speeds_about_the_greatest_work_under_a_curve() {
             }
         }
         let beyond = problem(greatest * (1.0 + 1e-9), EnergyBasis::Dissipated);
-        let refused = beyond.with_restitution_curve(&curve).solve();
+        let refused = with_curve(&beyond, &curve).solve();
         assert!(matches!(refused, Err(ReconcileError::NotReached { vehicle: 1, .. })), "{refused:?}");
     }
 }

@@ -55,7 +55,7 @@ fn damage_input() -> &'static (Profile, Stiffness) {
     }))
 }
 
-fn problem_input(tangential: Tangential) -> &'static Problem<'static> {
+fn problem_input(tangential: Tangential) -> &'static Problem {
     kept(Example::new().and_then(|example| example.problem(tangential)))
 }
 
@@ -92,11 +92,11 @@ fn closed_form(problem: &'static Problem) -> Result<Reconciliation, ReconcileErr
 }
 
 /// e falls from 0.5 to 0.1 with the closing speed, in four pieces.
-fn curve_input(tangential: Tangential) -> &'static Problem<'static> {
+fn curve_input(tangential: Tangential) -> &'static Problem {
     kept(Example::new().and_then(|example| {
         let points = vec![(2.0, 0.5), (10.0, 0.35), (20.0, 0.2), (30.0, 0.1)];
-        let curve: &'static RestitutionCurve = Box::leak(Box::new(RestitutionCurve::new(points)?));
-        Ok(example.problem(tangential)?.with_restitution_curve(curve))
+        let law = Example::law(tangential)?.with_restitution_curve(RestitutionCurve::new(points)?);
+        Ok(Problem { law, ..example.problem(tangential)? })
     }))
 }
 

@@ -9,7 +9,7 @@ use crash3::crush_energy;
 use criterion::{Criterion, Throughput};
 use deltav_benches::{CASE_FILE, Example, FRICTION, TANGENTIAL_CONDITIONS};
 use pim_core::{Contact, Tangential};
-use uncertainty::{Distribution, LANES, Lanes, Method, Model, Settings, propagate};
+use uncertainty::{Distribution, LANES, Lanes, Model, SamplingMethod, Settings, propagate};
 
 // Not criterion's own macros: an input that is refused ends the run with its reason.
 fn main() -> Result<(), Box<dyn Error>> {
@@ -105,10 +105,10 @@ fn sampling(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     let mut group = criterion.benchmark_group("samples of 31 inputs");
     group.throughput(Throughput::Elements(SAMPLES as u64));
     for (name, method, threads) in [
-        ("Monte Carlo, one thread", Method::MonteCarlo, &one),
-        ("Monte Carlo, all threads", Method::MonteCarlo, &all),
-        ("Latin hypercube, one thread", Method::LatinHypercube, &one),
-        ("Sobol', one thread", Method::Sobol, &one),
+        ("Monte Carlo, one thread", SamplingMethod::MonteCarlo, &one),
+        ("Monte Carlo, all threads", SamplingMethod::MonteCarlo, &all),
+        ("Latin hypercube, one thread", SamplingMethod::LatinHypercube, &one),
+        ("Sobol', one thread", SamplingMethod::Sobol, &one),
     ] {
         let settings = Settings::new(method, SAMPLES, 1);
         let run = || {

@@ -119,12 +119,20 @@ impl Example {
     /// The search for the speed of vehicle 1 under the given tangential condition.
     ///
     /// # Errors
-    /// Where [`Problem::new`] refuses the example.
-    pub fn problem(&self, tangential: Tangential) -> Result<Problem<'static>, Refused> {
-        let energy = self.damage.iter().map(|(profile, stiffness)| crush_energy(profile, stiffness)).sum();
-        let law = Self::law(tangential)?;
-        let basis = EnergyBasis::Dissipated;
-        Ok(Problem::new(self.contact, law, self.motions, Unknown::Speed1, energy, basis)?)
+    /// Where [`Law::new`] refuses the condition.
+    pub fn problem(&self, tangential: Tangential) -> Result<Problem, Refused> {
+        Ok(Problem {
+            contact: self.contact,
+            law: Self::law(tangential)?.into(),
+            motions: self.motions,
+            unknown: Unknown::Speed1,
+            crush_energy: self
+                .damage
+                .iter()
+                .map(|(profile, stiffness)| crush_energy(profile, stiffness))
+                .sum(),
+            basis: EnergyBasis::Dissipated,
+        })
     }
 }
 

@@ -6,6 +6,7 @@ use pim_core::{RestitutionCurve, Tangential};
 use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
 
 use crate::oracle::{approach, orientation};
+use crate::reconciliation::{posed, with_curve};
 use crate::scenes::{Car, Scene, is_brach};
 
 /// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014).
@@ -71,15 +72,16 @@ impl Sought {
     pub(crate) fn ask<R>(
         &self,
         energy: f64,
-        look: impl FnOnce(&Problem<'_>) -> Result<R, ReconcileError>,
+        look: impl FnOnce(&Problem) -> Result<R, ReconcileError>,
     ) -> Result<R, ReconcileError> {
         let scene = &self.scene;
         let curve = (!self.curve.is_empty()).then(|| RestitutionCurve::new(self.curve.clone()).unwrap());
         let problem =
-            Problem::new(scene.contact(), scene.law(), scene.motions(), self.unknown, energy, self.basis)
-                .unwrap()
-                .with_restitution_curve(curve.as_ref());
-        look(&problem)
+            posed(scene.contact(), scene.law(), scene.motions(), self.unknown, energy, self.basis).unwrap();
+        match curve {
+            Some(curve) => look(&with_curve(&problem, &curve)),
+            None => look(&problem),
+        }
     }
 
     /// e at a closing speed (m/s).

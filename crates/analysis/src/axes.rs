@@ -6,8 +6,9 @@ use pim_core::{ImpactError, Switch};
 use crate::{Analysis, Drive, Failure, Impact, JumpSide, Warning};
 
 impl Analysis {
-    /// The same analysis with its impact, contact points, centroids and warnings in the given axes, for the eyes of a reader. An analysis itself is in the axes of
-    /// the engine whatever the case is written in. A [`DamagedFace`](crash3::DamagedFace) stays as it is.
+    /// The same analysis with its impact, approach line, contact points, centroids and warnings in the given
+    /// axes, for the eyes of a reader. An analysis itself is in the axes of the engine whatever the case is
+    /// written in. A [`DamagedFace`](crash3::DamagedFace) stays as it is.
     #[must_use]
     pub fn in_axes(&self, axes: Axes) -> Self {
         let mut seen = self.clone();
@@ -16,6 +17,9 @@ impl Analysis {
         }
         if let Some(impact) = &mut seen.impact {
             *impact = impact.mirrored();
+        }
+        if let Some(found) = &mut seen.found {
+            found.line = found.line.mirrored();
         }
         for vehicle in &mut seen.vehicles {
             let centroid = vehicle.damage.as_mut().and_then(|damage| damage.centroid.as_mut());
@@ -87,6 +91,7 @@ impl Impact {
     fn mirrored(&self) -> Self {
         Self {
             contact: self.contact.mirrored(),
+            given_law: self.given_law.mirrored(),
             law: self.law.mirrored(),
             outcome: self.outcome.mirrored(),
             pdof: self.pdof,

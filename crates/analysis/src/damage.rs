@@ -2,8 +2,8 @@
 
 use case::{Evidence, InferredWidth, Subject};
 use crash3::{
-    CrushError, CrushRange, EnergyBasis, Inertia, ObliqueCorrection, ObliqueFactor, Profile, Structure,
-    UniformCrush,
+    CrushError, CrushRange, EnergyBasis, ObliqueCorrection, ObliqueFactor, Profile, SideStiffness,
+    StruckVehicle, UniformCrush,
 };
 
 use pim_core::Real;
@@ -12,6 +12,7 @@ use crate::Vehicle;
 
 /// What the damage of one vehicle says.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Damage<T = f64> {
     /// (m) width of the damage.
     pub width: T,
@@ -20,7 +21,7 @@ pub struct Damage<T = f64> {
     /// What the crush was inferred to be, where it was not measured.
     pub inferred: Option<Inferred<T>>,
     /// The stiffness.
-    pub structure: Structure<T>,
+    pub structure: SideStiffness<T>,
     /// (J) crush energy, uncorrected.
     pub crush_energy: T,
     /// (m/s) energy equivalent speed of the uncorrected crush energy.
@@ -39,6 +40,7 @@ pub struct Damage<T = f64> {
 
 /// A crush inferred from the force on the other vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Inferred<T = f64> {
     /// (N) the peak force of the other vehicle.
     pub force: T,
@@ -50,6 +52,7 @@ pub struct Inferred<T = f64> {
 
 /// What follows for an oblique force that pushes on the damaged side.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Oblique<T = f64> {
     /// The factor on the crush energy.
     pub factor: ObliqueFactor<T>,
@@ -64,11 +67,14 @@ pub(crate) const ASSUMED_FRICTION: f64 = 0.5;
 
 /// CRASH3's answer.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Crash3 {
     /// (J) crush energy of both vehicles.
     pub crush_energy: f64,
     /// (m) moment arms; zero for a fixed object.
     pub moment_arm: [f64; 2],
+    /// (m²) k², the squares of the radii of gyration; zero for a fixed object.
+    pub square_radius: [f64; 2],
     /// γ of both vehicles; one for a fixed object.
     pub effective_mass_ratio: [f64; 2],
     /// (m/s) velocity changes from the uncorrected energy, with a common normal velocity (e = 0).
@@ -83,6 +89,7 @@ pub struct Crash3 {
 
 /// CRASH3's ΔV under one correction for oblique forces, with a common normal velocity.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Correction {
     /// The correction of each vehicle: one kind for both, of which each has the friction limit of its own.
     pub corrections: [ObliqueCorrection; 2],
@@ -96,6 +103,7 @@ pub struct Correction {
 
 /// CRASH3's answer with the correction for oblique forces.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Corrected {
     /// (J) crush energy of both vehicles.
     pub crush_energy: f64,
@@ -157,7 +165,7 @@ fn vehicle<T: Real>(
             };
             let UniformCrush { width, depth, .. } = inferred.crush;
             let profile = Profile::equally_spaced(vec![depth; 2], width)?;
-            (profile, Structure::Uniform(*stiffness), Some(inferred))
+            (profile, SideStiffness::Uniform(*stiffness), Some(inferred))
         }
     };
     let centroid = match (given.moment_arm, subject.contact, &given.face) {
@@ -210,7 +218,7 @@ pub(crate) fn crash3(
 ) -> Result<Option<Crash3>, CrushError> {
     let mut crush_energy = 0.0;
     let mut corrected_energy = Some(0.0);
-    let mut inertias = [Inertia::fixed(); 2];
+    let mut inertias = [StruckVehicle::fixed(); 2];
     let mut moment_arm = [0.0; 2];
     for (i, vehicle) in vehicles.iter().enumerate() {
         let Some(inertia) = vehicle.subject.inertia else { continue };
@@ -219,7 +227,7 @@ pub(crate) fn crash3(
         corrected_energy =
             corrected_energy.zip(damage.oblique).map(|(sum, oblique)| sum + oblique.corrected_crush_energy);
         moment_arm[i] = damage.moment_arm;
-        inertias[i] = Inertia::new(inertia.mass, inertia.yaw_inertia, damage.moment_arm)?;
+        inertias[i] = StruckVehicle::new(inertia.mass, inertia.yaw_inertia, damage.moment_arm)?;
     }
     let corrected = match corrected_energy {
         Some(crush_energy) => {
@@ -240,6 +248,7 @@ pub(crate) fn crash3(
     Ok(Some(Crash3 {
         crush_energy,
         moment_arm,
+        square_radius: inertias.map(|inertia| inertia.square_radius()),
         effective_mass_ratio: inertias.map(|inertia| inertia.effective_mass_ratio()),
         delta_v: crash3::delta_v(crush_energy, inertias)?,
         corrected,
@@ -262,7 +271,7 @@ fn friction_limits(vehicles: &[Vehicle; 2]) -> [f64; 2] {
 fn corrected_by(
     corrections: [ObliqueCorrection; 2],
     vehicles: &[Vehicle; 2],
-    inertias: [Inertia; 2],
+    inertias: [StruckVehicle; 2],
 ) -> Result<Option<Correction>, CrushError> {
     let mut crush_energy = 0.0;
     let mut factor = [1.0; 2];

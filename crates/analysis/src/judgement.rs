@@ -4,10 +4,10 @@ use case::{
     CaseFile, Command, Crush, Diagnostics, ImpactLaw, Inertia, InferredWidth, StiffnessForm, StiffnessLine,
     Subject, Velocity, YawSource,
 };
-use crash3::{EnergyBasis, Side, Structure, VehicleClass};
+use crash3::{EnergyBasis, Side, SideStiffness, VehicleClass};
 
 use crate::warning::{self, Warning};
-use crate::{Vehicle, checks, closing_speed, damage, law_at, uncertainty};
+use crate::{Vehicle, checks, closing_speed, damage, uncertainty};
 
 /// What can be said of a case before it is solved.
 #[derive(Debug)]
@@ -190,7 +190,7 @@ pub fn judge(file: &CaseFile) -> Judgement {
         // The speed that is sought is not known.
         if !seeks {
             let speed = closing_speed(collision);
-            warning::of_restitution(law_at(collision, speed).restitution(), speed, &mut warnings);
+            warning::of_restitution(collision.law.at(speed).restitution(), speed, &mut warnings);
         }
     }
     let assumptions = assumed(file, &subjects);
@@ -354,7 +354,7 @@ fn of_crush(
         StiffnessForm::Category(_) | StiffnessForm::Test(_) => false,
     };
     if let StiffnessForm::Category(category) = crush.stiffness
-        && let Ok(Structure::Uniform(stiffness)) = crush.stiffness.structure(crush.side)
+        && let Ok(SideStiffness::Uniform(stiffness)) = crush.stiffness.structure(crush.side)
     {
         let abg = [stiffness.a(), stiffness.b(), stiffness.g()];
         assumptions.push(Assumption::CategoryStiffness { vehicle, category, side: crush.side, abg });
@@ -363,8 +363,8 @@ fn of_crush(
         && derives_g
     {
         let g = match structure {
-            Structure::Uniform(stiffness) => vec![stiffness.g()],
-            Structure::Zones(zones) => zones.iter().map(crash3::Stiffness::g).collect(),
+            SideStiffness::Uniform(stiffness) => vec![stiffness.g()],
+            SideStiffness::Zones(zones) => zones.iter().map(crash3::Stiffness::g).collect(),
         };
         assumptions.push(Assumption::EnergyWithoutCrush { vehicle, g });
     }

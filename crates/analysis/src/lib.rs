@@ -53,12 +53,13 @@ pub use uncertainty::{
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 
 use case::{Case, CaseFile, Collision, Command, Diagnostics, Evidence, Subject};
-use crash3::{CrushError, EnergyBasis, Structure};
-use pim_core::{Contact, ImpactError, Law, Outcome, Real};
-use reconcile::{Iteration, Method, Problem, ReconcileError, Unknown};
+use crash3::{CrushError, EnergyBasis, SideStiffness};
+use pim_core::{Contact, ImpactError, Law, Outcome, Real, VaryingLaw};
+use reconcile::{ApproachLine, Iteration, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown};
 
 /// A finished analysis, in the axes of the engine: y to the left, counter-clockwise positive. [`Analysis::in_axes`] has it in others.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Analysis {
     /// What the crush energy stands for.
     pub basis: EnergyBasis,
@@ -98,6 +99,7 @@ impl Analysis {
 
 /// A speed that reconciles crush and impact.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Found {
     /// Whose speed.
     pub unknown: Unknown,
@@ -109,16 +111,23 @@ pub struct Found {
     pub crush_energy: f64,
     /// (J) normal work sought: the crush energy, less what restitution gives back where the basis is absorbed energy.
     pub normal_work: f64,
+    /// How the speed moves the relative velocity at C.
+    pub line: ApproachLine,
+    /// What the closed form was solved from; `None` where the root-finder gave the answer.
+    pub quadratic: Option<Quadratic>,
     /// The steps of the root-finder; `None` where a closed form gave the answer.
     pub iterations: Option<Vec<Iteration>>,
 }
 
 /// An impact with what it was computed from.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Impact {
     /// The geometry.
     pub contact: Contact,
-    /// The impact law, with the restitution of this closing speed where that varies.
+    /// The impact law as given.
+    pub given_law: VaryingLaw,
+    /// The same with the restitution of this closing speed.
     pub law: Law,
     /// What happened.
     pub outcome: Outcome,
@@ -127,8 +136,8 @@ pub struct Impact {
 }
 
 impl Impact {
-    fn new(contact: Contact, law: Law, outcome: Outcome) -> Self {
-        Self { contact, law, outcome, pdof: outcome.pdof() }
+    fn new(contact: Contact, given_law: VaryingLaw, law: Law, outcome: Outcome) -> Self {
+        Self { contact, given_law, law, outcome, pdof: outcome.pdof() }
     }
 }
 
@@ -152,12 +161,12 @@ impl Vehicle {
     pub fn no_damage_speed(&self) -> Option<f64> {
         let damage = self.damage.as_ref()?;
         let energy = match (&damage.structure, &self.subject.damage.as_ref()?.evidence) {
-            (Structure::Uniform(stiffness), _) => stiffness.g() * damage.width,
-            (Structure::Zones(zones), Evidence::Measured { profile, .. }) => {
+            (SideStiffness::Uniform(stiffness), _) => stiffness.g() * damage.width,
+            (SideStiffness::Zones(zones), Evidence::Measured { profile, .. }) => {
                 zones.iter().zip(profile.zones()).map(|(stiffness, zone)| stiffness.g() * zone.width).sum()
             }
             // The reader lets no crush without stations have zones between them.
-            (Structure::Zones(_), Evidence::ForceBalance { .. }) => return None,
+            (SideStiffness::Zones(_), Evidence::ForceBalance { .. }) => return None,
         };
         // b₀ = √(2 G w/m)
         Some((2.0 * energy / self.subject.inertia?.mass).sqrt())
@@ -200,36 +209,32 @@ pub enum Failure {
 /// [`Failure`].
 pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     let input = file.reconstruction()?;
-    let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
+    let Collision { contact, law, motions, vehicles } = input.collision;
     // The uncorrected energies do not depend on the impact; a force balance takes its directions from the file.
     let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
-    let (answer, speeds) = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)
-        .map_err(Failure::from)
-        .and_then(|problem| {
-            let problem = problem.with_restitution_curve(restitution_curve.as_ref());
-            let answer = problem.solve().map_err(|refusal| refused(&problem, refusal))?;
-            Ok((answer, problem.speeds().collect()))
-        })
-        .map_err(|failure| failure.in_axes(file.case.axes))?;
+    let problem = Problem { contact, law, motions, unknown: input.unknown, crush_energy, basis: input.basis };
+    let answer = problem.solve().map_err(|refusal| refused(&problem, refusal).in_axes(file.case.axes))?;
     let found = Found {
         unknown: input.unknown,
         speed: answer.speed,
-        admissible: speeds,
+        admissible: problem.speeds().collect(),
         crush_energy,
         normal_work: answer.normal_work,
+        line: problem.line(),
+        quadratic: problem.quadratic(),
         iterations: match &answer.method {
-            Method::ClosedForm => None,
-            Method::RootFinder(iterations) => Some(iterations.as_slice().to_vec()),
+            SolutionMethod::ClosedForm => None,
+            SolutionMethod::RootFinder(iterations) => Some(iterations.as_slice().to_vec()),
         },
     };
     let warnings = warning::of_found(&found, input.given_speed);
-    let impact = Impact::new(contact, answer.law, answer.outcome);
+    let impact = Impact::new(contact, problem.law, answer.law, answer.outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
     judged(file, vehicles, input.basis, Some(impact.law.restitution()), (Some(found), Some(impact)), warnings)
 }
 
 /// Why a problem has no answer, with the impact that comes nearest to one.
-pub(crate) fn refused(problem: &Problem<'_>, refusal: ReconcileError) -> Failure {
+pub(crate) fn refused(problem: &Problem, refusal: ReconcileError) -> Failure {
     match refusal {
         ReconcileError::NotReached { vehicle, energy } => {
             Failure::NotReached { vehicle, energy, nearest: problem.nearest() }
@@ -246,29 +251,21 @@ pub fn impact(file: &CaseFile) -> Result<Analysis, Failure> {
     let input = file.impact()?;
     let (law, outcome) =
         collide(&input.collision).map_err(|refusal| Failure::from(refusal).in_axes(file.case.axes))?;
-    let Collision { contact, vehicles, .. } = input.collision;
-    let impact = Impact::new(contact, law, outcome);
+    let Collision { contact, law: given_law, vehicles, .. } = input.collision;
+    let impact = Impact::new(contact, given_law, law, outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
     judged(file, vehicles, input.basis, Some(impact.law.restitution()), (None, Some(impact)), Vec::new())
 }
 
 /// The impact of a collision of which all is known, and the law at its closing speed.
 fn collide<T: Real>(collision: &Collision<T>) -> Result<(Law<T>, Outcome<T>), ImpactError> {
-    let law = law_at(collision, closing_speed(collision));
+    let law = collision.law.at(closing_speed(collision));
     collision.contact.impact(collision.motions, &law).map(|outcome| (law, outcome))
 }
 
 /// (m/s) along the normal at C, negative where the vehicles drive apart.
 fn closing_speed<T: Real>(collision: &Collision<T>) -> T {
     -collision.contact.approach(&collision.motions).velocity.normal
-}
-
-/// The law with the restitution of a closing speed (m/s).
-fn law_at<T: Real>(collision: &Collision<T>, closing_speed: T) -> Law<T> {
-    match &collision.restitution_curve {
-        Some(curve) => curve.law(collision.law, closing_speed),
-        None => collision.law,
-    }
 }
 
 /// CRASH3 alone: energies and velocity changes from the damage and the PDOF that the file gives.

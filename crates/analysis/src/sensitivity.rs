@@ -309,13 +309,14 @@ pub(crate) fn gradients(
 pub(crate) fn at<T: Real, R>(
     file: &CaseFile,
     case: &Case<T>,
-    evaluate: impl FnOnce(&Problem<'_, T>) -> Result<R, Failure>,
+    evaluate: impl FnOnce(&Problem<T>) -> Result<R, Failure>,
 ) -> Result<R, Failure> {
     let input = file.reconstruction_with(case)?;
-    let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
+    let Collision { contact, law, motions, vehicles } = input.collision;
     let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
-    let problem = Problem::new(contact, law, motions, input.unknown, crush_energy, input.basis)?;
-    evaluate(&problem.with_restitution_curve(restitution_curve.as_ref()))
+    let problem = Problem { contact, law, motions, unknown: input.unknown, crush_energy, basis: input.basis };
+    problem.check()?;
+    evaluate(&problem)
 }
 
 fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepRow>, Failure> {

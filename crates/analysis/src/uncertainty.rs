@@ -46,7 +46,7 @@ pub struct Uncertainty {
     /// One input at a time, from low to high.
     pub tornado: Tornado,
     /// Sobol' indices, if asked for, of the outputs in their order.
-    pub indices: Option<::uncertainty::Sensitivity>,
+    pub indices: Option<::uncertainty::SobolIndices>,
 }
 
 /// A number that is a range.

@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 
 use analysis::{Failure, Output, Plan, Reason, Uncertainty, impact, reconstruct, uncertainty};
 use case::{Case, CaseFile};
-use uncertainty::{LANES, Lanes, Method, Sampler, Settings, Shape};
+use uncertainty::{LANES, Lanes, Sampler, SamplingMethod, Settings, Shape};
 
 const UNCERTAIN: &str = include_str!("../../../fixtures/sae-980025-uncertain.toml");
 
@@ -21,7 +21,7 @@ fn read(text: &str) -> CaseFile {
 }
 
 fn plan(samples: usize) -> Plan {
-    Plan { settings: Settings::new(Method::MonteCarlo, samples, 1), index_rows: None }
+    Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None }
 }
 
 fn run(text: &str, samples: usize) -> Uncertainty {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crash3::{CrushError, EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, Structure};
+use crash3::{CrushError, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness};
 use pim_core::{Real, Tangential};
 use reconcile::Unknown;
 
@@ -289,13 +289,13 @@ impl<T: Real> StiffnessForm<T> {
     ///
     /// # Errors
     /// What no structure, no table and no test can have.
-    pub fn structure(&self, side: Side) -> Result<Structure<T>, CrushError> {
+    pub fn structure(&self, side: Side) -> Result<SideStiffness<T>, CrushError> {
         match self {
-            Self::Line(line) => line.stiffness().map(Structure::Uniform),
-            Self::Category(category) => Stiffness::from_category(side, *category).map(Structure::Uniform),
-            Self::Test(test) => test.stiffness().map(Structure::Uniform),
+            Self::Line(line) => line.stiffness().map(SideStiffness::Uniform),
+            Self::Category(category) => Stiffness::from_category(side, *category).map(SideStiffness::Uniform),
+            Self::Test(test) => test.stiffness().map(SideStiffness::Uniform),
             Self::Zones(zones) => {
-                zones.iter().map(StiffnessLine::stiffness).collect::<Result<_, _>>().map(Structure::Zones)
+                zones.iter().map(StiffnessLine::stiffness).collect::<Result<_, _>>().map(SideStiffness::Zones)
             }
         }
     }
@@ -316,16 +316,23 @@ impl<T: Real> StiffnessLine<T> {
                 (Stiffness::from_d0_d1_g(d0.si(), d1.si(), g.si())?, limit)
             }
         };
-        limit.map_or(Ok(rising), |limit| rising.with_limit(limit.si()))
+        limit.map_or(Ok(rising), |limit| rising.with_saturation_force(limit.si()))
     }
 }
 
 impl<T: Real> BarrierTest<T> {
-    pub(crate) fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
+    /// The test, in SI units.
+    ///
+    /// # Errors
+    /// What no barrier test can have.
+    pub fn test(&self) -> Result<crash3::BarrierTest<T>, CrushError> {
         let depths = self.depths.iter().map(Quantity::si).collect();
         let profile = Profile::equally_spaced(depths, self.width.si())?;
-        let test =
-            crash3::BarrierTest::new(self.mass.kg(), self.speed.si(), profile, self.no_damage_speed.si())?;
+        crash3::BarrierTest::new(self.mass.kg(), self.speed.si(), profile, self.no_damage_speed.si())
+    }
+
+    pub(crate) fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
+        let test = self.test()?;
         match self.fit {
             Fit::Exact => test.fit(),
             Fit::Mean => test.fit_mean(),

@@ -3,9 +3,11 @@
 use std::fmt::{self, Display};
 
 use crash3::{
-    DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, Structure, VehicleClass,
+    DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, VehicleClass,
 };
-use pim_core::{Body, Contact, Law, Motion, Participant, Real, RestitutionCurve, Tangential, Vector2};
+use pim_core::{
+    Body, Contact, Law, Motion, Participant, Real, RestitutionCurve, Tangential, VaryingLaw, Vector2,
+};
 use reconcile::Unknown;
 
 use crate::{
@@ -18,10 +20,8 @@ use crate::{
 pub struct Collision<T = f64> {
     /// The geometry.
     pub contact: Contact<T>,
-    /// The impact law; where there is a curve of restitution, with the coefficient of its first point.
-    pub law: Law<T>,
-    /// The coefficient of restitution by closing speed, which replaces that of the law.
-    pub restitution_curve: Option<RestitutionCurve<T>>,
+    /// The impact law.
+    pub law: VaryingLaw<T>,
     /// Motions before impact. A vehicle whose speed is sought is at rest here but for its yaw rate.
     pub motions: [Motion<T>; 2],
     /// What is known of each vehicle.
@@ -131,7 +131,7 @@ pub enum Evidence<T = f64> {
         /// Depths along the side.
         profile: Profile<T>,
         /// What the side resisted with.
-        structure: Structure<T>,
+        structure: SideStiffness<T>,
     },
     /// It is to be inferred from the force on the other vehicle.
     ForceBalance {
@@ -437,10 +437,10 @@ impl<T: Real> Demand<'_, T> {
         let law = self.law();
         let ([v1, v2], [p1, p2], [m1, m2]) = (vehicles, participants, motions);
         let contact = self.contact([p1?, p2?])?;
-        let (law, restitution_curve) = law?;
+        let law = law?;
         let mut vehicles = [v1?, v2?];
         fill_opposite_pdof(self.case.headings(), vehicles.each_mut().map(Some));
-        Some(Collision { contact, law, restitution_curve, motions: [m1?, m2?], vehicles })
+        Some(Collision { contact, law, motions: [m1?, m2?], vehicles })
     }
 
     fn subject(&mut self, i: usize) -> Option<Subject<T>> {
@@ -554,7 +554,7 @@ impl<T: Real> Demand<'_, T> {
         Some(motion.with_yaw_rate(yaw_rate))
     }
 
-    fn law(&mut self) -> Option<(Law<T>, Option<RestitutionCurve<T>>)> {
+    fn law(&mut self) -> Option<VaryingLaw<T>> {
         let Some(impact) = &self.case.impact else {
             self.missing("impact", "a table [impact] with crush_plane, restitution and tangential");
             return None;
@@ -590,7 +590,11 @@ impl<T: Real> Demand<'_, T> {
                 Law::kudlich_slibar(e(restitution), *friction)
             }
         };
-        Some((self.accepted("impact", law)?, curve))
+        let law = self.accepted("impact", law)?;
+        Some(match curve {
+            Some(curve) => law.with_restitution_curve(curve),
+            None => law.into(),
+        })
     }
 
     fn contact(&mut self, participants: [Participant<T>; 2]) -> Option<Contact<T>> {
@@ -610,9 +614,9 @@ impl<T: Real> Demand<'_, T> {
         let evidence = if crush.from_force_balance {
             let width = self.inferred_width(i, crush, dimensions)?;
             match structure? {
-                Structure::Uniform(stiffness) => Evidence::ForceBalance { stiffness, width },
+                SideStiffness::Uniform(stiffness) => Evidence::ForceBalance { stiffness, width },
                 // The reader lets no crush without stations have zones between them.
-                Structure::Zones(_) => return None,
+                SideStiffness::Zones(_) => return None,
             }
         } else {
             let profile = self.profile(i, crush);

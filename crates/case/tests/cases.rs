@@ -420,8 +420,8 @@ fn the_laws_are_read_passed_on_and_written() {
         assert_eq!(impact.law, read_as, "{lines}");
         assert_eq!(impact.law.name(), name);
         let collision = file.reconstruction().unwrap().collision;
-        assert_eq!(collision.restitution_curve, None);
-        let [wanted, found] = [law, collision.law];
+        assert_eq!(collision.law.curve(), None);
+        let [wanted, found] = [law, collision.law.nominal()];
         assert_eq!(found.restitution(), wanted.restitution(), "{lines}");
         assert_eq!(found.moment_restitution(), wanted.moment_restitution(), "{lines}");
         match (found.tangential(), wanted.tangential()) {
@@ -460,8 +460,8 @@ fn a_curve_of_restitution_is_read_passed_on_and_written() {
         assert!(file.case.to_toml().contains(&lines(written)), "{}", file.case.to_toml());
 
         let collision = file.reconstruction().unwrap().collision;
-        assert_eq!(collision.law.restitution(), 0.3, "that of the first point");
-        let curve = collision.restitution_curve.unwrap();
+        assert_eq!(collision.law.nominal().restitution(), 0.3, "that of the first point");
+        let curve = collision.law.curve().unwrap();
         // By hand: 0.3 at 0 m/s, 0 at 5 m/s, 1 at 20 m/s, and halfway between them.
         for (at, e) in [(0.0, 0.3), (2.5, 0.15), (5.0, 0.0), (12.5, 0.5), (20.0, 1.0), (30.0, 1.0)] {
             assert!((curve.at(at) - e).abs() < 1e-12, "{at} m/s: {}", curve.at(at));
@@ -597,19 +597,15 @@ fn the_fixtures_of_the_laws_can_be_reconstructed() {
         let path = entry.unwrap().path();
         let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
         let input = read(&fs::read_to_string(&path).unwrap()).reconstruction().unwrap();
-        let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
+        let Collision { contact, law, motions, vehicles } = input.collision;
         let crush = vehicles.map(|vehicle| {
             let damage = vehicle.damage.unwrap();
             let Evidence::Measured { profile, structure } = damage.evidence else { panic!("{name}") };
             structure.crush_energy(&profile).unwrap()
         });
-        let energy: f64 = crush.iter().sum();
-        let problem =
-            reconcile::Problem::new(contact, law, motions, input.unknown, energy, input.basis).unwrap();
-        let problem = match &restitution_curve {
-            Some(curve) => problem.with_restitution_curve(curve),
-            None => problem,
-        };
+        let crush_energy: f64 = crush.iter().sum();
+        let (unknown, basis) = (input.unknown, input.basis);
+        let problem = reconcile::Problem { contact, law, motions, unknown, crush_energy, basis };
         let answer = problem.solve().unwrap_or_else(|error| panic!("{name}: {error}"));
         // The paper's crush energy, 1.41e5 N·m.
         let work = answer.outcome.energy.normal_work;

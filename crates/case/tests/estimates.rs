@@ -9,7 +9,7 @@
 )]
 
 use case::{Case, CaseFile, Damage, Evidence, Fit, InferredWidth, StiffnessSource, YawSource};
-use crash3::{ObliqueCorrection, Side, Stiffness, Structure, crush_energy};
+use crash3::{ObliqueCorrection, Side, SideStiffness, Stiffness, crush_energy};
 
 /// Two cars, each with the lines given for it and for its crush.
 fn cars([first, second]: [(&str, &str); 2]) -> CaseFile {
@@ -32,7 +32,7 @@ fn damages(file: &CaseFile) -> [Damage; 2] {
 }
 
 /// The stiffness that these lines give the front of vehicle 1.
-fn read_stiffness(stiffness: &str) -> (Structure, StiffnessSource) {
+fn read_stiffness(stiffness: &str) -> (SideStiffness, StiffnessSource) {
     let other = format!("{FRONT}\nstiffness = {{ category = 1 }}\n{FORCE}");
     let file = cars([(YAW, &format!("{FRONT}\nstiffness = {stiffness}\n{FORCE}")), (YAW, &other)]);
     let [damage, _] = damages(&file);
@@ -44,21 +44,22 @@ fn read_stiffness(stiffness: &str) -> (Structure, StiffnessSource) {
 fn every_stiffness_names_its_source() {
     let (structure, source) = read_stiffness("{ category = 4 }");
     assert_eq!(source, StiffnessSource::Category(4));
-    let Structure::Uniform(known) = structure else { panic!("uniform") };
+    let SideStiffness::Uniform(known) = structure else { panic!("uniform") };
     // SAE 870045, Table 1, front, category 4: A 356 lb/in.
     assert!((known.a() * 0.0254 / 4.448_221_615_260_5 - 356.0).abs() < 1e-9);
 
     let limited = "{ A = \"50 kN/m\", B = \"1 MN/m^2\", limit = \"200 kN/m\" }";
-    let expected = Stiffness::from_ab(50e3, 1e6).unwrap().with_limit(200e3).unwrap();
-    assert_eq!(read_stiffness(limited), (Structure::Uniform(expected), StiffnessSource::Coefficients));
+    let expected = Stiffness::from_ab(50e3, 1e6).unwrap().with_saturation_force(200e3).unwrap();
+    assert_eq!(read_stiffness(limited), (SideStiffness::Uniform(expected), StiffnessSource::Coefficients));
 
     let roots = "{ d0 = \"40 N^0.5\", d1 = \"1000 N^0.5/m\", G = \"900 N\", limit = \"0.3 kN/mm\" }";
     let roots = roots.replace("0.3 kN/mm", "300 N/mm");
-    let expected = Stiffness::from_d0_d1_g(40.0, 1000.0, 900.0).unwrap().with_limit(300e3).unwrap();
-    assert_eq!(read_stiffness(&roots), (Structure::Uniform(expected), StiffnessSource::Roots));
+    let expected =
+        Stiffness::from_d0_d1_g(40.0, 1000.0, 900.0).unwrap().with_saturation_force(300e3).unwrap();
+    assert_eq!(read_stiffness(&roots), (SideStiffness::Uniform(expected), StiffnessSource::Roots));
 
     let zones = "{ zones = [{ A = \"50 kN/m\", B = \"1 MN/m^2\" }] }";
-    let expected = Structure::Zones(vec![Stiffness::from_ab(50e3, 1e6).unwrap()]);
+    let expected = SideStiffness::Zones(vec![Stiffness::from_ab(50e3, 1e6).unwrap()]);
     assert_eq!(read_stiffness(zones), (expected, StiffnessSource::Zones));
 }
 
@@ -75,7 +76,7 @@ fn a_barrier_test_gives_its_energy_back_through_the_file() {
     let kinetic = 0.5 * 1400.0 * speed * speed;
     let energy = |stiffness: &str| {
         let (structure, source) = read_stiffness(stiffness);
-        let Structure::Uniform(stiffness) = structure else { panic!("uniform") };
+        let SideStiffness::Uniform(stiffness) = structure else { panic!("uniform") };
         (crush_energy(&profile, &stiffness) / kinetic, source)
     };
     let (exact, source) = energy(test);

@@ -26,7 +26,7 @@ use case::{Case, CaseFile};
 use clap::Parser as _;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use report::{Document, DrawingError, Supplement, Units};
-use uncertainty::{Method, Settings};
+use uncertainty::{SamplingMethod, Settings};
 use validation::{Data, Validation};
 
 /// What a command makes of a case.
@@ -162,7 +162,7 @@ fn supplements(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec
         return Ok(Vec::new());
     }
     let samples = supplement_samples(file.case.inputs().len());
-    let plan = Plan { settings: Settings::new(Method::MonteCarlo, samples, 1), index_rows: None };
+    let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None };
     let uncertainty = analysis::uncertainty(file, &plan, &mut |_, _, _| ControlFlow::Continue(()));
     let uncertainty = answered(uncertainty, units)?;
     let mut supplements = vec![Supplement {
@@ -248,9 +248,9 @@ fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
 
 fn propagate(file: &CaseFile, arguments: &UncertaintyArguments) -> Result<Result<Uncertainty, Failure>> {
     let method = match arguments.method {
-        arguments::Method::MonteCarlo => Method::MonteCarlo,
-        arguments::Method::LatinHypercube => Method::LatinHypercube,
-        arguments::Method::Sobol => Method::Sobol,
+        arguments::Method::MonteCarlo => SamplingMethod::MonteCarlo,
+        arguments::Method::LatinHypercube => SamplingMethod::LatinHypercube,
+        arguments::Method::Sobol => SamplingMethod::Sobol,
     };
     let settings = Settings::new(method, arguments.samples, arguments.seed);
     let plan = Plan { settings, index_rows: arguments.sobol };

@@ -2,7 +2,7 @@
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 
-use crash3::{CrushError, Inertia, Profile, Stiffness, crush_energy, delta_v, energy_equivalent_speed};
+use crash3::{CrushError, Profile, Stiffness, StruckVehicle, crush_energy, delta_v, energy_equivalent_speed};
 
 const INCH: f64 = 0.0254;
 const FOOT: f64 = 0.3048;
@@ -24,7 +24,7 @@ pub(crate) fn main() -> Result<(), CrushError> {
     println!("energy equivalent speed of the Jimmy {:.2} m/s", energy_equivalent_speed(jimmy, 1676.5)?);
 
     // The force passes the centres of gravity at 0.646 m and 0.592 m: the arms of the example's impulse.
-    let vehicles = [Inertia::new(1676.5, 3304.1, 0.646)?, Inertia::new(1548.1, 2935.3, 0.592)?];
+    let vehicles = [StruckVehicle::new(1676.5, 3304.1, 0.646)?, StruckVehicle::new(1548.1, 2935.3, 0.592)?];
     let [dv1, dv2] = delta_v(jimmy + altima, vehicles)?;
     println!("ΔV {:.2} ft/s and {:.2} ft/s, for a common normal velocity", dv1 / FOOT, dv2 / FOOT);
 

@@ -8,11 +8,20 @@ use crate::stiffness::Stiffness;
 
 /// A full-width test against a rigid barrier: what it left of the car, and the speed at which it would have left no crush.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::BarrierTestData<T>",
+        into = "crate::data::BarrierTestData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct BarrierTest<T = f64> {
-    mass: T,
-    speed: T,
-    profile: Profile<T>,
-    no_damage_speed: T,
+    pub(crate) mass: T,
+    pub(crate) speed: T,
+    pub(crate) profile: Profile<T>,
+    pub(crate) no_damage_speed: T,
 }
 
 impl<T: Real> BarrierTest<T> {
@@ -43,14 +52,19 @@ impl<T: Real> BarrierTest<T> {
     /// # Errors
     /// Where the numbers are so far apart that no finite stiffness follows.
     pub fn fit(&self) -> Result<Stiffness<T>, CrushError> {
-        let (b0, v) = (self.no_damage_speed, self.speed);
-        let (mean, mean_square) = self.means();
+        self.stiffness(self.slope())
+    }
+
+    /// (1/s) b_1, the slope of the speed over the crush, of [`fit`](Self::fit).
+    #[must_use]
+    pub fn slope(&self) -> T {
+        let (b0, v, sums) = (self.no_damage_speed, self.speed, self.profile.sums());
+        let (mean, mean_square) = (sums.mean_depth(), sums.mean_square_depth());
         let half = b0 * mean;
         let rest = v * v - b0 * b0;
         // Q b₁² + 2 b₀ C̄ b₁ + b₀² − V² = 0, its positive root written without a difference of near equals:
         // b₁ = (V² − b₀²)/(b₀ C̄ + √(b₀² C̄² + Q (V² − b₀²)))
-        let b1 = rest / (half + (half * half + mean_square * rest).sqrt());
-        self.stiffness(b1)
+        rest / (half + (half * half + mean_square * rest).sqrt())
     }
 
     /// The common shortcut: the line V = b_0 + b_1 C through the mean crush, b_1 = (V − b_0)/C̄. The profile's energy then exceeds that of the test
@@ -59,9 +73,20 @@ impl<T: Real> BarrierTest<T> {
     /// # Errors
     /// Where the numbers are so far apart that no finite stiffness follows.
     pub fn fit_mean(&self) -> Result<Stiffness<T>, CrushError> {
-        let (mean, _) = self.means();
+        self.stiffness(self.mean_slope())
+    }
+
+    /// (1/s) b_1 of [`fit_mean`](Self::fit_mean).
+    #[must_use]
+    pub fn mean_slope(&self) -> T {
         // b₁ = (V − b₀)/C̄
-        self.stiffness((self.speed - self.no_damage_speed) / mean)
+        (self.speed - self.no_damage_speed) / self.profile.sums().mean_depth()
+    }
+
+    /// The residual crush that the test left.
+    #[must_use]
+    pub fn profile(&self) -> &Profile<T> {
+        &self.profile
     }
 
     fn stiffness(&self, b1: T) -> Result<Stiffness<T>, CrushError> {
@@ -69,16 +94,5 @@ impl<T: Real> BarrierTest<T> {
         // A = m b₀ b₁/w,  B = m b₁²/w,  G = A²/2B = m b₀²/2w
         let per_width = self.mass / width;
         Stiffness::from_abg(per_width * b0 * b1, per_width * b1 * b1, per_width * b0 * b0 / 2.0)
-    }
-
-    /// (m) C̄ and (m²) Q: mean and mean square of the depth over the width.
-    fn means(&self) -> (T, T) {
-        let (mut mean, mut mean_square) = (T::ZERO, T::ZERO);
-        for zone in self.profile.zones() {
-            mean += zone.width * zone.mean_depth();
-            mean_square += zone.width * zone.mean_square_depth();
-        }
-        let width = self.profile.width();
-        (mean / width, mean_square / width)
     }
 }

@@ -6,13 +6,14 @@ use crate::error::{self, CrushError};
 
 /// What the velocity change of a vehicle depends on, besides the energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inertia<T = f64> {
+pub struct StruckVehicle<T = f64> {
     inverse_mass: T,
+    square_radius: T,
     effective_mass_ratio: T,
     inverse_effective_mass: T,
 }
 
-impl<T: Real> Inertia<T> {
+impl<T: Real> StruckVehicle<T> {
     /// A vehicle of mass m (kg) and yaw inertia I (kg·m²) that is hit by a force whose line of action passes its CG
     /// at the distance h = `moment_arm` (m).
     ///
@@ -23,11 +24,12 @@ impl<T: Real> Inertia<T> {
         error::positive("yaw inertia", yaw_inertia.value())?;
         error::finite("moment arm", moment_arm.value())?;
         // k² = I/m
-        let k2 = yaw_inertia / mass;
+        let square_radius = yaw_inertia / mass;
         // γ = k²/(k² + h²)
-        let effective_mass_ratio = k2 / (k2 + moment_arm * moment_arm);
+        let effective_mass_ratio = square_radius / (square_radius + moment_arm * moment_arm);
         Ok(Self {
             inverse_mass: T::ONE / mass,
+            square_radius,
             effective_mass_ratio,
             inverse_effective_mass: T::ONE / (effective_mass_ratio * mass),
         })
@@ -36,7 +38,19 @@ impl<T: Real> Inertia<T> {
     /// A barrier: it takes no velocity.
     #[must_use]
     pub fn fixed() -> Self {
-        Self { inverse_mass: T::ZERO, effective_mass_ratio: T::ONE, inverse_effective_mass: T::ZERO }
+        Self {
+            inverse_mass: T::ZERO,
+            square_radius: T::ZERO,
+            effective_mass_ratio: T::ONE,
+            inverse_effective_mass: T::ZERO,
+        }
+    }
+
+    /// (m²) k² = I/m, the square of the radius of gyration; zero for a barrier, which has none.
+    #[inline(always)]
+    #[must_use]
+    pub fn square_radius(&self) -> T {
+        self.square_radius
     }
 
     /// γ = k²/(k² + h²): the share of the mass that a force at the distance h from the CG has to move.
@@ -55,7 +69,7 @@ impl<T: Real> Inertia<T> {
 ///
 /// # Errors
 /// Where the energy is negative or not finite, or both vehicles are fixed.
-pub fn delta_v<T: Real>(energy: T, vehicles: [Inertia<T>; 2]) -> Result<[T; 2], CrushError> {
+pub fn delta_v<T: Real>(energy: T, vehicles: [StruckVehicle<T>; 2]) -> Result<[T; 2], CrushError> {
     error::not_negative("crush energy", energy.value())?;
     let [v1, v2] = vehicles;
     let inverse = v1.inverse_effective_mass + v2.inverse_effective_mass;
@@ -69,7 +83,11 @@ pub fn delta_v<T: Real>(energy: T, vehicles: [Inertia<T>; 2]) -> Result<[T; 2], 
 }
 
 /// Which energy the crush stands for.
+///
+/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is
+/// decided there; adding one is a breaking change.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum EnergyBasis {
     /// The energy that the normal impulse dissipated, W_n: SAE 980025.
     #[default]

@@ -1,13 +1,15 @@
 //! From the direction of the force to the angle at the damaged side and the moment arm.
 
-use real::Real;
+use core::f64::consts::{FRAC_PI_2, PI};
+
+use real::{Real, principal_angle};
 
 use crate::error::{self, CrushError};
 use crate::profile::Profile;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// The damaged side of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
     /// The front.
     Front,
@@ -49,13 +51,6 @@ pub fn opposite_pdof<T: Real>(pdof: T, [own, other]: [T; 2]) -> T {
     principal_angle(other - own + pdof - PI)
 }
 
-/// (rad) the same direction in (−π, π].
-#[must_use]
-pub fn principal_angle<T: Real>(angle: T) -> T {
-    // φ − 2π ⌈(φ − π)/2π⌉
-    angle - TAU * ((angle.value() - PI) / TAU).ceil()
-}
-
 /// (m) h: distance of the CG from the line of action of a force with the given PDOF (rad) through a point that lies at
 /// (`forward`, `left`) (m) of the CG in the vehicle's own axes.
 #[inline(always)]
@@ -68,10 +63,19 @@ pub fn moment_arm<T: Real>([forward, left]: [T; 2], pdof: T) -> T {
 
 /// The face of a vehicle that was damaged, and where on it the damage lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::DamagedFaceData<T>",
+        into = "crate::data::DamagedFaceData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct DamagedFace<T = f64> {
-    side: Side,
-    distance: T,
-    offset: T,
+    pub(crate) side: Side,
+    pub(crate) distance: T,
+    pub(crate) offset: T,
 }
 
 impl<T: Real> DamagedFace<T> {
@@ -95,13 +99,12 @@ impl<T: Real> DamagedFace<T> {
         let mut start = T::ZERO;
         for zone in profile.zones() {
             let [c1, c2] = zone.depths;
-            // a = w (C₁ + C₂)/2
-            let zone_area = zone.width * zone.mean_depth();
+            let zone_area = zone.area();
             area += zone_area;
             // ∫ s C ds = s₁ a + w² (C₁ + 2C₂)/6
             moment_along += start * zone_area + zone.width * zone.width * (c1 + c2 * 2.0) / 6.0;
-            // ∫ C²/2 ds = w Q/2
-            moment_deep += zone.width * zone.mean_square_depth() / 2.0;
+            // ∫ C²/2 ds
+            moment_deep += zone.second_moment();
             start += zone.width;
         }
         let middle = start / 2.0;

@@ -4,7 +4,7 @@ use real::Real;
 
 use crate::error::{self, CrushError};
 use crate::profile::{Profile, Zone};
-use crate::stiffness::{Stiffness, Structure};
+use crate::stiffness::{Saturation, SideStiffness, Stiffness};
 
 /// (J) the energy that made the crush: the integral of A + B C over depth and width, for a profile that is linear
 /// between its stations.
@@ -27,26 +27,19 @@ pub fn crush_energy<T: Real>(profile: &Profile<T>, stiffness: &Stiffness<T>) -> 
 /// (J) the share of one zone in [`crush_energy`].
 #[inline(always)]
 #[must_use]
-pub fn zone_energy<T: Real>(Zone { width, depths: [c1, c2] }: Zone<T>, stiffness: &Stiffness<T>) -> T {
-    let g = stiffness.g();
-    let Some((limit, knee)) = stiffness.saturation() else {
+pub fn zone_energy<T: Real>(zone: Zone<T>, stiffness: &Stiffness<T>) -> T {
+    let Zone { width, depths: [c1, c2] } = zone;
+    let per_width = match zone.yielding(stiffness) {
         // E = Σⱼ wⱼ [ A (Cⱼ + Cⱼ₊₁)/2 + B (Cⱼ² + Cⱼ Cⱼ₊₁ + Cⱼ₊₁²)/6 + G ]
-        return width * (rising(stiffness, c1, c2) + g);
+        Yielding::Nowhere => rising(stiffness, c1, c2),
+        Yielding::Throughout(saturation) => flat(stiffness, saturation, c1, c2),
+        // s e(C_low, C_s) + (1 − s) e(C_s, C_high)
+        Yielding::Partly { saturation, low, high, below } => {
+            let knee = saturation.depth;
+            below * rising(stiffness, low, knee) + (T::ONE - below) * flat(stiffness, saturation, knee, high)
+        }
     };
-    let (low, high) = if c1.value() <= c2.value() { (c1, c2) } else { (c2, c1) };
-    if high.value() <= knee.value() {
-        return width * (rising(stiffness, c1, c2) + g);
-    }
-    // e_s = A C_s + B C_s²/2 = (A + F_s) C_s/2
-    let at_knee = (stiffness.a() + limit) * knee / 2.0;
-    if low.value() >= knee.value() {
-        return width * (flat(at_knee, limit, knee, low, high) + g);
-    }
-    // The depth is linear along the zone, so it crosses C_s once: s = (C_s − C_low)/(C_high − C_low) of the width lies below.
-    let below = (knee - low) / (high - low);
-    let mean =
-        below * rising(stiffness, low, knee) + (T::ONE - below) * flat(at_knee, limit, knee, knee, high);
-    width * (mean + g)
+    width * (per_width + stiffness.g())
 }
 
 /// (N) mean energy per width where the depth goes from C_1 to C_2 and the force rises: A (C_1 + C_2)/2 + B (C_1² + C_1 C_2 + C_2²)/6.
@@ -57,8 +50,57 @@ fn rising<T: Real>(stiffness: &Stiffness<T>, c1: T, c2: T) -> T {
 
 /// (N) the same where the force has reached its limit: e_s + F_s ((C_1 + C_2)/2 − C_s).
 #[inline(always)]
-fn flat<T: Real>(at_knee: T, limit: T, knee: T, c1: T, c2: T) -> T {
-    at_knee + limit * ((c1 + c2) / 2.0 - knee)
+fn flat<T: Real>(
+    stiffness: &Stiffness<T>,
+    Saturation { force, depth: knee }: Saturation<T>,
+    c1: T,
+    c2: T,
+) -> T {
+    // e_s = A C_s + B C_s²/2 = (A + F_s) C_s/2
+    let at_knee = (stiffness.a() + force) * knee / 2.0;
+    at_knee + force * ((c1 + c2) / 2.0 - knee)
+}
+
+/// Where along a zone the force per width has reached its saturation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Yielding<T = f64> {
+    /// Nowhere: it is A + B C.
+    Nowhere,
+    /// All along: it is F_s.
+    Throughout(Saturation<T>),
+    /// On the deeper part of the zone.
+    Partly {
+        /// F_s and C_s.
+        saturation: Saturation<T>,
+        /// (m) C_low, the depth at the shallower end.
+        low: T,
+        /// (m) C_high, the depth at the deeper end.
+        high: T,
+        /// s = (C_s − C_low)/(C_high − C_low), the share of the width on which the force still rises.
+        below: T,
+    },
+}
+
+impl<T: Real> Zone<T> {
+    /// Where the force per width of this zone has reached its saturation.
+    #[inline(always)]
+    #[must_use]
+    pub fn yielding(&self, stiffness: &Stiffness<T>) -> Yielding<T> {
+        let Some(saturation) = stiffness.saturation() else { return Yielding::Nowhere };
+        let [c1, c2] = self.depths;
+        let knee = saturation.depth;
+        let (low, high) = if c1.value() <= c2.value() { (c1, c2) } else { (c2, c1) };
+        if high.value() <= knee.value() {
+            Yielding::Nowhere
+        } else if low.value() >= knee.value() {
+            Yielding::Throughout(saturation)
+        } else {
+            // The depth is linear along the zone, so it crosses C_s once.
+            // s = (C_s − C_low)/(C_high − C_low)
+            Yielding::Partly { saturation, low, high, below: (knee - low) / (high - low) }
+        }
+    }
 }
 
 /// (N) the force at maximum crush, for a force at the angle α (rad) to the normal of the damaged side:
@@ -80,26 +122,24 @@ pub fn peak_force<T: Real>(
     Ok(force / cos)
 }
 
+/// (N) the share of one zone in [`peak_force`] of a force square to the side.
 #[inline(always)]
-fn zone_force<T: Real>(Zone { width, depths: [c1, c2] }: Zone<T>, stiffness: &Stiffness<T>) -> T {
+#[must_use]
+pub fn zone_force<T: Real>(zone: Zone<T>, stiffness: &Stiffness<T>) -> T {
+    let Zone { width, depths: [c1, c2] } = zone;
     let (a, b) = (stiffness.a(), stiffness.b());
-    let Some((limit, knee)) = stiffness.saturation() else {
+    match zone.yielding(stiffness) {
         // F_n = Σⱼ wⱼ [ A + B (Cⱼ + Cⱼ₊₁)/2 ]
-        return width * (a + b * (c1 + c2) / 2.0);
-    };
-    let (low, high) = if c1.value() <= c2.value() { (c1, c2) } else { (c2, c1) };
-    if high.value() <= knee.value() {
-        return width * (a + b * (c1 + c2) / 2.0);
+        Yielding::Nowhere => width * (a + b * (c1 + c2) / 2.0),
+        Yielding::Throughout(Saturation { force, .. }) => width * force,
+        // s (A + B (C_low + C_s)/2) + (1 − s) F_s
+        Yielding::Partly { saturation: Saturation { force, depth: knee }, low, below, .. } => {
+            width * (below * (a + b * (low + knee) / 2.0) + (T::ONE - below) * force)
+        }
     }
-    if low.value() >= knee.value() {
-        return width * limit;
-    }
-    let below = (knee - low) / (high - low);
-    // s (A + B (C_low + C_s)/2) + (1 − s) F_s
-    width * (below * (a + b * (low + knee) / 2.0) + (T::ONE - below) * limit)
 }
 
-impl<T: Real> Structure<T> {
+impl<T: Real> SideStiffness<T> {
     /// (J) the energy that made the crush: [`crush_energy`], zone by zone where the stiffness differs along the side.
     ///
     /// # Errors
@@ -142,7 +182,11 @@ fn sum<T: Real>(
 }
 
 /// How the energy of a force that is not normal to the damaged side is corrected: the factor on the energy for the angle α.
+///
+/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is
+/// decided there; adding one is a breaking change.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum ObliqueCorrection<T = f64> {
     /// 1 + tan²α with |α| limited to 45°, so never more than 2: CRASH3.
     #[default]
@@ -161,6 +205,8 @@ pub enum ObliqueCorrection<T = f64> {
 
 /// The corrected share of an oblique force's energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ObliqueFactor<T = f64> {
     /// What the crush energy is multiplied with.
     pub factor: T,

@@ -1,13 +1,17 @@
 //! The crush of a vehicle that could not be inspected, from the force on the one that could.
 
+use alloc::vec;
+
 use real::Real;
 
 use crate::energy::pushing_cosine;
 use crate::error::{self, CrushError};
-use crate::stiffness::Stiffness;
+use crate::stiffness::{Saturation, Stiffness};
 
 /// A crush of the same depth over its whole width.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct UniformCrush<T = f64> {
     /// (m) w.
     pub width: T,
@@ -19,6 +23,8 @@ pub struct UniformCrush<T = f64> {
 
 /// What a force says of a damage whose width is not known.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CrushRange<T = f64> {
     /// The least energy: as a rule that of the widest damage.
     pub lowest: UniformCrush<T>,
@@ -123,7 +129,7 @@ fn of_normal_force<T: Real>(
 ) -> Result<UniformCrush<T>, CrushError> {
     let (a, b, g) = (stiffness.a(), stiffness.b(), stiffness.g());
     let force_per_width = normal / width;
-    if let Some(limit) = stiffness.limit()
+    if let Some(limit) = stiffness.saturation_force()
         // A width that was computed from the limit itself is one rounding off.
         && force_per_width.value() > limit.value() * (1.0 + f64::EPSILON * 4.0)
     {
@@ -147,9 +153,9 @@ fn of_normal_force<T: Real>(
 fn energy_per_width<T: Real>(stiffness: &Stiffness<T>, depth: T) -> T {
     let (a, b) = (stiffness.a(), stiffness.b());
     match stiffness.saturation() {
-        Some((limit, knee)) if depth.value() > knee.value() => {
+        Some(Saturation { force, depth: knee }) if depth.value() > knee.value() => {
             // (A + F_s) C_s/2 + F_s (C − C_s)
-            (a + limit) * knee / 2.0 + limit * (depth - knee)
+            (a + force) * knee / 2.0 + force * (depth - knee)
         }
         // A C + B C²/2
         _ => a * depth + b * depth * depth / 2.0,

@@ -1,7 +1,7 @@
 //! CRASH3 damage analysis: crush energy and velocity changes from measured crush.
 //!
 //! ```
-//! use crash3::{Inertia, Profile, Stiffness, crush_energy, delta_v};
+//! use crash3::{StruckVehicle, Profile, Stiffness, crush_energy, delta_v};
 //!
 //! // SAE 980025, appendix: the front of the GMC Jimmy (SI units).
 //! let depths = [21.3, 20.3, 13.8, 11.3, 5.3, 4.8].map(|inch| inch * 0.0254);
@@ -11,35 +11,48 @@
 //! assert!((energy / 1.02e5 - 1.0).abs() < 0.005); // the paper: 1.02e5 N·m
 //!
 //! // Both vehicles' energies move both of them (the paper's 1.41e5 N·m in all).
-//! let jimmy = Inertia::new(1676.5, 3304.1, 0.646)?;
-//! let altima = Inertia::new(1548.1, 2935.3, 0.592)?;
+//! let jimmy = StruckVehicle::new(1676.5, 3304.1, 0.646)?;
+//! let altima = StruckVehicle::new(1548.1, 2935.3, 0.592)?;
 //! let [dv1, dv2] = delta_v(1.41e5, [jimmy, altima])?;
 //! assert!((1676.5 * dv1 - 1548.1 * dv2).abs() < 1e-9); // equal and opposite momenta
 //! # Ok::<(), crash3::CrushError>(())
 //! ```
 //!
-//! The types: a [`Profile`] of depths and a [`Stiffness`] give [`crush_energy`] and [`peak_force`]; an [`ObliqueCorrection`] raises the energy of
-//! a force that is not normal to the damaged [`Side`]; two [`Inertia`]s turn the sum of both vehicles' energies into [`delta_v`]; [`EnergyBasis`]
-//! says what restitution does to that. Each number may be any [`Real`]; plain `f64` is the default.
+//! The types: a [`Profile`] of depths and a [`Stiffness`] give [`crush_energy`] and [`peak_force`]; an
+//! [`ObliqueCorrection`] raises the energy of a force that is not normal to the damaged [`Side`]; two
+//! [`StruckVehicle`]s turn the sum of both vehicles' energies into [`delta_v`]; [`EnergyBasis`] says what
+//! restitution does to that. Each number may be any [`Real`]; plain `f64` is the default.
 //!
-//! A stiffness comes from its coefficients, from a [`BarrierTest`] or from CRASH3's table ([`Stiffness::from_category`]); a [`Structure`] is one
-//! that may differ between the stations. The force acts through the centroid of the damage on a [`DamagedFace`]. Where only one vehicle could be
-//! inspected, [`crush_from_force`] infers the other's crush from the force on both. [`VehicleClass`] and [`yaw_inertia_burg`] stand in for
-//! dimensions and inertia that are not known.
+//! A stiffness comes from its coefficients, from a [`BarrierTest`] or from CRASH3's table
+//! ([`Stiffness::from_category`]); a [`SideStiffness`] is one that may differ between the stations. The force
+//! acts through the centroid of the damage on a [`DamagedFace`]. Where only one vehicle could be inspected,
+//! [`crush_from_force`] infers the other's crush from the force on both. [`VehicleClass`] and
+//! [`yaw_inertia_burg`] stand in for dimensions and inertia that are not known.
 //!
 //! | code | symbol | meaning | unit |
 //! |---|---|---|---|
 //! | `depths` | C_j | residual crush at station j | m |
 //! | `width` | L; w_j | width of the damage; of one zone between stations | m |
 //! | `a`, `b`, `g` | A, B, G | stiffness: force per width A + B C, energy per width G before crush | N/m, N/m², N |
-//! | `limit` | F_s | force per width beyond which A + B C is flat | N/m |
-//! | `d0`, `d1` | d_0, d_1 | the same: A = d_0 d_1, B = d_1², G = d_0²/2 | √N, √N/m |
+//! | `area`, `second_moment` | S_1; S_2 | ∫ C and ∫ C²/2 over the width of a [`ProfileSums`] | m²; m³ |
+//! | `mean_depth`, `mean_square_depth` | C̄; Q | mean and mean square of the depth over the width | m; m² |
+//! | `slope` | b_1 | of the speed over the crush in a [`BarrierTest`] | 1/s |
+//! | `saturation_force` | F_s | force per width beyond which A + B C is flat | N/m |
+//! | `d0`, `d1` | d_0, d_1 | the same as A, B and G: A = d_0 d_1, B = d_1², G = d_0²/2 | √N, √N/m |
 //! | `oblique_angle` | α | between the force and the normal of the damaged side | rad |
 //! | `pdof` | PDOF | direction from which the force comes, clockwise from the heading | rad |
 //! | `moment_arm` | h | distance from the CG to the force's line of action | m |
+//! | `square_radius` | k² | I/m | m² |
 //! | `effective_mass_ratio` | γ | k²/(k² + h²) | – |
 //!
 //! `examples/damage.rs` goes from depths to energy and ΔV, `examples/barrier_test.rs` from a test to a stiffness.
+//!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `std`, on by default | nothing of its own. Without it the crate is `no_std` and needs `alloc`; results have the same bits |
+//! | `serde` | inputs and results can be written and read, errors and [`StruckVehicle`] cannot. Reading goes through the constructors, so that what cannot be is refused |
 //!
 //! # What it does not do
 //!
@@ -50,7 +63,13 @@
 //!
 //! R. M. Brach and R. M. Brach, *Crush Energy and Planar Impact Mechanics for Accident Reconstruction*, SAE 980025 (1998), called *the paper*.
 
+#![cfg_attr(not(feature = "std"), no_std)]
+
+extern crate alloc;
+
 mod barrier_test;
+#[cfg(feature = "serde")]
+mod data;
 mod delta_v;
 mod direction;
 mod energy;
@@ -61,12 +80,14 @@ mod stiffness;
 mod tables;
 
 pub use barrier_test::BarrierTest;
-pub use delta_v::{EnergyBasis, Inertia, delta_v, energy_equivalent_speed};
-pub use direction::{DamagedFace, Side, moment_arm, opposite_pdof, principal_angle};
-pub use energy::{ObliqueCorrection, ObliqueFactor, crush_energy, peak_force, zone_energy};
+pub use delta_v::{EnergyBasis, StruckVehicle, delta_v, energy_equivalent_speed};
+pub use direction::{DamagedFace, Side, moment_arm, opposite_pdof};
+pub use energy::{
+    ObliqueCorrection, ObliqueFactor, Yielding, crush_energy, peak_force, zone_energy, zone_force,
+};
 pub use error::CrushError;
 pub use force_balance::{CrushRange, UniformCrush, crush_from_force, crush_range_from_force};
-pub use profile::{Profile, Zone, equal_spacing};
-pub use real::Real;
-pub use stiffness::{Stiffness, Structure};
+pub use profile::{Profile, ProfileSums, Zone, equal_spacing};
+pub use real::{Real, principal_angle};
+pub use stiffness::{Saturation, SideStiffness, Stiffness};
 pub use tables::{BURG, BURG_SPREAD, DoubtfulDigit, VehicleClass, yaw_inertia_burg};

@@ -1,18 +1,31 @@
 //! What was measured: depths of crush along the damaged side.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use real::Real;
 
 use crate::error::{self, CrushError};
 
 /// A crush profile: residual crush depths C_1 … C_N at stations along the damage, linear between them.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::ProfileData<T>",
+        into = "crate::data::ProfileData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct Profile<T = f64> {
-    depths: Vec<T>,
-    spacings: Vec<T>,
+    pub(crate) depths: Vec<T>,
+    pub(crate) spacings: Vec<T>,
 }
 
 /// One trapezoid of a profile, between two neighbouring stations.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Zone<T = f64> {
     /// (m) w_j, distance between the stations.
     pub width: T,
@@ -33,7 +46,7 @@ impl<T: Real> Zone<T> {
     /// Whether it can be part of a profile: its width is greater than zero, and no depth is negative.
     #[inline(always)]
     #[must_use]
-    pub fn is_possible(&self) -> bool {
+    pub fn is_valid(&self) -> bool {
         let [c1, c2] = self.depths.map(T::value);
         error::positive("spacing between stations", self.width.value()).is_ok()
             & error::not_negative("crush depth", c1).is_ok()
@@ -42,16 +55,64 @@ impl<T: Real> Zone<T> {
 
     /// (m) mean depth C̄ = (C_1 + C_2)/2.
     #[inline(always)]
-    pub(crate) fn mean_depth(&self) -> T {
+    #[must_use]
+    pub fn mean_depth(&self) -> T {
         let [c1, c2] = self.depths;
         (c1 + c2) / 2.0
     }
 
     /// (m²) mean of the squared depth Q = (C_1² + C_1 C_2 + C_2²)/3.
     #[inline(always)]
-    pub(crate) fn mean_square_depth(&self) -> T {
+    #[must_use]
+    pub fn mean_square_depth(&self) -> T {
         let [c1, c2] = self.depths;
         (c1 * c1 + c1 * c2 + c2 * c2) / 3.0
+    }
+
+    /// (m²) ∫ C ds over the width.
+    #[inline(always)]
+    #[must_use]
+    pub fn area(&self) -> T {
+        // w C̄
+        self.width * self.mean_depth()
+    }
+
+    /// (m³) ∫ C²/2 ds over the width.
+    #[inline(always)]
+    #[must_use]
+    pub fn second_moment(&self) -> T {
+        // w Q/2
+        self.width * self.mean_square_depth() / 2.0
+    }
+}
+
+/// What a profile adds up to. For a stiffness without saturation the crush energy is A S_1 + B S_2 + G L, and
+/// the force normal to the side A L + B S_1; [`crush_energy`](crate::crush_energy) adds them zone by zone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct ProfileSums<T = f64> {
+    /// (m) L, the width of the damage.
+    pub width: T,
+    /// (m²) S_1 = Σ w_j (C_j + C_{j+1})/2, the area of the crush.
+    pub area: T,
+    /// (m³) S_2 = Σ w_j (C_j² + C_j C_{j+1} + C_{j+1}²)/6, its moment about the undamaged face.
+    pub second_moment: T,
+}
+
+impl<T: Real> ProfileSums<T> {
+    /// (m) C̄, the mean depth over the width.
+    #[must_use]
+    pub fn mean_depth(&self) -> T {
+        // C̄ = S₁/L
+        self.area / self.width
+    }
+
+    /// (m²) Q, the mean of the squared depth over the width.
+    #[must_use]
+    pub fn mean_square_depth(&self) -> T {
+        // Q = 2 S₂/L
+        self.second_moment * 2.0 / self.width
     }
 }
 
@@ -100,6 +161,17 @@ impl<T: Real> Profile<T> {
     #[must_use]
     pub fn width(&self) -> T {
         self.spacings.iter().fold(T::ZERO, |sum, &w| sum + w)
+    }
+
+    /// Width, area and second moment.
+    #[must_use]
+    pub fn sums(&self) -> ProfileSums<T> {
+        let mut sums = ProfileSums { width: self.width(), area: T::ZERO, second_moment: T::ZERO };
+        for zone in self.zones() {
+            sums.area += zone.area();
+            sums.second_moment += zone.second_moment();
+        }
+        sums
     }
 
     /// The trapezoids between neighbouring stations.

@@ -1,5 +1,7 @@
 //! What the structure resists with: force per width as a linear function of crush.
 
+use alloc::vec::Vec;
+
 use real::Real;
 
 use crate::error::{self, CrushError};
@@ -7,11 +9,20 @@ use crate::error::{self, CrushError};
 /// CRASH3's stiffness coefficients: force per width A + B C, flat beyond a limit if there is one, and the energy per width G that
 /// is stored before any crush remains.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::StiffnessData<T>",
+        into = "crate::data::StiffnessData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct Stiffness<T = f64> {
     a: T,
     b: T,
     g: T,
-    limit: Option<T>,
+    saturation_force: Option<T>,
 }
 
 impl<T: Real> Stiffness<T> {
@@ -35,16 +46,17 @@ impl<T: Real> Stiffness<T> {
     /// Where one of them is negative or not finite.
     #[inline(always)]
     pub fn from_abg(a: T, b: T, g: T) -> Result<Self, CrushError> {
-        let stiffness = Self { a, b, g, limit: None };
+        let stiffness = Self { a, b, g, saturation_force: None };
         stiffness.check()?;
         Ok(stiffness)
     }
 
-    /// The same without a reason, for loops over many samples: the stiffness, and whether there can be one.
+    /// Like [`from_abg`](Self::from_abg), but returns a validity flag in place of an error, so that loops
+    /// over many samples vectorise.
     #[inline(always)]
     #[must_use]
-    pub fn pose_abg(a: T, b: T, g: T) -> (Self, bool) {
-        let stiffness = Self { a, b, g, limit: None };
+    pub fn from_abg_with_validity(a: T, b: T, g: T) -> (Self, bool) {
+        let stiffness = Self { a, b, g, saturation_force: None };
         (stiffness, stiffness.check().is_ok())
     }
 
@@ -98,23 +110,24 @@ impl<T: Real> Stiffness<T> {
         self.g
     }
 
-    /// The same structure with a force per width that rises no further than F_s = `limit` (N/m).
+    /// The same stiffness with a force per width that saturates: it rises no further than `force`, F_s (N/m).
     ///
     /// # Errors
-    /// Where the limit is below A or not finite.
-    pub fn with_limit(self, limit: T) -> Result<Self, CrushError> {
-        error::finite("limit of the force per width", limit.value())?;
-        if limit.value() < self.a.value() {
-            return Err(CrushError::LimitBelowStart { limit: limit.value(), a: self.a.value() });
+    /// Where the force is below A or not finite.
+    pub fn with_saturation_force(self, force: T) -> Result<Self, CrushError> {
+        error::finite("limit of the force per width", force.value())?;
+        if force.value() < self.a.value() {
+            return Err(CrushError::LimitBelowStart { limit: force.value(), a: self.a.value() });
         }
-        Ok(Self { limit: Some(limit), ..self })
+        Ok(Self { saturation_force: Some(force), ..self })
     }
 
-    /// (N/m) F_s, the force per width beyond which the structure yields without a further rise.
+    /// (N/m) F_s, the force per width beyond which the structure yields without a further rise: key `limit`
+    /// of a case.
     #[inline(always)]
     #[must_use]
-    pub fn limit(&self) -> Option<T> {
-        self.limit
+    pub fn saturation_force(&self) -> Option<T> {
+        self.saturation_force
     }
 
     /// (N/m) the force per width at the depth C (m).
@@ -123,26 +136,47 @@ impl<T: Real> Stiffness<T> {
     pub fn force_per_width(&self, depth: T) -> T {
         // f = min(A + B C, F_s)
         let rising = self.a + self.b * depth;
-        match self.limit {
-            Some(limit) if rising.value() > limit.value() => limit,
+        match self.saturation_force {
+            Some(force) if rising.value() > force.value() => force,
             _ => rising,
         }
     }
 
-    /// (N/m) F_s and (m) the depth at which the force reaches it; none where it never does.
+    /// Where the force per width saturates; `None` where it never does.
     #[inline(always)]
-    pub(crate) fn saturation(&self) -> Option<(T, T)> {
-        match self.limit {
+    #[must_use]
+    pub fn saturation(&self) -> Option<Saturation<T>> {
+        match self.saturation_force {
             // C_s = (F_s − A)/B
-            Some(limit) if self.b.value() > 0.0 => Some((limit, (limit - self.a) / self.b)),
+            Some(force) if self.b.value() > 0.0 => {
+                Some(Saturation { force, depth: (force - self.a) / self.b })
+            }
             _ => None,
         }
     }
 }
 
+/// Where the force per width ceases to rise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Saturation<T = f64> {
+    /// (N/m) F_s.
+    pub force: T,
+    /// (m) C_s, the depth at which the force per width reaches it.
+    pub depth: T,
+}
+
 /// What a damaged side resists with: the same stiffness all along, or one for each zone between two stations.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Structure<T = f64> {
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
+pub enum SideStiffness<T = f64> {
     /// The same everywhere.
     Uniform(Stiffness<T>),
     /// One for each interval between neighbouring stations, in their order.

@@ -25,8 +25,9 @@
 //! let contact = Contact::new([jimmy, altima], -23_f64.to_radians())?;
 //! let motions = [Motion::rest(), Motion::along(67_f64.to_radians(), 4.4704)];
 //! let law = Law::new(0.3, Tangential::Critical)?;
-//! let energy = 1.02e5 + 3.87e4;
-//! let answer = Problem::new(contact, law, motions, Unknown::Speed1, energy, EnergyBasis::Dissipated)?.solve()?;
+//! let crush_energy = 1.02e5 + 3.87e4;
+//! let (law, basis) = (law.into(), EnergyBasis::Dissipated);
+//! let answer = Problem { contact, law, motions, unknown: Unknown::Speed1, crush_energy, basis }.solve()?;
 //! assert!((answer.speed - 22.9).abs() < 0.05); // the paper: 22.9 m/s
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -61,7 +62,9 @@ pub mod prelude {
     pub use analysis::{Analysis, Failure, Warning, crush, impact, reconstruct};
     pub use case::{Case, CaseFile, Diagnostics};
     pub use crash3::{EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, crush_energy};
-    pub use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, RestitutionCurve, Tangential};
+    pub use pim_core::{
+        Body, Contact, Law, Motion, Outcome, Participant, RestitutionCurve, Tangential, VaryingLaw,
+    };
     pub use reconcile::{Problem, Reconciliation, Unknown};
     pub use report::Units;
 }

@@ -7,6 +7,15 @@ use crate::error::{self, InvalidInput};
 
 /// A rigid body in the plane: mass and yaw inertia, or fixed to the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::BodyData<T>",
+        into = "crate::data::BodyData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct Body<T = f64> {
     // All four are zero for a fixed body, so that the equations need no case of their own for it:
     // it takes an impulse without moving and carries no kinetic energy.
@@ -28,10 +37,11 @@ impl<T: Real> Body<T> {
         Ok(body)
     }
 
-    /// The same without a reason, for loops over many samples: the body, and whether there can be one.
+    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many
+    /// samples vectorise.
     #[inline(always)]
     #[must_use]
-    pub fn pose(mass: T, yaw_inertia: T) -> (Self, bool) {
+    pub fn new_with_validity(mass: T, yaw_inertia: T) -> (Self, bool) {
         let body = Self::of(mass, yaw_inertia);
         (body, body.check().is_ok())
     }
@@ -61,6 +71,20 @@ impl<T: Real> Body<T> {
         self.inverse_mass == T::ZERO
     }
 
+    /// (kg) m, zero for a fixed body.
+    #[inline(always)]
+    #[must_use]
+    pub fn mass(&self) -> T {
+        self.mass
+    }
+
+    /// (kg·m²) I about the CG, zero for a fixed body.
+    #[inline(always)]
+    #[must_use]
+    pub fn yaw_inertia(&self) -> T {
+        self.yaw_inertia
+    }
+
     /// (1/kg) 1/m, zero for a fixed body.
     #[inline(always)]
     #[must_use]
@@ -87,6 +111,14 @@ impl<T: Real> Body<T> {
 
 /// How a body moves: scene velocity of its CG and yaw rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
 pub struct Motion<T = f64> {
     /// (m/s) velocity of the CG in the scene frame.
     pub velocity: Vector2<T>,
@@ -120,6 +152,15 @@ impl<T: Real> Motion<T> {
 
 /// One of the two bodies in its place: heading, and the arm from its CG to the contact point C.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::ParticipantData<T>",
+        into = "crate::data::ParticipantData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct Participant<T = f64> {
     pub(crate) body: Body<T>,
     /// Unit vector of the body's own forward axis in the scene.
@@ -139,10 +180,11 @@ impl<T: Real> Participant<T> {
         Ok(Self::of(body, heading, forward, left))
     }
 
-    /// The same without a reason, for loops over many samples: the participant, and whether there can be one.
+    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many
+    /// samples vectorise.
     #[inline(always)]
     #[must_use]
-    pub fn pose(body: Body<T>, heading: T, forward: T, left: T) -> (Self, bool) {
+    pub fn new_with_validity(body: Body<T>, heading: T, forward: T, left: T) -> (Self, bool) {
         (Self::of(body, heading, forward, left), Self::check(heading, forward, left).is_ok())
     }
 

@@ -7,6 +7,7 @@ use crate::law::{Law, Regime, Tangential, against};
 
 /// What switches, and at which number.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Switch<T = f64> {
     /// Between the full impulse and sliding: the friction limit that just suffices, |P_t|/P_n of the full
     /// impulse.
@@ -18,6 +19,15 @@ pub enum Switch<T = f64> {
 
 /// A border between two conditions of a law with a friction limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
 pub struct Border<T = f64> {
     /// What switches there.
     pub switch: Switch<T>,

@@ -1,5 +1,7 @@
 //! Where two bodies meet: arms, crush plane, and the inverse mass that C feels.
 
+use core::f64::consts::PI;
+
 use nalgebra::Vector2;
 use real::Real;
 
@@ -11,6 +13,7 @@ const NORMAL_RESOLUTION: f64 = 1e-12;
 
 /// A vector at C in the axes of the crush plane: along its normal n and along t, which is n turned by +90°.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NormalTangential<T = f64> {
     /// Component along n.
     pub normal: T,
@@ -40,6 +43,7 @@ impl<T: Real> NormalTangential<T> {
 /// The contact inverse-mass matrix K in n–t axes: U = u + K P. Symmetric and positive definite. A moment impulse at C adds a third
 /// row and column.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct InverseMass<T = f64> {
     /// (1/kg) k_nn.
     pub nn: T,
@@ -57,11 +61,12 @@ pub struct InverseMass<T = f64> {
 
 /// How two bodies approach each other at C.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Approach<T = f64> {
     /// (m/s) u, velocity of vehicle 1 relative to vehicle 2 at C.
     pub velocity: NormalTangential<T>,
     /// (rad/s) ω_1 − ω_2, yaw rate of vehicle 1 relative to vehicle 2.
-    pub spin: T,
+    pub relative_yaw_rate: T,
 }
 
 impl<T: Real> InverseMass<T> {
@@ -97,7 +102,10 @@ impl<T: Real> InverseMass<T> {
         Approach {
             velocity: self.separation_velocity(approach.velocity, p, moment),
             // Ω₁ − Ω₂ = ω₁ − ω₂ + k_nm P_n + k_tm P_t + k_mm M
-            spin: approach.spin + self.nm * p.normal + self.tm * p.tangential + self.mm * moment,
+            relative_yaw_rate: approach.relative_yaw_rate
+                + self.nm * p.normal
+                + self.tm * p.tangential
+                + self.mm * moment,
         }
     }
 
@@ -121,8 +129,21 @@ impl<T: Real> InverseMass<T> {
 ///
 /// The same contact serves every velocity and every impact law.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::ContactData<T>",
+        into = "crate::data::ContactData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct Contact<T = f64> {
     pub(crate) participants: [Participant<T>; 2],
+    /// Γ as given.
+    pub(crate) crush_plane: T,
+    /// Whether n points against Γ.
+    pub(crate) turned: bool,
     pub(crate) normal: Vector2<T>,
     pub(crate) arms: [NormalTangential<T>; 2],
     pub(crate) inverse_mass: InverseMass<T>,
@@ -136,16 +157,17 @@ impl<T: Real> Contact<T> {
     /// Where Γ is not finite, both bodies are fixed, or the normal cannot be oriented.
     #[inline(always)]
     pub fn new(participants: [Participant<T>; 2], crush_plane: T) -> Result<Self, InvalidInput> {
-        match Self::pose(participants, crush_plane) {
+        match Self::new_with_validity(participants, crush_plane) {
             (contact, true) => Ok(contact),
             _ => Err(Self::impossible(&participants, crush_plane)),
         }
     }
 
-    /// The same without a reason, for loops over many samples: the contact, and whether there can be one.
+    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many
+    /// samples vectorise.
     #[inline(always)]
     #[must_use]
-    pub fn pose(participants: [Participant<T>; 2], crush_plane: T) -> (Self, bool) {
+    pub fn new_with_validity(participants: [Participant<T>; 2], crush_plane: T) -> (Self, bool) {
         let [p1, p2] = &participants;
         let (sin, cos) = crush_plane.sin_cos();
         let n = Vector2::new(cos, sin);
@@ -154,12 +176,13 @@ impl<T: Real> Contact<T> {
         let along = NormalTangential::of(between, n);
         let distance = (between.x * between.x + between.y * between.y).sqrt();
         let is_oriented = along.normal.abs() > distance * NORMAL_RESOLUTION;
-        let normal = if along.normal > T::ZERO { n } else { -n };
+        let is_ahead = along.normal > T::ZERO;
+        let normal = if is_ahead { n } else { -n };
         let arms = [NormalTangential::of(p1.arm, normal), NormalTangential::of(p2.arm, normal)];
         let inverse_mass = InverseMass::new([&p1.body, &p2.body], arms);
         let both_fixed = p1.body.is_fixed() & p2.body.is_fixed();
         let can_be = is_oriented & !both_fixed & angle(crush_plane).is_ok();
-        (Self { participants, normal, arms, inverse_mass }, can_be)
+        (Self { participants, crush_plane, turned: !is_ahead, normal, arms, inverse_mass }, can_be)
     }
 
     /// Why there is no contact.
@@ -177,6 +200,27 @@ impl<T: Real> Contact<T> {
     #[must_use]
     pub fn participants(&self) -> &[Participant<T>; 2] {
         &self.participants
+    }
+
+    /// (rad) Γ, the scene angle of a normal of the crush plane, as given to [`new`](Self::new).
+    #[inline(always)]
+    #[must_use]
+    pub fn crush_plane(&self) -> T {
+        self.crush_plane
+    }
+
+    /// Whether n points against Γ, because the normal at Γ points from vehicle 1 to vehicle 2.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_turned(&self) -> bool {
+        self.turned
+    }
+
+    /// (rad) the scene angle of n, in (−π, π]: Γ, or Γ + π where it is turned.
+    #[must_use]
+    pub fn normal_angle(&self) -> T {
+        let turn = if self.turned { PI } else { 0.0 };
+        real::principal_angle(self.crush_plane + turn)
     }
 
     /// Unit normal n of the crush plane in the scene frame, oriented from vehicle 2 towards vehicle 1.
@@ -229,7 +273,7 @@ impl<T: Real> Contact<T> {
                 normal: v.normal - m1.yaw_rate * r1.tangential + m2.yaw_rate * r2.tangential,
                 tangential: v.tangential + m1.yaw_rate * r1.normal - m2.yaw_rate * r2.normal,
             },
-            spin: m1.yaw_rate - m2.yaw_rate,
+            relative_yaw_rate: m1.yaw_rate - m2.yaw_rate,
         }
     }
 

@@ -1,5 +1,8 @@
 //! What can be wrong with a collision, and why an impact has no answer.
 
+use alloc::format;
+use alloc::string::String;
+
 /// An input that no body, contact or law can have.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]

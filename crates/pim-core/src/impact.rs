@@ -14,6 +14,15 @@ const ENERGY_ROUNDING: f64 = 1e-12;
 
 /// Everything that an impact does.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
 pub struct Outcome<T = f64> {
     /// (N·s) impulse P on vehicle 1, along n and t. Vehicle 2 receives −P.
     pub impulse: NormalTangential<T>,
@@ -78,6 +87,13 @@ impl<T: Real> Outcome<T> {
         -self.approach.normal
     }
 
+    /// (rad/s) ω_1 − ω_2 before impact, and Ω_1 − Ω_2 after it.
+    #[inline(always)]
+    #[must_use]
+    pub fn relative_yaw_rate(&self) -> [T; 2] {
+        [relative_yaw_rate(&self.before), relative_yaw_rate(&self.after)]
+    }
+
     /// (m/s) |ΔV| of both vehicles.
     #[inline(always)]
     #[must_use]
@@ -107,6 +123,8 @@ fn ahead_and_left<T: Real>(forward: Vector2<T>, vector: Vector2<T>) -> [T; 2] {
 
 /// (J) the energy balance of an impact: `before` − `after` = `loss` = `normal_work` + `tangential_work` + `moment_work`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Energy<T = f64> {
     /// (J) kinetic energy of both vehicles before impact.
     pub before: T,
@@ -152,12 +170,12 @@ fn tangential_work<T: Real>(
 #[inline(always)]
 fn moment_work<T: Real>(before: &[Motion<T>; 2], moment: T, after: &[Motion<T>; 2]) -> T {
     // W_m = −½ M (ω₁ − ω₂ + Ω₁ − Ω₂)
-    -(moment * (spin(before) + spin(after))) * 0.5
+    -(moment * (relative_yaw_rate(before) + relative_yaw_rate(after))) * 0.5
 }
 
 /// (rad/s) yaw rate of vehicle 1 relative to vehicle 2.
 #[inline(always)]
-fn spin<T: Real>([one, two]: &[Motion<T>; 2]) -> T {
+fn relative_yaw_rate<T: Real>([one, two]: &[Motion<T>; 2]) -> T {
     one.yaw_rate - two.yaw_rate
 }
 
@@ -168,7 +186,7 @@ fn creates_energy<T: Real>(outcome: &Outcome<T>, law: &Law<T>) -> bool {
     let mut exchanged = p.normal.abs() * (u.normal.abs() + v.normal.abs())
         + p.tangential.abs() * (u.tangential.abs() + v.tangential.abs());
     if law.has_moment() {
-        let [before, after] = [spin(&outcome.before), spin(&outcome.after)];
+        let [before, after] = outcome.relative_yaw_rate();
         exchanged += outcome.moment_impulse.abs() * (before.abs() + after.abs());
     }
     outcome.energy.loss < -(exchanged * ENERGY_ROUNDING)
@@ -186,17 +204,18 @@ impl<T: Real> Contact<T> {
     /// coefficients create energy, or a motion is not one that the body can have.
     pub fn impact(&self, motions: [Motion<T>; 2], law: &Law<T>) -> Result<Outcome<T>, ImpactError> {
         self.check(&motions)?;
-        match self.attempt(motions, law) {
+        match self.impact_with_validity(motions, law) {
             (outcome, true) => Ok(outcome),
             _ => Err(self.refusal(motions, law)),
         }
     }
 
-    /// What the law's conditions give, and whether a collision can do that: [`impact`](Self::impact) without a reason and, for bodies
-    /// and laws of a known kind, without a branch, for loops over many samples. A fixed body has to be at rest.
+    /// Like [`impact`](Self::impact), but returns what the law's conditions give and a validity flag in place
+    /// of an error, so that loops over many samples vectorise: for bodies and laws of a known kind there is
+    /// no branch. The flag says whether a collision can do that. A fixed body has to be at rest.
     #[inline(always)]
     #[must_use]
-    pub fn attempt(&self, motions: [Motion<T>; 2], law: &Law<T>) -> (Outcome<T>, bool) {
+    pub fn impact_with_validity(&self, motions: [Motion<T>; 2], law: &Law<T>) -> (Outcome<T>, bool) {
         let approach = self.approach(&motions);
         let solution = law.solve(&self.inverse_mass, approach);
         let pushes = (approach.velocity.normal < T::ZERO) & law.pushes(&solution);
@@ -208,7 +227,7 @@ impl<T: Real> Contact<T> {
         (outcome, possible)
     }
 
-    /// Why what [`attempt`](Self::attempt) gives is not possible.
+    /// Why what [`impact_with_validity`](Self::impact_with_validity) gives is not possible.
     #[cold]
     fn refusal(&self, motions: [Motion<T>; 2], law: &Law<T>) -> ImpactError {
         let approach = self.approach(&motions);

@@ -6,7 +6,11 @@ use crate::contact::{Approach, InverseMass, NormalTangential};
 use crate::error::{self, ImpactError, InvalidInput};
 
 /// The tangential condition of an impact law.
+///
+/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is
+/// decided there; adding one is a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Tangential<T = f64> {
     /// U_t = 0: a common tangential velocity at C after impact, μ = μ_c.
     Critical,
@@ -37,6 +41,7 @@ pub enum Tangential<T = f64> {
 
 /// Whether an impact law with a friction limit reached the limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Regime {
     /// Friction sufficed for the law's condition on U_t.
     Full,
@@ -61,6 +66,15 @@ pub enum Regime {
 /// Brach & Brach, SAE 980025, "Summary of planar impact mechanics", which names the others: Woolley (SAE 870046 and 1987), Ishikawa (1985, 1994),
 /// Steffan & Moser (1996, after Kudlich and Slibar). The moment impulse: Brach, *Mechanical Impact Dynamics* (1991).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::LawData<T>",
+        into = "crate::data::LawData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct Law<T = f64> {
     pub(crate) restitution: T,
     pub(crate) tangential: Tangential<T>,
@@ -81,10 +95,11 @@ impl<T: Real> Law<T> {
         Ok(law)
     }
 
-    /// The same without a reason, for loops over many samples: the law, and whether there can be one.
+    /// Like [`new`](Self::new), but returns a validity flag in place of an error, so that loops over many
+    /// samples vectorise.
     #[inline(always)]
     #[must_use]
-    pub fn pose(restitution: T, tangential: Tangential<T>) -> (Self, bool) {
+    pub fn new_with_validity(restitution: T, tangential: Tangential<T>) -> (Self, bool) {
         let law = Self { restitution, tangential, moment_restitution: -T::ONE };
         (law, law.check().is_ok())
     }
@@ -317,6 +332,8 @@ impl<T: Real> Law<T> {
 
 /// What a law asks for: impulse and moment impulse on vehicle 1; vehicle 2 receives their opposites.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LawImpulse<T = f64> {
     /// (N·s) impulse P at C.
     pub linear: NormalTangential<T>,
@@ -398,9 +415,9 @@ impl<T: Real> Conditions<'_, T> {
         }
         let k = self.k;
         let correction = correction();
-        let spin = |p: NormalTangential<T>| k.nm * p.normal + k.tm * p.tangential;
+        let turn = |p: NormalTangential<T>| k.nm * p.normal + k.tm * p.tangential;
         // Ω₁ − Ω₂ = (ω₁ − ω₂) + k_m·(P₀ + M P′) + k_mm M = 0
-        let common = -(self.approach.spin + spin(plain)) / (k.mm + spin(correction));
+        let common = -(self.approach.relative_yaw_rate + turn(plain)) / (k.mm + turn(correction));
         // M = (1 + e_m) M_c
         let moment = (self.moment + 1.0) * common;
         LawImpulse {

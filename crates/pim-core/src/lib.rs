@@ -38,6 +38,7 @@
 //!
 //! | code | symbol | meaning | unit |
 //! |---|---|---|---|
+//! | `crush_plane`, `normal_angle` | Γ | scene angle of the crush plane's normal: as given, and that of n | rad |
 //! | `forward` | (cos θ, sin θ) | unit vector of the vehicle's own forward axis | – |
 //! | `arm`, `arms` | r_i | vector from CG_i to C; in n–t axes (d_d, d_c) and (d_b, d_a) of the paper's Eq 2 | m |
 //! | `inverse_mass` | K | contact inverse-mass matrix, U = u + K P | 1/kg |
@@ -55,9 +56,16 @@
 //! # Which impact law?
 //!
 //! [`Law`] has the table: each row's two conditions, its source, when it fits, and what it assumes of the tangential direction. Where restitution depends on
-//! the closing speed, a [`RestitutionCurve`] gives the law its coefficient.
+//! the closing speed, a [`RestitutionCurve`] makes the law a [`VaryingLaw`].
 //!
 //! `examples/impact.rs` is the paper's impact forward, `examples/laws.rs` one geometry under several laws.
+//!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `std`, on by default | nothing of its own. Without it the crate is `no_std` and needs `alloc`; results have the same bits |
+//! | `serde` | inputs and results can be written and read, errors cannot. Reading goes through the constructors, so that what cannot be is refused |
 //!
 //! # What it does not do
 //!
@@ -70,9 +78,15 @@
 //! called *the paper*. Its printed equations have misprints; what stands here was derived afresh, and departures from
 //! print are marked `ERRATUM`.
 
+#![cfg_attr(not(feature = "std"), no_std)]
+
+extern crate alloc;
+
 mod body;
 mod border;
 mod contact;
+#[cfg(feature = "serde")]
+mod data;
 mod error;
 mod impact;
 mod law;
@@ -87,4 +101,4 @@ pub use impact::{Energy, Outcome, normal_work, pdof};
 pub use law::{Law, LawImpulse, Regime, Tangential};
 pub use nalgebra::{self, Vector2};
 pub use real::Real;
-pub use restitution::RestitutionCurve;
+pub use restitution::{RestitutionCurve, VaryingLaw};

@@ -12,6 +12,7 @@ use crate::contact::{Contact, InverseMass, NormalTangential};
 use crate::error::{ImpactError, InvalidInput};
 use crate::impact::Outcome;
 use crate::law::Law;
+use crate::restitution::VaryingLaw;
 
 /// Not −value, which of nothing would make a negative nothing.
 fn flipped<T: Real>(value: T) -> T {
@@ -22,8 +23,12 @@ fn across<T: Real>(v: Vector2<T>) -> Vector2<T> {
     Vector2::new(v.x, flipped(v.y))
 }
 
-fn along<T: Real>(v: NormalTangential<T>) -> NormalTangential<T> {
-    NormalTangential { normal: v.normal, tangential: flipped(v.tangential) }
+impl<T: Real> NormalTangential<T> {
+    /// The same vector in axes of the other handedness.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        Self { normal: self.normal, tangential: flipped(self.tangential) }
+    }
 }
 
 impl<T: Real> Motion<T> {
@@ -45,8 +50,10 @@ impl<T: Real> Contact<T> {
         let InverseMass { nn, nt, tt, nm, tm, mm } = self.inverse_mass;
         Self {
             participants: self.participants.each_ref().map(Participant::mirrored),
+            crush_plane: flipped(self.crush_plane),
+            turned: self.turned,
             normal: across(self.normal),
-            arms: self.arms.map(along),
+            arms: self.arms.map(|arm| arm.mirrored()),
             // A product of n and t changes its sign, and so does one of n and a moment; t and moment both do.
             inverse_mass: InverseMass { nn, nt: flipped(nt), tt, nm: flipped(nm), tm, mm },
         }
@@ -67,19 +74,27 @@ impl<T: Real> Law<T> {
     }
 }
 
+impl<T: Real> VaryingLaw<T> {
+    /// The same law in axes of the other handedness.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        Self { nominal: self.nominal.mirrored(), curve: self.curve.clone() }
+    }
+}
+
 impl<T: Real> Outcome<T> {
     /// The same outcome in axes of the other handedness.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         Self {
-            impulse: along(self.impulse),
+            impulse: self.impulse.mirrored(),
             impulse_vector: across(self.impulse_vector),
             moment_impulse: flipped(self.moment_impulse),
             regime: self.regime,
             impulse_ratio: flipped(self.impulse_ratio),
             critical_impulse_ratio: self.critical_impulse_ratio.map(flipped),
-            approach: along(self.approach),
-            separation: along(self.separation),
+            approach: self.approach.mirrored(),
+            separation: self.separation.mirrored(),
             before: self.before.each_ref().map(Motion::mirrored),
             after: self.after.each_ref().map(Motion::mirrored),
             delta_v: self.delta_v.map(across),

@@ -1,5 +1,7 @@
 //! Restitution that depends on how fast the vehicles close.
 
+use alloc::vec::Vec;
+
 use real::Real;
 
 use crate::error::{self, InvalidInput};
@@ -9,9 +11,18 @@ use crate::law::Law;
 ///
 /// Restitution falls with closing speed, so a reconstruction in which the speed is not known cannot know it beforehand.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::data::RestitutionCurveData<T>",
+        into = "crate::data::RestitutionCurveData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
 pub struct RestitutionCurve<T = f64> {
     /// (closing speed in m/s, e), by ascending speed.
-    points: Vec<(T, T)>,
+    pub(crate) points: Vec<(T, T)>,
 }
 
 impl<T: Real> RestitutionCurve<T> {
@@ -41,24 +52,105 @@ impl<T: Real> RestitutionCurve<T> {
         &self.points
     }
 
+    /// The points (closing speed in m/s, coefficient of restitution) next to a closing speed (m/s): the last
+    /// of those that are not above it, and the first that is.
+    #[must_use]
+    pub fn around(&self, closing_speed: T) -> [Option<(T, T)>; 2] {
+        let next = self.points.partition_point(|(speed, _)| *speed <= closing_speed);
+        [next.checked_sub(1).and_then(|i| self.points.get(i)).copied(), self.points.get(next).copied()]
+    }
+
     /// e at a closing speed (m/s).
     #[must_use]
     pub fn at(&self, closing_speed: T) -> T {
-        let next = self.points.partition_point(|(speed, _)| *speed <= closing_speed);
-        match (next.checked_sub(1).and_then(|i| self.points.get(i)), self.points.get(next)) {
-            (Some(&(v0, e0)), Some(&(v1, e1))) => {
+        match self.around(closing_speed) {
+            [Some((v0, e0)), Some((v1, e1))] => {
                 // e = e₀ + (e₁ − e₀) (v − v₀)/(v₁ − v₀)
                 e0 + (e1 - e0) * (closing_speed - v0) / (v1 - v0)
             }
-            (Some(&(_, e)), None) | (None, Some(&(_, e))) => e,
+            [Some((_, e)), None] | [None, Some((_, e))] => e,
             // The constructor sees to it that there is a point.
-            (None, None) => T::ZERO,
+            [None, None] => T::ZERO,
+        }
+    }
+}
+
+/// An impact law at every closing speed: its coefficient of restitution is a number, or the
+/// [`RestitutionCurve`] that [`Law::with_restitution_curve`] gave it.
+///
+/// ```
+/// use pim_core::{Law, RestitutionCurve, Tangential, VaryingLaw};
+///
+/// let curve = RestitutionCurve::new(vec![(2.0, 0.4), (6.0, 0.2)])?;
+/// let law = Law::new(0.0, Tangential::Critical)?.with_restitution_curve(curve);
+/// assert!((law.at(4.0).restitution() - 0.3).abs() < 1e-15);
+/// let constant = VaryingLaw::from(Law::new(0.1, Tangential::Critical)?);
+/// assert_eq!(constant.at(4.0).restitution(), 0.1);
+/// # Ok::<(), pim_core::InvalidInput>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        from = "crate::data::VaryingLawData<T>",
+        into = "crate::data::VaryingLawData<T>",
+        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
+    )
+)]
+pub struct VaryingLaw<T = f64> {
+    pub(crate) nominal: Law<T>,
+    pub(crate) curve: Option<RestitutionCurve<T>>,
+}
+
+impl<T> From<Law<T>> for VaryingLaw<T> {
+    #[inline(always)]
+    fn from(law: Law<T>) -> Self {
+        Self { nominal: law, curve: None }
+    }
+}
+
+impl<T: Real> Law<T> {
+    /// The same law with a restitution that depends on the closing speed, in place of its own.
+    #[must_use]
+    pub fn with_restitution_curve(self, curve: RestitutionCurve<T>) -> VaryingLaw<T> {
+        let first = curve.points.first().map_or(self.restitution(), |&(_, e)| e);
+        VaryingLaw { nominal: self.restituting(first), curve: Some(curve) }
+    }
+}
+
+impl<T: Real> VaryingLaw<T> {
+    /// The law at a closing speed −u_n (m/s).
+    #[inline(always)]
+    #[must_use]
+    pub fn at(&self, closing_speed: T) -> Law<T> {
+        match &self.curve {
+            None => self.nominal,
+            Some(curve) => self.nominal.restituting(curve.at(closing_speed)),
         }
     }
 
-    /// `law` with the restitution of a closing speed (m/s).
+    /// The law itself; where it has a curve, with the restitution of the first point.
+    #[inline(always)]
     #[must_use]
-    pub fn law(&self, law: Law<T>, closing_speed: T) -> Law<T> {
-        law.restituting(self.at(closing_speed))
+    pub fn nominal(&self) -> Law<T> {
+        self.nominal
+    }
+
+    /// The restitution by closing speed, where it varies.
+    #[inline(always)]
+    #[must_use]
+    pub fn curve(&self) -> Option<&RestitutionCurve<T>> {
+        self.curve.as_ref()
+    }
+
+    /// Whether e = 1 at every closing speed, so that the normal impulse takes no energy at any.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_elastic(&self) -> bool {
+        match &self.curve {
+            None => self.nominal.restitution() == T::ONE,
+            Some(curve) => curve.points.iter().all(|&(_, e)| e == T::ONE),
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! A number that carries its derivative.
 
-use std::cmp::Ordering;
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::cmp::Ordering;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::Real;
 
@@ -16,6 +16,7 @@ use crate::Real;
 /// assert_eq!(y.derivative, 2.0 * 3.0 + 0.5 / 3_f64.sqrt());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Dual {
     /// The number itself.
     pub value: f64,
@@ -102,7 +103,7 @@ impl Real for Dual {
     /// The derivative of √x at x = 0 is infinite, but that of a constant zero is zero.
     #[inline(always)]
     fn sqrt(self) -> Self {
-        let root = f64::sqrt(self.value);
+        let root = Real::sqrt(self.value);
         // (√x)′ = x′/(2√x)
         let derivative = if self.derivative == 0.0 { 0.0 } else { self.derivative / (2.0 * root) };
         Self { value: root, derivative }

@@ -13,7 +13,7 @@
 //! S. M. Rump, T. Ogita and S. Oishi, *Accurate floating-point summation, part I*, SIAM J. Sci. Comput. 31 (2008): when such sums are
 //! exact.
 
-use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, LOG2_E, SQRT_2};
+use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, LOG2_E, SQRT_2};
 
 /// (rad) the greatest angle, of either sign, that [`sin_cos`] takes: 2²⁰·π/2, about 1.6 million radians or 262 144 turns.
 ///
@@ -291,6 +291,45 @@ pub fn exp(x: f64) -> f64 {
     let first = f64::from_bits((halves >> 1) << 52);
     let second = f64::from_bits((halves - (halves >> 1)) << 52);
     power * first * second
+}
+
+/// √x, rounded correctly: the bits of the processor's own, for where there is no standard library to reach
+/// that. NaN below zero, −0 of −0.
+#[must_use]
+pub fn sqrt(x: f64) -> f64 {
+    if x.is_nan() || x < 0.0 {
+        return f64::NAN;
+    }
+    if x == 0.0 || x == f64::INFINITY {
+        return x;
+    }
+    let subnormal = x < f64::MIN_POSITIVE;
+    let bits = if subnormal { x * TWO_TO_54 } else { x }.to_bits();
+    let mantissa = u128::from((bits & MANTISSA_BITS) | (1 << 52));
+    // x = m 2ᵉ, e = exponent − 1075, and 54 less where x was scaled
+    let exponent = (bits >> 52) + if subnormal { 2048 - 1075 - 54 } else { 2048 - 1075 };
+    // m 2ᵉ = s 2²ʰ with 2¹⁰⁸ ≤ s < 2¹¹⁰ and 2h = e − 56, or e − 57 where e is odd; all counted from 2048.
+    let square = mantissa << (56 + (exponent & 1));
+    let half = (exponent - (exponent & 1)) / 2 - 28;
+    let root = square.isqrt();
+    // The last bit says whether anything is left: with it the conversion rounds as if the root were exact.
+    let sticky = u128::from(root * root != square);
+    #[expect(clippy::cast_precision_loss, reason = "it is the rounding that is wanted")]
+    let rounded = (root << 1 | sticky) as f64;
+    // √x = root 2ʰ, and h lies between −565 and 484.
+    rounded * f64::from_bits((half + 1023 - 1024 - 1) << 52)
+}
+
+/// The least integer that is not below x: exact, with the sign of x where it is zero. Infinities and NaN stay
+/// what they are.
+#[inline(always)]
+#[must_use]
+pub fn ceil(x: f64) -> f64 {
+    let size = x.abs();
+    // Beyond 2⁵² every number is an integer; below, the sum has no room for a fraction.
+    let nearest = if size < TWO_TO_52 { (size + TWO_TO_52) - TWO_TO_52 } else { size };
+    let nearest = nearest.copysign(x);
+    if nearest < x { (nearest + 1.0).copysign(x) } else { nearest }
 }
 
 /// Two numbers with the ratio of `least` ≤ `most`, such that a sum of them is finite and a product with their ratio keeps its low bits.

@@ -26,6 +26,8 @@
 //! | [`gradients`], [`Traced`] | the derivatives by all inputs at once, of a formula that is evaluated on numbers that remember what they were computed from |
 //! | [`elementary::sin_cos`] | sine and cosine of an angle in radians, up to [`elementary::SIN_COS_LIMIT`] |
 //! | [`elementary::atan2`] | angle of a vector in radians, over all of `f64` |
+//! | [`principal_angle`] | the same direction in (−π, π] |
+//! | [`elementary::sqrt`], [`elementary::ceil`] | square root and rounding up without the standard library |
 //! | [`elementary::ln`], [`elementary::exp`] | natural logarithm and exponential, over all of `f64`; for sampling, not part of [`Real`] |
 //!
 //! # Same bits everywhere
@@ -43,20 +45,33 @@
 //!
 //! `examples/derivative.rs` differentiates a formula.
 //!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `std`, on by default | [`gradients`], [`Traced`]; √ by the processor's own instruction. Without it the crate is `no_std`, with the same bits |
+//! | `serde` | [`Dual`] and [`Gradient`] can be written and read |
+//!
 //! # What it does not do
 //!
 //! No logarithm or exponential of a [`Real`], no power: only what the equations use. No `f64 * T`: write the constant on the right, `x * 0.5`.
 //! No complex numbers, no `f32`, and no reduction of angles beyond [`elementary::SIN_COS_LIMIT`].
 
+#![cfg_attr(not(feature = "std"), no_std)]
+
+mod angle;
 mod dual;
 pub mod elementary;
+#[cfg(feature = "std")]
 mod traced;
 
+pub use angle::principal_angle;
 pub use dual::Dual;
+#[cfg(feature = "std")]
 pub use traced::{Gradient, Traced, gradients};
 
-use std::fmt::Debug;
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A real number: what the equations compute with.
 ///
@@ -64,8 +79,12 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 /// without an answer gives NaN, and NaN goes through every operation here to the result, where the caller turns it into an error.
 ///
 /// Implementations mark every function `#[inline(always)]` and select instead of branching, so that a loop over samples is vectorised.
+///
+/// The trait is sealed: the equations rely on numbers that behave as these do, and a later version may ask
+/// more of them.
 pub trait Real:
-    Copy
+    sealed::Sealed
+    + Copy
     + Debug
     + PartialEq
     + PartialOrd
@@ -117,6 +136,16 @@ pub trait Real:
     fn is_finite(self) -> bool;
 }
 
+mod sealed {
+    /// What nobody outside of this crate can implement.
+    pub trait Sealed {}
+
+    impl Sealed for f64 {}
+    impl Sealed for crate::Dual {}
+    #[cfg(feature = "std")]
+    impl Sealed for crate::Traced {}
+}
+
 impl Real for f64 {
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
@@ -128,7 +157,11 @@ impl Real for f64 {
 
     #[inline(always)]
     fn sqrt(self) -> Self {
-        f64::sqrt(self)
+        #[cfg(feature = "std")]
+        let root = f64::sqrt(self);
+        #[cfg(not(feature = "std"))]
+        let root = elementary::sqrt(self);
+        root
     }
 
     #[inline(always)]
@@ -167,7 +200,7 @@ impl Real for f64 {
 #[cfg(test)]
 mod tests {
     use super::{Real, elementary};
-    use std::f64::consts::PI;
+    use core::f64::consts::PI;
 
     /// Every operation of the trait through the generic spelling, which is the one that equations use.
     fn constants_on_the_right<T: Real>(x: T) -> T {

@@ -1,8 +1,8 @@
 //! A number that remembers what it was computed from.
 
-use std::cell::RefCell;
-use std::cmp::Ordering;
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::cell::RefCell;
+use core::cmp::Ordering;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::Real;
 
@@ -25,13 +25,14 @@ struct Step {
     by: [f64; 2],
 }
 
-thread_local! {
+std::thread_local! {
     /// The record of the running call of [`gradients`].
     static RECORD: RefCell<Option<Vec<Step>>> = const { RefCell::new(None) };
 }
 
 /// A result and its derivatives.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Gradient {
     /// The result itself.
     pub value: f64,

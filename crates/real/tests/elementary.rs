@@ -4,7 +4,7 @@
 
 use astro_float_num::{BigFloat, Consts, RoundingMode, WORD_BIT_SIZE};
 use proptest::prelude::{ProptestConfig, Strategy, any, prop_assert, prop_assert_eq, proptest};
-use real::elementary::{SIN_COS_LIMIT, atan2, exp, ln, sin_cos};
+use real::elementary::{SIN_COS_LIMIT, atan2, ceil, exp, ln, sin_cos, sqrt};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, LN_2, PI, SQRT_2};
 use std::hint::black_box;
 
@@ -502,6 +502,43 @@ fn ln_and_exp_of_special_values() {
 }
 
 /// Any bits at all: infinities, NaN and subnormal numbers too.
+/// IEEE 754 asks for the correctly rounded root, and processors give it.
+#[test]
+fn sqrt_is_that_of_the_processor() {
+    let mut random = Random(12);
+    let special = [0.0, 1.0, 2.0, 4.0, 1.0_f64.next_up(), 1.0_f64.next_down(), f64::MAX, f64::INFINITY];
+    let least = [f64::MIN_POSITIVE, f64::MIN_POSITIVE.next_down(), f64::from_bits(1), f64::from_bits(3)];
+    // Squares, whose roots are exact, and what lies beside them.
+    let squares: Vec<f64> = (0..20_000)
+        .map(|_| random.with_exponent(700, 1300).abs())
+        .map(|x| f64::from_bits(x.to_bits() & !((1 << 27) - 1)))
+        .flat_map(|x| neighbours(x * x, 1))
+        .collect();
+    let drawn: Vec<f64> = (0..200_000).map(|_| random.with_exponent(0, 2046).abs()).collect();
+    for x in special.into_iter().chain(least).chain(squares).chain(drawn) {
+        assert_eq!(sqrt(x).to_bits(), x.sqrt().to_bits(), "at {x:e}");
+    }
+    assert_eq!(sqrt(-0.0).to_bits(), (-0.0_f64).to_bits());
+    for x in [-1.0, f64::NEG_INFINITY, f64::NAN, -f64::from_bits(1)] {
+        assert!(sqrt(x).is_nan(), "at {x}");
+    }
+}
+
+#[test]
+fn ceil_is_that_of_the_standard_library() {
+    let mut random = Random(11);
+    let special = [0.0, 0.5, 1.0, 1.5, 2.5, f64::MIN_POSITIVE, f64::from_bits(1), f64::MAX, f64::INFINITY];
+    let large = [51, 52, 53].map(|power| 2.0_f64.powi(power));
+    let near = large.into_iter().chain([1.0, 2.0, 3.0]).flat_map(|x| neighbours(x, 3));
+    let drawn: Vec<f64> = (0..100_000).map(|_| random.with_exponent(1003, 1076)).collect();
+    for x in special.into_iter().chain(near).chain(drawn) {
+        for x in [x, -x] {
+            assert_eq!(ceil(x).to_bits(), x.ceil().to_bits(), "at {x}");
+        }
+    }
+    assert!(ceil(f64::NAN).is_nan());
+}
+
 fn any_bits() -> impl Strategy<Value = f64> {
     any::<u64>().prop_map(f64::from_bits)
 }

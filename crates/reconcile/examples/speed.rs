@@ -18,7 +18,9 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
 
     let mut speeds = Vec::new();
     for basis in [EnergyBasis::Dissipated, EnergyBasis::Absorbed] {
-        let problem = Problem::new(contact, law, motions, Unknown::Speed1, 1.41e5, basis)?;
+        let law = law.into();
+        let problem =
+            Problem { contact, law, motions, unknown: Unknown::Speed1, crush_energy: 1.41e5, basis };
         let answer = problem.solve()?;
         println!("{basis:?}: {:.2} m/s, of {} admissible", answer.speed, answer.admissible);
         // What was sought is what the impact does.

@@ -11,6 +11,15 @@ pub const FASTEST: f64 = 1000.0;
 
 /// The answer: the speed, and the impact that it makes.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
 pub struct Reconciliation<T = f64> {
     /// (m/s) the speed found, along the vehicle's heading. Of several admissible speeds, the one with the slowest approach.
     pub speed: T,
@@ -23,13 +32,17 @@ pub struct Reconciliation<T = f64> {
     /// (J) the normal work that was sought: the crush energy on the basis `dissipated`.
     pub normal_work: T,
     /// How the speed was found.
-    pub method: Method,
+    pub method: SolutionMethod,
 }
 
 /// How a speed was found.
+///
+/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is
+/// decided there; adding one is a breaking change.
 #[derive(Clone, Copy, Debug)]
 #[expect(clippy::large_enum_variant, reason = "a box would be an allocation")]
-pub enum Method {
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum SolutionMethod {
     /// W_n is quadratic in the speed.
     ClosedForm,
     /// Brent's method.
@@ -38,6 +51,7 @@ pub enum Method {
 
 /// One step of the root-finder.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Iteration {
     /// (m/s) speed tried.
     pub speed: f64,
@@ -52,8 +66,8 @@ pub struct Iterations {
     count: usize,
 }
 
-impl std::fmt::Debug for Iterations {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Debug for Iterations {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_list().entries(self.as_slice()).finish()
     }
 }
@@ -77,6 +91,45 @@ impl Iterations {
     }
 }
 
+/// A list of the steps, as many as there are.
+#[cfg(feature = "serde")]
+impl serde::Serialize for Iterations {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.as_slice())
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Iterations {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_seq(Steps)
+    }
+}
+
+/// Reads the steps of a search.
+#[cfg(feature = "serde")]
+struct Steps;
+
+#[cfg(feature = "serde")]
+impl<'de> serde::de::Visitor<'de> for Steps {
+    type Value = Iterations;
+
+    fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "at most {MAX_STEPS} steps of a root-finder")
+    }
+
+    fn visit_seq<A: serde::de::SeqAccess<'de>>(self, mut steps: A) -> Result<Iterations, A::Error> {
+        let mut iterations = Iterations::none();
+        while let Some(step) = steps.next_element()? {
+            if iterations.count == MAX_STEPS {
+                return Err(serde::de::Error::invalid_length(MAX_STEPS + 1, &self));
+            }
+            iterations.push(step);
+        }
+        Ok(iterations)
+    }
+}
+
 /// Whether a speed is one of the equations alone.
 #[inline(always)]
 pub(crate) fn is_too_fast<T: Real>(speed: T) -> bool {
@@ -85,18 +138,18 @@ pub(crate) fn is_too_fast<T: Real>(speed: T) -> bool {
 
 /// Judges the speeds that give the energy, in the order of their approach.
 pub(crate) struct Search<'a, T> {
-    problem: &'a Problem<'a, T>,
-    first: Option<(T, Law<T>, Outcome<T>, Method)>,
+    problem: &'a Problem<T>,
+    first: Option<(T, Law<T>, Outcome<T>, SolutionMethod)>,
     admissible: usize,
     refused: Option<ReconcileError>,
 }
 
 impl<'a, T: Real> Search<'a, T> {
-    pub(crate) fn new(problem: &'a Problem<'a, T>) -> Self {
+    pub(crate) fn new(problem: &'a Problem<T>) -> Self {
         Self { problem, first: None, admissible: 0, refused: None }
     }
 
-    pub(crate) fn consider(&mut self, speed: T, method: Method) {
+    pub(crate) fn consider(&mut self, speed: T, method: SolutionMethod) {
         if is_too_fast(speed) {
             return;
         }
@@ -128,7 +181,7 @@ impl<'a, T: Real> Search<'a, T> {
             }
             None => Err(self.refused.unwrap_or(ReconcileError::NotReached {
                 vehicle: problem.vehicle(),
-                energy: problem.sought(&problem.law).value(),
+                energy: problem.normal_work_sought().value(),
             })),
         }
     }

@@ -1,5 +1,7 @@
 //! A bracketed root-finder for one real function.
 
+use real::Real;
+
 /// Most evaluations that [`brent`] makes beyond the two at the ends of the bracket. Halving alone resolves a bracket to double
 /// precision in 53 steps, and interpolation that is of no use leaves that many.
 pub const MAX_STEPS: usize = 64;
@@ -110,7 +112,7 @@ pub(crate) fn narrowed(f: impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2]) ->
     let below = f(low) < 0.0;
     let is_left = |x: f64| (f(x) < 0.0) == below;
     while high > NARROW * low {
-        let x = if low > 0.0 { low.sqrt() * high.sqrt() } else { high / 1024.0 };
+        let x = if low > 0.0 { Real::sqrt(low) * Real::sqrt(high) } else { high / 1024.0 };
         if x == 0.0 {
             break;
         }

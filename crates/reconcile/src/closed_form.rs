@@ -2,84 +2,130 @@
 
 use pim_core::{ImpactError, Outcome, Real, Tangential};
 
-use crate::answer::{Method, Reconciliation, Search, is_too_fast};
+use crate::answer::{Reconciliation, Search, SolutionMethod, is_too_fast};
 use crate::error::ReconcileError;
+use crate::posed::Posed;
 use crate::problem::Problem;
 
-impl<T: Real> Problem<'_, T> {
-    /// The answer in closed form, or `None` where W_n is not quadratic in the speed: a friction limit may switch, and a fraction of μ_c makes
-    /// it cubic.
+impl<T: Real> Problem<T> {
+    /// The answer in closed form, or `None` where W_n is not quadratic in the speed: a friction limit may
+    /// switch, a fraction of μ_c makes it cubic, and a restitution that varies changes what is sought.
     ///
     /// # Errors
     /// [`ReconcileError`].
     #[must_use]
     pub fn closed_form(&self) -> Option<Result<Reconciliation<T>, ReconcileError>> {
-        if !self.has_closed_form() {
-            return None;
-        }
-        let approaches = self.approaches();
-        let mut search = Search::new(self);
-        for x in approaches.ascending() {
-            search.consider(self.line.speed(x), Method::ClosedForm);
-        }
-        // A jam leaves no root at all: say so rather than that none was found.
-        if approaches.ascending().next().is_none()
-            && let Tangential::Ratio(_) = self.law.tangential()
-        {
-            let speed = self.line.speed(T::ONE);
-            if let Err(jam @ ImpactError::Jam { .. }) = self.contact.impact(self.motions(speed), &self.law) {
-                return Some(Err(jam.into()));
-            }
-        }
-        Some(search.finish())
+        self.has_closed_form().then(|| self.posed()?.closed_form())
     }
 
-    /// The speed with the slowest approach that the closed form gives, its impact, and whether a collision can be so: [`solve`](Problem::solve) without
-    /// a reason, without a second speed and without a branch, for loops over many samples. Where it says yes, the answer has the same bits. It says no
-    /// wherever `solve` may still find one: under a law that has no closed form, or at a faster approach.
+    /// W_n as a quadratic of the approach speed, or `None` under a law that has no closed form: what the
+    /// closed form is solved from.
+    #[must_use]
+    pub fn quadratic(&self) -> Option<Quadratic<T>> {
+        self.has_closed_form().then(|| Posed { problem: self, line: self.line() }.quadratic())
+    }
+
+    /// Like [`solve`](Problem::solve), but in place of an error it returns a validity flag, so that loops
+    /// over many samples vectorise: the speed with the slowest approach that the closed form gives, its
+    /// impact, and whether a collision can be so. Where the flag is set, the answer has the same bits. It is
+    /// not set wherever `solve` may still find one: under a law that has no closed form, or at a faster
+    /// approach.
     #[inline(always)]
     #[must_use]
-    pub fn attempt(&self) -> (T, Outcome<T>, bool) {
-        let x = self.approaches().slowest();
-        let speed = self.line.speed(x);
-        let (outcome, possible) = self.contact.attempt(self.motions(speed), &self.law);
-        (speed, outcome, possible & self.has_closed_form() & is_root(x) & !is_too_fast(speed))
+    pub fn solve_with_validity(&self) -> (T, Outcome<T>, bool) {
+        let posed = Posed { problem: self, line: self.line() };
+        let x = posed.approaches().slowest();
+        let speed = posed.line.speed(x);
+        let (outcome, possible) =
+            self.contact.impact_with_validity(self.motions_at(speed), &self.law.nominal());
+        let is_answer = self.makes_sense(posed.line.slope)
+            & possible
+            & self.has_closed_form()
+            & is_root(x)
+            & !is_too_fast(speed);
+        (speed, outcome, is_answer)
     }
 
     /// Whether W_n is quadratic in the speed at all speeds.
     #[inline(always)]
     pub(crate) fn has_closed_form(&self) -> bool {
-        self.restitution.is_none() & self.law.is_affine()
+        self.law.curve().is_none() & self.law.nominal().is_affine()
+    }
+}
+
+impl<T: Real> Posed<'_, T> {
+    /// The answer under a law that has a closed form.
+    pub(crate) fn closed_form(self) -> Result<Reconciliation<T>, ReconcileError> {
+        let Self { problem, line } = self;
+        let approaches = self.approaches();
+        let mut search = Search::new(problem);
+        for x in approaches.ascending() {
+            search.consider(line.speed(x), SolutionMethod::ClosedForm);
+        }
+        // A jam leaves no root at all: say so rather than that none was found.
+        let law = problem.law.nominal();
+        if approaches.ascending().next().is_none()
+            && let Tangential::Ratio(_) = law.tangential()
+            && let Err(jam @ ImpactError::Jam { .. }) =
+                problem.contact.impact(problem.motions_at(line.speed(T::ONE)), &law)
+        {
+            return Err(jam.into());
+        }
+        search.finish()
     }
 
     /// Where W_n has the value sought, under a law without a limit.
     #[inline(always)]
-    pub(crate) fn approaches(&self) -> Approaches<T> {
+    pub(crate) fn approaches(self) -> Approaches<T> {
+        self.quadratic().approaches()
+    }
+
+    #[inline(always)]
+    fn quadratic(self) -> Quadratic<T> {
+        let Self { problem, line } = self;
+        let (k, law) = (problem.contact.inverse_mass(), problem.law.nominal());
+        let push = |x: T| law.impulse(&k, line.at(x)).linear.normal;
         // P_n(x) = α x + β
-        let k = self.contact.inverse_mass();
-        let push = |x: T| self.law.impulse(&k, self.line.at(x)).linear.normal;
         let beta = push(T::ZERO);
         let alpha = push(T::ONE) - beta;
-        Approaches::new(alpha, beta, self.sought(&self.law), self.law.restitution())
+        // c = 2 W_n/(1−e)
+        let c = problem.sought(&law) * 2.0 / (T::ONE - law.restitution());
+        Quadratic { alpha, beta, c }
     }
 }
 
-/// The approach speeds x = −u_n at which W_n has the value sought; not numbers where there are none, and of no use where not positive.
+/// The condition on the approach speed x = −u_n where P_n is affine in it, P_n = α x + β.
+///
+/// With W_n = ½ (1−e) x P_n it is α x² + β x = c.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Quadratic<T = f64> {
+    /// (kg) α = dP_n/dx.
+    pub alpha: T,
+    /// (N·s) β = P_n where the vehicles just touch, x = 0.
+    pub beta: T,
+    /// (J) c = 2 W_n/(1−e), with the normal work sought.
+    pub c: T,
+}
+
+impl<T: Real> Quadratic<T> {
+    #[inline(always)]
+    fn approaches(&self) -> Approaches<T> {
+        let Self { alpha, beta, c } = *self;
+        // α x² + β x − c = 0; since c > 0, x > 0 means P_n > 0
+        // q = −½ (β ± √…) with the sign that does not cancel; the roots are q/α and −c/q.
+        let root = (beta * beta + alpha * c * 4.0).sqrt();
+        let q = -(if beta < T::ZERO { beta - root } else { beta + root }) * 0.5;
+        Approaches([q / alpha, -(c / q)])
+    }
+}
+
+/// The approach speeds x = −u_n at which W_n has the value sought; not numbers where there are none, and of
+/// no use where not positive.
 #[derive(Clone, Copy)]
 pub(crate) struct Approaches<T>([T; 2]);
 
 impl<T: Real> Approaches<T> {
-    /// Where W_n = ½ (1−e) x P_n with P_n = α x + β.
-    #[inline(always)]
-    fn new(alpha: T, beta: T, energy: T, e: T) -> Self {
-        // α x² + β x − c = 0,  c = 2 W_n/(1−e); since c > 0, x > 0 means P_n > 0
-        let c = energy * 2.0 / (T::ONE - e);
-        // q = −½ (β ± √…) with the sign that does not cancel; the roots are q/α and −c/q.
-        let root = (beta * beta + alpha * c * 4.0).sqrt();
-        let q = -(if beta < T::ZERO { beta - root } else { beta + root }) * 0.5;
-        Self([q / alpha, -(c / q)])
-    }
-
     /// Those that are positive, the least first.
     pub(crate) fn ascending(self) -> impl Iterator<Item = T> {
         self.ordered().into_iter().filter(|x| is_root(*x))

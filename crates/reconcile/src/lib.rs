@@ -11,15 +11,34 @@
 //! let motions = [Motion::rest(), Motion::along(67_f64.to_radians(), 4.4704)];
 //! let law = Law::new(0.3, Tangential::Critical)?;
 //!
-//! let problem = Problem::new(contact, law, motions, Unknown::Speed1, 1.41e5, EnergyBasis::Dissipated)?;
+//! let problem = Problem {
+//!     contact,
+//!     law: law.into(),
+//!     motions,
+//!     unknown: Unknown::Speed1,
+//!     crush_energy: 1.41e5,
+//!     basis: EnergyBasis::Dissipated,
+//! };
 //! let answer = problem.solve()?;
 //! assert!((answer.speed - 22.9).abs() < 0.05); // the paper: 22.9 m/s
 //! assert!((answer.outcome.energy.normal_work - 1.41e5).abs() < 1e-3);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The types: a [`Problem`] is a collision with one [`Unknown`] speed; solving it gives a [`Reconciliation`], which holds the speed, the
-//! impact at that speed, and the [`Method`] that found it. [`Problem::speeds`] lists all admissible speeds.
+//! The types: a [`Problem`] is a collision with one [`Unknown`] speed; solving it gives a [`Reconciliation`],
+//! which holds the speed, the impact at that speed, and the [`SolutionMethod`] that found it.
+//! [`Problem::speeds`] lists all admissible speeds. The numbers on the way to a closed form are
+//! [`Problem::line`] and [`Problem::quadratic`].
+//!
+//! | code | symbol | meaning | unit |
+//! |---|---|---|---|
+//! | `x` | x = −u_n | approach speed | m/s |
+//! | `slope` | c_n, c_t | du/ds, by the speed s that is sought | – |
+//! | `at_rest` | u_n0, u_t,rest | u at the speed s = 0 | m/s |
+//! | `tangential_slope` | τ | du_t/dx | – |
+//! | `tangential_at_zero_approach` | u_t0 | u_t at x = 0 | m/s |
+//! | `alpha`, `beta` | α, β | P_n = α x + β in a [`Quadratic`] | kg, N·s |
+//! | `c` | c | 2 W_n/(1−e) | J |
 //!
 //! # Guarantees
 //!
@@ -34,22 +53,35 @@
 //!
 //! `examples/speed.rs` finds the paper's speed on both energy bases.
 //!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `std`, on by default | nothing of its own. Without it the crate is `no_std`; its engines need `alloc`; results have the same bits |
+//! | `serde` | problems and answers can be written and read, errors cannot |
+//!
 //! # What it does not do
 //!
 //! It finds one speed along a heading, from the energy alone. It does not measure crush (see `crash3`), nor does it use
 //! rest positions or momentum after impact.
 
+#![cfg_attr(not(feature = "std"), no_std)]
+
 mod answer;
 mod brent;
 mod closed_form;
 mod error;
+mod line;
 mod nearest;
 mod pieces;
 mod polynomial;
+mod posed;
 mod problem;
 
-pub use answer::{FASTEST, Iteration, Iterations, Method, Reconciliation};
+pub use answer::{FASTEST, Iteration, Iterations, Reconciliation, SolutionMethod};
 pub use brent::{MAX_STEPS, RootError, brent};
+pub use closed_form::Quadratic;
 pub use crash3::EnergyBasis;
 pub use error::ReconcileError;
+pub use line::ApproachLine;
 pub use problem::{Problem, Unknown};

@@ -1,10 +1,11 @@
 //! How near a problem without an answer comes to one.
 
-use std::iter::{once, successors};
+use core::iter::{once, successors};
 
 use pim_core::ImpactError;
 
 use crate::answer::Iteration;
+use crate::posed::Posed;
 use crate::problem::Problem;
 
 /// The scan of approach speeds goes from this share of the one that a frictionless impact would need …
@@ -16,16 +17,17 @@ const SCAN_SAMPLES: usize = 641;
 /// The best of the samples is narrowed by thirds, (2/3)⁴⁴ ≈ 2⁻²⁶: there W_n is as near as at its turn but for rounding.
 const TURN_STEPS: usize = 44;
 
-impl Problem<'_, f64> {
+impl Problem {
     /// How near a problem without an answer comes to one, to tell beside [`NotReached`](crate::ReconcileError::NotReached): of all impacts that can happen, that whose normal
     /// work is nearest to the one sought, by a scan of the approach speed.
     ///
     /// # Errors
     /// Why none can happen: the reason at the approach speed that a frictionless impact would need.
     pub fn nearest(&self) -> Result<Iteration, ImpactError> {
-        let frictionless = self.frictionless_approach_speed();
+        let posed = Posed { problem: self, line: self.line() };
+        let frictionless = posed.frictionless_approach_speed();
         // As a share, so that under a curve of restitution each speed is held against what is sought there.
-        let miss = |x: f64| match self.impact(self.line.speed(x)) {
+        let miss = |x: f64| match self.impact(posed.line.speed(x)) {
             Ok((law, outcome)) => (outcome.energy.normal_work / self.sought(&law) - 1.0).abs(),
             Err(_) => f64::INFINITY,
         };
@@ -43,7 +45,7 @@ impl Problem<'_, f64> {
                 low = left;
             }
         }
-        let speed = self.line.speed(if miss(low) < miss(best) { low } else { best });
+        let speed = posed.line.speed(if miss(low) < miss(best) { low } else { best });
         self.impact(speed).map(|(_, outcome)| Iteration { speed, normal_work: outcome.energy.normal_work })
     }
 }

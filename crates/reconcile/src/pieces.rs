@@ -9,7 +9,7 @@
 //! |---|---|---:|---:|
 //! | a condition on U_t, or a ratio; sticking or sliding under a friction limit; with a moment impulse or without | polynomial | 2 | 4 |
 //! | fraction of μ_c | c_n (1+e) x / d | 3 | 6 |
-//! | fraction of μ_c with a moment impulse | see [`Problem::fraction_of_critical`] | 4 | 8 |
+//! | fraction of μ_c with a moment impulse | see [`Posed::fraction_of_critical`] | 4 | 8 |
 //!
 //! The extrema of the numerator part each piece so that each part has at most one root (Rolle), which Brent's method finds on the law's
 //! own W_n. A jump of W_n from one piece to the next is no change of sign within a piece, so it is never taken for a root.
@@ -21,7 +21,7 @@ use crate::answer::{FASTEST, Iteration, Iterations};
 use crate::brent::{RootError, brent, narrowed};
 use crate::error::ReconcileError;
 use crate::polynomial::{Points, Polynomial, opposite};
-use crate::problem::Problem;
+use crate::posed::Posed;
 
 /// Under a fraction of μ_c the contact may jam at the end of a piece, where W_n is infinite: its sign is taken at this relative distance,
 /// far above rounding.
@@ -122,42 +122,42 @@ struct Bracket {
     branch: Branch,
 }
 
-impl Problem<'_, f64> {
+impl<'a> Posed<'a> {
     /// The approach speeds at which W_n has the value sought, in ascending order: all up to [`FASTEST`].
-    pub(crate) fn roots(&self) -> impl Iterator<Item = Result<Root, ReconcileError>> {
+    pub(crate) fn roots(self) -> impl Iterator<Item = Result<Root, ReconcileError>> + use<'a> {
         let mut last = f64::NAN;
         self.stretches()
             .flat_map(move |stretch| {
                 self.pieces(stretch).flat_map(move |piece| self.brackets(stretch, piece))
             })
-            .filter_map(|bracket| self.root(&bracket).transpose())
+            .filter_map(move |bracket| self.root(&bracket).transpose())
             // A root on the border of two pieces belongs to both.
             .filter(move |root| {
                 root.as_ref().is_err()
-                    || root.as_ref().is_ok_and(|root| std::mem::replace(&mut last, root.x) != root.x)
+                    || root.as_ref().is_ok_and(|root| core::mem::replace(&mut last, root.x) != root.x)
             })
     }
 
     /// The ranges in which e is linear, as far as the vehicles approach and the unknown is no faster than [`FASTEST`].
-    fn stretches(&self) -> impl Iterator<Item = Stretch> {
-        let points = self.restitution.map_or(&[][..], RestitutionCurve::points);
+    fn stretches(self) -> impl Iterator<Item = Stretch> + use<'a> {
+        let points = self.problem.law.curve().map_or(&[][..], RestitutionCurve::points);
         let [least, most] = self.reach();
         let size = self.frictionless_approach_speed();
         // Outside of the points e is constant.
         let constant = move |from: f64, to: f64| {
-            let laws = [self.law(from); 2];
+            let laws = [self.problem.law.at(from); 2];
             Stretch { start: 0.0, length: size, laws, range: [from, to] }
         };
         let before = constant(0.0, points.first().map_or(f64::INFINITY, |&(x, _)| x));
         let between = points.windows(2).filter_map(move |pair| match *pair {
             [(from, _), (to, _)] => {
-                let laws = [self.law(from), self.law(to)];
+                let laws = [self.problem.law.at(from), self.problem.law.at(to)];
                 Some(Stretch { start: from, length: to - from, laws, range: [from, to] })
             }
             _ => None,
         });
         let after = points.last().map(|&(x, _)| constant(x, f64::INFINITY));
-        std::iter::once(before)
+        core::iter::once(before)
             .chain(between)
             .chain(after)
             .map(move |stretch| {
@@ -172,14 +172,14 @@ impl Problem<'_, f64> {
     }
 
     /// (m/s) the least and the greatest approach speed that a speed of at most [`FASTEST`] makes.
-    fn reach(&self) -> [f64; 2] {
+    fn reach(self) -> [f64; 2] {
         // x = −(u_n(s=0) + s w_n)
         let (at_rest, reach) = (self.line.at_rest.normal, self.line.slope.normal.abs() * FASTEST);
         [(-at_rest - reach).max(0.0), reach - at_rest]
     }
 
     /// The pieces of a stretch, as intervals of t.
-    fn pieces(&self, stretch: Stretch) -> impl Iterator<Item = [f64; 2]> {
+    fn pieces(self, stretch: Stretch) -> impl Iterator<Item = [f64; 2]> + use<'a> {
         let [from, to] = stretch.interval();
         let mut left = from;
         self.borders(&stretch).into_iter().chain([to]).filter_map(move |right| {
@@ -190,10 +190,10 @@ impl Problem<'_, f64> {
     }
 
     /// Where one piece of a stretch ends and the next begins.
-    fn borders(&self, stretch: &Stretch) -> Points {
+    fn borders(self, stretch: &Stretch) -> Points {
         let interval = stretch.interval();
         let roots = |polynomial: Polynomial| polynomial.roots(interval);
-        match self.law.tangential() {
+        match self.problem.law.nominal().tangential() {
             // Friction suffices between P_t = −limit P_n and P_t = limit P_n; beyond, it turns about where the sliding does.
             Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
                 let spare = |c_t: f64| {
@@ -204,7 +204,7 @@ impl Problem<'_, f64> {
                 };
                 let sliding = stretch.polynomial(|law, x| {
                     let free = self.impulse(&law.with_ratio(0.0), x);
-                    let k = self.contact.inverse_mass();
+                    let k = self.problem.contact.inverse_mass();
                     k.separation(self.line.at(x), free.linear, free.moment).velocity.tangential
                 });
                 spare(1.0).merged(spare(-1.0)).merged(roots(sliding))
@@ -212,7 +212,7 @@ impl Problem<'_, f64> {
             Tangential::FractionOfCritical(f) => {
                 let Branch::Own = self.branch_of_fraction(f) else { return Points::none() };
                 let critical = self.critical(stretch);
-                let moment = self.law.moment_restitution();
+                let moment = self.problem.law.nominal().moment_restitution();
                 let mut borders = roots(critical.normal);
                 if moment != 0.0 {
                     borders = borders.merged(roots(self.normal_jam(&critical, f)));
@@ -230,10 +230,10 @@ impl Problem<'_, f64> {
     }
 
     /// The law that holds in a piece, told from its middle.
-    fn branch(&self, x: f64) -> Branch {
-        match self.law.tangential() {
+    fn branch(self, x: f64) -> Branch {
+        match self.problem.law.nominal().tangential() {
             Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
-                let LawImpulse { linear: p, regime, .. } = self.impulse(&self.law(x), x);
+                let LawImpulse { linear: p, regime, .. } = self.impulse(&self.problem.law.at(x), x);
                 match regime {
                     Some(Regime::Sliding) if p.normal * p.tangential < 0.0 => Branch::Ratio(-limit),
                     Some(Regime::Sliding) => Branch::Ratio(limit),
@@ -247,8 +247,8 @@ impl Problem<'_, f64> {
 
     /// Under f = 0 there is no friction. Under f = 1 the ratio is μ_c and nothing jams, where the moment impulse is none or M_c; any other
     /// moment impulse differs between the law that gives μ_c and a ratio of that size.
-    fn branch_of_fraction(&self, f: f64) -> Branch {
-        let moment = self.law.moment_restitution();
+    fn branch_of_fraction(self, f: f64) -> Branch {
+        let moment = self.problem.law.nominal().moment_restitution();
         if f == 0.0 {
             Branch::Ratio(0.0)
         } else if f == 1.0 && (moment == -1.0 || moment == 0.0) {
@@ -259,10 +259,12 @@ impl Problem<'_, f64> {
     }
 
     /// Where W_n passes the value sought within a piece.
-    fn brackets(&self, stretch: Stretch, piece: [f64; 2]) -> impl Iterator<Item = Bracket> {
+    fn brackets(self, stretch: Stretch, piece: [f64; 2]) -> impl Iterator<Item = Bracket> + use<'a> {
         let branch = self.branch(stretch.approach_speed(0.5 * (piece[0] + piece[1])));
         let [mut low, mut high] = piece.map(|t| stretch.approach_speed(t));
-        if let (Tangential::FractionOfCritical(_), Branch::Own) = (self.law.tangential(), branch) {
+        if let (Tangential::FractionOfCritical(_), Branch::Own) =
+            (self.problem.law.nominal().tangential(), branch)
+        {
             low *= 1.0 + BESIDE_A_JAM;
             high *= 1.0 - BESIDE_A_JAM;
         }
@@ -284,8 +286,8 @@ impl Problem<'_, f64> {
     }
 
     /// (J) the numerator of W_n less the value sought, as a crush energy on the basis.
-    fn excess(&self, stretch: &Stretch, branch: Branch) -> Polynomial {
-        let (push, divisor) = match (branch, self.law.tangential()) {
+    fn excess(self, stretch: &Stretch, branch: Branch) -> Polynomial {
+        let (push, divisor) = match (branch, self.problem.law.nominal().tangential()) {
             (Branch::Own, Tangential::FractionOfCritical(f)) => self.fraction_of_critical(stretch, f),
             _ => {
                 let push = stretch.polynomial(|law, x| self.impulse(&branch.law(law), x).linear.normal);
@@ -293,8 +295,8 @@ impl Problem<'_, f64> {
             }
         };
         let work = 0.5 * (stretch.x() * push);
-        let sought = -self.crush_energy * divisor;
-        match self.basis {
+        let sought = -self.problem.crush_energy * divisor;
+        match self.problem.basis {
             // ½ (1−e) x P_n − E
             EnergyBasis::Dissipated => stretch.one_plus(-1.0) * work + sought,
             // ½ x P_n/(1+e) − E
@@ -308,28 +310,31 @@ impl Problem<'_, f64> {
     /// - P_n = c_n (1+e) x / d without a moment impulse,
     /// - P_n = c_n [(1+e) x g + (1+e_m) k_nm (s d + (1+e) x n)] / (d g) with one, where s = ω₁ − ω₂ and g = k_mm d − k_nm n,
     /// - P_n = c_n [(1+e) x k_mm + k_nm s] / g with a common yaw rate, e_m = 0, where d cancels.
-    fn fraction_of_critical(&self, stretch: &Stretch, f: f64) -> (Polynomial, Polynomial) {
-        let k = self.contact.inverse_mass();
+    fn fraction_of_critical(self, stretch: &Stretch, f: f64) -> (Polynomial, Polynomial) {
+        let k = self.problem.contact.inverse_mass();
         let critical = self.critical(stretch);
         let d = self.normal_jam(&critical, f);
         // (1+e) x = −(1+e) u_n
         let change = stretch.one_plus(1.0) * stretch.x();
-        if !self.law.has_moment() {
+        if !self.problem.law.nominal().has_moment() {
             return (critical.normal * change, d);
         }
         let g = self.moment_jam(&critical, f);
-        let moment = self.law.moment_restitution();
+        let moment = self.problem.law.nominal().moment_restitution();
         if moment == 0.0 {
-            return (critical.normal * (k.mm * change + Polynomial::new([k.nm * self.line.spin])), g);
+            return (
+                critical.normal * (k.mm * change + Polynomial::new([k.nm * self.line.relative_yaw_rate])),
+                g,
+            );
         }
         let n = k.nm * critical.normal + (f * k.tm) * critical.tangential;
-        let turning = self.line.spin * d + change * n;
+        let turning = self.line.relative_yaw_rate * d + change * n;
         let share = (1.0 + moment) * k.nm;
         (critical.normal * (change * g + share * turning), d * g)
     }
 
     /// The critical impulse c, up to a factor.
-    fn critical(&self, stretch: &Stretch) -> Critical {
+    fn critical(self, stretch: &Stretch) -> Critical {
         let part = |along_normal: bool| {
             stretch.polynomial(|law, x| {
                 let c = self.impulse(&law.without_limit(), x).linear;
@@ -340,53 +345,56 @@ impl Problem<'_, f64> {
     }
 
     /// d = k_nn c_n + f k_nt c_t: the contact jams where it is zero.
-    fn normal_jam(&self, critical: &Critical, f: f64) -> Polynomial {
-        let k = self.contact.inverse_mass();
+    fn normal_jam(self, critical: &Critical, f: f64) -> Polynomial {
+        let k = self.problem.contact.inverse_mass();
         k.nn * critical.normal + (f * k.nt) * critical.tangential
     }
 
     /// g = k_mm d − k_nm n: where it is zero, no moment impulse gives a common yaw rate.
-    fn moment_jam(&self, critical: &Critical, f: f64) -> Polynomial {
-        let k = self.contact.inverse_mass();
+    fn moment_jam(self, critical: &Critical, f: f64) -> Polynomial {
+        let k = self.problem.contact.inverse_mass();
         let n = k.nm * critical.normal + (f * k.tm) * critical.tangential;
         k.mm * self.normal_jam(critical, f) + -k.nm * n
     }
 
-    fn impulse(&self, law: &Law, x: f64) -> LawImpulse {
-        law.impulse(&self.contact.inverse_mass(), self.line.at(x))
+    fn impulse(self, law: &Law, x: f64) -> LawImpulse {
+        law.impulse(&self.problem.contact.inverse_mass(), self.line.at(x))
     }
 
     /// (J) W_n at the approach speed x less the value sought, as a crush energy on the basis.
-    fn missing(&self, branch: Branch, x: f64) -> f64 {
-        let law = branch.law(&self.law(x));
+    fn missing(self, branch: Branch, x: f64) -> f64 {
+        let law = branch.law(&self.problem.law.at(x));
         // Where the vehicles just touch no work is done, whatever the quotient of two zeros.
         let work = if x == 0.0 {
             0.0
         } else {
-            match self.basis {
-                EnergyBasis::Dissipated => self.work_at(&law, self.line.at(x)),
+            match self.problem.basis {
+                EnergyBasis::Dissipated => self.problem.work_at(&law, self.line.at(x)),
                 // W_n/(1−e²) = ½ x P_n/(1+e), which is finite where e = 1
                 EnergyBasis::Absorbed => {
                     0.5 * x * self.impulse(&law, x).linear.normal / (1.0 + law.restitution())
                 }
             }
         };
-        work - self.crush_energy
+        work - self.problem.crush_energy
     }
 
     /// The root in a bracket; `None` where rounding has made a bracket beside a jump.
-    fn root(&self, bracket: &Bracket) -> Result<Option<Root>, ReconcileError> {
+    fn root(self, bracket: &Bracket) -> Result<Option<Root>, ReconcileError> {
         let mut iterations = Iterations::none();
         let observe = |x: f64, residual: f64| {
             iterations.push(Iteration {
                 speed: self.line.speed(x),
-                normal_work: self.basis.dissipated(residual + self.crush_energy, self.law(x).restitution()),
+                normal_work: self
+                    .problem
+                    .basis
+                    .dissipated(residual + self.problem.crush_energy, self.problem.law.at(x).restitution()),
             });
         };
         let missing = |x: f64| self.missing(bracket.branch, x);
         match brent(missing, narrowed(missing, bracket.ends), 0.0, observe) {
             Ok(x) => {
-                let is_root = self.missing(Branch::Own, x).abs() <= self.crush_energy * ENERGY_MATCH;
+                let is_root = self.missing(Branch::Own, x).abs() <= self.problem.crush_energy * ENERGY_MATCH;
                 Ok(is_root.then_some(Root { x, iterations }))
             }
             Err(RootError::NotBracketed { .. }) => Ok(None),

@@ -90,7 +90,7 @@ impl Polynomial {
     }
 }
 
-impl std::ops::Add for Polynomial {
+impl core::ops::Add for Polynomial {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -102,7 +102,7 @@ impl std::ops::Add for Polynomial {
     }
 }
 
-impl std::ops::Mul for Polynomial {
+impl core::ops::Mul for Polynomial {
     type Output = Self;
 
     /// The degrees must not add up to more than [`DEGREE`]: what is beyond is left out.
@@ -118,7 +118,7 @@ impl std::ops::Mul for Polynomial {
     }
 }
 
-impl std::ops::Mul<Polynomial> for f64 {
+impl core::ops::Mul<Polynomial> for f64 {
     type Output = Polynomial;
 
     fn mul(self, polynomial: Polynomial) -> Polynomial {
@@ -157,7 +157,7 @@ impl Points {
 
 impl IntoIterator for Points {
     type Item = f64;
-    type IntoIter = std::iter::Take<std::array::IntoIter<f64, DEGREE>>;
+    type IntoIter = core::iter::Take<core::array::IntoIter<f64, DEGREE>>;
 
     fn into_iter(self) -> Self::IntoIter {
         self.values.into_iter().take(self.count)

@@ -1,19 +1,22 @@
-//! The speed at which the work of the normal impulse equals the crush energy.
+//! A collision of which one speed is unknown.
 
 use crash3::EnergyBasis;
 use pim_core::{
-    Approach, Contact, ImpactError, Law, Motion, NormalTangential, Outcome, Real, RestitutionCurve, Vector2,
+    Approach, Contact, ImpactError, Law, Motion, NormalTangential, Outcome, Real, VaryingLaw, Vector2,
     normal_work,
 };
 
-use crate::answer::{Method, Reconciliation, Search, is_too_fast};
+use crate::answer::Reconciliation;
 use crate::error::ReconcileError;
+use crate::line::ApproachLine;
+use crate::posed::Posed;
 
 /// Where the cosine between heading and crush plane normal is below this, rounding of the angles decides what the speed does.
 const LEAST_COSINE: f64 = 1e-9;
 
 /// Which vehicle's speed along its heading is sought.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Unknown {
     /// The speed of vehicle 1.
     Speed1,
@@ -51,124 +54,65 @@ impl Unknown {
     }
 }
 
-/// A collision of which one speed is unknown and the crush energy is known.
-#[derive(Clone, Copy, Debug)]
-pub struct Problem<'a, T = f64> {
-    pub(crate) contact: Contact<T>,
-    pub(crate) law: Law<T>,
-    pub(crate) restitution: Option<&'a RestitutionCurve<T>>,
-    motions: [Motion<T>; 2],
-    unknown: Unknown,
-    pub(crate) crush_energy: T,
-    pub(crate) basis: EnergyBasis,
-    pub(crate) line: ApproachLine<T>,
+/// A collision of which one speed is unknown and the crush energy is known: the speed of `unknown` along its
+/// heading shall make W_n equal the crush energy on `basis`.
+///
+/// Any values may stand here. [`check`](Self::check) says whether they make a problem; [`solve`](Self::solve)
+/// begins with that.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
+pub struct Problem<T = f64> {
+    /// The geometry.
+    pub contact: Contact<T>,
+    /// The impact law. One whose restitution depends on the closing speed is solved by the root-finder alone.
+    pub law: VaryingLaw<T>,
+    /// Motions before impact. The velocity of the vehicle whose speed is sought is not used; its yaw rate is.
+    pub motions: [Motion<T>; 2],
+    /// Whose speed is sought.
+    pub unknown: Unknown,
+    /// (J) crush energy of both vehicles.
+    pub crush_energy: T,
+    /// What the crush energy stands for.
+    pub basis: EnergyBasis,
 }
 
-/// How the relative velocity at C depends on the approach speed x = −u_n: u = (−x, u_t), u_t affine in x.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ApproachLine<T> {
-    /// u at the speed s = 0.
-    pub(crate) at_rest: NormalTangential<T>,
-    /// ω_1 − ω_2, which the speed leaves alone.
-    pub(crate) spin: T,
-    /// du/ds.
-    pub(crate) slope: NormalTangential<T>,
-}
-
-impl<T: Real> ApproachLine<T> {
-    #[inline(always)]
-    fn tangential_slope(&self) -> T {
-        // du_t/dx = −w_t/w_n
-        -self.slope.tangential / self.slope.normal
-    }
-
-    /// u_t at x = 0.
-    #[inline(always)]
-    fn tangential_at_touch(&self) -> T {
-        // u_t(x) = u_t(s=0) − (x + u_n(s=0)) w_t/w_n
-        self.at_rest.tangential + self.at_rest.normal * self.tangential_slope()
-    }
-
-    /// The approach at the approach speed x.
-    #[inline(always)]
-    pub(crate) fn at(&self, x: T) -> Approach<T> {
-        let velocity = NormalTangential {
-            normal: -x,
-            tangential: self.tangential_at_touch() + x * self.tangential_slope(),
-        };
-        Approach { velocity, spin: self.spin }
-    }
-
-    /// s for the approach speed x.
-    #[inline(always)]
-    pub(crate) fn speed(&self, x: T) -> T {
-        // s = −(x + u_n(s=0))/w_n
-        -(x + self.at_rest.normal) / self.slope.normal
-    }
-}
-
-impl<'a, T: Real> Problem<'a, T> {
-    /// The speed of `unknown` along its heading is to make W_n equal `crush_energy` (J, of both vehicles) on `basis`.
-    /// The velocity that `motions` gives for that vehicle is not used; its yaw rate is.
+impl<T: Real> Problem<T> {
+    /// Whether a speed can be sought at all.
     ///
     /// # Errors
-    /// Where the crush energy is not positive, e = 1, or the speed has no effect on u_n.
+    /// Where the vehicle is fixed, the crush energy is not positive, e = 1, or the speed has no effect on
+    /// u_n.
     #[inline(always)]
-    pub fn new(
-        contact: Contact<T>,
-        law: Law<T>,
-        motions: [Motion<T>; 2],
-        unknown: Unknown,
-        crush_energy: T,
-        basis: EnergyBasis,
-    ) -> Result<Self, ReconcileError> {
-        match Self::pose(contact, law, motions, unknown, crush_energy, basis) {
-            (problem, true) => Ok(problem),
-            (problem, false) => Err(problem.refusal()),
-        }
+    pub fn check(&self) -> Result<(), ReconcileError> {
+        if self.makes_sense(self.line().slope) { Ok(()) } else { Err(self.refusal()) }
     }
 
-    /// The same without a reason, for loops over many samples: the problem, and whether it makes sense.
     #[inline(always)]
-    #[must_use]
-    pub fn pose(
-        contact: Contact<T>,
-        law: Law<T>,
-        motions: [Motion<T>; 2],
-        unknown: Unknown,
-        crush_energy: T,
-        basis: EnergyBasis,
-    ) -> (Self, bool) {
-        let motions = unknown.with_velocity(motions, Vector2::new(T::ZERO, T::ZERO));
-        let Approach { velocity: at_rest, spin } = contact.approach(&motions);
-        let participant = unknown.of(*contact.participants());
-        // u is vehicle 1 relative to vehicle 2, so that vehicle 2's speed counts against it.
-        let forward = contact.resolve(participant.forward());
-        let slope = match unknown {
-            Unknown::Speed1 => forward,
-            Unknown::Speed2 => NormalTangential { normal: -forward.normal, tangential: -forward.tangential },
-        };
-        let line = ApproachLine { at_rest, spin, slope };
-        let problem = Self { contact, law, restitution: None, motions, unknown, crush_energy, basis, line };
-        let makes_sense = !participant.body().is_fixed()
-            & (crush_energy > T::ZERO)
-            & crush_energy.is_finite()
-            & (law.restitution() != T::ONE)
-            & (slope.normal.abs() >= T::from(LEAST_COSINE));
-        (problem, makes_sense)
+    pub(crate) fn makes_sense(&self, slope: NormalTangential<T>) -> bool {
+        !self.unknown.of(*self.contact.participants()).body().is_fixed()
+            & (self.crush_energy > T::ZERO)
+            & self.crush_energy.is_finite()
+            & !self.law.is_elastic()
+            & (slope.normal.abs() >= T::from(LEAST_COSINE))
     }
 
     /// Why a problem makes no sense.
     #[cold]
     fn refusal(&self) -> ReconcileError {
         let vehicle = self.vehicle();
-        let e = self.law.restitution();
         if self.unknown.of(*self.contact.participants()).body().is_fixed() {
             ReconcileError::Fixed { vehicle }
         } else if !(self.crush_energy > T::ZERO && self.crush_energy.is_finite()) {
             ReconcileError::NoCrushEnergy { energy: self.crush_energy.value() }
-        } else if e == T::ONE {
-            ReconcileError::NoRestitutionLoss { restitution: e.value() }
+        } else if self.law.is_elastic() {
+            ReconcileError::NoRestitutionLoss { restitution: self.law.nominal().restitution().value() }
         } else {
             let forward = self.unknown.of(*self.contact.participants()).forward();
             let cosine = self.contact.resolve(forward).normal.value();
@@ -176,32 +120,31 @@ impl<'a, T: Real> Problem<'a, T> {
         }
     }
 
-    /// The same problem with a restitution that depends on the closing speed, in place of the law's own; `None` leaves that. Only the root-finder
-    /// solves a problem with a curve.
+    /// How the relative velocity at C depends on the speed.
+    #[inline(always)]
     #[must_use]
-    pub fn with_restitution_curve(self, curve: impl Into<Option<&'a RestitutionCurve<T>>>) -> Self {
-        Self { restitution: curve.into(), ..self }
+    pub fn line(&self) -> ApproachLine<T> {
+        let at_rest = self.unknown.with_velocity(self.motions, Vector2::new(T::ZERO, T::ZERO));
+        let Approach { velocity: at_rest, relative_yaw_rate } = self.contact.approach(&at_rest);
+        let forward = self.contact.resolve(self.unknown.of(*self.contact.participants()).forward());
+        // u is vehicle 1 relative to vehicle 2, so that vehicle 2's speed counts against it.
+        let slope = match self.unknown {
+            Unknown::Speed1 => forward,
+            Unknown::Speed2 => NormalTangential { normal: -forward.normal, tangential: -forward.tangential },
+        };
+        ApproachLine { at_rest, slope, relative_yaw_rate }
     }
 
     /// (m/s) the speed at which the vehicles just touch: u_n = 0.
     #[must_use]
     pub fn touching_speed(&self) -> T {
-        self.line.speed(T::ZERO)
+        self.line().speed(T::ZERO)
     }
 
-    /// (J) the normal work sought; under a curve of restitution, that for the law's own.
+    /// (J) the normal work sought; under a curve of restitution, that for its first point.
     #[must_use]
     pub fn normal_work_sought(&self) -> T {
-        self.sought(&self.law)
-    }
-
-    /// The law at the approach speed x (m/s).
-    #[inline(always)]
-    pub(crate) fn law(&self, x: T) -> Law<T> {
-        match self.restitution {
-            None => self.law,
-            Some(curve) => curve.law(self.law, x),
-        }
+        self.sought(&self.law.nominal())
     }
 
     /// (J) the normal work sought under a law.
@@ -213,7 +156,7 @@ impl<'a, T: Real> Problem<'a, T> {
     /// The motions before impact at the given speed (m/s) of the unknown.
     #[inline(always)]
     #[must_use]
-    pub fn motions(&self, speed: T) -> [Motion<T>; 2] {
+    pub fn motions_at(&self, speed: T) -> [Motion<T>; 2] {
         let forward = self.unknown.of(*self.contact.participants()).forward();
         self.unknown.with_velocity(self.motions, forward * speed)
     }
@@ -223,8 +166,8 @@ impl<'a, T: Real> Problem<'a, T> {
     #[inline(always)]
     #[must_use]
     pub fn normal_work(&self, speed: T) -> T {
-        let approach = self.contact.approach(&self.motions(speed));
-        self.work_at(&self.law(-approach.velocity.normal), approach)
+        let approach = self.contact.approach(&self.motions_at(speed));
+        self.work_at(&self.law.at(-approach.velocity.normal), approach)
     }
 
     /// (J) what the normal work at the given speed (m/s) is above the one sought there: zero at every root. Its derivatives by an
@@ -232,8 +175,8 @@ impl<'a, T: Real> Problem<'a, T> {
     #[inline(always)]
     #[must_use]
     pub fn residual(&self, speed: T) -> T {
-        let approach = self.contact.approach(&self.motions(speed));
-        let law = self.law(-approach.velocity.normal);
+        let approach = self.contact.approach(&self.motions_at(speed));
+        let law = self.law.at(-approach.velocity.normal);
         self.work_at(&law, approach) - self.sought(&law)
     }
 
@@ -243,8 +186,8 @@ impl<'a, T: Real> Problem<'a, T> {
     /// [`ImpactError`].
     #[inline(always)]
     pub fn impact(&self, speed: T) -> Result<(Law<T>, Outcome<T>), ImpactError> {
-        let motions = self.motions(speed);
-        let law = self.law(-self.contact.approach(&motions).velocity.normal);
+        let motions = self.motions_at(speed);
+        let law = self.law.at(-self.contact.approach(&motions).velocity.normal);
         self.contact.impact(motions, &law).map(|outcome| (law, outcome))
     }
 
@@ -261,15 +204,23 @@ impl<'a, T: Real> Problem<'a, T> {
     pub(crate) fn vehicle(&self) -> usize {
         self.unknown.index() + 1
     }
+
+    /// The problem with what every search needs, if a speed can be sought.
+    #[inline(always)]
+    pub(crate) fn posed(&self) -> Result<Posed<'_, T>, ReconcileError> {
+        let posed = Posed { problem: self, line: self.line() };
+        if self.makes_sense(posed.line.slope) { Ok(posed) } else { Err(self.refusal()) }
+    }
 }
 
-impl Problem<'_, f64> {
+impl Problem {
     /// The speed that reconciles impact and crush: in closed form where there is one, else by the root-finder.
     ///
     /// # Errors
     /// [`ReconcileError`].
     pub fn solve(&self) -> Result<Reconciliation, ReconcileError> {
-        self.closed_form().unwrap_or_else(|| self.root_finder())
+        let posed = self.posed()?;
+        if self.has_closed_form() { posed.closed_form() } else { posed.root_finder() }
     }
 
     /// The answer by root-finding alone, which serves every law.
@@ -282,39 +233,12 @@ impl Problem<'_, f64> {
     /// # Errors
     /// [`ReconcileError`].
     pub fn root_finder(&self) -> Result<Reconciliation, ReconcileError> {
-        if let Some(curve) = self.restitution
-            && curve.points().iter().all(|&(_, e)| e == 1.0)
-        {
-            return Err(ReconcileError::NoRestitutionLoss { restitution: 1.0 });
-        }
-        let mut search = Search::new(self);
-        for root in self.roots() {
-            let root = root?;
-            search.consider(self.line.speed(root.x), Method::RootFinder(root.iterations));
-        }
-        search.finish()
+        self.posed()?.root_finder()
     }
 
-    /// (m/s) the admissible speeds, from the slowest approach to the fastest, however many. The first is that of
-    /// [`solve`](Self::solve).
+    /// (m/s) the admissible speeds, from the slowest approach to the fastest, however many; none where
+    /// [`check`](Self::check) refuses the problem. The first is that of [`solve`](Self::solve).
     pub fn speeds(&self) -> impl Iterator<Item = f64> {
-        let (closed, searched) = if self.has_closed_form() {
-            (Some(self.approaches().ascending()), None)
-        } else {
-            (None, Some(self.roots().filter_map(Result::ok).map(|root| root.x)))
-        };
-        closed
-            .into_iter()
-            .flatten()
-            .chain(searched.into_iter().flatten())
-            .map(|x| self.line.speed(x))
-            .filter(|&speed| !is_too_fast(speed) && self.impact(speed).is_ok())
-    }
-
-    /// (m/s) the approach speed at which a frictionless and plastic impact absorbs the crush energy: whatever the law, that of a
-    /// root is of this size.
-    pub(crate) fn frictionless_approach_speed(&self) -> f64 {
-        // x² = 2 E k_nn
-        (2.0 * self.crush_energy * self.contact.inverse_mass().nn).sqrt()
+        self.posed().into_iter().flat_map(Posed::speeds)
     }
 }

@@ -4,7 +4,7 @@ mod plot;
 
 pub use plot::{histogram, tornado};
 
-use ::uncertainty::{Method, Summary};
+use ::uncertainty::{SamplingMethod, Summary};
 use analysis::{Output, Reason};
 
 use crate::sections::output_quantity;
@@ -25,11 +25,11 @@ pub(crate) fn reason_name(reason: Reason) -> &'static str {
 }
 
 /// As the command line has it.
-pub(crate) fn method_name(method: Method) -> &'static str {
+pub(crate) fn method_name(method: SamplingMethod) -> &'static str {
     match method {
-        Method::MonteCarlo => "monte-carlo",
-        Method::LatinHypercube => "latin-hypercube",
-        Method::Sobol => "sobol",
+        SamplingMethod::MonteCarlo => "monte-carlo",
+        SamplingMethod::LatinHypercube => "latin-hypercube",
+        SamplingMethod::Sobol => "sobol",
         _ => "other",
     }
 }

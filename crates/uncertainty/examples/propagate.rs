@@ -5,7 +5,7 @@
 use std::error::Error;
 use std::ops::ControlFlow;
 
-use uncertainty::{Distribution, Function, Method, Settings, propagate};
+use uncertainty::{Distribution, Function, SamplingMethod, Settings, propagate};
 
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     // Masses of the paper's vehicles (SAE 980025, appendix), ± 20 kg; a closing speed of 21 ± 1 m/s; central, without restitution.
@@ -20,7 +20,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         Ok(())
     });
     // Points that fill the space evenly need fewer samples; the same seed gives the same bytes.
-    let settings = Settings::new(Method::Sobol, 16_384, 1);
+    let settings = Settings::new(SamplingMethod::Sobol, 16_384, 1);
     let result = propagate(&model, &inputs, &settings, &mut |_, _| ControlFlow::Continue(()))?;
     let summary = result.summaries()[0].ok_or("no sample has an answer")?;
     let [low, high] = [summary.intervals[2].low.value, summary.intervals[2].high.value];

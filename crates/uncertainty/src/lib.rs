@@ -3,7 +3,7 @@
 //! ```
 //! use std::ops::ControlFlow;
 //! use crash3::{Profile, Stiffness, crush_energy};
-//! use uncertainty::{Distribution, Function, Method, Settings, propagate};
+//! use uncertainty::{Distribution, Function, SamplingMethod, Settings, propagate};
 //!
 //! // SAE 980025, appendix: six depths of crush over 65 in of the GMC Jimmy's front. How sure is its crush energy (Eq 5), if each depth was
 //! // measured to half an inch?
@@ -16,7 +16,7 @@
 //!     energy[0] = crush_energy(&profile, &stiffness);
 //!     Ok(())
 //! });
-//! let settings = Settings::new(Method::MonteCarlo, 100_000, 1);
+//! let settings = Settings::new(SamplingMethod::MonteCarlo, 100_000, 1);
 //! let result = propagate(&model, &inputs, &settings, &mut |_, _| ControlFlow::Continue(()))?;
 //!
 //! let summary = result.summaries()[0].ok_or("no sample has an answer")?;
@@ -33,9 +33,9 @@
 //! |---|---|
 //! | [`Distribution`] | what is known of an input: normal, normal within bounds, uniform, triangular |
 //! | [`Model`], [`Function`] | what is evaluated: a block of samples, or one |
-//! | [`Settings`], [`Method`] | number of samples, seed, kind of points: Monte Carlo, Latin hypercube, scrambled Sobol' |
+//! | [`Settings`], [`SamplingMethod`] | number of samples, seed, kind of points: Monte Carlo, Latin hypercube, scrambled Sobol' |
 //! | [`propagate`] → [`Propagation`] | samples of the outputs, and a [`Summary`] of each: mean, deviation, median, intervals, with standard errors |
-//! | [`sensitivity`] → [`Sensitivity`] | first-order and total [`Indices`] of the inputs, with standard errors |
+//! | [`sensitivity`] → [`SobolIndices`] | first-order and total [`Indices`] of the inputs, with standard errors |
 //! | [`tornado`] → [`Tornado`] | one input at a time, from low to high |
 //! | [`FirstOrder`] | propagation by derivatives, and whether it differs from the samples |
 //! | [`Sampler`] | the inputs of the samples, made again |
@@ -82,10 +82,10 @@ pub use error::{InvalidDistribution, InvalidRequest};
 pub use first_order::{FIRST_ORDER_LIMIT, FirstOrder};
 pub use limits::{MAX_SAMPLES, MIN_SAMPLES, REPLICATES};
 pub use model::{Failures, Function, LANES, Lanes, Model, NOT_FINITE, SUCCEEDED};
-pub use points::{MAX_SOBOL_INPUTS, Method};
+pub use points::{MAX_SOBOL_INPUTS, SamplingMethod};
 pub use propagate::{Propagation, propagate};
 pub use run::{Instructions, Progress};
 pub use sampler::{Sampler, Settings};
-pub use sensitivity::{Index, Indices, Sensitivity, sensitivity};
+pub use sensitivity::{Index, Indices, SobolIndices, sensitivity};
 pub use summary::{Estimate, Interval, LEVELS, Summary};
 pub use tornado::{Bar, End, TORNADO_PROBABILITIES, Tornado, tornado};

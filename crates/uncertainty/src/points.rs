@@ -24,7 +24,7 @@ pub use sobol::MAX_INPUTS as MAX_SOBOL_INPUTS;
 /// How points are laid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Method {
+pub enum SamplingMethod {
     /// Independent points.
     MonteCarlo,
     /// In every replicate, each input has exactly one point in each of as many equal strata as there are points.
@@ -51,7 +51,7 @@ enum Inputs {
 
 impl Points {
     pub(crate) fn new(
-        method: Method,
+        method: SamplingMethod,
         seed: u64,
         inputs: usize,
         samples: usize,
@@ -66,16 +66,16 @@ impl Points {
         // The numbers 1 to 4 keep the sequences of the methods apart under one seed.
         let all = 0..inputs;
         let inputs = match method {
-            Method::MonteCarlo => {
+            SamplingMethod::MonteCarlo => {
                 Inputs::MonteCarlo(all.map(|input| key(seed, &[1, input as u64])).collect())
             }
-            Method::LatinHypercube => {
+            SamplingMethod::LatinHypercube => {
                 Inputs::LatinHypercube(all.map(|input| Strata::new(key(seed, &[2, input as u64]))).collect())
             }
-            Method::Sobol if inputs > MAX_SOBOL_INPUTS => {
+            SamplingMethod::Sobol if inputs > MAX_SOBOL_INPUTS => {
                 return Err(InvalidRequest::TooManyInputs { inputs, limit: MAX_SOBOL_INPUTS });
             }
-            Method::Sobol => {
+            SamplingMethod::Sobol => {
                 let seeds: Vec<_> = all.map(|input| key(seed, &[3, input as u64])).collect();
                 Inputs::Sobol(Sobol::all(&seeds, key(seed, &[4]), count / REPLICATES as u64))
             }

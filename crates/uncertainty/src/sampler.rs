@@ -5,7 +5,7 @@ use fearless_simd::dispatch;
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
 use crate::model::Lanes;
-use crate::points::{Method, Points};
+use crate::points::{Points, SamplingMethod};
 use crate::run::Instructions;
 
 /// How to sample.
@@ -16,7 +16,7 @@ pub struct Settings {
     /// Any number; the same gives the same results.
     pub seed: u64,
     /// How points are laid.
-    pub method: Method,
+    pub method: SamplingMethod,
     /// For which instructions; makes no difference to the results.
     pub instructions: Instructions,
 }
@@ -24,7 +24,7 @@ pub struct Settings {
 impl Settings {
     /// With the best instructions of this CPU.
     #[must_use]
-    pub fn new(method: Method, samples: usize, seed: u64) -> Self {
+    pub fn new(method: SamplingMethod, samples: usize, seed: u64) -> Self {
         Self { samples, seed, method, instructions: Instructions::best() }
     }
 }

@@ -54,7 +54,7 @@ pub struct Indices {
 
 /// What a sensitivity analysis gives.
 #[derive(Clone, Debug)]
-pub struct Sensitivity {
+pub struct SobolIndices {
     requested: usize,
     rows: usize,
     used: usize,
@@ -63,7 +63,7 @@ pub struct Sensitivity {
     indices: Vec<Option<Vec<Indices>>>,
 }
 
-impl Sensitivity {
+impl SobolIndices {
     /// Number of rows asked for.
     #[must_use]
     pub fn requested(&self) -> usize {
@@ -113,7 +113,7 @@ pub fn sensitivity<M: Model>(
     inputs: &[Distribution],
     settings: &Settings,
     progress: &mut Progress<'_>,
-) -> Result<Sensitivity, InvalidRequest> {
+) -> Result<SobolIndices, InvalidRequest> {
     if inputs.is_empty() {
         return Err(InvalidRequest::NoInputs);
     }
@@ -147,7 +147,7 @@ pub fn sensitivity<M: Model>(
         let rows = sums.groups.iter().map(|group| group.rows).sum::<f64>() as usize;
         rows
     });
-    Ok(Sensitivity {
+    Ok(SobolIndices {
         requested: settings.samples,
         rows: all.rows,
         used,

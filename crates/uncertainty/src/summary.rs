@@ -7,7 +7,7 @@
 
 use crate::limits::REPLICATES;
 use crate::model::LANES;
-use crate::points::Method;
+use crate::points::SamplingMethod;
 
 /// Levels of the intervals of a [`Summary`].
 pub const LEVELS: [f64; 4] = [0.5, 0.9, 0.95, 0.99];
@@ -64,7 +64,7 @@ const PROBABILITIES: [f64; 1 + 2 * LEVELS.len()] = [0.5, 0.25, 0.75, 0.05, 0.95,
 impl Summary {
     /// Of a column in which NaN stands for samples that failed; `None` where fewer than two succeeded.
     /// `is_complete` tells that there are none.
-    pub(crate) fn of(column: &[f64], is_complete: bool, method: Method) -> Option<Self> {
+    pub(crate) fn of(column: &[f64], is_complete: bool, method: SamplingMethod) -> Option<Self> {
         let succeeded;
         let values = if is_complete {
             column
@@ -78,8 +78,10 @@ impl Summary {
         let moments = Moments::of(values);
         let quantiles = Quantiles::of(values);
         let errors = match method {
-            Method::MonteCarlo => Errors::by_formula(&moments, &quantiles),
-            Method::LatinHypercube | Method::Sobol => Errors::by_replicates(column, values, &quantiles),
+            SamplingMethod::MonteCarlo => Errors::by_formula(&moments, &quantiles),
+            SamplingMethod::LatinHypercube | SamplingMethod::Sobol => {
+                Errors::by_replicates(column, values, &quantiles)
+            }
         };
 
         let quantile = |place: usize| Estimate {

@@ -4,7 +4,7 @@
 
 use std::ops::ControlFlow;
 use uncertainty::{
-    Distribution, Function, InvalidDistribution, LANES, Method, Sampler, Settings, Shape, propagate,
+    Distribution, Function, InvalidDistribution, LANES, Sampler, SamplingMethod, Settings, Shape, propagate,
 };
 
 fn assert_near(value: f64, exact: f64, relative: f64) {
@@ -131,7 +131,7 @@ fn samples_follow_their_distribution() {
         y.copy_from_slice(x);
         Ok(())
     });
-    let settings = Settings::new(Method::MonteCarlo, 50_000, 3);
+    let settings = Settings::new(SamplingMethod::MonteCarlo, 50_000, 3);
     let result = propagate(&identity, &inputs, &settings, &mut |_, _| ControlFlow::Continue(())).unwrap();
 
     let uniform = |x: f64| (x + 3.0) / 8.0;
@@ -172,7 +172,7 @@ fn samples_follow_their_distribution() {
 #[test]
 fn normal_samples_are_independent() {
     let inputs = [Distribution::normal(0.0, 1.0).unwrap(), Distribution::normal(0.0, 1.0).unwrap()];
-    let settings = Settings::new(Method::MonteCarlo, 64_000, 11);
+    let settings = Settings::new(SamplingMethod::MonteCarlo, 64_000, 11);
     let sampler = Sampler::new(&inputs, &settings).unwrap();
     let mut columns = [[0.0; LANES]; 2];
     let (mut pairs, mut neighbours, mut across) = (Vec::new(), Vec::new(), Vec::new());

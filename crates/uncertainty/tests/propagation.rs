@@ -4,11 +4,12 @@
 
 use std::ops::ControlFlow;
 use uncertainty::{
-    Distribution, Function, Instructions, InvalidRequest, LANES, Lanes, Method, Model, NOT_FINITE,
-    Propagation, SUCCEEDED, Sampler, Settings, propagate,
+    Distribution, Function, Instructions, InvalidRequest, LANES, Lanes, Model, NOT_FINITE, Propagation,
+    SUCCEEDED, Sampler, SamplingMethod, Settings, propagate,
 };
 
-const METHODS: [Method; 3] = [Method::MonteCarlo, Method::LatinHypercube, Method::Sobol];
+const METHODS: [SamplingMethod; 3] =
+    [SamplingMethod::MonteCarlo, SamplingMethod::LatinHypercube, SamplingMethod::Sobol];
 
 fn run<M: Model>(model: &M, inputs: &[Distribution], settings: &Settings) -> Propagation {
     propagate(model, inputs, settings, &mut |_, _| ControlFlow::Continue(())).unwrap()
@@ -92,7 +93,7 @@ fn standard_errors_are_the_spread_over_seeds() {
 }
 
 /// Ratio of the spread of the 2.5 %, 50 % and 97.5 % quantile over so many seeds to their stated errors.
-fn ratios<M: Model>(model: &M, inputs: &[Distribution], method: Method, samples: usize) -> [f64; 3] {
+fn ratios<M: Model>(model: &M, inputs: &[Distribution], method: SamplingMethod, samples: usize) -> [f64; 3] {
     let seeds: u64 = 100;
     let mut estimates = [(); 3].map(|()| Vec::new());
     for seed in 0..seeds {
@@ -125,7 +126,7 @@ fn errors_of_quantiles_are_honest_where_one_input_rules() {
         if x[1] > 23.0 { Err(1) } else { Ok(()) }
     });
     let two = [normal(20.0, 3.0); 2];
-    for method in [Method::LatinHypercube, Method::Sobol] {
+    for method in [SamplingMethod::LatinHypercube, SamplingMethod::Sobol] {
         for samples in [1024, 2500, 4096] {
             let found = ratios(&alone, &[normal(20.0, 3.0)], method, samples);
             assert!(found.iter().all(|ratio| (0.3..1.2).contains(ratio)), "{method:?}, {samples}: {found:?}");
@@ -144,7 +145,7 @@ fn errors_of_quantiles_are_honest_with_many_inputs() {
         Ok(())
     });
     let inputs = [normal(0.0, 1.0); 31];
-    for method in [Method::LatinHypercube, Method::Sobol] {
+    for method in [SamplingMethod::LatinHypercube, SamplingMethod::Sobol] {
         let found = ratios(&model, &inputs, method, 1024);
         assert!(found.iter().all(|ratio| (0.7..1.25).contains(ratio)), "{method:?}: {found:?}");
     }
@@ -174,7 +175,7 @@ fn even_points_converge_faster() {
     assert!(latin < chance / 3.0, "{latin}, by chance {chance}");
     assert!(sobol < chance / 50.0, "{sobol}, by chance {chance}");
     // Four times the points halve an error by chance, and divide that of scrambled Sobol' points by nearly 8 (Owen 1997).
-    let finer = error(Method::Sobol, 1 << 16);
+    let finer = error(SamplingMethod::Sobol, 1 << 16);
     assert!(finer < sobol / 4.0, "{finer} after {sobol}");
 }
 
@@ -187,7 +188,7 @@ fn failures_are_counted_by_reason() {
         if x[0] < 0.0 { Err(3) } else { Ok(()) }
     });
     // Sixteen replicates of 64 strata each: exactly half fail, and an eighth is not finite.
-    let settings = Settings::new(Method::LatinHypercube, 1024, 2);
+    let settings = Settings::new(SamplingMethod::LatinHypercube, 1024, 2);
     let result = run(&model, &inputs, &settings);
     assert_eq!(result.failures().iter().collect::<Vec<_>>(), [(&3, &512), (&NOT_FINITE, &128)]);
     assert_eq!((result.requested(), result.evaluated(), result.succeeded()), (1024, 1024, 384));
@@ -236,14 +237,10 @@ fn an_early_end_leaves_the_first_samples_of_the_whole_run() {
         assert!(summary.mean.value.abs() < 6.0 * summary.mean.standard_error.unwrap(), "{method:?}");
         assert!(told.is_sorted());
     }
-    let none =
-        propagate(
-            &Linear,
-            &inputs,
-            &Settings::new(Method::Sobol, 100, 4),
-            &mut |_, _| ControlFlow::Break(()),
-        )
-        .unwrap();
+    let none = propagate(&Linear, &inputs, &Settings::new(SamplingMethod::Sobol, 100, 4), &mut |_, _| {
+        ControlFlow::Break(())
+    })
+    .unwrap();
     assert_eq!((none.evaluated(), none.summaries()[0]), (0, None));
 }
 
@@ -318,7 +315,7 @@ fn bits_are_pinned_for_every_instruction_set() {
 #[cfg(feature = "parallel")]
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
-    let settings = Settings::new(Method::LatinHypercube, 30_001, 5);
+    let settings = Settings::new(SamplingMethod::LatinHypercube, 30_001, 5);
     let hashes: Vec<u64> = (1..=7)
         .map(|threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -331,7 +328,7 @@ fn any_number_of_threads_gives_the_same_bits() {
 #[test]
 fn requests_that_make_no_sense_are_refused() {
     let refusal = |inputs: &[Distribution], samples| {
-        let settings = Settings::new(Method::MonteCarlo, samples, 1);
+        let settings = Settings::new(SamplingMethod::MonteCarlo, samples, 1);
         propagate(&Linear, inputs, &settings, &mut |_, _| ControlFlow::Continue(())).unwrap_err()
     };
     assert_eq!(refusal(&[], 1000), InvalidRequest::NoInputs);

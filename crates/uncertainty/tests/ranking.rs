@@ -8,13 +8,14 @@
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use uncertainty::{
-    Distribution, FirstOrder, Function, Indices, InvalidRequest, Method, Model, NOT_FINITE, Sensitivity,
-    Settings, TORNADO_PROBABILITIES, sensitivity, tornado,
+    Distribution, FirstOrder, Function, Indices, InvalidRequest, Model, NOT_FINITE, SamplingMethod, Settings,
+    SobolIndices, TORNADO_PROBABILITIES, sensitivity, tornado,
 };
 
-const METHODS: [Method; 3] = [Method::MonteCarlo, Method::LatinHypercube, Method::Sobol];
+const METHODS: [SamplingMethod; 3] =
+    [SamplingMethod::MonteCarlo, SamplingMethod::LatinHypercube, SamplingMethod::Sobol];
 
-fn run<M: Model>(model: &M, inputs: &[Distribution], settings: &Settings) -> Sensitivity {
+fn run<M: Model>(model: &M, inputs: &[Distribution], settings: &Settings) -> SobolIndices {
     sensitivity(model, inputs, settings, &mut |_, _| ControlFlow::Continue(())).unwrap()
 }
 
@@ -117,7 +118,7 @@ fn rows_with_failures_are_left_out_and_counted() {
         if x[0] > 0.5 { Err(5) } else { Ok(()) }
     });
     let rows = 1 << 14;
-    let result = run(&model, &inputs, &Settings::new(Method::MonteCarlo, rows, 3));
+    let result = run(&model, &inputs, &Settings::new(SamplingMethod::MonteCarlo, rows, 3));
     // A row is good where both x₀ are below 0.5 and both x₁ below 0.9.
     let expected = rows as f64 * 0.25 * 0.81;
     let deviation = (expected * (1.0 - 0.25 * 0.81)).sqrt();
@@ -131,7 +132,7 @@ fn rows_with_failures_are_left_out_and_counted() {
     assert_indices(result.indices()[0].as_ref().unwrap(), &exact, 0.05);
 
     let never = Function::new(1, |_: &[f64], _: &mut [f64]| Err(1));
-    let result = run(&never, &inputs, &Settings::new(Method::MonteCarlo, 64, 3));
+    let result = run(&never, &inputs, &Settings::new(SamplingMethod::MonteCarlo, 64, 3));
     assert_eq!((result.used(), result.indices()[0].as_ref()), (0, None));
 }
 
@@ -143,7 +144,7 @@ fn sensitivity_ends_early_with_the_first_rows() {
         Ok(())
     });
     let mut calls = 0;
-    let settings = Settings::new(Method::Sobol, 1 << 14, 3);
+    let settings = Settings::new(SamplingMethod::Sobol, 1 << 14, 3);
     let result = sensitivity(&model, &inputs, &settings, &mut |_, total| {
         calls += 1;
         assert_eq!(total, 1 << 14);
@@ -163,7 +164,7 @@ fn odd_numbers_of_rows_are_all_used() {
         Ok(())
     });
     for rows in [64, 65, 1023, 1025, 5000] {
-        let result = run(&model, &inputs, &Settings::new(Method::LatinHypercube, rows, 3));
+        let result = run(&model, &inputs, &Settings::new(SamplingMethod::LatinHypercube, rows, 3));
         assert_eq!((result.rows(), result.used()), (rows, rows));
     }
 }
@@ -178,7 +179,7 @@ fn any_number_of_threads_gives_the_same_indices() {
     });
     let of = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| run(&model, &inputs, &Settings::new(Method::MonteCarlo, 10_000, 6)))
+        pool.install(|| run(&model, &inputs, &Settings::new(SamplingMethod::MonteCarlo, 10_000, 6)))
             .indices()
             .to_vec()
     };
@@ -243,10 +244,10 @@ fn requests_that_make_no_sense_are_refused() {
         assert_eq!(refusal(&inputs, &[0.0; 2], [low, high]), InvalidRequest::Probabilities { low, high });
     }
     let many = vec![inputs[0]; 129];
-    let settings = Settings::new(Method::Sobol, 64, 1);
+    let settings = Settings::new(SamplingMethod::Sobol, 64, 1);
     let refused = sensitivity(&model, &many, &settings, &mut |_, _| ControlFlow::Continue(())).unwrap_err();
     assert_eq!(refused, InvalidRequest::TooManyInputs { inputs: 258, limit: 256 });
-    let settings = Settings::new(Method::Sobol, 63, 1);
+    let settings = Settings::new(SamplingMethod::Sobol, 63, 1);
     let refused = sensitivity(&model, &inputs, &settings, &mut |_, _| ControlFlow::Continue(())).unwrap_err();
     assert_eq!(refused.to_string(), "the number of rows must be between 64 and 4294967296, but is 63");
 }

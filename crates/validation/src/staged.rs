@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use analysis::{Analysis, Impact};
 use case::{Case, CaseFile};
-use crash3::{CrushError, EnergyBasis, Inertia, Side};
+use crash3::{CrushError, EnergyBasis, Side, StruckVehicle};
 use pim_core::{Law, Tangential};
 use reconcile::{Problem, Unknown};
 
@@ -105,13 +105,13 @@ impl Staged {
     /// counter-clockwise by `turn` (rad), uncorrected and corrected for oblique force.
     pub(crate) fn crash3(&self, energies: [f64; 2], turn: f64) -> Result<Crash3, ValidationError> {
         let vehicles = self.struck()?;
-        let mut inertias = [Inertia::fixed(); 2];
+        let mut inertias = [StruckVehicle::fixed(); 2];
         let mut corrected = 0.0;
         for ((vehicle, inertia), energy) in vehicles.iter().zip(&mut inertias).zip(energies) {
             // A PDOF counts clockwise.
             let pdof = wrapped(vehicle.pdof - turn);
             let arm = crash3::moment_arm(vehicle.contact, pdof);
-            *inertia = Inertia::new(vehicle.mass, vehicle.yaw_inertia, arm).map_err(self.crushed())?;
+            *inertia = StruckVehicle::new(vehicle.mass, vehicle.yaw_inertia, arm).map_err(self.crushed())?;
             let angle = vehicle.side.oblique_angle(pdof);
             // E' = Σ E_i (1 + tan²α_i)
             corrected += energy * vehicle.correction.factor(angle).map_err(self.crushed())?.factor;
@@ -149,17 +149,18 @@ impl Staged {
     pub(crate) fn speed(&self, crush_energy: f64, law: Option<Law>) -> Result<f64, ValidationError> {
         let impact = self.collision()?;
         let law = law.unwrap_or(impact.law);
-        Problem::new(
-            impact.contact,
-            law,
-            impact.outcome.before,
-            Unknown::Speed1,
+        let problem = Problem {
+            contact: impact.contact,
+            law: law.into(),
+            motions: impact.outcome.before,
+            unknown: Unknown::Speed1,
             crush_energy,
-            EnergyBasis::Dissipated,
-        )
-        .and_then(|problem| problem.solve())
-        .map(|answer| answer.speed)
-        .map_err(|source| ValidationError::Reconcile { test: self.printed.test, source })
+            basis: EnergyBasis::Dissipated,
+        };
+        problem
+            .solve()
+            .map(|answer| answer.speed)
+            .map_err(|source| ValidationError::Reconcile { test: self.printed.test, source })
     }
 
     /// The law of the case with μ = μ_c, and the given restitution where there is one.

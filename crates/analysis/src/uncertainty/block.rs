@@ -133,14 +133,19 @@ impl Block {
         let mut values = [[0.0; LANES]; OUTPUTS];
         let mut answered = [false; LANES];
         for lane in 0..LANES {
-            let (law, is_law) = Law::pose(e[lane], Tangential::Restitution(e_t[lane]));
+            let (law, is_law) = Law::new_with_validity(e[lane], Tangential::Restitution(e_t[lane]));
             let ((p1, is_1), (p2, is_2)) = (v1.participant(lane), v2.participant(lane));
-            let (contact, is_contact) = Contact::pose([p1, p2], crush_plane[lane]);
-            let motions = [v1.motion(lane), v2.motion(lane)];
-            let (problem, is_posed) =
-                Problem::pose(contact, law, motions, self.unknown, crush_energy[lane], self.basis);
-            let (speed, outcome, is_answer) = problem.attempt();
-            answered[lane] = is_law & is_1 & is_2 & is_contact & is_posed & is_answer;
+            let (contact, is_contact) = Contact::new_with_validity([p1, p2], crush_plane[lane]);
+            let problem = Problem {
+                contact,
+                law: law.into(),
+                motions: [v1.motion(lane), v2.motion(lane)],
+                unknown: self.unknown,
+                crush_energy: crush_energy[lane],
+                basis: self.basis,
+            };
+            let (speed, outcome, is_answer) = problem.solve_with_validity();
+            answered[lane] = is_law & is_1 & is_2 & is_contact & is_answer;
             for (column, value) in values.iter_mut().zip(answer(self.axes, central, speed, &outcome)) {
                 column[lane] = value;
             }
@@ -189,9 +194,9 @@ struct VehicleLanes {
 impl VehicleLanes {
     #[inline(always)]
     fn participant(&self, lane: usize) -> (Participant, bool) {
-        let (body, is_body) = Body::pose(self.mass[lane], self.yaw_inertia[lane]);
+        let (body, is_body) = Body::new_with_validity(self.mass[lane], self.yaw_inertia[lane]);
         let (participant, is_placed) =
-            Participant::pose(body, self.heading[lane], self.forward[lane], self.left[lane]);
+            Participant::new_with_validity(body, self.heading[lane], self.forward[lane], self.left[lane]);
         (participant, is_body & is_placed)
     }
 
@@ -349,9 +354,9 @@ impl Vehicle {
             let (c1, c2) = (si(c1, inputs), si(c2, inputs));
             for lane in 0..LANES {
                 let zone = Zone { width: spacing[lane], depths: [c1[lane], c2[lane]] };
-                let (stiffness, is_stiffness) = Stiffness::pose_abg(a[lane], b[lane], g[lane]);
+                let (stiffness, is_stiffness) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
                 let energy = zone_energy(zone, &stiffness);
-                own[lane] += if is_stiffness & zone.is_possible() { energy } else { f64::NAN };
+                own[lane] += if is_stiffness & zone.is_valid() { energy } else { f64::NAN };
             }
         }
         for (total, own) in total.iter_mut().zip(own) {

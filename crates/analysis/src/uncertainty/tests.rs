@@ -3,7 +3,9 @@ use std::collections::BTreeSet;
 use super::{REASONS, Reason, Sample, UncertainInput, beside, central, inputs};
 use crate::reconstruct;
 use crate::sensitivity::Output;
-use ::uncertainty::{Distribution, Instructions, LANES, Lanes, Method, Model, Sampler, Settings, propagate};
+use ::uncertainty::{
+    Distribution, Instructions, LANES, Lanes, Model, Sampler, SamplingMethod, Settings, propagate,
+};
 use case::{Amount, Bounds, Case, CaseFile, Range, Spread};
 use std::ops::ControlFlow;
 
@@ -131,7 +133,7 @@ fn a_block_has_the_bits_of_its_samples() {
         let block = in_blocks.block.as_ref().unwrap_or_else(|| panic!("{name}: no block"));
         let one_by_one = Sample { block: None, ..sampled.sample() };
         let distributions = sampled.distributions();
-        let settings = Settings::new(Method::LatinHypercube, 40 * LANES, 7);
+        let settings = Settings::new(SamplingMethod::LatinHypercube, 40 * LANES, 7);
         let sampler = Sampler::new(&distributions, &settings).unwrap();
         let mut columns: Vec<Lanes> = vec![[0.0; LANES]; distributions.len()];
         let mut answered = 0;
@@ -283,7 +285,7 @@ fn a_block_ignores_no_key() {
             with_block.insert(key_of(&number.path));
             let one_by_one = Sample { block: None, ..sampled.sample() };
             let distributions = sampled.distributions();
-            let settings = Settings::new(Method::LatinHypercube, LANES, 7);
+            let settings = Settings::new(SamplingMethod::LatinHypercube, LANES, 7);
             let mut columns = vec![[0.0; LANES]];
             Sampler::new(&distributions, &settings).unwrap().fill(0, &mut columns);
             let [results, expected] = [in_blocks, one_by_one].map(|model| {
@@ -319,9 +321,9 @@ fn bits_of_the_example_are_pinned_for_every_instruction_set() {
     let sampled = Sampled::new(UNCERTAIN);
     // The outputs that there were first, and those that came after them.
     for (method, pins) in [
-        (Method::MonteCarlo, [0xED40_4D8E_AB81_E019, 0xC7D7_BD97_403C_5778]),
-        (Method::LatinHypercube, [0x7E78_1C5E_182A_6B2E, 0x9357_627D_F499_EAC5]),
-        (Method::Sobol, [0x1C58_9480_FF2E_EC8C, 0xB38C_8287_B732_6E95]),
+        (SamplingMethod::MonteCarlo, [0xED40_4D8E_AB81_E019, 0xC7D7_BD97_403C_5778]),
+        (SamplingMethod::LatinHypercube, [0x7E78_1C5E_182A_6B2E, 0x9357_627D_F499_EAC5]),
+        (SamplingMethod::Sobol, [0x1C58_9480_FF2E_EC8C, 0xB38C_8287_B732_6E95]),
     ] {
         let hashes: Vec<[u64; 2]> = Instructions::available()
             .into_iter()

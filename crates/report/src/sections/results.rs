@@ -2,7 +2,7 @@
 
 use analysis::{Analysis, Crash3, Damage, Found, Impact};
 use case::{Axes, Case, Pdof, Velocity, YawSource};
-use crash3::{EnergyBasis, Stiffness, Structure};
+use crash3::{EnergyBasis, SideStiffness, Stiffness};
 use pim_core::{Outcome, Regime};
 
 use super::chosen::{Chosen, both_speeds, label};
@@ -245,12 +245,12 @@ impl Page {
             ("stiffness A", Quantity::StiffnessA, |s| Some(s.a())),
             ("stiffness B", Quantity::StiffnessB, |s| Some(s.b())),
             ("stiffness G", Quantity::StiffnessG, |s| Some(s.g())),
-            ("limit of the force per width", Quantity::StiffnessA, Stiffness::limit),
+            ("limit of the force per width", Quantity::StiffnessA, Stiffness::saturation_force),
         ];
         for (label, quantity, of) in coefficients {
             let uniform = damage.map(|damage| match damage.map(|damage| &damage.structure) {
-                Some(Structure::Uniform(stiffness)) => of(stiffness).map(|si| units.format(quantity, si)),
-                Some(Structure::Zones(_)) | None => None,
+                Some(SideStiffness::Uniform(stiffness)) => of(stiffness).map(|si| units.format(quantity, si)),
+                Some(SideStiffness::Zones(_)) | None => None,
             });
             table.pair(label, uniform, "");
         }
@@ -262,7 +262,7 @@ impl Page {
             table.notes.push(format!("{doubt}."));
         }
         for (i, damage) in damage.into_iter().enumerate() {
-            let Some(Structure::Zones(zones)) = damage.map(|damage| &damage.structure) else { continue };
+            let Some(SideStiffness::Zones(zones)) = damage.map(|damage| &damage.structure) else { continue };
             for (label, quantity, of) in coefficients {
                 if zones.iter().any(|zone| of(zone).is_some()) {
                     let values: Vec<String> = zones

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use ::uncertainty::{Bar, End, Estimate, Index, Method, Shape, Summary};
+use ::uncertainty::{Bar, End, Estimate, Index, SamplingMethod, Shape, Summary};
 use analysis::{Output, REASONS, Reason, UncertainInput, UncertainOutput, Uncertainty};
 use case::Case;
 use crash3::principal_angle;
@@ -56,9 +56,9 @@ impl<'a> Page<'a> {
         let uncertainty = self.uncertainty;
         let propagation = &uncertainty.propagation;
         let method = match uncertainty.settings.method {
-            Method::MonteCarlo => "Monte Carlo",
-            Method::LatinHypercube => "Latin hypercube",
-            Method::Sobol => "scrambled Sobol' points",
+            SamplingMethod::MonteCarlo => "Monte Carlo",
+            SamplingMethod::LatinHypercube => "Latin hypercube",
+            SamplingMethod::Sobol => "scrambled Sobol' points",
             other => method_name(other),
         };
         let inputs = counted(uncertainty.inputs.len(), "uncertain input");

@@ -1,11 +1,12 @@
-use super::{MAX_SOBOL_INPUTS, Method, Points, REPLICATES, permuted};
+use super::{MAX_SOBOL_INPUTS, Points, REPLICATES, SamplingMethod, permuted};
 use crate::InvalidRequest;
 use crate::model::LANES;
 
-const METHODS: [Method; 3] = [Method::MonteCarlo, Method::LatinHypercube, Method::Sobol];
+const METHODS: [SamplingMethod; 3] =
+    [SamplingMethod::MonteCarlo, SamplingMethod::LatinHypercube, SamplingMethod::Sobol];
 
 /// Shares of each input, a column for each.
-fn columns(method: Method, seed: u64, inputs: usize, samples: usize) -> Vec<Vec<f64>> {
+fn columns(method: SamplingMethod, seed: u64, inputs: usize, samples: usize) -> Vec<Vec<f64>> {
     let points = Points::new(method, seed, inputs, samples).unwrap();
     let mut columns = vec![Vec::new(); inputs];
     let mut block = vec![[0.0; LANES]; inputs];
@@ -54,7 +55,7 @@ fn permutations_are_fair() {
 fn latin_hypercube_has_one_point_in_each_stratum_of_each_replicate() {
     // Also where the replicates are not of equal size.
     for samples in [64, 65, 1000, 4096, 10_007] {
-        for column in columns(Method::LatinHypercube, 5, 3, samples) {
+        for column in columns(SamplingMethod::LatinHypercube, 5, 3, samples) {
             for replicate in 0..REPLICATES {
                 let points: Vec<f64> = column.iter().skip(replicate).step_by(REPLICATES).copied().collect();
                 let mut strata: Vec<usize> =
@@ -85,9 +86,12 @@ fn all_points_are_uniform() {
                 assert!(column.iter().all(|share| *share > 0.0 && *share < 1.0));
                 let distance = kolmogorov_smirnov(column);
                 // Kolmogorov: beyond 2.2 once in 8000. The stratified ones keep far below 1.
-                let limit = if method == Method::MonteCarlo { 2.2 } else { 0.2 };
+                let limit = if method == SamplingMethod::MonteCarlo { 2.2 } else { 0.2 };
                 assert!(distance < limit, "{method:?}: {distance}");
-                assert!(method != Method::MonteCarlo || distance > 0.3, "{distance} is too even for chance");
+                assert!(
+                    method != SamplingMethod::MonteCarlo || distance > 0.3,
+                    "{distance} is too even for chance"
+                );
             }
         }
     }
@@ -109,13 +113,13 @@ fn inputs_and_neighbouring_samples_are_not_correlated() {
             for second in &columns[number + 1..] {
                 assert!(correlation(first, second).abs() < limit, "{method:?}");
             }
-            if method != Method::Sobol {
+            if method != SamplingMethod::Sobol {
                 assert!(correlation(&first[1..], &first[..samples - 1]).abs() < limit, "{method:?}");
             }
         }
         // Another seed, other points; for scrambled ones the mean over 16 replicates, each as below.
         let others = self::columns(method, 12, 2, samples);
-        let limit = if method == Method::Sobol { 5.0 * (0.6_f64 / 16.0).sqrt() } else { limit };
+        let limit = if method == SamplingMethod::Sobol { 5.0 * (0.6_f64 / 16.0).sqrt() } else { limit };
         assert!(correlation(&columns[0], &others[0]).abs() < limit, "{method:?}");
     }
 }
@@ -138,7 +142,7 @@ fn replicates_are_not_correlated() {
         }
         assert_eq!(correlations.len(), pairs);
         // Variance of one: 1/n, but for Sobol' points that of the bits which shift the first four digits, Σ (3/4ᵏ)² = 0.6, and next to nothing of the others.
-        let variance = if method == Method::Sobol { 0.6 } else { REPLICATES as f64 / samples as f64 };
+        let variance = if method == SamplingMethod::Sobol { 0.6 } else { REPLICATES as f64 / samples as f64 };
         let mean = correlations.iter().sum::<f64>() / pairs as f64;
         let squares = correlations.iter().map(|correlation| correlation * correlation).sum::<f64>();
         assert!(mean.abs() < 5.0 * (variance / pairs as f64).sqrt(), "{method:?}: {mean}");
@@ -163,12 +167,14 @@ fn pairs_of_sobol_inputs_are_hardly_correlated() {
         greatest
     };
     for seed in 0..20 {
-        let (chance, sobol) =
-            (greatest(Method::MonteCarlo, seed, 31, 1024), greatest(Method::Sobol, seed, 31, 1024));
+        let (chance, sobol) = (
+            greatest(SamplingMethod::MonteCarlo, seed, 31, 1024),
+            greatest(SamplingMethod::Sobol, seed, 31, 1024),
+        );
         assert!(chance > 0.06, "{chance}");
         assert!(sobol < 0.05, "seed {seed}: {sobol}");
     }
-    let many = greatest(Method::Sobol, 1, 254, 2048);
+    let many = greatest(SamplingMethod::Sobol, 1, 254, 2048);
     assert!(many < 0.05, "{many}");
 }
 
@@ -188,7 +194,7 @@ fn products_of_three_sobol_digits_vary_between_the_replicates() {
                 }
                 words
             };
-            let columns = columns(Method::Sobol, seed, 31, 1024);
+            let columns = columns(SamplingMethod::Sobol, seed, 31, 1024);
             columns.iter().flat_map(|column| [2.0, 4.0].map(|digit| pack((column, digit)))).collect()
         })
         .collect();
@@ -221,12 +227,12 @@ fn products_of_three_sobol_digits_vary_between_the_replicates() {
 #[test]
 fn requests_out_of_range_are_refused() {
     let refusal = |method, inputs, samples| Points::new(method, 1, inputs, samples).unwrap_err();
-    assert_eq!(refusal(Method::MonteCarlo, 0, 100), InvalidRequest::NoInputs);
-    assert_eq!(refusal(Method::MonteCarlo, 1, 63), InvalidRequest::Samples { samples: 63 });
+    assert_eq!(refusal(SamplingMethod::MonteCarlo, 0, 100), InvalidRequest::NoInputs);
+    assert_eq!(refusal(SamplingMethod::MonteCarlo, 1, 63), InvalidRequest::Samples { samples: 63 });
     assert_eq!(
-        refusal(Method::Sobol, MAX_SOBOL_INPUTS + 1, 64),
+        refusal(SamplingMethod::Sobol, MAX_SOBOL_INPUTS + 1, 64),
         InvalidRequest::TooManyInputs { inputs: 257, limit: 256 }
     );
-    assert!(Points::new(Method::Sobol, 1, MAX_SOBOL_INPUTS, 64).is_ok());
-    assert!(Points::new(Method::LatinHypercube, 1, 1000, 64).is_ok());
+    assert!(Points::new(SamplingMethod::Sobol, 1, MAX_SOBOL_INPUTS, 64).is_ok());
+    assert!(Points::new(SamplingMethod::LatinHypercube, 1, 1000, 64).is_ok());
 }

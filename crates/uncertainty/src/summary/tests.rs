@@ -1,5 +1,5 @@
 use super::{Estimate, Place, Quantiles, Summary, order_statistics, select, sums};
-use crate::points::Method;
+use crate::points::SamplingMethod;
 use crate::random::{bits, unit};
 
 /// 0, 1, … 100 in disorder.
@@ -10,7 +10,7 @@ fn hundred() -> Vec<f64> {
 /// Of 0, 1, … 100 the quantile at p is 100p by any type that interpolates like NumPy's; the variance is n(n + 1)/12, n = 101.
 #[test]
 fn the_statistics_of_a_hundred_numbers() {
-    let summary = Summary::of(&hundred(), false, Method::MonteCarlo).unwrap();
+    let summary = Summary::of(&hundred(), false, SamplingMethod::MonteCarlo).unwrap();
     assert_eq!(summary.samples, 101);
     assert_eq!(summary.mean.value, 50.0);
     assert!((summary.sd.value - (101.0_f64 * 102.0 / 12.0).sqrt()).abs() < 1e-13);
@@ -37,16 +37,16 @@ fn failed_samples_are_left_out() {
         column.insert(place, f64::NAN);
     }
     assert_eq!(
-        Summary::of(&column, false, Method::MonteCarlo),
-        Summary::of(&hundred(), false, Method::MonteCarlo)
+        Summary::of(&column, false, SamplingMethod::MonteCarlo),
+        Summary::of(&hundred(), false, SamplingMethod::MonteCarlo)
     );
-    assert_eq!(Summary::of(&[1.0, f64::NAN], false, Method::MonteCarlo), None);
-    assert_eq!(Summary::of(&[], false, Method::Sobol), None);
+    assert_eq!(Summary::of(&[1.0, f64::NAN], false, SamplingMethod::MonteCarlo), None);
+    assert_eq!(Summary::of(&[], false, SamplingMethod::Sobol), None);
 }
 
 #[test]
 fn a_constant_has_no_uncertainty() {
-    for method in [Method::MonteCarlo, Method::LatinHypercube] {
+    for method in [SamplingMethod::MonteCarlo, SamplingMethod::LatinHypercube] {
         let summary = Summary::of(&vec![3.0; 16_000], true, method).unwrap();
         let certain = |value| Estimate { value, standard_error: Some(0.0) };
         assert_eq!((summary.mean, summary.sd, summary.median), (certain(3.0), certain(0.0), certain(3.0)));
@@ -58,14 +58,14 @@ fn a_constant_has_no_uncertainty() {
 #[test]
 fn replicates_give_the_standard_error() {
     let column: Vec<f64> = (0..16_000).map(|index| f64::from(index % 16)).collect();
-    let summary = Summary::of(&column, false, Method::Sobol).unwrap();
+    let summary = Summary::of(&column, false, SamplingMethod::Sobol).unwrap();
     let expected = (16.0_f64 * 17.0 / 12.0).sqrt() / 4.0;
     assert!((summary.mean.standard_error.unwrap() - expected).abs() < 1e-13);
     assert_eq!(summary.sd.standard_error, Some(0.0));
     // No replicate but one.
     let mut lonely = vec![f64::NAN; 1600];
     lonely.iter_mut().step_by(16).for_each(|value| *value = 1.0);
-    let lonely = Summary::of(&lonely, false, Method::Sobol).unwrap();
+    let lonely = Summary::of(&lonely, false, SamplingMethod::Sobol).unwrap();
     assert_eq!((lonely.mean.standard_error, lonely.median.standard_error), (None, None));
 }
 
@@ -77,7 +77,7 @@ fn replicates_give_the_standard_error() {
 #[test]
 fn numbers_below_a_quantile_give_its_standard_error() {
     let column: Vec<f64> = (0..16_000).map(|index| f64::from(index % 16)).collect();
-    for method in [Method::LatinHypercube, Method::Sobol] {
+    for method in [SamplingMethod::LatinHypercube, SamplingMethod::Sobol] {
         let summary = Summary::of(&column, true, method).unwrap();
         let found = [summary.median, summary.intervals[0].low, summary.intervals[2].low];
         let expected = [(7.5, 2.5), (3.75, 1.5), (0.0, 0.0)]
@@ -86,12 +86,12 @@ fn numbers_below_a_quantile_give_its_standard_error() {
     }
     // Replicates alike, 0 … 99 in each: nothing but the one place, which is between n + 1 and n − 1 in sixteen equal values each.
     let column: Vec<f64> = (0..1600).map(|index| f64::from(index / 16)).collect();
-    let summary = Summary::of(&column, true, Method::Sobol).unwrap();
+    let summary = Summary::of(&column, true, SamplingMethod::Sobol).unwrap();
     // Place 1599/2 = 799.5 between 49 and 50; 798.5 is among the 49 and 800.5 among the 50.
     assert_eq!(summary.median, Estimate { value: 49.5, standard_error: Some(0.5) });
     // Five samples beyond are enough, as for Monte Carlo.
     assert!(summary.intervals[3].low.standard_error.is_some());
-    let few = Summary::of(&column[..999], true, Method::Sobol).unwrap();
+    let few = Summary::of(&column[..999], true, SamplingMethod::Sobol).unwrap();
     assert_eq!(
         (few.intervals[3].low.standard_error, few.intervals[2].low.standard_error.is_some()),
         (None, true)

@@ -1,0 +1,111 @@
+//! What the types with an invariant are written as: the numbers that their constructors take. Reading goes
+//! through the constructors.
+
+use alloc::vec::Vec;
+
+use real::Real;
+use serde::{Deserialize, Serialize};
+
+use crate::barrier_test::BarrierTest;
+use crate::direction::{DamagedFace, Side};
+use crate::error::CrushError;
+use crate::profile::Profile;
+use crate::stiffness::Stiffness;
+
+#[derive(Serialize, Deserialize)]
+#[serde(rename = "Profile")]
+pub(crate) struct ProfileData<T> {
+    depths: Vec<T>,
+    spacings: Vec<T>,
+}
+
+impl<T: Real> From<Profile<T>> for ProfileData<T> {
+    fn from(Profile { depths, spacings }: Profile<T>) -> Self {
+        Self { depths, spacings }
+    }
+}
+
+impl<T: Real> TryFrom<ProfileData<T>> for Profile<T> {
+    type Error = CrushError;
+
+    fn try_from(data: ProfileData<T>) -> Result<Self, CrushError> {
+        Self::new(data.depths, data.spacings)
+    }
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(rename = "Stiffness")]
+pub(crate) struct StiffnessData<T> {
+    a: T,
+    b: T,
+    g: T,
+    saturation_force: Option<T>,
+}
+
+impl<T: Real> From<Stiffness<T>> for StiffnessData<T> {
+    fn from(stiffness: Stiffness<T>) -> Self {
+        Self {
+            a: stiffness.a(),
+            b: stiffness.b(),
+            g: stiffness.g(),
+            saturation_force: stiffness.saturation_force(),
+        }
+    }
+}
+
+impl<T: Real> TryFrom<StiffnessData<T>> for Stiffness<T> {
+    type Error = CrushError;
+
+    fn try_from(data: StiffnessData<T>) -> Result<Self, CrushError> {
+        let rising = Self::from_abg(data.a, data.b, data.g)?;
+        data.saturation_force.map_or(Ok(rising), |force| rising.with_saturation_force(force))
+    }
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(
+    rename = "BarrierTest",
+    bound(serialize = "T: Real + Serialize", deserialize = "T: Real + Deserialize<'de>")
+)]
+pub(crate) struct BarrierTestData<T> {
+    mass: T,
+    speed: T,
+    profile: Profile<T>,
+    no_damage_speed: T,
+}
+
+impl<T: Real> From<BarrierTest<T>> for BarrierTestData<T> {
+    fn from(BarrierTest { mass, speed, profile, no_damage_speed }: BarrierTest<T>) -> Self {
+        Self { mass, speed, profile, no_damage_speed }
+    }
+}
+
+impl<T: Real> TryFrom<BarrierTestData<T>> for BarrierTest<T> {
+    type Error = CrushError;
+
+    fn try_from(data: BarrierTestData<T>) -> Result<Self, CrushError> {
+        Self::new(data.mass, data.speed, data.profile, data.no_damage_speed)
+    }
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(rename = "DamagedFace")]
+pub(crate) struct DamagedFaceData<T> {
+    side: Side,
+    distance: T,
+    offset: T,
+}
+
+impl<T: Real> From<DamagedFace<T>> for DamagedFaceData<T> {
+    fn from(DamagedFace { side, distance, offset }: DamagedFace<T>) -> Self {
+        Self { side, distance, offset }
+    }
+}
+
+impl<T: Real> TryFrom<DamagedFaceData<T>> for DamagedFace<T> {
+    type Error = CrushError;
+
+    fn try_from(data: DamagedFaceData<T>) -> Result<Self, CrushError> {
+        Self::new(data.side, data.distance, data.offset)
+    }
+}

@@ -1,0 +1,47 @@
+//! A problem for which a speed can be sought, and the search.
+
+use real::Real;
+
+use crate::answer::{Reconciliation, Search, SolutionMethod, is_too_fast};
+use crate::error::ReconcileError;
+use crate::line::ApproachLine;
+use crate::problem::Problem;
+
+/// A problem that makes sense, and what every search in it needs.
+#[derive(Clone, Copy)]
+pub(crate) struct Posed<'a, T = f64> {
+    pub(crate) problem: &'a Problem<T>,
+    pub(crate) line: ApproachLine<T>,
+}
+
+impl<'a> Posed<'a> {
+    pub(crate) fn root_finder(self) -> Result<Reconciliation, ReconcileError> {
+        let mut search = Search::new(self.problem);
+        for root in self.roots() {
+            let root = root?;
+            search.consider(self.line.speed(root.x), SolutionMethod::RootFinder(root.iterations));
+        }
+        search.finish()
+    }
+
+    pub(crate) fn speeds(self) -> impl Iterator<Item = f64> + use<'a> {
+        let (closed, searched) = if self.problem.has_closed_form() {
+            (Some(self.approaches().ascending()), None)
+        } else {
+            (None, Some(self.roots().filter_map(Result::ok).map(|root| root.x)))
+        };
+        closed
+            .into_iter()
+            .flatten()
+            .chain(searched.into_iter().flatten())
+            .map(move |x| self.line.speed(x))
+            .filter(move |&speed| !is_too_fast(speed) && self.problem.impact(speed).is_ok())
+    }
+
+    /// (m/s) the approach speed at which a frictionless and plastic impact absorbs the crush energy: whatever
+    /// the law, that of a root is of this size.
+    pub(crate) fn frictionless_approach_speed(self) -> f64 {
+        // x² = 2 E k_nn
+        Real::sqrt(2.0 * self.problem.crush_energy * self.problem.contact.inverse_mass().nn)
+    }
+}

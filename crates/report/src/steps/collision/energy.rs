@@ -1,0 +1,122 @@
+//! Where the energy went.
+
+use pim_core::Motion;
+
+use super::super::{Step, n, p, step};
+use super::Collision;
+
+impl Collision<'_> {
+    pub(super) fn energy(&self) -> Vec<Step> {
+        let outcome = &self.impact.outcome;
+        let energy = outcome.energy;
+        let (impulse, u, v) = (outcome.impulse, outcome.approach, outcome.separation);
+        let mut steps = vec![
+            self.kinetic("kinetic energy before", "T", ["v", "ω"], &outcome.before, energy.before),
+            self.kinetic("kinetic energy after", "T'", ["V", "Ω"], &outcome.after, energy.after),
+            work("normal work", "n", [impulse.normal, u.normal, v.normal], energy.normal_work),
+            work(
+                "tangential work",
+                "t",
+                [impulse.tangential, u.tangential, v.tangential],
+                energy.tangential_work,
+            ),
+        ];
+        let has_moment = outcome.moment_impulse != 0.0;
+        if has_moment {
+            steps.push(self.moment_work());
+        }
+        steps.extend(self.loss(has_moment));
+        steps
+    }
+
+    fn kinetic(
+        &self,
+        name: &str,
+        symbol: &str,
+        [v, w]: [&str; 2],
+        motions: &[Motion; 2],
+        value: f64,
+    ) -> Step {
+        let (formula, numbers) = self.sum(
+            &|i| format!("½ m_{i} ({v}_{i}x² + {v}_{i}y²) + ½ I_{i} {w}_{i}²"),
+            &|i, m, inertia| {
+                let motion = motions[i];
+                format!(
+                    "½ · {} · ({}² + {}²) + ½ · {} · {}²",
+                    n(m, "kg"),
+                    p(motion.velocity.x, "m/s"),
+                    p(motion.velocity.y, "m/s"),
+                    n(inertia, "kg·m²"),
+                    p(motion.yaw_rate, "rad/s")
+                )
+            },
+        );
+        step(name, symbol, formula, numbers, value, "J", "theory 4")
+    }
+
+    fn moment_work(&self) -> Step {
+        let outcome = &self.impact.outcome;
+        let [before, after] = outcome.relative_yaw_rate();
+        step(
+            "moment work",
+            "W_m",
+            "−½ M (ω_1 − ω_2 + Ω_1 − Ω_2)",
+            format!(
+                "(−½) · {} · ({} + {})",
+                n(outcome.moment_impulse, "N·m·s"),
+                n(before, "rad/s"),
+                n(after, "rad/s")
+            ),
+            outcome.energy.moment_work,
+            "J",
+            "theory 4",
+        )
+    }
+
+    /// The loss as the sum of the works, as the difference of the kinetic energies, and as a share.
+    fn loss(&self, has_moment: bool) -> [Step; 3] {
+        let energy = self.impact.outcome.energy;
+        let (mut formula, mut numbers) = (
+            "W_n + W_t".to_owned(),
+            format!("{} + {}", n(energy.normal_work, "J"), n(energy.tangential_work, "J")),
+        );
+        if has_moment {
+            formula.push_str(" + W_m");
+            numbers.push_str(&format!(" + {}", n(energy.moment_work, "J")));
+        }
+        [
+            step("energy loss", "E_L", formula, numbers, energy.loss, "J", "theory 4"),
+            step(
+                "the same from the motions",
+                "E_L",
+                "T − T'",
+                format!("{} − {}", n(energy.before, "J"), n(energy.after, "J")),
+                energy.loss,
+                "J",
+                "theory 4",
+            ),
+            step(
+                "share of the initial energy",
+                "E_L/T",
+                "",
+                format!("{} / {}", n(energy.loss, "J"), n(energy.before, "J")),
+                100.0 * energy.loss / energy.before,
+                "%",
+                "theory 4",
+            ),
+        ]
+    }
+}
+
+/// The work along n or t of an impulse, from the velocities before and after it.
+fn work(name: &str, axis: &str, [impulse, before, after]: [f64; 3], value: f64) -> Step {
+    step(
+        name,
+        format!("W_{axis}"),
+        format!("−½ P_{axis} (u_{axis} + U_{axis})"),
+        format!("(−½) · {} · ({} + {})", n(impulse, "N·s"), n(before, "m/s"), n(after, "m/s")),
+        value,
+        "J",
+        "Eq 4",
+    )
+}

@@ -1,0 +1,181 @@
+//! How the vehicles move before and after the impact.
+
+use case::{Axes, Velocity};
+use pim_core::Motion;
+
+use super::super::{Step, angle, given, n, p, step};
+use super::Collision;
+
+impl Collision<'_> {
+    pub(super) fn approach(&self) -> Vec<Step> {
+        let outcome = &self.impact.outcome;
+        let u = outcome.approach;
+        let mut steps: Vec<Step> = self.moving().flat_map(|(i, ..)| self.before(i)).collect();
+        for (axis, value) in [("n", u.normal), ("t", u.tangential)] {
+            let (formula, numbers) = self.relative(axis, &outcome.before);
+            let name = format!("relative velocity at C along {axis}");
+            steps.push(step(name, format!("u_{axis}"), formula, numbers, value, "m/s", "theory 1"));
+        }
+        steps
+    }
+
+    /// The motion of a vehicle before the impact.
+    fn before(&self, i: usize) -> Vec<Step> {
+        let (k, before) = (i + 1, self.impact.outcome.before[i]);
+        let speed = match (self.analysis.found.as_ref(), &self.case.vehicles[i].motion) {
+            (Some(found), _) if found.unknown.index() == i => Some(found.speed),
+            (_, Some(Velocity::Speed(speed))) => Some(speed.si()),
+            _ => None,
+        };
+        let theta = angle(self.heading(i));
+        let mut steps = Vec::new();
+        for (axis, function, value) in [("x", "cos", before.velocity.x), ("y", "sin", before.velocity.y)] {
+            let (name, symbol) = (format!("velocity of vehicle {k} along {axis}"), format!("v_{k}{axis}"));
+            steps.push(match speed {
+                Some(s) => step(
+                    name,
+                    symbol,
+                    format!("s_{k} {function} θ_{k}"),
+                    format!("{} · {function}{theta}", n(s, "m/s")),
+                    value,
+                    "m/s",
+                    "theory 1",
+                ),
+                None => given(name, symbol, value, "m/s", "input"),
+            });
+        }
+        if before.yaw_rate != 0.0 {
+            let name = format!("yaw rate of vehicle {k}");
+            steps.push(given(name, format!("ω_{k}"), before.yaw_rate, "rad/s", "input"));
+        }
+        steps
+    }
+
+    /// The velocity of vehicle 1 relative to vehicle 2 at C along n or t, in symbols and in numbers.
+    pub(super) fn relative(&self, axis: &str, motions: &[Motion; 2]) -> (String, String) {
+        let (gamma, arms) = (angle(self.gamma), self.impact.contact.arms());
+        let (mut formula, mut numbers) = (String::new(), String::new());
+        for (i, ..) in self.moving() {
+            let (k, v, omega) = (i + 1, motions[i].velocity, motions[i].yaw_rate);
+            let (x, y) = (n(v.x, "m/s"), n(v.y, "m/s"));
+            let (symbols, along, turning) = match axis {
+                "n" => (
+                    format!("(v_{k}x cos Γ + v_{k}y sin Γ − ω_{k} r_{k}t)"),
+                    format!("{x} · cos{gamma} + {y} · sin{gamma}"),
+                    format!(" − {} · {}", n(omega, "rad/s"), n(arms[i].tangential, "m")),
+                ),
+                _ => (
+                    format!("(v_{k}y cos Γ − v_{k}x sin Γ + ω_{k} r_{k}n)"),
+                    format!("{y} · cos{gamma} − {x} · sin{gamma}"),
+                    format!(" + {} · {}", n(omega, "rad/s"), n(arms[i].normal, "m")),
+                ),
+            };
+            let turning = if omega == 0.0 { "" } else { &turning };
+            // u is vehicle 1 relative to vehicle 2.
+            let lead = match (i, numbers.is_empty()) {
+                (0, _) => "",
+                (_, true) => "−",
+                (_, false) => " − ",
+            };
+            formula.push_str(&format!("{lead}{symbols}"));
+            numbers.push_str(&format!("{lead}({along}{turning})"));
+        }
+        (formula, numbers)
+    }
+
+    /// The motion of a vehicle after the impact, its ΔV and PDOF; nothing of a fixed object.
+    pub(super) fn motion(&self, i: usize) -> Vec<Step> {
+        let Some((mass, inertia)) = self.inertia[i] else { return Vec::new() };
+        let mut steps = self.velocity_after(i, mass).to_vec();
+        steps.push(self.yaw_rate_after(i, inertia));
+        let (k, vector) = (i + 1, self.impact.outcome.impulse_vector);
+        steps.push(step(
+            format!("velocity change of vehicle {k}"),
+            format!("ΔV_{k}"),
+            format!("√(P_x² + P_y²)/m_{k}"),
+            format!("√({}² + {}²) / {}", p(vector.x, "N·s"), p(vector.y, "N·s"), n(mass, "kg")),
+            self.impact.outcome.delta_v_magnitude()[i],
+            "m/s",
+            "theory 2",
+        ));
+        steps.push(self.pdof(i));
+        steps
+    }
+
+    /// The sign of the impulse on a vehicle: vehicle 2 takes −P.
+    fn sign(i: usize) -> &'static str {
+        if i == 0 { "+" } else { "−" }
+    }
+
+    fn velocity_after(&self, i: usize, mass: f64) -> [Step; 2] {
+        let (outcome, k, sign) = (&self.impact.outcome, i + 1, Self::sign(i));
+        let (before, after, impulse) =
+            (outcome.before[i].velocity, outcome.after[i].velocity, outcome.impulse_vector);
+        [("x", before.x, impulse.x, after.x), ("y", before.y, impulse.y, after.y)].map(
+            |(axis, v, impulse, value)| {
+                step(
+                    format!("velocity of vehicle {k} along {axis}, after"),
+                    format!("V_{k}{axis}"),
+                    format!("v_{k}{axis} {sign} P_{axis}/m_{k}"),
+                    format!("{} {sign} {} / {}", n(v, "m/s"), n(impulse, "N·s"), n(mass, "kg")),
+                    value,
+                    "m/s",
+                    "theory 2",
+                )
+            },
+        )
+    }
+
+    fn yaw_rate_after(&self, i: usize, inertia: f64) -> Step {
+        let (outcome, k, sign) = (&self.impact.outcome, i + 1, Self::sign(i));
+        let (impulse, arm) = (outcome.impulse, self.impact.contact.arms()[i]);
+        let (moment, moment_number) = if outcome.moment_impulse == 0.0 {
+            ("", String::new())
+        } else {
+            (" + M", format!(" + {}", n(outcome.moment_impulse, "N·m·s")))
+        };
+        step(
+            format!("yaw rate of vehicle {k}, after"),
+            format!("Ω_{k}"),
+            format!("ω_{k} {sign} (r_{k}n P_t − r_{k}t P_n{moment})/I_{k}"),
+            format!(
+                "{} {sign} ({} · {} − {} · {}{moment_number}) / {}",
+                n(outcome.before[i].yaw_rate, "rad/s"),
+                n(arm.normal, "m"),
+                n(impulse.tangential, "N·s"),
+                n(arm.tangential, "m"),
+                n(impulse.normal, "N·s"),
+                n(inertia, "kg·m²")
+            ),
+            outcome.after[i].yaw_rate,
+            "rad/s",
+            "theory 2",
+        )
+    }
+
+    fn pdof(&self, i: usize) -> Step {
+        let (k, vector) = (i + 1, self.impact.outcome.impulse_vector);
+        let (theta, x, y) = (angle(self.heading(i)), n(vector.x, "N·s"), n(vector.y, "N·s"));
+        // The force on vehicle 2 is −P. A PDOF is clockwise in any axes: what counts is the component to the
+        // left, which in z-down axes is −y.
+        let (left, left_numbers) = if (i == 0) == (self.case.axes == Axes::ZUp) {
+            (format!("P_y cos θ_{k} − P_x sin θ_{k}"), format!("{y} · cos{theta} − {x} · sin{theta}"))
+        } else {
+            (format!("P_x sin θ_{k} − P_y cos θ_{k}"), format!("{x} · sin{theta} − {y} · cos{theta}"))
+        };
+        let (behind, behind_numbers) = if i == 0 {
+            (format!("−P_x cos θ_{k} − P_y sin θ_{k}"), format!("(−1) · {x} · cos{theta} − {y} · sin{theta}"))
+        } else {
+            (format!("P_x cos θ_{k} + P_y sin θ_{k}"), format!("{x} · cos{theta} + {y} · sin{theta}"))
+        };
+        step(
+            format!("principal direction of force on vehicle {k}, clockwise from its heading"),
+            format!("PDOF_{k}"),
+            format!("atan2({left}, {behind})"),
+            format!("atan2({left_numbers}, {behind_numbers})"),
+            self.impact.pdof[i].to_degrees(),
+            "°",
+            "theory 4",
+        )
+    }
+}

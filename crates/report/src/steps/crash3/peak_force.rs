@@ -1,0 +1,82 @@
+//! The force at maximum crush.
+
+use analysis::Damage;
+use crash3::{Profile, Saturation, SideStiffness, Stiffness, Yielding, Zone, zone_force};
+
+use super::super::damage::share_below;
+use super::super::{Step, angle, n, step};
+use crate::units::Quantity;
+
+/// Of the whole side where the same line holds all along, else zone by zone.
+pub(super) fn steps(damage: &Damage, profile: &Profile, peak: f64, i: usize) -> Vec<Step> {
+    let alpha = angle(damage.oblique_angle);
+    let total = |formula: String, substitution: String| {
+        step(
+            format!("peak force, vehicle {i}"),
+            format!("F_{i}"),
+            formula,
+            substitution,
+            peak,
+            "N",
+            "theory 5",
+        )
+        .of(Quantity::Force)
+    };
+    let mut zones: Vec<(Zone, Stiffness)> = Vec::new();
+    match &damage.structure {
+        SideStiffness::Uniform(stiffness) if stiffness.saturation_force().is_none() => {
+            let sums = profile.sums();
+            return vec![total(
+                format!("(A_{i} L_{i} + B_{i} S_1,{i})/cos α_{i}"),
+                format!(
+                    "({} · {} + {} · {}) / cos{alpha}",
+                    n(stiffness.a(), "N/m"),
+                    n(sums.width, "m"),
+                    n(stiffness.b(), "N/m²"),
+                    n(sums.area, "m²")
+                ),
+            )];
+        }
+        SideStiffness::Uniform(stiffness) => zones.extend(profile.zones().map(|zone| (zone, *stiffness))),
+        SideStiffness::Zones(stiffnesses) => zones.extend(profile.zones().zip(stiffnesses.iter().copied())),
+    }
+    let mut steps: Vec<Step> =
+        (1..).zip(&zones).map(|(j, (zone, stiffness))| of_zone(*zone, stiffness, i, j)).collect();
+    let forces: Vec<String> = steps.iter().map(|step| n(step.value, "N")).collect();
+    steps.push(total(format!("(Σ F_{i},j)/cos α_{i}"), format!("({}) / cos{alpha}", forces.join(" + "))));
+    steps
+}
+
+/// Square to the side: α stands below the sum.
+fn of_zone(zone: Zone, stiffness: &Stiffness, i: usize, j: usize) -> Step {
+    let (formula, per_width) = force_per_width(zone, stiffness);
+    step(
+        format!("peak force square to the side, vehicle {i}, zone {j}"),
+        format!("F_{i},{j}"),
+        formula,
+        format!("{} · ({per_width})", n(zone.width, "m")),
+        zone_force(zone, stiffness),
+        "N",
+        "theory 5",
+    )
+    .of(Quantity::Force)
+}
+
+/// The force of a zone in symbols, and its mean per width in numbers.
+fn force_per_width(zone: Zone, stiffness: &Stiffness) -> (&'static str, String) {
+    let rising = |[c1, c2]: [f64; 2]| {
+        let (a, b) = (n(stiffness.a(), "N/m"), n(stiffness.b(), "N/m²"));
+        format!("{a} + {b} · ({} + {}) / 2", n(c1, "m"), n(c2, "m"))
+    };
+    match zone.yielding(stiffness) {
+        Yielding::Nowhere => ("w_j [A + B (C_j + C_j+1)/2]", rising(zone.depths)),
+        Yielding::Throughout(Saturation { force, .. }) => ("w_j F_s", n(force, "N/m")),
+        Yielding::Partly { saturation: Saturation { force, depth: knee }, low, high, .. } => {
+            let share = share_below(knee, low, high);
+            (
+                "w_j {s [A + B (C_low + C_s)/2] + (1 − s) F_s}, s = (C_s − C_low)/(C_high − C_low)",
+                format!("{share} · ({}) + (1 − {share}) · {}", rising([low, knee]), n(force, "N/m")),
+            )
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! CRASH3's velocity changes.
+
+use analysis::{Analysis, Crash3};
+use case::Axes;
+use crash3::EnergyBasis;
+
+use super::super::damage::total;
+use super::super::{Step, angle, given, n, p, step};
+use super::pdof_symbol;
+
+/// A vehicle that can move.
+#[derive(Clone, Copy)]
+struct Movable {
+    /// 0 or 1.
+    index: usize,
+    /// (kg)
+    mass: f64,
+    /// (kg·m²)
+    yaw_inertia: f64,
+}
+
+pub(super) fn steps(analysis: &Analysis, axes: Axes) -> Vec<Step> {
+    let Some(crash3) = &analysis.crash3 else { return Vec::new() };
+    let vehicles: Vec<Movable> = (0..)
+        .zip(&analysis.vehicles)
+        .filter_map(|(index, vehicle)| {
+            let inertia = vehicle.subject.inertia?;
+            Some(Movable { index, mass: inertia.mass, yaw_inertia: inertia.yaw_inertia })
+        })
+        .collect();
+    let mut steps = Vec::new();
+    for &vehicle in &vehicles {
+        steps.push(moment_arm(analysis, crash3, vehicle.index, axes));
+        steps.extend(effective_mass(crash3, vehicle));
+    }
+    steps.push(total(analysis, crash3.crush_energy, "Eq 5"));
+    steps.extend(changes(crash3, &vehicles, Energy::Uncorrected));
+    if let Some(corrected) = crash3.corrected {
+        steps.push(corrected_total(analysis, corrected.crush_energy));
+        let energy = Energy::Corrected { energy: corrected.crush_energy, delta_v: corrected.delta_v };
+        steps.extend(changes(crash3, &vehicles, energy));
+        steps.extend(with_restitution(analysis, crash3, &vehicles, corrected.delta_v));
+    }
+    steps
+}
+
+/// h, from the contact point or the centroid where it follows from that.
+fn moment_arm(analysis: &Analysis, crash3: &Crash3, i: usize, axes: Axes) -> Step {
+    let (k, vehicle, arm) = (i + 1, &analysis.vehicles[i], crash3.moment_arm[i]);
+    // Across the force, which comes from the PDOF, clockwise in any axes.
+    let left = match axes {
+        Axes::ZUp => "+",
+        Axes::ZDown => "−",
+    };
+    let damage = vehicle.damage.as_ref();
+    let direction = pdof_symbol(vehicle, k);
+    let given_arm = vehicle.subject.damage.as_ref().and_then(|given| given.moment_arm);
+    let name = format!("distance of the line of action from CG {k}");
+    let point = vehicle.subject.contact.or(damage.and_then(|damage| damage.centroid));
+    match (given_arm, point, damage.and_then(|damage| damage.pdof)) {
+        (None, Some([x, y]), Some(pdof)) => step(
+            name,
+            format!("h_{k}"),
+            format!("|x_{k} sin {direction} {left} y_{k} cos {direction}|"),
+            format!("abs({} · sin{2} {left} {1} · cos{2})", n(x, "m"), n(y, "m"), angle(pdof)),
+            arm,
+            "m",
+            "theory 5",
+        ),
+        _ => given(name, format!("h_{k}"), arm, "m", "input"),
+    }
+}
+
+/// k² and γ.
+fn effective_mass(crash3: &Crash3, Movable { index, mass, yaw_inertia }: Movable) -> [Step; 2] {
+    let (k, square) = (index + 1, crash3.square_radius[index]);
+    [
+        step(
+            format!("square of the radius of gyration, vehicle {k}"),
+            format!("k_{k}²"),
+            format!("I_{k}/m_{k}"),
+            format!("{} / {}", n(yaw_inertia, "kg·m²"), n(mass, "kg")),
+            square,
+            "m²",
+            "theory 5",
+        ),
+        step(
+            format!("effective mass ratio, vehicle {k}"),
+            format!("γ_{k}"),
+            format!("k_{k}²/(k_{k}² + h_{k}²)"),
+            format!("{0} / ({0} + {1}²)", n(square, "m²"), p(crash3.moment_arm[index], "m")),
+            crash3.effective_mass_ratio[index],
+            "",
+            "theory 5",
+        ),
+    ]
+}
+
+/// Which crush energy the velocity changes follow from.
+#[derive(Clone, Copy)]
+enum Energy {
+    Uncorrected,
+    Corrected { energy: f64, delta_v: [f64; 2] },
+}
+
+/// ΔV of each vehicle, with a common normal velocity.
+fn changes(crash3: &Crash3, vehicles: &[Movable], energy: Energy) -> Vec<Step> {
+    // The impulse has a ΔV_1 of its own.
+    let (name, prime, symbol, energy, delta_v) = match energy {
+        Energy::Uncorrected => ("uncorrected", "", "ΔV_CRASH3,", crash3.crush_energy, crash3.delta_v),
+        Energy::Corrected { energy, delta_v } => {
+            ("corrected for the oblique force", "'", "ΔV'_", energy, delta_v)
+        }
+    };
+    let (formula, numbers): (Vec<String>, Vec<String>) = vehicles
+        .iter()
+        .map(|&Movable { index, mass, .. }| {
+            let ratio = n(crash3.effective_mass_ratio[index], "");
+            (format!("1/(γ_{0} m_{0})", index + 1), format!("1 / ({ratio} · {})", n(mass, "kg")))
+        })
+        .unzip();
+    let (formula, numbers) = (formula.join(" + "), numbers.join(" + "));
+    let of_vehicle = |&Movable { index, mass, .. }: &Movable| {
+        let k = index + 1;
+        step(
+            format!("velocity change of vehicle {k}, {name}"),
+            format!("{symbol}{k}"),
+            format!("√(2 E{prime}/[{formula}])/m_{k}"),
+            format!("√(2 · {} / ({numbers})) / {}", n(energy, "J"), n(mass, "kg")),
+            delta_v[index],
+            "m/s",
+            "Eq 6, 7",
+        )
+    };
+    vehicles.iter().map(of_vehicle).collect()
+}
+
+/// ΔV of each vehicle with the restitution of the impact, where that is known and not 1.
+fn with_restitution(
+    analysis: &Analysis,
+    crash3: &Crash3,
+    vehicles: &[Movable],
+    delta_v: [f64; 2],
+) -> Vec<Step> {
+    let e = analysis.impact.as_ref().map(|impact| n(impact.law.restitution(), ""));
+    let (Some(factor), Some(e)) = (crash3.restitution_factor, e) else { return Vec::new() };
+    let (formula, numbers) = match analysis.basis {
+        EnergyBasis::Dissipated => ("√((1 + e)/(1 − e))", format!("√((1 + {e}) / (1 − {e}))")),
+        EnergyBasis::Absorbed => ("1 + e", format!("1 + {e}")),
+    };
+    let mut steps = vec![step("factor for restitution", "f_e", formula, numbers, factor, "", "theory 5")];
+    steps.extend(vehicles.iter().map(|&Movable { index, .. }| {
+        let (k, change) = (index + 1, delta_v[index]);
+        step(
+            format!("velocity change of vehicle {k}, corrected, with restitution"),
+            format!("ΔV''_{k}"),
+            format!("ΔV'_{k} f_e"),
+            format!("{} · {}", n(change, "m/s"), n(factor, "")),
+            change * factor,
+            "m/s",
+            "theory 5",
+        )
+    }));
+    steps
+}
+
+/// The sum over the vehicles that have damage, each with its correction.
+fn corrected_total(analysis: &Analysis, crush_energy: f64) -> Step {
+    let (symbols, numbers): (Vec<String>, Vec<String>) = (1..)
+        .zip(&analysis.vehicles)
+        .filter_map(|(i, vehicle)| vehicle.damage.as_ref()?.oblique.map(|oblique| (i, oblique)))
+        .map(|(i, oblique)| (format!("E'_{i}"), n(oblique.corrected_crush_energy, "J")))
+        .unzip();
+    let name =
+        if symbols.len() > 1 { "corrected crush energy of both vehicles" } else { "corrected crush energy" };
+    step(name, "E'", symbols.join(" + "), numbers.join(" + "), crush_energy, "J", "Eq 8")
+}

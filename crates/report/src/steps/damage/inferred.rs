@@ -1,0 +1,90 @@
+//! A crush that follows from the force on the other vehicle.
+
+use analysis::{Damage, Inferred};
+use crash3::Stiffness;
+
+use super::super::{Step, angle, given, n, p, step};
+use crate::units::Quantity;
+
+pub(super) fn steps(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: usize) -> Vec<Step> {
+    let (force, width) = (inferred.force, inferred.crush.width);
+    let mut steps = vec![
+        given(format!("peak force of vehicle {i}"), format!("F_{i}"), force, "N", "theory 5")
+            .of(Quantity::Force),
+        given(format!("width of the damage of vehicle {i}"), format!("w_{i}"), width, "m", "theory 5")
+            .of(Quantity::Crush),
+    ];
+    if inferred.crush.depth > 0.0 {
+        steps.extend(crushed(damage, inferred, stiffness, i));
+    } else {
+        steps.push(elastic(damage, inferred, stiffness, i));
+    }
+    steps
+}
+
+/// Depth and energy of the crush.
+fn crushed(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: usize) -> [Step; 2] {
+    let (a, b, g) = (stiffness.a(), stiffness.b(), stiffness.g());
+    let (width, depth) = (inferred.crush.width, inferred.crush.depth);
+    let crush = step(
+        format!("inferred crush of vehicle {i}"),
+        format!("C_{i}"),
+        format!("(F_{i} cos α_{i}/w_{i} − A_{i})/B_{i}"),
+        format!(
+            "({} · cos{} / {} − {}) / {}",
+            n(inferred.force, "N"),
+            angle(damage.oblique_angle),
+            n(width, "m"),
+            n(a, "N/m"),
+            n(b, "N/m²")
+        ),
+        depth,
+        "m",
+        "theory 5",
+    );
+    let (name, symbol) = (format!("crush energy of vehicle {i}"), format!("E_{i}"));
+    // At its limit the force per width no longer tells the depth.
+    let limited = stiffness.saturation_force().is_some_and(|limit| a + b * depth > limit * (1.0 + 1e-9));
+    let energy = if limited {
+        given(name, symbol, damage.crush_energy, "J", "theory 5")
+    } else {
+        step(
+            name,
+            symbol,
+            format!("w_{i} (A_{i} C_{i} + B_{i} C_{i}²/2 + G_{i})"),
+            format!(
+                "{} · ({} · {} + {} · {}² / 2 + {})",
+                n(width, "m"),
+                n(a, "N/m"),
+                n(depth, "m"),
+                n(b, "N/m²"),
+                p(depth, "m"),
+                n(g, "N")
+            ),
+            damage.crush_energy,
+            "J",
+            "Eq 5",
+        )
+    };
+    [crush.of(Quantity::Crush), energy]
+}
+
+/// The energy of a force that leaves no residual crush.
+fn elastic(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: usize) -> Step {
+    let width = n(inferred.crush.width, "m");
+    step(
+        format!("elastic energy of vehicle {i}"),
+        format!("E_{i}"),
+        format!("w_{i} G_{i} (F_{i} cos α_{i}/(A_{i} w_{i}))²"),
+        format!(
+            "{width} · {} · ({} · cos{} / ({} · {width}))²",
+            n(stiffness.g(), "N"),
+            n(inferred.force, "N"),
+            angle(damage.oblique_angle),
+            n(stiffness.a(), "N/m")
+        ),
+        damage.crush_energy,
+        "J",
+        "theory 5",
+    )
+}

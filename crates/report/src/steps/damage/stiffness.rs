@@ -1,0 +1,93 @@
+//! A, B and G, as they follow from what the file gives.
+
+use case::{StiffnessForm, StiffnessLine};
+use crash3::{SideStiffness, Stiffness};
+
+use super::super::{Step, given, n, p, step};
+use super::barrier_test;
+
+pub(super) fn steps(structure: &SideStiffness, form: &StiffnessForm, i: usize) -> Vec<Step> {
+    match (structure, form) {
+        (SideStiffness::Uniform(stiffness), StiffnessForm::Category(category)) => {
+            of_category(stiffness, *category, i)
+        }
+        (SideStiffness::Uniform(stiffness), StiffnessForm::Test(test)) => {
+            barrier_test::steps(stiffness, test, i)
+        }
+        (SideStiffness::Uniform(stiffness), StiffnessForm::Line(line)) => {
+            of_line(stiffness, line, &i.to_string(), &format!("vehicle {i}"))
+        }
+        (SideStiffness::Zones(stiffnesses), StiffnessForm::Zones(lines)) => (1..)
+            .zip(stiffnesses.iter().zip(lines))
+            .flat_map(|(j, (stiffness, line))| {
+                of_line(stiffness, line, &format!("{i},{j}"), &format!("vehicle {i}, zone {j}"))
+            })
+            .collect(),
+        // Each zone has a line of its own, and nothing else has zones.
+        (SideStiffness::Zones(_), _) | (_, StiffnessForm::Zones(_)) => Vec::new(),
+    }
+}
+
+/// A, B and G, from d_0 and d_1 where the file gives those.
+fn of_line(stiffness: &Stiffness, line: &StiffnessLine, i: &str, whose: &str) -> Vec<Step> {
+    let of = |what: &str| format!("stiffness {what} of {whose}");
+    let (a, b, g) = (stiffness.a(), stiffness.b(), stiffness.g());
+    let given_g = || given(of("G"), format!("G_{i}"), g, "N", "input");
+    let derived_g = |formula: String, numbers: String| {
+        step(of("G"), format!("G_{i}"), formula, numbers, g, "N", "theory 5")
+    };
+    let mut steps = match line {
+        StiffnessLine::Root { d0, d1, .. } => of_roots(stiffness, [d0.si(), d1.si()], i, whose).to_vec(),
+        StiffnessLine::Crush { .. } => vec![
+            given(of("A"), format!("A_{i}"), a, "N/m", "input"),
+            given(of("B"), format!("B_{i}"), b, "N/m²", "input"),
+        ],
+    };
+    steps.push(match line {
+        StiffnessLine::Root { g: Some(_), .. } | StiffnessLine::Crush { g: Some(_), .. } => given_g(),
+        StiffnessLine::Root { d0, g: None, .. } => {
+            derived_g("d_0²/2".to_owned(), format!("{}² / 2", p(d0.si(), "√N")))
+        }
+        StiffnessLine::Crush { g: None, .. } => {
+            derived_g(format!("A_{i}²/(2 B_{i})"), format!("{}² / (2 · {})", p(a, "N/m"), n(b, "N/m²")))
+        }
+    });
+    if let Some(limit) = stiffness.saturation_force() {
+        steps.push(given(of("limit"), format!("F_s,{i}"), limit, "N/m", "input"));
+    }
+    steps
+}
+
+/// A and B from d_0 and d_1.
+fn of_roots(stiffness: &Stiffness, [d0, d1]: [f64; 2], i: &str, whose: &str) -> [Step; 2] {
+    [
+        step(
+            format!("stiffness A of {whose}"),
+            format!("A_{i}"),
+            "d_0 d_1",
+            format!("{} · {}", n(d0, "√N"), n(d1, "√N/m")),
+            stiffness.a(),
+            "N/m",
+            "theory 5",
+        ),
+        step(
+            format!("stiffness B of {whose}"),
+            format!("B_{i}"),
+            "d_1²",
+            format!("{}²", p(d1, "√N/m")),
+            stiffness.b(),
+            "N/m²",
+            "theory 5",
+        ),
+    ]
+}
+
+/// A, B and G as CRASH3's table has them.
+fn of_category(stiffness: &Stiffness, category: u8, i: usize) -> Vec<Step> {
+    [("A", stiffness.a(), "N/m"), ("B", stiffness.b(), "N/m²"), ("G", stiffness.g(), "N")]
+        .map(|(what, value, unit)| {
+            let name = format!("stiffness {what} of vehicle {i}, from category {category} of CRASH3's table");
+            given(name, format!("{what}_{i}"), value, unit, "SAE 870045, Table 1")
+        })
+        .to_vec()
+}
