@@ -70,9 +70,8 @@ mod warnings;
 mod words;
 mod wrap;
 
-pub use ::drawing::{Drawing, PngError};
 pub use comparison::{comparison_json, comparison_text};
-pub use drawing::{DrawingError, Subject, drawing};
+pub use drawing::{Drawing, DrawingError, Subject, drawing};
 pub use explain::{Topic, UnknownTopic, explain, topic, topic_json, topics, topics_json, topics_text};
 pub use failures::no_answer;
 pub use json::json;

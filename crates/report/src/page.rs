@@ -4,13 +4,12 @@ mod html;
 mod inputs;
 mod markdown;
 
-use ::drawing::Drawing;
 use analysis::{Analysis, Found};
 use case::{Axes, CaseFile};
 use crash3::EnergyBasis;
 use sha2::{Digest as _, Sha256};
 
-use crate::drawing::{DrawingError, Subject, drawing};
+use crate::drawing::{Drawing, DrawingError, Subject, drawing};
 use crate::steps::{StepGroup, steps};
 use crate::text::search;
 use crate::units::Quantity;
