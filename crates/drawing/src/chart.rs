@@ -43,7 +43,8 @@ impl Chart {
         )
     }
 
-    /// The frame, the grid with its numbers, no more than `most` across and upward, and the titles of both axes.
+    /// The frame, the grid with its numbers, no more than `most` across and upward, and the titles of both
+    /// axes.
     pub(crate) fn draw(&self, canvas: &mut Canvas, across: &Axis, upward: &Axis, most: [u8; 2]) {
         let Self { area, left, .. } = *self;
         canvas.rect("", area, Some(THIN), "none");

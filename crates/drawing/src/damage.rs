@@ -175,7 +175,8 @@ impl Panel<'_> {
         let last = face.len().saturating_sub(1);
         let mut dotted: Option<Point> = None;
         for (j, (&on_face, &deep)) in face.iter().zip(crushed).enumerate() {
-            // Stations closer than a dot is large would only make the line of the profile thicker, and a scan has thousands of them.
+            // Stations closer than a dot is large would only make the line of the profile thicker, and a scan
+            // has thousands of them.
             if j == last || dotted.is_none_or(|before| (on_face - before).hypot() >= DOT) {
                 canvas.dot("", deep, DOT, None, BLACK);
                 dotted = Some(on_face);

@@ -107,7 +107,8 @@ impl EnergyPicture {
         canvas.define_stripes("stripes-t", GREY, WHITE, 90, 6.0);
         legend::header(&mut canvas, title, "Energy: where the initial kinetic energy went");
 
-        // What is taken away goes from the right to the left; what is left is the final motion. Work that gives energy back goes to the right.
+        // What is taken away goes from the right to the left; what is left is the final motion. Work that
+        // gives energy back goes to the right.
         let highest = losses
             .iter()
             .scan(initial.energy, |left, (_, bar)| {

@@ -50,7 +50,8 @@ impl Drawing {
         )
     }
 
-    /// The drawing as PNG, twice as many pixels as the SVG has units. The letters are those of DejaVu Sans, which the program carries.
+    /// The drawing as PNG, twice as many pixels as the SVG has units. The letters are those of DejaVu Sans,
+    /// which the program carries.
     ///
     /// # Errors
     /// [`PngError`]: the picture is too large for the memory.

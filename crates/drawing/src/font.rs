@@ -1,4 +1,5 @@
-//! How wide a text is. The letters of DejaVu Sans are among the widest of the sans-serif faces: what fits with these fits with those of any reader.
+//! How wide a text is. The letters of DejaVu Sans are among the widest of the sans-serif faces: what fits
+//! with these fits with those of any reader.
 
 use skrifa::instance::{LocationRef, Size};
 use skrifa::{FontRef, MetadataProvider as _};

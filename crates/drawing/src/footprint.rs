@@ -55,7 +55,8 @@ impl Footprint {
     }
 }
 
-/// From the axes of a vehicle whose forward axis is `forward` (a unit vector of the scene, y upwards) and whose CG is at `cg` (px) to the page.
+/// From the axes of a vehicle whose forward axis is `forward` (a unit vector of the scene, y upwards) and
+/// whose CG is at `cg` (px) to the page.
 pub(crate) fn placed(forward: Vec2, cg: Point, scale: f64) -> Affine {
     let (c, s) = (forward.x * scale, forward.y * scale);
     // (x, y) ↦ CG + scale (x cos θ − y sin θ, −(x sin θ + y cos θ)): the page's y runs downwards.

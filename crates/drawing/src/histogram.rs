@@ -23,7 +23,8 @@ const BELOW: f64 = 58.0;
 const MOST: [u8; 2] = [10, 6];
 const CLASS: Pen = Pen { width: 1.0, ..OUTLINE[0] };
 
-/// How a number is distributed: a bar for each class, and lines at the ends of an interval and at the central value.
+/// How a number is distributed: a bar for each class, and lines at the ends of an interval and at the central
+/// value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HistogramPicture {
     /// What is distributed, with its unit.

@@ -14,17 +14,21 @@ const LEADER_OF_POINT: f64 = 13.0;
 /// (px) pieces of a line that labels keep clear of.
 const PIECE: f64 = 6.0;
 
-/// What a label costs that leaves the page, covers another, or covers a point that a reader looks for: so much that any other place is better.
+/// What a label costs that leaves the page, covers another, or covers a point that a reader looks for: so
+/// much that any other place is better.
 const OFF_PAGE: f64 = 1e6;
 const ON_TEXT: f64 = 1e5;
 const ON_POINT: f64 = 1e4;
-/// What it costs to lie on an area that it should keep off, where a place at the nearest point costs nothing and one 10 px away 6.
+/// What it costs to lie on an area that it should keep off, where a place at the nearest point costs nothing
+/// and one 10 px away 6.
 const ON_AREA: f64 = 200.0;
-/// What it costs that a label without a line lies as near to another point as to its own, and one with a line so near that its own label has no room.
+/// The cost of a label without a line that lies as near to another point as to its own, and of a label with a
+/// line that leaves another point no room for a label.
 const MISLEADING: f64 = 300.0;
 const CROWDING: f64 = 60.0;
-/// (px) how much nearer its own point has to be, and how far apart points are of which nobody sees that they are two.
+/// (px) by how much a label has to be nearer to its own point than to any other.
 const PLAIN: f64 = 3.0;
+/// (px) two points at most this far apart look like one.
 const SAME: f64 = 1.0;
 /// What it costs that a label's line crosses that of another, and a piece of anything else.
 const CROSSING: f64 = 60.0;
@@ -128,8 +132,8 @@ impl Placer {
         self.labels.push(Label { at, text: text.to_owned(), colour, kind });
     }
 
-    /// Places all labels inside of `bounds`, in the order in which they were given: each where it covers no other text and the least of the lines,
-    /// as near to its point as that allows.
+    /// Places all labels inside of `bounds`, in the order in which they were given: each where it covers no
+    /// other text and the least of the lines, as near to its point as that allows.
     pub(crate) fn place(&mut self, bounds: Rect) -> Vec<Placed> {
         let mut placed = Vec::new();
         for Label { at, text, colour, kind } in std::mem::take(&mut self.labels) {
@@ -251,7 +255,8 @@ fn leader(at: Point, label: Rect, kind: Kind) -> Option<Line> {
 fn cuts(Line { p0, p1 }: Line, area: Rect) -> bool {
     let along = p1 - p0;
     let (mut first, mut last) = (0.0_f64, 1.0_f64);
-    // The parts of the line between the two edges in x, and in y, have to have something in common (Liang and Barsky).
+    // The parts of the line between the two edges in x, and in y, have to have something in common (Liang and
+    // Barsky).
     for (from, along, low, high) in [(p0.x, along.x, area.x0, area.x1), (p0.y, along.y, area.y0, area.y1)] {
         if along == 0.0 {
             if from < low || from > high {
@@ -334,7 +339,8 @@ mod tests {
         one.intersect(other).area() > 0.0
     }
 
-    /// Six points on one spot in a corner of the page: the labels have to keep clear of it, of each other and of the edge.
+    /// Six points on one spot in a corner of the page: the labels have to keep clear of it, of each other and
+    /// of the edge.
     #[test]
     fn labels_of_a_crowd_stay_apart_and_inside() {
         let at = Point::new(12.0, 12.0);
@@ -354,7 +360,8 @@ mod tests {
         assert!(label.leader.is_none() && gap(at, *area) < LEADER_OF_POINT, "{area:?}");
     }
 
-    /// Pairs of points at every distance and in every direction, as on a dial: each label is nearer to its own, or has a line to it.
+    /// Pairs of points at every distance and in every direction, as on a dial: each label is nearer to its
+    /// own, or has a line to it.
     #[test]
     fn it_is_plain_which_point_a_label_names() {
         let mut lines = 0;

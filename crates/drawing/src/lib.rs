@@ -24,7 +24,8 @@
 //! assert!(drawing.description().ends_with("2.5 %: 73.4; central: 81.0; 97.5 %: 89.3."));
 //! ```
 //!
-//! Each picture is a struct of plain figures and of the words that stand beside them; its `draw` gives a [`Drawing`], which is SVG or PNG:
+//! Each picture is a struct of plain figures and of the words that stand beside them; its `draw` gives a
+//! [`Drawing`], which is SVG or PNG:
 //!
 //! | picture | shows |
 //! |---|---|
@@ -38,19 +39,22 @@
 //!
 //! # Conventions of all pictures
 //!
-//! Colours are those of Okabe and Ito, which people with any kind of colour vision tell apart; what colour says is said by dashes, shapes and
-//! hatching as well, so that the pictures read in grey. Labels are placed where they cover neither each other nor, as far as there is room, a line.
-//! Coordinates are written with two decimals of a pixel, so that the bytes are the same on every machine. Each picture has a title and a description.
+//! Colours are those of Okabe and Ito, which people with any kind of colour vision tell apart; what colour
+//! says is said by dashes, shapes and hatching as well, so that the pictures read in grey. Labels are placed
+//! where they cover neither each other nor, as far as there is room, a line. Coordinates are written with two
+//! decimals of a pixel, so that the bytes are the same on every machine. Each picture has a title and a
+//! description.
 //!
-//! Widths of texts are those of DejaVu Sans, which the crate carries. Its letters are among the widest, so that what fits with them fits with those of
-//! another reader's font; a PNG has the letters themselves.
+//! Widths of texts are those of DejaVu Sans, which the crate carries. Its letters are among the widest, so
+//! that what fits with them fits with those of another reader's font; a PNG has the letters themselves.
 //!
-//! Arrows carry an `id` such as `scene-velocity-before-1`, and `data-from` and `data-to`; a scale bar such as `scene-scale` has `data-si` as well, what it
-//! stands for in SI units.
+//! Arrows carry an `id` such as `scene-velocity-before-1`, and `data-from` and `data-to`; a scale bar such as
+//! `scene-scale` has `data-si` as well, what it stands for in SI units.
 //!
 //! # What it does not do
 //!
-//! It knows no case, no file and no unit: what a number means, and how it reads, is said by whoever asks for the picture. All numbers are to be finite.
+//! It knows no case, no file and no unit: what a number means, and how it reads, is said by whoever asks for
+//! the picture. All numbers are to be finite.
 
 mod canvas;
 mod chart;

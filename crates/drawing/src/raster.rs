@@ -13,7 +13,8 @@ pub struct PngError(String);
 /// Pixels for each unit of the SVG.
 const SCALE: f32 = 2.0;
 
-/// The drawing as resvg reads it, with the one font that the program carries: no font of the machine has a say in the result.
+/// The drawing as resvg reads it, with the one font that the program carries: no font of the machine has a
+/// say in the result.
 fn tree(svg: &str) -> Result<Tree, PngError> {
     let mut fonts = Database::new();
     fonts.load_font_data(dejavu::sans::regular().to_vec());

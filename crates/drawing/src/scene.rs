@@ -28,7 +28,8 @@ const CONTACT: f64 = 4.5;
 const MARGIN: f64 = 34.0;
 /// (px/m) the largest scale: a small vehicle does not fill the page.
 const LARGEST: f64 = 130.0;
-/// (m) how far the wall that stands for a fixed object without an outline reaches beyond the vehicle at it, and its thickness.
+/// (m) how far the wall that stands for a fixed object without an outline reaches beyond the vehicle at it,
+/// and its thickness.
 const WALL: f64 = 0.7;
 const WALL_DEPTH: f64 = 0.5;
 /// (m/s) below this there is no arrow.
@@ -36,7 +37,8 @@ const SLOWEST: f64 = 1e-6;
 
 /// Plan view of both vehicles at impact.
 ///
-/// Vectors are those of the scene with y to the left of x, whatever the axes that are shown; lengths are in metres from the contact point C.
+/// Vectors are those of the scene with y to the left of x, whatever the axes that are shown; lengths are in
+/// metres from the contact point C.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScenePicture {
     /// Of the case.

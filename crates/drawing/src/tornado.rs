@@ -22,7 +22,8 @@ const BASE: f64 = 4.5;
 /// (px) below the bars, for the central value.
 const BELOW: f64 = 42.0;
 
-/// Bars from the central value of a result to where an input alone takes it, from the low and from the high end of its range.
+/// Bars from the central value of a result to where an input alone takes it, from the low and from the high
+/// end of its range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TornadoPicture {
     /// The result, with its unit.

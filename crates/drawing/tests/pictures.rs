@@ -300,7 +300,8 @@ fn long_numbers_below_a_chart_are_fewer() {
     };
     let svg = picture.draw().svg();
     Reader::new().readable("histogram", &svg);
-    // A hundredth is some 85 px wide, and such a number 103 px: there is one for every two hundredths. That at the right end would leave the page.
+    // A hundredth is some 85 px wide, and such a number 103 px: there is one for every two hundredths. That
+    // at the right end would leave the page.
     let numbers = |hundredths: u8| svg.contains(&format!(">123,456,700.{hundredths:02}</text>"));
     assert_eq!([0, 1, 2, 4, 5, 6, 8, 10].map(numbers), [true, false, true, true, false, true, true, false]);
 }

@@ -1,4 +1,5 @@
-//! A picture as resvg reads it, which is not the program that laid it out. The tests of `report` read pictures with it, too.
+//! A picture as resvg reads it, which is not the program that laid it out. The tests of `report` read
+//! pictures with it, too.
 
 use std::sync::Arc;
 
@@ -94,7 +95,8 @@ impl Scale {
     }
 }
 
-/// The scales of the chart between `left` and `right` (px), across and upward, from its grid and the numbers written to it.
+/// The scales of the chart between `left` and `right` (px), across and upward, from its grid and the numbers
+/// written to it.
 pub(crate) fn scales(svg: &str, left: f64, right: f64) -> [Scale; 2] {
     let lines: Vec<&str> = svg.lines().collect();
     let (mut across, mut upward) = (Vec::new(), Vec::new());

@@ -8,7 +8,8 @@ mod reconciliation;
 mod scene;
 mod vehicle;
 
-use ::drawing::{Drawing, ScaleUnit};
+pub use ::drawing::Drawing;
+use ::drawing::ScaleUnit;
 use analysis::{Analysis, Failure};
 use case::{Case, CaseFile};
 

@@ -68,7 +68,7 @@ mod warnings;
 mod words;
 mod writers;
 
-pub use ::drawing::{Drawing, PngError};
+pub use ::drawing::Drawing;
 pub use data::comparison::comparison_json;
 pub use data::csv::{Refused, Row, RowError, csv_columns, csv_header, csv_row, jsonl_row};
 pub use data::json::json;

@@ -28,8 +28,8 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
         ..bar
     };
     let mut losses = Vec::new();
-    // Both vehicles share the normal work as their crush energies do, which add up to it in a reconstruction on the basis `dissipated`: there alone it
-    // is the crush energy.
+    // Both vehicles share the normal work as their crush energies do, which add up to it in a reconstruction
+    // on the basis `dissipated`: there alone it is the crush energy.
     if total > 0.0 {
         let work = if is_crush(total, energy.normal_work) { "crush of" } else { "normal work," };
         for (i, loss) in [Loss::Vehicle1, Loss::Vehicle2].into_iter().enumerate() {

@@ -25,7 +25,8 @@ pub(super) enum Outline {
 }
 
 impl Body {
-    /// The vehicle's own outline, else that of the CRASH3 class whose radius of gyration is nearest; `None` for a fixed object without one.
+    /// The vehicle's own outline, else that of the CRASH3 class whose radius of gyration is nearest; `None`
+    /// for a fixed object without one.
     pub(super) fn of(vehicle: &Vehicle) -> Option<Self> {
         if let Some(dimensions) = vehicle.subject.dimensions {
             let outline = dimensions.class.map_or(Outline::Given, Outline::OfClass);
@@ -47,7 +48,8 @@ impl Body {
         Footprint { length, width, cg_to_front }
     }
 
-    /// (m) how far points lie beyond the front, the rear, the left and the right of the body; negative where none does.
+    /// (m) how far points lie beyond the front, the rear, the left and the right of the body; negative where
+    /// none does.
     pub(super) fn beyond(&self, points: impl Iterator<Item = [f64; 2]>) -> [(Side, f64); 4] {
         let Dimensions { length, width, cg_to_front: front, .. } = self.dimensions;
         let (rear, left, right) = (front - length, width / 2.0, -width / 2.0);
@@ -100,7 +102,8 @@ pub(super) fn profile(
         Side::Left => Vector2::new(0.0, 1.0),
         Side::Right => Vector2::new(0.0, -1.0),
     };
-    // Stations run from left to right on front and rear, from rear to front on the sides; the offset is to the left, or forward.
+    // Stations run from left to right on front and rear, from rear to front on the sides; the offset is to
+    // the left, or forward.
     let (along, start) = match side {
         Side::Front | Side::Rear => (Vector2::new(0.0, -1.0), Vector2::new(0.0, offset)),
         Side::Left | Side::Right => (Vector2::new(1.0, 0.0), Vector2::new(offset, 0.0)),

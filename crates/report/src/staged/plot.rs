@@ -72,7 +72,8 @@ pub fn computed_against_measured(validation: &Validation) -> Drawing {
     .draw()
 }
 
-/// Reconstructed against true speed (m/s) of vehicle 1, by source of the crush energy. The same bytes at every run.
+/// Reconstructed against true speed (m/s) of vehicle 1, by source of the crush energy. The same bytes at
+/// every run.
 #[must_use]
 pub fn reconstructed_speed(validation: &Validation) -> Drawing {
     let across = Axis { title: "true speed of vehicle 1 (m/s)".to_owned(), unit: 1.0 };

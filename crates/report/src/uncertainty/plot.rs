@@ -20,8 +20,8 @@ fn output(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<(&Unc
     Some((output, format!("{}, {}", output_name(output.output), units.name(pictured(output.output)))))
 }
 
-/// The middle 99 % of the samples of an output, with its 95 % interval and its central value. `None` where the samples do not differ, and where there
-/// is no such output.
+/// The middle 99 % of the samples of an output, with its 95 % interval and its central value. `None` where
+/// the samples do not differ, and where there is no such output.
 #[must_use]
 pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<Drawing> {
     let (output, name) = output(uncertainty, place, units)?;
@@ -60,7 +60,8 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Optio
     Some(picture.draw())
 }
 
-/// What each input alone does to an output, from its 2.5 % to its 97.5 % quantile, the longest bars first. `None` where there is no such output.
+/// What each input alone does to an output, from its 2.5 % to its 97.5 % quantile, the longest bars first.
+/// `None` where there is no such output.
 #[must_use]
 pub fn tornado(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<Drawing> {
     let (output, name) = output(uncertainty, place, units)?;
@@ -122,8 +123,9 @@ fn path<'a>(uncertainty: &'a Uncertainty, bar: &Bar) -> &'a str {
     &uncertainty.inputs[bar.input].input.path
 }
 
-/// The labels of a bar of a tornado from what its two ends give to the central value: each with the end that it stands at. Two ends that are printed alike
-/// have one label, and so have two on one side, where the shorter part of the bar lies on the longer one.
+/// The labels of a bar of a tornado from what its two ends give to the central value: each with the end that
+/// it stands at. Two ends that are printed alike have one label, and so have two on one side, where the
+/// shorter part of the bar lies on the longer one.
 fn of_bar(ends: [Option<f64>; 2], central: f64, print: impl Fn(f64) -> String) -> Vec<(f64, String)> {
     if let [Some(low), Some(high)] = ends {
         let longer = if (low - central).abs() > (high - central).abs() { low } else { high };
