@@ -8,7 +8,7 @@ mod reconciliation;
 mod scene;
 mod vehicle;
 
-pub use ::drawing::Drawing;
+use ::drawing::Drawing;
 use ::drawing::ScaleUnit;
 use analysis::{Analysis, Failure};
 use case::{Case, CaseFile};
