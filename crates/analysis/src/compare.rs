@@ -1,6 +1,6 @@
 //! One case under every impact law: how much does the answer depend on that choice?
 
-use case::{Case, CaseFile, Dimension, ImpactLaw, Quantity, Restitution};
+use inputs::{Case, Dimension, ImpactLaw, Quantity, Restitution};
 use pim_core::Tangential;
 
 use crate::damage::ASSUMED_FRICTION;
@@ -34,13 +34,13 @@ pub struct LawRow {
 ///
 /// # Errors
 /// [`Failure`] where the case has no answer under its own law.
-pub fn compare(file: &CaseFile) -> Result<Comparison, Failure> {
-    let own = solve(file)?;
-    let laws = others(&file.case, &own)
+pub fn compare(case: &Case) -> Result<Comparison, Failure> {
+    let own = solve(case)?;
+    let laws = others(case, &own)
         .into_iter()
         .map(|(law, assumed)| {
-            let mut other = file.clone();
-            if let Some(impact) = &mut other.case.impact {
+            let mut other = case.clone();
+            if let Some(impact) = &mut other.impact {
                 impact.law = law.clone();
             }
             LawRow { law, assumed, answer: solve(&other) }
@@ -49,8 +49,8 @@ pub fn compare(file: &CaseFile) -> Result<Comparison, Failure> {
     Ok(Comparison { own, laws })
 }
 
-fn solve(file: &CaseFile) -> Result<Analysis, Failure> {
-    if file.case.reconstruct.is_some() { reconstruct(file) } else { impact(file) }
+fn solve(case: &Case) -> Result<Analysis, Failure> {
+    if case.reconstruct.is_some() { reconstruct(case) } else { impact(case) }
 }
 
 /// Every law but the case's own, each with what is assumed of its coefficients.

@@ -1,10 +1,10 @@
 //! The damage of each vehicle, and CRASH3's answer from both.
 
-use case::{Evidence, InferredWidth, Subject};
 use crash3::{
     CrushError, CrushRange, EnergyBasis, Inertia, ObliqueCorrection, ObliqueFactor, Profile, Structure,
     UniformCrush,
 };
+use inputs::{Evidence, InferredWidth, Subject};
 
 use pim_core::Real;
 
@@ -127,13 +127,13 @@ fn vehicle<T: Real>(
         return Ok(Vehicle { subject, damage: None });
     };
     let pdof = given.pdof.or(computed_pdof);
-    // A file that gives no PDOF gives the angle and the arm themselves: `case` sees to that.
+    // A case that gives no PDOF gives the angle and the arm themselves: its demands see to that.
     let oblique_angle =
         given.oblique_angle.or(pdof.map(|pdof| given.side.oblique_angle(pdof))).unwrap_or(T::ZERO);
     let (profile, structure, inferred) = match &given.evidence {
         Evidence::Measured { profile, structure } => (profile.clone(), structure.clone(), None),
         Evidence::ForceBalance { stiffness, width } => {
-            // A file with a force balance has a measured crush as well: `case` sees to that.
+            // A case with a force balance has a measured crush as well: its demands see to that.
             let Some(other) = other else { return Ok(Vehicle { subject, damage: None }) };
             let Some(Oblique { peak_force: force, .. }) = other.oblique else {
                 return Err(CrushError::NotPushing { angle: other.oblique_angle.value() });

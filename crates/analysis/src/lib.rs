@@ -2,8 +2,8 @@
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let file = case::Case::parse("sae-980025.toml", case::EXAMPLE)?;
-//! let analysis = analysis::reconstruct(&file)?;
+//! let file = case::CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;
+//! let analysis = analysis::reconstruct(&file.case)?;
 //! let found = analysis.found.as_ref().ok_or("a reconstruction finds a speed")?;
 //! assert!((found.speed - 22.9).abs() < 0.05); // SAE 980025, appendix: 22.9 m/s
 //! # Ok(())
@@ -19,13 +19,14 @@
 //! [`QUANTITIES`] has a row for every number that an analysis gives: its key, label, symbol, kind, source and how to read it.
 //!
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
-//! [`Warning`]s. A [`Failure`] says whether the file or the physics is to blame.
+//! [`Warning`]s. A [`Failure`] says whether the case or the physics is to blame.
 //!
 //! `examples/reconstruct.rs` reconstructs a file and lists its warnings, `examples/influence.rs` ranks its numbers.
 //!
 //! # What it does not do
 //!
-//! It adds no equation: those stand in `pim-core`, `crash3` and `reconcile`. It reads no file and writes no text (`case`, `report`).
+//! It adds no equation: those stand in `pim-core`, `crash3` and `reconcile`. It reads no file and writes no text (`case`, `report`): a case may as well be
+//! built in code, from the types of `inputs`.
 
 mod axes;
 mod checks;
@@ -52,8 +53,8 @@ pub use uncertainty::{
 };
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 
-use case::{Case, CaseFile, Collision, Command, Diagnostics, Evidence, Subject};
 use crash3::{CrushError, EnergyBasis, Structure};
+use inputs::{Case, Collision, Evidence, Faults, Purpose, Subject};
 use pim_core::{Contact, ImpactError, Law, Outcome, Real};
 use reconcile::{Iteration, Method, Problem, ReconcileError, Unknown};
 
@@ -135,7 +136,7 @@ impl Impact {
 /// One vehicle.
 #[derive(Clone, Debug)]
 pub struct Vehicle<T = f64> {
-    /// What the file says of it.
+    /// What the case says of it.
     pub subject: Subject<T>,
     /// Its damage.
     pub damage: Option<Damage<T>>,
@@ -167,9 +168,9 @@ impl Vehicle {
 /// Why there is no analysis.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
-    /// The file lacks something or contradicts itself.
+    /// The case lacks something or contradicts itself.
     #[error(transparent)]
-    Case(#[from] Diagnostics),
+    Case(#[from] Faults),
     /// No speed reconciles crush and impact.
     #[error(transparent)]
     Reconcile(#[from] ReconcileError),
@@ -198,8 +199,8 @@ pub enum Failure {
 ///
 /// # Errors
 /// [`Failure`].
-pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
-    let input = file.reconstruction()?;
+pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
+    let input = case.reconstruction()?;
     let Collision { contact, law, restitution_curve, motions, vehicles } = input.collision;
     // The uncorrected energies do not depend on the impact; a force balance takes its directions from the file.
     let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
@@ -210,7 +211,7 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
             let answer = problem.solve().map_err(|refusal| refused(&problem, refusal))?;
             Ok((answer, problem.speeds().collect()))
         })
-        .map_err(|failure| failure.in_axes(file.case.axes))?;
+        .map_err(|failure| failure.in_axes(case.axes))?;
     let found = Found {
         unknown: input.unknown,
         speed: answer.speed,
@@ -225,7 +226,7 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     let warnings = warning::of_found(&found, input.given_speed);
     let impact = Impact::new(contact, answer.law, answer.outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
-    judged(file, vehicles, input.basis, Some(impact.law.restitution()), (Some(found), Some(impact)), warnings)
+    judged(case, vehicles, input.basis, Some(impact.law.restitution()), (Some(found), Some(impact)), warnings)
 }
 
 /// Why a problem has no answer, with the impact that comes nearest to one.
@@ -242,14 +243,14 @@ pub(crate) fn refused(problem: &Problem<'_>, refusal: ReconcileError) -> Failure
 ///
 /// # Errors
 /// [`Failure`].
-pub fn impact(file: &CaseFile) -> Result<Analysis, Failure> {
-    let input = file.impact()?;
+pub fn impact(case: &Case) -> Result<Analysis, Failure> {
+    let input = case.collision()?;
     let (law, outcome) =
-        collide(&input.collision).map_err(|refusal| Failure::from(refusal).in_axes(file.case.axes))?;
+        collide(&input.collision).map_err(|refusal| Failure::from(refusal).in_axes(case.axes))?;
     let Collision { contact, vehicles, .. } = input.collision;
     let impact = Impact::new(contact, law, outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
-    judged(file, vehicles, input.basis, Some(impact.law.restitution()), (None, Some(impact)), Vec::new())
+    judged(case, vehicles, input.basis, Some(impact.law.restitution()), (None, Some(impact)), Vec::new())
 }
 
 /// The impact of a collision of which all is known, and the law at its closing speed.
@@ -275,38 +276,38 @@ fn law_at<T: Real>(collision: &Collision<T>, closing_speed: T) -> Law<T> {
 ///
 /// # Errors
 /// [`Failure`].
-pub fn crush(file: &CaseFile) -> Result<Analysis, Failure> {
-    let input = file.crush()?;
+pub fn crush(case: &Case) -> Result<Analysis, Failure> {
+    let input = case.damage()?;
     let vehicles = damage::assess(input.vehicles, [None, None])?;
-    judged(file, vehicles, input.basis, input.restitution, (None, None), Vec::new())
+    judged(case, vehicles, input.basis, input.restitution, (None, None), Vec::new())
 }
 
 /// As far as a case goes: [`reconstruct`] where it has a `[reconstruct]` table, else [`impact`] where it has both speeds, else [`crush`].
 ///
 /// # Errors
 /// [`Failure`].
-pub fn furthest(file: &CaseFile) -> Result<Analysis, Failure> {
-    let (_, solve) = furthest_solver(&file.case);
-    solve(file)
+pub fn furthest(case: &Case) -> Result<Analysis, Failure> {
+    let (_, solve) = furthest_solver(case);
+    solve(case)
 }
 
 /// What solves a case: one of [`reconstruct`], [`impact`] and [`crush`].
-type Solve = fn(&CaseFile) -> Result<Analysis, Failure>;
+type Solve = fn(&Case) -> Result<Analysis, Failure>;
 
-/// The command that goes as far as the case does, and what it runs.
-fn furthest_solver(case: &Case) -> (Command, Solve) {
+/// The purpose that goes as far as the case does, and what serves it.
+fn furthest_solver(case: &Case) -> (Purpose, Solve) {
     if case.reconstruct.is_some() {
-        (Command::Reconstruct, reconstruct)
+        (Purpose::Reconstruct, reconstruct)
     } else if case.impact.is_some() && case.vehicles.iter().all(|v| v.fixed || v.motion.is_some()) {
-        (Command::Impact, impact)
+        (Purpose::Impact, impact)
     } else {
-        (Command::Crush, crush)
+        (Purpose::Crush, crush)
     }
 }
 
 /// CRASH3's answer, the checks and the warnings of what was found so far.
 fn judged(
-    file: &CaseFile,
+    case: &Case,
     vehicles: [Vehicle; 2],
     basis: EnergyBasis,
     restitution: Option<f64>,
@@ -319,13 +320,13 @@ fn judged(
         .as_ref()
         .filter(|_| found.is_none())
         .map(|crash3| basis.dissipated(crash3.crush_energy, restitution.unwrap_or_default()));
-    let checks = checks::checks(&vehicles, file.case.headings(), energy, impact.as_ref());
+    let checks = checks::checks(&vehicles, case.headings(), energy, impact.as_ref());
     if let Some(impact) = &impact {
         warning::of_impact(impact, &mut warnings);
         warning::of_outlines(&vehicles, &mut warnings);
     }
     let speeds = impact.as_ref().map(|impact| impact.outcome.before.map(|motion| motion.velocity.norm()));
-    warning::of_file(file, &mut warnings);
+    warning::of_case(case, &mut warnings);
     let sought = found.as_ref().map(|found| found.unknown.index());
     warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), sought, &mut warnings);
     warning::of_assumptions(&vehicles, &mut warnings);

@@ -9,6 +9,7 @@ use annotate_snippets::{
 };
 
 use crate::problem::Problem;
+use crate::program::Program;
 use crate::source::Source;
 
 /// How many problems are shown in full; the others are counted.
@@ -41,12 +42,12 @@ impl Diagnostic {
         &self.problem
     }
 
-    fn render(&self, source: &Source) -> String {
+    fn render(&self, source: &Source, program: &Program) -> String {
         let title = Level::ERROR.primary_title(self.problem.to_string());
         let place = self.place(source);
         let help = self
             .problem
-            .help_in(Some(source.written()))
+            .help_in(Some(source.written()), program)
             .map(|help| Level::HELP.message(normalize_untrusted_str(&help)));
         let group: Group<'_> = title.element(place).elements(help);
         Renderer::plain().render(&[group])
@@ -115,6 +116,7 @@ fn floor_char_boundary(text: &str, index: usize) -> usize {
 pub struct Diagnostics {
     source: Source,
     list: Vec<Diagnostic>,
+    program: &'static Program,
 }
 
 impl Diagnostics {
@@ -122,7 +124,13 @@ impl Diagnostics {
         // What concerns the whole file comes last.
         list.sort_by_key(|diagnostic| diagnostic.span().map_or(usize::MAX, |span| span.start));
         list.dedup();
-        Self { source, list }
+        Self { source, list, program: &Program::NONE }
+    }
+
+    /// The same in the words of a program: what to write instead then points to its commands.
+    #[must_use]
+    pub fn in_words_of(self, program: &'static Program) -> Self {
+        Self { program, ..self }
     }
 
     /// The problems, in the order of the text; what concerns the whole file comes last.
@@ -135,7 +143,7 @@ impl Diagnostics {
     /// instead.
     ///
     /// ```
-    /// let errors = case::Case::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
+    /// let errors = case::CaseFile::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
     /// assert_eq!(errors.one_line(), r#"line 2, column 9: "vehicle1.speed" is the bare number 35, but needs a unit"#);
     /// ```
     #[must_use]
@@ -152,14 +160,14 @@ impl Diagnostics {
     /// where there is nothing to say.
     ///
     /// ```
-    /// let errors = case::Case::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
+    /// let errors = case::CaseFile::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
     /// assert!(errors.help_on_one_line().starts_with(r#"write number and unit as a string, for example speed = "10 mph""#));
     /// ```
     #[must_use]
     pub fn help_on_one_line(&self) -> String {
         let shown = &self.list[..self.list.len().min(SHOWN)];
         let helps = shown.iter().filter_map(|diagnostic| {
-            let help = diagnostic.problem.help_in(Some(self.source.written()))?;
+            let help = diagnostic.problem.help_in(Some(self.source.written()), self.program)?;
             Some(if shown.len() == 1 { on_one_line(&help) } else { diagnostic.placed(&self.source, &help) })
         });
         helps.collect::<Vec<_>>().join("; ")
@@ -178,7 +186,7 @@ impl fmt::Display for Diagnostics {
             if index > 0 {
                 f.write_str("\n\n")?;
             }
-            f.write_str(&diagnostic.render(&self.source))?;
+            f.write_str(&diagnostic.render(&self.source, self.program))?;
         }
         match self.list.len().saturating_sub(SHOWN) {
             0 => Ok(()),

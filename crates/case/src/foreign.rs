@@ -14,18 +14,15 @@ const MAGIC: [(&[u8], &str); 8] = [
     (b"\x1F\x8B", "a compressed file"),
 ];
 
-const UTF_16: &str = "text in UTF-16";
 const SAVE_AS_UTF_8: &str =
     "save it as UTF-8: editors offer that under encoding, where they ask for the name to save as";
-const WRITE_TOML: &str =
-    "a case is plain text in TOML, and `deltav new` writes one to begin with; is this the right file?";
 
 /// The text of a case of at most so many bytes; one that is longer may have been cut off.
 pub(crate) fn text(bytes: &[u8], limit: usize) -> Result<&str, Problem> {
     if is_utf_16(bytes) {
-        return Err(Problem::OtherFile { kind: UTF_16, help: SAVE_AS_UTF_8 });
+        return Err(Problem::Utf16 { help: SAVE_AS_UTF_8 });
     }
-    let other = |kind| Err(Problem::OtherFile { kind, help: WRITE_TOML });
+    let other = |kind| Err(Problem::OtherFile { kind });
     if let Some((_, kind)) = MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic)) {
         return other(kind);
     }
@@ -107,10 +104,8 @@ mod tests {
             (b"{ \"title\": 1 }".to_vec(), "a file in JSON"),
             (b"[\n  { \"title\": 1 }]".to_vec(), "a file in JSON"),
         ] {
-            match text(&bytes, 1000) {
-                Err(Problem::OtherFile { kind: found, .. }) => assert_eq!(found, kind),
-                other => panic!("{kind}: {other:?}"),
-            }
+            let problem = text(&bytes, 1000).unwrap_err();
+            assert_eq!(problem.to_string(), format!("this is {kind}, and not a case"));
         }
     }
 

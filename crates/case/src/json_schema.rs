@@ -5,19 +5,19 @@ use std::collections::BTreeMap;
 use serde_json::{Map, Value, json};
 use toml::de::{DeTable, DeValue};
 
-use crate::range::Bounds;
 use crate::schema::{
     Condition, Form, Key, LawName, MOST_STATIONS, MOST_ZONES, RANGE, RANGE_OF_LIST, Rule, Schema, TOP,
     VEHICLE,
 };
-use crate::units::{Dimension, HOUR, Unit, list_pattern, pattern, percent_pattern};
+use crate::units::{HOUR, list_pattern, pattern, percent_pattern};
+use inputs::{Bounds, Dimension, Unit};
 
 type Node = Map<String, Value>;
 
 /// The JSON Schema (draft 2020-12) of the case file, for editors that complete and check TOML.
 ///
 /// It knows every table and key, the forms of a value and the units of each dimension. What takes arithmetic it leaves to
-/// [`Case::parse`](crate::Case::parse): magnitudes, ranges that do not rise, lists that do not belong together.
+/// [`CaseFile::parse`](crate::CaseFile::parse): magnitudes, ranges that do not rise, lists that do not belong together.
 ///
 /// A file that begins with `#:schema PATH`, the path from the file to the schema, is completed and checked by editors built on Taplo, such as
 /// Visual Studio Code with *Even Better TOML*.

@@ -48,9 +48,3 @@ pub(crate) fn leading_numbers(text: &str) -> (Vec<(f64, Range<usize>)>, &str) {
     }
     (numbers, rest.trim())
 }
-
-/// The shortest text that reads back as the same number.
-pub(crate) fn format_number(number: f64) -> String {
-    let text = format!("{number:?}");
-    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
-}

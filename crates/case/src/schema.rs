@@ -1,8 +1,8 @@
 //! The tables of a case file and their keys: what an error text and the JSON Schema say of them.
 
 use crate::nearest::join;
-use crate::range::Bounds;
-use crate::units::Dimension;
+use crate::units::read_unit;
+use inputs::{Bounds, Dimension};
 
 /// The largest number of stations: far more than any scan of a vehicle gives.
 pub(crate) const MOST_STATIONS: usize = 10_000;
@@ -947,7 +947,7 @@ impl Schema {
     pub(crate) fn without_unit(&self, name: &str) -> Option<&'static str> {
         let (key, unit) = name.rsplit_once(['_', '-', ' '])?;
         let known = self.names().find(|known| *known == key)?;
-        dimensions_of(key).iter().any(|dimension| dimension.unit(unit).is_some()).then_some(known)
+        dimensions_of(key).iter().any(|dimension| read_unit(unit, *dimension).is_some()).then_some(known)
     }
 
     /// Where a key that this table does not have belongs.

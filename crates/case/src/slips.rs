@@ -1,7 +1,8 @@
 //! Numbers written as people write them elsewhere: a case does not read them, but knows what to write instead.
 
-use crate::number::{format_number, split_number};
-use crate::units::Dimension;
+use crate::number::split_number;
+use crate::units::read_unit;
+use inputs::{Dimension, format_number};
 
 /// What stands between a number and how far it may be off, and between the two ends of a range. The longer come first.
 const PLUS_MINUS: [&str; 3] = ["+/-", "+-", "±"];
@@ -31,7 +32,7 @@ pub(crate) fn range(text: &str, dimension: Option<Dimension>) -> Option<String> 
         None => format_number(number),
     };
     let is_unit = |text: &str| match dimension {
-        Some(dimension) => dimension.unit(text).is_some(),
+        Some(dimension) => read_unit(text, dimension).is_some(),
         None => text.is_empty(),
     };
     if is_spread && end == "%" && is_unit(&between) {
@@ -101,7 +102,7 @@ pub(crate) fn plain(text: &str) -> Option<f64> {
 pub(crate) fn typed(text: &str, dimension: Dimension) -> Option<String> {
     let typed: String = text.chars().map(keyboard).collect();
     let (number, unit) = split_number(&typed);
-    Some(format!("{} {}", format_number(number?), dimension.unit(unit.trim())?))
+    Some(format!("{} {}", format_number(number?), read_unit(unit.trim(), dimension)?))
 }
 
 /// The letter of the keyboard for one that looks like it: digits, point and comma of full width, and the dashes that stand for a minus.
@@ -145,7 +146,7 @@ pub(crate) fn mark(text: &str, dimension: Dimension) -> Option<&'static str> {
 fn marked(text: &str, dimension: Dimension) -> Option<(&'static str, bool)> {
     mark(text, dimension)
         .map(|unit| (unit, true))
-        .or_else(|| dimension.unit(text).map(|unit| (unit.spelling(), false)))
+        .or_else(|| read_unit(text, dimension).map(|unit| (unit.spelling(), false)))
 }
 
 /// A number without sign, perhaps with a fraction, whether it has one, and what follows.
@@ -192,8 +193,9 @@ fn rounded(number: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use inputs::Dimension;
+
     use super::{decimal, plain, range, typed};
-    use crate::units::Dimension;
 
     #[test]
     fn ranges_in_one_text_are_understood() {

@@ -4,13 +4,13 @@
 
 use std::ops::Range;
 
-use crate::number::format_number;
 use crate::problem::Problem;
 use crate::quantity::shorten;
 use crate::schema::{dimensions_of, example_of};
 use crate::slips::{keyboard, plain};
-use crate::units::Dimension;
+use crate::units::read_unit;
 use crate::written::Written;
+use inputs::{Dimension, format_number};
 
 /// A brace or bracket that nothing closes.
 pub(crate) struct Unclosed {
@@ -454,7 +454,7 @@ fn behind_the_value(line: &Line<'_>, _: &Written) -> Found {
     if let "," | ";" | "." = rest {
         return found(format!("there is a {rest} behind the value"), format!("remove the {rest}"));
     }
-    let is_unit = |text: &str| Dimension::ALL.iter().any(|dimension| dimension.unit(text).is_some());
+    let is_unit = |text: &str| Dimension::ALL.iter().any(|dimension| read_unit(text, *dimension).is_some());
     let text = value.trim_matches(['"', '\'']);
     if is_unit(rest) {
         return found("the unit stands behind the quote", format!("write \"{} {rest}\"", shorten(text)));

@@ -2,18 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use crate::axes::Axes;
-use crate::case::{
-    BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass, Outline, Pdof, Reconstruct,
-    Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
-};
-use crate::number::format_number;
-use crate::quantity::Quantity;
-use crate::range::{Amount, Spread};
 use crate::schema::LawName;
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
 use crash3::Side;
+use inputs::{
+    Amount, Axes, BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass, Outline, Pdof,
+    Quantity, Reconstruct, Restitution, Spread, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
+    format_number,
+};
 use pim_core::Tangential;
 use reconcile::Unknown;
 
@@ -24,35 +21,44 @@ struct Written<'a> {
     spread: Option<&'a Spread>,
 }
 
-impl Case {
-    /// The case as a file. Reading that file gives the same case: the same numbers, in the same units.
-    #[must_use]
-    pub fn to_toml(&self) -> String {
-        let ranges: BTreeMap<&str, &Spread> =
-            self.ranges.iter().map(|range| (range.path.as_str(), &range.spread)).collect();
-        let case = self.map(|input| {
-            let spread = ranges.get(input.path.as_str()).copied();
-            Written { number: input.number, spread }
-        });
-        let mut top = Lines::new(None);
-        top.optional("title", case.title.as_deref().map(quoted));
-        top.optional("source", case.source.as_deref().map(quoted));
-        let mut tables = vec![top];
-        // A file without `[scene]` has the default.
-        if case.axes != Axes::default() {
-            let mut scene = Lines::new(Some("scene".to_owned()));
-            scene.line("axes", quoted(case.axes.name()));
-            tables.push(scene);
-        }
-        for (vehicle, name) in case.vehicles.iter().zip(["vehicle1", "vehicle2"]) {
-            tables.push(vehicle_lines(vehicle, name));
-            tables.extend(vehicle.crush.as_ref().map(|crush| crush_lines(crush, name)));
-        }
-        tables.extend(case.impact.as_ref().map(impact_lines));
-        tables.extend(case.reconstruct.as_ref().map(reconstruct_lines));
-        let texts: Vec<String> = tables.iter().map(Lines::to_text).filter(|text| !text.is_empty()).collect();
-        texts.join("\n")
+/// The case as a file. Reading that file gives the same case: the same numbers, in the same units.
+///
+/// ```
+/// use case::{CaseFile, EXAMPLE, to_toml};
+///
+/// let case = CaseFile::parse("sae-980025.toml", EXAMPLE)?.case;
+/// assert_eq!(CaseFile::parse("again.toml", &to_toml(&case))?.case, case);
+/// # Ok::<(), case::Diagnostics>(())
+/// ```
+#[must_use]
+pub fn to_toml(case: &Case) -> String {
+    let ranges: BTreeMap<&str, &Spread> =
+        case.ranges.iter().map(|range| (range.path.as_str(), &range.spread)).collect();
+    let left_out = case.left_out;
+    let case = case.map(|input| {
+        let spread = ranges.get(input.path.as_str()).copied();
+        Written { number: input.number, spread }
+    });
+    let mut top = Lines::new(None);
+    top.optional("title", case.title.as_deref().map(quoted));
+    top.optional("source", case.source.as_deref().map(quoted));
+    let mut tables = vec![top];
+    // What is left out has the default.
+    if !(left_out.axes && case.axes == Axes::default()) {
+        let mut scene = Lines::new(Some("scene".to_owned()));
+        scene.line("axes", quoted(case.axes.name()));
+        tables.push(scene);
     }
+    for ((vehicle, name), fit_left_out) in
+        case.vehicles.iter().zip(["vehicle1", "vehicle2"]).zip(left_out.fit)
+    {
+        tables.push(vehicle_lines(vehicle, name));
+        tables.extend(vehicle.crush.as_ref().map(|crush| crush_lines(crush, name, fit_left_out)));
+    }
+    tables.extend(case.impact.as_ref().map(|impact| impact_lines(impact, left_out.law)));
+    tables.extend(case.reconstruct.as_ref().map(|table| reconstruct_lines(table, left_out.energy_basis)));
+    let texts: Vec<String> = tables.iter().map(Lines::to_text).filter(|text| !text.is_empty()).collect();
+    texts.join("\n")
 }
 
 /// One table: its header, and keys whose equals signs stand below each other.
@@ -120,7 +126,7 @@ fn vehicle_lines(vehicle: &Vehicle<Written<'_>>, name: &str) -> Lines {
     table
 }
 
-fn crush_lines(crush: &Crush<Written<'_>>, vehicle: &str) -> Lines {
+fn crush_lines(crush: &Crush<Written<'_>>, vehicle: &str, fit_left_out: bool) -> Lines {
     let mut table = Lines::new(Some(format!("{vehicle}.crush")));
     let side = match crush.side {
         Side::Front => "front",
@@ -139,7 +145,7 @@ fn crush_lines(crush: &Crush<Written<'_>>, vehicle: &str) -> Lines {
     let stiffness = match &crush.stiffness {
         StiffnessForm::Line(line) => stiffness_line(line),
         StiffnessForm::Category(category) => format!("{{ category = {category} }}"),
-        StiffnessForm::Test(test) => format!("{{ test = {} }}", barrier_test(test)),
+        StiffnessForm::Test(test) => format!("{{ test = {} }}", barrier_test(test, fit_left_out)),
         StiffnessForm::Zones(zones) => {
             let zones: Vec<String> = zones.iter().map(stiffness_line).collect();
             format!("{{ zones = [{}] }}", zones.join(", "))
@@ -176,7 +182,7 @@ fn stiffness_line(line: &StiffnessLine<Written<'_>>) -> String {
     }
 }
 
-fn barrier_test(test: &BarrierTest<Written<'_>>) -> String {
+fn barrier_test(test: &BarrierTest<Written<'_>>, fit_left_out: bool) -> String {
     let (key, mass) = match test.mass {
         Mass::Mass(mass) => ("mass", mass),
         Mass::Weight(weight) => ("weight", weight),
@@ -185,23 +191,23 @@ fn barrier_test(test: &BarrierTest<Written<'_>>) -> String {
         Fit::Exact => "exact",
         Fit::Mean => "mean",
     };
+    let is_default = fit_left_out && test.fit == Fit::default();
+    let fit = if is_default { String::new() } else { format!(", fit = {}", quoted(fit)) };
     format!(
-        "{{ {key} = {}, speed = {}, width = {}, depths = {}, no_damage_speed = {}, fit = {} }}",
+        "{{ {key} = {}, speed = {}, width = {}, depths = {}, no_damage_speed = {}{fit} }}",
         string(mass),
         string(test.speed),
         string(test.width),
         list(&test.depths),
-        string(test.no_damage_speed),
-        quoted(fit)
+        string(test.no_damage_speed)
     )
 }
 
-fn impact_lines(impact: &Impact<Written<'_>>) -> Lines {
+fn impact_lines(impact: &Impact<Written<'_>>, law_left_out: bool) -> Lines {
     let mut table = Lines::new(Some("impact".to_owned()));
     table.line("crush_plane", string(impact.crush_plane));
     let law = impact.law.name();
-    // A file without `law` has the default.
-    if law != LawName::Brach.name() {
+    if !(law_left_out && law == LawName::Brach.name()) {
         table.line("law", quoted(law));
     }
     table.optional("restitution", impact.law.restitution().map(restitution));
@@ -245,7 +251,7 @@ fn tangential(tangential: Tangential<Written<'_>>) -> String {
     }
 }
 
-fn reconstruct_lines(reconstruct: &Reconstruct) -> Lines {
+fn reconstruct_lines(reconstruct: &Reconstruct, basis_left_out: bool) -> Lines {
     let mut table = Lines::new(Some("reconstruct".to_owned()));
     let find = match reconstruct.find {
         Unknown::Speed1 => "vehicle1.speed",
@@ -256,7 +262,9 @@ fn reconstruct_lines(reconstruct: &Reconstruct) -> Lines {
         EnergyBasis::Dissipated => "dissipated",
         EnergyBasis::Absorbed => "absorbed",
     };
-    table.line("energy_basis", quoted(basis));
+    if !(basis_left_out && reconstruct.energy_basis == EnergyBasis::default()) {
+        table.line("energy_basis", quoted(basis));
+    }
     table
 }
 

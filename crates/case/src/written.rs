@@ -2,9 +2,10 @@
 
 use toml::de::{DeTable, DeValue};
 
-use crate::number::{format_number, leading_numbers};
+use crate::number::leading_numbers;
 use crate::schema::{RANGE, RANGE_OF_LIST, dimensions_of};
-use crate::units::{Dimension, Unit, UnitSystem};
+use crate::units::read_unit;
+use inputs::{Dimension, Unit, UnitSystem, format_number};
 
 /// (–) more are not looked at: no case has as many keys.
 const MOST: usize = 200;
@@ -63,7 +64,7 @@ impl Written {
     /// The same quantity, or list of them, in a unit of the file; `None` where it stands in one, or is no quantity.
     fn converted(&self, key: &str, text: &str, in_crush: bool) -> Option<String> {
         let (numbers, spelling) = leading_numbers(text);
-        let units = || Dimension::ALL.into_iter().filter_map(|dimension| dimension.unit(spelling));
+        let units = || Dimension::ALL.into_iter().filter_map(|dimension| read_unit(spelling, dimension));
         // "lb" is a weight, a mass and a stiffness: the key tells.
         let of_key = dimensions_of(key);
         let unit = units().find(|unit| of_key.contains(&unit.dimension())).or_else(|| units().next())?;
@@ -144,7 +145,7 @@ fn collect(key: &str, value: &DeValue<'_>, in_crush: bool, endings: &mut Vec<End
         DeValue::String(text) => {
             let (numbers, text) = leading_numbers(text);
             let units: Vec<_> =
-                Dimension::ALL.into_iter().filter_map(|dimension| dimension.unit(text)).collect();
+                Dimension::ALL.into_iter().filter_map(|dimension| read_unit(text, dimension)).collect();
             if !numbers.is_empty() && !units.is_empty() {
                 endings.push(Ending { key: key.to_owned(), in_crush, units });
             }

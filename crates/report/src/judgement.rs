@@ -2,19 +2,19 @@
 
 use analysis::{Ability, Assumption, Judgement, Warning};
 use case::{
-    Case, CaseFile, Command, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm,
+    Case, CaseFile, Dimension, Fit, ImpactLaw, Input, Pdof, Purpose, Range, Spread, StiffnessForm,
     StiffnessSource, Unit, UnitSystem,
 };
 use crash3::ObliqueCorrection;
 use pim_core::Tangential;
 use serde::Serialize;
 
-use crate::Subject;
 use crate::json::WarningBlock;
 use crate::units::{Quantity, Units, significant};
 use crate::warnings;
 use crate::words;
 use crate::wrap::{LINE, first_cell, hanging};
+use crate::{PROGRAM, Subject};
 
 /// Over what the file says in words.
 pub(crate) const CHOICES: &str = "Choices";
@@ -107,26 +107,30 @@ pub fn judgement_text(file: &CaseFile, judgement: &Judgement, units: Units) -> S
         text.push_str("nothing\n");
     }
     text.push_str(&format!("\nCommands\n{}\n", "─".repeat(LINE)));
-    for Ability { command, on, obstacle } in &judgement.commands {
+    for Ability { purpose, on, obstacle } in &judgement.abilities {
         let Some(obstacle) = obstacle else {
-            let does = format!("has all that it needs{}", purpose(case, *command, *on));
-            text.push_str(&hanging(&format!("{command:<KEY$}"), &does));
+            let does = format!("has all that it needs{}", good_for(case, *purpose, *on));
+            text.push_str(&hanging(&format!("{purpose:<KEY$}"), &does));
             continue;
         };
         // It lacks what another lacks, which was told there.
-        let is_told = on != command
-            && judgement.commands.iter().any(|other| {
-                other.command == *on
-                    && other.obstacle.as_ref().is_some_and(|other| other.list() == obstacle.list())
-            });
+        let is_told = on != purpose
+            && judgement
+                .abilities
+                .iter()
+                .any(|other| other.purpose == *on && other.obstacle.as_ref() == Some(obstacle));
         if is_told {
-            text.push_str(&format!("{command:<KEY$}cannot run, as {on} cannot\n"));
+            text.push_str(&format!("{purpose:<KEY$}cannot run, as {on} cannot\n"));
             continue;
         }
-        text.push_str(&format!("{command:<KEY$}cannot run\n"));
+        text.push_str(&format!("{purpose:<KEY$}cannot run\n"));
         // What helps with both vehicles is said once, after the last that it helps with.
-        let problems: Vec<_> =
-            obstacle.list().iter().map(|one| (one.problem().to_string(), one.problem().help())).collect();
+        let problems: Vec<_> = file
+            .diagnostics(obstacle, &PROGRAM)
+            .list()
+            .iter()
+            .map(|one| (one.problem().to_string(), one.problem().help()))
+            .collect();
         for (i, (problem, help)) in problems.iter().enumerate() {
             let is_repeated = problems[i + 1..].iter().any(|(_, later)| later == help);
             let help = help.as_ref().filter(|_| !is_repeated).map(|help| format!("; {help}"));
@@ -199,15 +203,15 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
         title: case.title.as_deref().unwrap_or_default(),
         axes: case.axes.name(),
         commands: judgement
-            .commands
+            .abilities
             .iter()
-            .map(|Ability { command, obstacle, .. }| CommandBlock {
-                command: command.name(),
+            .map(|Ability { purpose, obstacle, .. }| CommandBlock {
+                command: purpose.name(),
                 runs: obstacle.is_none(),
                 obstacles: obstacle
                     .iter()
-                    .flat_map(|obstacle| obstacle.list())
-                    .map(|problem| problem.problem().to_string())
+                    .flat_map(|obstacle| file.diagnostics(obstacle, &PROGRAM).list().to_vec())
+                    .map(|one| one.problem().to_string())
                     .collect(),
             })
             .collect(),
@@ -247,19 +251,19 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
 }
 
 /// What a command that runs is good for in this case.
-fn purpose(case: &Case, command: Command, on: Command) -> String {
-    match (&case.reconstruct, command) {
-        (Some(reconstruct), Command::Reconstruct) => {
+fn good_for(case: &Case, purpose: Purpose, on: Purpose) -> String {
+    match (&case.reconstruct, purpose) {
+        (Some(reconstruct), Purpose::Reconstruct) => {
             format!(" to find {}", words::unknown_name(reconstruct.find))
         }
-        (_, Command::Draw) => {
+        (_, Purpose::Draw) => {
             let is_damaged = case.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
             let what: Vec<&str> = Subject::ALL
                 .into_iter()
                 .filter(|subject| match subject {
-                    Subject::Scene | Subject::Energy => on != Command::Crush,
+                    Subject::Scene | Subject::Energy => on != Purpose::Crush,
                     Subject::Damage => is_damaged,
-                    Subject::Reconciliation => on == Command::Reconstruct,
+                    Subject::Reconciliation => on == Purpose::Reconstruct,
                 })
                 .map(Subject::name)
                 .collect();

@@ -2,8 +2,8 @@
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let file = case::Case::parse("sae-980025.toml", case::EXAMPLE)?;
-//! let analysis = analysis::reconstruct(&file)?;
+//! let file = case::CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;
+//! let analysis = analysis::reconstruct(&file.case)?;
 //! let text = report::text(&file.case, &analysis, report::Units::Us);
 //! assert!(text.contains("75.03 ft/s")); // SAE 980025: 75 ft/s
 //! let json = report::json(&file.case, &analysis)?;
@@ -20,8 +20,8 @@
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! # let file = case::Case::parse("sae-980025.toml", case::EXAMPLE)?;
-//! # let analysis = analysis::reconstruct(&file)?;
+//! # let file = case::CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;
+//! # let analysis = analysis::reconstruct(&file.case)?;
 //! let scene = report::drawing(&file, &analysis, report::Units::Us, report::Subject::Scene)?;
 //! assert!(scene.svg().starts_with("<svg"));
 //! # Ok(())
@@ -88,3 +88,4 @@ pub use text::{text, text_within};
 pub use uncertainty::{histogram, tornado, uncertainty_json, uncertainty_text, write_samples};
 pub use units::Units;
 pub use warnings::{message, warnings_text};
+pub use words::PROGRAM;

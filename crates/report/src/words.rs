@@ -1,9 +1,16 @@
 //! Names of what the engines tell apart, and what is said of a stiffness and a speed: below all that writes a document.
 
-use case::{Fit, StiffnessSource};
+use case::{Fit, Program, StiffnessSource};
 use crash3::{DoubtfulDigit, EnergyBasis, Side};
 use pim_core::Regime;
 use reconcile::Unknown;
+
+/// The commands of the program `deltav`, for errors that point to them.
+pub static PROGRAM: Program = Program {
+    name: |purpose| format!("`deltav {purpose}`"),
+    begins: Some("`deltav new`"),
+    describes_classes: Some("`deltav explain class`"),
+};
 
 pub(crate) fn basis_name(basis: EnergyBasis) -> &'static str {
     match basis {

@@ -3,12 +3,9 @@
 use super::range::is_range;
 use super::tree::{Reader, Table};
 use super::values::{Sign, named};
-use crate::case::{Impact, ImpactLaw, Restitution};
 use crate::problem::{Problem, RESTITUTION_FORMS};
-use crate::quantity::Quantity;
-use crate::range::Bounds;
 use crate::schema::{LawName, RESTITUTION, TANGENTIAL};
-use crate::units::Dimension;
+use inputs::{Bounds, Dimension, Impact, ImpactLaw, Quantity, Restitution};
 use pim_core::Tangential;
 
 impl<'t> Reader<'t> {

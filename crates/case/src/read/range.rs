@@ -7,10 +7,9 @@ use super::tree::{Reader, Table, kind};
 use super::values::{Place, Sign, accepts, named, words};
 use crate::number::split_number;
 use crate::problem::Problem;
-use crate::quantity::{Quantity, shorten};
-use crate::range::{Amount, Bounds, Range, Spread};
+use crate::quantity::shorten;
 use crate::schema::{RANGE, RANGE_OF_LIST, RESTITUTION, Schema};
-use crate::units::{Dimension, Unit};
+use inputs::{Amount, Bounds, Dimension, Quantity, Range, Spread, Unit};
 
 const FORMS: &str = "{ value = …, sd = … }, { low = …, high = … }, { low = …, mode = …, high = … } or \
                      { value = …, within = \"10 %\", confidence = 0.95 }";

@@ -11,11 +11,11 @@ use crate::diagnostic::Diagnostic;
 use crate::nearest::nearest;
 use crate::problem::Problem;
 use crate::quantity::shorten;
-use crate::range::Range;
 use crate::schema::Schema;
 use crate::source::Spans;
 use crate::syntax;
 use crate::written::Written;
+use inputs::Range;
 
 /// Of so many broken lines the text is looked at: more than are shown.
 const EXPLAINED: usize = 50;
@@ -106,6 +106,11 @@ impl<'t> Reader<'t> {
 
     pub(super) fn report(&mut self, span: Span<usize>, problem: Problem) {
         self.problems.push(Diagnostic::new(Some(span), problem));
+    }
+
+    /// Whether the file has this key.
+    pub(super) fn says(&self, path: &str) -> bool {
+        self.spans.get(path).is_some()
     }
 
     /// Remembers that a number is uncertain, and where that stands.

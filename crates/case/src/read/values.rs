@@ -8,13 +8,12 @@ use toml::de::DeValue;
 
 use super::tree::{Reader, Table, kind};
 use crate::nearest::{join, nearest};
-use crate::number::{format_number, leading_numbers, split_number};
+use crate::number::{leading_numbers, split_number};
 use crate::problem::Problem;
-use crate::quantity::{Quantity, QuantityError, find_unit, not_a_number, shorten};
-use crate::range::Bounds;
+use crate::quantity::{QuantityError, find_unit, not_a_number, read_quantity, shorten};
 use crate::schema::MOST_STATIONS;
 use crate::slips;
-use crate::units::Dimension;
+use inputs::{Bounds, Dimension, Quantity, format_number};
 
 /// Which signs a quantity may have.
 #[derive(Clone, Copy)]
@@ -102,7 +101,7 @@ impl<'t> Reader<'t> {
         wanted: &'static str,
     ) -> Option<Quantity> {
         let text = self.quantity_text(place, value, dimension, wanted)?;
-        match Quantity::parse(text, dimension) {
+        match read_quantity(text, dimension) {
             Ok(quantity) => self.signed(&place.name, value.span(), quantity, sign),
             Err(error) => {
                 let problem = self.unreadable(place, error, dimension);
@@ -239,7 +238,7 @@ impl<'t> Reader<'t> {
             match Quantity::new(number, unit) {
                 Ok(quantity) => self.signed(&place.element(index).name, span, quantity, sign),
                 Err(error) => {
-                    self.report(span, Problem::Quantity { error, unit: None });
+                    self.report(span, Problem::Quantity { error: error.into(), unit: None });
                     None
                 }
             }

@@ -3,19 +3,16 @@
 use super::differ;
 use super::tree::{Reader, Table};
 use super::values::{Place, Sign, hour_of, named};
-use crate::case::{
-    BarrierTest, ContactPoint, Crush, Fit, Mass, Outline, Pdof, StiffnessForm, StiffnessLine, Vehicle,
-    Velocity, YawInertia,
-};
-use crate::number::format_number;
-use crate::problem::Problem;
-use crate::quantity::{Limit, Quantity, format_limit, shorten};
-use crate::range::Bounds;
+use crate::problem::{CLASS_FORMS, Problem};
+use crate::quantity::{Limit, format_limit, shorten};
 use crate::schema::{
     CONTACT, CRUSH, MOST_ZONES, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY, ZONE,
 };
-use crate::units::Dimension;
 use crash3::{CrushError, ObliqueCorrection, Side};
+use inputs::{
+    BarrierTest, Bounds, ContactPoint, Crush, Dimension, Fit, Mass, Outline, Pdof, Quantity, StiffnessForm,
+    StiffnessLine, Vehicle, Velocity, YawInertia, format_number,
+};
 use toml::de::DeValue;
 
 /// (–) by how much the width and the sum of the spacing may differ: both are read from a tape.
@@ -56,11 +53,7 @@ impl<'t> Reader<'t> {
     }
 
     fn class(&mut self, table: &Table<'t>) -> Option<u8> {
-        let place = Place {
-            example: "class = 3; 1 to 6 are CRASH3's size classes of cars, from the smallest to the largest, which `deltav explain class` \
-                      describes; leave it out where yaw inertia and outline are given",
-            ..Place::of_key(table, "class")
-        };
+        let place = Place { example: CLASS_FORMS, ..Place::of_key(table, "class") };
         self.counted(&place, table, "class", "a whole number from 1 to 6", 6)
     }
 

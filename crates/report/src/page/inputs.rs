@@ -15,7 +15,7 @@ pub(super) fn tables(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<
         header: header.map(str::to_owned).to_vec(),
         rows: rows.into_iter().map(|(key, value)| vec![key, value]).collect(),
     };
-    let assumed = analysis::assumptions(file)
+    let assumed = analysis::assumptions(&file.case)
         .iter()
         .filter(|assumption| is_of(assumption, analysis))
         .map(|assumption| (assumption.key(), judgement::message(assumption, units)))

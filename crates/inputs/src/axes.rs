@@ -1,4 +1,4 @@
-//! The handedness of the axes that a file is written in.
+//! The handedness of the axes that a case stands in.
 
 use pim_core::Real;
 
@@ -17,9 +17,10 @@ pub enum Axes {
 }
 
 impl Axes {
-    pub(crate) const ALL: [Self; 2] = [Self::ZUp, Self::ZDown];
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::ZUp, Self::ZDown];
 
-    /// The value of `axes` in a file.
+    /// Its name, such as `"z-up"`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

@@ -12,7 +12,7 @@ use crate::case::{
 use crate::quantity::Quantity;
 use crate::units::Unit;
 
-/// One number of a case file.
+/// One number of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
     /// Where it stands, such as `vehicle1.contact.angle`; the first of a list is `vehicle1.crush.depths[1]`, the C_1 of the equations.
@@ -61,6 +61,7 @@ impl Case {
             impact: self.impact.as_ref().map(|impact| walk.impact(impact)),
             reconstruct: self.reconstruct,
             ranges: Vec::new(),
+            left_out: self.left_out,
         }
     }
 

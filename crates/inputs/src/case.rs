@@ -1,4 +1,4 @@
-//! What a case file says, in the units in which it says it.
+//! What is known of a collision, in the units in which it is given.
 
 use std::f64::consts::PI;
 
@@ -9,12 +9,10 @@ use reconcile::Unknown;
 use crate::axes::Axes;
 use crate::quantity::Quantity;
 use crate::range::Range;
-use crate::schema::LawName;
 use crate::units::{STANDARD_GRAVITY, Unit, UnitSystem};
 
-/// A whole case: two vehicles, and what is known of the impact. [`Case::parse`](Case::parse) reads it,
-/// [`Case::to_toml`](Case::to_toml) writes it.
-#[derive(Clone, Debug, PartialEq)]
+/// A whole case: two vehicles, and what is known of the impact. The crate `case` reads it from a file and writes it.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Case<T = f64> {
     /// A line to put over the report.
     pub title: Option<String>,
@@ -31,6 +29,22 @@ pub struct Case<T = f64> {
     /// Which of the numbers are not known exactly, in the order of [`inputs`](Case::inputs). The numbers themselves are the central
     /// values.
     pub ranges: Vec<Range>,
+    /// Which words it leaves to their defaults.
+    pub left_out: LeftOut,
+}
+
+/// Which words a case leaves to their defaults. Its values are then these defaults, so that no number depends on this: it is for
+/// telling what is assumed. None is left out of a table that is not there.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LeftOut {
+    /// `scene.axes`.
+    pub axes: bool,
+    /// `impact.law`.
+    pub law: bool,
+    /// `reconstruct.energy_basis`.
+    pub energy_basis: bool,
+    /// `crush.stiffness.test.fit` of each vehicle.
+    pub fit: [bool; 2],
 }
 
 /// A vehicle or, with [`fixed`](Vehicle::fixed), a barrier. What a computation needs beyond what is given is
@@ -321,7 +335,11 @@ impl<T: Real> StiffnessLine<T> {
 }
 
 impl<T: Real> BarrierTest<T> {
-    pub(crate) fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
+    /// The stiffness that is fitted to the test, in SI units.
+    ///
+    /// # Errors
+    /// What no test can have.
+    pub fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
         let depths = self.depths.iter().map(Quantity::si).collect();
         let profile = Profile::equally_spaced(depths, self.width.si())?;
         let test =
@@ -350,7 +368,7 @@ pub enum ImpactLaw<T = f64> {
         /// Normal to the crush plane.
         restitution: Restitution<T>,
         /// Along the crush plane: one of the first four conditions of [`Tangential`]. The others belong to other laws; no file can say
-        /// them, and what [`Case::to_toml`] writes of them is refused when it is read.
+        /// them, and what the crate `case` writes of them is refused when it is read.
         tangential: Tangential<T>,
         /// (–) moment coefficient of restitution, −1 to 1; −1 (no moment impulse) where absent.
         moment_restitution: Option<T>,
@@ -380,13 +398,12 @@ impl<T: Copy> ImpactLaw<T> {
     /// The value of `law`, such as `"brach"`.
     #[must_use]
     pub fn name(&self) -> &'static str {
-        let name = match self {
-            Self::Brach { .. } => LawName::Brach,
-            Self::Woolley { .. } => LawName::Woolley,
-            Self::Ishikawa { .. } => LawName::Ishikawa,
-            Self::KudlichSlibar { .. } => LawName::KudlichSlibar,
-        };
-        name.name()
+        match self {
+            Self::Brach { .. } => "brach",
+            Self::Woolley { .. } => "woolley",
+            Self::Ishikawa { .. } => "ishikawa",
+            Self::KudlichSlibar { .. } => "kudlich-slibar",
+        }
     }
 
     /// `restitution`; `None` under Woolley's law, which has no such key: there e = 0.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::number::format_number;
+use crate::quantity::format_number;
 use crate::units::Unit;
 
 /// An uncertain number of a case: one of [`Case::inputs`](crate::Case::inputs), and what is known of it.
@@ -10,7 +10,7 @@ use crate::units::Unit;
 pub struct Range {
     /// Path of the number, as [`Input::path`](crate::Input::path).
     pub path: String,
-    /// What the file says of it.
+    /// What the case says of it.
     pub spread: Spread,
     /// Where physics ends it.
     pub bounds: Bounds,
