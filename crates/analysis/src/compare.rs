@@ -1,7 +1,6 @@
 //! One case under every impact law: how much does the answer depend on that choice?
 
-use inputs::{Case, Dimension, ImpactLaw, Quantity, Restitution};
-use pim_core::Tangential;
+use inputs::{BrachTangential, Case, Dimension, ImpactLaw, Quantity, Restitution};
 
 use crate::damage::ASSUMED_FRICTION;
 use crate::{Analysis, Failure, impact, reconstruct};
@@ -74,9 +73,9 @@ fn others(case: &Case, own: &Analysis) -> Vec<(ImpactLaw, &'static str)> {
         _ => (ASSUMED_TANGENTIAL_RESTITUTION, "e_t, of surfaces that interlock"),
     };
     let mut laws = vec![
-        (brach(Tangential::Critical, None), ""),
-        (brach(Tangential::Friction(friction), None), assumed_friction),
-        (brach(Tangential::Critical, Some(0.0)), "e_m, which leaves a common yaw rate"),
+        (brach(BrachTangential::Critical, None), ""),
+        (brach(BrachTangential::Friction(friction), None), assumed_friction),
+        (brach(BrachTangential::Critical, Some(0.0)), "e_m, which leaves a common yaw rate"),
         (ImpactLaw::Woolley { tangential_velocity_change: None }, ""),
         (
             ImpactLaw::Ishikawa { restitution: restitution.clone(), tangential_restitution },

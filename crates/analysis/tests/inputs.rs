@@ -6,10 +6,9 @@ use analysis::{Failure, crush, impact, reconstruct};
 use case::{CaseFile, Program};
 use crash3::{EnergyBasis, Side};
 use inputs::{
-    Case, ContactPoint, Crush, Dimension, Faults, Impact, ImpactLaw, LeftOut, Mass, Purpose, Quantity,
-    Reconstruct, Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
+    BrachTangential, Case, ContactPoint, Crush, Dimension, Faults, Impact, ImpactLaw, LeftOut, Mass, Purpose,
+    Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
 };
-use pim_core::Tangential;
 use reconcile::Unknown;
 
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
@@ -77,7 +76,7 @@ fn built() -> Case {
             crush_plane: degrees(-23.0),
             law: ImpactLaw::Brach {
                 restitution: Restitution::Constant(0.3),
-                tangential: Tangential::Critical,
+                tangential: BrachTangential::Critical,
                 moment_restitution: None,
             },
         }),

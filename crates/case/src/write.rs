@@ -7,11 +7,10 @@ use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
 use crash3::Side;
 use inputs::{
-    Amount, Axes, BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass, Outline, Pdof,
-    Quantity, Reconstruct, Restitution, Spread, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
-    format_number,
+    Amount, Axes, BarrierTest, BrachTangential, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass,
+    Outline, Pdof, Quantity, Reconstruct, Restitution, Spread, StiffnessForm, StiffnessLine, Vehicle,
+    Velocity, YawInertia, format_number,
 };
-use pim_core::Tangential;
 use reconcile::Unknown;
 
 /// A number, and what is said of it where it is uncertain.
@@ -237,17 +236,13 @@ fn restitution(restitution: &Restitution<Written<'_>>) -> String {
     }
 }
 
-fn tangential(tangential: Tangential<Written<'_>>) -> String {
+fn tangential(tangential: BrachTangential<Written<'_>>) -> String {
     let number = |key: &str, value: Written<'_>| format!("{{ {key} = {} }}", plain(value));
     match tangential {
-        Tangential::Critical => quoted("critical"),
-        Tangential::Ratio(ratio) => number("ratio", ratio),
-        Tangential::FractionOfCritical(fraction) => number("fraction", fraction),
-        Tangential::Friction(friction) => number("friction", friction),
-        // Conditions of other laws: better refused than read back as something else.
-        Tangential::VelocityChange(_) | Tangential::Restitution(_) | Tangential::FullOrSliding(_) => {
-            "{}".to_owned()
-        }
+        BrachTangential::Critical => quoted("critical"),
+        BrachTangential::Ratio(ratio) => number("ratio", ratio),
+        BrachTangential::FractionOfCritical(fraction) => number("fraction", fraction),
+        BrachTangential::Friction(friction) => number("friction", friction),
     }
 }
 

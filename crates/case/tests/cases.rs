@@ -19,7 +19,7 @@ use case::{
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
 use crash3::Side;
-use inputs::{Fault, FaultKind};
+use inputs::{BrachTangential, Fault, FaultKind};
 use pim_core::{Law, Tangential};
 use proptest::collection::vec;
 use proptest::option;
@@ -108,7 +108,7 @@ fn the_papers_example_is_read() {
     let impact = case.impact.as_ref().unwrap();
     let law = ImpactLaw::Brach {
         restitution: Restitution::Constant(0.3),
-        tangential: Tangential::Critical,
+        tangential: BrachTangential::Critical,
         moment_restitution: None,
     };
     assert_eq!(impact.law, law);
@@ -208,7 +208,7 @@ fn the_other_forms_are_read() {
             crush_plane: angle("0 deg"),
             law: ImpactLaw::Brach {
                 restitution: Restitution::Constant(0.0),
-                tangential: Tangential::Friction(0.5),
+                tangential: BrachTangential::Friction(0.5),
                 moment_restitution: None,
             },
         }),
@@ -387,7 +387,7 @@ fn the_laws_are_read_passed_on_and_written() {
     let e = Restitution::Constant(0.3);
     let brach = |moment_restitution| ImpactLaw::Brach {
         restitution: e.clone(),
-        tangential: Tangential::Ratio(0.2),
+        tangential: BrachTangential::Ratio(0.2),
         moment_restitution,
     };
     let plain = Law::new(0.3, Tangential::Ratio(0.2)).unwrap();
@@ -1362,10 +1362,10 @@ fn any_restitution() -> impl Strategy<Value = Restitution> {
 
 fn any_law() -> impl Strategy<Value = ImpactLaw> {
     let tangential = prop_oneof![
-        Just(Tangential::Critical),
-        (-1e9..1e9_f64).prop_map(Tangential::Ratio),
-        (0.0..=1.0_f64).prop_map(Tangential::FractionOfCritical),
-        (0.0..1e9_f64).prop_map(Tangential::Friction),
+        Just(BrachTangential::Critical),
+        (-1e9..1e9_f64).prop_map(BrachTangential::Ratio),
+        (0.0..=1.0_f64).prop_map(BrachTangential::FractionOfCritical),
+        (0.0..1e9_f64).prop_map(BrachTangential::Friction),
     ];
     let coefficient = || -1.0..=1.0_f64;
     prop_oneof![

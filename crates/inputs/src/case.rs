@@ -367,9 +367,8 @@ pub enum ImpactLaw<T = f64> {
     Brach {
         /// Normal to the crush plane.
         restitution: Restitution<T>,
-        /// Along the crush plane: one of the first four conditions of [`Tangential`]. The others belong to other laws; no file can say
-        /// them, and what the crate `case` writes of them is refused when it is read.
-        tangential: Tangential<T>,
+        /// Along the crush plane.
+        tangential: BrachTangential<T>,
         /// (–) moment coefficient of restitution, −1 to 1; −1 (no moment impulse) where absent.
         moment_restitution: Option<T>,
     },
@@ -392,6 +391,30 @@ pub enum ImpactLaw<T = f64> {
         /// (–) largest coefficient of friction, zero or more.
         friction: T,
     },
+}
+
+/// What happens along the crush plane under Brach's law; the other laws have conditions of their own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BrachTangential<T = f64> {
+    /// Sliding ends by separation: the critical impulse ratio.
+    Critical,
+    /// (–) the impulse ratio μ = P_t/P_n, with its sign.
+    Ratio(T),
+    /// (–) this share of the critical impulse ratio, 0 to 1.
+    FractionOfCritical(T),
+    /// (–) friction that ends the sliding, or limits the impulse where it cannot; zero or more.
+    Friction(T),
+}
+
+impl<T> From<BrachTangential<T>> for Tangential<T> {
+    fn from(tangential: BrachTangential<T>) -> Self {
+        match tangential {
+            BrachTangential::Critical => Self::Critical,
+            BrachTangential::Ratio(mu) => Self::Ratio(mu),
+            BrachTangential::FractionOfCritical(share) => Self::FractionOfCritical(share),
+            BrachTangential::Friction(mu) => Self::Friction(mu),
+        }
+    }
 }
 
 impl<T: Copy> ImpactLaw<T> {
@@ -421,7 +444,7 @@ impl<T: Copy> ImpactLaw<T> {
     #[must_use]
     pub fn friction(&self) -> Option<T> {
         match self {
-            Self::Brach { tangential: Tangential::Friction(friction), .. }
+            Self::Brach { tangential: BrachTangential::Friction(friction), .. }
             | Self::KudlichSlibar { friction, .. } => Some(*friction),
             _ => None,
         }

@@ -10,8 +10,8 @@ use reconcile::Unknown;
 
 use crate::axes::Axes;
 use crate::case::{
-    Case, ContactPoint, Crush, Fit, ImpactLaw, Mass, Restitution, StiffnessForm, StiffnessLine, Vehicle,
-    Velocity,
+    BrachTangential, Case, ContactPoint, Crush, Fit, ImpactLaw, Mass, Restitution, StiffnessForm,
+    StiffnessLine, Vehicle, Velocity,
 };
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::purpose::Purpose;
@@ -606,9 +606,9 @@ impl<'a, T: Real> Demand<'a, T> {
         let law = match &impact.law {
             ImpactLaw::Brach { restitution, tangential, moment_restitution } => {
                 let tangential = match *tangential {
-                    // P_t changes its sign with t; a share of μ_c, a friction limit and the coefficients of restitution have none.
-                    Tangential::Ratio(mu) => Tangential::Ratio(self.case.axes.lateral(mu)),
-                    other => other,
+                    // P_t changes its sign with t; a share of μ_c and a friction limit have none.
+                    BrachTangential::Ratio(mu) => Tangential::Ratio(self.case.axes.lateral(mu)),
+                    other => other.into(),
                 };
                 Law::new(e(restitution), tangential).and_then(|law| match moment_restitution {
                     Some(e_m) => law.with_moment_restitution(*e_m),

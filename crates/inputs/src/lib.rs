@@ -44,8 +44,8 @@ mod units;
 
 pub use axes::Axes;
 pub use case::{
-    BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, LeftOut, Mass, Outline, Pdof,
-    Reconstruct, Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
+    BarrierTest, BrachTangential, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, LeftOut, Mass, Outline,
+    Pdof, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
 };
 pub use demands::{
     Collision, CrushOnly, Damage, Dimensions, Evidence, ImpactInput, Inertia, InferredWidth,

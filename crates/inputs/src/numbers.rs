@@ -3,11 +3,10 @@
 use std::fmt::{self, Display};
 
 use crash3::ObliqueCorrection;
-use pim_core::Tangential;
 
 use crate::case::{
-    BarrierTest, Case, ContactPoint, Crush, Impact, ImpactLaw, Mass, Outline, Pdof, Restitution,
-    StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
+    BarrierTest, BrachTangential, Case, ContactPoint, Crush, Impact, ImpactLaw, Mass, Outline, Pdof,
+    Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
 };
 use crate::quantity::Quantity;
 use crate::units::Unit;
@@ -273,22 +272,16 @@ impl<U> Walk<'_, '_, U> {
         }
     }
 
-    fn tangential(&mut self, tangential: Tangential) -> Tangential<U> {
+    fn tangential(&mut self, tangential: BrachTangential) -> BrachTangential<U> {
         match tangential {
-            Tangential::Critical => Tangential::Critical,
-            Tangential::Ratio(mu) => Tangential::Ratio(self.number(&"impact.tangential.ratio", mu)),
-            Tangential::FractionOfCritical(f) => {
-                Tangential::FractionOfCritical(self.number(&"impact.tangential.fraction", f))
+            BrachTangential::Critical => BrachTangential::Critical,
+            BrachTangential::Ratio(mu) => BrachTangential::Ratio(self.number(&"impact.tangential.ratio", mu)),
+            BrachTangential::FractionOfCritical(f) => {
+                BrachTangential::FractionOfCritical(self.number(&"impact.tangential.fraction", f))
             }
-            Tangential::Friction(mu) => Tangential::Friction(self.number(&"impact.tangential.friction", mu)),
-            // Conditions of the other laws, which have keys of their own.
-            Tangential::VelocityChange(change) => {
-                Tangential::VelocityChange(self.number(&"impact.tangential_velocity_change", change))
+            BrachTangential::Friction(mu) => {
+                BrachTangential::Friction(self.number(&"impact.tangential.friction", mu))
             }
-            Tangential::Restitution(e_t) => {
-                Tangential::Restitution(self.number(&"impact.tangential_restitution", e_t))
-            }
-            Tangential::FullOrSliding(mu) => Tangential::FullOrSliding(self.number(&"impact.friction", mu)),
         }
     }
 }

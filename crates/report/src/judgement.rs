@@ -2,11 +2,10 @@
 
 use analysis::{Ability, Assumption, Judgement, Warning};
 use case::{
-    Case, CaseFile, Dimension, Fit, ImpactLaw, Input, Pdof, Purpose, Range, Spread, StiffnessForm,
-    StiffnessSource, Unit, UnitSystem,
+    BrachTangential, Case, CaseFile, Dimension, Fit, ImpactLaw, Input, Pdof, Purpose, Range, Spread,
+    StiffnessForm, StiffnessSource, Unit, UnitSystem,
 };
 use crash3::ObliqueCorrection;
-use pim_core::Tangential;
 use serde::Serialize;
 
 use crate::json::WarningBlock;
@@ -372,7 +371,7 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
     }
     if let Some(impact) = &case.impact {
         choices.push(("impact.law".to_owned(), impact.law.name().to_owned()));
-        if matches!(impact.law, ImpactLaw::Brach { tangential: Tangential::Critical, .. }) {
+        if matches!(impact.law, ImpactLaw::Brach { tangential: BrachTangential::Critical, .. }) {
             choices.push(("impact.tangential".to_owned(), "critical".to_owned()));
         }
     }

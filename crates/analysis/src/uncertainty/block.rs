@@ -7,8 +7,8 @@
 use ::uncertainty::{LANES, Lanes};
 use crash3::{EnergyBasis, Stiffness, Zone, equal_spacing, zone_energy};
 use inputs::{
-    Axes, Case, ContactPoint, Crush, Impact, ImpactLaw, Mass, Quantity, Reconstruct, Restitution,
-    StiffnessForm, StiffnessLine, Velocity, YawInertia,
+    Axes, BrachTangential, Case, ContactPoint, Crush, Impact, ImpactLaw, Mass, Quantity, Reconstruct,
+    Restitution, StiffnessForm, StiffnessLine, Velocity, YawInertia,
 };
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2};
 use reconcile::{Problem, Unknown};
@@ -86,9 +86,11 @@ impl Block {
         let Reconstruct { find: unknown, energy_basis: basis } = reconstruct.as_ref()?;
         let Impact { crush_plane, law } = impact.as_ref()?;
         let (restitution, tangential_restitution) = match law {
-            ImpactLaw::Brach { restitution, tangential: Tangential::Critical, moment_restitution: None } => {
-                (restitution, Number::Known(0.0))
-            }
+            ImpactLaw::Brach {
+                restitution,
+                tangential: BrachTangential::Critical,
+                moment_restitution: None,
+            } => (restitution, Number::Known(0.0)),
             ImpactLaw::Ishikawa { restitution, tangential_restitution } => {
                 (restitution, *tangential_restitution)
             }

@@ -5,8 +5,7 @@ use super::tree::{Reader, Table};
 use super::values::{Sign, named};
 use crate::problem::{Problem, RESTITUTION_FORMS};
 use crate::schema::{LawName, RESTITUTION, TANGENTIAL};
-use inputs::{Bounds, Dimension, Impact, ImpactLaw, Quantity, Restitution};
-use pim_core::Tangential;
+use inputs::{Bounds, BrachTangential, Dimension, Impact, ImpactLaw, Quantity, Restitution};
 
 impl<'t> Reader<'t> {
     pub(super) fn impact(&mut self, table: &Table<'t>) -> Option<Impact> {
@@ -129,20 +128,25 @@ impl<'t> Reader<'t> {
         self.number(table, "friction", Bounds::NotNegative)
     }
 
-    fn tangential(&mut self, impact: &Table<'t>) -> Option<Tangential> {
+    fn tangential(&mut self, impact: &Table<'t>) -> Option<BrachTangential> {
         const FORMS: &str =
             "tangential = \"critical\", { ratio = 0.37 }, { fraction = 0.9 } or { friction = 0.5 }";
         if impact.is_string("tangential") {
-            return self.choice_among(impact, "tangential", &[("critical", Tangential::Critical)], FORMS);
+            return self.choice_among(
+                impact,
+                "tangential",
+                &[("critical", BrachTangential::Critical)],
+                FORMS,
+            );
         }
         let table =
             self.inline(impact, "tangential", &TANGENTIAL, "\"critical\" or a table in braces", FORMS)?;
         match table.given(&["ratio", "fraction", "friction"])[..] {
-            ["ratio"] => self.number(&table, "ratio", Bounds::None).map(Tangential::Ratio),
+            ["ratio"] => self.number(&table, "ratio", Bounds::None).map(BrachTangential::Ratio),
             ["fraction"] => {
-                self.number(&table, "fraction", Bounds::Share).map(Tangential::FractionOfCritical)
+                self.number(&table, "fraction", Bounds::Share).map(BrachTangential::FractionOfCritical)
             }
-            ["friction"] => self.friction(&table).map(Tangential::Friction),
+            ["friction"] => self.friction(&table).map(BrachTangential::Friction),
             _ => self.no_form(&table, FORMS),
         }
     }
