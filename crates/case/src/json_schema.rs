@@ -6,11 +6,11 @@ use serde_json::{Map, Value, json};
 use toml::de::{DeTable, DeValue};
 
 use crate::schema::{
-    Condition, Form, Key, LawName, MOST_STATIONS, MOST_ZONES, RANGE, RANGE_OF_LIST, Rule, Schema, TOP,
+    Condition, Form, Key, KeysOfLaw, MOST_STATIONS, MOST_ZONES, RANGE, RANGE_OF_LIST, Rule, Schema, TOP,
     VEHICLE,
 };
 use crate::units::{HOUR, list_pattern, pattern, percent_pattern};
-use inputs::{Bounds, Dimension, Unit};
+use inputs::{Bounds, Dimension, LawName, Unit};
 
 type Node = Map<String, Value>;
 
@@ -127,9 +127,9 @@ impl Generator {
             Form::Text => object(json!({ "type": "string", "pattern": r"\S" })),
             Form::Flag => object(json!({ "type": "boolean" })),
             Form::Words(words) => object(json!({ "type": "string", "enum": words })),
-            Form::Law => object(
-                json!({ "type": "string", "enum": LawName::ALL.map(LawName::name), "default": "brach" }),
-            ),
+            Form::Law(words) => {
+                object(json!({ "type": "string", "enum": words, "default": LawName::default().name() }))
+            }
             Form::Count(last) => object(json!({ "type": "integer", "minimum": 1, "maximum": last })),
             Form::Number(bounds) => {
                 let mut node = object(json!({ "type": ["number", "object"] }));
@@ -313,7 +313,7 @@ fn conditions(rule: &Rule, schema: &Schema) -> Vec<Value> {
             vec![json!({ "if": condition(only), "then": { "properties": never(keys.iter().copied()) } })]
         }
         Rule::OneOf(_) => vec![one_of(&[schema])],
-        Rule::KeysOfLaw => LawName::ALL.into_iter().map(|law| keys_of_law(law, schema)).collect(),
+        Rule::KeysOfLaw => LawName::WORDS.into_iter().map(|(_, law)| keys_of_law(law, schema)).collect(),
     }
 }
 
@@ -331,7 +331,7 @@ fn condition(condition: &Condition) -> Value {
 fn keys_of_law(law: LawName, schema: &Schema) -> Value {
     let named = json!({ "law": { "const": law.name() } });
     // Brach's law need not be named.
-    let given = if law == LawName::Brach {
+    let given = if law == LawName::default() {
         json!({ "properties": named })
     } else {
         json!({ "properties": named, "required": ["law"] })

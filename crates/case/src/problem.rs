@@ -8,11 +8,11 @@ use thiserror::Error;
 use crate::nearest::join;
 use crate::program::Program;
 use crate::quantity::{Limit, QuantityError, dimension_help, format_limit};
-use crate::schema::{LawName, RESTITUTION, TANGENTIAL, dimensions_of, example_of};
+use crate::schema::{RESTITUTION, TANGENTIAL, dimensions_of, example_of};
 use crate::slips;
 use crate::units::read_unit;
 use crate::written::Written;
-use inputs::{Amount, Dimension, Quantity, Unit, format_number};
+use inputs::{Amount, Dimension, LawName, Quantity, Unit, format_number};
 
 /// What is wrong at one place of a case file. `Display` says what, [`Problem::help`] what to write instead.
 #[derive(Clone, Debug, PartialEq, Error)]

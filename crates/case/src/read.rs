@@ -14,9 +14,9 @@ use crate::problem::Problem;
 use crate::program::Program;
 use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, SCENE, TOP};
 use crate::source::{Source, Spans};
-use crash3::EnergyBasis;
-use inputs::{Axes, Case, FaultKind, Faults, LeftOut, Quantity, Reconstruct, contradictions};
-use reconcile::Unknown;
+use inputs::{
+    Axes, Case, ENERGY_BASES, FaultKind, Faults, LeftOut, Quantity, Reconstruct, UNKNOWNS, contradictions,
+};
 use tree::{Reader, Table};
 
 /// A case and the text that it came from.
@@ -149,18 +149,13 @@ impl<'t> Reader<'t> {
     fn axes(&mut self, scene: &Table<'t>) -> Option<Axes> {
         const FORMS: &str = "\"z-up\", with y to the left and angles counter-clockwise positive, or \"z-down\", those of SAE J670, with y to the right \
                              and angles clockwise positive";
-        self.choice_among(scene, "axes", &Axes::ALL.map(|axes| (axes.name(), axes)), FORMS)
+        self.choice_among(scene, "axes", &Axes::WORDS, FORMS)
     }
 
     fn reconstruct(&mut self, table: &Table<'t>) -> Option<Reconstruct> {
         self.require(table, &["find"]);
-        let find = self.choice(
-            table,
-            "find",
-            &[("vehicle1.speed", Unknown::Speed1), ("vehicle2.speed", Unknown::Speed2)],
-        );
-        let choices = [("dissipated", EnergyBasis::Dissipated), ("absorbed", EnergyBasis::Absorbed)];
-        let energy_basis = self.choice(table, "energy_basis", &choices);
+        let find = self.choice(table, "find", &UNKNOWNS);
+        let energy_basis = self.choice(table, "energy_basis", &ENERGY_BASES);
         Some(Reconstruct { find: find?, energy_basis: energy_basis.unwrap_or_default() })
     }
 }

@@ -2,7 +2,10 @@
 
 use crate::nearest::join;
 use crate::units::read_unit;
-use inputs::{Bounds, Dimension};
+use inputs::{
+    Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, Fit, LawName, OBLIQUE_CORRECTIONS, SIDES,
+    UNKNOWNS, words_of,
+};
 
 /// The largest number of stations: far more than any scan of a vehicle gives.
 pub(crate) const MOST_STATIONS: usize = 10_000;
@@ -51,8 +54,8 @@ pub(crate) enum Form {
     Flag,
     /// One of these words.
     Words(&'static [&'static str]),
-    /// The name of an impact law.
-    Law,
+    /// The name of an impact law: one of these words.
+    Law(&'static [&'static str]),
     /// A whole number from 1 to this.
     Count(u8),
     /// A plain number, or a range.
@@ -169,7 +172,7 @@ pub(crate) static SCENE: Schema = Schema {
     keys: &[key(
         "axes",
         "axes = \"z-down\"",
-        Form::Words(&["z-up", "z-down"]),
+        Form::Words(&words_of(&Axes::WORDS)),
         "Axes of the file. `\"z-up\"`, also where absent: y to the left of x, angles and yaw rates positive counter-clockwise seen from above. `\"z-down\"`, as in SAE J670: y to the right, clockwise positive.",
     )],
     rules: &[],
@@ -294,7 +297,7 @@ pub(crate) static CRUSH: Schema = Schema {
         key(
             "side",
             "side = \"front\"",
-            Form::Words(&["front", "rear", "left", "right"]),
+            Form::Words(&words_of(&SIDES)),
             "Damaged side. The side of the vehicle whose face was crushed.",
         ),
         key(
@@ -349,7 +352,7 @@ pub(crate) static CRUSH: Schema = Schema {
         key(
             "oblique",
             "oblique = \"capped\"",
-            Form::WordsOrTable(&["capped", "uncapped", "none", "secant"], &OBLIQUE),
+            Form::WordsOrTable(&words_of(&OBLIQUE_CORRECTIONS), &OBLIQUE),
             "Correction of the crush energy for an oblique force. `\"capped\"`, also where absent: 1 + tan²α with α at most 45°, as in CRASH3; `\"uncapped\"`: without that limit; `\"secant\"`: 1/cos α; `\"none\"`; or `{ friction = 0.5 }`: limited by friction.",
         ),
     ],
@@ -371,7 +374,12 @@ pub(crate) static IMPACT: Schema = Schema {
             Form::Quantity(Dimension::Angle, ANY),
             "Scene angle Γ of the normal of the crush plane. From x; seen from above, positive counter-clockwise, or clockwise under `axes = \"z-down\"`. The plane itself lies along the surface on which the vehicles touched; Γ and Γ + 180° are the same plane.",
         ),
-        key("law", "law = \"brach\"", Form::Law, "Impact law. `\"brach\"` where absent."),
+        key(
+            "law",
+            "law = \"brach\"",
+            Form::Law(&words_of(&LawName::WORDS)),
+            "Impact law. `\"brach\"` where absent.",
+        ),
         key(
             "restitution",
             "restitution = 0.3",
@@ -381,7 +389,7 @@ pub(crate) static IMPACT: Schema = Schema {
         key(
             "tangential",
             "tangential = \"critical\"",
-            Form::WordsOrTable(&["critical"], &TANGENTIAL),
+            Form::WordsOrTable(&words_of(&BrachTangential::WORDS), &TANGENTIAL),
             "What happens along the crush plane, under Brach's law. `\"critical\"`: sliding ends by separation, as in most collisions that are not sideswipes; or a table with `ratio`, `fraction` or `friction`.",
         ),
         key(
@@ -412,29 +420,33 @@ pub(crate) static IMPACT: Schema = Schema {
     rules: &[Rule::Needs(&["crush_plane"]), Rule::KeysOfLaw],
 };
 
-/// The impact laws that `law` of [impact] can name.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum LawName {
-    Brach,
-    Woolley,
-    Ishikawa,
-    KudlichSlibar,
-}
+/// What the file has to say of an impact law.
+pub(crate) trait KeysOfLaw: Copy {
+    /// The keys of [impact] that the law has to have, besides crush_plane.
+    fn needed(self) -> &'static [&'static str];
 
-impl LawName {
-    pub(crate) const ALL: [Self; 4] = [Self::Brach, Self::Woolley, Self::Ishikawa, Self::KudlichSlibar];
+    /// The key that it may have.
+    fn optional(self) -> Option<&'static str>;
 
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Brach => "brach",
-            Self::Woolley => "woolley",
-            Self::Ishikawa => "ishikawa",
-            Self::KudlichSlibar => "kudlich-slibar",
-        }
+    fn uses(self, key: &str) -> bool {
+        key == "crush_plane"
+            || key == "law"
+            || self.needed().contains(&key)
+            || self.optional().is_some_and(|own| own == key)
     }
 
-    /// The keys of [impact] that the law has to have, besides crush_plane.
-    pub(crate) fn needed(self) -> &'static [&'static str] {
+    /// Its keys in words.
+    fn keys(self) -> String {
+        let needed = [&["crush_plane"], self.needed()].concat();
+        match self.optional() {
+            Some(key) => format!("{} and, if wanted, {key}", needed.join(", ")),
+            None => join(&needed, "and"),
+        }
+    }
+}
+
+impl KeysOfLaw for LawName {
+    fn needed(self) -> &'static [&'static str] {
         match self {
             Self::Brach => &["restitution", "tangential"],
             Self::Woolley => &[],
@@ -443,35 +455,18 @@ impl LawName {
         }
     }
 
-    /// The key that it may have.
-    pub(crate) fn optional(self) -> Option<&'static str> {
+    fn optional(self) -> Option<&'static str> {
         match self {
             Self::Brach => Some("moment_restitution"),
             Self::Woolley => Some("tangential_velocity_change"),
             Self::Ishikawa | Self::KudlichSlibar => None,
         }
     }
+}
 
-    pub(crate) fn uses(self, key: &str) -> bool {
-        key == "crush_plane"
-            || key == "law"
-            || self.needed().contains(&key)
-            || self.optional().is_some_and(|own| own == key)
-    }
-
-    /// Its keys in words.
-    pub(crate) fn keys(self) -> String {
-        let needed = [&["crush_plane"], self.needed()].concat();
-        match self.optional() {
-            Some(key) => format!("{} and, if wanted, {key}", needed.join(", ")),
-            None => join(&needed, "and"),
-        }
-    }
-
-    /// The laws that use a key.
-    pub(crate) fn of_key(key: &str) -> Vec<&'static str> {
-        Self::ALL.into_iter().filter(|law| law.uses(key)).map(Self::name).collect()
-    }
+/// The laws that use a key of [impact].
+pub(crate) fn laws_of_key(key: &str) -> Vec<&'static str> {
+    LawName::WORDS.into_iter().filter(|(_, law)| law.uses(key)).map(|(name, _)| name).collect()
 }
 
 pub(crate) static RECONSTRUCT: Schema = Schema {
@@ -481,13 +476,13 @@ pub(crate) static RECONSTRUCT: Schema = Schema {
         key(
             "find",
             "find = \"vehicle1.speed\"",
-            Form::Words(&["vehicle1.speed", "vehicle2.speed"]),
+            Form::Words(&words_of(&UNKNOWNS)),
             "Speed that is looked for. The other vehicle's has to be known, or that vehicle fixed.",
         ),
         key(
             "energy_basis",
             "energy_basis = \"dissipated\"",
-            Form::Words(&["dissipated", "absorbed"]),
+            Form::Words(&words_of(&ENERGY_BASES)),
             "What the crush energy is. `\"dissipated\"`, also where absent: what stays in the deformed structure after rebound, as in SAE 980025; `\"absorbed\"`: what was taken up at maximum engagement, as stiffness from the impact speeds of barrier tests gives it.",
         ),
     ],
@@ -661,7 +656,7 @@ pub(crate) static TEST: Schema = Schema {
         key(
             "fit",
             "fit = \"exact\"",
-            Form::Words(&["exact", "mean"]),
+            Form::Words(&words_of(&Fit::WORDS)),
             "How the stiffness is fitted. `\"exact\"`, also where absent: the kinetic energy of the test comes back; `\"mean\"`: through the mean crush, which gives some per cent too much.",
         ),
     ],
@@ -850,7 +845,7 @@ pub fn number_keys() -> Vec<String> {
         Form::Text
         | Form::Flag
         | Form::Words(_)
-        | Form::Law
+        | Form::Law(_)
         | Form::Count(_)
         | Form::Vehicle
         | Form::Table(_)

@@ -2,16 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use crate::schema::LawName;
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
-use crash3::Side;
 use inputs::{
-    Amount, Axes, BarrierTest, BrachTangential, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass,
-    Outline, Pdof, Quantity, Reconstruct, Restitution, Spread, StiffnessForm, StiffnessLine, Vehicle,
-    Velocity, YawInertia, format_number,
+    Amount, Axes, BarrierTest, BrachTangential, Case, ContactPoint, Crush, ENERGY_BASES, Fit, Impact,
+    ImpactLaw, LawName, Mass, OBLIQUE_CORRECTIONS, Outline, Pdof, Quantity, Reconstruct, Restitution, SIDES,
+    Spread, StiffnessForm, StiffnessLine, UNKNOWNS, Vehicle, Velocity, YawInertia, format_number, word,
 };
-use reconcile::Unknown;
 
 /// A number, and what is said of it where it is uncertain.
 #[derive(Clone, Copy)]
@@ -127,13 +124,7 @@ fn vehicle_lines(vehicle: &Vehicle<Written<'_>>, name: &str) -> Lines {
 
 fn crush_lines(crush: &Crush<Written<'_>>, vehicle: &str, fit_left_out: bool) -> Lines {
     let mut table = Lines::new(Some(format!("{vehicle}.crush")));
-    let side = match crush.side {
-        Side::Front => "front",
-        Side::Rear => "rear",
-        Side::Left => "left",
-        Side::Right => "right",
-    };
-    table.line("side", quoted(side));
+    table.line("side", quoted(word(&SIDES, &crush.side)));
     table.optional("width", crush.width.map(string));
     if crush.from_force_balance {
         table.line("from_force_balance", "true".to_owned());
@@ -159,11 +150,12 @@ fn crush_lines(crush: &Crush<Written<'_>>, vehicle: &str, fit_left_out: bool) ->
     table.optional("pdof", pdof);
     table.optional("oblique_angle", crush.oblique_angle.map(string));
     table.optional("moment_arm", crush.moment_arm.map(string));
+    let of_table = |correction| quoted(word(&OBLIQUE_CORRECTIONS, &correction));
     let oblique = crush.oblique.map(|oblique| match oblique {
-        ObliqueCorrection::Capped => quoted("capped"),
-        ObliqueCorrection::Uncapped => quoted("uncapped"),
-        ObliqueCorrection::None => quoted("none"),
-        ObliqueCorrection::Secant => quoted("secant"),
+        ObliqueCorrection::Capped => of_table(ObliqueCorrection::Capped),
+        ObliqueCorrection::Uncapped => of_table(ObliqueCorrection::Uncapped),
+        ObliqueCorrection::None => of_table(ObliqueCorrection::None),
+        ObliqueCorrection::Secant => of_table(ObliqueCorrection::Secant),
         ObliqueCorrection::Friction(friction) => format!("{{ friction = {} }}", plain(friction)),
     });
     table.optional("oblique", oblique);
@@ -186,12 +178,9 @@ fn barrier_test(test: &BarrierTest<Written<'_>>, fit_left_out: bool) -> String {
         Mass::Mass(mass) => ("mass", mass),
         Mass::Weight(weight) => ("weight", weight),
     };
-    let fit = match test.fit {
-        Fit::Exact => "exact",
-        Fit::Mean => "mean",
-    };
     let is_default = fit_left_out && test.fit == Fit::default();
-    let fit = if is_default { String::new() } else { format!(", fit = {}", quoted(fit)) };
+    let fit =
+        if is_default { String::new() } else { format!(", fit = {}", quoted(word(&Fit::WORDS, &test.fit))) };
     format!(
         "{{ {key} = {}, speed = {}, width = {}, depths = {}, no_damage_speed = {}{fit} }}",
         string(mass),
@@ -205,9 +194,9 @@ fn barrier_test(test: &BarrierTest<Written<'_>>, fit_left_out: bool) -> String {
 fn impact_lines(impact: &Impact<Written<'_>>, law_left_out: bool) -> Lines {
     let mut table = Lines::new(Some("impact".to_owned()));
     table.line("crush_plane", string(impact.crush_plane));
-    let law = impact.law.name();
-    if !(law_left_out && law == LawName::Brach.name()) {
-        table.line("law", quoted(law));
+    let law = impact.law.law();
+    if !(law_left_out && law == LawName::default()) {
+        table.line("law", quoted(law.name()));
     }
     table.optional("restitution", impact.law.restitution().map(restitution));
     match &impact.law {
@@ -239,7 +228,7 @@ fn restitution(restitution: &Restitution<Written<'_>>) -> String {
 fn tangential(tangential: BrachTangential<Written<'_>>) -> String {
     let number = |key: &str, value: Written<'_>| format!("{{ {key} = {} }}", plain(value));
     match tangential {
-        BrachTangential::Critical => quoted("critical"),
+        BrachTangential::Critical => quoted(word(&BrachTangential::WORDS, &BrachTangential::Critical)),
         BrachTangential::Ratio(ratio) => number("ratio", ratio),
         BrachTangential::FractionOfCritical(fraction) => number("fraction", fraction),
         BrachTangential::Friction(friction) => number("friction", friction),
@@ -248,17 +237,9 @@ fn tangential(tangential: BrachTangential<Written<'_>>) -> String {
 
 fn reconstruct_lines(reconstruct: &Reconstruct, basis_left_out: bool) -> Lines {
     let mut table = Lines::new(Some("reconstruct".to_owned()));
-    let find = match reconstruct.find {
-        Unknown::Speed1 => "vehicle1.speed",
-        Unknown::Speed2 => "vehicle2.speed",
-    };
-    table.line("find", quoted(find));
-    let basis = match reconstruct.energy_basis {
-        EnergyBasis::Dissipated => "dissipated",
-        EnergyBasis::Absorbed => "absorbed",
-    };
+    table.line("find", quoted(word(&UNKNOWNS, &reconstruct.find)));
     if !(basis_left_out && reconstruct.energy_basis == EnergyBasis::default()) {
-        table.line("energy_basis", quoted(basis));
+        table.line("energy_basis", quoted(word(&ENERGY_BASES, &reconstruct.energy_basis)));
     }
     table
 }

@@ -2,6 +2,8 @@
 
 use pim_core::Real;
 
+use crate::words::word;
+
 /// The axes of the scene and of the vehicles in it, seen from above. The engine computes in [`ZUp`](Self::ZUp).
 ///
 /// Each is the mirror image of the other: a number that counts across the vehicle or the scene, or turns, has the other sign. Those
@@ -17,16 +19,13 @@ pub enum Axes {
 }
 
 impl Axes {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::ZUp, Self::ZDown];
+    /// Each under its word.
+    pub const WORDS: [(&str, Self); 2] = [("z-up", Self::ZUp), ("z-down", Self::ZDown)];
 
     /// Its name, such as `"z-up"`.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Self::ZUp => "z-up",
-            Self::ZDown => "z-down",
-        }
+        word(&Self::WORDS, &self)
     }
 
     /// From the number that stands in these axes for something that counts across or turns to that of the engine, or back.

@@ -10,6 +10,7 @@ use crate::axes::Axes;
 use crate::quantity::Quantity;
 use crate::range::Range;
 use crate::units::{STANDARD_GRAVITY, Unit, UnitSystem};
+use crate::words::word;
 
 /// A whole case: two vehicles, and what is known of the impact. The crate `case` reads it from a file and writes it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -298,6 +299,11 @@ pub enum Fit {
     Mean,
 }
 
+impl Fit {
+    /// Each under its word.
+    pub const WORDS: [(&str, Self); 2] = [("exact", Self::Exact), ("mean", Self::Mean)];
+}
+
 impl<T: Real> StiffnessForm<T> {
     /// The stiffness of the damaged side, in SI units.
     ///
@@ -393,6 +399,36 @@ pub enum ImpactLaw<T = f64> {
     },
 }
 
+/// An impact law without its coefficients.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LawName {
+    /// Brach's, which holds where none is named.
+    #[default]
+    Brach,
+    /// Woolley's.
+    Woolley,
+    /// Ishikawa's.
+    Ishikawa,
+    /// Kudlich's and Slibar's.
+    KudlichSlibar,
+}
+
+impl LawName {
+    /// Each under its word.
+    pub const WORDS: [(&str, Self); 4] = [
+        ("brach", Self::Brach),
+        ("woolley", Self::Woolley),
+        ("ishikawa", Self::Ishikawa),
+        ("kudlich-slibar", Self::KudlichSlibar),
+    ];
+
+    /// Its word.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        word(&Self::WORDS, &self)
+    }
+}
+
 /// What happens along the crush plane under Brach's law; the other laws have conditions of their own.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BrachTangential<T = f64> {
@@ -404,6 +440,11 @@ pub enum BrachTangential<T = f64> {
     FractionOfCritical(T),
     /// (–) friction that ends the sliding, or limits the impulse where it cannot; zero or more.
     Friction(T),
+}
+
+impl BrachTangential {
+    /// Those that have no number, each under its word.
+    pub const WORDS: [(&str, Self); 1] = [("critical", Self::Critical)];
 }
 
 impl<T> From<BrachTangential<T>> for Tangential<T> {
@@ -418,15 +459,21 @@ impl<T> From<BrachTangential<T>> for Tangential<T> {
 }
 
 impl<T: Copy> ImpactLaw<T> {
+    /// Which one it is.
+    #[must_use]
+    pub fn law(&self) -> LawName {
+        match self {
+            Self::Brach { .. } => LawName::Brach,
+            Self::Woolley { .. } => LawName::Woolley,
+            Self::Ishikawa { .. } => LawName::Ishikawa,
+            Self::KudlichSlibar { .. } => LawName::KudlichSlibar,
+        }
+    }
+
     /// The value of `law`, such as `"brach"`.
     #[must_use]
     pub fn name(&self) -> &'static str {
-        match self {
-            Self::Brach { .. } => "brach",
-            Self::Woolley { .. } => "woolley",
-            Self::Ishikawa { .. } => "ishikawa",
-            Self::KudlichSlibar { .. } => "kudlich-slibar",
-        }
+        self.law().name()
     }
 
     /// `restitution`; `None` under Woolley's law, which has no such key: there e = 0.

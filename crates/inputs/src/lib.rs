@@ -41,11 +41,12 @@ mod purpose;
 mod quantity;
 mod range;
 mod units;
+mod words;
 
 pub use axes::Axes;
 pub use case::{
-    BarrierTest, BrachTangential, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, LeftOut, Mass, Outline,
-    Pdof, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
+    BarrierTest, BrachTangential, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, LawName, LeftOut, Mass,
+    Outline, Pdof, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
 };
 pub use demands::{
     Collision, CrushOnly, Damage, Dimensions, Evidence, ImpactInput, Inertia, InferredWidth,
@@ -57,3 +58,4 @@ pub use purpose::Purpose;
 pub use quantity::{InvalidQuantity, Quantity, format_number};
 pub use range::{Amount, Bounds, Range, Spread};
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
+pub use words::{ENERGY_BASES, OBLIQUE_CORRECTIONS, SIDES, UNKNOWNS, word, words_of};

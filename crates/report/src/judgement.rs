@@ -3,7 +3,7 @@
 use analysis::{Ability, Assumption, Judgement, Warning};
 use case::{
     BrachTangential, Case, CaseFile, Dimension, Fit, ImpactLaw, Input, Pdof, Purpose, Range, Spread,
-    StiffnessForm, StiffnessSource, Unit, UnitSystem,
+    StiffnessForm, StiffnessSource, Unit, UnitSystem, word,
 };
 use crash3::ObliqueCorrection;
 use serde::Serialize;
@@ -352,11 +352,7 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
         match &crush.stiffness {
             StiffnessForm::Category(category) => say("crush.stiffness.category", category.to_string()),
             StiffnessForm::Test(test) => {
-                let fit = match test.fit {
-                    Fit::Exact => "exact",
-                    Fit::Mean => "mean",
-                };
-                say("crush.stiffness.test.fit", fit.to_owned());
+                say("crush.stiffness.test.fit", word(&Fit::WORDS, &test.fit).to_owned());
             }
             _ => {}
         }
@@ -372,7 +368,8 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
     if let Some(impact) = &case.impact {
         choices.push(("impact.law".to_owned(), impact.law.name().to_owned()));
         if matches!(impact.law, ImpactLaw::Brach { tangential: BrachTangential::Critical, .. }) {
-            choices.push(("impact.tangential".to_owned(), "critical".to_owned()));
+            let critical = word(&BrachTangential::WORDS, &BrachTangential::Critical);
+            choices.push(("impact.tangential".to_owned(), critical.to_owned()));
         }
     }
     if let Some(reconstruct) = &case.reconstruct {

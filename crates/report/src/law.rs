@@ -1,7 +1,7 @@
 //! Impact laws and their coefficients in words.
 
 use analysis::Correction;
-use case::{BrachTangential, ImpactLaw, Restitution};
+use case::{BrachTangential, ImpactLaw, OBLIQUE_CORRECTIONS, Restitution, word};
 use crash3::ObliqueCorrection;
 
 use crate::units::{Quantity, Units};
@@ -67,11 +67,8 @@ fn restitution(restitution: &Restitution, units: Units) -> String {
 /// The correction's name in the case file.
 pub(crate) fn correction_name(correction: ObliqueCorrection) -> &'static str {
     match correction {
-        ObliqueCorrection::None => "none",
-        ObliqueCorrection::Capped => "capped",
-        ObliqueCorrection::Uncapped => "uncapped",
         ObliqueCorrection::Friction(_) => "friction",
-        ObliqueCorrection::Secant => "secant",
+        without_number => word(&OBLIQUE_CORRECTIONS, &without_number),
     }
 }
 

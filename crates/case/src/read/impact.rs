@@ -4,8 +4,8 @@ use super::range::is_range;
 use super::tree::{Reader, Table};
 use super::values::{Sign, named};
 use crate::problem::{Problem, RESTITUTION_FORMS};
-use crate::schema::{LawName, RESTITUTION, TANGENTIAL};
-use inputs::{Bounds, BrachTangential, Dimension, Impact, ImpactLaw, Quantity, Restitution};
+use crate::schema::{KeysOfLaw, RESTITUTION, TANGENTIAL, laws_of_key};
+use inputs::{Bounds, BrachTangential, Dimension, Impact, ImpactLaw, LawName, Quantity, Restitution};
 
 impl<'t> Reader<'t> {
     pub(super) fn impact(&mut self, table: &Table<'t>) -> Option<Impact> {
@@ -18,11 +18,8 @@ impl<'t> Reader<'t> {
     fn law(&mut self, table: &Table<'t>) -> Option<ImpactLaw> {
         // A misspelt `law` is not the default either.
         let is_default = !table.has("law") && !table.means("law");
-        let law = if is_default {
-            Some(LawName::Brach)
-        } else {
-            self.choice(table, "law", &LawName::ALL.map(|law| (law.name(), law)))
-        };
+        let law =
+            if is_default { Some(LawName::default()) } else { self.choice(table, "law", &LawName::WORDS) };
         if let Some(law) = law {
             self.keys_of_law(table, law, is_default);
         }
@@ -65,7 +62,7 @@ impl<'t> Reader<'t> {
                 law: law.name(),
                 is_default,
                 keys: law.keys(),
-                owners: LawName::of_key(key),
+                owners: laws_of_key(key),
             };
             self.report(table.key_span(key), problem);
         }
@@ -132,12 +129,7 @@ impl<'t> Reader<'t> {
         const FORMS: &str =
             "tangential = \"critical\", { ratio = 0.37 }, { fraction = 0.9 } or { friction = 0.5 }";
         if impact.is_string("tangential") {
-            return self.choice_among(
-                impact,
-                "tangential",
-                &[("critical", BrachTangential::Critical)],
-                FORMS,
-            );
+            return self.choice_among(impact, "tangential", &BrachTangential::WORDS, FORMS);
         }
         let table =
             self.inline(impact, "tangential", &TANGENTIAL, "\"critical\" or a table in braces", FORMS)?;

@@ -8,10 +8,10 @@ use crate::quantity::{Limit, format_limit, shorten};
 use crate::schema::{
     CONTACT, CRUSH, MOST_ZONES, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY, ZONE,
 };
-use crash3::{CrushError, ObliqueCorrection, Side};
+use crash3::{CrushError, ObliqueCorrection};
 use inputs::{
-    BarrierTest, Bounds, ContactPoint, Crush, Dimension, Fit, Mass, Outline, Pdof, Quantity, StiffnessForm,
-    StiffnessLine, Vehicle, Velocity, YawInertia, format_number,
+    BarrierTest, Bounds, ContactPoint, Crush, Dimension, Fit, Mass, OBLIQUE_CORRECTIONS, Outline, Pdof,
+    Quantity, SIDES, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia, format_number,
 };
 use toml::de::DeValue;
 
@@ -131,9 +131,7 @@ impl<'t> Reader<'t> {
                 self.require(table, &["width"]);
             }
         }
-        let sides =
-            [("front", Side::Front), ("rear", Side::Rear), ("left", Side::Left), ("right", Side::Right)];
-        let side = self.choice(table, "side", &sides);
+        let side = self.choice(table, "side", &SIDES);
         let width = self.quantity(table, "width", Dimension::Length, Sign::Positive);
         let depths = self.quantities(table, "depths", Dimension::Length, Sign::NotNegative);
         let spacing = self.quantities(table, "spacing", Dimension::Length, Sign::Positive);
@@ -254,13 +252,7 @@ impl<'t> Reader<'t> {
                 _ => self.no_form(&table, FORMS),
             };
         }
-        let corrections = [
-            ("capped", ObliqueCorrection::Capped),
-            ("uncapped", ObliqueCorrection::Uncapped),
-            ("none", ObliqueCorrection::None),
-            ("secant", ObliqueCorrection::Secant),
-        ];
-        self.choice_among(crush, "oblique", &corrections, FORMS)
+        self.choice_among(crush, "oblique", &OBLIQUE_CORRECTIONS, FORMS)
     }
 
     fn stiffness(&mut self, crush: &Table<'t>) -> Option<StiffnessForm> {
@@ -363,7 +355,7 @@ impl<'t> Reader<'t> {
         let depths = self.quantities(table, "depths", Dimension::Length, Sign::NotNegative);
         self.profile(table, width, depths.as_deref(), None);
         let no_damage_speed = self.quantity(table, "no_damage_speed", Dimension::Speed, Sign::NotNegative);
-        let fit = self.choice(table, "fit", &[("exact", Fit::Exact), ("mean", Fit::Mean)]);
+        let fit = self.choice(table, "fit", &Fit::WORDS);
         let depths = depths.filter(|depths| depths.len() >= 2)?;
         let test = BarrierTest {
             mass: mass?,

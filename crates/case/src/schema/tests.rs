@@ -27,8 +27,7 @@ fn written(form: &Form) -> String {
     match *form {
         Form::Text => "text".to_owned(),
         Form::Flag => "`true` or `false`".to_owned(),
-        Form::Words(words) => ticked(words),
-        Form::Law => ticked(&LawName::ALL.map(LawName::name)),
+        Form::Words(words) | Form::Law(words) => ticked(words),
         Form::Count(last) => format!("whole number, 1 to {last}"),
         Form::Number(bounds) => format!("number{}", within(bounds)),
         Form::Numbers(bounds) => format!("list of numbers{}", within(bounds)),
@@ -137,7 +136,7 @@ fn documentation() -> String {
     }
     page.push_str("\n## The keys of each law\n\n");
     page.push_str("A key of another law is an error.\n\n| `law` | keys of [impact] |\n|---|---|\n");
-    for law in LawName::ALL {
+    for (_, law) in LawName::WORDS {
         writeln!(page, "| `\"{}\"` | {} |", law.name(), law.keys()).unwrap();
     }
     page.push_str("\n## Units\n\n");
