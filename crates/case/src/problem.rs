@@ -106,7 +106,7 @@ pub enum Problem {
     NotAcute { path: String, value: Quantity, limit: &'static str },
     /// A plain number outside of its range.
     #[error("{path} is {}, but has to be {range}", format_number(*value))]
-    OutOfRange { path: String, value: f64, range: &'static str, example: &'static str },
+    OutOfRange { path: String, value: f64, range: Cow<'static, str>, example: &'static str },
     /// A text that is empty.
     #[error("\"{path}\" is empty")]
     EmptyText { path: String, example: &'static str },

@@ -90,6 +90,42 @@ pub(crate) enum Form {
     Probability,
 }
 
+/// What a quantity has to be.
+#[derive(Clone, Copy)]
+pub(crate) struct Measure {
+    pub(crate) dimension: Dimension,
+    pub(crate) bounds: Bounds,
+    /// Why it has to be greater than zero, where that is worth saying.
+    pub(crate) why: &'static str,
+}
+
+impl Measure {
+    /// The same of one that has to be greater than zero, for a reason.
+    pub(crate) fn positive(self, why: &'static str) -> Self {
+        Self { bounds: Bounds::Positive, why, ..self }
+    }
+}
+
+impl Form {
+    /// What a quantity is, or each of several.
+    pub(crate) fn measure(self) -> Option<Measure> {
+        let (dimension, bounds) = match self {
+            Self::Quantity(dimension, bounds) | Self::Quantities(dimension, bounds, _) => (dimension, bounds),
+            Self::AngleOrHour => (Dimension::Angle, Bounds::None),
+            _ => return None,
+        };
+        Some(Measure { dimension, bounds, why: "" })
+    }
+
+    /// The bounds of a plain number, or of each of several.
+    pub(crate) fn bounds(self) -> Option<Bounds> {
+        match self {
+            Self::Number(bounds) | Self::Numbers(bounds) | Self::NumberOrTable(bounds, _) => Some(bounds),
+            _ => None,
+        }
+    }
+}
+
 /// A table: its keys, and how an error text says where they belong.
 pub(crate) struct Schema {
     pub(crate) place: &'static str,
@@ -896,26 +932,19 @@ const OTHER_NAMES: [(&str, &str); 7] = [
 
 /// The line that sets a key of this name to a quantity of that dimension, in any table.
 pub(crate) fn example_of(name: &str, dimension: Dimension) -> Option<&'static str> {
-    let keys = ALL.into_iter().chain([&TEST]).flat_map(|schema| schema.keys);
-    let of_dimension = |key: &&Key| {
-        key.name == name
-            && matches!(key.form, Form::Quantity(of_key, _) | Form::Quantities(of_key, ..) if of_key == dimension)
-    };
-    keys.into_iter().find(of_dimension).map(|key| key.example)
+    let mut keys = keys_named(name);
+    let of_dimension = |key: &&Key| key.form.measure().is_some_and(|measure| measure.dimension == dimension);
+    keys.find(of_dimension).map(|key| key.example)
 }
 
 /// What a key of this name measures, in any table: nothing where it is no quantity.
 pub(crate) fn dimensions_of(name: &str) -> Vec<Dimension> {
-    let schemas = ALL.into_iter().chain([&TEST]);
-    schemas
-        .flat_map(|schema| schema.keys)
-        .filter(|key| key.name == name)
-        .filter_map(|key| match key.form {
-            Form::Quantity(dimension, _) | Form::Quantities(dimension, ..) => Some(dimension),
-            Form::AngleOrHour => Some(Dimension::Angle),
-            _ => None,
-        })
-        .collect()
+    keys_named(name).filter_map(|key| Some(key.form.measure()?.dimension)).collect()
+}
+
+fn keys_named(name: &str) -> impl Iterator<Item = &'static Key> {
+    let keys = ALL.into_iter().chain([&TEST]).flat_map(|schema| schema.keys);
+    keys.filter(move |key| key.name == name)
 }
 
 impl Schema {
@@ -927,9 +956,14 @@ impl Schema {
         self.names().any(|known| known == name)
     }
 
+    /// The row of a key of this table.
+    pub(crate) fn key(&self, name: &str) -> Option<&'static Key> {
+        self.keys.iter().find(|key| key.name == name)
+    }
+
     /// The example line of a key of this table.
     pub(crate) fn example(&self, name: &str) -> &'static str {
-        self.keys.iter().find(|key| key.name == name).map_or("", |key| key.example)
+        self.key(name).map_or("", |key| key.example)
     }
 
     /// The key of this table that goes by another name elsewhere.

@@ -2,15 +2,15 @@
 
 use super::range::is_range;
 use super::tree::{Reader, Table};
-use super::values::{Sign, named};
+use super::values::named;
 use crate::problem::{Problem, RESTITUTION_FORMS};
 use crate::schema::{KeysOfLaw, RESTITUTION, TANGENTIAL, laws_of_key};
-use inputs::{Bounds, BrachTangential, Dimension, Impact, ImpactLaw, LawName, Quantity, Restitution};
+use inputs::{BrachTangential, Impact, ImpactLaw, LawName, Quantity, Restitution};
 
 impl<'t> Reader<'t> {
     pub(super) fn impact(&mut self, table: &Table<'t>) -> Option<Impact> {
         self.require(table, &["crush_plane"]);
-        let crush_plane = self.quantity(table, "crush_plane", Dimension::Angle, Sign::Any);
+        let crush_plane = self.quantity(table, "crush_plane");
         let law = self.law(table);
         Some(Impact { crush_plane: crush_plane?, law: law? })
     }
@@ -28,12 +28,12 @@ impl<'t> Reader<'t> {
         let restitution = if reads("restitution") { self.restitution(table) } else { None };
         let tangential = if reads("tangential") { self.tangential(table) } else { None };
         let mut coefficient = |key| {
-            if reads(key) { self.number(table, key, Bounds::Coefficient) } else { None }
+            if reads(key) { self.number(table, key) } else { None }
         };
         let moment_restitution = coefficient("moment_restitution");
         let tangential_restitution = coefficient("tangential_restitution");
         let tangential_velocity_change = if reads("tangential_velocity_change") {
-            self.quantity(table, "tangential_velocity_change", Dimension::Speed, Sign::Any)
+            self.quantity(table, "tangential_velocity_change")
         } else {
             None
         };
@@ -81,12 +81,12 @@ impl<'t> Reader<'t> {
 
     fn restitution(&mut self, impact: &Table<'t>) -> Option<Restitution> {
         if !impact.is_table_or_list("restitution") || is_range(impact, "restitution") {
-            return self.number(impact, "restitution", Bounds::BelowOne).map(Restitution::Constant);
+            return self.number(impact, "restitution").map(Restitution::Constant);
         }
         let wanted = "a plain number, or a table of speeds and values";
         let table = self.inline(impact, "restitution", &RESTITUTION, wanted, RESTITUTION_FORMS)?;
-        let speeds = self.quantities(&table, "speeds", Dimension::Speed, Sign::NotNegative);
-        let values = self.numbers(&table, "values", Bounds::BelowOne);
+        let speeds = self.quantities(&table, "speeds");
+        let values = self.numbers(&table, "values");
         if table.given(&["speeds", "values"]).len() < 2 {
             return self.no_form(&table, RESTITUTION_FORMS);
         }
@@ -122,7 +122,7 @@ impl<'t> Reader<'t> {
     }
 
     fn friction(&mut self, table: &Table<'t>) -> Option<f64> {
-        self.number(table, "friction", Bounds::NotNegative)
+        self.number(table, "friction")
     }
 
     fn tangential(&mut self, impact: &Table<'t>) -> Option<BrachTangential> {
@@ -134,10 +134,8 @@ impl<'t> Reader<'t> {
         let table =
             self.inline(impact, "tangential", &TANGENTIAL, "\"critical\" or a table in braces", FORMS)?;
         match table.given(&["ratio", "fraction", "friction"])[..] {
-            ["ratio"] => self.number(&table, "ratio", Bounds::None).map(BrachTangential::Ratio),
-            ["fraction"] => {
-                self.number(&table, "fraction", Bounds::Share).map(BrachTangential::FractionOfCritical)
-            }
+            ["ratio"] => self.number(&table, "ratio").map(BrachTangential::Ratio),
+            ["fraction"] => self.number(&table, "fraction").map(BrachTangential::FractionOfCritical),
             ["friction"] => self.friction(&table).map(BrachTangential::Friction),
             _ => self.no_form(&table, FORMS),
         }

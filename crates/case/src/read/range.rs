@@ -4,12 +4,12 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::tree::{Reader, Table, kind};
-use super::values::{Place, Sign, accepts, named, words};
+use super::values::{Place, accepts, named, words};
 use crate::number::split_number;
 use crate::problem::Problem;
 use crate::quantity::shorten;
-use crate::schema::{RANGE, RANGE_OF_LIST, RESTITUTION, Schema};
-use inputs::{Amount, Bounds, Dimension, Quantity, Range, Spread, Unit};
+use crate::schema::{Measure, RANGE, RANGE_OF_LIST, RESTITUTION, Schema};
+use inputs::{Amount, Bounds, Quantity, Range, Spread, Unit};
 
 const FORMS: &str = "{ value = …, sd = … }, { low = …, high = … }, { low = …, mode = …, high = … } or \
                      { value = …, within = \"10 %\", confidence = 0.95 }";
@@ -19,7 +19,7 @@ const LIST_FORMS: &str = "{ values = …, sd = … } or { values = …, within =
 /// What the numbers of a range are.
 #[derive(Clone, Copy)]
 enum Kind {
-    Quantity(Dimension, Sign),
+    Quantity(Measure),
     Number(Bounds),
 }
 
@@ -52,12 +52,11 @@ impl<'t> Reader<'t> {
         &mut self,
         place: &Place,
         value: &'t Spanned<DeValue<'t>>,
-        dimension: Dimension,
-        sign: Sign,
+        measure: Measure,
     ) -> Option<Quantity> {
-        let (central, spread) = self.range(place, value, Kind::Quantity(dimension, sign))?;
+        let (central, spread) = self.range(place, value, Kind::Quantity(measure))?;
         let unit = central.unit?;
-        self.add_range(value.span(), Range { path: place.path.clone(), spread, bounds: sign.bounds() });
+        self.add_range(value.span(), Range { path: place.path.clone(), spread, bounds: measure.bounds });
         Quantity::new(central.number, unit).ok()
     }
 
@@ -78,14 +77,13 @@ impl<'t> Reader<'t> {
         &mut self,
         place: &Place,
         value: &'t Spanned<DeValue<'t>>,
-        dimension: Dimension,
-        sign: Sign,
+        measure: Measure,
     ) -> Option<Vec<Quantity>> {
         let table = self.range_table(place, value, &RANGE_OF_LIST)?;
-        let kind = Kind::Quantity(dimension, sign);
+        let kind = Kind::Quantity(measure);
         let values = table.get("values").and_then(|list| {
             let place = Place { example: place.example, ..Place::of_key(&table, "values") };
-            self.certain_quantities(&place, list, dimension, sign).map(|values| (list, values))
+            self.certain_quantities(&place, list, measure).map(|values| (list, values))
         });
         let spread = self.spread_about(&table, kind);
         let is_complete = matches!(
@@ -104,7 +102,7 @@ impl<'t> Reader<'t> {
             let name = format!("value {} of {}", index + 1, named(&table.path_of("values")));
             self.not_within_zero(&name, span.clone(), amount, spread)?;
             let path = format!("{}[{}]", place.path, index + 1);
-            self.add_range(span, Range { path, spread, bounds: sign.bounds() });
+            self.add_range(span, Range { path, spread, bounds: measure.bounds });
         }
         Some(values)
     }
@@ -114,8 +112,7 @@ impl<'t> Reader<'t> {
         &mut self,
         place: &Place,
         list: &'t Spanned<DeValue<'t>>,
-        dimension: Dimension,
-        sign: Sign,
+        measure: Measure,
     ) -> Option<Vec<Quantity>> {
         let nested =
             list.get_ref().as_array().and_then(|list| list.iter().find(|one| one.get_ref().is_table()));
@@ -129,7 +126,7 @@ impl<'t> Reader<'t> {
             );
             return None;
         }
-        self.listed_quantities(place, list, dimension, sign)
+        self.listed_quantities(place, list, measure)
     }
 
     fn range_table(
@@ -233,7 +230,7 @@ impl<'t> Reader<'t> {
             return None;
         }
         match range {
-            Kind::Quantity(dimension, _)
+            Kind::Quantity(Measure { dimension, .. })
                 if matches!(value.get_ref(), DeValue::Integer(_) | DeValue::Float(_)) =>
             {
                 let number = shorten(&self.text[value.span()]);
@@ -245,9 +242,9 @@ impl<'t> Reader<'t> {
                 );
                 None
             }
-            Kind::Quantity(dimension, sign) => {
+            Kind::Quantity(measure) => {
                 let wanted = "a string with number and unit";
-                let quantity = self.certain_quantity(&place, value, dimension, sign, wanted)?;
+                let quantity = self.certain_quantity(&place, value, measure, wanted)?;
                 Some(Amount { number: quantity.number(), unit: Some(quantity.unit()) })
             }
             Kind::Number(bounds) => {
@@ -269,7 +266,7 @@ impl<'t> Reader<'t> {
         const WHY: &str =
             "a standard deviation is greater than zero; write a value that is known exactly without it";
         let deviation = match range {
-            Kind::Quantity(dimension, _) => Kind::Quantity(dimension, Sign::PositiveBecause(WHY)),
+            Kind::Quantity(measure) => Kind::Quantity(measure.positive(WHY)),
             Kind::Number(_) => Kind::Number(Bounds::Positive),
         };
         let sd = self.standard_deviation(table, deviation).map(|sd| Spread::Normal { sd });
@@ -307,7 +304,7 @@ impl<'t> Reader<'t> {
                     Problem::OutOfRange {
                         path: named(&path),
                         value: number,
-                        range: "greater than zero",
+                        range: "greater than zero".into(),
                         example,
                     }
                 }

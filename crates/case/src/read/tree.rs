@@ -11,11 +11,11 @@ use crate::diagnostic::Diagnostic;
 use crate::nearest::nearest;
 use crate::problem::Problem;
 use crate::quantity::shorten;
-use crate::schema::Schema;
+use crate::schema::{Measure, Schema};
 use crate::source::Spans;
 use crate::syntax;
 use crate::written::Written;
-use inputs::Range;
+use inputs::{Bounds, Range};
 
 /// Of so many broken lines the text is looked at: more than are shown.
 const EXPLAINED: usize = 50;
@@ -42,6 +42,16 @@ pub(super) struct Table<'t> {
 impl<'t> Table<'t> {
     pub(super) fn get(&self, key: &str) -> Option<&'t Spanned<DeValue<'t>>> {
         self.entries.get(key)
+    }
+
+    /// What its row says that a key measures.
+    pub(super) fn measure(&self, key: &str) -> Option<Measure> {
+        self.schema.key(key)?.form.measure()
+    }
+
+    /// The bounds that its row sets a plain number.
+    pub(super) fn bounds(&self, key: &str) -> Option<Bounds> {
+        self.schema.key(key)?.form.bounds()
     }
 
     pub(super) fn has(&self, key: &str) -> bool {

@@ -2,7 +2,7 @@
 
 use super::differ;
 use super::tree::{Reader, Table};
-use super::values::{Place, Sign, hour_of, named};
+use super::values::{Place, hour_of, named};
 use crate::problem::{CLASS_FORMS, Problem};
 use crate::quantity::{Limit, format_limit, shorten};
 use crate::schema::{
@@ -10,8 +10,8 @@ use crate::schema::{
 };
 use crash3::{CrushError, ObliqueCorrection};
 use inputs::{
-    BarrierTest, Bounds, ContactPoint, Crush, Dimension, Fit, Mass, OBLIQUE_CORRECTIONS, Outline, Pdof,
-    Quantity, SIDES, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia, format_number,
+    BarrierTest, ContactPoint, Crush, Dimension, Fit, Mass, OBLIQUE_CORRECTIONS, Outline, Pdof, Quantity,
+    SIDES, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia, format_number,
 };
 use toml::de::DeValue;
 
@@ -37,47 +37,47 @@ impl<'t> Reader<'t> {
             mass: self.mass(&table),
             yaw: self.yaw(&table),
             class: self.class(&table),
-            wheelbase: self.quantity(&table, "wheelbase", Dimension::Length, Sign::Positive),
+            wheelbase: self.quantity(&table, "wheelbase"),
             length: None,
-            heading: self.quantity(&table, "heading", Dimension::Angle, Sign::Any),
+            heading: self.quantity(&table, "heading"),
             contact: self.contact(&table),
             motion: self.motion(&table),
-            yaw_rate: self.quantity(&table, "yaw_rate", Dimension::YawRate, Sign::Any),
+            yaw_rate: self.quantity(&table, "yaw_rate"),
             outline: self.outline(&table),
             crush: self.child(&table, "crush", &CRUSH).and_then(|crush| self.crush(&crush)),
         };
         if vehicle.outline.is_none() && length_alone(&table) {
-            vehicle.length = self.quantity(&table, "length", Dimension::Length, Sign::Positive);
+            vehicle.length = self.quantity(&table, "length");
         }
         Some(vehicle)
     }
 
     fn class(&mut self, table: &Table<'t>) -> Option<u8> {
         let place = Place { example: CLASS_FORMS, ..Place::of_key(table, "class") };
-        self.counted(&place, table, "class", "a whole number from 1 to 6", 6)
+        self.counted(&place, table, "class")
     }
 
     fn mass(&mut self, table: &Table<'t>) -> Option<Mass> {
         self.not_both(table, "mass", "weight");
-        let mass = self.quantity(table, "mass", Dimension::Mass, Sign::Positive).map(Mass::Mass);
-        let weight = self.quantity(table, "weight", Dimension::Weight, Sign::Positive).map(Mass::Weight);
+        let mass = self.quantity(table, "mass").map(Mass::Mass);
+        let weight = self.quantity(table, "weight").map(Mass::Weight);
         mass.or(weight)
     }
 
     fn yaw(&mut self, table: &Table<'t>) -> Option<YawInertia> {
         self.not_both(table, "yaw_inertia", "yaw_radius");
-        let inertia = self.quantity(table, "yaw_inertia", Dimension::Inertia, Sign::Positive);
-        let radius = self.quantity(table, "yaw_radius", Dimension::Length, Sign::Positive);
+        let inertia = self.quantity(table, "yaw_inertia");
+        let radius = self.quantity(table, "yaw_radius");
         inertia.map(YawInertia::Inertia).or(radius.map(YawInertia::Radius))
     }
 
     fn contact(&mut self, vehicle: &Table<'t>) -> Option<ContactPoint> {
         const FORMS: &str = "contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" } or contact = { x = \"1.78 m\", y = \"-0.73 m\" }";
         let table = self.inline(vehicle, "contact", &CONTACT, "a table in braces", FORMS)?;
-        let distance = self.quantity(&table, "distance", Dimension::Length, Sign::NotNegative);
-        let angle = self.quantity(&table, "angle", Dimension::Angle, Sign::Any);
-        let x = self.quantity(&table, "x", Dimension::Length, Sign::Any);
-        let y = self.quantity(&table, "y", Dimension::Length, Sign::Any);
+        let distance = self.quantity(&table, "distance");
+        let angle = self.quantity(&table, "angle");
+        let x = self.quantity(&table, "x");
+        let y = self.quantity(&table, "y");
         match table.given(&["distance", "angle", "x", "y"])[..] {
             ["distance", "angle"] => Some(ContactPoint::Polar { distance: distance?, angle: angle? }),
             ["x", "y"] => Some(ContactPoint::Cartesian { x: x?, y: y? }),
@@ -89,12 +89,12 @@ impl<'t> Reader<'t> {
         const FORMS: &str =
             "velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" } or, along the heading, speed = \"75 ft/s\"";
         self.not_both(vehicle, "speed", "velocity");
-        let speed = self.quantity(vehicle, "speed", Dimension::Speed, Sign::Any).map(Velocity::Speed);
+        let speed = self.quantity(vehicle, "speed").map(Velocity::Speed);
         let Some(table) = self.inline(vehicle, "velocity", &VELOCITY, "a table in braces", FORMS) else {
             return speed;
         };
-        let x = self.quantity(&table, "x", Dimension::Speed, Sign::Any);
-        let y = self.quantity(&table, "y", Dimension::Speed, Sign::Any);
+        let x = self.quantity(&table, "x");
+        let y = self.quantity(&table, "y");
         match table.given(&["x", "y"])[..] {
             ["x", "y"] => Some(Velocity::Vector { x: x?, y: y? }),
             _ => self.no_form(&table, FORMS),
@@ -112,9 +112,9 @@ impl<'t> Reader<'t> {
             let path = table.path_of(first);
             self.report_path(&path, Problem::HalfOutline { table: table.label(), given, missing });
         }
-        let length = self.quantity(table, "length", Dimension::Length, Sign::Positive);
-        let width = self.quantity(table, "width", Dimension::Length, Sign::Positive);
-        let cg_to_front = self.quantity(table, "cg_to_front", Dimension::Length, Sign::Positive);
+        let length = self.quantity(table, "length");
+        let width = self.quantity(table, "width");
+        let cg_to_front = self.quantity(table, "cg_to_front");
         Some(Outline { length: length?, width: width?, cg_to_front: cg_to_front? })
     }
 
@@ -132,9 +132,9 @@ impl<'t> Reader<'t> {
             }
         }
         let side = self.choice(table, "side", &SIDES);
-        let width = self.quantity(table, "width", Dimension::Length, Sign::Positive);
-        let depths = self.quantities(table, "depths", Dimension::Length, Sign::NotNegative);
-        let spacing = self.quantities(table, "spacing", Dimension::Length, Sign::Positive);
+        let width = self.quantity(table, "width");
+        let depths = self.quantities(table, "depths");
+        let spacing = self.quantities(table, "spacing");
         self.profile(table, width, depths.as_deref(), spacing.as_deref());
         let stiffness = self.stiffness(table);
         if let Some(StiffnessForm::Zones(zones)) = &stiffness {
@@ -150,10 +150,10 @@ impl<'t> Reader<'t> {
                 self.report_path(&path, problem);
             }
         }
-        let offset = self.quantity(table, "offset", Dimension::Length, Sign::Any);
+        let offset = self.quantity(table, "offset");
         let pdof = self.pdof(table);
-        let oblique_angle = self.quantity(table, "oblique_angle", Dimension::Angle, Sign::Acute);
-        let moment_arm = self.quantity(table, "moment_arm", Dimension::Length, Sign::NotNegative);
+        let oblique_angle = self.quantity(table, "oblique_angle");
+        let moment_arm = self.quantity(table, "moment_arm");
         let oblique = self.oblique(table);
         let depths = if from_force_balance { Vec::new() } else { depths? };
         Some(Crush {
@@ -229,7 +229,7 @@ impl<'t> Reader<'t> {
                 self.report(value.span(), Problem::HourForm { path: crush.path_of("pdof"), text, hour });
                 return None;
             }
-            return self.quantity(crush, "pdof", Dimension::Angle, Sign::Any).map(Pdof::Angle);
+            return self.quantity(crush, "pdof").map(Pdof::Angle);
         };
         match hour.trim().parse::<u8>() {
             Ok(hour @ 1..=12) => Some(Pdof::Clock(hour)),
@@ -246,9 +246,7 @@ impl<'t> Reader<'t> {
         if crush.get("oblique").is_some_and(|value| value.get_ref().is_table()) {
             let table = self.inline(crush, "oblique", &OBLIQUE, "a word or a table in braces", FORMS)?;
             return match table.given(&["friction"])[..] {
-                ["friction"] => {
-                    self.number(&table, "friction", Bounds::NotNegative).map(ObliqueCorrection::Friction)
-                }
+                ["friction"] => self.number(&table, "friction").map(ObliqueCorrection::Friction),
                 _ => self.no_form(&table, FORMS),
             };
         }
@@ -275,8 +273,7 @@ impl<'t> Reader<'t> {
                               test",
                     ..Place::of_key(&table, "category")
                 };
-                self.counted(&place, &table, "category", "a whole number from 1 to 5", 5)
-                    .map(StiffnessForm::Category)
+                self.counted(&place, &table, "category").map(StiffnessForm::Category)
             }
             ["test"] => {
                 let test = self.inline(&table, "test", &TEST, "a table in braces", TEST_FORMS)?;
@@ -299,13 +296,15 @@ impl<'t> Reader<'t> {
     }
 
     fn stiffness_line(&mut self, table: &Table<'t>, forms: &'static str) -> Option<StiffnessLine> {
-        let slope = if table.has("G") {
-            Sign::NotNegative
-        } else {
-            Sign::PositiveBecause("B may be zero only where G is given: without G, G = A²/2B needs it")
-        };
-        let a = self.quantity(table, "A", Dimension::StiffnessA, Sign::NotNegative);
-        let mut b = self.quantity(table, "B", Dimension::StiffnessB, slope);
+        let slope = table.measure("B").map(|slope| {
+            if table.has("G") {
+                slope
+            } else {
+                slope.positive("B may be zero only where G is given: without G, G = A²/2B needs it")
+            }
+        });
+        let a = self.quantity(table, "A");
+        let mut b = slope.and_then(|slope| self.quantity_as(table, "B", slope));
         // B is exactly zero or a stiffness; next to nothing is neither.
         if let Some(value) = b
             && value.number() != 0.0
@@ -315,10 +314,10 @@ impl<'t> Reader<'t> {
             self.report_path(&path, Problem::TooSmall { path: named(&path), value });
             b = None;
         }
-        let d0 = self.quantity(table, "d0", Dimension::RootForce, Sign::NotNegative);
-        let d1 = self.quantity(table, "d1", Dimension::RootForcePerLength, Sign::Positive);
-        let g = self.quantity(table, "G", Dimension::StiffnessG, Sign::NotNegative);
-        let limit = self.quantity(table, "limit", Dimension::StiffnessA, Sign::NotNegative);
+        let d0 = self.quantity(table, "d0");
+        let d1 = self.quantity(table, "d1");
+        let g = self.quantity(table, "G");
+        let limit = self.quantity(table, "limit");
         let line = match table.given(&["A", "B", "d0", "d1"])[..] {
             ["A", "B"] => StiffnessLine::Crush { a: a?, b: b?, g, limit },
             ["d0", "d1"] => StiffnessLine::Root { d0: d0?, d1: d1?, g, limit },
@@ -350,11 +349,11 @@ impl<'t> Reader<'t> {
             self.require(table, &["mass"]);
         }
         let mass = self.mass(table);
-        let speed = self.quantity(table, "speed", Dimension::Speed, Sign::Positive);
-        let width = self.quantity(table, "width", Dimension::Length, Sign::Positive);
-        let depths = self.quantities(table, "depths", Dimension::Length, Sign::NotNegative);
+        let speed = self.quantity(table, "speed");
+        let width = self.quantity(table, "width");
+        let depths = self.quantities(table, "depths");
         self.profile(table, width, depths.as_deref(), None);
-        let no_damage_speed = self.quantity(table, "no_damage_speed", Dimension::Speed, Sign::NotNegative);
+        let no_damage_speed = self.quantity(table, "no_damage_speed");
         let fit = self.choice(table, "fit", &Fit::WORDS);
         let depths = depths.filter(|depths| depths.len() >= 2)?;
         let test = BarrierTest {
