@@ -9,13 +9,14 @@ use pim_core::{Body, Contact, Law, Motion, Participant, Real, RestitutionCurve, 
 use reconcile::Unknown;
 
 use crate::axes::Axes;
-use crate::case::{
-    BrachTangential, Case, ContactPoint, Crush, Fit, ImpactLaw, Mass, Restitution, StiffnessForm,
-    StiffnessLine, Vehicle, Velocity,
-};
+use crate::case::Case;
+use crate::crush::{Crush, Fit, StiffnessForm, StiffnessLine};
 use crate::fault::{Fault, FaultKind, Faults};
+use crate::impact::{BrachTangential, ImpactLaw, Restitution};
+use crate::inertia::Mass;
 use crate::purpose::Purpose;
 use crate::quantity::Quantity;
+use crate::vehicle::{ContactPoint, Vehicle, Velocity};
 
 /// Two vehicles that collide, as the mechanics need them.
 #[derive(Clone, Debug)]

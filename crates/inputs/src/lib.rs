@@ -18,7 +18,7 @@
 //!
 //! The types: a [`Case`] holds two [`Vehicle`]s and an [`Impact`]. Its numbers are [`Quantity`]s, which stay in the unit in which they were
 //! given, because what is said of them speaks of that unit; [`Quantity::si`] is where a unit is converted. [`Case::inputs`] lists the
-//! numbers, each under its key; [`Case::map`] puts others in their places. A [`Range`] says how far one may be off.
+//! numbers, each under its key, and [`Case::values`] all else with them; [`Case::map`] puts other numbers in their places. A [`Range`] says how far one may be off.
 //!
 //! [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into the types of the engines, for three [`Purpose`]s.
 //! What is missing, or refused by an engine, is a [`Fault`] of a key; a crate that knows where the keys stand in a text can place it there.
@@ -34,28 +34,33 @@
 
 mod axes;
 mod case;
+mod crush;
 mod demands;
 mod fault;
-mod numbers;
+mod impact;
+mod inertia;
 mod purpose;
 mod quantity;
 mod range;
 mod units;
+mod vehicle;
+mod walk;
 mod words;
 
 pub use axes::Axes;
-pub use case::{
-    BarrierTest, BrachTangential, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, LawName, LeftOut, Mass,
-    Outline, Pdof, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
-};
+pub use case::{Case, LeftOut, Reconstruct};
+pub use crush::{BarrierTest, Crush, Fit, Pdof, StiffnessForm, StiffnessLine};
 pub use demands::{
     Collision, CrushOnly, Damage, Dimensions, Evidence, ImpactInput, Inertia, InferredWidth,
     ReconstructionInput, StiffnessSource, Subject, YawSource, contradictions,
 };
 pub use fault::{Fault, FaultKind, Faults};
-pub use numbers::Input;
+pub use impact::{BrachTangential, Impact, ImpactLaw, LawName, Restitution};
+pub use inertia::{Mass, YawInertia};
 pub use purpose::Purpose;
 pub use quantity::{InvalidQuantity, Quantity, format_number};
 pub use range::{Amount, Bounds, Range, Spread};
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
+pub use vehicle::{ContactPoint, Outline, Vehicle, Velocity};
+pub use walk::{Input, Value};
 pub use words::{ENERGY_BASES, OBLIQUE_CORRECTIONS, SIDES, UNKNOWNS, word, words_of};

@@ -55,7 +55,8 @@ mod tests {
 
     use super::{ENERGY_BASES, SIDES, UNKNOWNS, word};
     use crate::axes::Axes;
-    use crate::case::{Fit, LawName};
+    use crate::crush::Fit;
+    use crate::impact::LawName;
 
     /// The place of a choice among all of its kind: a new one does not compile before it has one here.
     trait Place {
