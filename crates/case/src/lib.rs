@@ -155,6 +155,7 @@ mod foreign;
 mod json_schema;
 mod nearest;
 mod number;
+mod parser_error;
 mod problem;
 mod program;
 mod quantity;

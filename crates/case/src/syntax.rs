@@ -1,9 +1,10 @@
 //! Lines that are no TOML: what is wrong with them, and how the same is written.
 //!
-//! The parser says what it expected. What was meant shows in the line itself: each of [`SLIPS`] recognises one way of writing that is usual elsewhere.
+//! The parser says what it expected, see [`ParserError`]. What was meant shows in the line itself: each of [`SLIPS`] recognises one way of writing that is usual elsewhere.
 
 use std::ops::Range;
 
+use crate::parser_error::{Kind, ParserError};
 use crate::problem::Problem;
 use crate::quantity::shorten;
 use crate::schema::{dimensions_of, example_of};
@@ -34,8 +35,8 @@ struct Line<'t> {
     key: &'t str,
     /// What stands behind that sign: to the end of the line or, in a table of one line, to the next comma that a key follows.
     value: &'t str,
-    /// What the parser says.
-    message: &'t str,
+    /// What the parser found.
+    error: ParserError<'t>,
 }
 
 /// The text of its problem: what is wrong, and what to write.
@@ -59,36 +60,41 @@ const SLIPS: [fn(&Line<'_>, &Written) -> Found; 13] = [
 ];
 
 /// The problem at the place of an error of the parser.
-pub(crate) fn problem(text: &str, span: &Range<usize>, message: &str, written: &Written) -> Problem {
-    let line = Line::at(text, span.start, message);
+pub(crate) fn problem(text: &str, span: &Range<usize>, error: ParserError<'_>, written: &Written) -> Problem {
+    let line = Line::at(text, span.start, error);
     match SLIPS.iter().find_map(|slip| slip(&line, written)) {
         Some((message, help)) => Problem::Syntax { message, help: help.into() },
-        None if message.contains("duplicate") => {
-            let message = repeated(text, span.start).unwrap_or_else(|| message.to_owned());
-            Problem::Syntax { message, help: help("duplicate").into() }
+        None if error.kind == Kind::Duplicate => {
+            let message = repeated(text, span.start).unwrap_or_else(|| error.message.to_owned());
+            Problem::Syntax { message, help: help(error).into() }
         }
-        None => {
-            Problem::Syntax { message: message.to_owned(), help: written.suited("", help(message)).into() }
-        }
+        None => Problem::Syntax {
+            message: error.message.to_owned(),
+            help: written.suited("", help(error)).into(),
+        },
     }
 }
 
 /// The same without a look at the line, where there are too many to be shown.
-pub(crate) fn unexplained(message: &str) -> Problem {
-    Problem::Syntax { message: message.to_owned(), help: help(message).into() }
+pub(crate) fn unexplained(error: ParserError<'_>) -> Problem {
+    Problem::Syntax { message: error.message.to_owned(), help: help(error).into() }
 }
 
-fn help(message: &str) -> &'static str {
-    if message.contains("duplicate") {
-        "each key and each table may stand only once; remove one of the two"
-    } else if message.contains("inline table") || message.contains("key-value pairs") {
-        "write a table in one line as { x = \"1.78 m\", y = \"-0.73 m\" }, with commas between its keys and a } at its end"
-    } else if message.contains("array") {
-        "write a list as [\"21.3 in\", \"20.3 in\"], with commas between its values and a ] at its end"
-    } else if message.contains("key") || message.contains("table") {
-        "write key = value, where a key is one word; a table begins with its name in brackets, as [vehicle1]; a comment begins with #"
-    } else {
-        "write one key = value per line; text and quantities stand between quotes, as in speed = \"10 mph\""
+fn help(error: ParserError<'_>) -> &'static str {
+    match error.kind {
+        Kind::Duplicate => "each key and each table may stand only once; remove one of the two",
+        Kind::InlineTable => {
+            "write a table in one line as { x = \"1.78 m\", y = \"-0.73 m\" }, with commas between its keys and a } at its end"
+        }
+        Kind::List => {
+            "write a list as [\"21.3 in\", \"20.3 in\"], with commas between its values and a ] at its end"
+        }
+        _ if error.names_key => {
+            "write key = value, where a key is one word; a table begins with its name in brackets, as [vehicle1]; a comment begins with #"
+        }
+        _ => {
+            "write one key = value per line; text and quantities stand between quotes, as in speed = \"10 mph\""
+        }
     }
 }
 
@@ -129,8 +135,8 @@ pub(crate) fn section_of_header(text: &str, at: usize) -> Option<Range<usize>> {
 }
 
 /// The brace or bracket in which an error stands, if its own line leaves it open and does not mean to go on.
-pub(crate) fn unclosed(text: &str, error: &Range<usize>, message: &str) -> Option<Unclosed> {
-    if message.contains("recurs") {
+pub(crate) fn unclosed(text: &str, error: &Range<usize>, kind: Kind) -> Option<Unclosed> {
+    if kind == Kind::TooDeep {
         return None;
     }
     let open = *openers(text, 0, error.start).last()?;
@@ -235,7 +241,7 @@ fn has_odd_quotes(line: &str) -> bool {
 }
 
 impl<'t> Line<'t> {
-    fn at(text: &'t str, at: usize, message: &'t str) -> Self {
+    fn at(text: &'t str, at: usize, error: ParserError<'t>) -> Self {
         // (bytes) longer lines are no slip of a hand.
         const LONGEST: usize = 2000;
         let at = (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or_default();
@@ -249,7 +255,7 @@ impl<'t> Line<'t> {
         let key = key.rsplit(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or_default();
         let is_in_table = equals.is_some_and(|equals| line[..equals].contains('{'));
         let value = if is_in_table { in_table(value) } else { value };
-        Self { text: line, at, key, value, message }
+        Self { text: line, at, key, value, error }
     }
 
     /// The key before the place of the error and the value behind it, as they have to be written.
@@ -290,13 +296,14 @@ fn found(message: impl Into<String>, help: impl Into<String>) -> Found {
 }
 
 fn depth(line: &Line<'_>, _: &Written) -> Found {
-    let is_deep = line.message.contains("recurs");
-    is_deep.then(|| (line.message.to_owned(), "no value of a case needs tables nested so deeply".to_owned()))
+    let is_deep = line.error.kind == Kind::TooDeep;
+    is_deep.then(|| {
+        (line.error.message.to_owned(), "no value of a case needs tables nested so deeply".to_owned())
+    })
 }
 
 fn no_value(line: &Line<'_>, written: &Written) -> Found {
-    let is_empty =
-        line.value.is_empty() && line.text.ends_with('=') && line.message.contains("must be quoted");
+    let is_empty = line.value.is_empty() && line.text.ends_with('=') && line.error.kind == Kind::Unquoted;
     is_empty.then(|| {
         let help = "text and quantities stand between quotes, as in speed = \"10 mph\"; leave the line out where the value is not known";
         ("there is no value after the equals sign".to_owned(), written.suited("", help))
@@ -336,7 +343,7 @@ fn typographic_quotes(line: &Line<'_>, _: &Written) -> Found {
 }
 
 fn backslash(line: &Line<'_>, _: &Written) -> Found {
-    let is_escape = ["escape", "unicode", "hexadecimal"].iter().any(|word| line.message.contains(word));
+    let is_escape = line.error.kind == Kind::Escape;
     let text = line.value.strip_prefix('"').filter(|text| is_escape && text.contains('\\'))?;
     let text = shorten(text.trim_end_matches('"'));
     let help = if text.contains('\'') {
@@ -357,15 +364,13 @@ fn other_comment(line: &Line<'_>, _: &Written) -> Found {
 
 /// What stands where a key and its equals sign are due.
 fn key_of_other_form(line: &Line<'_>, written: &Written) -> Found {
-    if line.message.contains("duplicate") {
-        return None;
-    }
-    if !(line.message.contains("key") || line.message.contains("table") || line.message.contains('=')) {
+    let ParserError { kind, names_key, names_equals, .. } = line.error;
+    if kind == Kind::Duplicate || !(names_key || names_equals) {
         return None;
     }
     let rest = line.rest();
     let text = line.text.trim();
-    if rest.starts_with("==") || line.message.contains("extra `=`") {
+    if rest.starts_with("==") || kind == Kind::ExtraEquals {
         return found("there are two equals signs", line.assignment());
     }
     if rest.starts_with(':') {
@@ -382,27 +387,27 @@ fn key_of_other_form(line: &Line<'_>, written: &Written) -> Found {
     }
     let (before, after) = text.split_once('=').unwrap_or((text, ""));
     let words = before.split_whitespace().count();
-    if words > 1 && !after.is_empty() && line.message.contains("no value") {
+    if words > 1 && !after.is_empty() && kind == Kind::KeyWithoutValue {
         let help = "write the key alone before the equals sign: a unit stands behind its number, as in speed = \"10 mph\"";
         return found("between the key and its equals sign stands something else", written.suited("", help));
     }
-    if after.is_empty() && text.contains('"') && line.message.contains("no value") {
+    if after.is_empty() && text.contains('"') && kind == Kind::KeyWithoutValue {
         return found("there is no equals sign behind the key", line.assignment());
     }
     None
 }
 
 fn lost_quote(line: &Line<'_>, _: &Written) -> Found {
-    if !has_odd_quotes(line.text) && !line.message.contains("string") {
+    if !has_odd_quotes(line.text) && !line.error.names_text {
         return None;
     }
     let quote = if line.value.starts_with('\'') { '\'' } else { '"' };
     let help = |text: &str| format!("write {quote}{}{quote}", shorten(text.trim()));
     match line.value.strip_prefix(quote) {
-        Some(text) if line.message.contains("invalid basic") || line.message.contains("invalid literal") => {
+        Some(text) if line.error.kind == Kind::BrokenText => {
             found("a text has no quote at its end", help(text))
         }
-        None if line.message.contains("opening quote") && line.value.ends_with('"') => {
+        None if line.error.kind == Kind::NoOpeningQuote && line.value.ends_with('"') => {
             let text = line.value.trim_end_matches('"');
             let is_number_with_mark = text.contains('\'');
             if is_number_with_mark {
@@ -448,7 +453,7 @@ fn quotes_within(line: &Line<'_>, _: &Written) -> Found {
 fn behind_the_value(line: &Line<'_>, _: &Written) -> Found {
     let rest = line.rest().trim();
     let value = line.value.strip_suffix(rest)?.trim();
-    if !line.message.contains("expected newline") || !value.starts_with(['"', '\'', '{', '[']) {
+    if !line.error.expects_newline || !value.starts_with(['"', '\'', '{', '[']) {
         return None;
     }
     if let "," | ";" | "." = rest {
@@ -495,15 +500,8 @@ fn number(line: &Line<'_>, written: &Written) -> Found {
 
 /// A value without quotes.
 fn bare_text(line: &Line<'_>, written: &Written) -> Found {
-    let is_value = [
-        "must be quoted",
-        "invalid boolean",
-        "invalid float",
-        "invalid integer",
-        "expected newline",
-        "invalid fraction",
-    ];
-    if line.value.is_empty() || !is_value.iter().any(|part| line.message.contains(part)) {
+    let is_value = line.error.expects_newline || matches!(line.error.kind, Kind::Unquoted | Kind::BadScalar);
+    if line.value.is_empty() || !is_value {
         return None;
     }
     let word = line.value.to_lowercase();

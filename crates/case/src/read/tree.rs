@@ -9,6 +9,7 @@ use toml::de::{DeTable, DeValue, Error};
 
 use crate::diagnostic::Diagnostic;
 use crate::nearest::nearest;
+use crate::parser_error::{Kind, ParserError};
 use crate::problem::Problem;
 use crate::quantity::shorten;
 use crate::schema::{Measure, Schema};
@@ -301,21 +302,23 @@ impl<'t> Reader<'t> {
         // (bytes) a table whose header stands twice, which is told once.
         let mut double = 0..0;
         for (span, message) in errors {
-            let is_double = message.contains("duplicate");
+            let error = ParserError::of(message);
+            let is_double = error.kind == Kind::Duplicate;
             if is_double && double.contains(&span.start) {
                 continue;
             }
             // The first error of a line causes the others, and an unclosed list makes every later line an error.
             let first_of_line = broken_lines.insert(line(&span));
-            let follows = in_array && message.contains("array");
-            in_array |= message.contains("array");
+            let follows = in_array && error.kind == Kind::List;
+            in_array |= error.kind == Kind::List;
             if !first_of_line || follows {
                 continue;
             }
             if is_double && let Some(section) = syntax::section_of_header(self.text, span.start) {
                 double = section;
             }
-            if let Some(open) = all.is_empty().then(|| syntax::unclosed(self.text, &span, message)).flatten()
+            if let Some(open) =
+                all.is_empty().then(|| syntax::unclosed(self.text, &span, error.kind)).flatten()
             {
                 end = open.span.start;
                 broken_lines.insert(line(&open.span));
@@ -323,9 +326,9 @@ impl<'t> Reader<'t> {
                 break;
             }
             let problem = if all.len() < EXPLAINED {
-                syntax::problem(self.text, &span, message, self.written())
+                syntax::problem(self.text, &span, error, self.written())
             } else {
-                syntax::unexplained(message)
+                syntax::unexplained(error)
             };
             all.push(Diagnostic::new(Some(span), problem));
         }
