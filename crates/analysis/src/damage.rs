@@ -4,7 +4,7 @@ use crash3::{
     CrushError, CrushRange, EnergyBasis, Inertia, ObliqueCorrection, ObliqueFactor, Profile, Structure,
     UniformCrush,
 };
-use inputs::{Evidence, InferredWidth, Subject};
+use inputs::{Evidence, InferredWidth, VehicleData};
 
 use pim_core::Real;
 
@@ -105,7 +105,7 @@ pub struct Corrected {
 
 /// Assesses the damage of both vehicles; `pdof` (rad) are those of the impact, which serve where the file gives none.
 pub(crate) fn assess<T: Real>(
-    [s1, s2]: [Subject<T>; 2],
+    [s1, s2]: [VehicleData<T>; 2],
     [p1, p2]: [Option<T>; 2],
 ) -> Result<[Vehicle<T>; 2], CrushError> {
     // The one whose crush was measured comes first: the other's may have to be inferred from it.
@@ -119,7 +119,7 @@ pub(crate) fn assess<T: Real>(
 }
 
 fn vehicle<T: Real>(
-    subject: Subject<T>,
+    subject: VehicleData<T>,
     computed_pdof: Option<T>,
     other: Option<&Damage<T>>,
 ) -> Result<Vehicle<T>, CrushError> {

@@ -2,8 +2,8 @@
 
 use crash3::{EnergyBasis, Side, Structure, VehicleClass};
 use inputs::{
-    Axes, Case, Crush, Faults, Fit, ImpactLaw, Inertia, InferredWidth, Purpose, StiffnessForm, StiffnessLine,
-    Subject, Velocity, YawSource,
+    Axes, Case, Crush, Faults, Fit, ImpactLaw, InertiaData, InferredWidth, Purpose, StiffnessForm,
+    StiffnessLine, VehicleData, Velocity, YawSource,
 };
 
 use crate::warning::{self, Warning};
@@ -161,7 +161,7 @@ impl Assumption {
 
 /// The size class of CRASH3 whose radius of gyration is nearest, and its typical measures: what drawings show of a vehicle without an outline.
 #[must_use]
-pub fn nearest_class(inertia: &Inertia) -> Option<(u8, VehicleClass)> {
+pub fn nearest_class(inertia: &InertiaData) -> Option<(u8, VehicleClass)> {
     // k = √(I/m)
     let radius = (inertia.yaw_inertia / inertia.mass).sqrt();
     let distance = |class: &VehicleClass| (class.yaw_radius - radius).abs();
@@ -224,12 +224,12 @@ pub fn judge(case: &Case) -> Judgement {
 }
 
 /// A vehicle of which something needed is missing.
-const NOTHING: Subject = Subject { inertia: None, contact: None, dimensions: None, damage: None };
+const NOTHING: VehicleData = VehicleData { inertia: None, contact: None, dimensions: None, damage: None };
 
 /// `speeds` (m/s) of a collision; that which is sought is zero.
 fn of_vehicles(
     case: &Case,
-    mut subjects: [Subject; 2],
+    mut subjects: [VehicleData; 2],
     speeds: Option<[f64; 2]>,
     warnings: &mut Vec<Warning>,
 ) {
@@ -269,7 +269,7 @@ pub fn assumptions(case: &Case) -> Vec<Assumption> {
     assumed(case, &case.subjects())
 }
 
-fn assumed(case: &Case, subjects: &[Option<Subject>; 2]) -> Vec<Assumption> {
+fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> {
     let mut assumptions = Vec::new();
     if case.left_out.axes && case.axes == Axes::default() {
         assumptions.push(Assumption::ZUp);
@@ -289,7 +289,7 @@ fn assumed(case: &Case, subjects: &[Option<Subject>; 2]) -> Vec<Assumption> {
                 YawSource::Burg => assumptions.push(Assumption::BurgInertia { vehicle: number, yaw_inertia }),
             }
         }
-        if let Some(Subject { inertia: Some(inertia), dimensions: None, .. }) = subject
+        if let Some(VehicleData { inertia: Some(inertia), dimensions: None, .. }) = subject
             && let Some((class, _)) = nearest_class(inertia)
         {
             assumptions.push(Assumption::Outline { vehicle: number, class });
@@ -332,7 +332,7 @@ fn assumed(case: &Case, subjects: &[Option<Subject>; 2]) -> Vec<Assumption> {
 fn of_crush(
     vehicle: usize,
     crush: &Crush,
-    subject: Option<&Subject>,
+    subject: Option<&VehicleData>,
     fit_left_out: bool,
     assumptions: &mut Vec<Assumption>,
 ) {

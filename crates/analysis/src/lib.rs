@@ -54,7 +54,7 @@ pub use uncertainty::{
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 
 use crash3::{CrushError, EnergyBasis, Structure};
-use inputs::{Case, Collision, Evidence, Faults, Purpose, Subject};
+use inputs::{Case, Collision, Evidence, Faults, Purpose, VehicleData};
 use pim_core::{Contact, ImpactError, Law, Outcome, Real};
 use reconcile::{Iteration, Method, Problem, ReconcileError, Unknown};
 
@@ -137,7 +137,7 @@ impl Impact {
 #[derive(Clone, Debug)]
 pub struct Vehicle<T = f64> {
     /// What the case says of it.
-    pub subject: Subject<T>,
+    pub subject: VehicleData<T>,
     /// Its damage.
     pub damage: Option<Damage<T>>,
 }

@@ -783,7 +783,7 @@ fn of_places(
     number: usize,
     vehicle: &Vehicle,
     damage: &Damage,
-    given: &inputs::Damage,
+    given: &inputs::DamageData,
     warnings: &mut Vec<Warning>,
 ) {
     let side = given.side;

@@ -6,8 +6,9 @@ use analysis::{Failure, crush, impact, reconstruct};
 use case::{CaseFile, Program};
 use crash3::{EnergyBasis, Side};
 use inputs::{
-    BrachTangential, Case, ContactPoint, Crush, Dimension, Faults, Impact, ImpactLaw, LeftOut, Mass, Purpose,
-    Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
+    BrachTangential, Case, ContactPoint, Crush, Dimension, Faults, GivenImpact, GivenVehicle, ImpactLaw,
+    LeftOut, Mass, Purpose, Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Velocity,
+    YawInertia,
 };
 use reconcile::Unknown;
 
@@ -43,8 +44,8 @@ fn damage(side: Side, width: f64, depths: [f64; 6], [d0, d1]: [f64; 2]) -> Crush
     }
 }
 
-fn vehicle(name: &str, weight: f64, inertia: f64, heading: f64, [distance, angle]: [f64; 2]) -> Vehicle {
-    Vehicle {
+fn vehicle(name: &str, weight: f64, inertia: f64, heading: f64, [distance, angle]: [f64; 2]) -> GivenVehicle {
+    GivenVehicle {
         name: Some(name.to_owned()),
         mass: Some(Mass::Weight(quantity(weight, "lb", Dimension::Weight))),
         yaw: Some(YawInertia::Inertia(quantity(inertia, "lb ft s^2", Dimension::Inertia))),
@@ -53,17 +54,17 @@ fn vehicle(name: &str, weight: f64, inertia: f64, heading: f64, [distance, angle
             distance: quantity(distance, "ft", Dimension::Length),
             angle: degrees(angle),
         }),
-        ..Vehicle::default()
+        ..GivenVehicle::default()
     }
 }
 
 /// SAE 980025, appendix.
 fn built() -> Case {
-    let jimmy = Vehicle {
+    let jimmy = GivenVehicle {
         crush: Some(damage(Side::Front, 65.0, [21.3, 20.3, 13.8, 11.3, 5.3, 4.8], [35.0, 115.0])),
         ..vehicle("1994 GMC Jimmy", 3696.0, 2437.0, 180.0, [6.3, -22.4])
     };
-    let altima = Vehicle {
+    let altima = GivenVehicle {
         motion: Some(Velocity::Speed(quantity(10.0, "mph", Dimension::Speed))),
         crush: Some(damage(Side::Right, 84.0, [3.0, 15.8, 13.5, 6.7, 3.3, 5.0], [30.0, 77.5])),
         ..vehicle("1995 Nissan Altima", 3413.0, 2165.0, 67.0, [3.8, -39.0])
@@ -72,7 +73,7 @@ fn built() -> Case {
         title: Some("Intersection collision, GMC Jimmy and Nissan Altima".to_owned()),
         source: Some("SAE 980025, appendix".to_owned()),
         vehicles: [jimmy, altima],
-        impact: Some(Impact {
+        impact: Some(GivenImpact {
             crush_plane: degrees(-23.0),
             law: ImpactLaw::Brach {
                 restitution: Restitution::Constant(0.3),
@@ -102,7 +103,7 @@ fn a_case_built_in_code_is_that_of_the_file() {
 }
 
 /// A part of a vehicle that is taken out of a case, and its key.
-type Part = (&'static str, fn(&mut Vehicle));
+type Part = (&'static str, fn(&mut GivenVehicle));
 
 /// What is taken out of the first vehicle in code and in the file: the keys and texts of the faults are the same, and stand at a place in the file.
 #[test]
@@ -173,7 +174,7 @@ fn without(text: &str, i: usize, key: &str) -> String {
 /// A contradiction that no reader lets pass is told as the reader tells it.
 #[test]
 fn contradictions_are_told_as_the_reader_tells_them() {
-    let fixed = Vehicle { fixed: true, ..Vehicle::default() };
+    let fixed = GivenVehicle { fixed: true, ..GivenVehicle::default() };
     let both = Case { vehicles: [fixed.clone(), fixed.clone()], ..built() };
     let sought = Case { vehicles: [fixed, built().vehicles[1].clone()], ..built() };
     let mut inferred = built();

@@ -187,10 +187,10 @@ pub use write::to_toml;
 
 // What a case file holds is of the crate `inputs`, and is here too for whoever reads files.
 pub use inputs::{
-    Amount, Axes, BarrierTest, Bounds, BrachTangential, Case, Collision, ContactPoint, Crush, CrushOnly,
-    Damage, Dimension, Dimensions, ENERGY_BASES, Evidence, Faults, Fit, Impact, ImpactInput, ImpactLaw,
-    Inertia, InferredWidth, Input, LawName, LeftOut, Mass, OBLIQUE_CORRECTIONS, Outline, Pdof, Purpose,
-    Quantity, Range, Reconstruct, ReconstructionInput, Restitution, SIDES, STANDARD_GRAVITY, Spread,
-    StiffnessForm, StiffnessLine, StiffnessSource, Subject, UNKNOWNS, Unit, UnitSystem, Vehicle, Velocity,
-    YawInertia, YawSource, word,
+    Amount, Axes, Bounds, BrachTangential, Case, Collision, ContactPoint, Crush, CrushOnly, DamageData,
+    Dimension, Dimensions, ENERGY_BASES, Evidence, Faults, Fit, GivenImpact, GivenTest, GivenVehicle,
+    ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, LawName, LeftOut, Mass, OBLIQUE_CORRECTIONS,
+    Outline, Pdof, Purpose, Quantity, Range, Reconstruct, ReconstructionInput, Restitution, SIDES,
+    STANDARD_GRAVITY, Spread, StiffnessForm, StiffnessLine, StiffnessSource, UNKNOWNS, Unit, UnitSystem,
+    VehicleData, Velocity, YawInertia, YawSource, word,
 };

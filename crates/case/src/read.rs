@@ -14,9 +14,7 @@ use crate::problem::Problem;
 use crate::program::Program;
 use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, SCENE, TOP};
 use crate::source::{Source, Spans};
-use inputs::{
-    Axes, Case, ENERGY_BASES, FaultKind, Faults, LeftOut, Quantity, Reconstruct, UNKNOWNS, contradictions,
-};
+use inputs::{Axes, Case, ENERGY_BASES, FaultKind, Faults, LeftOut, Reconstruct, UNKNOWNS, contradictions};
 use tree::{Reader, Table};
 
 /// A case and the text that it came from.
@@ -167,9 +165,4 @@ fn optional<T>(part: Option<Option<T>>) -> Option<Option<T>> {
         Some(sound) => Some(sound),
         None => Some(None),
     }
-}
-
-/// Whether two quantities of one dimension differ by more than the share `tolerance` of the first.
-fn differ(first: &Quantity, second_si: f64, tolerance: f64) -> bool {
-    (first.si() - second_si).abs() > tolerance * first.si()
 }

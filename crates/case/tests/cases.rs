@@ -11,9 +11,9 @@ use std::fs;
 use std::path::Path;
 
 use case::{
-    Amount, Axes, BarrierTest, Bounds, Case, CaseFile, Collision, ContactPoint, Crush, Diagnostics,
-    Dimension, Evidence, Faults, Fit, Impact, ImpactLaw, LeftOut, Mass, Outline, Pdof, Problem, Program,
-    Quantity, Reconstruct, Restitution, Spread, StiffnessForm, StiffnessLine, Unit, UnitSystem, Vehicle,
+    Amount, Axes, Bounds, Case, CaseFile, Collision, ContactPoint, Crush, Diagnostics, Dimension, Evidence,
+    Faults, Fit, GivenImpact, GivenTest, GivenVehicle, ImpactLaw, LeftOut, Mass, Outline, Pdof, Problem,
+    Program, Quantity, Reconstruct, Restitution, Spread, StiffnessForm, StiffnessLine, Unit, UnitSystem,
     Velocity, YawInertia, read_quantity, to_toml,
 };
 use crash3::EnergyBasis;
@@ -162,7 +162,7 @@ fn the_other_forms_are_read() {
     let length = |text| quantity(text, Dimension::Length);
     let speed = |text| quantity(text, Dimension::Speed);
     let angle = |text| quantity(text, Dimension::Angle);
-    let vehicle = Vehicle {
+    let vehicle = GivenVehicle {
         name: None,
         fixed: false,
         mass: Some(Mass::Mass(quantity("1500 kg", Dimension::Mass))),
@@ -198,13 +198,13 @@ fn the_other_forms_are_read() {
             oblique: Some(ObliqueCorrection::None),
         }),
     };
-    let wall = Vehicle { fixed: true, heading: Some(angle("90 deg")), ..Vehicle::default() };
+    let wall = GivenVehicle { fixed: true, heading: Some(angle("90 deg")), ..GivenVehicle::default() };
     let expected = Case {
         title: None,
         source: None,
         axes: Axes::ZUp,
         vehicles: [vehicle, wall],
-        impact: Some(Impact {
+        impact: Some(GivenImpact {
             crush_plane: angle("0 deg"),
             law: ImpactLaw::Brach {
                 restitution: Restitution::Constant(0.0),
@@ -1175,7 +1175,7 @@ fn any_line() -> impl Strategy<Value = StiffnessLine> {
     })
 }
 
-fn any_test() -> impl Strategy<Value = BarrierTest> {
+fn any_test() -> impl Strategy<Value = GivenTest> {
     let parse = |text: String, dimension| read_quantity(&text, dimension).unwrap();
     let mass = prop_oneof![
         (500..5000_u32).prop_map(move |kg| Mass::Mass(parse(format!("{kg} kg"), Dimension::Mass))),
@@ -1183,7 +1183,7 @@ fn any_test() -> impl Strategy<Value = BarrierTest> {
     ];
     let fit = select(vec![Fit::Exact, Fit::Mean]);
     (mass, 20..90_u32, 100..200_u32, vec(1..90_u32, 2..8), 0..19_u32, fit).prop_map(
-        move |(mass, speed, width, depths, no_damage, fit)| BarrierTest {
+        move |(mass, speed, width, depths, no_damage, fit)| GivenTest {
             mass,
             speed: parse(format!("{speed} km/h"), Dimension::Speed),
             width: parse(format!("{width} cm"), Dimension::Length),
@@ -1285,7 +1285,7 @@ fn any_crush() -> impl Strategy<Value = Crush> {
     )
 }
 
-fn any_vehicle() -> impl Strategy<Value = Vehicle> {
+fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
     use Signs::{Any, NotNegative, Positive};
     let length = |range| any_quantity(Dimension::Length, range);
     let speed = || any_quantity(Dimension::Speed, Any);
@@ -1323,7 +1323,7 @@ fn any_vehicle() -> impl Strategy<Value = Vehicle> {
             (name, heading, contact, outline),
             (mass, yaw, motion, yaw_rate, crush),
             (class, wheelbase, length),
-        )| Vehicle {
+        )| GivenVehicle {
             name,
             fixed: false,
             mass,
@@ -1388,7 +1388,7 @@ fn any_law() -> impl Strategy<Value = ImpactLaw> {
 
 fn any_case() -> impl Strategy<Value = Case> {
     let impact = (any_quantity(Dimension::Angle, Signs::Any), any_law())
-        .prop_map(|(crush_plane, law)| Impact { crush_plane, law });
+        .prop_map(|(crush_plane, law)| GivenImpact { crush_plane, law });
     let bases = vec![EnergyBasis::Dissipated, EnergyBasis::Absorbed];
     let reconstruct = (select(vec![Unknown::Speed1, Unknown::Speed2]), select(bases))
         .prop_map(|(find, energy_basis)| Reconstruct { find, energy_basis });
@@ -1400,24 +1400,25 @@ fn any_case() -> impl Strategy<Value = Case> {
     (texts, axes, vehicles, barrier, option::of(impact), option::of(reconstruct)).prop_map(
         |([title, source], (axes, leaves_out), mut vehicles, barrier, impact, mut reconstruct)| {
             if let Some(index) = barrier {
-                let Vehicle { name, heading, contact, outline, .. } = vehicles[index].clone();
+                let GivenVehicle { name, heading, contact, outline, .. } = vehicles[index].clone();
                 vehicles[index] =
-                    Vehicle { name, fixed: true, heading, contact, outline, ..Vehicle::default() };
+                    GivenVehicle { name, fixed: true, heading, contact, outline, ..GivenVehicle::default() };
                 let moving = [Unknown::Speed2, Unknown::Speed1][index];
                 reconstruct = reconstruct.map(|wanted| Reconstruct { find: moving, ..wanted });
             }
             // A crush can be inferred only from one that was measured.
             for (i, other) in [(0, 1), (1, 0)] {
-                let measured = |v: &Vehicle| v.crush.as_ref().is_some_and(|crush| !crush.from_force_balance);
+                let measured =
+                    |v: &GivenVehicle| v.crush.as_ref().is_some_and(|crush| !crush.from_force_balance);
                 if !measured(&vehicles[i]) && !measured(&vehicles[other]) {
                     vehicles[i].crush = None;
                 }
             }
             // Only a default can be left out, and only of a table that is there.
             let [axes_out, law_out, basis_out, fits_out @ ..] = leaves_out;
-            let has_exact_fit = |vehicle: &Vehicle| {
+            let has_exact_fit = |vehicle: &GivenVehicle| {
                 let stiffness = vehicle.crush.as_ref().map(|crush| &crush.stiffness);
-                matches!(stiffness, Some(StiffnessForm::Test(BarrierTest { fit: Fit::Exact, .. })))
+                matches!(stiffness, Some(StiffnessForm::Test(GivenTest { fit: Fit::Exact, .. })))
             };
             let left_out = LeftOut {
                 axes: axes_out && axes == Axes::ZUp,
@@ -1548,7 +1549,7 @@ proptest! {
     #[test]
     fn every_law_is_one_of_the_mechanics(law in any_law()) {
         let mut file = read(&paper());
-        file.case.impact = file.case.impact.map(|impact| Impact { law, ..impact });
+        file.case.impact = file.case.impact.map(|impact| GivenImpact { law, ..impact });
         let errors = file.case.reconstruction().err().map(|errors| errors.to_string());
         prop_assert_eq!(errors, None);
     }

@@ -8,7 +8,7 @@
     reason = "helpers of tests fail by panicking"
 )]
 
-use case::{CaseFile, Damage, Evidence, Fit, InferredWidth, StiffnessSource, YawSource, to_toml};
+use case::{CaseFile, DamageData, Evidence, Fit, InferredWidth, StiffnessSource, YawSource, to_toml};
 use crash3::{ObliqueCorrection, Side, Stiffness, Structure, crush_energy};
 
 /// Two cars, each with the lines given for it and for its crush.
@@ -27,7 +27,7 @@ const YAW: &str = "yaw_radius = \"1.4 m\"";
 const FRONT: &str = "side = \"front\"\nwidth = \"1.5 m\"\ndepths = \"0.3 0.3 m\"";
 const FORCE: &str = "oblique_angle = \"0 deg\"\nmoment_arm = \"0 m\"";
 
-fn damages(file: &CaseFile) -> [Damage; 2] {
+fn damages(file: &CaseFile) -> [DamageData; 2] {
     file.case
         .damage()
         .map_err(|error| error.to_string())

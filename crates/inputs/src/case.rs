@@ -7,11 +7,11 @@ use pim_core::Real;
 use reconcile::Unknown;
 
 use crate::axes::Axes;
-use crate::impact::Impact;
+use crate::impact::GivenImpact;
 use crate::quantity::Quantity;
 use crate::range::Range;
 use crate::units::{Unit, UnitSystem};
-use crate::vehicle::Vehicle;
+use crate::vehicle::GivenVehicle;
 use crate::walk::{Input, Others, Replace, Value, Walk};
 use crate::words::{ENERGY_BASES, UNKNOWNS};
 
@@ -25,9 +25,9 @@ pub struct Case<T = f64> {
     /// `axes` of `[scene]`: those in which all numbers of this case stand.
     pub axes: Axes,
     /// `[vehicle1]` and `[vehicle2]`.
-    pub vehicles: [Vehicle<T>; 2],
+    pub vehicles: [GivenVehicle<T>; 2],
     /// `[impact]`.
-    pub impact: Option<Impact<T>>,
+    pub impact: Option<GivenImpact<T>>,
     /// `[reconstruct]`.
     pub reconstruct: Option<Reconstruct>,
     /// Which of the numbers are not known exactly, in the order of [`inputs`](Case::inputs). The numbers themselves are the central
@@ -64,7 +64,7 @@ impl<T: Real> Case<T> {
     /// (rad) of both vehicles, in the axes of the engine.
     #[must_use]
     pub fn headings(&self) -> [Option<T>; 2] {
-        let heading = |vehicle: &Vehicle<T>| vehicle.heading.as_ref().map(Quantity::si);
+        let heading = |vehicle: &GivenVehicle<T>| vehicle.heading.as_ref().map(Quantity::si);
         self.vehicles.each_ref().map(|vehicle| heading(vehicle).map(|heading| self.axes.lateral(heading)))
     }
 }

@@ -67,7 +67,7 @@ pub enum StiffnessForm<T = f64> {
     /// Key `category`: that of CRASH3's table for the damaged side, 1 to 5.
     Category(u8),
     /// Key `test`: fitted to a barrier test.
-    Test(BarrierTest<T>),
+    Test(GivenTest<T>),
     /// Key `zones`: coefficients of their own for each interval between two stations.
     Zones(Vec<StiffnessLine<T>>),
 }
@@ -101,7 +101,7 @@ pub enum StiffnessLine<T = f64> {
 
 /// A full-width barrier test to which the stiffness is fitted.
 #[derive(Clone, Debug, PartialEq)]
-pub struct BarrierTest<T = f64> {
+pub struct GivenTest<T = f64> {
     /// `mass` or `weight` of the tested car.
     pub mass: Mass<T>,
     /// (m/s) against the barrier.
@@ -167,7 +167,7 @@ impl<T: Real> StiffnessLine<T> {
     }
 }
 
-impl<T: Real> BarrierTest<T> {
+impl<T: Real> GivenTest<T> {
     /// The stiffness that is fitted to the test, in SI units.
     ///
     /// # Errors
@@ -232,7 +232,7 @@ impl<U> Walk<'_, U> {
             StiffnessForm::Test(test) => {
                 let table = &Key(table, "test");
                 let at = |key| Key(table, key);
-                StiffnessForm::Test(BarrierTest {
+                StiffnessForm::Test(GivenTest {
                     mass: self.mass(table, &test.mass),
                     speed: self.quantity(&at("speed"), &test.speed),
                     width: self.quantity(&at("width"), &test.width),

@@ -16,7 +16,7 @@ use crate::impact::{BrachTangential, ImpactLaw, Restitution};
 use crate::inertia::Mass;
 use crate::purpose::Purpose;
 use crate::quantity::Quantity;
-use crate::vehicle::{ContactPoint, Vehicle, Velocity};
+use crate::vehicle::{ContactPoint, GivenVehicle, Velocity};
 
 /// Two vehicles that collide, as the mechanics need them.
 #[derive(Clone, Debug)]
@@ -30,25 +30,25 @@ pub struct Collision<T = f64> {
     /// Motions before impact. A vehicle whose speed is sought is at rest here but for its yaw rate.
     pub motions: [Motion<T>; 2],
     /// What is known of each vehicle.
-    pub vehicles: [Subject<T>; 2],
+    pub vehicles: [VehicleData<T>; 2],
 }
 
 /// One vehicle, as far as the case has it.
 #[derive(Clone, Debug)]
-pub struct Subject<T = f64> {
+pub struct VehicleData<T = f64> {
     /// Mass and yaw inertia, or `None` for a fixed object.
-    pub inertia: Option<Inertia<T>>,
+    pub inertia: Option<InertiaData<T>>,
     /// (m) contact point C forward and left of the CG.
     pub contact: Option<[T; 2]>,
     /// The body seen from above.
     pub dimensions: Option<Dimensions<T>>,
     /// The damage.
-    pub damage: Option<Damage<T>>,
+    pub damage: Option<DamageData<T>>,
 }
 
 /// Mass and yaw inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inertia<T = f64> {
+pub struct InertiaData<T = f64> {
     /// (kg) mass.
     pub mass: T,
     /// (kg·m²) yaw inertia.
@@ -102,9 +102,9 @@ impl<T: Real> Dimensions<T> {
     }
 }
 
-/// Damage, and what the case says of the force that made it.
+/// DamageData, and what the case says of the force that made it.
 #[derive(Clone, Debug)]
-pub struct Damage<T = f64> {
+pub struct DamageData<T = f64> {
     /// The damaged side.
     pub side: Side,
     /// What the crush is known from.
@@ -202,7 +202,7 @@ pub struct ImpactInput<T = f64> {
 #[derive(Clone, Debug)]
 pub struct CrushOnly<T = f64> {
     /// Both vehicles; the damage of each that is not fixed has a PDOF, or both an oblique angle and a moment arm.
-    pub vehicles: [Subject<T>; 2],
+    pub vehicles: [VehicleData<T>; 2],
     /// The energy basis.
     pub basis: EnergyBasis,
     /// e, if the case has one that does not depend on the closing speed; 0 under Woolley's law.
@@ -287,7 +287,7 @@ impl Case {
     /// What is known of each vehicle, whatever a purpose would need besides: `None` of one for which something is missing. Where
     /// one PDOF and both headings are given, the other PDOF follows.
     #[must_use]
-    pub fn subjects(&self) -> [Option<Subject>; 2] {
+    pub fn subjects(&self) -> [Option<VehicleData>; 2] {
         // What is missing for it is not told, so that any purpose will do.
         let mut demand = Demand::new(self, Purpose::Crush);
         let mut subjects = [demand.subject(0), demand.subject(1)];
@@ -298,7 +298,7 @@ impl Case {
 
 /// What the vehicles of a case and the speed that it looks for say against each other, whatever the case is for.
 #[must_use]
-pub fn contradictions<T>(vehicles: &[Vehicle<T>; 2], find: Option<Unknown>) -> Vec<Fault> {
+pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Unknown>) -> Vec<Fault> {
     let mut faults = Vec::new();
     let mut contradiction = |key: &str, reason: String, advice: String| {
         let kind = FaultKind::Refused { reason };
@@ -340,7 +340,7 @@ pub fn contradictions<T>(vehicles: &[Vehicle<T>; 2], find: Option<Unknown>) -> V
 }
 
 /// Where one PDOF and both headings are given, the other PDOF follows by Newton's third law.
-fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: [Option<&mut Subject<T>>; 2]) {
+fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: [Option<&mut VehicleData<T>>; 2]) {
     let [Some(h1), Some(h2)] = headings else { return };
     let given =
         vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.damage.as_ref()?.pdof));
@@ -441,7 +441,7 @@ impl<'a, T: Real> Demand<'a, T> {
     }
 
     /// (m) C forward and left of the CG.
-    fn contact_point(&self, vehicle: &Vehicle<T>) -> Option<[T; 2]> {
+    fn contact_point(&self, vehicle: &GivenVehicle<T>) -> Option<[T; 2]> {
         let contact = vehicle.contact.as_ref().map(ContactPoint::xy);
         contact.map(|[x, y]| [x, self.case.axes.lateral(y)])
     }
@@ -480,23 +480,23 @@ impl<'a, T: Real> Demand<'a, T> {
         Some(Collision { contact, law, restitution_curve, motions: [m1?, m2?], vehicles })
     }
 
-    fn subject(&mut self, i: usize) -> Option<Subject<T>> {
+    fn subject(&mut self, i: usize) -> Option<VehicleData<T>> {
         let vehicle = &self.case.vehicles[i];
         let contact = self.contact_point(vehicle);
         let class = self.class(i, vehicle);
         let dimensions = dimensions(vehicle, class);
         if vehicle.fixed {
-            return Some(Subject { inertia: None, contact, dimensions, damage: None });
+            return Some(VehicleData { inertia: None, contact, dimensions, damage: None });
         }
         let inertia = self.inertia(i, vehicle, class);
         let damage = match &vehicle.crush {
             Some(crush) => Some(self.damage(i, crush, dimensions)?),
             None => None,
         };
-        Some(Subject { inertia: Some(inertia?), contact, dimensions, damage })
+        Some(VehicleData { inertia: Some(inertia?), contact, dimensions, damage })
     }
 
-    fn class(&mut self, i: usize, vehicle: &Vehicle<T>) -> Option<(u8, VehicleClass)> {
+    fn class(&mut self, i: usize, vehicle: &GivenVehicle<T>) -> Option<(u8, VehicleClass)> {
         let class = vehicle.class?;
         self.accepted(format_args!("{}.class", TABLES[i]), VehicleClass::new(class))
             .map(|known| (class, known))
@@ -506,9 +506,9 @@ impl<'a, T: Real> Demand<'a, T> {
     fn inertia(
         &mut self,
         i: usize,
-        vehicle: &Vehicle<T>,
+        vehicle: &GivenVehicle<T>,
         class: Option<(u8, VehicleClass)>,
-    ) -> Option<Inertia<T>> {
+    ) -> Option<InertiaData<T>> {
         let table = TABLES[i];
         let mass = vehicle.mass.as_ref().map(Mass::kg);
         let mass = self.given(
@@ -519,19 +519,19 @@ impl<'a, T: Real> Demand<'a, T> {
         let length = vehicle.outline.map(|outline| outline.length).or(vehicle.length);
         if let Some(yaw) = &vehicle.yaw {
             let mass = mass?;
-            return Some(Inertia { mass, yaw_inertia: yaw.kg_m2(mass), yaw_source: YawSource::Given });
+            return Some(InertiaData { mass, yaw_inertia: yaw.kg_m2(mass), yaw_source: YawSource::Given });
         }
         if let Some((class, known)) = class {
             let mass = mass?;
             // I = m k²
             let yaw_inertia = mass * known.yaw_radius * known.yaw_radius;
-            return Some(Inertia { mass, yaw_inertia, yaw_source: YawSource::Class(class) });
+            return Some(InertiaData { mass, yaw_inertia, yaw_source: YawSource::Class(class) });
         }
         if let Some((wheelbase, length)) = vehicle.wheelbase.zip(length) {
             let mass = mass?;
             let estimate = crash3::yaw_inertia_burg(mass, wheelbase.si(), length.si());
             let yaw_inertia = self.accepted(format_args!("{table}.wheelbase"), estimate)?;
-            return Some(Inertia { mass, yaw_inertia, yaw_source: YawSource::Burg });
+            return Some(InertiaData { mass, yaw_inertia, yaw_source: YawSource::Burg });
         }
         self.missing(
             format_args!("{table}.yaw_inertia"),
@@ -541,7 +541,7 @@ impl<'a, T: Real> Demand<'a, T> {
         None
     }
 
-    fn participant(&mut self, i: usize, inertia: Option<Inertia<T>>) -> Option<Participant<T>> {
+    fn participant(&mut self, i: usize, inertia: Option<InertiaData<T>>) -> Option<Participant<T>> {
         let table = TABLES[i];
         let vehicle = &self.case.vehicles[i];
         let heading = self.case.headings()[i];
@@ -562,7 +562,7 @@ impl<'a, T: Real> Demand<'a, T> {
             format_args!("{table}.contact"),
             "`contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }` or `contact = { x = \"1.78 m\", y = \"-0.73 m\" }`",
         );
-        let Inertia { mass, yaw_inertia, .. } = inertia?;
+        let InertiaData { mass, yaw_inertia, .. } = inertia?;
         let ([forward, left], heading) = (contact?, heading?);
         let body = self.accepted(table, Body::new(mass, yaw_inertia))?;
         self.accepted(table, Participant::new(body, heading, forward, left))
@@ -641,7 +641,12 @@ impl<'a, T: Real> Demand<'a, T> {
         self.accepted("impact.crush_plane", contact)
     }
 
-    fn damage(&mut self, i: usize, crush: &Crush<T>, dimensions: Option<Dimensions<T>>) -> Option<Damage<T>> {
+    fn damage(
+        &mut self,
+        i: usize,
+        crush: &Crush<T>,
+        dimensions: Option<Dimensions<T>>,
+    ) -> Option<DamageData<T>> {
         let path = |key| InCrush(i, key);
         let structure = self.accepted(path("stiffness"), crush.stiffness.structure(crush.side));
         let evidence = if crush.from_force_balance {
@@ -670,7 +675,7 @@ impl<'a, T: Real> Demand<'a, T> {
             }
             None => None,
         };
-        Some(Damage {
+        Some(DamageData {
             side: crush.side,
             evidence,
             stiffness_source: match &crush.stiffness {
@@ -751,7 +756,7 @@ impl<'a, T: Real> Demand<'a, T> {
     }
 
     /// `crush` has no impulse to take the direction of the force from.
-    fn direction_of_force(&mut self, i: usize, vehicle: &Vehicle<T>) {
+    fn direction_of_force(&mut self, i: usize, vehicle: &GivenVehicle<T>) {
         let table = TABLES[i];
         let Some(crush) = &vehicle.crush else {
             self.missing_crush(i);
@@ -773,11 +778,14 @@ impl<'a, T: Real> Demand<'a, T> {
     }
 }
 
-fn has_dimensions<T>(vehicle: &Vehicle<T>) -> bool {
+fn has_dimensions<T>(vehicle: &GivenVehicle<T>) -> bool {
     vehicle.outline.is_some() || vehicle.class.is_some()
 }
 
-fn dimensions<T: Real>(vehicle: &Vehicle<T>, class: Option<(u8, VehicleClass)>) -> Option<Dimensions<T>> {
+fn dimensions<T: Real>(
+    vehicle: &GivenVehicle<T>,
+    class: Option<(u8, VehicleClass)>,
+) -> Option<Dimensions<T>> {
     let given = vehicle.outline.map(|outline| Dimensions {
         length: outline.length.si(),
         width: outline.width.si(),

@@ -8,7 +8,7 @@ use crate::words::word;
 
 /// How the two vehicles met.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Impact<T = f64> {
+pub struct GivenImpact<T = f64> {
     /// (rad) Γ, scene angle of the normal of the crush plane.
     pub crush_plane: Quantity<T>,
     /// `law` and its keys.
@@ -174,7 +174,7 @@ impl<T: Real> Restitution<T> {
 }
 
 impl<U> Walk<'_, U> {
-    pub(crate) fn impact(&mut self, impact: &Impact, law_left_out: bool) -> Impact<U> {
+    pub(crate) fn impact(&mut self, impact: &GivenImpact, law_left_out: bool) -> GivenImpact<U> {
         let crush_plane = self.quantity(&"impact.crush_plane", &impact.crush_plane);
         self.default(&"impact.law", &LawName::WORDS, impact.law.law(), law_left_out);
         let law = match &impact.law {
@@ -198,7 +198,7 @@ impl<U> Walk<'_, U> {
                 friction: self.number(&"impact.friction", *friction),
             },
         };
-        Impact { crush_plane, law }
+        GivenImpact { crush_plane, law }
     }
 
     fn restitution(&mut self, restitution: &Restitution) -> Restitution<U> {

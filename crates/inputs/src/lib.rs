@@ -16,7 +16,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The types: a [`Case`] holds two [`Vehicle`]s and an [`Impact`]. Its numbers are [`Quantity`]s, which stay in the unit in which they were
+//! The types: a [`Case`] holds two [`GivenVehicle`]s and a [`GivenImpact`]. Its numbers are [`Quantity`]s, which stay in the unit in which they were
 //! given, because what is said of them speaks of that unit; [`Quantity::si`] is where a unit is converted. [`Case::inputs`] lists the
 //! numbers, each under its key, and [`Case::values`] all else with them; [`Case::map`] puts other numbers in their places. A [`Range`] says how far one may be off.
 //!
@@ -49,18 +49,18 @@ mod words;
 
 pub use axes::Axes;
 pub use case::{Case, LeftOut, Reconstruct};
-pub use crush::{BarrierTest, Crush, Fit, Pdof, StiffnessForm, StiffnessLine};
+pub use crush::{Crush, Fit, GivenTest, Pdof, StiffnessForm, StiffnessLine};
 pub use demands::{
-    Collision, CrushOnly, Damage, Dimensions, Evidence, ImpactInput, Inertia, InferredWidth,
-    ReconstructionInput, StiffnessSource, Subject, YawSource, contradictions,
+    Collision, CrushOnly, DamageData, Dimensions, Evidence, ImpactInput, InertiaData, InferredWidth,
+    ReconstructionInput, StiffnessSource, VehicleData, YawSource, contradictions,
 };
 pub use fault::{Fault, FaultKind, Faults};
-pub use impact::{BrachTangential, Impact, ImpactLaw, LawName, Restitution};
+pub use impact::{BrachTangential, GivenImpact, ImpactLaw, LawName, Restitution};
 pub use inertia::{Mass, YawInertia};
 pub use purpose::Purpose;
 pub use quantity::{InvalidQuantity, Quantity, format_number};
 pub use range::{Amount, Bounds, Range, Spread};
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
-pub use vehicle::{ContactPoint, Outline, Vehicle, Velocity};
+pub use vehicle::{ContactPoint, GivenVehicle, Outline, Velocity};
 pub use walk::{Input, Value};
 pub use words::{ENERGY_BASES, OBLIQUE_CORRECTIONS, SIDES, UNKNOWNS, word, words_of};

@@ -9,10 +9,10 @@ use crate::inertia::{Mass, YawInertia};
 use crate::quantity::Quantity;
 use crate::walk::{Key, Walk};
 
-/// A vehicle or, with [`fixed`](Vehicle::fixed), a barrier. What a computation needs beyond what is given is
+/// A vehicle or, with [`fixed`](GivenVehicle::fixed), a barrier. What a computation needs beyond what is given is
 /// for that computation to demand.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Vehicle<T = f64> {
+pub struct GivenVehicle<T = f64> {
     /// Make and model.
     pub name: Option<String>,
     /// A barrier: it has neither mass nor motion nor crush.
@@ -105,11 +105,11 @@ impl<U> Walk<'_, U> {
     pub(crate) fn vehicle(
         &mut self,
         table: &dyn Display,
-        vehicle: &Vehicle,
+        vehicle: &GivenVehicle,
         fit_left_out: bool,
-    ) -> Vehicle<U> {
+    ) -> GivenVehicle<U> {
         let at = |key| Key(table, key);
-        Vehicle {
+        GivenVehicle {
             name: self.text(&at("name"), vehicle.name.as_ref()),
             fixed: self.flag(&at("fixed"), vehicle.fixed),
             mass: vehicle.mass.as_ref().map(|mass| self.mass(table, mass)),

@@ -1,7 +1,7 @@
 //! How much the answer moves with each estimate, as text and as JSON.
 
 use analysis::{Derivative, Output, Sensitivity};
-use case::{Axes, Case, Damage};
+use case::{Axes, Case, DamageData};
 use crash3::ObliqueCorrection;
 use serde::Serialize;
 
@@ -99,7 +99,7 @@ pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String
 }
 
 /// The vehicles in the sweep, 1 or 2, of whose damage the file gives something.
-fn given_in_sweep(sensitivity: &Sensitivity, given: fn(&Damage) -> Option<f64>) -> Vec<usize> {
+fn given_in_sweep(sensitivity: &Sensitivity, given: fn(&DamageData) -> Option<f64>) -> Vec<usize> {
     if sensitivity.pdof_sweep.is_empty() {
         return Vec::new();
     }

@@ -7,8 +7,8 @@
 use ::uncertainty::{LANES, Lanes};
 use crash3::{EnergyBasis, Stiffness, Zone, equal_spacing, zone_energy};
 use inputs::{
-    Axes, BrachTangential, Case, ContactPoint, Crush, Impact, ImpactLaw, Mass, Quantity, Reconstruct,
-    Restitution, StiffnessForm, StiffnessLine, Velocity, YawInertia,
+    Axes, BrachTangential, Case, ContactPoint, Crush, GivenImpact, GivenVehicle, ImpactLaw, Mass, Quantity,
+    Reconstruct, Restitution, StiffnessForm, StiffnessLine, Velocity, YawInertia,
 };
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2};
 use reconcile::{Problem, Unknown};
@@ -84,7 +84,7 @@ impl Block {
             left_out: _,
         } = case;
         let Reconstruct { find: unknown, energy_basis: basis } = reconstruct.as_ref()?;
-        let Impact { crush_plane, law } = impact.as_ref()?;
+        let GivenImpact { crush_plane, law } = impact.as_ref()?;
         let (restitution, tangential_restitution) = match law {
             ImpactLaw::Brach {
                 restitution,
@@ -210,8 +210,8 @@ impl VehicleLanes {
 }
 
 impl Vehicle {
-    fn new(vehicle: &inputs::Vehicle<Number>, is_sought: bool) -> Option<Self> {
-        let inputs::Vehicle {
+    fn new(vehicle: &GivenVehicle<Number>, is_sought: bool) -> Option<Self> {
+        let GivenVehicle {
             name: _,
             fixed,
             mass,

@@ -5,14 +5,14 @@ use super::tree::{Reader, Table};
 use super::values::named;
 use crate::problem::{Problem, RESTITUTION_FORMS};
 use crate::schema::{KeysOfLaw, RESTITUTION, TANGENTIAL, laws_of_key};
-use inputs::{BrachTangential, Impact, ImpactLaw, LawName, Quantity, Restitution};
+use inputs::{BrachTangential, GivenImpact, ImpactLaw, LawName, Quantity, Restitution};
 
 impl<'t> Reader<'t> {
-    pub(super) fn impact(&mut self, table: &Table<'t>) -> Option<Impact> {
+    pub(super) fn impact(&mut self, table: &Table<'t>) -> Option<GivenImpact> {
         self.require(table, &["crush_plane"]);
         let crush_plane = self.quantity(table, "crush_plane");
         let law = self.law(table);
-        Some(Impact { crush_plane: crush_plane?, law: law? })
+        Some(GivenImpact { crush_plane: crush_plane?, law: law? })
     }
 
     fn law(&mut self, table: &Table<'t>) -> Option<ImpactLaw> {

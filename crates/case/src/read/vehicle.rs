@@ -1,6 +1,5 @@
 //! `[vehicle1]`, `[vehicle2]` and their damage.
 
-use super::differ;
 use super::tree::{Reader, Table};
 use super::values::{Place, hour_of, named};
 use crate::problem::{CLASS_FORMS, Problem};
@@ -10,8 +9,8 @@ use crate::schema::{
 };
 use crash3::{CrushError, ObliqueCorrection};
 use inputs::{
-    BarrierTest, ContactPoint, Crush, Dimension, Fit, Mass, OBLIQUE_CORRECTIONS, Outline, Pdof, Quantity,
-    SIDES, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia, format_number,
+    ContactPoint, Crush, Dimension, Fit, GivenTest, GivenVehicle, Mass, OBLIQUE_CORRECTIONS, Outline, Pdof,
+    Quantity, SIDES, StiffnessForm, StiffnessLine, Velocity, YawInertia, format_number,
 };
 use toml::de::DeValue;
 
@@ -19,7 +18,7 @@ use toml::de::DeValue;
 const WIDTH_TOLERANCE: f64 = 1e-3;
 
 impl<'t> Reader<'t> {
-    pub(super) fn vehicle(&mut self, top: &Table<'t>, key: &'static str) -> Option<Vehicle> {
+    pub(super) fn vehicle(&mut self, top: &Table<'t>, key: &'static str) -> Option<GivenVehicle> {
         if !top.has(key) {
             self.missing(top, key);
             return None;
@@ -31,7 +30,7 @@ impl<'t> Reader<'t> {
                 self.report_path(&table.path_of(key), Problem::FixedHas { table: table.label(), key });
             }
         }
-        let mut vehicle = Vehicle {
+        let mut vehicle = GivenVehicle {
             name: self.text(&table, "name"),
             fixed,
             mass: self.mass(&table),
@@ -343,7 +342,7 @@ impl<'t> Reader<'t> {
         Some(line)
     }
 
-    fn barrier_test(&mut self, table: &Table<'t>) -> Option<BarrierTest> {
+    fn barrier_test(&mut self, table: &Table<'t>) -> Option<GivenTest> {
         self.require(table, &["speed", "width", "depths", "no_damage_speed"]);
         if !table.has("weight") {
             self.require(table, &["mass"]);
@@ -356,7 +355,7 @@ impl<'t> Reader<'t> {
         let no_damage_speed = self.quantity(table, "no_damage_speed");
         let fit = self.choice(table, "fit", &Fit::WORDS);
         let depths = depths.filter(|depths| depths.len() >= 2)?;
-        let test = BarrierTest {
+        let test = GivenTest {
             mass: mass?,
             speed: speed?,
             width: width?,
@@ -409,4 +408,9 @@ fn is_like_a_clock(text: &str) -> bool {
 /// Whether the length stands without the rest of the outline, for the yaw inertia.
 fn length_alone(table: &Table<'_>) -> bool {
     table.has("wheelbase") && table.given(&["length", "width", "cg_to_front"]) == ["length"]
+}
+
+/// Whether two quantities of one dimension differ by more than the share `tolerance` of the first.
+fn differ(first: &Quantity, second_si: f64, tolerance: f64) -> bool {
+    (first.si() - second_si).abs() > tolerance * first.si()
 }

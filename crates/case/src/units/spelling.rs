@@ -1,6 +1,6 @@
 //! Spellings: what is forgiven, and which unit a misspelt one was meant to be.
 
-use super::{Dimension, Unit};
+use inputs::{Dimension, Unit};
 
 /// Words that stand for a unit's short form, wherever that form stands: "feet/second" is "ft/s".
 pub(super) const WORDS: &[(&str, &[&str])] = &[

@@ -1,7 +1,7 @@
 //! Stiffness and crush energy.
 
 use analysis::{Analysis, Damage, Vehicle};
-use case::{BarrierTest, Case, Crush, Fit, StiffnessForm, StiffnessLine};
+use case::{Case, Crush, Fit, GivenTest, StiffnessForm, StiffnessLine};
 use crash3::{EnergyBasis, Stiffness, Structure};
 
 use super::{Step, StepGroup, angle, given, group, inertia, n, p, step};
@@ -165,7 +165,7 @@ fn of_category(steps: &mut Vec<Step>, stiffness: &Stiffness, category: u8, i: us
 }
 
 /// A, B and G from a barrier test.
-fn of_test(steps: &mut Vec<Step>, stiffness: &Stiffness, test: &BarrierTest, i: usize) {
+fn of_test(steps: &mut Vec<Step>, stiffness: &Stiffness, test: &GivenTest, i: usize) {
     let of_test = |what: &str| format!("{what} in the barrier test for vehicle {i}");
     let symbol = |what: &str| format!("{what}_T,{i}");
     steps.push(inertia::mass(&test.mass, of_test("mass"), &format!("T,{i}")));
