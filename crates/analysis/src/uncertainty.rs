@@ -1,6 +1,6 @@
 //! Between what and what the answer lies, where numbers of the case are ranges.
 
-mod block;
+mod lanes;
 
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
@@ -15,7 +15,7 @@ use pim_core::{ImpactError, Outcome};
 use real::Gradient;
 use reconcile::ReconcileError;
 
-use block::{Block, Number};
+use lanes::{Block, Number};
 
 use crate::sensitivity::{Output, at, gradients};
 use crate::{Analysis, Failure, collide, impact, reconstruct, refused};

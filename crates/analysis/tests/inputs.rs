@@ -1,4 +1,5 @@
-//! A case that is built in code is the case of the file that says the same: its answers and its faults are the same.
+//! A case that is built in code is the case of the file that says the same: its answers and its faults are
+//! the same.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
@@ -105,7 +106,8 @@ fn a_case_built_in_code_is_that_of_the_file() {
 /// A part of a vehicle that is taken out of a case, and its key.
 type Part = (&'static str, fn(&mut GivenVehicle));
 
-/// What is taken out of the first vehicle in code and in the file: the keys and texts of the faults are the same, and stand at a place in the file.
+/// What is taken out of the first vehicle in code and in the file: the keys and texts of the faults are the
+/// same, and stand at a place in the file.
 #[test]
 fn what_a_case_built_in_code_lacks_is_told_as_in_a_file() {
     let parts: [Part; 6] = [
@@ -144,7 +146,8 @@ fn what_a_case_built_in_code_lacks_is_told_as_in_a_file() {
             assert_eq!(without_place, of_case, "{placed}");
         }
     }
-    // Of 18, the damage alone needs neither heading nor contact point nor speed, and the impact alone no damage.
+    // Of 18, the damage alone needs neither heading nor contact point nor speed, and the impact alone no
+    // damage.
     assert_eq!(told, 14);
 }
 

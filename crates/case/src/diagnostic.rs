@@ -8,7 +8,7 @@ use annotate_snippets::{
     AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet, normalize_untrusted_str,
 };
 
-use crate::problem::Problem;
+use crate::case_problem::CaseProblem;
 use crate::program::Program;
 use crate::source::Source;
 
@@ -22,11 +22,11 @@ const LONGEST_LINE: usize = 2000;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
     span: Option<Range<usize>>,
-    problem: Problem,
+    problem: CaseProblem,
 }
 
 impl Diagnostic {
-    pub(crate) fn new(span: Option<Range<usize>>, problem: Problem) -> Self {
+    pub(crate) fn new(span: Option<Range<usize>>, problem: CaseProblem) -> Self {
         Self { span, problem }
     }
 
@@ -38,7 +38,7 @@ impl Diagnostic {
 
     /// What is wrong.
     #[must_use]
-    pub fn problem(&self) -> &Problem {
+    pub fn problem(&self) -> &CaseProblem {
         &self.problem
     }
 
@@ -47,13 +47,14 @@ impl Diagnostic {
         let place = self.place(source);
         let help = self
             .problem
-            .help_in(Some(source.written()), program)
+            .help_in(Some(source.units_in_use()), program)
             .map(|help| Level::HELP.message(normalize_untrusted_str(&help)));
         let group: Group<'_> = title.element(place).elements(help);
         Renderer::plain().render(&[group])
     }
 
-    /// Where it is and what is wrong, without line breaks: `line 5, column 14: "75 feets/s" has an unknown unit "feets/s"`.
+    /// Where it is and what is wrong, without line breaks: `line 5, column 14: "75 feets/s" has an unknown
+    /// unit "feets/s"`.
     fn sentence(&self, source: &Source) -> String {
         self.placed(source, &self.problem.to_string())
     }
@@ -111,7 +112,8 @@ fn floor_char_boundary(text: &str, index: usize) -> usize {
     (0..=index).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
 }
 
-/// Everything that is wrong with a case file, in the order of the text. Its `Display` is what a user should see.
+/// Everything that is wrong with a case file, in the order of the text. Its `Display` is what a user should
+/// see.
 #[derive(Clone, Debug)]
 pub struct Diagnostics {
     source: Source,
@@ -139,8 +141,8 @@ impl Diagnostics {
         &self.list
     }
 
-    /// All of them on one line, for a row of a table or a line of a log: what is wrong, without the name of the file and without what to write
-    /// instead.
+    /// All of them on one line, for a row of a table or a line of a log: what is wrong, without the name of
+    /// the file and without what to write instead.
     ///
     /// ```
     /// let errors = case::CaseFile::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
@@ -156,8 +158,8 @@ impl Diagnostics {
         sentences.join("; ")
     }
 
-    /// What to write instead, on one line beside that of [`one_line`](Self::one_line): with the place where several problems are shown, and empty
-    /// where there is nothing to say.
+    /// What to write instead, on one line beside that of [`one_line`](Self::one_line): with the place where
+    /// several problems are shown, and empty where there is nothing to say.
     ///
     /// ```
     /// let errors = case::CaseFile::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
@@ -167,7 +169,7 @@ impl Diagnostics {
     pub fn help_on_one_line(&self) -> String {
         let shown = &self.list[..self.list.len().min(SHOWN)];
         let helps = shown.iter().filter_map(|diagnostic| {
-            let help = diagnostic.problem.help_in(Some(self.source.written()), self.program)?;
+            let help = diagnostic.problem.help_in(Some(self.source.units_in_use()), self.program)?;
             Some(if shown.len() == 1 { on_one_line(&help) } else { diagnostic.placed(&self.source, &help) })
         });
         helps.collect::<Vec<_>>().join("; ")

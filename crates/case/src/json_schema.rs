@@ -16,11 +16,12 @@ type Node = Map<String, Value>;
 
 /// The JSON Schema (draft 2020-12) of the case file, for editors that complete and check TOML.
 ///
-/// It knows every table and key, the forms of a value and the units of each dimension. What takes arithmetic it leaves to
-/// [`CaseFile::parse`](crate::CaseFile::parse): magnitudes, ranges that do not rise, lists that do not belong together.
+/// It knows every table and key, the forms of a value and the units of each dimension. What takes arithmetic
+/// it leaves to [`CaseFile::parse`](crate::CaseFile::parse): magnitudes, ranges that do not rise, lists that
+/// do not belong together.
 ///
-/// A file that begins with `#:schema PATH`, the path from the file to the schema, is completed and checked by editors built on Taplo, such as
-/// Visual Studio Code with *Even Better TOML*.
+/// A file that begins with `#:schema PATH`, the path from the file to the schema, is completed and checked by
+/// editors built on Taplo, such as Visual Studio Code with *Even Better TOML*.
 ///
 /// ```
 /// let schema = case::json_schema();
@@ -68,7 +69,8 @@ impl Generator {
         node
     }
 
-    /// The keys of a table and, where it is one of several that can stand here, those of the others; `of` is what a range is about.
+    /// The keys of a table and, where it is one of several that can stand here, those of the others; `of` is
+    /// what a range is about.
     fn content(&mut self, schemas: &[&'static Schema], of: Option<Kind>) -> Node {
         let keys = schemas.iter().flat_map(|schema| schema.keys);
         let properties: Node =
@@ -93,7 +95,8 @@ impl Generator {
             node.insert("required".into(), json!(required));
         }
         if !all.is_empty() {
-            // Taplo offers no keys of a table that itself has "allOf": it stands behind a condition that always holds.
+            // Taplo offers no keys of a table that itself has "allOf": it stands behind a condition that
+            // always holds.
             node.insert("if".into(), json!(true));
             let rules = json!({ "allOf": all });
             let then = match (schemas, of) {

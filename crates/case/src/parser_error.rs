@@ -1,6 +1,7 @@
 //! What the TOML parser found wrong, told from its sentence: it gives nothing else to go by.
 //!
-//! Another version may word it otherwise. `Cargo.toml` therefore holds the minor version of `toml`, and the tests below have a text of each kind.
+//! Another version may word it otherwise. `Cargo.toml` therefore holds the minor version of `toml`, and the
+//! tests below have a text of each kind.
 
 /// What the parser found wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

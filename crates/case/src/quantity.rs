@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use crate::nearest::join;
 use crate::number::split_number;
-use crate::slips;
+use crate::number_slips;
 use crate::units::{nearest_unit, read_unit};
 
 /// Reads a text such as `"6.3 ft"`, which has to be of the given dimension.
@@ -20,7 +20,8 @@ use crate::units::{nearest_unit, read_unit};
 ///
 /// # Errors
 ///
-/// Every variant of [`QuantityError`]: each says what is wrong and, by [`QuantityError::help`], what to write.
+/// Every variant of [`QuantityError`]: each says what is wrong and, by [`QuantityError::help`], what to
+/// write.
 pub fn read_quantity(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError> {
     let text = text.trim();
     if text.is_empty() {
@@ -51,13 +52,13 @@ pub(crate) fn find_unit(
     if spelling.is_empty() {
         return Err(QuantityError::MissingUnit { value, dimension });
     }
-    if let Some(range) = slips::range(text, Some(dimension)) {
+    if let Some(range) = number_slips::range(text, Some(dimension)) {
         return Err(QuantityError::RangeInText { value, range });
     }
-    if let Some(decimal) = slips::decimal(text, dimension) {
+    if let Some(decimal) = number_slips::decimal(text, dimension) {
         return Err(QuantityError::NotDecimal { value, decimal });
     }
-    if let Some((unit, numbers)) = slips::mark(spelling, dimension).zip(text.strip_suffix(spelling)) {
+    if let Some((unit, numbers)) = number_slips::mark(spelling, dimension).zip(text.strip_suffix(spelling)) {
         let decimal = format!("{} {unit}", shorten(numbers.trim_end()));
         return Err(QuantityError::NotDecimal { value, decimal });
     }
@@ -80,7 +81,9 @@ pub(crate) fn not_a_number(text: &str, dimension: Dimension) -> QuantityError {
     let value = shorten(text);
     if read_unit(text, dimension).is_some() {
         QuantityError::MissingNumber { value, dimension }
-    } else if let Some(decimal) = slips::decimal(text, dimension).or_else(|| slips::typed(text, dimension)) {
+    } else if let Some(decimal) =
+        number_slips::decimal(text, dimension).or_else(|| number_slips::typed(text, dimension))
+    {
         QuantityError::NotDecimal { value, decimal }
     } else {
         bad_number(value, dimension)

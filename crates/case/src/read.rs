@@ -8,9 +8,9 @@ mod vehicle;
 
 use toml::de::DeTable;
 
+use crate::case_problem::CaseProblem;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::foreign;
-use crate::problem::Problem;
+use crate::other_files;
 use crate::program::Program;
 use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, SCENE, TOP};
 use crate::source::{Source, Spans};
@@ -27,8 +27,9 @@ pub struct CaseFile {
 }
 
 impl CaseFile {
-    /// (bytes) the largest file that is read: a case is a page of text, and two profiles of 10,000 stations fill a quarter of this. A text
-    /// that is wrong at every byte costs the TOML parser 200 times its size in memory, which this bounds.
+    /// (bytes) the largest file that is read: a case is a page of text, and two profiles of 10,000 stations
+    /// fill a quarter of this. A text that is wrong at every byte costs the TOML parser 200 times its size in
+    /// memory, which this bounds.
     pub const LARGEST_FILE: usize = 1_000_000;
 
     /// Reads the text of a case file; `name` is what errors call it.
@@ -50,19 +51,19 @@ impl CaseFile {
     ///
     /// # Errors
     ///
-    /// All problems of the file at once: see [`Problem`] for the kinds.
+    /// All problems of the file at once: see [`CaseProblem`] for the kinds.
     pub fn parse(name: &str, text: &str) -> Result<Self, Diagnostics> {
         Self::parse_bytes(name, text.as_bytes())
     }
 
-    /// The same of the bytes of a file, which may turn out to be no text at all. One that is cut off behind [`LARGEST_FILE`](Self::LARGEST_FILE) is refused for
-    /// its length.
+    /// The same of the bytes of a file, which may turn out to be no text at all. One that is cut off behind
+    /// [`LARGEST_FILE`](Self::LARGEST_FILE) is refused for its length.
     ///
     /// # Errors
     ///
     /// As [`parse`](Self::parse); of a file of another kind, one that says which.
     pub fn parse_bytes(name: &str, bytes: &[u8]) -> Result<Self, Diagnostics> {
-        let text = foreign::text(bytes, Self::LARGEST_FILE).map_err(|problem| {
+        let text = other_files::text(bytes, Self::LARGEST_FILE).map_err(|problem| {
             let source = Source::new(name, "", Spans::default());
             Diagnostics::new(source, vec![Diagnostic::new(None, problem)])
         })?;
@@ -77,8 +78,8 @@ impl CaseFile {
         }
     }
 
-    /// The faults of its case, each at its key in the file; where the key is absent, at the nearest table around it. Their texts are in the
-    /// words of a program, and their examples in the units of the file.
+    /// The faults of its case, each at its key in the file; where the key is absent, at the nearest table
+    /// around it. Their texts are in the words of a program, and their examples in the units of the file.
     ///
     /// ```
     /// use case::{CaseFile, Program};
@@ -93,12 +94,12 @@ impl CaseFile {
     #[must_use]
     pub fn diagnostics(&self, faults: &Faults, program: &'static Program) -> Diagnostics {
         let placed = faults.list().iter().map(|fault| {
-            let problem = Problem::Fault {
+            let problem = CaseProblem::Fault {
                 message: fault.message(program.name),
                 help: fault.advice.as_ref().map(|advice| match fault.kind {
                     // It quotes the file itself.
                     FaultKind::NothingUncertain => advice.clone(),
-                    _ => self.source.written().suited(&fault.key, advice),
+                    _ => self.source.units_in_use().suited(&fault.key, advice),
                 }),
             };
             Diagnostic::new(self.source.nearest_span(&fault.key), problem)
@@ -121,7 +122,8 @@ impl<'t> Reader<'t> {
         let vehicles = [first?, second?];
         let find = reconstruct.flatten().map(|reconstruct| reconstruct.find);
         for fault in contradictions(&vehicles, find) {
-            let problem = Problem::Fault { message: fault.message(Program::NONE.name), help: fault.advice };
+            let problem =
+                CaseProblem::Fault { message: fault.message(Program::NONE.name), help: fault.advice };
             self.report_path(&fault.key, problem);
         }
         let (impact, reconstruct) = (optional(impact)?, optional(reconstruct)?);
@@ -138,7 +140,7 @@ impl<'t> Reader<'t> {
             Case { title, source, axes, vehicles, impact, reconstruct, ranges: Vec::new(), left_out };
         case.ranges = case.inputs().iter().filter_map(|input| self.take_range(&input.path)).collect();
         if let Some(first_too_many) = case.ranges.get(MOST_RANGES) {
-            let problem = Problem::TooManyRanges { count: case.ranges.len(), limit: MOST_RANGES };
+            let problem = CaseProblem::TooManyRanges { count: case.ranges.len(), limit: MOST_RANGES };
             self.report_path(&first_too_many.path, problem);
         }
         Some(case)

@@ -10,10 +10,12 @@ use inputs::{
 /// The largest number of stations: far more than any scan of a vehicle gives.
 pub(crate) const MOST_STATIONS: usize = 10_000;
 
-/// The largest number of zones, each with a stiffness of its own: as many as a stiffness was ever told apart in, and many more.
+/// The largest number of zones, each with a stiffness of its own: as many as a stiffness was ever told apart
+/// in, and many more.
 pub(crate) const MOST_ZONES: usize = 1_000;
 
-/// The largest number of ranges. Each costs as much time as the whole case, and stands for an error that is independent of all others.
+/// The largest number of ranges. Each costs as much time as the whole case, and stands for an error that is
+/// independent of all others.
 pub(crate) const MOST_RANGES: usize = 500;
 
 /// One key.
@@ -848,7 +850,8 @@ static ALL: [&Schema; 11] = [
     &RESTITUTION,
 ];
 
-/// The path of every key of a case file, tables included: `scene`, `scene.axes`, `vehicle1`, …, `vehicle1.crush.stiffness.d0`, …
+/// The path of every key of a case file, tables included: `scene`, `scene.axes`, `vehicle1`, …,
+/// `vehicle1.crush.stiffness.d0`, …
 ///
 /// Those of a range, which can stand in the place of any number, are not among them.
 ///
@@ -861,8 +864,9 @@ pub fn keys() -> Vec<String> {
     walked(|_| true)
 }
 
-/// The path of every key of a case file that holds a number or several, each of which can be a range: `vehicle1.mass`, …,
-/// `impact.restitution`, `impact.restitution.speeds`, … They are among [`keys`], and have no numbers of elements.
+/// The path of every key of a case file that holds a number or several, each of which can be a range:
+/// `vehicle1.mass`, …, `impact.restitution`, `impact.restitution.speeds`, … They are among [`keys`], and have
+/// no numbers of elements.
 ///
 /// ```
 /// let keys = case::number_keys();

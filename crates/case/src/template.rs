@@ -41,7 +41,8 @@ impl Template {
         }
     }
 
-    /// The case file, in the units of a custom: its numbers are round in them, so that the two tell of two collisions of a kind.
+    /// The case file, in the units of a custom: its numbers are round in them, so that the two tell of two
+    /// collisions of a kind.
     #[must_use]
     pub fn text(self, units: UnitSystem) -> &'static str {
         match (self, units) {

@@ -1,4 +1,5 @@
-//! Units as people spell them: which texts name a unit of the table, and which unit a misspelt one was meant to be.
+//! Units as people spell them: which texts name a unit of the table, and which unit a misspelt one was meant
+//! to be.
 
 mod pattern;
 mod spelling;

@@ -11,10 +11,10 @@ use std::fs;
 use std::path::Path;
 
 use case::{
-    Amount, Axes, Bounds, Case, CaseFile, Collision, ContactPoint, Crush, Diagnostics, Dimension, Evidence,
-    Faults, Fit, GivenImpact, GivenTest, GivenVehicle, ImpactLaw, LeftOut, Mass, Outline, Pdof, Problem,
-    Program, Quantity, Reconstruct, Restitution, Spread, StiffnessForm, StiffnessLine, Unit, UnitSystem,
-    Velocity, YawInertia, read_quantity, to_toml,
+    Amount, Axes, Bounds, Case, CaseFile, CaseProblem, Collision, ContactPoint, Crush, Diagnostics,
+    Dimension, Evidence, Faults, Fit, GivenImpact, GivenTest, GivenVehicle, ImpactLaw, LeftOut, Mass,
+    Outline, Pdof, Program, Quantity, Reconstruct, Restitution, Spread, StiffnessForm, StiffnessLine, Unit,
+    UnitSystem, Velocity, YawInertia, read_quantity, to_toml,
 };
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
@@ -50,7 +50,7 @@ fn quantity(text: &str, dimension: Dimension) -> Quantity {
 
 /// The problems of a text that has to be refused.
 #[track_caller]
-fn problems(text: &str) -> Vec<Problem> {
+fn problems(text: &str) -> Vec<CaseProblem> {
     let errors = CaseFile::parse("case.toml", text).expect_err("the case is accepted");
     errors.list().iter().map(|diagnostic| diagnostic.problem().clone()).collect()
 }
@@ -536,7 +536,7 @@ fn each_law_has_its_own_keys() {
                     .map(|(law, ..)| *law)
                     .collect();
                 assert!(
-                    matches!(&found[..], [Problem::KeyOfOtherLaw { key, law: named, owners: named_owners, .. }]
+                    matches!(&found[..], [CaseProblem::KeyOfOtherLaw { key, law: named, owners: named_owners, .. }]
                         if (*key, *named) == (tried, law) && *named_owners == owners),
                     "{tried} under {law}: {found:?}"
                 );
@@ -544,7 +544,7 @@ fn each_law_has_its_own_keys() {
             if needed.contains(&tried) {
                 let found = problems(&with(&|key| needed.contains(&key) && key != tried));
                 assert!(
-                    matches!(&found[..], [Problem::MissingKeyOfLaw { key, law: named, .. }]
+                    matches!(&found[..], [CaseProblem::MissingKeyOfLaw { key, law: named, .. }]
                         if (*key, *named) == (tried, law)),
                     "{law} without {tried}: {found:?}"
                 );
@@ -597,7 +597,7 @@ fn closing_speeds_out_of_order_are_pointed_at() {
         let text = with_impact(&lines);
         let errors = CaseFile::parse("case.toml", &text).unwrap_err();
         let [diagnostic] = errors.list() else { panic!("{errors}") };
-        assert!(matches!(diagnostic.problem(), Problem::NotAscending { .. }), "{errors}");
+        assert!(matches!(diagnostic.problem(), CaseProblem::NotAscending { .. }), "{errors}");
         assert_eq!(&text[diagnostic.span().unwrap()], wrong);
     }
 }
@@ -774,15 +774,15 @@ fn every_key_has_its_sign() {
         crush("stiffness = { A = \"1 N/m\", B = \"0 N/m^2\" }"),
     ];
     for zero in &positive {
-        assert!(matches!(problems(zero)[..], [Problem::NotPositive { .. }]), "{zero}");
+        assert!(matches!(problems(zero)[..], [CaseProblem::NotPositive { .. }]), "{zero}");
         read(&zero.replace("\"0 ", "\"1 "));
         assert!(
-            matches!(problems(&zero.replace("\"0 ", "\"-1 "))[..], [Problem::NotPositive { .. }]),
+            matches!(problems(&zero.replace("\"0 ", "\"-1 "))[..], [CaseProblem::NotPositive { .. }]),
             "{zero}"
         );
         // Smaller than any limit, and still a number.
         let tiny = problems(&zero.replace("\"0 ", "\"5e-324 "));
-        assert!(matches!(tiny[..], [Problem::TooSmall { .. }]), "{zero}: {tiny:?}");
+        assert!(matches!(tiny[..], [CaseProblem::TooSmall { .. }]), "{zero}: {tiny:?}");
     }
     let not_negative = [
         vehicle("contact = { distance = \"0 m\", angle = \"1 deg\" }"),
@@ -799,7 +799,10 @@ fn every_key_has_its_sign() {
     ];
     for zero in &not_negative {
         read(zero);
-        assert!(matches!(problems(&zero.replace("\"0 ", "\"-1 "))[..], [Problem::Negative { .. }]), "{zero}");
+        assert!(
+            matches!(problems(&zero.replace("\"0 ", "\"-1 "))[..], [CaseProblem::Negative { .. }]),
+            "{zero}"
+        );
     }
     let change = impact("law = \"woolley\"\ntangential_velocity_change = \"0 m/s\"");
     for any in ["0 m/s", "-1 m/s", "1 m/s"] {
@@ -822,7 +825,7 @@ fn a_fixed_object_has_nothing_that_moves() {
         ("yaw_rate", "yaw_rate = \"0 deg/s\""),
         ("crush", crush),
     ] {
-        assert_eq!(problems(&with(line)), [Problem::FixedHas { table: "[vehicle2]".to_owned(), key }]);
+        assert_eq!(problems(&with(line)), [CaseProblem::FixedHas { table: "[vehicle2]".to_owned(), key }]);
         read(&with(line).replace("fixed = true", "fixed = false"));
     }
     read(&with("name = \"wall\"\nheading = \"90 deg\"\ncontact = { x = \"0 m\", y = \"0 m\" }"));
@@ -842,12 +845,12 @@ fn a_profile_has_two_to_ten_thousand_stations() {
         }
     }
     for text in [string(1), list(1)] {
-        assert!(matches!(problems(&text)[..], [Problem::TooFewStations { count: 1, .. }]));
+        assert!(matches!(problems(&text)[..], [CaseProblem::TooFewStations { count: 1, .. }]));
     }
     for text in [string(10_001), list(10_001)] {
-        assert!(matches!(problems(&text)[..], [Problem::TooMany { count: 10_001, limit: 10_000, .. }]));
+        assert!(matches!(problems(&text)[..], [CaseProblem::TooMany { count: 10_001, limit: 10_000, .. }]));
     }
-    assert!(matches!(problems(&list(0))[..], [Problem::TooFewStations { count: 0, .. }]));
+    assert!(matches!(problems(&list(0))[..], [CaseProblem::TooFewStations { count: 0, .. }]));
 }
 
 #[test]
@@ -865,7 +868,7 @@ fn a_case_has_five_hundred_ranges_at_most() {
         assert_eq!(read(&with(&spread(499), width)).case.ranges.len(), 500);
         assert_eq!(read(&with(&spread(500), "\"1 m\"")).case.ranges.len(), 500);
         let text = with(&spread(500), width);
-        assert_eq!(problems(&text), [Problem::TooManyRanges { count: 501, limit: 500 }]);
+        assert_eq!(problems(&text), [CaseProblem::TooManyRanges { count: 501, limit: 500 }]);
         // The width stands before the depths: it is the last of them that is one too many.
         let diagnostics = CaseFile::parse("test.toml", &text).unwrap_err();
         let span = diagnostics.list()[0].span().unwrap();
@@ -885,10 +888,10 @@ fn all_problems_are_reported_at_once() {
         matches!(
             found[..],
             [
-                Problem::BareNumber { .. },
-                Problem::Syntax { .. },
-                Problem::UnknownKey { nearest: Some("side"), .. },
-                Problem::OutOfRange { .. }
+                CaseProblem::BareNumber { .. },
+                CaseProblem::Syntax { .. },
+                CaseProblem::UnknownKey { nearest: Some("side"), .. },
+                CaseProblem::OutOfRange { .. }
             ]
         ),
         "{found:?}"
@@ -898,7 +901,7 @@ fn all_problems_are_reported_at_once() {
 #[test]
 fn a_misspelt_key_is_not_missing_as_well() {
     let vehicles = "[vehicle1]\n[vehicel2]\n";
-    assert!(matches!(problems(vehicles)[..], [Problem::UnknownTable { nearest: Some("vehicle2"), .. }]));
+    assert!(matches!(problems(vehicles)[..], [CaseProblem::UnknownTable { nearest: Some("vehicle2"), .. }]));
 }
 
 #[test]
@@ -915,7 +918,7 @@ fn a_thousand_zones_are_read_and_no_more() {
     let crush = read(&text(1000)).case.vehicles[0].crush.clone().unwrap();
     assert!(matches!(crush.stiffness, StiffnessForm::Zones(zones) if zones.len() == 1000));
     let refused = problems(&text(1001));
-    assert!(matches!(refused[..], [Problem::TooMany { count: 1001, limit: 1000, .. }]), "{refused:?}");
+    assert!(matches!(refused[..], [CaseProblem::TooMany { count: 1001, limit: 1000, .. }]), "{refused:?}");
 }
 
 /// One of the speeds is what is looked for: only the other one is asked for.
@@ -965,7 +968,7 @@ fn an_open_bracket_hides_nothing_before_it() {
     let text =
         "[vehicle1]\nspeed = 35\ncontact = { x = \"1 m\", y = \"2 m\"\nmass = 12\n[vehicle2]\nfixed = 1\n";
     let found = problems(text);
-    assert!(matches!(found[..], [Problem::BareNumber { .. }, Problem::Syntax { .. }]), "{found:?}");
+    assert!(matches!(found[..], [CaseProblem::BareNumber { .. }, CaseProblem::Syntax { .. }]), "{found:?}");
     // A table over several lines is no slip, but the comma in it is.
     let text = "[vehicle1]\ncontact = {\n  x = \"1 m\"\n  y = \"2 m\"\n}\n[vehicle2]\nfixed = true\n";
     let found = CaseFile::parse("case.toml", text).unwrap_err().to_string();
@@ -976,7 +979,7 @@ fn an_open_bracket_hides_nothing_before_it() {
 fn a_file_of_a_megabyte_is_read_and_a_larger_one_is_not() {
     let padded = |length: usize| format!("{OTHER_FORMS}#{}", "x".repeat(length - OTHER_FORMS.len() - 1));
     assert!(CaseFile::parse("case.toml", &padded(1_000_000)).is_ok());
-    assert_eq!(problems(&padded(1_000_001)), [Problem::TooLarge { limit: 1_000_000 }]);
+    assert_eq!(problems(&padded(1_000_001)), [CaseProblem::TooLarge { limit: 1_000_000 }]);
 }
 
 #[test]
@@ -1043,7 +1046,7 @@ fn a_megabyte_of_one_value_is_refused_at_once() {
     for text in [unit("√("), unit("√"), unit("sqrt(a)"), unit("lb "), unit("x")] {
         assert!(matches!(
             problems(&text)[..],
-            [Problem::Quantity {
+            [CaseProblem::Quantity {
                 error: case::QuantityError::UnknownUnit { .. } | case::QuantityError::BadNumber { .. },
                 ..
             }]
@@ -1052,9 +1055,9 @@ fn a_megabyte_of_one_value_is_refused_at_once() {
     let count = 450_000;
     let depths =
         OTHER_FORMS.replace("[\"0 cm\", \"100 mm\", \"0.1 m\"]", &format!("\"{}cm\"", "1 ".repeat(count)));
-    assert!(matches!(problems(&depths)[..], [Problem::TooMany { count: 450_000, .. }]));
+    assert!(matches!(problems(&depths)[..], [CaseProblem::TooMany { count: 450_000, .. }]));
     let key = format!("{} = 1\n[vehicle1]\n[vehicle2]", "k".repeat(900_000));
-    assert!(matches!(problems(&key)[..], [Problem::UnknownKey { nearest: None, .. }]));
+    assert!(matches!(problems(&key)[..], [CaseProblem::UnknownKey { nearest: None, .. }]));
 }
 
 #[test]
@@ -1062,7 +1065,7 @@ fn deep_nesting_is_refused() {
     for text in
         ["[", "{a=", "a.", "[[", "\"\"."].map(|part| format!("a = {0}\n{0}a = 1", part.repeat(20_000)))
     {
-        assert!(matches!(problems(&text)[0], Problem::Syntax { .. }));
+        assert!(matches!(problems(&text)[0], CaseProblem::Syntax { .. }));
     }
     let dotted = format!("[vehicle1]\n{}a = 1\n[vehicle2]", "mass.".repeat(10_000));
     assert!(!problems(&dotted).is_empty());

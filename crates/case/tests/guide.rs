@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use case::{CaseFile, Problem};
+use case::{CaseFile, CaseProblem};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/guide")
@@ -32,10 +32,12 @@ fn blocks<'a>(page: &'a str, language: &str) -> Vec<&'a str> {
 }
 
 /// A piece of a case file may leave out what it is not about. All that it does say has to be right.
-fn is_of_a_piece(problem: &Problem) -> bool {
+fn is_of_a_piece(problem: &CaseProblem) -> bool {
     matches!(
         problem,
-        Problem::MissingTable { .. } | Problem::MissingKey { .. } | Problem::MissingKeyOfLaw { .. }
+        CaseProblem::MissingTable { .. }
+            | CaseProblem::MissingKey { .. }
+            | CaseProblem::MissingKeyOfLaw { .. }
     )
 }
 

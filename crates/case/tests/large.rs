@@ -4,7 +4,7 @@
 
 use std::time::{Duration, Instant};
 
-use case::{CaseFile, Diagnostics, Problem};
+use case::{CaseFile, CaseProblem, Diagnostics};
 
 const VEHICLE2: &str = "[vehicle2]\nfixed = true\n";
 
@@ -55,7 +55,10 @@ fn ten_megabytes_are_refused_unread() {
         match soon(part, &text) {
             Ok(()) => panic!("{part:?} is accepted"),
             Err(found) => {
-                assert_eq!(*found.list()[0].problem(), Problem::TooLarge { limit: CaseFile::LARGEST_FILE });
+                assert_eq!(
+                    *found.list()[0].problem(),
+                    CaseProblem::TooLarge { limit: CaseFile::LARGEST_FILE }
+                );
                 assert_eq!(found.source().text(), "", "the text is not kept");
             }
         }

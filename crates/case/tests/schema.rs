@@ -7,7 +7,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use case::{CaseFile, Dimension, Problem, QuantityError, Template, UnitSystem, json_schema, read_quantity};
+use case::{
+    CaseFile, CaseProblem, Dimension, QuantityError, Template, UnitSystem, json_schema, read_quantity,
+};
 use jsonschema::Validator;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -281,7 +283,7 @@ fn words() -> BTreeSet<String> {
     for (path, _) in keys(&schema()) {
         for text in of_key(&path, "\"\u{1}\"") {
             for diagnostic in CaseFile::parse("case.toml", &text).unwrap_err().list() {
-                if let Problem::UnknownChoice { choices, .. } = diagnostic.problem() {
+                if let CaseProblem::UnknownChoice { choices, .. } = diagnostic.problem() {
                     words.extend(choices.split('"').skip(1).step_by(2).map(str::to_owned));
                 }
             }
@@ -351,9 +353,9 @@ fn reads(text: &str, value: &str) -> bool {
     let Err(errors) = CaseFile::parse("case.toml", text) else { return true };
     !errors.list().iter().any(|one| {
         match one.problem() {
-            Problem::KeyOfOtherLaw { .. } => true,
+            CaseProblem::KeyOfOtherLaw { .. } => true,
             // Not of this key alone, or arithmetic.
-            Problem::HalfOutline { .. } | Problem::NotAcute { .. } => false,
+            CaseProblem::HalfOutline { .. } | CaseProblem::NotAcute { .. } => false,
             _ => one.span().is_some_and(|span| span.end > start),
         }
     })

@@ -15,7 +15,8 @@ use crate::vehicle::GivenVehicle;
 use crate::walk::{Input, Others, Replace, Value, Walk};
 use crate::words::{ENERGY_BASES, UNKNOWNS};
 
-/// A whole case: two vehicles, and what is known of the impact. The crate `case` reads it from a file and writes it.
+/// A whole case: two vehicles, and what is known of the impact. The crate `case` reads it from a file and
+/// writes it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Case<T = f64> {
     /// A line to put over the report.
@@ -30,15 +31,15 @@ pub struct Case<T = f64> {
     pub impact: Option<GivenImpact<T>>,
     /// `[reconstruct]`.
     pub reconstruct: Option<Reconstruct>,
-    /// Which of the numbers are not known exactly, in the order of [`inputs`](Case::inputs). The numbers themselves are the central
-    /// values.
+    /// Which of the numbers are not known exactly, in the order of [`inputs`](Case::inputs). The numbers
+    /// themselves are the central values.
     pub ranges: Vec<Range>,
     /// Which words it leaves to their defaults.
     pub left_out: LeftOut,
 }
 
-/// Which words a case leaves to their defaults. Its values are then these defaults, so that no number depends on this: it is for
-/// telling what is assumed. None is left out of a table that is not there.
+/// Which words a case leaves to their defaults. Its values are then these defaults, so that no number depends
+/// on this: it is for telling what is assumed. None is left out of a table that is not there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LeftOut {
     /// `scene.axes`.
@@ -70,14 +71,14 @@ impl<T: Real> Case<T> {
 }
 
 impl Case {
-    /// The same case with other numbers in the place of its own, which `replace` is given in the order of [`inputs`](Self::inputs).
-    /// They are certain: no [`ranges`](Case::ranges) are taken over.
+    /// The same case with other numbers in the place of its own, which `replace` is given in the order of
+    /// [`inputs`](Self::inputs). They are certain: no [`ranges`](Case::ranges) are taken over.
     pub fn map<U>(&self, mut replace: impl FnMut(Input) -> U) -> Case<U> {
         self.walk(&mut |path, number, unit| replace(Input { path: path.to_string(), number, unit }), None)
     }
 
-    /// The same case with other numbers, given in the order of [`inputs`](Self::inputs) beside those that they replace. No path is
-    /// made for any, so that this is quick.
+    /// The same case with other numbers, given in the order of [`inputs`](Self::inputs) beside those that
+    /// they replace. No path is made for any, so that this is quick.
     pub fn map_numbers<U>(&self, mut replace: impl FnMut(f64) -> U) -> Case<U> {
         self.walk(&mut |_, number, _| replace(number), None)
     }
@@ -90,7 +91,8 @@ impl Case {
         inputs
     }
 
-    /// Everything that the case says, number or not, each under its path. What it [leaves out](Self::left_out) is not among it.
+    /// Everything that the case says, number or not, each under its path. What it [leaves
+    /// out](Self::left_out) is not among it.
     #[must_use]
     pub fn values(&self) -> Vec<(String, Value)> {
         let values = RefCell::new(Vec::new());

@@ -16,17 +16,21 @@ use crate::words::{OBLIQUE_CORRECTIONS, SIDES};
 pub struct Crush<T = f64> {
     /// The damaged side.
     pub side: Side,
-    /// The vehicle could not be inspected: its crush follows from the force that the other vehicle's crush shows. It has no depths then.
+    /// The vehicle could not be inspected: its crush follows from the force that the other vehicle's crush
+    /// shows. It has no depths then.
     pub from_force_balance: bool,
-    /// (m) of the whole damage; absent where the spacing gives it, or where it is not known of an inferred crush.
+    /// (m) of the whole damage; absent where the spacing gives it, or where it is not known of an inferred
+    /// crush.
     pub width: Option<Quantity<T>>,
-    /// (m) at two stations or more: left to right on front and rear, rear to front on the sides. Empty where the crush is inferred.
+    /// (m) at two stations or more: left to right on front and rear, rear to front on the sides. Empty where
+    /// the crush is inferred.
     pub depths: Vec<Quantity<T>>,
     /// (m) between neighbouring stations, one fewer than depths; equal spacing where absent.
     pub spacing: Option<Vec<Quantity<T>>>,
     /// The stiffness of that side.
     pub stiffness: StiffnessForm<T>,
-    /// (m) of the middle of the damage: along the vehicle's y from its axis on front and rear, forward of the CG on the sides.
+    /// (m) of the middle of the damage: along the vehicle's y from its axis on front and rear, forward of the
+    /// CG on the sides.
     pub offset: Option<Quantity<T>>,
     /// Principal direction of force, clockwise from the heading in any axes: replaces the derived one.
     pub pdof: Option<Pdof<T>>,

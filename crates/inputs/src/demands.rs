@@ -113,8 +113,8 @@ pub struct DamageData<T = f64> {
     pub stiffness_source: StiffnessSource,
     /// The damaged face and the place of the damage on it, where the dimensions of the vehicle are known.
     pub face: Option<DamagedFace<T>>,
-    /// (m) of the middle of the damage, left of the axis on front and rear, forward of the CG on the sides; where the case does not say,
-    /// it is taken to lie on the axis or beside the CG.
+    /// (m) of the middle of the damage, left of the axis on front and rear, forward of the CG on the sides;
+    /// where the case does not say, it is taken to lie on the axis or beside the CG.
     pub offset: Option<T>,
     /// How oblique forces are corrected.
     pub correction: ObliqueCorrection<T>,
@@ -201,7 +201,8 @@ pub struct ImpactInput<T = f64> {
 /// What an analysis of the damage alone works on.
 #[derive(Clone, Debug)]
 pub struct CrushOnly<T = f64> {
-    /// Both vehicles; the damage of each that is not fixed has a PDOF, or both an oblique angle and a moment arm.
+    /// Both vehicles; the damage of each that is not fixed has a PDOF, or both an oblique angle and a moment
+    /// arm.
     pub vehicles: [VehicleData<T>; 2],
     /// The energy basis.
     pub basis: EnergyBasis,
@@ -284,8 +285,8 @@ impl Case {
         }))
     }
 
-    /// What is known of each vehicle, whatever a purpose would need besides: `None` of one for which something is missing. Where
-    /// one PDOF and both headings are given, the other PDOF follows.
+    /// What is known of each vehicle, whatever a purpose would need besides: `None` of one for which
+    /// something is missing. Where one PDOF and both headings are given, the other PDOF follows.
     #[must_use]
     pub fn subjects(&self) -> [Option<VehicleData>; 2] {
         // What is missing for it is not told, so that any purpose will do.
@@ -296,7 +297,8 @@ impl Case {
     }
 }
 
-/// What the vehicles of a case and the speed that it looks for say against each other, whatever the case is for.
+/// What the vehicles of a case and the speed that it looks for say against each other, whatever the case is
+/// for.
 #[must_use]
 pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Unknown>) -> Vec<Fault> {
     let mut faults = Vec::new();
@@ -363,8 +365,8 @@ const SPEED_FORMS: &str =
 /// The tables of the vehicles.
 const TABLES: [&str; 2] = ["vehicle1", "vehicle2"];
 
-/// A key in the crush table of a vehicle, spelled only where something is wrong with it: a case is turned into the types of the engine
-/// a million times where its numbers are uncertain.
+/// A key in the crush table of a vehicle, spelled only where something is wrong with it: a case is turned
+/// into the types of the engine a million times where its numbers are uncertain.
 struct InCrush(usize, &'static str);
 
 impl Display for InCrush {
@@ -547,7 +549,8 @@ impl<'a, T: Real> Demand<'a, T> {
         let heading = self.case.headings()[i];
         let contact = self.contact_point(vehicle);
         if vehicle.fixed {
-            // Heading and contact point of a fixed object are optional; they only help to orient the crush plane's normal.
+            // Heading and contact point of a fixed object are optional; they only help to orient the crush
+            // plane's normal.
             return match contact {
                 Some([forward, left]) => {
                     let placed = Participant::new(Body::fixed(), heading.unwrap_or(T::ZERO), forward, left);

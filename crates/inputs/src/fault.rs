@@ -8,7 +8,8 @@ use crate::purpose::Purpose;
 /// One thing that a case lacks, or that it has and no vehicle can have.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// Path of the key or the table, such as `vehicle1.crush.width`; empty where the case as a whole is meant.
+    /// Path of the key or the table, such as `vehicle1.crush.width`; empty where the case as a whole is
+    /// meant.
     pub key: String,
     /// What is wrong with it.
     pub kind: FaultKind,
@@ -37,7 +38,8 @@ pub enum FaultKind {
 }
 
 impl Fault {
-    /// What is wrong, in one sentence. `name` is what the reader calls a purpose: the command of a program, say.
+    /// What is wrong, in one sentence. `name` is what the reader calls a purpose: the command of a program,
+    /// say.
     #[must_use]
     pub fn message(&self, name: impl Fn(Purpose) -> String) -> String {
         match &self.kind {

@@ -1,11 +1,12 @@
-//! What is known of a collision: numbers in the units in which they were measured, their ranges, and what an analysis needs of them.
+//! What is known of a collision: numbers in the units in which they were measured, their ranges, and what an
+//! analysis needs of them.
 //!
 //! ```
-//! use inputs::{Case, Dimension, Mass, Quantity, Vehicle};
+//! use inputs::{Case, Dimension, GivenVehicle, Mass, Quantity};
 //!
 //! let pound = Dimension::Weight.unit("lb").ok_or("a weight is given in pounds")?;
-//! let jimmy = Vehicle { mass: Some(Mass::Weight(Quantity::new(3696.0, pound)?)), ..Vehicle::default() };
-//! let barrier = Vehicle { fixed: true, ..Vehicle::default() };
+//! let jimmy = GivenVehicle { mass: Some(Mass::Weight(Quantity::new(3696.0, pound)?)), ..GivenVehicle::default() };
+//! let barrier = GivenVehicle { fixed: true, ..GivenVehicle::default() };
 //! let case = Case { vehicles: [jimmy, barrier], ..Case::default() };
 //! let mass = case.vehicles[0].mass.as_ref().map(Mass::kg);
 //! assert!(mass.is_some_and(|kg| (kg - 1676.48).abs() < 0.01)); // 3696 × 0.453 592 37
@@ -16,16 +17,20 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The types: a [`Case`] holds two [`GivenVehicle`]s and a [`GivenImpact`]. Its numbers are [`Quantity`]s, which stay in the unit in which they were
-//! given, because what is said of them speaks of that unit; [`Quantity::si`] is where a unit is converted. [`Case::inputs`] lists the
-//! numbers, each under its key, and [`Case::values`] all else with them; [`Case::map`] puts other numbers in their places. A [`Range`] says how far one may be off.
+//! The types: a [`Case`] holds two [`GivenVehicle`]s and a [`GivenImpact`]. Its numbers are [`Quantity`]s,
+//! which stay in the unit in which they were given, because what is said of them speaks of that unit;
+//! [`Quantity::si`] is where a unit is converted. [`Case::inputs`] lists the numbers, each under its key, and
+//! [`Case::values`] all else with them; [`Case::map`] puts other numbers in their places. A [`Range`] says
+//! how far one may be off.
 //!
-//! [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into the types of the engines, for three [`Purpose`]s.
-//! What is missing, or refused by an engine, is a [`Fault`] of a key; a crate that knows where the keys stand in a text can place it there.
+//! [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into the types of the
+//! engines, for three [`Purpose`]s. What is missing, or refused by an engine, is a [`Fault`] of a key; a
+//! crate that knows where the keys stand in a text can place it there.
 //!
 //! # What it does not do
 //!
-//! No text and no file: the crate `case` reads and writes those. No equations but the conversions of units, and no arithmetic with units.
+//! No text and no file: the crate `case` reads and writes those. No equations but the conversions of units,
+//! and no arithmetic with units.
 //!
 //! # References
 //!

@@ -38,7 +38,8 @@ pub enum Spread {
         /// Greatest value.
         high: Amount,
     },
-    /// `{ value, within, confidence }`: normally distributed, and closer to the central value than a share of it with this probability.
+    /// `{ value, within, confidence }`: normally distributed, and closer to the central value than a share of
+    /// it with this probability.
     Within {
         /// (%) of the central value, greater than zero.
         percent: f64,
@@ -74,7 +75,8 @@ impl fmt::Display for Amount {
     }
 }
 
-/// Where physics ends a quantity: no sample lies beyond. A normal distribution is cut there; the ends of the others lie within.
+/// Where physics ends a quantity: no sample lies beyond. A normal distribution is cut there; the ends of the
+/// others lie within.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bounds {
     /// Nowhere.

@@ -8,8 +8,8 @@ mod tests;
 
 use std::fmt;
 
-/// (N/kg, m/s²) standard gravity, which turns a weight into a mass: exact by definition (3rd CGPM, 1901; NIST SP 811,
-/// appendix B.8).
+/// (N/kg, m/s²) standard gravity, which turns a weight into a mass: exact by definition (3rd CGPM, 1901; NIST
+/// SP 811, appendix B.8).
 pub const STANDARD_GRAVITY: f64 = 9.80665;
 
 /// What a quantity measures. Each key of a case has one dimension.

@@ -9,8 +9,8 @@ use crate::inertia::{Mass, YawInertia};
 use crate::quantity::Quantity;
 use crate::walk::{Key, Walk};
 
-/// A vehicle or, with [`fixed`](GivenVehicle::fixed), a barrier. What a computation needs beyond what is given is
-/// for that computation to demand.
+/// A vehicle or, with [`fixed`](GivenVehicle::fixed), a barrier. What a computation needs beyond what is
+/// given is for that computation to demand.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GivenVehicle<T = f64> {
     /// Make and model.

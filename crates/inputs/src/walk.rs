@@ -9,7 +9,8 @@ use crate::words::word;
 /// One number of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
-    /// Where it stands, such as `vehicle1.contact.angle`; the first of a list is `vehicle1.crush.depths[1]`, the C_1 of the equations.
+    /// Where it stands, such as `vehicle1.contact.angle`; the first of a list is `vehicle1.crush.depths[1]`,
+    /// the C_1 of the equations.
     pub path: String,
     /// The number as written.
     pub number: f64,

@@ -1,4 +1,5 @@
-//! The words that stand for choices: one table for each, for whoever reads, writes or lists them. Enums of this crate have theirs as `WORDS`.
+//! The words that stand for choices: one table for each, for whoever reads, writes or lists them. Enums of
+//! this crate have theirs as `WORDS`.
 
 use crash3::{EnergyBasis, ObliqueCorrection, Side};
 use reconcile::Unknown;

@@ -3,7 +3,7 @@
 use super::range::is_range;
 use super::tree::{Reader, Table};
 use super::values::named;
-use crate::problem::{Problem, RESTITUTION_FORMS};
+use crate::case_problem::{CaseProblem, RESTITUTION_FORMS};
 use crate::schema::{KeysOfLaw, RESTITUTION, TANGENTIAL, laws_of_key};
 use inputs::{BrachTangential, GivenImpact, ImpactLaw, LawName, Quantity, Restitution};
 
@@ -56,7 +56,7 @@ impl<'t> Reader<'t> {
     /// Whether the law has the keys that it needs, and no others.
     fn keys_of_law(&mut self, table: &Table<'t>, law: LawName, is_default: bool) {
         for key in table.schema.names().filter(|key| table.has(key) && !law.uses(key)) {
-            let problem = Problem::KeyOfOtherLaw {
+            let problem = CaseProblem::KeyOfOtherLaw {
                 table: table.label(),
                 key,
                 law: law.name(),
@@ -67,7 +67,7 @@ impl<'t> Reader<'t> {
             self.report(table.key_span(key), problem);
         }
         for key in law.needed().iter().filter(|key| !table.has(key) && !table.means(key)) {
-            let problem = Problem::MissingKeyOfLaw {
+            let problem = CaseProblem::MissingKeyOfLaw {
                 table: table.label(),
                 key,
                 law: law.name(),
@@ -95,7 +95,7 @@ impl<'t> Reader<'t> {
         let path = table.path_of("values");
         if !speeds.is_empty() && speeds.len() != values.len() {
             let problem =
-                Problem::ValueCount { path: path.clone(), values: values.len(), speeds: speeds.len() };
+                CaseProblem::ValueCount { path: path.clone(), values: values.len(), speeds: speeds.len() };
             self.report_path(&path, problem);
         }
         Some(Restitution::OfClosingSpeed { speeds, values })
@@ -105,7 +105,7 @@ impl<'t> Reader<'t> {
     fn ascending(&mut self, table: &Table<'t>, speeds: Option<&[Quantity]>) {
         let path = table.path_of("speeds");
         if let Some([]) = speeds {
-            self.report_path(&path.clone(), Problem::NoPoints { path });
+            self.report_path(&path.clone(), CaseProblem::NoPoints { path });
             return;
         }
         for (index, pair) in speeds.unwrap_or_default().windows(2).enumerate() {
@@ -114,7 +114,7 @@ impl<'t> Reader<'t> {
             {
                 let path = format!("value {} of {}", index + 2, named(&path));
                 let span = self.span_of_element(table, "speeds", index + 1);
-                self.report(span, Problem::NotAscending { path, value, before });
+                self.report(span, CaseProblem::NotAscending { path, value, before });
                 // The speeds after it may be out of order only because of this one.
                 return;
             }

@@ -1,12 +1,13 @@
-//! Numbers that are not known exactly: `{ value, sd }`, `{ low, high }`, `{ low, mode, high }`, `{ value, within, confidence }`.
+//! Numbers that are not known exactly: `{ value, sd }`, `{ low, high }`, `{ low, mode, high }`, `{ value,
+//! within, confidence }`.
 
 use toml::Spanned;
 use toml::de::DeValue;
 
 use super::tree::{Reader, Table, kind};
 use super::values::{Place, accepts, named, words};
+use crate::case_problem::CaseProblem;
 use crate::number::split_number;
-use crate::problem::Problem;
 use crate::quantity::shorten;
 use crate::schema::{Measure, RANGE, RANGE_OF_LIST, RESTITUTION, Schema};
 use inputs::{Amount, Bounds, Quantity, Range, Spread, Unit};
@@ -42,7 +43,7 @@ impl<'t> Reader<'t> {
         if !is_range(table, key) {
             return Some(());
         }
-        let problem = Problem::NoRange { path: table.path_of(key), example: table.schema.example(key) };
+        let problem = CaseProblem::NoRange { path: table.path_of(key), example: table.schema.example(key) };
         self.report(value.span(), problem);
         None
     }
@@ -122,7 +123,7 @@ impl<'t> Reader<'t> {
             let example = RANGE_OF_LIST.example("values");
             self.report(
                 nested.span(),
-                Problem::WrongType { path: place.path.clone(), found, wanted, example },
+                CaseProblem::WrongType { path: place.path.clone(), found, wanted, example },
             );
             return None;
         }
@@ -167,7 +168,10 @@ impl<'t> Reader<'t> {
                 self.rising(place, value, low, high)?;
                 if !(low.in_unit(mode.unit)..=high.in_unit(mode.unit)).contains(&mode.number) {
                     let path = place.name.clone();
-                    self.report_path(&table.path_of("mode"), Problem::ModeOutside { path, low, mode, high });
+                    self.report_path(
+                        &table.path_of("mode"),
+                        CaseProblem::ModeOutside { path, low, mode, high },
+                    );
                     return None;
                 }
                 Some((mode, Spread::Triangular { low, high }))
@@ -186,7 +190,7 @@ impl<'t> Reader<'t> {
         if low.in_unit(high.unit) < high.number && low.number < high.in_unit(low.unit) {
             return Some(());
         }
-        self.report(value.span(), Problem::NotRising { path: place.name.clone(), low, high });
+        self.report(value.span(), CaseProblem::NotRising { path: place.name.clone(), low, high });
         None
     }
 
@@ -200,7 +204,7 @@ impl<'t> Reader<'t> {
         if value.number != 0.0 || !matches!(spread, Spread::Within { .. }) {
             return Some(());
         }
-        self.report(span, Problem::WithinOfZero { path: name.to_owned(), value });
+        self.report(span, CaseProblem::WithinOfZero { path: name.to_owned(), value });
         None
     }
 
@@ -213,7 +217,7 @@ impl<'t> Reader<'t> {
         if !table.has_misspelt() {
             let names: Vec<&'static str> = table.schema.names().collect();
             let (path, given) = (named(&table.path), table.given(&names));
-            self.report(value.span(), Problem::NoRangeForm { path, given, forms });
+            self.report(value.span(), CaseProblem::NoRangeForm { path, given, forms });
         }
         None
     }
@@ -225,7 +229,7 @@ impl<'t> Reader<'t> {
         if value.get_ref().is_table() {
             let found = kind(value.get_ref());
             let problem =
-                Problem::WrongType { path: place.path, found, wanted: "a single value", example: FORMS };
+                CaseProblem::WrongType { path: place.path, found, wanted: "a single value", example: FORMS };
             self.report(value.span(), problem);
             return None;
         }
@@ -234,11 +238,11 @@ impl<'t> Reader<'t> {
                 if matches!(value.get_ref(), DeValue::Integer(_) | DeValue::Float(_)) =>
             {
                 let number = shorten(&self.text[value.span()]);
-                let unit = self.written().example(&place.path, dimension).map_or("", Unit::spelling);
+                let unit = self.units_in_use().example(&place.path, dimension).map_or("", Unit::spelling);
                 let example = format!("{key} = \"{number} {unit}\"");
                 self.report(
                     value.span(),
-                    Problem::BareNumber { path: place.path, number, dimension, example },
+                    CaseProblem::BareNumber { path: place.path, number, dimension, example },
                 );
                 None
             }
@@ -285,7 +289,7 @@ impl<'t> Reader<'t> {
         match value.get_ref() {
             DeValue::String(text) if text.trim_end().ends_with('%') => {
                 let path = named(&table.path_of("sd"));
-                self.report(value.span(), Problem::PercentAsSd { path, text: shorten(text.trim()) });
+                self.report(value.span(), CaseProblem::PercentAsSd { path, text: shorten(text.trim()) });
                 None
             }
             _ => self.amount(table, "sd", kind),
@@ -301,21 +305,21 @@ impl<'t> Reader<'t> {
                     if number > 0.0 {
                         return Some(number);
                     }
-                    Problem::OutOfRange {
+                    CaseProblem::OutOfRange {
                         path: named(&path),
                         value: number,
                         range: "greater than zero".into(),
                         example,
                     }
                 }
-                _ => Problem::NotPercent { path: named(&path), text: shorten(text) },
+                _ => CaseProblem::NotPercent { path: named(&path), text: shorten(text) },
             },
             DeValue::Integer(_) | DeValue::Float(_) => {
                 let text = shorten(&self.text[value.span()]);
-                Problem::NotPercent { path: named(&path), text }
+                CaseProblem::NotPercent { path: named(&path), text }
             }
             other => {
-                Problem::WrongType { path, found: kind(other), wanted: "a percentage in quotes", example }
+                CaseProblem::WrongType { path, found: kind(other), wanted: "a percentage in quotes", example }
             }
         };
         self.report(value.span(), problem);
@@ -323,8 +327,8 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// The number in fifteen digits, as all that are written have them: the middle of 0.2 and 0.4 is 0.3, and not the 0.300 000 000 000 000 04 that the sum
-/// of their halves is.
+/// The number in fifteen digits, as all that are written have them: the middle of 0.2 and 0.4 is 0.3, and not
+/// the 0.300 000 000 000 000 04 that the sum of their halves is.
 fn decimal(number: f64) -> f64 {
     format!("{number:.14e}").parse().unwrap_or(number)
 }

@@ -8,12 +8,12 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::tree::{Reader, Table, kind};
+use crate::case_problem::CaseProblem;
 use crate::nearest::{join, nearest};
 use crate::number::{leading_numbers, split_number};
-use crate::problem::Problem;
+use crate::number_slips;
 use crate::quantity::{QuantityError, find_unit, not_a_number, read_quantity, shorten};
 use crate::schema::{Form, MOST_STATIONS, Measure};
-use crate::slips;
 use inputs::{Bounds, Dimension, Quantity, format_number};
 
 /// A key of a number, or an element of its list.
@@ -42,7 +42,8 @@ impl Place {
 }
 
 impl<'t> Reader<'t> {
-    /// A string with its unit, or a range, as the row of its key says; absent is `None`, and what is wrong is reported.
+    /// A string with its unit, or a range, as the row of its key says; absent is `None`, and what is wrong is
+    /// reported.
     pub(super) fn quantity(&mut self, table: &Table<'t>, key: &'static str) -> Option<Quantity> {
         self.quantity_as(table, key, table.measure(key)?)
     }
@@ -91,12 +92,12 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn unreadable(&self, place: &Place, error: QuantityError, dimension: Dimension) -> Problem {
-        Problem::Quantity { error, unit: self.written().example(&place.path, dimension) }
+    fn unreadable(&self, place: &Place, error: QuantityError, dimension: Dimension) -> CaseProblem {
+        CaseProblem::Quantity { error, unit: self.units_in_use().example(&place.path, dimension) }
     }
 
-    /// Several quantities: one string with the unit at its end, a list of strings and ranges, or a table with the one or the other and a
-    /// spread for all.
+    /// Several quantities: one string with the unit at its end, a list of strings and ranges, or a table with
+    /// the one or the other and a spread for all.
     pub(super) fn quantities(&mut self, table: &Table<'t>, key: &'static str) -> Option<Vec<Quantity>> {
         let measure = table.measure(key)?;
         let value = table.get(key)?;
@@ -151,11 +152,11 @@ impl<'t> Reader<'t> {
         let array = value.get_ref().as_array().into_iter().flatten();
         let numbers: Vec<&str> = array.take(SHOWN + 1).map(|one| &self.text[one.span()]).collect();
         let key = place.path.rsplit('.').next().unwrap_or_default();
-        let example = match self.written().example(&place.path, dimension) {
+        let example = match self.units_in_use().example(&place.path, dimension) {
             Some(unit) if numbers.len() <= SHOWN => format!("{key} = \"{} {unit}\"", numbers.join(" ")),
             _ => place.example.to_owned(),
         };
-        self.report(value.span(), Problem::BareNumbers { path: place.path.clone(), dimension, example });
+        self.report(value.span(), CaseProblem::BareNumbers { path: place.path.clone(), dimension, example });
         None
     }
 
@@ -169,7 +170,7 @@ impl<'t> Reader<'t> {
         if count <= limit {
             return Some(());
         }
-        let problem = Problem::TooMany { path: path.to_owned(), count, limit };
+        let problem = CaseProblem::TooMany { path: path.to_owned(), count, limit };
         self.report(value.span(), problem);
         None
     }
@@ -182,8 +183,11 @@ impl<'t> Reader<'t> {
         measure: Measure,
     ) -> Option<Vec<Option<Quantity>>> {
         let (numbers, unit) = leading_numbers(text);
-        let bad_list =
-            || Problem::BadList { text: shorten(text), dimension: measure.dimension, example: place.example };
+        let bad_list = || CaseProblem::BadList {
+            text: shorten(text),
+            dimension: measure.dimension,
+            example: place.example,
+        };
         let problem = if text.trim().is_empty() {
             Some(self.unreadable(
                 place,
@@ -216,7 +220,7 @@ impl<'t> Reader<'t> {
             match Quantity::new(number, unit) {
                 Ok(quantity) => self.signed(&place.element(index).name, span, quantity, measure),
                 Err(error) => {
-                    self.report(span, Problem::Quantity { error: error.into(), unit: None });
+                    self.report(span, CaseProblem::Quantity { error: error.into(), unit: None });
                     None
                 }
             }
@@ -267,9 +271,9 @@ impl<'t> Reader<'t> {
                     }
                     None => example.to_owned(),
                 };
-                Problem::BareNumber { path, number, dimension, example }
+                CaseProblem::BareNumber { path, number, dimension, example }
             }
-            other => Problem::WrongType { path, found: kind(other), wanted, example },
+            other => CaseProblem::WrongType { path, found: kind(other), wanted, example },
         };
         self.report(value.span(), problem);
         None
@@ -289,11 +293,11 @@ impl<'t> Reader<'t> {
             Bounds::Acute if value.si().abs() < FRAC_PI_2 => return Some(value),
             Bounds::Acute => {
                 let limit = if value.unit().spelling() == "rad" { "1.5708 rad" } else { "90 deg" };
-                Problem::NotAcute { path, value, limit }
+                CaseProblem::NotAcute { path, value, limit }
             }
-            Bounds::NotNegative if value.number() < 0.0 => Problem::Negative { path, value },
-            Bounds::Positive if value.number() <= 0.0 => Problem::NotPositive { path, value, why },
-            Bounds::Positive if value.si() < least => Problem::TooSmall { path, value },
+            Bounds::NotNegative if value.number() < 0.0 => CaseProblem::Negative { path, value },
+            Bounds::Positive if value.number() <= 0.0 => CaseProblem::NotPositive { path, value, why },
+            Bounds::Positive if value.si() < least => CaseProblem::TooSmall { path, value },
             Bounds::NotNegative | Bounds::Positive => return Some(value),
             // The last three bound plain numbers alone.
             Bounds::None | Bounds::Share | Bounds::BelowOne | Bounds::Coefficient => return Some(value),
@@ -325,16 +329,17 @@ impl<'t> Reader<'t> {
         let (path, name, example) = (place.path.clone(), place.name.clone(), place.example);
         let problem = match (plain_number(value.get_ref()), value.get_ref()) {
             (Some(number), _) if accepts(number) => return Some(number),
-            (Some(value), _) => Problem::OutOfRange { path: name, value, range: range.into(), example },
+            (Some(value), _) => CaseProblem::OutOfRange { path: name, value, range: range.into(), example },
             (None, DeValue::String(text)) => {
-                let number = slips::plain(text).map(|number| format!("{key} = {}", format_number(number)));
-                Problem::QuotedNumber { path: name, text: shorten(text), number, example }
+                let number =
+                    number_slips::plain(text).map(|number| format!("{key} = {}", format_number(number)));
+                CaseProblem::QuotedNumber { path: name, text: shorten(text), number, example }
             }
             (None, DeValue::Integer(_)) => {
-                Problem::WrongType { path, found: NOT_DECIMAL, wanted: "a decimal number", example }
+                CaseProblem::WrongType { path, found: NOT_DECIMAL, wanted: "a decimal number", example }
             }
             (None, other) => {
-                Problem::WrongType { path, found: kind(other), wanted: "a plain number", example }
+                CaseProblem::WrongType { path, found: kind(other), wanted: "a plain number", example }
             }
         };
         self.report(value.span(), problem);
@@ -350,7 +355,7 @@ impl<'t> Reader<'t> {
         let (path, example, range) = (whole.path.clone(), whole.example, words(bounds));
         let Some(array) = value.get_ref().as_array() else {
             let found = kind(value.get_ref());
-            self.report(value.span(), Problem::WrongType { path, found, wanted: WANTED, example });
+            self.report(value.span(), CaseProblem::WrongType { path, found, wanted: WANTED, example });
             return None;
         };
         self.not_too_many(&path, value, array.len(), MOST_STATIONS)?;
@@ -362,15 +367,15 @@ impl<'t> Reader<'t> {
             let problem = match (plain_number(element.get_ref()), element.get_ref()) {
                 (Some(number), _) if accepts(bounds, number) => return Some(number),
                 (Some(value), _) => {
-                    Problem::OutOfRange { path: place(), value, range: range.into(), example }
+                    CaseProblem::OutOfRange { path: place(), value, range: range.into(), example }
                 }
                 (None, DeValue::String(text)) => {
-                    let number = slips::plain(text).map(format_number);
-                    Problem::QuotedNumber { path: place(), text: shorten(text), number, example }
+                    let number = number_slips::plain(text).map(format_number);
+                    CaseProblem::QuotedNumber { path: place(), text: shorten(text), number, example }
                 }
                 (None, other) => {
                     let found = if other.is_integer() { NOT_DECIMAL } else { kind(other) };
-                    Problem::WrongType { path: path.clone(), found, wanted: WANTED, example }
+                    CaseProblem::WrongType { path: path.clone(), found, wanted: WANTED, example }
                 }
             };
             self.report(element.span(), problem);
@@ -399,8 +404,8 @@ impl<'t> Reader<'t> {
         let example = table.schema.example(key);
         let problem = match value.get_ref() {
             DeValue::String(text) if !text.trim().is_empty() => return Some(text.to_string()),
-            DeValue::String(_) => Problem::EmptyText { path, example },
-            other => Problem::WrongType { path, found: kind(other), wanted: "a text in quotes", example },
+            DeValue::String(_) => CaseProblem::EmptyText { path, example },
+            other => CaseProblem::WrongType { path, found: kind(other), wanted: "a text in quotes", example },
         };
         self.report(value.span(), problem);
         None
@@ -415,7 +420,7 @@ impl<'t> Reader<'t> {
         if self.not_a_range(table, key, value).is_none() {
             return false;
         }
-        let problem = Problem::WrongType {
+        let problem = CaseProblem::WrongType {
             path: table.path_of(key),
             found: kind(value.get_ref()),
             wanted: "true or false",
@@ -454,14 +459,14 @@ impl<'t> Reader<'t> {
                     return Some(*choice);
                 }
                 let names = || choices.iter().map(|(name, _)| *name);
-                Problem::UnknownChoice {
+                CaseProblem::UnknownChoice {
                     path,
                     word: shorten(word),
                     nearest: nearest(word, names()),
                     choices: forms.to_owned(),
                 }
             }
-            other => Problem::WrongType {
+            other => CaseProblem::WrongType {
                 path,
                 found: kind(other),
                 wanted: "a word in quotes",

@@ -2,7 +2,7 @@
 
 use super::tree::{Reader, Table};
 use super::values::{Place, hour_of, named};
-use crate::problem::{CLASS_FORMS, Problem};
+use crate::case_problem::{CLASS_FORMS, CaseProblem};
 use crate::quantity::{Limit, format_limit, shorten};
 use crate::schema::{
     CONTACT, CRUSH, MOST_ZONES, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY, ZONE,
@@ -27,7 +27,7 @@ impl<'t> Reader<'t> {
         let fixed = self.flag(&table, "fixed");
         if fixed {
             for key in table.given(&NEVER_FIXED) {
-                self.report_path(&table.path_of(key), Problem::FixedHas { table: table.label(), key });
+                self.report_path(&table.path_of(key), CaseProblem::FixedHas { table: table.label(), key });
             }
         }
         let mut vehicle = GivenVehicle {
@@ -109,7 +109,7 @@ impl<'t> Reader<'t> {
         let missing: Vec<_> = keys.into_iter().filter(|key| !given.contains(key)).collect();
         if let ([first, ..], [_, ..]) = (&given[..], &missing[..]) {
             let path = table.path_of(first);
-            self.report_path(&path, Problem::HalfOutline { table: table.label(), given, missing });
+            self.report_path(&path, CaseProblem::HalfOutline { table: table.label(), given, missing });
         }
         let length = self.quantity(table, "length");
         let width = self.quantity(table, "width");
@@ -122,7 +122,7 @@ impl<'t> Reader<'t> {
         if from_force_balance {
             self.require(table, &["side", "stiffness"]);
             for key in table.given(&["depths", "spacing"]) {
-                self.report_path(&table.path_of(key), Problem::InferredHas { table: table.label(), key });
+                self.report_path(&table.path_of(key), CaseProblem::InferredHas { table: table.label(), key });
             }
         } else {
             self.require(table, &["side", "depths", "stiffness"]);
@@ -139,9 +139,11 @@ impl<'t> Reader<'t> {
         if let Some(StiffnessForm::Zones(zones)) = &stiffness {
             let path = format!("{}.zones", table.path_of("stiffness"));
             let problem = match depths.as_ref().map(Vec::len) {
-                _ if from_force_balance => Some(Problem::InferredHas { table: table.label(), key: "zones" }),
+                _ if from_force_balance => {
+                    Some(CaseProblem::InferredHas { table: table.label(), key: "zones" })
+                }
                 Some(stations) if stations >= 2 && zones.len() != stations - 1 => {
-                    Some(Problem::ZoneCount { path: path.clone(), zones: zones.len(), stations })
+                    Some(CaseProblem::ZoneCount { path: path.clone(), zones: zones.len(), stations })
                 }
                 _ => None,
             };
@@ -181,7 +183,7 @@ impl<'t> Reader<'t> {
         let stations = depths.map(<[Quantity]>::len);
         if let Some(count @ 0..2) = stations {
             let path = table.path_of("depths");
-            self.report_path(&path.clone(), Problem::TooFewStations { path, count });
+            self.report_path(&path.clone(), CaseProblem::TooFewStations { path, count });
             return;
         }
         let Some(spacing) = spacing else { return };
@@ -189,7 +191,7 @@ impl<'t> Reader<'t> {
             && spacing.len() + 1 != stations
         {
             let path = table.path_of("spacing");
-            let problem = Problem::SpacingCount { path: path.clone(), spacings: spacing.len(), stations };
+            let problem = CaseProblem::SpacingCount { path: path.clone(), spacings: spacing.len(), stations };
             self.report_path(&path, problem);
             return;
         }
@@ -201,7 +203,7 @@ impl<'t> Reader<'t> {
             let in_unit = format!("{:.5e}", sum / width.unit().factor());
             let digits = in_unit.parse::<f64>().map_or(in_unit, format_number);
             let path = table.path_of("width");
-            let problem = Problem::WidthMismatch {
+            let problem = CaseProblem::WidthMismatch {
                 path: path.clone(),
                 width,
                 sum: format!("{digits} {}", width.unit()),
@@ -225,7 +227,7 @@ impl<'t> Reader<'t> {
                 let end = digits.find(|c: char| !c.is_ascii_digit()).unwrap_or(digits.len());
                 let hour = hour_of(&digits[..end]);
                 let text = shorten(text);
-                self.report(value.span(), Problem::HourForm { path: crush.path_of("pdof"), text, hour });
+                self.report(value.span(), CaseProblem::HourForm { path: crush.path_of("pdof"), text, hour });
                 return None;
             }
             return self.quantity(crush, "pdof").map(Pdof::Angle);
@@ -234,7 +236,7 @@ impl<'t> Reader<'t> {
             Ok(hour @ 1..=12) => Some(Pdof::Clock(hour)),
             _ => {
                 let text = shorten(&format!("{hour}o'clock"));
-                self.report(value.span(), Problem::NotAnHour { path: crush.path_of("pdof"), text });
+                self.report(value.span(), CaseProblem::NotAnHour { path: crush.path_of("pdof"), text });
                 None
             }
         }
@@ -310,7 +312,7 @@ impl<'t> Reader<'t> {
             && value.si() < Dimension::StiffnessB.least_positive()
         {
             let path = table.path_of("B");
-            self.report_path(&path, Problem::TooSmall { path: named(&path), value });
+            self.report_path(&path, CaseProblem::TooSmall { path: named(&path), value });
             b = None;
         }
         let d0 = self.quantity(table, "d0");
@@ -332,9 +334,9 @@ impl<'t> Reader<'t> {
                             format!("A = d0·d1, {}", format_limit(a, limit.unit(), Limit::Least))
                         }
                     };
-                    Problem::LimitBelowStart { path: named(&path), limit, start }
+                    CaseProblem::LimitBelowStart { path: named(&path), limit, start }
                 }
-                _ => Problem::Stiffness { error, remedy: "check the numbers and their units" },
+                _ => CaseProblem::Stiffness { error, remedy: "check the numbers and their units" },
             };
             self.report_path(&path, problem);
             return None;
@@ -364,12 +366,12 @@ impl<'t> Reader<'t> {
             fit: fit.unwrap_or_default(),
         };
         if let Err(error) = test.stiffness() {
-            let refused = |remedy| Problem::Stiffness { error, remedy };
+            let refused = |remedy| CaseProblem::Stiffness { error, remedy };
             let (key, problem) = match error {
                 CrushError::NoDamageSpeed { .. } => {
                     let path = named(&table.path_of("no_damage_speed"));
                     let (value, speed) = (test.no_damage_speed, test.speed);
-                    ("no_damage_speed", Problem::NoDamageSpeed { path, value, speed })
+                    ("no_damage_speed", CaseProblem::NoDamageSpeed { path, value, speed })
                 }
                 CrushError::NoCrushInTest => {
                     ("depths", refused("give the residual crush that was measured after the test"))
@@ -386,11 +388,12 @@ impl<'t> Reader<'t> {
         let (Some(one), Some(other)) = (table.get(first), table.get(second)) else { return };
         // The later of the two is the one that surprises.
         let later = if one.span().start > other.span().start { one } else { other };
-        self.report(later.span(), Problem::Both { table: table.label(), first, second });
+        self.report(later.span(), CaseProblem::Both { table: table.label(), first, second });
     }
 }
 
-/// Whether a text is a time of day, names the clock or the hour, or is a Collision Deformation Classification (SAE J224), which begins with the hour: "11FDEW2".
+/// Whether a text is a time of day, names the clock or the hour, or is a Collision Deformation Classification
+/// (SAE J224), which begins with the hour: "11FDEW2".
 fn is_like_a_clock(text: &str) -> bool {
     let is_cdc = matches!(text.trim().as_bytes(), [d1, d2, letters @ .., extent]
         if [d1, d2, extent].iter().all(|byte| byte.is_ascii_digit())

@@ -1,5 +1,5 @@
-//! The texts that a quantity is read from, as regular expressions for an editor: `read_quantity` in the language of JSON Schema (ECMA 262),
-//! without its magnitudes.
+//! The texts that a quantity is read from, as regular expressions for an editor: `read_quantity` in the
+//! language of JSON Schema (ECMA 262), without its magnitudes.
 
 use super::spelling::{WORDS, is_pound_a_force};
 use inputs::{Bounds, Dimension};

@@ -1,6 +1,6 @@
 //! Every key, value, piece of a case file and path that the text names exists.
 
-use case::{CaseFile, Dimension, Problem};
+use case::{CaseFile, CaseProblem, Dimension};
 
 use crate::guide::prose::{Page, page, pages, root};
 
@@ -34,10 +34,12 @@ const BEFORE_A_TABLE: [&str; 9] = [
 const OTHER: [&str; 6] = ["$", "...", "? 2", "#:schema", "ERRATUM", "incompatible_msrv"];
 
 /// A piece may leave out what it is not about.
-fn is_of_a_piece(problem: &Problem) -> bool {
+fn is_of_a_piece(problem: &CaseProblem) -> bool {
     matches!(
         problem,
-        Problem::MissingTable { .. } | Problem::MissingKey { .. } | Problem::MissingKeyOfLaw { .. }
+        CaseProblem::MissingTable { .. }
+            | CaseProblem::MissingKey { .. }
+            | CaseProblem::MissingKeyOfLaw { .. }
     )
 }
 

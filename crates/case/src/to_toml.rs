@@ -1,6 +1,7 @@
 //! Writing a case back: the layout of the documentation's example, the user's own units and numbers.
 //!
-//! The case tells its values by their paths, and the schema in which order their keys stand and which of their tables have a header: no key is named here.
+//! The case tells its values by their paths, and the schema in which order their keys stand and which of
+//! their tables have a header: no key is named here.
 
 use std::collections::BTreeMap;
 
@@ -114,7 +115,8 @@ fn in_order<'n>(
     })
 }
 
-/// A table with its header, its keys with their equals signs below each other, and then the tables in it that have a header of their own.
+/// A table with its header, its keys with their equals signs below each other, and then the tables in it that
+/// have a header of their own.
 fn write_section(path: &str, schema: &'static Schema, table: &Table, sections: &mut Vec<String>) {
     let mut lines = Vec::new();
     let mut tables = Vec::new();
@@ -190,7 +192,8 @@ fn single(amount: Amount) -> String {
     }
 }
 
-/// Of quantities one string where all share a unit, else a list of strings; where all share a spread, with that beside it. Of all else a list.
+/// Of quantities one string where all share a unit, else a list of strings; where all share a spread, with
+/// that beside it. Of all else a list.
 fn list(elements: &[Node], schema: &'static Schema) -> String {
     shared_list(elements).unwrap_or_else(|| {
         let each: Vec<String> = elements.iter().map(|element| written(element, schema)).collect();

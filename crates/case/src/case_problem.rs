@@ -6,18 +6,19 @@ use crash3::CrushError;
 use thiserror::Error;
 
 use crate::nearest::join;
+use crate::number_slips;
 use crate::program::Program;
 use crate::quantity::{Limit, QuantityError, dimension_help, format_limit};
 use crate::schema::{RESTITUTION, TANGENTIAL, dimensions_of, example_of};
-use crate::slips;
 use crate::units::read_unit;
-use crate::written::Written;
+use crate::units_in_use::UnitsInUse;
 use inputs::{Amount, Dimension, LawName, Quantity, Unit, format_number};
 
-/// What is wrong at one place of a case file. `Display` says what, [`Problem::help`] what to write instead.
+/// What is wrong at one place of a case file. `Display` says what, [`CaseProblem::help`] what to write
+/// instead.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "the fields carry the names of what the sentence above them says")]
-pub enum Problem {
+pub enum CaseProblem {
     /// The file is too large to be a case.
     #[error("the file has more than the {limit} bytes that a case file may have")]
     TooLarge { limit: usize },
@@ -199,18 +200,19 @@ pub enum Problem {
     Fault { message: String, help: Option<String> },
 }
 
-impl Problem {
-    /// What to write instead, as a sentence without its full stop. [`Diagnostics`](crate::Diagnostics) show it with examples in the units of the
-    /// file.
+impl CaseProblem {
+    /// What to write instead, as a sentence without its full stop. [`Diagnostics`](crate::Diagnostics) show
+    /// it with examples in the units of the file.
     #[must_use]
     pub fn help(&self) -> Option<String> {
         self.help_in(None, &Program::NONE)
     }
 
     /// The same, with examples in the units of a file, and pointing to the commands of a program.
-    pub(crate) fn help_in(&self, written: Option<&Written>, program: &Program) -> Option<String> {
+    pub(crate) fn help_in(&self, units_in_use: Option<&UnitsInUse>, program: &Program) -> Option<String> {
         let suited = |place: &str, example: &str| {
-            written.map_or_else(|| example.to_owned(), |written| written.suited(place, example))
+            units_in_use
+                .map_or_else(|| example.to_owned(), |units_in_use| units_in_use.suited(place, example))
         };
         let help = match self {
             Self::TooLarge { .. } => "a case is a page of text; is this the right file?".to_owned(),
@@ -266,7 +268,7 @@ impl Problem {
                 suited(path, example),
                 dimension_help(*dimension)
             ),
-            Self::QuotedNumber { text, number, example, .. } => match (slips::range(text, None), number) {
+            Self::QuotedNumber { text, number, example, .. } => match (number_slips::range(text, None), number) {
                 (Some(range), _) => format!("write a range as {range}"),
                 (None, Some(number)) => format!("write {number}, without quotes"),
                 (None, None) => {

@@ -1,10 +1,12 @@
-//! Numbers written as people write them elsewhere: a case does not read them, but knows what to write instead.
+//! Numbers written as people write them elsewhere: a case does not read them, but knows what to write
+//! instead.
 
 use crate::number::split_number;
 use crate::units::read_unit;
 use inputs::{Dimension, format_number};
 
-/// What stands between a number and how far it may be off, and between the two ends of a range. The longer come first.
+/// What stands between a number and how far it may be off, and between the two ends of a range. The longer
+/// come first.
 const PLUS_MINUS: [&str; 3] = ["+/-", "+-", "±"];
 const FROM_TO: [&str; 6] = ["…", "–", "—", "−", " to ", "-"];
 
@@ -63,8 +65,8 @@ pub(crate) fn range(text: &str, dimension: Option<Dimension>) -> Option<String> 
     ))
 }
 
-/// The plain number in a text such as "8 %", ".08", "0,08" or "½": 0.08 of the first three. Digits of full width and the minus sign of print are those of
-/// the keyboard.
+/// The plain number in a text such as "8 %", ".08", "0,08" or "½": 0.08 of the first three. Digits of full
+/// width and the minus sign of print are those of the keyboard.
 pub(crate) fn plain(text: &str) -> Option<f64> {
     let text: String = text.trim().chars().map(keyboard).collect();
     let (text, share) = match text.strip_suffix('%') {
@@ -98,14 +100,16 @@ pub(crate) fn plain(text: &str) -> Option<f64> {
     shown.is_finite().then_some(shown)
 }
 
-/// A quantity in digits or signs that only look like those of the keyboard, as the keyboard has them: "5 in" for "５ in".
+/// A quantity in digits or signs that only look like those of the keyboard, as the keyboard has them: "5 in"
+/// for "５ in".
 pub(crate) fn typed(text: &str, dimension: Dimension) -> Option<String> {
     let typed: String = text.chars().map(keyboard).collect();
     let (number, unit) = split_number(&typed);
     Some(format!("{} {}", format_number(number?), read_unit(unit.trim(), dimension)?))
 }
 
-/// The letter of the keyboard for one that looks like it: digits, point and comma of full width, and the dashes that stand for a minus.
+/// The letter of the keyboard for one that looks like it: digits, point and comma of full width, and the
+/// dashes that stand for a minus.
 pub(crate) fn keyboard(letter: char) -> char {
     match letter {
         '−' | '–' | '‐' | '‑' | '﹣' | '－' => '-',
@@ -116,7 +120,8 @@ pub(crate) fn keyboard(letter: char) -> char {
     }
 }
 
-/// One decimal number for a fraction, for feet and inches, or for inches and feet behind a mark: "71.5 in" for "71 1/2 in", "74 in" for `6' 2"`.
+/// One decimal number for a fraction, for feet and inches, or for inches and feet behind a mark: "71.5 in"
+/// for "71 1/2 in", "74 in" for `6' 2"`.
 pub(crate) fn decimal(text: &str, dimension: Dimension) -> Option<String> {
     let text = text.replace(['′', '’'], "'").replace(['″', '”'], "\"").replace("''", "\"");
     let (first, is_fraction, rest) = amount(text.trim())?;

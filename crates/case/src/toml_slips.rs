@@ -1,22 +1,23 @@
 //! Lines that are no TOML: what is wrong with them, and how the same is written.
 //!
-//! The parser says what it expected, see [`ParserError`]. What was meant shows in the line itself: each of [`SLIPS`] recognises one way of writing that is usual elsewhere.
+//! The parser says what it expected, see [`ParserError`]. What was meant shows in the line itself: each of
+//! [`SLIPS`] recognises one way of writing that is usual elsewhere.
 
 use std::ops::Range;
 
+use crate::case_problem::CaseProblem;
+use crate::number_slips::{keyboard, plain};
 use crate::parser_error::{Kind, ParserError};
-use crate::problem::Problem;
 use crate::quantity::shorten;
 use crate::schema::{dimensions_of, example_of};
-use crate::slips::{keyboard, plain};
 use crate::units::read_unit;
-use crate::written::Written;
+use crate::units_in_use::UnitsInUse;
 use inputs::{Dimension, format_number};
 
 /// A brace or bracket that nothing closes.
 pub(crate) struct Unclosed {
     pub(crate) span: Range<usize>,
-    pub(crate) problem: Problem,
+    pub(crate) problem: CaseProblem,
 }
 
 /// Quotes that are letters of print, and what else stands for them on a keyboard.
@@ -33,7 +34,8 @@ struct Line<'t> {
     at: usize,
     /// The key before the equals sign that the error stands behind.
     key: &'t str,
-    /// What stands behind that sign: to the end of the line or, in a table of one line, to the next comma that a key follows.
+    /// What stands behind that sign: to the end of the line or, in a table of one line, to the next comma
+    /// that a key follows.
     value: &'t str,
     /// What the parser found.
     error: ParserError<'t>,
@@ -43,7 +45,7 @@ struct Line<'t> {
 type Found = Option<(String, String)>;
 
 /// What a line is recognised by, the surest first.
-const SLIPS: [fn(&Line<'_>, &Written) -> Found; 13] = [
+const SLIPS: [fn(&Line<'_>, &UnitsInUse) -> Found; 13] = [
     depth,
     no_value,
     inch_mark,
@@ -60,24 +62,29 @@ const SLIPS: [fn(&Line<'_>, &Written) -> Found; 13] = [
 ];
 
 /// The problem at the place of an error of the parser.
-pub(crate) fn problem(text: &str, span: &Range<usize>, error: ParserError<'_>, written: &Written) -> Problem {
+pub(crate) fn problem(
+    text: &str,
+    span: &Range<usize>,
+    error: ParserError<'_>,
+    units_in_use: &UnitsInUse,
+) -> CaseProblem {
     let line = Line::at(text, span.start, error);
-    match SLIPS.iter().find_map(|slip| slip(&line, written)) {
-        Some((message, help)) => Problem::Syntax { message, help: help.into() },
+    match SLIPS.iter().find_map(|slip| slip(&line, units_in_use)) {
+        Some((message, help)) => CaseProblem::Syntax { message, help: help.into() },
         None if error.kind == Kind::Duplicate => {
             let message = repeated(text, span.start).unwrap_or_else(|| error.message.to_owned());
-            Problem::Syntax { message, help: help(error).into() }
+            CaseProblem::Syntax { message, help: help(error).into() }
         }
-        None => Problem::Syntax {
+        None => CaseProblem::Syntax {
             message: error.message.to_owned(),
-            help: written.suited("", help(error)).into(),
+            help: units_in_use.suited("", help(error)).into(),
         },
     }
 }
 
 /// The same without a look at the line, where there are too many to be shown.
-pub(crate) fn unexplained(error: ParserError<'_>) -> Problem {
-    Problem::Syntax { message: error.message.to_owned(), help: help(error).into() }
+pub(crate) fn unexplained(error: ParserError<'_>) -> CaseProblem {
+    CaseProblem::Syntax { message: error.message.to_owned(), help: help(error).into() }
 }
 
 fn help(error: ParserError<'_>) -> &'static str {
@@ -165,10 +172,11 @@ pub(crate) fn unclosed(text: &str, error: &Range<usize>, kind: Kind) -> Option<U
         }
         _ => format!("add {closers} at the end of the line"),
     };
-    Some(Unclosed { span: open..open + 1, problem: Problem::Syntax { message, help: help.into() } })
+    Some(Unclosed { span: open..open + 1, problem: CaseProblem::Syntax { message, help: help.into() } })
 }
 
-/// (bytes) the braces and brackets between two places that are open at the second, those in texts and comments apart.
+/// (bytes) the braces and brackets between two places that are open at the second, those in texts and
+/// comments apart.
 fn openers(text: &str, from: usize, to: usize) -> Vec<usize> {
     let bytes = &text.as_bytes()[..to.min(text.len())];
     let mut open = Vec::new();
@@ -295,23 +303,23 @@ fn found(message: impl Into<String>, help: impl Into<String>) -> Found {
     Some((message.into(), help.into()))
 }
 
-fn depth(line: &Line<'_>, _: &Written) -> Found {
+fn depth(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let is_deep = line.error.kind == Kind::TooDeep;
     is_deep.then(|| {
         (line.error.message.to_owned(), "no value of a case needs tables nested so deeply".to_owned())
     })
 }
 
-fn no_value(line: &Line<'_>, written: &Written) -> Found {
+fn no_value(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
     let is_empty = line.value.is_empty() && line.text.ends_with('=') && line.error.kind == Kind::Unquoted;
     is_empty.then(|| {
         let help = "text and quantities stand between quotes, as in speed = \"10 mph\"; leave the line out where the value is not known";
-        ("there is no value after the equals sign".to_owned(), written.suited("", help))
+        ("there is no value after the equals sign".to_owned(), units_in_use.suited("", help))
     })
 }
 
 /// `"70""`: the mark of inches.
-fn inch_mark(line: &Line<'_>, _: &Written) -> Found {
+fn inch_mark(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let before = line.text[..line.at].strip_suffix('"')?;
     let is_mark = line.rest().starts_with('"') && before.ends_with(|c: char| c.is_ascii_digit());
     is_mark.then(|| {
@@ -328,7 +336,7 @@ fn unquoted(text: &str) -> String {
     shorten(text.trim())
 }
 
-fn typographic_quotes(line: &Line<'_>, _: &Written) -> Found {
+fn typographic_quotes(line: &Line<'_>, _: &UnitsInUse) -> Found {
     // A mark of feet or inches is none of the value's quotes.
     let begins = line.value.starts_with(FOREIGN_QUOTES);
     let ends = line.value.starts_with(['"', '\'']) && line.value.ends_with(FOREIGN_QUOTES);
@@ -342,7 +350,7 @@ fn typographic_quotes(line: &Line<'_>, _: &Written) -> Found {
     )
 }
 
-fn backslash(line: &Line<'_>, _: &Written) -> Found {
+fn backslash(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let is_escape = line.error.kind == Kind::Escape;
     let text = line.value.strip_prefix('"').filter(|text| is_escape && text.contains('\\'))?;
     let text = shorten(text.trim_end_matches('"'));
@@ -354,7 +362,7 @@ fn backslash(line: &Line<'_>, _: &Written) -> Found {
     found("a backslash in a text in double quotes begins an escape, and this one is none", help)
 }
 
-fn other_comment(line: &Line<'_>, _: &Written) -> Found {
+fn other_comment(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let is_comment = FOREIGN_COMMENTS.iter().any(|begin| {
         let after = |text: &str| text.strip_prefix(begin).map(|after| !after.trim().is_empty());
         after(line.text.trim_start()) == Some(true) || after(line.rest()) == Some(true)
@@ -363,7 +371,7 @@ fn other_comment(line: &Line<'_>, _: &Written) -> Found {
 }
 
 /// What stands where a key and its equals sign are due.
-fn key_of_other_form(line: &Line<'_>, written: &Written) -> Found {
+fn key_of_other_form(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
     let ParserError { kind, names_key, names_equals, .. } = line.error;
     if kind == Kind::Duplicate || !(names_key || names_equals) {
         return None;
@@ -389,7 +397,10 @@ fn key_of_other_form(line: &Line<'_>, written: &Written) -> Found {
     let words = before.split_whitespace().count();
     if words > 1 && !after.is_empty() && kind == Kind::KeyWithoutValue {
         let help = "write the key alone before the equals sign: a unit stands behind its number, as in speed = \"10 mph\"";
-        return found("between the key and its equals sign stands something else", written.suited("", help));
+        return found(
+            "between the key and its equals sign stands something else",
+            units_in_use.suited("", help),
+        );
     }
     if after.is_empty() && text.contains('"') && kind == Kind::KeyWithoutValue {
         return found("there is no equals sign behind the key", line.assignment());
@@ -397,7 +408,7 @@ fn key_of_other_form(line: &Line<'_>, written: &Written) -> Found {
     None
 }
 
-fn lost_quote(line: &Line<'_>, _: &Written) -> Found {
+fn lost_quote(line: &Line<'_>, _: &UnitsInUse) -> Found {
     if !has_odd_quotes(line.text) && !line.error.names_text {
         return None;
     }
@@ -427,7 +438,7 @@ fn lost_quote(line: &Line<'_>, _: &Written) -> Found {
 }
 
 /// `"2012 Toyota "Camry""`, and `'it's a car'`.
-fn quotes_within(line: &Line<'_>, _: &Written) -> Found {
+fn quotes_within(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let quote = line.value.chars().next().filter(|c| matches!(c, '"' | '\''))?;
     let text = line.value.strip_prefix(quote)?.strip_suffix(quote)?;
     if !text.contains(quote) || text.contains('=') {
@@ -450,7 +461,7 @@ fn quotes_within(line: &Line<'_>, _: &Written) -> Found {
 }
 
 /// What stands behind a value that is complete.
-fn behind_the_value(line: &Line<'_>, _: &Written) -> Found {
+fn behind_the_value(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let rest = line.rest().trim();
     let value = line.value.strip_suffix(rest)?.trim();
     if !line.error.expects_newline || !value.starts_with(['"', '\'', '{', '[']) {
@@ -468,7 +479,7 @@ fn behind_the_value(line: &Line<'_>, _: &Written) -> Found {
 }
 
 /// Parentheses, brackets around a table, and braces around a list.
-fn other_brackets(line: &Line<'_>, _: &Written) -> Found {
+fn other_brackets(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let value = line.text.split_once('=')?.1.trim();
     let inside = value.strip_prefix(['(', '[', '{', '<'])?.trim_end_matches([')', ']', '}', '>']).trim();
     let has_keys = inside.split('"').step_by(2).any(|part| part.contains(['=', ':']));
@@ -482,13 +493,13 @@ fn other_brackets(line: &Line<'_>, _: &Written) -> Found {
 }
 
 /// A number that TOML does not read.
-fn number(line: &Line<'_>, written: &Written) -> Found {
+fn number(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
     let number = plain(line.value)?;
     let key = line.key;
     let message = format!("{} is not how a number is written here", shorten(line.value));
     let of_key = dimensions_of(key);
     if let Some(dimension) = of_key.first() {
-        let example = written.suited("", example_of(key, *dimension)?);
+        let example = units_in_use.suited("", example_of(key, *dimension)?);
         return found(
             message,
             format!("write number and unit between quotes, with a decimal point, as in {example}"),
@@ -499,7 +510,7 @@ fn number(line: &Line<'_>, written: &Written) -> Found {
 }
 
 /// A value without quotes.
-fn bare_text(line: &Line<'_>, written: &Written) -> Found {
+fn bare_text(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
     let is_value = line.error.expects_newline || matches!(line.error.kind, Kind::Unquoted | Kind::BadScalar);
     if line.value.is_empty() || !is_value {
         return None;
@@ -526,7 +537,7 @@ fn bare_text(line: &Line<'_>, written: &Written) -> Found {
     let text: String = line.value.chars().map(keyboard).collect();
     let example = match dimensions_of(line.key).first() {
         Some(dimension) if !text.contains(char::is_alphabetic) => {
-            let example = written.suited("", example_of(line.key, *dimension)?);
+            let example = units_in_use.suited("", example_of(line.key, *dimension)?);
             return found(
                 "a quantity stands between quotes, with its unit",
                 format!("write it as in {example}"),
