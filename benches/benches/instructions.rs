@@ -5,7 +5,7 @@ use std::fmt::Display;
 use std::io::{Write, stderr};
 use std::process::exit;
 
-use case::{Case, CaseFile, Diagnostics};
+use case::{CaseFile, Diagnostics};
 use crash3::{Profile, Stiffness, crush_energy};
 use deltav_benches::{
     CASE_FILE, Example, FRACTION, FRICTION, FULL_OR_SLIDING, RATIO, RESTITUTION, Refused, VELOCITY_CHANGE,
@@ -113,7 +113,7 @@ fn root_finder(problem: &'static Problem) -> Result<Reconciliation, ReconcileErr
 #[library_benchmark(teardown = check)]
 #[bench::sae_980025(CASE_FILE)]
 fn parse((name, text): (&str, &str)) -> Result<CaseFile, Diagnostics> {
-    Case::parse(name, text)
+    CaseFile::parse(name, text)
 }
 
 library_benchmark_group!(

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::hint::black_box;
 use std::ops::ControlFlow;
 
-use case::Case;
+use case::CaseFile;
 use crash3::crush_energy;
 use criterion::{Criterion, Throughput};
 use deltav_benches::{CASE_FILE, Example, FRICTION, TANGENTIAL_CONDITIONS};
@@ -70,8 +70,8 @@ fn reconciliation(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
 
 fn case_file(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     let (name, text) = CASE_FILE;
-    Case::parse(name, text)?;
-    criterion.bench_function("parse", |b| b.iter(|| Case::parse(black_box(name), black_box(text))));
+    CaseFile::parse(name, text)?;
+    criterion.bench_function("parse", |b| b.iter(|| CaseFile::parse(black_box(name), black_box(text))));
     Ok(())
 }
 

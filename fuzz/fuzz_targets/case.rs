@@ -2,18 +2,18 @@
 #![no_main]
 
 use analysis::{Analysis, Failure};
-use case::{Case, CaseFile};
+use case::{CaseFile, to_toml};
 use libfuzzer_sys::fuzz_target;
 use report::Units;
 use serde_json::Value;
 
 fuzz_target!(|data: &[u8]| {
     let Ok(text) = std::str::from_utf8(data) else { return };
-    match Case::parse("case.toml", text) {
+    match CaseFile::parse("case.toml", text) {
         Ok(file) => {
             read_back(&file);
             for analyse in [analysis::reconstruct, analysis::impact, analysis::crush] {
-                judge(&file, analyse(&file));
+                judge(&file, analyse(&file.case));
             }
         }
         Err(diagnostics) => {
@@ -25,8 +25,8 @@ fuzz_target!(|data: &[u8]| {
 
 /// A case that is written is the same case when it is read.
 fn read_back(file: &CaseFile) {
-    let written = file.case.to_toml();
-    match Case::parse("written.toml", &written) {
+    let written = to_toml(&file.case);
+    match CaseFile::parse("written.toml", &written) {
         Ok(again) => assert_eq!(again.case, file.case, "written as\n{written}"),
         Err(diagnostics) => panic!("what was written is refused:\n{diagnostics}"),
     }

@@ -5,19 +5,19 @@
 use std::error::Error;
 
 use analysis::{Output, Sweep};
-use case::{Case, CaseFile};
+use case::{CaseFile, to_toml};
 
 /// (m/s) the speed found where one number of the file is another by so many of its units.
 fn speed(file: &CaseFile, path: &str, change: f64) -> Result<f64, Box<dyn Error>> {
     let case = file.case.map(|input| if input.path == path { input.number + change } else { input.number });
-    let file = Case::parse("changed.toml", &case.to_toml())?;
-    Ok(analysis::reconstruct(&file)?.found.ok_or("a reconstruction finds a speed")?.speed)
+    let file = CaseFile::parse("changed.toml", &to_toml(&case))?;
+    Ok(analysis::reconstruct(&file.case)?.found.ok_or("a reconstruction finds a speed")?.speed)
 }
 
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     // SAE 980025, appendix.
-    let file = Case::parse("sae-980025.toml", case::EXAMPLE)?;
-    let sensitivity = analysis::sensitivity(&file, Sweep { step: 5_f64.to_radians(), steps: 1 })?;
+    let file = CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;
+    let sensitivity = analysis::sensitivity(&file.case, Sweep { step: 5_f64.to_radians(), steps: 1 })?;
 
     let of_the_speed = |output: Output| output == Output::Speed { vehicle: 1 };
     let ranked: Vec<_> = sensitivity.derivatives.iter().filter(|one| of_the_speed(one.output)).collect();

@@ -4,12 +4,12 @@
 
 use std::error::Error;
 
-use case::Case;
+use case::CaseFile;
 
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     // SAE 980025, appendix.
-    let file = Case::parse("sae-980025.toml", case::EXAMPLE)?;
-    let analysis = analysis::reconstruct(&file)?;
+    let file = CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;
+    let analysis = analysis::reconstruct(&file.case)?;
 
     let found = analysis.found.as_ref().ok_or("a reconstruction finds a speed")?;
     let impact = analysis.impact.as_ref().ok_or("a reconstruction has an impact")?;

@@ -1,6 +1,6 @@
 //! A finished analysis in the axes of its case.
 
-use case::Axes;
+use inputs::Axes;
 use pim_core::{ImpactError, Switch};
 
 use crate::{Analysis, Drive, Failure, Impact, JumpSide, Warning};

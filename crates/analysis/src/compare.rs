@@ -1,7 +1,6 @@
 //! One case under every impact law: how much does the answer depend on that choice?
 
-use case::{Case, CaseFile, Dimension, ImpactLaw, Quantity, Restitution};
-use pim_core::Tangential;
+use inputs::{BrachTangential, Case, Dimension, ImpactLaw, Quantity, Restitution};
 
 use crate::damage::ASSUMED_FRICTION;
 use crate::{Analysis, Failure, impact, reconstruct};
@@ -34,13 +33,13 @@ pub struct LawRow {
 ///
 /// # Errors
 /// [`Failure`] where the case has no answer under its own law.
-pub fn compare(file: &CaseFile) -> Result<Comparison, Failure> {
-    let own = solve(file)?;
-    let laws = others(&file.case, &own)
+pub fn compare(case: &Case) -> Result<Comparison, Failure> {
+    let own = solve(case)?;
+    let laws = others(case, &own)
         .into_iter()
         .map(|(law, assumed)| {
-            let mut other = file.clone();
-            if let Some(impact) = &mut other.case.impact {
+            let mut other = case.clone();
+            if let Some(impact) = &mut other.impact {
                 impact.law = law.clone();
             }
             LawRow { law, assumed, answer: solve(&other) }
@@ -49,8 +48,8 @@ pub fn compare(file: &CaseFile) -> Result<Comparison, Failure> {
     Ok(Comparison { own, laws })
 }
 
-fn solve(file: &CaseFile) -> Result<Analysis, Failure> {
-    if file.case.reconstruct.is_some() { reconstruct(file) } else { impact(file) }
+fn solve(case: &Case) -> Result<Analysis, Failure> {
+    if case.reconstruct.is_some() { reconstruct(case) } else { impact(case) }
 }
 
 /// Every law but the case's own, each with what is assumed of its coefficients.
@@ -74,9 +73,9 @@ fn others(case: &Case, own: &Analysis) -> Vec<(ImpactLaw, &'static str)> {
         _ => (ASSUMED_TANGENTIAL_RESTITUTION, "e_t, of surfaces that interlock"),
     };
     let mut laws = vec![
-        (brach(Tangential::Critical, None), ""),
-        (brach(Tangential::Friction(friction), None), assumed_friction),
-        (brach(Tangential::Critical, Some(0.0)), "e_m, which leaves a common yaw rate"),
+        (brach(BrachTangential::Critical, None), ""),
+        (brach(BrachTangential::Friction(friction), None), assumed_friction),
+        (brach(BrachTangential::Critical, Some(0.0)), "e_m, which leaves a common yaw rate"),
         (ImpactLaw::Woolley { tangential_velocity_change: None }, ""),
         (
             ImpactLaw::Ishikawa { restitution: restitution.clone(), tangential_restitution },

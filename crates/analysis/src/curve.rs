@@ -1,6 +1,6 @@
 //! The work of the normal impulse over the speed sought: what the answer is a root of.
 
-use case::CaseFile;
+use inputs::Case;
 
 use crate::sensitivity::at;
 use crate::{Failure, Found};
@@ -24,8 +24,8 @@ const BEYOND: f64 = 0.2;
 ///
 /// # Errors
 /// [`Failure`], as for [`reconstruct`](crate::reconstruct).
-pub fn work_curve(file: &CaseFile, found: &Found, samples: usize) -> Result<Vec<WorkPoint>, Failure> {
-    at(file, &file.case, |problem| {
+pub fn work_curve(case: &Case, found: &Found, samples: usize) -> Result<Vec<WorkPoint>, Failure> {
+    at(case, |problem| {
         let touch = problem.touching_speed();
         let steps = found.iterations.iter().flatten().map(|step| step.speed);
         let farthest = found.admissible.iter().copied().chain(steps).fold(found.speed, |far, speed| {
@@ -54,14 +54,14 @@ const HALVINGS: usize = 60;
 ///
 /// # Errors
 /// [`Failure`], as for [`reconstruct`](crate::reconstruct).
-pub fn first_push(file: &CaseFile, curve: &[WorkPoint]) -> Result<Option<f64>, Failure> {
+pub fn first_push(case: &Case, curve: &[WorkPoint]) -> Result<Option<f64>, Failure> {
     let Some(after) = curve.iter().position(|point| point.normal_work > 0.0) else { return Ok(None) };
     let (Some(touch), Some(before), Some(after)) =
         (curve.first(), after.checked_sub(1).and_then(|before| curve.get(before)), curve.get(after))
     else {
         return Ok(None);
     };
-    at(file, &file.case, |problem| {
+    at(case, |problem| {
         let is_push = |speed: f64| problem.normal_work(speed) > 0.0;
         let mut low = before.speed;
         if before == touch {

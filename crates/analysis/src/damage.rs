@@ -1,10 +1,10 @@
 //! The damage of each vehicle, and CRASH3's answer from both.
 
-use case::{Evidence, InferredWidth, Subject};
 use crash3::{
     CrushError, CrushRange, EnergyBasis, ObliqueCorrection, ObliqueFactor, Profile, SideStiffness,
     StruckVehicle, UniformCrush,
 };
+use inputs::{Evidence, InferredWidth, VehicleData};
 
 use pim_core::Real;
 
@@ -113,7 +113,7 @@ pub struct Corrected {
 
 /// Assesses the damage of both vehicles; `pdof` (rad) are those of the impact, which serve where the file gives none.
 pub(crate) fn assess<T: Real>(
-    [s1, s2]: [Subject<T>; 2],
+    [s1, s2]: [VehicleData<T>; 2],
     [p1, p2]: [Option<T>; 2],
 ) -> Result<[Vehicle<T>; 2], CrushError> {
     // The one whose crush was measured comes first: the other's may have to be inferred from it.
@@ -127,7 +127,7 @@ pub(crate) fn assess<T: Real>(
 }
 
 fn vehicle<T: Real>(
-    subject: Subject<T>,
+    subject: VehicleData<T>,
     computed_pdof: Option<T>,
     other: Option<&Damage<T>>,
 ) -> Result<Vehicle<T>, CrushError> {
@@ -135,13 +135,13 @@ fn vehicle<T: Real>(
         return Ok(Vehicle { subject, damage: None });
     };
     let pdof = given.pdof.or(computed_pdof);
-    // A file that gives no PDOF gives the angle and the arm themselves: `case` sees to that.
+    // A case that gives no PDOF gives the angle and the arm themselves: its demands see to that.
     let oblique_angle =
         given.oblique_angle.or(pdof.map(|pdof| given.side.oblique_angle(pdof))).unwrap_or(T::ZERO);
     let (profile, structure, inferred) = match &given.evidence {
         Evidence::Measured { profile, structure } => (profile.clone(), structure.clone(), None),
         Evidence::ForceBalance { stiffness, width } => {
-            // A file with a force balance has a measured crush as well: `case` sees to that.
+            // A case with a force balance has a measured crush as well: its demands see to that.
             let Some(other) = other else { return Ok(Vehicle { subject, damage: None }) };
             let Some(Oblique { peak_force: force, .. }) = other.oblique else {
                 return Err(CrushError::NotPushing { angle: other.oblique_angle.value() });

@@ -1,10 +1,10 @@
 //! A case judged without solving it: what it can be used for, what is assumed, and the warnings that need no answer.
 
-use case::{
-    CaseFile, Command, Crush, Diagnostics, ImpactLaw, Inertia, InferredWidth, StiffnessForm, StiffnessLine,
-    Subject, Velocity, YawSource,
-};
 use crash3::{EnergyBasis, Side, SideStiffness, VehicleClass};
+use inputs::{
+    Axes, Case, Crush, Faults, Fit, ImpactLaw, InertiaData, InferredWidth, Purpose, StiffnessForm,
+    StiffnessLine, VehicleData, Velocity, YawSource,
+};
 
 use crate::warning::{self, Warning};
 use crate::{Vehicle, checks, closing_speed, damage, uncertainty};
@@ -13,25 +13,25 @@ use crate::{Vehicle, checks, closing_speed, damage, uncertainty};
 #[derive(Debug)]
 pub struct Judgement {
     /// What it can be used for: `reconstruct`, `impact`, `crush`, `uncertainty`, `compare`, `sensitivity` and `draw`.
-    pub commands: [Ability; 7],
-    /// What stands in for what the file does not say, in the order of the file.
+    pub abilities: [Ability; 7],
+    /// What stands in for what the case does not say, in the order of its keys.
     pub assumptions: Vec<Assumption>,
     /// The warnings that need no answer, in the axes of the engine; [`Warning::in_axes`] has them in others.
     pub warnings: Vec<Warning>,
 }
 
-/// Whether a case has all that a command needs. That it has an answer as well shows only when it is solved.
+/// Whether a case has all that a purpose needs. That it has an answer as well shows only when it is solved.
 #[derive(Debug)]
 pub struct Ability {
-    /// The command.
-    pub command: Command,
+    /// For what.
+    pub purpose: Purpose,
     /// The one of the first three whose answer it works on: itself for those.
-    pub on: Command,
+    pub on: Purpose,
     /// What is missing or does not fit together, where anything does.
-    pub obstacle: Option<Diagnostics>,
+    pub obstacle: Option<Faults>,
 }
 
-/// What stands in for something that the file does not say. Vehicles are 1 or 2, values in SI units.
+/// What stands in for something that the case does not say. Vehicles are 1 or 2, values in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Assumption {
     /// The axes are z-up.
@@ -132,7 +132,7 @@ pub enum Assumption {
 }
 
 impl Assumption {
-    /// The key of the case file that would say otherwise.
+    /// The key of the case that would say otherwise.
     #[must_use]
     pub fn key(&self) -> String {
         let (vehicle, key) = match self {
@@ -161,7 +161,7 @@ impl Assumption {
 
 /// The size class of CRASH3 whose radius of gyration is nearest, and its typical measures: what drawings show of a vehicle without an outline.
 #[must_use]
-pub fn nearest_class(inertia: &Inertia) -> Option<(u8, VehicleClass)> {
+pub fn nearest_class(inertia: &InertiaData) -> Option<(u8, VehicleClass)> {
     // k = √(I/m)
     let radius = (inertia.yaw_inertia / inertia.mass).sqrt();
     let distance = |class: &VehicleClass| (class.yaw_radius - radius).abs();
@@ -174,11 +174,11 @@ pub fn nearest_class(inertia: &Inertia) -> Option<(u8, VehicleClass)> {
 /// Warnings are those of the analysis that the case is made for, as far as neither the impulse nor the speed sought is needed for them: where the file
 /// gives a direction of force, the ones that follow from that too.
 #[must_use]
-pub fn judge(file: &CaseFile) -> Judgement {
-    let seeks = file.case.reconstruct.is_some();
-    let reconstruction = file.reconstruction();
-    let impact = file.impact();
-    let subjects = file.subjects();
+pub fn judge(case: &Case) -> Judgement {
+    let seeks = case.reconstruct.is_some();
+    let reconstruction = case.reconstruction();
+    let impact = case.collision();
+    let subjects = case.subjects();
     let mut warnings = Vec::new();
     let collision = match (&reconstruction, &impact) {
         (Ok(input), _) => Some(&input.collision),
@@ -193,43 +193,43 @@ pub fn judge(file: &CaseFile) -> Judgement {
             warning::of_restitution(collision.law.at(speed).restitution(), speed, &mut warnings);
         }
     }
-    let assumptions = assumed(file, &subjects);
+    let assumptions = assumed(case, &subjects);
     let speeds = collision.map(|collision| collision.motions.map(|motion| motion.velocity.norm()));
-    of_vehicles(file, subjects.map(|subject| subject.unwrap_or(NOTHING)), speeds, &mut warnings);
-    let unpropagated = uncertainty::inputs(file)
+    of_vehicles(case, subjects.map(|subject| subject.unwrap_or(NOTHING)), speeds, &mut warnings);
+    let unpropagated = uncertainty::inputs(case)
         .err()
-        .or_else(|| if seeks { file.reconstruction().err() } else { file.impact().err() });
+        .or_else(|| if seeks { case.reconstruction().err() } else { case.collision().err() });
     let lacking = [
-        (Command::Reconstruct, reconstruction.err()),
-        (Command::Impact, impact.err()),
-        (Command::Crush, file.crush().err()),
+        (Purpose::Reconstruct, reconstruction.err()),
+        (Purpose::Impact, impact.err()),
+        (Purpose::Crush, case.damage().err()),
     ];
-    let of = |command, on| {
+    let of = |purpose, on| {
         let obstacle =
-            lacking.iter().find(|(command, _)| *command == on).and_then(|(_, obstacle)| obstacle.clone());
-        Ability { command, on, obstacle }
+            lacking.iter().find(|(purpose, _)| *purpose == on).and_then(|(_, obstacle)| obstacle.clone());
+        Ability { purpose, on, obstacle }
     };
-    let solved = if seeks { Command::Reconstruct } else { Command::Impact };
-    let (furthest, _) = crate::furthest_solver(&file.case);
-    let commands = [
-        of(Command::Reconstruct, Command::Reconstruct),
-        of(Command::Impact, Command::Impact),
-        of(Command::Crush, Command::Crush),
-        Ability { command: Command::Uncertainty, on: solved, obstacle: unpropagated },
-        of(Command::Compare, solved),
-        of(Command::Sensitivity, furthest),
-        of(Command::Draw, furthest),
+    let solved = if seeks { Purpose::Reconstruct } else { Purpose::Impact };
+    let (furthest, _) = crate::furthest_solver(case);
+    let abilities = [
+        of(Purpose::Reconstruct, Purpose::Reconstruct),
+        of(Purpose::Impact, Purpose::Impact),
+        of(Purpose::Crush, Purpose::Crush),
+        Ability { purpose: Purpose::Uncertainty, on: solved, obstacle: unpropagated },
+        of(Purpose::Compare, solved),
+        of(Purpose::Sensitivity, furthest),
+        of(Purpose::Draw, furthest),
     ];
-    Judgement { commands, assumptions, warnings }
+    Judgement { abilities, assumptions, warnings }
 }
 
 /// A vehicle of which something needed is missing.
-const NOTHING: Subject = Subject { inertia: None, contact: None, dimensions: None, damage: None };
+const NOTHING: VehicleData = VehicleData { inertia: None, contact: None, dimensions: None, damage: None };
 
 /// `speeds` (m/s) of a collision; that which is sought is zero.
 fn of_vehicles(
-    file: &CaseFile,
-    mut subjects: [Subject; 2],
+    case: &Case,
+    mut subjects: [VehicleData; 2],
     speeds: Option<[f64; 2]>,
     warnings: &mut Vec<Warning>,
 ) {
@@ -238,7 +238,7 @@ fn of_vehicles(
     });
     // A force can be balanced only where both angles to it are known.
     if directed != [true; 2] {
-        for (subject, vehicle) in subjects.iter_mut().zip(&file.case.vehicles) {
+        for (subject, vehicle) in subjects.iter_mut().zip(&case.vehicles) {
             if vehicle.crush.as_ref().is_some_and(|crush| crush.from_force_balance) {
                 subject.damage = None;
             }
@@ -250,7 +250,7 @@ fn of_vehicles(
     if speeds.is_some() {
         warning::of_outlines(&vehicles, warnings);
     }
-    warning::of_file(file, warnings);
+    warning::of_case(case, warnings);
     warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), None, warnings);
     warning::of_assumptions(&vehicles, warnings);
     for (vehicle, directed) in vehicles.iter_mut().zip(directed) {
@@ -259,21 +259,19 @@ fn of_vehicles(
         }
     }
     warning::of_damage(&vehicles, warnings);
-    let checks = checks::checks(&vehicles, file.case.headings(), None, None);
+    let checks = checks::checks(&vehicles, case.headings(), None, None);
     warning::of_checks(&checks, &vehicles, None, EnergyBasis::default(), warnings);
 }
 
-/// What stands in for what the file does not say, in the order of the file: for whatever analysis uses it.
+/// What stands in for what the case does not say, in the order of its keys: for whatever analysis uses it.
 #[must_use]
-pub fn assumptions(file: &CaseFile) -> Vec<Assumption> {
-    assumed(file, &file.subjects())
+pub fn assumptions(case: &Case) -> Vec<Assumption> {
+    assumed(case, &case.subjects())
 }
 
-fn assumed(file: &CaseFile, subjects: &[Option<Subject>; 2]) -> Vec<Assumption> {
-    let case = &file.case;
-    let says = |path: &str| file.source.span(path).is_some();
+fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> {
     let mut assumptions = Vec::new();
-    if !says("scene.axes") {
+    if case.left_out.axes && case.axes == Axes::default() {
         assumptions.push(Assumption::ZUp);
     }
     for (i, (vehicle, subject)) in case.vehicles.iter().zip(subjects).enumerate() {
@@ -291,7 +289,7 @@ fn assumed(file: &CaseFile, subjects: &[Option<Subject>; 2]) -> Vec<Assumption> 
                 YawSource::Burg => assumptions.push(Assumption::BurgInertia { vehicle: number, yaw_inertia }),
             }
         }
-        if let Some(Subject { inertia: Some(inertia), dimensions: None, .. }) = subject
+        if let Some(VehicleData { inertia: Some(inertia), dimensions: None, .. }) = subject
             && let Some((class, _)) = nearest_class(inertia)
         {
             assumptions.push(Assumption::Outline { vehicle: number, class });
@@ -309,12 +307,11 @@ fn assumed(file: &CaseFile, subjects: &[Option<Subject>; 2]) -> Vec<Assumption> 
             assumptions.push(Assumption::YawRate { vehicle: number });
         }
         if let Some(crush) = &vehicle.crush {
-            let fit_is_given = says(&format!("vehicle{number}.crush.stiffness.test.fit"));
-            of_crush(number, crush, subject.as_ref(), fit_is_given, &mut assumptions);
+            of_crush(number, crush, subject.as_ref(), case.left_out.fit[i], &mut assumptions);
         }
     }
     if let Some(impact) = &case.impact {
-        if !says("impact.law") {
+        if case.left_out.law && matches!(impact.law, ImpactLaw::Brach { .. }) {
             assumptions.push(Assumption::BrachLaw);
         }
         if matches!(impact.law, ImpactLaw::Brach { moment_restitution: None, .. }) {
@@ -323,7 +320,10 @@ fn assumed(file: &CaseFile, subjects: &[Option<Subject>; 2]) -> Vec<Assumption> 
     }
     // It counts where a crush energy meets an impact.
     let has_crush = case.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
-    if case.impact.is_some() && has_crush && !says("reconstruct.energy_basis") {
+    let is_default = case.reconstruct.is_none_or(|reconstruct| {
+        case.left_out.energy_basis && reconstruct.energy_basis == EnergyBasis::default()
+    });
+    if case.impact.is_some() && has_crush && is_default {
         assumptions.push(Assumption::Dissipated);
     }
     assumptions
@@ -332,14 +332,14 @@ fn assumed(file: &CaseFile, subjects: &[Option<Subject>; 2]) -> Vec<Assumption> 
 fn of_crush(
     vehicle: usize,
     crush: &Crush,
-    subject: Option<&Subject>,
-    fit_is_given: bool,
+    subject: Option<&VehicleData>,
+    fit_left_out: bool,
     assumptions: &mut Vec<Assumption>,
 ) {
     let damage = subject.and_then(|subject| subject.damage.as_ref());
     if crush.from_force_balance {
         let evidence = damage.map(|damage| &damage.evidence);
-        if let Some(case::Evidence::ForceBalance { width: InferredWidth::Bounded { .. }, .. }) = evidence {
+        if let Some(inputs::Evidence::ForceBalance { width: InferredWidth::Bounded { .. }, .. }) = evidence {
             assumptions.push(Assumption::InferredWidth { vehicle });
         }
     } else if crush.spacing.is_none() && crush.depths.len() > 2 {
@@ -368,7 +368,10 @@ fn of_crush(
         };
         assumptions.push(Assumption::EnergyWithoutCrush { vehicle, g });
     }
-    if matches!(crush.stiffness, StiffnessForm::Test(_)) && !fit_is_given {
+    if let StiffnessForm::Test(test) = &crush.stiffness
+        && fit_left_out
+        && test.fit == Fit::default()
+    {
         assumptions.push(Assumption::ExactFit { vehicle });
     }
     let acts_at_centroid = crush.moment_arm.is_none()

@@ -2,8 +2,8 @@
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let file = case::Case::parse("sae-980025.toml", case::EXAMPLE)?;
-//! let analysis = analysis::reconstruct(&file)?;
+//! let file = case::CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;
+//! let analysis = analysis::reconstruct(&file.case)?;
 //! let found = analysis.found.as_ref().ok_or("a reconstruction finds a speed")?;
 //! assert!((found.speed - 22.9).abs() < 0.05); // SAE 980025, appendix: 22.9 m/s
 //! # Ok(())
@@ -19,13 +19,14 @@
 //! [`QUANTITIES`] has a row for every number that an analysis gives: its key, label, symbol, kind, source and how to read it.
 //!
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
-//! [`Warning`]s. A [`Failure`] says whether the file or the physics is to blame.
+//! [`Warning`]s. A [`Failure`] says whether the case or the physics is to blame.
 //!
 //! `examples/reconstruct.rs` reconstructs a file and lists its warnings, `examples/influence.rs` ranks its numbers.
 //!
 //! # What it does not do
 //!
-//! It adds no equation: those stand in `pim-core`, `crash3` and `reconcile`. It reads no file and writes no text (`case`, `report`).
+//! It adds no equation: those stand in `pim-core`, `crash3` and `reconcile`. It reads no file and writes no text (`case`, `report`): a case may as well be
+//! built in code, from the types of `inputs`.
 
 mod axes;
 mod checks;
@@ -52,8 +53,8 @@ pub use uncertainty::{
 };
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 
-use case::{Case, CaseFile, Collision, Command, Diagnostics, Evidence, Subject};
 use crash3::{CrushError, EnergyBasis, SideStiffness};
+use inputs::{Case, Collision, Evidence, Faults, Purpose, VehicleData};
 use pim_core::{Contact, ImpactError, Law, Outcome, Real, VaryingLaw};
 use reconcile::{ApproachLine, Iteration, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown};
 
@@ -144,8 +145,8 @@ impl Impact {
 /// One vehicle.
 #[derive(Clone, Debug)]
 pub struct Vehicle<T = f64> {
-    /// What the file says of it.
-    pub subject: Subject<T>,
+    /// What the case says of it.
+    pub subject: VehicleData<T>,
     /// Its damage.
     pub damage: Option<Damage<T>>,
 }
@@ -176,9 +177,9 @@ impl Vehicle {
 /// Why there is no analysis.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
-    /// The file lacks something or contradicts itself.
+    /// The case lacks something or contradicts itself.
     #[error(transparent)]
-    Case(#[from] Diagnostics),
+    Case(#[from] Faults),
     /// No speed reconciles crush and impact.
     #[error(transparent)]
     Reconcile(#[from] ReconcileError),
@@ -207,13 +208,13 @@ pub enum Failure {
 ///
 /// # Errors
 /// [`Failure`].
-pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
-    let input = file.reconstruction()?;
+pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
+    let input = case.reconstruction()?;
     let Collision { contact, law, motions, vehicles } = input.collision;
     // The uncorrected energies do not depend on the impact; a force balance takes its directions from the file.
     let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
     let problem = Problem { contact, law, motions, unknown: input.unknown, crush_energy, basis: input.basis };
-    let answer = problem.solve().map_err(|refusal| refused(&problem, refusal).in_axes(file.case.axes))?;
+    let answer = problem.solve().map_err(|refusal| refused(&problem, refusal).in_axes(case.axes))?;
     let found = Found {
         unknown: input.unknown,
         speed: answer.speed,
@@ -230,7 +231,7 @@ pub fn reconstruct(file: &CaseFile) -> Result<Analysis, Failure> {
     let warnings = warning::of_found(&found, input.given_speed);
     let impact = Impact::new(contact, problem.law, answer.law, answer.outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
-    judged(file, vehicles, input.basis, Some(impact.law.restitution()), (Some(found), Some(impact)), warnings)
+    judged(case, vehicles, input.basis, Some(impact.law.restitution()), (Some(found), Some(impact)), warnings)
 }
 
 /// Why a problem has no answer, with the impact that comes nearest to one.
@@ -247,14 +248,14 @@ pub(crate) fn refused(problem: &Problem, refusal: ReconcileError) -> Failure {
 ///
 /// # Errors
 /// [`Failure`].
-pub fn impact(file: &CaseFile) -> Result<Analysis, Failure> {
-    let input = file.impact()?;
+pub fn impact(case: &Case) -> Result<Analysis, Failure> {
+    let input = case.collision()?;
     let (law, outcome) =
-        collide(&input.collision).map_err(|refusal| Failure::from(refusal).in_axes(file.case.axes))?;
+        collide(&input.collision).map_err(|refusal| Failure::from(refusal).in_axes(case.axes))?;
     let Collision { contact, law: given_law, vehicles, .. } = input.collision;
     let impact = Impact::new(contact, given_law, law, outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
-    judged(file, vehicles, input.basis, Some(impact.law.restitution()), (None, Some(impact)), Vec::new())
+    judged(case, vehicles, input.basis, Some(impact.law.restitution()), (None, Some(impact)), Vec::new())
 }
 
 /// The impact of a collision of which all is known, and the law at its closing speed.
@@ -272,38 +273,38 @@ fn closing_speed<T: Real>(collision: &Collision<T>) -> T {
 ///
 /// # Errors
 /// [`Failure`].
-pub fn crush(file: &CaseFile) -> Result<Analysis, Failure> {
-    let input = file.crush()?;
+pub fn crush(case: &Case) -> Result<Analysis, Failure> {
+    let input = case.damage()?;
     let vehicles = damage::assess(input.vehicles, [None, None])?;
-    judged(file, vehicles, input.basis, input.restitution, (None, None), Vec::new())
+    judged(case, vehicles, input.basis, input.restitution, (None, None), Vec::new())
 }
 
 /// As far as a case goes: [`reconstruct`] where it has a `[reconstruct]` table, else [`impact`] where it has both speeds, else [`crush`].
 ///
 /// # Errors
 /// [`Failure`].
-pub fn furthest(file: &CaseFile) -> Result<Analysis, Failure> {
-    let (_, solve) = furthest_solver(&file.case);
-    solve(file)
+pub fn furthest(case: &Case) -> Result<Analysis, Failure> {
+    let (_, solve) = furthest_solver(case);
+    solve(case)
 }
 
 /// What solves a case: one of [`reconstruct`], [`impact`] and [`crush`].
-type Solve = fn(&CaseFile) -> Result<Analysis, Failure>;
+type Solve = fn(&Case) -> Result<Analysis, Failure>;
 
-/// The command that goes as far as the case does, and what it runs.
-fn furthest_solver(case: &Case) -> (Command, Solve) {
+/// The purpose that goes as far as the case does, and what serves it.
+fn furthest_solver(case: &Case) -> (Purpose, Solve) {
     if case.reconstruct.is_some() {
-        (Command::Reconstruct, reconstruct)
+        (Purpose::Reconstruct, reconstruct)
     } else if case.impact.is_some() && case.vehicles.iter().all(|v| v.fixed || v.motion.is_some()) {
-        (Command::Impact, impact)
+        (Purpose::Impact, impact)
     } else {
-        (Command::Crush, crush)
+        (Purpose::Crush, crush)
     }
 }
 
 /// CRASH3's answer, the checks and the warnings of what was found so far.
 fn judged(
-    file: &CaseFile,
+    case: &Case,
     vehicles: [Vehicle; 2],
     basis: EnergyBasis,
     restitution: Option<f64>,
@@ -316,13 +317,13 @@ fn judged(
         .as_ref()
         .filter(|_| found.is_none())
         .map(|crash3| basis.dissipated(crash3.crush_energy, restitution.unwrap_or_default()));
-    let checks = checks::checks(&vehicles, file.case.headings(), energy, impact.as_ref());
+    let checks = checks::checks(&vehicles, case.headings(), energy, impact.as_ref());
     if let Some(impact) = &impact {
         warning::of_impact(impact, &mut warnings);
         warning::of_outlines(&vehicles, &mut warnings);
     }
     let speeds = impact.as_ref().map(|impact| impact.outcome.before.map(|motion| motion.velocity.norm()));
-    warning::of_file(file, &mut warnings);
+    warning::of_case(case, &mut warnings);
     let sought = found.as_ref().map(|found| found.unknown.index());
     warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), sought, &mut warnings);
     warning::of_assumptions(&vehicles, &mut warnings);

@@ -1,7 +1,7 @@
 //! How much the answer moves with each estimate: exact derivatives, and a sweep of the direction of force.
 
-use case::{Axes, Case, CaseFile, Collision, Dimension, Input};
 use crash3::{ObliqueCorrection, principal_angle};
+use inputs::{Axes, Case, Collision, Dimension, Input};
 use pim_core::{ImpactError, Outcome, Real};
 use real::{Gradient, Traced};
 use reconcile::Problem;
@@ -220,21 +220,21 @@ pub struct Sweep {
 ///
 /// # Errors
 /// [`Failure`] where the case has no answer.
-pub fn sensitivity(file: &CaseFile, sweep: Sweep) -> Result<Sensitivity, Failure> {
-    let nominal = furthest(file)?;
-    let derivatives = if nominal.found.is_some() { derivatives(file, &nominal)? } else { Vec::new() };
-    let pdof_sweep = pdof_sweep(&nominal, sweep, file.case.axes)?;
+pub fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Failure> {
+    let nominal = furthest(case)?;
+    let derivatives = if nominal.found.is_some() { derivatives(case, &nominal)? } else { Vec::new() };
+    let pdof_sweep = pdof_sweep(&nominal, sweep, case.axes)?;
     Ok(Sensitivity { nominal, derivatives, pdof_sweep })
 }
 
-fn derivatives(file: &CaseFile, nominal: &Analysis) -> Result<Vec<Derivative>, Failure> {
-    let outputs: Vec<Output> = Output::of(nominal, file.case.axes)
+fn derivatives(case: &Case, nominal: &Analysis) -> Result<Vec<Derivative>, Failure> {
+    let outputs: Vec<Output> = Output::of(nominal, case.axes)
         .into_iter()
         .filter(|output| matches!(output, Output::Speed { .. } | Output::DeltaV { .. }))
         .collect();
-    let gradients = gradients(file, nominal, &outputs)?;
+    let gradients = gradients(case, nominal, &outputs)?;
     let mut derivatives = Vec::new();
-    for (i, input) in file.case.inputs().into_iter().enumerate() {
+    for (i, input) in case.inputs().into_iter().enumerate() {
         for (&output, gradient) in outputs.iter().zip(&gradients) {
             let (output_value, value) = (gradient.value, gradient.by[i]);
             derivatives.push(Derivative { output, output_value, input: input.clone(), value });
@@ -252,11 +252,11 @@ fn derivatives(file: &CaseFile, nominal: &Analysis) -> Result<Vec<Derivative>, F
 
 /// Each output, and its derivatives by all inputs of the case (SI per SI).
 pub(crate) fn gradients(
-    file: &CaseFile,
+    case: &Case,
     nominal: &Analysis,
     outputs: &[Output],
 ) -> Result<Vec<Gradient>, Failure> {
-    let inputs = file.case.inputs();
+    let inputs = case.inputs();
     let mut numbers: Vec<f64> = inputs.iter().map(|input| input.number).collect();
     // The speed found is an input too: the last.
     numbers.extend(nominal.found.as_ref().map(|found| found.speed));
@@ -265,16 +265,16 @@ pub(crate) fn gradients(
             outputs.iter().map(|output| output.value(found, outcome)).collect()
         };
         let mut numbers = numbers.iter().copied();
-        let case = file.case.map_numbers(|number| numbers.next().unwrap_or(Traced::from(number)));
+        let case = case.map_numbers(|number| numbers.next().unwrap_or(Traced::from(number)));
         match numbers.next() {
-            Some(found) => at(file, &case, |problem| {
+            Some(found) => at(&case, |problem| {
                 let (_, outcome) = problem.impact(found)?;
                 let mut results = all(found, &outcome);
                 results.push(problem.residual(found));
                 Ok(results)
             }),
             None => {
-                let (_, outcome) = collide(&file.impact_with(&case)?.collision)?;
+                let (_, outcome) = collide(&case.collision()?.collision)?;
                 Ok::<_, Failure>(all(Traced::ZERO, &outcome))
             }
         }
@@ -307,11 +307,10 @@ pub(crate) fn gradients(
 
 /// The problem that a case poses, with other numbers.
 pub(crate) fn at<T: Real, R>(
-    file: &CaseFile,
     case: &Case<T>,
     evaluate: impl FnOnce(&Problem<T>) -> Result<R, Failure>,
 ) -> Result<R, Failure> {
-    let input = file.reconstruction_with(case)?;
+    let input = case.reconstruction()?;
     let Collision { contact, law, motions, vehicles } = input.collision;
     let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
     let problem = Problem { contact, law, motions, unknown: input.unknown, crush_energy, basis: input.basis };

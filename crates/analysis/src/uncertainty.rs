@@ -1,6 +1,6 @@
 //! Between what and what the answer lies, where numbers of the case are ranges.
 
-mod block;
+mod lanes;
 
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
@@ -9,13 +9,13 @@ use ::uncertainty::{
     Distribution, FirstOrder, InvalidDistribution, LANES, Lanes, Model, Progress, Propagation, Settings,
     TORNADO_PROBABILITIES, Tornado, Truncation,
 };
-use case::{Bounds, Case, CaseFile, Diagnostics, Input, Range, Spread};
 use crash3::CrushError;
+use inputs::{Bounds, Case, Fault, FaultKind, Faults, Input, Range, Spread};
 use pim_core::{ImpactError, Outcome};
 use real::Gradient;
 use reconcile::ReconcileError;
 
-use block::{Block, Number};
+use lanes::{Block, Number};
 
 use crate::sensitivity::{Output, at, gradients};
 use crate::{Analysis, Failure, collide, impact, reconstruct, refused};
@@ -188,7 +188,7 @@ impl Reason {
         }
     }
 
-    /// The reason of a case: what the engine refuses of its damage is told as a problem of the file, which no longer says of which kind.
+    /// The reason of a case: what the engine refuses of its damage is told as a fault of the case, which no longer says of which kind.
     fn of_case(case: &Case, failure: &Failure) -> Self {
         if !matches!(failure, Failure::Case(_)) {
             return Self::of(failure);
@@ -242,17 +242,17 @@ pub enum Stage {
 /// # Errors
 /// [`Failure`] where the case has no answer at its central values, where nothing is a range, and where a range or the plan makes no sense.
 pub fn uncertainty(
-    file: &CaseFile,
+    case: &Case,
     plan: &Plan,
     progress: &mut (dyn FnMut(Stage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Uncertainty, Failure> {
-    let inputs = inputs(file)?;
-    let nominal = if file.case.reconstruct.is_some() { reconstruct(file)? } else { impact(file)? };
-    let outputs = Output::of(&nominal, file.case.axes);
+    let inputs = inputs(case)?;
+    let nominal = if case.reconstruct.is_some() { reconstruct(case)? } else { impact(case)? };
+    let outputs = Output::of(&nominal, case.axes);
     let central = central(&nominal, &outputs);
-    let first_order = first_order(file, &nominal, &outputs, &inputs)?;
+    let first_order = first_order(case, &nominal, &outputs, &inputs)?;
 
-    let model = Sample::new(file, &inputs, &outputs, &central);
+    let model = Sample::new(case, &inputs, &outputs, &central);
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
     let numbers: Vec<f64> = inputs.iter().map(|input| input.input.number).collect();
     let tornado = ::uncertainty::tornado(&model, &distributions, &numbers, TORNADO_PROBABILITIES)?;
@@ -278,31 +278,35 @@ pub fn uncertainty(
 }
 
 /// The ranges of the case, as the engine takes them: at least one.
-pub(crate) fn inputs(file: &CaseFile) -> Result<Vec<UncertainInput>, Diagnostics> {
-    let mut ranges = file.case.ranges.iter().peekable();
+pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
+    let mut ranges = case.ranges.iter().peekable();
     let mut inputs = Vec::new();
-    let mut problems = Vec::new();
-    for input in file.case.inputs() {
+    let mut faults = Vec::new();
+    for input in case.inputs() {
         let Some(range) = ranges.next_if(|range| range.path == input.path) else { continue };
         match distribution(&input, range) {
             Ok(distribution) => inputs.push(UncertainInput { input, distribution, bounds: range.bounds }),
-            Err(error) => problems.push(file.problem(&range.path, error.to_string(), None)),
+            Err(error) => faults.push(Fault {
+                key: range.path.clone(),
+                kind: FaultKind::Refused { reason: error.to_string() },
+                advice: None,
+            }),
         }
     }
-    file.accept(problems)?;
+    Faults::none_of(faults)?;
     // A speed that is sought is no input, even where the file gives one.
-    if let Some(reconstruct) = &file.case.reconstruct {
+    if let Some(reconstruct) = &case.reconstruct {
         let vehicle = format!("vehicle{}", reconstruct.find.index() + 1);
         let sought =
             [format!("{vehicle}.speed"), format!("{vehicle}.velocity.x"), format!("{vehicle}.velocity.y")];
         inputs.retain(|input| !sought.contains(&input.input.path));
     }
-    if inputs.is_empty() { Err(no_range(file)) } else { Ok(inputs) }
+    if inputs.is_empty() { Err(no_range(case).into()) } else { Ok(inputs) }
 }
 
 /// What to write where nothing is a range, shown at a number of the case.
-fn no_range(file: &CaseFile) -> Diagnostics {
-    let inputs = file.case.inputs();
+fn no_range(case: &Case) -> Fault {
+    let inputs = case.inputs();
     let example = inputs.iter().find_map(|input| {
         let unit = input.unit.filter(|_| input.number != 0.0)?;
         let (table, key) = input.path.rsplit_once('.')?;
@@ -316,7 +320,7 @@ fn no_range(file: &CaseFile) -> Diagnostics {
         }
         None => format!("give at least one number as a range; the forms are {forms}"),
     };
-    file.refusal("no number of this case is a range, so that nothing is uncertain", Some(help))
+    Fault { key: String::new(), kind: FaultKind::NothingUncertain, advice: Some(help) }
 }
 
 fn distribution(input: &Input, range: &Range) -> Result<Distribution, InvalidDistribution> {
@@ -353,19 +357,15 @@ fn central(nominal: &Analysis, outputs: &[Output]) -> Vec<f64> {
 }
 
 fn first_order(
-    file: &CaseFile,
+    case: &Case,
     nominal: &Analysis,
     outputs: &[Output],
     inputs: &[UncertainInput],
 ) -> Result<Vec<FirstOrder>, Failure> {
-    let gradients = gradients(file, nominal, outputs)?;
+    let gradients = gradients(case, nominal, outputs)?;
     let mut uncertain = inputs.iter().map(|input| &input.input.path).peekable();
-    let is_uncertain: Vec<bool> = file
-        .case
-        .inputs()
-        .iter()
-        .map(|input| uncertain.next_if(|path| **path == input.path).is_some())
-        .collect();
+    let is_uncertain: Vec<bool> =
+        case.inputs().iter().map(|input| uncertain.next_if(|path| **path == input.path).is_some()).collect();
     let sds: Vec<f64> = inputs.iter().map(|input| input.distribution.sd() * input.input.factor()).collect();
     let of = |gradient: &Gradient| {
         let all = gradient.by.iter().zip(&is_uncertain);
@@ -378,7 +378,6 @@ fn first_order(
 
 /// What turns the uncertain numbers of a sample into its outputs.
 struct Sample<'a> {
-    file: &'a CaseFile,
     is_reconstruction: bool,
     outputs: &'a [Output],
     /// (SI) at the central values.
@@ -392,10 +391,10 @@ struct Sample<'a> {
 }
 
 impl<'a> Sample<'a> {
-    fn new(file: &'a CaseFile, inputs: &[UncertainInput], outputs: &'a [Output], central: &'a [f64]) -> Self {
+    fn new(case: &Case, inputs: &[UncertainInput], outputs: &'a [Output], central: &'a [f64]) -> Self {
         let mut paths = inputs.iter().map(|input| &input.input.path).peekable();
         let mut is_uncertain = Vec::new();
-        let mut case = file.case.map(|input| {
+        let mut case = case.map(|input| {
             is_uncertain.push(paths.next_if(|path| **path == input.path).is_some());
             input.number
         });
@@ -410,15 +409,7 @@ impl<'a> Sample<'a> {
         for vehicle in &mut case.vehicles {
             vehicle.name = None;
         }
-        Self {
-            file,
-            is_reconstruction: file.case.reconstruct.is_some(),
-            outputs,
-            central,
-            is_uncertain,
-            case,
-            block,
-        }
+        Self { is_reconstruction: case.reconstruct.is_some(), outputs, central, is_uncertain, case, block }
     }
 
     /// The samples of a block that are not `answered` yet, each as a case of its own.
@@ -461,13 +452,13 @@ impl<'a> Sample<'a> {
 
     fn solve(&self, case: &Case, results: &mut [f64]) -> Result<(), Failure> {
         if self.is_reconstruction {
-            at(self.file, case, |problem| {
+            at(case, |problem| {
                 let answer = problem.solve().map_err(|refusal| refused(problem, refusal))?;
                 self.write(answer.speed, &answer.outcome, results);
                 Ok(())
             })
         } else {
-            let (_, outcome) = collide(&self.file.impact_with(case)?.collision)?;
+            let (_, outcome) = collide(&case.collision()?.collision)?;
             self.write(0.0, &outcome, results);
             Ok(())
         }

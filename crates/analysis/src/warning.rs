@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use case::{CaseFile, Dimension, Dimensions, Quantity, StiffnessForm, StiffnessSource, Velocity, YawSource};
 use crash3::{EnergyBasis, Side, principal_angle};
+use inputs::{Case, Dimension, Dimensions, Quantity, StiffnessForm, StiffnessSource, Velocity, YawSource};
 use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential};
 
 use crate::checks::{Check, CheckedQuantity};
@@ -651,8 +651,7 @@ pub(crate) fn of_outlines(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) 
 }
 
 /// Of single numbers of the file that were hardly meant: angles, speeds, friction and barrier tests.
-pub(crate) fn of_file(file: &CaseFile, warnings: &mut Vec<Warning>) {
-    let case = &file.case;
+pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
     for input in case.inputs() {
         let Some(unit) = input.unit.filter(|unit| unit.dimension() == Dimension::Angle) else { continue };
         let angle = input.si().abs();
@@ -788,7 +787,7 @@ fn of_places(
     number: usize,
     vehicle: &Vehicle,
     damage: &Damage,
-    given: &case::Damage,
+    given: &inputs::DamageData,
     warnings: &mut Vec<Warning>,
 ) {
     let side = given.side;

@@ -4,13 +4,14 @@
 #![expect(clippy::disallowed_methods, reason = "an oracle shares no function with what it judges")]
 
 use analysis::{Analysis, Check, CheckedQuantity, Failure, Warning, crush, impact, reconstruct};
-use case::{Case, CaseFile};
+use case::CaseFile;
 use crash3::EnergyBasis;
+use inputs::Case;
 
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
 
-fn analysis(analyse: fn(&CaseFile) -> Result<Analysis, Failure>, text: &str) -> Analysis {
-    let file = Case::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}"));
+fn analysis(analyse: fn(&Case) -> Result<Analysis, Failure>, text: &str) -> Analysis {
+    let file = CaseFile::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}")).case;
     analyse(&file).unwrap_or_else(|error| panic!("{error}"))
 }
 

@@ -8,7 +8,7 @@
 )]
 
 use analysis::{Analysis, Warning};
-use case::Case;
+use case::CaseFile;
 
 #[track_caller]
 fn assert_relative(what: &str, actual: f64, expected: f64) {
@@ -31,7 +31,7 @@ fn rear_end(vehicle2: &str, crush2: &str) -> String {
 const YAW_AND_CONTACT: &str = "yaw_radius = \"1.4 m\"\ncontact = { x = \"-2 m\", y = \"0 m\" }";
 
 fn crush(text: &str) -> Analysis {
-    analysis::crush(&Case::parse("rear-end.toml", text).unwrap()).unwrap()
+    analysis::crush(&CaseFile::parse("rear-end.toml", text).unwrap().case).unwrap()
 }
 
 fn energy(analysis: &Analysis) -> f64 {
@@ -60,7 +60,8 @@ fn the_force_on_one_vehicle_gives_the_energy_of_the_other() {
     assert_relative("E", energy, 137_812.5);
 
     // ½ m̄ u² = E with m̄ = 750 kg.
-    let found = analysis::reconstruct(&Case::parse("rear-end.toml", &text).unwrap()).unwrap().found.unwrap();
+    let found =
+        analysis::reconstruct(&CaseFile::parse("rear-end.toml", &text).unwrap().case).unwrap().found.unwrap();
     assert_relative("speed", found.speed, (2.0 * 229_687.5 / 750.0_f64).sqrt());
     assert_relative("E", found.crush_energy, 229_687.5);
 }
@@ -93,7 +94,7 @@ fn without_a_width_the_energy_has_bounds() {
 #[test]
 fn a_force_that_does_not_push_on_the_inspected_side_gives_no_energy() {
     let text = rear_end(YAW_AND_CONTACT, "width = \"2 m\"").replace("12 o'clock", "6 o'clock");
-    let error = analysis::crush(&Case::parse("rear-end.toml", &text).unwrap()).unwrap_err();
+    let error = analysis::crush(&CaseFile::parse("rear-end.toml", &text).unwrap().case).unwrap_err();
     assert!(error.to_string().contains("does not push on it"), "{error}");
 }
 

@@ -4,18 +4,19 @@
 #![expect(clippy::disallowed_methods, reason = "an oracle shares no function with what it judges")]
 
 use analysis::{Analysis, Correction, impact, reconstruct};
-use case::{Case, CaseFile};
+use case::CaseFile;
 use crash3::ObliqueCorrection;
+use inputs::Case;
 
 const NOT_REACHED: &str = include_str!("../../../fixtures/no-answer/not-reached.toml");
 const PULLING: &str = include_str!("../../../fixtures/no-answer/pulling.toml");
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
 
-fn parsed(text: &str) -> CaseFile {
-    Case::parse("case.toml", text).unwrap()
+fn parsed(text: &str) -> Case {
+    CaseFile::parse("case.toml", text).unwrap().case
 }
 
-fn with_law(text: &str, law: &str) -> CaseFile {
+fn with_law(text: &str, law: &str) -> Case {
     assert_eq!(text.matches("\"critical\"").count(), 1);
     parsed(&text.replace("\"critical\"", law))
 }

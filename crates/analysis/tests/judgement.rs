@@ -6,7 +6,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use analysis::{Ability, Assumption, Judgement, Sweep, Warning, judge};
-use case::{Case, CaseFile, Command};
+use case::CaseFile;
+use inputs::{Case, Purpose};
 
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
 const FORWARD: &str = include_str!("../../../fixtures/sae-980025-impact.toml");
@@ -14,8 +15,8 @@ const UNCERTAIN: &str = include_str!("../../../fixtures/sae-980025-uncertain.tom
 const DAMAGE: &str = include_str!("../../../fixtures/sae-980025-crush.toml");
 const INSPECTED: &str = include_str!("../../../fixtures/one-inspected.toml");
 
-fn parsed(text: &str) -> CaseFile {
-    Case::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}"))
+fn parsed(text: &str) -> Case {
+    CaseFile::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}")).case
 }
 
 #[track_caller]
@@ -25,8 +26,8 @@ fn changed(text: &str, from: &str, to: &str) -> Judgement {
 }
 
 fn runs(judgement: &Judgement) -> Vec<&'static str> {
-    let able = judgement.commands.iter().filter(|ability| ability.obstacle.is_none());
-    able.map(|ability| ability.command.name()).collect()
+    let able = judgement.abilities.iter().filter(|ability| ability.obstacle.is_none());
+    able.map(|ability| ability.purpose.name()).collect()
 }
 
 fn with_codes(warnings: &[Warning], codes: &[&str]) -> Vec<Warning> {
@@ -56,10 +57,10 @@ fn warnings_are_those_of_the_solved_case() {
         for entry in fs::read_dir(root.join(folder)).unwrap() {
             let path = entry.unwrap().path();
             let Ok(text) = fs::read_to_string(&path) else { continue };
-            let Ok(file) = Case::parse("case.toml", &text) else { continue };
+            let Ok(CaseFile { case: file, .. }) = CaseFile::parse("case.toml", &text) else { continue };
             let judgement = judge(&file);
             let place = path.display();
-            if file.case.reconstruct.is_some() {
+            if file.reconstruct.is_some() {
                 let Ok(analysis) = analysis::reconstruct(&file) else { continue };
                 assert_eq!(
                     with_codes(&judgement.warnings, &GEOMETRY),
@@ -104,7 +105,7 @@ fn a_case_runs_what_it_has_all_for() {
     let nothing = judge(&parsed("[vehicle1]\nname = \"car\"\n[vehicle2]\nfixed = true\n"));
     assert_eq!(runs(&nothing), [""; 0]);
     let obstacles: Vec<usize> =
-        nothing.commands.iter().map(|ability| ability.obstacle.as_ref().unwrap().list().len()).collect();
+        nothing.abilities.iter().map(|ability| ability.obstacle.as_ref().unwrap().list().len()).collect();
     assert!(obstacles.iter().all(|&count| count > 0), "{obstacles:?}");
 }
 
@@ -114,17 +115,17 @@ fn what_runs_runs_and_what_does_not_lacks_something() {
     let sweep = Sweep { step: 0.1, steps: 1 };
     for text in [PAPER, FORWARD, DAMAGE, INSPECTED, UNCERTAIN] {
         let file = parsed(text);
-        for Ability { command, obstacle, .. } in judge(&file).commands {
-            let failure = match command {
-                Command::Reconstruct => analysis::reconstruct(&file).err(),
-                Command::Impact => analysis::impact(&file).err(),
-                Command::Crush => analysis::crush(&file).err(),
-                Command::Compare => analysis::compare(&file).err(),
-                Command::Sensitivity => analysis::sensitivity(&file, sweep).err(),
-                Command::Draw => analysis::furthest(&file).err(),
-                Command::Uncertainty | Command::Check => continue,
+        for Ability { purpose, obstacle, .. } in judge(&file).abilities {
+            let failure = match purpose {
+                Purpose::Reconstruct => analysis::reconstruct(&file).err(),
+                Purpose::Impact => analysis::impact(&file).err(),
+                Purpose::Crush => analysis::crush(&file).err(),
+                Purpose::Compare => analysis::compare(&file).err(),
+                Purpose::Sensitivity => analysis::sensitivity(&file, sweep).err(),
+                Purpose::Draw => analysis::furthest(&file).err(),
+                Purpose::Uncertainty => continue,
             };
-            assert_eq!(obstacle.is_none(), failure.is_none(), "{command}: {failure:?}");
+            assert_eq!(obstacle.is_none(), failure.is_none(), "{purpose}: {failure:?}");
         }
     }
 }

@@ -3,6 +3,7 @@
 mod checks;
 mod estimates;
 mod friction;
+mod inputs;
 mod judgement;
 mod plausibility;
 mod sensitivity;

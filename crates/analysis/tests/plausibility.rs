@@ -6,19 +6,20 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
 use analysis::{Analysis, Drive, Failure, Magnitude, Warning};
-use case::{Axes, Case, CaseFile, StiffnessSource};
+use case::CaseFile;
 use crash3::Side;
+use inputs::{Axes, Case, StiffnessSource};
 
-type Analyse = fn(&CaseFile) -> Result<Analysis, Failure>;
+type Analyse = fn(&Case) -> Result<Analysis, Failure>;
 
-fn parsed(text: &str) -> CaseFile {
-    Case::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}\n{text}"))
+fn parsed(text: &str) -> Case {
+    CaseFile::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}\n{text}")).case
 }
 
 /// The warnings with that code, in the axes of the case.
 fn raised(analyse: Analyse, text: &str, code: &str) -> Vec<Warning> {
     let file = parsed(text);
-    let analysis = analyse(&file).unwrap_or_else(|error| panic!("{error}\n{text}")).in_axes(file.case.axes);
+    let analysis = analyse(&file).unwrap_or_else(|error| panic!("{error}\n{text}")).in_axes(file.axes);
     analysis.warnings.into_iter().filter(|warning| warning.code() == code).collect()
 }
 

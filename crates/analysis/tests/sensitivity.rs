@@ -7,7 +7,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use analysis::{Analysis, Failure, Output, Sweep, crush, reconstruct, sensitivity};
-use case::{Case, CaseFile, Dimension, Pdof, Quantity};
+use case::{CaseFile, read_quantity};
+use inputs::{Case, Dimension, Pdof};
 
 const NO_SWEEP: Sweep = Sweep { step: 0.1, steps: 0 };
 
@@ -15,21 +16,21 @@ fn fixtures() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
 }
 
-fn read(path: &Path) -> CaseFile {
-    Case::parse(&path.display().to_string(), &fs::read_to_string(path).unwrap()).unwrap()
+fn read(path: &Path) -> Case {
+    CaseFile::parse(&path.display().to_string(), &fs::read_to_string(path).unwrap()).unwrap().case
 }
 
 /// Every case that has a reconstruction.
-fn reconstructions() -> Vec<(String, CaseFile)> {
+fn reconstructions() -> Vec<(String, Case)> {
     let folders = ["", "laws", "ricsac"].map(|folder| fixtures().join(folder));
-    let mut cases: Vec<(String, CaseFile)> = folders
+    let mut cases: Vec<(String, Case)> = folders
         .iter()
         .flat_map(|folder| fs::read_dir(folder).unwrap())
         .map(|entry| entry.unwrap().path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
         .filter(|path| path.file_stem().is_some_and(|stem| stem != "published"))
         .map(|path| (path.display().to_string(), read(&path)))
-        .filter(|(_, file)| file.case.reconstruct.is_some() && reconstruct(file).is_ok())
+        .filter(|(_, file)| file.reconstruct.is_some() && reconstruct(file).is_ok())
         .collect();
     cases.sort_by(|(a, _), (b, _)| a.cmp(b));
     cases
@@ -41,15 +42,13 @@ fn outputs(analysis: &Analysis) -> [f64; 3] {
 }
 
 /// The case with input number `i` moved by `change`, in the input's own unit.
-fn moved(file: &CaseFile, i: usize, change: f64) -> Result<[f64; 3], Failure> {
+fn moved(case: &Case, i: usize, change: f64) -> Result<[f64; 3], Failure> {
     let mut index = 0;
-    let case = file.case.map(|input| {
+    let case = case.map(|input| {
         index += 1;
         if index == i + 1 { input.number + change } else { input.number }
     });
-    let mut other = file.clone();
-    other.case = case;
-    reconstruct(&other).map(|analysis| outputs(&analysis))
+    reconstruct(&case).map(|analysis| outputs(&analysis))
 }
 
 #[test]
@@ -60,9 +59,9 @@ fn derivatives_are_central_differences_on_every_fixture() {
     for (name, file) in &cases {
         let sensitivity = sensitivity(file, NO_SWEEP).unwrap();
         let nominal = outputs(&sensitivity.nominal);
-        for (i, input) in file.case.inputs().into_iter().enumerate() {
+        for (i, input) in file.inputs().into_iter().enumerate() {
             // Small against the number, or against what is usual of its kind where that is zero.
-            let usual = match input.unit.map(case::Unit::dimension) {
+            let usual = match input.unit.map(inputs::Unit::dimension) {
                 Some(Dimension::Angle) => 1.0 / input.factor(),
                 Some(_) | None => 1.0,
             };
@@ -133,7 +132,7 @@ fn the_most_influential_input_comes_first() {
 
 /// Degrees in the case's own unit.
 fn pdof(degrees: f64) -> Option<Pdof> {
-    Some(Pdof::Angle(Quantity::parse(&format!("{degrees} deg"), Dimension::Angle).unwrap()))
+    Some(Pdof::Angle(read_quantity(&format!("{degrees} deg"), Dimension::Angle).unwrap()))
 }
 
 #[test]
@@ -147,7 +146,7 @@ fn the_sweep_is_what_cases_with_that_pdof_say() {
     for row in &rows {
         let mut turned = file.clone();
         // The force turns counter-clockwise, and a PDOF counts clockwise.
-        for (vehicle, nominal) in turned.case.vehicles.iter_mut().zip([p1, p2]) {
+        for (vehicle, nominal) in turned.vehicles.iter_mut().zip([p1, p2]) {
             vehicle.crush.as_mut().unwrap().pdof = pdof(nominal - row.change.to_degrees());
         }
         let alone = crush(&turned).unwrap().crash3.unwrap();
@@ -181,7 +180,8 @@ fn the_sweep_keeps_what_the_file_gives() {
     assert!((uncorrected - 7.72).abs() < 5e-3);
     let sweep = Sweep { step: 10_f64.to_radians(), steps: 2 };
     for (axes, sign) in [("z-up", -1.0), ("z-down", 1.0)] {
-        let file = Case::parse("x.toml", &format!("scene = {{ axes = \"{axes}\" }}\n{text}")).unwrap();
+        let file =
+            CaseFile::parse("x.toml", &format!("scene = {{ axes = \"{axes}\" }}\n{text}")).unwrap().case;
         let alone = crush(&file).unwrap().crash3.unwrap();
         let rows = sensitivity(&file, sweep).unwrap().pdof_sweep;
         assert_eq!(rows.len(), 5);
@@ -203,7 +203,7 @@ fn the_sweep_keeps_what_the_file_gives() {
         }
     }
     // Only one of the two given: the other follows from contact point and PDOF.
-    let file = Case::parse("x.toml", &text.replace("oblique_angle = \"30 deg\"\n", "")).unwrap();
+    let file = CaseFile::parse("x.toml", &text.replace("oblique_angle = \"30 deg\"\n", "")).unwrap().case;
     for row in sensitivity(&file, sweep).unwrap().pdof_sweep {
         assert_eq!(row.crash3.moment_arm[0], 0.9);
         assert!((row.oblique_angle[0].unwrap() + row.change).abs() < 1e-12);

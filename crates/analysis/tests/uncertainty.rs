@@ -11,13 +11,14 @@
 use std::ops::ControlFlow;
 
 use analysis::{Failure, Output, Plan, Reason, Uncertainty, impact, reconstruct, uncertainty};
-use case::{Case, CaseFile};
+use case::{CaseFile, to_toml};
+use inputs::Case;
 use uncertainty::{LANES, Lanes, Sampler, SamplingMethod, Settings, Shape};
 
 const UNCERTAIN: &str = include_str!("../../../fixtures/sae-980025-uncertain.toml");
 
-fn read(text: &str) -> CaseFile {
-    Case::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}"))
+fn read(text: &str) -> Case {
+    CaseFile::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}")).case
 }
 
 fn plan(samples: usize) -> Plan {
@@ -87,13 +88,13 @@ fn a_sample_is_the_reconstruction_of_its_numbers() {
     let block = first_block(&result);
     for lane in 0..LANES {
         let mut columns = block.iter();
-        let mut paths = file.case.ranges.iter().map(|range| &range.path).peekable();
-        let sample = file.case.map(|input| match paths.next_if(|path| **path == input.path) {
+        let mut paths = file.ranges.iter().map(|range| &range.path).peekable();
+        let sample = file.map(|input| match paths.next_if(|path| **path == input.path) {
             Some(_) => columns.next().unwrap()[lane],
             None => input.number,
         });
-        let written = read(&sample.to_toml());
-        assert!(written.case.ranges.is_empty());
+        let written = read(&to_toml(&sample));
+        assert!(written.ranges.is_empty());
         let found = reconstruct(&written).unwrap().found.unwrap().speed;
         assert_eq!(result.propagation.columns()[0][lane].to_bits(), found.to_bits(), "sample {lane}");
     }
@@ -225,7 +226,7 @@ fn g_follows_from_a_and_b_of_each_sample() {
     let text = barrier.replace(line, ranges);
     let result = run(&text, 64);
     let file = read(&text);
-    let crush = file.case.vehicles[0].crush.as_ref().unwrap();
+    let crush = file.vehicles[0].crush.as_ref().unwrap();
     let width = crush.width.unwrap().si();
     let depths: Vec<f64> = crush.depths.iter().map(case::Quantity::si).collect();
     let zones = depths.len() - 1;
@@ -276,7 +277,7 @@ fn a_share_with_a_confidence_becomes_a_deviation() {
 fn a_speed_that_is_sought_is_a_result_only() {
     let given =
         UNCERTAIN.replacen("contact ", "speed = { low = \"60 ft/s\", high = \"80 ft/s\" }\ncontact ", 1);
-    assert_eq!(read(&given).case.ranges.len(), 32);
+    assert_eq!(read(&given).ranges.len(), 32);
     let result = run(&given, 64);
     assert_eq!(result.inputs.len(), 31);
     assert_eq!(result.propagation.columns(), run(UNCERTAIN, 64).propagation.columns());

@@ -8,16 +8,17 @@
 use std::f64::consts::PI;
 
 use analysis::{Analysis, Failure, JumpSide, Warning};
-use case::{Case, CaseFile};
+use case::CaseFile;
+use inputs::Case;
 use pim_core::Switch;
 
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
 const PAPER_FORWARD: &str = include_str!("../../../fixtures/sae-980025-impact.toml");
 
-type Analyse = fn(&CaseFile) -> Result<Analysis, Failure>;
+type Analyse = fn(&Case) -> Result<Analysis, Failure>;
 
 fn warnings(analyse: Analyse, text: &str) -> Vec<Warning> {
-    let file = Case::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    let file = CaseFile::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}")).case;
     analyse(&file).unwrap_or_else(|error| panic!("{error}")).warnings
 }
 
@@ -460,7 +461,7 @@ fn a_moment_beside_the_friction_limit() {
             assert_close("Ω_2", side.yaw_rates[1].unwrap(), other, 1e-6);
         }
         // The answer itself is one of the two.
-        let file = Case::parse("case.toml", text).unwrap();
+        let file = CaseFile::parse("case.toml", text).unwrap().case;
         let work = analysis::impact(&file).unwrap().impact.unwrap().outcome.energy.normal_work;
         let here = if text == full { 153_239.336 } else { 152_959.230 };
         assert_close("W_n of the answer", work, here, 0.001);

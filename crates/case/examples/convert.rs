@@ -2,7 +2,7 @@
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 
-use case::{Case, Diagnostics, Dimension, Input};
+use case::{CaseFile, Diagnostics, Dimension, Input, to_toml};
 
 /// The number, followed by its unit of the SI.
 fn in_si(input: &Input) -> String {
@@ -12,7 +12,7 @@ fn in_si(input: &Input) -> String {
 
 pub(crate) fn main() -> Result<(), Diagnostics> {
     // SAE 980025, appendix.
-    let file = Case::parse("sae-980025.toml", case::EXAMPLE)?;
+    let file = CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;
 
     let inputs = file.case.inputs();
     for input in inputs.iter().take(4) {
@@ -25,11 +25,11 @@ pub(crate) fn main() -> Result<(), Diagnostics> {
 
     // Twenty miles per hour for the other car in place of ten. The units of the file stay.
     let changed = file.case.map(|input| if input.path == "vehicle2.speed" { 20.0 } else { input.number });
-    let text = changed.to_toml();
+    let text = to_toml(&changed);
     assert!(text.contains("\"20 mph\""));
 
     // What is written reads as the same case.
-    let again = Case::parse("changed.toml", &text)?.case;
+    let again = CaseFile::parse("changed.toml", &text)?.case;
     assert_eq!(again, changed);
     Ok(())
 }

@@ -8,7 +8,8 @@ use annotate_snippets::{
     AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet, normalize_untrusted_str,
 };
 
-use crate::problem::Problem;
+use crate::case_problem::CaseProblem;
+use crate::program::Program;
 use crate::source::Source;
 
 /// How many problems are shown in full; the others are counted.
@@ -21,11 +22,11 @@ const LONGEST_LINE: usize = 2000;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
     span: Option<Range<usize>>,
-    problem: Problem,
+    problem: CaseProblem,
 }
 
 impl Diagnostic {
-    pub(crate) fn new(span: Option<Range<usize>>, problem: Problem) -> Self {
+    pub(crate) fn new(span: Option<Range<usize>>, problem: CaseProblem) -> Self {
         Self { span, problem }
     }
 
@@ -37,22 +38,23 @@ impl Diagnostic {
 
     /// What is wrong.
     #[must_use]
-    pub fn problem(&self) -> &Problem {
+    pub fn problem(&self) -> &CaseProblem {
         &self.problem
     }
 
-    fn render(&self, source: &Source) -> String {
+    fn render(&self, source: &Source, program: &Program) -> String {
         let title = Level::ERROR.primary_title(self.problem.to_string());
         let place = self.place(source);
         let help = self
             .problem
-            .help_in(Some(source.written()))
+            .help_in(Some(source.units_in_use()), program)
             .map(|help| Level::HELP.message(normalize_untrusted_str(&help)));
         let group: Group<'_> = title.element(place).elements(help);
         Renderer::plain().render(&[group])
     }
 
-    /// Where it is and what is wrong, without line breaks: `line 5, column 14: "75 feets/s" has an unknown unit "feets/s"`.
+    /// Where it is and what is wrong, without line breaks: `line 5, column 14: "75 feets/s" has an unknown
+    /// unit "feets/s"`.
     fn sentence(&self, source: &Source) -> String {
         self.placed(source, &self.problem.to_string())
     }
@@ -110,11 +112,13 @@ fn floor_char_boundary(text: &str, index: usize) -> usize {
     (0..=index).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
 }
 
-/// Everything that is wrong with a case file, in the order of the text. Its `Display` is what a user should see.
+/// Everything that is wrong with a case file, in the order of the text. Its `Display` is what a user should
+/// see.
 #[derive(Clone, Debug)]
 pub struct Diagnostics {
     source: Source,
     list: Vec<Diagnostic>,
+    program: &'static Program,
 }
 
 impl Diagnostics {
@@ -122,7 +126,13 @@ impl Diagnostics {
         // What concerns the whole file comes last.
         list.sort_by_key(|diagnostic| diagnostic.span().map_or(usize::MAX, |span| span.start));
         list.dedup();
-        Self { source, list }
+        Self { source, list, program: &Program::NONE }
+    }
+
+    /// The same in the words of a program: what to write instead then points to its commands.
+    #[must_use]
+    pub fn in_words_of(self, program: &'static Program) -> Self {
+        Self { program, ..self }
     }
 
     /// The problems, in the order of the text; what concerns the whole file comes last.
@@ -131,11 +141,11 @@ impl Diagnostics {
         &self.list
     }
 
-    /// All of them on one line, for a row of a table or a line of a log: what is wrong, without the name of the file and without what to write
-    /// instead.
+    /// All of them on one line, for a row of a table or a line of a log: what is wrong, without the name of
+    /// the file and without what to write instead.
     ///
     /// ```
-    /// let errors = case::Case::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
+    /// let errors = case::CaseFile::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
     /// assert_eq!(errors.one_line(), r#"line 2, column 9: "vehicle1.speed" is the bare number 35, but needs a unit"#);
     /// ```
     #[must_use]
@@ -148,18 +158,18 @@ impl Diagnostics {
         sentences.join("; ")
     }
 
-    /// What to write instead, on one line beside that of [`one_line`](Self::one_line): with the place where several problems are shown, and empty
-    /// where there is nothing to say.
+    /// What to write instead, on one line beside that of [`one_line`](Self::one_line): with the place where
+    /// several problems are shown, and empty where there is nothing to say.
     ///
     /// ```
-    /// let errors = case::Case::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
+    /// let errors = case::CaseFile::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
     /// assert!(errors.help_on_one_line().starts_with(r#"write number and unit as a string, for example speed = "10 mph""#));
     /// ```
     #[must_use]
     pub fn help_on_one_line(&self) -> String {
         let shown = &self.list[..self.list.len().min(SHOWN)];
         let helps = shown.iter().filter_map(|diagnostic| {
-            let help = diagnostic.problem.help_in(Some(self.source.written()))?;
+            let help = diagnostic.problem.help_in(Some(self.source.units_in_use()), self.program)?;
             Some(if shown.len() == 1 { on_one_line(&help) } else { diagnostic.placed(&self.source, &help) })
         });
         helps.collect::<Vec<_>>().join("; ")
@@ -178,7 +188,7 @@ impl fmt::Display for Diagnostics {
             if index > 0 {
                 f.write_str("\n\n")?;
             }
-            f.write_str(&diagnostic.render(&self.source))?;
+            f.write_str(&diagnostic.render(&self.source, self.program))?;
         }
         match self.list.len().saturating_sub(SHOWN) {
             0 => Ok(()),

@@ -5,22 +5,23 @@ use std::collections::BTreeMap;
 use serde_json::{Map, Value, json};
 use toml::de::{DeTable, DeValue};
 
-use crate::range::Bounds;
 use crate::schema::{
-    Condition, Form, Key, LawName, MOST_STATIONS, MOST_ZONES, RANGE, RANGE_OF_LIST, Rule, Schema, TOP,
+    Condition, Form, Key, KeysOfLaw, MOST_STATIONS, MOST_ZONES, RANGE, RANGE_OF_LIST, Rule, Schema, TOP,
     VEHICLE,
 };
-use crate::units::{Dimension, HOUR, Unit, list_pattern, pattern, percent_pattern};
+use crate::units::{HOUR, list_pattern, pattern, percent_pattern};
+use inputs::{Bounds, Dimension, LawName, Unit};
 
 type Node = Map<String, Value>;
 
 /// The JSON Schema (draft 2020-12) of the case file, for editors that complete and check TOML.
 ///
-/// It knows every table and key, the forms of a value and the units of each dimension. What takes arithmetic it leaves to
-/// [`Case::parse`](crate::Case::parse): magnitudes, ranges that do not rise, lists that do not belong together.
+/// It knows every table and key, the forms of a value and the units of each dimension. What takes arithmetic
+/// it leaves to [`CaseFile::parse`](crate::CaseFile::parse): magnitudes, ranges that do not rise, lists that
+/// do not belong together.
 ///
-/// A file that begins with `#:schema PATH`, the path from the file to the schema, is completed and checked by editors built on Taplo, such as
-/// Visual Studio Code with *Even Better TOML*.
+/// A file that begins with `#:schema PATH`, the path from the file to the schema, is completed and checked by
+/// editors built on Taplo, such as Visual Studio Code with *Even Better TOML*.
 ///
 /// ```
 /// let schema = case::json_schema();
@@ -68,7 +69,8 @@ impl Generator {
         node
     }
 
-    /// The keys of a table and, where it is one of several that can stand here, those of the others; `of` is what a range is about.
+    /// The keys of a table and, where it is one of several that can stand here, those of the others; `of` is
+    /// what a range is about.
     fn content(&mut self, schemas: &[&'static Schema], of: Option<Kind>) -> Node {
         let keys = schemas.iter().flat_map(|schema| schema.keys);
         let properties: Node =
@@ -93,7 +95,8 @@ impl Generator {
             node.insert("required".into(), json!(required));
         }
         if !all.is_empty() {
-            // Taplo offers no keys of a table that itself has "allOf": it stands behind a condition that always holds.
+            // Taplo offers no keys of a table that itself has "allOf": it stands behind a condition that
+            // always holds.
             node.insert("if".into(), json!(true));
             let rules = json!({ "allOf": all });
             let then = match (schemas, of) {
@@ -127,9 +130,9 @@ impl Generator {
             Form::Text => object(json!({ "type": "string", "pattern": r"\S" })),
             Form::Flag => object(json!({ "type": "boolean" })),
             Form::Words(words) => object(json!({ "type": "string", "enum": words })),
-            Form::Law => object(
-                json!({ "type": "string", "enum": LawName::ALL.map(LawName::name), "default": "brach" }),
-            ),
+            Form::Law(words) => {
+                object(json!({ "type": "string", "enum": words, "default": LawName::default().name() }))
+            }
             Form::Count(last) => object(json!({ "type": "integer", "minimum": 1, "maximum": last })),
             Form::Number(bounds) => {
                 let mut node = object(json!({ "type": ["number", "object"] }));
@@ -313,7 +316,7 @@ fn conditions(rule: &Rule, schema: &Schema) -> Vec<Value> {
             vec![json!({ "if": condition(only), "then": { "properties": never(keys.iter().copied()) } })]
         }
         Rule::OneOf(_) => vec![one_of(&[schema])],
-        Rule::KeysOfLaw => LawName::ALL.into_iter().map(|law| keys_of_law(law, schema)).collect(),
+        Rule::KeysOfLaw => LawName::WORDS.into_iter().map(|(_, law)| keys_of_law(law, schema)).collect(),
     }
 }
 
@@ -331,7 +334,7 @@ fn condition(condition: &Condition) -> Value {
 fn keys_of_law(law: LawName, schema: &Schema) -> Value {
     let named = json!({ "law": { "const": law.name() } });
     // Brach's law need not be named.
-    let given = if law == LawName::Brach {
+    let given = if law == LawName::default() {
         json!({ "properties": named })
     } else {
         json!({ "properties": named, "required": ["law"] })

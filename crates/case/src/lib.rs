@@ -1,7 +1,8 @@
 //! The case file: a collision in TOML, with units, and with errors that point at the value.
 //!
 //! ```
-//! use case::{Case, Mass};
+//! use case::CaseFile;
+//! use inputs::Mass;
 //!
 //! let text = r#"
 //!     [vehicle1]
@@ -14,28 +15,30 @@
 //!     mass   = "1548 kg"
 //!     speed  = "10 mph"
 //! "#;
-//! let file = Case::parse("collision.toml", text)?;
+//! let file = CaseFile::parse("collision.toml", text)?;
 //! let mass = file.case.vehicles[0].mass.as_ref().map(Mass::kg);
 //! assert!(mass.is_some_and(|kg| (kg - 1676.48).abs() < 0.01)); // 3696 × 0.453 592 37
 //!
 //! // Every problem of a file is reported at once, each with its line, its column and what to write instead.
 //! let wrong = text.replace("75 ft/s", "75 feets/s").replace("weight", "wieght");
-//! let errors = Case::parse("collision.toml", &wrong).unwrap_err().to_string();
+//! let errors = CaseFile::parse("collision.toml", &wrong).unwrap_err().to_string();
 //! assert!(errors.contains(r#"did you mean "weight"?"#));
 //! assert!(errors.contains(r#""75 feets/s" has an unknown unit "feets/s""#));
 //! assert!(errors.contains("collision.toml:5:14"));
 //! # Ok::<(), case::Diagnostics>(())
 //! ```
 //!
-//! The types: [`Case::parse`] gives a [`CaseFile`], which is a [`Case`] and the [`Source`] it came from, or
-//! [`Diagnostics`]. A case holds [`Quantity`]s, as they were written; [`Quantity::si`] is where a unit is converted.
-//! [`Case::to_toml`] writes a case back. A computation that finds fault with a well-formed case places its error
-//! with [`CaseFile::problem`]. A [`Template`] is a case to begin with, and [`json_schema`] is what editors complete and check a case by.
+//! The types: [`CaseFile::parse`] gives a [`CaseFile`], which is a [`Case`] and the [`Source`] it came from,
+//! or [`Diagnostics`]. A case and what it holds are of the crate [`inputs`], which knows no file; [`to_toml`]
+//! writes one back. A computation finds [`Faults`] by their keys, and [`CaseFile::diagnostics`] places them
+//! in the file. A [`Template`] is a case to begin with, and [`json_schema`] is what editors complete and
+//! check a case by.
 //!
 //! # The file
 //!
 //! A dimensioned value is a string with its unit; a plain number is dimensionless. Unknown keys are errors.
-//! A file may have [`Case::LARGEST_FILE`] bytes, a list 10,000 values, a list of zones 1,000, and the whole file 500 ranges.
+//! A file may have [`CaseFile::LARGEST_FILE`] bytes, a list 10,000 values, a list of zones 1,000, and the
+//! whole file 500 ranges.
 //!
 //! | table | keys |
 //! |---|---|
@@ -51,30 +54,33 @@
 //! | … Kudlich–Slibar | `restitution`; `friction`, zero or more |
 //! | `[reconstruct]` | `find`: `"vehicle1.speed"`, `"vehicle2.speed"`; `energy_basis`: `"dissipated"` (also where absent), `"absorbed"` |
 //!
-//! A `restitution` is a number from 0 to 1 or, where it depends on the closing speed, `{ speeds = "2 5 10 20 m/s", values = [0.3, 0.2,
-//! 0.12, 0.05] }`: speeds ascend from zero or more, and are listed like depths. A key of another law is an error.
+//! A `restitution` is a number from 0 to 1 or, where it depends on the closing speed, `{ speeds = "2 5 10 20
+//! m/s", values = [0.3, 0.2, 0.12, 0.05] }`: speeds ascend from zero or more, and are listed like depths. A
+//! key of another law is an error.
 //!
 //! # Axes
 //!
-//! [`Axes`]: where the file says nothing, y is to the left and angles and yaw rates are counter-clockwise positive. A file with
+//! [`Axes`]: where the file says nothing, y is to the left and angles and yaw rates are counter-clockwise
+//! positive. A file with
 //!
 //! ```toml
 //! [scene]
 //! axes = "z-down"
 //! ```
 //!
-//! is written in those of SAE J670, y to the right and clockwise positive. These numbers then have the other sign for the same collision:
-//! `heading`, `yaw_rate`, the `angle` or `y` of `contact`, the `y` of `velocity`, `crush_plane`, the `ratio` of `tangential` and
-//! `tangential_velocity_change`, which count along t, n turned by +90° in the sense of the axes, and the `offset` of a damaged front or
-//! rear. All others are the same in both: a `pdof` is the face of a clock, and sides and the order of depths (from left to right, from rear to
-//! front) are words.
+//! is written in those of SAE J670, y to the right and clockwise positive. These numbers then have the other
+//! sign for the same collision: `heading`, `yaw_rate`, the `angle` or `y` of `contact`, the `y` of
+//! `velocity`, `crush_plane`, the `ratio` of `tangential` and `tangential_velocity_change`, which count along
+//! t, n turned by +90° in the sense of the axes, and the `offset` of a damaged front or rear. All others are
+//! the same in both: a `pdof` is the face of a clock, and sides and the order of depths (from left to right,
+//! from rear to front) are words.
 //!
 //! Which of the optional keys have to be there depends on what is computed, and is checked there.
 //!
 //! # Ranges
 //!
-//! Any number can be a range, in the place of the value itself. The case then holds the central value, so that whatever takes a case goes on
-//! with that, and [`Case::ranges`] says how far it may be off.
+//! Any number can be a range, in the place of the value itself. The case then holds the central value, so
+//! that whatever takes a case goes on with that, and [`Case::ranges`] says how far it may be off.
 //!
 //! | written | means | central value |
 //! |---|---|---|
@@ -84,12 +90,12 @@
 //! | `{ low = "8 mph", mode = "9 mph", high = "12 mph" }` | triangular | `mode` |
 //! | `{ values = "21.3 20.3 in", sd = "0.5 in" }`, or with `within` and `confidence` | of a list: each normal, independent of the others | `values` |
 //!
-//! A list can also hold ranges one by one: `["21.3 in", { low = "19 in", high = "21 in" }]`. A number without unit has ranges without units:
-//! `restitution = { value = 0.3, sd = 0.05 }`. The ends of a range have to be values that the key accepts; where a normal distribution goes
-//! beyond, it has to be cut at the [`Bounds`].
+//! A list can also hold ranges one by one: `["21.3 in", { low = "19 in", high = "21 in" }]`. A number without
+//! unit has ranges without units: `restitution = { value = 0.3, sd = 0.05 }`. The ends of a range have to be
+//! values that the key accepts; where a normal distribution goes beyond, it has to be cut at the [`Bounds`].
 //!
 //! ```
-//! let file = case::Case::parse("case.toml", r#"
+//! let file = case::CaseFile::parse("case.toml", r#"
 //!     [vehicle1]
 //!     speed = { low = "8 mph", high = "12 mph" }
 //!     [vehicle2]
@@ -102,16 +108,16 @@
 //!
 //! # Units
 //!
-//! Between the units of a product, a space, `·`, `*` and `-` mean the same, and so do `^2`, `²` and a bare `2`, and `√lb`,
-//! `sqrt(lb)`, `lb^½` and `lb^0.5`. Upper and lower case differ. `lbf` is `lb` wherever that is a force: in
-//! `lb ft s^2` it is one, in `lb ft^2` a mass.
+//! Between the units of a product, a space, `·`, `*` and `-` mean the same, and so do `^2`, `²` and a bare
+//! `2`, and `√lb`, `sqrt(lb)`, `lb^½` and `lb^0.5`. Upper and lower case differ. `lbf` is `lb` wherever that
+//! is a force: in `lb ft s^2` it is one, in `lb ft^2` a mass.
 //!
 #![doc = include_str!("units.md")]
 //!
 //! The tables above are what the program accepts:
 //!
 //! ```
-//! use case::{Dimension, Quantity};
+//! use case::{Dimension, read_quantity, read_unit};
 //!
 //! let tables = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/units.md"));
 //! let mut accepted = 0;
@@ -121,7 +127,7 @@
 //!     if let [name, spellings, value] = cells[..] {
 //!         let dimension = Dimension::ALL.into_iter().find(|known| known.name() == name).ok_or(name)?;
 //!         for spelling in ticked(spellings) {
-//!             let one = Quantity::parse(&format!("1 {spelling}"), dimension).map_err(|error| error.help())?;
+//!             let one = read_quantity(&format!("1 {spelling}"), dimension).map_err(|error| error.help())?;
 //!             let si = value.split(' ').next().and_then(|number| number.parse().ok());
 //!             assert_eq!(Some(one.si()), si, "{spelling}");
 //!             accepted += 1;
@@ -131,7 +137,7 @@
 //!         // Some words are units only as a part of one: "mi" of "mi/h", "s" of "m/s".
 //!         let meaning = |word: &String| {
 //!             let parts = [word.clone(), format!("{word}/h"), format!("km/{word}"), format!("m/{word}")];
-//!             Dimension::ALL.into_iter().find_map(|d| parts.iter().find_map(|part| d.unit(part)))
+//!             Dimension::ALL.into_iter().find_map(|d| parts.iter().find_map(|part| read_unit(part, d)))
 //!         };
 //!         let units: Vec<_> = words.iter().map(meaning).collect();
 //!         assert!(units.iter().all(|unit| unit.is_some() && *unit == units[0]), "{words:?}");
@@ -146,59 +152,51 @@
 //!
 //! # What it does not do
 //!
-//! No equations, no files, no defaults beyond those named above, no arithmetic with units: a unit that is not in the
-//! table is refused. It keeps no comments: a case that is written back has lost them.
-//!
-//! # References
-//!
-//! A. Thompson and B. N. Taylor, *Guide for the Use of the International System of Units (SI)*, NIST Special
-//! Publication 811 (2008), appendix B.8: the factors.
+//! No equations, no defaults beyond those named above: what an analysis needs of a case is told by
+//! [`inputs`]. No arithmetic with units: a unit that is not in the table is refused. It keeps no comments: a
+//! case that is written back has lost them.
 
-mod axes;
-mod case;
-mod command;
+mod case_problem;
 mod diagnostic;
-mod foreign;
-mod input;
 mod json_schema;
-mod model;
 mod nearest;
 mod number;
-mod problem;
+mod number_slips;
+mod other_files;
+mod parser_error;
+mod program;
 mod quantity;
-mod range;
 mod read;
 mod schema;
-mod slips;
 mod source;
-mod syntax;
 mod template;
+mod to_toml;
+mod toml_slips;
 mod units;
-mod write;
-mod written;
+mod units_in_use;
 
 /// The example of SAE 980025, appendix, as a case file: what is the speed of the GMC Jimmy?
 pub const EXAMPLE: &str = include_str!("../sae-980025.toml");
 
-pub use axes::Axes;
-pub use case::{
-    BarrierTest, Case, ContactPoint, Crush, Fit, Impact, ImpactLaw, Mass, Outline, Pdof, Reconstruct,
-    Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity, YawInertia,
-};
-pub use command::Command;
+pub use case_problem::CaseProblem;
 pub use diagnostic::{Diagnostic, Diagnostics};
-pub use input::Input;
 pub use json_schema::json_schema;
-pub use model::{
-    Collision, CrushOnly, Damage, Dimensions, Evidence, ImpactInput, Inertia, InferredWidth,
-    ReconstructionInput, StiffnessSource, Subject, YawSource,
-};
 pub use nearest::nearest_names;
-pub use problem::Problem;
-pub use quantity::{Quantity, QuantityError};
-pub use range::{Amount, Bounds, Range, Spread};
+pub use program::Program;
+pub use quantity::{QuantityError, read_quantity};
 pub use read::CaseFile;
 pub use schema::{keys, number_keys};
 pub use source::Source;
 pub use template::Template;
-pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
+pub use to_toml::to_toml;
+pub use units::read_unit;
+
+// What a case file holds is of the crate `inputs`, and is here too for whoever reads files.
+pub use inputs::{
+    Amount, Axes, Bounds, BrachTangential, Case, Collision, ContactPoint, Crush, CrushOnly, DamageData,
+    Dimension, Dimensions, ENERGY_BASES, Evidence, Faults, Fit, GivenImpact, GivenTest, GivenVehicle,
+    ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, LawName, LeftOut, Mass, OBLIQUE_CORRECTIONS,
+    Outline, Pdof, Purpose, Quantity, Range, Reconstruct, ReconstructionInput, Restitution, SIDES,
+    STANDARD_GRAVITY, Spread, StiffnessForm, StiffnessLine, StiffnessSource, UNKNOWNS, Unit, UnitSystem,
+    VehicleData, Velocity, YawInertia, YawSource, word,
+};

@@ -3,7 +3,8 @@
 /// (bytes) words longer than this are no misspelling of anything we know, and not worth the comparison.
 pub(crate) const LONGEST: usize = 64;
 
-/// How many slips a word of this length may have and still be recognised; a single letter resembles everything.
+/// How many slips a word of this length may have and still be recognised; a single letter resembles
+/// everything.
 pub(crate) fn allowance(word: &str) -> usize {
     match word.chars().count() {
         0 | 1 => 0,

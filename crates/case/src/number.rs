@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-/// Takes the longest number off the front: sign, digits, point, exponent. The number is `None` where there is none.
+/// Takes the longest number off the front: sign, digits, point, exponent. The number is `None` where there is
+/// none.
 pub(crate) fn split_number(text: &str) -> (Option<f64>, &str) {
     let digits = |s: &str| s.len() - s.trim_start_matches(|c: char| c.is_ascii_digit()).len();
     // The minus sign of print (U+2212) comes in with text copied from a paper.
@@ -47,10 +48,4 @@ pub(crate) fn leading_numbers(text: &str) -> (Vec<(f64, Range<usize>)>, &str) {
         }
     }
     (numbers, rest.trim())
-}
-
-/// The shortest text that reads back as the same number.
-pub(crate) fn format_number(number: f64) -> String {
-    let text = format!("{number:?}");
-    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }

@@ -1,120 +1,42 @@
-//! A number with its unit, as it was written.
+//! Quantities as texts: "6.3 ft", and what is wrong with one that cannot be read.
 
-use std::fmt;
-
-use pim_core::Real;
+use inputs::{Dimension, InvalidQuantity, Quantity, Unit, format_number};
 use thiserror::Error;
 
 use crate::nearest::join;
-use crate::number::{format_number, split_number};
-use crate::slips;
-use crate::units::{Dimension, Unit, nearest_unit};
+use crate::number::split_number;
+use crate::number_slips;
+use crate::units::{nearest_unit, read_unit};
 
-/// A number with its unit, as the case file gives it. Always finite and within [`Dimension::bound`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Quantity<T = f64> {
-    number: T,
-    unit: &'static Unit,
-}
-
-impl<T: Copy> Quantity<T> {
-    /// The number as written.
-    #[must_use]
-    pub fn number(&self) -> T {
-        self.number
+/// Reads a text such as `"6.3 ft"`, which has to be of the given dimension.
+///
+/// ```
+/// use case::{Dimension, read_quantity};
+/// let distance = read_quantity("6.3 ft", Dimension::Length)?;
+/// assert!((distance.si() - 1.92024).abs() < 1e-12); // NIST SP 811: 1 ft = 0.3048 m
+/// assert_eq!(distance.to_string(), "6.3 ft");
+/// # Ok::<(), case::QuantityError>(())
+/// ```
+///
+/// # Errors
+///
+/// Every variant of [`QuantityError`]: each says what is wrong and, by [`QuantityError::help`], what to
+/// write.
+pub fn read_quantity(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError> {
+    let text = text.trim();
+    if text.is_empty() {
+        return Err(QuantityError::Empty { dimension });
     }
-
-    /// The unit as written.
-    #[must_use]
-    pub fn unit(&self) -> &'static Unit {
-        self.unit
+    let (number, rest) = split_number(text);
+    let Some(number) = number else {
+        return Err(not_a_number(text, dimension));
+    };
+    let unit = find_unit(text, rest.trim(), dimension)?;
+    if number.is_infinite() {
+        // As written: "inf mph" would not show the user's own digits.
+        return Err(InvalidQuantity::NotFinite { value: shorten(text) }.into());
     }
-
-    /// What it measures.
-    #[must_use]
-    pub fn dimension(&self) -> Dimension {
-        self.unit.dimension()
-    }
-
-    /// Another number in the same unit.
-    #[inline(always)]
-    #[must_use]
-    pub fn with<U>(&self, number: U) -> Quantity<U> {
-        Quantity { number, unit: self.unit }
-    }
-}
-
-impl<T: Real> Quantity<T> {
-    /// The value in SI ([`Dimension::si_unit`]).
-    #[inline(always)]
-    #[must_use]
-    pub fn si(&self) -> T {
-        self.number * self.unit.factor()
-    }
-}
-
-impl Quantity {
-    /// A number in a unit of the table.
-    ///
-    /// # Errors
-    ///
-    /// [`QuantityError::NotFinite`] and [`QuantityError::OutOfBounds`].
-    pub fn new(number: f64, unit: &'static Unit) -> Result<Self, QuantityError> {
-        let quantity = Self { number, unit };
-        let value = format!("{} {unit}", format_number(number));
-        if !number.is_finite() {
-            return Err(QuantityError::NotFinite { value });
-        }
-        if quantity.si().abs() > unit.dimension().bound() {
-            return Err(QuantityError::OutOfBounds { value, unit });
-        }
-        Ok(quantity)
-    }
-
-    /// A value in SI ([`Dimension::si_unit`]).
-    ///
-    /// # Errors
-    ///
-    /// [`QuantityError::NotFinite`] and [`QuantityError::OutOfBounds`].
-    pub fn from_si(value: f64, dimension: Dimension) -> Result<Self, QuantityError> {
-        Self::new(value, find_unit(dimension.si_unit(), dimension.si_unit(), dimension)?)
-    }
-
-    /// Reads a text such as `"6.3 ft"`, which has to be of the given dimension.
-    ///
-    /// ```
-    /// use case::{Dimension, Quantity};
-    /// let distance = Quantity::parse("6.3 ft", Dimension::Length)?;
-    /// assert!((distance.si() - 1.92024).abs() < 1e-12); // NIST SP 811: 1 ft = 0.3048 m
-    /// assert_eq!(distance.to_string(), "6.3 ft");
-    /// # Ok::<(), case::QuantityError>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// Every variant of [`QuantityError`]: each says what is wrong and, by [`QuantityError::help`], what to write.
-    pub fn parse(text: &str, dimension: Dimension) -> Result<Self, QuantityError> {
-        let text = text.trim();
-        if text.is_empty() {
-            return Err(QuantityError::Empty { dimension });
-        }
-        let (number, rest) = split_number(text);
-        let Some(number) = number else {
-            return Err(not_a_number(text, dimension));
-        };
-        let unit = find_unit(text, rest.trim(), dimension)?;
-        if number.is_infinite() {
-            // As written: "inf mph" would not show the user's own digits.
-            return Err(QuantityError::NotFinite { value: shorten(text) });
-        }
-        Self::new(number, unit)
-    }
-}
-
-impl fmt::Display for Quantity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}", format_number(self.number), self.unit)
-    }
+    Ok(Quantity::new(number, unit)?)
 }
 
 /// The unit that `spelling` names in `dimension`, or the error that tells why not; `text` is the whole value.
@@ -123,20 +45,20 @@ pub(crate) fn find_unit(
     spelling: &str,
     dimension: Dimension,
 ) -> Result<&'static Unit, QuantityError> {
-    if let Some(unit) = dimension.unit(spelling) {
+    if let Some(unit) = read_unit(spelling, dimension) {
         return Ok(unit);
     }
     let value = shorten(text);
     if spelling.is_empty() {
         return Err(QuantityError::MissingUnit { value, dimension });
     }
-    if let Some(range) = slips::range(text, Some(dimension)) {
+    if let Some(range) = number_slips::range(text, Some(dimension)) {
         return Err(QuantityError::RangeInText { value, range });
     }
-    if let Some(decimal) = slips::decimal(text, dimension) {
+    if let Some(decimal) = number_slips::decimal(text, dimension) {
         return Err(QuantityError::NotDecimal { value, decimal });
     }
-    if let Some((unit, numbers)) = slips::mark(spelling, dimension).zip(text.strip_suffix(spelling)) {
+    if let Some((unit, numbers)) = number_slips::mark(spelling, dimension).zip(text.strip_suffix(spelling)) {
         let decimal = format!("{} {unit}", shorten(numbers.trim_end()));
         return Err(QuantityError::NotDecimal { value, decimal });
     }
@@ -146,7 +68,7 @@ pub(crate) fn find_unit(
         return Err(bad_number(value, dimension));
     }
     let found: Vec<Dimension> =
-        Dimension::ALL.into_iter().filter(|other| other.unit(spelling).is_some()).collect();
+        Dimension::ALL.into_iter().filter(|other| read_unit(spelling, *other).is_some()).collect();
     let spelling = shorten(spelling);
     if found.is_empty() {
         Err(QuantityError::UnknownUnit { value, spelling, dimension })
@@ -157,9 +79,11 @@ pub(crate) fn find_unit(
 
 pub(crate) fn not_a_number(text: &str, dimension: Dimension) -> QuantityError {
     let value = shorten(text);
-    if dimension.unit(text).is_some() {
+    if read_unit(text, dimension).is_some() {
         QuantityError::MissingNumber { value, dimension }
-    } else if let Some(decimal) = slips::decimal(text, dimension).or_else(|| slips::typed(text, dimension)) {
+    } else if let Some(decimal) =
+        number_slips::decimal(text, dimension).or_else(|| number_slips::typed(text, dimension))
+    {
         QuantityError::NotDecimal { value, decimal }
     } else {
         bad_number(value, dimension)
@@ -283,20 +207,9 @@ pub enum QuantityError {
         /// What was wanted.
         dimension: Dimension,
     },
-    /// Not a number, or infinite.
-    #[error("\"{value}\" is not a finite number")]
-    NotFinite {
-        /// The whole value.
-        value: String,
-    },
-    /// Beyond [`Dimension::bound`].
-    #[error("\"{value}\" is beyond what is plausible for {}", unit.dimension())]
-    OutOfBounds {
-        /// The whole value.
-        value: String,
-        /// Its unit.
-        unit: &'static Unit,
-    },
+    /// Number and unit are read, but make no quantity.
+    #[error(transparent)]
+    Invalid(#[from] InvalidQuantity),
 }
 
 impl QuantityError {
@@ -364,8 +277,8 @@ impl QuantityError {
                     None => dimension_help(*dimension),
                 }
             }
-            Self::NotFinite { .. } => "write a finite decimal number".to_owned(),
-            Self::OutOfBounds { unit, .. } => format!(
+            Self::Invalid(InvalidQuantity::NotFinite { .. }) => "write a finite decimal number".to_owned(),
+            Self::Invalid(InvalidQuantity::OutOfBounds { unit, .. }) => format!(
                 "the largest magnitude accepted for {} is {}; check the number and its unit",
                 unit.dimension(),
                 format_limit(unit.dimension().bound(), unit, Limit::Most)

@@ -8,61 +8,34 @@ mod vehicle;
 
 use toml::de::DeTable;
 
-use crate::axes::Axes;
-use crate::case::{Case, Reconstruct, Vehicle};
+use crate::case_problem::CaseProblem;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::foreign;
-use crate::problem::Problem;
-use crate::quantity::Quantity;
+use crate::other_files;
+use crate::program::Program;
 use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, SCENE, TOP};
 use crate::source::{Source, Spans};
-use crash3::EnergyBasis;
-use reconcile::Unknown;
+use inputs::{Axes, Case, ENERGY_BASES, FaultKind, Faults, LeftOut, Reconstruct, UNKNOWNS, contradictions};
 use tree::{Reader, Table};
 
-/// A case and the text it came from.
+/// A case and the text that it came from.
 #[derive(Clone, Debug)]
 pub struct CaseFile {
     /// What the file says.
     pub case: Case,
-    /// The file, for problems that show only in a computation.
+    /// The file, for faults that show only in a computation.
     pub source: Source,
 }
 
 impl CaseFile {
-    /// A problem with a well-formed case, placed at a key such as `"vehicle1.crush.width"` or a table such as
-    /// `"vehicle1"`; where that is absent, at the nearest table around it.
-    #[must_use]
-    pub fn problem(&self, path: &str, message: impl Into<String>, help: Option<String>) -> Diagnostic {
-        Diagnostic::new(self.source.nearest_span(path), Problem::CrossCheck { message: message.into(), help })
-    }
-
-    /// A problem with the case as a whole.
-    #[must_use]
-    pub fn refusal(&self, message: impl Into<String>, help: Option<String>) -> Diagnostics {
-        let problem = Problem::CrossCheck { message: message.into(), help };
-        Diagnostics::new(self.source.clone(), vec![Diagnostic::new(None, problem)])
-    }
-
-    /// Ends a round of such checks.
-    ///
-    /// # Errors
-    ///
-    /// The problems, if there are any.
-    pub fn accept(&self, problems: Vec<Diagnostic>) -> Result<(), Diagnostics> {
-        if problems.is_empty() { Ok(()) } else { Err(Diagnostics::new(self.source.clone(), problems)) }
-    }
-}
-
-impl Case {
-    /// (bytes) the largest file that is read: a case is a page of text, and two profiles of 10,000 stations fill a quarter of this. A text
-    /// that is wrong at every byte costs the TOML parser 200 times its size in memory, which this bounds.
+    /// (bytes) the largest file that is read: a case is a page of text, and two profiles of 10,000 stations
+    /// fill a quarter of this. A text that is wrong at every byte costs the TOML parser 200 times its size in
+    /// memory, which this bounds.
     pub const LARGEST_FILE: usize = 1_000_000;
 
     /// Reads the text of a case file; `name` is what errors call it.
     ///
     /// ```
-    /// let file = case::Case::parse("barrier.toml", r#"
+    /// let file = case::CaseFile::parse("barrier.toml", r#"
     ///     [vehicle1]
     ///     mass  = "1676 kg"
     ///     speed = "35 mph"
@@ -71,26 +44,26 @@ impl Case {
     /// "#)?;
     /// assert!(file.case.vehicles[1].fixed);
     ///
-    /// let error = case::Case::parse("barrier.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
+    /// let error = case::CaseFile::parse("barrier.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
     /// assert!(error.to_string().contains("barrier.toml:2:9"));
     /// # Ok::<(), case::Diagnostics>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// All problems of the file at once: see [`Problem`] for the kinds.
-    pub fn parse(name: &str, text: &str) -> Result<CaseFile, Diagnostics> {
+    /// All problems of the file at once: see [`CaseProblem`] for the kinds.
+    pub fn parse(name: &str, text: &str) -> Result<Self, Diagnostics> {
         Self::parse_bytes(name, text.as_bytes())
     }
 
-    /// The same of the bytes of a file, which may turn out to be no text at all. One that is cut off behind [`LARGEST_FILE`](Self::LARGEST_FILE) is refused for
-    /// its length.
+    /// The same of the bytes of a file, which may turn out to be no text at all. One that is cut off behind
+    /// [`LARGEST_FILE`](Self::LARGEST_FILE) is refused for its length.
     ///
     /// # Errors
     ///
     /// As [`parse`](Self::parse); of a file of another kind, one that says which.
-    pub fn parse_bytes(name: &str, bytes: &[u8]) -> Result<CaseFile, Diagnostics> {
-        let text = foreign::text(bytes, Self::LARGEST_FILE).map_err(|problem| {
+    pub fn parse_bytes(name: &str, bytes: &[u8]) -> Result<Self, Diagnostics> {
+        let text = other_files::text(bytes, Self::LARGEST_FILE).map_err(|problem| {
             let source = Source::new(name, "", Spans::default());
             Diagnostics::new(source, vec![Diagnostic::new(None, problem)])
         })?;
@@ -100,9 +73,38 @@ impl Case {
         let (spans, problems) = reader.finish(&errors);
         let source = Source::new(name, text, spans);
         match case {
-            Some(case) if problems.is_empty() => Ok(CaseFile { case, source }),
+            Some(case) if problems.is_empty() => Ok(Self { case, source }),
             _ => Err(Diagnostics::new(source, problems)),
         }
+    }
+
+    /// The faults of its case, each at its key in the file; where the key is absent, at the nearest table
+    /// around it. Their texts are in the words of a program, and their examples in the units of the file.
+    ///
+    /// ```
+    /// use case::{CaseFile, Program};
+    ///
+    /// let file = CaseFile::parse("car.toml", "[vehicle1]\nheading = \"0 deg\"\n[vehicle2]\nfixed = true")?;
+    /// let faults = file.case.collision().unwrap_err();
+    /// let errors = file.diagnostics(&faults, &Program::NONE).to_string();
+    /// assert!(errors.contains("`vehicle1.weight` is missing: `impact` needs it"));
+    /// assert!(errors.contains("car.toml:1:1"));
+    /// # Ok::<(), case::Diagnostics>(())
+    /// ```
+    #[must_use]
+    pub fn diagnostics(&self, faults: &Faults, program: &'static Program) -> Diagnostics {
+        let placed = faults.list().iter().map(|fault| {
+            let problem = CaseProblem::Fault {
+                message: fault.message(program.name),
+                help: fault.advice.as_ref().map(|advice| match fault.kind {
+                    // It quotes the file itself.
+                    FaultKind::NothingUncertain => advice.clone(),
+                    _ => self.source.units_in_use().suited(&fault.key, advice),
+                }),
+            };
+            Diagnostic::new(self.source.nearest_span(&fault.key), problem)
+        });
+        Diagnostics::new(self.source.clone(), placed.collect()).in_words_of(program)
     }
 }
 
@@ -118,23 +120,27 @@ impl<'t> Reader<'t> {
         let reconstruct = self.child(&top, "reconstruct", &RECONSTRUCT).map(|table| self.reconstruct(&table));
 
         let vehicles = [first?, second?];
-        if let [Vehicle { fixed: true, .. }, Vehicle { fixed: true, .. }] = vehicles {
-            self.report_path("vehicle2.fixed", Problem::BothFixed);
-        } else if let Some(Some(Reconstruct { find, .. })) = reconstruct {
-            let (vehicle, other, name) = match find {
-                Unknown::Speed1 => (&vehicles[0], "vehicle2", "vehicle1"),
-                Unknown::Speed2 => (&vehicles[1], "vehicle1", "vehicle2"),
-            };
-            if vehicle.fixed {
-                self.report_path("reconstruct.find", Problem::FindsFixed { vehicle: name, other });
-            }
+        let find = reconstruct.flatten().map(|reconstruct| reconstruct.find);
+        for fault in contradictions(&vehicles, find) {
+            let problem =
+                CaseProblem::Fault { message: fault.message(Program::NONE.name), help: fault.advice };
+            self.report_path(&fault.key, problem);
         }
-        self.evidence(&vehicles);
         let (impact, reconstruct) = (optional(impact)?, optional(reconstruct)?);
-        let mut case = Case { title, source, axes, vehicles, impact, reconstruct, ranges: Vec::new() };
+        let left_out = LeftOut {
+            axes: !self.says("scene.axes"),
+            law: impact.is_some() && !self.says("impact.law"),
+            energy_basis: reconstruct.is_some() && !self.says("reconstruct.energy_basis"),
+            fit: ["vehicle1", "vehicle2"].map(|vehicle| {
+                let test = format!("{vehicle}.crush.stiffness.test");
+                self.says(&test) && !self.says(&format!("{test}.fit"))
+            }),
+        };
+        let mut case =
+            Case { title, source, axes, vehicles, impact, reconstruct, ranges: Vec::new(), left_out };
         case.ranges = case.inputs().iter().filter_map(|input| self.take_range(&input.path)).collect();
         if let Some(first_too_many) = case.ranges.get(MOST_RANGES) {
-            let problem = Problem::TooManyRanges { count: case.ranges.len(), limit: MOST_RANGES };
+            let problem = CaseProblem::TooManyRanges { count: case.ranges.len(), limit: MOST_RANGES };
             self.report_path(&first_too_many.path, problem);
         }
         Some(case)
@@ -143,37 +149,13 @@ impl<'t> Reader<'t> {
     fn axes(&mut self, scene: &Table<'t>) -> Option<Axes> {
         const FORMS: &str = "\"z-up\", with y to the left and angles counter-clockwise positive, or \"z-down\", those of SAE J670, with y to the right \
                              and angles clockwise positive";
-        self.choice_among(scene, "axes", &Axes::ALL.map(|axes| (axes.name(), axes)), FORMS)
-    }
-
-    /// A crush that is inferred needs one that was measured.
-    fn evidence(&mut self, vehicles: &[Vehicle; 2]) {
-        let inferred = vehicles.each_ref().map(|v| v.crush.as_ref().is_some_and(|c| c.from_force_balance));
-        let problem = |i: usize| {
-            let names = ["vehicle1", "vehicle2"];
-            Problem::NothingMeasured { vehicle: names[i], other: names[1 - i] }
-        };
-        match inferred {
-            [true, true] => self.report_path("vehicle2.crush.from_force_balance", Problem::BothInferred),
-            [true, false] if vehicles[1].crush.is_none() => {
-                self.report_path("vehicle1.crush.from_force_balance", problem(0));
-            }
-            [false, true] if vehicles[0].crush.is_none() => {
-                self.report_path("vehicle2.crush.from_force_balance", problem(1));
-            }
-            _ => {}
-        }
+        self.choice_among(scene, "axes", &Axes::WORDS, FORMS)
     }
 
     fn reconstruct(&mut self, table: &Table<'t>) -> Option<Reconstruct> {
         self.require(table, &["find"]);
-        let find = self.choice(
-            table,
-            "find",
-            &[("vehicle1.speed", Unknown::Speed1), ("vehicle2.speed", Unknown::Speed2)],
-        );
-        let choices = [("dissipated", EnergyBasis::Dissipated), ("absorbed", EnergyBasis::Absorbed)];
-        let energy_basis = self.choice(table, "energy_basis", &choices);
+        let find = self.choice(table, "find", &UNKNOWNS);
+        let energy_basis = self.choice(table, "energy_basis", &ENERGY_BASES);
         Some(Reconstruct { find: find?, energy_basis: energy_basis.unwrap_or_default() })
     }
 }
@@ -185,9 +167,4 @@ fn optional<T>(part: Option<Option<T>>) -> Option<Option<T>> {
         Some(sound) => Some(sound),
         None => Some(None),
     }
-}
-
-/// Whether two quantities of one dimension differ by more than the share `tolerance` of the first.
-fn differ(first: &Quantity, second_si: f64, tolerance: f64) -> bool {
-    (first.si() - second_si).abs() > tolerance * first.si()
 }

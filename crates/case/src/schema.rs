@@ -1,16 +1,21 @@
 //! The tables of a case file and their keys: what an error text and the JSON Schema say of them.
 
 use crate::nearest::join;
-use crate::range::Bounds;
-use crate::units::Dimension;
+use crate::units::read_unit;
+use inputs::{
+    Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, Fit, LawName, OBLIQUE_CORRECTIONS, SIDES,
+    UNKNOWNS, words_of,
+};
 
 /// The largest number of stations: far more than any scan of a vehicle gives.
 pub(crate) const MOST_STATIONS: usize = 10_000;
 
-/// The largest number of zones, each with a stiffness of its own: as many as a stiffness was ever told apart in, and many more.
+/// The largest number of zones, each with a stiffness of its own: as many as a stiffness was ever told apart
+/// in, and many more.
 pub(crate) const MOST_ZONES: usize = 1_000;
 
-/// The largest number of ranges. Each costs as much time as the whole case, and stands for an error that is independent of all others.
+/// The largest number of ranges. Each costs as much time as the whole case, and stands for an error that is
+/// independent of all others.
 pub(crate) const MOST_RANGES: usize = 500;
 
 /// One key.
@@ -51,8 +56,8 @@ pub(crate) enum Form {
     Flag,
     /// One of these words.
     Words(&'static [&'static str]),
-    /// The name of an impact law.
-    Law,
+    /// The name of an impact law: one of these words.
+    Law(&'static [&'static str]),
     /// A whole number from 1 to this.
     Count(u8),
     /// A plain number, or a range.
@@ -85,6 +90,42 @@ pub(crate) enum Form {
     Percent,
     /// In a range: greater than 0 and less than 1.
     Probability,
+}
+
+/// What a quantity has to be.
+#[derive(Clone, Copy)]
+pub(crate) struct Measure {
+    pub(crate) dimension: Dimension,
+    pub(crate) bounds: Bounds,
+    /// Why it has to be greater than zero, where that is worth saying.
+    pub(crate) why: &'static str,
+}
+
+impl Measure {
+    /// The same of one that has to be greater than zero, for a reason.
+    pub(crate) fn positive(self, why: &'static str) -> Self {
+        Self { bounds: Bounds::Positive, why, ..self }
+    }
+}
+
+impl Form {
+    /// What a quantity is, or each of several.
+    pub(crate) fn measure(self) -> Option<Measure> {
+        let (dimension, bounds) = match self {
+            Self::Quantity(dimension, bounds) | Self::Quantities(dimension, bounds, _) => (dimension, bounds),
+            Self::AngleOrHour => (Dimension::Angle, Bounds::None),
+            _ => return None,
+        };
+        Some(Measure { dimension, bounds, why: "" })
+    }
+
+    /// The bounds of a plain number, or of each of several.
+    pub(crate) fn bounds(self) -> Option<Bounds> {
+        match self {
+            Self::Number(bounds) | Self::Numbers(bounds) | Self::NumberOrTable(bounds, _) => Some(bounds),
+            _ => None,
+        }
+    }
 }
 
 /// A table: its keys, and how an error text says where they belong.
@@ -169,7 +210,7 @@ pub(crate) static SCENE: Schema = Schema {
     keys: &[key(
         "axes",
         "axes = \"z-down\"",
-        Form::Words(&["z-up", "z-down"]),
+        Form::Words(&words_of(&Axes::WORDS)),
         "Axes of the file. `\"z-up\"`, also where absent: y to the left of x, angles and yaw rates positive counter-clockwise seen from above. `\"z-down\"`, as in SAE J670: y to the right, clockwise positive.",
     )],
     rules: &[],
@@ -294,7 +335,7 @@ pub(crate) static CRUSH: Schema = Schema {
         key(
             "side",
             "side = \"front\"",
-            Form::Words(&["front", "rear", "left", "right"]),
+            Form::Words(&words_of(&SIDES)),
             "Damaged side. The side of the vehicle whose face was crushed.",
         ),
         key(
@@ -349,7 +390,7 @@ pub(crate) static CRUSH: Schema = Schema {
         key(
             "oblique",
             "oblique = \"capped\"",
-            Form::WordsOrTable(&["capped", "uncapped", "none", "secant"], &OBLIQUE),
+            Form::WordsOrTable(&words_of(&OBLIQUE_CORRECTIONS), &OBLIQUE),
             "Correction of the crush energy for an oblique force. `\"capped\"`, also where absent: 1 + tan²α with α at most 45°, as in CRASH3; `\"uncapped\"`: without that limit; `\"secant\"`: 1/cos α; `\"none\"`; or `{ friction = 0.5 }`: limited by friction.",
         ),
     ],
@@ -371,7 +412,12 @@ pub(crate) static IMPACT: Schema = Schema {
             Form::Quantity(Dimension::Angle, ANY),
             "Scene angle Γ of the normal of the crush plane. From x; seen from above, positive counter-clockwise, or clockwise under `axes = \"z-down\"`. The plane itself lies along the surface on which the vehicles touched; Γ and Γ + 180° are the same plane.",
         ),
-        key("law", "law = \"brach\"", Form::Law, "Impact law. `\"brach\"` where absent."),
+        key(
+            "law",
+            "law = \"brach\"",
+            Form::Law(&words_of(&LawName::WORDS)),
+            "Impact law. `\"brach\"` where absent.",
+        ),
         key(
             "restitution",
             "restitution = 0.3",
@@ -381,7 +427,7 @@ pub(crate) static IMPACT: Schema = Schema {
         key(
             "tangential",
             "tangential = \"critical\"",
-            Form::WordsOrTable(&["critical"], &TANGENTIAL),
+            Form::WordsOrTable(&words_of(&BrachTangential::WORDS), &TANGENTIAL),
             "What happens along the crush plane, under Brach's law. `\"critical\"`: sliding ends by separation, as in most collisions that are not sideswipes; or a table with `ratio`, `fraction` or `friction`.",
         ),
         key(
@@ -412,29 +458,33 @@ pub(crate) static IMPACT: Schema = Schema {
     rules: &[Rule::Needs(&["crush_plane"]), Rule::KeysOfLaw],
 };
 
-/// The impact laws that `law` of [impact] can name.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum LawName {
-    Brach,
-    Woolley,
-    Ishikawa,
-    KudlichSlibar,
-}
+/// What the file has to say of an impact law.
+pub(crate) trait KeysOfLaw: Copy {
+    /// The keys of [impact] that the law has to have, besides crush_plane.
+    fn needed(self) -> &'static [&'static str];
 
-impl LawName {
-    pub(crate) const ALL: [Self; 4] = [Self::Brach, Self::Woolley, Self::Ishikawa, Self::KudlichSlibar];
+    /// The key that it may have.
+    fn optional(self) -> Option<&'static str>;
 
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Brach => "brach",
-            Self::Woolley => "woolley",
-            Self::Ishikawa => "ishikawa",
-            Self::KudlichSlibar => "kudlich-slibar",
-        }
+    fn uses(self, key: &str) -> bool {
+        key == "crush_plane"
+            || key == "law"
+            || self.needed().contains(&key)
+            || self.optional().is_some_and(|own| own == key)
     }
 
-    /// The keys of [impact] that the law has to have, besides crush_plane.
-    pub(crate) fn needed(self) -> &'static [&'static str] {
+    /// Its keys in words.
+    fn keys(self) -> String {
+        let needed = [&["crush_plane"], self.needed()].concat();
+        match self.optional() {
+            Some(key) => format!("{} and, if wanted, {key}", needed.join(", ")),
+            None => join(&needed, "and"),
+        }
+    }
+}
+
+impl KeysOfLaw for LawName {
+    fn needed(self) -> &'static [&'static str] {
         match self {
             Self::Brach => &["restitution", "tangential"],
             Self::Woolley => &[],
@@ -443,35 +493,18 @@ impl LawName {
         }
     }
 
-    /// The key that it may have.
-    pub(crate) fn optional(self) -> Option<&'static str> {
+    fn optional(self) -> Option<&'static str> {
         match self {
             Self::Brach => Some("moment_restitution"),
             Self::Woolley => Some("tangential_velocity_change"),
             Self::Ishikawa | Self::KudlichSlibar => None,
         }
     }
+}
 
-    pub(crate) fn uses(self, key: &str) -> bool {
-        key == "crush_plane"
-            || key == "law"
-            || self.needed().contains(&key)
-            || self.optional().is_some_and(|own| own == key)
-    }
-
-    /// Its keys in words.
-    pub(crate) fn keys(self) -> String {
-        let needed = [&["crush_plane"], self.needed()].concat();
-        match self.optional() {
-            Some(key) => format!("{} and, if wanted, {key}", needed.join(", ")),
-            None => join(&needed, "and"),
-        }
-    }
-
-    /// The laws that use a key.
-    pub(crate) fn of_key(key: &str) -> Vec<&'static str> {
-        Self::ALL.into_iter().filter(|law| law.uses(key)).map(Self::name).collect()
-    }
+/// The laws that use a key of [impact].
+pub(crate) fn laws_of_key(key: &str) -> Vec<&'static str> {
+    LawName::WORDS.into_iter().filter(|(_, law)| law.uses(key)).map(|(name, _)| name).collect()
 }
 
 pub(crate) static RECONSTRUCT: Schema = Schema {
@@ -481,13 +514,13 @@ pub(crate) static RECONSTRUCT: Schema = Schema {
         key(
             "find",
             "find = \"vehicle1.speed\"",
-            Form::Words(&["vehicle1.speed", "vehicle2.speed"]),
+            Form::Words(&words_of(&UNKNOWNS)),
             "Speed that is looked for. The other vehicle's has to be known, or that vehicle fixed.",
         ),
         key(
             "energy_basis",
             "energy_basis = \"dissipated\"",
-            Form::Words(&["dissipated", "absorbed"]),
+            Form::Words(&words_of(&ENERGY_BASES)),
             "What the crush energy is. `\"dissipated\"`, also where absent: what stays in the deformed structure after rebound, as in SAE 980025; `\"absorbed\"`: what was taken up at maximum engagement, as stiffness from the impact speeds of barrier tests gives it.",
         ),
     ],
@@ -661,7 +694,7 @@ pub(crate) static TEST: Schema = Schema {
         key(
             "fit",
             "fit = \"exact\"",
-            Form::Words(&["exact", "mean"]),
+            Form::Words(&words_of(&Fit::WORDS)),
             "How the stiffness is fitted. `\"exact\"`, also where absent: the kinetic energy of the test comes back; `\"mean\"`: through the mean crush, which gives some per cent too much.",
         ),
     ],
@@ -817,7 +850,8 @@ static ALL: [&Schema; 11] = [
     &RESTITUTION,
 ];
 
-/// The path of every key of a case file, tables included: `scene`, `scene.axes`, `vehicle1`, …, `vehicle1.crush.stiffness.d0`, …
+/// The path of every key of a case file, tables included: `scene`, `scene.axes`, `vehicle1`, …,
+/// `vehicle1.crush.stiffness.d0`, …
 ///
 /// Those of a range, which can stand in the place of any number, are not among them.
 ///
@@ -830,8 +864,9 @@ pub fn keys() -> Vec<String> {
     walked(|_| true)
 }
 
-/// The path of every key of a case file that holds a number or several, each of which can be a range: `vehicle1.mass`, …,
-/// `impact.restitution`, `impact.restitution.speeds`, … They are among [`keys`], and have no numbers of elements.
+/// The path of every key of a case file that holds a number or several, each of which can be a range:
+/// `vehicle1.mass`, …, `impact.restitution`, `impact.restitution.speeds`, … They are among [`keys`], and have
+/// no numbers of elements.
 ///
 /// ```
 /// let keys = case::number_keys();
@@ -850,7 +885,7 @@ pub fn number_keys() -> Vec<String> {
         Form::Text
         | Form::Flag
         | Form::Words(_)
-        | Form::Law
+        | Form::Law(_)
         | Form::Count(_)
         | Form::Vehicle
         | Form::Table(_)
@@ -901,26 +936,19 @@ const OTHER_NAMES: [(&str, &str); 7] = [
 
 /// The line that sets a key of this name to a quantity of that dimension, in any table.
 pub(crate) fn example_of(name: &str, dimension: Dimension) -> Option<&'static str> {
-    let keys = ALL.into_iter().chain([&TEST]).flat_map(|schema| schema.keys);
-    let of_dimension = |key: &&Key| {
-        key.name == name
-            && matches!(key.form, Form::Quantity(of_key, _) | Form::Quantities(of_key, ..) if of_key == dimension)
-    };
-    keys.into_iter().find(of_dimension).map(|key| key.example)
+    let mut keys = keys_named(name);
+    let of_dimension = |key: &&Key| key.form.measure().is_some_and(|measure| measure.dimension == dimension);
+    keys.find(of_dimension).map(|key| key.example)
 }
 
 /// What a key of this name measures, in any table: nothing where it is no quantity.
 pub(crate) fn dimensions_of(name: &str) -> Vec<Dimension> {
-    let schemas = ALL.into_iter().chain([&TEST]);
-    schemas
-        .flat_map(|schema| schema.keys)
-        .filter(|key| key.name == name)
-        .filter_map(|key| match key.form {
-            Form::Quantity(dimension, _) | Form::Quantities(dimension, ..) => Some(dimension),
-            Form::AngleOrHour => Some(Dimension::Angle),
-            _ => None,
-        })
-        .collect()
+    keys_named(name).filter_map(|key| Some(key.form.measure()?.dimension)).collect()
+}
+
+fn keys_named(name: &str) -> impl Iterator<Item = &'static Key> {
+    let keys = ALL.into_iter().chain([&TEST]).flat_map(|schema| schema.keys);
+    keys.filter(move |key| key.name == name)
 }
 
 impl Schema {
@@ -932,9 +960,14 @@ impl Schema {
         self.names().any(|known| known == name)
     }
 
+    /// The row of a key of this table.
+    pub(crate) fn key(&self, name: &str) -> Option<&'static Key> {
+        self.keys.iter().find(|key| key.name == name)
+    }
+
     /// The example line of a key of this table.
     pub(crate) fn example(&self, name: &str) -> &'static str {
-        self.keys.iter().find(|key| key.name == name).map_or("", |key| key.example)
+        self.key(name).map_or("", |key| key.example)
     }
 
     /// The key of this table that goes by another name elsewhere.
@@ -947,7 +980,7 @@ impl Schema {
     pub(crate) fn without_unit(&self, name: &str) -> Option<&'static str> {
         let (key, unit) = name.rsplit_once(['_', '-', ' '])?;
         let known = self.names().find(|known| *known == key)?;
-        dimensions_of(key).iter().any(|dimension| dimension.unit(unit).is_some()).then_some(known)
+        dimensions_of(key).iter().any(|dimension| read_unit(unit, *dimension).is_some()).then_some(known)
     }
 
     /// Where a key that this table does not have belongs.

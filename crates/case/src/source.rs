@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 
 use toml::de::DeTable;
 
-use crate::written::Written;
+use crate::units_in_use::UnitsInUse;
 
 /// (bytes) where each key's value, or each table's header, stands.
 #[derive(Clone, Debug, Default)]
@@ -34,17 +34,18 @@ pub struct Source {
     text: String,
     spans: Spans,
     /// Boxed, so that an error is no larger for it.
-    written: OnceLock<Box<Written>>,
+    units_in_use: OnceLock<Box<UnitsInUse>>,
 }
 
 impl Source {
     pub(crate) fn new(name: &str, text: &str, spans: Spans) -> Self {
-        Self { name: name.to_owned(), text: text.to_owned(), spans, written: OnceLock::new() }
+        Self { name: name.to_owned(), text: text.to_owned(), spans, units_in_use: OnceLock::new() }
     }
 
     /// The units of the file. It is read once more for them, which only an error has to pay for.
-    pub(crate) fn written(&self) -> &Written {
-        self.written.get_or_init(|| Box::new(Written::of(DeTable::parse_recoverable(&self.text).0.get_ref())))
+    pub(crate) fn units_in_use(&self) -> &UnitsInUse {
+        self.units_in_use
+            .get_or_init(|| Box::new(UnitsInUse::of(DeTable::parse_recoverable(&self.text).0.get_ref())))
     }
 
     /// The name under which the file was read.
@@ -59,14 +60,15 @@ impl Source {
         &self.text
     }
 
-    /// (bytes) where the value of a key such as `"vehicle1.crush.width"` stands, or the header of a table such
-    /// as `"vehicle1"`.
+    /// (bytes) where the value of a key such as `"vehicle1.crush.width"` stands, or the header of a table
+    /// such as `"vehicle1"`.
     #[must_use]
     pub fn span(&self, path: &str) -> Option<Range<usize>> {
         self.spans.get(path)
     }
 
-    /// (bytes) where a key stands or, where it is absent, the nearest table around it. `None` is the file itself.
+    /// (bytes) where a key stands or, where it is absent, the nearest table around it. `None` is the file
+    /// itself.
     #[must_use]
     pub fn nearest_span(&self, path: &str) -> Option<Range<usize>> {
         self.spans.nearest(path)

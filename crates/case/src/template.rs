@@ -1,13 +1,13 @@
 //! Case files to begin with.
 
-use crate::units::UnitSystem;
+use inputs::UnitSystem;
 
 /// A commented case that runs as it is, of one kind of collision. The numbers are invented.
 ///
 /// ```
-/// use case::{Case, Template, UnitSystem};
+/// use case::{CaseFile, Template, UnitSystem};
 ///
-/// let file = Case::parse("case.toml", Template::Barrier.text(UnitSystem::Us))?;
+/// let file = CaseFile::parse("case.toml", Template::Barrier.text(UnitSystem::Us))?;
 /// assert!(file.case.vehicles[1].fixed);
 /// # Ok::<(), case::Diagnostics>(())
 /// ```
@@ -41,7 +41,8 @@ impl Template {
         }
     }
 
-    /// The case file, in the units of a custom: its numbers are round in them, so that the two tell of two collisions of a kind.
+    /// The case file, in the units of a custom: its numbers are round in them, so that the two tell of two
+    /// collisions of a kind.
     #[must_use]
     pub fn text(self, units: UnitSystem) -> &'static str {
         match (self, units) {

@@ -1,15 +1,12 @@
-//! Units: which spellings a case file may use for each dimension, and what they are in SI.
-//!
-//! There is no unit algebra: every accepted unit is a row of an explicit table, with its exact factor. What
-//! is not in the table is refused, with the list of what is.
+//! Units as people spell them: which texts name a unit of the table, and which unit a misspelt one was meant
+//! to be.
 
 mod pattern;
 mod spelling;
-mod table;
 #[cfg(test)]
 mod tests;
 
-use std::fmt;
+use inputs::{Dimension, Unit};
 
 use crate::nearest::LONGEST;
 
@@ -17,207 +14,24 @@ pub(crate) use pattern::{HOUR, list_pattern, pattern, percent_pattern};
 pub(crate) use spelling::nearest_unit;
 use spelling::{Pound, is_pound_a_force, normalise};
 
-/// (N/kg, m/s²) standard gravity, which turns a weight into a mass: exact by definition (3rd CGPM, 1901; NIST SP 811,
-/// appendix B.8).
-pub const STANDARD_GRAVITY: f64 = 9.80665;
-
-/// What a quantity measures. Each key of the case file has one dimension.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Dimension {
-    /// (m) widths, depths, distances.
-    Length,
-    /// (kg) mass; here `lb` is the pound of mass.
-    Mass,
-    /// (N) weight; here `lb` is the pound-force.
-    Weight,
-    /// (m/s) speed.
-    Speed,
-    /// (rad) angle.
-    Angle,
-    /// (rad/s) yaw rate.
-    YawRate,
-    /// (kg·m²) yaw moment of inertia.
-    Inertia,
-    /// (N/m) stiffness coefficient A: force per unit width at which crush begins.
-    StiffnessA,
-    /// (N/m²) stiffness coefficient B: force per unit width and depth.
-    StiffnessB,
-    /// (N) stiffness coefficient G: energy per unit width taken without residual crush.
-    StiffnessG,
-    /// (√N) d₀ = A/√B.
-    RootForce,
-    /// (√N/m) d₁ = √B.
-    RootForcePerLength,
-}
-
-impl Dimension {
-    /// All dimensions, in the order of the unit table.
-    pub const ALL: [Self; 12] = [
-        Self::Length,
-        Self::Mass,
-        Self::Weight,
-        Self::Speed,
-        Self::Angle,
-        Self::YawRate,
-        Self::Inertia,
-        Self::StiffnessA,
-        Self::StiffnessB,
-        Self::StiffnessG,
-        Self::RootForce,
-        Self::RootForcePerLength,
-    ];
-
-    /// The name with its article, as an error text needs it: "a length", "an angle".
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Length => "a length",
-            Self::Mass => "a mass",
-            Self::Weight => "a weight",
-            Self::Speed => "a speed",
-            Self::Angle => "an angle",
-            Self::YawRate => "a yaw rate",
-            Self::Inertia => "a moment of inertia",
-            Self::StiffnessA => "a stiffness A",
-            Self::StiffnessB => "a stiffness B",
-            Self::StiffnessG => "a stiffness G",
-            Self::RootForce => "a root of force (d0)",
-            Self::RootForcePerLength => "a root of force per length (d1)",
-        }
+/// The unit of `dimension` that a text names, if it has one.
+///
+/// Forgives what does not change the meaning: `·`, `*` and `-` between units, `²`, `√`, spelled-out words.
+///
+/// ```
+/// use case::{Dimension, Unit, read_unit};
+///
+/// assert_eq!(read_unit("feet/second", Dimension::Speed).map(Unit::spelling), Some("ft/s"));
+/// assert_eq!(read_unit("furlongs", Dimension::Length), None);
+/// ```
+#[must_use]
+pub fn read_unit(text: &str, dimension: Dimension) -> Option<&'static Unit> {
+    if text.len() > LONGEST {
+        return None;
     }
-
-    /// The SI unit in which [`Quantity::si`](crate::Quantity::si) gives values of this dimension.
-    #[must_use]
-    pub fn si_unit(self) -> &'static str {
-        match self {
-            Self::Length => "m",
-            Self::Mass => "kg",
-            Self::Weight | Self::StiffnessG => "N",
-            Self::Speed => "m/s",
-            Self::Angle => "rad",
-            Self::YawRate => "rad/s",
-            Self::Inertia => "kg m^2",
-            Self::StiffnessA => "N/m",
-            Self::StiffnessB => "N/m^2",
-            Self::RootForce => "N^0.5",
-            Self::RootForcePerLength => "N^0.5/m",
-        }
-    }
-
-    /// (SI) the largest magnitude a case file may give. Far beyond any vehicle, and small enough that no
-    /// equation downstream can overflow: what exceeds it is a slip of the keyboard.
-    #[must_use]
-    pub fn bound(self) -> f64 {
-        match self {
-            Self::Length => 1e3,
-            Self::Mass => 1e6,
-            Self::Weight => 1e7,
-            Self::Speed | Self::YawRate => 1e3,
-            Self::Angle => 1e5 * table::DEGREE,
-            Self::Inertia => 1e9,
-            Self::StiffnessA | Self::StiffnessG => 1e8,
-            Self::StiffnessB => 1e10,
-            Self::RootForce => 1e4,
-            Self::RootForcePerLength => 1e5,
-        }
-    }
-
-    /// (SI) the smallest value accepted where a quantity has to be positive: below it a division downstream
-    /// could overflow, and no vehicle has it.
-    #[must_use]
-    pub fn least_positive(self) -> f64 {
-        match self {
-            Self::Length => 1e-6,
-            Self::Mass => 1e-3,
-            Self::Weight => 1e-2,
-            Self::Speed | Self::YawRate | Self::Angle => 1e-9,
-            Self::Inertia => 1e-9,
-            Self::StiffnessA | Self::StiffnessB | Self::StiffnessG => 1e-3,
-            Self::RootForce | Self::RootForcePerLength => 1e-3,
-        }
-    }
-
-    /// The units of this dimension, in the order in which error texts list them.
-    #[must_use]
-    pub fn units(self) -> &'static [Unit] {
-        table::units(self)
-    }
-
-    /// The unit written as `spelling`, if this dimension has it.
-    ///
-    /// Forgives what does not change the meaning: `·`, `*` and `-` between units, `²`, `√`, spelled-out words.
-    #[must_use]
-    pub fn unit(self, spelling: &str) -> Option<&'static Unit> {
-        if spelling.len() > LONGEST {
-            return None;
-        }
-        let wanted = normalise(spelling, Pound::AsWritten);
-        let of_force = wanted.contains("lbf").then(|| normalise(spelling, Pound::Force));
-        let is_meant =
-            |known| known == wanted || (of_force.as_deref() == Some(known) && is_pound_a_force(known, self));
-        self.units().iter().find(|unit| unit.spellings().any(is_meant))
-    }
-}
-
-impl fmt::Display for Dimension {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-/// The two customs of units a case may be written in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum UnitSystem {
-    /// Metric.
-    Si,
-    /// US customary.
-    Us,
-}
-
-/// One accepted unit: a row of the table.
-#[derive(Debug, PartialEq)]
-pub struct Unit {
-    spelling: &'static str,
-    others: &'static [&'static str],
-    factor: f64,
-    system: Option<UnitSystem>,
-    dimension: Dimension,
-}
-
-impl Unit {
-    /// The spelling used when a value is written back.
-    #[must_use]
-    pub fn spelling(&self) -> &'static str {
-        self.spelling
-    }
-
-    /// Every accepted spelling, the canonical one first.
-    pub fn spellings(&self) -> impl Iterator<Item = &'static str> + use<> {
-        std::iter::once(self.spelling).chain(self.others.iter().copied())
-    }
-
-    /// What one of this unit is in SI.
-    #[inline(always)]
-    #[must_use]
-    pub fn factor(&self) -> f64 {
-        self.factor
-    }
-
-    /// The custom this unit belongs to; `None` for what both use, such as degrees.
-    #[must_use]
-    pub fn system(&self) -> Option<UnitSystem> {
-        self.system
-    }
-
-    /// What this unit measures.
-    #[must_use]
-    pub fn dimension(&self) -> Dimension {
-        self.dimension
-    }
-}
-
-impl fmt::Display for Unit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.spelling)
-    }
+    let wanted = normalise(text, Pound::AsWritten);
+    let of_force = wanted.contains("lbf").then(|| normalise(text, Pound::Force));
+    let is_meant =
+        |known| known == wanted || (of_force.as_deref() == Some(known) && is_pound_a_force(known, dimension));
+    dimension.units().iter().find(|unit| unit.spellings().any(is_meant))
 }

@@ -8,7 +8,7 @@
     reason = "helpers of tests fail by panicking"
 )]
 
-use case::{Case, CaseFile, Damage, Evidence, Fit, InferredWidth, StiffnessSource, YawSource};
+use case::{CaseFile, DamageData, Evidence, Fit, InferredWidth, StiffnessSource, YawSource, to_toml};
 use crash3::{ObliqueCorrection, Side, SideStiffness, Stiffness, crush_energy};
 
 /// Two cars, each with the lines given for it and for its crush.
@@ -17,9 +17,9 @@ fn cars([first, second]: [(&str, &str); 2]) -> CaseFile {
         "[vehicle1]\nmass = \"1500 kg\"\n{}\n[vehicle1.crush]\n{}\n[vehicle2]\nmass = \"1200 kg\"\n{}\n[vehicle2.crush]\n{}\n",
         first.0, first.1, second.0, second.1
     );
-    let file = Case::parse("cars.toml", &text).map_err(|error| error.to_string()).unwrap();
+    let file = CaseFile::parse("cars.toml", &text).map_err(|error| error.to_string()).unwrap();
     // Written back and read again it is the same case.
-    assert_eq!(Case::parse("again.toml", &file.case.to_toml()).unwrap().case, file.case);
+    assert_eq!(CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap().case, file.case);
     file
 }
 
@@ -27,8 +27,13 @@ const YAW: &str = "yaw_radius = \"1.4 m\"";
 const FRONT: &str = "side = \"front\"\nwidth = \"1.5 m\"\ndepths = \"0.3 0.3 m\"";
 const FORCE: &str = "oblique_angle = \"0 deg\"\nmoment_arm = \"0 m\"";
 
-fn damages(file: &CaseFile) -> [Damage; 2] {
-    file.crush().map_err(|error| error.to_string()).unwrap().vehicles.map(|vehicle| vehicle.damage.unwrap())
+fn damages(file: &CaseFile) -> [DamageData; 2] {
+    file.case
+        .damage()
+        .map_err(|error| error.to_string())
+        .unwrap()
+        .vehicles
+        .map(|vehicle| vehicle.damage.unwrap())
 }
 
 /// The stiffness that these lines give the front of vehicle 1.
@@ -108,7 +113,7 @@ fn yaw_inertia_comes_from_the_file_then_the_class_then_burg() {
     let crush = format!("{FRONT}\nstiffness = {{ category = 1 }}\n{FORCE}");
     let inertia = |lines: &str| {
         let file = cars([(lines, &crush), (YAW, &crush)]);
-        let [first, _] = file.crush().unwrap().vehicles;
+        let [first, _] = file.case.damage().unwrap().vehicles;
         let inertia = first.inertia.unwrap();
         (inertia.yaw_inertia, inertia.yaw_source, first.dimensions)
     };
@@ -171,7 +176,7 @@ fn one_pdof_and_two_headings_give_the_other_pdof() {
 }
 
 fn refusal(file: &CaseFile) -> String {
-    file.crush().map_err(|error| error.to_string()).unwrap_err()
+    file.case.damage().map_err(|error| error.to_string()).unwrap_err()
 }
 
 #[test]
@@ -229,7 +234,11 @@ fn a_reconstruction_with_a_force_balance_needs_a_direction() {
              [vehicle2]\nmass = \"1500 kg\"\n{YAW}\nheading = \"0 deg\"\nspeed = \"0 m/s\"\ncontact = {{ x = \"-2 m\", y = \"0 m\" }}\n[vehicle2.crush]\n{inferred}\n\
              [impact]\ncrush_plane = \"0 deg\"\nrestitution = 0\ntangential = \"critical\"\n[reconstruct]\nfind = \"vehicle1.speed\"\n"
         );
-        Case::parse("rear-end.toml", &text).unwrap().reconstruction().map_err(|error| error.to_string())
+        CaseFile::parse("rear-end.toml", &text)
+            .unwrap()
+            .case
+            .reconstruction()
+            .map_err(|error| error.to_string())
     };
     let text = reconstruct("").unwrap_err();
     assert!(

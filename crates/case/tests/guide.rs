@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use case::{Case, Problem};
+use case::{CaseFile, CaseProblem};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/guide")
@@ -32,10 +32,12 @@ fn blocks<'a>(page: &'a str, language: &str) -> Vec<&'a str> {
 }
 
 /// A piece of a case file may leave out what it is not about. All that it does say has to be right.
-fn is_of_a_piece(problem: &Problem) -> bool {
+fn is_of_a_piece(problem: &CaseProblem) -> bool {
     matches!(
         problem,
-        Problem::MissingTable { .. } | Problem::MissingKey { .. } | Problem::MissingKeyOfLaw { .. }
+        CaseProblem::MissingTable { .. }
+            | CaseProblem::MissingKey { .. }
+            | CaseProblem::MissingKeyOfLaw { .. }
     )
 }
 
@@ -44,7 +46,7 @@ fn every_piece_of_a_case_file_is_read() {
     let mut count = 0;
     for (name, page) in pages() {
         for block in blocks(&page, "toml") {
-            if let Err(errors) = Case::parse(&name, block) {
+            if let Err(errors) = CaseFile::parse(&name, block) {
                 for diagnostic in errors.list() {
                     assert!(is_of_a_piece(diagnostic.problem()), "{name}: {errors}");
                 }
@@ -60,9 +62,9 @@ fn every_piece_of_a_case_file_is_read() {
 fn the_tutorial_writes_the_paper_s_example() {
     let page = fs::read_to_string(folder().join("tutorial.md")).unwrap();
     let text = blocks(&page, "toml")[..3].join("\n");
-    let case = Case::parse("tutorial.md", &text).unwrap_or_else(|errors| panic!("{errors}")).case;
+    let case = CaseFile::parse("tutorial.md", &text).unwrap_or_else(|errors| panic!("{errors}")).case;
     let fixture = fs::read_to_string(folder().join("../../fixtures/sae-980025.toml")).unwrap();
-    let paper = Case::parse("sae-980025.toml", &fixture).unwrap_or_else(|errors| panic!("{errors}")).case;
+    let paper = CaseFile::parse("sae-980025.toml", &fixture).unwrap_or_else(|errors| panic!("{errors}")).case;
     assert_eq!(case.vehicles, paper.vehicles);
     assert_eq!((case.axes, case.impact, case.reconstruct), (paper.axes, paper.impact, paper.reconstruct));
 }

@@ -10,9 +10,16 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use case::Case;
+use case::{CaseFile, Program};
 
 use crate::changes::{BASE, changed, folder, invalid_cases};
+
+/// As the program words them: the texts are what its users see.
+static PROGRAM: Program = Program {
+    begins: Some("`deltav new`"),
+    describes_classes: Some("`deltav explain class`"),
+    ..Program::NONE
+};
 
 /// The names of the texts.
 fn texts() -> BTreeSet<String> {
@@ -30,12 +37,12 @@ fn every_invalid_case_has_its_text() {
     assert!(cases.len() >= 270, "only {} invalid cases were found", cases.len());
     let mut failures = Vec::new();
     for (name, text) in &cases {
-        let Err(diagnostics) = Case::parse(&format!("{name}.toml"), text) else {
+        let Err(diagnostics) = CaseFile::parse(&format!("{name}.toml"), text) else {
             failures.push(format!("{name}.toml is accepted"));
             continue;
         };
         assert!(!diagnostics.list().is_empty(), "{name}.toml is refused without a reason");
-        let rendered = format!("{diagnostics}\n");
+        let rendered = format!("{}\n", diagnostics.in_words_of(&PROGRAM));
         let expected = folder().join(format!("{name}.txt"));
         if update {
             fs::write(&expected, &rendered).unwrap();
@@ -55,9 +62,18 @@ fn every_invalid_case_has_its_text() {
 #[test]
 fn every_error_says_what_to_write() {
     for (name, text) in invalid_cases() {
-        for diagnostic in Case::parse(&name, &text).unwrap_err().list() {
+        for diagnostic in CaseFile::parse(&name, &text).unwrap_err().list() {
             assert!(diagnostic.problem().help().is_some(), "{name}: {} has no help", diagnostic.problem());
         }
+    }
+}
+
+/// A library has no commands to point to.
+#[test]
+fn no_command_is_named_without_a_program() {
+    for (name, text) in invalid_cases() {
+        let errors = CaseFile::parse(&name, &text).unwrap_err().to_string();
+        assert!(!errors.contains("deltav"), "{name}: {errors}");
     }
 }
 
@@ -65,7 +81,7 @@ fn every_error_says_what_to_write() {
 #[test]
 fn the_case_that_is_changed_is_valid() {
     let text = fs::read_to_string(folder().join(format!("{BASE}.toml"))).unwrap();
-    if let Err(diagnostics) = Case::parse("base.toml", &text) {
+    if let Err(diagnostics) = CaseFile::parse("base.toml", &text) {
         panic!("{diagnostics}");
     }
 }

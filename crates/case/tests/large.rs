@@ -4,7 +4,7 @@
 
 use std::time::{Duration, Instant};
 
-use case::{Case, Diagnostics, Problem};
+use case::{CaseFile, CaseProblem, Diagnostics};
 
 const VEHICLE2: &str = "[vehicle2]\nfixed = true\n";
 
@@ -14,7 +14,7 @@ const SOON: Duration = Duration::from_secs(20);
 
 /// `head`, then `unit` as often as a case file has room for, then `tail`.
 fn filled(head: &str, unit: &str, tail: &str) -> String {
-    let room = Case::LARGEST_FILE - head.len() - tail.len();
+    let room = CaseFile::LARGEST_FILE - head.len() - tail.len();
     format!("{head}{}{tail}", unit.repeat(room / unit.len()))
 }
 
@@ -23,7 +23,7 @@ fn numbered(line: impl Fn(usize) -> String) -> String {
     let mut text = String::new();
     for number in 0.. {
         let next = line(number);
-        if text.len() + next.len() > Case::LARGEST_FILE {
+        if text.len() + next.len() > CaseFile::LARGEST_FILE {
             break;
         }
         text += &next;
@@ -39,7 +39,7 @@ fn crush(line: &str) -> String {
 #[track_caller]
 fn soon(name: &str, text: &str) -> Result<(), Diagnostics> {
     let start = Instant::now();
-    let result = Case::parse("large.toml", text).map(drop);
+    let result = CaseFile::parse("large.toml", text).map(drop);
     if let Err(diagnostics) = &result {
         let shown = diagnostics.to_string();
         assert!(shown.len() < 100_000, "{name}: {} bytes of errors", shown.len());
@@ -55,7 +55,10 @@ fn ten_megabytes_are_refused_unread() {
         match soon(part, &text) {
             Ok(()) => panic!("{part:?} is accepted"),
             Err(found) => {
-                assert_eq!(*found.list()[0].problem(), Problem::TooLarge { limit: Case::LARGEST_FILE });
+                assert_eq!(
+                    *found.list()[0].problem(),
+                    CaseProblem::TooLarge { limit: CaseFile::LARGEST_FILE }
+                );
                 assert_eq!(found.source().text(), "", "the text is not kept");
             }
         }
@@ -64,7 +67,7 @@ fn ten_megabytes_are_refused_unread() {
 
 #[test]
 fn the_largest_file_is_read_soon() {
-    let room = Case::LARGEST_FILE;
+    let room = CaseFile::LARGEST_FILE;
     let vehicles = format!("[vehicle1]\nmass = \"1 kg\"\n{VEHICLE2}");
     for (name, text) in [
         ("comments", filled(&vehicles, "# x\n", "")),

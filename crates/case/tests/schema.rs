@@ -7,7 +7,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use case::{Case, Dimension, Problem, Quantity, QuantityError, Template, UnitSystem, json_schema};
+use case::{
+    CaseFile, CaseProblem, Dimension, QuantityError, Template, UnitSystem, json_schema, read_quantity,
+};
 use jsonschema::Validator;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -280,8 +282,8 @@ fn words() -> BTreeSet<String> {
     let mut words: BTreeSet<String> = ["Front", "top", "brach-law"].map(str::to_owned).into();
     for (path, _) in keys(&schema()) {
         for text in of_key(&path, "\"\u{1}\"") {
-            for diagnostic in Case::parse("case.toml", &text).unwrap_err().list() {
-                if let Problem::UnknownChoice { choices, .. } = diagnostic.problem() {
+            for diagnostic in CaseFile::parse("case.toml", &text).unwrap_err().list() {
+                if let CaseProblem::UnknownChoice { choices, .. } = diagnostic.problem() {
                     words.extend(choices.split('"').skip(1).step_by(2).map(str::to_owned));
                 }
             }
@@ -348,12 +350,12 @@ fn the_schema_judges_values_as_the_reader_does() {
 /// Whether the reader finds no fault within the value, which is the last of the text.
 fn reads(text: &str, value: &str) -> bool {
     let start = text.len() - value.len();
-    let Err(errors) = Case::parse("case.toml", text) else { return true };
+    let Err(errors) = CaseFile::parse("case.toml", text) else { return true };
     !errors.list().iter().any(|one| {
         match one.problem() {
-            Problem::KeyOfOtherLaw { .. } => true,
+            CaseProblem::KeyOfOtherLaw { .. } => true,
             // Not of this key alone, or arithmetic.
-            Problem::HalfOutline { .. } | Problem::NotAcute { .. } => false,
+            CaseProblem::HalfOutline { .. } | CaseProblem::NotAcute { .. } => false,
             _ => one.span().is_some_and(|span| span.end > start),
         }
     })
@@ -444,12 +446,12 @@ proptest! {
 /// Whether the schema takes this text for the key, and whether the reader reads it.
 fn taken_and_read(key: &str, dimension: Dimension, text: &str) -> (bool, bool) {
     let takes = PATTERNS[key].is_valid(&json!(text));
-    let reads = match Quantity::parse(text, dimension) {
+    let reads = match read_quantity(text, dimension) {
         Ok(quantity) => {
             quantity.number() >= 0.0
                 || matches!(dimension, Dimension::Speed | Dimension::YawRate | Dimension::Angle)
         }
-        Err(QuantityError::NotFinite { .. } | QuantityError::OutOfBounds { .. }) => takes,
+        Err(QuantityError::Invalid(_)) => takes,
         Err(_) => false,
     };
     (takes, reads)

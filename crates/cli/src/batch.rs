@@ -9,9 +9,9 @@ use std::sync::mpsc;
 
 use analysis::Failure;
 use anyhow::{Context as _, Result};
-use case::{Case, Diagnostics};
+use case::{CaseFile, Diagnostics};
 use rayon::ThreadPool;
-use report::{Refused, Row, RowError, Units};
+use report::{PROGRAM, Refused, Row, RowError, Units};
 
 use crate::progress::Progress;
 use crate::{Analyse, read};
@@ -146,12 +146,15 @@ fn rows(
 fn analysed(path: &Path, analyse: Analyse, format: Rows) -> Written {
     let file = path.display().to_string();
     let sentence = |error: String| (on_one_line(&error), String::new());
-    let of_case = |errors: Diagnostics| (errors.one_line(), errors.help_on_one_line());
+    let of_case = |errors: Diagnostics| {
+        let errors = errors.in_words_of(&PROGRAM);
+        (errors.one_line(), errors.help_on_one_line())
+    };
     let answer = read(path).map_err(|error| sentence(format!("{error:#}"))).and_then(|(name, bytes)| {
-        let file = Case::parse_bytes(&name, &bytes).map_err(of_case)?;
-        match analyse(&file) {
+        let file = CaseFile::parse_bytes(&name, &bytes).map_err(of_case)?;
+        match analyse(&file.case) {
             Ok(analysis) => Ok((file.case, analysis)),
-            Err(Failure::Case(errors)) => Err(of_case(errors)),
+            Err(Failure::Case(faults)) => Err(of_case(file.diagnostics(&faults, &PROGRAM))),
             Err(failure) => Err(sentence(report::no_answer(&failure, Units::of_case(&file.case)))),
         }
     });

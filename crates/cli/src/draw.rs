@@ -18,7 +18,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         What::Energy => Subject::Energy,
     };
     let units = crate::units(arguments.units, &file);
-    let analysis = crate::answered(analysis::furthest(&file), units)?;
+    let analysis = crate::answered(analysis::furthest(&file.case), &file, units)?;
     let drawing = report::drawing(&file, &analysis, units, subject)?;
     // A drawing has no room for sentences, and standard output may be the drawing.
     let warnings = report::warnings(&file.case, &analysis, units).text();

@@ -22,7 +22,7 @@ use arguments::{
     UnitSystem, ValidateArguments,
 };
 use batch::{Job, Rows};
-use case::{Case, CaseFile};
+use case::{Case, CaseFile, Diagnostics};
 use clap::Parser as _;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use report::{Document, DrawingError, Supplement, Units};
@@ -30,7 +30,7 @@ use uncertainty::{SamplingMethod, Settings};
 use validation::{Data, Validation};
 
 /// What a command makes of a case.
-type Analyse = fn(&CaseFile) -> Result<Analysis, Failure>;
+type Analyse = fn(&Case) -> Result<Analysis, Failure>;
 
 /// Samples behind the uncertainty in a report: enough for three digits, in a blink.
 const SUPPLEMENT_SAMPLES: usize = 20_000;
@@ -81,16 +81,13 @@ fn run(command: Command) -> Result<()> {
 
 /// What stands before the message, and the exit status.
 fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
-    match error.downcast_ref::<Failure>() {
-        // Diagnostics render themselves with the word "error" and their place in the file.
-        Some(Failure::Case(_)) => ("", WRONG_INPUT),
-        Some(_) => ("error: ", WRONG_INPUT),
-        None if error.is::<NoAnswer>() => ("error: ", NO_ANSWER),
-        None if error.is::<NotReproduced>() => ("error: ", NO_ANSWER),
-        None if error.is::<batch::Incomplete>() => ("error: ", NO_ANSWER),
-        None if error.is::<DrawingError>() => ("error: ", NO_ANSWER),
-        None => ("error: ", WRONG_INPUT),
-    }
+    let is_no_answer = error.is::<NoAnswer>()
+        || error.is::<NotReproduced>()
+        || error.is::<batch::Incomplete>()
+        || error.is::<DrawingError>();
+    // Diagnostics render themselves with the word "error" and their place in the file.
+    let lead = if error.is::<Diagnostics>() { "" } else { "error: " };
+    (lead, if is_no_answer { NO_ANSWER } else { WRONG_INPUT })
 }
 
 fn report_or_rows(arguments: CasesArguments, analyse: Analyse) -> Result<()> {
@@ -115,7 +112,7 @@ fn report_or_rows(arguments: CasesArguments, analyse: Analyse) -> Result<()> {
 fn report_analysis(arguments: &Arguments, analyse: Analyse) -> Result<()> {
     let file = case_file(&arguments.case)?;
     let units = units(arguments.units, &file);
-    let analysis = answered(analyse(&file), units)?;
+    let analysis = answered(analyse(&file.case), &file, units)?;
     let document = match arguments.format {
         // In a terminal the results; the report to hand over has all steps and the case file besides.
         Format::Text | Format::Json => report::results(&file.case, &analysis, units),
@@ -163,15 +160,15 @@ fn supplements(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec
     }
     let samples = supplement_samples(file.case.inputs().len());
     let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None };
-    let uncertainty = analysis::uncertainty(file, &plan, &mut |_, _, _| ControlFlow::Continue(()));
-    let uncertainty = answered(uncertainty, units)?;
+    let uncertainty = analysis::uncertainty(&file.case, &plan, &mut |_, _, _| ControlFlow::Continue(()));
+    let uncertainty = answered(uncertainty, file, units)?;
     let mut supplements = vec![Supplement {
         title: "Uncertainty",
         document: report::uncertainty(&file.case, &uncertainty, units),
     }];
     if analysis.found.is_some() {
-        let sensitivity = analysis::sensitivity(file, Sweep { step: 5_f64.to_radians(), steps: 2 });
-        let sensitivity = answered(sensitivity, units)?;
+        let sensitivity = analysis::sensitivity(&file.case, Sweep { step: 5_f64.to_radians(), steps: 2 });
+        let sensitivity = answered(sensitivity, file, units)?;
         let document = report::sensitivity(&file.case, &sensitivity, units);
         supplements.push(Supplement { title: "Sensitivity", document });
     }
@@ -184,7 +181,7 @@ fn supplement_samples(numbers: usize) -> usize {
 
 fn report_judgement(arguments: &Arguments) -> Result<()> {
     let file = case_file(&arguments.case)?;
-    let judgement = analysis::judge(&file);
+    let judgement = analysis::judge(&file.case);
     let document = report::judgement(&file, &judgement, units(arguments.units, &file));
     present(&document, arguments, || report::judgement_json(&file, &judgement))
 }
@@ -203,7 +200,7 @@ fn explain(ExplainArguments { topic, format, output }: &ExplainArguments) -> Res
 fn report_comparison(arguments: &Arguments) -> Result<()> {
     let file = case_file(&arguments.case)?;
     let units = units(arguments.units, &file);
-    let comparison = answered(analysis::compare(&file), units)?;
+    let comparison = answered(analysis::compare(&file.case), &file, units)?;
     let document = report::comparison(&file.case, &comparison, units);
     present(&document, arguments, || report::comparison_json(&file.case, &comparison))
 }
@@ -214,7 +211,7 @@ fn report_sensitivity(
     let file = case_file(&arguments.case)?;
     let sweep = Sweep { step: pdof_step.to_radians(), steps: *pdof_steps };
     let units = units(arguments.units, &file);
-    let sensitivity = answered(analysis::sensitivity(&file, sweep), units)?;
+    let sensitivity = answered(analysis::sensitivity(&file.case, sweep), &file, units)?;
     let document = report::sensitivity(&file.case, &sensitivity, units);
     present(&document, arguments, || report::sensitivity_json(&file.case, &sensitivity))
 }
@@ -222,7 +219,7 @@ fn report_sensitivity(
 fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
     let file = case_file(&arguments.arguments.case)?;
     let units = units(arguments.arguments.units, &file);
-    let uncertainty = answered(propagate(&file, arguments)?, units)?;
+    let uncertainty = answered(propagate(&file.case, arguments)?, &file, units)?;
     if let Some(path) = &arguments.samples_out {
         let cannot = || format!("cannot write the samples to {}", path.display());
         let mut out = BufWriter::new(fs::File::create(path).with_context(cannot)?);
@@ -246,7 +243,7 @@ fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
     present(&document, &arguments.arguments, || report::uncertainty_json(&file.case, &uncertainty))
 }
 
-fn propagate(file: &CaseFile, arguments: &UncertaintyArguments) -> Result<Result<Uncertainty, Failure>> {
+fn propagate(case: &Case, arguments: &UncertaintyArguments) -> Result<Result<Uncertainty, Failure>> {
     let method = match arguments.method {
         arguments::Method::MonteCarlo => SamplingMethod::MonteCarlo,
         arguments::Method::LatinHypercube => SamplingMethod::LatinHypercube,
@@ -257,7 +254,7 @@ fn propagate(file: &CaseFile, arguments: &UncertaintyArguments) -> Result<Result
     let pool = pool(arguments.threads)?;
     let mut progress = progress::Progress::new()?;
     Ok(pool.install(|| {
-        analysis::uncertainty(file, &plan, &mut |stage, done, total| {
+        analysis::uncertainty(case, &plan, &mut |stage, done, total| {
             let counted = match stage {
                 Stage::Samples => "samples",
                 Stage::Indices => "rows for the indices",
@@ -275,7 +272,7 @@ fn pool(threads: Option<u16>) -> Result<ThreadPool> {
 
 fn case_file(path: &Path) -> Result<CaseFile> {
     let (name, bytes) = read(path)?;
-    Ok(Case::parse_bytes(&name, &bytes).map_err(Failure::from)?)
+    Ok(CaseFile::parse_bytes(&name, &bytes).map_err(|errors| errors.in_words_of(&report::PROGRAM))?)
 }
 
 fn units(asked: Option<UnitSystem>, file: &CaseFile) -> Units {
@@ -304,9 +301,10 @@ impl std::fmt::Display for NoAnswer {
 impl std::error::Error for NoAnswer {}
 
 /// The answer, or a failure that says so in the units of the reader; what is wrong with the file speaks its own.
-fn answered<T>(answer: Result<T, Failure>, units: Units) -> Result<T> {
+fn answered<T>(answer: Result<T, Failure>, file: &CaseFile, units: Units) -> Result<T> {
     answer.map_err(|failure| match failure {
-        Failure::Case(_) | Failure::Ranges(_) => failure.into(),
+        Failure::Case(faults) => file.diagnostics(&faults, &report::PROGRAM).into(),
+        Failure::Ranges(_) => failure.into(),
         failure => NoAnswer(report::no_answer(&failure, units)).into(),
     })
 }
@@ -356,7 +354,7 @@ fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
 /// One byte more than a case may have is enough to refuse it; a device or a pipe may have no end.
 fn read_at_most(source: impl io::Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    source.take(Case::LARGEST_FILE as u64 + 1).read_to_end(&mut bytes)?;
+    source.take(CaseFile::LARGEST_FILE as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
@@ -391,7 +389,7 @@ fn write(path: Option<&Path>, output: impl AsRef<[u8]>) -> Result<()> {
 mod tests {
     use std::{fs, io};
 
-    use case::Case;
+    use case::CaseFile;
 
     use crate::arguments::{Format, ValidateArguments};
 
@@ -399,7 +397,7 @@ mod tests {
 
     #[test]
     fn a_source_without_end_is_left_after_one_byte_too_many() {
-        assert_eq!(read_at_most(io::repeat(b'x')).unwrap().len(), Case::LARGEST_FILE + 1);
+        assert_eq!(read_at_most(io::repeat(b'x')).unwrap().len(), CaseFile::LARGEST_FILE + 1);
     }
 
     #[test]

@@ -6,8 +6,8 @@
 //! ```
 //! use deltav::prelude::*;
 //!
-//! let file = Case::parse("sae-980025.toml", deltav::case::EXAMPLE)?; // or the text of a case file of your own
-//! let analysis = reconstruct(&file)?;
+//! let file = CaseFile::parse("sae-980025.toml", deltav::case::EXAMPLE)?; // or the text of a case file of your own
+//! let analysis = reconstruct(&file.case)?;
 //! let found = analysis.found.as_ref().ok_or("a reconstruction finds a speed")?;
 //! assert!((found.speed - 22.9).abs() < 0.05); // the paper: 22.9 m/s
 //!
@@ -42,8 +42,9 @@
 //! | [`crash3`] | CRASH3 damage: profile, stiffness, crush energy, ΔV |
 //! | [`reconcile`] | the speed that makes the two agree |
 //! | [`uncertainty`] | propagates input ranges to the results of any function |
-//! | [`case`] | the case file: TOML, units, diagnostics |
-//! | [`analysis`] | from a case to a finished analysis, with its warnings |
+//! | [`inputs`] | what is known of a collision: numbers with units and ranges; what an analysis needs of them |
+//! | [`case`] | the case file: TOML, its reader and writer, diagnostics |
+//! | [`analysis`] | from these inputs to a finished analysis, with its warnings |
 //! | [`report`] | a finished analysis as text, JSON, HTML, Markdown and drawings |
 //! | [`drawing`] | pictures of a collision and of its numbers, as SVG and PNG |
 //! | [`validation`] | staged collisions beside what the papers print of them |
@@ -55,13 +56,16 @@
 //!
 //! It adds nothing to these crates. No motion before or after the impact, no rest positions, no rollover, no occupant loads.
 
-pub use {analysis, case, crash3, drawing, pim_core, real, reconcile, report, uncertainty, validation};
+pub use {
+    analysis, case, crash3, drawing, inputs, pim_core, real, reconcile, report, uncertainty, validation,
+};
 
 /// What most reconstructions need: `use deltav::prelude::*;`.
 pub mod prelude {
     pub use analysis::{Analysis, Failure, Warning, crush, impact, reconstruct};
-    pub use case::{Case, CaseFile, Diagnostics};
+    pub use case::{CaseFile, Diagnostics};
     pub use crash3::{EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, crush_energy};
+    pub use inputs::{Case, Faults};
     pub use pim_core::{
         Body, Contact, Law, Motion, Outcome, Participant, RestitutionCurve, Tangential, VaryingLaw,
     };

@@ -4,13 +4,13 @@
 
 use std::error::Error;
 
-use case::Case;
+use case::CaseFile;
 use report::{Subject, Units};
 
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     // SAE 980025, appendix.
-    let file = Case::parse("sae-980025.toml", case::EXAMPLE)?;
-    let analysis = analysis::reconstruct(&file)?;
+    let file = CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;
+    let analysis = analysis::reconstruct(&file.case)?;
 
     let text = report::results(&file.case, &analysis, Units::Si).text();
     for line in text.lines().take(5) {

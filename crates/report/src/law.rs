@@ -1,9 +1,8 @@
 //! Impact laws and their coefficients in words.
 
 use analysis::Correction;
-use case::{ImpactLaw, Restitution};
+use case::{BrachTangential, ImpactLaw, OBLIQUE_CORRECTIONS, Restitution, word};
 use crash3::ObliqueCorrection;
-use pim_core::Tangential;
 
 use crate::units::{Quantity, Units};
 
@@ -11,12 +10,12 @@ use crate::units::{Quantity, Units};
 pub(crate) fn name(law: &ImpactLaw) -> &'static str {
     match law {
         ImpactLaw::Brach { tangential, moment_restitution, .. } => match (tangential, moment_restitution) {
-            (Tangential::Critical, Some(0.0)) => "Brach, common yaw rate",
+            (BrachTangential::Critical, Some(0.0)) => "Brach, common yaw rate",
             (_, Some(e_m)) if *e_m > -1.0 => "Brach, moment impulse",
-            (Tangential::Ratio(_), _) => "Brach, impulse ratio",
-            (Tangential::FractionOfCritical(_), _) => "Brach, fraction of μ_c",
-            (Tangential::Friction(_), _) => "Brach, friction limit",
-            _ => "Brach, common tangential velocity",
+            (BrachTangential::Ratio(_), _) => "Brach, impulse ratio",
+            (BrachTangential::FractionOfCritical(_), _) => "Brach, fraction of μ_c",
+            (BrachTangential::Friction(_), _) => "Brach, friction limit",
+            (BrachTangential::Critical, _) => "Brach, common tangential velocity",
         },
         ImpactLaw::Woolley { tangential_velocity_change: None } => "Woolley",
         ImpactLaw::Woolley { tangential_velocity_change: Some(_) } => "Woolley, sideswipe",
@@ -30,10 +29,10 @@ pub(crate) fn coefficients(law: &ImpactLaw, units: Units) -> String {
     match law {
         ImpactLaw::Brach { restitution: e, tangential, moment_restitution } => {
             let tangential = match tangential {
-                Tangential::Ratio(mu) => format!("μ = {mu}"),
-                Tangential::FractionOfCritical(share) => format!("μ = {share} μ_c"),
-                Tangential::Friction(limit) => format!("μ at most {limit}"),
-                _ => "μ = μ_c".to_owned(),
+                BrachTangential::Ratio(mu) => format!("μ = {mu}"),
+                BrachTangential::FractionOfCritical(share) => format!("μ = {share} μ_c"),
+                BrachTangential::Friction(limit) => format!("μ at most {limit}"),
+                BrachTangential::Critical => "μ = μ_c".to_owned(),
             };
             let moment = moment_restitution.map(|e_m| format!(", e_m {e_m}")).unwrap_or_default();
             format!("e {}, {tangential}{moment}", restitution(e, units))
@@ -68,11 +67,8 @@ fn restitution(restitution: &Restitution, units: Units) -> String {
 /// The correction's name in the case file.
 pub(crate) fn correction_name(correction: ObliqueCorrection) -> &'static str {
     match correction {
-        ObliqueCorrection::None => "none",
-        ObliqueCorrection::Capped => "capped",
-        ObliqueCorrection::Uncapped => "uncapped",
         ObliqueCorrection::Friction(_) => "friction",
-        ObliqueCorrection::Secant => "secant",
+        without_number => word(&OBLIQUE_CORRECTIONS, &without_number),
     }
 }
 

@@ -2,8 +2,8 @@
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let file = case::Case::parse("sae-980025.toml", case::EXAMPLE)?;
-//! let analysis = analysis::reconstruct(&file)?;
+//! let file = case::CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;
+//! let analysis = analysis::reconstruct(&file.case)?;
 //! let text = report::results(&file.case, &analysis, report::Units::Us).text();
 //! assert!(text.contains("75.03 ft/s")); // SAE 980025: 75 ft/s
 //! let json = report::json(&file.case, &analysis)?;
@@ -26,8 +26,8 @@
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! # let file = case::Case::parse("sae-980025.toml", case::EXAMPLE)?;
-//! # let analysis = analysis::reconstruct(&file)?;
+//! # let file = case::CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;
+//! # let analysis = analysis::reconstruct(&file.case)?;
 //! let scene = report::drawing(&file, &analysis, report::Units::Us, report::Subject::Scene)?;
 //! assert!(scene.svg().starts_with("<svg"));
 //! # Ok(())
@@ -95,3 +95,4 @@ pub use steps::{Step, StepGroup, steps};
 pub use uncertainty::{histogram, tornado};
 pub use units::Units;
 pub use warnings::{message, warnings};
+pub use words::PROGRAM;

@@ -2,11 +2,10 @@
 
 use analysis::Assumption;
 use case::{
-    Case, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm, StiffnessSource, Unit,
-    UnitSystem,
+    BrachTangential, Case, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm,
+    StiffnessSource, Unit, UnitSystem, word,
 };
 use crash3::ObliqueCorrection;
-use pim_core::Tangential;
 
 use crate::units::{Quantity, Units, significant};
 use crate::words;
@@ -91,11 +90,7 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
         match &crush.stiffness {
             StiffnessForm::Category(category) => say("crush.stiffness.category", category.to_string()),
             StiffnessForm::Test(test) => {
-                let fit = match test.fit {
-                    Fit::Exact => "exact",
-                    Fit::Mean => "mean",
-                };
-                say("crush.stiffness.test.fit", fit.to_owned());
+                say("crush.stiffness.test.fit", word(&Fit::WORDS, &test.fit).to_owned());
             }
             _ => {}
         }
@@ -110,8 +105,9 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
     }
     if let Some(impact) = &case.impact {
         choices.push(("impact.law".to_owned(), impact.law.name().to_owned()));
-        if matches!(impact.law, ImpactLaw::Brach { tangential: Tangential::Critical, .. }) {
-            choices.push(("impact.tangential".to_owned(), "critical".to_owned()));
+        if matches!(impact.law, ImpactLaw::Brach { tangential: BrachTangential::Critical, .. }) {
+            let critical = word(&BrachTangential::WORDS, &BrachTangential::Critical);
+            choices.push(("impact.tangential".to_owned(), critical.to_owned()));
         }
     }
     if let Some(reconstruct) = &case.reconstruct {

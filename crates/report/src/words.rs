@@ -1,22 +1,23 @@
 //! Names of what the engines tell apart, and what is said of a stiffness and a speed: below all that writes a document.
 
-use case::{Fit, StiffnessSource};
+use case::{ENERGY_BASES, Fit, Program, SIDES, StiffnessSource, UNKNOWNS, word};
 use crash3::{DoubtfulDigit, EnergyBasis, Side};
 use pim_core::Regime;
 use reconcile::Unknown;
 
+/// The commands of the program `deltav`, for errors that point to them.
+pub static PROGRAM: Program = Program {
+    name: |purpose| format!("`deltav {purpose}`"),
+    begins: Some("`deltav new`"),
+    describes_classes: Some("`deltav explain class`"),
+};
+
 pub(crate) fn basis_name(basis: EnergyBasis) -> &'static str {
-    match basis {
-        EnergyBasis::Dissipated => "dissipated",
-        EnergyBasis::Absorbed => "absorbed",
-    }
+    word(&ENERGY_BASES, &basis)
 }
 
 pub(crate) fn unknown_name(unknown: Unknown) -> &'static str {
-    match unknown {
-        Unknown::Speed1 => "vehicle1.speed",
-        Unknown::Speed2 => "vehicle2.speed",
-    }
+    word(&UNKNOWNS, &unknown)
 }
 
 /// Whether damage is laid off from the vehicle's axis, and not from beside its CG.
@@ -30,12 +31,7 @@ pub(crate) fn undisplaced(side: Side) -> &'static str {
 }
 
 pub(crate) fn side_name(side: Side) -> &'static str {
-    match side {
-        Side::Front => "front",
-        Side::Right => "right",
-        Side::Rear => "rear",
-        Side::Left => "left",
-    }
+    word(&SIDES, &side)
 }
 
 /// Where a stiffness comes from, short enough for a column.

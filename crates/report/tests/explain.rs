@@ -7,7 +7,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use analysis::{Analysis, Warning};
-use case::{Case, CaseFile};
+use case::CaseFile;
 use report::{explanation, list_of_topics, topic, topic_json, topics, topics_json};
 
 /// Every valid case of the fixtures.
@@ -19,7 +19,7 @@ fn cases() -> Vec<CaseFile> {
             fs::read_dir(root.join(folder)).unwrap().map(|entry| entry.unwrap().path()).collect();
         paths.sort();
         for path in paths.iter().filter(|path| path.extension().is_some_and(|e| e == "toml")) {
-            cases.extend(Case::parse(&path.display().to_string(), &fs::read_to_string(path).unwrap()));
+            cases.extend(CaseFile::parse(&path.display().to_string(), &fs::read_to_string(path).unwrap()));
         }
     }
     assert!(cases.len() > 30);
@@ -27,7 +27,9 @@ fn cases() -> Vec<CaseFile> {
 }
 
 fn analyses(file: &CaseFile) -> impl Iterator<Item = Analysis> {
-    [analysis::reconstruct(file), analysis::impact(file), analysis::crush(file)].into_iter().flatten()
+    [analysis::reconstruct(&file.case), analysis::impact(&file.case), analysis::crush(&file.case)]
+        .into_iter()
+        .flatten()
 }
 
 #[track_caller]
@@ -55,7 +57,7 @@ fn every_check_has_a_topic() {
     let both = include_str!("../../../fixtures/sae-980025.toml")
         .replace("side      = \"front\"", "side = \"front\"\npdof = \"0 deg\"")
         .replace("side      = \"right\"", "side = \"right\"\npdof = \"70 deg\"");
-    let both = Case::parse("both.toml", &both).unwrap();
+    let both = CaseFile::parse("both.toml", &both).unwrap();
     for file in cases().into_iter().chain([both]) {
         codes.extend(analyses(&file).flat_map(|analysis| analysis.checks).map(|check| check.code()));
     }
@@ -97,7 +99,7 @@ fn every_key_of_a_case_has_a_topic() {
     // With the places in lists.
     for file in cases() {
         keys.extend(file.case.inputs().into_iter().map(|input| input.path));
-        keys.extend(analysis::judge(&file).assumptions.iter().map(analysis::Assumption::key));
+        keys.extend(analysis::judge(&file.case).assumptions.iter().map(analysis::Assumption::key));
     }
     let of_ranges = ["value", "values", "sd", "low", "mode", "high", "within", "confidence"];
     let without: Vec<&str> =

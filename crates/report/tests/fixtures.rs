@@ -24,7 +24,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use analysis::Analysis;
-use case::{Axes, Case, CaseFile};
+use case::{Axes, CaseFile};
 
 /// Every analysis that a valid case allows, with the name of the case; each case in z-up and in z-down axes.
 fn analyses() -> Vec<(String, CaseFile, Analysis)> {
@@ -42,7 +42,7 @@ fn analyses_in(axes: Axes) -> Vec<(String, CaseFile, Analysis)> {
         for path in paths.into_iter().filter(|path| path.extension().is_some_and(|e| e == "toml")) {
             let text = fs::read_to_string(&path).unwrap();
             // What is not a case: the numbers that the papers print.
-            let Ok(file) = Case::parse(&path.display().to_string(), &text) else {
+            let Ok(file) = CaseFile::parse(&path.display().to_string(), &text) else {
                 assert!(path.ends_with("published.toml"), "{}", path.display());
                 continue;
             };
@@ -53,9 +53,9 @@ fn analyses_in(axes: Axes) -> Vec<(String, CaseFile, Analysis)> {
             };
             let of = |kind: &str| format!("{} {} {kind}", path.file_name().unwrap().display(), axes.name());
             let results = [
-                ("reconstruct", analysis::reconstruct(&file)),
-                ("impact", analysis::impact(&file)),
-                ("crush", analysis::crush(&file)),
+                ("reconstruct", analysis::reconstruct(&file.case)),
+                ("impact", analysis::impact(&file.case)),
+                ("crush", analysis::crush(&file.case)),
             ];
             let before = analyses.len();
             for (kind, result) in results {

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::time::{Duration, Instant};
 
 use analysis::Sweep;
-use case::{Case, CaseFile};
+use case::CaseFile;
 use report::{Subject, Units};
 
 const STATIONS: usize = 10_000;
@@ -25,14 +25,14 @@ fn scanned(stations: usize) -> CaseFile {
             writeln!(text, "{line}").unwrap();
         }
     }
-    Case::parse("scanned.toml", &text).unwrap()
+    CaseFile::parse("scanned.toml", &text).unwrap()
 }
 
 #[test]
 fn the_derivatives_by_all_stations_come_soon() {
     let file = scanned(STATIONS);
     let start = Instant::now();
-    let sensitivity = analysis::sensitivity(&file, Sweep { step: 0.1, steps: 1 }).unwrap();
+    let sensitivity = analysis::sensitivity(&file.case, Sweep { step: 0.1, steps: 1 }).unwrap();
     assert_eq!(sensitivity.derivatives.len(), 3 * file.case.inputs().len());
     assert!(file.case.inputs().len() > 2 * STATIONS);
     assert!(start.elapsed() < SOON, "{:?}", start.elapsed());
@@ -43,7 +43,7 @@ fn the_derivatives_by_all_stations_come_soon() {
 fn a_drawing_does_not_grow_with_the_stations() {
     let drawn = |stations| {
         let file = scanned(stations);
-        let analysis = analysis::reconstruct(&file).unwrap();
+        let analysis = analysis::reconstruct(&file.case).unwrap();
         let drawing = report::drawing(&file, &analysis, Units::Us, Subject::Damage).unwrap();
         let svg = drawing.svg();
         (svg.matches("<circle").count(), svg.matches("<text").count(), svg)
@@ -71,8 +71,8 @@ fn a_page_with_long_texts_comes_soon() {
             _ => format!("{line}\n"),
         })
         .collect();
-    let file = Case::parse("long.toml", &text).unwrap();
-    let analysis = analysis::reconstruct(&file).unwrap();
+    let file = CaseFile::parse("long.toml", &text).unwrap();
+    let analysis = analysis::reconstruct(&file.case).unwrap();
     let start = Instant::now();
     let page = report::handover(&file, &analysis, Vec::new(), Units::Us).unwrap().html();
     assert!(page.matches(name.as_str()).count() > 0);

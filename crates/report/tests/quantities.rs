@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use analysis::{Analysis, Of, OutputQuantity, QUANTITIES, Values};
-use case::{Case, CaseFile};
+use case::CaseFile;
 use serde_json::Value;
 
 /// Every case of these folders under every command that has an answer to it.
@@ -28,11 +28,13 @@ fn analyses() -> Vec<(String, CaseFile, Analysis)> {
     let mut analyses = Vec::new();
     for path in paths {
         let name = path.file_name().unwrap().display().to_string();
-        let Ok(file) = Case::parse(&name, &fs::read_to_string(&path).unwrap_or_default()) else { continue };
+        let Ok(file) = CaseFile::parse(&name, &fs::read_to_string(&path).unwrap_or_default()) else {
+            continue;
+        };
         for (command, answer) in [
-            ("reconstruct", analysis::reconstruct(&file)),
-            ("impact", analysis::impact(&file)),
-            ("crush", analysis::crush(&file)),
+            ("reconstruct", analysis::reconstruct(&file.case)),
+            ("impact", analysis::impact(&file.case)),
+            ("crush", analysis::crush(&file.case)),
         ] {
             if let Ok(analysis) = answer {
                 analyses.push((format!("{command} {name}"), file.clone(), analysis));

@@ -4,7 +4,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
-use case::Case;
+use case::CaseFile;
 use serde_json::Value;
 
 /// What the JSON of a reconstruction says of the speed found.
@@ -12,8 +12,8 @@ use serde_json::Value;
 fn found(name: &str) -> Value {
     let path = format!("{}/../../fixtures/roots/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap();
-    let file = Case::parse(&path, &text).unwrap_or_else(|error| panic!("{error}"));
-    let analysis = analysis::reconstruct(&file).unwrap_or_else(|failure| panic!("{name}: {failure}"));
+    let file = CaseFile::parse(&path, &text).unwrap_or_else(|error| panic!("{error}"));
+    let analysis = analysis::reconstruct(&file.case).unwrap_or_else(|failure| panic!("{name}: {failure}"));
     let mut document: Value = serde_json::from_str(&report::json(&file.case, &analysis).unwrap()).unwrap();
     document["found"].take()
 }

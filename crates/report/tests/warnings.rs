@@ -49,8 +49,8 @@ fn no_force_has_no_ratio() {
          [vehicle2.crush]\nside = \"front\"\nwidth = \"1.4 m\"\ndepths = \"0 0 0 0 cm\"\n\
          stiffness = { A = \"100 N/cm\", B = \"40 N/cm^2\" }\n[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.2\n\
          tangential = \"critical\"\n[reconstruct]\nfind = \"vehicle1.speed\"\n";
-    let file = case::Case::parse("case.toml", text).unwrap();
-    let analysis = analysis::reconstruct(&file).unwrap();
+    let file = case::CaseFile::parse("case.toml", text).unwrap();
+    let analysis = analysis::reconstruct(&file.case).unwrap();
     let found = analysis.warnings.iter().find(|warning| matches!(warning, Warning::ForceBalance { .. }));
     says(found.unwrap(), Axes::ZUp, &["follow from the crush differ: 0 lb on vehicle 1, 3,1"]);
     for output in [

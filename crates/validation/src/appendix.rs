@@ -1,7 +1,7 @@
 //! The paper's example reconstruction.
 
 use analysis::{Analysis, Vehicle};
-use case::Case;
+use case::CaseFile;
 
 use crate::Data;
 use crate::claim::Cell;
@@ -20,8 +20,8 @@ pub struct AppendixFigure {
 }
 
 pub(crate) fn appendix(data: &Data, published: &Published) -> Result<Vec<AppendixFigure>, ValidationError> {
-    let file = Case::parse("fixtures/sae-980025.toml", data.example)?;
-    let analysis = analysis::reconstruct(&file)?;
+    let file = CaseFile::parse("fixtures/sae-980025.toml", data.example)?;
+    let analysis = analysis::reconstruct(&file.case)?;
     published
         .appendix
         .iter()

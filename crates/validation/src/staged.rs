@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use analysis::{Analysis, Impact};
-use case::{Case, CaseFile};
+use case::CaseFile;
 use crash3::{CrushError, EnergyBasis, Side, StruckVehicle};
 use pim_core::{Law, Tangential};
 use reconcile::{Problem, Unknown};
@@ -48,8 +48,8 @@ impl Staged {
             let known: Vec<String> = data.cases.iter().map(|(number, _)| number.to_string()).collect();
             return Err(ValidationError::NoCase { test, known: known.join(", ") });
         };
-        let file = Case::parse(&format!("fixtures/ricsac/{test:02}.toml"), text)?;
-        let analysis = analysis::impact(&file)?;
+        let file = CaseFile::parse(&format!("fixtures/ricsac/{test:02}.toml"), text)?;
+        let analysis = analysis::impact(&file.case)?;
         let mut staged = Self {
             printed: printed.clone(),
             true_speed: 0.0,
@@ -179,7 +179,7 @@ pub(crate) struct Crash3 {
 
 /// (m/s) what `deltav reconstruct` answers.
 fn reconstructed(file: &CaseFile, test: u8) -> Result<f64, ValidationError> {
-    let found = analysis::reconstruct(file)?.found;
+    let found = analysis::reconstruct(&file.case)?.found;
     found.map(|found| found.speed).ok_or(ValidationError::Incomplete { test, what: "speed to find" })
 }
 

@@ -6,7 +6,8 @@ use crate::sensitivity::Output;
 use ::uncertainty::{
     Distribution, Instructions, LANES, Lanes, Model, Sampler, SamplingMethod, Settings, propagate,
 };
-use case::{Amount, Bounds, Case, CaseFile, Range, Spread};
+use case::{CaseFile, to_toml};
+use inputs::{Amount, Bounds, Case, Range, Spread};
 use std::ops::ControlFlow;
 
 const UNCERTAIN: &str = include_str!("../../../../fixtures/sae-980025-uncertain.toml");
@@ -29,7 +30,7 @@ fn reasons_have_codes_of_their_own() {
 
 /// A case with all that sampling it takes.
 struct Sampled {
-    file: CaseFile,
+    case: Case,
     inputs: Vec<UncertainInput>,
     outputs: Vec<Output>,
     central: Vec<f64>,
@@ -37,18 +38,17 @@ struct Sampled {
 
 impl Sampled {
     fn new(text: &str) -> Self {
-        Self::of(Case::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}")))
+        Self::of(CaseFile::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}")).case)
     }
 
-    fn of(file: CaseFile) -> Self {
-        let nominal =
-            reconstruct(&file).unwrap_or_else(|failure| panic!("{failure}\n{}", file.case.to_toml()));
-        let outputs = Output::of(&nominal, file.case.axes);
-        Self { inputs: inputs(&file).unwrap(), central: central(&nominal, &outputs), outputs, file }
+    fn of(case: Case) -> Self {
+        let nominal = reconstruct(&case).unwrap_or_else(|failure| panic!("{failure}\n{}", to_toml(&case)));
+        let outputs = Output::of(&nominal, case.axes);
+        Self { inputs: inputs(&case).unwrap(), central: central(&nominal, &outputs), outputs, case }
     }
 
     fn sample(&self) -> Sample<'_> {
-        Sample::new(&self.file, &self.inputs, &self.outputs, &self.central)
+        Sample::new(&self.case, &self.inputs, &self.outputs, &self.central)
     }
 
     fn distributions(&self) -> Vec<Distribution> {
@@ -269,13 +269,14 @@ fn a_block_ignores_no_key() {
     let mut missing: BTreeSet<String> = case::number_keys().into_iter().collect();
     let (mut with_block, mut without) = (BTreeSet::new(), BTreeSet::new());
     for text in cases_of_all_keys() {
-        let parsed = || Case::parse("case.toml", &text).unwrap_or_else(|errors| panic!("{errors}\n{text}"));
+        let parsed =
+            || CaseFile::parse("case.toml", &text).unwrap_or_else(|errors| panic!("{errors}\n{text}"));
         for number in parsed().case.inputs() {
             let (path, bounds) = (number.path.clone(), Bounds::None);
             let sd = Amount { number: 0.05 * number.number.abs() + 1e-3, unit: number.unit };
-            let mut file = parsed();
-            file.case.ranges = vec![Range { path, spread: Spread::Normal { sd }, bounds }];
-            let sampled = Sampled::of(file);
+            let mut case = parsed().case;
+            case.ranges = vec![Range { path, spread: Spread::Normal { sd }, bounds }];
+            let sampled = Sampled::of(case);
             missing.remove(&key_of(&number.path));
             let in_blocks = sampled.sample();
             if in_blocks.block.is_none() {
@@ -308,9 +309,9 @@ fn a_block_ignores_no_key() {
 #[test]
 fn a_reconstruction_of_two_vehicles_has_the_outputs_of_a_block() {
     for (text, found) in [(CERTAIN.to_owned(), 1), (cases_of_all_keys().swap_remove(1), 2)] {
-        let file = Case::parse("case.toml", &text).unwrap();
-        let axes = file.case.axes;
-        assert_eq!(Output::of(&reconstruct(&file).unwrap(), axes), Output::of_two_vehicles(found, axes));
+        let case = CaseFile::parse("case.toml", &text).unwrap().case;
+        let axes = case.axes;
+        assert_eq!(Output::of(&reconstruct(&case).unwrap(), axes), Output::of_two_vehicles(found, axes));
     }
 }
 

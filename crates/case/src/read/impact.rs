@@ -2,31 +2,24 @@
 
 use super::range::is_range;
 use super::tree::{Reader, Table};
-use super::values::{Sign, named};
-use crate::case::{Impact, ImpactLaw, Restitution};
-use crate::problem::{Problem, RESTITUTION_FORMS};
-use crate::quantity::Quantity;
-use crate::range::Bounds;
-use crate::schema::{LawName, RESTITUTION, TANGENTIAL};
-use crate::units::Dimension;
-use pim_core::Tangential;
+use super::values::named;
+use crate::case_problem::{CaseProblem, RESTITUTION_FORMS};
+use crate::schema::{KeysOfLaw, RESTITUTION, TANGENTIAL, laws_of_key};
+use inputs::{BrachTangential, GivenImpact, ImpactLaw, LawName, Quantity, Restitution};
 
 impl<'t> Reader<'t> {
-    pub(super) fn impact(&mut self, table: &Table<'t>) -> Option<Impact> {
+    pub(super) fn impact(&mut self, table: &Table<'t>) -> Option<GivenImpact> {
         self.require(table, &["crush_plane"]);
-        let crush_plane = self.quantity(table, "crush_plane", Dimension::Angle, Sign::Any);
+        let crush_plane = self.quantity(table, "crush_plane");
         let law = self.law(table);
-        Some(Impact { crush_plane: crush_plane?, law: law? })
+        Some(GivenImpact { crush_plane: crush_plane?, law: law? })
     }
 
     fn law(&mut self, table: &Table<'t>) -> Option<ImpactLaw> {
         // A misspelt `law` is not the default either.
         let is_default = !table.has("law") && !table.means("law");
-        let law = if is_default {
-            Some(LawName::Brach)
-        } else {
-            self.choice(table, "law", &LawName::ALL.map(|law| (law.name(), law)))
-        };
+        let law =
+            if is_default { Some(LawName::default()) } else { self.choice(table, "law", &LawName::WORDS) };
         if let Some(law) = law {
             self.keys_of_law(table, law, is_default);
         }
@@ -35,12 +28,12 @@ impl<'t> Reader<'t> {
         let restitution = if reads("restitution") { self.restitution(table) } else { None };
         let tangential = if reads("tangential") { self.tangential(table) } else { None };
         let mut coefficient = |key| {
-            if reads(key) { self.number(table, key, Bounds::Coefficient) } else { None }
+            if reads(key) { self.number(table, key) } else { None }
         };
         let moment_restitution = coefficient("moment_restitution");
         let tangential_restitution = coefficient("tangential_restitution");
         let tangential_velocity_change = if reads("tangential_velocity_change") {
-            self.quantity(table, "tangential_velocity_change", Dimension::Speed, Sign::Any)
+            self.quantity(table, "tangential_velocity_change")
         } else {
             None
         };
@@ -63,18 +56,18 @@ impl<'t> Reader<'t> {
     /// Whether the law has the keys that it needs, and no others.
     fn keys_of_law(&mut self, table: &Table<'t>, law: LawName, is_default: bool) {
         for key in table.schema.names().filter(|key| table.has(key) && !law.uses(key)) {
-            let problem = Problem::KeyOfOtherLaw {
+            let problem = CaseProblem::KeyOfOtherLaw {
                 table: table.label(),
                 key,
                 law: law.name(),
                 is_default,
                 keys: law.keys(),
-                owners: LawName::of_key(key),
+                owners: laws_of_key(key),
             };
             self.report(table.key_span(key), problem);
         }
         for key in law.needed().iter().filter(|key| !table.has(key) && !table.means(key)) {
-            let problem = Problem::MissingKeyOfLaw {
+            let problem = CaseProblem::MissingKeyOfLaw {
                 table: table.label(),
                 key,
                 law: law.name(),
@@ -88,12 +81,12 @@ impl<'t> Reader<'t> {
 
     fn restitution(&mut self, impact: &Table<'t>) -> Option<Restitution> {
         if !impact.is_table_or_list("restitution") || is_range(impact, "restitution") {
-            return self.number(impact, "restitution", Bounds::BelowOne).map(Restitution::Constant);
+            return self.number(impact, "restitution").map(Restitution::Constant);
         }
         let wanted = "a plain number, or a table of speeds and values";
         let table = self.inline(impact, "restitution", &RESTITUTION, wanted, RESTITUTION_FORMS)?;
-        let speeds = self.quantities(&table, "speeds", Dimension::Speed, Sign::NotNegative);
-        let values = self.numbers(&table, "values", Bounds::BelowOne);
+        let speeds = self.quantities(&table, "speeds");
+        let values = self.numbers(&table, "values");
         if table.given(&["speeds", "values"]).len() < 2 {
             return self.no_form(&table, RESTITUTION_FORMS);
         }
@@ -102,7 +95,7 @@ impl<'t> Reader<'t> {
         let path = table.path_of("values");
         if !speeds.is_empty() && speeds.len() != values.len() {
             let problem =
-                Problem::ValueCount { path: path.clone(), values: values.len(), speeds: speeds.len() };
+                CaseProblem::ValueCount { path: path.clone(), values: values.len(), speeds: speeds.len() };
             self.report_path(&path, problem);
         }
         Some(Restitution::OfClosingSpeed { speeds, values })
@@ -112,7 +105,7 @@ impl<'t> Reader<'t> {
     fn ascending(&mut self, table: &Table<'t>, speeds: Option<&[Quantity]>) {
         let path = table.path_of("speeds");
         if let Some([]) = speeds {
-            self.report_path(&path.clone(), Problem::NoPoints { path });
+            self.report_path(&path.clone(), CaseProblem::NoPoints { path });
             return;
         }
         for (index, pair) in speeds.unwrap_or_default().windows(2).enumerate() {
@@ -121,7 +114,7 @@ impl<'t> Reader<'t> {
             {
                 let path = format!("value {} of {}", index + 2, named(&path));
                 let span = self.span_of_element(table, "speeds", index + 1);
-                self.report(span, Problem::NotAscending { path, value, before });
+                self.report(span, CaseProblem::NotAscending { path, value, before });
                 // The speeds after it may be out of order only because of this one.
                 return;
             }
@@ -129,23 +122,21 @@ impl<'t> Reader<'t> {
     }
 
     fn friction(&mut self, table: &Table<'t>) -> Option<f64> {
-        self.number(table, "friction", Bounds::NotNegative)
+        self.number(table, "friction")
     }
 
-    fn tangential(&mut self, impact: &Table<'t>) -> Option<Tangential> {
+    fn tangential(&mut self, impact: &Table<'t>) -> Option<BrachTangential> {
         const FORMS: &str =
             "tangential = \"critical\", { ratio = 0.37 }, { fraction = 0.9 } or { friction = 0.5 }";
         if impact.is_string("tangential") {
-            return self.choice_among(impact, "tangential", &[("critical", Tangential::Critical)], FORMS);
+            return self.choice_among(impact, "tangential", &BrachTangential::WORDS, FORMS);
         }
         let table =
             self.inline(impact, "tangential", &TANGENTIAL, "\"critical\" or a table in braces", FORMS)?;
         match table.given(&["ratio", "fraction", "friction"])[..] {
-            ["ratio"] => self.number(&table, "ratio", Bounds::None).map(Tangential::Ratio),
-            ["fraction"] => {
-                self.number(&table, "fraction", Bounds::Share).map(Tangential::FractionOfCritical)
-            }
-            ["friction"] => self.friction(&table).map(Tangential::Friction),
+            ["ratio"] => self.number(&table, "ratio").map(BrachTangential::Ratio),
+            ["fraction"] => self.number(&table, "fraction").map(BrachTangential::FractionOfCritical),
+            ["friction"] => self.friction(&table).map(BrachTangential::Friction),
             _ => self.no_form(&table, FORMS),
         }
     }

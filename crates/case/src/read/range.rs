@@ -1,16 +1,16 @@
-//! Numbers that are not known exactly: `{ value, sd }`, `{ low, high }`, `{ low, mode, high }`, `{ value, within, confidence }`.
+//! Numbers that are not known exactly: `{ value, sd }`, `{ low, high }`, `{ low, mode, high }`, `{ value,
+//! within, confidence }`.
 
 use toml::Spanned;
 use toml::de::DeValue;
 
 use super::tree::{Reader, Table, kind};
-use super::values::{Place, Sign, accepts, named, words};
+use super::values::{Place, accepts, named, words};
+use crate::case_problem::CaseProblem;
 use crate::number::split_number;
-use crate::problem::Problem;
-use crate::quantity::{Quantity, shorten};
-use crate::range::{Amount, Bounds, Range, Spread};
-use crate::schema::{RANGE, RANGE_OF_LIST, RESTITUTION, Schema};
-use crate::units::{Dimension, Unit};
+use crate::quantity::shorten;
+use crate::schema::{Measure, RANGE, RANGE_OF_LIST, RESTITUTION, Schema};
+use inputs::{Amount, Bounds, Quantity, Range, Spread, Unit};
 
 const FORMS: &str = "{ value = …, sd = … }, { low = …, high = … }, { low = …, mode = …, high = … } or \
                      { value = …, within = \"10 %\", confidence = 0.95 }";
@@ -20,7 +20,7 @@ const LIST_FORMS: &str = "{ values = …, sd = … } or { values = …, within =
 /// What the numbers of a range are.
 #[derive(Clone, Copy)]
 enum Kind {
-    Quantity(Dimension, Sign),
+    Quantity(Measure),
     Number(Bounds),
 }
 
@@ -43,7 +43,7 @@ impl<'t> Reader<'t> {
         if !is_range(table, key) {
             return Some(());
         }
-        let problem = Problem::NoRange { path: table.path_of(key), example: table.schema.example(key) };
+        let problem = CaseProblem::NoRange { path: table.path_of(key), example: table.schema.example(key) };
         self.report(value.span(), problem);
         None
     }
@@ -53,12 +53,11 @@ impl<'t> Reader<'t> {
         &mut self,
         place: &Place,
         value: &'t Spanned<DeValue<'t>>,
-        dimension: Dimension,
-        sign: Sign,
+        measure: Measure,
     ) -> Option<Quantity> {
-        let (central, spread) = self.range(place, value, Kind::Quantity(dimension, sign))?;
+        let (central, spread) = self.range(place, value, Kind::Quantity(measure))?;
         let unit = central.unit?;
-        self.add_range(value.span(), Range { path: place.path.clone(), spread, bounds: sign.bounds() });
+        self.add_range(value.span(), Range { path: place.path.clone(), spread, bounds: measure.bounds });
         Quantity::new(central.number, unit).ok()
     }
 
@@ -79,14 +78,13 @@ impl<'t> Reader<'t> {
         &mut self,
         place: &Place,
         value: &'t Spanned<DeValue<'t>>,
-        dimension: Dimension,
-        sign: Sign,
+        measure: Measure,
     ) -> Option<Vec<Quantity>> {
         let table = self.range_table(place, value, &RANGE_OF_LIST)?;
-        let kind = Kind::Quantity(dimension, sign);
+        let kind = Kind::Quantity(measure);
         let values = table.get("values").and_then(|list| {
             let place = Place { example: place.example, ..Place::of_key(&table, "values") };
-            self.certain_quantities(&place, list, dimension, sign).map(|values| (list, values))
+            self.certain_quantities(&place, list, measure).map(|values| (list, values))
         });
         let spread = self.spread_about(&table, kind);
         let is_complete = matches!(
@@ -105,7 +103,7 @@ impl<'t> Reader<'t> {
             let name = format!("value {} of {}", index + 1, named(&table.path_of("values")));
             self.not_within_zero(&name, span.clone(), amount, spread)?;
             let path = format!("{}[{}]", place.path, index + 1);
-            self.add_range(span, Range { path, spread, bounds: sign.bounds() });
+            self.add_range(span, Range { path, spread, bounds: measure.bounds });
         }
         Some(values)
     }
@@ -115,8 +113,7 @@ impl<'t> Reader<'t> {
         &mut self,
         place: &Place,
         list: &'t Spanned<DeValue<'t>>,
-        dimension: Dimension,
-        sign: Sign,
+        measure: Measure,
     ) -> Option<Vec<Quantity>> {
         let nested =
             list.get_ref().as_array().and_then(|list| list.iter().find(|one| one.get_ref().is_table()));
@@ -126,11 +123,11 @@ impl<'t> Reader<'t> {
             let example = RANGE_OF_LIST.example("values");
             self.report(
                 nested.span(),
-                Problem::WrongType { path: place.path.clone(), found, wanted, example },
+                CaseProblem::WrongType { path: place.path.clone(), found, wanted, example },
             );
             return None;
         }
-        self.listed_quantities(place, list, dimension, sign)
+        self.listed_quantities(place, list, measure)
     }
 
     fn range_table(
@@ -171,7 +168,10 @@ impl<'t> Reader<'t> {
                 self.rising(place, value, low, high)?;
                 if !(low.in_unit(mode.unit)..=high.in_unit(mode.unit)).contains(&mode.number) {
                     let path = place.name.clone();
-                    self.report_path(&table.path_of("mode"), Problem::ModeOutside { path, low, mode, high });
+                    self.report_path(
+                        &table.path_of("mode"),
+                        CaseProblem::ModeOutside { path, low, mode, high },
+                    );
                     return None;
                 }
                 Some((mode, Spread::Triangular { low, high }))
@@ -190,7 +190,7 @@ impl<'t> Reader<'t> {
         if low.in_unit(high.unit) < high.number && low.number < high.in_unit(low.unit) {
             return Some(());
         }
-        self.report(value.span(), Problem::NotRising { path: place.name.clone(), low, high });
+        self.report(value.span(), CaseProblem::NotRising { path: place.name.clone(), low, high });
         None
     }
 
@@ -204,7 +204,7 @@ impl<'t> Reader<'t> {
         if value.number != 0.0 || !matches!(spread, Spread::Within { .. }) {
             return Some(());
         }
-        self.report(span, Problem::WithinOfZero { path: name.to_owned(), value });
+        self.report(span, CaseProblem::WithinOfZero { path: name.to_owned(), value });
         None
     }
 
@@ -217,7 +217,7 @@ impl<'t> Reader<'t> {
         if !table.has_misspelt() {
             let names: Vec<&'static str> = table.schema.names().collect();
             let (path, given) = (named(&table.path), table.given(&names));
-            self.report(value.span(), Problem::NoRangeForm { path, given, forms });
+            self.report(value.span(), CaseProblem::NoRangeForm { path, given, forms });
         }
         None
     }
@@ -229,26 +229,26 @@ impl<'t> Reader<'t> {
         if value.get_ref().is_table() {
             let found = kind(value.get_ref());
             let problem =
-                Problem::WrongType { path: place.path, found, wanted: "a single value", example: FORMS };
+                CaseProblem::WrongType { path: place.path, found, wanted: "a single value", example: FORMS };
             self.report(value.span(), problem);
             return None;
         }
         match range {
-            Kind::Quantity(dimension, _)
+            Kind::Quantity(Measure { dimension, .. })
                 if matches!(value.get_ref(), DeValue::Integer(_) | DeValue::Float(_)) =>
             {
                 let number = shorten(&self.text[value.span()]);
-                let unit = self.written().example(&place.path, dimension).map_or("", Unit::spelling);
+                let unit = self.units_in_use().example(&place.path, dimension).map_or("", Unit::spelling);
                 let example = format!("{key} = \"{number} {unit}\"");
                 self.report(
                     value.span(),
-                    Problem::BareNumber { path: place.path, number, dimension, example },
+                    CaseProblem::BareNumber { path: place.path, number, dimension, example },
                 );
                 None
             }
-            Kind::Quantity(dimension, sign) => {
+            Kind::Quantity(measure) => {
                 let wanted = "a string with number and unit";
-                let quantity = self.certain_quantity(&place, value, dimension, sign, wanted)?;
+                let quantity = self.certain_quantity(&place, value, measure, wanted)?;
                 Some(Amount { number: quantity.number(), unit: Some(quantity.unit()) })
             }
             Kind::Number(bounds) => {
@@ -270,7 +270,7 @@ impl<'t> Reader<'t> {
         const WHY: &str =
             "a standard deviation is greater than zero; write a value that is known exactly without it";
         let deviation = match range {
-            Kind::Quantity(dimension, _) => Kind::Quantity(dimension, Sign::PositiveBecause(WHY)),
+            Kind::Quantity(measure) => Kind::Quantity(measure.positive(WHY)),
             Kind::Number(_) => Kind::Number(Bounds::Positive),
         };
         let sd = self.standard_deviation(table, deviation).map(|sd| Spread::Normal { sd });
@@ -289,7 +289,7 @@ impl<'t> Reader<'t> {
         match value.get_ref() {
             DeValue::String(text) if text.trim_end().ends_with('%') => {
                 let path = named(&table.path_of("sd"));
-                self.report(value.span(), Problem::PercentAsSd { path, text: shorten(text.trim()) });
+                self.report(value.span(), CaseProblem::PercentAsSd { path, text: shorten(text.trim()) });
                 None
             }
             _ => self.amount(table, "sd", kind),
@@ -305,21 +305,21 @@ impl<'t> Reader<'t> {
                     if number > 0.0 {
                         return Some(number);
                     }
-                    Problem::OutOfRange {
+                    CaseProblem::OutOfRange {
                         path: named(&path),
                         value: number,
-                        range: "greater than zero",
+                        range: "greater than zero".into(),
                         example,
                     }
                 }
-                _ => Problem::NotPercent { path: named(&path), text: shorten(text) },
+                _ => CaseProblem::NotPercent { path: named(&path), text: shorten(text) },
             },
             DeValue::Integer(_) | DeValue::Float(_) => {
                 let text = shorten(&self.text[value.span()]);
-                Problem::NotPercent { path: named(&path), text }
+                CaseProblem::NotPercent { path: named(&path), text }
             }
             other => {
-                Problem::WrongType { path, found: kind(other), wanted: "a percentage in quotes", example }
+                CaseProblem::WrongType { path, found: kind(other), wanted: "a percentage in quotes", example }
             }
         };
         self.report(value.span(), problem);
@@ -327,8 +327,8 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// The number in fifteen digits, as all that are written have them: the middle of 0.2 and 0.4 is 0.3, and not the 0.300 000 000 000 000 04 that the sum
-/// of their halves is.
+/// The number in fifteen digits, as all that are written have them: the middle of 0.2 and 0.4 is 0.3, and not
+/// the 0.300 000 000 000 000 04 that the sum of their halves is.
 fn decimal(number: f64) -> f64 {
     format!("{number:.14e}").parse().unwrap_or(number)
 }

@@ -7,15 +7,16 @@ use std::ops::Range as Span;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Error};
 
+use crate::case_problem::CaseProblem;
 use crate::diagnostic::Diagnostic;
 use crate::nearest::nearest;
-use crate::problem::Problem;
+use crate::parser_error::{Kind, ParserError};
 use crate::quantity::shorten;
-use crate::range::Range;
-use crate::schema::Schema;
+use crate::schema::{Measure, Schema};
 use crate::source::Spans;
-use crate::syntax;
-use crate::written::Written;
+use crate::toml_slips;
+use crate::units_in_use::UnitsInUse;
+use inputs::{Bounds, Range};
 
 /// Of so many broken lines the text is looked at: more than are shown.
 const EXPLAINED: usize = 50;
@@ -27,7 +28,7 @@ pub(super) struct Reader<'t> {
     problems: Vec<Diagnostic>,
     ranges: BTreeMap<String, Range>,
     document: &'t DeTable<'t>,
-    written: OnceCell<Written>,
+    units_in_use: OnceCell<UnitsInUse>,
 }
 
 /// One table of the file.
@@ -42,6 +43,16 @@ pub(super) struct Table<'t> {
 impl<'t> Table<'t> {
     pub(super) fn get(&self, key: &str) -> Option<&'t Spanned<DeValue<'t>>> {
         self.entries.get(key)
+    }
+
+    /// What its row says that a key measures.
+    pub(super) fn measure(&self, key: &str) -> Option<Measure> {
+        self.schema.key(key)?.form.measure()
+    }
+
+    /// The bounds that its row sets a plain number.
+    pub(super) fn bounds(&self, key: &str) -> Option<Bounds> {
+        self.schema.key(key)?.form.bounds()
     }
 
     pub(super) fn has(&self, key: &str) -> bool {
@@ -95,17 +106,22 @@ impl<'t> Reader<'t> {
             problems: Vec::new(),
             ranges: BTreeMap::new(),
             document,
-            written: OnceCell::new(),
+            units_in_use: OnceCell::new(),
         }
     }
 
     /// The units of the file, looked for at the first error that wants an example.
-    pub(super) fn written(&self) -> &Written {
-        self.written.get_or_init(|| Written::of(self.document))
+    pub(super) fn units_in_use(&self) -> &UnitsInUse {
+        self.units_in_use.get_or_init(|| UnitsInUse::of(self.document))
     }
 
-    pub(super) fn report(&mut self, span: Span<usize>, problem: Problem) {
+    pub(super) fn report(&mut self, span: Span<usize>, problem: CaseProblem) {
         self.problems.push(Diagnostic::new(Some(span), problem));
+    }
+
+    /// Whether the file has this key.
+    pub(super) fn says(&self, path: &str) -> bool {
+        self.spans.get(path).is_some()
     }
 
     /// Remembers that a number is uncertain, and where that stands.
@@ -119,7 +135,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Reports a problem at a key, or at the table that should have it.
-    pub(super) fn report_path(&mut self, path: &str, problem: Problem) {
+    pub(super) fn report_path(&mut self, path: &str, problem: CaseProblem) {
         let span = self.spans.nearest(path);
         self.problems.push(Diagnostic::new(span, problem));
     }
@@ -141,7 +157,7 @@ impl<'t> Reader<'t> {
         if let Some(entries) = value.get_ref().as_table() {
             return Some(self.open(path, entries, schema));
         }
-        self.report(value.span(), Problem::NotATable { path, found: kind(value.get_ref()) });
+        self.report(value.span(), CaseProblem::NotATable { path, found: kind(value.get_ref()) });
         None
     }
 
@@ -161,7 +177,7 @@ impl<'t> Reader<'t> {
         }
         self.report(
             value.span(),
-            Problem::WrongType { path, found: kind(value.get_ref()), wanted, example: forms },
+            CaseProblem::WrongType { path, found: kind(value.get_ref()), wanted, example: forms },
         );
         None
     }
@@ -177,7 +193,7 @@ impl<'t> Reader<'t> {
     ) -> Option<Vec<Table<'t>>> {
         let value = parent.get(key)?;
         let path = parent.path_of(key);
-        let wrong = |path: String, found: &DeValue<'_>, wanted: &'static str| Problem::WrongType {
+        let wrong = |path: String, found: &DeValue<'_>, wanted: &'static str| CaseProblem::WrongType {
             path,
             found: kind(found),
             wanted,
@@ -224,9 +240,9 @@ impl<'t> Reader<'t> {
                 // "vehicle3" resembles both vehicles, and is neither.
                 let nearest =
                     meant.filter(|_| !name.trim_end_matches(|c: char| c.is_ascii_digit()).eq("vehicle"));
-                Problem::UnknownTable { table: shorten(name), nearest }
+                CaseProblem::UnknownTable { table: shorten(name), nearest }
             } else {
-                Problem::UnknownKey {
+                CaseProblem::UnknownKey {
                     table: table.label(),
                     key: shorten(name),
                     nearest: meant,
@@ -253,9 +269,9 @@ impl<'t> Reader<'t> {
             return;
         }
         let problem = if table.path.is_empty() {
-            Problem::MissingTable { table: key }
+            CaseProblem::MissingTable { table: key }
         } else {
-            Problem::MissingKey { table: table.label(), key, example: table.schema.example(key) }
+            CaseProblem::MissingKey { table: table.label(), key, example: table.schema.example(key) }
         };
         self.report_path(&table.path_of(key), problem);
     }
@@ -265,12 +281,13 @@ impl<'t> Reader<'t> {
         if !table.has_misspelt() {
             let names: Vec<&'static str> = table.schema.names().collect();
             let given = table.given(&names);
-            self.report_path(&table.path, Problem::NoForm { path: table.path.clone(), given, forms });
+            self.report_path(&table.path, CaseProblem::NoForm { path: table.path.clone(), given, forms });
         }
         None
     }
 
-    /// The places of all keys, and the problems: those of TOML, and those of the tree that do not follow from them.
+    /// The places of all keys, and the problems: those of TOML, and those of the tree that do not follow from
+    /// them.
     pub(super) fn finish(self, errors: &[Error]) -> (Spans, Vec<Diagnostic>) {
         let mut errors: Vec<_> =
             errors.iter().map(|error| (error.span().unwrap_or_default(), error.message())).collect();
@@ -281,26 +298,30 @@ impl<'t> Reader<'t> {
         let mut all = Vec::new();
         let mut broken_lines = BTreeSet::new();
         let mut in_array = false;
-        // (bytes) where an unclosed brace or bracket begins: the parser takes all that follows for its content.
+        // (bytes) where an unclosed brace or bracket begins: the parser takes all that follows for its
+        // content.
         let mut end = usize::MAX;
         // (bytes) a table whose header stands twice, which is told once.
         let mut double = 0..0;
         for (span, message) in errors {
-            let is_double = message.contains("duplicate");
+            let error = ParserError::of(message);
+            let is_double = error.kind == Kind::Duplicate;
             if is_double && double.contains(&span.start) {
                 continue;
             }
-            // The first error of a line causes the others, and an unclosed list makes every later line an error.
+            // The first error of a line causes the others, and an unclosed list makes every later line an
+            // error.
             let first_of_line = broken_lines.insert(line(&span));
-            let follows = in_array && message.contains("array");
-            in_array |= message.contains("array");
+            let follows = in_array && error.kind == Kind::List;
+            in_array |= error.kind == Kind::List;
             if !first_of_line || follows {
                 continue;
             }
-            if is_double && let Some(section) = syntax::section_of_header(self.text, span.start) {
+            if is_double && let Some(section) = toml_slips::section_of_header(self.text, span.start) {
                 double = section;
             }
-            if let Some(open) = all.is_empty().then(|| syntax::unclosed(self.text, &span, message)).flatten()
+            if let Some(open) =
+                all.is_empty().then(|| toml_slips::unclosed(self.text, &span, error.kind)).flatten()
             {
                 end = open.span.start;
                 broken_lines.insert(line(&open.span));
@@ -308,9 +329,9 @@ impl<'t> Reader<'t> {
                 break;
             }
             let problem = if all.len() < EXPLAINED {
-                syntax::problem(self.text, &span, message, self.written())
+                toml_slips::problem(self.text, &span, error, self.units_in_use())
             } else {
-                syntax::unexplained(message)
+                toml_slips::unexplained(error)
             };
             all.push(Diagnostic::new(Some(span), problem));
         }
@@ -319,13 +340,13 @@ impl<'t> Reader<'t> {
         let from_tree = self.problems.into_iter().filter(|diagnostic| {
             let is_missing = matches!(
                 diagnostic.problem(),
-                Problem::MissingTable { .. }
-                    | Problem::MissingKey { .. }
-                    | Problem::MissingKeyOfLaw { .. }
+                CaseProblem::MissingTable { .. }
+                    | CaseProblem::MissingKey { .. }
+                    | CaseProblem::MissingKeyOfLaw { .. }
                     // The line that names another law may be the one that could not be read.
-                    | Problem::KeyOfOtherLaw { is_default: true, .. }
-                    | Problem::NoForm { .. }
-                    | Problem::NoRangeForm { .. }
+                    | CaseProblem::KeyOfOtherLaw { is_default: true, .. }
+                    | CaseProblem::NoForm { .. }
+                    | CaseProblem::NoRangeForm { .. }
             );
             let Some(span) = diagnostic.span() else { return is_whole || !is_missing };
             // The parser puts an empty value where it found none.

@@ -1,5 +1,6 @@
 //! The values of keys: quantities, lists of them, plain numbers, texts and choices.
 
+use std::borrow::Cow;
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 
@@ -7,37 +8,13 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::tree::{Reader, Table, kind};
+use crate::case_problem::CaseProblem;
 use crate::nearest::{join, nearest};
-use crate::number::{format_number, leading_numbers, split_number};
-use crate::problem::Problem;
-use crate::quantity::{Quantity, QuantityError, find_unit, not_a_number, shorten};
-use crate::range::Bounds;
-use crate::schema::MOST_STATIONS;
-use crate::slips;
-use crate::units::Dimension;
-
-/// Which signs a quantity may have.
-#[derive(Clone, Copy)]
-pub(super) enum Sign {
-    Any,
-    NotNegative,
-    Positive,
-    /// Positive, for a reason that is worth saying.
-    PositiveBecause(&'static str),
-    /// Less than a right angle to either side.
-    Acute,
-}
-
-impl Sign {
-    pub(super) fn bounds(self) -> Bounds {
-        match self {
-            Self::Any => Bounds::None,
-            Self::NotNegative => Bounds::NotNegative,
-            Self::Positive | Self::PositiveBecause(_) => Bounds::Positive,
-            Self::Acute => Bounds::Acute,
-        }
-    }
-}
+use crate::number::{leading_numbers, split_number};
+use crate::number_slips;
+use crate::quantity::{QuantityError, find_unit, not_a_number, read_quantity, shorten};
+use crate::schema::{Form, MOST_STATIONS, Measure};
+use inputs::{Bounds, Dimension, Quantity, format_number};
 
 /// A key of a number, or an element of its list.
 pub(super) struct Place {
@@ -65,31 +42,35 @@ impl Place {
 }
 
 impl<'t> Reader<'t> {
-    /// A string with its unit, or a range; absent is `None`, and what is wrong is reported.
-    pub(super) fn quantity(
+    /// A string with its unit, or a range, as the row of its key says; absent is `None`, and what is wrong is
+    /// reported.
+    pub(super) fn quantity(&mut self, table: &Table<'t>, key: &'static str) -> Option<Quantity> {
+        self.quantity_as(table, key, table.measure(key)?)
+    }
+
+    /// The same, where the row does not say all.
+    pub(super) fn quantity_as(
         &mut self,
         table: &Table<'t>,
         key: &'static str,
-        dimension: Dimension,
-        sign: Sign,
+        measure: Measure,
     ) -> Option<Quantity> {
         let value = table.get(key)?;
         let place = Place::of_key(table, key);
-        self.quantity_or_range(&place, value, dimension, sign, "a string with number and unit")
+        self.quantity_or_range(&place, value, measure, "a string with number and unit")
     }
 
     fn quantity_or_range(
         &mut self,
         place: &Place,
         value: &'t Spanned<DeValue<'t>>,
-        dimension: Dimension,
-        sign: Sign,
+        measure: Measure,
         wanted: &'static str,
     ) -> Option<Quantity> {
         if value.get_ref().is_table() {
-            return self.range_of_quantity(place, value, dimension, sign);
+            return self.range_of_quantity(place, value, measure);
         }
-        self.certain_quantity(place, value, dimension, sign, wanted)
+        self.certain_quantity(place, value, measure, wanted)
     }
 
     /// A string with its unit.
@@ -97,40 +78,34 @@ impl<'t> Reader<'t> {
         &mut self,
         place: &Place,
         value: &'t Spanned<DeValue<'t>>,
-        dimension: Dimension,
-        sign: Sign,
+        measure: Measure,
         wanted: &'static str,
     ) -> Option<Quantity> {
-        let text = self.quantity_text(place, value, dimension, wanted)?;
-        match Quantity::parse(text, dimension) {
-            Ok(quantity) => self.signed(&place.name, value.span(), quantity, sign),
+        let text = self.quantity_text(place, value, measure.dimension, wanted)?;
+        match read_quantity(text, measure.dimension) {
+            Ok(quantity) => self.signed(&place.name, value.span(), quantity, measure),
             Err(error) => {
-                let problem = self.unreadable(place, error, dimension);
+                let problem = self.unreadable(place, error, measure.dimension);
                 self.report(value.span(), problem);
                 None
             }
         }
     }
 
-    fn unreadable(&self, place: &Place, error: QuantityError, dimension: Dimension) -> Problem {
-        Problem::Quantity { error, unit: self.written().example(&place.path, dimension) }
+    fn unreadable(&self, place: &Place, error: QuantityError, dimension: Dimension) -> CaseProblem {
+        CaseProblem::Quantity { error, unit: self.units_in_use().example(&place.path, dimension) }
     }
 
-    /// Several quantities: one string with the unit at its end, a list of strings and ranges, or a table with the one or the other and a
-    /// spread for all.
-    pub(super) fn quantities(
-        &mut self,
-        table: &Table<'t>,
-        key: &'static str,
-        dimension: Dimension,
-        sign: Sign,
-    ) -> Option<Vec<Quantity>> {
+    /// Several quantities: one string with the unit at its end, a list of strings and ranges, or a table with
+    /// the one or the other and a spread for all.
+    pub(super) fn quantities(&mut self, table: &Table<'t>, key: &'static str) -> Option<Vec<Quantity>> {
+        let measure = table.measure(key)?;
         let value = table.get(key)?;
         let place = Place::of_key(table, key);
         if value.get_ref().is_table() {
-            return self.range_of_quantities(&place, value, dimension, sign);
+            return self.range_of_quantities(&place, value, measure);
         }
-        self.listed_quantities(&place, value, dimension, sign)
+        self.listed_quantities(&place, value, measure)
     }
 
     /// One string with the unit at its end, or a list.
@@ -138,30 +113,29 @@ impl<'t> Reader<'t> {
         &mut self,
         place: &Place,
         value: &'t Spanned<DeValue<'t>>,
-        dimension: Dimension,
-        sign: Sign,
+        measure: Measure,
     ) -> Option<Vec<Quantity>> {
         let read = match value.get_ref() {
             DeValue::Array(array) => {
                 self.not_too_many(&place.path, value, array.len(), MOST_STATIONS)?;
                 let is_bare = |one: &Spanned<DeValue<'_>>| plain_number(one.get_ref()).is_some();
                 if !array.is_empty() && array.iter().all(is_bare) {
-                    return self.bare_numbers(place, value, dimension);
+                    return self.bare_numbers(place, value, measure.dimension);
                 }
                 let element = |(index, element): (usize, &'t Spanned<DeValue<'t>>)| {
                     // What is no quantity at all is no element, but makes the whole key wrong.
                     let of_element = place.element(index);
                     let path = if element.get_ref().is_table() { &of_element.path } else { &place.path };
                     let at = Place { path: path.clone(), ..of_element };
-                    self.quantity_or_range(&at, element, dimension, sign, "a list of strings")
+                    self.quantity_or_range(&at, element, measure, "a list of strings")
                 };
                 // Every element is looked at before the first fault ends it.
                 array.iter().enumerate().map(element).collect::<Vec<Option<Quantity>>>()
             }
             _ => {
                 let wanted = "a string with numbers and a unit, or a list of strings";
-                let text = self.quantity_text(place, value, dimension, wanted)?;
-                self.split_quantities(place, value, text, dimension, sign)?
+                let text = self.quantity_text(place, value, measure.dimension, wanted)?;
+                self.split_quantities(place, value, text, measure)?
             }
         };
         read.into_iter().collect()
@@ -178,11 +152,11 @@ impl<'t> Reader<'t> {
         let array = value.get_ref().as_array().into_iter().flatten();
         let numbers: Vec<&str> = array.take(SHOWN + 1).map(|one| &self.text[one.span()]).collect();
         let key = place.path.rsplit('.').next().unwrap_or_default();
-        let example = match self.written().example(&place.path, dimension) {
+        let example = match self.units_in_use().example(&place.path, dimension) {
             Some(unit) if numbers.len() <= SHOWN => format!("{key} = \"{} {unit}\"", numbers.join(" ")),
             _ => place.example.to_owned(),
         };
-        self.report(value.span(), Problem::BareNumbers { path: place.path.clone(), dimension, example });
+        self.report(value.span(), CaseProblem::BareNumbers { path: place.path.clone(), dimension, example });
         None
     }
 
@@ -196,7 +170,7 @@ impl<'t> Reader<'t> {
         if count <= limit {
             return Some(());
         }
-        let problem = Problem::TooMany { path: path.to_owned(), count, limit };
+        let problem = CaseProblem::TooMany { path: path.to_owned(), count, limit };
         self.report(value.span(), problem);
         None
     }
@@ -206,15 +180,22 @@ impl<'t> Reader<'t> {
         place: &Place,
         value: &'t Spanned<DeValue<'t>>,
         text: &'t str,
-        dimension: Dimension,
-        sign: Sign,
+        measure: Measure,
     ) -> Option<Vec<Option<Quantity>>> {
         let (numbers, unit) = leading_numbers(text);
-        let bad_list = || Problem::BadList { text: shorten(text), dimension, example: place.example };
+        let bad_list = || CaseProblem::BadList {
+            text: shorten(text),
+            dimension: measure.dimension,
+            example: place.example,
+        };
         let problem = if text.trim().is_empty() {
-            Some(self.unreadable(place, QuantityError::Empty { dimension }, dimension))
+            Some(self.unreadable(
+                place,
+                QuantityError::Empty { dimension: measure.dimension },
+                measure.dimension,
+            ))
         } else if numbers.is_empty() {
-            Some(self.unreadable(place, not_a_number(text.trim(), dimension), dimension))
+            Some(self.unreadable(place, not_a_number(text.trim(), measure.dimension), measure.dimension))
         } else if unit.contains(',') || unit.split_whitespace().any(|word| split_number(word).0.is_some()) {
             Some(bad_list())
         } else {
@@ -224,10 +205,10 @@ impl<'t> Reader<'t> {
             self.report(value.span(), problem);
             return None;
         }
-        let unit = match find_unit(text.trim(), unit, dimension) {
+        let unit = match find_unit(text.trim(), unit, measure.dimension) {
             Ok(unit) => unit,
             Err(error) => {
-                let problem = self.unreadable(place, error, dimension);
+                let problem = self.unreadable(place, error, measure.dimension);
                 self.report(value.span(), problem);
                 return None;
             }
@@ -237,9 +218,9 @@ impl<'t> Reader<'t> {
         let one = |(index, (number, at)): (usize, (f64, Range<usize>))| {
             let span = start.map_or(value.span(), |start| start + at.start..start + at.end);
             match Quantity::new(number, unit) {
-                Ok(quantity) => self.signed(&place.element(index).name, span, quantity, sign),
+                Ok(quantity) => self.signed(&place.element(index).name, span, quantity, measure),
                 Err(error) => {
-                    self.report(span, Problem::Quantity { error, unit: None });
+                    self.report(span, CaseProblem::Quantity { error: error.into(), unit: None });
                     None
                 }
             }
@@ -290,9 +271,9 @@ impl<'t> Reader<'t> {
                     }
                     None => example.to_owned(),
                 };
-                Problem::BareNumber { path, number, dimension, example }
+                CaseProblem::BareNumber { path, number, dimension, example }
             }
-            other => Problem::WrongType { path, found: kind(other), wanted, example },
+            other => CaseProblem::WrongType { path, found: kind(other), wanted, example },
         };
         self.report(value.span(), problem);
         None
@@ -303,32 +284,31 @@ impl<'t> Reader<'t> {
         path: &str,
         span: Range<usize>,
         value: Quantity,
-        sign: Sign,
+        measure: Measure,
     ) -> Option<Quantity> {
         let path = path.to_owned();
         let least = value.dimension().least_positive();
-        let problem = match sign {
-            Sign::Any => return Some(value),
-            Sign::Acute if value.si().abs() < FRAC_PI_2 => return Some(value),
-            Sign::Acute => {
+        let Measure { bounds, why, .. } = measure;
+        let problem = match bounds {
+            Bounds::Acute if value.si().abs() < FRAC_PI_2 => return Some(value),
+            Bounds::Acute => {
                 let limit = if value.unit().spelling() == "rad" { "1.5708 rad" } else { "90 deg" };
-                Problem::NotAcute { path, value, limit }
+                CaseProblem::NotAcute { path, value, limit }
             }
-            Sign::NotNegative if value.number() < 0.0 => Problem::Negative { path, value },
-            Sign::NotNegative => return Some(value),
-            Sign::Positive if value.number() <= 0.0 => Problem::NotPositive { path, value, why: "" },
-            Sign::PositiveBecause(why) if value.number() <= 0.0 => Problem::NotPositive { path, value, why },
-            Sign::Positive | Sign::PositiveBecause(_) if value.si() < least => {
-                Problem::TooSmall { path, value }
-            }
-            Sign::Positive | Sign::PositiveBecause(_) => return Some(value),
+            Bounds::NotNegative if value.number() < 0.0 => CaseProblem::Negative { path, value },
+            Bounds::Positive if value.number() <= 0.0 => CaseProblem::NotPositive { path, value, why },
+            Bounds::Positive if value.si() < least => CaseProblem::TooSmall { path, value },
+            Bounds::NotNegative | Bounds::Positive => return Some(value),
+            // The last three bound plain numbers alone.
+            Bounds::None | Bounds::Share | Bounds::BelowOne | Bounds::Coefficient => return Some(value),
         };
         self.report(span, problem);
         None
     }
 
     /// A plain number within the bounds, or a range.
-    pub(super) fn number(&mut self, table: &Table<'t>, key: &'static str, bounds: Bounds) -> Option<f64> {
+    pub(super) fn number(&mut self, table: &Table<'t>, key: &'static str) -> Option<f64> {
+        let bounds = table.bounds(key)?;
         let value = table.get(key)?;
         let place = Place::of_key(table, key);
         if value.get_ref().is_table() {
@@ -343,22 +323,23 @@ impl<'t> Reader<'t> {
         place: &Place,
         key: &str,
         value: &'t Spanned<DeValue<'t>>,
-        range: &'static str,
+        range: impl Into<Cow<'static, str>>,
         accepts: impl Fn(f64) -> bool,
     ) -> Option<f64> {
         let (path, name, example) = (place.path.clone(), place.name.clone(), place.example);
         let problem = match (plain_number(value.get_ref()), value.get_ref()) {
             (Some(number), _) if accepts(number) => return Some(number),
-            (Some(value), _) => Problem::OutOfRange { path: name, value, range, example },
+            (Some(value), _) => CaseProblem::OutOfRange { path: name, value, range: range.into(), example },
             (None, DeValue::String(text)) => {
-                let number = slips::plain(text).map(|number| format!("{key} = {}", format_number(number)));
-                Problem::QuotedNumber { path: name, text: shorten(text), number, example }
+                let number =
+                    number_slips::plain(text).map(|number| format!("{key} = {}", format_number(number)));
+                CaseProblem::QuotedNumber { path: name, text: shorten(text), number, example }
             }
             (None, DeValue::Integer(_)) => {
-                Problem::WrongType { path, found: NOT_DECIMAL, wanted: "a decimal number", example }
+                CaseProblem::WrongType { path, found: NOT_DECIMAL, wanted: "a decimal number", example }
             }
             (None, other) => {
-                Problem::WrongType { path, found: kind(other), wanted: "a plain number", example }
+                CaseProblem::WrongType { path, found: kind(other), wanted: "a plain number", example }
             }
         };
         self.report(value.span(), problem);
@@ -366,19 +347,15 @@ impl<'t> Reader<'t> {
     }
 
     /// A list of plain numbers within the bounds, and of ranges.
-    pub(super) fn numbers(
-        &mut self,
-        table: &Table<'t>,
-        key: &'static str,
-        bounds: Bounds,
-    ) -> Option<Vec<f64>> {
+    pub(super) fn numbers(&mut self, table: &Table<'t>, key: &'static str) -> Option<Vec<f64>> {
         const WANTED: &str = "a list of plain numbers";
+        let bounds = table.bounds(key)?;
         let value = table.get(key)?;
         let whole = Place::of_key(table, key);
         let (path, example, range) = (whole.path.clone(), whole.example, words(bounds));
         let Some(array) = value.get_ref().as_array() else {
             let found = kind(value.get_ref());
-            self.report(value.span(), Problem::WrongType { path, found, wanted: WANTED, example });
+            self.report(value.span(), CaseProblem::WrongType { path, found, wanted: WANTED, example });
             return None;
         };
         self.not_too_many(&path, value, array.len(), MOST_STATIONS)?;
@@ -389,14 +366,16 @@ impl<'t> Reader<'t> {
             let place = || whole.element(index).name;
             let problem = match (plain_number(element.get_ref()), element.get_ref()) {
                 (Some(number), _) if accepts(bounds, number) => return Some(number),
-                (Some(value), _) => Problem::OutOfRange { path: place(), value, range, example },
+                (Some(value), _) => {
+                    CaseProblem::OutOfRange { path: place(), value, range: range.into(), example }
+                }
                 (None, DeValue::String(text)) => {
-                    let number = slips::plain(text).map(format_number);
-                    Problem::QuotedNumber { path: place(), text: shorten(text), number, example }
+                    let number = number_slips::plain(text).map(format_number);
+                    CaseProblem::QuotedNumber { path: place(), text: shorten(text), number, example }
                 }
                 (None, other) => {
                     let found = if other.is_integer() { NOT_DECIMAL } else { kind(other) };
-                    Problem::WrongType { path: path.clone(), found, wanted: WANTED, example }
+                    CaseProblem::WrongType { path: path.clone(), found, wanted: WANTED, example }
                 }
             };
             self.report(element.span(), problem);
@@ -407,18 +386,13 @@ impl<'t> Reader<'t> {
         read.into_iter().collect()
     }
 
-    /// A whole number from 1 to `last`; `range` says so in words.
-    pub(super) fn counted(
-        &mut self,
-        place: &Place,
-        table: &Table<'t>,
-        key: &'static str,
-        range: &'static str,
-        last: u8,
-    ) -> Option<u8> {
+    /// A whole number from 1 to the last that the row of its key allows.
+    pub(super) fn counted(&mut self, place: &Place, table: &Table<'t>, key: &'static str) -> Option<u8> {
+        let Form::Count(last) = table.schema.key(key)?.form else { return None };
         let value = table.get(key)?;
         self.not_a_range(table, key, value)?;
         let of = |number: f64| (1..=last).find(|&whole| f64::from(whole) == number);
+        let range = format!("a whole number from 1 to {last}");
         self.certain_number(place, key, value, range, |number| of(number).is_some()).and_then(of)
     }
 
@@ -430,8 +404,8 @@ impl<'t> Reader<'t> {
         let example = table.schema.example(key);
         let problem = match value.get_ref() {
             DeValue::String(text) if !text.trim().is_empty() => return Some(text.to_string()),
-            DeValue::String(_) => Problem::EmptyText { path, example },
-            other => Problem::WrongType { path, found: kind(other), wanted: "a text in quotes", example },
+            DeValue::String(_) => CaseProblem::EmptyText { path, example },
+            other => CaseProblem::WrongType { path, found: kind(other), wanted: "a text in quotes", example },
         };
         self.report(value.span(), problem);
         None
@@ -446,7 +420,7 @@ impl<'t> Reader<'t> {
         if self.not_a_range(table, key, value).is_none() {
             return false;
         }
-        let problem = Problem::WrongType {
+        let problem = CaseProblem::WrongType {
             path: table.path_of(key),
             found: kind(value.get_ref()),
             wanted: "true or false",
@@ -485,14 +459,14 @@ impl<'t> Reader<'t> {
                     return Some(*choice);
                 }
                 let names = || choices.iter().map(|(name, _)| *name);
-                Problem::UnknownChoice {
+                CaseProblem::UnknownChoice {
                     path,
                     word: shorten(word),
                     nearest: nearest(word, names()),
                     choices: forms.to_owned(),
                 }
             }
-            other => Problem::WrongType {
+            other => CaseProblem::WrongType {
                 path,
                 found: kind(other),
                 wanted: "a word in quotes",

@@ -1,28 +1,24 @@
 //! `[vehicle1]`, `[vehicle2]` and their damage.
 
-use super::differ;
 use super::tree::{Reader, Table};
-use super::values::{Place, Sign, hour_of, named};
-use crate::case::{
-    BarrierTest, ContactPoint, Crush, Fit, Mass, Outline, Pdof, StiffnessForm, StiffnessLine, Vehicle,
-    Velocity, YawInertia,
-};
-use crate::number::format_number;
-use crate::problem::Problem;
-use crate::quantity::{Limit, Quantity, format_limit, shorten};
-use crate::range::Bounds;
+use super::values::{Place, hour_of, named};
+use crate::case_problem::{CLASS_FORMS, CaseProblem};
+use crate::quantity::{Limit, format_limit, shorten};
 use crate::schema::{
     CONTACT, CRUSH, MOST_ZONES, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY, ZONE,
 };
-use crate::units::Dimension;
-use crash3::{CrushError, ObliqueCorrection, Side};
+use crash3::{CrushError, ObliqueCorrection};
+use inputs::{
+    ContactPoint, Crush, Dimension, Fit, GivenTest, GivenVehicle, Mass, OBLIQUE_CORRECTIONS, Outline, Pdof,
+    Quantity, SIDES, StiffnessForm, StiffnessLine, Velocity, YawInertia, format_number,
+};
 use toml::de::DeValue;
 
 /// (–) by how much the width and the sum of the spacing may differ: both are read from a tape.
 const WIDTH_TOLERANCE: f64 = 1e-3;
 
 impl<'t> Reader<'t> {
-    pub(super) fn vehicle(&mut self, top: &Table<'t>, key: &'static str) -> Option<Vehicle> {
+    pub(super) fn vehicle(&mut self, top: &Table<'t>, key: &'static str) -> Option<GivenVehicle> {
         if !top.has(key) {
             self.missing(top, key);
             return None;
@@ -31,60 +27,56 @@ impl<'t> Reader<'t> {
         let fixed = self.flag(&table, "fixed");
         if fixed {
             for key in table.given(&NEVER_FIXED) {
-                self.report_path(&table.path_of(key), Problem::FixedHas { table: table.label(), key });
+                self.report_path(&table.path_of(key), CaseProblem::FixedHas { table: table.label(), key });
             }
         }
-        let mut vehicle = Vehicle {
+        let mut vehicle = GivenVehicle {
             name: self.text(&table, "name"),
             fixed,
             mass: self.mass(&table),
             yaw: self.yaw(&table),
             class: self.class(&table),
-            wheelbase: self.quantity(&table, "wheelbase", Dimension::Length, Sign::Positive),
+            wheelbase: self.quantity(&table, "wheelbase"),
             length: None,
-            heading: self.quantity(&table, "heading", Dimension::Angle, Sign::Any),
+            heading: self.quantity(&table, "heading"),
             contact: self.contact(&table),
             motion: self.motion(&table),
-            yaw_rate: self.quantity(&table, "yaw_rate", Dimension::YawRate, Sign::Any),
+            yaw_rate: self.quantity(&table, "yaw_rate"),
             outline: self.outline(&table),
             crush: self.child(&table, "crush", &CRUSH).and_then(|crush| self.crush(&crush)),
         };
         if vehicle.outline.is_none() && length_alone(&table) {
-            vehicle.length = self.quantity(&table, "length", Dimension::Length, Sign::Positive);
+            vehicle.length = self.quantity(&table, "length");
         }
         Some(vehicle)
     }
 
     fn class(&mut self, table: &Table<'t>) -> Option<u8> {
-        let place = Place {
-            example: "class = 3; 1 to 6 are CRASH3's size classes of cars, from the smallest to the largest, which `deltav explain class` \
-                      describes; leave it out where yaw inertia and outline are given",
-            ..Place::of_key(table, "class")
-        };
-        self.counted(&place, table, "class", "a whole number from 1 to 6", 6)
+        let place = Place { example: CLASS_FORMS, ..Place::of_key(table, "class") };
+        self.counted(&place, table, "class")
     }
 
     fn mass(&mut self, table: &Table<'t>) -> Option<Mass> {
         self.not_both(table, "mass", "weight");
-        let mass = self.quantity(table, "mass", Dimension::Mass, Sign::Positive).map(Mass::Mass);
-        let weight = self.quantity(table, "weight", Dimension::Weight, Sign::Positive).map(Mass::Weight);
+        let mass = self.quantity(table, "mass").map(Mass::Mass);
+        let weight = self.quantity(table, "weight").map(Mass::Weight);
         mass.or(weight)
     }
 
     fn yaw(&mut self, table: &Table<'t>) -> Option<YawInertia> {
         self.not_both(table, "yaw_inertia", "yaw_radius");
-        let inertia = self.quantity(table, "yaw_inertia", Dimension::Inertia, Sign::Positive);
-        let radius = self.quantity(table, "yaw_radius", Dimension::Length, Sign::Positive);
+        let inertia = self.quantity(table, "yaw_inertia");
+        let radius = self.quantity(table, "yaw_radius");
         inertia.map(YawInertia::Inertia).or(radius.map(YawInertia::Radius))
     }
 
     fn contact(&mut self, vehicle: &Table<'t>) -> Option<ContactPoint> {
         const FORMS: &str = "contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" } or contact = { x = \"1.78 m\", y = \"-0.73 m\" }";
         let table = self.inline(vehicle, "contact", &CONTACT, "a table in braces", FORMS)?;
-        let distance = self.quantity(&table, "distance", Dimension::Length, Sign::NotNegative);
-        let angle = self.quantity(&table, "angle", Dimension::Angle, Sign::Any);
-        let x = self.quantity(&table, "x", Dimension::Length, Sign::Any);
-        let y = self.quantity(&table, "y", Dimension::Length, Sign::Any);
+        let distance = self.quantity(&table, "distance");
+        let angle = self.quantity(&table, "angle");
+        let x = self.quantity(&table, "x");
+        let y = self.quantity(&table, "y");
         match table.given(&["distance", "angle", "x", "y"])[..] {
             ["distance", "angle"] => Some(ContactPoint::Polar { distance: distance?, angle: angle? }),
             ["x", "y"] => Some(ContactPoint::Cartesian { x: x?, y: y? }),
@@ -96,12 +88,12 @@ impl<'t> Reader<'t> {
         const FORMS: &str =
             "velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" } or, along the heading, speed = \"75 ft/s\"";
         self.not_both(vehicle, "speed", "velocity");
-        let speed = self.quantity(vehicle, "speed", Dimension::Speed, Sign::Any).map(Velocity::Speed);
+        let speed = self.quantity(vehicle, "speed").map(Velocity::Speed);
         let Some(table) = self.inline(vehicle, "velocity", &VELOCITY, "a table in braces", FORMS) else {
             return speed;
         };
-        let x = self.quantity(&table, "x", Dimension::Speed, Sign::Any);
-        let y = self.quantity(&table, "y", Dimension::Speed, Sign::Any);
+        let x = self.quantity(&table, "x");
+        let y = self.quantity(&table, "y");
         match table.given(&["x", "y"])[..] {
             ["x", "y"] => Some(Velocity::Vector { x: x?, y: y? }),
             _ => self.no_form(&table, FORMS),
@@ -117,11 +109,11 @@ impl<'t> Reader<'t> {
         let missing: Vec<_> = keys.into_iter().filter(|key| !given.contains(key)).collect();
         if let ([first, ..], [_, ..]) = (&given[..], &missing[..]) {
             let path = table.path_of(first);
-            self.report_path(&path, Problem::HalfOutline { table: table.label(), given, missing });
+            self.report_path(&path, CaseProblem::HalfOutline { table: table.label(), given, missing });
         }
-        let length = self.quantity(table, "length", Dimension::Length, Sign::Positive);
-        let width = self.quantity(table, "width", Dimension::Length, Sign::Positive);
-        let cg_to_front = self.quantity(table, "cg_to_front", Dimension::Length, Sign::Positive);
+        let length = self.quantity(table, "length");
+        let width = self.quantity(table, "width");
+        let cg_to_front = self.quantity(table, "cg_to_front");
         Some(Outline { length: length?, width: width?, cg_to_front: cg_to_front? })
     }
 
@@ -130,7 +122,7 @@ impl<'t> Reader<'t> {
         if from_force_balance {
             self.require(table, &["side", "stiffness"]);
             for key in table.given(&["depths", "spacing"]) {
-                self.report_path(&table.path_of(key), Problem::InferredHas { table: table.label(), key });
+                self.report_path(&table.path_of(key), CaseProblem::InferredHas { table: table.label(), key });
             }
         } else {
             self.require(table, &["side", "depths", "stiffness"]);
@@ -138,20 +130,20 @@ impl<'t> Reader<'t> {
                 self.require(table, &["width"]);
             }
         }
-        let sides =
-            [("front", Side::Front), ("rear", Side::Rear), ("left", Side::Left), ("right", Side::Right)];
-        let side = self.choice(table, "side", &sides);
-        let width = self.quantity(table, "width", Dimension::Length, Sign::Positive);
-        let depths = self.quantities(table, "depths", Dimension::Length, Sign::NotNegative);
-        let spacing = self.quantities(table, "spacing", Dimension::Length, Sign::Positive);
+        let side = self.choice(table, "side", &SIDES);
+        let width = self.quantity(table, "width");
+        let depths = self.quantities(table, "depths");
+        let spacing = self.quantities(table, "spacing");
         self.profile(table, width, depths.as_deref(), spacing.as_deref());
         let stiffness = self.stiffness(table);
         if let Some(StiffnessForm::Zones(zones)) = &stiffness {
             let path = format!("{}.zones", table.path_of("stiffness"));
             let problem = match depths.as_ref().map(Vec::len) {
-                _ if from_force_balance => Some(Problem::InferredHas { table: table.label(), key: "zones" }),
+                _ if from_force_balance => {
+                    Some(CaseProblem::InferredHas { table: table.label(), key: "zones" })
+                }
                 Some(stations) if stations >= 2 && zones.len() != stations - 1 => {
-                    Some(Problem::ZoneCount { path: path.clone(), zones: zones.len(), stations })
+                    Some(CaseProblem::ZoneCount { path: path.clone(), zones: zones.len(), stations })
                 }
                 _ => None,
             };
@@ -159,10 +151,10 @@ impl<'t> Reader<'t> {
                 self.report_path(&path, problem);
             }
         }
-        let offset = self.quantity(table, "offset", Dimension::Length, Sign::Any);
+        let offset = self.quantity(table, "offset");
         let pdof = self.pdof(table);
-        let oblique_angle = self.quantity(table, "oblique_angle", Dimension::Angle, Sign::Acute);
-        let moment_arm = self.quantity(table, "moment_arm", Dimension::Length, Sign::NotNegative);
+        let oblique_angle = self.quantity(table, "oblique_angle");
+        let moment_arm = self.quantity(table, "moment_arm");
         let oblique = self.oblique(table);
         let depths = if from_force_balance { Vec::new() } else { depths? };
         Some(Crush {
@@ -191,7 +183,7 @@ impl<'t> Reader<'t> {
         let stations = depths.map(<[Quantity]>::len);
         if let Some(count @ 0..2) = stations {
             let path = table.path_of("depths");
-            self.report_path(&path.clone(), Problem::TooFewStations { path, count });
+            self.report_path(&path.clone(), CaseProblem::TooFewStations { path, count });
             return;
         }
         let Some(spacing) = spacing else { return };
@@ -199,7 +191,7 @@ impl<'t> Reader<'t> {
             && spacing.len() + 1 != stations
         {
             let path = table.path_of("spacing");
-            let problem = Problem::SpacingCount { path: path.clone(), spacings: spacing.len(), stations };
+            let problem = CaseProblem::SpacingCount { path: path.clone(), spacings: spacing.len(), stations };
             self.report_path(&path, problem);
             return;
         }
@@ -211,7 +203,7 @@ impl<'t> Reader<'t> {
             let in_unit = format!("{:.5e}", sum / width.unit().factor());
             let digits = in_unit.parse::<f64>().map_or(in_unit, format_number);
             let path = table.path_of("width");
-            let problem = Problem::WidthMismatch {
+            let problem = CaseProblem::WidthMismatch {
                 path: path.clone(),
                 width,
                 sum: format!("{digits} {}", width.unit()),
@@ -235,16 +227,16 @@ impl<'t> Reader<'t> {
                 let end = digits.find(|c: char| !c.is_ascii_digit()).unwrap_or(digits.len());
                 let hour = hour_of(&digits[..end]);
                 let text = shorten(text);
-                self.report(value.span(), Problem::HourForm { path: crush.path_of("pdof"), text, hour });
+                self.report(value.span(), CaseProblem::HourForm { path: crush.path_of("pdof"), text, hour });
                 return None;
             }
-            return self.quantity(crush, "pdof", Dimension::Angle, Sign::Any).map(Pdof::Angle);
+            return self.quantity(crush, "pdof").map(Pdof::Angle);
         };
         match hour.trim().parse::<u8>() {
             Ok(hour @ 1..=12) => Some(Pdof::Clock(hour)),
             _ => {
                 let text = shorten(&format!("{hour}o'clock"));
-                self.report(value.span(), Problem::NotAnHour { path: crush.path_of("pdof"), text });
+                self.report(value.span(), CaseProblem::NotAnHour { path: crush.path_of("pdof"), text });
                 None
             }
         }
@@ -255,19 +247,11 @@ impl<'t> Reader<'t> {
         if crush.get("oblique").is_some_and(|value| value.get_ref().is_table()) {
             let table = self.inline(crush, "oblique", &OBLIQUE, "a word or a table in braces", FORMS)?;
             return match table.given(&["friction"])[..] {
-                ["friction"] => {
-                    self.number(&table, "friction", Bounds::NotNegative).map(ObliqueCorrection::Friction)
-                }
+                ["friction"] => self.number(&table, "friction").map(ObliqueCorrection::Friction),
                 _ => self.no_form(&table, FORMS),
             };
         }
-        let corrections = [
-            ("capped", ObliqueCorrection::Capped),
-            ("uncapped", ObliqueCorrection::Uncapped),
-            ("none", ObliqueCorrection::None),
-            ("secant", ObliqueCorrection::Secant),
-        ];
-        self.choice_among(crush, "oblique", &corrections, FORMS)
+        self.choice_among(crush, "oblique", &OBLIQUE_CORRECTIONS, FORMS)
     }
 
     fn stiffness(&mut self, crush: &Table<'t>) -> Option<StiffnessForm> {
@@ -290,8 +274,7 @@ impl<'t> Reader<'t> {
                               test",
                     ..Place::of_key(&table, "category")
                 };
-                self.counted(&place, &table, "category", "a whole number from 1 to 5", 5)
-                    .map(StiffnessForm::Category)
+                self.counted(&place, &table, "category").map(StiffnessForm::Category)
             }
             ["test"] => {
                 let test = self.inline(&table, "test", &TEST, "a table in braces", TEST_FORMS)?;
@@ -314,26 +297,28 @@ impl<'t> Reader<'t> {
     }
 
     fn stiffness_line(&mut self, table: &Table<'t>, forms: &'static str) -> Option<StiffnessLine> {
-        let slope = if table.has("G") {
-            Sign::NotNegative
-        } else {
-            Sign::PositiveBecause("B may be zero only where G is given: without G, G = A²/2B needs it")
-        };
-        let a = self.quantity(table, "A", Dimension::StiffnessA, Sign::NotNegative);
-        let mut b = self.quantity(table, "B", Dimension::StiffnessB, slope);
+        let slope = table.measure("B").map(|slope| {
+            if table.has("G") {
+                slope
+            } else {
+                slope.positive("B may be zero only where G is given: without G, G = A²/2B needs it")
+            }
+        });
+        let a = self.quantity(table, "A");
+        let mut b = slope.and_then(|slope| self.quantity_as(table, "B", slope));
         // B is exactly zero or a stiffness; next to nothing is neither.
         if let Some(value) = b
             && value.number() != 0.0
             && value.si() < Dimension::StiffnessB.least_positive()
         {
             let path = table.path_of("B");
-            self.report_path(&path, Problem::TooSmall { path: named(&path), value });
+            self.report_path(&path, CaseProblem::TooSmall { path: named(&path), value });
             b = None;
         }
-        let d0 = self.quantity(table, "d0", Dimension::RootForce, Sign::NotNegative);
-        let d1 = self.quantity(table, "d1", Dimension::RootForcePerLength, Sign::Positive);
-        let g = self.quantity(table, "G", Dimension::StiffnessG, Sign::NotNegative);
-        let limit = self.quantity(table, "limit", Dimension::StiffnessA, Sign::NotNegative);
+        let d0 = self.quantity(table, "d0");
+        let d1 = self.quantity(table, "d1");
+        let g = self.quantity(table, "G");
+        let limit = self.quantity(table, "limit");
         let line = match table.given(&["A", "B", "d0", "d1"])[..] {
             ["A", "B"] => StiffnessLine::Crush { a: a?, b: b?, g, limit },
             ["d0", "d1"] => StiffnessLine::Root { d0: d0?, d1: d1?, g, limit },
@@ -349,9 +334,9 @@ impl<'t> Reader<'t> {
                             format!("A = d0·d1, {}", format_limit(a, limit.unit(), Limit::Least))
                         }
                     };
-                    Problem::LimitBelowStart { path: named(&path), limit, start }
+                    CaseProblem::LimitBelowStart { path: named(&path), limit, start }
                 }
-                _ => Problem::Stiffness { error, remedy: "check the numbers and their units" },
+                _ => CaseProblem::Stiffness { error, remedy: "check the numbers and their units" },
             };
             self.report_path(&path, problem);
             return None;
@@ -359,20 +344,20 @@ impl<'t> Reader<'t> {
         Some(line)
     }
 
-    fn barrier_test(&mut self, table: &Table<'t>) -> Option<BarrierTest> {
+    fn barrier_test(&mut self, table: &Table<'t>) -> Option<GivenTest> {
         self.require(table, &["speed", "width", "depths", "no_damage_speed"]);
         if !table.has("weight") {
             self.require(table, &["mass"]);
         }
         let mass = self.mass(table);
-        let speed = self.quantity(table, "speed", Dimension::Speed, Sign::Positive);
-        let width = self.quantity(table, "width", Dimension::Length, Sign::Positive);
-        let depths = self.quantities(table, "depths", Dimension::Length, Sign::NotNegative);
+        let speed = self.quantity(table, "speed");
+        let width = self.quantity(table, "width");
+        let depths = self.quantities(table, "depths");
         self.profile(table, width, depths.as_deref(), None);
-        let no_damage_speed = self.quantity(table, "no_damage_speed", Dimension::Speed, Sign::NotNegative);
-        let fit = self.choice(table, "fit", &[("exact", Fit::Exact), ("mean", Fit::Mean)]);
+        let no_damage_speed = self.quantity(table, "no_damage_speed");
+        let fit = self.choice(table, "fit", &Fit::WORDS);
         let depths = depths.filter(|depths| depths.len() >= 2)?;
-        let test = BarrierTest {
+        let test = GivenTest {
             mass: mass?,
             speed: speed?,
             width: width?,
@@ -381,12 +366,12 @@ impl<'t> Reader<'t> {
             fit: fit.unwrap_or_default(),
         };
         if let Err(error) = test.stiffness() {
-            let refused = |remedy| Problem::Stiffness { error, remedy };
+            let refused = |remedy| CaseProblem::Stiffness { error, remedy };
             let (key, problem) = match error {
                 CrushError::NoDamageSpeed { .. } => {
                     let path = named(&table.path_of("no_damage_speed"));
                     let (value, speed) = (test.no_damage_speed, test.speed);
-                    ("no_damage_speed", Problem::NoDamageSpeed { path, value, speed })
+                    ("no_damage_speed", CaseProblem::NoDamageSpeed { path, value, speed })
                 }
                 CrushError::NoCrushInTest => {
                     ("depths", refused("give the residual crush that was measured after the test"))
@@ -403,11 +388,12 @@ impl<'t> Reader<'t> {
         let (Some(one), Some(other)) = (table.get(first), table.get(second)) else { return };
         // The later of the two is the one that surprises.
         let later = if one.span().start > other.span().start { one } else { other };
-        self.report(later.span(), Problem::Both { table: table.label(), first, second });
+        self.report(later.span(), CaseProblem::Both { table: table.label(), first, second });
     }
 }
 
-/// Whether a text is a time of day, names the clock or the hour, or is a Collision Deformation Classification (SAE J224), which begins with the hour: "11FDEW2".
+/// Whether a text is a time of day, names the clock or the hour, or is a Collision Deformation Classification
+/// (SAE J224), which begins with the hour: "11FDEW2".
 fn is_like_a_clock(text: &str) -> bool {
     let is_cdc = matches!(text.trim().as_bytes(), [d1, d2, letters @ .., extent]
         if [d1, d2, extent].iter().all(|byte| byte.is_ascii_digit())
@@ -425,4 +411,9 @@ fn is_like_a_clock(text: &str) -> bool {
 /// Whether the length stands without the rest of the outline, for the yaw inertia.
 fn length_alone(table: &Table<'_>) -> bool {
     table.has("wheelbase") && table.given(&["length", "width", "cg_to_front"]) == ["length"]
+}
+
+/// Whether two quantities of one dimension differ by more than the share `tolerance` of the first.
+fn differ(first: &Quantity, second_si: f64, tolerance: f64) -> bool {
+    (first.si() - second_si).abs() > tolerance * first.si()
 }

@@ -1,9 +1,8 @@
-//! The texts that a quantity is read from, as regular expressions for an editor: `Quantity::parse` in the language of JSON Schema (ECMA 262),
-//! without its magnitudes.
+//! The texts that a quantity is read from, as regular expressions for an editor: `read_quantity` in the
+//! language of JSON Schema (ECMA 262), without its magnitudes.
 
-use super::Dimension;
 use super::spelling::{WORDS, is_pound_a_force};
-use crate::range::Bounds;
+use inputs::{Bounds, Dimension};
 
 /// Digits with a point, and an exponent.
 const MAGNITUDE: &str = r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)";

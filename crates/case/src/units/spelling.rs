@@ -1,6 +1,6 @@
 //! Spellings: what is forgiven, and which unit a misspelt one was meant to be.
 
-use super::{Dimension, Unit};
+use inputs::{Dimension, Unit};
 
 /// Words that stand for a unit's short form, wherever that form stands: "feet/second" is "ft/s".
 pub(super) const WORDS: &[(&str, &[&str])] = &[
@@ -107,10 +107,11 @@ pub(super) fn is_pound_a_force(known: &str, dimension: Dimension) -> bool {
     }
 }
 
-/// The unit of `dimension` that a misspelt one is sure to be: capitals, spaces, signs or a long word apart, it has the same letters and digits.
+/// The unit of `dimension` that a misspelt one is sure to be: capitals, spaces, signs or a long word apart,
+/// it has the same letters and digits.
 ///
-/// Another letter or digit more often makes another unit than a slip: "lb ft^2" is no "lb ft s^2", "kN/cm" no "kN/m" and "fpm" no "fps". A wrong unit that was
-/// proposed, and taken, would be an error without a trace.
+/// Another letter or digit more often makes another unit than a slip: "lb ft^2" is no "lb ft s^2", "kN/cm" no
+/// "kN/m" and "fpm" no "fps". A wrong unit that was proposed, and taken, would be an error without a trace.
 pub(crate) fn nearest_unit(spelling: &str, dimension: Dimension) -> Option<&'static Unit> {
     if spelling.len() > crate::nearest::LONGEST {
         return None;

@@ -1,102 +1,11 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
+use inputs::{Dimension, InvalidQuantity, Quantity, Unit, format_number};
+
+use super::read_unit;
 use super::spelling::WORDS;
-use super::{Dimension, STANDARD_GRAVITY, Unit};
-use crate::number::format_number;
-use crate::quantity::{Limit, Quantity, QuantityError, format_limit};
-
-/// (–) half a unit of the seventh digit, the precision to which SP 811 prints what it does not print exactly.
-const PRINTED: f64 = 5e-7;
-
-fn factor(dimension: Dimension, spelling: &str) -> f64 {
-    dimension.unit(spelling).unwrap_or_else(|| panic!("{dimension} has no unit {spelling}")).factor()
-}
-
-#[track_caller]
-fn assert_factor(dimension: Dimension, spelling: &str, expected: f64, tolerance: f64) {
-    let ours = factor(dimension, spelling);
-    let error = (ours / expected - 1.0).abs();
-    assert!(error <= tolerance, "{spelling}: {ours} against {expected}, relative error {error:e}");
-}
-
-/// NIST Special Publication 811 (2008), appendix B.8; the values in bold there are exact.
-#[test]
-fn factors_agree_with_nist_sp_811() {
-    use Dimension::*;
-    // Exact: equal to the last bit but one, which the product of two constants may cost.
-    for (dimension, spelling, exact) in [
-        (Length, "ft", 3.048e-1),
-        (Length, "in", 2.54e-2),
-        (Mass, "lb", 4.535_923_7e-1),
-        (Mass, "t", 1e3),
-        (Speed, "mph", 4.4704e-1),
-        (Speed, "ft/s", 3.048e-1),
-        (Weight, "kgf", 9.80665),
-        (StiffnessB, "N/mm^2", 1e6),
-        (StiffnessB, "N/cm^2", 1e4),
-        (StiffnessB, "kPa", 1e3),
-        (StiffnessA, "N/cm", 1e2),
-        (StiffnessA, "N/mm", 1e3),
-        (StiffnessA, "kN/m", 1e3),
-        (StiffnessA, "kN/cm", 1e5),
-        (StiffnessA, "kN/mm", 1e6),
-        (StiffnessB, "kN/cm^2", 1e7),
-        (RootForcePerLength, "N^0.5/cm", 1e2),
-    ] {
-        assert_factor(dimension, spelling, exact, f64::EPSILON);
-    }
-    for (dimension, spelling, printed) in [
-        (Mass, "slug", 1.459_390e1),
-        (Weight, "lb", 4.448_222),
-        (StiffnessG, "lb", 4.448_222),
-        (Speed, "km/h", 2.777_778e-1),
-        (Speed, "kn", 5.144_444e-1),
-        (Angle, "deg", 1.745_329e-2),
-        (YawRate, "rpm", 1.047_198e-1),
-        (YawRate, "deg/s", 1.745_329e-2),
-        // foot pound-force and inch pound-force, and the square second is the SI's own
-        (Inertia, "lb ft s^2", 1.355_818),
-        (Inertia, "lb in s^2", 1.129_848e-1),
-        (Inertia, "slug ft^2", 1.355_818),
-        // pound foot squared and pound inch squared
-        (Inertia, "lb ft^2", 4.214_011e-2),
-        (Inertia, "lb in^2", 2.926_397e-4),
-        (StiffnessA, "lb/in", 1.751_268e2),
-        (StiffnessA, "lb/ft", 1.459_390e1),
-        (StiffnessB, "psi", 6.894_757e3),
-        (StiffnessB, "psf", 4.788_026e1),
-    ] {
-        assert_factor(dimension, spelling, printed, PRINTED);
-    }
-}
-
-/// The roots have no row in SP 811: their squares have.
-#[test]
-fn squared_roots_agree_with_nist_sp_811() {
-    let squared = |dimension, spelling| factor(dimension, spelling) * factor(dimension, spelling);
-    let close = |ours: f64, printed: f64| (ours / printed - 1.0).abs() <= PRINTED;
-    assert!(close(squared(Dimension::RootForce, "lb^0.5"), 4.448_222));
-    // d1² is a B: lbf/ft² and lbf/in².
-    assert!(close(squared(Dimension::RootForcePerLength, "lb^0.5/ft"), 4.788_026e1));
-    assert!(close(squared(Dimension::RootForcePerLength, "lb^0.5/in"), 6.894_757e3));
-    // The literal is the correctly rounded root of the exact pound-force.
-    assert_eq!(factor(Dimension::RootForce, "lb^0.5"), 4.448_221_615_260_5_f64.sqrt());
-}
-
-#[test]
-fn every_dimension_has_its_si_unit_with_factor_one() {
-    for dimension in Dimension::ALL {
-        assert_eq!(factor(dimension, dimension.si_unit()), 1.0, "{dimension}");
-        assert!(dimension.units().iter().all(|unit| unit.dimension() == dimension));
-    }
-}
-
-#[test]
-fn a_weight_in_pounds_is_a_mass_in_pounds() {
-    let mass = factor(Dimension::Weight, "lb") / STANDARD_GRAVITY;
-    assert!((mass / factor(Dimension::Mass, "lb") - 1.0).abs() < 2.0 * f64::EPSILON);
-}
+use crate::quantity::{Limit, QuantityError, format_limit, read_quantity};
 
 #[test]
 fn no_spelling_means_two_units() {
@@ -108,7 +17,7 @@ fn no_spelling_means_two_units() {
                 if let Some(other) = rows.insert(normal, unit) {
                     assert_eq!(other, unit, "{spelling} means two units of {dimension}");
                 }
-                assert_eq!(dimension.unit(spelling), Some(unit), "{spelling} is not found");
+                assert_eq!(read_unit(spelling, dimension), Some(unit), "{spelling} is not found");
             }
         }
     }
@@ -148,7 +57,7 @@ fn what_does_not_change_the_meaning_is_forgiven() {
         (Angle, "°", "deg"),
         (YawRate, "°/s", "deg/s"),
     ] {
-        let unit = dimension.unit(written).map(Unit::spelling);
+        let unit = read_unit(written, dimension).map(Unit::spelling);
         assert_eq!(unit, Some(canonical), "{written}");
     }
 }
@@ -171,7 +80,7 @@ fn what_changes_the_meaning_is_not() {
         (Weight, "kg"),
         (Length, ""),
     ] {
-        assert_eq!(dimension.unit(written), None, "{written}");
+        assert_eq!(read_unit(written, dimension), None, "{written}");
     }
 }
 
@@ -210,7 +119,7 @@ fn no_unit_of_another_size_is_proposed() {
         ("kips", Dimension::StiffnessG),
         ("ton", Dimension::Mass),
     ] {
-        assert_eq!(dimension.unit(written), None, "{written}");
+        assert_eq!(read_unit(written, dimension), None, "{written}");
         assert_eq!(nearest_unit(written, dimension), None, "{written}");
     }
     // Whatever becomes of a unit by one letter or digit more, less or other.
@@ -222,8 +131,9 @@ fn no_unit_of_another_size_is_proposed() {
                     let mut slip = letters.clone();
                     slip.splice(place..=place, other);
                     let slip: String = slip.into_iter().collect();
-                    let factor = dimension.unit(&slip).or(nearest_unit(&slip, dimension)).map(Unit::factor);
-                    let is_other = dimension.unit(&slip).is_some() || factor.is_none();
+                    let factor =
+                        read_unit(&slip, dimension).or(nearest_unit(&slip, dimension)).map(Unit::factor);
+                    let is_other = read_unit(&slip, dimension).is_some() || factor.is_none();
                     assert!(is_other || factor == Some(unit.factor()), "{slip} for {unit}: {factor:?}");
                 }
             }
@@ -245,14 +155,14 @@ fn numbers_are_read_as_they_are_written() {
         ("1.5E-1ft", 0.15),
     ] {
         let quantity =
-            Quantity::parse(text, Dimension::Length).unwrap_or_else(|error| panic!("{text}: {error}"));
+            read_quantity(text, Dimension::Length).unwrap_or_else(|error| panic!("{text}: {error}"));
         assert_eq!(quantity.number(), number, "{text}");
     }
     for text in [
         "--6 ft", "-+6 ft", "+-6 ft", ". ft", "- ft", "e5 ft", "nan ft", "inf ft", "6 3 ft", "1_000 ft",
         "0x10 ft",
     ] {
-        assert!(Quantity::parse(text, Dimension::Length).is_err(), "{text}");
+        assert!(read_quantity(text, Dimension::Length).is_err(), "{text}");
     }
 }
 
@@ -261,9 +171,9 @@ fn the_bound_is_accepted_and_named_in_the_users_unit() {
     for dimension in Dimension::ALL {
         for unit in dimension.units() {
             let Err(error) = Quantity::new(1e30, unit) else { panic!("{unit} has no bound") };
-            let help = error.help();
+            let help = QuantityError::from(error).help();
             let limit = help.split(" is ").nth(1).and_then(|rest| rest.split(';').next()).unwrap_or_default();
-            let limit = Quantity::parse(limit, dimension)
+            let limit = read_quantity(limit, dimension)
                 .unwrap_or_else(|error| panic!("the limit {limit} is refused: {error}"));
             let share = limit.si() / dimension.bound();
             assert!((0.999..=1.0 + 1e-12).contains(&share), "{limit}: {share} of the bound");
@@ -272,7 +182,7 @@ fn the_bound_is_accepted_and_named_in_the_users_unit() {
     for dimension in Dimension::ALL {
         for unit in dimension.units() {
             let limit = format_limit(dimension.least_positive(), unit, Limit::Least);
-            let share = Quantity::parse(&limit, dimension).unwrap().si() / dimension.least_positive();
+            let share = read_quantity(&limit, dimension).unwrap().si() / dimension.least_positive();
             assert!((1.0 - 1e-12..=1.001).contains(&share), "{limit}: {share} of the smallest");
         }
     }
@@ -281,7 +191,7 @@ fn the_bound_is_accepted_and_named_in_the_users_unit() {
     assert_eq!(format_limit(1e3, foot, Limit::Most), "3280 ft");
     assert_eq!(format_limit(1e-6, foot, Limit::Least), "3.281e-6 ft");
     let error = Quantity::new(f64::NAN, foot).unwrap_err();
-    assert!(matches!(error, QuantityError::NotFinite { .. }), "{error:?}");
+    assert!(matches!(error, InvalidQuantity::NotFinite { .. }), "{error:?}");
 }
 
 /// The tables of the documentation, written from the tables of the program.

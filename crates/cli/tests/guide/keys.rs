@@ -1,6 +1,6 @@
 //! Every key, value, piece of a case file and path that the text names exists.
 
-use case::{Case, Dimension, Problem};
+use case::{CaseFile, CaseProblem, Dimension};
 
 use crate::guide::prose::{Page, page, pages, root};
 
@@ -34,15 +34,17 @@ const BEFORE_A_TABLE: [&str; 9] = [
 const OTHER: [&str; 6] = ["$", "...", "? 2", "#:schema", "ERRATUM", "incompatible_msrv"];
 
 /// A piece may leave out what it is not about.
-fn is_of_a_piece(problem: &Problem) -> bool {
+fn is_of_a_piece(problem: &CaseProblem) -> bool {
     matches!(
         problem,
-        Problem::MissingTable { .. } | Problem::MissingKey { .. } | Problem::MissingKeyOfLaw { .. }
+        CaseProblem::MissingTable { .. }
+            | CaseProblem::MissingKey { .. }
+            | CaseProblem::MissingKeyOfLaw { .. }
     )
 }
 
 fn reads(text: &str) -> bool {
-    match Case::parse("piece", text) {
+    match CaseFile::parse("piece", text) {
         Ok(_) => true,
         Err(errors) => errors.list().iter().all(|diagnostic| is_of_a_piece(diagnostic.problem())),
     }
@@ -102,8 +104,9 @@ fn begins_a_formula(sign: &str) -> bool {
     let title = format!("{sign}1");
     let text = page("fixtures/sae-980025.toml").text;
     let line = text.lines().find(|line| line.starts_with("title")).unwrap();
-    let file = Case::parse("title.toml", &text.replacen(line, &format!("title = \"{title}\""), 1)).unwrap();
-    let analysis = analysis::reconstruct(&file).unwrap();
+    let file =
+        CaseFile::parse("title.toml", &text.replacen(line, &format!("title = \"{title}\""), 1)).unwrap();
+    let analysis = analysis::reconstruct(&file.case).unwrap();
     let row = report::csv_row(
         report::Row { file: "title.toml", answer: Ok((&file.case, &analysis)) },
         report::Units::Si,

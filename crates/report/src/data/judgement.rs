@@ -5,6 +5,7 @@ use case::{CaseFile, Unit, UnitSystem};
 use serde::Serialize;
 
 use super::json::WarningBlock;
+use crate::PROGRAM;
 use crate::understood::{choices, converted, message, spread};
 use crate::units::Units;
 
@@ -64,15 +65,15 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
         title: case.title.as_deref().unwrap_or_default(),
         axes: case.axes.name(),
         commands: judgement
-            .commands
+            .abilities
             .iter()
-            .map(|Ability { command, obstacle, .. }| CommandBlock {
-                command: command.name(),
+            .map(|Ability { purpose, obstacle, .. }| CommandBlock {
+                command: purpose.name(),
                 runs: obstacle.is_none(),
                 obstacles: obstacle
                     .iter()
-                    .flat_map(|obstacle| obstacle.list())
-                    .map(|problem| problem.problem().to_string())
+                    .flat_map(|obstacle| file.diagnostics(obstacle, &PROGRAM).list().to_vec())
+                    .map(|one| one.problem().to_string())
                     .collect(),
             })
             .collect(),

@@ -1,7 +1,7 @@
 //! How sensitive the answer is to each input, as JSON.
 
 use analysis::Sensitivity;
-use case::{Case, Damage};
+use case::{Case, DamageData};
 use crash3::ObliqueCorrection;
 use serde::Serialize;
 
@@ -97,7 +97,7 @@ pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String
 }
 
 /// The vehicles in the sweep, 1 or 2, of whose damage the file gives something.
-pub(crate) fn given_in_sweep(sensitivity: &Sensitivity, given: fn(&Damage) -> Option<f64>) -> Vec<usize> {
+pub(crate) fn given_in_sweep(sensitivity: &Sensitivity, given: fn(&DamageData) -> Option<f64>) -> Vec<usize> {
     if sensitivity.pdof_sweep.is_empty() {
         return Vec::new();
     }

@@ -39,7 +39,7 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
 }
 
 fn caption(
-    vehicle: &case::Vehicle,
+    vehicle: &case::GivenVehicle,
     body: &Body,
     profile: &Profile,
     damage: &Damage,

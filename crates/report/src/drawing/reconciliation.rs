@@ -18,7 +18,7 @@ pub(super) fn picture(
     units: Units,
 ) -> Result<ReconciliationPicture, DrawingError> {
     let found = analysis.found.as_ref().ok_or(DrawingError::NoReconciliation)?;
-    let curve = work_curve(file, found, SAMPLES)?;
+    let curve = work_curve(&file.case, found, SAMPLES)?;
     let vehicle = found.unknown.index() + 1;
     let axis = |what: &str, quantity: Quantity| Axis {
         title: format!("{what} ({})", units.name(quantity)),
@@ -32,7 +32,7 @@ pub(super) fn picture(
     let speed = |si: f64| units.format(Quantity::RoadSpeed, si);
     let touch = speed(curve.first().map_or(0.0, |point| point.speed));
     // An interval whose ends look the same is none to the reader.
-    let begins = match first_push(file, &curve)?.filter(|&begins| speed(begins) != touch) {
+    let begins = match first_push(&file.case, &curve)?.filter(|&begins| speed(begins) != touch) {
         None => format!("It is zero where the vehicles just touch, at {touch},"),
         Some(begins) => format!(
             "It begins at {}, where the normal impulse becomes a push (Pₙ > 0); from {touch}, where the vehicles just touch, up to there they would have to \

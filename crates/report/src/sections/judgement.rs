@@ -1,12 +1,12 @@
 //! A case judged without solving it: what was understood, what was assumed, and what it can be used for.
 
 use analysis::{Ability, Judgement, Warning};
-use case::{Case, CaseFile, Command, UnitSystem};
+use case::{Case, CaseFile, Purpose, UnitSystem};
 
-use crate::Subject;
 use crate::document::{Block, Column, Document, Row, Table, Width};
 use crate::understood::{amount, choices, converted, message, shown, spread};
 use crate::units::Units;
+use crate::{PROGRAM, Subject};
 use crate::{warnings, words};
 
 /// Over the numbers of the file.
@@ -40,7 +40,7 @@ pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Docume
     } else {
         page.push(Block::Entries(assumed.collect()));
     }
-    page.push(commands(case, judgement));
+    page.push(commands(file, judgement));
     if judgement.warnings.is_empty() {
         page.paragraph("No warnings (checks that need a solution were not run).");
     } else {
@@ -51,29 +51,33 @@ pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Docume
     page
 }
 
-fn commands(case: &Case, judgement: &Judgement) -> Table {
+fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
     let columns = [Column::words("", Width::Fixed(KEY + 2)), Column::words("", Width::Share)];
     let mut table = Table::new("Commands", columns);
-    for Ability { command, on, obstacle } in &judgement.commands {
+    for Ability { purpose, on, obstacle } in &judgement.abilities {
         let Some(obstacle) = obstacle else {
-            let does = format!("has all that it needs{}", purpose(case, *command, *on));
-            table.row([command.to_string(), does]);
+            let does = format!("has all that it needs{}", good_for(&file.case, *purpose, *on));
+            table.row([purpose.to_string(), does]);
             continue;
         };
         // It lacks what another lacks, which was told there.
-        let is_told = on != command
-            && judgement.commands.iter().any(|other| {
-                other.command == *on
-                    && other.obstacle.as_ref().is_some_and(|other| other.list() == obstacle.list())
-            });
+        let is_told = on != purpose
+            && judgement
+                .abilities
+                .iter()
+                .any(|other| other.purpose == *on && other.obstacle.as_ref() == Some(obstacle));
         if is_told {
-            table.row([command.to_string(), format!("cannot run, as {on} cannot")]);
+            table.row([purpose.to_string(), format!("cannot run, as {on} cannot")]);
             continue;
         }
-        table.row([command.to_string(), "cannot run".to_owned()]);
+        table.row([purpose.to_string(), "cannot run".to_owned()]);
         // What helps with both vehicles is said once, after the last that it helps with.
-        let problems: Vec<_> =
-            obstacle.list().iter().map(|one| (one.problem().to_string(), one.problem().help())).collect();
+        let problems: Vec<_> = file
+            .diagnostics(obstacle, &PROGRAM)
+            .list()
+            .iter()
+            .map(|one| (one.problem().to_string(), one.problem().help()))
+            .collect();
         for (i, (problem, help)) in problems.iter().enumerate() {
             let is_repeated = problems[i + 1..].iter().any(|(_, later)| later == help);
             let help = help.as_ref().filter(|_| !is_repeated).map(|help| format!("; {help}"));
@@ -112,19 +116,19 @@ fn numbers(case: &Case) -> Table {
 }
 
 /// What a command that runs is good for in this case.
-fn purpose(case: &Case, command: Command, on: Command) -> String {
-    match (&case.reconstruct, command) {
-        (Some(reconstruct), Command::Reconstruct) => {
+fn good_for(case: &Case, purpose: Purpose, on: Purpose) -> String {
+    match (&case.reconstruct, purpose) {
+        (Some(reconstruct), Purpose::Reconstruct) => {
             format!(" to find {}", words::unknown_name(reconstruct.find))
         }
-        (_, Command::Draw) => {
+        (_, Purpose::Draw) => {
             let is_damaged = case.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
             let what: Vec<&str> = Subject::ALL
                 .into_iter()
                 .filter(|subject| match subject {
-                    Subject::Scene | Subject::Energy => on != Command::Crush,
+                    Subject::Scene | Subject::Energy => on != Purpose::Crush,
                     Subject::Damage => is_damaged,
-                    Subject::Reconciliation => on == Command::Reconstruct,
+                    Subject::Reconciliation => on == Purpose::Reconstruct,
                 })
                 .map(Subject::name)
                 .collect();

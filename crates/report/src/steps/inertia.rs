@@ -54,7 +54,7 @@ pub(super) fn mass(written: &Mass, name: String, of: &str) -> Step {
     }
 }
 
-fn of_vehicle(written: &case::Vehicle, vehicle: &Vehicle, k: usize) -> Vec<Step> {
+fn of_vehicle(written: &case::GivenVehicle, vehicle: &Vehicle, k: usize) -> Vec<Step> {
     let (Some(inertia), Some(written_mass)) = (vehicle.subject.inertia, &written.mass) else {
         return Vec::new();
     };

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use case::Case;
+use case::CaseFile;
 use crash3::{ObliqueCorrection, Side};
 
 use super::glossary::{high_no_damage_speed, large_ratio, no_damage_speeds, pdof_difference};
@@ -243,8 +243,8 @@ fn how_do_i(ledger: &mut Ledger) {
     assert!(text.contains(&line));
     let average = (depths.iter().sum::<f64>() - f64::midpoint(depths[0], depths[5])) / 5.0;
     let energy = |text: &str| {
-        let file = Case::parse("depths.toml", text).unwrap();
-        let analysis = analysis::reconstruct(&file).unwrap_or_else(|failure| panic!("{failure}"));
+        let file = CaseFile::parse("depths.toml", text).unwrap();
+        let analysis = analysis::reconstruct(&file.case).unwrap_or_else(|failure| panic!("{failure}"));
         analysis.vehicles[0].damage.as_ref().unwrap().crush_energy / FOOT_POUND
     };
     let [all, uniform] =
@@ -323,7 +323,11 @@ fn sensitivity(ledger: &mut Ledger) {
     let text = page("fixtures/sae-980025.toml").text;
     let speed = |plane: &str| {
         let text = text.replace("\"-23 deg\"", &format!("\"{plane} deg\""));
-        analysis::reconstruct(&Case::parse("plane.toml", &text).unwrap()).unwrap().found.unwrap().speed
+        analysis::reconstruct(&CaseFile::parse("plane.toml", &text).unwrap().case)
+            .unwrap()
+            .found
+            .unwrap()
+            .speed
             / MILE_PER_HOUR
     };
     ledger.made(format!("2° … counter-clockwise … {} mph", number(speed("-23") - speed("-21"), 1)));
@@ -345,7 +349,7 @@ fn sensitivity(ledger: &mut Ledger) {
 fn tutorial(ledger: &mut Ledger) {
     ledger.page("docs/guide/tutorial.md");
     let text = page("fixtures/sae-980025.toml").text;
-    let case = Case::parse("sae-980025.toml", &text).unwrap().case;
+    let case = CaseFile::parse("sae-980025.toml", &text).unwrap().case;
     let heading = |vehicle: usize| degrees(case.vehicles[vehicle].heading.unwrap().si());
     ledger.made(format!("heading … {}°", heading(0)));
     ledger.made(format!("drove … {}°", heading(1)));

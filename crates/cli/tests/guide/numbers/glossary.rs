@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use analysis::{Analysis, Warning};
-use case::{Axes, Case};
+use case::{Axes, CaseFile};
 use crash3::{EnergyBasis, ObliqueCorrection, Side, Stiffness, VehicleClass, yaw_inertia_burg};
 use report::Units;
 
@@ -200,7 +200,7 @@ fn warned(changes: &[(&str, String)]) -> Analysis {
         assert_eq!(text.matches(old).count(), 1, "{old}");
         text = text.replace(old, new);
     }
-    analysis::reconstruct(&Case::parse("warned.toml", &text).unwrap()).unwrap()
+    analysis::reconstruct(&CaseFile::parse("warned.toml", &text).unwrap().case).unwrap()
 }
 
 /// (deg) how far a given PDOF may be from that of the impulse.
@@ -289,8 +289,9 @@ fn skid(sliding: f64, tangential: &str, of_impact: &str) -> String {
 
 /// The analysis of a case with an impact, or of damage alone.
 fn analysed(text: &str) -> Analysis {
-    let file = Case::parse("warned.toml", text).unwrap();
-    let analysis = if file.case.impact.is_some() { analysis::impact(&file) } else { analysis::crush(&file) };
+    let file = CaseFile::parse("warned.toml", text).unwrap();
+    let analysis =
+        if file.case.impact.is_some() { analysis::impact(&file.case) } else { analysis::crush(&file.case) };
     analysis.unwrap_or_else(|failure| panic!("{failure}"))
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::process::Command;
 
 use analysis::Warning;
-use case::Case;
+use case::CaseFile;
 use serde_json::Value;
 
 use crate::guide::prose::{Page, page, root};
@@ -141,7 +141,7 @@ pub(super) fn opposite_limit() -> f64 {
         assert_eq!(text.matches(&line).count(), 1, "{line}");
         text.replace(&line, &format!("{line}\npdof = \"0 deg\""))
     });
-    let analysis = analysis::crush(&Case::parse("pdofs.toml", &with_pdofs).unwrap()).unwrap();
+    let analysis = analysis::crush(&CaseFile::parse("pdofs.toml", &with_pdofs).unwrap().case).unwrap();
     analysis.checks.iter().find(|check| check.code() == "pdofs-opposite").unwrap().limit
 }
 
@@ -166,7 +166,7 @@ pub(super) fn high_restitution() -> [String; 2] {
             &format!("restitution = {restitution}"),
             1,
         );
-        analysis::impact(&Case::parse("high.toml", &text).unwrap()).unwrap()
+        analysis::impact(&CaseFile::parse("high.toml", &text).unwrap().case).unwrap()
     };
     let warns = |analysis: &analysis::Analysis| {
         analysis.warnings.iter().any(|warning| matches!(warning, Warning::HighRestitution { .. }))
@@ -185,7 +185,7 @@ pub(super) fn width_tolerance() -> f64 {
             "[vehicle1]\nmass = \"1500 kg\"\n[vehicle1.crush]\nside = \"front\"\nwidth = \"{width} m\"\nspacing = \"0.25 0.75 m\"\n\
              depths = \"10 20 30 cm\"\nstiffness = {{ category = 3 }}\n[vehicle2]\nfixed = true\n"
         );
-        Case::parse("width.toml", &text).is_ok()
+        CaseFile::parse("width.toml", &text).is_ok()
     })
 }
 

@@ -16,7 +16,7 @@ pub(super) fn tables(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<
         rows.into_iter().for_each(|(key, value)| table.row([key, value]));
         table
     };
-    let assumed = analysis::assumptions(file)
+    let assumed = analysis::assumptions(&file.case)
         .iter()
         .filter(|assumption| is_of(assumption, analysis))
         .map(|assumption| (assumption.key(), understood::message(assumption, units)))

@@ -1,12 +1,12 @@
 //! A, B and G from a barrier test.
 
-use case::{BarrierTest, Fit};
+use case::{Fit, GivenTest};
 use crash3::Stiffness;
 
 use super::super::{Step, inertia, n, p, step};
 use crate::units::Quantity;
 
-pub(super) fn steps(stiffness: &Stiffness, test: &BarrierTest, i: usize) -> Vec<Step> {
+pub(super) fn steps(stiffness: &Stiffness, test: &GivenTest, i: usize) -> Vec<Step> {
     let Ok(fitted) = test.test() else { return Vec::new() };
     let sums = fitted.profile().sums();
     let depths = fitted.profile().depths();
@@ -86,7 +86,7 @@ fn exact([v, b0]: [f64; 2], mean: f64, square: f64, i: usize) -> (String, String
 }
 
 /// A, B and G from the slope.
-fn coefficients(stiffness: &Stiffness, test: &BarrierTest, b1: f64, i: usize) -> [Step; 3] {
+fn coefficients(stiffness: &Stiffness, test: &GivenTest, b1: f64, i: usize) -> [Step; 3] {
     let (mass, width, b0) = (n(test.mass.kg(), "kg"), n(test.width.si(), "m"), test.no_damage_speed.si());
     [
         (

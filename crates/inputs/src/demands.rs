@@ -1,4 +1,4 @@
-//! From a case to the types of the engine: what each command demands of the file.
+//! From a case to the types of the engines: what each purpose demands of it.
 
 use std::fmt::{self, Display};
 
@@ -10,10 +10,15 @@ use pim_core::{
 };
 use reconcile::Unknown;
 
-use crate::{
-    Axes, Case, CaseFile, Command, ContactPoint, Crush, Diagnostic, Diagnostics, Fit, ImpactLaw, Quantity,
-    Restitution, StiffnessForm, StiffnessLine, Vehicle, Velocity,
-};
+use crate::axes::Axes;
+use crate::case::Case;
+use crate::crush::{Crush, Fit, StiffnessForm, StiffnessLine};
+use crate::fault::{Fault, FaultKind, Faults};
+use crate::impact::{BrachTangential, ImpactLaw, Restitution};
+use crate::inertia::Mass;
+use crate::purpose::Purpose;
+use crate::quantity::Quantity;
+use crate::vehicle::{ContactPoint, GivenVehicle, Velocity};
 
 /// Two vehicles that collide, as the mechanics need them.
 #[derive(Clone, Debug)]
@@ -25,25 +30,25 @@ pub struct Collision<T = f64> {
     /// Motions before impact. A vehicle whose speed is sought is at rest here but for its yaw rate.
     pub motions: [Motion<T>; 2],
     /// What is known of each vehicle.
-    pub vehicles: [Subject<T>; 2],
+    pub vehicles: [VehicleData<T>; 2],
 }
 
-/// One vehicle, as far as the file and the command have it.
+/// One vehicle, as far as the case has it.
 #[derive(Clone, Debug)]
-pub struct Subject<T = f64> {
+pub struct VehicleData<T = f64> {
     /// Mass and yaw inertia, or `None` for a fixed object.
-    pub inertia: Option<Inertia<T>>,
+    pub inertia: Option<InertiaData<T>>,
     /// (m) contact point C forward and left of the CG.
     pub contact: Option<[T; 2]>,
     /// The body seen from above.
     pub dimensions: Option<Dimensions<T>>,
     /// The damage.
-    pub damage: Option<Damage<T>>,
+    pub damage: Option<DamageData<T>>,
 }
 
 /// Mass and yaw inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inertia<T = f64> {
+pub struct InertiaData<T = f64> {
     /// (kg) mass.
     pub mass: T,
     /// (kg·m²) yaw inertia.
@@ -55,7 +60,7 @@ pub struct Inertia<T = f64> {
 /// Where a yaw inertia comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum YawSource {
-    /// The file gives it, or the radius of gyration.
+    /// The case gives it, or the radius of gyration.
     Given,
     /// The radius of gyration of CRASH3's size class.
     Class(u8),
@@ -72,7 +77,7 @@ pub struct Dimensions<T = f64> {
     pub width: T,
     /// (m) from the CG forward to the front of the body.
     pub cg_to_front: T,
-    /// CRASH3's size class, where the file gives that and not the dimensions.
+    /// CRASH3's size class, where the case gives that and not the dimensions.
     pub class: Option<u8>,
 }
 
@@ -97,9 +102,9 @@ impl<T: Real> Dimensions<T> {
     }
 }
 
-/// Damage, and what the file says of the force that made it.
+/// DamageData, and what the case says of the force that made it.
 #[derive(Clone, Debug)]
-pub struct Damage<T = f64> {
+pub struct DamageData<T = f64> {
     /// The damaged side.
     pub side: Side,
     /// What the crush is known from.
@@ -108,12 +113,12 @@ pub struct Damage<T = f64> {
     pub stiffness_source: StiffnessSource,
     /// The damaged face and the place of the damage on it, where the dimensions of the vehicle are known.
     pub face: Option<DamagedFace<T>>,
-    /// (m) of the middle of the damage, left of the axis on front and rear, forward of the CG on the sides; where the file does not say,
-    /// it is taken to lie on the axis or beside the CG.
+    /// (m) of the middle of the damage, left of the axis on front and rear, forward of the CG on the sides;
+    /// where the case does not say, it is taken to lie on the axis or beside the CG.
     pub offset: Option<T>,
     /// How oblique forces are corrected.
     pub correction: ObliqueCorrection<T>,
-    /// (rad) PDOF: as given, or opposite to the one that the file gives for the other vehicle.
+    /// (rad) PDOF: as given, or opposite to the one that the case gives for the other vehicle.
     pub pdof: Option<T>,
     /// Whether it is that of the other vehicle, by Newton's third law.
     pub pdof_follows: bool,
@@ -171,7 +176,7 @@ pub enum StiffnessSource {
     Zones,
 }
 
-/// What `reconstruct` works on.
+/// What a reconstruction works on.
 #[derive(Clone, Debug)]
 pub struct ReconstructionInput<T = f64> {
     /// The collision, of which one speed is unknown.
@@ -180,11 +185,11 @@ pub struct ReconstructionInput<T = f64> {
     pub unknown: Unknown,
     /// The energy basis.
     pub basis: EnergyBasis,
-    /// (m/s) the speed that the file gives for the unknown all the same.
+    /// (m/s) the speed that the case gives for the unknown all the same.
     pub given_speed: Option<T>,
 }
 
-/// What `impact` works on.
+/// What a calculation of the impact works on.
 #[derive(Clone, Debug)]
 pub struct ImpactInput<T = f64> {
     /// The collision, of which all is known.
@@ -193,84 +198,72 @@ pub struct ImpactInput<T = f64> {
     pub basis: EnergyBasis,
 }
 
-/// What `crush` works on.
+/// What an analysis of the damage alone works on.
 #[derive(Clone, Debug)]
 pub struct CrushOnly<T = f64> {
-    /// Both vehicles; the damage of each that is not fixed has a PDOF, or both an oblique angle and a moment arm.
-    pub vehicles: [Subject<T>; 2],
+    /// Both vehicles; the damage of each that is not fixed has a PDOF, or both an oblique angle and a moment
+    /// arm.
+    pub vehicles: [VehicleData<T>; 2],
     /// The energy basis.
     pub basis: EnergyBasis,
-    /// e, if the file has one that does not depend on the closing speed; 0 under Woolley's law.
+    /// e, if the case has one that does not depend on the closing speed; 0 under Woolley's law.
     pub restitution: Option<T>,
 }
 
-impl CaseFile {
+impl<T: Real> Case<T> {
     /// All that a reconstruction needs.
     ///
     /// # Errors
-    /// Everything that is missing or does not fit together, with the place where it belongs.
-    pub fn reconstruction(&self) -> Result<ReconstructionInput, Diagnostics> {
-        self.reconstruction_with(&self.case)
-    }
-
-    /// The same with other numbers, see [`Case::map`].
-    ///
-    /// # Errors
-    /// As [`reconstruction`](Self::reconstruction).
-    pub fn reconstruction_with<T: Real>(
-        &self,
-        case: &Case<T>,
-    ) -> Result<ReconstructionInput<T>, Diagnostics> {
-        let mut demand = Demand { file: self, case, command: Command::Reconstruct, problems: Vec::new() };
+    /// Everything that is missing or does not fit together, each with its key.
+    pub fn reconstruction(&self) -> Result<ReconstructionInput<T>, Faults> {
+        let mut demand = Demand::new(self, Purpose::Reconstruct);
         let unknown = demand.unknown();
         let collision = demand.collision(|i| unknown.is_some_and(|unknown| unknown.index() != i));
-        for (i, vehicle) in self.case.vehicles.iter().enumerate() {
+        for (i, vehicle) in self.vehicles.iter().enumerate() {
             if !vehicle.fixed && vehicle.crush.is_none() {
                 demand.missing_crush(i);
             }
         }
-        if self.case.vehicles.iter().filter_map(|v| v.crush.as_ref()).any(|crush| crush.from_force_balance) {
+        if self.vehicles.iter().filter_map(|v| v.crush.as_ref()).any(|crush| crush.from_force_balance) {
             // The crush energy has to be known before the impact is, and so has the direction of the force.
             demand.directions_for_balance();
         }
-        demand.finish(collision.zip(unknown).map(|(collision, unknown)| ReconstructionInput {
-            given_speed: case.vehicles[unknown.index()].motion.map(|motion| match motion {
+        let input = collision.zip(unknown).map(|(collision, unknown)| ReconstructionInput {
+            given_speed: self.vehicles[unknown.index()].motion.map(|motion| match motion {
                 Velocity::Speed(speed) => speed.si(),
                 Velocity::Vector { x, y } => (x.si() * x.si() + y.si() * y.si()).sqrt(),
             }),
             collision,
             unknown,
             basis: self.energy_basis(),
-        }))
+        });
+        demand.finish(input)
     }
 
     /// All that a calculation of the impact needs.
     ///
     /// # Errors
-    /// Everything that is missing or does not fit together, with the place where it belongs.
-    pub fn impact(&self) -> Result<ImpactInput, Diagnostics> {
-        self.impact_with(&self.case)
-    }
-
-    /// The same with other numbers, see [`Case::map`].
-    ///
-    /// # Errors
-    /// As [`impact`](Self::impact).
-    pub fn impact_with<T: Real>(&self, case: &Case<T>) -> Result<ImpactInput<T>, Diagnostics> {
-        let mut demand = Demand { file: self, case, command: Command::Impact, problems: Vec::new() };
+    /// Everything that is missing or does not fit together, each with its key.
+    pub fn collision(&self) -> Result<ImpactInput<T>, Faults> {
+        let mut demand = Demand::new(self, Purpose::Impact);
         let collision = demand.collision(|_| true);
         demand.finish(collision.map(|collision| ImpactInput { collision, basis: self.energy_basis() }))
     }
 
+    fn energy_basis(&self) -> EnergyBasis {
+        self.reconstruct.as_ref().map_or(EnergyBasis::Dissipated, |reconstruct| reconstruct.energy_basis)
+    }
+}
+
+impl Case {
     /// All that an analysis of the damage alone needs.
     ///
     /// # Errors
-    /// Everything that is missing or does not fit together, with the place where it belongs.
-    pub fn crush(&self) -> Result<CrushOnly, Diagnostics> {
-        let mut demand =
-            Demand { file: self, case: &self.case, command: Command::Crush, problems: Vec::new() };
+    /// Everything that is missing or does not fit together, each with its key.
+    pub fn damage(&self) -> Result<CrushOnly, Faults> {
+        let mut demand = Demand::new(self, Purpose::Crush);
         let vehicles = [demand.subject(0), demand.subject(1)];
-        for (i, vehicle) in self.case.vehicles.iter().enumerate() {
+        for (i, vehicle) in self.vehicles.iter().enumerate() {
             if !vehicle.fixed {
                 demand.direction_of_force(i, vehicle);
             }
@@ -278,11 +271,11 @@ impl CaseFile {
         let [v1, v2] = vehicles;
         demand.finish(v1.zip(v2).map(|(v1, v2)| {
             let mut vehicles = [v1, v2];
-            fill_opposite_pdof(self.case.headings(), vehicles.each_mut().map(Some));
+            fill_opposite_pdof(self.headings(), vehicles.each_mut().map(Some));
             CrushOnly {
                 vehicles,
                 basis: self.energy_basis(),
-                restitution: self.case.impact.as_ref().and_then(|impact| match impact.law.restitution() {
+                restitution: self.impact.as_ref().and_then(|impact| match impact.law.restitution() {
                     Some(Restitution::Constant(e)) => Some(*e),
                     Some(Restitution::OfClosingSpeed { .. }) => None,
                     // Woolley: U_n = 0
@@ -292,25 +285,64 @@ impl CaseFile {
         }))
     }
 
-    /// What is known of each vehicle, whatever a command would need besides: `None` of one for which something is missing. Where one PDOF and both
-    /// headings are given, the other PDOF follows.
+    /// What is known of each vehicle, whatever a purpose would need besides: `None` of one for which
+    /// something is missing. Where one PDOF and both headings are given, the other PDOF follows.
     #[must_use]
-    pub fn subjects(&self) -> [Option<Subject>; 2] {
-        // What is missing is not told: that is up to the commands.
-        let mut demand =
-            Demand { file: self, case: &self.case, command: Command::Check, problems: Vec::new() };
+    pub fn subjects(&self) -> [Option<VehicleData>; 2] {
+        // What is missing for it is not told, so that any purpose will do.
+        let mut demand = Demand::new(self, Purpose::Crush);
         let mut subjects = [demand.subject(0), demand.subject(1)];
-        fill_opposite_pdof(self.case.headings(), subjects.each_mut().map(Option::as_mut));
+        fill_opposite_pdof(self.headings(), subjects.each_mut().map(Option::as_mut));
         subjects
-    }
-
-    fn energy_basis(&self) -> EnergyBasis {
-        self.case.reconstruct.as_ref().map_or(EnergyBasis::Dissipated, |reconstruct| reconstruct.energy_basis)
     }
 }
 
+/// What the vehicles of a case and the speed that it looks for say against each other, whatever the case is
+/// for.
+#[must_use]
+pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Unknown>) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    let mut contradiction = |key: &str, reason: String, advice: String| {
+        let kind = FaultKind::Refused { reason };
+        faults.push(Fault { key: key.to_owned(), kind, advice: Some(advice) });
+    };
+    let fixed = find.map(Unknown::index).filter(|&i| vehicles[i].fixed);
+    if vehicles.iter().all(|vehicle| vehicle.fixed) {
+        contradiction(
+            "vehicle2.fixed",
+            "both vehicles are fixed, so nothing can collide".to_owned(),
+            "remove fixed = true from the one that can move".to_owned(),
+        );
+    } else if let Some(i) = fixed {
+        contradiction(
+            "reconstruct.find",
+            format!("\"reconstruct.find\" asks for the speed of [{}], which is fixed", TABLES[i]),
+            format!("write find = \"{}.speed\"", TABLES[1 - i]),
+        );
+    }
+    let inferred = |i: usize| vehicles[i].crush.as_ref().is_some_and(|crush| crush.from_force_balance);
+    if inferred(0) && inferred(1) {
+        contradiction(
+            "vehicle2.crush.from_force_balance",
+            "both vehicles take their crush from the force balance, so nothing was measured".to_owned(),
+            "give width and depths of the vehicle that was inspected, and remove its from_force_balance"
+                .to_owned(),
+        );
+    } else if let Some(i) = [0, 1].into_iter().find(|&i| inferred(i) && vehicles[1 - i].crush.is_none()) {
+        let [vehicle, other] = [TABLES[i], TABLES[1 - i]];
+        contradiction(
+            &format!("{vehicle}.crush.from_force_balance"),
+            format!(
+                "[{vehicle}.crush] takes its crush from the force balance, but [{other}] has no measured crush"
+            ),
+            format!("add [{other}.crush] with side, width, depths and stiffness"),
+        );
+    }
+    faults
+}
+
 /// Where one PDOF and both headings are given, the other PDOF follows by Newton's third law.
-fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: [Option<&mut Subject<T>>; 2]) {
+fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: [Option<&mut VehicleData<T>>; 2]) {
     let [Some(h1), Some(h2)] = headings else { return };
     let given =
         vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.damage.as_ref()?.pdof));
@@ -333,8 +365,8 @@ const SPEED_FORMS: &str =
 /// The tables of the vehicles.
 const TABLES: [&str; 2] = ["vehicle1", "vehicle2"];
 
-/// A key in the crush table of a vehicle, spelled only where something is wrong with it: a case is turned into the types of the engine
-/// a million times where its numbers are uncertain.
+/// A key in the crush table of a vehicle, spelled only where something is wrong with it: a case is turned
+/// into the types of the engine a million times where its numbers are uncertain.
 struct InCrush(usize, &'static str);
 
 impl Display for InCrush {
@@ -343,21 +375,26 @@ impl Display for InCrush {
     }
 }
 
-/// Collects what a command needs, and everything that stands in its way.
+/// Collects what a purpose needs, and everything that stands in its way.
 struct Demand<'a, T> {
-    file: &'a CaseFile,
-    /// The file's case, or the same with other numbers.
     case: &'a Case<T>,
-    command: Command,
-    problems: Vec<Diagnostic>,
+    purpose: Purpose,
+    faults: Vec<Fault>,
 }
 
-impl<T: Real> Demand<'_, T> {
-    fn missing(&mut self, path: impl Display, example: &str) {
-        let path = &path.to_string();
-        let message = format!("`{path}` is missing: `deltav {}` needs it", self.command);
-        let help = format!("give {}", self.file.source.written().suited(path, example));
-        self.problems.push(self.file.problem(path, message, Some(help)));
+impl<'a, T: Real> Demand<'a, T> {
+    fn new(case: &'a Case<T>, purpose: Purpose) -> Self {
+        let find = case.reconstruct.map(|reconstruct| reconstruct.find);
+        Self { case, purpose, faults: contradictions(&case.vehicles, find) }
+    }
+
+    /// `example` is what to give, with the lines that set it.
+    fn missing(&mut self, key: impl Display, example: &str) {
+        self.faults.push(Fault {
+            key: key.to_string(),
+            kind: FaultKind::Missing { needed_for: self.purpose },
+            advice: Some(format!("give {example}")),
+        });
     }
 
     fn missing_crush(&mut self, i: usize) {
@@ -372,29 +409,32 @@ impl<T: Real> Demand<'_, T> {
         self.missing(format_args!("{}.crush", TABLES[i]), &example);
     }
 
-    fn given<V: Copy>(&mut self, value: Option<V>, path: impl Display, example: &str) -> Option<V> {
+    fn given<V: Copy>(&mut self, value: Option<V>, key: impl Display, example: &str) -> Option<V> {
         if value.is_none() {
-            self.missing(path, example);
+            self.missing(key, example);
         }
         value
     }
 
-    /// Turns the engine's refusal into a problem of the key that caused it.
-    fn accepted<V>(&mut self, path: impl Display, result: Result<V, impl Display>) -> Option<V> {
+    /// Turns the engine's refusal into a fault of the key that caused it.
+    fn accepted<V>(&mut self, key: impl Display, result: Result<V, impl Display>) -> Option<V> {
         match result {
             Ok(value) => Some(value),
             Err(error) => {
-                self.problems.push(self.file.problem(&path.to_string(), error.to_string(), None));
+                let kind = FaultKind::Refused { reason: error.to_string() };
+                self.faults.push(Fault { key: key.to_string(), kind, advice: None });
                 None
             }
         }
     }
 
-    fn finish<V>(self, value: Option<V>) -> Result<V, Diagnostics> {
-        match value {
-            Some(value) if self.problems.is_empty() => Ok(value),
-            _ => Err(Diagnostics::new(self.file.source.clone(), self.problems)),
-        }
+    fn finish<V>(self, value: Option<V>) -> Result<V, Faults> {
+        Faults::none_of(self.faults)?;
+        // Whatever is missing was told, so that a value is there.
+        value.ok_or_else(|| {
+            let reason = "the case cannot be analysed".to_owned();
+            Fault { key: String::new(), kind: FaultKind::Refused { reason }, advice: None }.into()
+        })
     }
 
     /// The value in SI of what counts across or turns, in the axes of the engine.
@@ -403,7 +443,7 @@ impl<T: Real> Demand<'_, T> {
     }
 
     /// (m) C forward and left of the CG.
-    fn contact_point(&self, vehicle: &Vehicle<T>) -> Option<[T; 2]> {
+    fn contact_point(&self, vehicle: &GivenVehicle<T>) -> Option<[T; 2]> {
         let contact = vehicle.contact.as_ref().map(ContactPoint::xy);
         contact.map(|[x, y]| [x, self.case.axes.lateral(y)])
     }
@@ -420,9 +460,8 @@ impl<T: Real> Demand<'_, T> {
             &format!("`find = \"{found}\"` in a table [reconstruct]: the speed to find"),
         );
         if is_open == [true, true] {
-            let message = "`vehicle1.speed` and `vehicle2.speed` are missing: `deltav reconstruct` needs one of the two, and finds the other";
-            let help = self.file.source.written().suited("", &format!("give one vehicle {SPEED_FORMS}"));
-            self.problems.push(self.file.problem("", message, Some(help)));
+            let advice = Some(format!("give one vehicle {SPEED_FORMS}"));
+            self.faults.push(Fault { key: String::new(), kind: FaultKind::NoSpeed, advice });
         }
         None
     }
@@ -443,37 +482,37 @@ impl<T: Real> Demand<'_, T> {
         Some(Collision { contact, law, motions: [m1?, m2?], vehicles })
     }
 
-    fn subject(&mut self, i: usize) -> Option<Subject<T>> {
+    fn subject(&mut self, i: usize) -> Option<VehicleData<T>> {
         let vehicle = &self.case.vehicles[i];
         let contact = self.contact_point(vehicle);
         let class = self.class(i, vehicle);
         let dimensions = dimensions(vehicle, class);
         if vehicle.fixed {
-            return Some(Subject { inertia: None, contact, dimensions, damage: None });
+            return Some(VehicleData { inertia: None, contact, dimensions, damage: None });
         }
         let inertia = self.inertia(i, vehicle, class);
         let damage = match &vehicle.crush {
             Some(crush) => Some(self.damage(i, crush, dimensions)?),
             None => None,
         };
-        Some(Subject { inertia: Some(inertia?), contact, dimensions, damage })
+        Some(VehicleData { inertia: Some(inertia?), contact, dimensions, damage })
     }
 
-    fn class(&mut self, i: usize, vehicle: &Vehicle<T>) -> Option<(u8, VehicleClass)> {
+    fn class(&mut self, i: usize, vehicle: &GivenVehicle<T>) -> Option<(u8, VehicleClass)> {
         let class = vehicle.class?;
         self.accepted(format_args!("{}.class", TABLES[i]), VehicleClass::new(class))
             .map(|known| (class, known))
     }
 
-    /// What the file gives goes before the class, and the class before Burg's estimate.
+    /// What the case gives goes before the class, and the class before Burg's estimate.
     fn inertia(
         &mut self,
         i: usize,
-        vehicle: &Vehicle<T>,
+        vehicle: &GivenVehicle<T>,
         class: Option<(u8, VehicleClass)>,
-    ) -> Option<Inertia<T>> {
+    ) -> Option<InertiaData<T>> {
         let table = TABLES[i];
-        let mass = vehicle.mass.as_ref().map(crate::Mass::kg);
+        let mass = vehicle.mass.as_ref().map(Mass::kg);
         let mass = self.given(
             mass,
             format_args!("{table}.weight"),
@@ -482,19 +521,19 @@ impl<T: Real> Demand<'_, T> {
         let length = vehicle.outline.map(|outline| outline.length).or(vehicle.length);
         if let Some(yaw) = &vehicle.yaw {
             let mass = mass?;
-            return Some(Inertia { mass, yaw_inertia: yaw.kg_m2(mass), yaw_source: YawSource::Given });
+            return Some(InertiaData { mass, yaw_inertia: yaw.kg_m2(mass), yaw_source: YawSource::Given });
         }
         if let Some((class, known)) = class {
             let mass = mass?;
             // I = m k²
             let yaw_inertia = mass * known.yaw_radius * known.yaw_radius;
-            return Some(Inertia { mass, yaw_inertia, yaw_source: YawSource::Class(class) });
+            return Some(InertiaData { mass, yaw_inertia, yaw_source: YawSource::Class(class) });
         }
         if let Some((wheelbase, length)) = vehicle.wheelbase.zip(length) {
             let mass = mass?;
             let estimate = crash3::yaw_inertia_burg(mass, wheelbase.si(), length.si());
             let yaw_inertia = self.accepted(format_args!("{table}.wheelbase"), estimate)?;
-            return Some(Inertia { mass, yaw_inertia, yaw_source: YawSource::Burg });
+            return Some(InertiaData { mass, yaw_inertia, yaw_source: YawSource::Burg });
         }
         self.missing(
             format_args!("{table}.yaw_inertia"),
@@ -504,13 +543,14 @@ impl<T: Real> Demand<'_, T> {
         None
     }
 
-    fn participant(&mut self, i: usize, inertia: Option<Inertia<T>>) -> Option<Participant<T>> {
+    fn participant(&mut self, i: usize, inertia: Option<InertiaData<T>>) -> Option<Participant<T>> {
         let table = TABLES[i];
         let vehicle = &self.case.vehicles[i];
         let heading = self.case.headings()[i];
         let contact = self.contact_point(vehicle);
         if vehicle.fixed {
-            // Heading and contact point of a fixed object are optional; they only help to orient the crush plane's normal.
+            // Heading and contact point of a fixed object are optional; they only help to orient the crush
+            // plane's normal.
             return match contact {
                 Some([forward, left]) => {
                     let placed = Participant::new(Body::fixed(), heading.unwrap_or(T::ZERO), forward, left);
@@ -525,7 +565,7 @@ impl<T: Real> Demand<'_, T> {
             format_args!("{table}.contact"),
             "`contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }` or `contact = { x = \"1.78 m\", y = \"-0.73 m\" }`",
         );
-        let Inertia { mass, yaw_inertia, .. } = inertia?;
+        let InertiaData { mass, yaw_inertia, .. } = inertia?;
         let ([forward, left], heading) = (contact?, heading?);
         let body = self.accepted(table, Body::new(mass, yaw_inertia))?;
         self.accepted(table, Participant::new(body, heading, forward, left))
@@ -570,9 +610,9 @@ impl<T: Real> Demand<'_, T> {
         let law = match &impact.law {
             ImpactLaw::Brach { restitution, tangential, moment_restitution } => {
                 let tangential = match *tangential {
-                    // P_t changes its sign with t; a share of μ_c, a friction limit and the coefficients of restitution have none.
-                    Tangential::Ratio(mu) => Tangential::Ratio(self.case.axes.lateral(mu)),
-                    other => other,
+                    // P_t changes its sign with t; a share of μ_c and a friction limit have none.
+                    BrachTangential::Ratio(mu) => Tangential::Ratio(self.case.axes.lateral(mu)),
+                    other => other.into(),
                 };
                 Law::new(e(restitution), tangential).and_then(|law| match moment_restitution {
                     Some(e_m) => law.with_moment_restitution(*e_m),
@@ -608,15 +648,22 @@ impl<T: Real> Demand<'_, T> {
         self.accepted("impact.crush_plane", contact)
     }
 
-    fn damage(&mut self, i: usize, crush: &Crush<T>, dimensions: Option<Dimensions<T>>) -> Option<Damage<T>> {
+    fn damage(
+        &mut self,
+        i: usize,
+        crush: &Crush<T>,
+        dimensions: Option<Dimensions<T>>,
+    ) -> Option<DamageData<T>> {
         let path = |key| InCrush(i, key);
         let structure = self.accepted(path("stiffness"), crush.stiffness.structure(crush.side));
         let evidence = if crush.from_force_balance {
             let width = self.inferred_width(i, crush, dimensions)?;
             match structure? {
                 SideStiffness::Uniform(stiffness) => Evidence::ForceBalance { stiffness, width },
-                // The reader lets no crush without stations have zones between them.
-                SideStiffness::Zones(_) => return None,
+                SideStiffness::Zones(_) => {
+                    let reason = "zones lie between stations, and a crush from the force balance has none";
+                    return self.accepted(path("stiffness.zones"), Err(reason));
+                }
             }
         } else {
             let profile = self.profile(i, crush);
@@ -635,7 +682,7 @@ impl<T: Real> Demand<'_, T> {
             }
             None => None,
         };
-        Some(Damage {
+        Some(DamageData {
             side: crush.side,
             evidence,
             stiffness_source: match &crush.stiffness {
@@ -692,7 +739,7 @@ impl<T: Real> Demand<'_, T> {
         })
     }
 
-    /// Whether the file gives the PDOF of a vehicle, or that of the other and both headings.
+    /// Whether the case gives the PDOF of a vehicle, or that of the other and both headings.
     fn has_pdof(&self, i: usize) -> bool {
         let given = |i: usize| {
             self.case.vehicles[i].crush.as_ref().is_some_and(|crush: &Crush<T>| crush.pdof.is_some())
@@ -716,7 +763,7 @@ impl<T: Real> Demand<'_, T> {
     }
 
     /// `crush` has no impulse to take the direction of the force from.
-    fn direction_of_force(&mut self, i: usize, vehicle: &Vehicle<T>) {
+    fn direction_of_force(&mut self, i: usize, vehicle: &GivenVehicle<T>) {
         let table = TABLES[i];
         let Some(crush) = &vehicle.crush else {
             self.missing_crush(i);
@@ -738,11 +785,14 @@ impl<T: Real> Demand<'_, T> {
     }
 }
 
-fn has_dimensions<T>(vehicle: &Vehicle<T>) -> bool {
+fn has_dimensions<T>(vehicle: &GivenVehicle<T>) -> bool {
     vehicle.outline.is_some() || vehicle.class.is_some()
 }
 
-fn dimensions<T: Real>(vehicle: &Vehicle<T>, class: Option<(u8, VehicleClass)>) -> Option<Dimensions<T>> {
+fn dimensions<T: Real>(
+    vehicle: &GivenVehicle<T>,
+    class: Option<(u8, VehicleClass)>,
+) -> Option<Dimensions<T>> {
     let given = vehicle.outline.map(|outline| Dimensions {
         length: outline.length.si(),
         width: outline.width.si(),

@@ -6,24 +6,28 @@ use crash3::CrushError;
 use thiserror::Error;
 
 use crate::nearest::join;
-use crate::number::format_number;
-use crate::quantity::{Limit, Quantity, QuantityError, dimension_help, format_limit};
-use crate::range::Amount;
-use crate::schema::{LawName, RESTITUTION, TANGENTIAL, dimensions_of, example_of};
-use crate::slips;
-use crate::units::{Dimension, Unit};
-use crate::written::Written;
+use crate::number_slips;
+use crate::program::Program;
+use crate::quantity::{Limit, QuantityError, dimension_help, format_limit};
+use crate::schema::{RESTITUTION, TANGENTIAL, dimensions_of, example_of};
+use crate::units::read_unit;
+use crate::units_in_use::UnitsInUse;
+use inputs::{Amount, Dimension, LawName, Quantity, Unit, format_number};
 
-/// What is wrong at one place of a case file. `Display` says what, [`Problem::help`] what to write instead.
+/// What is wrong at one place of a case file. `Display` says what, [`CaseProblem::help`] what to write
+/// instead.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "the fields carry the names of what the sentence above them says")]
-pub enum Problem {
+pub enum CaseProblem {
     /// The file is too large to be a case.
     #[error("the file has more than the {limit} bytes that a case file may have")]
     TooLarge { limit: usize },
     /// Another kind of file.
     #[error("this is {kind}, and not a case")]
-    OtherFile { kind: &'static str, help: &'static str },
+    OtherFile { kind: &'static str },
+    /// Text in an encoding that programs of Windows write.
+    #[error("this is text in UTF-16, and not a case")]
+    Utf16 { help: &'static str },
     /// Text in another encoding.
     #[error("the file is not text in UTF-8: line {line} has the first letter that does not fit")]
     NotUtf8 { line: usize, help: &'static str },
@@ -103,7 +107,7 @@ pub enum Problem {
     NotAcute { path: String, value: Quantity, limit: &'static str },
     /// A plain number outside of its range.
     #[error("{path} is {}, but has to be {range}", format_number(*value))]
-    OutOfRange { path: String, value: f64, range: &'static str, example: &'static str },
+    OutOfRange { path: String, value: f64, range: Cow<'static, str>, example: &'static str },
     /// A text that is empty.
     #[error("\"{path}\" is empty")]
     EmptyText { path: String, example: &'static str },
@@ -119,12 +123,6 @@ pub enum Problem {
     /// A key that a barrier cannot have.
     #[error("{table} is fixed, and a fixed object has no {key}")]
     FixedHas { table: String, key: &'static str },
-    /// Two barriers.
-    #[error("both vehicles are fixed, so nothing can collide")]
-    BothFixed,
-    /// The unknown is the speed of a barrier.
-    #[error("\"reconstruct.find\" asks for the speed of [{vehicle}], which is fixed")]
-    FindsFixed { vehicle: &'static str, other: &'static str },
     /// An outline with parts missing.
     #[error("{table} gives {} of the outline, but not {}", list(given), list(missing))]
     HalfOutline { table: String, given: Vec<&'static str>, missing: Vec<&'static str> },
@@ -167,12 +165,6 @@ pub enum Problem {
     /// An inferred crush with what only a measured one has.
     #[error("{table} takes its crush from the force balance, and then has no {key}")]
     InferredHas { table: String, key: &'static str },
-    /// Both crushes inferred from each other.
-    #[error("both vehicles take their crush from the force balance, so nothing was measured")]
-    BothInferred,
-    /// A crush inferred from one that is not there.
-    #[error("[{vehicle}.crush] takes its crush from the force balance, but [{other}] has no measured crush")]
-    NothingMeasured { vehicle: &'static str, other: &'static str },
     /// A force per width that is limited to less than it begins with; `start` names A and says what it is.
     #[error("{path} is {limit}, but has to be at least {start}, at which crush begins")]
     LimitBelowStart { path: String, limit: Quantity, start: String },
@@ -203,27 +195,32 @@ pub enum Problem {
     /// Not a percentage.
     #[error("{path} is \"{text}\", but has to be a percentage")]
     NotPercent { path: String, text: String },
-    /// Something that a computation finds wrong with a well-formed case.
+    /// What is wrong with a case that can be read.
     #[error("{message}")]
-    CrossCheck { message: String, help: Option<String> },
+    Fault { message: String, help: Option<String> },
 }
 
-impl Problem {
-    /// What to write instead, as a sentence without its full stop. [`Diagnostics`](crate::Diagnostics) show it with examples in the units of the
-    /// file.
+impl CaseProblem {
+    /// What to write instead, as a sentence without its full stop. [`Diagnostics`](crate::Diagnostics) show
+    /// it with examples in the units of the file.
     #[must_use]
     pub fn help(&self) -> Option<String> {
-        self.help_in(None)
+        self.help_in(None, &Program::NONE)
     }
 
-    /// The same, with examples in the units of a file.
-    pub(crate) fn help_in(&self, written: Option<&Written>) -> Option<String> {
+    /// The same, with examples in the units of a file, and pointing to the commands of a program.
+    pub(crate) fn help_in(&self, units_in_use: Option<&UnitsInUse>, program: &Program) -> Option<String> {
         let suited = |place: &str, example: &str| {
-            written.map_or_else(|| example.to_owned(), |written| written.suited(place, example))
+            units_in_use
+                .map_or_else(|| example.to_owned(), |units_in_use| units_in_use.suited(place, example))
         };
         let help = match self {
             Self::TooLarge { .. } => "a case is a page of text; is this the right file?".to_owned(),
-            Self::OtherFile { help, .. } | Self::NotUtf8 { help, .. } => (*help).to_owned(),
+            Self::OtherFile { .. } => {
+                let begins = program.begins.map_or_else(String::new, |begins| format!(", and {begins} writes one to begin with"));
+                format!("a case is plain text in TOML{begins}; is this the right file?")
+            }
+            Self::Utf16 { help } | Self::NotUtf8 { help, .. } => (*help).to_owned(),
             Self::Syntax { help, .. } => help.to_string(),
             Self::UnknownKey { belongs, nearest, known, table, key } => match (belongs, nearest) {
                 (Some(belongs), None) => format!("it belongs in {belongs}"),
@@ -232,7 +229,7 @@ impl Problem {
                 }
                 (None, Some(nearest)) => {
                     let unit = key.strip_prefix(nearest).map(|rest| rest.trim_start_matches(['_', '-', ' ']));
-                    let is_unit = |unit: &&str| dimensions_of(nearest).iter().any(|of_key| of_key.unit(unit).is_some());
+                    let is_unit = |unit: &&str| dimensions_of(nearest).iter().any(|of_key| read_unit(unit, *of_key).is_some());
                     match unit.filter(is_unit) {
                         Some(unit) => format!("the unit stands behind the number: {nearest} = \"… {unit}\""),
                         None => format!("did you mean \"{nearest}\"?"),
@@ -259,7 +256,9 @@ impl Problem {
                 let example = suited("", example);
                 format!("add a line such as {example}; law = \"{law}\" uses {keys}")
             }
-            Self::WrongType { path, example, .. } => format!("write for example {}", suited(path, example)),
+            Self::WrongType { path, example, .. } => {
+                format!("write for example {}", suited(path, &pointing(example, program)))
+            }
             Self::NotATable { path, found: "a list" } => {
                 format!("write [{path}], with single brackets, on a line of its own")
             }
@@ -269,10 +268,12 @@ impl Problem {
                 suited(path, example),
                 dimension_help(*dimension)
             ),
-            Self::QuotedNumber { text, number, example, .. } => match (slips::range(text, None), number) {
+            Self::QuotedNumber { text, number, example, .. } => match (number_slips::range(text, None), number) {
                 (Some(range), _) => format!("write a range as {range}"),
                 (None, Some(number)) => format!("write {number}, without quotes"),
-                (None, None) => format!("write a plain number without quotes, for example {example}"),
+                (None, None) => {
+                    format!("write a plain number without quotes, for example {}", pointing(example, program))
+                }
             },
             Self::BareNumbers { path, dimension, example } => format!(
                 "write the numbers and one unit as a string, for example {}; {}",
@@ -303,7 +304,7 @@ impl Problem {
             Self::NotAcute { .. } => {
                 "it is the angle between the force and the normal of the damaged side: 0 deg for a force square to it".to_owned()
             }
-            Self::OutOfRange { example, .. } => format!("write for example {example}"),
+            Self::OutOfRange { example, .. } => format!("write for example {}", pointing(example, program)),
             Self::TooMany { .. } => {
                 "give fewer: a profile needs no more stations, its stiffness no more zones, and a curve of restitution no more points".to_owned()
             }
@@ -327,8 +328,6 @@ impl Problem {
             Self::FixedHas { key, .. } => {
                 format!("remove {key} or, if this is a vehicle that can move, fixed = true")
             }
-            Self::BothFixed => "remove fixed = true from the one that can move".to_owned(),
-            Self::FindsFixed { other, .. } => format!("write find = \"{other}.speed\""),
             Self::HalfOutline { missing, .. } => format!(
                 "add {}: the body can be drawn, and the contact point be checked, only with all three of length, width and \
                  cg_to_front; or leave all three out",
@@ -365,12 +364,6 @@ impl Problem {
             Self::InferredHas { key, .. } => {
                 format!("remove {key} or, if the damage was measured, from_force_balance = true")
             }
-            Self::BothInferred => {
-                "give width and depths of the vehicle that was inspected, and remove its from_force_balance".to_owned()
-            }
-            Self::NothingMeasured { other, .. } => {
-                format!("add [{other}.crush] with side, width, depths and stiffness")
-            }
             Self::LimitBelowStart { .. } => {
                 "raise the limit, or leave it out where the force is not known to be limited".to_owned()
             }
@@ -396,9 +389,23 @@ impl Problem {
             Self::NotPercent { .. } => {
                 "write number and percent sign, as within = \"10 %\"; a deviation with a unit is written as sd = …".to_owned()
             }
-            Self::CrossCheck { help, .. } => return help.clone(),
+            Self::Fault { help, .. } => return help.clone(),
         };
         Some(help)
+    }
+}
+
+/// What `class` may look like; [`pointing`] adds what describes the classes.
+pub(crate) const CLASS_FORMS: &str = "class = 3; 1 to 6 are CRASH3's size classes of cars, from the smallest to the largest; leave it out where yaw inertia and \
+                                      outline are given";
+
+/// An example with what a program has to say of it.
+fn pointing<'a>(example: &'a str, program: &Program) -> Cow<'a, str> {
+    match (program.describes_classes, example.split_once("; leave it out")) {
+        (Some(command), Some((classes, _))) if example == CLASS_FORMS => {
+            format!("{classes}, which {command} describes{}", &example[classes.len()..]).into()
+        }
+        _ => example.into(),
     }
 }
 

@@ -1,9 +1,12 @@
-//! Numbers written as people write them elsewhere: a case does not read them, but knows what to write instead.
+//! Numbers written as people write them elsewhere: a case does not read them, but knows what to write
+//! instead.
 
-use crate::number::{format_number, split_number};
-use crate::units::Dimension;
+use crate::number::split_number;
+use crate::units::read_unit;
+use inputs::{Dimension, format_number};
 
-/// What stands between a number and how far it may be off, and between the two ends of a range. The longer come first.
+/// What stands between a number and how far it may be off, and between the two ends of a range. The longer
+/// come first.
 const PLUS_MINUS: [&str; 3] = ["+/-", "+-", "±"];
 const FROM_TO: [&str; 6] = ["…", "–", "—", "−", " to ", "-"];
 
@@ -31,7 +34,7 @@ pub(crate) fn range(text: &str, dimension: Option<Dimension>) -> Option<String> 
         None => format_number(number),
     };
     let is_unit = |text: &str| match dimension {
-        Some(dimension) => dimension.unit(text).is_some(),
+        Some(dimension) => read_unit(text, dimension).is_some(),
         None => text.is_empty(),
     };
     if is_spread && end == "%" && is_unit(&between) {
@@ -62,8 +65,8 @@ pub(crate) fn range(text: &str, dimension: Option<Dimension>) -> Option<String> 
     ))
 }
 
-/// The plain number in a text such as "8 %", ".08", "0,08" or "½": 0.08 of the first three. Digits of full width and the minus sign of print are those of
-/// the keyboard.
+/// The plain number in a text such as "8 %", ".08", "0,08" or "½": 0.08 of the first three. Digits of full
+/// width and the minus sign of print are those of the keyboard.
 pub(crate) fn plain(text: &str) -> Option<f64> {
     let text: String = text.trim().chars().map(keyboard).collect();
     let (text, share) = match text.strip_suffix('%') {
@@ -97,14 +100,16 @@ pub(crate) fn plain(text: &str) -> Option<f64> {
     shown.is_finite().then_some(shown)
 }
 
-/// A quantity in digits or signs that only look like those of the keyboard, as the keyboard has them: "5 in" for "５ in".
+/// A quantity in digits or signs that only look like those of the keyboard, as the keyboard has them: "5 in"
+/// for "５ in".
 pub(crate) fn typed(text: &str, dimension: Dimension) -> Option<String> {
     let typed: String = text.chars().map(keyboard).collect();
     let (number, unit) = split_number(&typed);
-    Some(format!("{} {}", format_number(number?), dimension.unit(unit.trim())?))
+    Some(format!("{} {}", format_number(number?), read_unit(unit.trim(), dimension)?))
 }
 
-/// The letter of the keyboard for one that looks like it: digits, point and comma of full width, and the dashes that stand for a minus.
+/// The letter of the keyboard for one that looks like it: digits, point and comma of full width, and the
+/// dashes that stand for a minus.
 pub(crate) fn keyboard(letter: char) -> char {
     match letter {
         '−' | '–' | '‐' | '‑' | '﹣' | '－' => '-',
@@ -115,7 +120,8 @@ pub(crate) fn keyboard(letter: char) -> char {
     }
 }
 
-/// One decimal number for a fraction, for feet and inches, or for inches and feet behind a mark: "71.5 in" for "71 1/2 in", "74 in" for `6' 2"`.
+/// One decimal number for a fraction, for feet and inches, or for inches and feet behind a mark: "71.5 in"
+/// for "71 1/2 in", "74 in" for `6' 2"`.
 pub(crate) fn decimal(text: &str, dimension: Dimension) -> Option<String> {
     let text = text.replace(['′', '’'], "'").replace(['″', '”'], "\"").replace("''", "\"");
     let (first, is_fraction, rest) = amount(text.trim())?;
@@ -145,7 +151,7 @@ pub(crate) fn mark(text: &str, dimension: Dimension) -> Option<&'static str> {
 fn marked(text: &str, dimension: Dimension) -> Option<(&'static str, bool)> {
     mark(text, dimension)
         .map(|unit| (unit, true))
-        .or_else(|| dimension.unit(text).map(|unit| (unit.spelling(), false)))
+        .or_else(|| read_unit(text, dimension).map(|unit| (unit.spelling(), false)))
 }
 
 /// A number without sign, perhaps with a fraction, whether it has one, and what follows.
@@ -192,8 +198,9 @@ fn rounded(number: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use inputs::Dimension;
+
     use super::{decimal, plain, range, typed};
-    use crate::units::Dimension;
 
     #[test]
     fn ranges_in_one_text_are_understood() {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::number::format_number;
+use crate::quantity::format_number;
 use crate::units::Unit;
 
 /// An uncertain number of a case: one of [`Case::inputs`](crate::Case::inputs), and what is known of it.
@@ -10,7 +10,7 @@ use crate::units::Unit;
 pub struct Range {
     /// Path of the number, as [`Input::path`](crate::Input::path).
     pub path: String,
-    /// What the file says of it.
+    /// What the case says of it.
     pub spread: Spread,
     /// Where physics ends it.
     pub bounds: Bounds,
@@ -38,7 +38,8 @@ pub enum Spread {
         /// Greatest value.
         high: Amount,
     },
-    /// `{ value, within, confidence }`: normally distributed, and closer to the central value than a share of it with this probability.
+    /// `{ value, within, confidence }`: normally distributed, and closer to the central value than a share of
+    /// it with this probability.
     Within {
         /// (%) of the central value, greater than zero.
         percent: f64,
@@ -74,7 +75,8 @@ impl fmt::Display for Amount {
     }
 }
 
-/// Where physics ends a quantity: no sample lies beyond. A normal distribution is cut there; the ends of the others lie within.
+/// Where physics ends a quantity: no sample lies beyond. A normal distribution is cut there; the ends of the
+/// others lie within.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bounds {
     /// Nowhere.

@@ -5,11 +5,11 @@
 //! case: laws that no closed form solves, fixed objects, crush that was not measured, estimated inertias, and every sample that fails.
 
 use ::uncertainty::{LANES, Lanes};
-use case::{
-    Axes, Case, ContactPoint, Crush, Impact, ImpactLaw, Mass, Quantity, Reconstruct, Restitution,
-    StiffnessForm, StiffnessLine, Velocity, YawInertia,
-};
 use crash3::{EnergyBasis, Stiffness, Zone, equal_spacing, zone_energy};
+use inputs::{
+    Axes, BrachTangential, Case, ContactPoint, Crush, GivenImpact, GivenVehicle, ImpactLaw, Mass, Quantity,
+    Reconstruct, Restitution, StiffnessForm, StiffnessLine, Velocity, YawInertia,
+};
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2};
 use reconcile::{Problem, Unknown};
 
@@ -73,13 +73,24 @@ impl Block {
     /// The structs of the case are taken apart field by field, here and for the vehicles, so that a new key does not compile before somebody has decided
     /// what a block does with it.
     pub(super) fn new(case: &Case<Number>, inputs: usize) -> Option<Self> {
-        let Case { title: _, source: _, axes, vehicles: [one, two], impact, reconstruct, ranges: _ } = case;
+        let Case {
+            title: _,
+            source: _,
+            axes,
+            vehicles: [one, two],
+            impact,
+            reconstruct,
+            ranges: _,
+            left_out: _,
+        } = case;
         let Reconstruct { find: unknown, energy_basis: basis } = reconstruct.as_ref()?;
-        let Impact { crush_plane, law } = impact.as_ref()?;
+        let GivenImpact { crush_plane, law } = impact.as_ref()?;
         let (restitution, tangential_restitution) = match law {
-            ImpactLaw::Brach { restitution, tangential: Tangential::Critical, moment_restitution: None } => {
-                (restitution, Number::Known(0.0))
-            }
+            ImpactLaw::Brach {
+                restitution,
+                tangential: BrachTangential::Critical,
+                moment_restitution: None,
+            } => (restitution, Number::Known(0.0)),
             ImpactLaw::Ishikawa { restitution, tangential_restitution } => {
                 (restitution, *tangential_restitution)
             }
@@ -208,8 +219,8 @@ impl VehicleLanes {
 }
 
 impl Vehicle {
-    fn new(vehicle: &case::Vehicle<Number>, is_sought: bool) -> Option<Self> {
-        let case::Vehicle {
+    fn new(vehicle: &GivenVehicle<Number>, is_sought: bool) -> Option<Self> {
+        let GivenVehicle {
             name: _,
             fixed,
             mass,

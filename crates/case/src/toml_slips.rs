@@ -1,21 +1,23 @@
 //! Lines that are no TOML: what is wrong with them, and how the same is written.
 //!
-//! The parser says what it expected. What was meant shows in the line itself: each of [`SLIPS`] recognises one way of writing that is usual elsewhere.
+//! The parser says what it expected, see [`ParserError`]. What was meant shows in the line itself: each of
+//! [`SLIPS`] recognises one way of writing that is usual elsewhere.
 
 use std::ops::Range;
 
-use crate::number::format_number;
-use crate::problem::Problem;
+use crate::case_problem::CaseProblem;
+use crate::number_slips::{keyboard, plain};
+use crate::parser_error::{Kind, ParserError};
 use crate::quantity::shorten;
 use crate::schema::{dimensions_of, example_of};
-use crate::slips::{keyboard, plain};
-use crate::units::Dimension;
-use crate::written::Written;
+use crate::units::read_unit;
+use crate::units_in_use::UnitsInUse;
+use inputs::{Dimension, format_number};
 
 /// A brace or bracket that nothing closes.
 pub(crate) struct Unclosed {
     pub(crate) span: Range<usize>,
-    pub(crate) problem: Problem,
+    pub(crate) problem: CaseProblem,
 }
 
 /// Quotes that are letters of print, and what else stands for them on a keyboard.
@@ -32,17 +34,18 @@ struct Line<'t> {
     at: usize,
     /// The key before the equals sign that the error stands behind.
     key: &'t str,
-    /// What stands behind that sign: to the end of the line or, in a table of one line, to the next comma that a key follows.
+    /// What stands behind that sign: to the end of the line or, in a table of one line, to the next comma
+    /// that a key follows.
     value: &'t str,
-    /// What the parser says.
-    message: &'t str,
+    /// What the parser found.
+    error: ParserError<'t>,
 }
 
 /// The text of its problem: what is wrong, and what to write.
 type Found = Option<(String, String)>;
 
 /// What a line is recognised by, the surest first.
-const SLIPS: [fn(&Line<'_>, &Written) -> Found; 13] = [
+const SLIPS: [fn(&Line<'_>, &UnitsInUse) -> Found; 13] = [
     depth,
     no_value,
     inch_mark,
@@ -59,36 +62,46 @@ const SLIPS: [fn(&Line<'_>, &Written) -> Found; 13] = [
 ];
 
 /// The problem at the place of an error of the parser.
-pub(crate) fn problem(text: &str, span: &Range<usize>, message: &str, written: &Written) -> Problem {
-    let line = Line::at(text, span.start, message);
-    match SLIPS.iter().find_map(|slip| slip(&line, written)) {
-        Some((message, help)) => Problem::Syntax { message, help: help.into() },
-        None if message.contains("duplicate") => {
-            let message = repeated(text, span.start).unwrap_or_else(|| message.to_owned());
-            Problem::Syntax { message, help: help("duplicate").into() }
+pub(crate) fn problem(
+    text: &str,
+    span: &Range<usize>,
+    error: ParserError<'_>,
+    units_in_use: &UnitsInUse,
+) -> CaseProblem {
+    let line = Line::at(text, span.start, error);
+    match SLIPS.iter().find_map(|slip| slip(&line, units_in_use)) {
+        Some((message, help)) => CaseProblem::Syntax { message, help: help.into() },
+        None if error.kind == Kind::Duplicate => {
+            let message = repeated(text, span.start).unwrap_or_else(|| error.message.to_owned());
+            CaseProblem::Syntax { message, help: help(error).into() }
         }
-        None => {
-            Problem::Syntax { message: message.to_owned(), help: written.suited("", help(message)).into() }
-        }
+        None => CaseProblem::Syntax {
+            message: error.message.to_owned(),
+            help: units_in_use.suited("", help(error)).into(),
+        },
     }
 }
 
 /// The same without a look at the line, where there are too many to be shown.
-pub(crate) fn unexplained(message: &str) -> Problem {
-    Problem::Syntax { message: message.to_owned(), help: help(message).into() }
+pub(crate) fn unexplained(error: ParserError<'_>) -> CaseProblem {
+    CaseProblem::Syntax { message: error.message.to_owned(), help: help(error).into() }
 }
 
-fn help(message: &str) -> &'static str {
-    if message.contains("duplicate") {
-        "each key and each table may stand only once; remove one of the two"
-    } else if message.contains("inline table") || message.contains("key-value pairs") {
-        "write a table in one line as { x = \"1.78 m\", y = \"-0.73 m\" }, with commas between its keys and a } at its end"
-    } else if message.contains("array") {
-        "write a list as [\"21.3 in\", \"20.3 in\"], with commas between its values and a ] at its end"
-    } else if message.contains("key") || message.contains("table") {
-        "write key = value, where a key is one word; a table begins with its name in brackets, as [vehicle1]; a comment begins with #"
-    } else {
-        "write one key = value per line; text and quantities stand between quotes, as in speed = \"10 mph\""
+fn help(error: ParserError<'_>) -> &'static str {
+    match error.kind {
+        Kind::Duplicate => "each key and each table may stand only once; remove one of the two",
+        Kind::InlineTable => {
+            "write a table in one line as { x = \"1.78 m\", y = \"-0.73 m\" }, with commas between its keys and a } at its end"
+        }
+        Kind::List => {
+            "write a list as [\"21.3 in\", \"20.3 in\"], with commas between its values and a ] at its end"
+        }
+        _ if error.names_key => {
+            "write key = value, where a key is one word; a table begins with its name in brackets, as [vehicle1]; a comment begins with #"
+        }
+        _ => {
+            "write one key = value per line; text and quantities stand between quotes, as in speed = \"10 mph\""
+        }
     }
 }
 
@@ -129,8 +142,8 @@ pub(crate) fn section_of_header(text: &str, at: usize) -> Option<Range<usize>> {
 }
 
 /// The brace or bracket in which an error stands, if its own line leaves it open and does not mean to go on.
-pub(crate) fn unclosed(text: &str, error: &Range<usize>, message: &str) -> Option<Unclosed> {
-    if message.contains("recurs") {
+pub(crate) fn unclosed(text: &str, error: &Range<usize>, kind: Kind) -> Option<Unclosed> {
+    if kind == Kind::TooDeep {
         return None;
     }
     let open = *openers(text, 0, error.start).last()?;
@@ -159,10 +172,11 @@ pub(crate) fn unclosed(text: &str, error: &Range<usize>, message: &str) -> Optio
         }
         _ => format!("add {closers} at the end of the line"),
     };
-    Some(Unclosed { span: open..open + 1, problem: Problem::Syntax { message, help: help.into() } })
+    Some(Unclosed { span: open..open + 1, problem: CaseProblem::Syntax { message, help: help.into() } })
 }
 
-/// (bytes) the braces and brackets between two places that are open at the second, those in texts and comments apart.
+/// (bytes) the braces and brackets between two places that are open at the second, those in texts and
+/// comments apart.
 fn openers(text: &str, from: usize, to: usize) -> Vec<usize> {
     let bytes = &text.as_bytes()[..to.min(text.len())];
     let mut open = Vec::new();
@@ -235,7 +249,7 @@ fn has_odd_quotes(line: &str) -> bool {
 }
 
 impl<'t> Line<'t> {
-    fn at(text: &'t str, at: usize, message: &'t str) -> Self {
+    fn at(text: &'t str, at: usize, error: ParserError<'t>) -> Self {
         // (bytes) longer lines are no slip of a hand.
         const LONGEST: usize = 2000;
         let at = (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or_default();
@@ -249,7 +263,7 @@ impl<'t> Line<'t> {
         let key = key.rsplit(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or_default();
         let is_in_table = equals.is_some_and(|equals| line[..equals].contains('{'));
         let value = if is_in_table { in_table(value) } else { value };
-        Self { text: line, at, key, value, message }
+        Self { text: line, at, key, value, error }
     }
 
     /// The key before the place of the error and the value behind it, as they have to be written.
@@ -289,22 +303,23 @@ fn found(message: impl Into<String>, help: impl Into<String>) -> Found {
     Some((message.into(), help.into()))
 }
 
-fn depth(line: &Line<'_>, _: &Written) -> Found {
-    let is_deep = line.message.contains("recurs");
-    is_deep.then(|| (line.message.to_owned(), "no value of a case needs tables nested so deeply".to_owned()))
+fn depth(line: &Line<'_>, _: &UnitsInUse) -> Found {
+    let is_deep = line.error.kind == Kind::TooDeep;
+    is_deep.then(|| {
+        (line.error.message.to_owned(), "no value of a case needs tables nested so deeply".to_owned())
+    })
 }
 
-fn no_value(line: &Line<'_>, written: &Written) -> Found {
-    let is_empty =
-        line.value.is_empty() && line.text.ends_with('=') && line.message.contains("must be quoted");
+fn no_value(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
+    let is_empty = line.value.is_empty() && line.text.ends_with('=') && line.error.kind == Kind::Unquoted;
     is_empty.then(|| {
         let help = "text and quantities stand between quotes, as in speed = \"10 mph\"; leave the line out where the value is not known";
-        ("there is no value after the equals sign".to_owned(), written.suited("", help))
+        ("there is no value after the equals sign".to_owned(), units_in_use.suited("", help))
     })
 }
 
 /// `"70""`: the mark of inches.
-fn inch_mark(line: &Line<'_>, _: &Written) -> Found {
+fn inch_mark(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let before = line.text[..line.at].strip_suffix('"')?;
     let is_mark = line.rest().starts_with('"') && before.ends_with(|c: char| c.is_ascii_digit());
     is_mark.then(|| {
@@ -321,7 +336,7 @@ fn unquoted(text: &str) -> String {
     shorten(text.trim())
 }
 
-fn typographic_quotes(line: &Line<'_>, _: &Written) -> Found {
+fn typographic_quotes(line: &Line<'_>, _: &UnitsInUse) -> Found {
     // A mark of feet or inches is none of the value's quotes.
     let begins = line.value.starts_with(FOREIGN_QUOTES);
     let ends = line.value.starts_with(['"', '\'']) && line.value.ends_with(FOREIGN_QUOTES);
@@ -335,8 +350,8 @@ fn typographic_quotes(line: &Line<'_>, _: &Written) -> Found {
     )
 }
 
-fn backslash(line: &Line<'_>, _: &Written) -> Found {
-    let is_escape = ["escape", "unicode", "hexadecimal"].iter().any(|word| line.message.contains(word));
+fn backslash(line: &Line<'_>, _: &UnitsInUse) -> Found {
+    let is_escape = line.error.kind == Kind::Escape;
     let text = line.value.strip_prefix('"').filter(|text| is_escape && text.contains('\\'))?;
     let text = shorten(text.trim_end_matches('"'));
     let help = if text.contains('\'') {
@@ -347,7 +362,7 @@ fn backslash(line: &Line<'_>, _: &Written) -> Found {
     found("a backslash in a text in double quotes begins an escape, and this one is none", help)
 }
 
-fn other_comment(line: &Line<'_>, _: &Written) -> Found {
+fn other_comment(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let is_comment = FOREIGN_COMMENTS.iter().any(|begin| {
         let after = |text: &str| text.strip_prefix(begin).map(|after| !after.trim().is_empty());
         after(line.text.trim_start()) == Some(true) || after(line.rest()) == Some(true)
@@ -356,16 +371,14 @@ fn other_comment(line: &Line<'_>, _: &Written) -> Found {
 }
 
 /// What stands where a key and its equals sign are due.
-fn key_of_other_form(line: &Line<'_>, written: &Written) -> Found {
-    if line.message.contains("duplicate") {
-        return None;
-    }
-    if !(line.message.contains("key") || line.message.contains("table") || line.message.contains('=')) {
+fn key_of_other_form(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
+    let ParserError { kind, names_key, names_equals, .. } = line.error;
+    if kind == Kind::Duplicate || !(names_key || names_equals) {
         return None;
     }
     let rest = line.rest();
     let text = line.text.trim();
-    if rest.starts_with("==") || line.message.contains("extra `=`") {
+    if rest.starts_with("==") || kind == Kind::ExtraEquals {
         return found("there are two equals signs", line.assignment());
     }
     if rest.starts_with(':') {
@@ -382,27 +395,30 @@ fn key_of_other_form(line: &Line<'_>, written: &Written) -> Found {
     }
     let (before, after) = text.split_once('=').unwrap_or((text, ""));
     let words = before.split_whitespace().count();
-    if words > 1 && !after.is_empty() && line.message.contains("no value") {
+    if words > 1 && !after.is_empty() && kind == Kind::KeyWithoutValue {
         let help = "write the key alone before the equals sign: a unit stands behind its number, as in speed = \"10 mph\"";
-        return found("between the key and its equals sign stands something else", written.suited("", help));
+        return found(
+            "between the key and its equals sign stands something else",
+            units_in_use.suited("", help),
+        );
     }
-    if after.is_empty() && text.contains('"') && line.message.contains("no value") {
+    if after.is_empty() && text.contains('"') && kind == Kind::KeyWithoutValue {
         return found("there is no equals sign behind the key", line.assignment());
     }
     None
 }
 
-fn lost_quote(line: &Line<'_>, _: &Written) -> Found {
-    if !has_odd_quotes(line.text) && !line.message.contains("string") {
+fn lost_quote(line: &Line<'_>, _: &UnitsInUse) -> Found {
+    if !has_odd_quotes(line.text) && !line.error.names_text {
         return None;
     }
     let quote = if line.value.starts_with('\'') { '\'' } else { '"' };
     let help = |text: &str| format!("write {quote}{}{quote}", shorten(text.trim()));
     match line.value.strip_prefix(quote) {
-        Some(text) if line.message.contains("invalid basic") || line.message.contains("invalid literal") => {
+        Some(text) if line.error.kind == Kind::BrokenText => {
             found("a text has no quote at its end", help(text))
         }
-        None if line.message.contains("opening quote") && line.value.ends_with('"') => {
+        None if line.error.kind == Kind::NoOpeningQuote && line.value.ends_with('"') => {
             let text = line.value.trim_end_matches('"');
             let is_number_with_mark = text.contains('\'');
             if is_number_with_mark {
@@ -422,7 +438,7 @@ fn lost_quote(line: &Line<'_>, _: &Written) -> Found {
 }
 
 /// `"2012 Toyota "Camry""`, and `'it's a car'`.
-fn quotes_within(line: &Line<'_>, _: &Written) -> Found {
+fn quotes_within(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let quote = line.value.chars().next().filter(|c| matches!(c, '"' | '\''))?;
     let text = line.value.strip_prefix(quote)?.strip_suffix(quote)?;
     if !text.contains(quote) || text.contains('=') {
@@ -445,16 +461,16 @@ fn quotes_within(line: &Line<'_>, _: &Written) -> Found {
 }
 
 /// What stands behind a value that is complete.
-fn behind_the_value(line: &Line<'_>, _: &Written) -> Found {
+fn behind_the_value(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let rest = line.rest().trim();
     let value = line.value.strip_suffix(rest)?.trim();
-    if !line.message.contains("expected newline") || !value.starts_with(['"', '\'', '{', '[']) {
+    if !line.error.expects_newline || !value.starts_with(['"', '\'', '{', '[']) {
         return None;
     }
     if let "," | ";" | "." = rest {
         return found(format!("there is a {rest} behind the value"), format!("remove the {rest}"));
     }
-    let is_unit = |text: &str| Dimension::ALL.iter().any(|dimension| dimension.unit(text).is_some());
+    let is_unit = |text: &str| Dimension::ALL.iter().any(|dimension| read_unit(text, *dimension).is_some());
     let text = value.trim_matches(['"', '\'']);
     if is_unit(rest) {
         return found("the unit stands behind the quote", format!("write \"{} {rest}\"", shorten(text)));
@@ -463,7 +479,7 @@ fn behind_the_value(line: &Line<'_>, _: &Written) -> Found {
 }
 
 /// Parentheses, brackets around a table, and braces around a list.
-fn other_brackets(line: &Line<'_>, _: &Written) -> Found {
+fn other_brackets(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let value = line.text.split_once('=')?.1.trim();
     let inside = value.strip_prefix(['(', '[', '{', '<'])?.trim_end_matches([')', ']', '}', '>']).trim();
     let has_keys = inside.split('"').step_by(2).any(|part| part.contains(['=', ':']));
@@ -477,13 +493,13 @@ fn other_brackets(line: &Line<'_>, _: &Written) -> Found {
 }
 
 /// A number that TOML does not read.
-fn number(line: &Line<'_>, written: &Written) -> Found {
+fn number(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
     let number = plain(line.value)?;
     let key = line.key;
     let message = format!("{} is not how a number is written here", shorten(line.value));
     let of_key = dimensions_of(key);
     if let Some(dimension) = of_key.first() {
-        let example = written.suited("", example_of(key, *dimension)?);
+        let example = units_in_use.suited("", example_of(key, *dimension)?);
         return found(
             message,
             format!("write number and unit between quotes, with a decimal point, as in {example}"),
@@ -494,16 +510,9 @@ fn number(line: &Line<'_>, written: &Written) -> Found {
 }
 
 /// A value without quotes.
-fn bare_text(line: &Line<'_>, written: &Written) -> Found {
-    let is_value = [
-        "must be quoted",
-        "invalid boolean",
-        "invalid float",
-        "invalid integer",
-        "expected newline",
-        "invalid fraction",
-    ];
-    if line.value.is_empty() || !is_value.iter().any(|part| line.message.contains(part)) {
+fn bare_text(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
+    let is_value = line.error.expects_newline || matches!(line.error.kind, Kind::Unquoted | Kind::BadScalar);
+    if line.value.is_empty() || !is_value {
         return None;
     }
     let word = line.value.to_lowercase();
@@ -528,7 +537,7 @@ fn bare_text(line: &Line<'_>, written: &Written) -> Found {
     let text: String = line.value.chars().map(keyboard).collect();
     let example = match dimensions_of(line.key).first() {
         Some(dimension) if !text.contains(char::is_alphabetic) => {
-            let example = written.suited("", example_of(line.key, *dimension)?);
+            let example = units_in_use.suited("", example_of(line.key, *dimension)?);
             return found(
                 "a quantity stands between quotes, with its unit",
                 format!("write it as in {example}"),

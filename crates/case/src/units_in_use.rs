@@ -2,9 +2,10 @@
 
 use toml::de::{DeTable, DeValue};
 
-use crate::number::{format_number, leading_numbers};
+use crate::number::leading_numbers;
 use crate::schema::{RANGE, RANGE_OF_LIST, dimensions_of};
-use crate::units::{Dimension, Unit, UnitSystem};
+use crate::units::read_unit;
+use inputs::{Dimension, Unit, UnitSystem, format_number};
 
 /// (–) more are not looked at: no case has as many keys.
 const MOST: usize = 200;
@@ -20,11 +21,11 @@ struct Ending {
 
 /// The units in which a file is written.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Written {
+pub(crate) struct UnitsInUse {
     endings: Vec<Ending>,
 }
 
-impl Written {
+impl UnitsInUse {
     pub(crate) fn of(document: &DeTable<'_>) -> Self {
         let mut endings = Vec::new();
         for (key, value) in document {
@@ -33,8 +34,8 @@ impl Written {
         Self { endings }
     }
 
-    /// A unit for an example: that in which the file has the same key elsewhere, or else something of the same kind; or one of the system in which most of it is
-    /// written.
+    /// A unit for an example: that in which the file has the same key elsewhere, or else something of the
+    /// same kind; or one of the system in which most of it is written.
     pub(crate) fn example(&self, path: &str, dimension: Dimension) -> Option<&'static Unit> {
         let path = path.split('[').next().unwrap_or_default();
         let key = path.rsplit('.').find(|key| !is_of_range(key)).unwrap_or_default();
@@ -43,8 +44,9 @@ impl Written {
         self.unit(key, small, dimension).or_else(|| first_unit(system, small, dimension))
     }
 
-    /// A text with its examples in the units of the file: of `contact = { x = "1.78 m" }` in one that is written in feet, `contact = { x = "5.8 ft" }`.
-    /// `place` is the path of the table or the key that it is about.
+    /// A text with its examples in the units of the file: of `contact = { x = "1.78 m" }` in one that is
+    /// written in feet, `contact = { x = "5.8 ft" }`. `place` is the path of the table or the key that it is
+    /// about.
     pub(crate) fn suited(&self, place: &str, text: &str) -> String {
         let in_crush = place.contains("crush");
         let mut out = String::with_capacity(text.len());
@@ -60,10 +62,11 @@ impl Written {
         out
     }
 
-    /// The same quantity, or list of them, in a unit of the file; `None` where it stands in one, or is no quantity.
+    /// The same quantity, or list of them, in a unit of the file; `None` where it stands in one, or is no
+    /// quantity.
     fn converted(&self, key: &str, text: &str, in_crush: bool) -> Option<String> {
         let (numbers, spelling) = leading_numbers(text);
-        let units = || Dimension::ALL.into_iter().filter_map(|dimension| dimension.unit(spelling));
+        let units = || Dimension::ALL.into_iter().filter_map(|dimension| read_unit(spelling, dimension));
         // "lb" is a weight, a mass and a stiffness: the key tells.
         let of_key = dimensions_of(key);
         let unit = units().find(|unit| of_key.contains(&unit.dimension())).or_else(|| units().next())?;
@@ -144,7 +147,7 @@ fn collect(key: &str, value: &DeValue<'_>, in_crush: bool, endings: &mut Vec<End
         DeValue::String(text) => {
             let (numbers, text) = leading_numbers(text);
             let units: Vec<_> =
-                Dimension::ALL.into_iter().filter_map(|dimension| dimension.unit(text)).collect();
+                Dimension::ALL.into_iter().filter_map(|dimension| read_unit(text, dimension)).collect();
             if !numbers.is_empty() && !units.is_empty() {
                 endings.push(Ending { key: key.to_owned(), in_crush, units });
             }

@@ -1,6 +1,6 @@
 //! Files that are no case at first sight.
 
-use crate::problem::Problem;
+use crate::case_problem::CaseProblem;
 
 /// How some kinds of file begin.
 const MAGIC: [(&[u8], &str); 8] = [
@@ -14,23 +14,20 @@ const MAGIC: [(&[u8], &str); 8] = [
     (b"\x1F\x8B", "a compressed file"),
 ];
 
-const UTF_16: &str = "text in UTF-16";
 const SAVE_AS_UTF_8: &str =
     "save it as UTF-8: editors offer that under encoding, where they ask for the name to save as";
-const WRITE_TOML: &str =
-    "a case is plain text in TOML, and `deltav new` writes one to begin with; is this the right file?";
 
 /// The text of a case of at most so many bytes; one that is longer may have been cut off.
-pub(crate) fn text(bytes: &[u8], limit: usize) -> Result<&str, Problem> {
+pub(crate) fn text(bytes: &[u8], limit: usize) -> Result<&str, CaseProblem> {
     if is_utf_16(bytes) {
-        return Err(Problem::OtherFile { kind: UTF_16, help: SAVE_AS_UTF_8 });
+        return Err(CaseProblem::Utf16 { help: SAVE_AS_UTF_8 });
     }
-    let other = |kind| Err(Problem::OtherFile { kind, help: WRITE_TOML });
+    let other = |kind| Err(CaseProblem::OtherFile { kind });
     if let Some((_, kind)) = MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic)) {
         return other(kind);
     }
     if bytes.len() > limit {
-        return Err(Problem::TooLarge { limit });
+        return Err(CaseProblem::TooLarge { limit });
     }
     if bytes.contains(&0) {
         return other("a binary file");
@@ -38,12 +35,13 @@ pub(crate) fn text(bytes: &[u8], limit: usize) -> Result<&str, Problem> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let (before, _) = bytes.split_at(error.valid_up_to());
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        Problem::NotUtf8 { line, help: SAVE_AS_UTF_8 }
+        CaseProblem::NotUtf8 { line, help: SAVE_AS_UTF_8 }
     })?;
     markup(text).map_or(Ok(text), other)
 }
 
-/// With its mark at the beginning or, without, by the zero that every Latin letter has in one of its two bytes.
+/// With its mark at the beginning or, without, by the zero that every Latin letter has in one of its two
+/// bytes.
 fn is_utf_16(bytes: &[u8]) -> bool {
     const LOOKED_AT: usize = 200;
     if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
@@ -80,7 +78,7 @@ fn markup(text: &str) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::text;
-    use crate::problem::Problem;
+    use crate::case_problem::CaseProblem;
 
     const CASE: &str = "# Straße\n[vehicle1]\nmass = \"1 t\"\n";
 
@@ -107,17 +105,15 @@ mod tests {
             (b"{ \"title\": 1 }".to_vec(), "a file in JSON"),
             (b"[\n  { \"title\": 1 }]".to_vec(), "a file in JSON"),
         ] {
-            match text(&bytes, 1000) {
-                Err(Problem::OtherFile { kind: found, .. }) => assert_eq!(found, kind),
-                other => panic!("{kind}: {other:?}"),
-            }
+            let problem = text(&bytes, 1000).unwrap_err();
+            assert_eq!(problem.to_string(), format!("this is {kind}, and not a case"));
         }
     }
 
     #[test]
     fn text_in_another_encoding_is_told_by_its_line() {
         // Latin-1
-        assert!(matches!(text(b"# a\n# Stra\xDFe\n", 1000), Err(Problem::NotUtf8 { line: 2, .. })));
+        assert!(matches!(text(b"# a\n# Stra\xDFe\n", 1000), Err(CaseProblem::NotUtf8 { line: 2, .. })));
     }
 
     #[test]

@@ -1,10 +1,10 @@
-//! The commands that a case is for.
+//! What a case is for.
 
 use std::fmt;
 
-/// What can be done with a case: the commands of the program that read one.
+/// What can be done with a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Command {
+pub enum Purpose {
     /// Finds the speed at which the impact takes the crush energy.
     Reconstruct,
     /// Solves the impact, both speeds given.
@@ -19,12 +19,10 @@ pub enum Command {
     Sensitivity,
     /// Draws the answer.
     Draw,
-    /// Judges the case without solving it.
-    Check,
 }
 
-impl Command {
-    /// The word that calls it, as in `deltav reconstruct`.
+impl Purpose {
+    /// Its name in one word, such as `reconstruct`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -35,12 +33,11 @@ impl Command {
             Self::Compare => "compare",
             Self::Sensitivity => "sensitivity",
             Self::Draw => "draw",
-            Self::Check => "check",
         }
     }
 }
 
-impl fmt::Display for Command {
+impl fmt::Display for Purpose {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())
     }

@@ -1,0 +1,44 @@
+//! The handedness of the axes that a case stands in.
+
+use pim_core::Real;
+
+use crate::words::word;
+
+/// The axes of the scene and of the vehicles in it, seen from above. The engine computes in
+/// [`ZUp`](Self::ZUp).
+///
+/// Each is the mirror image of the other: a number that counts across the vehicle or the scene, or turns, has
+/// the other sign. Those are angles but for PDOF and α, yaw rates, y components, components along t, moments,
+/// and the ratio μ = P_t/P_n. Lengths, energies, normal components, restitution and friction are the same in
+/// both.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Axes {
+    /// `"z-up"`: y to the left of x; angles and yaw rates counter-clockwise positive.
+    #[default]
+    ZUp,
+    /// `"z-down"`: y to the right of x; angles and yaw rates clockwise positive, as in SAE J670.
+    ZDown,
+}
+
+impl Axes {
+    /// Each under its word.
+    pub const WORDS: [(&str, Self); 2] = [("z-up", Self::ZUp), ("z-down", Self::ZDown)];
+
+    /// Its name, such as `"z-up"`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        word(&Self::WORDS, &self)
+    }
+
+    /// From the number that stands in these axes for something that counts across or turns to that of the
+    /// engine, or back.
+    #[inline(always)]
+    #[must_use]
+    pub fn lateral<T: Real>(self, value: T) -> T {
+        match self {
+            Self::ZUp => value,
+            // Not −value, which of nothing would make a negative nothing.
+            Self::ZDown => T::ZERO - value,
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! What is known of a collision, in the units in which it is given.
+
+use std::cell::RefCell;
+
+use crash3::EnergyBasis;
+use pim_core::Real;
+use reconcile::Unknown;
+
+use crate::axes::Axes;
+use crate::impact::GivenImpact;
+use crate::quantity::Quantity;
+use crate::range::Range;
+use crate::units::{Unit, UnitSystem};
+use crate::vehicle::GivenVehicle;
+use crate::walk::{Input, Others, Replace, Value, Walk};
+use crate::words::{ENERGY_BASES, UNKNOWNS};
+
+/// A whole case: two vehicles, and what is known of the impact. The crate `case` reads it from a file and
+/// writes it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Case<T = f64> {
+    /// A line to put over the report.
+    pub title: Option<String>,
+    /// Where the data come from.
+    pub source: Option<String>,
+    /// `axes` of `[scene]`: those in which all numbers of this case stand.
+    pub axes: Axes,
+    /// `[vehicle1]` and `[vehicle2]`.
+    pub vehicles: [GivenVehicle<T>; 2],
+    /// `[impact]`.
+    pub impact: Option<GivenImpact<T>>,
+    /// `[reconstruct]`.
+    pub reconstruct: Option<Reconstruct>,
+    /// Which of the numbers are not known exactly, in the order of [`inputs`](Case::inputs). The numbers
+    /// themselves are the central values.
+    pub ranges: Vec<Range>,
+    /// Which words it leaves to their defaults.
+    pub left_out: LeftOut,
+}
+
+/// Which words a case leaves to their defaults. Its values are then these defaults, so that no number depends
+/// on this: it is for telling what is assumed. None is left out of a table that is not there.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LeftOut {
+    /// `scene.axes`.
+    pub axes: bool,
+    /// `impact.law`.
+    pub law: bool,
+    /// `reconstruct.energy_basis`.
+    pub energy_basis: bool,
+    /// `crush.stiffness.test.fit` of each vehicle.
+    pub fit: [bool; 2],
+}
+
+/// What is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reconstruct {
+    /// The unknown.
+    pub find: Unknown,
+    /// The energy that the crush energy is compared with.
+    pub energy_basis: EnergyBasis,
+}
+
+impl<T: Real> Case<T> {
+    /// (rad) of both vehicles, in the axes of the engine.
+    #[must_use]
+    pub fn headings(&self) -> [Option<T>; 2] {
+        let heading = |vehicle: &GivenVehicle<T>| vehicle.heading.as_ref().map(Quantity::si);
+        self.vehicles.each_ref().map(|vehicle| heading(vehicle).map(|heading| self.axes.lateral(heading)))
+    }
+}
+
+impl Case {
+    /// The same case with other numbers in the place of its own, which `replace` is given in the order of
+    /// [`inputs`](Self::inputs). They are certain: no [`ranges`](Case::ranges) are taken over.
+    pub fn map<U>(&self, mut replace: impl FnMut(Input) -> U) -> Case<U> {
+        self.walk(&mut |path, number, unit| replace(Input { path: path.to_string(), number, unit }), None)
+    }
+
+    /// The same case with other numbers, given in the order of [`inputs`](Self::inputs) beside those that
+    /// they replace. No path is made for any, so that this is quick.
+    pub fn map_numbers<U>(&self, mut replace: impl FnMut(f64) -> U) -> Case<U> {
+        self.walk(&mut |_, number, _| replace(number), None)
+    }
+
+    /// Every number of the case.
+    #[must_use]
+    pub fn inputs(&self) -> Vec<Input> {
+        let mut inputs = Vec::new();
+        self.map(|input| inputs.push(input));
+        inputs
+    }
+
+    /// Everything that the case says, number or not, each under its path. What it [leaves
+    /// out](Self::left_out) is not among it.
+    #[must_use]
+    pub fn values(&self) -> Vec<(String, Value)> {
+        let values = RefCell::new(Vec::new());
+        let tell = |path: String, value| values.borrow_mut().push((path, value));
+        self.walk(
+            &mut |path, number, unit| tell(path.to_string(), Value::Number { number, unit }),
+            Some(&mut |path, value| tell(path.to_string(), value)),
+        );
+        values.into_inner()
+    }
+
+    fn walk<'a, U>(&self, replace: &'a mut Replace<'a, U>, others: Option<&'a mut Others<'a>>) -> Case<U> {
+        let mut walk = Walk::new(replace, others);
+        let [v1, v2] = &self.vehicles;
+        let LeftOut { axes: axes_out, law: law_out, energy_basis: basis_out, fit: [fit1_out, fit2_out] } =
+            self.left_out;
+        Case {
+            title: walk.text(&"title", self.title.as_ref()),
+            source: walk.text(&"source", self.source.as_ref()),
+            axes: walk.default(&"scene.axes", &Axes::WORDS, self.axes, axes_out),
+            vehicles: [walk.vehicle(&"vehicle1", v1, fit1_out), walk.vehicle(&"vehicle2", v2, fit2_out)],
+            impact: self.impact.as_ref().map(|impact| walk.impact(impact, law_out)),
+            reconstruct: self.reconstruct.map(|Reconstruct { find, energy_basis }| Reconstruct {
+                find: walk.choice(&"reconstruct.find", &UNKNOWNS, find),
+                energy_basis: walk.default(
+                    &"reconstruct.energy_basis",
+                    &ENERGY_BASES,
+                    energy_basis,
+                    basis_out,
+                ),
+            }),
+            ranges: Vec::new(),
+            left_out: self.left_out,
+        }
+    }
+
+    /// The custom in which most of the case's quantities are written; SI where they tie.
+    #[must_use]
+    pub fn unit_system(&self) -> UnitSystem {
+        let (mut si, mut us) = (0_usize, 0_usize);
+        self.map(|number| match number.unit.and_then(Unit::system) {
+            Some(UnitSystem::Si) => si += 1,
+            Some(UnitSystem::Us) => us += 1,
+            None => {}
+        });
+        if us > si { UnitSystem::Us } else { UnitSystem::Si }
+    }
+}

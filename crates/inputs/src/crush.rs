@@ -1,0 +1,280 @@
+//! The damage of a vehicle: what its table `crush` holds.
+
+use std::f64::consts::PI;
+use std::fmt::Display;
+
+use crash3::{CrushError, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness};
+use pim_core::Real;
+
+use crate::inertia::Mass;
+use crate::quantity::Quantity;
+use crate::walk::{Element, Key, Walk};
+use crate::words::{OBLIQUE_CORRECTIONS, SIDES};
+
+/// The damage to one side of a vehicle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Crush<T = f64> {
+    /// The damaged side.
+    pub side: Side,
+    /// The vehicle could not be inspected: its crush follows from the force that the other vehicle's crush
+    /// shows. It has no depths then.
+    pub from_force_balance: bool,
+    /// (m) of the whole damage; absent where the spacing gives it, or where it is not known of an inferred
+    /// crush.
+    pub width: Option<Quantity<T>>,
+    /// (m) at two stations or more: left to right on front and rear, rear to front on the sides. Empty where
+    /// the crush is inferred.
+    pub depths: Vec<Quantity<T>>,
+    /// (m) between neighbouring stations, one fewer than depths; equal spacing where absent.
+    pub spacing: Option<Vec<Quantity<T>>>,
+    /// The stiffness of that side.
+    pub stiffness: StiffnessForm<T>,
+    /// (m) of the middle of the damage: along the vehicle's y from its axis on front and rear, forward of the
+    /// CG on the sides.
+    pub offset: Option<Quantity<T>>,
+    /// Principal direction of force, clockwise from the heading in any axes: replaces the derived one.
+    pub pdof: Option<Pdof<T>>,
+    /// (rad) between the force and the normal of the damaged side: replaces the derived one.
+    pub oblique_angle: Option<Quantity<T>>,
+    /// (m) from the centre of gravity to the line of action: replaces the derived one.
+    pub moment_arm: Option<Quantity<T>>,
+    /// How the energy is corrected for an oblique force; absent means [`ObliqueCorrection::Capped`].
+    pub oblique: Option<ObliqueCorrection<T>>,
+}
+
+/// How a principal direction of force is given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Pdof<T = f64> {
+    /// (rad) clockwise from the heading.
+    Angle(Quantity<T>),
+    /// The hour of a clock, 1 to 12, on which the vehicle points to 12.
+    Clock(u8),
+}
+
+impl<T: Real> Pdof<T> {
+    /// (rad) clockwise from the heading.
+    #[must_use]
+    pub fn rad(&self) -> T {
+        match self {
+            Self::Angle(angle) => angle.si(),
+            // 30° an hour
+            Self::Clock(hour) => T::from(f64::from(*hour) * PI / 6.0),
+        }
+    }
+}
+
+/// How the stiffness of a damaged side is given.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StiffnessForm<T = f64> {
+    /// Its coefficients.
+    Line(StiffnessLine<T>),
+    /// Key `category`: that of CRASH3's table for the damaged side, 1 to 5.
+    Category(u8),
+    /// Key `test`: fitted to a barrier test.
+    Test(GivenTest<T>),
+    /// Key `zones`: coefficients of their own for each interval between two stations.
+    Zones(Vec<StiffnessLine<T>>),
+}
+
+/// Force per width as a straight line over crush; both forms are the same line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StiffnessLine<T = f64> {
+    /// Keys `A`, `B`, `G`, `limit`.
+    Crush {
+        /// (N/m) force per width at which crush begins.
+        a: Quantity<T>,
+        /// (N/m²) force per width and depth.
+        b: Quantity<T>,
+        /// (N) energy per width without crush; A²/2B where absent.
+        g: Option<Quantity<T>>,
+        /// (N/m) force per width beyond which the line is flat.
+        limit: Option<Quantity<T>>,
+    },
+    /// Keys `d0`, `d1`, `G`, `limit`.
+    Root {
+        /// (√N) A/√B.
+        d0: Quantity<T>,
+        /// (√N/m) √B.
+        d1: Quantity<T>,
+        /// (N) energy per width without crush; d₀²/2 where absent.
+        g: Option<Quantity<T>>,
+        /// (N/m) force per width beyond which the line is flat.
+        limit: Option<Quantity<T>>,
+    },
+}
+
+/// A full-width barrier test to which the stiffness is fitted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenTest<T = f64> {
+    /// `mass` or `weight` of the tested car.
+    pub mass: Mass<T>,
+    /// (m/s) against the barrier.
+    pub speed: Quantity<T>,
+    /// (m) of the damage.
+    pub width: Quantity<T>,
+    /// (m) residual crush at equally spaced stations.
+    pub depths: Vec<Quantity<T>>,
+    /// (m/s) at which no crush would have remained.
+    pub no_damage_speed: Quantity<T>,
+    /// How the line is put through the test.
+    pub fit: Fit,
+}
+
+/// How a stiffness is fitted to a barrier test.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Fit {
+    /// Gives the test's kinetic energy back.
+    #[default]
+    Exact,
+    /// Through the mean crush: the common shortcut, which over-predicts.
+    Mean,
+}
+
+impl Fit {
+    /// Each under its word.
+    pub const WORDS: [(&str, Self); 2] = [("exact", Self::Exact), ("mean", Self::Mean)];
+}
+
+impl<T: Real> StiffnessForm<T> {
+    /// The stiffness of the damaged side, in SI units.
+    ///
+    /// # Errors
+    /// What no structure, no table and no test can have.
+    pub fn structure(&self, side: Side) -> Result<SideStiffness<T>, CrushError> {
+        match self {
+            Self::Line(line) => line.stiffness().map(SideStiffness::Uniform),
+            Self::Category(category) => Stiffness::from_category(side, *category).map(SideStiffness::Uniform),
+            Self::Test(test) => test.stiffness().map(SideStiffness::Uniform),
+            Self::Zones(zones) => {
+                zones.iter().map(StiffnessLine::stiffness).collect::<Result<_, _>>().map(SideStiffness::Zones)
+            }
+        }
+    }
+}
+
+impl<T: Real> StiffnessLine<T> {
+    /// The stiffness, in SI units.
+    ///
+    /// # Errors
+    /// What no structure can have.
+    #[inline(always)]
+    pub fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
+        let (rising, limit) = match self {
+            Self::Crush { a, b, g: None, limit } => (Stiffness::from_ab(a.si(), b.si())?, limit),
+            Self::Crush { a, b, g: Some(g), limit } => (Stiffness::from_abg(a.si(), b.si(), g.si())?, limit),
+            Self::Root { d0, d1, g: None, limit } => (Stiffness::from_d0_d1(d0.si(), d1.si())?, limit),
+            Self::Root { d0, d1, g: Some(g), limit } => {
+                (Stiffness::from_d0_d1_g(d0.si(), d1.si(), g.si())?, limit)
+            }
+        };
+        limit.map_or(Ok(rising), |limit| rising.with_saturation_force(limit.si()))
+    }
+}
+
+impl<T: Real> GivenTest<T> {
+    /// The test, in SI units.
+    ///
+    /// # Errors
+    /// What no barrier test can have.
+    pub fn test(&self) -> Result<crash3::BarrierTest<T>, CrushError> {
+        let depths = self.depths.iter().map(Quantity::si).collect();
+        let profile = Profile::equally_spaced(depths, self.width.si())?;
+        crash3::BarrierTest::new(self.mass.kg(), self.speed.si(), profile, self.no_damage_speed.si())
+    }
+
+    /// The stiffness that is fitted to the test, in SI units.
+    ///
+    /// # Errors
+    /// What no test can have.
+    pub fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
+        let test = self.test()?;
+        match self.fit {
+            Fit::Exact => test.fit(),
+            Fit::Mean => test.fit_mean(),
+        }
+    }
+}
+
+impl<U> Walk<'_, U> {
+    pub(crate) fn crush(&mut self, table: &dyn Display, crush: &Crush, fit_left_out: bool) -> Crush<U> {
+        let at = |key| Key(table, key);
+        Crush {
+            side: self.choice(&at("side"), &SIDES, crush.side),
+            from_force_balance: self.flag(&at("from_force_balance"), crush.from_force_balance),
+            width: self.maybe(&at("width"), crush.width.as_ref()),
+            depths: self.list(&at("depths"), &crush.depths),
+            spacing: crush.spacing.as_ref().map(|spacing| self.list(&at("spacing"), spacing)),
+            stiffness: self.stiffness(&at("stiffness"), &crush.stiffness, fit_left_out),
+            offset: self.maybe(&at("offset"), crush.offset.as_ref()),
+            pdof: crush.pdof.as_ref().map(|pdof| match pdof {
+                Pdof::Angle(q) => Pdof::Angle(self.quantity(&at("pdof"), q)),
+                Pdof::Clock(hour) => Pdof::Clock(self.hour(&at("pdof"), *hour)),
+            }),
+            oblique_angle: self.maybe(&at("oblique_angle"), crush.oblique_angle.as_ref()),
+            moment_arm: self.maybe(&at("moment_arm"), crush.moment_arm.as_ref()),
+            oblique: crush.oblique.map(|oblique| {
+                if !matches!(oblique, ObliqueCorrection::Friction(_)) {
+                    self.choice(&at("oblique"), &OBLIQUE_CORRECTIONS, oblique);
+                }
+                match oblique {
+                    ObliqueCorrection::Capped => ObliqueCorrection::Capped,
+                    ObliqueCorrection::Uncapped => ObliqueCorrection::Uncapped,
+                    ObliqueCorrection::None => ObliqueCorrection::None,
+                    ObliqueCorrection::Friction(mu) => {
+                        ObliqueCorrection::Friction(self.number(&at("oblique.friction"), mu))
+                    }
+                    ObliqueCorrection::Secant => ObliqueCorrection::Secant,
+                }
+            }),
+        }
+    }
+
+    fn stiffness(
+        &mut self,
+        table: &dyn Display,
+        stiffness: &StiffnessForm,
+        fit_left_out: bool,
+    ) -> StiffnessForm<U> {
+        match stiffness {
+            StiffnessForm::Line(line) => StiffnessForm::Line(self.line(table, line)),
+            StiffnessForm::Category(category) => {
+                StiffnessForm::Category(self.count(&Key(table, "category"), *category))
+            }
+            StiffnessForm::Test(test) => {
+                let table = &Key(table, "test");
+                let at = |key| Key(table, key);
+                StiffnessForm::Test(GivenTest {
+                    mass: self.mass(table, &test.mass),
+                    speed: self.quantity(&at("speed"), &test.speed),
+                    width: self.quantity(&at("width"), &test.width),
+                    depths: self.list(&at("depths"), &test.depths),
+                    no_damage_speed: self.quantity(&at("no_damage_speed"), &test.no_damage_speed),
+                    fit: self.default(&at("fit"), &Fit::WORDS, test.fit, fit_left_out),
+                })
+            }
+            StiffnessForm::Zones(zones) => {
+                let zones_path = Key(table, "zones");
+                let zone = |(i, line)| self.line(&Element(&zones_path, i), line);
+                StiffnessForm::Zones(zones.iter().enumerate().map(zone).collect())
+            }
+        }
+    }
+
+    fn line(&mut self, table: &dyn Display, line: &StiffnessLine) -> StiffnessLine<U> {
+        let at = |key| Key(table, key);
+        match line {
+            StiffnessLine::Crush { a, b, g, limit } => StiffnessLine::Crush {
+                a: self.quantity(&at("A"), a),
+                b: self.quantity(&at("B"), b),
+                g: self.maybe(&at("G"), g.as_ref()),
+                limit: self.maybe(&at("limit"), limit.as_ref()),
+            },
+            StiffnessLine::Root { d0, d1, g, limit } => StiffnessLine::Root {
+                d0: self.quantity(&at("d0"), d0),
+                d1: self.quantity(&at("d1"), d1),
+                g: self.maybe(&at("G"), g.as_ref()),
+                limit: self.maybe(&at("limit"), limit.as_ref()),
+            },
+        }
+    }
+}

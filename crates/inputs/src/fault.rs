@@ -1,0 +1,115 @@
+//! What is wrong with a case, by its keys.
+
+use std::error::Error;
+use std::fmt;
+
+use crate::purpose::Purpose;
+
+/// One thing that a case lacks, or that it has and no vehicle can have.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// Path of the key or the table, such as `vehicle1.crush.width`; empty where the case as a whole is
+    /// meant.
+    pub key: String,
+    /// What is wrong with it.
+    pub kind: FaultKind,
+    /// What to give instead, as a sentence without its full stop.
+    pub advice: Option<String>,
+}
+
+/// What is wrong with a key.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FaultKind {
+    /// It is missing.
+    Missing {
+        /// What for.
+        needed_for: Purpose,
+    },
+    /// The speeds of both vehicles are missing, and no more than one can be found.
+    NoSpeed,
+    /// The engine refuses its value.
+    Refused {
+        /// The engine's reason.
+        reason: String,
+    },
+    /// No number of the case is a range.
+    NothingUncertain,
+}
+
+impl Fault {
+    /// What is wrong, in one sentence. `name` is what the reader calls a purpose: the command of a program,
+    /// say.
+    #[must_use]
+    pub fn message(&self, name: impl Fn(Purpose) -> String) -> String {
+        match &self.kind {
+            FaultKind::Missing { needed_for } => {
+                format!("`{}` is missing: {} needs it", self.key, name(*needed_for))
+            }
+            FaultKind::NoSpeed => format!(
+                "`vehicle1.speed` and `vehicle2.speed` are missing: {} needs one of the two, and finds the other",
+                name(Purpose::Reconstruct)
+            ),
+            FaultKind::Refused { reason } => reason.clone(),
+            FaultKind::NothingUncertain => {
+                "no number of this case is a range, so that nothing is uncertain".to_owned()
+            }
+        }
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let message = self.message(|purpose| format!("`{purpose}`"));
+        match &self.kind {
+            FaultKind::Refused { .. } if !self.key.is_empty() => write!(f, "`{}`: {message}", self.key),
+            _ => f.write_str(&message),
+        }
+    }
+}
+
+/// Everything that keeps a case from a purpose: one fault at least.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Faults {
+    list: Vec<Fault>,
+}
+
+impl Faults {
+    /// Ends a round of checks.
+    ///
+    /// # Errors
+    ///
+    /// The faults, if there are any.
+    pub fn none_of(list: Vec<Fault>) -> Result<(), Self> {
+        if list.is_empty() { Ok(()) } else { Err(Self { list }) }
+    }
+
+    /// The faults, in the order in which they were found.
+    #[must_use]
+    pub fn list(&self) -> &[Fault] {
+        &self.list
+    }
+}
+
+impl From<Fault> for Faults {
+    fn from(fault: Fault) -> Self {
+        Self { list: vec![fault] }
+    }
+}
+
+impl fmt::Display for Faults {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, fault) in self.list.iter().enumerate() {
+            if index > 0 {
+                f.write_str("\n")?;
+            }
+            write!(f, "{fault}")?;
+            if let Some(advice) = &fault.advice {
+                write!(f, "; {advice}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Error for Faults {}

@@ -1,0 +1,231 @@
+//! The impact: what the table `[impact]` holds.
+
+use pim_core::{Real, Tangential};
+
+use crate::quantity::Quantity;
+use crate::walk::{Element, Walk};
+use crate::words::word;
+
+/// How the two vehicles met.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenImpact<T = f64> {
+    /// (rad) Γ, scene angle of the normal of the crush plane.
+    pub crush_plane: Quantity<T>,
+    /// `law` and its keys.
+    pub law: ImpactLaw<T>,
+}
+
+/// The impact law that `law` names; [`pim_core::Law`] has their conditions and what each assumes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ImpactLaw<T = f64> {
+    /// `law = "brach"`, or no `law`.
+    Brach {
+        /// Normal to the crush plane.
+        restitution: Restitution<T>,
+        /// Along the crush plane.
+        tangential: BrachTangential<T>,
+        /// (–) moment coefficient of restitution, −1 to 1; −1 (no moment impulse) where absent.
+        moment_restitution: Option<T>,
+    },
+    /// `law = "woolley"`.
+    Woolley {
+        /// (m/s) U_t − u_t of a sideswipe; where absent, a common velocity at C.
+        tangential_velocity_change: Option<Quantity<T>>,
+    },
+    /// `law = "ishikawa"`.
+    Ishikawa {
+        /// Normal to the crush plane.
+        restitution: Restitution<T>,
+        /// (–) coefficient of restitution along the crush plane, −1 to 1.
+        tangential_restitution: T,
+    },
+    /// `law = "kudlich-slibar"`.
+    KudlichSlibar {
+        /// In both directions while friction suffices.
+        restitution: Restitution<T>,
+        /// (–) largest coefficient of friction, zero or more.
+        friction: T,
+    },
+}
+
+/// An impact law without its coefficients.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LawName {
+    /// Brach's, which holds where none is named.
+    #[default]
+    Brach,
+    /// Woolley's.
+    Woolley,
+    /// Ishikawa's.
+    Ishikawa,
+    /// Kudlich's and Slibar's.
+    KudlichSlibar,
+}
+
+impl LawName {
+    /// Each under its word.
+    pub const WORDS: [(&str, Self); 4] = [
+        ("brach", Self::Brach),
+        ("woolley", Self::Woolley),
+        ("ishikawa", Self::Ishikawa),
+        ("kudlich-slibar", Self::KudlichSlibar),
+    ];
+
+    /// Its word.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        word(&Self::WORDS, &self)
+    }
+}
+
+/// What happens along the crush plane under Brach's law; the other laws have conditions of their own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BrachTangential<T = f64> {
+    /// Sliding ends by separation: the critical impulse ratio.
+    Critical,
+    /// (–) the impulse ratio μ = P_t/P_n, with its sign.
+    Ratio(T),
+    /// (–) this share of the critical impulse ratio, 0 to 1.
+    FractionOfCritical(T),
+    /// (–) friction that ends the sliding, or limits the impulse where it cannot; zero or more.
+    Friction(T),
+}
+
+impl BrachTangential {
+    /// Those that have no number, each under its word.
+    pub const WORDS: [(&str, Self); 1] = [("critical", Self::Critical)];
+}
+
+impl<T> From<BrachTangential<T>> for Tangential<T> {
+    fn from(tangential: BrachTangential<T>) -> Self {
+        match tangential {
+            BrachTangential::Critical => Self::Critical,
+            BrachTangential::Ratio(mu) => Self::Ratio(mu),
+            BrachTangential::FractionOfCritical(share) => Self::FractionOfCritical(share),
+            BrachTangential::Friction(mu) => Self::Friction(mu),
+        }
+    }
+}
+
+impl<T: Copy> ImpactLaw<T> {
+    /// Which one it is.
+    #[must_use]
+    pub fn law(&self) -> LawName {
+        match self {
+            Self::Brach { .. } => LawName::Brach,
+            Self::Woolley { .. } => LawName::Woolley,
+            Self::Ishikawa { .. } => LawName::Ishikawa,
+            Self::KudlichSlibar { .. } => LawName::KudlichSlibar,
+        }
+    }
+
+    /// The value of `law`, such as `"brach"`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        self.law().name()
+    }
+
+    /// `restitution`; `None` under Woolley's law, which has no such key: there e = 0.
+    #[must_use]
+    pub fn restitution(&self) -> Option<&Restitution<T>> {
+        match self {
+            Self::Brach { restitution, .. }
+            | Self::Ishikawa { restitution, .. }
+            | Self::KudlichSlibar { restitution, .. } => Some(restitution),
+            Self::Woolley { .. } => None,
+        }
+    }
+
+    /// (–) the friction limit, under a law that has one.
+    #[must_use]
+    pub fn friction(&self) -> Option<T> {
+        match self {
+            Self::Brach { tangential: BrachTangential::Friction(friction), .. }
+            | Self::KudlichSlibar { friction, .. } => Some(*friction),
+            _ => None,
+        }
+    }
+}
+
+/// How a coefficient of restitution is given.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Restitution<T = f64> {
+    /// (–) the same at every closing speed, 0 to 1.
+    Constant(T),
+    /// Keys `speeds`, `values`: linear between the points, constant outside of them.
+    OfClosingSpeed {
+        /// (m/s) closing speeds at C along the normal, ascending from zero or more; at least one.
+        speeds: Vec<Quantity<T>>,
+        /// (–) coefficients of restitution, 0 to 1, as many as speeds.
+        values: Vec<T>,
+    },
+}
+
+impl<T: Real> Restitution<T> {
+    /// The points (closing speed in m/s, coefficient of restitution) of a curve, `None` for a constant.
+    pub(crate) fn points(&self) -> Option<Vec<(T, T)>> {
+        match self {
+            Self::Constant(_) => None,
+            Self::OfClosingSpeed { speeds, values } => {
+                Some(speeds.iter().map(Quantity::si).zip(values.iter().copied()).collect())
+            }
+        }
+    }
+}
+
+impl<U> Walk<'_, U> {
+    pub(crate) fn impact(&mut self, impact: &GivenImpact, law_left_out: bool) -> GivenImpact<U> {
+        let crush_plane = self.quantity(&"impact.crush_plane", &impact.crush_plane);
+        self.default(&"impact.law", &LawName::WORDS, impact.law.law(), law_left_out);
+        let law = match &impact.law {
+            ImpactLaw::Brach { restitution, tangential, moment_restitution } => ImpactLaw::Brach {
+                restitution: self.restitution(restitution),
+                tangential: self.tangential(*tangential),
+                moment_restitution: moment_restitution
+                    .map(|e_m| self.number(&"impact.moment_restitution", e_m)),
+            },
+            ImpactLaw::Woolley { tangential_velocity_change } => ImpactLaw::Woolley {
+                tangential_velocity_change: self
+                    .maybe(&"impact.tangential_velocity_change", tangential_velocity_change.as_ref()),
+            },
+            ImpactLaw::Ishikawa { restitution, tangential_restitution } => ImpactLaw::Ishikawa {
+                restitution: self.restitution(restitution),
+                tangential_restitution: self
+                    .number(&"impact.tangential_restitution", *tangential_restitution),
+            },
+            ImpactLaw::KudlichSlibar { restitution, friction } => ImpactLaw::KudlichSlibar {
+                restitution: self.restitution(restitution),
+                friction: self.number(&"impact.friction", *friction),
+            },
+        };
+        GivenImpact { crush_plane, law }
+    }
+
+    fn restitution(&mut self, restitution: &Restitution) -> Restitution<U> {
+        match restitution {
+            Restitution::Constant(e) => Restitution::Constant(self.number(&"impact.restitution", *e)),
+            Restitution::OfClosingSpeed { speeds, values } => {
+                let speeds = self.list(&"impact.restitution.speeds", speeds);
+                let value =
+                    |(i, e): (usize, &f64)| self.number(&Element(&"impact.restitution.values", i), *e);
+                Restitution::OfClosingSpeed { speeds, values: values.iter().enumerate().map(value).collect() }
+            }
+        }
+    }
+
+    fn tangential(&mut self, tangential: BrachTangential) -> BrachTangential<U> {
+        match tangential {
+            BrachTangential::Critical => {
+                self.choice(&"impact.tangential", &BrachTangential::WORDS, BrachTangential::Critical);
+                BrachTangential::Critical
+            }
+            BrachTangential::Ratio(mu) => BrachTangential::Ratio(self.number(&"impact.tangential.ratio", mu)),
+            BrachTangential::FractionOfCritical(f) => {
+                BrachTangential::FractionOfCritical(self.number(&"impact.tangential.fraction", f))
+            }
+            BrachTangential::Friction(mu) => {
+                BrachTangential::Friction(self.number(&"impact.tangential.friction", mu))
+            }
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! What is known of a collision: numbers in the units in which they were measured, their ranges, and what an
+//! analysis needs of them.
+//!
+//! ```
+//! use inputs::{Case, Dimension, GivenVehicle, Mass, Quantity};
+//!
+//! let pound = Dimension::Weight.unit("lb").ok_or("a weight is given in pounds")?;
+//! let jimmy = GivenVehicle { mass: Some(Mass::Weight(Quantity::new(3696.0, pound)?)), ..GivenVehicle::default() };
+//! let barrier = GivenVehicle { fixed: true, ..GivenVehicle::default() };
+//! let case = Case { vehicles: [jimmy, barrier], ..Case::default() };
+//! let mass = case.vehicles[0].mass.as_ref().map(Mass::kg);
+//! assert!(mass.is_some_and(|kg| (kg - 1676.48).abs() < 0.01)); // 3696 × 0.453 592 37
+//!
+//! // What a purpose lacks is told by the keys of the case.
+//! let faults = case.damage().unwrap_err();
+//! assert!(faults.list().iter().any(|fault| fault.key == "vehicle1.crush"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! The types: a [`Case`] holds two [`GivenVehicle`]s and a [`GivenImpact`]. Its numbers are [`Quantity`]s,
+//! which stay in the unit in which they were given, because what is said of them speaks of that unit;
+//! [`Quantity::si`] is where a unit is converted. [`Case::inputs`] lists the numbers, each under its key, and
+//! [`Case::values`] all else with them; [`Case::map`] puts other numbers in their places. A [`Range`] says
+//! how far one may be off.
+//!
+//! [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into the types of the
+//! engines, for three [`Purpose`]s. What is missing, or refused by an engine, is a [`Fault`] of a key; a
+//! crate that knows where the keys stand in a text can place it there.
+//!
+//! # What it does not do
+//!
+//! No text and no file: the crate `case` reads and writes those. No equations but the conversions of units,
+//! and no arithmetic with units.
+//!
+//! # References
+//!
+//! A. Thompson and B. N. Taylor, *Guide for the Use of the International System of Units (SI)*, NIST Special
+//! Publication 811 (2008), appendix B.8: the factors.
+
+mod axes;
+mod case;
+mod crush;
+mod demands;
+mod fault;
+mod impact;
+mod inertia;
+mod purpose;
+mod quantity;
+mod range;
+mod units;
+mod vehicle;
+mod walk;
+mod words;
+
+pub use axes::Axes;
+pub use case::{Case, LeftOut, Reconstruct};
+pub use crush::{Crush, Fit, GivenTest, Pdof, StiffnessForm, StiffnessLine};
+pub use demands::{
+    Collision, CrushOnly, DamageData, Dimensions, Evidence, ImpactInput, InertiaData, InferredWidth,
+    ReconstructionInput, StiffnessSource, VehicleData, YawSource, contradictions,
+};
+pub use fault::{Fault, FaultKind, Faults};
+pub use impact::{BrachTangential, GivenImpact, ImpactLaw, LawName, Restitution};
+pub use inertia::{Mass, YawInertia};
+pub use purpose::Purpose;
+pub use quantity::{InvalidQuantity, Quantity, format_number};
+pub use range::{Amount, Bounds, Range, Spread};
+pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
+pub use vehicle::{ContactPoint, GivenVehicle, Outline, Velocity};
+pub use walk::{Input, Value};
+pub use words::{ENERGY_BASES, OBLIQUE_CORRECTIONS, SIDES, UNKNOWNS, word, words_of};

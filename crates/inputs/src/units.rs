@@ -1,0 +1,199 @@
+//! Units: what a number can be measured in, and what that is in SI.
+//!
+//! There is no unit algebra: every unit is a row of an explicit table, with its exact factor.
+
+mod table;
+#[cfg(test)]
+mod tests;
+
+use std::fmt;
+
+/// (N/kg, m/s²) standard gravity, which turns a weight into a mass: exact by definition (3rd CGPM, 1901; NIST
+/// SP 811, appendix B.8).
+pub const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// What a quantity measures. Each key of a case has one dimension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Dimension {
+    /// (m) widths, depths, distances.
+    Length,
+    /// (kg) mass; here `lb` is the pound of mass.
+    Mass,
+    /// (N) weight; here `lb` is the pound-force.
+    Weight,
+    /// (m/s) speed.
+    Speed,
+    /// (rad) angle.
+    Angle,
+    /// (rad/s) yaw rate.
+    YawRate,
+    /// (kg·m²) yaw moment of inertia.
+    Inertia,
+    /// (N/m) stiffness coefficient A: force per unit width at which crush begins.
+    StiffnessA,
+    /// (N/m²) stiffness coefficient B: force per unit width and depth.
+    StiffnessB,
+    /// (N) stiffness coefficient G: energy per unit width taken without residual crush.
+    StiffnessG,
+    /// (√N) d₀ = A/√B.
+    RootForce,
+    /// (√N/m) d₁ = √B.
+    RootForcePerLength,
+}
+
+impl Dimension {
+    /// All dimensions, in the order of the unit table.
+    pub const ALL: [Self; 12] = [
+        Self::Length,
+        Self::Mass,
+        Self::Weight,
+        Self::Speed,
+        Self::Angle,
+        Self::YawRate,
+        Self::Inertia,
+        Self::StiffnessA,
+        Self::StiffnessB,
+        Self::StiffnessG,
+        Self::RootForce,
+        Self::RootForcePerLength,
+    ];
+
+    /// The name with its article, as an error text needs it: "a length", "an angle".
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Length => "a length",
+            Self::Mass => "a mass",
+            Self::Weight => "a weight",
+            Self::Speed => "a speed",
+            Self::Angle => "an angle",
+            Self::YawRate => "a yaw rate",
+            Self::Inertia => "a moment of inertia",
+            Self::StiffnessA => "a stiffness A",
+            Self::StiffnessB => "a stiffness B",
+            Self::StiffnessG => "a stiffness G",
+            Self::RootForce => "a root of force (d0)",
+            Self::RootForcePerLength => "a root of force per length (d1)",
+        }
+    }
+
+    /// The SI unit in which [`Quantity::si`](crate::Quantity::si) gives values of this dimension.
+    #[must_use]
+    pub fn si_unit(self) -> &'static str {
+        self.unit_of_si().spelling()
+    }
+
+    /// The same as a row of the table: each dimension has one whose factor is 1.
+    pub(crate) fn unit_of_si(self) -> &'static Unit {
+        let units = self.units();
+        units.iter().find(|unit| unit.factor == 1.0).unwrap_or(&units[0])
+    }
+
+    /// (SI) the largest magnitude a case may give. Far beyond any vehicle, and small enough that no
+    /// equation downstream can overflow: what exceeds it is a slip of the keyboard.
+    #[must_use]
+    pub fn bound(self) -> f64 {
+        match self {
+            Self::Length => 1e3,
+            Self::Mass => 1e6,
+            Self::Weight => 1e7,
+            Self::Speed | Self::YawRate => 1e3,
+            Self::Angle => 1e5 * table::DEGREE,
+            Self::Inertia => 1e9,
+            Self::StiffnessA | Self::StiffnessG => 1e8,
+            Self::StiffnessB => 1e10,
+            Self::RootForce => 1e4,
+            Self::RootForcePerLength => 1e5,
+        }
+    }
+
+    /// (SI) the smallest value accepted where a quantity has to be positive: below it a division downstream
+    /// could overflow, and no vehicle has it.
+    #[must_use]
+    pub fn least_positive(self) -> f64 {
+        match self {
+            Self::Length => 1e-6,
+            Self::Mass => 1e-3,
+            Self::Weight => 1e-2,
+            Self::Speed | Self::YawRate | Self::Angle => 1e-9,
+            Self::Inertia => 1e-9,
+            Self::StiffnessA | Self::StiffnessB | Self::StiffnessG => 1e-3,
+            Self::RootForce | Self::RootForcePerLength => 1e-3,
+        }
+    }
+
+    /// The units of this dimension, in the order in which error texts list them.
+    #[must_use]
+    pub fn units(self) -> &'static [Unit] {
+        table::units(self)
+    }
+
+    /// The unit of this spelling, exactly as one of [`Unit::spellings`] has it.
+    #[must_use]
+    pub fn unit(self, spelling: &str) -> Option<&'static Unit> {
+        self.units().iter().find(|unit| unit.spellings().any(|known| known == spelling))
+    }
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// The two customs of units a case may be written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnitSystem {
+    /// Metric.
+    Si,
+    /// US customary.
+    Us,
+}
+
+/// One accepted unit: a row of the table.
+#[derive(Debug, PartialEq)]
+pub struct Unit {
+    spelling: &'static str,
+    others: &'static [&'static str],
+    factor: f64,
+    system: Option<UnitSystem>,
+    dimension: Dimension,
+}
+
+impl Unit {
+    /// The spelling used when a value is written back.
+    #[must_use]
+    pub fn spelling(&self) -> &'static str {
+        self.spelling
+    }
+
+    /// Every accepted spelling, the canonical one first.
+    pub fn spellings(&self) -> impl Iterator<Item = &'static str> + use<> {
+        std::iter::once(self.spelling).chain(self.others.iter().copied())
+    }
+
+    /// What one of this unit is in SI.
+    #[inline(always)]
+    #[must_use]
+    pub fn factor(&self) -> f64 {
+        self.factor
+    }
+
+    /// The custom this unit belongs to; `None` for what both use, such as degrees.
+    #[must_use]
+    pub fn system(&self) -> Option<UnitSystem> {
+        self.system
+    }
+
+    /// What this unit measures.
+    #[must_use]
+    pub fn dimension(&self) -> Dimension {
+        self.dimension
+    }
+}
+
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.spelling)
+    }
+}

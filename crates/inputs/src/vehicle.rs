@@ -1,0 +1,150 @@
+//! A vehicle: what the tables `[vehicle1]` and `[vehicle2]` hold.
+
+use std::fmt::Display;
+
+use pim_core::Real;
+
+use crate::crush::Crush;
+use crate::inertia::{Mass, YawInertia};
+use crate::quantity::Quantity;
+use crate::walk::{Key, Walk};
+
+/// A vehicle or, with [`fixed`](GivenVehicle::fixed), a barrier. What a computation needs beyond what is
+/// given is for that computation to demand.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct GivenVehicle<T = f64> {
+    /// Make and model.
+    pub name: Option<String>,
+    /// A barrier: it has neither mass nor motion nor crush.
+    pub fixed: bool,
+    /// `mass` or `weight`.
+    pub mass: Option<Mass<T>>,
+    /// `yaw_inertia` or `yaw_radius`.
+    pub yaw: Option<YawInertia<T>>,
+    /// CRASH3's size class, 1 to 6: stands in for yaw inertia and outline where they are not given.
+    pub class: Option<u8>,
+    /// (m) between the axles: with the length, for the yaw inertia where neither that nor a class is given.
+    pub wheelbase: Option<Quantity<T>>,
+    /// (m) of the body, where it is known without the rest of the outline.
+    pub length: Option<Quantity<T>>,
+    /// (rad) scene angle of the vehicle's forward axis, in the sense of the axes.
+    pub heading: Option<Quantity<T>>,
+    /// From the centre of gravity to the point where the impulse acts.
+    pub contact: Option<ContactPoint<T>>,
+    /// `speed` or `velocity`, before the impact.
+    pub motion: Option<Velocity<T>>,
+    /// (rad/s) yaw rate before the impact, in the sense of the axes; 0 where absent.
+    pub yaw_rate: Option<Quantity<T>>,
+    /// The body seen from above.
+    pub outline: Option<Outline<T>>,
+    /// `[vehicleN.crush]`.
+    pub crush: Option<Crush<T>>,
+}
+
+/// Where the impulse acts, from the centre of gravity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ContactPoint<T = f64> {
+    /// Distance and direction.
+    Polar {
+        /// (m) distance.
+        distance: Quantity<T>,
+        /// (rad) angle from the vehicle's heading, in the sense of the axes.
+        angle: Quantity<T>,
+    },
+    /// Along the vehicle's own axes.
+    Cartesian {
+        /// (m) forward.
+        x: Quantity<T>,
+        /// (m) left, or right in z-down axes.
+        y: Quantity<T>,
+    },
+}
+
+impl<T: Real> ContactPoint<T> {
+    /// (m) forward of the centre of gravity, and left of it or, in z-down axes, right.
+    #[inline(always)]
+    #[must_use]
+    pub fn xy(&self) -> [T; 2] {
+        match self {
+            Self::Polar { distance, angle } => {
+                let (sin, cos) = angle.si().sin_cos();
+                // (d cos φ, d sin φ)
+                [distance.si() * cos, distance.si() * sin]
+            }
+            Self::Cartesian { x, y } => [x.si(), y.si()],
+        }
+    }
+}
+
+/// Velocity of the centre of gravity before the impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Velocity<T = f64> {
+    /// (m/s) along the heading; negative when reversing.
+    Speed(Quantity<T>),
+    /// In the scene.
+    Vector {
+        /// (m/s) along the scene's x.
+        x: Quantity<T>,
+        /// (m/s) along the scene's y.
+        y: Quantity<T>,
+    },
+}
+
+/// The body seen from above: enough to draw it and to see whether the contact point lies on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outline<T = f64> {
+    /// (m) of the body.
+    pub length: Quantity<T>,
+    /// (m) of the body.
+    pub width: Quantity<T>,
+    /// (m) from the centre of gravity forward to the front bumper.
+    pub cg_to_front: Quantity<T>,
+}
+
+impl<U> Walk<'_, U> {
+    pub(crate) fn vehicle(
+        &mut self,
+        table: &dyn Display,
+        vehicle: &GivenVehicle,
+        fit_left_out: bool,
+    ) -> GivenVehicle<U> {
+        let at = |key| Key(table, key);
+        GivenVehicle {
+            name: self.text(&at("name"), vehicle.name.as_ref()),
+            fixed: self.flag(&at("fixed"), vehicle.fixed),
+            mass: vehicle.mass.as_ref().map(|mass| self.mass(table, mass)),
+            yaw: vehicle.yaw.as_ref().map(|yaw| match yaw {
+                YawInertia::Inertia(q) => YawInertia::Inertia(self.quantity(&at("yaw_inertia"), q)),
+                YawInertia::Radius(q) => YawInertia::Radius(self.quantity(&at("yaw_radius"), q)),
+            }),
+            class: vehicle.class.map(|class| self.count(&at("class"), class)),
+            wheelbase: self.maybe(&at("wheelbase"), vehicle.wheelbase.as_ref()),
+            length: self.maybe(&at("length"), vehicle.length.as_ref()),
+            heading: self.maybe(&at("heading"), vehicle.heading.as_ref()),
+            contact: vehicle.contact.as_ref().map(|contact| match contact {
+                ContactPoint::Polar { distance, angle } => ContactPoint::Polar {
+                    distance: self.quantity(&at("contact.distance"), distance),
+                    angle: self.quantity(&at("contact.angle"), angle),
+                },
+                ContactPoint::Cartesian { x, y } => ContactPoint::Cartesian {
+                    x: self.quantity(&at("contact.x"), x),
+                    y: self.quantity(&at("contact.y"), y),
+                },
+            }),
+            motion: vehicle.motion.as_ref().map(|motion| match motion {
+                Velocity::Speed(q) => Velocity::Speed(self.quantity(&at("speed"), q)),
+                Velocity::Vector { x, y } => Velocity::Vector {
+                    x: self.quantity(&at("velocity.x"), x),
+                    y: self.quantity(&at("velocity.y"), y),
+                },
+            }),
+            yaw_rate: self.maybe(&at("yaw_rate"), vehicle.yaw_rate.as_ref()),
+            outline: vehicle.outline.as_ref().map(|outline| Outline {
+                length: self.quantity(&at("length"), &outline.length),
+                width: self.quantity(&at("width"), &outline.width),
+                cg_to_front: self.quantity(&at("cg_to_front"), &outline.cg_to_front),
+            }),
+            crush: vehicle.crush.as_ref().map(|crush| self.crush(&at("crush"), crush, fit_left_out)),
+        }
+    }
+}

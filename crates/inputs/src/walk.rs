@@ -1,0 +1,158 @@
+//! The way through a case: every value under its path, and another number in the place of each.
+
+use std::fmt::{self, Display};
+
+use crate::quantity::Quantity;
+use crate::units::Unit;
+use crate::words::word;
+
+/// One number of a case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Input {
+    /// Where it stands, such as `vehicle1.contact.angle`; the first of a list is `vehicle1.crush.depths[1]`,
+    /// the C_1 of the equations.
+    pub path: String,
+    /// The number as written.
+    pub number: f64,
+    /// The unit as written; `None` of a coefficient that has none.
+    pub unit: Option<&'static Unit>,
+}
+
+impl Input {
+    /// The value in SI.
+    #[must_use]
+    pub fn si(&self) -> f64 {
+        self.number * self.factor()
+    }
+
+    /// One of its unit in SI.
+    #[must_use]
+    pub fn factor(&self) -> f64 {
+        self.unit.map_or(1.0, Unit::factor)
+    }
+}
+
+/// A value of a case.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A number in its unit, or a coefficient without.
+    Number {
+        /// The number as given.
+        number: f64,
+        /// The unit as given.
+        unit: Option<&'static Unit>,
+    },
+    /// A text, or the word for a choice.
+    Text(String),
+    /// True.
+    Flag,
+    /// A number from a list, such as a size class.
+    Count(u8),
+    /// The hour of a clock.
+    Hour(u8),
+}
+
+/// Told the path, the number and its unit; gives what stands in the place of the number.
+pub(crate) type Replace<'a, U> = dyn FnMut(&dyn Display, f64, Option<&'static Unit>) -> U + 'a;
+/// Told the path and what stands there that is no number.
+pub(crate) type Others<'a> = dyn FnMut(&dyn Display, Value) + 'a;
+
+/// Visits the values of a case, table by table, each of which has its way beside its fields.
+pub(crate) struct Walk<'a, U> {
+    replace: &'a mut Replace<'a, U>,
+    /// None where only the numbers are of interest.
+    others: Option<&'a mut Others<'a>>,
+}
+
+/// The path of a key in a table, spelled only when asked for.
+pub(crate) struct Key<'a>(pub(crate) &'a dyn Display, pub(crate) &'a str);
+
+impl Display for Key<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.0, self.1)
+    }
+}
+
+/// The path of an element of a list, counted from 1.
+pub(crate) struct Element<'a>(pub(crate) &'a dyn Display, pub(crate) usize);
+
+impl Display for Element<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}[{}]", self.0, self.1 + 1)
+    }
+}
+
+impl<'a, U> Walk<'a, U> {
+    pub(crate) fn new(replace: &'a mut Replace<'a, U>, others: Option<&'a mut Others<'a>>) -> Self {
+        Self { replace, others }
+    }
+
+    pub(crate) fn number(&mut self, path: &dyn Display, number: f64) -> U {
+        (self.replace)(path, number, None)
+    }
+
+    pub(crate) fn quantity(&mut self, path: &dyn Display, quantity: &Quantity) -> Quantity<U> {
+        quantity.with((self.replace)(path, quantity.number(), Some(quantity.unit())))
+    }
+
+    pub(crate) fn maybe(&mut self, path: &dyn Display, quantity: Option<&Quantity>) -> Option<Quantity<U>> {
+        quantity.map(|quantity| self.quantity(path, quantity))
+    }
+
+    pub(crate) fn list(&mut self, path: &dyn Display, quantities: &[Quantity]) -> Vec<Quantity<U>> {
+        let element = |(i, quantity)| self.quantity(&Element(path, i), quantity);
+        quantities.iter().enumerate().map(element).collect()
+    }
+
+    fn other(&mut self, path: &dyn Display, value: impl FnOnce() -> Value) {
+        if let Some(others) = &mut self.others {
+            others(path, value());
+        }
+    }
+
+    pub(crate) fn text(&mut self, path: &dyn Display, text: Option<&String>) -> Option<String> {
+        if let Some(text) = text {
+            self.other(path, || Value::Text(text.clone()));
+        }
+        text.cloned()
+    }
+
+    pub(crate) fn flag(&mut self, path: &dyn Display, flag: bool) -> bool {
+        if flag {
+            self.other(path, || Value::Flag);
+        }
+        flag
+    }
+
+    pub(crate) fn count(&mut self, path: &dyn Display, count: u8) -> u8 {
+        self.other(path, || Value::Count(count));
+        count
+    }
+
+    pub(crate) fn hour(&mut self, path: &dyn Display, hour: u8) -> u8 {
+        self.other(path, || Value::Hour(hour));
+        hour
+    }
+
+    /// A choice, by its word in a table.
+    pub(crate) fn choice<T: PartialEq + Copy>(
+        &mut self,
+        path: &dyn Display,
+        table: &[(&'static str, T)],
+        choice: T,
+    ) -> T {
+        self.other(path, || Value::Text(word(table, &choice).to_owned()));
+        choice
+    }
+
+    /// The same, where the default may be left out.
+    pub(crate) fn default<T: PartialEq + Copy + Default>(
+        &mut self,
+        path: &dyn Display,
+        table: &[(&'static str, T)],
+        choice: T,
+        is_left_out: bool,
+    ) -> T {
+        if is_left_out && choice == T::default() { choice } else { self.choice(path, table, choice) }
+    }
+}

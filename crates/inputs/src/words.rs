@@ -1,0 +1,102 @@
+//! The words that stand for choices: one table for each, for whoever reads, writes or lists them. Enums of
+//! this crate have theirs as `WORDS`.
+
+use crash3::{EnergyBasis, ObliqueCorrection, Side};
+use reconcile::Unknown;
+
+/// `crush.side`.
+pub const SIDES: [(&str, Side); 4] =
+    [("front", Side::Front), ("rear", Side::Rear), ("left", Side::Left), ("right", Side::Right)];
+
+/// `crush.oblique`, but for the limit by friction, which has a number.
+pub const OBLIQUE_CORRECTIONS: [(&str, ObliqueCorrection); 4] = [
+    ("capped", ObliqueCorrection::Capped),
+    ("uncapped", ObliqueCorrection::Uncapped),
+    ("none", ObliqueCorrection::None),
+    ("secant", ObliqueCorrection::Secant),
+];
+
+/// `reconstruct.find`.
+pub const UNKNOWNS: [(&str, Unknown); 2] =
+    [("vehicle1.speed", Unknown::Speed1), ("vehicle2.speed", Unknown::Speed2)];
+
+/// `reconstruct.energy_basis`.
+pub const ENERGY_BASES: [(&str, EnergyBasis); 2] =
+    [("dissipated", EnergyBasis::Dissipated), ("absorbed", EnergyBasis::Absorbed)];
+
+/// The words of a table alone.
+#[must_use]
+pub const fn words_of<T, const N: usize>(table: &[(&'static str, T); N]) -> [&'static str; N] {
+    let mut words = [""; N];
+    let mut i = 0;
+    while i < N {
+        words[i] = table[i].0;
+        i += 1;
+    }
+    words
+}
+
+/// The word of a choice; empty for one that its table does not have, such as a condition that has a number.
+///
+/// ```
+/// use crash3::Side;
+/// use inputs::{SIDES, word};
+///
+/// assert_eq!(word(&SIDES, &Side::Rear), "rear");
+/// ```
+#[must_use]
+pub fn word<T: PartialEq>(table: &[(&'static str, T)], choice: &T) -> &'static str {
+    table.iter().find(|(_, of_table)| of_table == choice).map_or("", |(word, _)| word)
+}
+
+#[cfg(test)]
+mod tests {
+    use crash3::{EnergyBasis, Side};
+    use reconcile::Unknown;
+
+    use super::{ENERGY_BASES, SIDES, UNKNOWNS, word};
+    use crate::axes::Axes;
+    use crate::crush::Fit;
+    use crate::impact::LawName;
+
+    /// The place of a choice among all of its kind: a new one does not compile before it has one here.
+    trait Place {
+        fn place(self) -> usize;
+    }
+
+    macro_rules! places {
+        ($type:ty: $($variant:ident),+) => {
+            impl Place for $type {
+                fn place(self) -> usize {
+                    [$(matches!(self, Self::$variant)),+].iter().position(|is| *is).unwrap_or(usize::MAX)
+                        + match self { $(Self::$variant => 0),+ }
+                }
+            }
+        };
+    }
+
+    places!(Side: Front, Rear, Left, Right);
+    places!(Unknown: Speed1, Speed2);
+    places!(EnergyBasis: Dissipated, Absorbed);
+    places!(Axes: ZUp, ZDown);
+    places!(Fit: Exact, Mean);
+    places!(LawName: Brach, Woolley, Ishikawa, KudlichSlibar);
+
+    fn assert_complete<T: Place + PartialEq + Copy>(table: &[(&'static str, T)]) {
+        for (index, (name, choice)) in table.iter().enumerate() {
+            assert_eq!(choice.place(), index, "{name}");
+            assert_eq!(word(table, choice), *name);
+        }
+    }
+
+    /// Every choice has one word, in the order of its table.
+    #[test]
+    fn every_choice_has_its_word() {
+        assert_complete(&SIDES);
+        assert_complete(&UNKNOWNS);
+        assert_complete(&ENERGY_BASES);
+        assert_complete(&Axes::WORDS);
+        assert_complete(&Fit::WORDS);
+        assert_complete(&LawName::WORDS);
+    }
+}
