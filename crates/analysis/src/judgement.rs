@@ -16,7 +16,7 @@ pub struct Judgement {
     pub abilities: [Ability; 7],
     /// What stands in for what the case does not say, in the order of its keys.
     pub assumptions: Vec<Assumption>,
-    /// The warnings that need no answer, in the axes of the engine; [`Warning::in_axes`] has them in others.
+    /// The warnings that need no answer, in the axes of the engine; [`Warning::seen`] has them in those of a reader.
     pub warnings: Vec<Warning>,
 }
 

@@ -28,13 +28,13 @@
 //! It adds no equation: those stand in `pim-core`, `crash3` and `reconcile`. It reads no file and writes no text (`case`, `report`): a case may as well be
 //! built in code, from the types of `inputs`.
 
-mod axes;
 mod checks;
 mod compare;
 mod curve;
 mod damage;
 mod judgement;
 mod quantities;
+mod seen;
 mod sensitivity;
 mod thresholds;
 mod uncertainty;
@@ -46,6 +46,7 @@ pub use curve::{WorkPoint, first_push, work_curve};
 pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
 pub use judgement::{Ability, Assumption, Judgement, assumptions, judge, nearest_class};
 pub use quantities::{Kind, Of, OutputQuantity, QUANTITIES, Values, quantity};
+pub use seen::{Seen, SeenWarning};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
 pub use thresholds::FAST_CLOSING;
 pub use uncertainty::{
@@ -58,7 +59,7 @@ use inputs::{Case, Collision, Evidence, Faults, Purpose, VehicleData};
 use pim_core::{Contact, ImpactError, Law, Outcome, Real, VaryingLaw};
 use reconcile::{ApproachLine, Iteration, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown};
 
-/// A finished analysis, in the axes of the engine: y to the left, counter-clockwise positive. [`Analysis::in_axes`] has it in others.
+/// A finished analysis, in the axes of the engine: y to the left, counter-clockwise positive. [`Analysis::seen`] has it in those of a reader.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Analysis {
@@ -82,19 +83,13 @@ impl Analysis {
     /// Whether vehicle 1 or 2, by its index 0 or 1, is one that can move: not a fixed object.
     #[must_use]
     pub fn moves(&self, vehicle: usize) -> bool {
-        self.vehicles[vehicle].subject.inertia.is_some()
+        self.vehicles[vehicle].moves()
     }
 
     /// (m/s) speed of a vehicle, by its index 0 or 1, before the impact: negative where it moves backwards, zero for a fixed object.
     #[must_use]
     pub fn speed(&self, vehicle: usize) -> f64 {
-        self.impact.as_ref().map_or(0.0, |impact| {
-            let velocity = impact.outcome.before[vehicle].velocity;
-            let forward = impact.contact.participants()[vehicle].forward();
-            // |v| = √(v_x² + v_y²)
-            let size = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
-            if velocity.x * forward.x + velocity.y * forward.y < 0.0 { -size } else { size }
-        })
+        self.impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle))
     }
 }
 
@@ -140,6 +135,15 @@ impl Impact {
     fn new(contact: Contact, given_law: VaryingLaw, law: Law, outcome: Outcome) -> Self {
         Self { contact, given_law, law, outcome, pdof: outcome.pdof() }
     }
+
+    /// (m/s) speed of a vehicle, by its index 0 or 1, before the impact: negative where it moves backwards.
+    fn speed(&self, vehicle: usize) -> f64 {
+        let velocity = self.outcome.before[vehicle].velocity;
+        let forward = self.contact.participants()[vehicle].forward();
+        // |v| = √(v_x² + v_y²)
+        let size = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
+        if velocity.x * forward.x + velocity.y * forward.y < 0.0 { -size } else { size }
+    }
 }
 
 /// One vehicle.
@@ -152,6 +156,12 @@ pub struct Vehicle<T = f64> {
 }
 
 impl Vehicle {
+    /// Whether it is no fixed object.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        self.subject.inertia.is_some()
+    }
+
     /// (rad) the PDOF that the file gives for this vehicle itself.
     pub(crate) fn given_pdof(&self) -> Option<f64> {
         self.subject.damage.as_ref().filter(|damage| !damage.pdof_follows)?.pdof

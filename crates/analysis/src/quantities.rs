@@ -4,7 +4,7 @@
 
 use pim_core::{Energy, Outcome};
 
-use crate::{Analysis, Crash3, Damage, Oblique};
+use crate::{Crash3, Damage, Oblique, Seen};
 
 /// A number that a finished analysis gives.
 #[derive(Clone, Copy, Debug)]
@@ -54,13 +54,13 @@ pub enum Kind {
 #[derive(Clone, Copy, Debug)]
 pub enum Of {
     /// One number for the whole collision, which is neither vehicle's.
-    Collision(fn(&Analysis) -> Option<f64>),
+    Collision(fn(&Seen) -> Option<f64>),
     /// The part along the normal n.
-    Normal(fn(&Analysis) -> Option<f64>),
+    Normal(fn(&Seen) -> Option<f64>),
     /// The part along the tangent t.
-    Tangential(fn(&Analysis) -> Option<f64>),
+    Tangential(fn(&Seen) -> Option<f64>),
     /// One number for each vehicle, by its index 0 or 1.
-    Vehicle(fn(&Analysis, usize) -> Option<f64>),
+    Vehicle(fn(&Seen, usize) -> Option<f64>),
 }
 
 /// The values of a quantity in one analysis.
@@ -75,7 +75,7 @@ pub enum Values {
 impl OutputQuantity {
     /// Its values, in the axes of the analysis.
     #[must_use]
-    pub fn values(&self, analysis: &Analysis) -> Values {
+    pub fn values(&self, analysis: &Seen) -> Values {
         // No minus before zero.
         let plain = |value: Option<f64>| value.map(|value| value + 0.0);
         match self.of {
@@ -99,48 +99,48 @@ pub fn quantity(key: &str) -> Option<&'static OutputQuantity> {
     QUANTITIES.iter().find(|quantity| quantity.key == key)
 }
 
-fn found(analysis: &Analysis) -> Option<f64> {
+fn found(analysis: &Seen) -> Option<f64> {
     Some(analysis.found.as_ref()?.speed)
 }
 
-fn outcome(analysis: &Analysis) -> Option<&Outcome> {
+fn outcome(analysis: &Seen) -> Option<&Outcome> {
     Some(&analysis.impact.as_ref()?.outcome)
 }
 
-fn energy(analysis: &Analysis) -> Option<&Energy> {
+fn energy(analysis: &Seen) -> Option<&Energy> {
     Some(&outcome(analysis)?.energy)
 }
 
 /// The impact, where the vehicle takes part in it as one that can move.
-fn motion(analysis: &Analysis, i: usize) -> Option<&Outcome> {
+fn motion(analysis: &Seen, i: usize) -> Option<&Outcome> {
     outcome(analysis).filter(|_| analysis.moves(i))
 }
 
 /// The moment impulse and its work, under a law with one.
-fn moment(analysis: &Analysis) -> Option<&Outcome> {
+fn moment(analysis: &Seen) -> Option<&Outcome> {
     let impact = analysis.impact.as_ref()?;
     impact.law.has_moment().then_some(&impact.outcome)
 }
 
-fn pdof(analysis: &Analysis, i: usize) -> Option<f64> {
+fn pdof(analysis: &Seen, i: usize) -> Option<f64> {
     let computed = analysis.impact.as_ref().filter(|_| analysis.moves(i)).map(|impact| impact.pdof[i]);
     computed.or_else(|| damage(analysis, i)?.pdof)
 }
 
-fn damage(analysis: &Analysis, i: usize) -> Option<&Damage> {
+fn damage(analysis: &Seen, i: usize) -> Option<&Damage> {
     analysis.vehicles[i].damage.as_ref()
 }
 
-fn oblique(analysis: &Analysis, i: usize) -> Option<Oblique> {
+fn oblique(analysis: &Seen, i: usize) -> Option<Oblique> {
     damage(analysis, i)?.oblique
 }
 
-fn crash3(analysis: &Analysis) -> Option<&Crash3> {
+fn crash3(analysis: &Seen) -> Option<&Crash3> {
     analysis.crash3.as_ref()
 }
 
 /// CRASH3's answer, for a vehicle that can move.
-fn moved(analysis: &Analysis, i: usize) -> Option<&Crash3> {
+fn moved(analysis: &Seen, i: usize) -> Option<&Crash3> {
     crash3(analysis).filter(|_| analysis.moves(i))
 }
 

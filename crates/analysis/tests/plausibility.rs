@@ -19,8 +19,9 @@ fn parsed(text: &str) -> Case {
 /// The warnings with that code, in the axes of the case.
 fn raised(analyse: Analyse, text: &str, code: &str) -> Vec<Warning> {
     let file = parsed(text);
-    let analysis = analyse(&file).unwrap_or_else(|error| panic!("{error}\n{text}")).in_axes(file.axes);
-    analysis.warnings.into_iter().filter(|warning| warning.code() == code).collect()
+    let analysis = analyse(&file).unwrap_or_else(|error| panic!("{error}\n{text}")).seen(file.axes);
+    let warnings = analysis.warnings.iter().map(|seen| seen.warning().clone());
+    warnings.filter(|warning| warning.code() == code).collect()
 }
 
 #[track_caller]

@@ -538,7 +538,8 @@ fn a_full_impact_against_the_sliding_without_friction() {
         let mirrored = turned_round(sliding, 0.2, 1.0, "z-down");
         let seen = raised(analysis::impact, &mirrored, "near-jump");
         let [Warning::NearJump { border: Switch::Direction(seen_at), given: seen_given, sides: seen }] =
-            seen.iter().map(|warning| warning.in_axes(case::Axes::ZDown)).collect::<Vec<_>>()[..]
+            seen.iter().map(|warning| warning.seen(case::Axes::ZDown).warning().clone()).collect::<Vec<_>>()
+                [..]
         else {
             panic!("{seen:?}")
         };

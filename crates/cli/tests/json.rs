@@ -957,6 +957,10 @@ fn uncertainty_has_its_keys_and_its_samples_are_those_of_the_statistics() {
         "impact.energy_loss",
         "impact.normal_work",
         "impact.tangential_work",
+        "vehicle1.delta_v_longitudinal",
+        "vehicle1.delta_v_lateral",
+        "vehicle2.delta_v_longitudinal",
+        "vehicle2.delta_v_lateral",
     ];
     assert_eq!(outputs, names);
 
@@ -1074,7 +1078,8 @@ fn uncertainty_draws_every_result() {
         let drawn = fs::read_to_string(folder.join(name)).unwrap();
         assert!(drawn.starts_with("<svg") && drawn.ends_with("</svg>\n"), "{name}");
     }
-    assert_eq!(fs::read_dir(&folder).unwrap().count(), 18);
+    // A histogram and a tornado of each of 13 results.
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 26);
     let drawn = fs::read_to_string(folder.join("tornado-vehicle1.speed.svg")).unwrap();
     assert!(drawn.contains("impact.crush_plane"));
     // People read speeds in mph and km/h: 22.869 m/s, the speed found, is 51.16 mph or 82.3 km/h.

@@ -17,7 +17,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         println!("{line}");
     }
     for warning in &analysis.warnings {
-        println!("{}", report::message(warning, Units::Si, file.case.axes));
+        println!("{}", report::message(&warning.seen(file.case.axes), Units::Si));
     }
     // The paper finds 22.9 m/s.
     assert!(text.contains("Speed of vehicle 1: 22.87 m/s"));

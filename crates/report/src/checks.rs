@@ -1,13 +1,13 @@
 //! The consistency checks in words, for the text and for the page.
 
-use analysis::{Analysis, CheckedQuantity, FAST_CLOSING};
+use analysis::{CheckedQuantity, FAST_CLOSING, Seen};
 use crash3::EnergyBasis;
 
 use crate::document::Table;
 use crate::units::{Quantity, Units, number};
 
 /// All checks of the analysis, where it has any. Where one is not passed, a warning below them says more.
-pub(crate) fn table(analysis: &Analysis, units: Units) -> Option<Table> {
+pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
     let mut table = Table::of_two("Consistency checks", ["found", "limit", "verdict"]);
     let percent = |share: f64| format!("{} %", number(100.0 * share, 1));
     let angle = |si: f64| units.format(Quantity::Angle, si);

@@ -1,7 +1,7 @@
 //! What a command has to say, before it is decided how it looks: the parts of a document, which the sections fill and the writers write.
 
 use ::drawing::Drawing;
-use analysis::Warning;
+use analysis::SeenWarning;
 
 use crate::steps::StepGroup;
 use crate::units::Units;
@@ -229,16 +229,16 @@ impl Document {
     }
 
     /// How many warnings there are at the end; nothing where all are of the kind that most cases have.
-    pub(crate) fn notice(&mut self, warnings: &[Warning]) {
+    pub(crate) fn notice(&mut self, warnings: &[SeenWarning]) {
         self.noticed(warnings, None);
     }
 
     /// The same, with a link to the heading that they stand under.
-    pub(crate) fn notice_of(&mut self, warnings: &[Warning], heading: &'static str) {
+    pub(crate) fn notice_of(&mut self, warnings: &[SeenWarning], heading: &'static str) {
         self.noticed(warnings, Some(heading));
     }
 
-    fn noticed(&mut self, warnings: &[Warning], heading: Option<&'static str>) {
+    fn noticed(&mut self, warnings: &[SeenWarning], heading: Option<&'static str>) {
         if let Some(count) = warnings::count(warnings) {
             self.push(Block::Notice { count, heading });
         }

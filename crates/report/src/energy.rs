@@ -1,6 +1,6 @@
 //! The energy balance in words, for the text and for the page.
 
-use analysis::{Analysis, Warning};
+use analysis::{Seen, Warning};
 use pim_core::Energy;
 
 use crate::units::{Quantity, Units, number};
@@ -11,7 +11,7 @@ pub(crate) fn share(work: f64, energy: &Energy<f64>) -> String {
 }
 
 /// What a reader who adds up the printed figures has to know.
-pub(crate) fn notes(analysis: &Analysis, units: Units) -> Vec<String> {
+pub(crate) fn notes(analysis: &Seen, units: Units) -> Vec<String> {
     let Some(energy) = analysis.impact.as_ref().map(|impact| &impact.outcome.energy) else {
         return Vec::new();
     };
@@ -20,7 +20,7 @@ pub(crate) fn notes(analysis: &Analysis, units: Units) -> Vec<String> {
     // A zero of rounding is no work.
     if printed(energy.tangential_work).starts_with('-') {
         let is_warned =
-            analysis.warnings.iter().any(|warning| matches!(warning, Warning::SlidingDriven { .. }));
+            analysis.warnings.iter().any(|seen| matches!(seen.warning(), Warning::SlidingDriven { .. }));
         let size = if is_warned {
             "Friction alone cannot do that: see the warning sliding-driven."
         } else {

@@ -87,7 +87,7 @@ pub struct StepGroup {
 /// All steps of an analysis, in the order in which one follows from the other.
 #[must_use]
 pub fn steps(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
-    let analysis = &analysis.in_axes(case.axes);
+    let analysis = &analysis.seen(case.axes);
     let mut groups = inertia::groups(case, analysis);
     groups.extend(damage::groups(case, analysis));
     groups.extend(collision::groups(case, analysis));

@@ -1,7 +1,7 @@
 //! The sentence of each warning.
 
-use analysis::{Analysis, Drive, JumpSide, Magnitude, Warning};
-use case::{Axes, Case, StiffnessSource};
+use analysis::{Analysis, Drive, JumpSide, Magnitude, SeenWarning, Warning};
+use case::{Case, StiffnessSource};
 use crash3::{EnergyBasis, Side};
 use pim_core::Switch;
 
@@ -13,9 +13,9 @@ use crate::{axes, words};
 const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to check; the code is in \
                     brackets.";
 
-/// The warnings as a part of a document. Their numbers have to be in the axes.
-pub(crate) fn block(warnings: &[Warning], units: Units, axes: Axes) -> Block {
-    let sentence = |warning: &Warning| (warning.code(), message(warning, units, axes));
+/// The warnings as a part of a document.
+pub(crate) fn block(warnings: &[SeenWarning], units: Units) -> Block {
+    let sentence = |seen: &SeenWarning| (seen.warning().code(), message(seen, units));
     Block::Warnings { warnings: warnings.iter().map(sentence).collect(), more: MORE }
 }
 
@@ -29,13 +29,13 @@ pub fn warnings(case: &Case, analysis: &Analysis, units: Units) -> Document {
 
 /// The same, for what is made of an analysis: nothing where it has no warnings.
 pub(crate) fn of_analysis(analysis: &Analysis, case: &Case, units: Units) -> Option<Block> {
-    let warnings = analysis.in_axes(case.axes).warnings;
-    (!warnings.is_empty()).then(|| block(&warnings, units, case.axes))
+    let warnings = analysis.seen(case.axes).warnings;
+    (!warnings.is_empty()).then(|| block(&warnings, units))
 }
 
 /// How many there are, for the top of a report; nothing where all are of the kind that most cases have.
-pub(crate) fn count(warnings: &[Warning]) -> Option<String> {
-    if warnings.iter().all(Warning::is_common) {
+pub(crate) fn count(warnings: &[SeenWarning]) -> Option<String> {
+    if warnings.iter().all(|seen| seen.warning().is_common()) {
         return None;
     }
     Some(match warnings.len() {
@@ -44,9 +44,10 @@ pub(crate) fn count(warnings: &[Warning]) -> Option<String> {
     })
 }
 
-/// What the warning says, in the units of the reader. Its numbers have to be in the axes: [`Analysis::in_axes`](analysis::Analysis::in_axes).
+/// What the warning says, in the units of the reader.
 #[must_use]
-pub fn message(warning: &Warning, units: Units, axes: Axes) -> String {
+pub fn message(seen: &SeenWarning, units: Units) -> String {
+    let (warning, axes) = (seen.warning(), seen.axes());
     let speed = |si: f64| units.speed(si);
     let angle = |si: f64| units.format(Quantity::Angle, si);
     let spread = format!("±{} %", number(100.0 * crash3::BURG_SPREAD, 0));

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use analysis::{Analysis, Of, OutputQuantity, QUANTITIES, Values};
+use analysis::{Analysis, Of, OutputQuantity, QUANTITIES, Seen, Values};
 use case::CaseFile;
 use serde_json::Value;
 
@@ -50,7 +50,7 @@ fn json(file: &CaseFile, analysis: &Analysis) -> Value {
 }
 
 /// Where the JSON has each value of a quantity, and the value by the table.
-fn places(quantity: &OutputQuantity, analysis: &Analysis) -> Vec<(String, Option<f64>)> {
+fn places(quantity: &OutputQuantity, analysis: &Seen) -> Vec<(String, Option<f64>)> {
     match quantity.values(analysis) {
         Values::Shared(value) => vec![(quantity.pointer.to_owned(), value)],
         Values::Pair(values) => (0..2)
@@ -67,7 +67,7 @@ fn each_row_has_the_number_of_the_json() {
     let mut seen = BTreeSet::new();
     for (name, file, analysis) in analyses() {
         let json = json(&file, &analysis);
-        let analysis = analysis.in_axes(file.case.axes);
+        let analysis = analysis.seen(file.case.axes);
         for quantity in QUANTITIES {
             for (place, value) in places(quantity, &analysis) {
                 let expected = json.pointer(&place).and_then(Value::as_f64);
@@ -120,11 +120,9 @@ fn numbers(place: &str, value: &Value, found: &mut Vec<String>) {
 fn each_number_of_the_json_has_a_row() {
     let mut needed: BTreeSet<&str> = BTreeSet::new();
     for (name, file, analysis) in analyses() {
-        let known: BTreeSet<String> = QUANTITIES
-            .iter()
-            .flat_map(|quantity| places(quantity, &analysis))
-            .map(|(place, _)| place)
-            .collect();
+        let seen = analysis.seen(file.case.axes);
+        let known: BTreeSet<String> =
+            QUANTITIES.iter().flat_map(|quantity| places(quantity, &seen)).map(|(place, _)| place).collect();
         let mut all = Vec::new();
         numbers("", &json(&file, &analysis), &mut all);
         for place in all.into_iter().filter(|place| !known.contains(place)) {

@@ -8,7 +8,7 @@ use report::{Units, message};
 
 #[track_caller]
 fn says(warning: &Warning, axes: Axes, words: &[&str]) {
-    let text = message(&warning.in_axes(axes), Units::Us, axes);
+    let text = message(&warning.seen(axes), Units::Us);
     for word in words {
         assert!(text.contains(word), "{word:?} is not in {text:?}");
     }
@@ -68,7 +68,7 @@ fn no_force_has_no_ratio() {
 fn a_law_that_finds_the_impulse_is_told_of_no_sign() {
     let coupling = driven(3.048, Drive::Coupling);
     says(&coupling, Axes::ZUp, &["-1,000 ft·lb", "No sign is wrong", "check crush plane and contact points"]);
-    let text = message(&coupling, Units::Us, Axes::ZUp);
+    let text = message(&coupling.seen(Axes::ZUp), Units::Us);
     assert!(!text.contains("friction") && !text.contains("check the sign"), "{text}");
     let turned = |moment_restitution| Warning::RotationDriven {
         moment_work: -1_355.817_948,
@@ -256,7 +256,7 @@ fn a_wall_has_no_delta_v_and_each_cause_its_own_words() {
         &["ΔV with the same restitution, 20.00 ft/s (13.64 mph),", "impact's, 10.00 ft/s (6.82 mph)"],
     );
     says(&differs(false), Axes::ZUp, &["ΔV without restitution, 20.00 ft/s"]);
-    assert!(!message(&differs(true), Units::Us, Axes::ZUp).contains(" and "));
+    assert!(!message(&differs(true).seen(Axes::ZUp), Units::Us).contains(" and "));
     let backward = |found| Warning::MovesBackward { vehicle: 2, speed: -4.4704, found };
     says(
         &backward(true),
@@ -282,5 +282,5 @@ fn a_wall_has_no_delta_v_and_each_cause_its_own_words() {
     );
     let bases = &energy(EnergyBasis::Absorbed, Some(4_067.453_844));
     says(bases, Axes::ZUp, &["2,000 ft·lb on the energy basis `absorbed` (3,000 ft·lb on `dissipated`)"]);
-    assert!(!message(&energy(EnergyBasis::Dissipated, None), Units::Us, Axes::ZUp).contains("basis"));
+    assert!(!message(&energy(EnergyBasis::Dissipated, None).seen(Axes::ZUp), Units::Us).contains("basis"));
 }

@@ -1,7 +1,7 @@
 //! The answers of several laws side by side, as JSON.
 
-use analysis::{Analysis, Comparison, Correction};
-use case::{Axes, Case};
+use analysis::{Comparison, Correction, Seen, quantity};
+use case::Case;
 use crash3::ObliqueCorrection;
 use serde::Serialize;
 
@@ -66,14 +66,14 @@ struct Document<'a> {
 
 /// The case's own law first.
 pub(crate) fn rows(case: &Case, comparison: &Comparison, units: Units) -> Vec<Row> {
-    let mut own = Row { values: values(&comparison.own, case.axes), ..Row::default() };
+    let mut own = Row { values: values(&comparison.own.seen(case.axes)), ..Row::default() };
     if let Some(impact) = &case.impact {
         own.law = law::name(&impact.law);
         own.coefficients = law::coefficients(&impact.law, units);
     }
     let laws = comparison.laws.iter().map(|row| {
         let (values, error) = match &row.answer {
-            Ok(analysis) => (values(analysis, case.axes), None),
+            Ok(analysis) => (values(&analysis.seen(case.axes)), None),
             Err(failure) => (Values::default(), Some(no_answer(failure, units))),
         };
         let coefficients = law::coefficients(&row.law, units);
@@ -90,21 +90,25 @@ pub(crate) fn rows(case: &Case, comparison: &Comparison, units: Units) -> Vec<Ro
     rows
 }
 
-fn values(analysis: &Analysis, axes: Axes) -> Values {
+fn values(analysis: &Seen) -> Values {
     let Some(impact) = &analysis.impact else { return Values::default() };
     let outcome = &impact.outcome;
-    let energy = outcome.energy;
-    let share = |work: f64| work / energy.before + 0.0;
+    let of_collision = |key: &str| match quantity(key)?.values(analysis) {
+        analysis::Values::Shared(value) => value,
+        analysis::Values::Pair(_) => None,
+    };
+    let share = |key: &str| Some(of_collision(key)? / of_collision("impact.initial_energy")? + 0.0);
     Values {
-        found: analysis.found.as_ref().map(|found| found.speed + 0.0),
+        found: of_collision("found.value"),
         regime: outcome.regime.map(regime_name),
+        // Those of a fixed object are zero.
         delta_v: Some(outcome.delta_v_magnitude()),
         pdof: Some(impact.pdof.map(|pdof| pdof + 0.0)),
-        energy_loss: Some(energy.loss + 0.0),
-        normal_share: Some(share(energy.normal_work)),
-        tangential_share: Some(share(energy.tangential_work)),
-        moment_share: impact.law.has_moment().then(|| share(energy.moment_work)),
-        final_yaw_rate: Some(outcome.after.map(|motion| axes.lateral(motion.yaw_rate) + 0.0)),
+        energy_loss: of_collision("impact.energy_loss"),
+        normal_share: share("impact.normal_work"),
+        tangential_share: share("impact.tangential_work"),
+        moment_share: share("impact.moment_work"),
+        final_yaw_rate: Some(outcome.after.map(|motion| motion.yaw_rate + 0.0)),
     }
 }
 

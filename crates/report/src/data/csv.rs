@@ -169,7 +169,7 @@ pub fn csv_header(units: Units) -> Result<String, RowError> {
 /// [`RowError`], which no analysis causes.
 pub fn csv_row(row: Row<'_>, units: Units) -> Result<String, RowError> {
     let value = value(row)?;
-    let seen = row.answer.ok().map(|(case, analysis)| analysis.in_axes(case.axes));
+    let seen = row.answer.ok().map(|(case, analysis)| analysis.seen(case.axes));
     let number = |name: &str, quantity: &OutputQuantity, vehicle: usize| {
         let si = match quantity.values(seen.as_ref()?) {
             Values::Shared(value) => value,

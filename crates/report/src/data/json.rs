@@ -1,7 +1,7 @@
 //! A finished analysis as JSON, in SI units and radians.
 
-use analysis::{Analysis, CheckedQuantity, Impact, Warning};
-use case::{Axes, Case};
+use analysis::{Analysis, CheckedQuantity, Impact, Seen, SeenWarning};
+use case::Case;
 use serde::Serialize;
 
 use crate::Units;
@@ -49,16 +49,16 @@ pub(crate) struct WarningBlock {
 }
 
 impl WarningBlock {
-    /// Its numbers have to be in the axes.
-    pub(crate) fn new(warning: &Warning, axes: Axes) -> Self {
-        let message = warnings::message(warning, Units::Si, axes);
+    pub(crate) fn new(seen: &SeenWarning) -> Self {
+        let message = warnings::message(seen, Units::Si);
+        let warning = seen.warning();
         Self { code: warning.code(), vehicle: warning.vehicle(), message }
     }
 
     /// Those of an analysis.
     pub(crate) fn all(analysis: &Analysis, case: &Case) -> Vec<Self> {
-        let seen = analysis.in_axes(case.axes);
-        seen.warnings.iter().map(|warning| Self::new(warning, case.axes)).collect()
+        let seen = analysis.seen(case.axes);
+        seen.warnings.iter().map(Self::new).collect()
     }
 }
 
@@ -198,14 +198,14 @@ pub(crate) fn document<'a>(
     case: &'a Case,
     analysis: &Analysis,
 ) -> impl Serialize + use<'a> {
-    let analysis = &analysis.in_axes(case.axes);
+    let analysis = &analysis.seen(case.axes);
     let [vehicle1, vehicle2] = [0, 1].map(|i| vehicle(case, analysis, i));
     Document {
         file,
         title: case.title.as_deref().unwrap_or_default(),
         axes: case.axes.name(),
         energy_basis: words::basis_name(analysis.basis),
-        warnings: analysis.warnings.iter().map(|warning| WarningBlock::new(warning, case.axes)).collect(),
+        warnings: analysis.warnings.iter().map(WarningBlock::new).collect(),
         checks: analysis
             .checks
             .iter()
@@ -286,7 +286,7 @@ fn impact(case: &Case, impact: &Impact) -> ImpactBlock {
     }
 }
 
-fn vehicle(case: &Case, analysis: &Analysis, i: usize) -> VehicleBlock {
+fn vehicle(case: &Case, analysis: &Seen, i: usize) -> VehicleBlock {
     let fixed = case.vehicles[i].fixed;
     let impact = analysis.impact.as_ref().filter(|_| !fixed);
     let moves = impact.map(|impact| &impact.outcome);

@@ -106,7 +106,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
         warnings: judgement
             .warnings
             .iter()
-            .map(|warning| WarningBlock::new(&warning.in_axes(case.axes), case.axes))
+            .map(|warning| WarningBlock::new(&warning.seen(case.axes)))
             .collect(),
     };
     Ok(serde_json::to_string_pretty(&document)? + "\n")

@@ -17,7 +17,7 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
     let impulse = units.format(Quantity::Impulse, length(outcome.impulse_vector));
     Ok(ScenePicture {
         title: title(case),
-        description: description(case, analysis.in_axes(case.axes).impact.as_ref().unwrap_or(impact), units),
+        description: description(case, analysis.seen(case.axes).impact.as_ref().unwrap_or(impact), units),
         is_z_down: case.axes == Axes::ZDown,
         vehicles: [0, 1].map(|i| vehicle(case, analysis, impact, i, units)),
         normal: impact.contact.normal().into(),

@@ -1,6 +1,6 @@
 //! Rows of tables, chosen by key from the table of results: label, unit and source stand there.
 
-use analysis::{Analysis, Kind, Output, OutputQuantity, Values, quantity};
+use analysis::{Kind, Output, OutputQuantity, Seen, Values, quantity};
 
 use crate::document::{NONE, Table};
 use crate::units::{Quantity, Units, number};
@@ -8,7 +8,7 @@ use crate::units::{Quantity, Units, number};
 /// The numbers of an analysis, in the axes of the case and the units of the reader.
 #[derive(Clone, Copy)]
 pub(crate) struct Chosen<'a> {
-    pub(crate) analysis: &'a Analysis,
+    pub(crate) analysis: &'a Seen,
     pub(crate) units: Units,
 }
 

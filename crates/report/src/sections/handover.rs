@@ -3,7 +3,7 @@
 mod inputs;
 
 use ::drawing::Drawing;
-use analysis::{Analysis, Found, Impact};
+use analysis::{Analysis, Found, Impact, Seen};
 use case::{Axes, CaseFile};
 use crash3::EnergyBasis;
 use sha2::{Digest as _, Sha256};
@@ -38,7 +38,7 @@ pub fn handover(
     units: Units,
 ) -> Result<Document, DrawingError> {
     let case = &file.case;
-    let seen = &analysis.in_axes(case.axes);
+    let seen = &analysis.seen(case.axes);
     let mut page = Document::new();
     page.title(case);
     page.push(Block::Answer { found: answer(analysis, units), how: String::new() });
@@ -82,7 +82,7 @@ pub fn handover(
         page.part(title, document);
     }
     page.heading(WARNINGS);
-    page.push(warnings::block(&seen.warnings, units, case.axes));
+    page.push(warnings::block(&seen.warnings, units));
     page.push(Block::List(assumptions(file, analysis, units)));
     page.heading("Case file");
     let name = file.source.name();
@@ -201,7 +201,7 @@ fn of_vehicles(title: &str) -> Table {
     Table::of_two(title, ["vehicle 1", "vehicle 2", "source"])
 }
 
-fn results(analysis: &Analysis, units: Units) -> Table {
+fn results(analysis: &Seen, units: Units) -> Table {
     let chosen = Chosen { analysis, units };
     let mut table = of_vehicles("Results at a glance");
     if analysis.impact.is_some() {
@@ -216,7 +216,7 @@ fn results(analysis: &Analysis, units: Units) -> Table {
     table
 }
 
-fn energy_balance(analysis: &Analysis, impact: &Impact, units: Units) -> Table {
+fn energy_balance(analysis: &Seen, impact: &Impact, units: Units) -> Table {
     let mut table = Table::of_two("Energy balance", ["energy", "share of the initial energy", "source"]);
     for key in [
         "impact.initial_energy",
@@ -233,7 +233,7 @@ fn energy_balance(analysis: &Analysis, impact: &Impact, units: Units) -> Table {
     table
 }
 
-fn crash3(analysis: &Analysis, units: Units) -> Option<Table> {
+fn crash3(analysis: &Seen, units: Units) -> Option<Table> {
     let crash3 = analysis.crash3.as_ref()?;
     let mut table = of_vehicles("ΔV by impact mechanics and by CRASH3");
     let pair = |values: [f64; 2]| [0, 1].map(|i| analysis.moves(i).then(|| both_speeds(units, values[i])));

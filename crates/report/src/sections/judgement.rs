@@ -1,6 +1,6 @@
 //! A case judged without solving it: what was understood, what was assumed, and what it can be used for.
 
-use analysis::{Ability, Judgement, Warning};
+use analysis::{Ability, Judgement, SeenWarning};
 use case::{Case, CaseFile, Purpose, UnitSystem};
 
 use crate::document::{Block, Column, Document, Row, Table, Width};
@@ -44,9 +44,9 @@ pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Docume
     if judgement.warnings.is_empty() {
         page.paragraph("No warnings (checks that need a solution were not run).");
     } else {
-        let seen: Vec<Warning> =
-            judgement.warnings.iter().map(|warning| warning.in_axes(case.axes)).collect();
-        page.push(warnings::block(&seen, units, case.axes));
+        let seen: Vec<SeenWarning> =
+            judgement.warnings.iter().map(|warning| warning.seen(case.axes)).collect();
+        page.push(warnings::block(&seen, units));
     }
     page
 }

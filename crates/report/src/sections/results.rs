@@ -1,6 +1,6 @@
 //! A finished analysis as text for the terminal and the file.
 
-use analysis::{Analysis, Crash3, Damage, Found, Impact};
+use analysis::{Analysis, Crash3, Damage, Found, Impact, Seen};
 use case::{Axes, Case, Pdof, Velocity, YawSource};
 use crash3::{EnergyBasis, SideStiffness, Stiffness};
 use pim_core::{Outcome, Regime};
@@ -13,7 +13,7 @@ use crate::{axes, checks, energy, law, warnings, words};
 /// The analysis for the terminal and the file: what was found, all inputs and results with their equations, and the warnings.
 #[must_use]
 pub fn results(case: &Case, analysis: &Analysis, units: Units) -> Document {
-    let analysis = &analysis.in_axes(case.axes);
+    let analysis = &analysis.seen(case.axes);
     // Values need 88 columns, and the eye follows no more than 120.
     let mut page = Page { units, axes: case.axes, document: Document::new().with_columns([88, 120]) };
     page.document.title(case);
@@ -33,7 +33,7 @@ pub fn results(case: &Case, analysis: &Analysis, units: Units) -> Document {
         page.crash3(case, analysis, crash3);
     }
     page.checks(analysis);
-    page.document.push(warnings::block(&analysis.warnings, units, case.axes));
+    page.document.push(warnings::block(&analysis.warnings, units));
     page.sources();
     page.document
 }
@@ -79,7 +79,7 @@ impl Page {
         });
     }
 
-    fn inputs(&mut self, case: &Case, analysis: &Analysis) {
+    fn inputs(&mut self, case: &Case, analysis: &Seen) {
         let units = self.units;
         let mut table = Table::of_two("Inputs as understood", VEHICLES);
         let vehicles = &case.vehicles;
@@ -199,7 +199,7 @@ impl Page {
     }
 
     /// What is no column of a vehicle: profiles, which need the whole line, and what belongs to the collision.
-    fn shared_inputs(&mut self, case: &Case, analysis: &Analysis) {
+    fn shared_inputs(&mut self, case: &Case, analysis: &Seen) {
         let units = self.units;
         let mut profiles = Vec::new();
         for (i, vehicle) in analysis.vehicles.iter().enumerate() {
@@ -229,7 +229,7 @@ impl Page {
     }
 
     /// Coefficients in one row where they are the same all along the side, else in one row for each vehicle and coefficient.
-    fn stiffness(&self, analysis: &Analysis, table: &mut Table) {
+    fn stiffness(&self, analysis: &Seen, table: &mut Table) {
         let units = self.units;
         let damage = [0, 1].map(|i| analysis.vehicles[i].damage.as_ref());
         let source = [0, 1].map(|i| {
@@ -275,7 +275,7 @@ impl Page {
         }
     }
 
-    fn impact(&mut self, analysis: &Analysis, impact: &Impact) {
+    fn impact(&mut self, analysis: &Seen, impact: &Impact) {
         let chosen = Chosen { analysis, units: self.units };
         let mut table = Table::of_two("Impact", ["along n", "along t", "source"]);
         for keys in [
@@ -311,7 +311,7 @@ impl Page {
         self.document.push(table);
     }
 
-    fn motion(&mut self, analysis: &Analysis) {
+    fn motion(&mut self, analysis: &Seen) {
         let chosen = Chosen { analysis, units: self.units };
         let mut table = Table::of_two("Motion", SOURCED);
         chosen.pair(&mut table, "speed");
@@ -325,7 +325,7 @@ impl Page {
         self.document.push(table);
     }
 
-    fn energy(&mut self, analysis: &Analysis, outcome: &Outcome) {
+    fn energy(&mut self, analysis: &Seen, outcome: &Outcome) {
         let chosen = Chosen { analysis, units: self.units };
         let mut table = Table::of_two("Energy", ["", "share of initial", "source"]);
         let share = |si: f64| energy::share(si, &outcome.energy);
@@ -343,7 +343,7 @@ impl Page {
         self.document.push(table);
     }
 
-    fn damage(&mut self, analysis: &Analysis) {
+    fn damage(&mut self, analysis: &Seen) {
         let chosen = Chosen { analysis, units: self.units };
         let units = self.units;
         let damage = [0, 1].map(|i| analysis.vehicles[i].damage.as_ref());
@@ -383,7 +383,7 @@ impl Page {
         self.document.push(table);
     }
 
-    fn crash3(&mut self, case: &Case, analysis: &Analysis, crash3: &Crash3) {
+    fn crash3(&mut self, case: &Case, analysis: &Seen, crash3: &Crash3) {
         let basis = analysis.basis;
         let units = self.units;
         let chosen = Chosen { analysis, units };
@@ -437,7 +437,7 @@ impl Page {
         self.document.push(table);
     }
 
-    fn checks(&mut self, analysis: &Analysis) {
+    fn checks(&mut self, analysis: &Seen) {
         if let Some(table) = checks::table(analysis, self.units) {
             self.document.push(table);
         }

@@ -6,7 +6,7 @@ mod impulse;
 mod motion;
 mod speed;
 
-use analysis::{Analysis, Impact};
+use analysis::{Impact, Seen};
 use case::Case;
 
 use super::{StepGroup, group};
@@ -14,7 +14,7 @@ use super::{StepGroup, group};
 /// The numbers that most steps share.
 struct Collision<'a> {
     case: &'a Case,
-    analysis: &'a Analysis,
+    analysis: &'a Seen,
     impact: &'a Impact,
     /// (rad) scene angle of n, oriented from vehicle 2 to vehicle 1.
     gamma: f64,
@@ -22,7 +22,7 @@ struct Collision<'a> {
     inertia: [Option<(f64, f64)>; 2],
 }
 
-pub(super) fn groups(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
+pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     let Some(impact) = &analysis.impact else { return Vec::new() };
     let collision = Collision {
         case,

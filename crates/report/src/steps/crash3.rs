@@ -3,13 +3,13 @@
 mod peak_force;
 mod velocity_changes;
 
-use analysis::{Analysis, Damage, Vehicle};
+use analysis::{Damage, Seen, Vehicle};
 use case::Case;
 use crash3::ObliqueCorrection;
 
 use super::{Step, StepGroup, angle, given, group, n, step};
 
-pub(super) fn groups(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
+pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     let mut groups = Vec::new();
     for (i, vehicle) in analysis.vehicles.iter().enumerate() {
         if let Some(damage) = &vehicle.damage {

@@ -7,14 +7,14 @@ mod stiffness;
 
 pub(super) use profile::share_below;
 
-use analysis::{Analysis, Damage, Vehicle};
+use analysis::{Damage, Seen, Vehicle};
 use case::{Case, Crush, Evidence};
 use crash3::{EnergyBasis, Profile, SideStiffness, Yielding};
 
 use super::{Step, StepGroup, group, n, p, step};
 use crate::words;
 
-pub(super) fn groups(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
+pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     let mut groups = Vec::new();
     for (i, vehicle) in analysis.vehicles.iter().enumerate() {
         if let (Some(damage), Some(crush)) = (&vehicle.damage, &case.vehicles[i].crush) {
@@ -94,7 +94,7 @@ fn speeds(vehicle: &Vehicle, damage: &Damage, i: usize) -> Vec<Step> {
 }
 
 /// The sum over the vehicles that have damage.
-pub(super) fn total(analysis: &Analysis, crush_energy: f64, source: &'static str) -> Step {
+pub(super) fn total(analysis: &Seen, crush_energy: f64, source: &'static str) -> Step {
     let (symbols, numbers): (Vec<String>, Vec<String>) = (1..)
         .zip(&analysis.vehicles)
         .filter_map(|(i, vehicle)| vehicle.damage.as_ref().map(|damage| (i, damage)))
@@ -105,7 +105,7 @@ pub(super) fn total(analysis: &Analysis, crush_energy: f64, source: &'static str
 }
 
 /// What the impact has to take.
-fn sought(analysis: &Analysis) -> Vec<Step> {
+fn sought(analysis: &Seen) -> Vec<Step> {
     let Some(found) = &analysis.found else { return Vec::new() };
     let both = total(analysis, found.crush_energy, "Eq 4, 5");
     let e = analysis.impact.as_ref().map_or(0.0, |impact| impact.law.restitution());

@@ -1,11 +1,11 @@
 //! Mass and yaw inertia, from what the file says of them.
 
-use analysis::{Analysis, Vehicle};
+use analysis::{Seen, Vehicle};
 use case::{Case, Mass, Quantity, STANDARD_GRAVITY, YawInertia, YawSource};
 
 use super::{Step, StepGroup, given, group, n, p, step};
 
-pub(super) fn groups(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
+pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     let steps = case
         .vehicles
         .iter()

@@ -235,7 +235,7 @@ fn warnings(ledger: &mut Ledger) {
     ledger.made(format!("{opposite}° … opposite"));
     let differs =
         Warning::DeltaVDiffers { impact: [Some(10.0); 2], crash3: [Some(8.0); 2], restitution: true };
-    assert!(report::message(&differs, Units::Si, Axes::ZUp).contains("by more than 10 %"));
+    assert!(report::message(&differs.seen(Axes::ZUp), Units::Si).contains("by more than 10 %"));
     ledger.made("differ … 10 %");
     let no_factor = |e: f64| EnergyBasis::Dissipated.restitution_factor(e).is_err();
     ledger.made(format!("e = {} … cannot", number(threshold(1.0, 0.0, no_factor), 0)));

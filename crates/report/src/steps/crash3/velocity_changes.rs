@@ -1,6 +1,6 @@
 //! CRASH3's velocity changes.
 
-use analysis::{Analysis, Crash3};
+use analysis::{Crash3, Seen};
 use case::Axes;
 use crash3::EnergyBasis;
 
@@ -19,7 +19,7 @@ struct Movable {
     yaw_inertia: f64,
 }
 
-pub(super) fn steps(analysis: &Analysis, axes: Axes) -> Vec<Step> {
+pub(super) fn steps(analysis: &Seen, axes: Axes) -> Vec<Step> {
     let Some(crash3) = &analysis.crash3 else { return Vec::new() };
     let vehicles: Vec<Movable> = (0..)
         .zip(&analysis.vehicles)
@@ -45,7 +45,7 @@ pub(super) fn steps(analysis: &Analysis, axes: Axes) -> Vec<Step> {
 }
 
 /// h, from the contact point or the centroid where it follows from that.
-fn moment_arm(analysis: &Analysis, crash3: &Crash3, i: usize, axes: Axes) -> Step {
+fn moment_arm(analysis: &Seen, crash3: &Crash3, i: usize, axes: Axes) -> Step {
     let (k, vehicle, arm) = (i + 1, &analysis.vehicles[i], crash3.moment_arm[i]);
     // Across the force, which comes from the PDOF, clockwise in any axes.
     let left = match axes {
@@ -136,12 +136,7 @@ fn changes(crash3: &Crash3, vehicles: &[Movable], energy: Energy) -> Vec<Step> {
 }
 
 /// ΔV of each vehicle with the restitution of the impact, where that is known and not 1.
-fn with_restitution(
-    analysis: &Analysis,
-    crash3: &Crash3,
-    vehicles: &[Movable],
-    delta_v: [f64; 2],
-) -> Vec<Step> {
+fn with_restitution(analysis: &Seen, crash3: &Crash3, vehicles: &[Movable], delta_v: [f64; 2]) -> Vec<Step> {
     let e = analysis.impact.as_ref().map(|impact| n(impact.law.restitution(), ""));
     let (Some(factor), Some(e)) = (crash3.restitution_factor, e) else { return Vec::new() };
     let (formula, numbers) = match analysis.basis {
@@ -165,7 +160,7 @@ fn with_restitution(
 }
 
 /// The sum over the vehicles that have damage, each with its correction.
-fn corrected_total(analysis: &Analysis, crush_energy: f64) -> Step {
+fn corrected_total(analysis: &Seen, crush_energy: f64) -> Step {
     let (symbols, numbers): (Vec<String>, Vec<String>) = (1..)
         .zip(&analysis.vehicles)
         .filter_map(|(i, vehicle)| vehicle.damage.as_ref()?.oblique.map(|oblique| (i, oblique)))

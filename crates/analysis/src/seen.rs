@@ -1,0 +1,168 @@
+//! A finished analysis in the axes of a reader.
+
+use crash3::EnergyBasis;
+use inputs::Axes;
+use pim_core::{ImpactError, Switch};
+
+use crate::{Analysis, Check, Crash3, Drive, Failure, Found, Impact, JumpSide, Vehicle, Warning};
+
+/// A finished analysis as a reader sees it: in the axes of the case, where an [`Analysis`] is in those of the engine. What is written for people or
+/// programs takes this type, so that no number can be written in the wrong axes.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Seen {
+    /// Those of all its numbers.
+    pub axes: Axes,
+    /// As [`Analysis::basis`].
+    pub basis: EnergyBasis,
+    /// As [`Analysis::found`].
+    pub found: Option<Found>,
+    /// As [`Analysis::impact`].
+    pub impact: Option<Impact>,
+    /// As [`Analysis::vehicles`].
+    pub vehicles: [Vehicle; 2],
+    /// As [`Analysis::crash3`].
+    pub crash3: Option<Crash3>,
+    /// As [`Analysis::checks`].
+    pub checks: Vec<Check>,
+    /// As [`Analysis::warnings`].
+    pub warnings: Vec<SeenWarning>,
+}
+
+impl Seen {
+    /// As [`Analysis::moves`].
+    #[must_use]
+    pub fn moves(&self, vehicle: usize) -> bool {
+        self.vehicles[vehicle].moves()
+    }
+
+    /// As [`Analysis::speed`].
+    #[must_use]
+    pub fn speed(&self, vehicle: usize) -> f64 {
+        self.impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle))
+    }
+}
+
+/// A warning as a reader sees it: its numbers are in the axes of the case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SeenWarning {
+    warning: Warning,
+    axes: Axes,
+}
+
+impl SeenWarning {
+    /// The warning.
+    #[must_use]
+    pub fn warning(&self) -> &Warning {
+        &self.warning
+    }
+
+    /// Those of its numbers.
+    #[must_use]
+    pub fn axes(&self) -> Axes {
+        self.axes
+    }
+}
+
+impl Analysis {
+    /// The analysis with its impact, approach line, contact points, centroids and warnings in the axes of a reader. A
+    /// [`DamagedFace`](crash3::DamagedFace) stays as it is.
+    #[must_use]
+    pub fn seen(&self, axes: Axes) -> Seen {
+        // Without `..`: a new field does not compile before somebody has decided what becomes of it.
+        let Self { basis, mut found, mut impact, mut vehicles, crash3, checks, warnings } = self.clone();
+        let warnings = warnings.iter().map(|warning| warning.seen(axes)).collect();
+        if axes == Axes::ZDown {
+            impact = impact.map(|impact| impact.mirrored());
+            if let Some(found) = &mut found {
+                found.line = found.line.mirrored();
+            }
+            for vehicle in &mut vehicles {
+                let centroid = vehicle.damage.as_mut().and_then(|damage| damage.centroid.as_mut());
+                for [_, y] in vehicle.subject.contact.as_mut().into_iter().chain(centroid) {
+                    *y = axes.lateral(*y);
+                }
+            }
+        }
+        Seen { axes, basis, found, impact, vehicles, crash3, checks, warnings }
+    }
+}
+
+impl Warning {
+    /// The warning with its numbers in the axes of a reader.
+    #[must_use]
+    pub fn seen(&self, axes: Axes) -> SeenWarning {
+        let mut seen = self.clone();
+        if let Self::DamageCentroid { point: [_, lateral], .. }
+        | Self::RotationOpposes { turned: lateral, .. } = &mut seen
+        {
+            *lateral = axes.lateral(*lateral);
+        }
+        if let Self::LargeImpulseRatio { impulse_ratio, .. } = &mut seen {
+            *impulse_ratio = axes.lateral(*impulse_ratio);
+        }
+        if let Self::SlidingDriven { sliding, cause, .. } = &mut seen {
+            *sliding = axes.lateral(*sliding);
+            *cause = cause.in_axes(axes);
+        }
+        if let Self::NearJump { border, given, sides } = &mut seen {
+            // A friction limit has no direction.
+            if let Switch::Direction(sliding) = border {
+                *sliding = axes.lateral(*sliding);
+                *given = axes.lateral(*given);
+            }
+            *sides = sides.map(|side| side.in_axes(axes));
+        }
+        SeenWarning { warning: seen, axes }
+    }
+}
+
+impl Drive {
+    fn in_axes(self, axes: Axes) -> Self {
+        let turned = |value: f64| axes.lateral(value);
+        match self {
+            Self::RatioAlong { impulse_ratio } => Self::RatioAlong { impulse_ratio: turned(impulse_ratio) },
+            Self::RatioWithoutSliding { impulse_ratio } => {
+                Self::RatioWithoutSliding { impulse_ratio: turned(impulse_ratio) }
+            }
+            Self::RatioBeyond { impulse_ratio, critical } => {
+                Self::RatioBeyond { impulse_ratio: turned(impulse_ratio), critical: critical.map(turned) }
+            }
+            Self::Change { change } => Self::Change { change: turned(change) },
+            Self::Coupling => Self::Coupling,
+        }
+    }
+}
+
+impl JumpSide {
+    fn in_axes(self, axes: Axes) -> Self {
+        let turned = |value: Option<f64>| value.map(|value| axes.lateral(value));
+        Self { moment: turned(self.moment), yaw_rates: self.yaw_rates.map(turned), ..self }
+    }
+}
+
+impl Impact {
+    fn mirrored(&self) -> Self {
+        Self {
+            contact: self.contact.mirrored(),
+            given_law: self.given_law.mirrored(),
+            law: self.law.mirrored(),
+            outcome: self.outcome.mirrored(),
+            pdof: self.pdof,
+        }
+    }
+}
+
+impl Failure {
+    /// The same refusal, its numbers in the given axes.
+    pub(crate) fn in_axes(self, axes: Axes) -> Self {
+        match (axes, self) {
+            (Axes::ZDown, Self::Reconcile(refusal)) => Self::Reconcile(refusal.mirrored()),
+            (Axes::ZDown, Self::Impact(refusal)) => Self::Impact(refusal.mirrored()),
+            (Axes::ZDown, Self::NotReached { vehicle, energy, nearest }) => {
+                Self::NotReached { vehicle, energy, nearest: nearest.map_err(ImpactError::mirrored) }
+            }
+            (_, failure) => failure,
+        }
+    }
+}
