@@ -60,10 +60,11 @@ pub(crate) enum Block {
         units: Units,
     },
     Drawing(Box<Drawing>),
-    /// A file beside the page.
+    /// A drawing that is a file of its own beside a page of Markdown.
     Picture {
         file: &'static str,
         says: &'static str,
+        drawing: Box<Drawing>,
     },
     /// A text to be kept letter by letter.
     Listing {

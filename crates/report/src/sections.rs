@@ -9,5 +9,3 @@ pub(crate) mod sensitivity;
 pub(crate) mod topics;
 pub(crate) mod uncertainty;
 pub(crate) mod validation;
-
-pub(crate) use chosen::{output_name, output_quantity};

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use ::uncertainty::{LANES, SUCCEEDED, Sampler};
 use analysis::{Reason, Uncertainty};
 
-use crate::uncertainty::reason_name;
+use crate::outputs::reason_name;
 
 /// Writes a line for each sample: its number, why it has no answer, its uncertain inputs and its outputs, in SI units and radians. Outputs that there are not
 /// are empty. Numbers are the shortest that read back as the same.

@@ -9,7 +9,7 @@ use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
 use super::json::WarningBlock;
-use crate::uncertainty::{method_name, reason_name};
+use crate::outputs::{method_name, reason_name};
 
 #[derive(Serialize)]
 struct Document<'a> {

@@ -1,8 +1,9 @@
 //! Rows of tables, chosen by key from the table of results: label, unit and source stand there.
 
-use analysis::{Kind, Output, OutputQuantity, Seen, Values, quantity};
+use analysis::{Kind, OutputQuantity, Seen, Values, quantity};
 
 use crate::document::{NONE, Table};
+use crate::outputs::printed;
 use crate::units::{Quantity, Units, number};
 
 /// The numbers of an analysis, in the axes of the case and the units of the reader.
@@ -10,21 +11,6 @@ use crate::units::{Quantity, Units, number};
 pub(crate) struct Chosen<'a> {
     pub(crate) analysis: &'a Seen,
     pub(crate) units: Units,
-}
-
-/// The quantity in which a kind of number is printed; none for a pure number.
-pub(crate) fn printed(kind: Kind) -> Option<Quantity> {
-    match kind {
-        Kind::Ratio => None,
-        Kind::Speed => Some(Quantity::Speed),
-        Kind::Length => Some(Quantity::Length),
-        Kind::Angle => Some(Quantity::Angle),
-        Kind::YawRate => Some(Quantity::YawRate),
-        Kind::Energy => Some(Quantity::Energy),
-        Kind::Impulse => Some(Quantity::Impulse),
-        Kind::MomentImpulse => Some(Quantity::MomentImpulse),
-        Kind::Force => Some(Quantity::Force),
-    }
 }
 
 impl Chosen<'_> {
@@ -123,20 +109,6 @@ pub(crate) fn label(key: &'static str) -> &'static str {
 /// A speed as the equations have it and as drivers know it, like `75.03 ft/s = 51.16 mph`.
 pub(crate) fn both_speeds(units: Units, si: f64) -> String {
     format!("{} = {}", units.format(Quantity::Speed, si), units.road_speed(si))
-}
-
-/// An output, as a heading calls it.
-pub(crate) fn output_name(output: Output) -> String {
-    let name = quantity(output.key()).map_or_else(|| output.key(), |row| row.name);
-    let mut letters = name.chars();
-    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
-    let of = output.vehicle().map_or_else(String::new, |vehicle| format!(" of vehicle {vehicle}"));
-    format!("{first}{}{of}", letters.as_str())
-}
-
-/// What an output is printed in, a speed in the unit of the equations.
-pub(crate) fn output_quantity(output: Output) -> Quantity {
-    quantity(output.key()).and_then(|row| printed(row.kind)).unwrap_or(Quantity::Speed)
 }
 
 /// A value, or a dash.

@@ -11,7 +11,7 @@ use sha2::{Digest as _, Sha256};
 use super::chosen::{Chosen, both_speeds};
 use super::results::search;
 use crate::document::{Block, Document, Table};
-use crate::drawing::{DrawingError, Subject, drawing};
+use crate::pictures::{DrawingError, Subject, drawing};
 use crate::steps::steps;
 use crate::{Units, axes, checks, energy, law, warnings, words};
 

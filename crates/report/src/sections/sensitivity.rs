@@ -4,9 +4,10 @@ use analysis::{Derivative, Sensitivity, SweepRow};
 use case::{Axes, Case};
 use crash3::ObliqueCorrection;
 
-use super::chosen::{or_none, output_name, output_quantity};
+use super::chosen::or_none;
 use crate::data::sensitivity::given_in_sweep;
 use crate::document::{Column, Document, Table, Width};
+use crate::outputs::{output_name, output_quantity};
 use crate::units::{Quantity, Units, number, significant};
 use crate::warnings;
 

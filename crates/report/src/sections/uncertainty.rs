@@ -7,9 +7,8 @@ use analysis::{Output, REASONS, Reason, UncertainInput, UncertainOutput, Uncerta
 use case::Case;
 use crash3::principal_angle;
 
-use super::chosen::{output_name, output_quantity as quantity};
 use crate::document::{Block, Column, Document, NONE, Table, Width};
-use crate::uncertainty::{Histogram, method_name};
+use crate::outputs::{Histogram, method_name, output_name, output_quantity as quantity};
 use crate::units::{Quantity, Units, number, significant};
 use crate::warnings;
 

@@ -5,6 +5,7 @@ use validation::{
 };
 
 use crate::document::{Block, Column, Document, Table, Width};
+use crate::pictures::{computed_against_measured, reconstructed_speed};
 use crate::units::number;
 
 /// Reasons and misprints, numbered in the order in which the page comes upon them.
@@ -262,10 +263,12 @@ fn error_rates(validation: &Validation) -> Vec<Block> {
         ),
         Block::Picture {
             file: "computed-against-measured.svg",
+            drawing: Box::new(computed_against_measured(validation)),
             says: "Computed against measured ΔV, PIM and CRASH3, one point per vehicle, with the line of equality",
         },
         Block::Picture {
             file: "reconstructed-speed.svg",
+            drawing: Box::new(reconstructed_speed(validation)),
             says: "Reconstructed against true speed of vehicle 1, by source of the crush energy, with the line of equality",
         },
     ]

@@ -138,13 +138,12 @@ fn block(block: &Block) -> Markup {
         },
         Block::Table(table) => self::table(table),
         Block::Steps { group, units } => steps(group, *units),
-        Block::Drawing(drawing) => html! {
+        Block::Drawing(drawing) | Block::Picture { drawing, .. } => html! {
             figure {
                 (PreEscaped(drawing.svg()))
                 figcaption { (drawing.title()) }
             }
         },
-        Block::Picture { file, says } => html! { img src=(file) alt=(says); },
         Block::Listing { text, .. } => html! { pre { code { (text) } } },
     }
 }

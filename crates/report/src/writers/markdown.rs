@@ -58,7 +58,7 @@ fn block(block: &Block) -> String {
         Block::Drawing(drawing) => {
             format!("- {}: {}\n", drawing.name(), escaped(drawing.description()))
         }
-        Block::Picture { file, says } => format!("![{says}]({file})\n"),
+        Block::Picture { file, says, .. } => format!("![{says}]({file})\n"),
         Block::Listing { language, text } => listing(language, text),
     }
 }

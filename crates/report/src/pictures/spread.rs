@@ -1,11 +1,10 @@
-//! Histograms and tornados.
+//! Histograms and tornados of an uncertainty.
 
 use ::drawing::{Axis, Drawing, HistogramMark, HistogramPicture, TornadoBar, TornadoPicture};
 use ::uncertainty::{Bar, End};
 use analysis::{UncertainOutput, Uncertainty};
 
-use super::{Histogram, pictured};
-use crate::sections::output_name;
+use crate::outputs::{Histogram, output_name, pictured};
 use crate::units::{Units, number};
 
 /// Classes of a histogram.

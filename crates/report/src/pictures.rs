@@ -1,12 +1,15 @@
-//! Drawings of a case to scale, as SVG: the scene, the damage, the reconciliation and the energy.
-//!
-//! The crate `drawing` draws them. Here is what they show of a case, in the units of the reader.
+//! All pictures: what they show, in the units of the reader. The crate `drawing` draws them.
 
 mod damage;
 mod energy;
 mod reconciliation;
 mod scene;
+mod spread;
+mod staged;
 mod vehicle;
+
+pub use spread::{histogram, tornado};
+pub use staged::{computed_against_measured, reconstructed_speed};
 
 use ::drawing::Drawing;
 use ::drawing::ScaleUnit;

@@ -1,13 +1,8 @@
-//! Histograms and tornados, and what they share with the tables of the uncertainty.
-
-mod plot;
-
-pub use plot::{histogram, tornado};
+//! What outputs, reasons and methods of sampling are called, in which units outputs are printed, and how many samples fall into which class.
 
 use ::uncertainty::{SamplingMethod, Summary};
-use analysis::{Output, Reason};
+use analysis::{Kind, Output, Reason, quantity};
 
-use crate::sections::output_quantity;
 use crate::units::Quantity;
 
 /// The key of the JSON and of the samples.
@@ -34,8 +29,37 @@ pub(crate) fn method_name(method: SamplingMethod) -> &'static str {
     }
 }
 
+/// The quantity in which a kind of number is printed; none for a pure number.
+pub(crate) fn printed(kind: Kind) -> Option<Quantity> {
+    match kind {
+        Kind::Ratio => None,
+        Kind::Speed => Some(Quantity::Speed),
+        Kind::Length => Some(Quantity::Length),
+        Kind::Angle => Some(Quantity::Angle),
+        Kind::YawRate => Some(Quantity::YawRate),
+        Kind::Energy => Some(Quantity::Energy),
+        Kind::Impulse => Some(Quantity::Impulse),
+        Kind::MomentImpulse => Some(Quantity::MomentImpulse),
+        Kind::Force => Some(Quantity::Force),
+    }
+}
+
+/// An output, as a heading calls it.
+pub(crate) fn output_name(output: Output) -> String {
+    let name = quantity(output.key()).map_or_else(|| output.key(), |row| row.name);
+    let mut letters = name.chars();
+    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
+    let of = output.vehicle().map_or_else(String::new, |vehicle| format!(" of vehicle {vehicle}"));
+    format!("{first}{}{of}", letters.as_str())
+}
+
+/// What an output is printed in, a speed in the unit of the equations.
+pub(crate) fn output_quantity(output: Output) -> Quantity {
+    quantity(output.key()).and_then(|row| printed(row.kind)).unwrap_or(Quantity::Speed)
+}
+
 /// In a picture: people read speeds in mph and km/h.
-fn pictured(output: Output) -> Quantity {
+pub(crate) fn pictured(output: Output) -> Quantity {
     match output_quantity(output) {
         Quantity::Speed => Quantity::RoadSpeed,
         other => other,
