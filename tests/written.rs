@@ -83,7 +83,10 @@ fn a_law_is_written_by_the_names_of_its_coefficients() {
 
 #[test]
 fn impossible_impacts_are_refused() {
-    assert_refused::<Body>(json!({ "Movable": { "mass": -1.0, "yaw_inertia": 2700.0 } }), "the mass is -1, but must be");
+    assert_refused::<Body>(
+        json!({ "Movable": { "mass": -1.0, "yaw_inertia": 2700.0 } }),
+        "the mass is -1, but must be",
+    );
     let law =
         |e: f64, e_m: f64| json!({ "restitution": e, "tangential": "Critical", "moment_restitution": e_m });
     assert!(from_value::<Law>(law(0.3, 0.0)).is_ok());

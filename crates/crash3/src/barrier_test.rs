@@ -8,15 +8,6 @@ use crate::stiffness::Stiffness;
 
 /// A full-width test against a rigid barrier: what it left of the car, and the speed at which it would have left no crush.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(
-        try_from = "crate::data::BarrierTestData<T>",
-        into = "crate::data::BarrierTestData<T>",
-        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
-    )
-)]
 pub struct BarrierTest<T = f64> {
     pub(crate) mass: T,
     pub(crate) speed: T,

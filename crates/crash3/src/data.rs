@@ -4,7 +4,8 @@
 use alloc::vec::Vec;
 
 use real::Real;
-use serde::{Deserialize, Serialize};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::barrier_test::BarrierTest;
 use crate::direction::{DamagedFace, Side};
@@ -12,9 +13,31 @@ use crate::error::CrushError;
 use crate::profile::Profile;
 use crate::stiffness::Stiffness;
 
+/// A type that is written and read as another one. The types themselves do not know of this file.
+macro_rules! written_as {
+    ($type:ident, $data:ident) => {
+        impl<T: Real + Serialize> Serialize for $type<T> {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                $data::from(Self::clone(self)).serialize(serializer)
+            }
+        }
+
+        impl<'de, T: Real + Deserialize<'de>> Deserialize<'de> for $type<T> {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                Self::try_from($data::deserialize(deserializer)?).map_err(D::Error::custom)
+            }
+        }
+    };
+}
+
+written_as!(Profile, ProfileData);
+written_as!(Stiffness, StiffnessData);
+written_as!(BarrierTest, BarrierTestData);
+written_as!(DamagedFace, DamagedFaceData);
+
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Profile")]
-pub(crate) struct ProfileData<T> {
+struct ProfileData<T> {
     depths: Vec<T>,
     spacings: Vec<T>,
 }
@@ -35,7 +58,7 @@ impl<T: Real> TryFrom<ProfileData<T>> for Profile<T> {
 
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Stiffness")]
-pub(crate) struct StiffnessData<T> {
+struct StiffnessData<T> {
     a: T,
     b: T,
     g: T,
@@ -67,7 +90,7 @@ impl<T: Real> TryFrom<StiffnessData<T>> for Stiffness<T> {
     rename = "BarrierTest",
     bound(serialize = "T: Real + Serialize", deserialize = "T: Real + Deserialize<'de>")
 )]
-pub(crate) struct BarrierTestData<T> {
+struct BarrierTestData<T> {
     mass: T,
     speed: T,
     profile: Profile<T>,
@@ -90,7 +113,7 @@ impl<T: Real> TryFrom<BarrierTestData<T>> for BarrierTest<T> {
 
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "DamagedFace")]
-pub(crate) struct DamagedFaceData<T> {
+struct DamagedFaceData<T> {
     side: Side,
     distance: T,
     offset: T,

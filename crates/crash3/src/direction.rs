@@ -63,15 +63,6 @@ pub fn moment_arm<T: Real>([forward, left]: [T; 2], pdof: T) -> T {
 
 /// The face of a vehicle that was damaged, and where on it the damage lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(
-        try_from = "crate::data::DamagedFaceData<T>",
-        into = "crate::data::DamagedFaceData<T>",
-        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
-    )
-)]
 pub struct DamagedFace<T = f64> {
     pub(crate) side: Side,
     pub(crate) distance: T,

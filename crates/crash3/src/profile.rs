@@ -9,15 +9,6 @@ use crate::error::{self, CrushError};
 
 /// A crush profile: residual crush depths C_1 … C_N at stations along the damage, linear between them.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(
-        try_from = "crate::data::ProfileData<T>",
-        into = "crate::data::ProfileData<T>",
-        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
-    )
-)]
 pub struct Profile<T = f64> {
     pub(crate) depths: Vec<T>,
     pub(crate) spacings: Vec<T>,

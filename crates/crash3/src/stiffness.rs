@@ -9,15 +9,6 @@ use crate::error::{self, CrushError};
 /// CRASH3's stiffness coefficients: force per width A + B C, flat beyond a limit if there is one, and the energy per width G that
 /// is stored before any crush remains.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(
-        try_from = "crate::data::StiffnessData<T>",
-        into = "crate::data::StiffnessData<T>",
-        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
-    )
-)]
 pub struct Stiffness<T = f64> {
     a: T,
     b: T,

@@ -7,15 +7,6 @@ use crate::error::{self, InvalidInput};
 
 /// A rigid body in the plane: mass and yaw inertia, or fixed to the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(
-        try_from = "crate::data::BodyData<T>",
-        into = "crate::data::BodyData<T>",
-        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
-    )
-)]
 pub struct Body<T = f64> {
     // All four are zero for a fixed body, so that the equations need no case of their own for it:
     // it takes an impulse without moving and carries no kinetic energy.
@@ -152,15 +143,6 @@ impl<T: Real> Motion<T> {
 
 /// One of the two bodies in its place: heading, and the arm from its CG to the contact point C.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(
-        try_from = "crate::data::ParticipantData<T>",
-        into = "crate::data::ParticipantData<T>",
-        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
-    )
-)]
 pub struct Participant<T = f64> {
     pub(crate) body: Body<T>,
     /// Unit vector of the body's own forward axis in the scene.

@@ -129,15 +129,6 @@ impl<T: Real> InverseMass<T> {
 ///
 /// The same contact serves every velocity and every impact law.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(
-        try_from = "crate::data::ContactData<T>",
-        into = "crate::data::ContactData<T>",
-        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
-    )
-)]
 pub struct Contact<T = f64> {
     pub(crate) participants: [Participant<T>; 2],
     /// Γ as given.

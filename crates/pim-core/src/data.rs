@@ -5,7 +5,8 @@ use alloc::vec::Vec;
 
 use nalgebra::Vector2;
 use real::Real;
-use serde::{Deserialize, Serialize};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::body::{Body, Participant};
 use crate::contact::Contact;
@@ -13,12 +14,36 @@ use crate::error::{self, InvalidInput};
 use crate::law::{Law, Tangential};
 use crate::restitution::{RestitutionCurve, VaryingLaw};
 
+/// A type that is written and read as another one. The types themselves do not know of this file.
+macro_rules! written_as {
+    ($type:ident, $data:ident) => {
+        impl<T: Real + Serialize> Serialize for $type<T> {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                $data::from(Self::clone(self)).serialize(serializer)
+            }
+        }
+
+        impl<'de, T: Real + Deserialize<'de>> Deserialize<'de> for $type<T> {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                Self::try_from($data::deserialize(deserializer)?).map_err(D::Error::custom)
+            }
+        }
+    };
+}
+
+written_as!(Body, BodyData);
+written_as!(Participant, ParticipantData);
+written_as!(Contact, ContactData);
+written_as!(Law, LawData);
+written_as!(RestitutionCurve, RestitutionCurveData);
+written_as!(VaryingLaw, VaryingLawData);
+
 /// The forward axis is a unit vector but for what a text with fewer digits leaves of it.
 const UNIT_LENGTH: [f64; 2] = [1.0 - 1e-6, 1.0 + 1e-6];
 
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Body")]
-pub(crate) enum BodyData<T> {
+enum BodyData<T> {
     Fixed,
     Movable { mass: T, yaw_inertia: T },
 }
@@ -49,7 +74,7 @@ impl<T: Real> TryFrom<BodyData<T>> for Body<T> {
     rename = "Participant",
     bound(serialize = "T: Real + Serialize", deserialize = "T: Real + Deserialize<'de>")
 )]
-pub(crate) struct ParticipantData<T> {
+struct ParticipantData<T> {
     body: Body<T>,
     forward: Vector2<T>,
     arm: Vector2<T>,
@@ -79,7 +104,7 @@ impl<T: Real> TryFrom<ParticipantData<T>> for Participant<T> {
     rename = "Contact",
     bound(serialize = "T: Real + Serialize", deserialize = "T: Real + Deserialize<'de>")
 )]
-pub(crate) struct ContactData<T> {
+struct ContactData<T> {
     participants: [Participant<T>; 2],
     crush_plane: T,
 }
@@ -100,7 +125,7 @@ impl<T: Real> TryFrom<ContactData<T>> for Contact<T> {
 
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Law")]
-pub(crate) struct LawData<T> {
+struct LawData<T> {
     restitution: T,
     tangential: Tangential<T>,
     moment_restitution: T,
@@ -122,7 +147,7 @@ impl<T: Real> TryFrom<LawData<T>> for Law<T> {
 
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "RestitutionCurve")]
-pub(crate) struct RestitutionCurveData<T> {
+struct RestitutionCurveData<T> {
     points: Vec<(T, T)>,
 }
 
@@ -145,7 +170,7 @@ impl<T: Real> TryFrom<RestitutionCurveData<T>> for RestitutionCurve<T> {
     rename = "VaryingLaw",
     bound(serialize = "T: Real + Serialize", deserialize = "T: Real + Deserialize<'de>")
 )]
-pub(crate) struct VaryingLawData<T> {
+struct VaryingLawData<T> {
     law: Law<T>,
     curve: Option<RestitutionCurve<T>>,
 }

@@ -66,15 +66,6 @@ pub enum Regime {
 /// Brach & Brach, SAE 980025, "Summary of planar impact mechanics", which names the others: Woolley (SAE 870046 and 1987), Ishikawa (1985, 1994),
 /// Steffan & Moser (1996, after Kudlich and Slibar). The moment impulse: Brach, *Mechanical Impact Dynamics* (1991).
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(
-        try_from = "crate::data::LawData<T>",
-        into = "crate::data::LawData<T>",
-        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
-    )
-)]
 pub struct Law<T = f64> {
     pub(crate) restitution: T,
     pub(crate) tangential: Tangential<T>,

@@ -11,15 +11,6 @@ use crate::law::Law;
 ///
 /// Restitution falls with closing speed, so a reconstruction in which the speed is not known cannot know it beforehand.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(
-        try_from = "crate::data::RestitutionCurveData<T>",
-        into = "crate::data::RestitutionCurveData<T>",
-        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
-    )
-)]
 pub struct RestitutionCurve<T = f64> {
     /// (closing speed in m/s, e), by ascending speed.
     pub(crate) points: Vec<(T, T)>,
@@ -89,15 +80,6 @@ impl<T: Real> RestitutionCurve<T> {
 /// # Ok::<(), pim_core::InvalidInput>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(
-        from = "crate::data::VaryingLawData<T>",
-        into = "crate::data::VaryingLawData<T>",
-        bound(serialize = "T: Real + serde::Serialize", deserialize = "T: Real + serde::Deserialize<'de>")
-    )
-)]
 pub struct VaryingLaw<T = f64> {
     pub(crate) nominal: Law<T>,
     pub(crate) curve: Option<RestitutionCurve<T>>,

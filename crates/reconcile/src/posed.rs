@@ -45,3 +45,42 @@ impl<'a> Posed<'a> {
         Real::sqrt(2.0 * self.problem.crush_energy * self.problem.contact.inverse_mass().nn)
     }
 }
+
+impl<T: Real> Problem<T> {
+    /// The problem with what every search needs, if a speed can be sought.
+    #[inline(always)]
+    pub(crate) fn posed(&self) -> Result<Posed<'_, T>, ReconcileError> {
+        let posed = Posed { problem: self, line: self.line() };
+        if self.makes_sense(posed.line.slope) { Ok(posed) } else { Err(self.refusal()) }
+    }
+}
+
+impl Problem {
+    /// The speed that reconciles impact and crush: in closed form where there is one, else by the root-finder.
+    ///
+    /// # Errors
+    /// [`ReconcileError`].
+    pub fn solve(&self) -> Result<Reconciliation, ReconcileError> {
+        let posed = self.posed()?;
+        if self.has_closed_form() { posed.closed_form() } else { posed.root_finder() }
+    }
+
+    /// The answer by root-finding alone, which serves every law.
+    ///
+    /// Guarantee: no speed of at most [`FASTEST`](crate::FASTEST) is missed, and none is counted twice, but where rounding decides
+    /// whether it exists. W_n less the value sought is a ratio of polynomials of the approach speed within the pieces in which one
+    /// regime of the law holds and e is linear. The extrema of the numerator isolate its roots, and Brent's method finds each on the
+    /// law's own W_n.
+    ///
+    /// # Errors
+    /// [`ReconcileError`].
+    pub fn root_finder(&self) -> Result<Reconciliation, ReconcileError> {
+        self.posed()?.root_finder()
+    }
+
+    /// (m/s) the admissible speeds, from the slowest approach to the fastest, however many; none where
+    /// [`check`](Self::check) refuses the problem. The first is that of [`solve`](Self::solve).
+    pub fn speeds(&self) -> impl Iterator<Item = f64> {
+        self.posed().into_iter().flat_map(Posed::speeds)
+    }
+}

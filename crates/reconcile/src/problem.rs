@@ -6,10 +6,8 @@ use pim_core::{
     normal_work,
 };
 
-use crate::answer::Reconciliation;
 use crate::error::ReconcileError;
 use crate::line::ApproachLine;
-use crate::posed::Posed;
 
 /// Where the cosine between heading and crush plane normal is below this, rounding of the angles decides what the speed does.
 const LEAST_COSINE: f64 = 1e-9;
@@ -105,7 +103,7 @@ impl<T: Real> Problem<T> {
 
     /// Why a problem makes no sense.
     #[cold]
-    fn refusal(&self) -> ReconcileError {
+    pub(crate) fn refusal(&self) -> ReconcileError {
         let vehicle = self.vehicle();
         if self.unknown.of(*self.contact.participants()).body().is_fixed() {
             ReconcileError::Fixed { vehicle }
@@ -203,42 +201,5 @@ impl<T: Real> Problem<T> {
 
     pub(crate) fn vehicle(&self) -> usize {
         self.unknown.index() + 1
-    }
-
-    /// The problem with what every search needs, if a speed can be sought.
-    #[inline(always)]
-    pub(crate) fn posed(&self) -> Result<Posed<'_, T>, ReconcileError> {
-        let posed = Posed { problem: self, line: self.line() };
-        if self.makes_sense(posed.line.slope) { Ok(posed) } else { Err(self.refusal()) }
-    }
-}
-
-impl Problem {
-    /// The speed that reconciles impact and crush: in closed form where there is one, else by the root-finder.
-    ///
-    /// # Errors
-    /// [`ReconcileError`].
-    pub fn solve(&self) -> Result<Reconciliation, ReconcileError> {
-        let posed = self.posed()?;
-        if self.has_closed_form() { posed.closed_form() } else { posed.root_finder() }
-    }
-
-    /// The answer by root-finding alone, which serves every law.
-    ///
-    /// Guarantee: no speed of at most [`FASTEST`](crate::FASTEST) is missed, and none is counted twice, but where rounding decides
-    /// whether it exists. W_n less the value sought is a ratio of polynomials of the approach speed within the pieces in which one
-    /// regime of the law holds and e is linear. The extrema of the numerator isolate its roots, and Brent's method finds each on the
-    /// law's own W_n.
-    ///
-    /// # Errors
-    /// [`ReconcileError`].
-    pub fn root_finder(&self) -> Result<Reconciliation, ReconcileError> {
-        self.posed()?.root_finder()
-    }
-
-    /// (m/s) the admissible speeds, from the slowest approach to the fastest, however many; none where
-    /// [`check`](Self::check) refuses the problem. The first is that of [`solve`](Self::solve).
-    pub fn speeds(&self) -> impl Iterator<Item = f64> {
-        self.posed().into_iter().flat_map(Posed::speeds)
     }
 }

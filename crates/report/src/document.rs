@@ -1,11 +1,10 @@
 //! What a command has to say, before it is decided how it looks: the parts of a document, which the sections fill and the writers write.
 
 use ::drawing::Drawing;
-use analysis::SeenWarning;
 
 use crate::steps::StepGroup;
 use crate::units::Units;
-use crate::{warnings, writers};
+use crate::writers;
 
 /// A document of the program. [`text`](Self::text), [`markdown`](Self::markdown) and [`html`](Self::html) write it.
 #[derive(Clone, Debug)]
@@ -227,22 +226,6 @@ impl Document {
 
     pub(crate) fn paragraph(&mut self, words: impl Into<String>) {
         self.push(Block::Paragraph(words.into()));
-    }
-
-    /// How many warnings there are at the end; nothing where all are of the kind that most cases have.
-    pub(crate) fn notice(&mut self, warnings: &[SeenWarning]) {
-        self.noticed(warnings, None);
-    }
-
-    /// The same, with a link to the heading that they stand under.
-    pub(crate) fn notice_of(&mut self, warnings: &[SeenWarning], heading: &'static str) {
-        self.noticed(warnings, Some(heading));
-    }
-
-    fn noticed(&mut self, warnings: &[SeenWarning], heading: Option<&'static str>) {
-        if let Some(count) = warnings::count(warnings) {
-            self.push(Block::Notice { count, heading });
-        }
     }
 
     /// Adds another document as one of its parts: without the title and the warnings of that, and with its headings one level lower.

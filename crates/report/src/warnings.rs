@@ -33,15 +33,16 @@ pub(crate) fn of_analysis(analysis: &Analysis, case: &Case, units: Units) -> Opt
     (!warnings.is_empty()).then(|| block(&warnings, units))
 }
 
-/// How many there are, for the top of a report; nothing where all are of the kind that most cases have.
-pub(crate) fn count(warnings: &[SeenWarning]) -> Option<String> {
+/// How many there are, for the top of a report, with the heading that they stand under; nothing where all are of the kind that most cases have.
+pub(crate) fn notice(warnings: &[SeenWarning], heading: Option<&'static str>) -> Option<Block> {
     if warnings.iter().all(|seen| seen.warning().is_common()) {
         return None;
     }
-    Some(match warnings.len() {
+    let count = match warnings.len() {
         1 => "1 warning".to_owned(),
         several => format!("{several} warnings"),
-    })
+    };
+    Some(Block::Notice { count, heading })
 }
 
 /// What the warning says, in the units of the reader.

@@ -42,7 +42,7 @@ pub fn handover(
     let mut page = Document::new();
     page.title(case);
     page.push(Block::Answer { found: answer(analysis, units), how: String::new() });
-    page.notice_of(&seen.warnings, WARNINGS);
+    page.blocks.extend(warnings::notice(&seen.warnings, Some(WARNINGS)));
     page.push(Block::Facts { title: "Identification", facts: identification(file, analysis) });
     page.push(results(seen, units));
     let drawings = drawings(file, analysis, units)?;

@@ -21,7 +21,7 @@ pub fn results(case: &Case, analysis: &Analysis, units: Units) -> Document {
         page.found(found, analysis.basis);
     }
     // Many read no further than the first screen.
-    page.document.notice(&analysis.warnings);
+    page.document.blocks.extend(warnings::notice(&analysis.warnings, None));
     page.inputs(case, analysis);
     if let Some(impact) = &analysis.impact {
         page.impact(analysis, impact);
