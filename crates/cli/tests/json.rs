@@ -975,7 +975,7 @@ fn uncertainty_has_its_keys_and_its_samples_are_those_of_the_statistics() {
     let text = fs::read_to_string(&samples).unwrap();
     let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let header = lines.next().unwrap();
-    assert_eq!(header.len(), 2 + 31 + 9);
+    assert_eq!(header.len(), 2 + 31 + 13);
     let column = header.iter().position(|name| *name == "vehicle1.speed").unwrap();
     let lines: Vec<_> = lines.collect();
     // Inputs in SI: 3696 lb of 4.448 22 N each, and the mean of 5000 is within four of 222 N/√5000 of it.
