@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use pim_core::{
     Body, Contact, ImpactError, InvalidInput, Law, Motion, Participant, Real, RestitutionCurve, Tangential,
+    VehicleId,
 };
 use proptest::prelude::*;
 use reconcile::{EnergyBasis, MAX_STEPS, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown};
@@ -540,7 +541,7 @@ fn a_common_velocity_may_have_two_speeds_or_none() {
     assert_eq!(near.solve().unwrap().admissible, 2);
     assert_eq!(near.root_finder().unwrap().admissible, 2);
     let beyond = against_a_wall(Tangential::Critical, 5.0, 25.0 / 6.0 + 1e-3).unwrap();
-    let expected = ReconcileError::NotReached { vehicle: 1, energy: 25.0 / 6.0 + 1e-3 };
+    let expected = ReconcileError::NotReached { vehicle: VehicleId::One, energy: 25.0 / 6.0 + 1e-3 };
     assert_eq!(beyond.solve().unwrap_err(), expected);
     assert_eq!(beyond.root_finder().unwrap_err(), expected);
     let text = expected.to_string();
@@ -600,7 +601,7 @@ fn a_speed_that_creates_energy_is_refused_by_name() {
     for answer in [problem.solve(), problem.root_finder()] {
         let error = answer.unwrap_err();
         let ReconcileError::Inadmissible { vehicle, speed, reason } = error else { panic!("{error:?}") };
-        assert_eq!(vehicle, 1);
+        assert_eq!(vehicle, VehicleId::One);
         assert!(speed > 0.0);
         assert!(matches!(reason, ImpactError::EnergyCreated { .. }), "{reason:?}");
         assert!(error.to_string().contains("create energy"));
@@ -682,15 +683,15 @@ fn problems_without_an_answer_are_refused() {
     let [car, _] = places(PI);
     let wall = Participant::barrier();
     let fixed = |vehicle| ReconcileError::Fixed { vehicle };
-    assert_eq!(head_on([car, wall], Unknown::Speed2, 0.3, 1e5).unwrap_err(), fixed(2));
-    assert_eq!(head_on([wall, car], Unknown::Speed1, 0.3, 1e5).unwrap_err(), fixed(1));
+    assert_eq!(head_on([car, wall], Unknown::Speed2, 0.3, 1e5).unwrap_err(), fixed(VehicleId::Two));
+    assert_eq!(head_on([wall, car], Unknown::Speed1, 0.3, 1e5).unwrap_err(), fixed(VehicleId::One));
     assert!(head_on([car, wall], Unknown::Speed1, 0.3, 1e5).is_ok());
 
     // Vehicle 2 heads along the crush plane: its speed adds nothing to u_n.
     let across = places(FRAC_PI_2);
     let refused = head_on(across, Unknown::Speed2, 0.3, 1e5).unwrap_err();
     assert!(
-        matches!(refused, ReconcileError::SpeedWithoutEffect { vehicle: 2, cosine } if cosine.abs() < 1e-15),
+        matches!(refused, ReconcileError::SpeedWithoutEffect { vehicle: VehicleId::Two, cosine } if cosine.abs() < 1e-15),
         "{refused:?}"
     );
     assert!(head_on(across, Unknown::Speed1, 0.3, 1e5).is_ok());
@@ -709,6 +710,7 @@ fn a_central_impact_by_hand() {
         assert_relative("the speed", problem.solve().unwrap().speed, sign * 20.0, 1e-13);
         assert_relative("the speed", problem.root_finder().unwrap().speed, sign * 20.0, 1e-12);
     }
+    assert_eq!([Unknown::Speed1.vehicle(), Unknown::Speed2.vehicle()], VehicleId::ALL);
     assert_eq!([Unknown::Speed1.index(), Unknown::Speed2.index()], [0, 1]);
 }
 

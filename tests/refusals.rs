@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use pim_core::{
-    Body, Contact, ImpactError, InvalidInput, Law, Motion, Participant, Real, Tangential, Vector2,
+    Body, Contact, ImpactError, InvalidInput, Law, Motion, Participant, Real, Tangential, Vector2, VehicleId,
 };
 use real::Traced;
 
@@ -373,17 +373,17 @@ fn motions_are_finite_and_barriers_rest() {
         }
     }
     let mut places = *contact.participants();
-    for body in [1, 2] {
-        places[body - 1] = Participant::new(Body::fixed(), 0.0, 0.0, 0.0).unwrap();
-        if body == 2 {
+    for body in VehicleId::ALL {
+        places[body.index()] = Participant::new(Body::fixed(), 0.0, 0.0, 0.0).unwrap();
+        if body == VehicleId::Two {
             places[0] = contact.participants()[0];
         }
         let wall = Contact::new(places, 0.0).unwrap();
         let mut motions = towards_each_other();
-        motions[body - 1] = Motion::rest();
+        motions[body.index()] = Motion::rest();
         assert!(wall.impact(motions, &law).is_ok());
         for moving in [Motion::along(0.0, 1.0), Motion::rest().with_yaw_rate(0.1)] {
-            motions[body - 1] = moving;
+            motions[body.index()] = moving;
             assert_eq!(
                 wall.impact(motions, &law),
                 Err(ImpactError::Invalid(InvalidInput::FixedBodyMoves { body }))

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use pim_core::{ImpactError, InvalidInput, Law, RestitutionCurve, Tangential, VaryingLaw};
+use pim_core::{ImpactError, InvalidInput, Law, RestitutionCurve, Tangential, VaryingLaw, VehicleId};
 use proptest::prelude::*;
 use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
 
@@ -224,7 +224,7 @@ fn where_the_restitution_is_one_there_is_no_speed() {
     }
     // 4 m/s would absorb it.
     let answer = with_curve(&central(375.0 * 16.0, EnergyBasis::Absorbed), &elastic).solve();
-    assert!(matches!(answer, Err(ReconcileError::NotReached { vehicle: 1, .. })), "{answer:?}");
+    assert!(matches!(answer, Err(ReconcileError::NotReached { vehicle: VehicleId::One, .. })), "{answer:?}");
     let always = curve(&[(0.0, 1.0)]);
     for basis in [EnergyBasis::Absorbed, EnergyBasis::Dissipated] {
         let answer = with_curve(&central(1e4, basis), &always).solve();

@@ -1,6 +1,6 @@
 //! Energies that W_n hardly reaches, or hardly falls below, before it turns: two speeds close together, or none.
 
-use pim_core::{Contact, Law, Motion, RestitutionCurve, Tangential};
+use pim_core::{Contact, Law, Motion, RestitutionCurve, Tangential, VehicleId};
 use proptest::prelude::*;
 use reconcile::{EnergyBasis, ReconcileError, Unknown};
 
@@ -41,7 +41,10 @@ fn two_speeds_about_the_greatest_work_under_a_curve() {
         }
         let beyond = problem(greatest * (1.0 + 1e-9), EnergyBasis::Dissipated);
         let refused = with_curve(&beyond, &curve).solve();
-        assert!(matches!(refused, Err(ReconcileError::NotReached { vehicle: 1, .. })), "{refused:?}");
+        assert!(
+            matches!(refused, Err(ReconcileError::NotReached { vehicle: VehicleId::One, .. })),
+            "{refused:?}"
+        );
     }
 }
 

@@ -8,7 +8,9 @@ use crash3::{
     BarrierTest, DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness,
     Yielding, crush_range_from_force,
 };
-use pim_core::{Body, Contact, Law, LawImpulse, Participant, RestitutionCurve, Tangential, VaryingLaw};
+use pim_core::{
+    Body, Contact, Law, LawImpulse, Participant, RestitutionCurve, Tangential, VaryingLaw, VehicleId,
+};
 use real::Dual;
 use reconcile::{Iterations, MAX_STEPS, Problem, Reconciliation, SolutionMethod, Unknown};
 use serde::Serialize;
@@ -174,6 +176,8 @@ fn problems_and_answers() {
     });
     assert!(closed.get() > 20 && searched.get() > 100, "{closed:?} {searched:?}");
     assert_eq!(to_value([Unknown::Speed1, Unknown::Speed2]).unwrap(), json!(["Speed1", "Speed2"]));
+    assert_eq!(to_value(VehicleId::ALL).unwrap(), json!(["One", "Two"]));
+    assert_again(&VehicleId::ALL);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crash3::principal_angle;
-use pim_core::Real;
+use pim_core::{Real, VehicleId};
 
 use crate::thresholds::{ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
 use crate::{Impact, Vehicle};
@@ -39,8 +39,8 @@ pub enum CheckedQuantity {
     /// acts too; counted positive in the sense in which the yaw rate changed. Without either the impulse alone makes the change (I ΔΩ = r × P), and
     /// there is nothing to hold it against.
     Rotation {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
     },
 }
 
@@ -106,9 +106,9 @@ pub(crate) fn checks(
             let value = impact.law.restitution();
             checks.push(Check { quantity: CheckedQuantity::Restitution, value, limit: HIGH_RESTITUTION });
         }
-        for i in [0, 1] {
-            if let Some(value) = moment_with_rotation(impact, &vehicles[i], i) {
-                let quantity = CheckedQuantity::Rotation { vehicle: i + 1 };
+        for id in VehicleId::ALL {
+            if let Some(value) = moment_with_rotation(impact, &vehicles[id.index()], id) {
+                let quantity = CheckedQuantity::Rotation { vehicle: id };
                 checks.push(Check { quantity, value, limit: 0.0 });
             }
         }
@@ -117,7 +117,7 @@ pub(crate) fn checks(
 }
 
 /// (N·m·s) `None` where the vehicle does not turn, has no line of action, or cannot but turn with it.
-fn moment_with_rotation(impact: &Impact, vehicle: &Vehicle, i: usize) -> Option<f64> {
+fn moment_with_rotation(impact: &Impact, vehicle: &Vehicle, id: VehicleId) -> Option<f64> {
     let subject = &vehicle.subject;
     subject.inertia?;
     let is_given = subject.damage.as_ref()?.pdof.is_some();
@@ -131,6 +131,7 @@ fn moment_with_rotation(impact: &Impact, vehicle: &Vehicle, i: usize) -> Option<
     let size = (p.x * p.x + p.y * p.y).sqrt();
     // r × P with the push P = |P| (−cos PDOF, sin PDOF) in (forward, left)
     let moment = size * (forward * sin + left * cos);
-    let turned = impact.outcome.after[i].yaw_rate - impact.outcome.before[i].yaw_rate;
+    let [before, after] = [&impact.outcome.before, &impact.outcome.after];
+    let turned = after[id.index()].yaw_rate - before[id.index()].yaw_rate;
     (turned != 0.0).then(|| if turned < 0.0 { -moment } else { moment })
 }

@@ -5,6 +5,7 @@ use inputs::{
     Axes, Case, Crush, Faults, Fit, ImpactLaw, InertiaData, InferredWidth, Purpose, StiffnessForm,
     StiffnessLine, VehicleData, Velocity, YawSource,
 };
+use pim_core::VehicleId;
 
 use crate::warning::{self, Warning};
 use crate::{Vehicle, checks, closing_speed, damage, uncertainty};
@@ -31,7 +32,7 @@ pub struct Ability {
     pub obstacle: Option<Faults>,
 }
 
-/// What stands in for something that the case does not say. Vehicles are 1 or 2, values in SI units.
+/// What stands in for something that the case does not say. Values are in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Assumption {
     /// The axes are z-up.
@@ -39,7 +40,7 @@ pub enum Assumption {
     /// A, B and G are those of CRASH3's stiffness category.
     CategoryStiffness {
         /// Of whose damage.
-        vehicle: usize,
+        vehicle: VehicleId,
         /// The category, 1 to 5.
         category: u8,
         /// Of which side.
@@ -50,12 +51,12 @@ pub enum Assumption {
     /// No yaw rate before the impact.
     YawRate {
         /// Whose.
-        vehicle: usize,
+        vehicle: VehicleId,
     },
     /// The radius of gyration is that of CRASH3's size class.
     ClassInertia {
         /// Whose.
-        vehicle: usize,
+        vehicle: VehicleId,
         /// The class, 1 to 6.
         class: u8,
         /// (kg·m²) the yaw inertia that follows.
@@ -64,64 +65,64 @@ pub enum Assumption {
     /// Burg's estimate of the yaw inertia, from wheelbase and length.
     BurgInertia {
         /// Whose.
-        vehicle: usize,
+        vehicle: VehicleId,
         /// (kg·m²) the estimate.
         yaw_inertia: f64,
     },
     /// Drawings take the outline of CRASH3's size class.
     Outline {
         /// Of which vehicle.
-        vehicle: usize,
+        vehicle: VehicleId,
         /// The class whose radius of gyration is nearest, 1 to 6.
         class: u8,
     },
     /// The speed that the file gives is the one sought, and is not used.
     SpeedUnused {
         /// Whose.
-        vehicle: usize,
+        vehicle: VehicleId,
         /// (m/s) as given.
         given: f64,
     },
     /// The stations of the profile are equally spaced over the width.
     EqualSpacing {
         /// Of whose damage.
-        vehicle: usize,
+        vehicle: VehicleId,
     },
     /// G = A²/2B.
     EnergyWithoutCrush {
         /// Of whose stiffness.
-        vehicle: usize,
+        vehicle: VehicleId,
         /// (N) one value or, by zone, several.
         g: Vec<f64>,
     },
     /// The line through the barrier test is the exact one.
     ExactFit {
         /// Of whose stiffness.
-        vehicle: usize,
+        vehicle: VehicleId,
     },
     /// The width of an inferred damage lies between what the vehicle's dimensions allow.
     InferredWidth {
         /// Of whose damage.
-        vehicle: usize,
+        vehicle: VehicleId,
     },
     /// The middle of the damage lies on the vehicle's axis or, of damage to a side, beside its CG.
     Centred {
         /// Of whose damage.
-        vehicle: usize,
+        vehicle: VehicleId,
         /// Which side is damaged.
         side: Side,
     },
     /// The direction of the force follows: from the other vehicle's PDOF or, where that is not given either, from the impulse.
     Pdof {
         /// Of the force on which vehicle.
-        vehicle: usize,
+        vehicle: VehicleId,
         /// (rad) by Newton's third law, where the file gives the other PDOF and both headings.
         opposite: Option<f64>,
     },
     /// CRASH3's correction for oblique forces, at most a factor of 2.
     CappedCorrection {
         /// Of whose energy.
-        vehicle: usize,
+        vehicle: VehicleId,
     },
     /// Brach's impact law.
     BrachLaw,
@@ -274,40 +275,39 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
     if case.left_out.axes && case.axes == Axes::default() {
         assumptions.push(Assumption::ZUp);
     }
-    for (i, (vehicle, subject)) in case.vehicles.iter().zip(subjects).enumerate() {
+    for (id, (vehicle, subject)) in VehicleId::ALL.into_iter().zip(case.vehicles.iter().zip(subjects)) {
         if vehicle.fixed {
             continue;
         }
-        let number = i + 1;
         if let Some(inertia) = subject.as_ref().and_then(|subject| subject.inertia) {
             let yaw_inertia = inertia.yaw_inertia;
             match inertia.yaw_source {
                 YawSource::Given => {}
                 YawSource::Class(class) => {
-                    assumptions.push(Assumption::ClassInertia { vehicle: number, class, yaw_inertia });
+                    assumptions.push(Assumption::ClassInertia { vehicle: id, class, yaw_inertia });
                 }
-                YawSource::Burg => assumptions.push(Assumption::BurgInertia { vehicle: number, yaw_inertia }),
+                YawSource::Burg => assumptions.push(Assumption::BurgInertia { vehicle: id, yaw_inertia }),
             }
         }
         if let Some(VehicleData { inertia: Some(inertia), dimensions: None, .. }) = subject
             && let Some((class, _)) = nearest_class(inertia)
         {
-            assumptions.push(Assumption::Outline { vehicle: number, class });
+            assumptions.push(Assumption::Outline { vehicle: id, class });
         }
-        let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.index() == i);
+        let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.vehicle() == id);
         if let Some(motion) = vehicle.motion.filter(|_| sought) {
             let given = match motion {
                 Velocity::Speed(speed) => speed.si(),
                 // |v| = √(v_x² + v_y²)
                 Velocity::Vector { x, y } => (x.si() * x.si() + y.si() * y.si()).sqrt(),
             };
-            assumptions.push(Assumption::SpeedUnused { vehicle: number, given });
+            assumptions.push(Assumption::SpeedUnused { vehicle: id, given });
         }
         if vehicle.yaw_rate.is_none() && case.impact.is_some() {
-            assumptions.push(Assumption::YawRate { vehicle: number });
+            assumptions.push(Assumption::YawRate { vehicle: id });
         }
         if let Some(crush) = &vehicle.crush {
-            of_crush(number, crush, subject.as_ref(), case.left_out.fit[i], &mut assumptions);
+            of_crush(id, crush, subject.as_ref(), case.left_out.fit[id.index()], &mut assumptions);
         }
     }
     if let Some(impact) = &case.impact {
@@ -330,7 +330,7 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
 }
 
 fn of_crush(
-    vehicle: usize,
+    vehicle: VehicleId,
     crush: &Crush,
     subject: Option<&VehicleData>,
     fit_left_out: bool,

@@ -56,7 +56,7 @@ pub use warning::{Drive, JumpSide, Magnitude, Warning};
 
 use crash3::{CrushError, EnergyBasis, SideStiffness};
 use inputs::{Case, Collision, Evidence, Faults, Purpose, VehicleData};
-use pim_core::{Contact, ImpactError, Law, Outcome, Real, VaryingLaw};
+use pim_core::{Contact, ImpactError, Law, Outcome, Real, VaryingLaw, VehicleId};
 use reconcile::{ApproachLine, Iteration, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown};
 
 /// A finished analysis, in the axes of the engine: y to the left, counter-clockwise positive. [`Analysis::seen`] has it in those of a reader.
@@ -80,15 +80,15 @@ pub struct Analysis {
 }
 
 impl Analysis {
-    /// Whether vehicle 1 or 2, by its index 0 or 1, is one that can move: not a fixed object.
+    /// Whether a vehicle is one that can move: not a fixed object.
     #[must_use]
-    pub fn moves(&self, vehicle: usize) -> bool {
-        self.vehicles[vehicle].moves()
+    pub fn moves(&self, vehicle: VehicleId) -> bool {
+        self.vehicles[vehicle.index()].moves()
     }
 
-    /// (m/s) speed of a vehicle, by its index 0 or 1, before the impact: negative where it moves backwards, zero for a fixed object.
+    /// (m/s) speed of a vehicle before the impact: negative where it moves backwards, zero for a fixed object.
     #[must_use]
-    pub fn speed(&self, vehicle: usize) -> f64 {
+    pub fn speed(&self, vehicle: VehicleId) -> f64 {
         self.impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle))
     }
 }
@@ -136,10 +136,10 @@ impl Impact {
         Self { contact, given_law, law, outcome, pdof: outcome.pdof() }
     }
 
-    /// (m/s) speed of a vehicle, by its index 0 or 1, before the impact: negative where it moves backwards.
-    fn speed(&self, vehicle: usize) -> f64 {
-        let velocity = self.outcome.before[vehicle].velocity;
-        let forward = self.contact.participants()[vehicle].forward();
+    /// (m/s) speed of a vehicle before the impact: negative where it moves backwards.
+    fn speed(&self, vehicle: VehicleId) -> f64 {
+        let velocity = self.outcome.before[vehicle.index()].velocity;
+        let forward = self.contact.participants()[vehicle.index()].forward();
         // |v| = √(v_x² + v_y²)
         let size = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
         if velocity.x * forward.x + velocity.y * forward.y < 0.0 { -size } else { size }
@@ -196,8 +196,8 @@ pub enum Failure {
     /// No speed gives the crush energy, [`ReconcileError::NotReached`].
     #[error("{}", ReconcileError::NotReached { vehicle: *.vehicle, energy: *.energy })]
     NotReached {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Whose speed.
+        vehicle: VehicleId,
         /// (J) the normal work sought.
         energy: f64,
         /// The impact that comes nearest, or why none can happen.
@@ -334,7 +334,7 @@ fn judged(
     }
     let speeds = impact.as_ref().map(|impact| impact.outcome.before.map(|motion| motion.velocity.norm()));
     warning::of_case(case, &mut warnings);
-    let sought = found.as_ref().map(|found| found.unknown.index());
+    let sought = found.as_ref().map(|found| found.unknown.vehicle());
     warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), sought, &mut warnings);
     warning::of_assumptions(&vehicles, &mut warnings);
     warning::of_damage(&vehicles, &mut warnings);

@@ -2,7 +2,7 @@
 //!
 //! What presents results chooses from [`QUANTITIES`]: a label, a symbol, a unit and a source stand here alone.
 
-use pim_core::{Energy, Outcome};
+use pim_core::{Energy, Outcome, VehicleId};
 
 use crate::{Crash3, Damage, Oblique, Seen};
 
@@ -59,8 +59,8 @@ pub enum Of {
     Normal(fn(&Seen) -> Option<f64>),
     /// The part along the tangent t.
     Tangential(fn(&Seen) -> Option<f64>),
-    /// One number for each vehicle, by its index 0 or 1.
-    Vehicle(fn(&Seen, usize) -> Option<f64>),
+    /// One number for each vehicle.
+    Vehicle(fn(&Seen, VehicleId) -> Option<f64>),
 }
 
 /// The values of a quantity in one analysis.
@@ -82,7 +82,7 @@ impl OutputQuantity {
             Of::Collision(get) | Of::Normal(get) | Of::Tangential(get) => {
                 Values::Shared(plain(get(analysis)))
             }
-            Of::Vehicle(get) => Values::Pair([0, 1].map(|i| plain(get(analysis, i)))),
+            Of::Vehicle(get) => Values::Pair(VehicleId::ALL.map(|id| plain(get(analysis, id)))),
         }
     }
 
@@ -112,8 +112,8 @@ fn energy(analysis: &Seen) -> Option<&Energy> {
 }
 
 /// The impact, where the vehicle takes part in it as one that can move.
-fn motion(analysis: &Seen, i: usize) -> Option<&Outcome> {
-    outcome(analysis).filter(|_| analysis.moves(i))
+fn motion(analysis: &Seen, id: VehicleId) -> Option<&Outcome> {
+    outcome(analysis).filter(|_| analysis.moves(id))
 }
 
 /// The moment impulse and its work, under a law with one.
@@ -122,17 +122,18 @@ fn moment(analysis: &Seen) -> Option<&Outcome> {
     impact.law.has_moment().then_some(&impact.outcome)
 }
 
-fn pdof(analysis: &Seen, i: usize) -> Option<f64> {
-    let computed = analysis.impact.as_ref().filter(|_| analysis.moves(i)).map(|impact| impact.pdof[i]);
-    computed.or_else(|| damage(analysis, i)?.pdof)
+fn pdof(analysis: &Seen, id: VehicleId) -> Option<f64> {
+    let computed =
+        analysis.impact.as_ref().filter(|_| analysis.moves(id)).map(|impact| impact.pdof[id.index()]);
+    computed.or_else(|| damage(analysis, id)?.pdof)
 }
 
-fn damage(analysis: &Seen, i: usize) -> Option<&Damage> {
-    analysis.vehicles[i].damage.as_ref()
+fn damage(analysis: &Seen, id: VehicleId) -> Option<&Damage> {
+    analysis.vehicles[id.index()].damage.as_ref()
 }
 
-fn oblique(analysis: &Seen, i: usize) -> Option<Oblique> {
-    damage(analysis, i)?.oblique
+fn oblique(analysis: &Seen, id: VehicleId) -> Option<Oblique> {
+    damage(analysis, id)?.oblique
 }
 
 fn crash3(analysis: &Seen) -> Option<&Crash3> {
@@ -140,8 +141,8 @@ fn crash3(analysis: &Seen) -> Option<&Crash3> {
 }
 
 /// CRASH3's answer, for a vehicle that can move.
-fn moved(analysis: &Seen, i: usize) -> Option<&Crash3> {
-    crash3(analysis).filter(|_| analysis.moves(i))
+fn moved(analysis: &Seen, id: VehicleId) -> Option<&Crash3> {
+    crash3(analysis).filter(|_| analysis.moves(id))
 }
 
 /// A row whose number is the collision's.
@@ -344,84 +345,84 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         "/vehicle#/speed",
         ["speed", "speed before", "v", ""],
         Kind::Speed,
-        Of::Vehicle(|a, i| motion(a, i).map(|_| a.speed(i))),
+        Of::Vehicle(|a, id| motion(a, id).map(|_| a.speed(id))),
     ),
     row(
         "velocity.x",
         "/vehicle#/velocity/0",
         ["velocity before", "velocity before, v", "v_x", ""],
         Kind::Speed,
-        Of::Vehicle(|a, i| Some(motion(a, i)?.before[i].velocity.x)),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.before[id.index()].velocity.x)),
     ),
     row(
         "velocity.y",
         "/vehicle#/velocity/1",
         ["velocity before", "velocity before, v", "v_y", ""],
         Kind::Speed,
-        Of::Vehicle(|a, i| Some(motion(a, i)?.before[i].velocity.y)),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.before[id.index()].velocity.y)),
     ),
     row(
         "yaw_rate",
         "/vehicle#/yaw_rate",
         ["yaw rate before", "yaw rate before, ω", "ω", ""],
         Kind::YawRate,
-        Of::Vehicle(|a, i| Some(motion(a, i)?.before[i].yaw_rate)),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.before[id.index()].yaw_rate)),
     ),
     row(
         "final_velocity.x",
         "/vehicle#/final_velocity/0",
         ["velocity after", "velocity after, V", "V_x", "theory 2"],
         Kind::Speed,
-        Of::Vehicle(|a, i| Some(motion(a, i)?.after[i].velocity.x)),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.after[id.index()].velocity.x)),
     ),
     row(
         "final_velocity.y",
         "/vehicle#/final_velocity/1",
         ["velocity after", "velocity after, V", "V_y", "theory 2"],
         Kind::Speed,
-        Of::Vehicle(|a, i| Some(motion(a, i)?.after[i].velocity.y)),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.after[id.index()].velocity.y)),
     ),
     row(
         "final_yaw_rate",
         "/vehicle#/final_yaw_rate",
         ["yaw rate after", "yaw rate after, Ω", "Ω", "theory 2"],
         Kind::YawRate,
-        Of::Vehicle(|a, i| Some(motion(a, i)?.after[i].yaw_rate)),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.after[id.index()].yaw_rate)),
     ),
     row(
         "delta_v",
         "/vehicle#/delta_v",
         ["ΔV", "ΔV", "ΔV", "theory 2"],
         Kind::Speed,
-        Of::Vehicle(|a, i| Some(motion(a, i)?.delta_v_magnitude()[i])),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.delta_v_magnitude()[id.index()])),
     ),
     row(
         "delta_v_longitudinal",
         "/vehicle#/delta_v_longitudinal",
         ["longitudinal ΔV", "longitudinal ΔV, forward", "ΔV_long", "theory 2"],
         Kind::Speed,
-        Of::Vehicle(|a, i| Some(motion(a, i)?.delta_v_components()[i][0])),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.delta_v_components()[id.index()][0])),
     ),
     row(
         "delta_v_lateral",
         "/vehicle#/delta_v_lateral",
         ["lateral ΔV", "lateral ΔV, along y", "ΔV_lat", "theory 2"],
         Kind::Speed,
-        Of::Vehicle(|a, i| Some(motion(a, i)?.delta_v_components()[i][1])),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.delta_v_components()[id.index()][1])),
     ),
     row(
         "delta_v.x",
         "/vehicle#/delta_v_vector/0",
         ["ΔV in the scene", "ΔV in the scene", "ΔV_x", "theory 2"],
         Kind::Speed,
-        Of::Vehicle(|a, i| Some(motion(a, i)?.delta_v[i].x)),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.delta_v[id.index()].x)),
     ),
     row(
         "delta_v.y",
         "/vehicle#/delta_v_vector/1",
         ["ΔV in the scene", "ΔV in the scene", "ΔV_y", "theory 2"],
         Kind::Speed,
-        Of::Vehicle(|a, i| Some(motion(a, i)?.delta_v[i].y)),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.delta_v[id.index()].y)),
     ),
     row(
         "pdof",
@@ -435,70 +436,70 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         "/vehicle#/crush_energy",
         ["crush energy", "crush energy E", "E", "Eq 5"],
         Kind::Energy,
-        Of::Vehicle(|a, i| Some(damage(a, i)?.crush_energy)),
+        Of::Vehicle(|a, id| Some(damage(a, id)?.crush_energy)),
     ),
     row(
         "crush_energy_bounds.low",
         "/vehicle#/crush_energy_bounds/0",
         ["crush energy", "crush energy, bounds", "E", "theory 5"],
         Kind::Energy,
-        Of::Vehicle(|a, i| Some(damage(a, i)?.inferred?.range?.lowest.energy)),
+        Of::Vehicle(|a, id| Some(damage(a, id)?.inferred?.range?.lowest.energy)),
     ),
     row(
         "crush_energy_bounds.high",
         "/vehicle#/crush_energy_bounds/1",
         ["crush energy", "crush energy, bounds", "E", "theory 5"],
         Kind::Energy,
-        Of::Vehicle(|a, i| Some(damage(a, i)?.inferred?.range?.highest.energy)),
+        Of::Vehicle(|a, id| Some(damage(a, id)?.inferred?.range?.highest.energy)),
     ),
     row(
         "ees",
         "/vehicle#/ees",
         ["energy equivalent speed", "energy equivalent speed EES", "EES", "theory 5"],
         Kind::Speed,
-        Of::Vehicle(|a, i| Some(damage(a, i)?.ees)),
+        Of::Vehicle(|a, id| Some(damage(a, id)?.ees)),
     ),
     row(
         "oblique_angle",
         "/vehicle#/oblique_angle",
         ["angle to the normal", "angle to the normal α", "α", "theory 5"],
         Kind::Angle,
-        Of::Vehicle(|a, i| Some(damage(a, i)?.oblique_angle)),
+        Of::Vehicle(|a, id| Some(damage(a, id)?.oblique_angle)),
     ),
     row(
         "oblique_factor",
         "/vehicle#/oblique_factor",
         ["oblique correction factor", "oblique correction factor", "f", "Eq 8"],
         Kind::Ratio,
-        Of::Vehicle(|a, i| Some(oblique(a, i)?.factor.factor)),
+        Of::Vehicle(|a, id| Some(oblique(a, id)?.factor.factor)),
     ),
     row(
         "corrected_crush_energy",
         "/vehicle#/corrected_crush_energy",
         ["corrected crush energy", "corrected crush energy", "E'", "Eq 8"],
         Kind::Energy,
-        Of::Vehicle(|a, i| Some(oblique(a, i)?.corrected_crush_energy)),
+        Of::Vehicle(|a, id| Some(oblique(a, id)?.corrected_crush_energy)),
     ),
     row(
         "peak_force",
         "/vehicle#/peak_force",
         ["peak force", "peak force", "F", "theory 5"],
         Kind::Force,
-        Of::Vehicle(|a, i| Some(oblique(a, i)?.peak_force)),
+        Of::Vehicle(|a, id| Some(oblique(a, id)?.peak_force)),
     ),
     row(
         "no_damage_speed",
         "/vehicle#/no_damage_speed",
         ["no-damage speed", "no-damage speed b_0", "b_0", "theory 5"],
         Kind::Speed,
-        Of::Vehicle(|a, i| a.vehicles[i].no_damage_speed()),
+        Of::Vehicle(|a, id| a.vehicles[id.index()].no_damage_speed()),
     ),
     row(
         "crash3.moment_arm",
         "/crash3/moment_arm/%",
         ["moment arm", "moment arm h", "h", "theory 5"],
         Kind::Length,
-        Of::Vehicle(|a, i| Some(moved(a, i)?.moment_arm[i])),
+        Of::Vehicle(|a, id| Some(moved(a, id)?.moment_arm[id.index()])),
     ),
     row(
         "crash3.effective_mass_ratio",
@@ -506,20 +507,20 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         ["effective mass ratio", "effective mass ratio γ", "γ", "theory 5"],
         Kind::Ratio,
         // That of a fixed object is 1.
-        Of::Vehicle(|a, i| Some(crash3(a)?.effective_mass_ratio[i])),
+        Of::Vehicle(|a, id| Some(crash3(a)?.effective_mass_ratio[id.index()])),
     ),
     row(
         "crash3.delta_v",
         "/crash3/delta_v/%",
         ["ΔV uncorrected", "ΔV uncorrected", "ΔV", "Eq 6, 7"],
         Kind::Speed,
-        Of::Vehicle(|a, i| Some(moved(a, i)?.delta_v[i])),
+        Of::Vehicle(|a, id| Some(moved(a, id)?.delta_v[id.index()])),
     ),
     row(
         "crash3.corrected_delta_v",
         "/crash3/corrected_delta_v/%",
         ["ΔV corrected", "ΔV corrected", "ΔV'", "Eq 6, 7, 8"],
         Kind::Speed,
-        Of::Vehicle(|a, i| Some(moved(a, i)?.corrected?.delta_v[i])),
+        Of::Vehicle(|a, id| Some(moved(a, id)?.corrected?.delta_v[id.index()])),
     ),
 ];

@@ -2,7 +2,7 @@
 
 use crash3::EnergyBasis;
 use inputs::Axes;
-use pim_core::{ImpactError, Switch};
+use pim_core::{ImpactError, Switch, VehicleId};
 
 use crate::{Analysis, Check, Crash3, Drive, Failure, Found, Impact, JumpSide, Vehicle, Warning};
 
@@ -32,13 +32,13 @@ pub struct Seen {
 impl Seen {
     /// As [`Analysis::moves`].
     #[must_use]
-    pub fn moves(&self, vehicle: usize) -> bool {
-        self.vehicles[vehicle].moves()
+    pub fn moves(&self, vehicle: VehicleId) -> bool {
+        self.vehicles[vehicle.index()].moves()
     }
 
     /// As [`Analysis::speed`].
     #[must_use]
-    pub fn speed(&self, vehicle: usize) -> f64 {
+    pub fn speed(&self, vehicle: VehicleId) -> f64 {
         self.impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle))
     }
 }

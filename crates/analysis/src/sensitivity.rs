@@ -2,7 +2,7 @@
 
 use crash3::{ObliqueCorrection, principal_angle};
 use inputs::{Axes, Case, Collision, Dimension, Input};
-use pim_core::{ImpactError, Outcome, Real};
+use pim_core::{ImpactError, Outcome, Real, VehicleId};
 use real::{Gradient, Traced};
 use reconcile::Problem;
 
@@ -29,30 +29,30 @@ pub struct Sensitivity {
 pub enum Output {
     /// (m/s) the speed found.
     Speed {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
     },
     /// (m/s) ΔV of the impact.
     DeltaV {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
     },
     /// (m/s) ΔV along the vehicle's forward axis.
     DeltaVLongitudinal {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
     },
     /// (m/s) ΔV across it, to the left, or to the right in z-down axes.
     DeltaVLateral {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// Those of the case.
         axes: Axes,
     },
     /// (rad) principal direction of force.
     Pdof {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
     },
     /// (m/s) speed with which the contact points approach each other along the normal.
     ClosingSpeed,
@@ -67,35 +67,35 @@ pub enum Output {
 impl Output {
     /// The outputs of an analysis with an impact: the speed found, if there is one; no ΔV and PDOF of a fixed object.
     pub(crate) fn of(analysis: &Analysis, axes: Axes) -> Vec<Self> {
-        let found = analysis.found.as_ref().map(|found| found.unknown.index() + 1);
-        let mut outputs = Self::of_two_vehicles(found.unwrap_or(1), axes).to_vec();
+        let found = analysis.found.as_ref().map(|found| found.unknown.vehicle());
+        let mut outputs = Self::of_two_vehicles(found.unwrap_or(VehicleId::One), axes).to_vec();
         outputs.retain(|output| match output {
             Self::Speed { .. } => found.is_some(),
             Self::DeltaV { vehicle }
             | Self::DeltaVLongitudinal { vehicle }
             | Self::DeltaVLateral { vehicle, .. }
-            | Self::Pdof { vehicle } => analysis.vehicles[vehicle - 1].subject.inertia.is_some(),
+            | Self::Pdof { vehicle } => analysis.moves(*vehicle),
             Self::ClosingSpeed | Self::EnergyLoss | Self::NormalWork | Self::TangentialWork => true,
         });
         outputs
     }
 
     /// Those of a reconstruction of two vehicles, `found` the one whose speed is sought.
-    pub(crate) const fn of_two_vehicles(found: usize, axes: Axes) -> [Self; 13] {
+    pub(crate) const fn of_two_vehicles(found: VehicleId, axes: Axes) -> [Self; 13] {
         [
             Self::Speed { vehicle: found },
-            Self::DeltaV { vehicle: 1 },
-            Self::DeltaV { vehicle: 2 },
-            Self::Pdof { vehicle: 1 },
-            Self::Pdof { vehicle: 2 },
+            Self::DeltaV { vehicle: VehicleId::One },
+            Self::DeltaV { vehicle: VehicleId::Two },
+            Self::Pdof { vehicle: VehicleId::One },
+            Self::Pdof { vehicle: VehicleId::Two },
             Self::ClosingSpeed,
             Self::EnergyLoss,
             Self::NormalWork,
             Self::TangentialWork,
-            Self::DeltaVLongitudinal { vehicle: 1 },
-            Self::DeltaVLateral { vehicle: 1, axes },
-            Self::DeltaVLongitudinal { vehicle: 2 },
-            Self::DeltaVLateral { vehicle: 2, axes },
+            Self::DeltaVLongitudinal { vehicle: VehicleId::One },
+            Self::DeltaVLateral { vehicle: VehicleId::One, axes },
+            Self::DeltaVLongitudinal { vehicle: VehicleId::Two },
+            Self::DeltaVLateral { vehicle: VehicleId::Two, axes },
         ]
     }
 
@@ -104,12 +104,12 @@ impl Output {
     pub(crate) fn value<T: Real>(self, found: T, outcome: &Outcome<T>) -> T {
         match self {
             Self::Speed { .. } => found,
-            Self::DeltaV { vehicle } => outcome.delta_v_magnitude()[vehicle - 1],
-            Self::DeltaVLongitudinal { vehicle } => outcome.delta_v_components()[vehicle - 1][0],
+            Self::DeltaV { vehicle } => outcome.delta_v_magnitude()[vehicle.index()],
+            Self::DeltaVLongitudinal { vehicle } => outcome.delta_v_components()[vehicle.index()][0],
             Self::DeltaVLateral { vehicle, axes } => {
-                axes.lateral(outcome.delta_v_components()[vehicle - 1][1])
+                axes.lateral(outcome.delta_v_components()[vehicle.index()][1])
             }
-            Self::Pdof { vehicle } => outcome.pdof()[vehicle - 1],
+            Self::Pdof { vehicle } => outcome.pdof()[vehicle.index()],
             Self::ClosingSpeed => outcome.closing_speed(),
             Self::EnergyLoss => outcome.energy.loss,
             Self::NormalWork => outcome.energy.normal_work,
@@ -117,9 +117,9 @@ impl Output {
         }
     }
 
-    /// The vehicle that it belongs to, 1 or 2; none for one of the collision.
+    /// The vehicle that it belongs to; none for one of the collision.
     #[must_use]
-    pub fn vehicle(self) -> Option<usize> {
+    pub fn vehicle(self) -> Option<VehicleId> {
         match self {
             Self::Speed { vehicle }
             | Self::DeltaV { vehicle }

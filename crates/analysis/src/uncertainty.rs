@@ -71,7 +71,7 @@ impl UncertainInput {
 /// A result that the ranges make uncertain.
 #[derive(Clone, Debug)]
 pub struct UncertainOutput {
-    /// Which one.
+    /// Which vehicle.
     pub output: Output,
     /// (SI) its value at the central values.
     pub central: f64,
@@ -296,7 +296,7 @@ pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     Faults::none_of(faults)?;
     // A speed that is sought is no input, even where the file gives one.
     if let Some(reconstruct) = &case.reconstruct {
-        let vehicle = format!("vehicle{}", reconstruct.find.index() + 1);
+        let vehicle = format!("vehicle{}", reconstruct.find.vehicle());
         let sought =
             [format!("{vehicle}.speed"), format!("{vehicle}.velocity.x"), format!("{vehicle}.velocity.y")];
         inputs.retain(|input| !sought.contains(&input.input.path));

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crash3::{EnergyBasis, Side, principal_angle};
 use inputs::{Case, Dimension, Dimensions, Quantity, StiffnessForm, StiffnessSource, Velocity, YawSource};
-use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential};
+use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential, VehicleId};
 
 use crate::checks::{Check, CheckedQuantity};
 use crate::damage::Crash3;
@@ -71,8 +71,8 @@ pub enum Warning {
     PlaneDoesNotSeparate,
     /// The contact point lies outside of the vehicle's outline.
     ContactOutside {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (m) by how much.
         distance: f64,
     },
@@ -90,8 +90,8 @@ pub enum Warning {
     },
     /// The PDOF that the file gives is not that of the impulse.
     PdofDiffers {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (rad) as given.
         given: f64,
         /// (rad) as computed.
@@ -99,15 +99,15 @@ pub enum Warning {
     },
     /// α was limited to 45°.
     AngleCapped {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (rad) α.
         oblique_angle: f64,
     },
     /// The force does not push on the side that is said to be damaged.
     SideNotPushed {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (rad) α.
         oblique_angle: f64,
     },
@@ -127,8 +127,8 @@ pub enum Warning {
     },
     /// The speed found or given is negative.
     MovesBackward {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (m/s) the speed.
         speed: f64,
         /// Whether it was found.
@@ -136,8 +136,8 @@ pub enum Warning {
     },
     /// CRASH3's size class stands in for what is not known of the vehicle.
     ClassValues {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// 1 to 6.
         class: u8,
         /// (kg·m²) the yaw inertia, where that was taken from the class.
@@ -147,15 +147,15 @@ pub enum Warning {
     },
     /// The yaw inertia was estimated from wheelbase and length.
     BurgInertia {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (kg·m²) the estimate.
         yaw_inertia: f64,
     },
     /// The crush of the vehicle was not measured.
     InferredEnergy {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (N) the peak force on the other vehicle.
         force: f64,
         /// (m) width of the uniform crush; (m) its depth.
@@ -167,8 +167,8 @@ pub enum Warning {
     },
     /// The force was taken to act through the centroid of the damage.
     DamageCentroid {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (m) the centroid, forward and left of the CG or, in z-down axes, right.
         point: [f64; 2],
         /// Which side is damaged.
@@ -194,8 +194,8 @@ pub enum Warning {
     },
     /// The line of action passes the CG on the side from which it would turn the vehicle the other way than the impact did.
     RotationOpposes {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (rad) the PDOF that the line of action has.
         pdof: f64,
         /// (rad/s) change of the yaw rate.
@@ -203,8 +203,8 @@ pub enum Warning {
     },
     /// The file gives a speed for the vehicle whose speed was to be found.
     GivenSpeedUnused {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (m/s) as given.
         given: f64,
         /// (m/s) as found.
@@ -249,8 +249,8 @@ pub enum Warning {
     },
     /// The contact point lies beside the damage.
     ContactOffDamage {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// The damaged side.
         side: Side,
         /// (m) how far beyond the end of the damage, along the side.
@@ -258,8 +258,8 @@ pub enum Warning {
     },
     /// The contact point lies on the half of the vehicle away from the damaged side.
     ContactOtherHalf {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// The damaged side.
         side: Side,
         /// (m) how far beyond the CG or the vehicle's axis.
@@ -267,8 +267,8 @@ pub enum Warning {
     },
     /// The damage reaches beyond the end of the damaged side.
     DamageOutside {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// The damaged side.
         side: Side,
         /// (m) by how much.
@@ -276,8 +276,8 @@ pub enum Warning {
     },
     /// A number that no usual vehicle or collision has.
     Implausible {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// What it is of.
         magnitude: Magnitude,
         /// (SI) the number.
@@ -287,8 +287,8 @@ pub enum Warning {
     },
     /// The stiffness of a side says that it withstands a fast impact without a trace.
     HighNoDamageSpeed {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (m/s) b_0.
         speed: f64,
         /// Where the stiffness comes from.
@@ -296,8 +296,8 @@ pub enum Warning {
     },
     /// The stiffness of a side says that hardly any impact leaves it without a trace.
     LowNoDamageSpeed {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (m/s) b_0.
         speed: f64,
         /// Where the stiffness comes from.
@@ -319,8 +319,8 @@ pub enum Warning {
     },
     /// There is no residual crush, and yet crush energy.
     NoResidualCrush {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (J) that of G alone.
         energy: f64,
     },
@@ -469,9 +469,9 @@ impl Warning {
         }
     }
 
-    /// 1 or 2, of a warning that concerns one vehicle.
+    /// The vehicle of a warning that concerns only one.
     #[must_use]
-    pub fn vehicle(&self) -> Option<usize> {
+    pub fn vehicle(&self) -> Option<VehicleId> {
         match self {
             Self::ContactOutside { vehicle, .. }
             | Self::PdofDiffers { vehicle, .. }
@@ -516,7 +516,7 @@ impl Warning {
 
 pub(crate) fn of_found(found: &Found, given_speed: Option<f64>) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let vehicle = found.unknown.index() + 1;
+    let vehicle = found.unknown.vehicle();
     if let Some(given) = given_speed {
         warnings.push(Warning::GivenSpeedUnused { vehicle, given, found: found.speed });
     }
@@ -635,7 +635,7 @@ pub(crate) fn of_restitution(restitution: f64, closing_speed: f64, warnings: &mu
 }
 
 pub(crate) fn of_outlines(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
-    for (i, vehicle) in vehicles.iter().enumerate() {
+    for (id, vehicle) in VehicleId::ALL.into_iter().zip(vehicles) {
         let (Some([forward, left]), Some(outline)) = (vehicle.subject.contact, vehicle.subject.dimensions)
         else {
             continue;
@@ -645,7 +645,7 @@ pub(crate) fn of_outlines(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) 
         let aside = left.abs() - outline.width / 2.0;
         let distance = ahead.max(aside);
         if distance > OUTLINE_TOLERANCE {
-            warnings.push(Warning::ContactOutside { vehicle: i + 1, distance });
+            warnings.push(Warning::ContactOutside { vehicle: id, distance });
         }
     }
 }
@@ -660,18 +660,18 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
             warnings.push(Warning::LargeAngle { path: input.path, turns: angle / TAU, in_degrees });
         }
     }
-    for (i, vehicle) in case.vehicles.iter().enumerate() {
-        let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.index() == i);
+    for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
+        let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.vehicle() == id);
         if let Some(Velocity::Speed(given)) = vehicle.motion
             && given.si() < 0.0
             && !sought
         {
-            warnings.push(Warning::MovesBackward { vehicle: i + 1, speed: given.si(), found: false });
+            warnings.push(Warning::MovesBackward { vehicle: id, speed: given.si(), found: false });
         }
         if let Some(crush) = &vehicle.crush
             && let StiffnessForm::Test(test) = &crush.stiffness
         {
-            let mut judge = |magnitude, value, usual| judge(i + 1, (magnitude, value, usual), warnings);
+            let mut judge = |magnitude, value, usual| judge(id, (magnitude, value, usual), warnings);
             let deepest = test.depths.iter().map(Quantity::si).fold(0.0, f64::max);
             judge(Magnitude::TestMass, test.mass.kg(), USUAL_MASS);
             judge(Magnitude::TestSpeed, test.speed.si(), USUAL_TEST_SPEED);
@@ -690,24 +690,28 @@ fn is_usual(value: f64, [low, high]: [f64; 2]) -> bool {
     (low..=high).contains(&value)
 }
 
-/// Warns where a number of a vehicle, 1 or 2, is not usual.
-fn judge(vehicle: usize, (magnitude, value, usual): (Magnitude, f64, [f64; 2]), warnings: &mut Vec<Warning>) {
+/// Warns where a number of a vehicle is not usual.
+fn judge(
+    vehicle: VehicleId,
+    (magnitude, value, usual): (Magnitude, f64, [f64; 2]),
+    warnings: &mut Vec<Warning>,
+) {
     if !is_usual(value, usual) {
         warnings.push(Warning::Implausible { vehicle, magnitude, value, usual });
     }
 }
 
-/// Of what the file says of each vehicle, before anything is made of it; `speeds` (m/s) as far as they are known, and which of them, 0 or 1, was found.
+/// Of what the file says of each vehicle, before anything is made of it; `speeds` (m/s) as far as they are
+/// known, and the vehicle whose speed was found.
 pub(crate) fn of_data(
     vehicles: &[Vehicle; 2],
     speeds: [Option<f64>; 2],
-    found: Option<usize>,
+    found: Option<VehicleId>,
     warnings: &mut Vec<Warning>,
 ) {
-    for (i, (vehicle, speed)) in vehicles.iter().zip(speeds).enumerate() {
-        let number = i + 1;
+    for (id, (vehicle, speed)) in VehicleId::ALL.into_iter().zip(vehicles.iter().zip(speeds)) {
         let subject = &vehicle.subject;
-        let mut judge = |magnitude, value, usual| judge(number, (magnitude, value, usual), warnings);
+        let mut judge = |magnitude, value, usual| judge(id, (magnitude, value, usual), warnings);
         // A body that cannot be says nothing of what lies within it.
         let dimensions = subject.dimensions.as_ref().filter(|body| {
             judge(Magnitude::Length, body.length, USUAL_LENGTH);
@@ -720,7 +724,7 @@ pub(crate) fn of_data(
             judge(Magnitude::YawRadius, (inertia.yaw_inertia / inertia.mass).sqrt(), USUAL_YAW_RADIUS);
         }
         if let Some(speed) = speed {
-            let magnitude = if found == Some(i) { Magnitude::SpeedFound } else { Magnitude::Speed };
+            let magnitude = if found == Some(id) { Magnitude::SpeedFound } else { Magnitude::Speed };
             judge(magnitude, speed.abs(), USUAL_SPEED);
         }
         if let (Some(damage), Some(given)) = (&vehicle.damage, &subject.damage) {
@@ -728,8 +732,8 @@ pub(crate) fn of_data(
             let deepest = damage.depths.iter().copied().chain(inferred).fold(0.0, f64::max);
             judge(Magnitude::CrushDepth, deepest, [0.0, usual_depth(dimensions, given.side)]);
             judge(Magnitude::DamageWidth, damage.width, [0.0, usual_width(dimensions, given.side)]);
-            of_stiffness(number, vehicle, damage, given.stiffness_source, warnings);
-            of_places(number, vehicle, damage, given, warnings);
+            of_stiffness(id, vehicle, damage, given.stiffness_source, warnings);
+            of_places(id, vehicle, damage, given, warnings);
         }
     }
 }
@@ -761,7 +765,7 @@ fn usual_width(dimensions: Option<&Dimensions>, side: Side) -> f64 {
 }
 
 fn of_stiffness(
-    vehicle: usize,
+    vehicle: VehicleId,
     of: &Vehicle,
     damage: &Damage,
     source: StiffnessSource,
@@ -784,7 +788,7 @@ fn of_stiffness(
 
 /// Of contact point, damage and outline, which have to fit together.
 fn of_places(
-    number: usize,
+    id: VehicleId,
     vehicle: &Vehicle,
     damage: &Damage,
     given: &inputs::DamageData,
@@ -800,7 +804,7 @@ fn of_places(
             Side::Right => -left,
         };
         if outward < -END_TOLERANCE {
-            warnings.push(Warning::ContactOtherHalf { vehicle: number, side, distance: -outward });
+            warnings.push(Warning::ContactOtherHalf { vehicle: id, side, distance: -outward });
         }
     }
     // A width that is not known, or a damage of which the place is not, has no ends.
@@ -810,7 +814,7 @@ fn of_places(
         let along = if is_end { left } else { forward };
         let distance = (along - offset).abs() - damage.width / 2.0;
         if distance > END_TOLERANCE {
-            warnings.push(Warning::ContactOffDamage { vehicle: number, side, distance });
+            warnings.push(Warning::ContactOffDamage { vehicle: id, side, distance });
         }
     }
     if let Some(dimensions) = &vehicle.subject.dimensions {
@@ -822,15 +826,15 @@ fn of_places(
         let half = damage.width / 2.0;
         let distance = (ends[0] - (offset - half)).max(offset + half - ends[1]);
         if distance > END_TOLERANCE {
-            warnings.push(Warning::DamageOutside { vehicle: number, side, distance });
+            warnings.push(Warning::DamageOutside { vehicle: id, side, distance });
         }
     }
 }
 
 /// What stands in for what is not known.
 pub(crate) fn of_assumptions(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
-    for (i, vehicle) in vehicles.iter().enumerate() {
-        let (number, subject) = (i + 1, &vehicle.subject);
+    for (id, vehicle) in VehicleId::ALL.into_iter().zip(vehicles) {
+        let subject = &vehicle.subject;
         let from_class = subject.dimensions.and_then(|dimensions| {
             let outline = [dimensions.length, dimensions.width, dimensions.cg_to_front];
             dimensions.class.map(|class| (class, outline))
@@ -844,18 +848,18 @@ pub(crate) fn of_assumptions(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning
                     yaw_inertia = Some(inertia.yaw_inertia);
                 }
                 YawSource::Burg => {
-                    warnings.push(Warning::BurgInertia { vehicle: number, yaw_inertia: inertia.yaw_inertia });
+                    warnings.push(Warning::BurgInertia { vehicle: id, yaw_inertia: inertia.yaw_inertia });
                 }
             }
         }
         if let Some(class) = class {
             let outline = from_class.map(|(_, outline)| outline);
-            warnings.push(Warning::ClassValues { vehicle: number, class, yaw_inertia, outline });
+            warnings.push(Warning::ClassValues { vehicle: id, class, yaw_inertia, outline });
         }
         let Some(damage) = &vehicle.damage else { continue };
         if let Some(inferred) = damage.inferred {
             warnings.push(Warning::InferredEnergy {
-                vehicle: number,
+                vehicle: id,
                 force: inferred.force,
                 crush: [inferred.crush.width, inferred.crush.depth],
                 energy: inferred.crush.energy,
@@ -864,24 +868,24 @@ pub(crate) fn of_assumptions(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning
         }
         if let (Some(point), Some(given)) = (damage.centroid, &subject.damage) {
             let (side, offset_given) = (given.side, given.offset.is_some());
-            warnings.push(Warning::DamageCentroid { vehicle: number, point, side, offset_given });
+            warnings.push(Warning::DamageCentroid { vehicle: id, point, side, offset_given });
         }
     }
 }
 
 pub(crate) fn of_damage(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
     let mut peak_forces = [None; 2];
-    for (i, vehicle) in vehicles.iter().enumerate() {
+    for (id, vehicle) in VehicleId::ALL.into_iter().zip(vehicles) {
         let Some(damage) = &vehicle.damage else { continue };
         let oblique_angle = damage.oblique_angle;
         match damage.oblique {
             Some(oblique) => {
-                peak_forces[i] = Some(oblique.peak_force);
+                peak_forces[id.index()] = Some(oblique.peak_force);
                 if oblique.factor.capped {
-                    warnings.push(Warning::AngleCapped { vehicle: i + 1, oblique_angle });
+                    warnings.push(Warning::AngleCapped { vehicle: id, oblique_angle });
                 }
             }
-            None => warnings.push(Warning::SideNotPushed { vehicle: i + 1, oblique_angle }),
+            None => warnings.push(Warning::SideNotPushed { vehicle: id, oblique_angle }),
         }
     }
     if let [Some(f1), Some(f2)] = peak_forces
@@ -892,11 +896,11 @@ pub(crate) fn of_damage(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
 }
 
 pub(crate) fn of_directions(impact: &Impact, vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
-    for (i, (vehicle, computed)) in vehicles.iter().zip(impact.pdof).enumerate() {
+    for (id, (vehicle, computed)) in VehicleId::ALL.into_iter().zip(vehicles.iter().zip(impact.pdof)) {
         let Some(given) = vehicle.given_pdof() else { continue };
         // The difference of two directions, the short way round.
         if principal_angle(given - computed).abs() > PDOF_DIFFERENCE {
-            warnings.push(Warning::PdofDiffers { vehicle: i + 1, given, computed });
+            warnings.push(Warning::PdofDiffers { vehicle: id, given, computed });
         }
     }
 }
@@ -931,8 +935,8 @@ pub(crate) fn of_checks(
             }
             (CheckedQuantity::Rotation { vehicle }, Some(impact)) => {
                 let [before, after] = [&impact.outcome.before, &impact.outcome.after];
-                if let Some(pdof) = vehicles[vehicle - 1].damage.as_ref().and_then(|damage| damage.pdof) {
-                    let turned = after[vehicle - 1].yaw_rate - before[vehicle - 1].yaw_rate;
+                if let Some(pdof) = vehicles[vehicle.index()].damage.as_ref().and_then(|damage| damage.pdof) {
+                    let turned = after[vehicle.index()].yaw_rate - before[vehicle.index()].yaw_rate;
                     warnings.push(Warning::RotationOpposes { vehicle, pdof, turned });
                 }
             }

@@ -7,6 +7,7 @@ use analysis::{Analysis, Check, CheckedQuantity, Failure, Warning, crush, impact
 use case::CaseFile;
 use crash3::EnergyBasis;
 use inputs::Case;
+use pim_core::VehicleId;
 
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
 
@@ -101,8 +102,8 @@ fn the_line_of_action_has_to_turn_the_vehicle_as_the_impact_does() {
         let rotations: Vec<Check> =
             analysis.checks.iter().copied().filter(|check| check.code() == "rotation").collect();
         let [first, second] = rotations[..] else { panic!("{rotations:?}") };
-        assert_eq!(first.quantity, CheckedQuantity::Rotation { vehicle: 1 });
-        assert_eq!(second.quantity, CheckedQuantity::Rotation { vehicle: 2 });
+        assert_eq!(first.quantity, CheckedQuantity::Rotation { vehicle: VehicleId::One });
+        assert_eq!(second.quantity, CheckedQuantity::Rotation { vehicle: VehicleId::Two });
         // The opposite direction is held against the Altima's rotation, too.
         assert_eq!((first.passed(), second.passed()), (passed, true), "{degrees}");
         // |r × P| = d |P| sin(22.4° − PDOF)

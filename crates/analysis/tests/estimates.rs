@@ -9,6 +9,7 @@
 
 use analysis::{Analysis, Warning};
 use case::CaseFile;
+use pim_core::VehicleId;
 
 #[track_caller]
 fn assert_relative(what: &str, actual: f64, expected: f64) {
@@ -49,8 +50,15 @@ fn the_force_on_one_vehicle_gives_the_energy_of_the_other() {
     assert_relative("F", damage.oblique.unwrap().peak_force, 525e3);
     assert!(damage.depths.is_empty());
     assert_relative("E", analysis.crash3.unwrap().crush_energy, 91_875.0 + 137_812.5);
-    let [Warning::InferredEnergy { vehicle: 2, force, crush: [width, depth], energy, bounds: None }] =
-        analysis.warnings[..]
+    let [
+        Warning::InferredEnergy {
+            vehicle: VehicleId::Two,
+            force,
+            crush: [width, depth],
+            energy,
+            bounds: None,
+        },
+    ] = analysis.warnings[..]
     else {
         panic!("{:?}", analysis.warnings)
     };
@@ -74,7 +82,7 @@ fn either_vehicle_may_be_the_inspected_one() {
         text.replace("vehicle1", "VEHICLE").replace("vehicle2", "vehicle1").replace("VEHICLE", "vehicle2");
     let analysis = crush(&swapped);
     assert_relative("E_1", analysis.vehicles[0].damage.as_ref().unwrap().crush_energy, 137_812.5);
-    assert!(matches!(analysis.warnings[..], [Warning::InferredEnergy { vehicle: 1, .. }]));
+    assert!(matches!(analysis.warnings[..], [Warning::InferredEnergy { vehicle: VehicleId::One, .. }]));
 }
 
 #[test]
@@ -104,15 +112,17 @@ fn every_assumption_is_a_warning() {
     let class = crush(&rear_end("class = 3", "width = \"2 m\"\noffset = \"0.2 m\""));
     let [
         // 2 m at 0.2 m from the axis of a class of 72.6 in.
-        Warning::DamageOutside { vehicle: 2, .. },
+        Warning::DamageOutside { vehicle: VehicleId::Two, .. },
         Warning::ClassValues {
-            vehicle: 2,
+            vehicle: VehicleId::Two,
             class: 3,
             yaw_inertia: Some(inertia),
             outline: Some([length, _, _]),
         },
         Warning::InferredEnergy { .. },
-        Warning::DamageCentroid { vehicle: 2, point: [forward, left], offset_given: true, .. },
+        Warning::DamageCentroid {
+            vehicle: VehicleId::Two, point: [forward, left], offset_given: true, ..
+        },
     ] = class.warnings[..]
     else {
         panic!("{:?}", class.warnings)
@@ -131,7 +141,7 @@ fn every_assumption_is_a_warning() {
         "wheelbase = \"2.6 m\"\nlength = \"4.5 m\"\ncontact = { x = \"-2 m\", y = \"0 m\" }",
         "width = \"2 m\"",
     ));
-    let [Warning::BurgInertia { vehicle: 2, yaw_inertia }, Warning::InferredEnergy { .. }] =
+    let [Warning::BurgInertia { vehicle: VehicleId::Two, yaw_inertia }, Warning::InferredEnergy { .. }] =
         burg.warnings[..]
     else {
         panic!("{:?}", burg.warnings)

@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use analysis::{Ability, Assumption, Judgement, Sweep, Warning, judge};
 use case::CaseFile;
 use inputs::{Case, Purpose};
+use pim_core::VehicleId;
 
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
 const FORWARD: &str = include_str!("../../../fixtures/sae-980025-impact.toml");
@@ -136,7 +137,7 @@ fn the_stiffness_of_a_category_is_told() {
     let from = "stiffness = { d0 = \"30 lb^0.5\", d1 = \"77.5 lb^0.5/ft\" }";
     let judgement = changed(PAPER, from, "stiffness = { category = 2 }");
     let told = judgement.assumptions.iter().find_map(|assumption| match assumption {
-        Assumption::CategoryStiffness { vehicle: 2, category: 2, abg, .. } => Some(*abg),
+        Assumption::CategoryStiffness { vehicle: VehicleId::Two, category: 2, abg, .. } => Some(*abg),
         _ => None,
     });
     let [a, b, g] = told.unwrap();
@@ -159,7 +160,7 @@ fn a_contact_point_outside_is_seen() {
     let outline = "[vehicle1]\nlength = \"14 ft\"\nwidth = \"6 ft\"\ncg_to_front = \"5.5 ft\"\n";
     let judgement = changed(PAPER, "[vehicle1]\n", outline);
     match judgement.warnings[..] {
-        [Warning::ContactOutside { vehicle: 1, distance }] => {
+        [Warning::ContactOutside { vehicle: VehicleId::One, distance }] => {
             assert!((distance / 0.3048 - 0.3246).abs() < 1e-3, "{distance}");
         }
         ref other => panic!("{other:?}"),
@@ -199,7 +200,7 @@ fn directions_that_are_not_opposite_are_seen() {
 fn a_force_that_pulls_is_seen_only_where_its_direction_is_given() {
     let judgement = changed(PAPER, "side      = \"front\"", "side = \"front\"\npdof = \"120 deg\"");
     let pulled = with_codes(&judgement.warnings, &["side-not-pushed"]);
-    assert!(matches!(pulled[..], [Warning::SideNotPushed { vehicle: 1, .. }, ..]), "{pulled:?}");
+    assert!(matches!(pulled[..], [Warning::SideNotPushed { vehicle: VehicleId::One, .. }, ..]), "{pulled:?}");
     // A side half as stiff has half the force, if it is met squarely; at what angle it is met only the impulse tells.
     assert_eq!(changed(PAPER, "77.5 lb^0.5/ft", "50 lb^0.5/ft").warnings, []);
 }
@@ -217,11 +218,11 @@ fn what_is_assumed_is_listed_and_what_is_written_is_not() {
         .collect();
     assert!(g.len() == 2 && (g[0] - 612.5).abs() < 1e-9 && (g[1] - 450.0).abs() < 1e-9, "{g:?}");
     for assumed in [
-        Assumption::YawRate { vehicle: 1 },
-        Assumption::YawRate { vehicle: 2 },
-        Assumption::EqualSpacing { vehicle: 2 },
-        Assumption::Pdof { vehicle: 1, opposite: None },
-        Assumption::CappedCorrection { vehicle: 2 },
+        Assumption::YawRate { vehicle: VehicleId::One },
+        Assumption::YawRate { vehicle: VehicleId::Two },
+        Assumption::EqualSpacing { vehicle: VehicleId::Two },
+        Assumption::Pdof { vehicle: VehicleId::One, opposite: None },
+        Assumption::CappedCorrection { vehicle: VehicleId::Two },
         Assumption::BrachLaw,
         Assumption::NoMoment,
     ] {
@@ -235,10 +236,10 @@ fn what_is_assumed_is_listed_and_what_is_written_is_not() {
     let law = PAPER.replace("[impact]", "[impact]\nlaw = \"brach\"\nmoment_restitution = -1.0");
     assert!(!says(&law, &Assumption::BrachLaw) && !says(&law, &Assumption::NoMoment));
     let still = PAPER.replace("[vehicle1]\n", "[vehicle1]\nyaw_rate = \"0 deg/s\"\n");
-    assert!(!says(&still, &Assumption::YawRate { vehicle: 1 }));
-    assert!(says(&still, &Assumption::YawRate { vehicle: 2 }));
+    assert!(!says(&still, &Assumption::YawRate { vehicle: VehicleId::One }));
+    assert!(says(&still, &Assumption::YawRate { vehicle: VehicleId::Two }));
     let fast = PAPER.replace("[vehicle1]\n", "[vehicle1]\nspeed = \"10 m/s\"\n");
-    assert!(says(&fast, &Assumption::SpeedUnused { vehicle: 1, given: 10.0 }));
+    assert!(says(&fast, &Assumption::SpeedUnused { vehicle: VehicleId::One, given: 10.0 }));
 }
 
 #[test]
@@ -262,13 +263,13 @@ fn what_stands_in_for_an_unknown_vehicle_is_listed() {
     // Burg: 0.1269 × mass × wheelbase × length, of 1480 kg, 2.72 m and 4.75 m.
     let burg = 0.1269 * 2.72 * 4.75 * 1480.0;
     let of_burg = assumptions.iter().find_map(|assumption| match assumption {
-        Assumption::BurgInertia { vehicle: 2, yaw_inertia } => Some(*yaw_inertia),
+        Assumption::BurgInertia { vehicle: VehicleId::Two, yaw_inertia } => Some(*yaw_inertia),
         _ => None,
     });
     assert!((of_burg.unwrap() - burg).abs() < 1e-9);
     // PDOF_2 = θ_2 − θ_1 + PDOF_1 − 180° = 75° − 0° − 30° − 180° = −135°.
     let opposite = assumptions.iter().find_map(|assumption| match assumption {
-        Assumption::Pdof { vehicle: 2, opposite } => *opposite,
+        Assumption::Pdof { vehicle: VehicleId::Two, opposite } => *opposite,
         _ => None,
     });
     assert!((opposite.unwrap().to_degrees() + 135.0).abs() < 1e-9);
@@ -281,12 +282,12 @@ fn an_outline_that_is_not_given_is_that_of_the_nearest_class() {
         let text = PAPER.replace("yaw_inertia = \"2437 lb ft s^2\"", of_car);
         assert_ne!(text, PAPER);
         let assumed = judge(&parsed(&text)).assumptions.into_iter();
-        assumed.filter(|one| matches!(one, Assumption::Outline { vehicle: 1, .. })).collect()
+        assumed.filter(|one| matches!(one, Assumption::Outline { vehicle: VehicleId::One, .. })).collect()
     };
     for class in 1..=6 {
         let radius = crash3::VehicleClass::new(class).unwrap().yaw_radius;
         for off in [-0.001, 0.0, 0.001] {
-            let expected = Assumption::Outline { vehicle: 1, class };
+            let expected = Assumption::Outline { vehicle: VehicleId::One, class };
             assert_eq!(outlines(&format!("yaw_radius = \"{} m\"", radius + off)), [expected]);
         }
     }

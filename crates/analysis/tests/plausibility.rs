@@ -9,6 +9,7 @@ use analysis::{Analysis, Drive, Failure, Magnitude, Warning};
 use case::CaseFile;
 use crash3::Side;
 use inputs::{Axes, Case, StiffnessSource};
+use pim_core::VehicleId;
 
 type Analyse = fn(&Case) -> Result<Analysis, Failure>;
 
@@ -30,20 +31,20 @@ fn assert_close(actual: f64, expected: f64, tolerance: f64) {
 }
 
 /// A car of 1000 kg with k = 2 m that drives with 10 m/s squarely onto a wall, skids along it with a velocity of its own, and may turn; C lies 2 m ahead of
-/// its CG and `left` of it, in m. It is `car` 1 or 2; in z-down axes all that counts across is turned.
+/// its CG and `left` of it, in m. It is `car`; in z-down axes all that counts across is turned.
 ///
 /// By hand, with n towards the car's rear: u_n = −10 m/s, K = (1.25, −0.5; −0.5, 2)/m for `left` = 1 m, and (1, 0; 0, 2)/m for 0.
 struct Skid {
-    car: usize,
+    car: VehicleId,
     axes: Axes,
     crush_plane: f64,
 }
 
 const SKIDS: [Skid; 4] = [
-    Skid { car: 1, axes: Axes::ZUp, crush_plane: 0.0 },
-    Skid { car: 1, axes: Axes::ZUp, crush_plane: 180.0 },
-    Skid { car: 2, axes: Axes::ZUp, crush_plane: 0.0 },
-    Skid { car: 1, axes: Axes::ZDown, crush_plane: 0.0 },
+    Skid { car: VehicleId::One, axes: Axes::ZUp, crush_plane: 0.0 },
+    Skid { car: VehicleId::One, axes: Axes::ZUp, crush_plane: 180.0 },
+    Skid { car: VehicleId::Two, axes: Axes::ZUp, crush_plane: 0.0 },
+    Skid { car: VehicleId::One, axes: Axes::ZDown, crush_plane: 0.0 },
 ];
 
 impl Skid {
@@ -55,7 +56,7 @@ impl Skid {
     /// u_t (m/s) at C, C `left` of the CG, ω (rad/s), and the keys of the law.
     fn text(&self, sliding: f64, left: f64, yaw_rate: f64, law: &str) -> String {
         let Self { car, axes, crush_plane } = self;
-        let (sign, wall) = (self.sign(), 3 - car);
+        let (sign, wall) = (self.sign(), car.other());
         // t points to the right: u_t = −(v_y + 2 ω), and u_n = −(v_x − left ω)
         let (vx, vy) = (10.0 + left * yaw_rate, sign * (-sliding - 2.0 * yaw_rate));
         format!(
@@ -227,11 +228,11 @@ fn a_ratio_above_one() {
 const OUTLINE: &str = "length = \"4.5 m\"\nwidth = \"1.8 m\"\ncg_to_front = \"2 m\"\n";
 
 /// A car of 1500 kg of which the damage is known, `of_car` and `of_crush` more of its keys.
-fn damaged(car: usize, of_car: &str, side: &str, width: f64, depths: &str, of_crush: &str) -> String {
+fn damaged(car: VehicleId, of_car: &str, side: &str, width: f64, depths: &str, of_crush: &str) -> String {
     format!(
         "[vehicle{}]\nfixed = true\n[vehicle{car}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\n{of_car}[vehicle{car}.crush]\nside = \"{side}\"\n\
          width = \"{width} m\"\ndepths = \"{depths} m\"\nmoment_arm = \"0 m\"\npdof = \"0 deg\"\n{of_crush}\n",
-        3 - car
+        car.other()
     )
 }
 
@@ -240,7 +241,7 @@ const SOFT: &str = "stiffness = { A = \"40 kN/m\", B = \"500 kN/m^2\" }";
 
 #[test]
 fn a_contact_point_beside_the_damage() {
-    for car in [1, 2] {
+    for car in VehicleId::ALL {
         let at = |side: &str, along: f64, offset: &str| {
             let contact = match side {
                 "front" => [2.0, along],
@@ -277,7 +278,7 @@ fn a_contact_point_beside_the_damage() {
 
 #[test]
 fn a_contact_point_on_the_other_half() {
-    for car in [1, 2] {
+    for car in VehicleId::ALL {
         for (name, side, outward) in [
             ("front", Side::Front, [1.0, 0.0]),
             ("rear", Side::Rear, [-1.0, 0.0]),
@@ -305,7 +306,7 @@ fn a_contact_point_on_the_other_half() {
 /// The outline reaches 0.9 m to each side, 2 m forward and 2.5 m back; 10 cm beyond are allowed.
 #[test]
 fn a_damage_beyond_the_outline() {
-    for car in [1, 2] {
+    for car in VehicleId::ALL {
         for (side, offset, beyond) in [
             ("front", 0.249, false),
             ("front", 0.251, true),
@@ -336,7 +337,7 @@ fn a_damage_beyond_the_outline() {
 #[test]
 fn numbers_that_no_vehicle_has() {
     use Magnitude::{BodyWidth, CrushDepth, DamageWidth, Length, Mass, YawRadius};
-    for car in [1, 2] {
+    for car in VehicleId::ALL {
         let found = |text: &str| raised(analysis::crush, text, "implausible");
         let check = |text: &str, expected: Option<(Magnitude, f64, [f64; 2])>| {
             let found = found(text);
@@ -468,7 +469,9 @@ fn a_speed_found_that_no_vehicle_has() {
     };
     assert_eq!(raised(analysis::reconstruct, &at(69.44), "implausible"), []);
     let found = raised(analysis::reconstruct, &at(69.45), "implausible");
-    let [Warning::Implausible { vehicle: 1, magnitude: Magnitude::SpeedFound, value, .. }] = found[..] else {
+    let [Warning::Implausible { vehicle: VehicleId::One, magnitude: Magnitude::SpeedFound, value, .. }] =
+        found[..]
+    else {
         panic!("{found:?}")
     };
     assert_close(value, 69.45, 1e-9);
@@ -477,13 +480,13 @@ fn a_speed_found_that_no_vehicle_has() {
 /// b_0 = √(2 G w/m): 6.7056 m/s at G = 22,482.5 N on 1.5 m and 1500 kg.
 #[test]
 fn a_stiffness_that_withstands_too_much() {
-    for car in [1, 2] {
+    for car in VehicleId::ALL {
         let speed = |stiffness: &str, stations: &str| {
             let text = damaged(car, "", "front", 1.5, stations, stiffness);
             let analysis = analysis::crush(&parsed(&text)).unwrap();
-            assert_eq!(analysis.vehicles[2 - car].no_damage_speed(), None);
+            assert_eq!(analysis.vehicles[car.other().index()].no_damage_speed(), None);
             (
-                analysis.vehicles[car - 1].no_damage_speed().unwrap(),
+                analysis.vehicles[car.index()].no_damage_speed().unwrap(),
                 raised(analysis::crush, &text, "high-no-damage-speed"),
             )
         };
@@ -529,7 +532,7 @@ fn a_stiffness_that_withstands_too_much() {
 /// b_0 = √(2 G w/m): 0.447 04 m/s, 1 mph, at G = 99.922 N on 1.5 m and 1500 kg; A = √(2 G B).
 #[test]
 fn a_stiffness_that_withstands_too_little() {
-    for car in [1, 2] {
+    for car in VehicleId::ALL {
         let found = |stiffness: &str| {
             let text = damaged(car, "", "front", 1.5, "0.3 0.3", &format!("stiffness = {stiffness}"));
             raised(analysis::crush, &text, "low-no-damage-speed")
@@ -557,7 +560,7 @@ fn a_stiffness_that_withstands_too_little() {
 #[test]
 fn a_barrier_test_that_no_car_has() {
     use Magnitude::{TestDepth, TestMass, TestSpeed, TestWidth};
-    for car in [1, 2] {
+    for car in VehicleId::ALL {
         for (side, keys, expected) in [
             ("front", ["1500 kg", "15 m/s", "1.5 m", "0.5 0.5 m"], None),
             ("front", ["101 kg", "2.1 m/s", "2.59 m", "0.1 1.49 m"], None),
@@ -667,9 +670,15 @@ fn crash3_s_categories_withstand_less() {
         ("left", 1, 950, 2.0),
         ("right", 5, 2100, 2.0),
     ] {
-        let text =
-            damaged(1, "", side, width, "0.3 0.3", &format!("stiffness = {{ category = {category} }}"))
-                .replace("1500 kg", &format!("{mass} kg"));
+        let text = damaged(
+            VehicleId::One,
+            "",
+            side,
+            width,
+            "0.3 0.3",
+            &format!("stiffness = {{ category = {category} }}"),
+        )
+        .replace("1500 kg", &format!("{mass} kg"));
         let speed =
             analysis::crush(&parsed(&text)).unwrap().vehicles[0].no_damage_speed().unwrap() / 0.447_04;
         assert!((2.5..11.5).contains(&speed), "{side} {category}: {speed} mph");
@@ -706,8 +715,8 @@ fn angles_of_more_than_a_turn() {
         assert_eq!((&**named, *in_degrees), (path, degrees));
         assert_close(*turns, expected, 1e-14);
     }
-    let text =
-        damaged(2, "", "front", 1.5, "0.3 0.3", SOFT).replace("pdof = \"0 deg\"", "pdof = \"365 deg\"");
+    let text = damaged(VehicleId::Two, "", "front", 1.5, "0.3 0.3", SOFT)
+        .replace("pdof = \"0 deg\"", "pdof = \"365 deg\"");
     let found = raised(analysis::crush, &text, "large-angle");
     assert!(
         matches!(&found[..], [Warning::LargeAngle { path, .. }] if path == "vehicle2.crush.pdof"),
@@ -717,7 +726,7 @@ fn angles_of_more_than_a_turn() {
 
 #[test]
 fn no_crush_is_an_upper_bound() {
-    for car in [1, 2] {
+    for car in VehicleId::ALL {
         let at = |depths: &str| {
             let text = damaged(car, "", "front", 1.5, depths, SOFT);
             raised(analysis::crush, &text, "no-residual-crush")
@@ -736,8 +745,8 @@ fn no_crush_is_an_upper_bound() {
 fn one_pdof_gives_the_other_to_every_command() {
     let text = include_str!("../../../fixtures/sae-980025.toml");
     for (side, other, given, opposite) in [
-        ("front", 2, 20.0, 67.0 - 180.0 + 20.0 - 180.0 + 360.0),
-        ("right", 1, 80.0, 180.0 - 67.0 + 80.0 - 180.0),
+        ("front", VehicleId::Two, 20.0, 67.0 - 180.0 + 20.0 - 180.0 + 360.0),
+        ("right", VehicleId::One, 80.0, 180.0 - 67.0 + 80.0 - 180.0),
     ] {
         let line = format!("side      = \"{side}\"");
         assert_eq!(text.matches(&line).count(), 1);
@@ -748,9 +757,10 @@ fn one_pdof_gives_the_other_to_every_command() {
         let sweep = analysis::Sweep { step: 0.1, steps: 1 };
         let swept = analysis::sensitivity(&file, sweep).unwrap();
         for analysis in [&reconstructed, &crushed, &compared, &swept.nominal] {
-            let pdof =
-                |i: usize| analysis.vehicles[i - 1].damage.as_ref().unwrap().pdof.unwrap().to_degrees();
-            assert_close(pdof(3 - other), given, 1e-12);
+            let pdof = |id: VehicleId| {
+                analysis.vehicles[id.index()].damage.as_ref().unwrap().pdof.unwrap().to_degrees()
+            };
+            assert_close(pdof(other.other()), given, 1e-12);
             assert_close(pdof(other), opposite, 1e-12);
             // The file gives one: there is nothing to compare it with but the impulse.
             assert!(analysis.checks.iter().all(|check| check.code() != "pdofs-opposite"));
@@ -759,12 +769,12 @@ fn one_pdof_gives_the_other_to_every_command() {
                 format!("{:?}", crushed.crash3.as_ref().map(|crash3| crash3.corrected)),
             );
         }
-        assert_close(swept.pdof_sweep[1].pdof[other - 1].unwrap().to_degrees(), opposite, 1e-12);
+        assert_close(swept.pdof_sweep[1].pdof[other.index()].unwrap().to_degrees(), opposite, 1e-12);
         // The impulse's are 2.8° and 69.8° (paper, appendix).
         let differ: Vec<&Warning> =
             reconstructed.warnings.iter().filter(|warning| warning.code() == "pdof-differs").collect();
         assert!(
-            matches!(differ[..], [Warning::PdofDiffers { vehicle, .. }] if *vehicle == 3 - other),
+            matches!(differ[..], [Warning::PdofDiffers { vehicle, .. }] if *vehicle == other.other()),
             "{differ:?}"
         );
     }

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use analysis::{Analysis, Failure, Output, Sweep, crush, reconstruct, sensitivity};
 use case::{CaseFile, read_quantity};
 use inputs::{Case, Dimension, Pdof};
+use pim_core::VehicleId;
 
 const NO_SWEEP: Sweep = Sweep { step: 0.1, steps: 0 };
 
@@ -72,9 +73,9 @@ fn derivatives_are_central_differences_on_every_fixture() {
             for (j, &value) in nominal.iter().enumerate() {
                 let output = match j {
                     0 => Output::Speed {
-                        vehicle: sensitivity.nominal.found.as_ref().unwrap().unknown.index() + 1,
+                        vehicle: sensitivity.nominal.found.as_ref().unwrap().unknown.vehicle(),
                     },
-                    vehicle => Output::DeltaV { vehicle },
+                    number => Output::DeltaV { vehicle: VehicleId::ALL[number - 1] },
                 };
                 let row =
                     sensitivity.derivatives.iter().find(|row| row.output == output && row.input == input);
@@ -114,8 +115,11 @@ fn the_most_influential_input_comes_first() {
         found.unwrap_or_else(|| panic!("{path}"))
     };
     // Which numbers say where the scene's axes point is a matter of choice: turning all angles together changes nothing.
-    for output in [Output::Speed { vehicle: 1 }, Output::DeltaV { vehicle: 1 }, Output::DeltaV { vehicle: 2 }]
-    {
+    for output in [
+        Output::Speed { vehicle: VehicleId::One },
+        Output::DeltaV { vehicle: VehicleId::One },
+        Output::DeltaV { vehicle: VehicleId::Two },
+    ] {
         let turned: f64 = ["vehicle1.heading", "vehicle2.heading", "impact.crush_plane"]
             .map(|path| by(output, path).value)
             .iter()
@@ -123,7 +127,7 @@ fn the_most_influential_input_comes_first() {
         assert!(turned.abs() < 1e-9, "{turned}");
     }
     // A heading has no per cents, a weight has: −0.225 % per %, from −0.004941 ft/s per lb at 3413 lb and 75.03 ft/s.
-    let speed = Output::Speed { vehicle: 1 };
+    let speed = Output::Speed { vehicle: VehicleId::One };
     assert_eq!(by(speed, "vehicle1.heading").relative(), None);
     let weight = by(speed, "vehicle2.weight");
     assert!((weight.relative().unwrap() + 0.225).abs() < 5e-4);

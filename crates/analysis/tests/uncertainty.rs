@@ -13,6 +13,7 @@ use std::ops::ControlFlow;
 use analysis::{Failure, Output, Plan, Reason, Uncertainty, impact, reconstruct, uncertainty};
 use case::{CaseFile, to_toml};
 use inputs::Case;
+use pim_core::VehicleId;
 use uncertainty::{LANES, Lanes, Sampler, SamplingMethod, Settings, Shape};
 
 const UNCERTAIN: &str = include_str!("../../../fixtures/sae-980025-uncertain.toml");
@@ -66,7 +67,7 @@ fn head_on(speed: &str) -> String {
 fn a_central_value_is_that_of_the_other_commands_to_the_last_bit() {
     let result = run(UNCERTAIN, 64);
     let found = reconstruct(&read(UNCERTAIN)).unwrap().found.unwrap().speed;
-    assert_eq!(result.outputs[0].output, Output::Speed { vehicle: 1 });
+    assert_eq!(result.outputs[0].output, Output::Speed { vehicle: VehicleId::One });
     assert_eq!(result.outputs[0].central.to_bits(), found.to_bits());
     for (central, output) in result.tornado.central.as_ref().unwrap().iter().zip(&result.outputs) {
         assert_eq!(central.to_bits(), output.central.to_bits(), "{}", output.output.path());
@@ -75,7 +76,7 @@ fn a_central_value_is_that_of_the_other_commands_to_the_last_bit() {
     let delta_v = impact(&read(&forward)).unwrap().impact.unwrap().outcome.delta_v_magnitude()[0];
     let result = run(&forward, 64);
     assert_eq!(
-        result.outputs[place(&result, Output::DeltaV { vehicle: 1 })].central.to_bits(),
+        result.outputs[place(&result, Output::DeltaV { vehicle: VehicleId::One })].central.to_bits(),
         delta_v.to_bits()
     );
 }
@@ -104,7 +105,7 @@ fn a_sample_is_the_reconstruction_of_its_numbers() {
 #[test]
 fn a_linear_case_comes_out_exactly() {
     let result = run(&head_on("{ value = \"20 m/s\", sd = \"1 m/s\" }"), 20_000);
-    let at = place(&result, Output::DeltaV { vehicle: 1 });
+    let at = place(&result, Output::DeltaV { vehicle: VehicleId::One });
     let output = &result.outputs[at];
     assert!((output.central - 24.0).abs() < 1e-12);
     assert!((output.first_order.sd - 1.2).abs() < 1e-12);
@@ -140,7 +141,7 @@ fn a_linear_case_comes_out_exactly() {
 fn ranges_are_in_their_own_units() {
     for (sd, si) in [("1 mph", 0.447_04), ("3.6 km/h", 1.0)] {
         let result = run(&head_on(&format!("{{ value = \"40 mph\", sd = \"{sd}\" }}")), 20_000);
-        let at = place(&result, Output::DeltaV { vehicle: 1 });
+        let at = place(&result, Output::DeltaV { vehicle: VehicleId::One });
         assert!((result.outputs[at].first_order.sd / (1.2 * si) - 1.0).abs() < 1e-12);
         let sampled = result.propagation.summaries()[at].unwrap().sd;
         assert!((sampled.value - 1.2 * si).abs() < 4.0 * sampled.standard_error.unwrap());

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use analysis::{Analysis, Failure, JumpSide, Warning};
 use case::CaseFile;
 use inputs::Case;
-use pim_core::Switch;
+use pim_core::{Switch, VehicleId};
 
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
 const PAPER_FORWARD: &str = include_str!("../../../fixtures/sae-980025-impact.toml");
@@ -45,22 +45,22 @@ fn assert_close(what: &str, actual: f64, expected: f64, tolerance: f64) {
 /// A case of damage alone: equal cars but for the damage, each `side, depth in m, direction of force` of a crush of 1.5 m width
 /// and the same depth throughout, with A = 40 kN/m and B = 500 kN/m².
 fn damaged([first, second]: [(&str, f64, &str); 2]) -> String {
-    let vehicle = |i: usize, (side, depth, force): (&str, f64, &str)| {
+    let vehicle = |id: VehicleId, (side, depth, force): (&str, f64, &str)| {
         format!(
-            "[vehicle{i}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\n[vehicle{i}.crush]\nside = \"{side}\"\nwidth = \"1.5 m\"\n\
+            "[vehicle{id}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\n[vehicle{id}.crush]\nside = \"{side}\"\nwidth = \"1.5 m\"\n\
              depths = \"{depth} {depth} m\"\nstiffness = {{ A = \"40 kN/m\", B = \"500 kN/m^2\" }}\nmoment_arm = \"0 m\"\n{force}\n"
         )
     };
-    vehicle(1, first) + &vehicle(2, second)
+    vehicle(VehicleId::One, first) + &vehicle(VehicleId::Two, second)
 }
 
 /// (J) energy of a crush of 0.3 m depth in [`damaged`]: L (A C + B C²/2 + A²/2B) = L B/2 (C + A/B)² = 1.5 · 250,000 · 0.38².
 const ENERGY: f64 = 54_150.0;
 
-/// A car of 1500 kg that meets a wall squarely, its CG behind C: `car` is its number, `heading` and `forward` (m) say where it
+/// A car of 1500 kg that meets a wall squarely, its CG behind C: `car` says which vehicle it is, `heading` and `forward` (m) say where it
 /// looks and where C is, `speed` is in m/s; its crush is that of [`ENERGY`].
-fn against_a_wall(car: usize, forward: f64, speed: f64, crush: &str) -> String {
-    let wall = 3 - car;
+fn against_a_wall(car: VehicleId, forward: f64, speed: f64, crush: &str) -> String {
+    let wall = car.other();
     format!(
         "[vehicle{wall}]\nfixed = true\n[vehicle{car}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"40 deg\"\n\
          speed = \"{speed} m/s\"\ncontact = {{ x = \"{forward} m\", y = \"0 m\" }}\n[vehicle{car}.crush]\nwidth = \"1.5 m\"\n\
@@ -96,8 +96,8 @@ fn crush_plane() {
 fn contact_outside() {
     let outline = "length = \"4.5 m\"\nwidth = \"1.8 m\"\ncg_to_front = \"2.0 m\"\n";
     let contacts = [
-        (1, "{ distance = \"6.3 ft\", angle = \"-22.4 deg\" }"),
-        (2, "{ distance = \"3.8 ft\", angle = \"-39 deg\" }"),
+        (VehicleId::One, "{ distance = \"6.3 ft\", angle = \"-22.4 deg\" }"),
+        (VehicleId::Two, "{ distance = \"3.8 ft\", angle = \"-39 deg\" }"),
     ];
     for (vehicle, contact) in contacts {
         let text = with(PAPER, &format!("[vehicle{vehicle}]\n"), &format!("[vehicle{vehicle}]\n{outline}"));
@@ -181,7 +181,7 @@ fn force_balance() {
 /// A car that meets a wall squarely with its front has a PDOF of 0°, with its rear one of 180°.
 #[test]
 fn pdof_differs() {
-    for car in [1, 2] {
+    for car in VehicleId::ALL {
         for (forward, speed, side, computed, given, expected) in [
             (2.0, 10.0, "front", 0.0, 9.99, false),
             (2.0, 10.0, "front", 0.0, 10.01, true),
@@ -220,14 +220,14 @@ fn pdof_differs() {
 
 #[test]
 fn angle_capped() {
-    let at = |vehicle: usize, angle: &str, correction: &str| {
+    let at = |vehicle: VehicleId, angle: &str, correction: &str| {
         let mut damage =
             [("front", 0.3, "oblique_angle = \"0 deg\""), ("left", 0.3, "oblique_angle = \"0 deg\"")];
         let force = format!("oblique_angle = \"{angle} deg\"\noblique = \"{correction}\"");
-        damage[vehicle - 1].2 = &force;
+        damage[vehicle.index()].2 = &force;
         raised(analysis::crush, &damaged(damage), "angle-capped")
     };
-    for vehicle in [1, 2] {
+    for vehicle in VehicleId::ALL {
         for (angle, expected) in [("45.01", 45.01), ("-45.01", -45.01), ("80", 80.0)] {
             let found = at(vehicle, angle, "capped");
             let [Warning::AngleCapped { vehicle: named, oblique_angle }] = found[..] else {
@@ -262,12 +262,12 @@ fn side_not_pushed() {
         ("left", -0.1, None),
         ("left", 0.1, Some(90.1)),
     ] {
-        for vehicle in [1, 2] {
+        for vehicle in VehicleId::ALL {
             // Whether or not its energy would be corrected for the angle.
             for correction in ["capped", "uncapped", "none"] {
                 let force = format!("pdof = \"{pdof} deg\"\noblique = \"{correction}\"");
                 let mut damage = [("front", 0.3, "pdof = \"0 deg\""); 2];
-                damage[vehicle - 1] = (side, 0.3, &force);
+                damage[vehicle.index()] = (side, 0.3, &force);
                 let found = raised(analysis::crush, &damaged(damage), "side-not-pushed");
                 match (&found[..], angle) {
                     ([], None) => {}
@@ -288,7 +288,7 @@ fn side_not_pushed() {
 #[test]
 fn delta_v_differs() {
     let plain = (2.0 * ENERGY / 1500.0_f64).sqrt();
-    for car in [1, 2] {
+    for car in VehicleId::ALL {
         for (e, basis, factor) in [
             (0.0, "dissipated", 1.0),
             (0.0, "absorbed", 1.0),
@@ -316,12 +316,13 @@ fn delta_v_differs() {
                 let [Warning::DeltaVDiffers { impact, crash3: named, restitution: true }] = found[..] else {
                     panic!("{speed}: {found:?}")
                 };
-                let of_car = |values: [Option<f64>; 2]| values[car - 1].unwrap();
+                let of_car = |values: [Option<f64>; 2]| values[car.index()].unwrap();
                 assert_close("ΔV", of_car(impact), (1.0 + e) * speed, 1e-12 * speed);
                 let expected = (1.0 + e) * crash3 * f64::sqrt(factor);
                 assert_close("CRASH3's ΔV", of_car(named), expected, 1e-12 * expected);
                 // A wall has none.
-                assert_eq!([impact[2 - car], named[2 - car]], [None, None]);
+                let wall = car.other().index();
+                assert_eq!([impact[wall], named[wall]], [None, None]);
             }
             assert_eq!(at(crash3 / 0.9 - 1e-3, ""), []);
             assert_eq!(at(crash3 / 1.1 + 1e-3, ""), []);
@@ -335,7 +336,7 @@ fn delta_v_differs() {
 #[test]
 fn delta_v_without_restitution_and_with_sliding() {
     let crash3 = (2.0 * ENERGY / 1500.0_f64).sqrt();
-    let text = against_a_wall(1, 2.0, crash3, "side = \"front\"");
+    let text = against_a_wall(VehicleId::One, 2.0, crash3, "side = \"front\"");
     let elastic = with(&text, "restitution = 0", "restitution = 1");
     let found = raised(analysis::impact, &elastic, "delta-v-differs");
     assert!(matches!(found[..], [Warning::DeltaVDiffers { restitution: false, .. }]), "{found:?}");
@@ -393,9 +394,9 @@ fn several_speeds() {
 #[test]
 fn moves_backward() {
     let closing = (8.0 * ENERGY / 1500.0_f64).sqrt();
-    for sought in [1, 2] {
+    for sought in VehicleId::ALL {
         let at = |known: f64| {
-            let other = 3 - sought;
+            let other = sought.other();
             let places = "contact = { x = \"2 m\", y = \"0 m\" }";
             let text = damaged([("front", 0.3, "pdof = \"0 deg\""), ("front", 0.3, "pdof = \"0 deg\"")]);
             let text = with(&text, "[vehicle1]\n", &format!("[vehicle1]\nheading = \"0 deg\"\n{places}\n"));
@@ -424,7 +425,7 @@ fn given_speed_unused() {
     let text = with(PAPER, "[vehicle1]\n", "[vehicle1]\nspeed = \"70 ft/s\"\n");
     let found = raised(analysis::reconstruct, &text, "given-speed-unused");
     let [Warning::GivenSpeedUnused { vehicle, given, found }] = found[..] else { panic!("{found:?}") };
-    assert_eq!(vehicle, 1);
+    assert_eq!(vehicle, VehicleId::One);
     assert_close("given", given, 70.0 * 0.3048, 1e-12);
     // docs/theory.md: 75.03 ft/s.
     assert_close("found", found, 75.03 * 0.3048, 0.005 * 0.3048);

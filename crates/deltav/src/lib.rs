@@ -67,7 +67,7 @@ pub mod prelude {
     pub use crash3::{EnergyBasis, ObliqueCorrection, Profile, Side, Stiffness, crush_energy};
     pub use inputs::{Case, Faults};
     pub use pim_core::{
-        Body, Contact, Law, Motion, Outcome, Participant, RestitutionCurve, Tangential, VaryingLaw,
+        Body, Contact, Law, Motion, Outcome, Participant, RestitutionCurve, Tangential, VaryingLaw, VehicleId,
     };
     pub use reconcile::{Problem, Reconciliation, Unknown};
     pub use report::Units;

@@ -7,6 +7,7 @@ use crash3::{
 };
 use pim_core::{
     Body, Contact, Law, Motion, Participant, Real, RestitutionCurve, Tangential, VaryingLaw, Vector2,
+    VehicleId,
 };
 use reconcile::Unknown;
 
@@ -218,10 +219,10 @@ impl<T: Real> Case<T> {
     pub fn reconstruction(&self) -> Result<ReconstructionInput<T>, Faults> {
         let mut demand = Demand::new(self, Purpose::Reconstruct);
         let unknown = demand.unknown();
-        let collision = demand.collision(|i| unknown.is_some_and(|unknown| unknown.index() != i));
-        for (i, vehicle) in self.vehicles.iter().enumerate() {
+        let collision = demand.collision(|id| unknown.is_some_and(|unknown| unknown.vehicle() != id));
+        for (id, vehicle) in VehicleId::ALL.into_iter().zip(&self.vehicles) {
             if !vehicle.fixed && vehicle.crush.is_none() {
-                demand.missing_crush(i);
+                demand.missing_crush(id);
             }
         }
         if self.vehicles.iter().filter_map(|v| v.crush.as_ref()).any(|crush| crush.from_force_balance) {
@@ -262,10 +263,10 @@ impl Case {
     /// Everything that is missing or does not fit together, each with its key.
     pub fn damage(&self) -> Result<CrushOnly, Faults> {
         let mut demand = Demand::new(self, Purpose::Crush);
-        let vehicles = [demand.subject(0), demand.subject(1)];
-        for (i, vehicle) in self.vehicles.iter().enumerate() {
+        let vehicles = VehicleId::ALL.map(|id| demand.subject(id));
+        for (id, vehicle) in VehicleId::ALL.into_iter().zip(&self.vehicles) {
             if !vehicle.fixed {
-                demand.direction_of_force(i, vehicle);
+                demand.direction_of_force(id, vehicle);
             }
         }
         let [v1, v2] = vehicles;
@@ -291,7 +292,7 @@ impl Case {
     pub fn subjects(&self) -> [Option<VehicleData>; 2] {
         // What is missing for it is not told, so that any purpose will do.
         let mut demand = Demand::new(self, Purpose::Crush);
-        let mut subjects = [demand.subject(0), demand.subject(1)];
+        let mut subjects = VehicleId::ALL.map(|id| demand.subject(id));
         fill_opposite_pdof(self.headings(), subjects.each_mut().map(Option::as_mut));
         subjects
     }
@@ -306,30 +307,33 @@ pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Unknown>)
         let kind = FaultKind::Refused { reason };
         faults.push(Fault { key: key.to_owned(), kind, advice: Some(advice) });
     };
-    let fixed = find.map(Unknown::index).filter(|&i| vehicles[i].fixed);
+    let fixed = find.map(Unknown::vehicle).filter(|id| vehicles[id.index()].fixed);
     if vehicles.iter().all(|vehicle| vehicle.fixed) {
         contradiction(
             "vehicle2.fixed",
             "both vehicles are fixed, so nothing can collide".to_owned(),
             "remove fixed = true from the one that can move".to_owned(),
         );
-    } else if let Some(i) = fixed {
+    } else if let Some(id) = fixed {
         contradiction(
             "reconstruct.find",
-            format!("\"reconstruct.find\" asks for the speed of [{}], which is fixed", TABLES[i]),
-            format!("write find = \"{}.speed\"", TABLES[1 - i]),
+            format!("\"reconstruct.find\" asks for the speed of [{}], which is fixed", table(id)),
+            format!("write find = \"{}.speed\"", table(id.other())),
         );
     }
-    let inferred = |i: usize| vehicles[i].crush.as_ref().is_some_and(|crush| crush.from_force_balance);
-    if inferred(0) && inferred(1) {
+    let inferred =
+        |id: VehicleId| vehicles[id.index()].crush.as_ref().is_some_and(|crush| crush.from_force_balance);
+    if VehicleId::ALL.into_iter().all(inferred) {
         contradiction(
             "vehicle2.crush.from_force_balance",
             "both vehicles take their crush from the force balance, so nothing was measured".to_owned(),
             "give width and depths of the vehicle that was inspected, and remove its from_force_balance"
                 .to_owned(),
         );
-    } else if let Some(i) = [0, 1].into_iter().find(|&i| inferred(i) && vehicles[1 - i].crush.is_none()) {
-        let [vehicle, other] = [TABLES[i], TABLES[1 - i]];
+    } else if let Some(id) =
+        VehicleId::ALL.into_iter().find(|id| inferred(*id) && vehicles[id.other().index()].crush.is_none())
+    {
+        let [vehicle, other] = [table(id), table(id.other())];
         contradiction(
             &format!("{vehicle}.crush.from_force_balance"),
             format!(
@@ -362,16 +366,21 @@ fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: [Option<&mut 
 const SPEED_FORMS: &str =
     "`speed = \"10 mph\"` along the heading, or `velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }`";
 
-/// The tables of the vehicles.
-const TABLES: [&str; 2] = ["vehicle1", "vehicle2"];
+/// The table of a vehicle.
+fn table(id: VehicleId) -> &'static str {
+    match id {
+        VehicleId::One => "vehicle1",
+        VehicleId::Two => "vehicle2",
+    }
+}
 
 /// A key in the crush table of a vehicle, spelled only where something is wrong with it: a case is turned
 /// into the types of the engine a million times where its numbers are uncertain.
-struct InCrush(usize, &'static str);
+struct InCrush(VehicleId, &'static str);
 
 impl Display for InCrush {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}.crush.{}", TABLES[self.0], self.1)
+        write!(f, "{}.crush.{}", table(self.0), self.1)
     }
 }
 
@@ -397,8 +406,8 @@ impl<'a, T: Real> Demand<'a, T> {
         });
     }
 
-    fn missing_crush(&mut self, i: usize) {
-        let other = self.case.vehicles[1 - i].crush.as_ref();
+    fn missing_crush(&mut self, id: VehicleId) {
+        let other = self.case.vehicles[id.other().index()].crush.as_ref();
         let inferred = if other.is_some_and(|crush| !crush.from_force_balance) {
             "; of a vehicle that could not be inspected, side, stiffness and `from_force_balance = true` are enough: its crush then follows \
              from the force on the other"
@@ -406,7 +415,7 @@ impl<'a, T: Real> Demand<'a, T> {
             ""
         };
         let example = format!("a table with side, width, depths and stiffness{inferred}");
-        self.missing(format_args!("{}.crush", TABLES[i]), &example);
+        self.missing(format_args!("{}.crush", table(id)), &example);
     }
 
     fn given<V: Copy>(&mut self, value: Option<V>, key: impl Display, example: &str) -> Option<V> {
@@ -466,13 +475,13 @@ impl<'a, T: Real> Demand<'a, T> {
         None
     }
 
-    /// `needs_speed` of the first and the second vehicle.
-    fn collision(&mut self, needs_speed: impl Fn(usize) -> bool) -> Option<Collision<T>> {
-        let vehicles = [self.subject(0), self.subject(1)];
+    /// `needs_speed` of each vehicle.
+    fn collision(&mut self, needs_speed: impl Fn(VehicleId) -> bool) -> Option<Collision<T>> {
+        let vehicles = VehicleId::ALL.map(|id| self.subject(id));
         let inertias =
             vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.inertia));
-        let participants = [self.participant(0, inertias[0]), self.participant(1, inertias[1])];
-        let motions = [self.motion(0, needs_speed(0)), self.motion(1, needs_speed(1))];
+        let participants = VehicleId::ALL.map(|id| self.participant(id, inertias[id.index()]));
+        let motions = VehicleId::ALL.map(|id| self.motion(id, needs_speed(id)));
         let law = self.law();
         let ([v1, v2], [p1, p2], [m1, m2]) = (vehicles, participants, motions);
         let contact = self.contact([p1?, p2?])?;
@@ -482,36 +491,36 @@ impl<'a, T: Real> Demand<'a, T> {
         Some(Collision { contact, law, motions: [m1?, m2?], vehicles })
     }
 
-    fn subject(&mut self, i: usize) -> Option<VehicleData<T>> {
-        let vehicle = &self.case.vehicles[i];
+    fn subject(&mut self, id: VehicleId) -> Option<VehicleData<T>> {
+        let vehicle = &self.case.vehicles[id.index()];
         let contact = self.contact_point(vehicle);
-        let class = self.class(i, vehicle);
+        let class = self.class(id, vehicle);
         let dimensions = dimensions(vehicle, class);
         if vehicle.fixed {
             return Some(VehicleData { inertia: None, contact, dimensions, damage: None });
         }
-        let inertia = self.inertia(i, vehicle, class);
+        let inertia = self.inertia(id, vehicle, class);
         let damage = match &vehicle.crush {
-            Some(crush) => Some(self.damage(i, crush, dimensions)?),
+            Some(crush) => Some(self.damage(id, crush, dimensions)?),
             None => None,
         };
         Some(VehicleData { inertia: Some(inertia?), contact, dimensions, damage })
     }
 
-    fn class(&mut self, i: usize, vehicle: &GivenVehicle<T>) -> Option<(u8, VehicleClass)> {
+    fn class(&mut self, id: VehicleId, vehicle: &GivenVehicle<T>) -> Option<(u8, VehicleClass)> {
         let class = vehicle.class?;
-        self.accepted(format_args!("{}.class", TABLES[i]), VehicleClass::new(class))
+        self.accepted(format_args!("{}.class", table(id)), VehicleClass::new(class))
             .map(|known| (class, known))
     }
 
     /// What the case gives goes before the class, and the class before Burg's estimate.
     fn inertia(
         &mut self,
-        i: usize,
+        id: VehicleId,
         vehicle: &GivenVehicle<T>,
         class: Option<(u8, VehicleClass)>,
     ) -> Option<InertiaData<T>> {
-        let table = TABLES[i];
+        let table = table(id);
         let mass = vehicle.mass.as_ref().map(Mass::kg);
         let mass = self.given(
             mass,
@@ -543,10 +552,10 @@ impl<'a, T: Real> Demand<'a, T> {
         None
     }
 
-    fn participant(&mut self, i: usize, inertia: Option<InertiaData<T>>) -> Option<Participant<T>> {
-        let table = TABLES[i];
-        let vehicle = &self.case.vehicles[i];
-        let heading = self.case.headings()[i];
+    fn participant(&mut self, id: VehicleId, inertia: Option<InertiaData<T>>) -> Option<Participant<T>> {
+        let table = table(id);
+        let vehicle = &self.case.vehicles[id.index()];
+        let heading = self.case.headings()[id.index()];
         let contact = self.contact_point(vehicle);
         if vehicle.fixed {
             // Heading and contact point of a fixed object are optional; they only help to orient the crush
@@ -571,9 +580,9 @@ impl<'a, T: Real> Demand<'a, T> {
         self.accepted(table, Participant::new(body, heading, forward, left))
     }
 
-    fn motion(&mut self, i: usize, needs_speed: bool) -> Option<Motion<T>> {
-        let table = TABLES[i];
-        let vehicle = &self.case.vehicles[i];
+    fn motion(&mut self, id: VehicleId, needs_speed: bool) -> Option<Motion<T>> {
+        let table = table(id);
+        let vehicle = &self.case.vehicles[id.index()];
         if vehicle.fixed {
             return Some(Motion::rest());
         }
@@ -586,7 +595,7 @@ impl<'a, T: Real> Demand<'a, T> {
             return None;
         };
         let motion = match velocity {
-            Velocity::Speed(speed) => Motion::along(self.case.headings()[i]?, speed.si()),
+            Velocity::Speed(speed) => Motion::along(self.case.headings()[id.index()]?, speed.si()),
             Velocity::Vector { x, y } => {
                 Motion { velocity: Vector2::new(x.si(), self.lateral(y)), yaw_rate: T::ZERO }
             }
@@ -650,14 +659,14 @@ impl<'a, T: Real> Demand<'a, T> {
 
     fn damage(
         &mut self,
-        i: usize,
+        id: VehicleId,
         crush: &Crush<T>,
         dimensions: Option<Dimensions<T>>,
     ) -> Option<DamageData<T>> {
-        let path = |key| InCrush(i, key);
+        let path = |key| InCrush(id, key);
         let structure = self.accepted(path("stiffness"), crush.stiffness.structure(crush.side));
         let evidence = if crush.from_force_balance {
-            let width = self.inferred_width(i, crush, dimensions)?;
+            let width = self.inferred_width(id, crush, dimensions)?;
             match structure? {
                 SideStiffness::Uniform(stiffness) => Evidence::ForceBalance { stiffness, width },
                 SideStiffness::Zones(_) => {
@@ -666,7 +675,7 @@ impl<'a, T: Real> Demand<'a, T> {
                 }
             }
         } else {
-            let profile = self.profile(i, crush);
+            let profile = self.profile(id, crush);
             Evidence::Measured { profile: profile?, structure: structure? }
         };
         let offset = crush.offset.as_ref().map(|offset| match crush.side {
@@ -678,7 +687,7 @@ impl<'a, T: Real> Demand<'a, T> {
             Some(dimensions) => {
                 let face =
                     DamagedFace::new(crush.side, dimensions.face(crush.side), offset.unwrap_or(T::ZERO));
-                Some(self.accepted(format_args!("{}.cg_to_front", TABLES[i]), face)?)
+                Some(self.accepted(format_args!("{}.cg_to_front", table(id)), face)?)
             }
             None => None,
         };
@@ -702,8 +711,8 @@ impl<'a, T: Real> Demand<'a, T> {
         })
     }
 
-    fn profile(&mut self, i: usize, crush: &Crush<T>) -> Option<Profile<T>> {
-        let path = |key| InCrush(i, key);
+    fn profile(&mut self, id: VehicleId, crush: &Crush<T>) -> Option<Profile<T>> {
+        let path = |key| InCrush(id, key);
         let depths = crush.depths.iter().map(Quantity::si).collect();
         let profile = match (&crush.spacing, &crush.width) {
             (Some(spacing), _) => Profile::new(depths, spacing.iter().map(Quantity::si).collect()),
@@ -718,7 +727,7 @@ impl<'a, T: Real> Demand<'a, T> {
 
     fn inferred_width(
         &mut self,
-        i: usize,
+        id: VehicleId,
         crush: &Crush<T>,
         dimensions: Option<Dimensions<T>>,
     ) -> Option<InferredWidth<T>> {
@@ -727,7 +736,7 @@ impl<'a, T: Real> Demand<'a, T> {
         }
         let Some(dimensions) = dimensions else {
             self.missing(
-                format_args!("{}.crush.width", TABLES[i]),
+                format_args!("{}.crush.width", table(id)),
                 "the width of the damage, which is not to be had from the force; or `length`, `width` and `cg_to_front` of the \
                  vehicle or its `class`, which bound it",
             );
@@ -740,21 +749,23 @@ impl<'a, T: Real> Demand<'a, T> {
     }
 
     /// Whether the case gives the PDOF of a vehicle, or that of the other and both headings.
-    fn has_pdof(&self, i: usize) -> bool {
-        let given = |i: usize| {
-            self.case.vehicles[i].crush.as_ref().is_some_and(|crush: &Crush<T>| crush.pdof.is_some())
+    fn has_pdof(&self, id: VehicleId) -> bool {
+        let given = |id: VehicleId| {
+            self.case.vehicles[id.index()].crush.as_ref().is_some_and(|crush: &Crush<T>| crush.pdof.is_some())
         };
-        given(i) || (given(1 - i) && self.case.headings().iter().all(Option::is_some))
+        given(id) || (given(id.other()) && self.case.headings().iter().all(Option::is_some))
     }
 
     /// A force balance between two crushes needs the angle at which the force meets each.
     fn directions_for_balance(&mut self) {
-        for i in [0, 1] {
-            let has_angle =
-                self.case.vehicles[i].crush.as_ref().is_some_and(|crush| crush.oblique_angle.is_some());
-            if !has_angle && !self.has_pdof(i) {
+        for id in VehicleId::ALL {
+            let has_angle = self.case.vehicles[id.index()]
+                .crush
+                .as_ref()
+                .is_some_and(|crush| crush.oblique_angle.is_some());
+            if !has_angle && !self.has_pdof(id) {
                 self.missing(
-                    format_args!("{}.crush.pdof", TABLES[i]),
+                    format_args!("{}.crush.pdof", table(id)),
                     "the direction from which the force came, for the force balance: `pdof` of one vehicle, from which that of the other \
                      follows, or `oblique_angle` of both",
                 );
@@ -763,13 +774,13 @@ impl<'a, T: Real> Demand<'a, T> {
     }
 
     /// `crush` has no impulse to take the direction of the force from.
-    fn direction_of_force(&mut self, i: usize, vehicle: &GivenVehicle<T>) {
-        let table = TABLES[i];
+    fn direction_of_force(&mut self, id: VehicleId, vehicle: &GivenVehicle<T>) {
+        let table = table(id);
         let Some(crush) = &vehicle.crush else {
-            self.missing_crush(i);
+            self.missing_crush(id);
             return;
         };
-        if !self.has_pdof(i) && (crush.oblique_angle.is_none() || crush.moment_arm.is_none()) {
+        if !self.has_pdof(id) && (crush.oblique_angle.is_none() || crush.moment_arm.is_none()) {
             self.missing(
                 format_args!("{table}.crush.pdof"),
                 "the direction from which the force came, clockwise from the heading: `pdof = \"2.7 deg\"` or `pdof = \"2 o'clock\"`; the \

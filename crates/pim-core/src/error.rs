@@ -3,6 +3,8 @@
 use alloc::format;
 use alloc::string::String;
 
+use crate::vehicle_id::VehicleId;
+
 /// An input that no body, contact or law can have.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -52,8 +54,8 @@ pub enum InvalidInput {
     /// A fixed body was given a velocity or a yaw rate.
     #[error("body {body} is fixed and cannot have a velocity or a yaw rate")]
     FixedBodyMoves {
-        /// 1 or 2.
-        body: usize,
+        /// Which body.
+        body: VehicleId,
     },
     /// The crush plane runs along the line between the two CGs, so that neither of its normals points from
     /// vehicle 2 towards vehicle 1.

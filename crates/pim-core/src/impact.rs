@@ -7,6 +7,7 @@ use crate::body::Motion;
 use crate::contact::{Contact, NormalTangential};
 use crate::error::{self, ImpactError, InvalidInput};
 use crate::law::{Law, LawImpulse, Regime, Solution};
+use crate::vehicle_id::VehicleId;
 
 /// E_L below zero by more than this share of what the impulses exchange, |P|·(|u| + |U|) in each direction and the moment's likewise, is energy created; less is
 /// rounding. The works themselves are no measure: with e = 1 and no friction they are nothing but rounding.
@@ -258,12 +259,12 @@ impl<T: Real> Contact<T> {
     }
 
     fn check(&self, motions: &[Motion<T>; 2]) -> Result<(), InvalidInput> {
-        for (i, (participant, motion)) in self.participants().iter().zip(motions).enumerate() {
+        for ((participant, motion), body) in self.participants().iter().zip(motions).zip(VehicleId::ALL) {
             error::finite("velocity along x", motion.velocity.x.value())?;
             error::finite("velocity along y", motion.velocity.y.value())?;
             error::finite("yaw rate", motion.yaw_rate.value())?;
             if participant.body().is_fixed() && *motion != Motion::rest() {
-                return Err(InvalidInput::FixedBodyMoves { body: i + 1 });
+                return Err(InvalidInput::FixedBodyMoves { body });
             }
         }
         Ok(())

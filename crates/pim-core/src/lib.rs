@@ -18,7 +18,8 @@
 //! ```
 //!
 //! The types: a [`Body`] in its place is a [`Participant`]; two of them and a crush plane make a [`Contact`]; the contact, two
-//! [`Motion`]s and a [`Law`] give an [`Outcome`]. Each number may be any [`Real`]; plain `f64` is the default.
+//! [`Motion`]s and a [`Law`] give an [`Outcome`]. Each number may be any [`Real`]; plain `f64` is
+//! the default. A [`VehicleId`] names one of the two.
 //!
 //! # Frames and signs
 //!
@@ -92,6 +93,7 @@ mod impact;
 mod law;
 mod mirror;
 mod restitution;
+mod vehicle_id;
 
 pub use body::{Body, Motion, Participant};
 pub use border::{Border, Switch};
@@ -102,3 +104,4 @@ pub use law::{Law, LawImpulse, Regime, Tangential};
 pub use nalgebra::{self, Vector2};
 pub use real::Real;
 pub use restitution::{RestitutionCurve, VaryingLaw};
+pub use vehicle_id::VehicleId;

@@ -162,7 +162,7 @@ impl<'a, T: Real> Search<'a, T> {
                 }
             }
             Err(reason) => {
-                let vehicle = problem.vehicle();
+                let vehicle = problem.unknown.vehicle();
                 self.refused.get_or_insert(ReconcileError::Inadmissible {
                     vehicle,
                     speed: speed.value(),
@@ -180,7 +180,7 @@ impl<'a, T: Real> Search<'a, T> {
                 Ok(Reconciliation { speed, admissible: self.admissible, law, outcome, normal_work, method })
             }
             None => Err(self.refused.unwrap_or(ReconcileError::NotReached {
-                vehicle: problem.vehicle(),
+                vehicle: problem.unknown.vehicle(),
                 energy: problem.normal_work_sought().value(),
             })),
         }

@@ -1,6 +1,6 @@
 //! Why no speed reconciles the crush energy with the impact.
 
-use pim_core::{ImpactError, InvalidInput};
+use pim_core::{ImpactError, InvalidInput, VehicleId};
 
 /// Why a reconciliation has no answer.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -28,8 +28,8 @@ pub enum ReconcileError {
     /// The vehicle whose speed is sought is a barrier.
     #[error("vehicle {vehicle} is fixed and has no speed to find; find the other vehicle's speed")]
     Fixed {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
     },
     /// The vehicle moves along the crush plane, so that its speed does not change u_n.
     #[error(
@@ -39,8 +39,8 @@ pub enum ReconcileError {
          the other vehicle's speed instead"
     )]
     SpeedWithoutEffect {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// Cosine of the angle between heading and normal.
         cosine: f64,
     },
@@ -51,16 +51,16 @@ pub enum ReconcileError {
          restitution and the crush energy, or give a friction limit as the tangential condition"
     )]
     NotReached {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (J) the normal work sought.
         energy: f64,
     },
     /// A speed gives the energy, but no impact can happen like this.
     #[error("at {speed:.4} m/s vehicle {vehicle} would give the crush energy, but: {reason}")]
     Inadmissible {
-        /// 1 or 2.
-        vehicle: usize,
+        /// Which vehicle.
+        vehicle: VehicleId,
         /// (m/s) the speed.
         speed: f64,
         /// What is wrong with the impact at that speed.

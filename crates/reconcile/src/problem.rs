@@ -3,7 +3,7 @@
 use crash3::EnergyBasis;
 use pim_core::{
     Approach, Contact, ImpactError, Law, Motion, NormalTangential, Outcome, Real, VaryingLaw, Vector2,
-    normal_work,
+    VehicleId, normal_work,
 };
 
 use crate::error::ReconcileError;
@@ -23,14 +23,21 @@ pub enum Unknown {
 }
 
 impl Unknown {
-    /// 0 or 1.
+    /// The vehicle whose speed it is.
     #[inline(always)]
     #[must_use]
-    pub fn index(self) -> usize {
+    pub const fn vehicle(self) -> VehicleId {
         match self {
-            Self::Speed1 => 0,
-            Self::Speed2 => 1,
+            Self::Speed1 => VehicleId::One,
+            Self::Speed2 => VehicleId::Two,
         }
+    }
+
+    /// 0 or 1: the place of that vehicle in a pair.
+    #[inline(always)]
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.vehicle().index()
     }
 
     /// Of both vehicles, what belongs to this one. An index would not be resolved in a loop over samples.
@@ -104,7 +111,7 @@ impl<T: Real> Problem<T> {
     /// Why a problem makes no sense.
     #[cold]
     pub(crate) fn refusal(&self) -> ReconcileError {
-        let vehicle = self.vehicle();
+        let vehicle = self.unknown.vehicle();
         if self.unknown.of(*self.contact.participants()).body().is_fixed() {
             ReconcileError::Fixed { vehicle }
         } else if !(self.crush_energy > T::ZERO && self.crush_energy.is_finite()) {
@@ -197,9 +204,5 @@ impl<T: Real> Problem<T> {
         // U_n = −e u_n
         let separation = NormalTangential { normal: -(u.normal * law.restitution()), ..u };
         normal_work(u, impulse, separation)
-    }
-
-    pub(crate) fn vehicle(&self) -> usize {
-        self.unknown.index() + 1
     }
 }

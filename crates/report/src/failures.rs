@@ -2,7 +2,7 @@
 
 use analysis::Failure;
 use crash3::CrushError;
-use pim_core::ImpactError;
+use pim_core::{ImpactError, VehicleId};
 use reconcile::ReconcileError;
 
 use crate::units::{Quantity, Units, number};
@@ -76,7 +76,7 @@ fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
     }
 }
 
-fn not_reached(vehicle: usize, energy: f64, nearest: &str, units: Units) -> String {
+fn not_reached(vehicle: VehicleId, energy: f64, nearest: &str, units: Units) -> String {
     format!(
         "no speed of vehicle {vehicle} up to {} makes the work of the normal impulse equal to {} while the vehicles approach and push{nearest}; \
          check the contact points, the crush plane, the headings, the yaw rates, the restitution and the crush energy",

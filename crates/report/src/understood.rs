@@ -6,6 +6,7 @@ use case::{
     StiffnessSource, Unit, UnitSystem, word,
 };
 use crash3::ObliqueCorrection;
+use pim_core::VehicleId;
 
 use crate::units::{Quantity, Units, significant};
 use crate::words;
@@ -71,8 +72,8 @@ pub(crate) fn shown((value, unit): (f64, Option<&'static Unit>)) -> String {
 /// What the file says in words and whole numbers, key by key.
 pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
     let mut choices = vec![("scene.axes".to_owned(), case.axes.name().to_owned())];
-    for (i, vehicle) in case.vehicles.iter().enumerate() {
-        let mut say = |key: &str, value: String| choices.push((format!("vehicle{}.{key}", i + 1), value));
+    for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
+        let mut say = |key: &str, value: String| choices.push((format!("vehicle{id}.{key}"), value));
         if let Some(name) = &vehicle.name {
             say("name", name.clone());
         }

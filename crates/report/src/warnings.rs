@@ -3,7 +3,7 @@
 use analysis::{Analysis, Drive, JumpSide, Magnitude, SeenWarning, Warning};
 use case::{Case, StiffnessSource};
 use crash3::{EnergyBasis, Side};
-use pim_core::Switch;
+use pim_core::{Switch, VehicleId};
 
 use crate::document::{Block, Document};
 use crate::units::{Quantity, Units, number};
@@ -391,9 +391,9 @@ fn stiffness_check(source: StiffnessSource) -> &'static str {
 fn jump_side(side: &JumpSide, units: Units) -> String {
     let mut values = vec![format!("W_n = {}", units.format(Quantity::Energy, side.normal_work))];
     values.extend(side.moment.map(|moment| format!("M = {}", units.format(Quantity::MomentImpulse, moment))));
-    values.extend(side.yaw_rates.iter().enumerate().filter_map(|(i, rate)| {
+    values.extend(VehicleId::ALL.into_iter().zip(side.yaw_rates).filter_map(|(vehicle, rate)| {
         // Jumps of a few per cent do not show in two decimals.
-        rate.map(|rate| format!("Ω_{} = {} rad/s", i + 1, number(rate, 3)))
+        rate.map(|rate| format!("Ω_{vehicle} = {} rad/s", number(rate, 3)))
     }));
     values.join(", ")
 }

@@ -1,12 +1,12 @@
 //! Cases without an answer, in both unit systems.
 
 use analysis::Failure;
-use pim_core::ImpactError;
+use pim_core::{ImpactError, VehicleId};
 use reconcile::{Iteration, ReconcileError};
 use report::{Units, no_answer};
 
 const BEYOND: Failure = Failure::NotReached {
-    vehicle: 1,
+    vehicle: VehicleId::One,
     energy: 135_581.795,
     nearest: Ok(Iteration { speed: 44.704, normal_work: 13_558.179_5 }),
 };
@@ -15,7 +15,7 @@ const BEYOND: Failure = Failure::NotReached {
 #[test]
 fn a_refusal_speaks_the_units_of_the_reader() {
     let too_fast = Failure::NotReached {
-        vehicle: 2,
+        vehicle: VehicleId::Two,
         energy: 135_581.795,
         nearest: Ok(Iteration { speed: 4_470.4, normal_work: 135_581.795 }),
     };
@@ -28,8 +28,11 @@ fn a_refusal_speaks_the_units_of_the_reader() {
         tangential_work: -5_423.271_8,
         moment_work: 1_355.817_95,
     };
-    let inadmissible =
-        Failure::Reconcile(ReconcileError::Inadmissible { vehicle: 2, speed: 44.704, reason: created });
+    let inadmissible = Failure::Reconcile(ReconcileError::Inadmissible {
+        vehicle: VehicleId::Two,
+        speed: 44.704,
+        reason: created,
+    });
     let too_great =
         Failure::Crush(crash3::CrushError::ForceTooGreat { force: 444_822.161_5, most: 222_411.080_8 });
     let above_limit = Failure::Crush(crash3::CrushError::ForceAboveLimit {

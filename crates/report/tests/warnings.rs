@@ -3,7 +3,7 @@
 use analysis::{Drive, JumpSide, Magnitude, Warning};
 use case::{Axes, StiffnessSource};
 use crash3::{EnergyBasis, Side};
-use pim_core::Switch;
+use pim_core::{Switch, VehicleId};
 use report::{Units, message};
 
 #[track_caller]
@@ -168,12 +168,17 @@ fn what_is_implausible_is_named_with_what_is_usual() {
             ["width of the damage of vehicle 2 is 1,000.0 in", "at most 100 in"],
         ),
     ] {
-        let warning = Warning::Implausible { vehicle: 2, magnitude, value, usual };
+        let warning = Warning::Implausible { vehicle: VehicleId::Two, magnitude, value, usual };
         says(&warning, Axes::ZUp, &words);
         says(&warning, Axes::ZUp, &["check the unit"]);
     }
     let usual = [0.0, 44.704];
-    let found = Warning::Implausible { vehicle: 1, magnitude: Magnitude::SpeedFound, value: 447.04, usual };
+    let found = Warning::Implausible {
+        vehicle: VehicleId::One,
+        magnitude: Magnitude::SpeedFound,
+        value: 447.04,
+        usual,
+    };
     says(
         &found,
         Axes::ZUp,
@@ -190,14 +195,15 @@ fn what_is_implausible_is_named_with_what_is_usual() {
         (Magnitude::TestDepth, "the depth of crush in the barrier test of vehicle 1 is 393.7 in"),
         (Magnitude::TestWidth, "the width of the damage in the barrier test of vehicle 1 is 393.7 in"),
     ] {
-        let warning = Warning::Implausible { vehicle: 1, magnitude, value: 10.0, usual: [0.0, 1.0] };
+        let warning =
+            Warning::Implausible { vehicle: VehicleId::One, magnitude, value: 10.0, usual: [0.0, 1.0] };
         says(&warning, Axes::ZUp, &[words]);
     }
 }
 
 #[test]
 fn a_place_is_named_by_side() {
-    let off = Warning::ContactOffDamage { vehicle: 2, side: Side::Left, distance: 0.254 };
+    let off = Warning::ContactOffDamage { vehicle: VehicleId::Two, side: Side::Left, distance: 0.254 };
     says(
         &off,
         Axes::ZUp,
@@ -209,10 +215,10 @@ fn a_place_is_named_by_side() {
         (Side::Left, "to the right of the vehicle's axis, but the damage is to its left side"),
         (Side::Right, "to the left of the vehicle's axis, but the damage is to its right side"),
     ] {
-        let other = Warning::ContactOtherHalf { vehicle: 1, side, distance: 0.254 };
+        let other = Warning::ContactOtherHalf { vehicle: VehicleId::One, side, distance: 0.254 };
         says(&other, Axes::ZUp, &["vehicle 1 lies 10.0 in", words]);
     }
-    let outside = Warning::DamageOutside { vehicle: 1, side: Side::Rear, distance: 0.254 };
+    let outside = Warning::DamageOutside { vehicle: VehicleId::One, side: Side::Rear, distance: 0.254 };
     says(&outside, Axes::ZUp, &["damage to the rear of vehicle 1 reaches 10.0 in beyond"]);
 }
 
@@ -225,9 +231,9 @@ fn units_and_keys_to_check_are_named() {
         (StiffnessSource::Category(4), "the category"),
         (StiffnessSource::Test(case::Fit::Exact), "the barrier test"),
     ] {
-        let warning = Warning::HighNoDamageSpeed { vehicle: 1, speed: 8.9408, source };
+        let warning = Warning::HighNoDamageSpeed { vehicle: VehicleId::One, speed: 8.9408, source };
         says(&warning, Axes::ZUp, &["b_0 = 20.00 mph", words]);
-        let warning = Warning::LowNoDamageSpeed { vehicle: 1, speed: 0.089_408, source };
+        let warning = Warning::LowNoDamageSpeed { vehicle: VehicleId::One, speed: 0.089_408, source };
         says(&warning, Axes::ZUp, &["implies damage from as little as b_0 = 0.20 mph", words]);
     }
     says(
@@ -239,7 +245,7 @@ fn units_and_keys_to_check_are_named() {
         |in_degrees| Warning::LargeAngle { path: "vehicle2.heading".to_owned(), turns: 12.7, in_degrees };
     says(&angle(false), Axes::ZUp, &["`vehicle2.heading` is 12.7 full turns", "did you mean deg?"]);
     says(&angle(true), Axes::ZUp, &["check the number"]);
-    let none = Warning::NoResidualCrush { vehicle: 1, energy: 1_355.817_948 };
+    let none = Warning::NoResidualCrush { vehicle: VehicleId::One, energy: 1_355.817_948 };
     says(&none, Axes::ZUp, &["vehicle 1 are zero", "1,000 ft·lb", "upper bound"]);
 }
 
@@ -257,7 +263,7 @@ fn a_wall_has_no_delta_v_and_each_cause_its_own_words() {
     );
     says(&differs(false), Axes::ZUp, &["ΔV without restitution, 20.00 ft/s"]);
     assert!(!message(&differs(true).seen(Axes::ZUp), Units::Us).contains(" and "));
-    let backward = |found| Warning::MovesBackward { vehicle: 2, speed: -4.4704, found };
+    let backward = |found| Warning::MovesBackward { vehicle: VehicleId::Two, speed: -4.4704, found };
     says(
         &backward(true),
         Axes::ZUp,

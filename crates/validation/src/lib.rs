@@ -44,6 +44,7 @@ pub use reconstruction::{Choices, Reconstruction, SpeedErrors, TurnedPdof};
 pub use statistics::ErrorRate;
 pub use tables::{DeltaVErrors, EnergyRow, Method, Row, Table1Row, Table2Row, Table3Rms, Table3Row};
 
+use pim_core::VehicleId;
 use published::Published;
 use staged::Staged;
 
@@ -123,14 +124,13 @@ impl Validation {
             cells.push((format!("Table 1, {}, {method}", row.geometry), &row.paper_rows));
         }
         for row in &self.table2 {
-            let pair = row.cells.iter().enumerate();
-            let place = |i| format!("Table 2, test {}, {:?}, vehicle {}", row.test, row.row, i + 1);
-            cells.extend(pair.map(|(i, cell)| (place(i), cell)));
+            let place = |id| format!("Table 2, test {}, {:?}, vehicle {id}", row.test, row.row);
+            cells.extend(VehicleId::ALL.map(place).into_iter().zip(&row.cells));
         }
         for row in &self.table3 {
             let degrees = row.turn / DEGREE;
-            let place = |i| format!("Table 3, test {}, {degrees:+.0}°, vehicle {}", row.test, i + 1);
-            cells.extend(row.cells.iter().enumerate().map(|(i, cell)| (place(i), cell)));
+            let place = |id| format!("Table 3, test {}, {degrees:+.0}°, vehicle {id}", row.test);
+            cells.extend(VehicleId::ALL.map(place).into_iter().zip(&row.cells));
         }
         for row in &self.table3_rms {
             let degrees = row.turn / DEGREE;

@@ -1,5 +1,6 @@
 //! What the papers print, read from `fixtures/ricsac/published.toml`, and the units it is printed in.
 
+use pim_core::VehicleId;
 use serde::Deserialize;
 
 use crate::Data;
@@ -96,17 +97,17 @@ pub(crate) struct Turned {
 #[serde(deny_unknown_fields)]
 pub(crate) struct TurnedErratum {
     pub(crate) turn: f64,
-    pub(crate) vehicles: Vec<usize>,
+    pub(crate) vehicles: Vec<u8>,
     pub(crate) printed: String,
     pub(crate) reason: String,
 }
 
 impl Table3 {
-    /// The misprint that was mended in the row of this turn (degrees) for this vehicle (0 or 1).
-    pub(crate) fn erratum(&self, turn: f64, vehicle: usize) -> Option<Erratum> {
+    /// The misprint that was mended in the row of this turn (degrees) for this vehicle.
+    pub(crate) fn erratum(&self, turn: f64, vehicle: VehicleId) -> Option<Erratum> {
         self.errata
             .iter()
-            .find(|erratum| erratum.turn == turn && erratum.vehicles.contains(&(vehicle + 1)))
+            .find(|erratum| erratum.turn == turn && erratum.vehicles.contains(&vehicle.number()))
             .map(|erratum| Erratum { printed: erratum.printed.clone(), reason: erratum.reason.clone() })
     }
 }

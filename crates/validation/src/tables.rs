@@ -1,5 +1,7 @@
 //! The tables of the paper, with our numbers beside the printed ones.
 
+use pim_core::VehicleId;
+
 use crate::claim::{Cell, Claim};
 use crate::error::ValidationError;
 use crate::published::{DEGREE, FOOT_PER_SECOND, FOOT_POUND, Published, speeds};
@@ -241,8 +243,9 @@ pub(crate) fn table3(staged: &Staged) -> Result<Vec<Table3Row>, ValidationError>
         let turn = turned.turn * DEGREE;
         let ours = staged.crash3(staged.implied, turn)?.corrected;
         let paper = speeds(turned.delta_v);
-        let cells = [0, 1].map(|i| {
-            Cell::claimed(ours[i], paper[i], tolerance).with_erratum(printed.erratum(turned.turn, i))
+        let cells = VehicleId::ALL.map(|id| {
+            Cell::claimed(ours[id.index()], paper[id.index()], tolerance)
+                .with_erratum(printed.erratum(turned.turn, id))
         });
         Ok(Table3Row { test, turn, cells })
     };

@@ -10,7 +10,7 @@ use inputs::{
     Axes, BrachTangential, Case, ContactPoint, Crush, GivenImpact, GivenVehicle, ImpactLaw, Mass, Quantity,
     Reconstruct, Restitution, StiffnessForm, StiffnessLine, Velocity, YawInertia,
 };
-use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2};
+use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2, VehicleId};
 use reconcile::{Problem, Unknown};
 
 use super::value;
@@ -168,25 +168,25 @@ impl Block {
 }
 
 /// Number of outputs of a reconstruction of two vehicles: with one more or fewer of them, the list in [`answer`] does not compile.
-const OUTPUTS: usize = Output::of_two_vehicles(1, Axes::ZUp).len();
+const OUTPUTS: usize = Output::of_two_vehicles(VehicleId::One, Axes::ZUp).len();
 
 /// Its outputs, in the order of [`Output::of_two_vehicles`]. A list, as a closure or a loop over it would not be inlined.
 #[inline(always)]
 fn answer(axes: Axes, central: &[f64; OUTPUTS], speed: f64, outcome: &Outcome) -> [f64; OUTPUTS] {
     [
-        value(Output::Speed { vehicle: 1 }, central[0], speed, outcome),
-        value(Output::DeltaV { vehicle: 1 }, central[1], speed, outcome),
-        value(Output::DeltaV { vehicle: 2 }, central[2], speed, outcome),
-        value(Output::Pdof { vehicle: 1 }, central[3], speed, outcome),
-        value(Output::Pdof { vehicle: 2 }, central[4], speed, outcome),
+        value(Output::Speed { vehicle: VehicleId::One }, central[0], speed, outcome),
+        value(Output::DeltaV { vehicle: VehicleId::One }, central[1], speed, outcome),
+        value(Output::DeltaV { vehicle: VehicleId::Two }, central[2], speed, outcome),
+        value(Output::Pdof { vehicle: VehicleId::One }, central[3], speed, outcome),
+        value(Output::Pdof { vehicle: VehicleId::Two }, central[4], speed, outcome),
         value(Output::ClosingSpeed, central[5], speed, outcome),
         value(Output::EnergyLoss, central[6], speed, outcome),
         value(Output::NormalWork, central[7], speed, outcome),
         value(Output::TangentialWork, central[8], speed, outcome),
-        value(Output::DeltaVLongitudinal { vehicle: 1 }, central[9], speed, outcome),
-        value(Output::DeltaVLateral { vehicle: 1, axes }, central[10], speed, outcome),
-        value(Output::DeltaVLongitudinal { vehicle: 2 }, central[11], speed, outcome),
-        value(Output::DeltaVLateral { vehicle: 2, axes }, central[12], speed, outcome),
+        value(Output::DeltaVLongitudinal { vehicle: VehicleId::One }, central[9], speed, outcome),
+        value(Output::DeltaVLateral { vehicle: VehicleId::One, axes }, central[10], speed, outcome),
+        value(Output::DeltaVLongitudinal { vehicle: VehicleId::Two }, central[11], speed, outcome),
+        value(Output::DeltaVLateral { vehicle: VehicleId::Two, axes }, central[12], speed, outcome),
     ]
 }
 

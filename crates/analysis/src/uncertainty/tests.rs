@@ -8,6 +8,7 @@ use ::uncertainty::{
 };
 use case::{CaseFile, to_toml};
 use inputs::{Amount, Bounds, Case, Range, Spread};
+use pim_core::VehicleId;
 use std::ops::ControlFlow;
 
 const UNCERTAIN: &str = include_str!("../../../../fixtures/sae-980025-uncertain.toml");
@@ -308,7 +309,9 @@ fn a_block_ignores_no_key() {
 /// Its outputs are those of the list by which a block is compiled.
 #[test]
 fn a_reconstruction_of_two_vehicles_has_the_outputs_of_a_block() {
-    for (text, found) in [(CERTAIN.to_owned(), 1), (cases_of_all_keys().swap_remove(1), 2)] {
+    for (text, found) in
+        [(CERTAIN.to_owned(), VehicleId::One), (cases_of_all_keys().swap_remove(1), VehicleId::Two)]
+    {
         let case = CaseFile::parse("case.toml", &text).unwrap().case;
         let axes = case.axes;
         assert_eq!(Output::of(&reconstruct(&case).unwrap(), axes), Output::of_two_vehicles(found, axes));

@@ -2,6 +2,7 @@
 
 use analysis::{Analysis, Kind, OutputQuantity, QUANTITIES, Values};
 use case::Case;
+use pim_core::VehicleId;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -73,28 +74,29 @@ const VEHICLE: [Text; 4] = [
 enum Column {
     /// What the JSON document has at this place.
     Place(String),
-    /// A quantity of the collision, or of the vehicle with this index.
-    Quantity(&'static OutputQuantity, usize),
+    /// A quantity of the collision, or of this vehicle.
+    Quantity(&'static OutputQuantity, Option<VehicleId>),
 }
 
 /// The columns before the last: names in SI units, and what stands in them. Every quantity has one.
 fn columns() -> Vec<(String, Column)> {
     let mut columns = Vec::new();
-    let mut add = |texts: &[Text], vehicle: Option<usize>| {
-        let prefix = vehicle.map_or_else(String::new, |i| format!("vehicle{}.", i + 1));
-        let number = vehicle.map_or_else(String::new, |i| (i + 1).to_string());
+    let mut add = |texts: &[Text], vehicle: Option<VehicleId>| {
+        let prefix = vehicle.map_or_else(String::new, |id| format!("vehicle{id}."));
+        let number = vehicle.map_or_else(String::new, |id| id.to_string());
         for quantity in QUANTITIES.iter().filter(|quantity| quantity.is_of_vehicle() == vehicle.is_some()) {
             for text in texts.iter().filter(|text| text.before == quantity.key) {
                 let place = text.place.replace('#', &number);
                 columns.push((format!("{prefix}{}", text.name), Column::Place(place)));
             }
             let name = format!("{prefix}{}{}", quantity.key, unit(quantity.kind));
-            columns.push((name, Column::Quantity(quantity, vehicle.unwrap_or_default())));
+            columns.push((name, Column::Quantity(quantity, vehicle)));
         }
     };
     add(&SHARED, None);
-    add(&VEHICLE, Some(0));
-    add(&VEHICLE, Some(1));
+    for id in VehicleId::ALL {
+        add(&VEHICLE, Some(id));
+    }
     columns
 }
 
@@ -170,10 +172,10 @@ pub fn csv_header(units: Units) -> Result<String, RowError> {
 pub fn csv_row(row: Row<'_>, units: Units) -> Result<String, RowError> {
     let value = value(row)?;
     let seen = row.answer.ok().map(|(case, analysis)| analysis.seen(case.axes));
-    let number = |name: &str, quantity: &OutputQuantity, vehicle: usize| {
+    let number = |name: &str, quantity: &OutputQuantity, vehicle: Option<VehicleId>| {
         let si = match quantity.values(seen.as_ref()?) {
             Values::Shared(value) => value,
-            Values::Pair(values) => values[vehicle],
+            Values::Pair(values) => values[vehicle?.index()],
         };
         Some(match (converted(name, units), si?) {
             (Some((_, _, unit)), si) => units.value(unit, si),

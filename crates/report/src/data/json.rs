@@ -2,6 +2,7 @@
 
 use analysis::{Analysis, CheckedQuantity, Impact, Seen, SeenWarning};
 use case::Case;
+use pim_core::VehicleId;
 use serde::Serialize;
 
 use crate::Units;
@@ -34,7 +35,7 @@ struct Document<'a> {
 struct CheckBlock {
     code: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    vehicle: Option<usize>,
+    vehicle: Option<u8>,
     value: f64,
     limit: f64,
     passed: bool,
@@ -44,7 +45,7 @@ struct CheckBlock {
 pub(crate) struct WarningBlock {
     code: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    vehicle: Option<usize>,
+    vehicle: Option<u8>,
     message: String,
 }
 
@@ -52,7 +53,7 @@ impl WarningBlock {
     pub(crate) fn new(seen: &SeenWarning) -> Self {
         let message = warnings::message(seen, Units::Si);
         let warning = seen.warning();
-        Self { code: warning.code(), vehicle: warning.vehicle(), message }
+        Self { code: warning.code(), vehicle: warning.vehicle().map(VehicleId::number), message }
     }
 
     /// Those of an analysis.
@@ -199,7 +200,7 @@ pub(crate) fn document<'a>(
     analysis: &Analysis,
 ) -> impl Serialize + use<'a> {
     let analysis = &analysis.seen(case.axes);
-    let [vehicle1, vehicle2] = [0, 1].map(|i| vehicle(case, analysis, i));
+    let [vehicle1, vehicle2] = VehicleId::ALL.map(|id| vehicle(case, analysis, id));
     Document {
         file,
         title: case.title.as_deref().unwrap_or_default(),
@@ -212,7 +213,7 @@ pub(crate) fn document<'a>(
             .map(|check| CheckBlock {
                 code: check.code(),
                 vehicle: match check.quantity {
-                    CheckedQuantity::Rotation { vehicle } => Some(vehicle),
+                    CheckedQuantity::Rotation { vehicle } => Some(vehicle.number()),
                     _ => None,
                 },
                 value: plain(check.value),
@@ -286,7 +287,8 @@ fn impact(case: &Case, impact: &Impact) -> ImpactBlock {
     }
 }
 
-fn vehicle(case: &Case, analysis: &Seen, i: usize) -> VehicleBlock {
+fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
+    let i = id.index();
     let fixed = case.vehicles[i].fixed;
     let impact = analysis.impact.as_ref().filter(|_| !fixed);
     let moves = impact.map(|impact| &impact.outcome);
@@ -296,7 +298,7 @@ fn vehicle(case: &Case, analysis: &Seen, i: usize) -> VehicleBlock {
     VehicleBlock {
         name: case.vehicles[i].name.clone(),
         fixed: fixed.then_some(true),
-        speed: moves.map(|_| plain(analysis.speed(i))),
+        speed: moves.map(|_| plain(analysis.speed(id))),
         velocity: moves.map(|outcome| plain_pair(outcome.before[i].velocity.into())),
         yaw_rate: moves.map(|outcome| plain(outcome.before[i].yaw_rate)),
         final_velocity: moves.map(|outcome| plain_pair(outcome.after[i].velocity.into())),

@@ -3,6 +3,7 @@
 use analysis::Sensitivity;
 use case::{Case, DamageData};
 use crash3::ObliqueCorrection;
+use pim_core::VehicleId;
 use serde::Serialize;
 
 use super::json::{OfMovable, WarningBlock, of_movable};
@@ -58,7 +59,7 @@ struct SweepBlock {
 /// # Errors
 /// Where serialisation fails, which no sensitivity causes.
 pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String, serde_json::Error> {
-    let paths = |key: &str, vehicles: Vec<usize>| -> Vec<String> {
+    let paths = |key: &str, vehicles: Vec<VehicleId>| -> Vec<String> {
         vehicles.into_iter().map(|vehicle| format!("vehicle{vehicle}.crush.{key}")).collect()
     };
     let document = Document {
@@ -96,12 +97,15 @@ pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String
     Ok(serde_json::to_string_pretty(&document)? + "\n")
 }
 
-/// The vehicles in the sweep, 1 or 2, of whose damage the file gives something.
-pub(crate) fn given_in_sweep(sensitivity: &Sensitivity, given: fn(&DamageData) -> Option<f64>) -> Vec<usize> {
+/// The vehicles in the sweep of whose damage the file gives something.
+pub(crate) fn given_in_sweep(
+    sensitivity: &Sensitivity,
+    given: fn(&DamageData) -> Option<f64>,
+) -> Vec<VehicleId> {
     if sensitivity.pdof_sweep.is_empty() {
         return Vec::new();
     }
-    let vehicles = (1..).zip(&sensitivity.nominal.vehicles);
+    let vehicles = VehicleId::ALL.into_iter().zip(&sensitivity.nominal.vehicles);
     vehicles
         .filter(|(_, vehicle)| vehicle.subject.damage.as_ref().is_some_and(|damage| given(damage).is_some()))
         .map(|(vehicle, _)| vehicle)

@@ -3,6 +3,7 @@
 use ::drawing::{DamagePicture, DamagedVehicle};
 use analysis::{Analysis, Damage};
 use case::Case;
+use pim_core::VehicleId;
 
 use super::vehicle::{Body, Outline, Profile, profile};
 use super::{DrawingError, scale_unit, title};
@@ -16,14 +17,15 @@ const LISTED: usize = 50;
 const BEYOND: f64 = 0.1;
 
 pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<DamagePicture, DrawingError> {
-    let vehicles = [0, 1].map(|i| {
+    let vehicles = VehicleId::ALL.map(|id| {
+        let i = id.index();
         let vehicle = &analysis.vehicles[i];
         let damage = vehicle.damage.as_ref()?;
         let body = Body::of(vehicle)?;
         let profile = profile(case, vehicle, &body, damage, i)?;
         let name = case.vehicles[i].name.as_deref().map(|name| format!(" · {name}")).unwrap_or_default();
         Some(DamagedVehicle {
-            name: format!("Vehicle {}{name}", i + 1),
+            name: format!("Vehicle {id}{name}"),
             caption: caption(&case.vehicles[i], &body, &profile, damage, units),
             footprint: body.footprint(),
             face: profile.face,

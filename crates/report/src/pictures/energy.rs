@@ -3,6 +3,7 @@
 use ::drawing::{EnergyBar, EnergyPicture, Loss, number};
 use analysis::Analysis;
 use case::Case;
+use pim_core::VehicleId;
 
 use super::{DrawingError, Subject, title};
 use crate::Units;
@@ -32,10 +33,11 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
     // on the basis `dissipated`: there alone it is the crush energy.
     if total > 0.0 {
         let work = if is_crush(total, energy.normal_work) { "crush of" } else { "normal work," };
-        for (i, loss) in [Loss::Vehicle1, Loss::Vehicle2].into_iter().enumerate() {
-            if crush[i] > 0.0 {
-                let name = format!("{work} vehicle {}", i + 1);
-                losses.push((loss, bar(&name, energy.normal_work * crush[i] / total)));
+        for (id, loss) in VehicleId::ALL.into_iter().zip([Loss::Vehicle1, Loss::Vehicle2]) {
+            let crush = crush[id.index()];
+            if crush > 0.0 {
+                let name = format!("{work} vehicle {id}");
+                losses.push((loss, bar(&name, energy.normal_work * crush / total)));
             }
         }
     } else {

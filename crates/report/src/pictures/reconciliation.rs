@@ -19,7 +19,7 @@ pub(super) fn picture(
 ) -> Result<ReconciliationPicture, DrawingError> {
     let found = analysis.found.as_ref().ok_or(DrawingError::NoReconciliation)?;
     let curve = work_curve(&file.case, found, SAMPLES)?;
-    let vehicle = found.unknown.index() + 1;
+    let vehicle = found.unknown.vehicle();
     let axis = |what: &str, quantity: Quantity| Axis {
         title: format!("{what} ({})", units.name(quantity)),
         unit: units.size(quantity),

@@ -3,7 +3,7 @@
 use ::drawing::{SceneArrow, SceneMotion, ScenePicture, SceneVehicle};
 use analysis::{Analysis, Impact};
 use case::{Axes, Case};
-use pim_core::{Real, Vector2};
+use pim_core::{Real, Vector2, VehicleId};
 
 use super::vehicle::{Body, Outline};
 use super::{DrawingError, Subject, scale_unit, title};
@@ -19,7 +19,7 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
         title: title(case),
         description: description(case, analysis.seen(case.axes).impact.as_ref().unwrap_or(impact), units),
         is_z_down: case.axes == Axes::ZDown,
-        vehicles: [0, 1].map(|i| vehicle(case, analysis, impact, i, units)),
+        vehicles: VehicleId::ALL.map(|id| vehicle(case, analysis, impact, id, units)),
         normal: impact.contact.normal().into(),
         impulse: SceneArrow { vector: outcome.impulse_vector.into(), label: format!("P {impulse}") },
         length: scale_unit(units, Quantity::Length),
@@ -27,23 +27,21 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
     })
 }
 
-fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, i: usize, units: Units) -> SceneVehicle {
+fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, id: VehicleId, units: Units) -> SceneVehicle {
+    let i = id.index();
     let participant = &impact.contact.participants()[i];
     let body = Body::of(&analysis.vehicles[i]);
     let is_fixed = participant.body().is_fixed();
-    let number = i + 1;
     let name = match (case.vehicles[i].name.as_deref(), is_fixed) {
-        (Some(name), _) => format!("{number} · {name}"),
-        (None, true) => format!("{number} · fixed object"),
-        (None, false) => format!("vehicle {number}"),
+        (Some(name), _) => format!("{id} · {name}"),
+        (None, true) => format!("{id} · fixed object"),
+        (None, false) => format!("vehicle {id}"),
     };
     let legend = match (body.map(|body| body.outline), is_fixed) {
-        (Some(Outline::Given), _) => Some(format!("outline {number}, as given")),
-        (Some(Outline::OfClass(class)), _) => Some(format!("outline {number}: CRASH3 class {class}")),
-        (Some(Outline::Nearest(class)), _) => {
-            Some(format!("outline {number}: CRASH3 class {class}, assumed"))
-        }
-        (None, true) => Some(format!("{number}: fixed object, extent not known")),
+        (Some(Outline::Given), _) => Some(format!("outline {id}, as given")),
+        (Some(Outline::OfClass(class)), _) => Some(format!("outline {id}: CRASH3 class {class}")),
+        (Some(Outline::Nearest(class)), _) => Some(format!("outline {id}: CRASH3 class {class}, assumed")),
+        (None, true) => Some(format!("{id}: fixed object, extent not known")),
         (None, false) => None,
     };
     SceneVehicle {
@@ -84,18 +82,18 @@ fn length(vector: Vector2<f64>) -> f64 {
 fn description(case: &Case, impact: &Impact, units: Units) -> String {
     let outcome = &impact.outcome;
     let mut sentences = vec!["Both vehicles from above at the moment of impact, to scale.".to_owned()];
-    for i in [0, 1] {
+    for id in VehicleId::ALL {
+        let i = id.index();
         let vehicle = &case.vehicles[i];
         let name = vehicle.name.clone().map(|name| format!(", {name},")).unwrap_or_default();
         if vehicle.fixed {
-            sentences.push(format!("Vehicle {}{name} is a fixed object.", i + 1));
+            sentences.push(format!("Vehicle {id}{name} is a fixed object."));
             continue;
         }
         let heading = vehicle.heading.as_ref().map_or(0.0, case::Quantity::si);
         sentences.push(format!(
-            "Vehicle {}{name} heads {} {} from the x axis of the scene; its velocity is {} before and {} after the impact; the force on it \
+            "Vehicle {id}{name} heads {} {} from the x axis of the scene; its velocity is {} before and {} after the impact; the force on it \
              comes from {} clockwise of its heading.",
-            i + 1,
             units.format(Quantity::Angle, heading),
             axes::sense(case.axes),
             units.format_vector(Quantity::RoadSpeed, outcome.before[i].velocity.into()),

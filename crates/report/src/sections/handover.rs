@@ -6,6 +6,7 @@ use ::drawing::Drawing;
 use analysis::{Analysis, Found, Impact, Seen};
 use case::{Axes, CaseFile};
 use crash3::EnergyBasis;
+use pim_core::VehicleId;
 use sha2::{Digest as _, Sha256};
 
 use super::chosen::{Chosen, both_speeds};
@@ -129,7 +130,7 @@ fn answer(analysis: &Analysis, units: Units) -> String {
     let found = |found: &Found| {
         format!(
             "Speed of vehicle {} before impact: {}.",
-            found.unknown.index() + 1,
+            found.unknown.vehicle(),
             both_speeds(units, found.speed)
         )
     };
@@ -171,7 +172,7 @@ fn method(analysis: &Analysis, axes: Axes) -> Vec<String> {
         paragraphs.push(format!(
             "The crush energy of both vehicles follows from their damage by the CRASH3 algorithm. Planar impact mechanics gives the work of the normal impulse \
              for any speed of vehicle {}. The speed at which that work {agreement} was found {way}; {roots}. {basis}",
-            found.unknown.index() + 1
+            found.unknown.vehicle()
         ));
     } else if analysis.impact.is_some() {
         paragraphs.push(
@@ -236,7 +237,9 @@ fn energy_balance(analysis: &Seen, impact: &Impact, units: Units) -> Table {
 fn crash3(analysis: &Seen, units: Units) -> Option<Table> {
     let crash3 = analysis.crash3.as_ref()?;
     let mut table = of_vehicles("ΔV by impact mechanics and by CRASH3");
-    let pair = |values: [f64; 2]| [0, 1].map(|i| analysis.moves(i).then(|| both_speeds(units, values[i])));
+    let pair = |values: [f64; 2]| {
+        VehicleId::ALL.map(|id| analysis.moves(id).then(|| both_speeds(units, values[id.index()])))
+    };
     if let Some(impact) = &analysis.impact {
         table.pair("planar impact mechanics", pair(impact.outcome.delta_v_magnitude()), "theory 2");
     }
@@ -274,11 +277,10 @@ fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String
             "Crush: the force per width grows linearly with the residual crush, and the profile is straight between its stations.".to_owned(),
         );
     }
-    for (i, vehicle) in analysis.vehicles.iter().enumerate() {
+    for (id, vehicle) in VehicleId::ALL.into_iter().zip(&analysis.vehicles) {
         if let Some(damage) = &vehicle.subject.damage {
             assumptions.push(format!(
-                "Stiffness of vehicle {}: {}.",
-                i + 1,
+                "Stiffness of vehicle {id}: {}.",
                 words::stiffness_source_and_doubt(damage.stiffness_source, damage.side)
             ));
         }

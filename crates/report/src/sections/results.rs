@@ -3,7 +3,7 @@
 use analysis::{Analysis, Crash3, Damage, Found, Impact, Seen};
 use case::{Axes, Case, Pdof, Velocity, YawSource};
 use crash3::{EnergyBasis, SideStiffness, Stiffness};
-use pim_core::{Outcome, Regime};
+use pim_core::{Outcome, Regime, VehicleId};
 
 use super::chosen::{Chosen, both_speeds, label};
 use crate::document::{Block, Document, Table};
@@ -51,7 +51,7 @@ const SOURCED: [&str; 3] = ["vehicle 1", "vehicle 2", "source"];
 
 impl Page {
     fn found(&mut self, found: &Found, basis: EnergyBasis) {
-        let vehicle = found.unknown.index() + 1;
+        let vehicle = found.unknown.vehicle();
         let units = self.units;
         let energy = |si: f64| units.format(Quantity::Energy, si);
         let work = match basis {
@@ -202,12 +202,12 @@ impl Page {
     fn shared_inputs(&mut self, case: &Case, analysis: &Seen) {
         let units = self.units;
         let mut profiles = Vec::new();
-        for (i, vehicle) in analysis.vehicles.iter().enumerate() {
+        for (id, vehicle) in VehicleId::ALL.into_iter().zip(&analysis.vehicles) {
             if let Some(damage) = &vehicle.damage
                 && damage.inferred.is_none()
             {
                 let depths = units.format_all(Quantity::Crush, &damage.depths);
-                profiles.push((format!("crush depths, vehicle {}", i + 1), depths));
+                profiles.push((format!("crush depths, vehicle {id}"), depths));
             }
         }
         let heading = match (profiles.is_empty(), case.impact.is_some()) {
@@ -261,7 +261,7 @@ impl Page {
         if let Some(doubt) = doubt {
             table.notes.push(format!("{doubt}."));
         }
-        for (i, damage) in damage.into_iter().enumerate() {
+        for (id, damage) in VehicleId::ALL.into_iter().zip(damage) {
             let Some(SideStiffness::Zones(zones)) = damage.map(|damage| &damage.structure) else { continue };
             for (label, quantity, of) in coefficients {
                 if zones.iter().any(|zone| of(zone).is_some()) {
@@ -269,7 +269,7 @@ impl Page {
                         .iter()
                         .map(|zone| of(zone).map_or_else(|| "–".to_owned(), |si| units.format(quantity, si)))
                         .collect();
-                    table.notes.push(format!("{label} by zone, vehicle {}: {}", i + 1, values.join(", ")));
+                    table.notes.push(format!("{label} by zone, vehicle {id}: {}", values.join(", ")));
                 }
             }
         }

@@ -3,6 +3,7 @@
 use analysis::{Derivative, Sensitivity, SweepRow};
 use case::{Axes, Case};
 use crash3::ObliqueCorrection;
+use pim_core::VehicleId;
 
 use super::chosen::or_none;
 use crate::data::sensitivity::given_in_sweep;
@@ -143,7 +144,7 @@ fn on_the_sweep(sensitivity: &Sensitivity, axes: Axes) -> String {
         Axes::ZUp => "positive counter-clockwise as in Table 3 of SAE 980025",
         Axes::ZDown => "positive clockwise, against the sense of Table 3 of SAE 980025",
     };
-    let of = |vehicles: &[usize]| match vehicles {
+    let of = |vehicles: &[VehicleId]| match vehicles {
         [vehicle] => format!("of vehicle {vehicle}"),
         _ => "of both vehicles".to_owned(),
     };

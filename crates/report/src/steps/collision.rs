@@ -8,6 +8,7 @@ mod speed;
 
 use analysis::{Impact, Seen};
 use case::Case;
+use pim_core::VehicleId;
 
 use super::{StepGroup, group};
 
@@ -29,7 +30,10 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
         analysis,
         impact,
         gamma: impact.contact.normal_angle(),
-        inertia: [0, 1].map(|i| analysis.vehicles[i].subject.inertia.map(|v| (v.mass, v.yaw_inertia))),
+        inertia: analysis
+            .vehicles
+            .each_ref()
+            .map(|vehicle| vehicle.subject.inertia.map(|v| (v.mass, v.yaw_inertia))),
     };
     vec![
         group("Geometry", collision.geometry()),
@@ -38,30 +42,31 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
         group("Approach", collision.approach()),
         group("Impulse", collision.impulse()),
         group("Impulse in the scene", collision.impulse_in_scene()),
-        group("Motion of vehicle 1 after impact", collision.motion(0)),
-        group("Motion of vehicle 2 after impact", collision.motion(1)),
+        group("Motion of vehicle 1 after impact", collision.motion(VehicleId::One)),
+        group("Motion of vehicle 2 after impact", collision.motion(VehicleId::Two)),
         group("Energy balance", collision.energy()),
     ]
 }
 
 impl Collision<'_> {
-    fn moving(&self) -> impl Iterator<Item = (usize, f64, f64)> {
-        self.inertia.iter().enumerate().filter_map(|(i, v)| v.map(|(m, inertia)| (i, m, inertia)))
+    fn moving(&self) -> impl Iterator<Item = (VehicleId, f64, f64)> {
+        let vehicles = VehicleId::ALL.into_iter().zip(self.inertia);
+        vehicles.filter_map(|(k, v)| v.map(|(m, inertia)| (k, m, inertia)))
     }
 
     /// (rad)
-    fn heading(&self, i: usize) -> f64 {
-        self.case.vehicles[i].heading.as_ref().map_or(0.0, case::Quantity::si)
+    fn heading(&self, k: VehicleId) -> f64 {
+        self.case.vehicles[k.index()].heading.as_ref().map_or(0.0, case::Quantity::si)
     }
 
     /// A sum over the vehicles that can move, in symbols and in numbers.
     fn sum(
         &self,
-        symbols: &dyn Fn(usize) -> String,
-        numbers: &dyn Fn(usize, f64, f64) -> String,
+        symbols: &dyn Fn(VehicleId) -> String,
+        numbers: &dyn Fn(VehicleId, f64, f64) -> String,
     ) -> (String, String) {
-        let formula: Vec<String> = self.moving().map(|(i, ..)| symbols(i + 1)).collect();
-        let substitution: Vec<String> = self.moving().map(|(i, m, inertia)| numbers(i, m, inertia)).collect();
+        let formula: Vec<String> = self.moving().map(|(k, ..)| symbols(k)).collect();
+        let substitution: Vec<String> = self.moving().map(|(k, m, inertia)| numbers(k, m, inertia)).collect();
         (formula.join(" + "), substitution.join(" + "))
     }
 }

@@ -6,20 +6,21 @@ mod velocity_changes;
 use analysis::{Damage, Seen, Vehicle};
 use case::Case;
 use crash3::ObliqueCorrection;
+use pim_core::VehicleId;
 
 use super::{Step, StepGroup, angle, given, group, n, step};
 
 pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     let mut groups = Vec::new();
-    for (i, vehicle) in analysis.vehicles.iter().enumerate() {
+    for (i, vehicle) in VehicleId::ALL.into_iter().zip(&analysis.vehicles) {
         if let Some(damage) = &vehicle.damage {
             let correction =
                 vehicle.subject.damage.as_ref().map(|given| (given.correction, given.side.square_pdof()));
             let mut steps = Vec::new();
-            steps.extend(pdof_of_file(vehicle, analysis.impact.is_some(), i + 1));
-            let pdof = pdof_symbol(vehicle, i + 1);
-            steps.extend(oblique(vehicle, damage, correction, &pdof, i + 1));
-            groups.push(group(format!("CRASH3: oblique force on vehicle {}", i + 1), steps));
+            steps.extend(pdof_of_file(vehicle, analysis.impact.is_some(), i));
+            let pdof = pdof_symbol(vehicle, i);
+            steps.extend(oblique(vehicle, damage, correction, &pdof, i));
+            groups.push(group(format!("CRASH3: oblique force on vehicle {i}"), steps));
         }
     }
     groups.push(group("CRASH3: velocity changes", velocity_changes::steps(analysis, case.axes)));
@@ -27,7 +28,7 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
 }
 
 /// The symbol of the PDOF that CRASH3 uses: that of the impulse has one of its own, above.
-fn pdof_symbol(vehicle: &Vehicle, i: usize) -> String {
+fn pdof_symbol(vehicle: &Vehicle, i: VehicleId) -> String {
     match vehicle.subject.damage.as_ref().filter(|given| given.pdof.is_some()) {
         Some(given) if given.pdof_follows => format!("PDOF_opposite,{i}"),
         Some(_) => format!("PDOF_given,{i}"),
@@ -36,7 +37,7 @@ fn pdof_symbol(vehicle: &Vehicle, i: usize) -> String {
 }
 
 /// The PDOF that the file gives for the vehicle or, by that of the other, for the force opposite to it.
-fn pdof_of_file(vehicle: &Vehicle, has_impulse: bool, i: usize) -> Option<Step> {
+fn pdof_of_file(vehicle: &Vehicle, has_impulse: bool, i: VehicleId) -> Option<Step> {
     let written = vehicle.subject.damage.as_ref()?;
     let (what, source) = if written.pdof_follows {
         ("opposite to the given force on the other vehicle", "theory 5")
@@ -53,7 +54,7 @@ fn oblique(
     damage: &Damage,
     correction: Option<(ObliqueCorrection, f64)>,
     pdof_symbol: &str,
-    i: usize,
+    i: VehicleId,
 ) -> Vec<Step> {
     let mut steps = vec![oblique_angle(damage, correction.map(|(_, square)| square), pdof_symbol, i)];
     let Some(oblique) = &damage.oblique else { return steps };
@@ -87,7 +88,7 @@ fn oblique(
 }
 
 /// α, from the PDOF where it follows from that; `square` is the PDOF of a square hit.
-fn oblique_angle(damage: &Damage, square: Option<f64>, pdof_symbol: &str, i: usize) -> Step {
+fn oblique_angle(damage: &Damage, square: Option<f64>, pdof_symbol: &str, i: VehicleId) -> Step {
     let alpha = damage.oblique_angle;
     let name = format!("angle of the force to the normal of the damaged side, vehicle {i}");
     match (damage.pdof, square) {
@@ -109,7 +110,7 @@ fn factor(
     damage: &Damage,
     correction: Option<ObliqueCorrection>,
     is_capped: bool,
-    i: usize,
+    i: VehicleId,
 ) -> (String, String) {
     let alpha = angle(damage.oblique_angle);
     let tangent = format!("tan{alpha}");

@@ -10,18 +10,16 @@ pub(super) use profile::share_below;
 use analysis::{Damage, Seen, Vehicle};
 use case::{Case, Crush, Evidence};
 use crash3::{EnergyBasis, Profile, SideStiffness, Yielding};
+use pim_core::VehicleId;
 
 use super::{Step, StepGroup, group, n, p, step};
 use crate::words;
 
 pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     let mut groups = Vec::new();
-    for (i, vehicle) in analysis.vehicles.iter().enumerate() {
-        if let (Some(damage), Some(crush)) = (&vehicle.damage, &case.vehicles[i].crush) {
-            groups.push(group(
-                format!("Crush energy of vehicle {}", i + 1),
-                energy(vehicle, damage, crush, i + 1),
-            ));
+    for (i, vehicle) in VehicleId::ALL.into_iter().zip(&analysis.vehicles) {
+        if let (Some(damage), Some(crush)) = (&vehicle.damage, &case.vehicles[i.index()].crush) {
+            groups.push(group(format!("Crush energy of vehicle {i}"), energy(vehicle, damage, crush, i)));
         }
     }
     groups.push(group("Energy sought", sought(analysis)));
@@ -36,7 +34,7 @@ pub(super) fn measured(vehicle: &Vehicle) -> Option<&Profile> {
     }
 }
 
-fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: usize) -> Vec<Step> {
+fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: VehicleId) -> Vec<Step> {
     let mut steps = stiffness::steps(&damage.structure, &crush.stiffness, i);
     if let (Some(inferred), SideStiffness::Uniform(stiffness)) = (&damage.inferred, &damage.structure) {
         steps.extend(inferred::steps(damage, inferred, stiffness, i));
@@ -62,7 +60,7 @@ fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: usize) -> Vec<St
 }
 
 /// The speeds that stand for energies: b_0 where the stiffness is the same all along, and EES.
-fn speeds(vehicle: &Vehicle, damage: &Damage, i: usize) -> Vec<Step> {
+fn speeds(vehicle: &Vehicle, damage: &Damage, i: VehicleId) -> Vec<Step> {
     let Some(inertia) = vehicle.subject.inertia else { return Vec::new() };
     let mut steps = Vec::new();
     if let (SideStiffness::Uniform(stiffness), Some(speed)) = (&damage.structure, vehicle.no_damage_speed()) {
@@ -95,7 +93,8 @@ fn speeds(vehicle: &Vehicle, damage: &Damage, i: usize) -> Vec<Step> {
 
 /// The sum over the vehicles that have damage.
 pub(super) fn total(analysis: &Seen, crush_energy: f64, source: &'static str) -> Step {
-    let (symbols, numbers): (Vec<String>, Vec<String>) = (1..)
+    let (symbols, numbers): (Vec<String>, Vec<String>) = VehicleId::ALL
+        .into_iter()
         .zip(&analysis.vehicles)
         .filter_map(|(i, vehicle)| vehicle.damage.as_ref().map(|damage| (i, damage)))
         .map(|(i, damage)| (format!("E_{i}"), n(damage.crush_energy, "J")))

@@ -2,16 +2,15 @@
 
 use analysis::{Seen, Vehicle};
 use case::{Case, Mass, Quantity, STANDARD_GRAVITY, YawInertia, YawSource};
+use pim_core::VehicleId;
 
 use super::{Step, StepGroup, given, group, n, p, step};
 
 pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
-    let steps = case
-        .vehicles
-        .iter()
-        .zip(&analysis.vehicles)
-        .enumerate()
-        .flat_map(|(i, (given, vehicle))| of_vehicle(given, vehicle, i + 1))
+    let steps = VehicleId::ALL
+        .into_iter()
+        .zip(case.vehicles.iter().zip(&analysis.vehicles))
+        .flat_map(|(k, (given, vehicle))| of_vehicle(given, vehicle, k))
         .collect();
     vec![group("Mass and yaw inertia", steps)]
 }
@@ -54,7 +53,7 @@ pub(super) fn mass(written: &Mass, name: String, of: &str) -> Step {
     }
 }
 
-fn of_vehicle(written: &case::GivenVehicle, vehicle: &Vehicle, k: usize) -> Vec<Step> {
+fn of_vehicle(written: &case::GivenVehicle, vehicle: &Vehicle, k: VehicleId) -> Vec<Step> {
     let (Some(inertia), Some(written_mass)) = (vehicle.subject.inertia, &written.mass) else {
         return Vec::new();
     };

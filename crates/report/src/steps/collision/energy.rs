@@ -40,7 +40,7 @@ impl Collision<'_> {
         let (formula, numbers) = self.sum(
             &|i| format!("½ m_{i} ({v}_{i}x² + {v}_{i}y²) + ½ I_{i} {w}_{i}²"),
             &|i, m, inertia| {
-                let motion = motions[i];
+                let motion = motions[i.index()];
                 format!(
                     "½ · {} · ({}² + {}²) + ½ · {} · {}²",
                     n(m, "kg"),

@@ -1,6 +1,7 @@
 //! Where the vehicles touch, and the inverse mass that C feels.
 
 use case::{ContactPoint, Quantity};
+use pim_core::VehicleId;
 
 use super::super::{Step, angle, digits, given, n, p, step};
 use super::Collision;
@@ -22,12 +23,12 @@ impl Collision<'_> {
             direction.name.push_str(" (the file's crush plane, turned by 180°)");
         }
         let mut steps = vec![direction];
-        for (i, vehicle) in self.case.vehicles.iter().enumerate() {
+        for (k, vehicle) in VehicleId::ALL.into_iter().zip(&self.case.vehicles) {
             let Some(contact) = &vehicle.contact else { continue };
             if let ContactPoint::Polar { distance, angle } = contact {
-                steps.extend(self.contact_point(i, distance, angle, contact.xy()));
+                steps.extend(self.contact_point(k, distance, angle, contact.xy()));
             }
-            steps.extend(self.arm(i, contact.xy()));
+            steps.extend(self.arm(k, contact.xy()));
         }
         steps
     }
@@ -35,12 +36,12 @@ impl Collision<'_> {
     /// The contact point of a vehicle in its own axes, from its polar form.
     fn contact_point(
         &self,
-        i: usize,
+        k: VehicleId,
         distance: &Quantity,
         phi: &Quantity,
         [forward, aside]: [f64; 2],
     ) -> [Step; 2] {
-        let (k, d, phi) = (i + 1, n(distance.si(), "m"), angle(phi.si()));
+        let (d, phi) = (n(distance.si(), "m"), angle(phi.si()));
         [
             step(
                 format!("contact point forward of CG {k}"),
@@ -64,10 +65,10 @@ impl Collision<'_> {
     }
 
     /// The arm of a vehicle along n and t, from its contact point in its own axes.
-    fn arm(&self, i: usize, [forward, aside]: [f64; 2]) -> [Step; 2] {
-        let (k, arm) = (i + 1, self.impact.contact.arms()[i]);
+    fn arm(&self, k: VehicleId, [forward, aside]: [f64; 2]) -> [Step; 2] {
+        let arm = self.impact.contact.arms()[k.index()];
         let (x, y) = (n(forward, "m"), n(aside, "m"));
-        let turn = format!("({}\u{a0}° − {})", digits(self.heading(i).to_degrees()), angle(self.gamma));
+        let turn = format!("({}\u{a0}° − {})", digits(self.heading(k).to_degrees()), angle(self.gamma));
         [
             step(
                 format!("arm of vehicle {k} along n"),
@@ -118,14 +119,14 @@ impl Collision<'_> {
     fn translation(&self) -> [Entry; 3] {
         let (k, arms) = (self.impact.contact.inverse_mass(), self.impact.contact.arms());
         let nn = self.sum(&|i| format!("1/m_{i} + r_{i}t²/I_{i}"), &|i, m, inertia| {
-            format!("1 / {} + {}² / {}", n(m, "kg"), p(arms[i].tangential, "m"), n(inertia, "kg·m²"))
+            format!("1 / {} + {}² / {}", n(m, "kg"), p(arms[i.index()].tangential, "m"), n(inertia, "kg·m²"))
         });
         let nt = self.sum(&|i| format!("(−r_{i}n r_{i}t)/I_{i}"), &|i, _, inertia| {
-            let arm = arms[i];
+            let arm = arms[i.index()];
             format!("(−{} · {}) / {}", p(arm.normal, "m"), n(arm.tangential, "m"), n(inertia, "kg·m²"))
         });
         let tt = self.sum(&|i| format!("1/m_{i} + r_{i}n²/I_{i}"), &|i, m, inertia| {
-            format!("1 / {} + {}² / {}", n(m, "kg"), p(arms[i].normal, "m"), n(inertia, "kg·m²"))
+            format!("1 / {} + {}² / {}", n(m, "kg"), p(arms[i.index()].normal, "m"), n(inertia, "kg·m²"))
         });
         [("k_nn", nn, k.nn, "1/kg"), ("k_nt", nt, k.nt, "1/kg"), ("k_tt", tt, k.tt, "1/kg")]
     }
@@ -134,10 +135,10 @@ impl Collision<'_> {
     fn rotation(&self) -> [Entry; 2] {
         let (k, arms) = (self.impact.contact.inverse_mass(), self.impact.contact.arms());
         let nm = self.sum(&|i| format!("(−r_{i}t)/I_{i}"), &|i, _, inertia| {
-            format!("(−{}) / {}", p(arms[i].tangential, "m"), n(inertia, "kg·m²"))
+            format!("(−{}) / {}", p(arms[i.index()].tangential, "m"), n(inertia, "kg·m²"))
         });
         let tm = self.sum(&|i| format!("r_{i}n/I_{i}"), &|i, _, inertia| {
-            format!("{} / {}", n(arms[i].normal, "m"), n(inertia, "kg·m²"))
+            format!("{} / {}", n(arms[i.index()].normal, "m"), n(inertia, "kg·m²"))
         });
         [("k_nm", nm, k.nm, "1/(kg·m)"), ("k_tm", tm, k.tm, "1/(kg·m)")]
     }

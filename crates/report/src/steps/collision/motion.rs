@@ -1,7 +1,7 @@
 //! How the vehicles move before and after the impact.
 
 use case::{Axes, Velocity};
-use pim_core::Motion;
+use pim_core::{Motion, VehicleId};
 
 use super::super::{Step, angle, given, n, p, step};
 use super::Collision;
@@ -10,7 +10,7 @@ impl Collision<'_> {
     pub(super) fn approach(&self) -> Vec<Step> {
         let outcome = &self.impact.outcome;
         let u = outcome.approach;
-        let mut steps: Vec<Step> = self.moving().flat_map(|(i, ..)| self.before(i)).collect();
+        let mut steps: Vec<Step> = self.moving().flat_map(|(k, ..)| self.before(k)).collect();
         for (axis, value) in [("n", u.normal), ("t", u.tangential)] {
             let (formula, numbers) = self.relative(axis, &outcome.before);
             let name = format!("relative velocity at C along {axis}");
@@ -20,14 +20,14 @@ impl Collision<'_> {
     }
 
     /// The motion of a vehicle before the impact.
-    fn before(&self, i: usize) -> Vec<Step> {
-        let (k, before) = (i + 1, self.impact.outcome.before[i]);
-        let speed = match (self.analysis.found.as_ref(), &self.case.vehicles[i].motion) {
-            (Some(found), _) if found.unknown.index() == i => Some(found.speed),
+    fn before(&self, k: VehicleId) -> Vec<Step> {
+        let before = self.impact.outcome.before[k.index()];
+        let speed = match (self.analysis.found.as_ref(), &self.case.vehicles[k.index()].motion) {
+            (Some(found), _) if found.unknown.vehicle() == k => Some(found.speed),
             (_, Some(Velocity::Speed(speed))) => Some(speed.si()),
             _ => None,
         };
-        let theta = angle(self.heading(i));
+        let theta = angle(self.heading(k));
         let mut steps = Vec::new();
         for (axis, function, value) in [("x", "cos", before.velocity.x), ("y", "sin", before.velocity.y)] {
             let (name, symbol) = (format!("velocity of vehicle {k} along {axis}"), format!("v_{k}{axis}"));
@@ -55,25 +55,26 @@ impl Collision<'_> {
     pub(super) fn relative(&self, axis: &str, motions: &[Motion; 2]) -> (String, String) {
         let (gamma, arms) = (angle(self.gamma), self.impact.contact.arms());
         let (mut formula, mut numbers) = (String::new(), String::new());
-        for (i, ..) in self.moving() {
-            let (k, v, omega) = (i + 1, motions[i].velocity, motions[i].yaw_rate);
+        for (k, ..) in self.moving() {
+            let (motion, arm) = (motions[k.index()], arms[k.index()]);
+            let (v, omega) = (motion.velocity, motion.yaw_rate);
             let (x, y) = (n(v.x, "m/s"), n(v.y, "m/s"));
             let (symbols, along, turning) = match axis {
                 "n" => (
                     format!("(v_{k}x cos Γ + v_{k}y sin Γ − ω_{k} r_{k}t)"),
                     format!("{x} · cos{gamma} + {y} · sin{gamma}"),
-                    format!(" − {} · {}", n(omega, "rad/s"), n(arms[i].tangential, "m")),
+                    format!(" − {} · {}", n(omega, "rad/s"), n(arm.tangential, "m")),
                 ),
                 _ => (
                     format!("(v_{k}y cos Γ − v_{k}x sin Γ + ω_{k} r_{k}n)"),
                     format!("{y} · cos{gamma} − {x} · sin{gamma}"),
-                    format!(" + {} · {}", n(omega, "rad/s"), n(arms[i].normal, "m")),
+                    format!(" + {} · {}", n(omega, "rad/s"), n(arm.normal, "m")),
                 ),
             };
             let turning = if omega == 0.0 { "" } else { &turning };
             // u is vehicle 1 relative to vehicle 2.
-            let lead = match (i, numbers.is_empty()) {
-                (0, _) => "",
+            let lead = match (k, numbers.is_empty()) {
+                (VehicleId::One, _) => "",
                 (_, true) => "−",
                 (_, false) => " − ",
             };
@@ -84,31 +85,34 @@ impl Collision<'_> {
     }
 
     /// The motion of a vehicle after the impact, its ΔV and PDOF; nothing of a fixed object.
-    pub(super) fn motion(&self, i: usize) -> Vec<Step> {
-        let Some((mass, inertia)) = self.inertia[i] else { return Vec::new() };
-        let mut steps = self.velocity_after(i, mass).to_vec();
-        steps.push(self.yaw_rate_after(i, inertia));
-        let (k, vector) = (i + 1, self.impact.outcome.impulse_vector);
+    pub(super) fn motion(&self, k: VehicleId) -> Vec<Step> {
+        let Some((mass, inertia)) = self.inertia[k.index()] else { return Vec::new() };
+        let mut steps = self.velocity_after(k, mass).to_vec();
+        steps.push(self.yaw_rate_after(k, inertia));
+        let vector = self.impact.outcome.impulse_vector;
         steps.push(step(
             format!("velocity change of vehicle {k}"),
             format!("ΔV_{k}"),
             format!("√(P_x² + P_y²)/m_{k}"),
             format!("√({}² + {}²) / {}", p(vector.x, "N·s"), p(vector.y, "N·s"), n(mass, "kg")),
-            self.impact.outcome.delta_v_magnitude()[i],
+            self.impact.outcome.delta_v_magnitude()[k.index()],
             "m/s",
             "theory 2",
         ));
-        steps.push(self.pdof(i));
+        steps.push(self.pdof(k));
         steps
     }
 
     /// The sign of the impulse on a vehicle: vehicle 2 takes −P.
-    fn sign(i: usize) -> &'static str {
-        if i == 0 { "+" } else { "−" }
+    fn sign(k: VehicleId) -> &'static str {
+        match k {
+            VehicleId::One => "+",
+            VehicleId::Two => "−",
+        }
     }
 
-    fn velocity_after(&self, i: usize, mass: f64) -> [Step; 2] {
-        let (outcome, k, sign) = (&self.impact.outcome, i + 1, Self::sign(i));
+    fn velocity_after(&self, k: VehicleId, mass: f64) -> [Step; 2] {
+        let (outcome, sign, i) = (&self.impact.outcome, Self::sign(k), k.index());
         let (before, after, impulse) =
             (outcome.before[i].velocity, outcome.after[i].velocity, outcome.impulse_vector);
         [("x", before.x, impulse.x, after.x), ("y", before.y, impulse.y, after.y)].map(
@@ -126,8 +130,8 @@ impl Collision<'_> {
         )
     }
 
-    fn yaw_rate_after(&self, i: usize, inertia: f64) -> Step {
-        let (outcome, k, sign) = (&self.impact.outcome, i + 1, Self::sign(i));
+    fn yaw_rate_after(&self, k: VehicleId, inertia: f64) -> Step {
+        let (outcome, sign, i) = (&self.impact.outcome, Self::sign(k), k.index());
         let (impulse, arm) = (outcome.impulse, self.impact.contact.arms()[i]);
         let (moment, moment_number) = if outcome.moment_impulse == 0.0 {
             ("", String::new())
@@ -153,17 +157,17 @@ impl Collision<'_> {
         )
     }
 
-    fn pdof(&self, i: usize) -> Step {
-        let (k, vector) = (i + 1, self.impact.outcome.impulse_vector);
-        let (theta, x, y) = (angle(self.heading(i)), n(vector.x, "N·s"), n(vector.y, "N·s"));
+    fn pdof(&self, k: VehicleId) -> Step {
+        let vector = self.impact.outcome.impulse_vector;
+        let (theta, x, y) = (angle(self.heading(k)), n(vector.x, "N·s"), n(vector.y, "N·s"));
         // The force on vehicle 2 is −P. A PDOF is clockwise in any axes: what counts is the component to the
         // left, which in z-down axes is −y.
-        let (left, left_numbers) = if (i == 0) == (self.case.axes == Axes::ZUp) {
+        let (left, left_numbers) = if (k == VehicleId::One) == (self.case.axes == Axes::ZUp) {
             (format!("P_y cos θ_{k} − P_x sin θ_{k}"), format!("{y} · cos{theta} − {x} · sin{theta}"))
         } else {
             (format!("P_x sin θ_{k} − P_y cos θ_{k}"), format!("{x} · sin{theta} − {y} · cos{theta}"))
         };
-        let (behind, behind_numbers) = if i == 0 {
+        let (behind, behind_numbers) = if k == VehicleId::One {
             (format!("−P_x cos θ_{k} − P_y sin θ_{k}"), format!("(−1) · {x} · cos{theta} − {y} · sin{theta}"))
         } else {
             (format!("P_x cos θ_{k} + P_y sin θ_{k}"), format!("{x} · cos{theta} + {y} · sin{theta}"))
@@ -173,7 +177,7 @@ impl Collision<'_> {
             format!("PDOF_{k}"),
             format!("atan2({left}, {behind})"),
             format!("atan2({left_numbers}, {behind_numbers})"),
-            self.impact.pdof[i].to_degrees(),
+            self.impact.pdof[k.index()].to_degrees(),
             "°",
             "theory 4",
         )

@@ -1,7 +1,7 @@
 //! The speed found.
 
 use analysis::Found;
-use pim_core::{Tangential, Vector2};
+use pim_core::{Tangential, Vector2, VehicleId};
 use reconcile::{ApproachLine, Quadratic};
 
 use super::super::{Step, angle, n, p, step};
@@ -40,7 +40,7 @@ impl Collision<'_> {
     }
 
     fn solved(&self, found: &Found, formula: &str, substitution: String) -> Step {
-        let k = found.unknown.index() + 1;
+        let k = found.unknown.vehicle();
         step(
             format!("speed of vehicle {k}, found"),
             format!("s_{k}"),
@@ -96,11 +96,10 @@ impl Collision<'_> {
 
     /// du/ds along n and t.
     fn slopes(&self, found: &Found) -> [Step; 2] {
-        let vehicle = found.unknown.index();
-        let (k, slope) = (vehicle + 1, found.line.slope);
+        let (k, slope) = (found.unknown.vehicle(), found.line.slope);
         // u is vehicle 1 relative to vehicle 2.
-        let minus = if vehicle == 0 { "" } else { "−" };
-        let turn = format!("({} − {})", angle(self.heading(vehicle)), angle(self.gamma));
+        let minus = if k == VehicleId::One { "" } else { "−" };
+        let turn = format!("({} − {})", angle(self.heading(k)), angle(self.gamma));
         [("n", "cos", slope.normal), ("t", "sin", slope.tangential)].map(|(axis, function, value)| {
             // A number and a minus before it stand in one pair of parentheses.
             let numbers = if minus.is_empty() {
@@ -122,11 +121,11 @@ impl Collision<'_> {
 
     /// u along n or t at the speed zero.
     fn at_rest(&self, found: &Found, axis: &str, symbol: &str, value: f64) -> Step {
-        let vehicle = found.unknown.index();
+        let k = found.unknown.vehicle();
         let mut motions = self.impact.outcome.before;
-        motions[vehicle].velocity = Vector2::new(0.0, 0.0);
+        motions[k.index()].velocity = Vector2::new(0.0, 0.0);
         let (formula, numbers) = self.relative(axis, &motions);
-        let name = format!("u_{axis} with vehicle {} at rest", vehicle + 1);
+        let name = format!("u_{axis} with vehicle {k} at rest");
         step(name, symbol, formula, numbers, value, "m/s", "theory 1")
     }
 

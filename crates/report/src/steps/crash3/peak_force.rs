@@ -2,13 +2,14 @@
 
 use analysis::Damage;
 use crash3::{Profile, Saturation, SideStiffness, Stiffness, Yielding, Zone, zone_force};
+use pim_core::VehicleId;
 
 use super::super::damage::share_below;
 use super::super::{Step, angle, n, step};
 use crate::units::Quantity;
 
 /// Of the whole side where the same line holds all along, else zone by zone.
-pub(super) fn steps(damage: &Damage, profile: &Profile, peak: f64, i: usize) -> Vec<Step> {
+pub(super) fn steps(damage: &Damage, profile: &Profile, peak: f64, i: VehicleId) -> Vec<Step> {
     let alpha = angle(damage.oblique_angle);
     let total = |formula: String, substitution: String| {
         step(
@@ -48,7 +49,7 @@ pub(super) fn steps(damage: &Damage, profile: &Profile, peak: f64, i: usize) -> 
 }
 
 /// Square to the side: α stands below the sum.
-fn of_zone(zone: Zone, stiffness: &Stiffness, i: usize, j: usize) -> Step {
+fn of_zone(zone: Zone, stiffness: &Stiffness, i: VehicleId, j: usize) -> Step {
     let (formula, per_width) = force_per_width(zone, stiffness);
     step(
         format!("peak force square to the side, vehicle {i}, zone {j}"),

@@ -3,6 +3,7 @@
 use analysis::{Crash3, Seen};
 use case::Axes;
 use crash3::EnergyBasis;
+use pim_core::VehicleId;
 
 use super::super::damage::total;
 use super::super::{Step, angle, given, n, p, step};
@@ -11,8 +12,7 @@ use super::pdof_symbol;
 /// A vehicle that can move.
 #[derive(Clone, Copy)]
 struct Movable {
-    /// 0 or 1.
-    index: usize,
+    id: VehicleId,
     /// (kg)
     mass: f64,
     /// (kg·m²)
@@ -21,16 +21,17 @@ struct Movable {
 
 pub(super) fn steps(analysis: &Seen, axes: Axes) -> Vec<Step> {
     let Some(crash3) = &analysis.crash3 else { return Vec::new() };
-    let vehicles: Vec<Movable> = (0..)
+    let vehicles: Vec<Movable> = VehicleId::ALL
+        .into_iter()
         .zip(&analysis.vehicles)
-        .filter_map(|(index, vehicle)| {
+        .filter_map(|(id, vehicle)| {
             let inertia = vehicle.subject.inertia?;
-            Some(Movable { index, mass: inertia.mass, yaw_inertia: inertia.yaw_inertia })
+            Some(Movable { id, mass: inertia.mass, yaw_inertia: inertia.yaw_inertia })
         })
         .collect();
     let mut steps = Vec::new();
     for &vehicle in &vehicles {
-        steps.push(moment_arm(analysis, crash3, vehicle.index, axes));
+        steps.push(moment_arm(analysis, crash3, vehicle.id, axes));
         steps.extend(effective_mass(crash3, vehicle));
     }
     steps.push(total(analysis, crash3.crush_energy, "Eq 5"));
@@ -45,8 +46,8 @@ pub(super) fn steps(analysis: &Seen, axes: Axes) -> Vec<Step> {
 }
 
 /// h, from the contact point or the centroid where it follows from that.
-fn moment_arm(analysis: &Seen, crash3: &Crash3, i: usize, axes: Axes) -> Step {
-    let (k, vehicle, arm) = (i + 1, &analysis.vehicles[i], crash3.moment_arm[i]);
+fn moment_arm(analysis: &Seen, crash3: &Crash3, k: VehicleId, axes: Axes) -> Step {
+    let (vehicle, arm) = (&analysis.vehicles[k.index()], crash3.moment_arm[k.index()]);
     // Across the force, which comes from the PDOF, clockwise in any axes.
     let left = match axes {
         Axes::ZUp => "+",
@@ -72,8 +73,8 @@ fn moment_arm(analysis: &Seen, crash3: &Crash3, i: usize, axes: Axes) -> Step {
 }
 
 /// k² and γ.
-fn effective_mass(crash3: &Crash3, Movable { index, mass, yaw_inertia }: Movable) -> [Step; 2] {
-    let (k, square) = (index + 1, crash3.square_radius[index]);
+fn effective_mass(crash3: &Crash3, Movable { id: k, mass, yaw_inertia }: Movable) -> [Step; 2] {
+    let square = crash3.square_radius[k.index()];
     [
         step(
             format!("square of the radius of gyration, vehicle {k}"),
@@ -88,8 +89,8 @@ fn effective_mass(crash3: &Crash3, Movable { index, mass, yaw_inertia }: Movable
             format!("effective mass ratio, vehicle {k}"),
             format!("γ_{k}"),
             format!("k_{k}²/(k_{k}² + h_{k}²)"),
-            format!("{0} / ({0} + {1}²)", n(square, "m²"), p(crash3.moment_arm[index], "m")),
-            crash3.effective_mass_ratio[index],
+            format!("{0} / ({0} + {1}²)", n(square, "m²"), p(crash3.moment_arm[k.index()], "m")),
+            crash3.effective_mass_ratio[k.index()],
             "",
             "theory 5",
         ),
@@ -114,20 +115,19 @@ fn changes(crash3: &Crash3, vehicles: &[Movable], energy: Energy) -> Vec<Step> {
     };
     let (formula, numbers): (Vec<String>, Vec<String>) = vehicles
         .iter()
-        .map(|&Movable { index, mass, .. }| {
-            let ratio = n(crash3.effective_mass_ratio[index], "");
-            (format!("1/(γ_{0} m_{0})", index + 1), format!("1 / ({ratio} · {})", n(mass, "kg")))
+        .map(|&Movable { id, mass, .. }| {
+            let ratio = n(crash3.effective_mass_ratio[id.index()], "");
+            (format!("1/(γ_{id} m_{id})"), format!("1 / ({ratio} · {})", n(mass, "kg")))
         })
         .unzip();
     let (formula, numbers) = (formula.join(" + "), numbers.join(" + "));
-    let of_vehicle = |&Movable { index, mass, .. }: &Movable| {
-        let k = index + 1;
+    let of_vehicle = |&Movable { id: k, mass, .. }: &Movable| {
         step(
             format!("velocity change of vehicle {k}, {name}"),
             format!("{symbol}{k}"),
             format!("√(2 E{prime}/[{formula}])/m_{k}"),
             format!("√(2 · {} / ({numbers})) / {}", n(energy, "J"), n(mass, "kg")),
-            delta_v[index],
+            delta_v[k.index()],
             "m/s",
             "Eq 6, 7",
         )
@@ -144,8 +144,8 @@ fn with_restitution(analysis: &Seen, crash3: &Crash3, vehicles: &[Movable], delt
         EnergyBasis::Absorbed => ("1 + e", format!("1 + {e}")),
     };
     let mut steps = vec![step("factor for restitution", "f_e", formula, numbers, factor, "", "theory 5")];
-    steps.extend(vehicles.iter().map(|&Movable { index, .. }| {
-        let (k, change) = (index + 1, delta_v[index]);
+    steps.extend(vehicles.iter().map(|&Movable { id: k, .. }| {
+        let change = delta_v[k.index()];
         step(
             format!("velocity change of vehicle {k}, corrected, with restitution"),
             format!("ΔV''_{k}"),

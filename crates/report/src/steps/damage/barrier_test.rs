@@ -2,11 +2,12 @@
 
 use case::{Fit, GivenTest};
 use crash3::Stiffness;
+use pim_core::VehicleId;
 
 use super::super::{Step, inertia, n, p, step};
 use crate::units::Quantity;
 
-pub(super) fn steps(stiffness: &Stiffness, test: &GivenTest, i: usize) -> Vec<Step> {
+pub(super) fn steps(stiffness: &Stiffness, test: &GivenTest, i: VehicleId) -> Vec<Step> {
     let Ok(fitted) = test.test() else { return Vec::new() };
     let sums = fitted.profile().sums();
     let depths = fitted.profile().depths();
@@ -52,7 +53,7 @@ pub(super) fn steps(stiffness: &Stiffness, test: &GivenTest, i: usize) -> Vec<St
     steps
 }
 
-fn of_test(what: &str, i: usize) -> String {
+fn of_test(what: &str, i: VehicleId) -> String {
     format!("{what} in the barrier test for vehicle {i}")
 }
 
@@ -71,7 +72,7 @@ fn mean(depths: &[f64], term: impl Fn(f64, f64) -> String) -> String {
 }
 
 /// The slope with which the test's profile gives the test's energy back, in symbols and in numbers.
-fn exact([v, b0]: [f64; 2], mean: f64, square: f64, i: usize) -> (String, String) {
+fn exact([v, b0]: [f64; 2], mean: f64, square: f64, i: VehicleId) -> (String, String) {
     let [b0, v, square] = [p(b0, "m/s"), p(v, "m/s"), n(square, "m²")];
     (
         format!(
@@ -86,7 +87,7 @@ fn exact([v, b0]: [f64; 2], mean: f64, square: f64, i: usize) -> (String, String
 }
 
 /// A, B and G from the slope.
-fn coefficients(stiffness: &Stiffness, test: &GivenTest, b1: f64, i: usize) -> [Step; 3] {
+fn coefficients(stiffness: &Stiffness, test: &GivenTest, b1: f64, i: VehicleId) -> [Step; 3] {
     let (mass, width, b0) = (n(test.mass.kg(), "kg"), n(test.width.si(), "m"), test.no_damage_speed.si());
     [
         (

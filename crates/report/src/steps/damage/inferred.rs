@@ -2,11 +2,12 @@
 
 use analysis::{Damage, Inferred};
 use crash3::Stiffness;
+use pim_core::VehicleId;
 
 use super::super::{Step, angle, given, n, p, step};
 use crate::units::Quantity;
 
-pub(super) fn steps(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: usize) -> Vec<Step> {
+pub(super) fn steps(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: VehicleId) -> Vec<Step> {
     let (force, width) = (inferred.force, inferred.crush.width);
     let mut steps = vec![
         given(format!("peak force of vehicle {i}"), format!("F_{i}"), force, "N", "theory 5")
@@ -23,7 +24,7 @@ pub(super) fn steps(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness,
 }
 
 /// Depth and energy of the crush.
-fn crushed(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: usize) -> [Step; 2] {
+fn crushed(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: VehicleId) -> [Step; 2] {
     let (a, b, g) = (stiffness.a(), stiffness.b(), stiffness.g());
     let (width, depth) = (inferred.crush.width, inferred.crush.depth);
     let crush = step(
@@ -70,7 +71,7 @@ fn crushed(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: usize
 }
 
 /// The energy of a force that leaves no residual crush.
-fn elastic(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: usize) -> Step {
+fn elastic(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: VehicleId) -> Step {
     let width = n(inferred.crush.width, "m");
     step(
         format!("elastic energy of vehicle {i}"),

@@ -1,11 +1,12 @@
 //! The crush energy of a measured profile.
 
 use crash3::{Profile, Saturation, Stiffness, Yielding, Zone, zone_energy};
+use pim_core::VehicleId;
 
 use super::super::{Step, n, p, step};
 
 /// The same stiffness all along and no saturation: area and second moment of the profile first.
-pub(super) fn whole(profile: &Profile, stiffness: &Stiffness, energy: f64, i: usize) -> [Step; 3] {
+pub(super) fn whole(profile: &Profile, stiffness: &Stiffness, energy: f64, i: VehicleId) -> [Step; 3] {
     let sums = profile.sums();
     let area = |Zone { width, depths: [c1, c2] }: Zone| {
         format!("{} · ({} + {}) / 2", n(width, "m"), n(c1, "m"), n(c2, "m"))
@@ -59,7 +60,7 @@ fn squares([c1, c2]: [f64; 2]) -> String {
 pub(super) fn zone_by_zone(
     zones: impl Iterator<Item = (Zone, Stiffness)>,
     energy: f64,
-    i: usize,
+    i: VehicleId,
 ) -> Vec<Step> {
     let (mut steps, mut terms) = (Vec::new(), Vec::new());
     for (j, (zone, stiffness)) in (1..).zip(zones) {

@@ -2,11 +2,12 @@
 
 use case::{StiffnessForm, StiffnessLine};
 use crash3::{SideStiffness, Stiffness};
+use pim_core::VehicleId;
 
 use super::super::{Step, given, n, p, step};
 use super::barrier_test;
 
-pub(super) fn steps(structure: &SideStiffness, form: &StiffnessForm, i: usize) -> Vec<Step> {
+pub(super) fn steps(structure: &SideStiffness, form: &StiffnessForm, i: VehicleId) -> Vec<Step> {
     match (structure, form) {
         (SideStiffness::Uniform(stiffness), StiffnessForm::Category(category)) => {
             of_category(stiffness, *category, i)
@@ -83,7 +84,7 @@ fn of_roots(stiffness: &Stiffness, [d0, d1]: [f64; 2], i: &str, whose: &str) -> 
 }
 
 /// A, B and G as CRASH3's table has them.
-fn of_category(stiffness: &Stiffness, category: u8, i: usize) -> Vec<Step> {
+fn of_category(stiffness: &Stiffness, category: u8, i: VehicleId) -> Vec<Step> {
     [("A", stiffness.a(), "N/m"), ("B", stiffness.b(), "N/m²"), ("G", stiffness.g(), "N")]
         .map(|(what, value, unit)| {
             let name = format!("stiffness {what} of vehicle {i}, from category {category} of CRASH3's table");
