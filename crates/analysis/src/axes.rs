@@ -6,9 +6,9 @@ use pim_core::{ImpactError, Switch};
 use crate::{Analysis, Drive, Failure, Impact, JumpSide, Warning};
 
 impl Analysis {
-    /// The same analysis with its impact, approach line, contact points, centroids and warnings in the given
-    /// axes, for the eyes of a reader. An analysis itself is in the axes of the engine whatever the case is
-    /// written in. A [`DamagedFace`](crash3::DamagedFace) stays as it is.
+    /// Converts the impact, approach line, contact points, centroids and warnings to the given axes, for
+    /// display. The analysis itself is always in the axes of the engine, regardless of the axes of the case.
+    /// A [`DamagedFace`](crash3::DamagedFace) is not converted.
     #[must_use]
     pub fn in_axes(&self, axes: Axes) -> Self {
         let mut seen = self.clone();
@@ -35,7 +35,7 @@ impl Analysis {
 }
 
 impl Warning {
-    /// The same warning, its numbers in the given axes.
+    /// Returns the warning with its numbers in the given axes.
     #[must_use]
     pub fn in_axes(&self, axes: Axes) -> Self {
         let mut seen = self.clone();
@@ -100,7 +100,7 @@ impl Impact {
 }
 
 impl Failure {
-    /// The same refusal, its numbers in the given axes.
+    /// Returns the refusal with its numbers in the given axes.
     pub(crate) fn in_axes(self, axes: Axes) -> Self {
         match (axes, self) {
             (Axes::ZDown, Self::Reconcile(refusal)) => Self::Reconcile(refusal.mirrored()),

@@ -1,4 +1,4 @@
-//! The work of the normal impulse over the speed sought: what the answer is a root of.
+//! The work of the normal impulse over the speed sought. The answer is a root of this curve.
 
 use inputs::Case;
 
@@ -12,7 +12,8 @@ pub struct WorkPoint {
     pub speed: f64,
     /// (J) W_n at that speed; negative or not a number where no impact can happen.
     pub normal_work: f64,
-    /// (J) the normal work sought at that speed. It depends on the speed only where a curve of restitution meets the basis `absorbed`.
+    /// (J) the normal work sought at that speed. It depends on the speed only for a restitution curve with
+    /// the basis `absorbed`.
     pub sought: f64,
 }
 

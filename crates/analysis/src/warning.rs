@@ -1,4 +1,4 @@
-//! What a careful reconstructionist would raise.
+//! Warnings that a careful reconstructionist would raise.
 
 use std::f64::consts::TAU;
 
@@ -61,7 +61,8 @@ const HIGH_NO_DAMAGE_SPEED: f64 = 15.0 * 0.447_04;
 /// Rounding of an angle of just one turn.
 const FULL_TURN: f64 = TAU * (1.0 + 1e-9);
 
-/// Something that does not stop the analysis but should be known to who defends it. Values are in SI units.
+/// Something that does not stop the analysis, but that whoever signs the report should know. Values are in SI
+/// units.
 ///
 /// Matched without a catch-all arm wherever a warning is worded, so that a new one does not compile before it
 /// has its words; adding one is a breaking change.
@@ -76,7 +77,7 @@ pub enum Warning {
         /// (m) by how much.
         distance: f64,
     },
-    /// More restitution than a collision of this speed has.
+    /// The restitution is greater than usual at this closing speed.
     HighRestitution {
         /// e.
         restitution: f64,
@@ -104,7 +105,7 @@ pub enum Warning {
         /// (rad) α.
         oblique_angle: f64,
     },
-    /// The force does not push on the side that is said to be damaged.
+    /// The force does not push on the damaged side.
     SideNotPushed {
         /// 1 or 2.
         vehicle: usize,
@@ -134,7 +135,7 @@ pub enum Warning {
         /// Whether it was found.
         found: bool,
     },
-    /// CRASH3's size class stands in for what is not known of the vehicle.
+    /// CRASH3's size class supplies values that are not known of the vehicle.
     ClassValues {
         /// 1 or 2.
         vehicle: usize,
@@ -189,7 +190,7 @@ pub enum Warning {
         crush_energy: f64,
         /// That basis.
         basis: EnergyBasis,
-        /// (J) the crush energy on the other basis, which is another one only under restitution.
+        /// (J) the crush energy on the other basis, which differs only if there is restitution.
         on_other_basis: Option<f64>,
     },
     /// The line of action passes the CG on the side from which it would turn the vehicle the other way than the impact did.
@@ -218,7 +219,7 @@ pub enum Warning {
         energy_loss: f64,
         /// (m/s) u_t before the impact.
         sliding: f64,
-        /// How it comes about.
+        /// The cause.
         cause: Drive,
     },
     /// The moment impulse adds energy.
@@ -237,7 +238,7 @@ pub enum Warning {
         /// Whether the law has a friction limit.
         limited: bool,
     },
-    /// The answer lies beside a border of the law at which it jumps.
+    /// The answer lies near a point where the impact law jumps.
     NearJump {
         /// What switches there, and at which number.
         border: Switch,
@@ -274,18 +275,18 @@ pub enum Warning {
         /// (m) by how much.
         distance: f64,
     },
-    /// A number that no usual vehicle or collision has.
+    /// A number that is unusual for a vehicle or a collision.
     Implausible {
         /// 1 or 2.
         vehicle: usize,
-        /// What it is of.
+        /// The quantity.
         magnitude: Magnitude,
         /// (SI) the number.
         value: f64,
-        /// (SI) from what to what is usual.
+        /// (SI) the usual range.
         usual: [f64; 2],
     },
-    /// The stiffness of a side says that it withstands a fast impact without a trace.
+    /// By its stiffness, the side would withstand a fast impact without damage.
     HighNoDamageSpeed {
         /// 1 or 2.
         vehicle: usize,
@@ -294,7 +295,7 @@ pub enum Warning {
         /// Where the stiffness comes from.
         source: StiffnessSource,
     },
-    /// The stiffness of a side says that hardly any impact leaves it without a trace.
+    /// By its stiffness, almost any impact would damage the side.
     LowNoDamageSpeed {
         /// 1 or 2.
         vehicle: usize,
@@ -303,7 +304,7 @@ pub enum Warning {
         /// Where the stiffness comes from.
         source: StiffnessSource,
     },
-    /// A friction limit that vehicles have not.
+    /// A friction limit that is unusual between vehicles.
     UnusualFriction {
         /// The limit.
         friction: f64,
@@ -317,7 +318,7 @@ pub enum Warning {
         /// Whether it is written in degrees.
         in_degrees: bool,
     },
-    /// There is no residual crush, and yet crush energy.
+    /// There is no residual crush, but crush energy.
     NoResidualCrush {
         /// 1 or 2.
         vehicle: usize,
@@ -340,33 +341,34 @@ pub struct JumpSide {
 /// How a tangential impulse comes to drive the sliding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drive {
-    /// The file gives μ, and with the sign of the sliding.
+    /// The file gives μ with the sign of the sliding.
     RatioAlong {
         /// μ.
         impulse_ratio: f64,
     },
-    /// The file gives μ, and nothing slides before the impact.
+    /// The file gives μ, but nothing slides before the impact.
     RatioWithoutSliding {
         /// μ.
         impulse_ratio: f64,
     },
-    /// The file gives μ, and it ends the sliding and drives it back.
+    /// The file gives μ, which ends the sliding and reverses it.
     RatioBeyond {
         /// μ.
         impulse_ratio: f64,
         /// μ_c, if there is one.
         critical: Option<f64>,
     },
-    /// The file gives a change of the tangential velocity that adds to the sliding or turns it round.
+    /// The file gives a change of the tangential velocity that adds to the sliding or reverses it.
     Change {
         /// (m/s) U_t − u_t.
         change: f64,
     },
-    /// The law finds the impulse, and against the sliding it cannot be: the push along the normal turns the sliding round.
+    /// The law finds an impulse that cannot oppose the sliding, because the push along the normal reverses
+    /// the sliding.
     Coupling,
 }
 
-/// What of a vehicle may be implausible.
+/// The quantities of a vehicle that are checked for plausibility.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Magnitude {
     /// (kg) mass.
@@ -396,7 +398,7 @@ pub enum Magnitude {
 }
 
 impl Warning {
-    /// Every code that there is.
+    /// Every warning code.
     pub const CODES: [&'static str; 31] = [
         "crush-plane",
         "contact-outside",
@@ -469,7 +471,7 @@ impl Warning {
         }
     }
 
-    /// 1 or 2, of a warning that concerns one vehicle.
+    /// 1 or 2, for a warning that concerns one vehicle.
     #[must_use]
     pub fn vehicle(&self) -> Option<usize> {
         match self {
@@ -507,7 +509,7 @@ impl Warning {
         }
     }
 
-    /// Whether it only says that the yaw inertia was estimated, as it is of most vehicles.
+    /// Whether the warning only says that the yaw inertia was estimated, which is common.
     #[must_use]
     pub fn is_common(&self) -> bool {
         matches!(self, Self::BurgInertia { .. })

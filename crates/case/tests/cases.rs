@@ -941,7 +941,7 @@ fn a_reconstruction_asks_for_one_of_the_two_speeds() {
     assert!(asked(&other)[0].1.contains("`find = \"vehicle2.speed\"`"), "{:?}", asked(&other));
     let none = asked(&before.replace("speed       = \"10 mph\"", ""));
     assert_eq!(none.len(), 2, "{none:?}");
-    assert!(none.iter().any(|(what, _)| what.contains("needs one of the two")), "{none:?}");
+    assert!(none.iter().any(|(what, _)| what.contains("needs one of them and finds the other")), "{none:?}");
     // With the one that is looked for named, the other is asked for.
     let named = asked(&paper.replace("speed       = \"10 mph\"", ""));
     assert!(matches!(&named[..], [(what, _)] if what.starts_with("`vehicle2.speed`")), "{named:?}");

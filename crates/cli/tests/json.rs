@@ -787,11 +787,11 @@ fn what_is_no_text_is_refused_in_one_error() {
         // "é" in Latin-1.
         (
             b"title = \"a\"\nsource = \"Caf\xe9\"\n",
-            "the file is not text in UTF-8: line 2 has the first letter that does not fit",
+            "the file is not UTF-8 text: line 2 has the first invalid character",
         ),
-        (&utf_16, "this is text in UTF-16, and not a case"),
-        (b"%PDF-1.7\n\x00\xff", "this is a PDF file, and not a case"),
-        (b"<!DOCTYPE html>\n<p>Report</p>", "this is a page in HTML, and not a case"),
+        (&utf_16, "this is text in UTF-16, but a case file must be UTF-8"),
+        (b"%PDF-1.7\n\x00\xff", "this is a PDF file, not a case file"),
+        (b"<!DOCTYPE html>\n<p>Report</p>", "this is an HTML page, not a case file"),
     ];
     for (bytes, expected) in kinds {
         let path = temporary("no-case.toml");

@@ -23,7 +23,7 @@ impl FirstOrder {
     /// From the derivative of the output by each input, and the input's standard deviation.
     ///
     /// # Errors
-    /// Where the lists differ in length.
+    /// If the lists differ in length.
     pub fn new(derivatives: &[f64], sds: &[f64]) -> Result<Self, InvalidRequest> {
         if derivatives.len() != sds.len() {
             let (expected, given) = (derivatives.len(), sds.len());

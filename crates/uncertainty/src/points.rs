@@ -1,8 +1,10 @@
 //! Points in the unit cube, each from its index alone: shares between 0 and 1 for every input of every sample.
 //!
-//! Samples are dealt in turn to [`REPLICATES`] point sets: sample j is point ⌊j/16⌋ of set j mod 16. Each set is random by itself, so that the spread of
-//! a result between them tells its standard error; and each whole number of blocks from the beginning has the same number of points of each. Latin
-//! hypercube sets are independent of each other. Sobol' sets are, but for correlations between two inputs, which cancel among them.
+//! Samples are dealt in turn to [`REPLICATES`] point sets: sample j is point ⌊j/16⌋ of set j mod 16. Each set
+//! is random by itself, so the spread of a result between the sets gives its standard error. Every whole
+//! number of blocks from the beginning has the same number of points from each set. Latin hypercube sets are
+//! independent of each other. So are Sobol' sets, except for correlations between two inputs, which cancel
+//! among them.
 //!
 //! # References
 //!
@@ -21,7 +23,7 @@ use sobol::Sobol;
 
 pub use sobol::MAX_INPUTS as MAX_SOBOL_INPUTS;
 
-/// How points are laid.
+/// How points are distributed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SamplingMethod {
@@ -29,8 +31,9 @@ pub enum SamplingMethod {
     MonteCarlo,
     /// In every replicate, each input has exactly one point in each of as many equal strata as there are points.
     LatinHypercube,
-    /// Sobol' points, scrambled after Owen, but for the first digits, which are shifted. Best where a power of two of samples is asked for: in between, a part of the
-    /// points of each replicate is less even, and so are pairs of inputs.
+    /// Sobol' points with Owen's scrambling, except for the first digits, which are shifted. They work best
+    /// for a power of two of samples; otherwise a part of the points of each replicate is less even, and so
+    /// are pairs of inputs.
     Sobol,
 }
 

@@ -10,7 +10,7 @@ use fearless_simd::Level;
 pub struct Instructions(Level);
 
 impl Instructions {
-    /// The best that this CPU has.
+    /// The best instruction set of this CPU.
     #[must_use]
     pub fn best() -> Self {
         Self(Level::new())
@@ -45,8 +45,9 @@ impl Default for Instructions {
     }
 }
 
-/// Told how many samples are done, of how many, whenever a span of some thousand samples begins; it ends the run by
-/// [`ControlFlow::Break`]. May be called from any thread, by one at a time.
+/// Receives the number of finished samples and of all samples whenever a span of some thousand samples
+/// begins, and ends the run with [`ControlFlow::Break`]. It may be called from any thread, but by only one at
+/// a time.
 pub type Progress<'a> = dyn FnMut(usize, usize) -> ControlFlow<()> + Send + 'a;
 
 /// A span of work, and how many samples it holds.

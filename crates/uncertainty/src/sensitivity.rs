@@ -1,4 +1,4 @@
-//! How much of an output's variance each input brings.
+//! How much each input contributes to the variance of an output.
 //!
 //! # References
 //!
@@ -25,7 +25,7 @@ const SPAN_BLOCKS: usize = 16;
 /// The most spans: the sums of each are kept until all are done.
 const MAX_SPANS: usize = 256;
 
-/// A sensitivity index and how well the samples tell it.
+/// A sensitivity index and its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Index {
     /// Share of the variance. From few samples it may come out below 0 or above 1, by as much as the standard error says.
@@ -52,7 +52,7 @@ pub struct Indices {
     pub total: Index,
 }
 
-/// What a sensitivity analysis gives.
+/// The result of a sensitivity analysis.
 #[derive(Clone, Debug)]
 pub struct SobolIndices {
     requested: usize,
@@ -64,7 +64,7 @@ pub struct SobolIndices {
 }
 
 impl SobolIndices {
-    /// Number of rows asked for.
+    /// Number of rows requested.
     #[must_use]
     pub fn requested(&self) -> usize {
         self.requested
@@ -94,7 +94,8 @@ impl SobolIndices {
         &self.failures
     }
 
-    /// The indices of all inputs, for each output; `None` where it does not vary, or where fewer than two rows could be used.
+    /// The indices of all inputs, for each output; `None` if the output does not vary, or if fewer than two
+    /// rows could be used.
     #[must_use]
     pub fn indices(&self) -> &[Option<Vec<Indices>>] {
         &self.indices
@@ -107,7 +108,7 @@ impl SobolIndices {
 /// two of rows is best; they need two dimensions for each input.
 ///
 /// # Errors
-/// Where there are no inputs or too many, or where the number of rows is out of range.
+/// If there are no inputs or too many, or if the number of rows is out of range.
 pub fn sensitivity<M: Model>(
     model: &M,
     inputs: &[Distribution],

@@ -41,7 +41,7 @@ fn frames(ledger: &mut Ledger) {
     ledger.made(format!("({hour:.0}° … finer … ±{:.0}°", hour / 2.0));
     ledger.made(format!("finer … {:.0}°", hour / 2.0));
     ledger.quoted("PDOF_2 = θ_2 − θ_1 + PDOF_1 − 180°", &theory, "PDOF_2 = θ_2 − θ_1 + PDOF_1 − 180°");
-    ledger.quoted("impact … 0", &guide, "0 where absent");
+    ledger.quoted("impact … 0", &guide, "0 (the default)");
     ledger.made(format!("itself … {right_angle}°"));
     ledger.made(format!("mistake is {straight_angle}°"));
     ledger.made(format!("θ_1 − PDOF_1 … θ_2 − PDOF_2 … differ … {straight_angle}°"));
