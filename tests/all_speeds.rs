@@ -1,12 +1,13 @@
 //! All speeds at which a collision takes the crush energy, against a dense scan by an engine of its own.
 //!
-//! The engine solves for the impulses in generalised coordinates and knows nothing of the program's laws; the scan is of more than 20,000 approach
-//! speeds for each case. By hand, in some minutes:
+//! The engine solves for the impulses in generalised coordinates and knows nothing of the program's laws; the
+//! scan is of more than 20,000 approach speeds for each case. By hand, in some minutes:
 //!
 //! `cargo test --release -p deltav-tests all_speeds -- --ignored --nocapture`
 //!
-//! Each prints a line: cases, roots, missed (speeds that the program does not give), spurious (that it gives and the scan does not), miscounted
-//! (where the number of speeds is wrong, or the answer is not the slowest approach) and undecided (where rounding decides, so that nothing is compared).
+//! Each prints a line: cases, roots, missed (speeds that the program does not give), spurious (that it gives
+//! and the scan does not), miscounted (where the number of speeds is wrong, or the answer is not the slowest
+//! approach) and undecided (where rounding decides, so that nothing is compared).
 
 mod draws;
 mod engine;
@@ -223,7 +224,8 @@ fn the_engine_agrees_with_the_oracle() {
     assert!(possible > 500 && impossible > 100, "{possible} {impossible}");
 }
 
-/// By hand, head-on and central with equal masses and e = e₀ + (1 − e₀) v/v₁: W_n = 375 v² (1 − e²) is greatest where 2 e² − e₀ e − 1 = 0.
+/// By hand, head-on and central with equal masses and e = e₀ + (1 − e₀) v/v₁: W_n = 375 v² (1 − e²) is
+/// greatest where 2 e² − e₀ e − 1 = 0.
 #[test]
 fn the_scan_sees_both_roots_about_a_turn() {
     let car = Car {

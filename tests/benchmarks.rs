@@ -1,4 +1,5 @@
-//! What the benchmarks measure. These stand here because the tests of a package need all that its benchmarks link.
+//! What the benchmarks measure. These stand here because the tests of a package need all that its benchmarks
+//! link.
 
 use crash3::crush_energy;
 use deltav_benches::{Example, FRICTION, TANGENTIAL_CONDITIONS};

@@ -1,6 +1,7 @@
 //! Every file of tests is part of a test binary.
 //!
-//! A package with `autotests = false` links its files into one binary; cargo is silent about a file that `main.rs` does not name.
+//! A package with `autotests = false` links its files into one binary; cargo is silent about a file that
+//! `main.rs` does not name.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -27,7 +27,8 @@ pub(crate) fn assert_direction(what: &str, actual: f64, expected: f64, tolerance
     );
 }
 
-/// Asserts that `value` is what was printed, to the last digit of `printed`, which may carry an exponent: within half a unit there.
+/// Asserts that `value` is what was printed, to the last digit of `printed`, which may carry an exponent:
+/// within half a unit there.
 #[track_caller]
 pub(crate) fn assert_printed(value: f64, printed: &str) {
     assert!(agrees_with_print(value, printed), "{value} does not print as {printed}");

@@ -39,7 +39,8 @@ fn friction_leaves_no_collision_without_an_impulse() {
 
 /// Unit mass and unit radius of gyration, C one metre ahead and one to the left of the CG; a wall along x.
 ///
-/// Its arms along n and t are r_n = −1, r_t = 1, so that by hand k_nn = 2, k_nt = 1, k_tt = 2 and det K = 3. It comes in with u = (−1, −8).
+/// Its arms along n and t are r_n = −1, r_t = 1, so that by hand k_nn = 2, k_nt = 1, k_tt = 2 and det K = 3.
+/// It comes in with u = (−1, −8).
 pub(crate) fn steep_sideswipe(tangential: Tangential) -> Scene {
     let wall = Car {
         fixed: true,
@@ -80,14 +81,16 @@ fn the_sign_of_an_unreachable_critical_ratio_is_the_wrong_one() {
     assert_close("μ_c", sticking.ratio, -2.5, 1e-12);
     assert!(matches!(verdict(&Scene { tangential: Tangential::Critical, ..scene }), Verdict::Pulling(_)));
 
-    // The rule gives μ = −½: P_n = 1/(k_nn + μ k_nt) = 2/3, P_t = −1/3, U_t = −8 + 2/3 − 2/3 = −8. Friction pushes the way it slides.
+    // The rule gives μ = −½: P_n = 1/(k_nn + μ k_nt) = 2/3, P_t = −1/3, U_t = −8 + 2/3 − 2/3 = −8. Friction
+    // pushes the way it slides.
     let by_rule = sticking.ratio.signum() * sticking.ratio.abs().min(limit);
     let driven = Scene { tangential: Tangential::Ratio(by_rule), ..scene }.impact();
     let energy_created = matches!(driven, Err(pim_core::ImpactError::EnergyCreated { tangential_work, .. })
         if (tangential_work + 8.0 / 3.0).abs() < 1e-12);
     assert!(energy_created, "{driven:?}");
 
-    // Against the sliding μ = +½: P_n = 1/2.5 = 0.4, P_t = 0.2, U_t = −8 + 0.4 + 0.4 = −7.2, W_t = ½·0.2·15.2 = 1.52.
+    // Against the sliding μ = +½: P_n = 1/2.5 = 0.4, P_t = 0.2, U_t = −8 + 0.4 + 0.4 = −7.2, W_t = ½·0.2·15.2
+    // = 1.52.
     let outcome = scene.impact().unwrap();
     assert_close("μ", outcome.impulse_ratio, 0.5, 1e-12);
     assert_close("P_n", outcome.impulse.normal, 0.4, 1e-12);

@@ -1,4 +1,5 @@
-//! Crush energy, forces and velocity changes of `crash3`, against integrals, hand calculations and a two-body impact of its own.
+//! Crush energy, forces and velocity changes of `crash3`, against integrals, hand calculations and a two-body
+//! impact of its own.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -159,7 +160,8 @@ fn six_stations_are_the_paper_s_eq_5() {
     });
 }
 
-/// By hand: L (A C + B C²/2 + A²/2B) = 1.5 (15,000 + 45,000 + 1,250), and with C from 0 to 0.3 m 1.5 (7,500 + 15,000 + 1,250).
+/// By hand: L (A C + B C²/2 + A²/2B) = 1.5 (15,000 + 45,000 + 1,250), and with C from 0 to 0.3 m 1.5 (7,500 +
+/// 15,000 + 1,250).
 #[test]
 fn simple_profiles_have_the_energy_that_a_hand_calculation_gives() {
     let stiffness = Stiffness::from_ab(50e3, 1e6).unwrap();
@@ -269,7 +271,8 @@ fn restitution_raises_velocity_changes_as_a_two_body_impact_does() {
     assert_eq!(EnergyBasis::default(), EnergyBasis::Dissipated);
 }
 
-/// The two methods are one where the force is normal to the crush plane: CRASH3 with the energy of an impact without friction gives its ΔV.
+/// The two methods are one where the force is normal to the crush plane: CRASH3 with the energy of an impact
+/// without friction gives its ΔV.
 #[test]
 fn crash3_agrees_with_an_impact_without_friction() {
     for_all(10_000, 0.7, scene_under(Just(Tangential::Ratio(0.0))), |scene| {
@@ -336,7 +339,8 @@ fn moment_arms_by_hand() {
     assert_close("from ahead", moment_arm([2.0, 0.7], 0.0), 0.7, 1e-15);
     assert_close("from the right", moment_arm([2.0, 0.7], FRAC_PI_2), 2.0, 1e-15);
     assert_close("from behind", moment_arm([2.0, -0.7], PI), 0.7, 1e-15);
-    // The 3-4-5 triangle: a force from C towards the CG has no arm; the PDOF is clockwise, so C to the right has a positive one.
+    // The 3-4-5 triangle: a force from C towards the CG has no arm; the PDOF is clockwise, so C to the right
+    // has a positive one.
     assert_close("through the CG", moment_arm([4.0, -3.0], f64::atan2(3.0, 4.0)), 0.0, 1e-15);
     assert_close("across", moment_arm([4.0, -3.0], f64::atan2(3.0, 4.0) + FRAC_PI_2), 5.0, 1e-14);
     // f = (−4, 3)/5 from the right front, at (4, 3): |4·3 − 3·(−4)|/5.
@@ -591,8 +595,9 @@ fn velocity_changes_refuse_what_no_vehicle_has() {
     }
 }
 
-/// 200 kN on a side of 2 m that begins with 50 kN/m and reaches 850 kN/m where the crush, 1 m deep, is at the CG: from 0.235 m to 2 m of width are possible. The
-/// nominal width is the one given, or the nearest of these.
+/// 200 kN on a side of 2 m that begins with 50 kN/m and reaches 850 kN/m where the crush, 1 m deep, is at the
+/// CG: from 0.235 m to 2 m of width are possible. The nominal width is the one given, or the nearest of
+/// these.
 #[test]
 fn an_inferred_crush_has_the_nearest_possible_width() {
     let stiffness = Stiffness::from_abg(50e3, 800e3, 3125.0).unwrap();
@@ -604,7 +609,8 @@ fn an_inferred_crush_has_the_nearest_possible_width() {
     }
 }
 
-/// Up to G = A²/B = 3125 N the widest damage takes the least energy; a greater G puts the least at F/√(2BG − A²), and can put the greatest at the widest.
+/// Up to G = A²/B = 3125 N the widest damage takes the least energy; a greater G puts the least at F/√(2BG −
+/// A²), and can put the greatest at the widest.
 #[test]
 fn the_least_energy_is_not_always_that_of_the_widest_damage() {
     for (g, least, greatest) in [

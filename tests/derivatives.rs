@@ -7,7 +7,8 @@ use reconcile::Unknown;
 
 use crate::reconciliation::posed;
 
-/// What the derivatives are taken by: restitution, mass of vehicle 1, crush plane, heading of vehicle 2, stiffness B.
+/// What the derivatives are taken by: restitution, mass of vehicle 1, crush plane, heading of vehicle 2,
+/// stiffness B.
 const INPUTS: [f64; 5] = [0.3, 1676.5, -0.4014, 1.1694, 633e3];
 
 /// Everything that the chain from damage to motion gives, at the inputs of [`INPUTS`].
@@ -75,7 +76,8 @@ fn derivatives_are_differences_in_the_limit() {
             for i in 0..values.len() {
                 assert_eq!(duals[i].value.to_bits(), values[i].to_bits(), "value {i}");
                 let difference = (8.0 * (high[i] - low[i]) - (high2[i] - low2[i])) / (12.0 * step);
-                // A change of the input by itself changes the output by this much: the scale of a derivative near zero.
+                // A change of the input by itself changes the output by this much: the scale of a derivative
+                // near zero.
                 let scale = scales[i] / INPUTS[input].abs();
                 let error = (duals[i].derivative - difference).abs();
                 assert!(

@@ -1,4 +1,5 @@
-//! What holds for every collision: conservation, the laws' own conditions, and independence from frame, labels and handedness.
+//! What holds for every collision: conservation, the laws' own conditions, and independence from frame,
+//! labels and handedness.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::mem::discriminant;
@@ -464,7 +465,8 @@ fn the_forces_on_the_vehicles_are_opposite() {
     });
 }
 
-/// A car at rest that points east, and one that hits the point of it at (`forward`, `left`) on the given course.
+/// A car at rest that points east, and one that hits the point of it at (`forward`, `left`) on the given
+/// course.
 fn struck(forward: f64, left: f64, course: f64) -> Scene {
     let target = Car {
         fixed: false,
@@ -497,7 +499,8 @@ fn pdof_is_clockwise_from_the_heading() {
         ("at the right front corner", struck(1.8, -0.9, 0.75 * PI), PI / 4.0),
     ] {
         let outcome = scene.impact().unwrap();
-        // The corner's force need not be normal to the plane; its own direction is what the bullet car feels in front.
+        // The corner's force need not be normal to the plane; its own direction is what the bullet car feels
+        // in front.
         let corner = what == "at the right front corner";
         let tolerance = if corner { 0.5 } else { ROUNDING };
         assert_direction(what, outcome.pdof()[0], pdof, tolerance);

@@ -15,7 +15,8 @@ fn impact(scene: &Scene, law: Law) -> Option<Outcome> {
     scene.contact().impact(scene.motions(), &law).ok()
 }
 
-/// The same to the last bit, but for μ_c, which a law that asks for it has from its impulse and the others compute beside it.
+/// The same to the last bit, but for μ_c, which a law that asks for it has from its impulse and the others
+/// compute beside it.
 #[track_caller]
 fn assert_equal(a: &Outcome, b: &Outcome) {
     let mut same = *a;
@@ -230,7 +231,8 @@ fn a_full_and_a_sliding_impact_by_hand() {
     {
         assert_relative("P and U", value, 0.5, 1e-12);
     }
-    // Without friction U_t = −1 + ¾ < 0, so that μ = +0.4: P_n = 1.5/2.4 = 0.625, P_t = 0.25, U_t = −1 + 0.625 + 0.5.
+    // Without friction U_t = −1 + ¾ < 0, so that μ = +0.4: P_n = 1.5/2.4 = 0.625, P_t = 0.25, U_t = −1 +
+    // 0.625 + 0.5.
     let sliding = scene(0.4).impact().unwrap();
     assert_eq!(sliding.regime, Some(Regime::Sliding));
     assert_relative("P_n", sliding.impulse.normal, 0.625, 1e-12);
@@ -238,7 +240,8 @@ fn a_full_and_a_sliding_impact_by_hand() {
     assert_relative("U_t", sliding.separation.tangential, 0.125, 1e-12);
 }
 
-/// 1 + ε times the impulse that leaves no velocity is the one that leaves −ε u: the oracle's two ways to a full impact.
+/// 1 + ε times the impulse that leaves no velocity is the one that leaves −ε u: the oracle's two ways to a
+/// full impact.
 #[test]
 fn the_oracle_s_full_impact_reverses_both_components() {
     for_all(2000, 1.0, scene_under(Just(Tangential::FullOrSliding(1e9))), |scene| {

@@ -43,7 +43,8 @@ fn dependencies() -> Vec<Value> {
     packages().into_iter().filter(|package| !package["source"].is_null()).collect()
 }
 
-/// The licences of an SPDX expression that are used: those of the first alternative all of which is allowed. The old "MIT/Apache-2.0" is a choice.
+/// The licences of an SPDX expression that are used: those of the first alternative all of which is allowed.
+/// The old "MIT/Apache-2.0" is a choice.
 fn chosen(expression: &str, allowed: &BTreeSet<String>) -> Option<Vec<String>> {
     let spaced =
         expression.replace('(', " ( ").replace(')', " ) ").replace('/', " OR ").replace(" or ", " OR ");

@@ -12,7 +12,8 @@ use crate::compare::{assert_close, assert_direction, assert_relative};
 use crate::crush::{Plain, make, profile};
 use crate::scenes::{for_all, scene};
 
-/// The centroid of the damage from a grid of small squares laid over the vehicle, each of which is damaged or not. Forward and left.
+/// The centroid of the damage from a grid of small squares laid over the vehicle, each of which is damaged or
+/// not. Forward and left.
 fn centroid_by_grid(side: Side, distance: f64, offset: f64, (depths, spacings): &Plain) -> [f64; 2] {
     const CELLS: u32 = 300;
     let width: f64 = spacings.iter().sum();
@@ -66,7 +67,8 @@ fn the_centroid_is_that_of_the_damaged_area() {
     });
 }
 
-/// Triangles and rectangles by hand: the centroid of a triangle lies a third from its deep end, a third of its depth below the face.
+/// Triangles and rectangles by hand: the centroid of a triangle lies a third from its deep end, a third of
+/// its depth below the face.
 #[test]
 fn simple_damage_has_the_centroid_of_a_hand_calculation() {
     let at = |side, depths: [f64; 2]| {
@@ -307,20 +309,23 @@ fn the_bounds_by_hand() {
     assert_relative("widest", weak.lowest.width, 3.0, 1e-14);
     assert_relative("widest", weak.lowest.energy, 3750.0, 1e-13);
     assert_eq!(weak.nominal, weak.lowest);
-    // Limited to 250 kN/m, which 0.2 m reach: as deep as 0.8 m, E/w = 10 + 20 + 250·0.6 + 1.25 kJ/m, over 600/250 m.
+    // Limited to 250 kN/m, which 0.2 m reach: as deep as 0.8 m, E/w = 10 + 20 + 250·0.6 + 1.25 kJ/m, over
+    // 600/250 m.
     let limited = stiffness.with_saturation_force(250e3).unwrap();
     let range = crush_range_from_force(600e3, 0.0, &limited, 1.5, 4.0, 0.8).unwrap();
     assert_relative("narrowest", range.highest.width, 2.4, 1e-14);
     assert_relative("highest", range.highest.energy, 2.4 * 181.25e3, 1e-13);
     assert_eq!(range.highest.depth, 0.8);
     assert_relative("lowest", range.lowest.energy, 45e3, 1e-13);
-    // 1.5 m cannot bear it: the nearest width that can is 2.4 m, where 0.2 m of crush are enough: E/w = 10 + 20 + 1.25 kJ/m.
+    // 1.5 m cannot bear it: the nearest width that can is 2.4 m, where 0.2 m of crush are enough: E/w = 10 +
+    // 20 + 1.25 kJ/m.
     assert_relative("nominal", range.nominal.width, 2.4, 1e-14);
     assert_relative("nominal", range.nominal.energy, 2.4 * 31.25e3, 1e-12);
 }
 
-/// One RICSAC collision: masses (kg), yaw inertias (kg·m²), Γ, θ_1, θ_2, φ_1, φ_2 (°), d_1, d_2 (ft), μ, the struck face of vehicle 2, and Table 3's
-/// rows: change of the PDOF (°, counter-clockwise), ΔV_1, ΔV_2 (ft/s). Energies in ft·lb.
+/// One RICSAC collision: masses (kg), yaw inertias (kg·m²), Γ, θ_1, θ_2, φ_1, φ_2 (°), d_1, d_2 (ft), μ, the
+/// struck face of vehicle 2, and Table 3's rows: change of the PDOF (°, counter-clockwise), ΔV_1, ΔV_2
+/// (ft/s). Energies in ft·lb.
 struct Staged {
     test: u8,
     masses: [f64; 2],
@@ -334,10 +339,12 @@ struct Staged {
     rows: [[f64; 3]; 5],
 }
 
-/// SAE 980025, Table 3, with the misprints of test 5 mended (theory, section 8). Geometry: Vossou and Koulocheris (2018); μ: Brach, SAE 871993; masses and
-/// inertias: Neades, Appendix D, with the misprint of test 7's vehicle 2 mended (771 kg for 1184 kg, which the ratio of the ΔV shows; its
-/// inertia is in proportion). The distances d and the energies are published nowhere: d follows from the other figures of the
-/// paper, the two energies of each test are fitted to the table's ten numbers. So two numbers are tested against ten.
+/// SAE 980025, Table 3, with the misprints of test 5 mended (theory, section 8). Geometry: Vossou and
+/// Koulocheris (2018); μ: Brach, SAE 871993; masses and inertias: Neades, Appendix D, with the misprint of
+/// test 7's vehicle 2 mended (771 kg for 1184 kg, which the ratio of the ΔV shows; its inertia is in
+/// proportion). The distances d and the energies are published nowhere: d follows from the other figures of
+/// the paper, the two energies of each test are fitted to the table's ten numbers. So two numbers are tested
+/// against ten.
 const TABLE_3: [Staged; 6] = [
     Staged {
         test: 1,
@@ -462,7 +469,8 @@ fn table_3_of_the_paper_comes_out() {
             let d = staged.distances[i] * FOOT;
             [d * phi.cos(), d * phi.sin()]
         });
-        // The impulse on vehicle 1 has the direction of n turned by atan μ; the force comes from the opposite one.
+        // The impulse on vehicle 1 has the direction of n turned by atan μ; the force comes from the opposite
+        // one.
         let direction = crush_plane + staged.impulse_ratio.atan();
         for [change, dv1, dv2] in staged.rows {
             let turned = direction + change.to_radians();

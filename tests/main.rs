@@ -1,8 +1,9 @@
 //! Tests across the crates, in one binary.
 //!
-//! What is expected comes from a source (the paper, with its misprints mended as docs/theory.md has them) or from a method that shares no code with
-//! the crates: [`oracle`] solves the raw equations of impulse and momentum for the random collisions of [`scenes`].
-//! These are the same at every run; `PROPTEST_RNG_SEED=2 cargo test -p deltav-tests` draws others.
+//! What is expected comes from a source (the paper, with its misprints mended as docs/theory.md has them) or
+//! from a method that shares no code with the crates: [`oracle`] solves the raw equations of impulse and
+//! momentum for the random collisions of [`scenes`]. These are the same at every run; `PROPTEST_RNG_SEED=2
+//! cargo test -p deltav-tests` draws others.
 
 #![expect(clippy::disallowed_methods, reason = "an oracle shares no function with what it judges")]
 
@@ -15,6 +16,7 @@ mod benchmarks;
 #[cfg(test)]
 mod binaries;
 #[cfg(test)]
+mod comments;
 mod compare;
 #[cfg(test)]
 mod coulomb;

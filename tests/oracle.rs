@@ -1,7 +1,8 @@
 //! An independent brute-force solve of the equations of impulse and momentum, in scene coordinates.
 //!
-//! Nine unknowns, V₁x V₁y Ω₁ V₂x V₂y Ω₂ Px Py M, and nine equations: linear and angular momentum of each vehicle, one normal and one
-//! tangential condition, and one on the moment impulse. Nothing here knows the matrix K or the ratio μ_c, except what says how much rounding may grow.
+//! Nine unknowns, V₁x V₁y Ω₁ V₂x V₂y Ω₂ Px Py M, and nine equations: linear and angular momentum of each
+//! vehicle, one normal and one tangential condition, and one on the moment impulse. Nothing here knows the
+//! matrix K or the ratio μ_c, except what says how much rounding may grow.
 
 use std::f64::consts::PI;
 
@@ -178,7 +179,8 @@ pub(crate) fn kinetic_energy(car: &Car, velocity: Vector, yaw_rate: f64) -> f64 
     }
 }
 
-/// The motion that satisfies U_n = −e u_n, the tangential condition and the moment's, whether or not a collision can have it.
+/// The motion that satisfies U_n = −e u_n, the tangential condition and the moment's, whether or not a
+/// collision can have it.
 pub(crate) fn solve(scene: &Scene, condition: Condition) -> Effects {
     if scene.moment == -1.0 {
         return solve_with(scene, condition, MomentCondition::Given(0.0));
@@ -289,15 +291,16 @@ fn clockwise(angle: f64) -> f64 {
     PI - (PI - angle).rem_euclid(2.0 * PI)
 }
 
-/// Coulomb's law with the coefficient `limit`: the surfaces stick where friction can hold them, else they slide and friction opposes that.
-/// Which condition holds, and the motion.
+/// Coulomb's law with the coefficient `limit`: the surfaces stick where friction can hold them, else they
+/// slide and friction opposes that. Which condition holds, and the motion.
 pub(crate) fn coulomb(scene: &Scene, limit: f64) -> Option<(Condition, Effects)> {
     let sticking = solve(scene, Condition::CommonTangential);
     if sticking.impulse[0] > 0.0 && sticking.impulse[1].abs() <= limit * sticking.impulse[0] {
         return Some((Condition::CommonTangential, sticking));
     }
     if scene.moment != -1.0 {
-        // Part of a moment makes the answer a mixture of two, and only the direction without friction is defined for that.
+        // Part of a moment makes the answer a mixture of two, and only the direction without friction is
+        // defined for that.
         return Some(sliding(scene, limit));
     }
     [limit, -limit].into_iter().map(Condition::Ratio).find_map(|condition| {
@@ -308,14 +311,16 @@ pub(crate) fn coulomb(scene: &Scene, limit: f64) -> Option<(Condition, Effects)>
     })
 }
 
-/// Sliding with |P_t| = `limit` P_n, against the tangential velocity that there would be after an impact without friction.
+/// Sliding with |P_t| = `limit` P_n, against the tangential velocity that there would be after an impact
+/// without friction.
 fn sliding(scene: &Scene, limit: f64) -> (Condition, Effects) {
     let without_friction = solve(scene, Condition::Ratio(0.0)).separation[1];
     let condition = Condition::Ratio(if without_friction > 0.0 { -limit } else { limit });
     (condition, solve(scene, condition))
 }
 
-/// Kudlich and Slibar's law with ε = e: the full impact where friction allows it, else sliding. Which condition holds, and the motion.
+/// Kudlich and Slibar's law with ε = e: the full impact where friction allows it, else sliding. Which
+/// condition holds, and the motion.
 pub(crate) fn kudlich_slibar(scene: &Scene, limit: f64) -> (Condition, Effects) {
     let full = solve(scene, Condition::Full);
     if full.impulse[0] > 0.0 && full.impulse[1].abs() <= limit * full.impulse[0] {
@@ -363,7 +368,8 @@ pub(crate) fn verdict(scene: &Scene) -> Verdict {
     }
 }
 
-/// What each output is compared against: its natural size, times how much the geometry can make rounding grow.
+/// What each output is compared against: its natural size, times how much the geometry can make rounding
+/// grow.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scale {
     pub(crate) velocity: f64,
@@ -561,7 +567,8 @@ pub(crate) fn assert_same(actual: &Effects, expected: &Effects, scale: &Scale, t
     assert_close("W_t", actual.tangential_work, expected.tangential_work, scale.work * tolerance);
 }
 
-/// Where the change of energy is less than this share of its scale, rounding decides whether the coefficients create energy.
+/// Where the change of energy is less than this share of its scale, rounding decides whether the coefficients
+/// create energy.
 pub(crate) const ENERGY_UNDECIDED: f64 = 1e-12;
 
 #[test]
@@ -642,7 +649,8 @@ fn vehicles_that_do_not_approach_have_no_impact() {
     });
 }
 
-/// The oracle itself on a case that needs no computer: equal point masses, head-on, with e = ½ and no friction.
+/// The oracle itself on a case that needs no computer: equal point masses, head-on, with e = ½ and no
+/// friction.
 #[test]
 fn the_oracle_knows_a_textbook_impact() {
     let car = Car {

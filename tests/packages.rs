@@ -1,7 +1,7 @@
 //! Every crate can be published: it says what it is, and what it builds from is in its package.
 //!
-//! `cargo package` builds the packages themselves, but takes minutes; `.ci/run` therefore packs without building, and this test finds what a build
-//! would miss.
+//! `cargo package` builds the packages themselves, but takes minutes; `.ci/run` therefore packs without
+//! building, and this test finds what a build would miss.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -41,8 +41,8 @@ fn shipped_code(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// The paths that the `include_str!`, `include_bytes!` and `include!` of a file name, from the folder of its package on. What a macro adds to a path
-/// is left out.
+/// The paths that the `include_str!`, `include_bytes!` and `include!` of a file name, from the folder of its
+/// package on. What a macro adds to a path is left out.
 fn included(text: &str, file: &Path) -> Vec<PathBuf> {
     let opens = ["include_str!(", "include_bytes!(", "include!("];
     let after = opens.into_iter().flat_map(|open| text.split(open).skip(1));
@@ -108,7 +108,8 @@ fn an_include_that_a_package_lacks_is_found() {
     assert!(lacks("include!(\"../tests/main.rs\")", "src/lib.rs"));
 }
 
-/// The manifest format of cargo: a registry takes five keywords of twenty characters at most, and five categories.
+/// The manifest format of cargo: a registry takes five keywords of twenty characters at most, and five
+/// categories.
 #[test]
 fn every_package_says_what_it_is() {
     let packages = published();

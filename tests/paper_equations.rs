@@ -1,5 +1,5 @@
-//! The equations of SAE 980025 in its own symbols, with its misprints mended (docs/theory.md, sections 3, 4 and 8), against the matrix form of `pim-core`;
-//! and each misprinted one, to show that it is one.
+//! The equations of SAE 980025 in its own symbols, with its misprints mended (docs/theory.md, sections 3, 4
+//! and 8), against the matrix form of `pim-core`; and each misprinted one, to show that it is one.
 //!
 //! The paper's equations are for vehicles without yaw rate before impact.
 
@@ -200,8 +200,8 @@ fn example() -> (Scene, Outcome, Paper) {
     (scene, outcome, paper)
 }
 
-/// ERRATUM, Eq 1: printed with (1+μ) for (1+μ²), and with −μ²r/μ_c for what the braces have. That is the same for B = 0, or at μ = μ_c if
-/// that is not the text's r/(1+e) either.
+/// ERRATUM, Eq 1: printed with (1+μ) for (1+μ²), and with −μ²r/μ_c for what the braces have. That is the same
+/// for B = 0, or at μ = μ_c if that is not the text's r/(1+e) either.
 #[test]
 fn eq_1_as_printed_is_not_the_momentum_change() {
     let (scene, at_critical, paper) = example();
@@ -258,7 +258,8 @@ fn central() -> (Scene, Paper) {
         moment: -1.0,
     }
     .approaching();
-    // Point masses: C at both CGs but for a millimetre that orients the normal, and that is left out of the paper's arms.
+    // Point masses: C at both CGs but for a millimetre that orients the normal, and that is left out of the
+    // paper's arms.
     let point = scene.with_cars(|car| Car { distance: 0.0, ..car });
     (scene, Paper::of(&point))
 }
@@ -324,8 +325,8 @@ fn the_printed_critical_ratio_is_that_of_a_central_impact() {
     assert_relative("μ_c of a central impact", paper.critical_ratio(), paper.r / (1.0 + paper.e), 1e-14);
 }
 
-/// ERRATUM, Eq 5: printed with B/6 on the squares only and 5G outside of L/5. Taken literally, in feet and pounds, it gives vehicle 1 of the
-/// example 80.4 kJ instead of 102.2 kJ.
+/// ERRATUM, Eq 5: printed with B/6 on the squares only and 5G outside of L/5. Taken literally, in feet and
+/// pounds, it gives vehicle 1 of the example 80.4 kJ instead of 102.2 kJ.
 #[test]
 fn eq_5_as_printed_is_not_the_crush_energy() {
     let c = DEPTHS[0].map(|inch| inch / 12.0);

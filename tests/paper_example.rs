@@ -1,7 +1,8 @@
-//! The example of SAE 980025 (its section "Using PIM and CRASH3 in combination" and its appendix), from its own US units.
+//! The example of SAE 980025 (its section "Using PIM and CRASH3 in combination" and its appendix), from its
+//! own US units.
 //!
-//! Expected are the figures that the corrected equations give, and the paper's where its print is right. Where it is not,
-//! `ERRATUM` says so and the test shows the difference.
+//! Expected are the figures that the corrected equations give, and the paper's where its print is right.
+//! Where it is not, `ERRATUM` says so and the test shows the difference.
 
 use crash3::{
     EnergyBasis, ObliqueCorrection, Profile, Stiffness, StruckVehicle, crush_energy, delta_v, moment_arm,
@@ -175,7 +176,8 @@ fn the_impact_is_the_one_that_the_paper_prints() {
     assert_relative("the paper's resultant", outcome.impulse_vector.norm(), 20_313.0, 0.004);
 }
 
-/// ERRATUM: the appendix prints v_2x = −5.7 and V_2y = −15.5 ft/s. Only with the other sign of both does the system keep its momentum.
+/// ERRATUM: the appendix prints v_2x = −5.7 and V_2y = −15.5 ft/s. Only with the other sign of both does the
+/// system keep its momentum.
 #[test]
 fn the_signs_of_vehicle_2_are_those_that_balance_the_momentum() {
     let change = |weight: f64, before: f64, after: f64| weight * (after - before);
@@ -232,7 +234,8 @@ fn the_corrected_energies_follow_from_the_paper_s_angles() {
     assert_printed(factor(30.0), "1.333");
 }
 
-/// The basis is a choice: energy absorbed at maximum engagement asks for less dissipated, and so for less speed.
+/// The basis is a choice: energy absorbed at maximum engagement asks for less dissipated, and so for less
+/// speed.
 #[test]
 fn absorbed_energy_asks_for_a_lower_speed() {
     let [e1, e2] = energies();

@@ -1,5 +1,5 @@
-//! The speed that makes the normal work equal the crush energy, against the impacts that it undoes and the roots that
-//! [`oracle`](crate::oracle) gives.
+//! The speed that makes the normal work equal the crush energy, against the impacts that it undoes and the
+//! roots that [`oracle`](crate::oracle) gives.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -63,7 +63,8 @@ impl Case {
         posed(scene.contact(), scene.law(), scene.motions(), self.unknown, energy, self.basis).unwrap()
     }
 
-    /// (m/s) how well a speed can be known: the size of what u_n is a difference of, over what a speed of 1 m/s adds to u_n.
+    /// (m/s) how well a speed can be known: the size of what u_n is a difference of, over what a speed of 1
+    /// m/s adds to u_n.
     pub(crate) fn speed_scale(&self) -> f64 {
         let size: f64 = self
             .scene
@@ -119,8 +120,8 @@ pub(crate) fn all_laws() -> impl Strategy<Value = Tangential> {
     crate::scenes::tangential()
 }
 
-/// Whether the original speed can be told from its neighbours to 1e-9: not where the vehicle hardly moves along the normal, nor
-/// where W_n has an extremum.
+/// Whether the original speed can be told from its neighbours to 1e-9: not where the vehicle hardly moves
+/// along the normal, nor where W_n has an extremum.
 fn is_well_conditioned(case: &Case, work: f64) -> bool {
     let step = 1e-4 * case.speed_scale() * approach(&case.scene)[0].abs().min(1.0);
     let change = match (case.work(case.speed + step), case.work(case.speed - step)) {
@@ -192,8 +193,9 @@ fn the_answer_gives_the_energy_back() {
     });
 }
 
-/// The admissible speeds of a case, each found from the raw equations: with one regime of the law given, P_n and u_n are affine in
-/// the speed, and W_n = −½ (1−e) u_n P_n is a quadratic in it. `None` where rounding decides.
+/// The admissible speeds of a case, each found from the raw equations: with one regime of the law given, P_n
+/// and u_n are affine in the speed, and W_n = −½ (1−e) u_n P_n is a quadratic in it. `None` where rounding
+/// decides.
 fn expected_roots(case: &Case, normal_work: f64) -> Option<Vec<f64>> {
     let regimes = match case.scene.tangential {
         Tangential::Critical => vec![Condition::CommonTangential],
@@ -242,11 +244,13 @@ fn expected_roots(case: &Case, normal_work: f64) -> Option<Vec<f64>> {
     Some(sorted(case, roots))
 }
 
-/// The same by brute force where W_n is no quadratic: changes of sign on a fine grid, halved until nothing is left between.
+/// The same by brute force where W_n is no quadratic: changes of sign on a fine grid, halved until nothing is
+/// left between.
 fn scanned_roots(case: &Case, normal_work: f64) -> Vec<f64> {
     let (slope, touch) = (case.slope(), approach(&case.at(0.0))[0]);
     let speed = |x: f64| -(x + touch) / slope;
-    // Whether or not energy is created, W_n is a function of the approach speed x; where no push is possible no work is done.
+    // Whether or not energy is created, W_n is a function of the approach speed x; where no push is possible
+    // no work is done.
     let missing = |x: f64| match verdict(&case.at(speed(x))) {
         Verdict::Impact(effects) | Verdict::EnergyCreated(effects) => effects.normal_work - normal_work,
         _ => -normal_work,
@@ -284,8 +288,8 @@ fn sorted(case: &Case, mut roots: Vec<f64>) -> Vec<f64> {
     roots
 }
 
-/// Whether the numbers of roots can be compared: no two of them so near that rounding decides whether they exist, none beyond the
-/// root-finder's scan, and none at the border of what is possible.
+/// Whether the numbers of roots can be compared: no two of them so near that rounding decides whether they
+/// exist, none beyond the root-finder's scan, and none at the border of what is possible.
 fn is_decided(case: &Case, normal_work: f64, roots: &[f64]) -> bool {
     let frictionless = case.frictionless(normal_work);
     let x = |speed: f64| -approach(&case.at(speed))[0];
@@ -443,11 +447,12 @@ fn only_laws_with_a_quadratic_have_a_closed_form() {
     }
 }
 
-/// Unit mass and unit radius of gyration, C at r = (−1, −1) of the CG, a wall along x below it, a heading of 3 across for 1 down, e = 0.
+/// Unit mass and unit radius of gyration, C at r = (−1, −1) of the CG, a wall along x below it, a heading of
+/// 3 across for 1 down, e = 0.
 ///
-/// By hand, along n = +y and t = −x: k_nn = k_tt = 2, k_nt = 1, det K = 3. With the yaw rate ω, u = −(ω + s/√10, ω + 3s/√10); in the
-/// approach speed x = ω + s/√10 that is u_t = 2ω − 3x, so that a common velocity takes P_n = (2x + u_t)/3 = (2ω − x)/3 and
-/// W_n = x (2ω − x)/6.
+/// By hand, along n = +y and t = −x: k_nn = k_tt = 2, k_nt = 1, det K = 3. With the yaw rate ω, u = −(ω +
+/// s/√10, ω + 3s/√10); in the approach speed x = ω + s/√10 that is u_t = 2ω − 3x, so that a common velocity
+/// takes P_n = (2x + u_t)/3 = (2ω − x)/3 and W_n = x (2ω − x)/6.
 fn against_a_wall(law: Tangential, yaw_rate: f64, energy: f64) -> Result<Problem, ReconcileError> {
     let heading = f64::atan2(-1.0, 3.0);
     let car = Car {
@@ -548,7 +553,8 @@ fn a_common_velocity_may_have_two_speeds_or_none() {
     assert!(text.contains("no speed of vehicle 1") && text.contains("4.2 J"), "{text}");
 }
 
-/// W_n = x (2 ω − x)/6 is at most ω²/6, at x = ω, where the car does not move along its heading. It pushes from x = 0 to x = 2 ω, and with ω ≤ 0 never.
+/// W_n = x (2 ω − x)/6 is at most ω²/6, at x = ω, where the car does not move along its heading. It pushes
+/// from x = 0 to x = 2 ω, and with ω ≤ 0 never.
 #[test]
 fn what_cannot_be_reached_is_told_how_near_it_comes() {
     for yaw_rate in [0.01_f64, 3.0, 5.0, 400.0] {
@@ -608,7 +614,8 @@ fn a_speed_that_creates_energy_is_refused_by_name() {
     }
 }
 
-/// No size is built into the search: toys and trains, creeping and as fast as may be, nearly elastic or not at all.
+/// No size is built into the search: toys and trains, creeping and as fast as may be, nearly elastic or not
+/// at all.
 #[test]
 fn the_search_has_no_scale_of_its_own() {
     for mass in [1e-6, 1500.0, 1e9] {
@@ -627,7 +634,8 @@ fn the_search_has_no_scale_of_its_own() {
     }
 }
 
-/// With the yaw rate 50 the work rises so steeply that 0.1 mJ is there at x = 3 µm/s, long before the first sample: x (100 − x)/6.
+/// With the yaw rate 50 the work rises so steeply that 0.1 mJ is there at x = 3 µm/s, long before the first
+/// sample: x (100 − x)/6.
 #[test]
 fn a_speed_below_the_first_sample_is_found() {
     let problem = against_a_wall(Tangential::Critical, 50.0, 1e-4).unwrap();
@@ -714,8 +722,9 @@ fn a_central_impact_by_hand() {
     assert_eq!([Unknown::Speed1.index(), Unknown::Speed2.index()], [0, 1]);
 }
 
-/// Between the speeds at which friction holds the surfaces together W_n has a hump that is narrower than a step of the scan: three
-/// speeds give the same energy, and the mirror image of the collision has the same three.
+/// Between the speeds at which friction holds the surfaces together W_n has a hump that is narrower than a
+/// step of the scan: three speeds give the same energy, and the mirror image of the collision has the same
+/// three.
 #[test]
 fn friction_may_have_three_speeds_close_together() {
     let truck = Car {

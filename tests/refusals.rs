@@ -105,7 +105,8 @@ fn a_normal_across_the_centres_has_no_direction() {
     assert!(Contact::new(places, FRAC_PI_2 - 1e-7).is_ok());
 }
 
-/// Whatever the distance of the CGs and its direction, a normal within 1e-12 rad of the plane across them has no direction.
+/// Whatever the distance of the CGs and its direction, a normal within 1e-12 rad of the plane across them has
+/// no direction.
 #[test]
 fn how_near_to_across_a_normal_may_be() {
     for size in [0.05, 1.0, 30.0] {
@@ -139,8 +140,8 @@ fn a_plane_through_a_centre_does_not_separate() {
     assert!(!Contact::new([ahead, beside], 0.0).unwrap().separates_centres());
 }
 
-/// C at (−1, −1) m of the CG of a body with unit mass and inertia, a wall along y ahead of it: k_nn = k_tt = 2, det K = 3, and |k_nt| = 1.
-/// All numbers are small integers, so that the borders are met exactly.
+/// C at (−1, −1) m of the CG of a body with unit mass and inertia, a wall along y ahead of it: k_nn = k_tt =
+/// 2, det K = 3, and |k_nt| = 1. All numbers are small integers, so that the borders are met exactly.
 fn exact(velocity: [f64; 2], yaw_rate: f64) -> (Contact, [Motion; 2]) {
     let body = Body::new(1.0, 1.0).unwrap();
     let places = [Participant::new(body, 0.0, -1.0, -1.0).unwrap(), Participant::barrier()];
@@ -160,8 +161,8 @@ fn sliding_along_each_other_is_no_approach() {
     }
 }
 
-/// Where a common tangential velocity takes P_n = 0 exactly, it is no push: the law is refused, and another's outcome has no μ_c. A share of that μ_c
-/// is refused too, but none of it is without friction.
+/// Where a common tangential velocity takes P_n = 0 exactly, it is no push: the law is refused, and another's
+/// outcome has no μ_c. A share of that μ_c is refused too, but none of it is without friction.
 #[test]
 fn no_push_is_no_critical_ratio() {
     let critical = Law::new(0.0, Tangential::Critical).unwrap();
@@ -192,8 +193,8 @@ fn no_push_is_no_critical_ratio() {
     assert!(looked > 0);
 }
 
-/// f = 0 is without friction in every scene, also where the critical condition pulls, with and without a moment impulse: the impact, or the
-/// refusal, of μ = 0.
+/// f = 0 is without friction in every scene, also where the critical condition pulls, with and without a
+/// moment impulse: the impact, or the refusal, of μ = 0.
 #[test]
 fn no_share_of_the_critical_ratio_is_no_friction() {
     let pulls = std::cell::Cell::new(0);
@@ -244,16 +245,17 @@ fn the_derivatives_without_friction_are_numbers() {
             assert_eq!(none.value, frictionless.value);
             assert_eq!(none.by[1], frictionless.by[1], "by the velocity across, {across}");
         }
-        // By hand, with K = ((2, −1), (−1, 2)) and u = (−2, across): P_n = −u_n/k_nn = 1 at f = 0, so that ∂P_t/∂f = μ_c, and the impulse
-        // of μ_c is along (k_tt 2 + k_nt across, −k_nn across − k_nt 2).
+        // By hand, with K = ((2, −1), (−1, 2)) and u = (−2, across): P_n = −u_n/k_nn = 1 at f = 0, so that
+        // ∂P_t/∂f = μ_c, and the impulse of μ_c is along (k_tt 2 + k_nt across, −k_nn across − k_nt 2).
         let [c_n, c_t] = [4.0 - across, 2.0 - 2.0 * across];
         let expected = if c_n > 0.0 { c_t / c_n } else { 0.0 };
         assert_close("∂P_t/∂f", none[1].by[0], expected, 1e-12);
     }
 }
 
-/// E_L may fall below zero by 1e-12 of the energy that the impulses exchange, and no further: elastic in the normal direction, elastic
-/// or frictionless in the tangential one, with and without an elastic moment impulse, and a little too much of the tangential impulse.
+/// E_L may fall below zero by 1e-12 of the energy that the impulses exchange, and no further: elastic in the
+/// normal direction, elastic or frictionless in the tangential one, with and without an elastic moment
+/// impulse, and a little too much of the tangential impulse.
 #[test]
 fn rounding_may_create_energy_and_nothing_else() {
     use proptest::prelude::*;

@@ -186,7 +186,8 @@ fn central(energy: f64, basis: EnergyBasis) -> Problem {
     posed(contact, law, [pim_core::Motion::rest(); 2], Unknown::Speed1, energy, basis).unwrap()
 }
 
-/// By hand, head-on and central with equal masses: W_n = ½ m̄ (1−e²) v² with m̄ = 750 kg, and ½ m̄ v² is absorbed.
+/// By hand, head-on and central with equal masses: W_n = ½ m̄ (1−e²) v² with m̄ = 750 kg, and ½ m̄ v² is
+/// absorbed.
 #[test]
 fn a_curve_by_hand() {
     // e(10) = 0.3
@@ -232,7 +233,8 @@ fn where_the_restitution_is_one_there_is_no_speed() {
     }
 }
 
-/// A peak of restitution within two centimetres per second: W_n = 375 (1−e²) v² falls below the energy and rises again.
+/// A peak of restitution within two centimetres per second: W_n = 375 (1−e²) v² falls below the energy and
+/// rises again.
 #[test]
 fn a_narrow_peak_of_a_curve_is_not_overlooked() {
     let peak = curve(&[(9.99, 0.0), (10.0, 0.9), (10.01, 0.0)]);
@@ -247,7 +249,8 @@ fn a_narrow_peak_of_a_curve_is_not_overlooked() {
     }
 }
 
-/// A jam is a jam at every speed, with or without a curve; another refusal at one speed is none of the others'.
+/// A jam is a jam at every speed, with or without a curve; another refusal at one speed is none of the
+/// others'.
 #[test]
 fn a_refusal_at_one_speed_is_not_a_jam() {
     let problem = head_on(places(PI), Unknown::Speed1, 0.3, 1e5).unwrap();

@@ -82,7 +82,8 @@ fn hard_functions_take_bounded_steps() {
 
 #[test]
 fn every_bracket_gets_an_answer() {
-    // A cubic with a triple, a double or three roots, a jump added: f changes its sign between the ends whatever it does inside.
+    // A cubic with a triple, a double or three roots, a jump added: f changes its sign between the ends
+    // whatever it does inside.
     let cubic = ([-1.0..1.0, -1.0..1.0, -1.0..1.0], -1.0..1.0, 0.0..10.0);
     for_all(20_000, 0.3, cubic, |([p, q, r], at, height): ([f64; 3], f64, f64)| {
         let f = |x: f64| (x - p) * (x - q) * (x - r) + if x > at { height } else { 0.0 };
@@ -114,8 +115,9 @@ fn every_bracket_gets_an_answer() {
     });
 }
 
-/// The points at which Brent's own procedure `zero` evaluates the function between the ends, and its answer: section 4.6 of his book, in the
-/// book's names. Beside it, `halvings` halves the bracket where only that can still end within so many steps.
+/// The points at which Brent's own procedure `zero` evaluates the function between the ends, and its answer:
+/// section 4.6 of his book, in the book's names. Beside it, `halvings` halves the bracket where only that can
+/// still end within so many steps.
 fn published(
     f: &dyn Fn(f64) -> f64,
     [mut a, mut b]: [f64; 2],

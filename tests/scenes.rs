@@ -212,8 +212,8 @@ pub(crate) fn scene_under(law: impl Strategy<Value = Tangential>) -> impl Strate
     (scene(), law).prop_map(|(scene, tangential)| scene.under(tangential).without_moment())
 }
 
-/// Runs `test` on `cases` values. It returns whether the value was one that it says something about, and at least the
-/// share `least_kept` of them must be.
+/// Runs `test` on `cases` values. It returns whether the value was one that it says something about, and at
+/// least the share `least_kept` of them must be.
 #[track_caller]
 pub(crate) fn for_all<S: Strategy<Value: Debug>>(
     cases: u32,
@@ -222,8 +222,8 @@ pub(crate) fn for_all<S: Strategy<Value: Debug>>(
     test: impl Fn(S::Value) -> bool,
 ) {
     let kept = Cell::new(0_u32);
-    // A failure prints the smallest input that fails, to the last bit: that belongs into a test, not into a file of seeds.
-    // One commit, one verdict: new samples are drawn where PROPTEST_RNG_SEED asks for them.
+    // A failure prints the smallest input that fails, to the last bit: that belongs into a test, not into a
+    // file of seeds. One commit, one verdict: new samples are drawn where PROPTEST_RNG_SEED asks for them.
     let rng_seed = match Config::default().rng_seed {
         RngSeed::Random => RngSeed::Fixed(980_025),
         asked => asked,
@@ -240,8 +240,8 @@ pub(crate) fn for_all<S: Strategy<Value: Debug>>(
     assert!(share >= least_kept, "only {share} of the samples were kept");
 }
 
-/// The domain is what it says: every tangential condition, barriers on both sides, crush planes that need to be turned
-/// and others, and most collisions have an impact.
+/// The domain is what it says: every tangential condition, barriers on both sides, crush planes that need to
+/// be turned and others, and most collisions have an impact.
 #[test]
 fn random_collisions_cover_the_domain() {
     let mut runner = TestRunner::new_with_rng(

@@ -1,7 +1,8 @@
-//! Stiffness beyond two coefficients: CRASH3's table, barrier tests, limits and zones; and what estimates a vehicle's data.
+//! Stiffness beyond two coefficients: CRASH3's table, barrier tests, limits and zones; and what estimates a
+//! vehicle's data.
 //!
-//! Sources: the sample in NHTSA's CRASH3 user's manual (*the manual*); SAE 870045 for the tables; the vehicles of the RICSAC collisions as D. Neades's
-//! thesis (De Montfort University), Appendix D, gives them.
+//! Sources: the sample in NHTSA's CRASH3 user's manual (*the manual*); SAE 870045 for the tables; the
+//! vehicles of the RICSAC collisions as D. Neades's thesis (De Montfort University), Appendix D, gives them.
 
 use crash3::{
     BarrierTest, CrushError, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, VehicleClass,
@@ -22,8 +23,8 @@ fn inches(depths: &[f64], width: f64) -> Profile {
     Profile::equally_spaced(depths.iter().map(|depth| depth * INCH).collect(), width * INCH).unwrap()
 }
 
-/// The manual's sample. It prints energies from crush that it does not round: 19,245.3 and 31,220.8 ft·lb; from the rounded crush that it lists, a
-/// calculation by hand gives 19,255.15 and 31,099.94.
+/// The manual's sample. It prints energies from crush that it does not round: 19,245.3 and 31,220.8 ft·lb;
+/// from the rounded crush that it lists, a calculation by hand gives 19,255.15 and 31,099.94.
 #[test]
 fn the_manual_s_sample_comes_out() {
     let front = Stiffness::from_category(Side::Front, 4).unwrap();
@@ -41,7 +42,8 @@ fn the_manual_s_sample_comes_out() {
     }
 }
 
-/// A 50 kN/m, B 1 MN/m², 1.5 m wide: 1.5 (50 · 0.3 + 1000 · 0.3²/2 + 50²/2000) kJ and 1.5 (50 · 0.15 + 1000 · 0.3²/6 + 1.25) kJ.
+/// A 50 kN/m, B 1 MN/m², 1.5 m wide: 1.5 (50 · 0.3 + 1000 · 0.3²/2 + 50²/2000) kJ and 1.5 (50 · 0.15 + 1000 ·
+/// 0.3²/6 + 1.25) kJ.
 #[test]
 fn uniform_and_triangular_crush_by_hand() {
     let stiffness = Stiffness::from_ab(50e3, 1e6).unwrap();
@@ -97,8 +99,8 @@ fn categories_and_classes_that_do_not_exist_are_refused() {
     }
 }
 
-/// Neades, Appendix D: test mass (kg), yaw inertia (kg·m²), CG to front, CG to rear and width (cm) of four RICSAC vehicles, with the class
-/// from which the thesis has them.
+/// Neades, Appendix D: test mass (kg), yaw inertia (kg·m²), CG to front, CG to rear and width (cm) of four
+/// RICSAC vehicles, with the class from which the thesis has them.
 #[test]
 fn classes_are_those_of_the_staged_collisions() {
     for (class, mass, inertia, front, rear, width) in [
@@ -127,7 +129,8 @@ fn classes_are_those_of_the_staged_collisions() {
     assert_printed(classes[1].track / INCH, "54.6");
 }
 
-/// Burg: I = 0.1269 × mass × wheelbase × length. Its k is 3 to 15 % below that of CRASH3's classes, as a calculation by hand from Table 2 shows.
+/// Burg: I = 0.1269 × mass × wheelbase × length. Its k is 3 to 15 % below that of CRASH3's classes, as a
+/// calculation by hand from Table 2 shows.
 #[test]
 fn burg_s_yaw_inertia_by_hand_and_beside_the_class_table() {
     assert_relative("by hand", yaw_inertia_burg(1500.0, 2.6, 4.5).unwrap(), 2_227.095, 1e-12);
@@ -189,7 +192,8 @@ fn a_limited_force_has_the_energy_of_its_integral() {
 
 #[test]
 fn a_limited_force_is_exact_where_stations_lie_on_the_knee() {
-    // Stations put where the depth crosses the knee leave zones that are wholly linear or wholly flat: Simpson's rule is exact there.
+    // Stations put where the depth crosses the knee leave zones that are wholly linear or wholly flat:
+    // Simpson's rule is exact there.
     for_all(3000, 1.0, (profile(), limited()), |(plain, line @ (a, b, g, limit))| {
         let knee = (limit - a) / b;
         let (depths, spacings) = &plain;
@@ -326,7 +330,8 @@ fn a_barrier_test_s_stiffness_gives_its_kinetic_energy_back() {
     });
 }
 
-/// A uniform crush leaves the shortcut nothing to miss; a front with a usual bow, deepest in the middle, lets it over-predict by a few per cent.
+/// A uniform crush leaves the shortcut nothing to miss; a front with a usual bow, deepest in the middle, lets
+/// it over-predict by a few per cent.
 #[test]
 fn the_shortcut_by_mean_crush_over_predicts() {
     let energy_ratio = |depths: Vec<f64>| {

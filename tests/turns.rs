@@ -1,4 +1,5 @@
-//! Energies that W_n hardly reaches, or hardly falls below, before it turns: two speeds close together, or none.
+//! Energies that W_n hardly reaches, or hardly falls below, before it turns: two speeds close together, or
+//! none.
 
 use pim_core::{Contact, Law, Motion, RestitutionCurve, Tangential, VehicleId};
 use proptest::prelude::*;
@@ -9,8 +10,8 @@ use crate::oracle::{Condition, approach, solve};
 use crate::reconciliation::{Case, all_laws, case, places, posed, with_curve};
 use crate::scenes::for_all;
 
-/// By hand, head-on and central with equal masses and e = e₀ + (1 − e₀) v/v₁: W_n = 375 v² (1 − e²) is greatest where
-/// 2 e² − e₀ e − 1 = 0.
+/// By hand, head-on and central with equal masses and e = e₀ + (1 − e₀) v/v₁: W_n = 375 v² (1 − e²) is
+/// greatest where 2 e² − e₀ e − 1 = 0.
 #[test]
 fn two_speeds_about_the_greatest_work_under_a_curve() {
     let contact = Contact::new(places(std::f64::consts::PI), 0.0).unwrap();
@@ -48,8 +49,8 @@ fn two_speeds_about_the_greatest_work_under_a_curve() {
     }
 }
 
-/// The approach speeds and values at which a function turns, by brute force: a grid from `low` to `high`, each triple whose middle is
-/// the highest or lowest narrowed by thirds.
+/// The approach speeds and values at which a function turns, by brute force: a grid from `low` to `high`,
+/// each triple whose middle is the highest or lowest narrowed by thirds.
 fn turns(f: &dyn Fn(f64) -> f64, [low, high]: [f64; 2]) -> Vec<[f64; 3]> {
     let ratio: f64 = 1.01;
     let xs: Vec<f64> =

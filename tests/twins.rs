@@ -1,4 +1,5 @@
-//! What loops over many samples call: the same answers as the functions that give a reason, and a plain yes or no.
+//! What loops over many samples call: the same answers as the functions that give a reason, and a plain yes
+//! or no.
 
 use crash3::{Profile, Zone};
 use pim_core::{Body, Contact, Law, Motion, Participant, RestitutionCurve, Tangential};

@@ -75,7 +75,8 @@ fn case_file(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A model that costs next to nothing, so that what is measured is the sampling of its inputs and the statistics.
+/// A model that costs next to nothing, so that what is measured is the sampling of its inputs and the
+/// statistics.
 struct SumOfSquares;
 
 impl Model for SumOfSquares {

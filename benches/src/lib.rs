@@ -5,9 +5,9 @@
 //! | `times` | time, by criterion: for people | `cargo bench -p deltav-benches` |
 //! | `instructions` | instructions executed, by gungraun under valgrind: for comparisons | `benches/compare-commits` |
 //!
-//! Both measure the same operations: an impact under each tangential condition, the same with the geometry of the contact
-//! included, a crush energy, a reconciliation in closed form and by the root-finder, the reading of a case file. The sampling of 31
-//! uncertain inputs is timed only.
+//! Both measure the same operations: an impact under each tangential condition, the same with the geometry of
+//! the contact included, a crush energy, a reconciliation in closed form and by the root-finder, the reading
+//! of a case file. The sampling of 31 uncertain inputs is timed only.
 //!
 //! # Time
 //!
@@ -18,7 +18,8 @@
 //! cargo bench -p deltav-benches -- --baseline before
 //! ```
 //!
-//! Time on a shared machine swings by 30 %. It tells what a thing costs, not whether a small change made it slower.
+//! Time on a shared machine swings by 30 %. It tells what a thing costs, not whether a small change made it
+//! slower.
 //!
 //! # Instructions
 //!
@@ -26,9 +27,10 @@
 //! benches/compare-commits BASE [HEAD] [--limit 2%]
 //! ```
 //!
-//! compares two commits in one run, and exits with 1 if one of the counts grew by more than the limit. No count is
-//! kept anywhere: counts move with toolchain and CPU, so only two that were taken together can be compared. It needs valgrind,
-//! which is why the target stands behind the feature `instructions`; what else it needs it installs below `target/`.
+//! compares two commits in one run, and exits with 1 if one of the counts grew by more than the limit. No
+//! count is kept anywhere: counts move with toolchain and CPU, so only two that were taken together can be
+//! compared. It needs valgrind, which is why the target stands behind the feature `instructions`; what else
+//! it needs it installs below `target/`.
 
 use crash3::{CrushError, Profile, Stiffness, crush_energy};
 use pim_core::{Body, Contact, InvalidInput, Law, Motion, Participant, Tangential};

@@ -1,4 +1,5 @@
-//! A text that is accepted as a quantity is finite, and reads back as the same; one that is refused has its reason and remedy.
+//! A text that is accepted as a quantity is finite, and reads back as the same; one that is refused has its
+//! reason and remedy.
 #![no_main]
 
 use case::{Dimension, read_quantity};

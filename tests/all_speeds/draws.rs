@@ -59,7 +59,8 @@ impl Draws {
 /// A collision of which one vehicle moves along its heading at a speed that is sought, in plain numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Sought {
-    /// The velocity of the vehicle whose speed is sought means nothing; its restitution neither, where there is a curve.
+    /// The velocity of the vehicle whose speed is sought means nothing; its restitution neither, where there
+    /// is a curve.
     pub(crate) scene: Scene,
     /// (closing speed in m/s, e); empty where the restitution is the scene's.
     pub(crate) curve: Vec<(f64, f64)>,
@@ -107,7 +108,8 @@ impl Sought {
     }
 }
 
-/// Any collision of which a speed can be sought: every law, with and without moment impulse, curve, barrier and yaw.
+/// Any collision of which a speed can be sought: every law, with and without moment impulse, curve, barrier
+/// and yaw.
 pub(crate) fn sought(draws: &mut Draws) -> Sought {
     loop {
         let mut scene = scene(draws);

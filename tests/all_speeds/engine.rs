@@ -1,7 +1,9 @@
-//! W_n and what a collision can have, by a linear solve for the impulses P_n, P_t and M in generalised coordinates.
+//! W_n and what a collision can have, by a linear solve for the impulses P_n, P_t and M in generalised
+//! coordinates.
 //!
-//! The two vehicles are six coordinates, q = (x₁, y₁, θ₁, x₂, y₂, θ₂), with the inverse masses m⁻¹ on the diagonal of D. The rows of J give the
-//! relative velocity at C along n, along t and the relative yaw rate, u = J q̇, so that U = u + J D Jᵀ (P_n, P_t, M).
+//! The two vehicles are six coordinates, q = (x₁, y₁, θ₁, x₂, y₂, θ₂), with the inverse masses m⁻¹ on the
+//! diagonal of D. The rows of J give the relative velocity at C along n, along t and the relative yaw rate, u
+//! = J q̇, so that U = u + J D Jᵀ (P_n, P_t, M).
 
 use pim_core::Tangential;
 use reconcile::EnergyBasis;
@@ -32,7 +34,8 @@ fn size(a: Triple, b: Triple) -> f64 {
     (a[0] * b[0]).abs() + (a[1] * b[1]).abs() + (a[2] * b[2]).abs()
 }
 
-/// Solves a·x = b by elimination with partial pivoting. Also det a as a share of the product of the rows' sizes.
+/// Solves a·x = b by elimination with partial pivoting. Also det a as a share of the product of the rows'
+/// sizes.
 fn eliminate<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> ([f64; N], f64) {
     let mut determinant = 1.0;
     for (row, b) in a.iter_mut().zip(&mut b) {

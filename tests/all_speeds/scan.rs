@@ -216,8 +216,8 @@ impl Scan {
         expected
     }
 
-    /// A crush energy within a relative 1e-1 … 1e-6 of that at a turn of W_n, on either side of a border or at a knot, if there is any at which a
-    /// collision can be.
+    /// A crush energy within a relative 1e-1 … 1e-6 of that at a turn of W_n, on either side of a border or
+    /// at a knot, if there is any at which a collision can be.
     pub(crate) fn aim(&self, draws: &mut Draws) -> Option<f64> {
         let possible = |x: &f64| {
             let energy = self.energy(*x);

@@ -1,4 +1,5 @@
-//! Which number of the file the speed depends on most: exact derivatives, ranked, and the first of them checked by a difference.
+//! Which number of the file the speed depends on most: exact derivatives, ranked, and the first of them
+//! checked by a difference.
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 

@@ -1,4 +1,5 @@
-//! Consistency of what was given with what was computed: each check says what it compared, whether or not it is content.
+//! Consistency of what was given with what was computed: each check says what it compared, whether or not it
+//! is content.
 
 use std::f64::consts::PI;
 
@@ -33,11 +34,13 @@ pub enum CheckedQuantity {
         /// (J) E, the share of the crush energy that the normal impulse dissipates on the case's basis.
         crush_energy: f64,
     },
-    /// e above 15 m/s of closing speed: at most 0.3. Below it all that is possible passes, and there is no check.
+    /// e above 15 m/s of closing speed: at most 0.3. Below it all that is possible passes, and there is no
+    /// check.
     Restitution,
-    /// (N·m·s) moment about the CG of the impulse that acts along the line of action of the file's PDOF, or of the computed one where a moment impulse
-    /// acts too; counted positive in the sense in which the yaw rate changed. Without either the impulse alone makes the change (I ΔΩ = r × P), and
-    /// there is nothing to hold it against.
+    /// (N·m·s) moment about the CG of the impulse that acts along the line of action of the file's PDOF, or
+    /// of the computed one where a moment impulse acts too; counted positive in the sense in which the yaw
+    /// rate changed. Without either the impulse alone makes the change (I ΔΩ = r × P), and there is nothing
+    /// to hold it against.
     Rotation {
         /// Which vehicle.
         vehicle: VehicleId,
@@ -67,7 +70,8 @@ impl Check {
     }
 }
 
-/// All checks that there are values for: headings (rad) and the crush energy (J) on the basis of W_n, as far as they are known.
+/// All checks that there are values for: headings (rad) and the crush energy (J) on the basis of W_n, as far
+/// as they are known.
 pub(crate) fn checks(
     vehicles: &[Vehicle; 2],
     headings: [Option<f64>; 2],

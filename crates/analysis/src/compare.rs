@@ -28,8 +28,9 @@ pub struct LawRow {
     pub answer: Result<Analysis, Failure>,
 }
 
-/// Solves the case under its own law and under every other, with the case's own coefficients where they fit and stated assumptions where not. A case
-/// with a `[reconstruct]` table is reconstructed; one with both speeds is computed forward.
+/// Solves the case under its own law and under every other, with the case's own coefficients where they fit
+/// and stated assumptions where not. A case with a `[reconstruct]` table is reconstructed; one with both
+/// speeds is computed forward.
 ///
 /// # Errors
 /// [`Failure`] where the case has no answer under its own law.

@@ -1,4 +1,4 @@
-//! The work of the normal impulse over the speed sought: what the answer is a root of.
+//! The work of the normal impulse over the speed sought. The answer is a root of this curve.
 
 use inputs::Case;
 
@@ -12,15 +12,16 @@ pub struct WorkPoint {
     pub speed: f64,
     /// (J) W_n at that speed; negative or not a number where no impact can happen.
     pub normal_work: f64,
-    /// (J) the normal work sought at that speed. It depends on the speed only where a curve of restitution meets the basis `absorbed`.
+    /// (J) the normal work sought at that speed. It depends on the speed only for a restitution curve with
+    /// the basis `absorbed`.
     pub sought: f64,
 }
 
 /// How far beyond the fastest speed of interest the curve goes, as a share of the way to it.
 const BEYOND: f64 = 0.2;
 
-/// W_n at `samples` equal steps of speed, from the one at which the vehicles just touch (u_n = 0) to beyond every admissible speed and every step of the
-/// root-finder.
+/// W_n at `samples` equal steps of speed, from the one at which the vehicles just touch (u_n = 0) to beyond
+/// every admissible speed and every step of the root-finder.
 ///
 /// # Errors
 /// [`Failure`], as for [`reconstruct`](crate::reconstruct).
@@ -44,13 +45,15 @@ pub fn work_curve(case: &Case, found: &Found, samples: usize) -> Result<Vec<Work
     })
 }
 
-/// As a share of the first step of a curve: as near to the touching speed as a normal work still has a sign of its own.
+/// As a share of the first step of a curve: as near to the touching speed as a normal work still has a sign
+/// of its own.
 const NEAR: f64 = 1e-3;
 /// Halvings of a step of the curve: the last is below the rounding of a speed.
 const HALVINGS: usize = 60;
 
-/// (m/s) the speed beyond which the normal work of a [`work_curve`] is positive, or `None` where that is the one at which the vehicles just touch. There
-/// u_n = 0 and with it W_n, whatever P_n; but the impulse that a law asks for may be a pull there, and becomes a push (P_n > 0) only at a greater approach.
+/// (m/s) the speed beyond which the normal work of a [`work_curve`] is positive, or `None` where that is the
+/// one at which the vehicles just touch. There u_n = 0 and with it W_n, whatever P_n; but the impulse that a
+/// law asks for may be a pull there, and becomes a push (P_n > 0) only at a greater approach.
 ///
 /// # Errors
 /// [`Failure`], as for [`reconstruct`](crate::reconstruct).

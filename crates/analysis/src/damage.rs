@@ -26,7 +26,8 @@ pub struct Damage<T = f64> {
     pub crush_energy: T,
     /// (m/s) energy equivalent speed of the uncorrected crush energy.
     pub ees: T,
-    /// (rad) the PDOF that the correction and the moment arm follow from: the file's, else that of the impact.
+    /// (rad) the PDOF that the correction and the moment arm follow from: the file's, else that of the
+    /// impact.
     pub pdof: Option<T>,
     /// (rad) α: angle between the force and the normal of the damaged side.
     pub oblique_angle: T,
@@ -62,7 +63,8 @@ pub struct Oblique<T = f64> {
     pub peak_force: T,
 }
 
-/// What is assumed of friction where the case says nothing: within the 0.3 to 1.0 that is usual between vehicles.
+/// What is assumed of friction where the case says nothing: within the 0.3 to 1.0 that is usual between
+/// vehicles.
 pub(crate) const ASSUMED_FRICTION: f64 = 0.5;
 
 /// CRASH3's answer.
@@ -81,9 +83,11 @@ pub struct Crash3 {
     pub delta_v: [f64; 2],
     /// The same from the corrected energy; none where a force does not push on its damaged side.
     pub corrected: Option<Corrected>,
-    /// The factor on each ΔV that takes restitution into account; none where the restitution is not known or is 1.
+    /// The factor on each ΔV that takes restitution into account; none where the restitution is not known or
+    /// is 1.
     pub restitution_factor: Option<f64>,
-    /// What each correction for oblique forces makes of it; without those that a force that does not push on its damaged side cannot have.
+    /// What each correction for oblique forces makes of it; without those that a force that does not push on
+    /// its damaged side cannot have.
     pub corrections: Vec<Correction>,
 }
 
@@ -111,7 +115,8 @@ pub struct Corrected {
     pub delta_v: [f64; 2],
 }
 
-/// Assesses the damage of both vehicles; `pdof` (rad) are those of the impact, which serve where the file gives none.
+/// Assesses the damage of both vehicles; `pdof` (rad) are those of the impact, which serve where the file
+/// gives none.
 pub(crate) fn assess<T: Real>(
     [s1, s2]: [VehicleData<T>; 2],
     [p1, p2]: [Option<T>; 2],
@@ -175,7 +180,8 @@ fn vehicle<T: Real>(
     let line = subject.contact.or(centroid).zip(pdof);
     let moment_arm =
         given.moment_arm.or(line.map(|(point, pdof)| crash3::moment_arm(point, pdof))).unwrap_or(T::ZERO);
-    // An inferred crush has the force that it was inferred from, and less energy than w G where that leaves no residual crush.
+    // An inferred crush has the force that it was inferred from, and less energy than w G where that leaves
+    // no residual crush.
     let (crush_energy, peak_force) = match &inferred {
         Some(inferred) => (inferred.crush.energy, Ok(inferred.force)),
         None => (structure.crush_energy(&profile)?, structure.peak_force(&profile, oblique_angle)),
@@ -257,7 +263,8 @@ pub(crate) fn crash3(
     }))
 }
 
-/// Each vehicle's own friction limit; where it has none that of the other, as the surfaces are the same, and where neither has one the assumed one.
+/// Each vehicle's own friction limit; where it has none that of the other, as the surfaces are the same, and
+/// where neither has one the assumed one.
 fn friction_limits(vehicles: &[Vehicle; 2]) -> [f64; 2] {
     let [first, second] =
         vehicles.each_ref().map(|vehicle| match vehicle.subject.damage.as_ref()?.correction {

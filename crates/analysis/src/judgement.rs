@@ -1,4 +1,5 @@
-//! A case judged without solving it: what it can be used for, what is assumed, and the warnings that need no answer.
+//! Checks a case without solving it: which analyses it allows, what is assumed, and the warnings that need no
+//! answer.
 
 use crash3::{EnergyBasis, Side, SideStiffness, VehicleClass};
 use inputs::{
@@ -10,29 +11,32 @@ use pim_core::VehicleId;
 use crate::warning::{self, Warning};
 use crate::{Vehicle, checks, closing_speed, damage, uncertainty};
 
-/// What can be said of a case before it is solved.
+/// The result of checking a case without solving it.
 #[derive(Debug)]
 pub struct Judgement {
-    /// What it can be used for: `reconstruct`, `impact`, `crush`, `uncertainty`, `compare`, `sensitivity` and `draw`.
+    /// What it can be used for: `reconstruct`, `impact`, `crush`, `uncertainty`, `compare`, `sensitivity` and
+    /// `draw`.
     pub abilities: [Ability; 7],
-    /// What stands in for what the case does not say, in the order of its keys.
+    /// The assumptions for values that the case does not give, in the order of its keys.
     pub assumptions: Vec<Assumption>,
-    /// The warnings that need no answer, in the axes of the engine; [`Warning::seen`] has them in those of a reader.
+    /// The warnings that need no answer, in the axes of the engine; [`Warning::seen`] converts them to
+    /// those of a reader.
     pub warnings: Vec<Warning>,
 }
 
-/// Whether a case has all that a purpose needs. That it has an answer as well shows only when it is solved.
+/// Whether a case has everything that a purpose needs. Whether it also has an answer shows only when it is
+/// solved.
 #[derive(Debug)]
 pub struct Ability {
-    /// For what.
+    /// The purpose.
     pub purpose: Purpose,
-    /// The one of the first three whose answer it works on: itself for those.
+    /// The one of the first three purposes whose answer it uses; the purpose itself for those three.
     pub on: Purpose,
-    /// What is missing or does not fit together, where anything does.
+    /// The values that are missing or contradict each other, if any.
     pub obstacle: Option<Faults>,
 }
 
-/// What stands in for something that the case does not say. Values are in SI units.
+/// An assumption for a value that the case does not give. Values are in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Assumption {
     /// The axes are z-up.
@@ -76,7 +80,7 @@ pub enum Assumption {
         /// The class whose radius of gyration is nearest, 1 to 6.
         class: u8,
     },
-    /// The speed that the file gives is the one sought, and is not used.
+    /// The file gives a speed for the vehicle whose speed is to be found; it is not used.
     SpeedUnused {
         /// Whose.
         vehicle: VehicleId,
@@ -100,19 +104,20 @@ pub enum Assumption {
         /// Of whose stiffness.
         vehicle: VehicleId,
     },
-    /// The width of an inferred damage lies between what the vehicle's dimensions allow.
+    /// The width of an inferred damage lies within what the vehicle's dimensions allow.
     InferredWidth {
         /// Of whose damage.
         vehicle: VehicleId,
     },
-    /// The middle of the damage lies on the vehicle's axis or, of damage to a side, beside its CG.
+    /// The middle of the damage lies on the vehicle's axis or, for damage to a side, level with its CG.
     Centred {
         /// Of whose damage.
         vehicle: VehicleId,
         /// Which side is damaged.
         side: Side,
     },
-    /// The direction of the force follows: from the other vehicle's PDOF or, where that is not given either, from the impulse.
+    /// The direction of the force is derived from the other vehicle's PDOF or, if that is not given either,
+    /// from the impulse.
     Pdof {
         /// Of the force on which vehicle.
         vehicle: VehicleId,
@@ -133,7 +138,7 @@ pub enum Assumption {
 }
 
 impl Assumption {
-    /// The key of the case that would say otherwise.
+    /// The key of the case that would replace the assumption.
     #[must_use]
     pub fn key(&self) -> String {
         let (vehicle, key) = match self {
@@ -160,7 +165,8 @@ impl Assumption {
     }
 }
 
-/// The size class of CRASH3 whose radius of gyration is nearest, and its typical measures: what drawings show of a vehicle without an outline.
+/// The size class of CRASH3 whose radius of gyration is nearest, and its typical measures: what drawings show
+/// of a vehicle without an outline.
 #[must_use]
 pub fn nearest_class(inertia: &InertiaData) -> Option<(u8, VehicleClass)> {
     // k = √(I/m)
@@ -172,8 +178,8 @@ pub fn nearest_class(inertia: &InertiaData) -> Option<(u8, VehicleClass)> {
 
 /// Judges a case without solving it.
 ///
-/// Warnings are those of the analysis that the case is made for, as far as neither the impulse nor the speed sought is needed for them: where the file
-/// gives a direction of force, the ones that follow from that too.
+/// Warnings are those of the analysis that the case is made for, as far as neither the impulse nor the speed
+/// sought is needed for them: where the file gives a direction of force, the ones that follow from that too.
 #[must_use]
 pub fn judge(case: &Case) -> Judgement {
     let seeks = case.reconstruct.is_some();

@@ -1,4 +1,5 @@
-//! From a case to a finished analysis: reconstruct, impact or crush, with every warning that a careful reconstructionist would raise.
+//! From a case to a finished analysis: reconstruct, impact or crush, with every warning that a careful
+//! reconstructionist would raise.
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -10,23 +11,27 @@
 //! # }
 //! ```
 //!
-//! [`compare`] puts the answers of all impact laws and of CRASH3 side by side; [`sensitivity`] says how much the answer moves with each estimate,
-//! and [`uncertainty()`] between what and what it lies where numbers of the case are ranges; [`work_curve`] is the work of the normal impulse over the
-//! speed, for a drawing.
+//! [`compare`] puts the answers of all impact laws and of CRASH3 side by side. [`sensitivity`] shows how
+//! sensitive the answer is to each input, and [`uncertainty()`] propagates input ranges to the results.
+//! [`work_curve`] gives the work of the normal impulse over the speed, for a drawing.
 //!
-//! [`judge`] reads a case without solving it: what it can be used for, what is assumed, and the warnings that need no answer.
+//! [`judge`] checks a case without solving it: which analyses it allows, what is assumed, and the warnings
+//! that need no answer.
 //!
-//! [`QUANTITIES`] has a row for every number that an analysis gives: its key, label, symbol, kind, source and how to read it.
+//! [`QUANTITIES`] has a row for every number that an analysis gives: its key, label, symbol, kind, source and
+//! how to read it.
 //!
-//! The types: [`reconstruct`], [`impact`] and [`crush`] each give an [`Analysis`]: the impact, each vehicle's damage, CRASH3's own answer beside it, and
-//! [`Warning`]s. A [`Failure`] says whether the case or the physics is to blame.
+//! The types: [`reconstruct`], [`impact`] and [`crush`] each return an [`Analysis`]: the impact, each
+//! vehicle's damage, CRASH3's own answer for comparison, and [`Warning`]s. A [`Failure`] says whether the
+//! case or the physics is to blame.
 //!
-//! `examples/reconstruct.rs` reconstructs a file and lists its warnings, `examples/influence.rs` ranks its numbers.
+//! `examples/reconstruct.rs` reconstructs a file and lists its warnings, `examples/influence.rs` ranks its
+//! numbers.
 //!
 //! # What it does not do
 //!
-//! It adds no equation: those stand in `pim-core`, `crash3` and `reconcile`. It reads no file and writes no text (`case`, `report`): a case may as well be
-//! built in code, from the types of `inputs`.
+//! It adds no equation: those are in `pim-core`, `crash3` and `reconcile`. It reads no file (`case` does) and
+//! writes no text (`report` does), so a case can also be built in code from the types of `inputs`.
 
 mod checks;
 mod compare;
@@ -59,7 +64,8 @@ use inputs::{Case, Collision, Evidence, Faults, Purpose, VehicleData};
 use pim_core::{Contact, ImpactError, Law, Outcome, Real, VaryingLaw, VehicleId};
 use reconcile::{ApproachLine, Iteration, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown};
 
-/// A finished analysis, in the axes of the engine: y to the left, counter-clockwise positive. [`Analysis::seen`] has it in those of a reader.
+/// A finished analysis in the axes of the engine: y to the left, counter-clockwise positive.
+/// [`Analysis::seen`] converts it to those of a reader.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Analysis {
@@ -67,26 +73,27 @@ pub struct Analysis {
     pub basis: EnergyBasis,
     /// The speed found, in a reconstruction.
     pub found: Option<Found>,
-    /// The impact; none in an analysis of damage alone.
+    /// The impact; `None` in an analysis of the damage alone.
     pub impact: Option<Impact>,
     /// Both vehicles.
     pub vehicles: [Vehicle; 2],
     /// CRASH3's answer, where the damage of all vehicles is known.
     pub crash3: Option<Crash3>,
-    /// What was compared with what, content or not.
+    /// The consistency checks, passed or not.
     pub checks: Vec<Check>,
     /// What a careful reader should know.
     pub warnings: Vec<Warning>,
 }
 
 impl Analysis {
-    /// Whether a vehicle is one that can move: not a fixed object.
+    /// Whether a vehicle can move and is not a fixed object.
     #[must_use]
     pub fn moves(&self, vehicle: VehicleId) -> bool {
         self.vehicles[vehicle.index()].moves()
     }
 
-    /// (m/s) speed of a vehicle before the impact: negative where it moves backwards, zero for a fixed object.
+    /// (m/s) speed of a vehicle before the impact: negative where it moves backwards, zero for a fixed
+    /// object.
     #[must_use]
     pub fn speed(&self, vehicle: VehicleId) -> f64 {
         self.impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle))
@@ -105,9 +112,10 @@ pub struct Found {
     pub admissible: Vec<f64>,
     /// (J) crush energy of both vehicles.
     pub crush_energy: f64,
-    /// (J) normal work sought: the crush energy, less what restitution gives back where the basis is absorbed energy.
+    /// (J) normal work sought: the crush energy, less the energy that restitution returns if the basis is
+    /// absorbed energy.
     pub normal_work: f64,
-    /// How the speed moves the relative velocity at C.
+    /// How the relative velocity at C depends on the speed.
     pub line: ApproachLine,
     /// What the closed form was solved from; `None` where the root-finder gave the answer.
     pub quadratic: Option<Quadratic>,
@@ -123,7 +131,7 @@ pub struct Impact {
     pub contact: Contact,
     /// The impact law as given.
     pub given_law: VaryingLaw,
-    /// The same with the restitution of this closing speed.
+    /// The law with the restitution at this closing speed.
     pub law: Law,
     /// What happened.
     pub outcome: Outcome,
@@ -149,7 +157,7 @@ impl Impact {
 /// One vehicle.
 #[derive(Clone, Debug)]
 pub struct Vehicle<T = f64> {
-    /// What the case says of it.
+    /// The data that the case gives.
     pub subject: VehicleData<T>,
     /// Its damage.
     pub damage: Option<Damage<T>>,
@@ -167,7 +175,7 @@ impl Vehicle {
         self.subject.damage.as_ref().filter(|damage| !damage.pdof_follows)?.pdof
     }
 
-    /// (m/s) b_0, the speed of an impact that leaves no crush on the damaged width: that of which G is the energy.
+    /// (m/s) b_0, the highest speed that leaves no crush on the damaged width: its energy is G.
     #[must_use]
     pub fn no_damage_speed(&self) -> Option<f64> {
         let damage = self.damage.as_ref()?;
@@ -209,7 +217,7 @@ pub enum Failure {
     /// The damage has no answer.
     #[error(transparent)]
     Crush(#[from] CrushError),
-    /// Nothing is uncertain, or the samples asked for make no sense.
+    /// Nothing is uncertain, or the requested samples make no sense.
     #[error(transparent)]
     Ranges(#[from] ::uncertainty::InvalidRequest),
 }
@@ -221,7 +229,8 @@ pub enum Failure {
 pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let input = case.reconstruction()?;
     let Collision { contact, law, motions, vehicles } = input.collision;
-    // The uncorrected energies do not depend on the impact; a force balance takes its directions from the file.
+    // The uncorrected energies do not depend on the impact; a force balance takes its directions from the
+    // file.
     let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
     let problem = Problem { contact, law, motions, unknown: input.unknown, crush_energy, basis: input.basis };
     let answer = problem.solve().map_err(|refusal| refused(&problem, refusal).in_axes(case.axes))?;
@@ -254,7 +263,7 @@ pub(crate) fn refused(problem: &Problem, refusal: ReconcileError) -> Failure {
     }
 }
 
-/// What the impact does, both speeds given.
+/// Solves the impact of a case that gives both speeds.
 ///
 /// # Errors
 /// [`Failure`].
@@ -268,13 +277,13 @@ pub fn impact(case: &Case) -> Result<Analysis, Failure> {
     judged(case, vehicles, input.basis, Some(impact.law.restitution()), (None, Some(impact)), Vec::new())
 }
 
-/// The impact of a collision of which all is known, and the law at its closing speed.
+/// The impact of a fully known collision, and the law at its closing speed.
 fn collide<T: Real>(collision: &Collision<T>) -> Result<(Law<T>, Outcome<T>), ImpactError> {
     let law = collision.law.at(closing_speed(collision));
     collision.contact.impact(collision.motions, &law).map(|outcome| (law, outcome))
 }
 
-/// (m/s) along the normal at C, negative where the vehicles drive apart.
+/// (m/s) along the normal at C, negative if the vehicles move apart.
 fn closing_speed<T: Real>(collision: &Collision<T>) -> T {
     -collision.contact.approach(&collision.motions).velocity.normal
 }
@@ -289,7 +298,8 @@ pub fn crush(case: &Case) -> Result<Analysis, Failure> {
     judged(case, vehicles, input.basis, input.restitution, (None, None), Vec::new())
 }
 
-/// As far as a case goes: [`reconstruct`] where it has a `[reconstruct]` table, else [`impact`] where it has both speeds, else [`crush`].
+/// The most complete analysis that a case allows: [`reconstruct`] if it has a `[reconstruct]` table, else
+/// [`impact`] if it has both speeds, else [`crush`].
 ///
 /// # Errors
 /// [`Failure`].
@@ -301,7 +311,7 @@ pub fn furthest(case: &Case) -> Result<Analysis, Failure> {
 /// What solves a case: one of [`reconstruct`], [`impact`] and [`crush`].
 type Solve = fn(&Case) -> Result<Analysis, Failure>;
 
-/// The purpose that goes as far as the case does, and what serves it.
+/// The most complete purpose that the case allows, and the function that serves it.
 fn furthest_solver(case: &Case) -> (Purpose, Solve) {
     if case.reconstruct.is_some() {
         (Purpose::Reconstruct, reconstruct)

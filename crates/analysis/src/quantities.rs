@@ -1,6 +1,7 @@
 //! Every output quantity of an analysis, one row each.
 //!
-//! What presents results chooses from [`QUANTITIES`]: a label, a symbol, a unit and a source stand here alone.
+//! What presents results chooses from [`QUANTITIES`]: a label, a symbol, a unit and a source stand here
+//! alone.
 
 use pim_core::{Energy, Outcome, VehicleId};
 
@@ -15,7 +16,8 @@ pub struct OutputQuantity {
     pub pointer: &'static str,
     /// What a list of outputs calls it.
     pub name: &'static str,
-    /// What a table calls it, with its symbol where that helps. Components of one vector share the label of the vector.
+    /// What a table calls it, with its symbol where that helps. Components of one vector share the label of
+    /// the vector.
     pub label: &'static str,
     /// As the equations have it; empty where they have none.
     pub symbol: &'static str,
@@ -23,7 +25,8 @@ pub struct OutputQuantity {
     pub kind: Kind,
     /// Equation n of SAE 980025 or section n of docs/theory.md; empty where it needs no equation.
     pub source: &'static str,
-    /// What it belongs to, and how to get it. Numbers that count across or turn are in the axes of the analysis.
+    /// What it belongs to, and how to get it. Numbers that count across or turn are in the axes of the
+    /// analysis.
     pub of: Of,
 }
 
@@ -50,7 +53,8 @@ pub enum Kind {
     Force,
 }
 
-/// What a quantity belongs to, with the function that reads it from an analysis: `None` where that does not have it.
+/// What a quantity belongs to, with the function that reads it from an analysis: `None` where that does not
+/// have it.
 #[derive(Clone, Copy, Debug)]
 pub enum Of {
     /// One number for the whole collision, which is neither vehicle's.

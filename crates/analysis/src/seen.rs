@@ -6,8 +6,9 @@ use pim_core::{ImpactError, Switch, VehicleId};
 
 use crate::{Analysis, Check, Crash3, Drive, Failure, Found, Impact, JumpSide, Vehicle, Warning};
 
-/// A finished analysis as a reader sees it: in the axes of the case, where an [`Analysis`] is in those of the engine. What is written for people or
-/// programs takes this type, so that no number can be written in the wrong axes.
+/// A finished analysis as a reader sees it: in the axes of the case, where an [`Analysis`] is in those of the
+/// engine. What is written for people or programs takes this type, so that no number can be written in the
+/// wrong axes.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Seen {
@@ -65,8 +66,8 @@ impl SeenWarning {
 }
 
 impl Analysis {
-    /// The analysis with its impact, approach line, contact points, centroids and warnings in the axes of a reader. A
-    /// [`DamagedFace`](crash3::DamagedFace) stays as it is.
+    /// The analysis with its impact, approach line, contact points, centroids and warnings in the axes of a
+    /// reader. A [`DamagedFace`](crash3::DamagedFace) stays as it is.
     #[must_use]
     pub fn seen(&self, axes: Axes) -> Seen {
         // Without `..`: a new field does not compile before somebody has decided what becomes of it.

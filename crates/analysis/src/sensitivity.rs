@@ -17,10 +17,11 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 pub struct Sensitivity {
     /// The answer itself.
     pub nominal: Analysis,
-    /// The derivatives of a reconstruction, for each output from the most to the least influential input; none for a case without `[reconstruct]`.
+    /// The derivatives of a reconstruction, for each output from the most to the least influential input;
+    /// none for a case without `[reconstruct]`.
     pub derivatives: Vec<Derivative>,
-    /// CRASH3's answer for turned directions of force, ascending by their change; empty where the damage or the
-    /// PDOF of a vehicle is not known.
+    /// CRASH3's answer for turned directions of force, ascending by their change; empty where the damage or
+    /// the PDOF of a vehicle is not known.
     pub pdof_sweep: Vec<SweepRow>,
 }
 
@@ -65,7 +66,8 @@ pub enum Output {
 }
 
 impl Output {
-    /// The outputs of an analysis with an impact: the speed found, if there is one; no ΔV and PDOF of a fixed object.
+    /// The outputs of an analysis with an impact: the speed found, if there is one; no ΔV and PDOF of a fixed
+    /// object.
     pub(crate) fn of(analysis: &Analysis, axes: Axes) -> Vec<Self> {
         let found = analysis.found.as_ref().map(|found| found.unknown.vehicle());
         let mut outputs = Self::of_two_vehicles(found.unwrap_or(VehicleId::One), axes).to_vec();
@@ -168,7 +170,8 @@ pub struct Derivative {
 }
 
 impl Derivative {
-    /// Per cent per per cent: ∂(ln output)/∂(ln input). `None` for an angle, the zero of which is a matter of choice, and for an input of zero.
+    /// Per cent per per cent: ∂(ln output)/∂(ln input). `None` for an angle, the zero of which is a matter of
+    /// choice, and for an input of zero.
     #[must_use]
     pub fn relative(&self) -> Option<f64> {
         // (x/y) ∂y/∂x
@@ -176,7 +179,8 @@ impl Derivative {
             .then(|| self.value * self.input.si() / self.output_value)
     }
 
-    /// The relative change of the output for 1 % of the input, or for 1° of an angle: what inputs of every kind can be ranked by.
+    /// The relative change of the output for 1 % of the input, or for 1° of an angle: what inputs of every
+    /// kind can be ranked by.
     #[must_use]
     pub fn influence(&self) -> f64 {
         if self.is_by_angle() {
@@ -194,7 +198,8 @@ impl Derivative {
 /// CRASH3's answer for one turned direction of force.
 #[derive(Clone, Debug)]
 pub struct SweepRow {
-    /// (rad) by how much the line of action is turned about its points, in the sense of the axes of the case: counter-clockwise, or clockwise in z-down axes.
+    /// (rad) by how much the line of action is turned about its points, in the sense of the axes of the case:
+    /// counter-clockwise, or clockwise in z-down axes.
     pub change: f64,
     /// (rad) PDOF of both vehicles; none of a fixed object.
     pub pdof: [Option<f64>; 2],
@@ -213,10 +218,12 @@ pub struct Sweep {
     pub steps: u32,
 }
 
-/// Differentiates a case with `[reconstruct]` and sweeps the direction of force of any case whose damage is known.
+/// Differentiates a case with `[reconstruct]` and sweeps the direction of force of any case whose damage is
+/// known.
 ///
-/// The derivatives are exact: the same equations are evaluated on numbers that carry their derivative. Where the speed found is a root s of the residual
-/// R(s, p) = W_n − E, its derivative by an input p is −(∂R/∂p)/(∂R/∂s), whatever method found it.
+/// The derivatives are exact: the same equations are evaluated on numbers that carry their derivative. Where
+/// the speed found is a root s of the residual R(s, p) = W_n − E, its derivative by an input p is
+/// −(∂R/∂p)/(∂R/∂s), whatever method found it.
 ///
 /// # Errors
 /// [`Failure`] where the case has no answer.
@@ -330,7 +337,8 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepR
     for step in -steps..=steps {
         #[expect(clippy::cast_precision_loss, reason = "a u32 is exact in f64")]
         let change = step as f64 * sweep.step;
-        // A line of action that turns counter-clockwise turns both PDOFs, which count clockwise, the other way.
+        // A line of action that turns counter-clockwise turns both PDOFs, which count clockwise, the other
+        // way.
         let turned = |angle: f64| principal_angle(angle - axes.lateral(change));
         let pdof = nominal_pdof.map(|pdof| pdof.map(turned));
         let mut subjects = nominal.vehicles.each_ref().map(|vehicle| vehicle.subject.clone());
@@ -341,8 +349,9 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepR
                 return Ok(Vec::new());
             }
             damage.pdof = pdof;
-            // α = PDOF − PDOF of a square hit: what the file gives in its place says how the damaged surface stands, which the force does not turn.
-            // A given arm stays, as no point is known that would give it in another direction.
+            // α = PDOF − PDOF of a square hit: what the file gives in its place says how the damaged surface
+            // stands, which the force does not turn. A given arm stays, as no point is known that would give
+            // it in another direction.
             damage.oblique_angle = damage.oblique_angle.map(turned);
         }
         let vehicles = damage::assess(subjects, [None, None])?;

@@ -1,4 +1,4 @@
-//! Between what and what the answer lies, where numbers of the case are ranges.
+//! Propagates the ranges of a case to its results.
 
 mod lanes;
 
@@ -20,26 +20,26 @@ use lanes::{Block, Number};
 use crate::sensitivity::{Output, at, gradients};
 use crate::{Analysis, Failure, collide, impact, reconstruct, refused};
 
-/// What is asked for.
+/// The requested samples and indices.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan {
-    /// How many samples, from which seed, by which method.
+    /// The number of samples, the seed and the method.
     pub settings: Settings,
-    /// Rows for the variance-based indices, each with as many evaluations as there are uncertain inputs and two more; none are
-    /// computed without.
+    /// Rows for the variance-based indices, each with as many evaluations as there are uncertain inputs and
+    /// two more; none are computed without.
     pub index_rows: Option<usize>,
 }
 
-/// A case whose ranges went through the equations.
+/// The result of propagating the ranges of a case.
 #[derive(Debug)]
 pub struct Uncertainty {
     /// The case at its central values.
     pub nominal: Analysis,
-    /// How the samples were laid, and how many were asked for.
+    /// The settings: the method and the requested number of samples.
     pub settings: Settings,
     /// The numbers that are ranges, in the order of the file.
     pub inputs: Vec<UncertainInput>,
-    /// What was computed of each sample.
+    /// The quantities that were computed for each sample.
     pub outputs: Vec<UncertainOutput>,
     /// The samples of the outputs (SI), in their order, and the failures by [`Reason::code`].
     pub propagation: Propagation,
@@ -54,14 +54,14 @@ pub struct Uncertainty {
 pub struct UncertainInput {
     /// The number itself, which is the central value.
     pub input: Input,
-    /// How it is distributed, in the unit in which it is written.
+    /// Its distribution, in the unit in which the file gives it.
     pub distribution: Distribution,
-    /// Where physics ends it.
+    /// Its physical bounds.
     pub bounds: Bounds,
 }
 
 impl UncertainInput {
-    /// The cut, where physics takes away some of the normal distribution that the file gives.
+    /// The truncation, if the physical bounds cut off a part of the normal distribution that the file gives.
     #[must_use]
     pub fn truncation(&self) -> Option<Truncation> {
         self.distribution.truncation().filter(|truncation| truncation.kept < 1.0)
@@ -71,12 +71,12 @@ impl UncertainInput {
 /// A result that the ranges make uncertain.
 #[derive(Clone, Debug)]
 pub struct UncertainOutput {
-    /// Which vehicle.
+    /// Which result.
     pub output: Output,
     /// (SI) its value at the central values.
     pub central: f64,
-    /// (SI) its standard deviation by the derivatives at the central values, and the share of each input in its square: the law of propagation of
-    /// uncertainty of the GUM.
+    /// (SI) its standard deviation by the derivatives at the central values, and the share of each input in
+    /// its square: the law of propagation of uncertainty of the GUM.
     ///
     /// JCGM 100:2008, *Guide to the Expression of Uncertainty in Measurement*, equation 10.
     pub first_order: FirstOrder,
@@ -88,13 +88,15 @@ pub struct UncertainOutput {
 const NOISE: f64 = 1e-9;
 
 impl UncertainOutput {
-    /// Whether it varies at all with the inputs, by the derivatives or by the samples' standard deviation.
+    /// Whether the result varies with the inputs at all, by the derivatives or by the samples' standard
+    /// deviation.
     #[must_use]
     pub fn varies(&self, sampled_sd: f64) -> bool {
         self.first_order.sd.max(sampled_sd) > NOISE * self.scale
     }
 
-    /// Whether it varies, and by the derivatives more than 10 % more or less than by the samples.
+    /// Whether the result varies, and its first-order and sampled standard deviations differ by more than 10
+    /// %.
     #[must_use]
     pub fn differs(&self, sampled_sd: f64) -> bool {
         self.varies(sampled_sd) && self.first_order.differs(sampled_sd)
@@ -166,7 +168,8 @@ impl Reason {
         }
     }
 
-    /// The reason of a code: what the engine itself refuses, a result that is not finite, is one of the others.
+    /// The reason of a code: what the engine itself refuses, a result that is not finite, is one of the
+    /// others.
     #[must_use]
     pub fn of_code(code: u8) -> Self {
         REASONS.into_iter().find(|reason| reason.code() == code).unwrap_or(Self::Other)
@@ -188,7 +191,8 @@ impl Reason {
         }
     }
 
-    /// The reason of a case: what the engine refuses of its damage is told as a fault of the case, which no longer says of which kind.
+    /// The reason of a case: what the engine refuses of its damage is told as a fault of the case, which no
+    /// longer says of which kind.
     fn of_case(case: &Case, failure: &Failure) -> Self {
         if !matches!(failure, Failure::Case(_)) {
             return Self::of(failure);
@@ -224,7 +228,7 @@ impl Uncertainty {
     }
 }
 
-/// What [`uncertainty()`] is at.
+/// The stage that [`uncertainty()`] has reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// The samples.
@@ -233,14 +237,16 @@ pub enum Stage {
     Indices,
 }
 
-/// Propagates the ranges of a case through `reconstruct` or, where it asks for no speed and gives both, through `impact`.
+/// Propagates the ranges of a case through `reconstruct` or, if the case gives both speeds and asks for none,
+/// through `impact`.
 ///
-/// Every sample goes through the functions that the central values go through. A range of A or B moves G, where the file does not give that: G =
-/// A²/2B of each sample. PDOFs are counted on beyond ±180°, so that they lie about the central one. `progress` is told what is done of how much, and may end
-/// the run.
+/// Every sample goes through the functions that the central values go through. A range of A or B moves G,
+/// where the file does not give that: G = A²/2B of each sample. PDOFs are counted on beyond ±180°, so that
+/// they lie about the central one. `progress` is told what is done of how much, and may end the run.
 ///
 /// # Errors
-/// [`Failure`] where the case has no answer at its central values, where nothing is a range, and where a range or the plan makes no sense.
+/// [`Failure`] where the case has no answer at its central values, where nothing is a range, and where a
+/// range or the plan makes no sense.
 pub fn uncertainty(
     case: &Case,
     plan: &Plan,
@@ -414,7 +420,8 @@ impl<'a> Sample<'a> {
 
     /// The samples of a block that are not `answered` yet, each as a case of its own.
     ///
-    /// Compiled once: what turns a case into the types of the engine gains nothing from a copy for each instruction set.
+    /// Compiled once: what turns a case into the types of the engine gains nothing from a copy for each
+    /// instruction set.
     #[inline(never)]
     fn one_by_one(
         &self,

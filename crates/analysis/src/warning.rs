@@ -1,4 +1,4 @@
-//! What a careful reconstructionist would raise.
+//! Warnings that a careful reconstructionist would raise.
 
 use std::f64::consts::TAU;
 
@@ -15,10 +15,11 @@ use crate::{Damage, Found, Impact, Vehicle};
 const DELTA_V_DIFFERENCE: f64 = 0.1;
 /// (m) how far the contact point may be outside of the outline: the roundness of a bumper.
 const OUTLINE_TOLERANCE: f64 = 0.05;
-/// (m) where a damage ends is a judgement, as it fades out into induced damage: it is hardly known better than to this.
+/// (m) where a damage ends is a judgement, as it fades out into induced damage: it is hardly known better
+/// than to this.
 const END_TOLERANCE: f64 = 0.1;
-/// Friction takes energy. Ratios that were fitted to the staged collisions RICSAC 3 and 5 add 1.5 and 1.7 % of the energy loss, which is what
-/// measurement leaves; as much as this moves the speed by 1 %.
+/// Friction takes energy. Ratios that were fitted to the staged collisions RICSAC 3 and 5 add 1.5 and 1.7 %
+/// of the energy loss, which is what measurement leaves; as much as this moves the speed by 1 %.
 const DRIVING_SHARE: f64 = 0.02;
 /// Of the initial energy: what rounding leaves of a work that is zero.
 const ROUNDING: f64 = 1e-9;
@@ -48,20 +49,24 @@ const USUAL_LENGTH: [f64; 2] = [1.8, 30.0];
 const USUAL_BODY_WIDTH: [f64; 2] = [0.6, 4.0];
 /// (m) greatest depth: with more, not much is left of the front of a car, or of its compartment.
 const USUAL_DEPTH: f64 = 1.5;
-/// (m) greatest width of a damage where no dimensions are known: a lorry is at most 2.55 or 2.6 wide, and hardly a car 6 long.
+/// (m) greatest width of a damage where no dimensions are known: a lorry is at most 2.55 or 2.6 wide, and
+/// hardly a car 6 long.
 const USUAL_WIDTH: [f64; 2] = [2.6, 6.0];
-/// By how much of the face a damage may be wider than it: a crushed front bows out round the corners, and a size class gives a typical outline.
+/// By how much of the face a damage may be wider than it: a crushed front bows out round the corners, and a
+/// size class gives a typical outline.
 const SPREAD: f64 = 0.1;
 /// (m/s) 1 mph: a car that parks leaves no damage.
 const LOW_NO_DAMAGE_SPEED: f64 = 0.447_04;
 /// Between vehicles 0.3 to 1.0 is seen, and less where they are wet or the surfaces are smooth.
 const USUAL_FRICTION: [f64; 2] = [0.1, 1.0];
-/// (m/s) 15 mph. Over the width of the face, CRASH3's categories stand for 3 to 11 mph, but for the rear of category 4 (16 mph).
+/// (m/s) 15 mph. Over the width of the face, CRASH3's categories stand for 3 to 11 mph, but for the rear of
+/// category 4 (16 mph).
 const HIGH_NO_DAMAGE_SPEED: f64 = 15.0 * 0.447_04;
 /// Rounding of an angle of just one turn.
 const FULL_TURN: f64 = TAU * (1.0 + 1e-9);
 
-/// Something that does not stop the analysis but should be known to who defends it. Values are in SI units.
+/// Something that does not stop the analysis, but that whoever signs the report should know. Values are in SI
+/// units.
 ///
 /// Matched without a catch-all arm wherever a warning is worded, so that a new one does not compile before it
 /// has its words; adding one is a breaking change.
@@ -76,7 +81,7 @@ pub enum Warning {
         /// (m) by how much.
         distance: f64,
     },
-    /// More restitution than a collision of this speed has.
+    /// The restitution is greater than usual at this closing speed.
     HighRestitution {
         /// e.
         restitution: f64,
@@ -104,7 +109,7 @@ pub enum Warning {
         /// (rad) α.
         oblique_angle: f64,
     },
-    /// The force does not push on the side that is said to be damaged.
+    /// The force does not push on the damaged side.
     SideNotPushed {
         /// Which vehicle.
         vehicle: VehicleId,
@@ -115,7 +120,8 @@ pub enum Warning {
     DeltaVDiffers {
         /// (m/s) ΔV of the impact; none of a fixed object.
         impact: [Option<f64>; 2],
-        /// (m/s) CRASH3's, corrected for oblique forces where possible and with the restitution of the impact where it can take one.
+        /// (m/s) CRASH3's, corrected for oblique forces where possible and with the restitution of the impact
+        /// where it can take one.
         crash3: [Option<f64>; 2],
         /// Whether it takes restitution into account: not with e = 1.
         restitution: bool,
@@ -134,7 +140,7 @@ pub enum Warning {
         /// Whether it was found.
         found: bool,
     },
-    /// CRASH3's size class stands in for what is not known of the vehicle.
+    /// CRASH3's size class supplies values that are not known of the vehicle.
     ClassValues {
         /// Which vehicle.
         vehicle: VehicleId,
@@ -189,10 +195,11 @@ pub enum Warning {
         crush_energy: f64,
         /// That basis.
         basis: EnergyBasis,
-        /// (J) the crush energy on the other basis, which is another one only under restitution.
+        /// (J) the crush energy on the other basis, which differs only if there is restitution.
         on_other_basis: Option<f64>,
     },
-    /// The line of action passes the CG on the side from which it would turn the vehicle the other way than the impact did.
+    /// The line of action passes the CG on the side from which it would turn the vehicle the other way than
+    /// the impact did.
     RotationOpposes {
         /// Which vehicle.
         vehicle: VehicleId,
@@ -218,7 +225,7 @@ pub enum Warning {
         energy_loss: f64,
         /// (m/s) u_t before the impact.
         sliding: f64,
-        /// How it comes about.
+        /// The cause.
         cause: Drive,
     },
     /// The moment impulse adds energy.
@@ -237,7 +244,7 @@ pub enum Warning {
         /// Whether the law has a friction limit.
         limited: bool,
     },
-    /// The answer lies beside a border of the law at which it jumps.
+    /// The answer lies near a point where the impact law jumps.
     NearJump {
         /// What switches there, and at which number.
         border: Switch,
@@ -274,18 +281,18 @@ pub enum Warning {
         /// (m) by how much.
         distance: f64,
     },
-    /// A number that no usual vehicle or collision has.
+    /// A number that is unusual for a vehicle or a collision.
     Implausible {
         /// Which vehicle.
         vehicle: VehicleId,
-        /// What it is of.
+        /// The quantity.
         magnitude: Magnitude,
         /// (SI) the number.
         value: f64,
-        /// (SI) from what to what is usual.
+        /// (SI) the usual range.
         usual: [f64; 2],
     },
-    /// The stiffness of a side says that it withstands a fast impact without a trace.
+    /// By its stiffness, the side would withstand a fast impact without damage.
     HighNoDamageSpeed {
         /// Which vehicle.
         vehicle: VehicleId,
@@ -294,7 +301,7 @@ pub enum Warning {
         /// Where the stiffness comes from.
         source: StiffnessSource,
     },
-    /// The stiffness of a side says that hardly any impact leaves it without a trace.
+    /// By its stiffness, almost any impact would damage the side.
     LowNoDamageSpeed {
         /// Which vehicle.
         vehicle: VehicleId,
@@ -303,7 +310,7 @@ pub enum Warning {
         /// Where the stiffness comes from.
         source: StiffnessSource,
     },
-    /// A friction limit that vehicles have not.
+    /// A friction limit that is unusual between vehicles.
     UnusualFriction {
         /// The limit.
         friction: f64,
@@ -317,7 +324,7 @@ pub enum Warning {
         /// Whether it is written in degrees.
         in_degrees: bool,
     },
-    /// There is no residual crush, and yet crush energy.
+    /// There is no residual crush, but crush energy.
     NoResidualCrush {
         /// Which vehicle.
         vehicle: VehicleId,
@@ -340,33 +347,34 @@ pub struct JumpSide {
 /// How a tangential impulse comes to drive the sliding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drive {
-    /// The file gives μ, and with the sign of the sliding.
+    /// The file gives μ with the sign of the sliding.
     RatioAlong {
         /// μ.
         impulse_ratio: f64,
     },
-    /// The file gives μ, and nothing slides before the impact.
+    /// The file gives μ, but nothing slides before the impact.
     RatioWithoutSliding {
         /// μ.
         impulse_ratio: f64,
     },
-    /// The file gives μ, and it ends the sliding and drives it back.
+    /// The file gives μ, which ends the sliding and reverses it.
     RatioBeyond {
         /// μ.
         impulse_ratio: f64,
         /// μ_c, if there is one.
         critical: Option<f64>,
     },
-    /// The file gives a change of the tangential velocity that adds to the sliding or turns it round.
+    /// The file gives a change of the tangential velocity that adds to the sliding or reverses it.
     Change {
         /// (m/s) U_t − u_t.
         change: f64,
     },
-    /// The law finds the impulse, and against the sliding it cannot be: the push along the normal turns the sliding round.
+    /// The law finds an impulse that cannot oppose the sliding, because the push along the normal reverses
+    /// the sliding.
     Coupling,
 }
 
-/// What of a vehicle may be implausible.
+/// The quantities of a vehicle that are checked for plausibility.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Magnitude {
     /// (kg) mass.
@@ -396,7 +404,7 @@ pub enum Magnitude {
 }
 
 impl Warning {
-    /// Every code that there is.
+    /// Every warning code.
     pub const CODES: [&'static str; 31] = [
         "crush-plane",
         "contact-outside",
@@ -507,7 +515,7 @@ impl Warning {
         }
     }
 
-    /// Whether it only says that the yaw inertia was estimated, as it is of most vehicles.
+    /// Whether the warning only says that the yaw inertia was estimated, which is common.
     #[must_use]
     pub fn is_common(&self) -> bool {
         matches!(self, Self::BurgInertia { .. })

@@ -24,7 +24,8 @@ fn raises(analysis: &Analysis, code: &str) -> bool {
     analysis.warnings.iter().any(|warning| warning.code() == code)
 }
 
-/// Two equal cars that meet head-on, the crush of each 1.5 m wide and 0.3 m deep with A = 40 kN/m and B = 500 kN/m²: 54,150 J each.
+/// Two equal cars that meet head-on, the crush of each 1.5 m wide and 0.3 m deep with A = 40 kN/m and B = 500
+/// kN/m²: 54,150 J each.
 fn head_on(pdof: [f64; 2], speed: f64, restitution: f64) -> String {
     let vehicle = |i: usize, heading: f64| {
         format!(
@@ -89,7 +90,8 @@ fn the_normal_work_has_to_be_the_crush_energy() {
     assert_eq!(check(&analysis(reconstruct, PAPER), "damage-energy"), None);
 }
 
-/// The GMC Jimmy is struck 22.4° to the right of its axis: a force from more than 22.4° to the right passes the CG on the other side.
+/// The GMC Jimmy is struck 22.4° to the right of its axis: a force from more than 22.4° to the right passes
+/// the CG on the other side.
 #[test]
 fn the_line_of_action_has_to_turn_the_vehicle_as_the_impact_does() {
     let given = |degrees: f64| {
@@ -114,7 +116,8 @@ fn the_line_of_action_has_to_turn_the_vehicle_as_the_impact_does() {
     }
 }
 
-/// I ΔΩ = r × P: with the computed line of action alone the check could not fail, and a court would read a proof into it.
+/// I ΔΩ = r × P: with the computed line of action alone the check could not fail, and a court would read a
+/// proof into it.
 #[test]
 fn rotation_is_checked_only_against_what_could_contradict_it() {
     let rotations = |text: &str| {
@@ -130,7 +133,8 @@ fn rotation_is_checked_only_against_what_could_contradict_it() {
 
 #[test]
 fn restitution_has_to_be_in_range() {
-    // Both at 7 m/s close at 14 m/s, both at 8 m/s at 16 m/s. At 14 m/s every restitution up to 1 is possible.
+    // Both at 7 m/s close at 14 m/s, both at 8 m/s at 16 m/s. At 14 m/s every restitution up to 1 is
+    // possible.
     for (speed, restitution, passed) in
         [(7.0, 0.35, None), (7.0, 0.95, None), (8.0, 0.35, Some(false)), (8.0, 0.3, Some(true))]
     {

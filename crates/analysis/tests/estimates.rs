@@ -16,8 +16,8 @@ fn assert_relative(what: &str, actual: f64, expected: f64) {
     assert!((actual / expected - 1.0).abs() < 1e-9, "{what}: {actual} is not {expected}");
 }
 
-/// A car that runs into the rear of another, square and in line. The first is crushed by 0.3 m over 1.5 m with A 50 kN/m, B 1 MN/m²: 91,875 J at
-/// 1.5 (50 + 300) kN = 525 kN.
+/// A car that runs into the rear of another, square and in line. The first is crushed by 0.3 m over 1.5 m
+/// with A 50 kN/m, B 1 MN/m²: 91,875 J at 1.5 (50 + 300) kN = 525 kN.
 fn rear_end(vehicle2: &str, crush2: &str) -> String {
     format!(
         "[vehicle1]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"0 deg\"\ncontact = {{ x = \"2 m\", y = \"0 m\" }}\n\
@@ -89,7 +89,8 @@ fn either_vehicle_may_be_the_inspected_one() {
 fn without_a_width_the_energy_has_bounds() {
     let outline = "yaw_radius = \"1.4 m\"\ncontact = { x = \"-2 m\", y = \"0 m\" }\nlength = \"4.4 m\"\nwidth = \"1.8 m\"\ncg_to_front = \"2 m\"";
     let analysis = crush(&rear_end(outline, ""));
-    // With G = A²/2B the energy is F²/(2 B w). Nominal: the 1.5 m of vehicle 1. Widest: 1.8 m. Deepest: 2.4 m at 1240 kN/m.
+    // With G = A²/2B the energy is F²/(2 B w). Nominal: the 1.5 m of vehicle 1. Widest: 1.8 m. Deepest: 2.4 m
+    // at 1240 kN/m.
     let e = |width: f64| 525e3 * 525e3 / (1e6 * width);
     assert_relative("nominal", energy(&analysis), e(1.5));
     let Some(Warning::InferredEnergy { bounds: Some([least, most]), .. }) = analysis.warnings.first() else {

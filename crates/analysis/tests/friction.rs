@@ -21,7 +21,8 @@ fn with_law(text: &str, law: &str) -> Case {
     parsed(&text.replace("\"critical\"", law))
 }
 
-/// Stopping the contact point along the wall takes a pull at every speed; without friction, the crush energy comes at 27.42 m/s.
+/// Stopping the contact point along the wall takes a pull at every speed; without friction, the crush energy
+/// comes at 27.42 m/s.
 #[test]
 fn a_fraction_of_zero_needs_no_critical_ratio_to_be_found() {
     assert!(reconstruct(&with_law(NOT_REACHED, "{ fraction = 0.002 }")).is_err());
@@ -67,7 +68,8 @@ fn friction_row(analysis: &Analysis) -> Correction {
     *rows.iter().find(|row| matches!(row.corrections[0], ObliqueCorrection::Friction(_))).unwrap()
 }
 
-/// Each vehicle's energy is corrected by its own limit, that of the other where it has none; so swapped vehicles give a swapped row.
+/// Each vehicle's energy is corrected by its own limit, that of the other where it has none; so swapped
+/// vehicles give a swapped row.
 #[test]
 fn the_friction_row_has_each_vehicle_s_own_limit() {
     let [none, low, high] = ["", "oblique = { friction = 0.05 }", "oblique = { friction = 0.8 }"];

@@ -131,7 +131,8 @@ fn what_runs_runs_and_what_does_not_lacks_something() {
     }
 }
 
-/// SAE 870045, Table 1, side, category 2: 140 lb/in, 67 lb/in², 148 lb; the pound-force is 4.448222 N, the inch 0.0254 m.
+/// SAE 870045, Table 1, side, category 2: 140 lb/in, 67 lb/in², 148 lb; the pound-force is 4.448222 N, the
+/// inch 0.0254 m.
 #[test]
 fn the_stiffness_of_a_category_is_told() {
     let from = "stiffness = { d0 = \"30 lb^0.5\", d1 = \"77.5 lb^0.5/ft\" }";
@@ -148,7 +149,8 @@ fn the_stiffness_of_a_category_is_told() {
 
 #[test]
 fn a_plane_that_does_not_separate_is_seen_before_a_speed_is_sought() {
-    // r_1 = 6.3 ft at 180° − 22.4°, r_2 = 3.8 ft at 67° − 39°: along y they reach 2.40 ft and 1.78 ft from C, to the same side.
+    // r_1 = 6.3 ft at 180° − 22.4°, r_2 = 3.8 ft at 67° − 39°: along y they reach 2.40 ft and 1.78 ft from C,
+    // to the same side.
     let judgement = changed(PAPER, "crush_plane = \"-23 deg\"", "crush_plane = \"90 deg\"");
     assert_eq!(with_codes(&judgement.warnings, &["crush-plane"]), [Warning::PlaneDoesNotSeparate]);
     assert_eq!(judge(&parsed(PAPER)).warnings, []);
@@ -201,7 +203,8 @@ fn a_force_that_pulls_is_seen_only_where_its_direction_is_given() {
     let judgement = changed(PAPER, "side      = \"front\"", "side = \"front\"\npdof = \"120 deg\"");
     let pulled = with_codes(&judgement.warnings, &["side-not-pushed"]);
     assert!(matches!(pulled[..], [Warning::SideNotPushed { vehicle: VehicleId::One, .. }, ..]), "{pulled:?}");
-    // A side half as stiff has half the force, if it is met squarely; at what angle it is met only the impulse tells.
+    // A side half as stiff has half the force, if it is met squarely; at what angle it is met only the
+    // impulse tells.
     assert_eq!(changed(PAPER, "77.5 lb^0.5/ft", "50 lb^0.5/ft").warnings, []);
 }
 

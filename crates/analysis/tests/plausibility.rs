@@ -1,5 +1,5 @@
-//! Inputs that are wrong but have an answer all the same: each warning on both sides of its threshold, in both labellings, axes and senses of the
-//! crush plane's normal.
+//! Inputs that are wrong but have an answer all the same: each warning on both sides of its threshold, in
+//! both labellings, axes and senses of the crush plane's normal.
 //!
 //! The values follow from the arithmetic that stands beside each case.
 
@@ -30,10 +30,12 @@ fn assert_close(actual: f64, expected: f64, tolerance: f64) {
     assert!((actual - expected).abs() <= tolerance, "{actual} is not {expected} within {tolerance:e}");
 }
 
-/// A car of 1000 kg with k = 2 m that drives with 10 m/s squarely onto a wall, skids along it with a velocity of its own, and may turn; C lies 2 m ahead of
-/// its CG and `left` of it, in m. It is `car`; in z-down axes all that counts across is turned.
+/// A car of 1000 kg with k = 2 m that drives with 10 m/s squarely onto a wall, skids along it with a velocity
+/// of its own, and may turn; C lies 2 m ahead of its CG and `left` of it, in m. It is `car`; in z-down axes
+/// all that counts across is turned.
 ///
-/// By hand, with n towards the car's rear: u_n = −10 m/s, K = (1.25, −0.5; −0.5, 2)/m for `left` = 1 m, and (1, 0; 0, 2)/m for 0.
+/// By hand, with n towards the car's rear: u_n = −10 m/s, K = (1.25, −0.5; −0.5, 2)/m for `left` = 1 m, and
+/// (1, 0; 0, 2)/m for 0.
 struct Skid {
     car: VehicleId,
     axes: Axes,
@@ -74,8 +76,9 @@ impl Skid {
     }
 }
 
-/// With C on the axis, P_n = 10 m and P_t = 10 μ m: with z = 10 μ, W_n = 50 m and W_t = −z (u_t + z) m, which is −2 % of E_L = W_n + W_t where
-/// z (u_t + z) = 1/1.02: at z = −0.2317 and 4.2317 for u_t = −4 m/s, at z = ±0.9901 for u_t = 0.
+/// With C on the axis, P_n = 10 m and P_t = 10 μ m: with z = 10 μ, W_n = 50 m and W_t = −z (u_t + z) m, which
+/// is −2 % of E_L = W_n + W_t where z (u_t + z) = 1/1.02: at z = −0.2317 and 4.2317 for u_t = −4 m/s, at z =
+/// ±0.9901 for u_t = 0.
 #[test]
 fn a_ratio_that_drives_the_sliding() {
     for skid in &SKIDS {
@@ -143,8 +146,9 @@ fn a_change_of_velocity_that_drives_the_sliding() {
     }
 }
 
-/// With C 1 m beside the axis, U = 0 takes P = (20 − u_t/2, 5 − 5 u_t/4) m/2.25: the push along n alone would make U_t of u_t = 1 m/s negative, so that
-/// P_t is positive. W_n = 5 P_n and W_t = −½ P_t u_t: −1.96 % of E_L at 1 m/s, −2.09 % at 1.1 m/s; from 4 m/s on P_t is against the sliding.
+/// With C 1 m beside the axis, U = 0 takes P = (20 − u_t/2, 5 − 5 u_t/4) m/2.25: the push along n alone would
+/// make U_t of u_t = 1 m/s negative, so that P_t is positive. W_n = 5 P_n and W_t = −½ P_t u_t: −1.96 % of
+/// E_L at 1 m/s, −2.09 % at 1.1 m/s; from 4 m/s on P_t is against the sliding.
 #[test]
 fn a_push_that_turns_the_sliding_round() {
     for skid in &SKIDS {
@@ -168,9 +172,9 @@ fn a_push_that_turns_the_sliding_round() {
     }
 }
 
-/// Ω without a moment is ω − 5 μ, M = −4 (1 + e_m)(ω − 5 μ) m and Ω = −e_m (ω − 5 μ), so that W_m = −½ M (ω + Ω). For u_t = −4 m/s, μ = 0.2 and ω = 0
-/// that is −2 e_m (1 + e_m) m, and U_t = −2 (1 + e_m) m/s: −2.7 % of E_L for e_m = 0.5, −1.4 % for 0.3. With ω = 1 rad/s, u_t = −8 m/s,
-/// μ = 0.4 and e_m = 0 it is −2 m of 68 m.
+/// Ω without a moment is ω − 5 μ, M = −4 (1 + e_m)(ω − 5 μ) m and Ω = −e_m (ω − 5 μ), so that W_m = −½ M (ω +
+/// Ω). For u_t = −4 m/s, μ = 0.2 and ω = 0 that is −2 e_m (1 + e_m) m, and U_t = −2 (1 + e_m) m/s: −2.7 % of
+/// E_L for e_m = 0.5, −1.4 % for 0.3. With ω = 1 rad/s, u_t = −8 m/s, μ = 0.4 and e_m = 0 it is −2 m of 68 m.
 #[test]
 fn a_moment_that_drives_the_rotation() {
     for skid in &SKIDS {
@@ -418,7 +422,8 @@ fn numbers_that_no_vehicle_has() {
         ] {
             check(&body(length, width), unusual);
         }
-        // 4.5 ft and 0.6 ft of length and width: no bounds follow from such a body for mass, depth and width of the damage.
+        // 4.5 ft and 0.6 ft of length and width: no bounds follow from such a body for mass, depth and width
+        // of the damage.
         let text = body(1.37, 0.18);
         assert_eq!(found(&text).len(), 2, "{:?}", found(&text));
     }
@@ -446,7 +451,8 @@ fn speeds_that_no_vehicle_has() {
     }
 }
 
-/// One that is found: the crush of two equal cars head-on, e = 0, W_n = ½ (m/2) x² = 2 E, with E = w B/2 (C + A/B)² of each.
+/// One that is found: the crush of two equal cars head-on, e = 0, W_n = ½ (m/2) x² = 2 E, with E = w B/2 (C +
+/// A/B)² of each.
 #[test]
 fn a_speed_found_that_no_vehicle_has() {
     let at = |speed: f64| {

@@ -114,7 +114,8 @@ fn the_most_influential_input_comes_first() {
         let found = sensitivity.derivatives.iter().find(|row| row.output == output && row.input.path == path);
         found.unwrap_or_else(|| panic!("{path}"))
     };
-    // Which numbers say where the scene's axes point is a matter of choice: turning all angles together changes nothing.
+    // Which numbers say where the scene's axes point is a matter of choice: turning all angles together
+    // changes nothing.
     for output in [
         Output::Speed { vehicle: VehicleId::One },
         Output::DeltaV { vehicle: VehicleId::One },
@@ -126,7 +127,8 @@ fn the_most_influential_input_comes_first() {
             .sum();
         assert!(turned.abs() < 1e-9, "{turned}");
     }
-    // A heading has no per cents, a weight has: −0.225 % per %, from −0.004941 ft/s per lb at 3413 lb and 75.03 ft/s.
+    // A heading has no per cents, a weight has: −0.225 % per %, from −0.004941 ft/s per lb at 3413 lb and
+    // 75.03 ft/s.
     let speed = Output::Speed { vehicle: VehicleId::One };
     assert_eq!(by(speed, "vehicle1.heading").relative(), None);
     let weight = by(speed, "vehicle2.weight");
@@ -170,7 +172,8 @@ fn a_damage_without_a_pdof_has_no_sweep() {
     assert!(sensitivity.derivatives.is_empty() && sensitivity.pdof_sweep.is_empty());
 }
 
-/// The pole with h = 0.9 m and α = 30° of its own, which contact point and PDOF would make 0.3 m and 0°: in every row h stays, and α turns as the PDOF does.
+/// The pole with h = 0.9 m and α = 30° of its own, which contact point and PDOF would make 0.3 m and 0°: in
+/// every row h stays, and α turns as the PDOF does.
 #[test]
 fn the_sweep_keeps_what_the_file_gives() {
     let pole = fs::read_to_string(fixtures().join("pole.toml")).unwrap();
@@ -192,7 +195,8 @@ fn the_sweep_keeps_what_the_file_gives() {
         assert_eq!(rows[2].crash3.delta_v, alone.delta_v);
         assert_eq!(rows[2].crash3.corrected.unwrap().delta_v, alone.corrected.unwrap().delta_v);
         for row in &rows {
-            // A line of action that turns counter-clockwise takes from the PDOF and from α, which count clockwise.
+            // A line of action that turns counter-clockwise takes from the PDOF and from α, which count
+            // clockwise.
             let alpha = 30_f64.to_radians() + sign * row.change;
             assert!((row.oblique_angle[0].unwrap() - alpha).abs() < 1e-12);
             assert_eq!(row.crash3.moment_arm[0], 0.9);

@@ -163,7 +163,8 @@ fn samples_without_an_answer_are_counted_by_reason() {
     assert!(columns[1].iter().all(|pdof| pdof.is_nan() || pdof.abs() < 1e-12));
 }
 
-/// A car at 10° to a wall whose contact point lies anywhere along its side. Far behind the CG, stopping that point along the wall takes a pull at every speed.
+/// A car at 10° to a wall whose contact point lies anywhere along its side. Far behind the CG, stopping that
+/// point along the wall takes a pull at every speed.
 #[test]
 fn what_would_have_to_pull_at_every_speed_is_counted_so() {
     let case = include_str!("../../../fixtures/no-answer/not-reached.toml");
@@ -173,7 +174,8 @@ fn what_would_have_to_pull_at_every_speed_is_counted_so() {
     let (sin, cos) = 10_f64.to_radians().sin_cos();
     let pulls = |x: f64| {
         let (along, across) = (x * cos - 0.8 * sin, x * sin + 0.8 * cos);
-        // P_n ∝ k_tt (1 + e)|u_n| + k_nt u_t, with m k_tt = 1 + r_n²/k² and m k_nt = r_t r_n/k² in the sense of u_t
+        // P_n ∝ k_tt (1 + e)|u_n| + k_nt u_t, with m k_tt = 1 + r_n²/k² and m k_nt = r_t r_n/k² in the sense
+        // of u_t
         (1.0 + across * across / 2.25) * 1.1 * sin + along * across / 2.25 * cos <= 0.0
     };
     let distributions: Vec<_> = result.inputs.iter().map(|input| input.distribution).collect();

@@ -42,8 +42,8 @@ fn assert_close(what: &str, actual: f64, expected: f64, tolerance: f64) {
     );
 }
 
-/// A case of damage alone: equal cars but for the damage, each `side, depth in m, direction of force` of a crush of 1.5 m width
-/// and the same depth throughout, with A = 40 kN/m and B = 500 kN/m².
+/// A case of damage alone: equal cars but for the damage, each `side, depth in m, direction of force` of a
+/// crush of 1.5 m width and the same depth throughout, with A = 40 kN/m and B = 500 kN/m².
 fn damaged([first, second]: [(&str, f64, &str); 2]) -> String {
     let vehicle = |id: VehicleId, (side, depth, force): (&str, f64, &str)| {
         format!(
@@ -54,11 +54,12 @@ fn damaged([first, second]: [(&str, f64, &str); 2]) -> String {
     vehicle(VehicleId::One, first) + &vehicle(VehicleId::Two, second)
 }
 
-/// (J) energy of a crush of 0.3 m depth in [`damaged`]: L (A C + B C²/2 + A²/2B) = L B/2 (C + A/B)² = 1.5 · 250,000 · 0.38².
+/// (J) energy of a crush of 0.3 m depth in [`damaged`]: L (A C + B C²/2 + A²/2B) = L B/2 (C + A/B)² = 1.5 ·
+/// 250,000 · 0.38².
 const ENERGY: f64 = 54_150.0;
 
-/// A car of 1500 kg that meets a wall squarely, its CG behind C: `car` says which vehicle it is, `heading` and `forward` (m) say where it
-/// looks and where C is, `speed` is in m/s; its crush is that of [`ENERGY`].
+/// A car of 1500 kg that meets a wall squarely, its CG behind C: `car` says which vehicle it is, `heading`
+/// and `forward` (m) say where it looks and where C is, `speed` is in m/s; its crush is that of [`ENERGY`].
 fn against_a_wall(car: VehicleId, forward: f64, speed: f64, crush: &str) -> String {
     let wall = car.other();
     format!(
@@ -69,15 +70,16 @@ fn against_a_wall(car: VehicleId, forward: f64, speed: f64, crush: &str) -> Stri
     )
 }
 
-/// By docs/theory.md and the paper's appendix ΔV is 27.18 and 29.44 mph by the impact, and about 27.4 and 29.7 ft/s by CRASH3 without restitution;
-/// √(1.3/0.7) of that, for e = 0.3, is 25.5 and 27.6 mph: 6 % less.
+/// By docs/theory.md and the paper's appendix ΔV is 27.18 and 29.44 mph by the impact, and about 27.4 and
+/// 29.7 ft/s by CRASH3 without restitution; √(1.3/0.7) of that, for e = 0.3, is 25.5 and 27.6 mph: 6 % less.
 #[test]
 fn the_papers_example_raises_no_warning() {
     assert_eq!(warnings(analysis::reconstruct, PAPER), []);
     assert_eq!(warnings(analysis::impact, PAPER_FORWARD), []);
 }
 
-/// r_1 points to 180° − 22.4° = 157.6° and r_2 to 67° − 39° = 28°: n·r_1 < 0 < n·r_2 for Γ from 28° − 90° = −62° to 157.6° − 90° = 67.6°.
+/// r_1 points to 180° − 22.4° = 157.6° and r_2 to 67° − 39° = 28°: n·r_1 < 0 < n·r_2 for Γ from 28° − 90° =
+/// −62° to 157.6° − 90° = 67.6°.
 #[test]
 fn crush_plane() {
     for (angle, expected) in
@@ -101,7 +103,8 @@ fn contact_outside() {
     ];
     for (vehicle, contact) in contacts {
         let text = with(PAPER, &format!("[vehicle{vehicle}]\n"), &format!("[vehicle{vehicle}]\n{outline}"));
-        // The speed sought goes either way, so that the vehicles meet wherever the points are; friction has an answer everywhere.
+        // The speed sought goes either way, so that the vehicles meet wherever the points are; friction has
+        // an answer everywhere.
         let text = with(&text, "\"critical\"", "{ friction = 0.4 }");
         for ([x, y], beyond) in [
             ([2.049, 0.5], None),
@@ -129,7 +132,8 @@ fn contact_outside() {
     }
 }
 
-/// Vehicle 2 drives along the crush plane (67° + 23° = 90°), so that the closing speed is that of vehicle 1 times cos 23°.
+/// Vehicle 2 drives along the crush plane (67° + 23° = 90°), so that the closing speed is that of vehicle 1
+/// times cos 23°.
 #[test]
 fn high_restitution() {
     let at = |restitution: f64, closing: f64| {
@@ -244,7 +248,8 @@ fn angle_capped() {
     }
 }
 
-/// A force pushes on a side where it makes less than 90° with its normal: which PDOF that is depends on the side.
+/// A force pushes on a side where it makes less than 90° with its normal: which PDOF that is depends on the
+/// side.
 #[test]
 fn side_not_pushed() {
     for (side, pdof, angle) in [
@@ -282,9 +287,10 @@ fn side_not_pushed() {
     }
 }
 
-/// A car that meets a wall squarely with e = 0 loses its speed, and √(2E/m) is what CRASH3 says of it: equal to 10 % for speeds from that
-/// divided by 1.1 to that divided by 0.9. With restitution the impact's ΔV is (1 + e) v, and CRASH3's √((1 + e)/(1 − e)) times as much where E is
-/// dissipated, 1 + e times where it is absorbed.
+/// A car that meets a wall squarely with e = 0 loses its speed, and √(2E/m) is what CRASH3 says of it: equal
+/// to 10 % for speeds from that divided by 1.1 to that divided by 0.9. With restitution the impact's ΔV is
+/// (1 + e) v, and CRASH3's √((1 + e)/(1 − e)) times as much where E is dissipated, 1 + e times where it is
+/// absorbed.
 #[test]
 fn delta_v_differs() {
     let plain = (2.0 * ENERGY / 1500.0_f64).sqrt();
@@ -332,7 +338,8 @@ fn delta_v_differs() {
     }
 }
 
-/// e = 1 leaves nothing dissipated, and no factor; a car that skids along the wall to the end under a friction limit is none of CRASH3's.
+/// e = 1 leaves nothing dissipated, and no factor; a car that skids along the wall to the end under a
+/// friction limit is none of CRASH3's.
 #[test]
 fn delta_v_without_restitution_and_with_sliding() {
     let crash3 = (2.0 * ENERGY / 1500.0_f64).sqrt();
@@ -353,8 +360,9 @@ fn delta_v_without_restitution_and_with_sliding() {
     }
 }
 
-/// Mass 1 kg and radius of gyration 1 m, C at (−1, −1) m of the CG in the scene, a wall below, e = 0, a yaw rate ω of 5 rad/s, and a
-/// heading of `across` for 1 down. The crush, 1 m deep and wide with A = 0 and B = 3 N/m², took 1.5 J.
+/// Mass 1 kg and radius of gyration 1 m, C at (−1, −1) m of the CG in the scene, a wall below, e = 0, a yaw
+/// rate ω of 5 rad/s, and a heading of `across` for 1 down. The crush, 1 m deep and wide with A = 0 and B = 3
+/// N/m², took 1.5 J.
 fn spinning(across: f64) -> String {
     let heading = f64::atan2(-1.0, across);
     format!(
@@ -367,9 +375,10 @@ fn spinning(across: f64) -> String {
     )
 }
 
-/// By hand, along n = +y and t = −x: k_nn = k_tt = 2 and k_nt = 1, u = −(ω + s′, ω + a s′) where a is `across` and s′ = s/√(a² + 1). In the
-/// approach speed x = ω + s′ a common tangential velocity takes P_n = ((2 − a) x + (a − 1) ω)/3, so that W_n = x P_n/2 = 1.5 J
-/// is (2 − a) x² + (a − 1) ω x − 9 = 0: two positive roots for a > 2 and one for a < 2.
+/// By hand, along n = +y and t = −x: k_nn = k_tt = 2 and k_nt = 1, u = −(ω + s′, ω + a s′) where a is
+/// `across` and s′ = s/√(a² + 1). In the approach speed x = ω + s′ a common tangential velocity takes P_n =
+/// ((2 − a) x + (a − 1) ω)/3, so that W_n = x P_n/2 = 1.5 J is (2 − a) x² + (a − 1) ω x − 9 = 0: two positive
+/// roots for a > 2 and one for a < 2.
 #[test]
 fn several_speeds() {
     for across in [2.1_f64, 3.0] {
@@ -389,8 +398,8 @@ fn several_speeds() {
     assert_eq!(raised(analysis::reconstruct, &spinning(1.9), "several-speeds"), []);
 }
 
-/// Two equal cars head-on, e = 0: W_n = ½ (m/2) x² takes the crush energy of both at the closing speed x = √(8 E/m).
-/// Where the one drives faster than that, the other has to have backed away.
+/// Two equal cars head-on, e = 0: W_n = ½ (m/2) x² takes the crush energy of both at the closing speed x =
+/// √(8 E/m). Where the one drives faster than that, the other has to have backed away.
 #[test]
 fn moves_backward() {
     let closing = (8.0 * ENERGY / 1500.0_f64).sqrt();

@@ -1,4 +1,5 @@
-//! A case read, all of its numbers turned into SI, and written again: the file of another analyst in one's own units.
+//! A case read, all of its numbers turned into SI, and written again: the file of another analyst in one's
+//! own units.
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 

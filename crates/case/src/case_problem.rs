@@ -14,28 +14,28 @@ use crate::units::read_unit;
 use crate::units_in_use::UnitsInUse;
 use inputs::{Amount, Dimension, LawName, Quantity, Unit, format_number};
 
-/// What is wrong at one place of a case file. `Display` says what, [`CaseProblem::help`] what to write
-/// instead.
+/// What is wrong at one place of a case file. `Display` says what is wrong, and [`CaseProblem::help`] what to
+/// write instead.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "the fields carry the names of what the sentence above them says")]
 pub enum CaseProblem {
     /// The file is too large to be a case.
-    #[error("the file has more than the {limit} bytes that a case file may have")]
+    #[error("the file is larger than {limit} bytes, the limit of a case file")]
     TooLarge { limit: usize },
     /// Another kind of file.
-    #[error("this is {kind}, and not a case")]
+    #[error("this is {kind}, not a case file")]
     OtherFile { kind: &'static str },
     /// Text in an encoding that programs of Windows write.
-    #[error("this is text in UTF-16, and not a case")]
+    #[error("this is text in UTF-16, but a case file must be UTF-8")]
     Utf16 { help: &'static str },
     /// Text in another encoding.
-    #[error("the file is not text in UTF-8: line {line} has the first letter that does not fit")]
+    #[error("the file is not UTF-8 text: line {line} has the first invalid character")]
     NotUtf8 { line: usize, help: &'static str },
     /// Not TOML.
     #[error("this is not valid TOML: {message}")]
     Syntax { message: String, help: Cow<'static, str> },
     /// A key that no table, or not this one, has.
-    #[error("{table} has no key \"{key}\"")]
+    #[error("unknown key \"{key}\" {}", placed(table))]
     UnknownKey {
         table: String,
         key: String,
@@ -44,16 +44,16 @@ pub enum CaseProblem {
         known: Vec<&'static str>,
     },
     /// A table that a case does not have.
-    #[error("a case has no table [{table}]")]
+    #[error("unknown table [{table}]")]
     UnknownTable { table: String, nearest: Option<&'static str> },
     /// A table that every case has.
     #[error("the table [{table}] is missing")]
     MissingTable { table: &'static str },
     /// A key that its table needs.
-    #[error("{table} has no \"{key}\"")]
+    #[error("\"{key}\" is missing from {table}")]
     MissingKey { table: String, key: &'static str, example: &'static str },
     /// A key of another impact law.
-    #[error("{table} has \"{key}\", which {} does not use", law_in_words(law, *is_default))]
+    #[error("{table} gives \"{key}\", which {} does not use", law_in_words(law, *is_default))]
     KeyOfOtherLaw {
         table: String,
         key: &'static str,
@@ -63,7 +63,7 @@ pub enum CaseProblem {
         owners: Vec<&'static str>,
     },
     /// A key that the impact law needs.
-    #[error("{table} has no \"{key}\", which {} needs", law_in_words(law, *is_default))]
+    #[error("\"{key}\" is missing from {table}: {} needs it", law_in_words(law, *is_default))]
     MissingKeyOfLaw {
         table: String,
         key: &'static str,
@@ -73,16 +73,16 @@ pub enum CaseProblem {
         example: &'static str,
     },
     /// A number where text is due, and the like.
-    #[error("\"{path}\" is {found}, but has to be {wanted}")]
+    #[error("\"{path}\" is {found}, but must be {wanted}")]
     WrongType { path: String, found: &'static str, wanted: &'static str, example: &'static str },
     /// A table written with double brackets, or otherwise as a list.
-    #[error("[{path}] is {found}, but has to be a table")]
+    #[error("[{path}] is {found}, but must be a table")]
     NotATable { path: String, found: &'static str },
     /// A dimensioned value without quotes and unit.
     #[error("\"{path}\" is the bare number {number}, but needs a unit")]
     BareNumber { path: String, number: String, dimension: Dimension, example: String },
     /// A plain number in quotes.
-    #[error("{path} is the string \"{text}\", but has to be a plain number")]
+    #[error("{path} is the string \"{text}\", but must be a plain number")]
     QuotedNumber { path: String, text: String, number: Option<String>, example: &'static str },
     /// A list of them.
     #[error("\"{path}\" is a list of bare numbers, but needs a unit")]
@@ -94,58 +94,56 @@ pub enum CaseProblem {
     #[error("\"{text}\" is not a list of numbers with one unit at its end")]
     BadList { text: String, dimension: Dimension, example: &'static str },
     /// Zero or less where that makes no sense.
-    #[error("{path} is {value}, but has to be greater than zero")]
+    #[error("{path} is {value}, but must be greater than zero")]
     NotPositive { path: String, value: Quantity, why: &'static str },
     /// Less than zero where that makes no sense.
     #[error("{path} is {value}, but must not be negative")]
     Negative { path: String, value: Quantity },
     /// Positive, but next to nothing.
-    #[error("{path} is {value}, too small to be real")]
+    #[error("{path} is {value}, which is implausibly small")]
     TooSmall { path: String, value: Quantity },
     /// An angle that has to be acute.
-    #[error("{path} is {value}, but has to lie between -{limit} and {limit}")]
+    #[error("{path} is {value}, but must lie between -{limit} and {limit}")]
     NotAcute { path: String, value: Quantity, limit: &'static str },
     /// A plain number outside of its range.
-    #[error("{path} is {}, but has to be {range}", format_number(*value))]
+    #[error("{path} is {}, but must be {range}", format_number(*value))]
     OutOfRange { path: String, value: f64, range: Cow<'static, str>, example: &'static str },
     /// A text that is empty.
     #[error("\"{path}\" is empty")]
     EmptyText { path: String, example: &'static str },
     /// A word that is none of the choices.
-    #[error("\"{path}\" is \"{word}\", which is none of its choices")]
+    #[error("\"{path}\" cannot be \"{word}\"")]
     UnknownChoice { path: String, word: String, nearest: Option<&'static str>, choices: String },
     /// Two keys for one thing.
     #[error("{table} gives both \"{first}\" and \"{second}\"")]
     Both { table: String, first: &'static str, second: &'static str },
     /// Keys that make up none of the forms a value can take.
-    #[error("\"{path}\" gives {}, which is not one of its complete forms", list(given))]
+    #[error("\"{path}\" gives {}", not_valid(given, "set of keys"))]
     NoForm { path: String, given: Vec<&'static str>, forms: &'static str },
     /// A key that a barrier cannot have.
-    #[error("{table} is fixed, and a fixed object has no {key}")]
+    #[error("{table} is fixed, so it cannot give \"{key}\"")]
     FixedHas { table: String, key: &'static str },
     /// An outline with parts missing.
-    #[error("{table} gives {} of the outline, but not {}", list(given), list(missing))]
+    #[error("{table} gives {} of the outline, but not {}", join(given, "and"), join(missing, "and"))]
     HalfOutline { table: String, given: Vec<&'static str>, missing: Vec<&'static str> },
     /// Too few depths.
-    #[error("\"{path}\" has {count} of the two stations that a profile needs at least")]
+    #[error("\"{path}\" has {}, but a profile needs at least two", counted(*count, "station"))]
     TooFewStations { path: String, count: usize },
     /// Too many depths.
-    #[error("\"{path}\" has {count} values, more than the {limit} that are accepted")]
+    #[error("\"{path}\" has {count} values, but at most {limit} are accepted")]
     TooMany { path: String, count: usize, limit: usize },
     /// Too many numbers that are ranges.
-    #[error("{count} numbers of this case are ranges, more than the {limit} that are accepted")]
+    #[error("{count} numbers of this case are ranges, but at most {limit} are accepted")]
     TooManyRanges { count: usize, limit: usize },
     /// A curve of restitution without a point.
-    #[error(
-        "\"{path}\" is an empty list, but a restitution that depends on the closing speed needs at least one point"
-    )]
+    #[error("\"{path}\" is an empty list, but a restitution curve needs at least one point")]
     NoPoints { path: String },
     /// Speeds and coefficients of restitution that do not match.
-    #[error("\"{path}\" has {values} for {speeds}, but there has to be one value for each speed",
+    #[error("\"{path}\" has {values} for {speeds}, but needs one value for each speed",
         values = counted(*values, "value"), speeds = counted(*speeds, "speed"))]
     ValueCount { path: String, values: usize, speeds: usize },
     /// Closing speeds out of order.
-    #[error("{path} is {value}, but has to be more than the {before} before it")]
+    #[error("{path} is {value}, but must be greater than the {before} before it")]
     NotAscending { path: String, value: Quantity, before: Quantity },
     /// Widths and depths that do not match.
     #[error("\"{path}\" has {spacings} widths for {stations} depths, but {} are needed", stations - 1)]
@@ -154,46 +152,48 @@ pub enum CaseProblem {
     #[error("\"{path}\" is {width}, but the spacing adds up to {sum}")]
     WidthMismatch { path: String, width: Quantity, sum: String },
     /// As many stiffnesses as zones.
-    #[error("\"{path}\" gives the stiffness of {zones} of the {} zones between {stations} depths", stations - 1)]
+    #[error("\"{path}\" has {} for {stations} depths, but {} are needed", counted(*zones, "zone"), stations - 1)]
     ZoneCount { path: String, zones: usize, stations: usize },
     /// Not an hour.
-    #[error("\"{path}\" is \"{text}\", but the hours of a clock are 1 to 12")]
+    #[error("\"{path}\" is \"{text}\", but a clock hour must be a whole number from 1 to 12")]
     NotAnHour { path: String, text: String },
     /// An hour in another form.
-    #[error("\"{path}\" is \"{text}\", and the hour of a clock is not written so")]
+    #[error("\"{path}\" is \"{text}\", which is not how a clock hour is written here")]
     HourForm { path: String, text: String, hour: Option<u8> },
     /// An inferred crush with what only a measured one has.
-    #[error("{table} takes its crush from the force balance, and then has no {key}")]
+    #[error("{table} takes its crush from the force balance, so it cannot give \"{key}\"")]
     InferredHas { table: String, key: &'static str },
     /// A force per width that is limited to less than it begins with; `start` names A and says what it is.
-    #[error("{path} is {limit}, but has to be at least {start}, at which crush begins")]
+    #[error("{path} is {limit}, but must be at least {start}, where crush begins")]
     LimitBelowStart { path: String, limit: Quantity, start: String },
     /// A speed without damage at which the test left some.
-    #[error("{path} is {value}, but has to be less than the {speed} of the test, which crushed the car")]
+    #[error(
+        "{path} is {value}, but must be less than the test speed of {speed}, because the test left crush"
+    )]
     NoDamageSpeed { path: String, value: Quantity, speed: Quantity },
     /// What the engine refuses of a stiffness.
     #[error("{error}")]
     Stiffness { error: CrushError, remedy: &'static str },
     /// Keys that make up no range.
-    #[error("{path} gives {}, which is no complete range", list(given))]
+    #[error("{path} gives {}", not_valid(given, "range"))]
     NoRangeForm { path: String, given: Vec<&'static str>, forms: &'static str },
     /// A range of something that is no number.
-    #[error("\"{path}\" is a range, but only a number can be one")]
+    #[error("\"{path}\" is a range, but only a number can be a range")]
     NoRange { path: String, example: &'static str },
     /// The ends of a range in the wrong order.
-    #[error("{path} goes from {low} to {high}, but its low end has to be below its high end")]
+    #[error("{path} goes from {low} to {high}, but its low end must be below its high end")]
     NotRising { path: String, low: Amount, high: Amount },
     /// The likeliest value outside of its range.
-    #[error("{path} is likeliest at {mode}, which is not between {low} and {high}")]
+    #[error("{path} has the mode {mode}, which is not between {low} and {high}")]
     ModeOutside { path: String, low: Amount, mode: Amount, high: Amount },
     /// A share of nothing.
-    #[error("{path} is {value}, and a share of zero is no range")]
+    #[error("{path} is {value}, and a percentage of zero gives no range")]
     WithinOfZero { path: String, value: Amount },
     /// A share for a standard deviation.
-    #[error("{path} is \"{text}\", but a share of the value is no standard deviation")]
+    #[error("{path} is \"{text}\", but a standard deviation cannot be a percentage")]
     PercentAsSd { path: String, text: String },
     /// Not a percentage.
-    #[error("{path} is \"{text}\", but has to be a percentage")]
+    #[error("{path} is \"{text}\", but must be a percentage")]
     NotPercent { path: String, text: String },
     /// What is wrong with a case that can be read.
     #[error("{message}")]
@@ -215,10 +215,10 @@ impl CaseProblem {
                 .map_or_else(|| example.to_owned(), |units_in_use| units_in_use.suited(place, example))
         };
         let help = match self {
-            Self::TooLarge { .. } => "a case is a page of text; is this the right file?".to_owned(),
+            Self::TooLarge { .. } => "a case file is about a page of text; is this the right file?".to_owned(),
             Self::OtherFile { .. } => {
-                let begins = program.begins.map_or_else(String::new, |begins| format!(", and {begins} writes one to begin with"));
-                format!("a case is plain text in TOML{begins}; is this the right file?")
+                let begins = program.begins.map_or_else(String::new, |begins| format!("; {begins} writes a template"));
+                format!("a case file is plain text in TOML{begins}; is this the right file?")
             }
             Self::Utf16 { help } | Self::NotUtf8 { help, .. } => (*help).to_owned(),
             Self::Syntax { help, .. } => help.to_string(),
@@ -231,11 +231,11 @@ impl CaseProblem {
                     let unit = key.strip_prefix(nearest).map(|rest| rest.trim_start_matches(['_', '-', ' ']));
                     let is_unit = |unit: &&str| dimensions_of(nearest).iter().any(|of_key| read_unit(unit, *of_key).is_some());
                     match unit.filter(is_unit) {
-                        Some(unit) => format!("the unit stands behind the number: {nearest} = \"… {unit}\""),
+                        Some(unit) => format!("write the unit after the number: {nearest} = \"… {unit}\""),
                         None => format!("did you mean \"{nearest}\"?"),
                     }
                 }
-                (None, None) => format!("the keys of {table} are {}", join(known, "and")),
+                (None, None) => format!("the keys {} are {}", placed(table), join(known, "and")),
             },
             Self::UnknownTable { nearest: Some(nearest), .. } => format!("did you mean [{nearest}]?"),
             Self::UnknownTable { table, nearest: None } if table.starts_with("vehicle") => {
@@ -248,7 +248,7 @@ impl CaseProblem {
                  [reconstruct]"
                 .to_owned(),
             Self::MissingTable { table } => format!(
-                "a case has two vehicles: add [{table}]; a barrier is a vehicle with the one line fixed = true"
+                "a case needs two vehicles: add [{table}]; for a barrier, the one line fixed = true is enough"
             ),
             Self::MissingKey { table, example, .. } => format!("add a line such as {}", suited(table, example)),
             Self::KeyOfOtherLaw { key, law, keys, owners, .. } => other_law_help(key, law, keys, owners),
@@ -257,20 +257,20 @@ impl CaseProblem {
                 format!("add a line such as {example}; law = \"{law}\" uses {keys}")
             }
             Self::WrongType { path, example, .. } => {
-                format!("write for example {}", suited(path, &pointing(example, program)))
+                format!("write, for example, {}", suited(path, &pointing(example, program)))
             }
             Self::NotATable { path, found: "a list" } => {
                 format!("write [{path}], with single brackets, on a line of its own")
             }
             Self::NotATable { path, .. } => format!("write [{path}] on a line of its own, and its keys below"),
             Self::BareNumber { path, dimension, example, .. } => format!(
-                "write number and unit as a string, for example {}; {}",
+                "write the number and its unit as a string, for example {}; {}",
                 suited(path, example),
                 dimension_help(*dimension)
             ),
             Self::QuotedNumber { text, number, example, .. } => match (number_slips::range(text, None), number) {
                 (Some(range), _) => format!("write a range as {range}"),
-                (None, Some(number)) => format!("write {number}, without quotes"),
+                (None, Some(number)) => format!("write {number} without quotes"),
                 (None, None) => {
                     format!("write a plain number without quotes, for example {}", pointing(example, program))
                 }
@@ -282,9 +282,9 @@ impl CaseProblem {
             ),
             Self::Quantity { error, unit } => error.help_in(*unit),
             Self::BadList { text, dimension, example } => {
-                let comma = if text.contains(',') { ", and no commas" } else { "" };
+                let comma = if text.contains(',') { ", not commas" } else { "" };
                 format!(
-                    "write decimal numbers with spaces between them{comma}, and the unit once after the last: {}; {}",
+                    "write decimal numbers separated by spaces{comma}, and the unit once, at the end: {}; {}",
                     suited("", example),
                     dimension_help(*dimension)
                 )
@@ -294,100 +294,100 @@ impl CaseProblem {
                 let mut keys = path.trim_end_matches('"').rsplit('.');
                 match keys.find_map(|key| example_of(key, dimension)) {
                     Some(example) => {
-                        format!("{dimension} is greater than zero here, as in {}", suited(path, example))
+                        format!("write {dimension} greater than zero, as in {}", suited(path, example))
                     }
-                    None => format!("{dimension} is greater than zero here"),
+                    None => format!("write {dimension} greater than zero"),
                 }
             }
             Self::NotPositive { why, .. } => (*why).to_owned(),
             Self::Negative { value, .. } => format!("write {} of zero or more", value.dimension()),
             Self::NotAcute { .. } => {
-                "it is the angle between the force and the normal of the damaged side: 0 deg for a force square to it".to_owned()
+                "it is the angle between the force and the normal of the damaged side: 0 deg if the force is perpendicular to the side".to_owned()
             }
-            Self::OutOfRange { example, .. } => format!("write for example {}", pointing(example, program)),
+            Self::OutOfRange { example, .. } => format!("write, for example, {}", pointing(example, program)),
             Self::TooMany { .. } => {
-                "give fewer: a profile needs no more stations, its stiffness no more zones, and a curve of restitution no more points".to_owned()
+                "give fewer: no profile needs more stations or zones, and no restitution curve more points".to_owned()
             }
             Self::TooManyRanges { .. } => {
-                "write most of them as plain numbers: of so many stations the errors average out, those of width and stiffness do not".to_owned()
+                "write most of them as plain numbers: the errors of many stations average out, but those of width and stiffness do not".to_owned()
             }
             Self::TooSmall { value, .. } => format!(
-                "{} has to be at least {} here; check the number and its unit",
+                "{} must be at least {} here; check the number and its unit",
                 value.dimension(),
                 format_limit(value.dimension().least_positive(), value.unit(), Limit::Least)
             ),
             Self::EmptyText { example, .. } => {
-                format!("write for example {example}, or leave the line out")
+                format!("write a text, as in {example}, or leave the line out")
             }
             Self::UnknownChoice { choices, nearest: Some(nearest), .. } => {
                 format!("write {choices}; did you mean \"{nearest}\"?")
             }
             Self::UnknownChoice { choices, .. } => format!("write {choices}"),
-            Self::Both { first, second, .. } => format!("keep one of the two: {first} or {second}"),
+            Self::Both { first, second, .. } => format!("keep only one of the two: {first} or {second}"),
             Self::NoForm { path, forms, .. } => format!("write {}", suited(path, forms)),
             Self::FixedHas { key, .. } => {
-                format!("remove {key} or, if this is a vehicle that can move, fixed = true")
+                format!("remove {key}, or remove fixed = true if this vehicle can move")
             }
             Self::HalfOutline { missing, .. } => format!(
-                "add {}: the body can be drawn, and the contact point be checked, only with all three of length, width and \
-                 cg_to_front; or leave all three out",
-                list(missing)
+                "add {}, or leave out all three of length, width and cg_to_front: a drawing of the body and a check of the \
+                 contact point need all of them",
+                join(missing, "and")
             ),
-            Self::TooFewStations { .. } => "measure the depth at both ends of the damage at least".to_owned(),
-            Self::NoPoints { .. } => format!("write for example {}", suited("", RESTITUTION_FORMS)),
+            Self::TooFewStations { .. } => "give at least the depths at both ends of the damage".to_owned(),
+            Self::NoPoints { .. } => format!("write, for example, {}", suited("", RESTITUTION_FORMS)),
             Self::ValueCount { .. } => format!(
                 "give both lists the same number of points, as in {} and {}",
                 suited("", RESTITUTION.example("speeds")),
                 RESTITUTION.example("values")
             ),
             Self::NotAscending { .. } => {
-                "list the points by ascending closing speed, each speed once, with the values in the same order".to_owned()
+                "list the points by ascending closing speed, each speed once, and the values in the same order".to_owned()
             }
             Self::SpacingCount { .. } => {
-                "a spacing is the width between two neighbouring stations, so there is one fewer than depths; leave it out where \
-                 the stations are equally spaced"
+                "give the widths between neighbouring stations, one fewer than there are depths; leave spacing out if the stations \
+                 are equally spaced"
                     .to_owned()
             }
             Self::ZoneCount { .. } => {
-                "a zone lies between two neighbouring stations, so there is one fewer than depths; in the order of the depths"
+                "each zone lies between two neighbouring stations, so give one fewer than there are depths, in the same order"
                     .to_owned()
             }
             Self::NotAnHour { .. } => {
-                "write the full hour, as pdof = \"2 o'clock\": the vehicle points to 12, and 3 o'clock is from its right; or an angle"
+                "write a whole hour, as in pdof = \"2 o'clock\", or an angle; 12 o'clock is from straight ahead, 3 o'clock from the right"
                     .to_owned()
             }
             Self::HourForm { hour, .. } => format!(
-                "write the full hour, as pdof = \"{} o'clock\": the vehicle points to 12, and 3 o'clock is from its right; or an angle, \
-                 where half an hour is 15 deg",
+                "write a whole hour, as in pdof = \"{} o'clock\", or an angle; 12 o'clock is from straight ahead, 3 o'clock from \
+                 the right, and half an hour is 15 deg",
                 hour.unwrap_or(2)
             ),
             Self::InferredHas { key, .. } => {
-                format!("remove {key} or, if the damage was measured, from_force_balance = true")
+                format!("remove {key}, or remove from_force_balance = true if the damage was measured")
             }
             Self::LimitBelowStart { .. } => {
-                "raise the limit, or leave it out where the force is not known to be limited".to_owned()
+                "raise the limit, or leave it out if none is known".to_owned()
             }
             Self::NoDamageSpeed { .. } => {
-                "it is the speed up to which no crush remains, below the speed of the test".to_owned()
+                "give the highest speed that leaves no crush, which is below the test speed".to_owned()
             }
             Self::Stiffness { remedy, .. } => (*remedy).to_owned(),
             Self::WidthMismatch { .. } => {
-                "the two may differ by 0.1 %; correct one of them, or leave the width out".to_owned()
+                "make the two agree to within 0.1 %, or leave the width out".to_owned()
             }
             Self::NoRangeForm { forms, .. } => format!("write {forms}"),
-            Self::NoRange { path, example } => format!("write for example {}", suited(path, example)),
+            Self::NoRange { path, example } => format!("write, for example, {}", suited(path, example)),
             Self::NotRising { low, high, .. } if low.in_unit(high.unit) == high.number => {
-                "write a value that is known exactly without a range".to_owned()
+                "write the value alone if it is known exactly".to_owned()
             }
-            Self::NotRising { .. } => "exchange the two; for an angle, count on beyond 180 deg or below -180 deg".to_owned(),
-            Self::ModeOutside { .. } => "mode is the likeliest value of a triangular distribution, which may stand at an end".to_owned(),
+            Self::NotRising { .. } => "swap the two; for angles on both sides of 180 deg, count past 180, for example from 175 deg to 185 deg".to_owned(),
+            Self::ModeOutside { .. } => "mode is the likeliest value of a triangular distribution; it may equal low or high".to_owned(),
             Self::WithinOfZero { .. } => "give the standard deviation instead, as sd = …".to_owned(),
             Self::PercentAsSd { text, .. } => format!(
-                "write within = \"{text}\" in place of sd, and confidence, the probability that it is kept: 0.95, say, or 0.683 for one \
-                 standard deviation"
+                "replace sd with within = \"{text}\" and confidence, the probability that the value lies within that percentage: \
+                 for example 0.95, or 0.683 for one standard deviation"
             ),
             Self::NotPercent { .. } => {
-                "write number and percent sign, as within = \"10 %\"; a deviation with a unit is written as sd = …".to_owned()
+                "write a number and a percent sign, as in within = \"10 %\"; for a deviation with a unit, write sd = …".to_owned()
             }
             Self::Fault { help, .. } => return help.clone(),
         };
@@ -396,14 +396,14 @@ impl CaseProblem {
 }
 
 /// What `class` may look like; [`pointing`] adds what describes the classes.
-pub(crate) const CLASS_FORMS: &str = "class = 3; 1 to 6 are CRASH3's size classes of cars, from the smallest to the largest; leave it out where yaw inertia and \
-                                      outline are given";
+pub(crate) const CLASS_FORMS: &str = "class = 3; 1 to 6 are CRASH3's size classes of cars, from smallest to largest; leave it out if yaw inertia and outline \
+                                      are given";
 
 /// An example with what a program has to say of it.
 fn pointing<'a>(example: &'a str, program: &Program) -> Cow<'a, str> {
     match (program.describes_classes, example.split_once("; leave it out")) {
         (Some(command), Some((classes, _))) if example == CLASS_FORMS => {
-            format!("{classes}, which {command} describes{}", &example[classes.len()..]).into()
+            format!("{classes} (see {command}){}", &example[classes.len()..]).into()
         }
         _ => example.into(),
     }
@@ -413,12 +413,13 @@ fn pointing<'a>(example: &'a str, program: &Program) -> Cow<'a, str> {
 pub(crate) const RESTITUTION_FORMS: &str =
     "restitution = 0.3 or restitution = { speeds = \"2 5 10 20 m/s\", values = [0.3, 0.2, 0.12, 0.05] }";
 
+/// Where a key stands that its table, as [`Table::label`] names it, does not have.
+fn placed(table: &str) -> String {
+    format!("{} {table}", if table.starts_with('[') { "in" } else { "at" })
+}
+
 fn law_in_words(law: &str, is_default: bool) -> String {
-    if is_default {
-        format!("the law \"{law}\" (the default, as no law is given)")
-    } else {
-        format!("law = \"{law}\"")
-    }
+    if is_default { format!("the default law \"{law}\"") } else { format!("law = \"{law}\"") }
 }
 
 fn other_law_help(key: &str, law: &str, keys: &str, owners: &[&str]) -> String {
@@ -437,6 +438,11 @@ fn counted(count: usize, noun: &str) -> String {
     if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }
 
-fn list(keys: &[&str]) -> String {
-    if keys.is_empty() { "none of its keys".to_owned() } else { join(keys, "and") }
+/// The given keys, which do not make up `what`.
+fn not_valid(given: &[&str], what: &str) -> String {
+    if given.is_empty() {
+        "none of its keys".to_owned()
+    } else {
+        format!("{}, which is not a valid {what}", join(given, "and"))
+    }
 }

@@ -1,4 +1,4 @@
-//! What is wrong with a case file, and the text that shows it.
+//! The problems of a case file, and how they are displayed.
 
 use std::error::Error;
 use std::fmt;
@@ -30,7 +30,7 @@ impl Diagnostic {
         Self { span, problem }
     }
 
-    /// (bytes) where in the text; `None` where the file as a whole is meant.
+    /// (bytes) its place in the text; `None` for the file as a whole.
     #[must_use]
     pub fn span(&self) -> Option<Range<usize>> {
         self.span.clone()
@@ -163,7 +163,7 @@ impl Diagnostics {
     ///
     /// ```
     /// let errors = case::CaseFile::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
-    /// assert!(errors.help_on_one_line().starts_with(r#"write number and unit as a string, for example speed = "10 mph""#));
+    /// assert!(errors.help_on_one_line().starts_with(r#"write the number and its unit as a string, for example speed = "10 mph""#));
     /// ```
     #[must_use]
     pub fn help_on_one_line(&self) -> String {

@@ -1,4 +1,4 @@
-//! The JSON Schema of the case file, from the tables that the reader goes by.
+//! The JSON Schema of the case file, made from the tables that the reader uses.
 
 use std::collections::BTreeMap;
 
@@ -16,9 +16,9 @@ type Node = Map<String, Value>;
 
 /// The JSON Schema (draft 2020-12) of the case file, for editors that complete and check TOML.
 ///
-/// It knows every table and key, the forms of a value and the units of each dimension. What takes arithmetic
-/// it leaves to [`CaseFile::parse`](crate::CaseFile::parse): magnitudes, ranges that do not rise, lists that
-/// do not belong together.
+/// It covers every table and key, the forms of a value and the units of each dimension. Checks that need
+/// arithmetic are left to [`CaseFile::parse`](crate::CaseFile::parse): magnitudes, the order of a range, and
+/// the lengths of lists that belong together.
 ///
 /// A file that begins with `#:schema PATH`, the path from the file to the schema, is completed and checked by
 /// editors built on Taplo, such as Visual Studio Code with *Even Better TOML*.

@@ -29,10 +29,10 @@
 //! ```
 //!
 //! The types: [`CaseFile::parse`] gives a [`CaseFile`], which is a [`Case`] and the [`Source`] it came from,
-//! or [`Diagnostics`]. A case and what it holds are of the crate [`inputs`], which knows no file; [`to_toml`]
-//! writes one back. A computation finds [`Faults`] by their keys, and [`CaseFile::diagnostics`] places them
-//! in the file. A [`Template`] is a case to begin with, and [`json_schema`] is what editors complete and
-//! check a case by.
+//! or [`Diagnostics`]. The case itself is a type of the crate [`inputs`], which knows nothing of files;
+//! [`to_toml`] writes it back. An analysis reports [`Faults`] by their keys, and [`CaseFile::diagnostics`]
+//! places them in the file. A [`Template`] is a case to start from, and editors complete and check a case
+//! with [`json_schema`].
 //!
 //! # The file
 //!
@@ -43,44 +43,44 @@
 //! | table | keys |
 //! |---|---|
 //! | top | `title`, `source` |
-//! | `[scene]` | `axes`: `"z-up"` (also where absent) or `"z-down"`, see below |
+//! | `[scene]` | `axes`: `"z-up"` (the default) or `"z-down"`, see below |
 //! | `[vehicle1]`, `[vehicle2]`, both needed | `name`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, for what is not known; `heading`; `speed` or `velocity = { x, y }`; `yaw_rate`; `contact = { distance, angle }` or `{ x, y }`; `length`, `width`, `cg_to_front`: all or none, or `length` alone beside `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact` and the outline |
 //! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of or beside the width (to 0.1 %); `from_force_balance = true` in place of depths, for one vehicle; `stiffness`, see below; `offset`, left of the axis (right of it in z-down axes) or forward of the CG; `pdof`, an angle, clockwise in any axes, or `"2 o'clock"`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"`, `"secant"`, `{ friction = 0.5 }` |
-//! | `stiffness = { … }` | `d0`, `d1` or `A`, `B`, either with `G` and `limit`; or `category`, 1 to 5; or `test = { mass or weight, speed, width, depths, no_damage_speed, fit }`, `fit`: `"exact"` (also where absent), `"mean"`; or `zones = [{ A, B }, …]`, one between each two stations |
-//! | `[impact]` | `crush_plane`; `law`: `"brach"` (also where absent), `"woolley"`, `"ishikawa"`, `"kudlich-slibar"`, and the keys of that law |
-//! | … Brach | `restitution`; `tangential`: `"critical"`, `{ ratio }`, `{ fraction }` or `{ friction }`; `moment_restitution`, −1 (none, also where absent) to 1 |
+//! | `stiffness = { … }` | `d0`, `d1` or `A`, `B`, either with `G` and `limit`; or `category`, 1 to 5; or `test = { mass or weight, speed, width, depths, no_damage_speed, fit }`, `fit`: `"exact"` (the default), `"mean"`; or `zones = [{ A, B }, …]`, one between each two stations |
+//! | `[impact]` | `crush_plane`; `law`: `"brach"` (the default), `"woolley"`, `"ishikawa"`, `"kudlich-slibar"`, and the keys of that law |
+//! | … Brach | `restitution`; `tangential`: `"critical"`, `{ ratio }`, `{ fraction }` or `{ friction }`; `moment_restitution`, −1 (none, the default) to 1 |
 //! | … Woolley | nothing more or, for a sideswipe, `tangential_velocity_change` |
 //! | … Ishikawa | `restitution`; `tangential_restitution`, −1 to 1 |
 //! | … Kudlich–Slibar | `restitution`; `friction`, zero or more |
-//! | `[reconstruct]` | `find`: `"vehicle1.speed"`, `"vehicle2.speed"`; `energy_basis`: `"dissipated"` (also where absent), `"absorbed"` |
+//! | `[reconstruct]` | `find`: `"vehicle1.speed"`, `"vehicle2.speed"`; `energy_basis`: `"dissipated"` (the default), `"absorbed"` |
 //!
-//! A `restitution` is a number from 0 to 1 or, where it depends on the closing speed, `{ speeds = "2 5 10 20
+//! A `restitution` is a number from 0 to 1 or, if it depends on the closing speed, `{ speeds = "2 5 10 20
 //! m/s", values = [0.3, 0.2, 0.12, 0.05] }`: speeds ascend from zero or more, and are listed like depths. A
 //! key of another law is an error.
 //!
 //! # Axes
 //!
-//! [`Axes`]: where the file says nothing, y is to the left and angles and yaw rates are counter-clockwise
-//! positive. A file with
+//! [`Axes`]: by default, y points to the left, and angles and yaw rates are positive counter-clockwise. A
+//! file with
 //!
 //! ```toml
 //! [scene]
 //! axes = "z-down"
 //! ```
 //!
-//! is written in those of SAE J670, y to the right and clockwise positive. These numbers then have the other
-//! sign for the same collision: `heading`, `yaw_rate`, the `angle` or `y` of `contact`, the `y` of
-//! `velocity`, `crush_plane`, the `ratio` of `tangential` and `tangential_velocity_change`, which count along
-//! t, n turned by +90° in the sense of the axes, and the `offset` of a damaged front or rear. All others are
-//! the same in both: a `pdof` is the face of a clock, and sides and the order of depths (from left to right,
-//! from rear to front) are words.
+//! uses the axes of SAE J670, with y to the right and clockwise positive. For the same collision, these
+//! numbers then have the opposite sign: `heading`, `yaw_rate`, the `angle` or `y` of `contact`, the `y` of
+//! `velocity`, `crush_plane`, the `ratio` of `tangential` and `tangential_velocity_change`, which are
+//! measured along t, that is n rotated by +90° in the sense of the axes, and the `offset` of a damaged front
+//! or rear. All others are the same in both: a `pdof` is the face of a clock, and sides and the order of
+//! depths (from left to right, from rear to front) are words.
 //!
-//! Which of the optional keys have to be there depends on what is computed, and is checked there.
+//! Which of the optional keys are needed depends on the analysis, which checks them.
 //!
 //! # Ranges
 //!
-//! Any number can be a range, in the place of the value itself. The case then holds the central value, so
-//! that whatever takes a case goes on with that, and [`Case::ranges`] says how far it may be off.
+//! Any number can be given as a range instead of a single value. The case then holds the central value, which
+//! every analysis uses, and [`Case::ranges`] says how far it may be off.
 //!
 //! | written | means | central value |
 //! |---|---|---|
@@ -91,8 +91,8 @@
 //! | `{ values = "21.3 20.3 in", sd = "0.5 in" }`, or with `within` and `confidence` | of a list: each normal, independent of the others | `values` |
 //!
 //! A list can also hold ranges one by one: `["21.3 in", { low = "19 in", high = "21 in" }]`. A number without
-//! unit has ranges without units: `restitution = { value = 0.3, sd = 0.05 }`. The ends of a range have to be
-//! values that the key accepts; where a normal distribution goes beyond, it has to be cut at the [`Bounds`].
+//! unit has ranges without units: `restitution = { value = 0.3, sd = 0.05 }`. The ends of a range must be
+//! values that the key accepts; a normal distribution that reaches beyond is truncated at the [`Bounds`].
 //!
 //! ```
 //! let file = case::CaseFile::parse("case.toml", r#"
@@ -152,9 +152,9 @@
 //!
 //! # What it does not do
 //!
-//! No equations, no defaults beyond those named above: what an analysis needs of a case is told by
-//! [`inputs`]. No arithmetic with units: a unit that is not in the table is refused. It keeps no comments: a
-//! case that is written back has lost them.
+//! It has no equations and no defaults beyond those named above; [`inputs`] says what each analysis needs. It
+//! does no arithmetic with units: a unit that is not in the table is refused. It keeps no comments: a case
+//! that is written back has lost them.
 
 mod case_problem;
 mod diagnostic;

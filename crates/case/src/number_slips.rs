@@ -1,5 +1,4 @@
-//! Numbers written as people write them elsewhere: a case does not read them, but knows what to write
-//! instead.
+//! Recognises other number notations, such as `1,234.5` or `5'11"`, only to suggest the accepted one.
 
 use crate::number::split_number;
 use crate::units::read_unit;
@@ -59,7 +58,7 @@ pub(crate) fn range(text: &str, dimension: Option<Dimension>) -> Option<String> 
     }
     let (low, high) = (rounded(first - second), rounded(first + second));
     Some(format!(
-        "{spread} if that is a standard deviation, {{ low = {}, high = {} }} if it is a limit",
+        "{spread} if the ± is a standard deviation, or {{ low = {}, high = {} }} if it is a limit",
         quoted(low, own),
         quoted(high, own)
     ))
@@ -204,7 +203,7 @@ mod tests {
 
     #[test]
     fn ranges_in_one_text_are_understood() {
-        let spread = "{ value = \"25 mph\", sd = \"2 mph\" } if that is a standard deviation, { low = \"23 mph\", high = \"27 mph\" } if it is a limit";
+        let spread = "{ value = \"25 mph\", sd = \"2 mph\" } if the ± is a standard deviation, or { low = \"23 mph\", high = \"27 mph\" } if it is a limit";
         let ends = "{ low = \"20 mph\", high = \"30 mph\" }";
         for (text, wanted) in [
             ("25 mph +- 2", spread),
@@ -227,7 +226,7 @@ mod tests {
         assert_eq!(
             range("0.3 ± 0.1", None).as_deref(),
             Some(
-                "{ value = 0.3, sd = 0.1 } if that is a standard deviation, { low = 0.2, high = 0.4 } if it is a limit"
+                "{ value = 0.3, sd = 0.1 } if the ± is a standard deviation, or { low = 0.2, high = 0.4 } if it is a limit"
             )
         );
         for text in ["25 mph", "25 mph -", "about 25 mph", "25 m - 30 mph", "1e-3 mph", "25 to", ""] {

@@ -1,21 +1,20 @@
-//! Files that are no case at first sight.
+//! Recognises files that cannot be a case file: other formats, other encodings, too many bytes.
 
 use crate::case_problem::CaseProblem;
 
 /// How some kinds of file begin.
 const MAGIC: [(&[u8], &str); 8] = [
     (b"%PDF-", "a PDF file"),
-    (b"PK\x03\x04", "a ZIP archive, as files of Word and Excel are"),
-    (b"\xD0\xCF\x11\xE0", "a file of Word or Excel"),
-    (b"{\\rtf", "a file in rich text format"),
+    (b"PK\x03\x04", "a ZIP archive, such as a Word or Excel file"),
+    (b"\xD0\xCF\x11\xE0", "a Word or Excel file"),
+    (b"{\\rtf", "a rich text (RTF) file"),
     (b"\x89PNG", "a PNG image"),
     (b"\xFF\xD8\xFF", "a JPEG image"),
     (b"GIF8", "a GIF image"),
     (b"\x1F\x8B", "a compressed file"),
 ];
 
-const SAVE_AS_UTF_8: &str =
-    "save it as UTF-8: editors offer that under encoding, where they ask for the name to save as";
+const SAVE_AS_UTF_8: &str = "save it as UTF-8; most editors offer the encoding when saving under a new name";
 
 /// The text of a case of at most so many bytes; one that is longer may have been cut off.
 pub(crate) fn text(bytes: &[u8], limit: usize) -> Result<&str, CaseProblem> {
@@ -62,16 +61,16 @@ fn markup(text: &str) -> Option<&'static str> {
     if text.starts_with('<') {
         let begin: String = text.chars().take(LOOKED_AT).collect::<String>().to_lowercase();
         if begin.contains("<html") || begin.starts_with("<!doctype html") {
-            Some("a page in HTML")
+            Some("an HTML page")
         } else if begin.contains("<svg") {
-            Some("a drawing in SVG")
+            Some("an SVG drawing")
         } else {
-            Some("a file in XML")
+            Some("an XML file")
         }
     } else {
         // Neither can begin a file in TOML, where a bracket is followed by the name of a table.
         let is_list = text.strip_prefix('[').is_some_and(|rest| rest.trim_start().starts_with('{'));
-        (text.starts_with('{') || is_list).then_some("a file in JSON")
+        (text.starts_with('{') || is_list).then_some("a JSON file")
     }
 }
 
@@ -90,23 +89,28 @@ mod tests {
     fn another_kind_of_file_is_named() {
         let marked = format!("\u{feff}{CASE}");
         for (bytes, kind) in [
-            (utf_16(CASE, u16::to_le_bytes), "text in UTF-16"),
-            (utf_16(CASE, u16::to_be_bytes), "text in UTF-16"),
-            (utf_16(&marked, u16::to_le_bytes), "text in UTF-16"),
-            (utf_16(&marked, u16::to_be_bytes), "text in UTF-16"),
             (b"%PDF-1.7\n\0".to_vec(), "a PDF file"),
-            (b"PK\x03\x04\x14\0".to_vec(), "a ZIP archive, as files of Word and Excel are"),
+            (b"PK\x03\x04\x14\0".to_vec(), "a ZIP archive, such as a Word or Excel file"),
             (b"\x89PNG\r\n".to_vec(), "a PNG image"),
             (b"[vehicle1]\0".to_vec(), "a binary file"),
             (b"\x7FELF\x02\0\0".to_vec(), "a binary file"),
-            (b"\n <!DOCTYPE html><p>".to_vec(), "a page in HTML"),
-            (b"<?xml version=\"1.0\"?><svg>".to_vec(), "a drawing in SVG"),
-            (b"\xEF\xBB\xBF<report/>".to_vec(), "a file in XML"),
-            (b"{ \"title\": 1 }".to_vec(), "a file in JSON"),
-            (b"[\n  { \"title\": 1 }]".to_vec(), "a file in JSON"),
+            (b"\n <!DOCTYPE html><p>".to_vec(), "an HTML page"),
+            (b"<?xml version=\"1.0\"?><svg>".to_vec(), "an SVG drawing"),
+            (b"\xEF\xBB\xBF<report/>".to_vec(), "an XML file"),
+            (b"{ \"title\": 1 }".to_vec(), "a JSON file"),
+            (b"[\n  { \"title\": 1 }]".to_vec(), "a JSON file"),
         ] {
             let problem = text(&bytes, 1000).unwrap_err();
-            assert_eq!(problem.to_string(), format!("this is {kind}, and not a case"));
+            assert_eq!(problem.to_string(), format!("this is {kind}, not a case file"));
+        }
+        for bytes in [
+            utf_16(CASE, u16::to_le_bytes),
+            utf_16(CASE, u16::to_be_bytes),
+            utf_16(&marked, u16::to_le_bytes),
+            utf_16(&marked, u16::to_be_bytes),
+        ] {
+            let problem = text(&bytes, 1000).unwrap_err();
+            assert_eq!(problem.to_string(), "this is text in UTF-16, but a case file must be UTF-8");
         }
     }
 

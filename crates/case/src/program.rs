@@ -1,20 +1,20 @@
-//! The words of the program around this crate, for errors that point to its commands.
+//! The command names of the program that uses this crate, for error texts that refer to them.
 
 use inputs::Purpose;
 
-/// What a program calls what an error text points to. A library has no commands, which is the default.
+/// How a program names what error texts refer to. The default is a library, which has no commands.
 #[derive(Clone, Copy, Debug)]
 pub struct Program {
-    /// What it calls a purpose that a case lacks something for.
+    /// The name of a purpose that a case is incomplete for.
     pub name: fn(Purpose) -> String,
-    /// What writes a case to begin with.
+    /// The command that writes a template.
     pub begins: Option<&'static str>,
-    /// What describes CRASH3's size classes.
+    /// The command that describes CRASH3's size classes.
     pub describes_classes: Option<&'static str>,
 }
 
 impl Program {
-    /// None: purposes have their own names, and nothing is pointed to.
+    /// No program: purposes keep their own names, and no command is mentioned.
     pub const NONE: Self =
         Self { name: |purpose| format!("`{purpose}`"), begins: None, describes_classes: None };
 }

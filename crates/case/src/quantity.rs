@@ -1,4 +1,4 @@
-//! Quantities as texts: "6.3 ft", and what is wrong with one that cannot be read.
+//! Reads quantities such as "6.3 ft", and explains what is wrong with a text that is not one.
 
 use inputs::{Dimension, InvalidQuantity, Quantity, Unit, format_number};
 use thiserror::Error;
@@ -8,7 +8,7 @@ use crate::number::split_number;
 use crate::number_slips;
 use crate::units::{nearest_unit, read_unit};
 
-/// Reads a text such as `"6.3 ft"`, which has to be of the given dimension.
+/// Reads a text such as `"6.3 ft"`, which must have the given dimension.
 ///
 /// ```
 /// use case::{Dimension, read_quantity};
@@ -39,7 +39,7 @@ pub fn read_quantity(text: &str, dimension: Dimension) -> Result<Quantity, Quant
     Ok(Quantity::new(number, unit)?)
 }
 
-/// The unit that `spelling` names in `dimension`, or the error that tells why not; `text` is the whole value.
+/// The unit of `dimension` that `spelling` names, or an error; `text` is the whole value.
 pub(crate) fn find_unit(
     text: &str,
     spelling: &str,
@@ -134,7 +134,7 @@ pub enum QuantityError {
     /// Nothing between the quotes.
     #[error("the value is empty")]
     Empty {
-        /// What was wanted.
+        /// What is needed.
         dimension: Dimension,
     },
     /// A unit alone.
@@ -142,7 +142,7 @@ pub enum QuantityError {
     MissingNumber {
         /// The whole text.
         value: String,
-        /// What was wanted.
+        /// What is needed.
         dimension: Dimension,
     },
     /// A number alone.
@@ -150,15 +150,15 @@ pub enum QuantityError {
     MissingUnit {
         /// The whole text.
         value: String,
-        /// What was wanted.
+        /// What is needed.
         dimension: Dimension,
     },
     /// It does not begin with a number.
-    #[error("\"{value}\" does not begin with a number that can be read")]
+    #[error("\"{value}\" does not start with a valid number")]
     BadNumber {
         /// The whole text.
         value: String,
-        /// What was wanted.
+        /// What is needed.
         dimension: Dimension,
     },
     /// A comma between digits: a decimal comma, or a separator of thousands.
@@ -166,23 +166,23 @@ pub enum QuantityError {
     Comma {
         /// The whole text.
         value: String,
-        /// What was wanted.
+        /// What is needed.
         dimension: Dimension,
     },
     /// A fraction, feet and inches, or a mark in place of the unit.
-    #[error("\"{value}\" is not written as a decimal number with its unit")]
+    #[error("\"{value}\" is not a decimal number with a unit")]
     NotDecimal {
         /// The whole text.
         value: String,
-        /// The same as it has to be written.
+        /// The accepted way to write it.
         decimal: String,
     },
     /// Two numbers that stand for a range.
-    #[error("\"{value}\" is a range, and a range is not written in one text")]
+    #[error("\"{value}\" is a range, which cannot be written as one text")]
     RangeInText {
         /// The whole text.
         value: String,
-        /// The same as it has to be written.
+        /// The accepted way to write it.
         range: String,
     },
     /// No dimension has this unit.
@@ -192,11 +192,11 @@ pub enum QuantityError {
         value: String,
         /// The unit in it.
         spelling: String,
-        /// What was wanted.
+        /// What is needed.
         dimension: Dimension,
     },
     /// The unit measures something else.
-    #[error("\"{value}\" is {}, but {dimension} is wanted here", alternatives(found))]
+    #[error("\"{value}\" is {}, but {dimension} is needed here", alternatives(found))]
     WrongDimension {
         /// The whole text.
         value: String,
@@ -204,10 +204,10 @@ pub enum QuantityError {
         spelling: String,
         /// What that unit measures.
         found: Vec<Dimension>,
-        /// What was wanted.
+        /// What is needed.
         dimension: Dimension,
     },
-    /// Number and unit are read, but make no quantity.
+    /// The number or its magnitude is not acceptable.
     #[error(transparent)]
     Invalid(#[from] InvalidQuantity),
 }
@@ -219,14 +219,14 @@ impl QuantityError {
         self.help_in(None)
     }
 
-    /// The same with an example in another unit than the first of the table.
+    /// Like [`help`](Self::help), with examples in the given unit instead of the first of the table.
     pub(crate) fn help_in(&self, unit: Option<&'static Unit>) -> String {
         let example_unit =
             |dimension: &Dimension| unit.map_or_else(|| first_unit(*dimension), Unit::spelling);
         match self {
             Self::Empty { dimension } => {
                 format!(
-                    "write number and unit, as in \"6.3 {}\"; {}",
+                    "write a number and a unit, as in \"6.3 {}\"; {}",
                     example_unit(dimension),
                     dimension_help(*dimension)
                 )
@@ -287,10 +287,10 @@ impl QuantityError {
     }
 }
 
-/// "a speed is written with one of m/s, km/h, mph, ft/s, kn".
+/// "the units for a speed are m/s, km/h, mph, ft/s and kn".
 pub(crate) fn dimension_help(dimension: Dimension) -> String {
     let units: Vec<_> = dimension.units().iter().map(Unit::spelling).collect();
-    format!("{dimension} is written with one of {}", units.join(", "))
+    format!("the units for {dimension} are {}", join(&units, "and"))
 }
 
 fn first_unit(dimension: Dimension) -> &'static str {

@@ -1,4 +1,4 @@
-//! Reading a case: TOML to a spanned tree, and the tree to a [`Case`], with every problem on the way.
+//! Reads a case: from TOML to a spanned tree, and from the tree to a [`Case`], collecting every problem.
 
 mod impact;
 mod range;
@@ -22,7 +22,7 @@ use tree::{Reader, Table};
 pub struct CaseFile {
     /// What the file says.
     pub case: Case,
-    /// The file, for faults that show only in a computation.
+    /// The file, to place faults that only an analysis finds.
     pub source: Source,
 }
 
@@ -56,12 +56,12 @@ impl CaseFile {
         Self::parse_bytes(name, text.as_bytes())
     }
 
-    /// The same of the bytes of a file, which may turn out to be no text at all. One that is cut off behind
-    /// [`LARGEST_FILE`](Self::LARGEST_FILE) is refused for its length.
+    /// Like [`parse`](Self::parse), but for the bytes of a file, which may not be text. A file longer than
+    /// [`LARGEST_FILE`](Self::LARGEST_FILE) is refused.
     ///
     /// # Errors
     ///
-    /// As [`parse`](Self::parse); of a file of another kind, one that says which.
+    /// As for [`parse`](Self::parse); for a file of another format, an error that names the format.
     pub fn parse_bytes(name: &str, bytes: &[u8]) -> Result<Self, Diagnostics> {
         let text = other_files::text(bytes, Self::LARGEST_FILE).map_err(|problem| {
             let source = Source::new(name, "", Spans::default());
@@ -78,8 +78,8 @@ impl CaseFile {
         }
     }
 
-    /// The faults of its case, each at its key in the file; where the key is absent, at the nearest table
-    /// around it. Their texts are in the words of a program, and their examples in the units of the file.
+    /// Places the faults of the case in the file: each at its key or, if the key is absent, at the nearest
+    /// table around it. The messages use the names of a program, and the examples the units of the file.
     ///
     /// ```
     /// use case::{CaseFile, Program};
@@ -147,8 +147,8 @@ impl<'t> Reader<'t> {
     }
 
     fn axes(&mut self, scene: &Table<'t>) -> Option<Axes> {
-        const FORMS: &str = "\"z-up\", with y to the left and angles counter-clockwise positive, or \"z-down\", those of SAE J670, with y to the right \
-                             and angles clockwise positive";
+        const FORMS: &str = "\"z-up\" (y to the left, angles positive counter-clockwise) or \"z-down\" (SAE J670: y to the right, angles positive \
+                             clockwise)";
         self.choice_among(scene, "axes", &Axes::WORDS, FORMS)
     }
 
@@ -160,7 +160,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// A part that is there has to be sound; one that is not there is no fault.
+/// A part that is present must be valid; an absent part is not a fault.
 fn optional<T>(part: Option<Option<T>>) -> Option<Option<T>> {
     match part {
         Some(None) => None,

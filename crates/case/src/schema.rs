@@ -1,4 +1,4 @@
-//! The tables of a case file and their keys: what an error text and the JSON Schema say of them.
+//! The tables of a case file and their keys, as error texts and the JSON Schema describe them.
 
 use crate::nearest::join;
 use crate::units::read_unit;
@@ -10,12 +10,11 @@ use inputs::{
 /// The largest number of stations: far more than any scan of a vehicle gives.
 pub(crate) const MOST_STATIONS: usize = 10_000;
 
-/// The largest number of zones, each with a stiffness of its own: as many as a stiffness was ever told apart
-/// in, and many more.
+/// The largest number of zones with separate stiffness: far more than any published structure has.
 pub(crate) const MOST_ZONES: usize = 1_000;
 
-/// The largest number of ranges. Each costs as much time as the whole case, and stands for an error that is
-/// independent of all others.
+/// The largest number of ranges. Each takes as much computing time as the whole case, and represents an error
+/// that is independent of all others.
 pub(crate) const MOST_RANGES: usize = 500;
 
 /// One key.
@@ -102,7 +101,7 @@ pub(crate) struct Measure {
 }
 
 impl Measure {
-    /// The same of one that has to be greater than zero, for a reason.
+    /// The same measure, but greater than zero, with the reason.
     pub(crate) fn positive(self, why: &'static str) -> Self {
         Self { bounds: Bounds::Positive, why, ..self }
     }
@@ -137,7 +136,7 @@ pub(crate) struct Schema {
     pub(crate) rules: &'static [Rule],
 }
 
-/// What holds of the keys of a table together.
+/// A rule about several keys of a table.
 pub(crate) enum Rule {
     /// These have to be there.
     Needs(&'static [&'static str]),
@@ -181,19 +180,19 @@ const POSITIVE: Bounds = Bounds::Positive;
 
 pub(crate) static TOP: Schema = Schema {
     place: "the lines above the first table",
-    text: "The case file. A two-vehicle collision: the vehicles, their damage, the impact, and what is looked for. Every number with a dimension is a text with its unit.",
+    text: "The case file. It describes a two-vehicle collision: the vehicles, their damage, the impact, and the speed to find. Every number with a dimension is a text with its unit.",
     keys: &[
         key(
             "title",
             "title = \"Intersection collision\"",
             Form::Text,
-            "Title of the case. It heads every report.",
+            "Title of the case. Every report shows it at the top.",
         ),
         key(
             "source",
             "source = \"police report\"",
             Form::Text,
-            "Where the data come from. A police report, a file number, a paper.",
+            "Source of the data. For example a police report, a file number or a paper.",
         ),
         table("scene", "[scene]", &SCENE),
         key("vehicle1", "[vehicle1]", Form::Vehicle, "First vehicle."),
@@ -206,44 +205,44 @@ pub(crate) static TOP: Schema = Schema {
 
 pub(crate) static SCENE: Schema = Schema {
     place: "[scene]",
-    text: "The scene. In which axes the file gives its angles, lateral coordinates and yaw rates.",
+    text: "The scene. It says in which axes the file gives angles, lateral coordinates and yaw rates.",
     keys: &[key(
         "axes",
         "axes = \"z-down\"",
         Form::Words(&words_of(&Axes::WORDS)),
-        "Axes of the file. `\"z-up\"`, also where absent: y to the left of x, angles and yaw rates positive counter-clockwise seen from above. `\"z-down\"`, as in SAE J670: y to the right, clockwise positive.",
+        "Axes of the file. `\"z-up\"` (the default): y points to the left of x; angles and yaw rates are positive counter-clockwise, seen from above. `\"z-down\"`, as in SAE J670: y points to the right; clockwise is positive.",
     )],
     rules: &[],
 };
 
 pub(crate) static VEHICLE: Schema = Schema {
     place: "[vehicle1] or [vehicle2]",
-    text: "A vehicle, or a fixed object with `fixed = true`. Which keys it needs depends on what is computed.",
+    text: "A vehicle, or a fixed object with `fixed = true`. Which keys it needs depends on the analysis.",
     keys: &[
-        key("name", "name = \"1994 GMC Jimmy\"", Form::Text, "Name of the vehicle. Reports call it so."),
+        key("name", "name = \"1994 GMC Jimmy\"", Form::Text, "Name of the vehicle. Reports use it."),
         key(
             "fixed",
             "fixed = true",
             Form::Flag,
-            "Fixed object. True for a barrier, a wall or a pole: it does not move and has no mass, inertia, speed or crush.",
+            "Fixed object. Set it to true for a barrier, a wall or a pole, which does not move and has no mass, inertia, speed or crush.",
         ),
         key(
             "mass",
             "mass = \"1676 kg\"",
             Form::Quantity(Dimension::Mass, POSITIVE),
-            "Mass at the collision, with load and occupants. Or give `weight`. Here lb is the pound of mass.",
+            "Mass at the collision, with load and occupants. Alternatively, give `weight`. Here lb is the pound of mass.",
         ),
         key(
             "weight",
             "weight = \"3696 lb\"",
             Form::Quantity(Dimension::Weight, POSITIVE),
-            "Weight at the collision, with load and occupants. Or give `mass`. Here lb is the pound-force.",
+            "Weight at the collision, with load and occupants. Alternatively, give `mass`. Here lb is the pound-force.",
         ),
         key(
             "yaw_inertia",
             "yaw_inertia = \"2437 lb ft s^2\"",
             Form::Quantity(Dimension::Inertia, POSITIVE),
-            "Yaw moment of inertia about the CG. Or give `yaw_radius`; without either, `class` or `wheelbase` beside `length` gives an estimate.",
+            "Yaw moment of inertia about the CG. Alternatively, give `yaw_radius`; without either, it is estimated from `class`, or from `wheelbase` and `length`.",
         ),
         key(
             "yaw_radius",
@@ -255,51 +254,51 @@ pub(crate) static VEHICLE: Schema = Schema {
             "class",
             "class = 3",
             Form::Count(6),
-            "Size class of CRASH3, 1 to 6. Its typical values stand in for a yaw inertia and an outline that are not given.",
+            "CRASH3 size class, 1 to 6. Its typical values are used for a yaw inertia or an outline that is not given.",
         ),
         key(
             "wheelbase",
             "wheelbase = \"2.62 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
-            "Wheelbase. Beside `length`, Burg's formula estimates a yaw inertia that is not given.",
+            "Wheelbase. If no yaw inertia is given, Burg's formula estimates it from the wheelbase and `length`.",
         ),
         key(
             "heading",
             "heading = \"180 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
-            "Heading at impact. The scene angle of the forward axis, from x. Seen from above, positive counter-clockwise; clockwise under `axes = \"z-down\"`.",
+            "Heading at impact. The angle of the vehicle's forward axis from the x axis of the scene, seen from above; positive counter-clockwise, or clockwise with `axes = \"z-down\"`.",
         ),
         key(
             "speed",
             "speed = \"10 mph\"",
             Form::Quantity(Dimension::Speed, ANY),
-            "Speed along the heading just before impact. Negative in reverse. Leave it out for the vehicle whose speed is looked for.",
+            "Speed along the heading just before impact. Negative in reverse. Leave it out for the vehicle whose speed is to be found.",
         ),
         table("velocity", "velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }", &VELOCITY),
         key(
             "yaw_rate",
             "yaw_rate = \"0 deg/s\"",
             Form::Quantity(Dimension::YawRate, ANY),
-            "Yaw rate just before impact. Seen from above, positive counter-clockwise; clockwise under `axes = \"z-down\"`. 0 where absent.",
+            "Yaw rate just before impact. Seen from above, positive counter-clockwise, or clockwise with `axes = \"z-down\"`; 0 (the default) is no rotation.",
         ),
         table("contact", "contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }", &CONTACT),
         key(
             "length",
             "length = \"4.32 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
-            "Overall length of the body. With `width` and `cg_to_front` it is the outline in drawings and checks.",
+            "Overall length of the body. With `width` and `cg_to_front` it makes up the outline for drawings and checks.",
         ),
         key(
             "width",
             "width = \"1.74 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
-            "Overall width of the body. With `length` and `cg_to_front`.",
+            "Overall width of the body. Give it with `length` and `cg_to_front`.",
         ),
         key(
             "cg_to_front",
             "cg_to_front = \"2.02 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
-            "Distance from the CG to the front bumper. With `length` and `width`.",
+            "Distance from the CG to the front bumper. Give it with `length` and `width`.",
         ),
         table("crush", "[vehicle1.crush]", &CRUSH),
     ],
@@ -330,7 +329,7 @@ pub(crate) static NEVER_FIXED: [&str; 10] = [
 
 pub(crate) static CRUSH: Schema = Schema {
     place: "[vehicle1.crush] or [vehicle2.crush]",
-    text: "Damage of one side of the vehicle. Residual crush as it was measured, and the stiffness of the structure.",
+    text: "Damage to one side of the vehicle. The measured residual crush and the stiffness of the structure.",
     keys: &[
         key(
             "side",
@@ -342,56 +341,56 @@ pub(crate) static CRUSH: Schema = Schema {
             "width",
             "width = \"65 in\"",
             Form::Quantity(Dimension::Length, POSITIVE),
-            "Width of the whole damage along the face. May be left out where `spacing` is given.",
+            "Width of the whole damage along the face. It may be left out if `spacing` is given.",
         ),
         key(
             "depths",
             "depths = \"21.3 20.3 13.8 11.3 5.3 4.8 in\"",
             Form::Quantities(Dimension::Length, NOT_NEGATIVE, 2),
-            "Crush depths C1, C2, … at two stations or more. From left to right on front and rear, from rear to front on the sides.",
+            "Crush depths C1, C2, … at two or more stations. They run from left to right on the front and rear, and from rear to front on the sides.",
         ),
         key(
             "spacing",
             "spacing = \"13 13 13 13 13 in\"",
             Form::Quantities(Dimension::Length, POSITIVE, 1),
-            "Widths between neighbouring stations, one fewer than depths. Without it the stations are equally spaced over the width.",
+            "Widths between neighbouring stations, one fewer than there are depths. Without them, the stations are equally spaced over the width.",
         ),
         key(
             "from_force_balance",
             "from_force_balance = true",
             Form::Flag,
-            "Crush inferred from the other vehicle. True where this vehicle could not be measured: its force is that on the other one. It then has no depths.",
+            "Crush inferred from the other vehicle. Set it to true if this vehicle could not be measured: the force on it equals the force on the other one. It then has no depths.",
         ),
         table("stiffness", "stiffness = { d0 = \"35 lb^0.5\", d1 = \"115 lb^0.5/ft\" }", &STIFFNESS),
         key(
             "offset",
             "offset = \"12 in\"",
             Form::Quantity(Dimension::Length, ANY),
-            "Middle of the damage. Left of the vehicle's axis on front and rear, or right of it under `axes = \"z-down\"`; forward of the CG on the sides. For drawings, for a line of action without a contact point, and to see whether a contact point lies within the damage.",
+            "Middle of the damage. On the front and rear, its distance to the left of the vehicle's axis, or to the right with `axes = \"z-down\"`; on the sides, its distance forward of the CG. It places the damage in drawings, gives a line of action if there is no contact point, and shows whether a contact point lies within the damage.",
         ),
         key(
             "pdof",
             "pdof = \"2.7 deg\"",
             Form::AngleOrHour,
-            "Principal direction of force. The direction from which the force comes, clockwise from the heading in any axes, or the hour of a clock. CRASH3's part of every command takes it in place of that of the impulse, and its opposite for the other vehicle if that has none; the impact itself does not depend on it.",
+            "Principal direction of force. The direction from which the force comes, clockwise from the heading in any axes, or a clock hour. The CRASH3 part of every command uses it instead of the direction of the impulse, and uses its opposite for the other vehicle if that one gives none; the impact itself does not depend on it.",
         ),
         key(
             "oblique_angle",
             "oblique_angle = \"20 deg\"",
             Form::Quantity(Dimension::Angle, Bounds::Acute),
-            "Angle between the force and the normal of the damaged side. Less than 90°. It replaces the one that the direction of force gives.",
+            "Angle between the force and the normal of the damaged side. It is less than 90° and replaces the angle derived from the direction of force.",
         ),
         key(
             "moment_arm",
             "moment_arm = \"2.1 ft\"",
             Form::Quantity(Dimension::Length, NOT_NEGATIVE),
-            "Distance from the CG to the line of action of the force. It replaces the one that contact point and direction of force give.",
+            "Distance from the CG to the line of action of the force. It replaces the distance derived from the contact point and the direction of force.",
         ),
         key(
             "oblique",
             "oblique = \"capped\"",
             Form::WordsOrTable(&words_of(&OBLIQUE_CORRECTIONS), &OBLIQUE),
-            "Correction of the crush energy for an oblique force. `\"capped\"`, also where absent: 1 + tan²α with α at most 45°, as in CRASH3; `\"uncapped\"`: without that limit; `\"secant\"`: 1/cos α; `\"none\"`; or `{ friction = 0.5 }`: limited by friction.",
+            "Correction of the crush energy for an oblique force. `\"capped\"` (the default): 1 + tan²α with α limited to 45°, as in CRASH3; `\"uncapped\"`: without that limit; `\"secant\"`: 1/cos α; `\"none\"`: no correction; `{ friction = 0.5 }`: limited by friction.",
         ),
     ],
     rules: &[
@@ -404,66 +403,66 @@ pub(crate) static CRUSH: Schema = Schema {
 
 pub(crate) static IMPACT: Schema = Schema {
     place: "[impact]",
-    text: "The impact: the crush plane, and the impact law with its coefficients. Keys of another law are errors.",
+    text: "The impact: the crush plane, and the impact law with its coefficients. A key of another law is an error.",
     keys: &[
         key(
             "crush_plane",
             "crush_plane = \"-23 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
-            "Scene angle Γ of the normal of the crush plane. From x; seen from above, positive counter-clockwise, or clockwise under `axes = \"z-down\"`. The plane itself lies along the surface on which the vehicles touched; Γ and Γ + 180° are the same plane.",
+            "Angle Γ of the normal of the crush plane. Measured from the x axis of the scene, seen from above; positive counter-clockwise, or clockwise with `axes = \"z-down\"`. The plane itself lies along the surface on which the vehicles touched; Γ and Γ + 180° describe the same plane.",
         ),
         key(
             "law",
             "law = \"brach\"",
             Form::Law(&words_of(&LawName::WORDS)),
-            "Impact law. `\"brach\"` where absent.",
+            "Impact law. The default is `\"brach\"`.",
         ),
         key(
             "restitution",
             "restitution = 0.3",
             Form::NumberOrTable(Bounds::BelowOne, &RESTITUTION),
-            "Coefficient of restitution e, 0 to 1. Closing speed after over before, at the contact point and normal to the crush plane. Or a curve over the closing speed.",
+            "Coefficient of restitution e, 0 to 1. The separation speed after the impact divided by the closing speed before it, at the contact point and normal to the crush plane; or a curve over the closing speed.",
         ),
         key(
             "tangential",
             "tangential = \"critical\"",
             Form::WordsOrTable(&words_of(&BrachTangential::WORDS), &TANGENTIAL),
-            "What happens along the crush plane, under Brach's law. `\"critical\"`: sliding ends by separation, as in most collisions that are not sideswipes; or a table with `ratio`, `fraction` or `friction`.",
+            "What happens along the crush plane, for Brach's law. `\"critical\"`: sliding ends at or before separation, as in most collisions that are not sideswipes; or a table with `ratio`, `fraction` or `friction`.",
         ),
         key(
             "moment_restitution",
             "moment_restitution = -0.5",
             Form::Number(Bounds::Coefficient),
-            "Moment coefficient of restitution e_m, -1 to 1. For a moment impulse at the contact point, under Brach's law; -1, also where absent, is none.",
+            "Moment coefficient of restitution e_m, -1 to 1. It sets the moment impulse at the contact point, for Brach's law; -1 (the default) is no moment impulse.",
         ),
         key(
             "tangential_velocity_change",
             "tangential_velocity_change = \"5 m/s\"",
             Form::Quantity(Dimension::Speed, ANY),
-            "Change of the relative velocity along the crush plane. For a sideswipe under Woolley's law; without it the surfaces stop sliding. The tangential axis is the normal turned by 90°, counter-clockwise or, under `axes = \"z-down\"`, clockwise.",
+            "Change of the relative velocity along the crush plane. Give it for a sideswipe with Woolley's law; without it, the surfaces stop sliding. The tangential axis is the normal rotated by 90°, counter-clockwise or, with `axes = \"z-down\"`, clockwise.",
         ),
         key(
             "tangential_restitution",
             "tangential_restitution = -0.2",
             Form::Number(Bounds::Coefficient),
-            "Tangential coefficient of restitution e_t of Ishikawa's law, -1 to 1. 1 reverses the sliding, 0 ends it, -1 does not change it.",
+            "Tangential coefficient of restitution e_t, -1 to 1, for Ishikawa's law. 1 reverses the sliding, 0 ends it, and -1 leaves it unchanged.",
         ),
         key(
             "friction",
             "friction = 0.5",
             Form::Number(NOT_NEGATIVE),
-            "Friction μ of Kudlich and Slibar's law. The surfaces stop sliding, or slide to the end where that takes more than this.",
+            "Friction coefficient μ, for Kudlich and Slibar's law. The surfaces stop sliding, or slide until they separate if stopping would take more friction than this.",
         ),
     ],
     rules: &[Rule::Needs(&["crush_plane"]), Rule::KeysOfLaw],
 };
 
-/// What the file has to say of an impact law.
+/// Which keys an impact law has in the file.
 pub(crate) trait KeysOfLaw: Copy {
-    /// The keys of [impact] that the law has to have, besides crush_plane.
+    /// The keys of [impact] that the law requires, besides crush_plane.
     fn needed(self) -> &'static [&'static str];
 
-    /// The key that it may have.
+    /// The key that it accepts but does not require.
     fn optional(self) -> Option<&'static str>;
 
     fn uses(self, key: &str) -> bool {
@@ -477,7 +476,7 @@ pub(crate) trait KeysOfLaw: Copy {
     fn keys(self) -> String {
         let needed = [&["crush_plane"], self.needed()].concat();
         match self.optional() {
-            Some(key) => format!("{} and, if wanted, {key}", needed.join(", ")),
+            Some(key) => format!("{} and, optionally, {key}", needed.join(", ")),
             None => join(&needed, "and"),
         }
     }
@@ -509,19 +508,19 @@ pub(crate) fn laws_of_key(key: &str) -> Vec<&'static str> {
 
 pub(crate) static RECONSTRUCT: Schema = Schema {
     place: "[reconstruct]",
-    text: "The reconstruction: the speed that is looked for. It is the one at which the impact takes the crush energy.",
+    text: "The reconstruction: which speed to find. It is the speed at which the impact dissipates exactly the crush energy.",
     keys: &[
         key(
             "find",
             "find = \"vehicle1.speed\"",
             Form::Words(&words_of(&UNKNOWNS)),
-            "Speed that is looked for. The other vehicle's has to be known, or that vehicle fixed.",
+            "The speed to find. The other vehicle's speed must be known, unless that vehicle is fixed.",
         ),
         key(
             "energy_basis",
             "energy_basis = \"dissipated\"",
             Form::Words(&words_of(&ENERGY_BASES)),
-            "What the crush energy is. `\"dissipated\"`, also where absent: what stays in the deformed structure after rebound, as in SAE 980025; `\"absorbed\"`: what was taken up at maximum engagement, as stiffness from the impact speeds of barrier tests gives it.",
+            "What the crush energy stands for. `\"dissipated\"` (the default): the energy that stays in the deformed structure after rebound, as in SAE 980025; `\"absorbed\"`: the energy taken up at maximum engagement, as given by stiffness that was derived from the impact speeds of barrier tests.",
         ),
     ],
     rules: &[Rule::Needs(&["find"])],
@@ -529,7 +528,7 @@ pub(crate) static RECONSTRUCT: Schema = Schema {
 
 pub(crate) static CONTACT: Schema = Schema {
     place: "contact = { … } of a vehicle",
-    text: "Contact point, from the CG of the vehicle. `distance` and `angle`, or `x` and `y`.",
+    text: "Contact point, measured from the CG of the vehicle. Give `distance` and `angle`, or `x` and `y`.",
     keys: &[
         key(
             "distance",
@@ -541,19 +540,19 @@ pub(crate) static CONTACT: Schema = Schema {
             "angle",
             "angle = \"-22.4 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
-            "Angle from the heading to the contact point. Positive to the left, or to the right under `axes = \"z-down\"`.",
+            "Angle from the heading to the contact point. Positive to the left, or to the right with `axes = \"z-down\"`.",
         ),
         key(
             "x",
             "x = \"1.78 m\"",
             Form::Quantity(Dimension::Length, ANY),
-            "Forward of the CG. Negative behind it.",
+            "Distance forward of the CG. Negative behind it.",
         ),
         key(
             "y",
             "y = \"-0.73 m\"",
             Form::Quantity(Dimension::Length, ANY),
-            "Left of the CG, or right of it under `axes = \"z-down\"`. Negative on the other side.",
+            "Distance to the left of the CG, or to the right with `axes = \"z-down\"`. Negative on the other side.",
         ),
     ],
     rules: &[Rule::OneOf(&[form(&["distance", "angle"], &[]), form(&["x", "y"], &[])])],
@@ -561,10 +560,20 @@ pub(crate) static CONTACT: Schema = Schema {
 
 pub(crate) static VELOCITY: Schema = Schema {
     place: "velocity = { … } of a vehicle",
-    text: "Velocity of the CG just before impact. In the axes of the scene.",
+    text: "Velocity of the CG just before impact. It is given in the axes of the scene.",
     keys: &[
-        key("x", "x = \"-75 ft/s\"", Form::Quantity(Dimension::Speed, ANY), "Along the x axis of the scene."),
-        key("y", "y = \"0 ft/s\"", Form::Quantity(Dimension::Speed, ANY), "Along the y axis of the scene."),
+        key(
+            "x",
+            "x = \"-75 ft/s\"",
+            Form::Quantity(Dimension::Speed, ANY),
+            "Component along the x axis of the scene.",
+        ),
+        key(
+            "y",
+            "y = \"0 ft/s\"",
+            Form::Quantity(Dimension::Speed, ANY),
+            "Component along the y axis of the scene.",
+        ),
     ],
     rules: &[Rule::Needs(&["x", "y"])],
 };
@@ -580,36 +589,36 @@ const STIFFNESS_B: Key = key(
     "B",
     "B = \"63.3 N/cm^2\"",
     Form::Quantity(Dimension::StiffnessB, NOT_NEGATIVE),
-    "Stiffness B. Force per width and depth; zero only beside `G`.",
+    "Stiffness B. Force per width and depth; it may be zero only if `G` is given.",
 );
 const STIFFNESS_D0: Key = key(
     "d0",
     "d0 = \"35 lb^0.5\"",
     Form::Quantity(Dimension::RootForce, NOT_NEGATIVE),
-    "Coefficient d0 = A/√B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises in a straight line over the crush C.",
+    "Coefficient d0 = A/√B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises linearly with the crush C.",
 );
 const STIFFNESS_D1: Key = key(
     "d1",
     "d1 = \"115 lb^0.5/ft\"",
     Form::Quantity(Dimension::RootForcePerLength, POSITIVE),
-    "Coefficient d1 = √B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises in a straight line over the crush C.",
+    "Coefficient d1 = √B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises linearly with the crush C.",
 );
 const STIFFNESS_G: Key = key(
     "G",
     "G = \"612 lb\"",
     Form::Quantity(Dimension::StiffnessG, NOT_NEGATIVE),
-    "Stiffness G. Energy per width that leaves no crush; A²/2B where absent.",
+    "Stiffness G. Energy per width that leaves no crush; the default is A²/2B.",
 );
 const STIFFNESS_LIMIT: Key = key(
     "limit",
     "limit = \"250 kN/m\"",
     Form::Quantity(Dimension::StiffnessA, NOT_NEGATIVE),
-    "Force per width beyond which the force no longer rises. Left out where that is not known.",
+    "Force per width at which the force stops rising. Leave it out if it is not known.",
 );
 
 pub(crate) static STIFFNESS: Schema = Schema {
     place: "stiffness = { … } of a crush table",
-    text: "Stiffness of the damaged side. `A` and `B`, or `d0` and `d1`, or a `category` of CRASH3, or a barrier `test`, or `zones`.",
+    text: "Stiffness of the damaged side. Give `A` and `B`, or `d0` and `d1`, or a CRASH3 `category`, or a barrier `test`, or `zones`.",
     keys: &[
         STIFFNESS_A,
         STIFFNESS_B,
@@ -621,7 +630,7 @@ pub(crate) static STIFFNESS: Schema = Schema {
             "category",
             "category = 4",
             Form::Count(5),
-            "Stiffness category of CRASH3's table, 1 to 5. For the damaged side (SAE 870045, Table 1).",
+            "Stiffness category of CRASH3's table, 1 to 5. The table has values for each side (SAE 870045, Table 1).",
         ),
         table(
             "test",
@@ -632,7 +641,7 @@ pub(crate) static STIFFNESS: Schema = Schema {
             "zones",
             "zones = [{ A = \"587 N/cm\", B = \"63.3 N/cm^2\" }, { A = \"400 N/cm\", B = \"50 N/cm^2\" }]",
             Form::Tables(&ZONE),
-            "Stiffness of each zone between two stations. One fewer than depths.",
+            "Stiffness of each zone between two stations. There is one zone fewer than there are depths.",
         ),
     ],
     rules: &[Rule::OneOf(&[
@@ -646,26 +655,26 @@ pub(crate) static STIFFNESS: Schema = Schema {
 
 pub(crate) static ZONE: Schema = Schema {
     place: "zones = [{ … }] of a stiffness",
-    text: "Stiffness of the zone between two stations. `A` and `B`, or `d0` and `d1`.",
+    text: "Stiffness of the zone between two stations. Give `A` and `B`, or `d0` and `d1`.",
     keys: &[STIFFNESS_A, STIFFNESS_B, STIFFNESS_D0, STIFFNESS_D1, STIFFNESS_G, STIFFNESS_LIMIT],
     rules: &[Rule::OneOf(&[form(&["A", "B"], &["G", "limit"]), form(&["d0", "d1"], &["G", "limit"])])],
 };
 
 pub(crate) static TEST: Schema = Schema {
     place: "test = { … } of a stiffness",
-    text: "A full-width test against a rigid barrier, to which the stiffness is fitted. Of the same make, or a similar one.",
+    text: "A full-width test against a rigid barrier, to which the stiffness is fitted. The tested car is of the same or a similar model.",
     keys: &[
         key(
             "mass",
             "mass = \"1500 kg\"",
             Form::Quantity(Dimension::Mass, POSITIVE),
-            "Test mass. Or give `weight`.",
+            "Test mass. Alternatively, give `weight`.",
         ),
         key(
             "weight",
             "weight = \"3300 lb\"",
             Form::Quantity(Dimension::Weight, POSITIVE),
-            "Test weight. Or give `mass`.",
+            "Test weight. Alternatively, give `mass`.",
         ),
         key(
             "speed",
@@ -689,13 +698,13 @@ pub(crate) static TEST: Schema = Schema {
             "no_damage_speed",
             "no_damage_speed = \"8 km/h\"",
             Form::Quantity(Dimension::Speed, NOT_NEGATIVE),
-            "Impact speed up to which no crush remains. Below the speed of the test.",
+            "Highest impact speed that leaves no crush. It is below the speed of the test.",
         ),
         key(
             "fit",
             "fit = \"exact\"",
             Form::Words(&words_of(&Fit::WORDS)),
-            "How the stiffness is fitted. `\"exact\"`, also where absent: the kinetic energy of the test comes back; `\"mean\"`: through the mean crush, which gives some per cent too much.",
+            "How the stiffness is fitted. `\"exact\"` (the default): the fit reproduces the kinetic energy of the test; `\"mean\"`: the fit uses the mean crush, which gives an energy a few per cent too high.",
         ),
     ],
     rules: &[
@@ -707,37 +716,37 @@ pub(crate) static TEST: Schema = Schema {
 
 pub(crate) static OBLIQUE: Schema = Schema {
     place: "oblique = { … } of a crush table",
-    text: "A correction for an oblique force that friction limits. The factor is 1 + min(|tan α|, μ) |tan α|.",
+    text: "A correction for an oblique force, limited by friction. The factor is 1 + min(|tan α|, μ) |tan α|.",
     keys: &[key(
         "friction",
         "friction = 0.5",
         Form::Number(NOT_NEGATIVE),
-        "Friction μ between the vehicles.",
+        "Friction coefficient μ between the vehicles.",
     )],
     rules: &[Rule::Needs(&["friction"])],
 };
 
 pub(crate) static TANGENTIAL: Schema = Schema {
     place: "tangential = { … } of [impact]",
-    text: "What happens along the crush plane. One of `ratio`, `fraction` and `friction`.",
+    text: "What happens along the crush plane. Give one of `ratio`, `fraction` and `friction`.",
     keys: &[
         key(
             "ratio",
             "ratio = 0.37",
             Form::Number(ANY),
-            "Impulse ratio μ. Tangential over normal impulse, with its sign: the tangential axis is the normal turned by 90°, counter-clockwise or, under `axes = \"z-down\"`, clockwise.",
+            "Impulse ratio μ. The tangential impulse divided by the normal impulse, with its sign: the tangential axis is the normal rotated by 90°, counter-clockwise or, with `axes = \"z-down\"`, clockwise.",
         ),
         key(
             "fraction",
             "fraction = 0.9",
             Form::Number(Bounds::Share),
-            "Fraction of the critical impulse ratio, 0 to 1. 0 is without friction, 1 ends the sliding.",
+            "Fraction of the critical impulse ratio, 0 to 1. 0 is no friction, and 1 ends the sliding.",
         ),
         key(
             "friction",
             "friction = 0.5",
             Form::Number(NOT_NEGATIVE),
-            "Friction μ. The surfaces stop sliding, or slide to the end where that takes more than this: for sideswipes and barriers.",
+            "Friction coefficient μ. The surfaces stop sliding, or slide until they separate if stopping would take more friction than this. Use it for sideswipes and barriers.",
         ),
     ],
     rules: &[Rule::OneOf(&[form(&["ratio"], &[]), form(&["fraction"], &[]), form(&["friction"], &[])])],
@@ -745,13 +754,13 @@ pub(crate) static TANGENTIAL: Schema = Schema {
 
 pub(crate) static RESTITUTION: Schema = Schema {
     place: "restitution = { … } of [impact]",
-    text: "A coefficient of restitution that depends on the closing speed. As many values as speeds.",
+    text: "A coefficient of restitution that depends on the closing speed. It has as many values as speeds.",
     keys: &[
         key(
             "speeds",
             "speeds = \"2 5 10 20 m/s\"",
             Form::Quantities(Dimension::Speed, NOT_NEGATIVE, 1),
-            "Closing speeds, each more than the one before.",
+            "Closing speeds, in ascending order.",
         ),
         key(
             "values",
@@ -773,32 +782,32 @@ pub(crate) static RANGE: Schema = Schema {
             "sd",
             "{ value = …, sd = … }",
             Form::Deviation,
-            "Standard deviation. Beside `value`: a normal distribution.",
+            "Standard deviation. With `value`, it makes a normal distribution.",
         ),
         key("low", "{ low = …, high = … }", Form::Value, "Least value."),
         key(
             "mode",
             "{ low = …, mode = …, high = … }",
             Form::Value,
-            "Likeliest value. Beside `low` and `high`: a triangular distribution.",
+            "Likeliest value. With `low` and `high`, it makes a triangular distribution.",
         ),
         key(
             "high",
             "{ low = …, high = … }",
             Form::Value,
-            "Greatest value. With `low` alone, anything between the two is as likely.",
+            "Greatest value. With only `low`, every value between the two is equally likely.",
         ),
         key(
             "within",
             "within = \"10 %\"",
             Form::Percent,
-            "Distance from the value, in per cent of it. With the probability `confidence` it lies as near: a normal distribution.",
+            "Greatest deviation from the value, in per cent of it, with the probability `confidence`. The distribution is normal.",
         ),
         key(
             "confidence",
             "confidence = 0.95",
             Form::Probability,
-            "Probability that it lies within that distance. More than 0 and less than 1.",
+            "Probability that the number lies within that deviation. More than 0 and less than 1.",
         ),
     ],
     rules: &[Rule::OneOf(&[
@@ -811,26 +820,26 @@ pub(crate) static RANGE: Schema = Schema {
 /// Of several quantities.
 pub(crate) static RANGE_OF_LIST: Schema = Schema {
     place: "a range of several values",
-    text: "Several numbers that are not known exactly. Each with the same spread, independent of the others.",
+    text: "Several numbers that are not known exactly. All have the same spread, and each varies independently of the others.",
     keys: &[
         key("values", "values = \"21.3 20.3 13.8 in\"", Form::Values, "The central values."),
         key(
             "sd",
             "{ values = …, sd = … }",
             Form::Deviation,
-            "Standard deviation. Beside `values`: a normal distribution.",
+            "Standard deviation. With `values`, it makes normal distributions.",
         ),
         key(
             "within",
             "within = \"10 %\"",
             Form::Percent,
-            "Distance from the value, in per cent of it. With the probability `confidence` it lies as near: a normal distribution.",
+            "Greatest deviation from the value, in per cent of it, with the probability `confidence`. The distribution is normal.",
         ),
         key(
             "confidence",
             "confidence = 0.95",
             Form::Probability,
-            "Probability that it lies within that distance. More than 0 and less than 1.",
+            "Probability that the number lies within that deviation. More than 0 and less than 1.",
         ),
     ],
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
@@ -853,7 +862,7 @@ static ALL: [&Schema; 11] = [
 /// The path of every key of a case file, tables included: `scene`, `scene.axes`, `vehicle1`, …,
 /// `vehicle1.crush.stiffness.d0`, …
 ///
-/// Those of a range, which can stand in the place of any number, are not among them.
+/// The keys of a range, which can replace any number, are not listed.
 ///
 /// ```
 /// let keys = case::keys();
@@ -923,7 +932,7 @@ fn walked(is_wanted: fn(&Form) -> bool) -> Vec<String> {
     paths
 }
 
-/// What people call some keys, which resembles them too little to be found by its letters.
+/// Other names for some keys, which are spelled too differently to be found by their letters.
 const OTHER_NAMES: [(&str, &str); 7] = [
     ("min", "low"),
     ("minimum", "low"),
@@ -934,14 +943,14 @@ const OTHER_NAMES: [(&str, &str); 7] = [
     ("crush", "depths"),
 ];
 
-/// The line that sets a key of this name to a quantity of that dimension, in any table.
+/// The example line of a key with this name and dimension, in any table.
 pub(crate) fn example_of(name: &str, dimension: Dimension) -> Option<&'static str> {
     let mut keys = keys_named(name);
     let of_dimension = |key: &&Key| key.form.measure().is_some_and(|measure| measure.dimension == dimension);
     keys.find(of_dimension).map(|key| key.example)
 }
 
-/// What a key of this name measures, in any table: nothing where it is no quantity.
+/// The dimensions of the keys with this name, in any table; empty if none is a quantity.
 pub(crate) fn dimensions_of(name: &str) -> Vec<Dimension> {
     keys_named(name).filter_map(|key| Some(key.form.measure()?.dimension)).collect()
 }

@@ -1,4 +1,4 @@
-//! The text of a case file, and where each value stands in it.
+//! The text of a case file, and the place of each value in it.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -21,7 +21,7 @@ impl Spans {
         self.0.get(path).cloned()
     }
 
-    /// The place of the key or, where it is absent, of the nearest table around it.
+    /// The place of the key or, if it is absent, of the nearest table around it.
     pub(crate) fn nearest(&self, path: &str) -> Option<Range<usize>> {
         self.get(path).or_else(|| self.nearest(path.rsplit_once('.')?.0))
     }
@@ -33,7 +33,7 @@ pub struct Source {
     name: String,
     text: String,
     spans: Spans,
-    /// Boxed, so that an error is no larger for it.
+    /// Boxed to keep errors small.
     units_in_use: OnceLock<Box<UnitsInUse>>,
 }
 
@@ -42,7 +42,7 @@ impl Source {
         Self { name: name.to_owned(), text: text.to_owned(), spans, units_in_use: OnceLock::new() }
     }
 
-    /// The units of the file. It is read once more for them, which only an error has to pay for.
+    /// The units of the file. Finding them parses the text again, which happens only for an error.
     pub(crate) fn units_in_use(&self) -> &UnitsInUse {
         self.units_in_use
             .get_or_init(|| Box::new(UnitsInUse::of(DeTable::parse_recoverable(&self.text).0.get_ref())))
@@ -60,14 +60,14 @@ impl Source {
         &self.text
     }
 
-    /// (bytes) where the value of a key such as `"vehicle1.crush.width"` stands, or the header of a table
+    /// (bytes) the place of the value of a key such as `"vehicle1.crush.width"`, or of the header of a table
     /// such as `"vehicle1"`.
     #[must_use]
     pub fn span(&self, path: &str) -> Option<Range<usize>> {
         self.spans.get(path)
     }
 
-    /// (bytes) where a key stands or, where it is absent, the nearest table around it. `None` is the file
+    /// (bytes) the place of a key or, if it is absent, of the nearest table around it. `None` is the file
     /// itself.
     #[must_use]
     pub fn nearest_span(&self, path: &str) -> Option<Range<usize>> {

@@ -1,8 +1,8 @@
-//! Case files to begin with.
+//! Templates: case files to start from.
 
 use inputs::UnitSystem;
 
-/// A commented case that runs as it is, of one kind of collision. The numbers are invented.
+/// A commented, runnable case of one kind of collision. The numbers are invented.
 ///
 /// ```
 /// use case::{CaseFile, Template, UnitSystem};
@@ -17,7 +17,7 @@ pub enum Template {
     FrontSide,
     /// Two fronts, offset.
     HeadOn,
-    /// A front against the rear of a waiting vehicle.
+    /// A front against the rear of a stationary vehicle.
     RearEnd,
     /// A vehicle against a fixed object.
     Barrier,
@@ -41,8 +41,8 @@ impl Template {
         }
     }
 
-    /// The case file, in the units of a custom: its numbers are round in them, so that the two tell of two
-    /// collisions of a kind.
+    /// The case file in the given unit system. Its numbers are round in those units, so the two files
+    /// describe two similar collisions, not the same one.
     #[must_use]
     pub fn text(self, units: UnitSystem) -> &'static str {
         match (self, units) {

@@ -1,7 +1,7 @@
-//! Writing a case back: the layout of the documentation's example, the user's own units and numbers.
+//! Writes a case back in the layout of the documentation's example, with the user's own units and numbers.
 //!
-//! The case tells its values by their paths, and the schema in which order their keys stand and which of
-//! their tables have a header: no key is named here.
+//! The case lists its values with their paths. The schema gives the order of the keys and says which tables
+//! have a header, so no key is named here.
 
 use std::collections::BTreeMap;
 

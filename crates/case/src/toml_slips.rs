@@ -89,18 +89,18 @@ pub(crate) fn unexplained(error: ParserError<'_>) -> CaseProblem {
 
 fn help(error: ParserError<'_>) -> &'static str {
     match error.kind {
-        Kind::Duplicate => "each key and each table may stand only once; remove one of the two",
+        Kind::Duplicate => "each key and each table may appear only once; remove one of the two",
         Kind::InlineTable => {
-            "write a table in one line as { x = \"1.78 m\", y = \"-0.73 m\" }, with commas between its keys and a } at its end"
+            "write a one-line table as { x = \"1.78 m\", y = \"-0.73 m\" }, with commas between its keys and a } at the end"
         }
         Kind::List => {
-            "write a list as [\"21.3 in\", \"20.3 in\"], with commas between its values and a ] at its end"
+            "write a list as [\"21.3 in\", \"20.3 in\"], with commas between its values and a ] at the end"
         }
         _ if error.names_key => {
-            "write key = value, where a key is one word; a table begins with its name in brackets, as [vehicle1]; a comment begins with #"
+            "write key = value, where the key is one word; start a table with its name in brackets, as in [vehicle1], and a comment with #"
         }
         _ => {
-            "write one key = value per line; text and quantities stand between quotes, as in speed = \"10 mph\""
+            "write one key = value per line, and put text and quantities in quotes, as in speed = \"10 mph\""
         }
     }
 }
@@ -112,7 +112,7 @@ fn repeated(text: &str, at: usize) -> Option<String> {
     let before = || text[..start].lines().map(|line| without_comment(line).trim()).enumerate();
     if let Some(name) = name_of_table(line) {
         let (first, _) = before().find(|(_, line)| name_of_table(line).as_ref() == Some(&name))?;
-        return Some(format!("the table [{}] stands twice, first on line {}", shorten(&name), first + 1));
+        return Some(format!("the table [{}] appears twice, first on line {}", shorten(&name), first + 1));
     }
     // A key in braces is not looked for.
     let key = line.split_once('=')?.0.trim();
@@ -123,7 +123,7 @@ fn repeated(text: &str, at: usize) -> Option<String> {
     let is_same = |line: &str| line.split_once('=').is_some_and(|(other, _)| other.trim() == key);
     let (first, _) =
         before().skip(of_table.map_or(0, |(header, _)| header)).find(|(_, line)| is_same(line))?;
-    Some(format!("the key \"{}\" stands twice, first on line {}", shorten(key), first + 1))
+    Some(format!("the key \"{}\" appears twice, first on line {}", shorten(key), first + 1))
 }
 
 /// The name in the header of a table, without spaces.
@@ -168,7 +168,7 @@ pub(crate) fn unclosed(text: &str, error: &Range<usize>, kind: Kind) -> Option<U
     let message = format!("the {name} is not closed on its line");
     let help = match line.chars().last() {
         Some(wrong @ (')' | '}' | ']' | '>')) if !closers.contains(wrong) => {
-            format!("write {closers} in place of the {wrong} at the end of the line")
+            format!("replace the {wrong} at the end of the line with {closers}")
         }
         _ => format!("add {closers} at the end of the line"),
     };
@@ -305,15 +305,13 @@ fn found(message: impl Into<String>, help: impl Into<String>) -> Found {
 
 fn depth(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let is_deep = line.error.kind == Kind::TooDeep;
-    is_deep.then(|| {
-        (line.error.message.to_owned(), "no value of a case needs tables nested so deeply".to_owned())
-    })
+    is_deep.then(|| (line.error.message.to_owned(), "no value of a case needs such deep nesting".to_owned()))
 }
 
 fn no_value(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
     let is_empty = line.value.is_empty() && line.text.ends_with('=') && line.error.kind == Kind::Unquoted;
     is_empty.then(|| {
-        let help = "text and quantities stand between quotes, as in speed = \"10 mph\"; leave the line out where the value is not known";
+        let help = "put text and quantities in quotes, as in speed = \"10 mph\", or leave the line out if the value is unknown";
         ("there is no value after the equals sign".to_owned(), units_in_use.suited("", help))
     })
 }
@@ -323,8 +321,8 @@ fn inch_mark(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let before = line.text[..line.at].strip_suffix('"')?;
     let is_mark = line.rest().starts_with('"') && before.ends_with(|c: char| c.is_ascii_digit());
     is_mark.then(|| {
-        let help = "write the unit in letters, as in \"70 in\": a quote ends the text";
-        ("there is a quote behind the end of the text".to_owned(), help.to_owned())
+        let help = "write the unit in letters, as in \"70 in\", because a quote ends the text";
+        ("there is a quote after the end of the text".to_owned(), help.to_owned())
     })
 }
 
@@ -345,7 +343,7 @@ fn typographic_quotes(line: &Line<'_>, _: &UnitsInUse) -> Found {
         return None;
     }
     found(
-        "a quote here is typographic, like “ ” or ‘ ’, and such quotes do not enclose a text",
+        "this quote is typographic, like “ ” or ‘ ’, and cannot enclose a text",
         format!("write straight quotes: \"{}\"", unquoted(line.value)),
     )
 }
@@ -357,9 +355,9 @@ fn backslash(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let help = if text.contains('\'') {
         format!("write each backslash as \\\\: \"{}\"", text.replace('\\', "\\\\"))
     } else {
-        format!("write '{text}' in single quotes, or each backslash as \\\\")
+        format!("write '{text}' in single quotes, or write each backslash as \\\\")
     };
-    found("a backslash in a text in double quotes begins an escape, and this one is none", help)
+    found("in double quotes, a backslash starts an escape sequence, but this is not a valid one", help)
 }
 
 fn other_comment(line: &Line<'_>, _: &UnitsInUse) -> Found {
@@ -367,7 +365,7 @@ fn other_comment(line: &Line<'_>, _: &UnitsInUse) -> Found {
         let after = |text: &str| text.strip_prefix(begin).map(|after| !after.trim().is_empty());
         after(line.text.trim_start()) == Some(true) || after(line.rest()) == Some(true)
     });
-    is_comment.then(|| ("this is no comment".to_owned(), "begin a comment with #".to_owned()))
+    is_comment.then(|| ("this is not a comment".to_owned(), "start a comment with #".to_owned()))
 }
 
 /// What stands where a key and its equals sign are due.
@@ -382,28 +380,25 @@ fn key_of_other_form(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
         return found("there are two equals signs", line.assignment());
     }
     if rest.starts_with(':') {
-        return found("there is a colon where the equals sign is due", line.assignment());
+        return found("there is a colon instead of an equals sign", line.assignment());
     }
     let name = text.trim_matches(|c: char| "[](){}<>".contains(c)).trim();
     let is_name = !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || "_. /-".contains(c));
     if is_name && name.len() < text.len() {
         let name = shorten(name).replace([' ', '/'], ".");
-        return found(
-            "this is not how the header of a table is written",
-            format!("write [{name}] on a line of its own"),
-        );
+        return found("this is not a valid table header", format!("write [{name}] on a line of its own"));
     }
     let (before, after) = text.split_once('=').unwrap_or((text, ""));
     let words = before.split_whitespace().count();
     if words > 1 && !after.is_empty() && kind == Kind::KeyWithoutValue {
-        let help = "write the key alone before the equals sign: a unit stands behind its number, as in speed = \"10 mph\"";
+        let help = "write only the key before the equals sign; a unit goes after its number, as in speed = \"10 mph\"";
         return found(
-            "between the key and its equals sign stands something else",
+            "there is something between the key and its equals sign",
             units_in_use.suited("", help),
         );
     }
     if after.is_empty() && text.contains('"') && kind == Kind::KeyWithoutValue {
-        return found("there is no equals sign behind the key", line.assignment());
+        return found("there is no equals sign after the key", line.assignment());
     }
     None
 }
@@ -416,22 +411,22 @@ fn lost_quote(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let help = |text: &str| format!("write {quote}{}{quote}", shorten(text.trim()));
     match line.value.strip_prefix(quote) {
         Some(text) if line.error.kind == Kind::BrokenText => {
-            found("a text has no quote at its end", help(text))
+            found("this text has no closing quote", help(text))
         }
         None if line.error.kind == Kind::NoOpeningQuote && line.value.ends_with('"') => {
             let text = line.value.trim_end_matches('"');
             let is_number_with_mark = text.contains('\'');
             if is_number_with_mark {
                 return found(
-                    "a text has no quote at its beginning",
-                    "write number and unit between quotes, and the unit in letters: 5' 3\" is \"63 in\"",
+                    "this text has no opening quote",
+                    "write the number and its unit in quotes, and the unit in letters: 5' 3\" is \"63 in\"",
                 );
             }
-            found("a text has no quote at its beginning", help(text))
+            found("this text has no opening quote", help(text))
         }
         _ if has_odd_quotes(line.text) => found(
-            "one of the quotes of this line is missing",
-            "put a quote before and behind each text, as in { x = \"1.78 m\", y = \"-0.73 m\" }",
+            "a quote is missing on this line",
+            "put a quote before and after each text, as in { x = \"1.78 m\", y = \"-0.73 m\" }",
         ),
         _ => None,
     }
@@ -446,7 +441,7 @@ fn quotes_within(line: &Line<'_>, _: &UnitsInUse) -> Found {
     }
     if text.split(quote).skip(1).step_by(2).all(|between| between.trim() == ",") {
         return found(
-            "several values stand without brackets",
+            "several values need brackets around them",
             format!("write them as a list: [{}]", shorten(line.value)),
         );
     }
@@ -457,7 +452,7 @@ fn quotes_within(line: &Line<'_>, _: &UnitsInUse) -> Found {
         '"' => format!("write the whole text in single quotes: '{}'", shorten(text)),
         _ => format!("write the whole text in double quotes: \"{}\"", shorten(text)),
     };
-    found("there is a quote inside of a text in quotes, which ends the text", help)
+    found("a quote inside this text ends it", help)
 }
 
 /// What stands behind a value that is complete.
@@ -468,12 +463,12 @@ fn behind_the_value(line: &Line<'_>, _: &UnitsInUse) -> Found {
         return None;
     }
     if let "," | ";" | "." = rest {
-        return found(format!("there is a {rest} behind the value"), format!("remove the {rest}"));
+        return found(format!("there is a {rest} after the value"), format!("remove the {rest}"));
     }
     let is_unit = |text: &str| Dimension::ALL.iter().any(|dimension| read_unit(text, *dimension).is_some());
     let text = value.trim_matches(['"', '\'']);
     if is_unit(rest) {
-        return found("the unit stands behind the quote", format!("write \"{} {rest}\"", shorten(text)));
+        return found("the unit is outside the quotes", format!("write \"{} {rest}\"", shorten(text)));
     }
     None
 }
@@ -488,7 +483,7 @@ fn other_brackets(line: &Line<'_>, _: &UnitsInUse) -> Found {
         return None;
     }
     let (open, close) = wanted;
-    let what = if has_keys { "a table in one line stands in braces" } else { "a list stands in brackets" };
+    let what = if has_keys { "a one-line table needs braces" } else { "a list needs brackets" };
     found(what, format!("write {open} {} {close}", shorten(inside)))
 }
 
@@ -496,17 +491,17 @@ fn other_brackets(line: &Line<'_>, _: &UnitsInUse) -> Found {
 fn number(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
     let number = plain(line.value)?;
     let key = line.key;
-    let message = format!("{} is not how a number is written here", shorten(line.value));
+    let message = format!("{} is not a valid number", shorten(line.value));
     let of_key = dimensions_of(key);
     if let Some(dimension) = of_key.first() {
         let example = units_in_use.suited("", example_of(key, *dimension)?);
         return found(
             message,
-            format!("write number and unit between quotes, with a decimal point, as in {example}"),
+            format!("write the number and its unit in quotes, with a decimal point, as in {example}"),
         );
     }
-    let point = if line.value.contains(',') { "with a decimal point, " } else { "" };
-    found(message, format!("write {point}{key} = {}", format_number(number)))
+    let point = if line.value.contains(',') { ", with a decimal point" } else { "" };
+    found(message, format!("write {key} = {}{point}", format_number(number)))
 }
 
 /// A value without quotes.
@@ -518,15 +513,15 @@ fn bare_text(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
     let word = line.value.to_lowercase();
     match word.as_str() {
         "true" | "yes" | "on" => {
-            return found("this is no true or false", "write true, in small letters and without quotes");
+            return found("this must be true or false", "write true in lower case and without quotes");
         }
         "false" | "no" | "off" => {
-            return found("this is no true or false", "write false, in small letters and without quotes");
+            return found("this must be true or false", "write false in lower case and without quotes");
         }
         "none" | "null" | "nan" | "nil" | "unknown" | "?" => {
             return found(
-                "there is no value that means unknown",
-                "leave the line out where the value is not known",
+                "TOML has no value that means unknown",
+                "leave the line out if the value is unknown",
             );
         }
         _ => {}
@@ -539,11 +534,11 @@ fn bare_text(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
         Some(dimension) if !text.contains(char::is_alphabetic) => {
             let example = units_in_use.suited("", example_of(line.key, *dimension)?);
             return found(
-                "a quantity stands between quotes, with its unit",
+                "a quantity needs a unit, and quotes around both",
                 format!("write it as in {example}"),
             );
         }
         _ => shorten(text.trim()),
     };
-    found("a text or a quantity stands between quotes", format!("write {} = \"{example}\"", line.key))
+    found("a text or a quantity needs quotes", format!("write {} = \"{example}\"", line.key))
 }

@@ -62,7 +62,8 @@ fn faults(text: &str) -> Diagnostics {
     file.diagnostics(&faults, &Program::NONE)
 }
 
-/// The crate carries a copy, as a package has nothing from outside of it. The path to the schema leads nowhere there.
+/// The crate carries a copy, as a package has nothing from outside of it. The path to the schema leads
+/// nowhere there.
 #[test]
 fn the_example_of_the_crate_is_that_of_the_fixtures() {
     let (schema, rest) =
@@ -96,7 +97,8 @@ fn the_papers_example_is_read() {
         assert!((crush.width.unwrap().si() - printed).abs() < 0.005);
         assert_eq!(crush.depths.len(), 6);
     }
-    // "A = 587.4 N/cm, B = 63.3 N/cm²; A = 339.3 N/cm, B = 28.8 N/cm²" beside d_0 and d_1: A = d_0 d_1, B = d_1².
+    // "A = 587.4 N/cm, B = 63.3 N/cm²; A = 339.3 N/cm, B = 28.8 N/cm²" beside d_0 and d_1: A = d_0 d_1, B =
+    // d_1².
     for (crush, [a, b]) in crush.iter().zip([[587.4e2, 63.3e4], [339.3e2, 28.8e4]]) {
         let StiffnessForm::Line(StiffnessLine::Root { d0, d1, g: None, limit: None }) = crush.stiffness
         else {
@@ -602,7 +604,8 @@ fn closing_speeds_out_of_order_are_pointed_at() {
     }
 }
 
-/// The case files of other laws than the paper's have an answer: a speed at which the normal impulse does the work of the crush.
+/// The case files of other laws than the paper's have an answer: a speed at which the normal impulse does the
+/// work of the crush.
 #[test]
 fn the_fixtures_of_the_laws_can_be_reconstructed() {
     let mut names = Vec::new();
@@ -941,7 +944,7 @@ fn a_reconstruction_asks_for_one_of_the_two_speeds() {
     assert!(asked(&other)[0].1.contains("`find = \"vehicle2.speed\"`"), "{:?}", asked(&other));
     let none = asked(&before.replace("speed       = \"10 mph\"", ""));
     assert_eq!(none.len(), 2, "{none:?}");
-    assert!(none.iter().any(|(what, _)| what.contains("needs one of the two")), "{none:?}");
+    assert!(none.iter().any(|(what, _)| what.contains("needs one of them and finds the other")), "{none:?}");
     // With the one that is looked for named, the other is asked for.
     let named = asked(&paper.replace("speed       = \"10 mph\"", ""));
     assert!(matches!(&named[..], [(what, _)] if what.starts_with("`vehicle2.speed`")), "{named:?}");
@@ -996,7 +999,8 @@ fn a_vehicle_that_was_not_inspected_can_be_inferred() {
     assert!(none.len() == 2 && none.iter().all(|help| !help.contains("from_force_balance")), "{none:?}");
 }
 
-/// An example suits the file: in the units of the same key, of the same kind, or of the system in which most of it is written.
+/// An example suits the file: in the units of the same key, of the same kind, or of the system in which most
+/// of it is written.
 #[test]
 fn an_example_has_a_unit_of_the_file() {
     let examples = |text: &str| -> Vec<String> {

@@ -28,7 +28,8 @@ pub(crate) fn invalid_cases() -> BTreeMap<String, String> {
     cases
 }
 
-/// `base` with each of the changes, by name. The head of `fixtures/invalid/changes.diff` says how they are written.
+/// `base` with each of the changes, by name. The head of `fixtures/invalid/changes.diff` says how they are
+/// written.
 pub(crate) fn changed(base: &str, changes: &str) -> BTreeMap<String, String> {
     let mut cases = BTreeMap::new();
     let lines: Vec<&str> = changes.lines().filter(|line| !line.starts_with('#')).collect();

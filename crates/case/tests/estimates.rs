@@ -1,5 +1,5 @@
-//! What stands in for what is not known: stiffness from tables and tests, size classes, PDOFs by the clock or from the other vehicle, and a
-//! crush that was not measured.
+//! What stands in for what is not known: stiffness from tables and tests, size classes, PDOFs by the clock or
+//! from the other vehicle, and a crush that was not measured.
 
 #![allow(
     clippy::unwrap_used,
@@ -195,7 +195,11 @@ fn what_is_missing_is_said() {
             "CRASH3's size class, `class = 3`, or both `wheelbase` and `length`",
         ),
         (("wheelbase = \"2.6 m\"", &*crush), "vehicle1.yaw_inertia", "both `wheelbase` and `length`"),
-        ((YAW, &*inferred), "vehicle1.crush.width", "or its `class`, which bound it"),
+        (
+            (YAW, &*inferred),
+            "vehicle1.crush.width",
+            "to bound it, the vehicle's `length`, `width` and `cg_to_front`, or its `class`",
+        ),
     ] {
         let text = refusal(&cars([first, (YAW, &crush)]));
         let missing = format!("`{key}` is missing");
@@ -242,7 +246,7 @@ fn a_reconstruction_with_a_force_balance_needs_a_direction() {
     };
     let text = reconstruct("").unwrap_err();
     assert!(
-        text.contains("`vehicle1.crush.pdof` is missing") && text.contains("for the force balance"),
+        text.contains("`vehicle1.crush.pdof` is missing") && text.contains("which the force balance needs"),
         "{text}"
     );
     let input = reconstruct("pdof = \"0 deg\"").unwrap();

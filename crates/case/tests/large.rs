@@ -8,8 +8,8 @@ use case::{CaseFile, CaseProblem, Diagnostics};
 
 const VEHICLE2: &str = "[vehicle2]\nfixed = true\n";
 
-/// A linear reader takes less than a second for the worst of these, in a test build on a busy machine some seconds. One that is quadratic
-/// in lines, keys or elements takes minutes.
+/// A linear reader takes less than a second for the worst of these, in a test build on a busy machine some
+/// seconds. One that is quadratic in lines, keys or elements takes minutes.
 const SOON: Duration = Duration::from_secs(20);
 
 /// `head`, then `unit` as often as a case file has room for, then `tail`.

@@ -197,7 +197,8 @@ fn every_key_says_what_it_is() {
         let text = |name: &str| key[name].as_str().unwrap_or_default().to_owned();
         assert!(text("title").len() > 3 && text("title").len() < 90, "{path}: title {}", text("title"));
         assert!(text("description").len() > 10, "{path}: description");
-        // The examples of a table are those of its keys; of most parts of a range, those of the key around it.
+        // The examples of a table are those of its keys; of most parts of a range, those of the key around
+        // it.
         let is_table = ["scene", "vehicle1", "vehicle2", "crush", "impact", "reconstruct"]
             .iter()
             .any(|table| path == *table || path.ends_with(&format!(".{table}")));

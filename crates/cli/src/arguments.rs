@@ -205,7 +205,8 @@ pub(crate) struct ExplainArguments {
     pub(crate) output: Option<PathBuf>,
 }
 
-/// Takes any word, which may be a symbol or a key, and offers the names of the topics to the completions of shells.
+/// Takes any word, which may be a symbol or a key, and offers the names of the topics to the completions of
+/// shells.
 #[derive(Clone)]
 struct TopicParser;
 

@@ -16,8 +16,8 @@ use report::{PROGRAM, Refused, Row, RowError, Units};
 use crate::progress::Progress;
 use crate::{Analyse, read};
 
-/// Cases per thread that are begun before the row whose turn it is has been written: enough that no thread waits for a slow one, and few enough to keep
-/// in memory.
+/// Cases per thread that are begun before the row whose turn it is has been written: enough that no thread
+/// waits for a slow one, and few enough to keep in memory.
 const AHEAD: usize = 16;
 
 const CANNOT_WRITE: &str = "cannot write the rows";
@@ -104,7 +104,8 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == ErrorKind::BrokenPipe)
 }
 
-/// Writes each row as soon as all before it are written. `ends` is told how many are, and says whether that is enough.
+/// Writes each row as soon as all before it are written. `ends` is told how many are, and says whether that
+/// is enough.
 fn rows(
     &Job { cases, analyse, format }: &Job<'_>,
     pool: &ThreadPool,

@@ -34,8 +34,8 @@ type Analyse = fn(&Case) -> Result<Analysis, Failure>;
 
 /// Samples behind the uncertainty in a report: enough for three digits, in a blink.
 const SUPPLEMENT_SAMPLES: usize = 20_000;
-/// The same in a case of very many numbers, through all of which each sample goes: at least so many samples, and more while samples times numbers
-/// remain below a second's work. The report says how many they are.
+/// The same in a case of very many numbers, through all of which each sample goes: at least so many samples,
+/// and more while samples times numbers remain below a second's work. The report says how many they are.
 const LEAST_SUPPLEMENT_SAMPLES: usize = 500;
 const SUPPLEMENT_NUMBERS: usize = 30_000_000;
 
@@ -300,7 +300,8 @@ impl std::fmt::Display for NoAnswer {
 
 impl std::error::Error for NoAnswer {}
 
-/// The answer, or a failure that says so in the units of the reader; what is wrong with the file speaks its own.
+/// The answer, or a failure that says so in the units of the reader; what is wrong with the file speaks its
+/// own.
 fn answered<T>(answer: Result<T, Failure>, file: &CaseFile, units: Units) -> Result<T> {
     answer.map_err(|failure| match failure {
         Failure::Case(faults) => file.diagnostics(&faults, &report::PROGRAM).into(),

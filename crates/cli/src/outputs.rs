@@ -1,4 +1,5 @@
-//! What a command writes has a place, and does not replace what it reads, nor any other case file, nor what else it writes.
+//! What a command writes has a place, and does not replace what it reads, nor any other case file, nor what
+//! else it writes.
 
 use std::ffi::OsString;
 use std::fs;
@@ -33,7 +34,8 @@ struct Files<'a> {
     folder: Option<Folder<'a>>,
 }
 
-/// Refuses to write over a case or to where nothing can be written, and makes the folder for files; to be called before anything is computed.
+/// Refuses to write over a case or to where nothing can be written, and makes the folder for files; to be
+/// called before anything is computed.
 pub(crate) fn check(command: &Command) -> Result<()> {
     let Files { cases, outputs, folder } = files(command);
     for output in &outputs {

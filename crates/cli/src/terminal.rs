@@ -1,4 +1,5 @@
-//! Documents on standard output: at the width of a terminal and with its headings in bold where there is one, plain elsewhere.
+//! Documents on standard output: at the width of a terminal and with its headings in bold where there is one,
+//! plain elsewhere.
 
 use std::io::{self, ErrorKind, IsTerminal as _, Write as _};
 
@@ -6,7 +7,8 @@ use anstream::{AutoStream, ColorChoice};
 use anyhow::{Context as _, Result};
 use report::Document;
 
-/// Prints the document as text for the columns of the terminal, where standard output is one. `NO_COLOR` and `CLICOLOR` are respected.
+/// Prints the document as text for the columns of the terminal, where standard output is one. `NO_COLOR` and
+/// `CLICOLOR` are respected.
 pub(crate) fn print(document: &Document) -> Result<()> {
     let stdout = io::stdout();
     let columns = terminal_size::terminal_size_of(&stdout).map(|(width, _)| usize::from(width.0));

@@ -277,7 +277,8 @@ fn in_si(unit: &str) -> f64 {
     }
 }
 
-/// ½ m v² before less that after is what the works of the impulses add up to: the one of the moment impulse too.
+/// ½ m v² before less that after is what the works of the impulses add up to: the one of the moment impulse
+/// too.
 #[test]
 fn the_energy_of_a_row_balances() {
     let csv = deltav(&["reconstruct", "fixtures/laws/moment.toml", "--format", "csv"]).stdout;

@@ -1,4 +1,5 @@
-//! The examples of the crates around the engine run, and their numbers hold. The program links all of these crates anyway.
+//! The examples of the crates around the engine run, and their numbers hold. The program links all of these
+//! crates anyway.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

@@ -1,5 +1,5 @@
-//! The JSON that the program prints: its keys, the values of the paper's example, and that neither the frame, the labels nor the units of a
-//! case change them. Everything goes through the program, from text to text.
+//! The JSON that the program prints: its keys, the values of the paper's example, and that neither the frame,
+//! the labels nor the units of a case change them. Everything goes through the program, from text to text.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 #![expect(clippy::disallowed_methods, reason = "an oracle shares no function with what it judges")]
@@ -150,7 +150,8 @@ fn number(document: &Value, pointer: &str) -> f64 {
     value.unwrap_or_else(|| panic!("{pointer} is no number"))
 }
 
-/// Asserts that a value is what was printed, within half a unit of the last digit printed; `unit` is that of the print.
+/// Asserts that a value is what was printed, within half a unit of the last digit printed; `unit` is that of
+/// the print.
 #[track_caller]
 fn assert_printed(document: &Value, pointer: &str, printed: &str, unit: f64) {
     let decimals = printed.split_once('.').map_or(0, |(_, decimals)| decimals.len());
@@ -175,7 +176,8 @@ fn every_key_of_the_example_is_there() {
     assert_keys(&document, "/crash3", &CRASH3);
 }
 
-/// The figures of docs/theory.md for the paper's example, which follow from its equations solved with other code.
+/// The figures of docs/theory.md for the paper's example, which follow from its equations solved with other
+/// code.
 #[test]
 fn the_example_has_the_known_values() {
     const FOOT: f64 = 0.3048;
@@ -308,7 +310,8 @@ fn damage_alone_has_crash3_and_the_crush_keys() {
     assert_printed(&document, "/crash3/delta_v/1", "29.9", 0.3048);
 }
 
-/// A pole takes no energy and does not move: EBS = √(2E/m), ΔV = √(2γE/m), and with a dissipated energy √((1+e)/(1−e)) times that.
+/// A pole takes no energy and does not move: EBS = √(2E/m), ΔV = √(2γE/m), and with a dissipated energy
+/// √((1+e)/(1−e)) times that.
 #[test]
 fn a_pole_gives_the_barrier_speed_and_one_velocity_change() {
     let mut document = json("crush", POLE);
@@ -318,7 +321,8 @@ fn a_pole_gives_the_barrier_speed_and_one_velocity_change() {
     }
     assert_no_null(&document);
     let at = |pointer: &str| number(&document, pointer);
-    // Two zones of 0.3 m from 0.4 to 0.5 m: A C̄ + B Q/2 + A²/2B with C̄ = 0.45 m and Q = (0.16 + 0.2 + 0.25)/3 m².
+    // Two zones of 0.3 m from 0.4 to 0.5 m: A C̄ + B Q/2 + A²/2B with C̄ = 0.45 m and Q = (0.16 + 0.2 +
+    // 0.25)/3 m².
     let (a, b): (f64, f64) = (50e3, 800e3);
     let energy = 0.6 * (a * 0.45 + b * 0.61 / 6.0 + a * a / (2.0 * b));
     let close = |pointer: &str, expected: f64| {
@@ -360,7 +364,8 @@ fn the_sweep_has_nothing_of_what_is_fixed() {
     assert!(rows.len() == 1 && !rows[0].contains(" 0.00"), "{sweep}");
 }
 
-/// What the file gives of arm and angle is said to be held or turned, and the nominal row is the answer of `crush`.
+/// What the file gives of arm and angle is said to be held or turned, and the nominal row is the answer of
+/// `crush`.
 #[test]
 fn the_sweep_says_what_the_file_gives() {
     for key in ["pdof_sweep_held", "pdof_sweep_turned"] {
@@ -419,7 +424,8 @@ fn take_nulls(document: &mut Value, pointers: &[&str]) {
     }
 }
 
-/// A case with ranges has their uncertainty and the sensitivity in the report to hand over, word for word as the commands print them.
+/// A case with ranges has their uncertainty and the sensitivity in the report to hand over, word for word as
+/// the commands print them.
 #[test]
 fn ranges_are_in_the_report_to_hand_over() {
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
@@ -491,7 +497,8 @@ fn the_impact_names_its_law_and_what_the_law_adds() {
     }
 }
 
-/// To stop the contact point along the wall takes a pull: there is no critical ratio, and its key says so. Nothing else is null.
+/// To stop the contact point along the wall takes a pull: there is no critical ratio, and its key says so.
+/// Nothing else is null.
 #[test]
 fn where_there_is_no_critical_ratio_its_key_is_null() {
     let mut document =
@@ -787,11 +794,11 @@ fn what_is_no_text_is_refused_in_one_error() {
         // "é" in Latin-1.
         (
             b"title = \"a\"\nsource = \"Caf\xe9\"\n",
-            "the file is not text in UTF-8: line 2 has the first letter that does not fit",
+            "the file is not UTF-8 text: line 2 has the first invalid character",
         ),
-        (&utf_16, "this is text in UTF-16, and not a case"),
-        (b"%PDF-1.7\n\x00\xff", "this is a PDF file, and not a case"),
-        (b"<!DOCTYPE html>\n<p>Report</p>", "this is a page in HTML, and not a case"),
+        (&utf_16, "this is text in UTF-16, but a case file must be UTF-8"),
+        (b"%PDF-1.7\n\x00\xff", "this is a PDF file, not a case file"),
+        (b"<!DOCTYPE html>\n<p>Report</p>", "this is an HTML page, not a case file"),
     ];
     for (bytes, expected) in kinds {
         let path = temporary("no-case.toml");

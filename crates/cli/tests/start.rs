@@ -31,8 +31,8 @@ fn temporary(name: &str) -> PathBuf {
     path
 }
 
-/// Each template states its speed, which comes from a solution of the raw impulse equations and a numerical integral of the crush energy, made
-/// without this program.
+/// Each template states its speed, which comes from a solution of the raw impulse equations and a numerical
+/// integral of the crush energy, made without this program.
 #[test]
 fn every_template_runs_as_it_is_and_finds_what_it_states() {
     // (m/s) a kilometre and a mile (exactly 1609.344 m) per hour

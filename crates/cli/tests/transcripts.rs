@@ -1,4 +1,5 @@
-//! What the program prints, word for word: the console blocks of README and guide, and the transcripts beside this file.
+//! What the program prints, word for word: the console blocks of README and guide, and the transcripts beside
+//! this file.
 
 #[test]
 fn transcripts() {

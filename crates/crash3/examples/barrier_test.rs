@@ -1,11 +1,13 @@
-//! Stiffness from a barrier test: the fit gives the test's own kinetic energy back, the shortcut through the mean crush some per cent more.
+//! Stiffness from a barrier test: the fit gives the test's own kinetic energy back, the shortcut through the
+//! mean crush some per cent more.
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 
 use crash3::{BarrierTest, CrushError, Profile, crush_energy};
 
 pub(crate) fn main() -> Result<(), CrushError> {
-    // Invented: 1500 kg at 15.6 m/s (56 km/h) against a rigid barrier; no crush would have remained at 2.2 m/s.
+    // Invented: 1500 kg at 15.6 m/s (56 km/h) against a rigid barrier; no crush would have remained at 2.2
+    // m/s.
     let (mass, speed) = (1500.0, 15.6);
     let profile = Profile::equally_spaced(vec![0.42, 0.50, 0.54, 0.54, 0.50, 0.42], 1.6)?;
     let test = BarrierTest::new(mass, speed, profile.clone(), 2.2)?;

@@ -6,7 +6,8 @@ use crate::error::{self, CrushError};
 use crate::profile::Profile;
 use crate::stiffness::Stiffness;
 
-/// A full-width test against a rigid barrier: what it left of the car, and the speed at which it would have left no crush.
+/// A full-width test against a rigid barrier: what it left of the car, and the speed at which it would have
+/// left no crush.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BarrierTest<T = f64> {
     pub(crate) mass: T,
@@ -16,11 +17,12 @@ pub struct BarrierTest<T = f64> {
 }
 
 impl<T: Real> BarrierTest<T> {
-    /// A car of the given `mass` (kg) that struck the barrier at `speed` V (m/s) with the residual crush `profile`. At `no_damage_speed` b_0 (m/s)
-    /// no crush would have remained.
+    /// A car of the given `mass` (kg) that struck the barrier at `speed` V (m/s) with the residual crush
+    /// `profile`. At `no_damage_speed` b_0 (m/s) no crush would have remained.
     ///
     /// # Errors
-    /// Where mass or speed is not positive, the speed without damage is negative or not below the test's, or there is no crush.
+    /// Where mass or speed is not positive, the speed without damage is negative or not below the test's, or
+    /// there is no crush.
     pub fn new(mass: T, speed: T, profile: Profile<T>, no_damage_speed: T) -> Result<Self, CrushError> {
         error::positive("mass", mass.value())?;
         error::positive("speed of the barrier test", speed.value())?;
@@ -37,8 +39,8 @@ impl<T: Real> BarrierTest<T> {
         Ok(Self { mass, speed, profile, no_damage_speed })
     }
 
-    /// The stiffness with which the test's own profile gives the test's kinetic energy ½ m V² back exactly. It gives the energy
-    /// *absorbed* at maximum engagement: see [`EnergyBasis`](crate::EnergyBasis).
+    /// The stiffness with which the test's own profile gives the test's kinetic energy ½ m V² back exactly.
+    /// It gives the energy *absorbed* at maximum engagement: see [`EnergyBasis`](crate::EnergyBasis).
     ///
     /// # Errors
     /// Where the numbers are so far apart that no finite stiffness follows.
@@ -58,8 +60,9 @@ impl<T: Real> BarrierTest<T> {
         rest / (half + (half * half + mean_square * rest).sqrt())
     }
 
-    /// The common shortcut: the line V = b_0 + b_1 C through the mean crush, b_1 = (V − b_0)/C̄. The profile's energy then exceeds that of the test
-    /// wherever the crush is not uniform, by some per cent for the usual profiles: offered for comparison.
+    /// The common shortcut: the line V = b_0 + b_1 C through the mean crush, b_1 = (V − b_0)/C̄. The
+    /// profile's energy then exceeds that of the test wherever the crush is not uniform, by some per cent for
+    /// the usual profiles: offered for comparison.
     ///
     /// # Errors
     /// Where the numbers are so far apart that no finite stiffness follows.

@@ -14,8 +14,8 @@ pub struct StruckVehicle<T = f64> {
 }
 
 impl<T: Real> StruckVehicle<T> {
-    /// A vehicle of mass m (kg) and yaw inertia I (kg·m²) that is hit by a force whose line of action passes its CG
-    /// at the distance h = `moment_arm` (m).
+    /// A vehicle of mass m (kg) and yaw inertia I (kg·m²) that is hit by a force whose line of action passes
+    /// its CG at the distance h = `moment_arm` (m).
     ///
     /// # Errors
     /// Where the mass or the inertia is not positive, or the arm is not finite.
@@ -61,8 +61,8 @@ impl<T: Real> StruckVehicle<T> {
     }
 }
 
-/// (m/s) ΔV_1 and ΔV_2 for the energy E = E_1 + E_2 (J) of both vehicles' crush, in the common normal velocity that
-/// CRASH3 assumes (e = 0).
+/// (m/s) ΔV_1 and ΔV_2 for the energy E = E_1 + E_2 (J) of both vehicles' crush, in the common normal
+/// velocity that CRASH3 assumes (e = 0).
 ///
 /// # References
 /// SAE 980025, Eq 6 and Eq 7.
@@ -92,8 +92,9 @@ pub enum EnergyBasis {
     /// The energy that the normal impulse dissipated, W_n: SAE 980025.
     #[default]
     Dissipated,
-    /// The energy absorbed at maximum engagement, W_n/(1−e²), part of which comes back as restitution: what stiffness
-    /// coefficients fitted to barrier tests by impact speed give (Ziernicki & Rose, SAE 2005-01-1200).
+    /// The energy absorbed at maximum engagement, W_n/(1−e²), part of which comes back as restitution: what
+    /// stiffness coefficients fitted to barrier tests by impact speed give (Ziernicki & Rose, SAE
+    /// 2005-01-1200).
     Absorbed,
 }
 
@@ -114,8 +115,8 @@ impl EnergyBasis {
         })
     }
 
-    /// (J) the energy W_n that the normal impulse has to dissipate when the crush energy of both vehicles is `energy` (J) on this
-    /// basis and the restitution is e.
+    /// (J) the energy W_n that the normal impulse has to dissipate when the crush energy of both vehicles is
+    /// `energy` (J) on this basis and the restitution is e.
     #[inline(always)]
     #[must_use]
     pub fn dissipated<T: Real>(self, energy: T, e: T) -> T {
@@ -127,7 +128,8 @@ impl EnergyBasis {
     }
 }
 
-/// (m/s) energy equivalent speed: the speed at which the vehicle's kinetic energy equals its crush energy E (J).
+/// (m/s) energy equivalent speed: the speed at which the vehicle's kinetic energy equals its crush energy E
+/// (J).
 ///
 /// # Errors
 /// Where the energy is negative, the mass (kg) is not positive, or one of them is not finite.

@@ -22,7 +22,8 @@ pub enum Side {
 }
 
 impl Side {
-    /// (rad) direction of the side's outward normal, clockwise from the heading: the PDOF of a force that meets it squarely.
+    /// (rad) direction of the side's outward normal, clockwise from the heading: the PDOF of a force that
+    /// meets it squarely.
     #[must_use]
     pub fn square_pdof(self) -> f64 {
         match self {
@@ -33,8 +34,8 @@ impl Side {
         }
     }
 
-    /// (rad) α: angle between a force with the given PDOF (rad, in (−π, π]) and the normal of this side, in (−π, π], clockwise positive
-    /// like the PDOF. The force pushes on the side where |α| < π/2.
+    /// (rad) α: angle between a force with the given PDOF (rad, in (−π, π]) and the normal of this side, in
+    /// (−π, π], clockwise positive like the PDOF. The force pushes on the side where |α| < π/2.
     #[inline(always)]
     #[must_use]
     pub fn oblique_angle<T: Real>(self, pdof: T) -> T {
@@ -43,16 +44,18 @@ impl Side {
     }
 }
 
-/// (rad) the PDOF of the other vehicle, in (−π, π], by Newton's third law: the force comes from the opposite direction of the scene.
-/// `pdof` is that of the first of the two `headings` (rad, counter-clockwise), the result that of the second.
+/// (rad) the PDOF of the other vehicle, in (−π, π], by Newton's third law: the force comes from the opposite
+/// direction of the scene. `pdof` is that of the first of the two `headings` (rad, counter-clockwise), the
+/// result that of the second.
 #[must_use]
 pub fn opposite_pdof<T: Real>(pdof: T, [own, other]: [T; 2]) -> T {
-    // The force on the first comes from the scene angle θ₁ − PDOF₁, that on the second from θ₂ − PDOF₂ = θ₁ − PDOF₁ + π.
+    // The force on the first comes from the scene angle θ₁ − PDOF₁, that on the second from θ₂ − PDOF₂ = θ₁ −
+    // PDOF₁ + π.
     principal_angle(other - own + pdof - PI)
 }
 
-/// (m) h: distance of the CG from the line of action of a force with the given PDOF (rad) through a point that lies at
-/// (`forward`, `left`) (m) of the CG in the vehicle's own axes.
+/// (m) h: distance of the CG from the line of action of a force with the given PDOF (rad) through a point
+/// that lies at (`forward`, `left`) (m) of the CG in the vehicle's own axes.
 #[inline(always)]
 #[must_use]
 pub fn moment_arm<T: Real>([forward, left]: [T; 2], pdof: T) -> T {
@@ -70,8 +73,9 @@ pub struct DamagedFace<T = f64> {
 }
 
 impl<T: Real> DamagedFace<T> {
-    /// The undamaged face of `side` lies at `distance` (m) from the CG, along its normal; the middle of the damage's width at `offset` (m) along
-    /// the face: to the left of the vehicle's axis on the front and the rear, forward of the CG on the sides.
+    /// The undamaged face of `side` lies at `distance` (m) from the CG, along its normal; the middle of the
+    /// damage's width at `offset` (m) along the face: to the left of the vehicle's axis on the front and the
+    /// rear, forward of the CG on the sides.
     ///
     /// # Errors
     /// Where the distance is not positive, or the offset is not finite.
@@ -81,9 +85,9 @@ impl<T: Real> DamagedFace<T> {
         Ok(Self { side, distance, offset })
     }
 
-    /// (m) the centroid of the area between the undamaged face and the profile, forward and left of the CG: the point through
-    /// which CRASH3 lets the force act. Depths run from left to right on the front and the rear, from rear to front on the sides.
-    /// Without any crush it is the middle of the damage on the face.
+    /// (m) the centroid of the area between the undamaged face and the profile, forward and left of the CG:
+    /// the point through which CRASH3 lets the force act. Depths run from left to right on the front and the
+    /// rear, from rear to front on the sides. Without any crush it is the middle of the damage on the face.
     #[must_use]
     pub fn centroid(&self, profile: &Profile<T>) -> [T; 2] {
         let (mut area, mut moment_along, mut moment_deep) = (T::ZERO, T::ZERO, T::ZERO);

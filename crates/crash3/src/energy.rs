@@ -6,11 +6,11 @@ use crate::error::{self, CrushError};
 use crate::profile::{Profile, Zone};
 use crate::stiffness::{Saturation, SideStiffness, Stiffness};
 
-/// (J) the energy that made the crush: the integral of A + B C over depth and width, for a profile that is linear
-/// between its stations.
+/// (J) the energy that made the crush: the integral of A + B C over depth and width, for a profile that is
+/// linear between its stations.
 ///
-/// ERRATUM (theory, section 8): SAE 980025 prints its Eq 5, the case of six equal stations, with B/6 on the squares
-/// only and 5G outside of L/5. This is the equation as it must read.
+/// ERRATUM (theory, section 8): SAE 980025 prints its Eq 5, the case of six equal stations, with B/6 on the
+/// squares only and 5G outside of L/5. This is the equation as it must read.
 ///
 /// # References
 /// SAE 980025, Eq 5.
@@ -42,7 +42,8 @@ pub fn zone_energy<T: Real>(zone: Zone<T>, stiffness: &Stiffness<T>) -> T {
     width * (per_width + stiffness.g())
 }
 
-/// (N) mean energy per width where the depth goes from C_1 to C_2 and the force rises: A (C_1 + C_2)/2 + B (C_1² + C_1 C_2 + C_2²)/6.
+/// (N) mean energy per width where the depth goes from C_1 to C_2 and the force rises: A (C_1 + C_2)/2 + B
+/// (C_1² + C_1 C_2 + C_2²)/6.
 #[inline(always)]
 fn rising<T: Real>(stiffness: &Stiffness<T>, c1: T, c2: T) -> T {
     stiffness.a() * (c1 + c2) / 2.0 + stiffness.b() * (c1 * c1 + c1 * c2 + c2 * c2) / 6.0
@@ -140,7 +141,8 @@ pub fn zone_force<T: Real>(zone: Zone<T>, stiffness: &Stiffness<T>) -> T {
 }
 
 impl<T: Real> SideStiffness<T> {
-    /// (J) the energy that made the crush: [`crush_energy`], zone by zone where the stiffness differs along the side.
+    /// (J) the energy that made the crush: [`crush_energy`], zone by zone where the stiffness differs along
+    /// the side.
     ///
     /// # Errors
     /// Where the number of stiffnesses is not that of the profile's zones.
@@ -151,7 +153,8 @@ impl<T: Real> SideStiffness<T> {
         }
     }
 
-    /// (N) the force at maximum crush: [`peak_force`], zone by zone where the stiffness differs along the side.
+    /// (N) the force at maximum crush: [`peak_force`], zone by zone where the stiffness differs along the
+    /// side.
     ///
     /// # Errors
     /// Where the number of stiffnesses is not that of the profile's zones, or |α| ≥ π/2.
@@ -181,7 +184,8 @@ fn sum<T: Real>(
         .fold(T::ZERO, |sum, (zone, stiffness)| sum + of_zone(zone, stiffness)))
 }
 
-/// How the energy of a force that is not normal to the damaged side is corrected: the factor on the energy for the angle α.
+/// How the energy of a force that is not normal to the damaged side is corrected: the factor on the energy
+/// for the angle α.
 ///
 /// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is
 /// decided there; adding one is a breaking change.
@@ -195,9 +199,10 @@ pub enum ObliqueCorrection<T = f64> {
     Uncapped,
     /// No correction.
     None,
-    /// 1 + min(|tan α|, μ) |tan α|: the tangential part of the force is limited by the friction coefficient μ ≥ 0. After McHenry and McHenry,
-    /// SAE 861894. That paper could not be consulted for the exact form of its correction: this is the form in which it is
-    /// cited, with the tangential force no greater than the one that tan α asks for.
+    /// 1 + min(|tan α|, μ) |tan α|: the tangential part of the force is limited by the friction coefficient μ
+    /// ≥ 0. After McHenry and McHenry, SAE 861894. That paper could not be consulted for the exact form of
+    /// its correction: this is the form in which it is cited, with the tangential force no greater than the
+    /// one that tan α asks for.
     Friction(T),
     /// 1/cos α: the work of the oblique force along its own line, as in SAE 2006-01-0908.
     Secant,
@@ -221,8 +226,8 @@ impl<T: Real> ObliqueCorrection<T> {
     /// SAE 980025, Eq 8.
     ///
     /// # Errors
-    /// Where |α| ≥ π/2: such a force does not push on the side. Without correction every angle is accepted. Where the friction
-    /// coefficient is negative or not finite.
+    /// Where |α| ≥ π/2: such a force does not push on the side. Without correction every angle is accepted.
+    /// Where the friction coefficient is negative or not finite.
     pub fn factor(self, oblique_angle: T) -> Result<ObliqueFactor<T>, CrushError> {
         let (factor, capped) = match self {
             Self::None => (T::ONE, false),

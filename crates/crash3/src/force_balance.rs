@@ -34,15 +34,16 @@ pub struct CrushRange<T = f64> {
     pub highest: UniformCrush<T>,
 }
 
-/// The uniform crush of the given `width` w (m) that bears the peak force F (N) at the angle α (rad) to the normal of the damaged side:
-/// C = (F cos α/w − A)/B, with the energy w (A C + B C²/2 + G). By Newton's third law F is the [`peak_force`](crate::peak_force) of the
-/// other vehicle.
+/// The uniform crush of the given `width` w (m) that bears the peak force F (N) at the angle α (rad) to the
+/// normal of the damaged side: C = (F cos α/w − A)/B, with the energy w (A C + B C²/2 + G). By Newton's third
+/// law F is the [`peak_force`](crate::peak_force) of the other vehicle.
 ///
-/// A force of less than A w leaves no residual crush. The depth is then zero, and the energy is what the structure stores
-/// elastically: w G (F cos α/(A w))², which is all of w G at A w.
+/// A force of less than A w leaves no residual crush. The depth is then zero, and the energy is what the
+/// structure stores elastically: w G (F cos α/(A w))², which is all of w G at A w.
 ///
 /// # Errors
-/// Where |α| ≥ π/2, the force is negative, the width is not positive, B is zero, or the force per width exceeds its limit.
+/// Where |α| ≥ π/2, the force is negative, the width is not positive, B is zero, or the force per width
+/// exceeds its limit.
 pub fn crush_from_force<T: Real>(
     force: T,
     oblique_angle: T,
@@ -53,10 +54,11 @@ pub fn crush_from_force<T: Real>(
     of_normal_force(normal_force(force, oblique_angle, stiffness)?, width, stiffness)
 }
 
-/// The same without a width: with the `nominal_width` (m) of the other vehicle's damage, and the bounds of what is possible. The energy is
-/// highest for the narrowest damage, where the crush reaches `deepest` (m), the distance of the face from the CG. It is lowest
-/// for the widest: the `widest` (m) that the side has, or the width at which no residual crush is left. (A G far above A²/2B moves the
-/// bounds to other widths, which are then found.)
+/// The same without a width: with the `nominal_width` (m) of the other vehicle's damage, and the bounds of
+/// what is possible. The energy is highest for the narrowest damage, where the crush reaches `deepest` (m),
+/// the distance of the face from the CG. It is lowest for the widest: the `widest` (m) that the side has, or
+/// the width at which no residual crush is left. (A G far above A²/2B moves the bounds to other widths, which
+/// are then found.)
 ///
 /// # Errors
 /// As [`crush_from_force`], and where the side cannot bear the force however deep it is crushed.
@@ -96,7 +98,8 @@ pub fn crush_range_from_force<T: Real>(
     let deep = UniformCrush { width: narrow, depth: deepest, energy };
     let mut possible =
         vec![of_normal_force(normal, narrow, stiffness)?, of_normal_force(normal, wide, stiffness)?];
-    // A table's G may exceed A²/2B. E(w) = F_n²/2Bw + w (G − A²/2B) then has its least at w = F_n/√(2BG − A²).
+    // A table's G may exceed A²/2B. E(w) = F_n²/2Bw + w (G − A²/2B) then has its least at w = F_n/√(2BG −
+    // A²).
     let turning = normal / (g * b * 2.0 - a * a).sqrt();
     if narrow.value() < turning.value() && turning.value() < wide.value() {
         possible.push(of_normal_force(normal, turning, stiffness)?);

@@ -45,7 +45,8 @@
 //! | `square_radius` | k² | I/m | m² |
 //! | `effective_mass_ratio` | γ | k²/(k² + h²) | – |
 //!
-//! `examples/damage.rs` goes from depths to energy and ΔV, `examples/barrier_test.rs` from a test to a stiffness.
+//! `examples/damage.rs` goes from depths to energy and ΔV, `examples/barrier_test.rs` from a test to a
+//! stiffness.
 //!
 //! # Features
 //!
@@ -56,12 +57,13 @@
 //!
 //! # What it does not do
 //!
-//! It finds no direction of force: the PDOF is an input (`pim-core` computes it from impulse and momentum). It knows no units
-//! other than SI; CRASH3's tables are converted where they stand.
+//! It finds no direction of force: the PDOF is an input (`pim-core` computes it from impulse and momentum).
+//! It knows no units other than SI; CRASH3's tables are converted where they stand.
 //!
 //! # References
 //!
-//! R. M. Brach and R. M. Brach, *Crush Energy and Planar Impact Mechanics for Accident Reconstruction*, SAE 980025 (1998), called *the paper*.
+//! R. M. Brach and R. M. Brach, *Crush Energy and Planar Impact Mechanics for Accident Reconstruction*, SAE
+//! 980025 (1998), called *the paper*.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

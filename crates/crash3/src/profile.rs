@@ -124,8 +124,8 @@ impl<T: Real> Profile<T> {
     /// N `depths` (m) with the N−1 `spacings` (m) between their stations.
     ///
     /// # Errors
-    /// Where there are fewer than two stations, the numbers of depths and spacings do not fit, a depth is negative, or
-    /// a spacing is not positive.
+    /// Where there are fewer than two stations, the numbers of depths and spacings do not fit, a depth is
+    /// negative, or a spacing is not positive.
     pub fn new(depths: Vec<T>, spacings: Vec<T>) -> Result<Self, CrushError> {
         if depths.len() < 2 {
             return Err(CrushError::TooFewStations { stations: depths.len() });

@@ -6,8 +6,8 @@ use real::Real;
 
 use crate::error::{self, CrushError};
 
-/// CRASH3's stiffness coefficients: force per width A + B C, flat beyond a limit if there is one, and the energy per width G that
-/// is stored before any crush remains.
+/// CRASH3's stiffness coefficients: force per width A + B C, flat beyond a limit if there is one, and the
+/// energy per width G that is stored before any crush remains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stiffness<T = f64> {
     a: T,

@@ -1,8 +1,9 @@
-//! CRASH3's tables, and estimates, for what is not known of a vehicle. The tables stand here as printed, in inches and pounds, and
-//! become SI units in [`Stiffness::from_category`] and [`VehicleClass::new`], nowhere else.
+//! CRASH3's tables, and estimates, for what is not known of a vehicle. The tables stand here as printed, in
+//! inches and pounds, and become SI units in [`Stiffness::from_category`] and [`VehicleClass::new`], nowhere
+//! else.
 //!
-//! Source of both tables: T. D. Day and R. L. Hargens, SAE 870045 (1987), Tables 1 and 2, which give those of NHTSA's CRASH3. They were read
-//! from a poor scan; the doubtful digits:
+//! Source of both tables: T. D. Day and R. L. Hargens, SAE 870045 (1987), Tables 1 and 2, which give those of
+//! NHTSA's CRASH3. They were read from a poor scan; the doubtful digits:
 //!
 //! | where | the scan reads | taken | because |
 //! |---|---|---|---|
@@ -49,7 +50,8 @@ const SIDE: Categories = [
 ];
 
 impl<T: Real> Stiffness<T> {
-    /// CRASH3's stiffness category of a side: A, B and a G of its own. [`DoubtfulDigit::of_category`] has the one number in doubt.
+    /// CRASH3's stiffness category of a side: A, B and a G of its own. [`DoubtfulDigit::of_category`] has the
+    /// one number in doubt.
     ///
     /// # References
     /// SAE 870045, Table 1.
@@ -131,7 +133,8 @@ const CLASSES: [Row; 6] = [
     row([63.7, 229.4, 79.0, 60.1, 65.1, 104.2, 4229.0]),
 ];
 
-/// CRASH3's typical passenger car of a size class. The classes go by wheelbase, from 93 in (2.37 m) of class 1 to 125 in (3.18 m) of class 6.
+/// CRASH3's typical passenger car of a size class. The classes go by wheelbase, from 93 in (2.37 m) of class
+/// 1 to 125 in (3.18 m) of class 6.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VehicleClass {
     /// (m) between the axles.
@@ -149,7 +152,8 @@ pub struct VehicleClass {
 }
 
 impl VehicleClass {
-    /// Class 1 to 6. Some digits are doubtful: widths of classes 2, 5 and 6, track of class 2, front axle of class 4 (so its wheelbase).
+    /// Class 1 to 6. Some digits are doubtful: widths of classes 2, 5 and 6, track of class 2, front axle of
+    /// class 4 (so its wheelbase).
     ///
     /// # References
     /// SAE 870045, Table 2.
@@ -174,12 +178,14 @@ impl VehicleClass {
 
 /// (1) the coefficient of Burg's formula, see [`yaw_inertia_burg`].
 pub const BURG: f64 = 0.1269;
-/// By how much of itself the radius of gyration k may be off where [`yaw_inertia_burg`] or a [`VehicleClass`] gives it.
+/// By how much of itself the radius of gyration k may be off where [`yaw_inertia_burg`] or a [`VehicleClass`]
+/// gives it.
 pub const BURG_SPREAD: f64 = 0.05;
 
-/// (kg·m²) yaw inertia of a passenger car of the given `mass` (kg), `wheelbase` (m) and overall `length` (m), after Burg:
-/// I = 0.1269 × mass × wheelbase × length. The radius of gyration that follows is taken to be right to about [`BURG_SPREAD`]; it is 3 to 15 % below
-/// those of CRASH3's older and larger cars ([`VehicleClass`]).
+/// (kg·m²) yaw inertia of a passenger car of the given `mass` (kg), `wheelbase` (m) and overall `length` (m),
+/// after Burg: I = 0.1269 × mass × wheelbase × length. The radius of gyration that follows is taken to be
+/// right to about [`BURG_SPREAD`]; it is 3 to 15 % below those of CRASH3's older and larger cars
+/// ([`VehicleClass`]).
 ///
 /// # Errors
 /// Where one of the three is not positive.

@@ -1,7 +1,8 @@
 //! Reconstructs a two-vehicle collision from its damage.
 //!
-//! Measured crush gives the energy that the collision took (CRASH3). Planar impact mechanics gives the speed at which the
-//! impact takes just this energy. The method is that of Brach & Brach, SAE 980025 (1998); this is the example of its appendix:
+//! Measured crush gives the energy that the collision took (CRASH3). Planar impact mechanics gives the speed
+//! at which the impact takes just this energy. The method is that of Brach & Brach, SAE 980025 (1998); this
+//! is the example of its appendix:
 //!
 //! ```
 //! use deltav::prelude::*;
@@ -15,7 +16,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The same from numbers, without a case file. All are in SI units and radians; the crush energies are those that the paper prints:
+//! The same from numbers, without a case file. All are in SI units and radians; the crush energies are those
+//! that the paper prints:
 //!
 //! ```
 //! use deltav::prelude::*;
@@ -50,11 +52,13 @@
 //! | [`validation`] | staged collisions beside what the papers print of them |
 //! | [`real`] | the number that the equations run on, with derivatives |
 //!
-//! With the feature `parallel`, [`uncertainty`] runs on all cores. The results have the same bits with and without it.
+//! With the feature `parallel`, [`uncertainty`] runs on all cores. The results have the same bits with and
+//! without it.
 //!
 //! # What it does not do
 //!
-//! It adds nothing to these crates. No motion before or after the impact, no rest positions, no rollover, no occupant loads.
+//! It adds nothing to these crates. No motion before or after the impact, no rest positions, no rollover, no
+//! occupant loads.
 
 pub use {
     analysis, case, crash3, drawing, inputs, pim_core, real, reconcile, report, uncertainty, validation,

@@ -1,4 +1,4 @@
-//! The handedness of the axes that a case stands in.
+//! The handedness of the axes of a case.
 
 use pim_core::Real;
 
@@ -7,8 +7,8 @@ use crate::words::word;
 /// The axes of the scene and of the vehicles in it, seen from above. The engine computes in
 /// [`ZUp`](Self::ZUp).
 ///
-/// Each is the mirror image of the other: a number that counts across the vehicle or the scene, or turns, has
-/// the other sign. Those are angles but for PDOF and α, yaw rates, y components, components along t, moments,
+/// Each is the mirror image of the other: a lateral or rotational number changes its sign. Such numbers are
+/// angles except PDOF and α, yaw rates, y components, components along t, moments,
 /// and the ratio μ = P_t/P_n. Lengths, energies, normal components, restitution and friction are the same in
 /// both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -30,8 +30,7 @@ impl Axes {
         word(&Self::WORDS, &self)
     }
 
-    /// From the number that stands in these axes for something that counts across or turns to that of the
-    /// engine, or back.
+    /// Converts a lateral or rotational number from these axes to those of the engine, or back.
     #[inline(always)]
     #[must_use]
     pub fn lateral<T: Real>(self, value: T) -> T {

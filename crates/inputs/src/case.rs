@@ -19,11 +19,11 @@ use crate::words::{ENERGY_BASES, UNKNOWNS};
 /// writes it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Case<T = f64> {
-    /// A line to put over the report.
+    /// The title, which heads every report.
     pub title: Option<String>,
     /// Where the data come from.
     pub source: Option<String>,
-    /// `axes` of `[scene]`: those in which all numbers of this case stand.
+    /// `axes` of `[scene]`: the axes in which all numbers of this case are given.
     pub axes: Axes,
     /// `[vehicle1]` and `[vehicle2]`.
     pub vehicles: [GivenVehicle<T>; 2],
@@ -34,12 +34,12 @@ pub struct Case<T = f64> {
     /// Which of the numbers are not known exactly, in the order of [`inputs`](Case::inputs). The numbers
     /// themselves are the central values.
     pub ranges: Vec<Range>,
-    /// Which words it leaves to their defaults.
+    /// Which optional words the case leaves out.
     pub left_out: LeftOut,
 }
 
-/// Which words a case leaves to their defaults. Its values are then these defaults, so that no number depends
-/// on this: it is for telling what is assumed. None is left out of a table that is not there.
+/// Which optional words a case leaves out. The case then holds their defaults, so no result depends on these
+/// flags: they only serve to report what is assumed. A flag is false if the whole table is absent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LeftOut {
     /// `scene.axes`.
@@ -52,7 +52,7 @@ pub struct LeftOut {
     pub fit: [bool; 2],
 }
 
-/// What is looked for.
+/// Which speed to find.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reconstruct {
     /// The unknown.
@@ -71,14 +71,14 @@ impl<T: Real> Case<T> {
 }
 
 impl Case {
-    /// The same case with other numbers in the place of its own, which `replace` is given in the order of
-    /// [`inputs`](Self::inputs). They are certain: no [`ranges`](Case::ranges) are taken over.
+    /// Returns the case with its numbers replaced. `replace` receives them in the order of
+    /// [`inputs`](Self::inputs). The new numbers are certain: the [`ranges`](Case::ranges) are dropped.
     pub fn map<U>(&self, mut replace: impl FnMut(Input) -> U) -> Case<U> {
         self.walk(&mut |path, number, unit| replace(Input { path: path.to_string(), number, unit }), None)
     }
 
-    /// The same case with other numbers, given in the order of [`inputs`](Self::inputs) beside those that
-    /// they replace. No path is made for any, so that this is quick.
+    /// Like [`map`](Self::map), but without building the path of each number, which makes it fast. The
+    /// numbers come in the order of [`inputs`](Self::inputs).
     pub fn map_numbers<U>(&self, mut replace: impl FnMut(f64) -> U) -> Case<U> {
         self.walk(&mut |_, number, _| replace(number), None)
     }
@@ -91,8 +91,8 @@ impl Case {
         inputs
     }
 
-    /// Everything that the case says, number or not, each under its path. What it [leaves
-    /// out](Self::left_out) is not among it.
+    /// Every value of the case, number or not, each under its path. Values that it [leaves
+    /// out](Self::left_out) are not listed.
     #[must_use]
     pub fn values(&self) -> Vec<(String, Value)> {
         let values = RefCell::new(Vec::new());
@@ -129,7 +129,7 @@ impl Case {
         }
     }
 
-    /// The custom in which most of the case's quantities are written; SI where they tie.
+    /// The unit system in which most of the case's quantities are written; SI if there are as many of each.
     #[must_use]
     pub fn unit_system(&self) -> UnitSystem {
         let (mut si, mut us) = (0_usize, 0_usize);

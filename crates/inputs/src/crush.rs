@@ -16,27 +16,27 @@ use crate::words::{OBLIQUE_CORRECTIONS, SIDES};
 pub struct Crush<T = f64> {
     /// The damaged side.
     pub side: Side,
-    /// The vehicle could not be inspected: its crush follows from the force that the other vehicle's crush
-    /// shows. It has no depths then.
+    /// The vehicle could not be inspected, so its crush is inferred from the force on the other vehicle. It
+    /// then has no depths.
     pub from_force_balance: bool,
-    /// (m) of the whole damage; absent where the spacing gives it, or where it is not known of an inferred
+    /// (m) width of the whole damage; absent if the spacing gives it, or if it is unknown for an inferred
     /// crush.
     pub width: Option<Quantity<T>>,
-    /// (m) at two stations or more: left to right on front and rear, rear to front on the sides. Empty where
-    /// the crush is inferred.
+    /// (m) depths at two or more stations: left to right on front and rear, rear to front on the sides. Empty
+    /// if the crush is inferred.
     pub depths: Vec<Quantity<T>>,
-    /// (m) between neighbouring stations, one fewer than depths; equal spacing where absent.
+    /// (m) widths between neighbouring stations, one fewer than there are depths; equal if absent.
     pub spacing: Option<Vec<Quantity<T>>>,
     /// The stiffness of that side.
     pub stiffness: StiffnessForm<T>,
-    /// (m) of the middle of the damage: along the vehicle's y from its axis on front and rear, forward of the
-    /// CG on the sides.
+    /// (m) offset of the middle of the damage: along the vehicle's y from its axis on front and rear, forward
+    /// of the CG on the sides.
     pub offset: Option<Quantity<T>>,
     /// Principal direction of force, clockwise from the heading in any axes: replaces the derived one.
     pub pdof: Option<Pdof<T>>,
-    /// (rad) between the force and the normal of the damaged side: replaces the derived one.
+    /// (rad) angle between the force and the normal of the damaged side; replaces the derived one.
     pub oblique_angle: Option<Quantity<T>>,
-    /// (m) from the centre of gravity to the line of action: replaces the derived one.
+    /// (m) distance from the centre of gravity to the line of action; replaces the derived one.
     pub moment_arm: Option<Quantity<T>>,
     /// How the energy is corrected for an oblique force; absent means [`ObliqueCorrection::Capped`].
     pub oblique: Option<ObliqueCorrection<T>>,
@@ -47,7 +47,7 @@ pub struct Crush<T = f64> {
 pub enum Pdof<T = f64> {
     /// (rad) clockwise from the heading.
     Angle(Quantity<T>),
-    /// The hour of a clock, 1 to 12, on which the vehicle points to 12.
+    /// The clock hour, 1 to 12; 12 is straight ahead.
     Clock(u8),
 }
 
@@ -72,7 +72,7 @@ pub enum StiffnessForm<T = f64> {
     Category(u8),
     /// Key `test`: fitted to a barrier test.
     Test(GivenTest<T>),
-    /// Key `zones`: coefficients of their own for each interval between two stations.
+    /// Key `zones`: separate coefficients for each interval between two stations.
     Zones(Vec<StiffnessLine<T>>),
 }
 
@@ -116,14 +116,14 @@ pub struct GivenTest<T = f64> {
     pub depths: Vec<Quantity<T>>,
     /// (m/s) at which no crush would have remained.
     pub no_damage_speed: Quantity<T>,
-    /// How the line is put through the test.
+    /// How the line is fitted to the test.
     pub fit: Fit,
 }
 
 /// How a stiffness is fitted to a barrier test.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Fit {
-    /// Gives the test's kinetic energy back.
+    /// Reproduces the kinetic energy of the test.
     #[default]
     Exact,
     /// Through the mean crush: the common shortcut, which over-predicts.
@@ -139,7 +139,7 @@ impl<T: Real> StiffnessForm<T> {
     /// The stiffness of the damaged side, in SI units.
     ///
     /// # Errors
-    /// What no structure, no table and no test can have.
+    /// If the coefficients, the category or the test are impossible.
     pub fn structure(&self, side: Side) -> Result<SideStiffness<T>, CrushError> {
         match self {
             Self::Line(line) => line.stiffness().map(SideStiffness::Uniform),
@@ -156,7 +156,7 @@ impl<T: Real> StiffnessLine<T> {
     /// The stiffness, in SI units.
     ///
     /// # Errors
-    /// What no structure can have.
+    /// If the coefficients are impossible.
     #[inline(always)]
     pub fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
         let (rising, limit) = match self {
@@ -175,7 +175,7 @@ impl<T: Real> GivenTest<T> {
     /// The test, in SI units.
     ///
     /// # Errors
-    /// What no barrier test can have.
+    /// If the numbers of the test are impossible.
     pub fn test(&self) -> Result<crash3::BarrierTest<T>, CrushError> {
         let depths = self.depths.iter().map(Quantity::si).collect();
         let profile = Profile::equally_spaced(depths, self.width.si())?;
@@ -185,7 +185,7 @@ impl<T: Real> GivenTest<T> {
     /// The stiffness that is fitted to the test, in SI units.
     ///
     /// # Errors
-    /// What no test can have.
+    /// If the numbers of the test are impossible.
     pub fn stiffness(&self) -> Result<Stiffness<T>, CrushError> {
         let test = self.test()?;
         match self.fit {

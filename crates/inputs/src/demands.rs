@@ -1,4 +1,4 @@
-//! From a case to the types of the engines: what each purpose demands of it.
+//! Turns a case into the types of the engines, and reports what each purpose needs and does not find.
 
 use std::fmt::{self, Display};
 
@@ -30,11 +30,11 @@ pub struct Collision<T = f64> {
     pub law: VaryingLaw<T>,
     /// Motions before impact. A vehicle whose speed is sought is at rest here but for its yaw rate.
     pub motions: [Motion<T>; 2],
-    /// What is known of each vehicle.
+    /// The data of each vehicle.
     pub vehicles: [VehicleData<T>; 2],
 }
 
-/// One vehicle, as far as the case has it.
+/// The data of one vehicle, as far as the case gives them.
 #[derive(Clone, Debug)]
 pub struct VehicleData<T = f64> {
     /// Mass and yaw inertia, or `None` for a fixed object.
@@ -54,7 +54,7 @@ pub struct InertiaData<T = f64> {
     pub mass: T,
     /// (kg·m²) yaw inertia.
     pub yaw_inertia: T,
-    /// Where that comes from.
+    /// Where the yaw inertia comes from.
     pub yaw_source: YawSource,
 }
 
@@ -72,13 +72,13 @@ pub enum YawSource {
 /// The body seen from above.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dimensions<T = f64> {
-    /// (m) of the body.
+    /// (m) length of the body.
     pub length: T,
-    /// (m) of the body.
+    /// (m) width of the body.
     pub width: T,
     /// (m) from the CG forward to the front of the body.
     pub cg_to_front: T,
-    /// CRASH3's size class, where the case gives that and not the dimensions.
+    /// CRASH3's size class, if the dimensions come from it.
     pub class: Option<u8>,
 }
 
@@ -103,25 +103,25 @@ impl<T: Real> Dimensions<T> {
     }
 }
 
-/// DamageData, and what the case says of the force that made it.
+/// The damage, and what the case says about the force that caused it.
 #[derive(Clone, Debug)]
 pub struct DamageData<T = f64> {
     /// The damaged side.
     pub side: Side,
-    /// What the crush is known from.
+    /// How the crush is known.
     pub evidence: Evidence<T>,
     /// Where its stiffness comes from.
     pub stiffness_source: StiffnessSource,
     /// The damaged face and the place of the damage on it, where the dimensions of the vehicle are known.
     pub face: Option<DamagedFace<T>>,
-    /// (m) of the middle of the damage, left of the axis on front and rear, forward of the CG on the sides;
-    /// where the case does not say, it is taken to lie on the axis or beside the CG.
+    /// (m) offset of the middle of the damage: to the left of the axis on front and rear, forward of the CG
+    /// on the sides. `None` if the case does not give it; it is then taken as zero.
     pub offset: Option<T>,
     /// How oblique forces are corrected.
     pub correction: ObliqueCorrection<T>,
-    /// (rad) PDOF: as given, or opposite to the one that the case gives for the other vehicle.
+    /// (rad) PDOF: as given, or opposite to the PDOF given for the other vehicle.
     pub pdof: Option<T>,
-    /// Whether it is that of the other vehicle, by Newton's third law.
+    /// Whether the PDOF was derived from that of the other vehicle, by Newton's third law.
     pub pdof_follows: bool,
     /// (rad) α as given.
     pub oblique_angle: Option<T>,
@@ -129,7 +129,7 @@ pub struct DamageData<T = f64> {
     pub moment_arm: Option<T>,
 }
 
-/// What a crush is known from.
+/// How a crush is known.
 #[derive(Clone, Debug)]
 pub enum Evidence<T = f64> {
     /// It was measured.
@@ -151,7 +151,7 @@ pub enum Evidence<T = f64> {
 /// The width of a damage that was not measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum InferredWidth<T = f64> {
-    /// (m) known all the same, from photographs for example.
+    /// (m) width known from another source, for example from photographs.
     Given(T),
     /// Not known: only the vehicle's dimensions bound it.
     Bounded {
@@ -177,45 +177,45 @@ pub enum StiffnessSource {
     Zones,
 }
 
-/// What a reconstruction works on.
+/// The input of a reconstruction.
 #[derive(Clone, Debug)]
 pub struct ReconstructionInput<T = f64> {
-    /// The collision, of which one speed is unknown.
+    /// The collision, in which one speed is unknown.
     pub collision: Collision<T>,
-    /// Which one.
+    /// The unknown speed.
     pub unknown: Unknown,
     /// The energy basis.
     pub basis: EnergyBasis,
-    /// (m/s) the speed that the case gives for the unknown all the same.
+    /// (m/s) the speed that the case gives for the unknown anyway; it is not used.
     pub given_speed: Option<T>,
 }
 
-/// What a calculation of the impact works on.
+/// The input of an impact calculation.
 #[derive(Clone, Debug)]
 pub struct ImpactInput<T = f64> {
-    /// The collision, of which all is known.
+    /// The collision, in which both speeds are known.
     pub collision: Collision<T>,
-    /// The energy basis, for CRASH3 beside it.
+    /// The energy basis, for the CRASH3 result.
     pub basis: EnergyBasis,
 }
 
-/// What an analysis of the damage alone works on.
+/// The input of a CRASH3 analysis from the damage alone.
 #[derive(Clone, Debug)]
 pub struct CrushOnly<T = f64> {
-    /// Both vehicles; the damage of each that is not fixed has a PDOF, or both an oblique angle and a moment
+    /// Both vehicles. The damage of each one that can move has a PDOF, or both an oblique angle and a moment
     /// arm.
     pub vehicles: [VehicleData<T>; 2],
     /// The energy basis.
     pub basis: EnergyBasis,
-    /// e, if the case has one that does not depend on the closing speed; 0 under Woolley's law.
+    /// e, if it does not depend on the closing speed; 0 for Woolley's law.
     pub restitution: Option<T>,
 }
 
 impl<T: Real> Case<T> {
-    /// All that a reconstruction needs.
+    /// Everything that a reconstruction needs.
     ///
     /// # Errors
-    /// Everything that is missing or does not fit together, each with its key.
+    /// Every value that is missing or contradicts another, each with its key.
     pub fn reconstruction(&self) -> Result<ReconstructionInput<T>, Faults> {
         let mut demand = Demand::new(self, Purpose::Reconstruct);
         let unknown = demand.unknown();
@@ -241,10 +241,10 @@ impl<T: Real> Case<T> {
         demand.finish(input)
     }
 
-    /// All that a calculation of the impact needs.
+    /// Everything that an impact calculation needs.
     ///
     /// # Errors
-    /// Everything that is missing or does not fit together, each with its key.
+    /// Every value that is missing or contradicts another, each with its key.
     pub fn collision(&self) -> Result<ImpactInput<T>, Faults> {
         let mut demand = Demand::new(self, Purpose::Impact);
         let collision = demand.collision(|_| true);
@@ -257,10 +257,10 @@ impl<T: Real> Case<T> {
 }
 
 impl Case {
-    /// All that an analysis of the damage alone needs.
+    /// Everything that an analysis of the damage alone needs.
     ///
     /// # Errors
-    /// Everything that is missing or does not fit together, each with its key.
+    /// Every value that is missing or contradicts another, each with its key.
     pub fn damage(&self) -> Result<CrushOnly, Faults> {
         let mut demand = Demand::new(self, Purpose::Crush);
         let vehicles = VehicleId::ALL.map(|id| demand.subject(id));
@@ -286,11 +286,11 @@ impl Case {
         }))
     }
 
-    /// What is known of each vehicle, whatever a purpose would need besides: `None` of one for which
-    /// something is missing. Where one PDOF and both headings are given, the other PDOF follows.
+    /// The data of each vehicle, regardless of what a purpose would need; `None` for a vehicle whose data are
+    /// incomplete. If one PDOF and both headings are given, the other PDOF follows.
     #[must_use]
     pub fn subjects(&self) -> [Option<VehicleData>; 2] {
-        // What is missing for it is not told, so that any purpose will do.
+        // The faults are dropped, so any purpose will do.
         let mut demand = Demand::new(self, Purpose::Crush);
         let mut subjects = VehicleId::ALL.map(|id| demand.subject(id));
         fill_opposite_pdof(self.headings(), subjects.each_mut().map(Option::as_mut));
@@ -298,8 +298,7 @@ impl Case {
     }
 }
 
-/// What the vehicles of a case and the speed that it looks for say against each other, whatever the case is
-/// for.
+/// Contradictions between the vehicles of a case and the speed to find, which no purpose allows.
 #[must_use]
 pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Unknown>) -> Vec<Fault> {
     let mut faults = Vec::new();
@@ -326,8 +325,8 @@ pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Unknown>)
     if VehicleId::ALL.into_iter().all(inferred) {
         contradiction(
             "vehicle2.crush.from_force_balance",
-            "both vehicles take their crush from the force balance, so nothing was measured".to_owned(),
-            "give width and depths of the vehicle that was inspected, and remove its from_force_balance"
+            "both vehicles take their crush from the force balance, so neither crush was measured".to_owned(),
+            "give the width and depths of the inspected vehicle, and remove its from_force_balance"
                 .to_owned(),
         );
     } else if let Some(id) =
@@ -374,8 +373,8 @@ fn table(id: VehicleId) -> &'static str {
     }
 }
 
-/// A key in the crush table of a vehicle, spelled only where something is wrong with it: a case is turned
-/// into the types of the engine a million times where its numbers are uncertain.
+/// A key in the crush table of a vehicle, formatted only if it has a fault, because an uncertain case is
+/// turned into the types of the engine a million times.
 struct InCrush(VehicleId, &'static str);
 
 impl Display for InCrush {
@@ -384,7 +383,7 @@ impl Display for InCrush {
     }
 }
 
-/// Collects what a purpose needs, and everything that stands in its way.
+/// Collects what a purpose needs, and every fault that prevents it.
 struct Demand<'a, T> {
     case: &'a Case<T>,
     purpose: Purpose,
@@ -397,7 +396,7 @@ impl<'a, T: Real> Demand<'a, T> {
         Self { case, purpose, faults: contradictions(&case.vehicles, find) }
     }
 
-    /// `example` is what to give, with the lines that set it.
+    /// Reports a missing key; `example` says what to give, with the lines that set it.
     fn missing(&mut self, key: impl Display, example: &str) {
         self.faults.push(Fault {
             key: key.to_string(),
@@ -409,8 +408,8 @@ impl<'a, T: Real> Demand<'a, T> {
     fn missing_crush(&mut self, id: VehicleId) {
         let other = self.case.vehicles[id.other().index()].crush.as_ref();
         let inferred = if other.is_some_and(|crush| !crush.from_force_balance) {
-            "; of a vehicle that could not be inspected, side, stiffness and `from_force_balance = true` are enough: its crush then follows \
-             from the force on the other"
+            "; for a vehicle that could not be inspected, give side, stiffness and `from_force_balance = true`: its crush then follows from \
+             the force on the other vehicle"
         } else {
             ""
         };
@@ -439,14 +438,14 @@ impl<'a, T: Real> Demand<'a, T> {
 
     fn finish<V>(self, value: Option<V>) -> Result<V, Faults> {
         Faults::none_of(self.faults)?;
-        // Whatever is missing was told, so that a value is there.
+        // A missing value has been reported above, so there is one here.
         value.ok_or_else(|| {
             let reason = "the case cannot be analysed".to_owned();
             Fault { key: String::new(), kind: FaultKind::Refused { reason }, advice: None }.into()
         })
     }
 
-    /// The value in SI of what counts across or turns, in the axes of the engine.
+    /// The SI value of a lateral or rotational quantity, in the axes of the engine.
     fn lateral(&self, quantity: &Quantity<T>) -> T {
         self.case.axes.lateral(quantity.si())
     }
@@ -461,12 +460,12 @@ impl<'a, T: Real> Demand<'a, T> {
         if let Some(reconstruct) = &self.case.reconstruct {
             return Some(reconstruct.find);
         }
-        // A vehicle that moves, and whose speed is not given, is the one whose speed is looked for.
+        // A moving vehicle without a speed is the one whose speed is to be found.
         let is_open = self.case.vehicles.each_ref().map(|vehicle| !vehicle.fixed && vehicle.motion.is_none());
         let found = if is_open == [false, true] { "vehicle2.speed" } else { "vehicle1.speed" };
         self.missing(
             "reconstruct.find",
-            &format!("`find = \"{found}\"` in a table [reconstruct]: the speed to find"),
+            &format!("`find = \"{found}\"`, the speed to find, in a table [reconstruct]"),
         );
         if is_open == [true, true] {
             let advice = Some(format!("give one vehicle {SPEED_FORMS}"));
@@ -475,7 +474,7 @@ impl<'a, T: Real> Demand<'a, T> {
         None
     }
 
-    /// `needs_speed` of each vehicle.
+    /// The collision; `needs_speed` says whether a vehicle must have a speed.
     fn collision(&mut self, needs_speed: impl Fn(VehicleId) -> bool) -> Option<Collision<T>> {
         let vehicles = VehicleId::ALL.map(|id| self.subject(id));
         let inertias =
@@ -513,7 +512,7 @@ impl<'a, T: Real> Demand<'a, T> {
             .map(|known| (class, known))
     }
 
-    /// What the case gives goes before the class, and the class before Burg's estimate.
+    /// A given inertia takes precedence over the class, and the class over Burg's estimate.
     fn inertia(
         &mut self,
         id: VehicleId,
@@ -546,7 +545,7 @@ impl<'a, T: Real> Demand<'a, T> {
         }
         self.missing(
             format_args!("{table}.yaw_inertia"),
-            "`yaw_inertia = \"2437 lb ft s^2\"`, or the radius of gyration: `yaw_radius = \"1.40 m\"`; where neither is known, \
+            "`yaw_inertia = \"2437 lb ft s^2\"` or the radius of gyration, `yaw_radius = \"1.40 m\"`; if neither is known, give \
              CRASH3's size class, `class = 3`, or both `wheelbase` and `length`",
         );
         None
@@ -558,8 +557,8 @@ impl<'a, T: Real> Demand<'a, T> {
         let heading = self.case.headings()[id.index()];
         let contact = self.contact_point(vehicle);
         if vehicle.fixed {
-            // Heading and contact point of a fixed object are optional; they only help to orient the crush
-            // plane's normal.
+            // The heading and the contact point of a fixed object are optional: they only help to orient the
+            // normal of the crush plane.
             return match contact {
                 Some([forward, left]) => {
                     let placed = Participant::new(Body::fixed(), heading.unwrap_or(T::ZERO), forward, left);
@@ -670,7 +669,8 @@ impl<'a, T: Real> Demand<'a, T> {
             match structure? {
                 SideStiffness::Uniform(stiffness) => Evidence::ForceBalance { stiffness, width },
                 SideStiffness::Zones(_) => {
-                    let reason = "zones lie between stations, and a crush from the force balance has none";
+                    let reason =
+                        "zones lie between stations, but a crush from the force balance has no stations";
                     return self.accepted(path("stiffness.zones"), Err(reason));
                 }
             }
@@ -737,8 +737,8 @@ impl<'a, T: Real> Demand<'a, T> {
         let Some(dimensions) = dimensions else {
             self.missing(
                 format_args!("{}.crush.width", table(id)),
-                "the width of the damage, which is not to be had from the force; or `length`, `width` and `cg_to_front` of the \
-                 vehicle or its `class`, which bound it",
+                "the width of the damage, which the force does not determine; or, to bound it, the vehicle's `length`, `width` and \
+                 `cg_to_front`, or its `class`",
             );
             return None;
         };
@@ -748,7 +748,7 @@ impl<'a, T: Real> Demand<'a, T> {
         })
     }
 
-    /// Whether the case gives the PDOF of a vehicle, or that of the other and both headings.
+    /// Whether the case gives the PDOF of a vehicle, or the other vehicle's PDOF and both headings.
     fn has_pdof(&self, id: VehicleId) -> bool {
         let given = |id: VehicleId| {
             self.case.vehicles[id.index()].crush.as_ref().is_some_and(|crush: &Crush<T>| crush.pdof.is_some())
@@ -766,8 +766,8 @@ impl<'a, T: Real> Demand<'a, T> {
             if !has_angle && !self.has_pdof(id) {
                 self.missing(
                     format_args!("{}.crush.pdof", table(id)),
-                    "the direction from which the force came, for the force balance: `pdof` of one vehicle, from which that of the other \
-                     follows, or `oblique_angle` of both",
+                    "the direction of the force, which the force balance needs: `pdof` of one vehicle, from which the other's follows, or \
+                     `oblique_angle` of both",
                 );
             }
         }
@@ -784,13 +784,13 @@ impl<'a, T: Real> Demand<'a, T> {
             self.missing(
                 format_args!("{table}.crush.pdof"),
                 "the direction from which the force came, clockwise from the heading: `pdof = \"2.7 deg\"` or `pdof = \"2 o'clock\"`; the \
-                 other vehicle's will do if both have a `heading`; or else `oblique_angle` and `moment_arm`",
+                 other vehicle's `pdof` is enough if both have a `heading`; or give both `oblique_angle` and `moment_arm`",
             );
         } else if crush.moment_arm.is_none() && vehicle.contact.is_none() && !has_dimensions(vehicle) {
             self.missing(
                 format_args!("{table}.crush.moment_arm"),
-                "the distance of the force's line of action from the CG: `moment_arm = \"2.1 ft\"`, or else the vehicle's `contact` point; or, \
-                 for a force through the centroid of the damage, `length`, `width` and `cg_to_front` or `class`",
+                "the distance of the force's line of action from the CG: `moment_arm = \"2.1 ft\"`, or the vehicle's `contact` point; or, if \
+                 the force acts through the centroid of the damage, `length`, `width` and `cg_to_front`, or `class`",
             );
         }
     }

@@ -5,11 +5,11 @@ use std::fmt;
 
 use crate::purpose::Purpose;
 
-/// One thing that a case lacks, or that it has and no vehicle can have.
+/// One key that a case lacks, or whose value is impossible.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// Path of the key or the table, such as `vehicle1.crush.width`; empty where the case as a whole is
-    /// meant.
+    /// Path of the key or the table, such as `vehicle1.crush.width`; empty for the case as
+    /// a whole.
     pub key: String,
     /// What is wrong with it.
     pub kind: FaultKind,
@@ -23,7 +23,7 @@ pub struct Fault {
 pub enum FaultKind {
     /// It is missing.
     Missing {
-        /// What for.
+        /// The purpose that needs it.
         needed_for: Purpose,
     },
     /// The speeds of both vehicles are missing, and no more than one can be found.
@@ -38,8 +38,8 @@ pub enum FaultKind {
 }
 
 impl Fault {
-    /// What is wrong, in one sentence. `name` is what the reader calls a purpose: the command of a program,
-    /// say.
+    /// What is wrong, in one sentence. `name` gives the reader's name of a purpose, for example the command
+    /// of a program.
     #[must_use]
     pub fn message(&self, name: impl Fn(Purpose) -> String) -> String {
         match &self.kind {
@@ -47,12 +47,12 @@ impl Fault {
                 format!("`{}` is missing: {} needs it", self.key, name(*needed_for))
             }
             FaultKind::NoSpeed => format!(
-                "`vehicle1.speed` and `vehicle2.speed` are missing: {} needs one of the two, and finds the other",
+                "`vehicle1.speed` and `vehicle2.speed` are missing: {} needs one of them and finds the other",
                 name(Purpose::Reconstruct)
             ),
             FaultKind::Refused { reason } => reason.clone(),
             FaultKind::NothingUncertain => {
-                "no number of this case is a range, so that nothing is uncertain".to_owned()
+                "no number of this case is a range, so nothing is uncertain".to_owned()
             }
         }
     }
@@ -68,14 +68,14 @@ impl fmt::Display for Fault {
     }
 }
 
-/// Everything that keeps a case from a purpose: one fault at least.
+/// All faults that prevent an analysis: at least one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Faults {
     list: Vec<Fault>,
 }
 
 impl Faults {
-    /// Ends a round of checks.
+    /// Turns the faults of a check into a result.
     ///
     /// # Errors
     ///

@@ -15,7 +15,7 @@ pub struct GivenImpact<T = f64> {
     pub law: ImpactLaw<T>,
 }
 
-/// The impact law that `law` names; [`pim_core::Law`] has their conditions and what each assumes.
+/// The impact law that `law` names; [`pim_core::Law`] describes the condition and the assumptions of each.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ImpactLaw<T = f64> {
     /// `law = "brach"`, or no `law`.
@@ -51,7 +51,7 @@ pub enum ImpactLaw<T = f64> {
 /// An impact law without its coefficients.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LawName {
-    /// Brach's, which holds where none is named.
+    /// Brach's law, the default.
     #[default]
     Brach,
     /// Woolley's.
@@ -78,21 +78,21 @@ impl LawName {
     }
 }
 
-/// What happens along the crush plane under Brach's law; the other laws have conditions of their own.
+/// What happens along the crush plane under Brach's law. The other laws set their own conditions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BrachTangential<T = f64> {
     /// Sliding ends by separation: the critical impulse ratio.
     Critical,
     /// (–) the impulse ratio μ = P_t/P_n, with its sign.
     Ratio(T),
-    /// (–) this share of the critical impulse ratio, 0 to 1.
+    /// (–) the fraction of the critical impulse ratio, 0 to 1.
     FractionOfCritical(T),
     /// (–) friction that ends the sliding, or limits the impulse where it cannot; zero or more.
     Friction(T),
 }
 
 impl BrachTangential {
-    /// Those that have no number, each under its word.
+    /// The word of each condition that has no number.
     pub const WORDS: [(&str, Self); 1] = [("critical", Self::Critical)];
 }
 
@@ -125,7 +125,7 @@ impl<T: Copy> ImpactLaw<T> {
         self.law().name()
     }
 
-    /// `restitution`; `None` under Woolley's law, which has no such key: there e = 0.
+    /// `restitution`; `None` for Woolley's law, which has no such key because e = 0.
     #[must_use]
     pub fn restitution(&self) -> Option<&Restitution<T>> {
         match self {
@@ -136,7 +136,7 @@ impl<T: Copy> ImpactLaw<T> {
         }
     }
 
-    /// (–) the friction limit, under a law that has one.
+    /// (–) the friction limit, if the law has one.
     #[must_use]
     pub fn friction(&self) -> Option<T> {
         match self {
@@ -150,7 +150,7 @@ impl<T: Copy> ImpactLaw<T> {
 /// How a coefficient of restitution is given.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Restitution<T = f64> {
-    /// (–) the same at every closing speed, 0 to 1.
+    /// (–) one value for every closing speed, 0 to 1.
     Constant(T),
     /// Keys `speeds`, `values`: linear between the points, constant outside of them.
     OfClosingSpeed {

@@ -11,26 +11,26 @@
 //! let mass = case.vehicles[0].mass.as_ref().map(Mass::kg);
 //! assert!(mass.is_some_and(|kg| (kg - 1676.48).abs() < 0.01)); // 3696 × 0.453 592 37
 //!
-//! // What a purpose lacks is told by the keys of the case.
+//! // A fault names the key that is missing for a purpose.
 //! let faults = case.damage().unwrap_err();
 //! assert!(faults.list().iter().any(|fault| fault.key == "vehicle1.crush"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! The types: a [`Case`] holds two [`GivenVehicle`]s and a [`GivenImpact`]. Its numbers are [`Quantity`]s,
-//! which stay in the unit in which they were given, because what is said of them speaks of that unit;
+//! which keep the unit in which they were given, because reports and errors quote them in that unit;
 //! [`Quantity::si`] is where a unit is converted. [`Case::inputs`] lists the numbers, each under its key, and
-//! [`Case::values`] all else with them; [`Case::map`] puts other numbers in their places. A [`Range`] says
-//! how far one may be off.
+//! [`Case::values`] lists every value; [`Case::map`] replaces the numbers. A [`Range`] says how far a number
+//! may be off.
 //!
 //! [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into the types of the
-//! engines, for three [`Purpose`]s. What is missing, or refused by an engine, is a [`Fault`] of a key; a
-//! crate that knows where the keys stand in a text can place it there.
+//! engines, for three [`Purpose`]s. A value that is missing, or that an engine refuses, is a [`Fault`] of its
+//! key; a crate that knows where the keys are in a text can show it there.
 //!
 //! # What it does not do
 //!
-//! No text and no file: the crate `case` reads and writes those. No equations but the conversions of units,
-//! and no arithmetic with units.
+//! It reads and writes no files; the crate `case` does. It has no equations except unit conversions, and no
+//! arithmetic with units.
 //!
 //! # References
 //!

@@ -1,11 +1,11 @@
-//! What a case is for.
+//! The purposes of a case: which analysis it is used for.
 
 use std::fmt;
 
 /// What can be done with a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Purpose {
-    /// Finds the speed at which the impact takes the crush energy.
+    /// Finds the speed at which the impact dissipates exactly the crush energy.
     Reconstruct,
     /// Solves the impact, both speeds given.
     Impact,
@@ -15,7 +15,7 @@ pub enum Purpose {
     Uncertainty,
     /// Puts the answers of all laws side by side.
     Compare,
-    /// Derives the answer by each estimate.
+    /// Shows how sensitive the answer is to each input.
     Sensitivity,
     /// Draws the answer.
     Draw,

@@ -102,7 +102,7 @@ pub enum InvalidQuantity {
         value: String,
     },
     /// Beyond [`Dimension::bound`].
-    #[error("\"{value}\" is beyond what is plausible for {}", unit.dimension())]
+    #[error("\"{value}\" is implausibly large for {}", unit.dimension())]
     OutOfBounds {
         /// Number and unit.
         value: String,

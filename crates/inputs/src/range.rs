@@ -1,18 +1,18 @@
-//! What a case says of a number that is not known exactly.
+//! Ranges: numbers that are not known exactly.
 
 use std::fmt;
 
 use crate::quantity::format_number;
 use crate::units::Unit;
 
-/// An uncertain number of a case: one of [`Case::inputs`](crate::Case::inputs), and what is known of it.
+/// An uncertain number of a case: one of [`Case::inputs`](crate::Case::inputs), and its uncertainty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Range {
     /// Path of the number, as [`Input::path`](crate::Input::path).
     pub path: String,
-    /// What the case says of it.
+    /// How far it may be off.
     pub spread: Spread,
-    /// Where physics ends it.
+    /// Its physical bounds.
     pub bounds: Bounds,
 }
 
@@ -38,8 +38,8 @@ pub enum Spread {
         /// Greatest value.
         high: Amount,
     },
-    /// `{ value, within, confidence }`: normally distributed, and closer to the central value than a share of
-    /// it with this probability.
+    /// `{ value, within, confidence }`: normally distributed; with the probability `confidence`, it lies
+    /// within this percentage of the central value.
     Within {
         /// (%) of the central value, greater than zero.
         percent: f64,
@@ -48,7 +48,7 @@ pub enum Spread {
     },
 }
 
-/// A number with the unit in which it was written; none where it has none.
+/// A number and the unit in which it was written, if it has one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Amount {
     /// The number as written.
@@ -58,7 +58,7 @@ pub struct Amount {
 }
 
 impl Amount {
-    /// The number in another unit of the same dimension: as written, where that is its own.
+    /// The number in another unit of the same dimension; unchanged if the unit is its own.
     #[must_use]
     pub fn in_unit(&self, unit: Option<&'static Unit>) -> f64 {
         match (self.unit, unit) {
@@ -75,8 +75,8 @@ impl fmt::Display for Amount {
     }
 }
 
-/// Where physics ends a quantity: no sample lies beyond. A normal distribution is cut there; the ends of the
-/// others lie within.
+/// The physical bounds of a quantity. No sample lies beyond them: a normal distribution is truncated there,
+/// and the ends of the other distributions must lie within.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bounds {
     /// Nowhere.
@@ -91,12 +91,12 @@ pub enum Bounds {
     BelowOne,
     /// From −1 to 1.
     Coefficient,
-    /// Between a right angle to either side.
+    /// Less than a right angle to either side.
     Acute,
 }
 
 impl Bounds {
-    /// The least and the greatest value, in the given unit; infinite where there is none.
+    /// The least and the greatest value in the given unit; infinite if there is no bound.
     #[must_use]
     pub fn interval(self, unit: Option<&'static Unit>) -> [f64; 2] {
         let least = |unit: &Unit| unit.dimension().least_positive() / unit.factor();

@@ -1,4 +1,4 @@
-//! Units: what a number can be measured in, and what that is in SI.
+//! Units of measurement and their factors to SI.
 //!
 //! There is no unit algebra: every unit is a row of an explicit table, with its exact factor.
 
@@ -83,14 +83,14 @@ impl Dimension {
         self.unit_of_si().spelling()
     }
 
-    /// The same as a row of the table: each dimension has one whose factor is 1.
+    /// That SI unit as a row of the table: each dimension has one row whose factor is 1.
     pub(crate) fn unit_of_si(self) -> &'static Unit {
         let units = self.units();
         units.iter().find(|unit| unit.factor == 1.0).unwrap_or(&units[0])
     }
 
     /// (SI) the largest magnitude a case may give. Far beyond any vehicle, and small enough that no
-    /// equation downstream can overflow: what exceeds it is a slip of the keyboard.
+    /// equation downstream can overflow: a number beyond it is a typing error.
     #[must_use]
     pub fn bound(self) -> f64 {
         match self {
@@ -107,8 +107,8 @@ impl Dimension {
         }
     }
 
-    /// (SI) the smallest value accepted where a quantity has to be positive: below it a division downstream
-    /// could overflow, and no vehicle has it.
+    /// (SI) the smallest value accepted for a quantity that must be positive: below it a division downstream
+    /// could overflow, and no vehicle has such a value.
     #[must_use]
     pub fn least_positive(self) -> f64 {
         match self {
@@ -128,7 +128,7 @@ impl Dimension {
         table::units(self)
     }
 
-    /// The unit of this spelling, exactly as one of [`Unit::spellings`] has it.
+    /// The unit with this spelling, which must be exactly one of [`Unit::spellings`].
     #[must_use]
     pub fn unit(self, spelling: &str) -> Option<&'static Unit> {
         self.units().iter().find(|unit| unit.spellings().any(|known| known == spelling))
@@ -141,7 +141,7 @@ impl fmt::Display for Dimension {
     }
 }
 
-/// The two customs of units a case may be written in.
+/// The two unit systems in which a case may be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnitSystem {
     /// Metric.
@@ -179,7 +179,7 @@ impl Unit {
         self.factor
     }
 
-    /// The custom this unit belongs to; `None` for what both use, such as degrees.
+    /// The system this unit belongs to; `None` for a unit that both use, such as degrees.
     #[must_use]
     pub fn system(&self) -> Option<UnitSystem> {
         self.system

@@ -9,8 +9,8 @@ use crate::inertia::{Mass, YawInertia};
 use crate::quantity::Quantity;
 use crate::walk::{Key, Walk};
 
-/// A vehicle or, with [`fixed`](GivenVehicle::fixed), a barrier. What a computation needs beyond what is
-/// given is for that computation to demand.
+/// A vehicle or, with [`fixed`](GivenVehicle::fixed), a barrier. Every value is optional here; each
+/// computation reports the values that it needs and does not find.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GivenVehicle<T = f64> {
     /// Make and model.
@@ -21,11 +21,11 @@ pub struct GivenVehicle<T = f64> {
     pub mass: Option<Mass<T>>,
     /// `yaw_inertia` or `yaw_radius`.
     pub yaw: Option<YawInertia<T>>,
-    /// CRASH3's size class, 1 to 6: stands in for yaw inertia and outline where they are not given.
+    /// CRASH3's size class, 1 to 6: supplies the yaw inertia and the outline if they are not given.
     pub class: Option<u8>,
-    /// (m) between the axles: with the length, for the yaw inertia where neither that nor a class is given.
+    /// (m) wheelbase: with the length, it gives the yaw inertia if neither that nor a class is given.
     pub wheelbase: Option<Quantity<T>>,
-    /// (m) of the body, where it is known without the rest of the outline.
+    /// (m) length of the body, if the rest of the outline is unknown.
     pub length: Option<Quantity<T>>,
     /// (rad) scene angle of the vehicle's forward axis, in the sense of the axes.
     pub heading: Option<Quantity<T>>,

@@ -1,4 +1,4 @@
-//! The way through a case: every value under its path, and another number in the place of each.
+//! Walks through a case: visits every value with its path, and can replace each number.
 
 use std::fmt::{self, Display};
 
@@ -25,7 +25,7 @@ impl Input {
         self.number * self.factor()
     }
 
-    /// One of its unit in SI.
+    /// What one of its unit is in SI.
     #[must_use]
     pub fn factor(&self) -> f64 {
         self.unit.map_or(1.0, Unit::factor)
@@ -52,19 +52,19 @@ pub enum Value {
     Hour(u8),
 }
 
-/// Told the path, the number and its unit; gives what stands in the place of the number.
+/// Receives the path, the number and its unit; returns the replacement of the number.
 pub(crate) type Replace<'a, U> = dyn FnMut(&dyn Display, f64, Option<&'static Unit>) -> U + 'a;
-/// Told the path and what stands there that is no number.
+/// Receives the path and a value that is not a number.
 pub(crate) type Others<'a> = dyn FnMut(&dyn Display, Value) + 'a;
 
-/// Visits the values of a case, table by table, each of which has its way beside its fields.
+/// Visits the values of a case, table by table. Each table implements its part next to its fields.
 pub(crate) struct Walk<'a, U> {
     replace: &'a mut Replace<'a, U>,
-    /// None where only the numbers are of interest.
+    /// `None` if only the numbers are of interest.
     others: Option<&'a mut Others<'a>>,
 }
 
-/// The path of a key in a table, spelled only when asked for.
+/// The path of a key in a table, formatted only on demand.
 pub(crate) struct Key<'a>(pub(crate) &'a dyn Display, pub(crate) &'a str);
 
 impl Display for Key<'_> {
@@ -145,7 +145,7 @@ impl<'a, U> Walk<'a, U> {
         choice
     }
 
-    /// The same, where the default may be left out.
+    /// A choice whose default may be left out.
     pub(crate) fn default<T: PartialEq + Copy + Default>(
         &mut self,
         path: &dyn Display,

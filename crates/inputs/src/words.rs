@@ -1,5 +1,5 @@
-//! The words that stand for choices: one table for each, for whoever reads, writes or lists them. Enums of
-//! this crate have theirs as `WORDS`.
+//! The words of each choice, in one table that readers, writers and lists share. Enums of this crate have
+//! theirs as `WORDS`.
 
 use crash3::{EnergyBasis, ObliqueCorrection, Side};
 use reconcile::Unknown;
@@ -8,7 +8,7 @@ use reconcile::Unknown;
 pub const SIDES: [(&str, Side); 4] =
     [("front", Side::Front), ("rear", Side::Rear), ("left", Side::Left), ("right", Side::Right)];
 
-/// `crush.oblique`, but for the limit by friction, which has a number.
+/// `crush.oblique`, except the limit by friction, which has a number.
 pub const OBLIQUE_CORRECTIONS: [(&str, ObliqueCorrection); 4] = [
     ("capped", ObliqueCorrection::Capped),
     ("uncapped", ObliqueCorrection::Uncapped),
@@ -36,7 +36,7 @@ pub const fn words_of<T, const N: usize>(table: &[(&'static str, T); N]) -> [&'s
     words
 }
 
-/// The word of a choice; empty for one that its table does not have, such as a condition that has a number.
+/// The word of a choice; empty if the table does not have it, as for a condition that has a number.
 ///
 /// ```
 /// use crash3::Side;

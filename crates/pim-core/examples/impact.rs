@@ -1,4 +1,5 @@
-//! The impact of the paper's example, forward: both speeds are known; what do velocities, yaw rates and energy become?
+//! The impact of the paper's example, forward: both speeds are known; what do velocities, yaw rates and
+//! energy become?
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 
@@ -6,7 +7,8 @@ use std::error::Error;
 
 use pim_core::{Body, Contact, Law, Motion, Participant, Tangential};
 
-/// Whether a number is the printed one, to half of its last digit and what the rounded data of the paper bring.
+/// Whether a number is the printed one, to half of its last digit and what the rounded data of the paper
+/// bring.
 fn printed(ours: f64, paper: f64, half_a_digit: f64) -> bool {
     (ours - paper).abs() <= 1.5 * half_a_digit
 }

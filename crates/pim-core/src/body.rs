@@ -152,7 +152,8 @@ pub struct Participant<T = f64> {
 }
 
 impl<T: Real> Participant<T> {
-    /// A body with heading θ (rad) whose contact point lies at (`forward`, `left`) (m) of its CG, in its own axes.
+    /// A body with heading θ (rad) whose contact point lies at (`forward`, `left`) (m) of its CG, in its own
+    /// axes.
     ///
     /// # Errors
     /// Where a number is not finite.
@@ -184,7 +185,8 @@ impl<T: Real> Participant<T> {
         error::finite("left distance to the contact point", left.value())
     }
 
-    /// The same with the contact point in polar form: `distance` d (m) from the CG, at `angle` φ (rad) from the heading θ.
+    /// The same with the contact point in polar form: `distance` d (m) from the CG, at `angle` φ (rad) from
+    /// the heading θ.
     ///
     /// # Errors
     /// Where a number is not finite.
@@ -195,8 +197,8 @@ impl<T: Real> Participant<T> {
         Self::new(body, heading, distance * cos, distance * sin)
     }
 
-    /// A barrier of which nothing is known but that it stands there. The crush plane's normal is then oriented by
-    /// the other body's arm alone.
+    /// A barrier of which nothing is known but that it stands there. The crush plane's normal is then
+    /// oriented by the other body's arm alone.
     #[inline(always)]
     #[must_use]
     pub fn barrier() -> Self {

@@ -8,7 +8,8 @@ use real::Real;
 use crate::body::{Body, Motion, Participant};
 use crate::error::{self, InvalidInput};
 
-/// Below this share of the distance between the CGs, rounding decides on which side of the crush plane they lie.
+/// Below this share of the distance between the CGs, rounding decides on which side of the crush plane they
+/// lie.
 const NORMAL_RESOLUTION: f64 = 1e-12;
 
 /// A vector at C in the axes of the crush plane: along its normal n and along t, which is n turned by +90°.
@@ -40,8 +41,8 @@ impl<T: Real> NormalTangential<T> {
     }
 }
 
-/// The contact inverse-mass matrix K in n–t axes: U = u + K P. Symmetric and positive definite. A moment impulse at C adds a third
-/// row and column.
+/// The contact inverse-mass matrix K in n–t axes: U = u + K P. Symmetric and positive definite. A moment
+/// impulse at C adds a third row and column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct InverseMass<T = f64> {
@@ -51,7 +52,8 @@ pub struct InverseMass<T = f64> {
     pub nt: T,
     /// (1/kg) k_tt.
     pub tt: T,
-    /// (1/(kg·m)) k_nm: normal velocity at C for a unit moment impulse, and relative yaw rate for a unit normal impulse.
+    /// (1/(kg·m)) k_nm: normal velocity at C for a unit moment impulse, and relative yaw rate for a unit
+    /// normal impulse.
     pub nm: T,
     /// (1/(kg·m)) k_tm: the same for the tangential direction.
     pub tm: T,
@@ -125,7 +127,8 @@ impl<T: Real> InverseMass<T> {
     }
 }
 
-/// The geometry of a collision: two participants, the crush plane between them, and what follows from these alone.
+/// The geometry of a collision: two participants, the crush plane between them, and what follows from these
+/// alone.
 ///
 /// The same contact serves every velocity and every impact law.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,8 +144,9 @@ pub struct Contact<T = f64> {
 }
 
 impl<T: Real> Contact<T> {
-    /// Two participants that meet at C on a crush plane whose normal has the scene angle Γ = `crush_plane` (rad).
-    /// Γ and Γ + π describe the same plane: n is oriented from vehicle 2 towards vehicle 1, n·(r_2 − r_1) > 0.
+    /// Two participants that meet at C on a crush plane whose normal has the scene angle Γ = `crush_plane`
+    /// (rad). Γ and Γ + π describe the same plane: n is oriented from vehicle 2 towards vehicle 1, n·(r_2 −
+    /// r_1) > 0.
     ///
     /// # Errors
     /// Where Γ is not finite, both bodies are fixed, or the normal cannot be oriented.
@@ -241,9 +245,9 @@ impl<T: Real> Contact<T> {
         self.inverse_mass
     }
 
-    /// Whether the crush plane through C lies between the two CGs: n·r_1 < 0 < n·r_2. Where it does not, one of the
-    /// vehicles would be pushed through the plane: the geometry deserves a second look. A barrier has no CG that
-    /// could be on the wrong side.
+    /// Whether the crush plane through C lies between the two CGs: n·r_1 < 0 < n·r_2. Where it does not, one
+    /// of the vehicles would be pushed through the plane: the geometry deserves a second look. A barrier has
+    /// no CG that could be on the wrong side.
     #[must_use]
     pub fn separates_centres(&self) -> bool {
         let [p1, p2] = &self.participants;
@@ -268,7 +272,8 @@ impl<T: Real> Contact<T> {
         }
     }
 
-    /// The motion of both bodies after vehicle 1 took `impulse` (N·s) at C and `moment` (N·m·s), and vehicle 2 their opposites.
+    /// The motion of both bodies after vehicle 1 took `impulse` (N·s) at C and `moment` (N·m·s), and vehicle
+    /// 2 their opposites.
     #[inline(always)]
     pub(crate) fn after(
         &self,

@@ -103,8 +103,8 @@ pub enum ImpactError {
         /// (1/kg) its off-diagonal entry.
         k_nt: f64,
     },
-    /// The tangential condition, such as a common tangential velocity at C, would need P_n ≤ 0: the vehicles would have to
-    /// pull at each other.
+    /// The tangential condition, such as a common tangential velocity at C, would need P_n ≤ 0: the vehicles
+    /// would have to pull at each other.
     #[error(
         "the tangential condition would require the vehicles to pull on each other (P_n = \
          {normal_impulse:.6} N·s), because they slide too fast for this geometry; check the contact points \

@@ -9,8 +9,9 @@ use crate::error::{self, ImpactError, InvalidInput};
 use crate::law::{Law, LawImpulse, Regime, Solution};
 use crate::vehicle_id::VehicleId;
 
-/// E_L below zero by more than this share of what the impulses exchange, |P|·(|u| + |U|) in each direction and the moment's likewise, is energy created; less is
-/// rounding. The works themselves are no measure: with e = 1 and no friction they are nothing but rounding.
+/// E_L below zero by more than this share of what the impulses exchange, |P|·(|u| + |U|) in each direction
+/// and the moment's likewise, is energy created; less is rounding. The works themselves are no measure: with
+/// e = 1 and no friction they are nothing but rounding.
 const ENERGY_ROUNDING: f64 = 1e-12;
 
 /// Everything that an impact does.
@@ -35,8 +36,8 @@ pub struct Outcome<T = f64> {
     pub regime: Option<Regime>,
     /// μ = P_t/P_n.
     pub impulse_ratio: T,
-    /// μ_c: the ratio at which the final tangential velocity at C is zero. `None` where the sliding is so fast that
-    /// no push, however rough the surfaces, could end it.
+    /// μ_c: the ratio at which the final tangential velocity at C is zero. `None` where the sliding is so
+    /// fast that no push, however rough the surfaces, could end it.
     pub critical_impulse_ratio: Option<T>,
     /// (m/s) u: velocity of vehicle 1 relative to vehicle 2 at C before impact.
     pub approach: NormalTangential<T>,
@@ -71,8 +72,8 @@ impl<T: Real> Outcome<T> {
         [pdof(f1, self.impulse_vector), pdof(f2, -self.impulse_vector)]
     }
 
-    /// (m/s) ΔV of both vehicles along their own forward axes and to their left: longitudinal and lateral, as recorders store them. The sign of the
-    /// lateral one turns with the axes.
+    /// (m/s) ΔV of both vehicles along their own forward axes and to their left: longitudinal and lateral, as
+    /// recorders store them. The sign of the lateral one turns with the axes.
     #[inline(always)]
     #[must_use]
     pub fn delta_v_components(&self) -> [[T; 2]; 2] {
@@ -103,9 +104,9 @@ impl<T: Real> Outcome<T> {
     }
 }
 
-/// (rad) principal direction of the force that gives a vehicle `impulse` (N·s, scene frame), for the unit vector `forward` of its forward
-/// axis: the direction *from which* the force comes, clockwise positive from the heading, in (−π, π]. 0 is struck squarely
-/// in front, π/2 from the right.
+/// (rad) principal direction of the force that gives a vehicle `impulse` (N·s, scene frame), for the unit
+/// vector `forward` of its forward axis: the direction *from which* the force comes, clockwise positive from
+/// the heading, in (−π, π]. 0 is struck squarely in front, π/2 from the right.
 #[inline(always)]
 #[must_use]
 pub fn pdof<T: Real>(forward: Vector2<T>, impulse: Vector2<T>) -> T {
@@ -122,7 +123,8 @@ fn ahead_and_left<T: Real>(forward: Vector2<T>, vector: Vector2<T>) -> [T; 2] {
     [vector.x * forward.x + vector.y * forward.y, vector.y * forward.x - vector.x * forward.y]
 }
 
-/// (J) the energy balance of an impact: `before` − `after` = `loss` = `normal_work` + `tangential_work` + `moment_work`.
+/// (J) the energy balance of an impact: `before` − `after` = `loss` = `normal_work` + `tangential_work` +
+/// `moment_work`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -143,8 +145,8 @@ pub struct Energy<T = f64> {
 
 /// (J) W_n: the energy that the normal impulse takes out of the vehicles.
 ///
-/// By Kelvin's theorem an impulse does work equal to itself times the mean of the velocities, before and after, of its
-/// point of application (SAE 980025, Eq 4).
+/// By Kelvin's theorem an impulse does work equal to itself times the mean of the velocities, before and
+/// after, of its point of application (SAE 980025, Eq 4).
 #[inline(always)]
 #[must_use]
 pub fn normal_work<T: Real>(
@@ -201,8 +203,8 @@ impl<T: Real> Contact<T> {
     /// What the collision does to both vehicles under `law`, given their motions before it.
     ///
     /// # Errors
-    /// [`ImpactError`]: the vehicles do not approach, the contact jams, they would have to pull at each other, the
-    /// coefficients create energy, or a motion is not one that the body can have.
+    /// [`ImpactError`]: the vehicles do not approach, the contact jams, they would have to pull at each
+    /// other, the coefficients create energy, or a motion is not one that the body can have.
     pub fn impact(&self, motions: [Motion<T>; 2], law: &Law<T>) -> Result<Outcome<T>, ImpactError> {
         self.check(&motions)?;
         match self.impact_with_validity(motions, law) {

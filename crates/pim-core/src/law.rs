@@ -1,4 +1,5 @@
-//! Impact laws: each is one normal and one tangential condition on the impulse, with an optional third on the yaw rates.
+//! Impact laws: each is one normal and one tangential condition on the impulse, with an optional third on the
+//! yaw rates.
 
 use real::Real;
 
@@ -18,8 +19,8 @@ pub enum Tangential<T = f64> {
     Ratio(T),
     /// P_t = f μ_c P_n with 0 ≤ f ≤ 1; f = 0 is without friction, whether or not a push gives μ_c.
     FractionOfCritical(T),
-    /// Coulomb friction: U_t = 0 while friction of at most this coefficient (≥ 0) can hold the surfaces together, else
-    /// they still slide and |P_t| has the limit's size.
+    /// Coulomb friction: U_t = 0 while friction of at most this coefficient (≥ 0) can hold the surfaces
+    /// together, else they still slide and |P_t| has the limit's size.
     ///
     /// The impulse is continuous in limit and velocities: at the border both regimes have the same ratio
     /// P_t/P_n, and with it the normal condition has one answer. A moment impulse other than e_m = 0 makes it
@@ -29,8 +30,8 @@ pub enum Tangential<T = f64> {
     VelocityChange(T),
     /// U_t = −e_t u_t with −1 ≤ e_t ≤ 1.
     Restitution(T),
-    /// U_t = −e u_t with the normal coefficient e, while friction of at most this coefficient (≥ 0) can do that, else they slide as
-    /// under [`Friction`](Self::Friction).
+    /// U_t = −e u_t with the normal coefficient e, while friction of at most this coefficient (≥ 0) can do
+    /// that, else they slide as under [`Friction`](Self::Friction).
     ///
     /// The impulse jumps where the push along the normal turns the sliding round by itself, to less than e
     /// |u_t|: reversing it all the way then takes a P_t of one sign, and friction against the sliding has the
@@ -63,8 +64,9 @@ pub enum Regime {
 /// | Kudlich–Slibar | [`Law::kudlich_slibar`] | U_n = −ε u_n | U_t = −ε u_t, or \|P_t\| = μ P_n | general purpose, as simulation programs use it | one coefficient for both directions while friction suffices |
 ///
 /// # References
-/// Brach & Brach, SAE 980025, "Summary of planar impact mechanics", which names the others: Woolley (SAE 870046 and 1987), Ishikawa (1985, 1994),
-/// Steffan & Moser (1996, after Kudlich and Slibar). The moment impulse: Brach, *Mechanical Impact Dynamics* (1991).
+/// Brach & Brach, SAE 980025, "Summary of planar impact mechanics", which names the others: Woolley (SAE
+/// 870046 and 1987), Ishikawa (1985, 1994), Steffan & Moser (1996, after Kudlich and Slibar). The moment
+/// impulse: Brach, *Mechanical Impact Dynamics* (1991).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law<T = f64> {
     pub(crate) restitution: T,
@@ -73,12 +75,12 @@ pub struct Law<T = f64> {
 }
 
 impl<T: Real> Law<T> {
-    /// The law with coefficient of restitution e and the given tangential condition. With one of the first four conditions it is
-    /// Brach's.
+    /// The law with coefficient of restitution e and the given tangential condition. With one of the first
+    /// four conditions it is Brach's.
     ///
     /// # Errors
-    /// Where e or a fraction lies outside [0, 1], a tangential restitution outside [−1, 1], a friction limit is negative, or a number is not
-    /// finite.
+    /// Where e or a fraction lies outside [0, 1], a tangential restitution outside [−1, 1], a friction limit
+    /// is negative, or a number is not finite.
     #[inline(always)]
     pub fn new(restitution: T, tangential: Tangential<T>) -> Result<Self, InvalidInput> {
         let law = Self { restitution, tangential, moment_restitution: -T::ONE };
@@ -120,7 +122,8 @@ impl<T: Real> Law<T> {
         Self { restitution: T::ZERO, tangential: Tangential::Critical, moment_restitution: -T::ONE }
     }
 
-    /// Woolley for sideswipes: a common normal velocity, and a given change U_t − u_t (m/s) of the tangential one.
+    /// Woolley for sideswipes: a common normal velocity, and a given change U_t − u_t (m/s) of the tangential
+    /// one.
     ///
     /// # Errors
     /// Where the change is not finite.
@@ -136,7 +139,8 @@ impl<T: Real> Law<T> {
         Self::new(restitution, Tangential::Restitution(tangential_restitution))
     }
 
-    /// Kudlich–Slibar, as Steffan & Moser use it: one coefficient of restitution for both directions while the friction limit allows it.
+    /// Kudlich–Slibar, as Steffan & Moser use it: one coefficient of restitution for both directions while
+    /// the friction limit allows it.
     ///
     /// # Errors
     /// Where ε lies outside [0, 1] or the friction limit is negative.
@@ -144,8 +148,8 @@ impl<T: Real> Law<T> {
         Self::new(restitution, Tangential::FullOrSliding(friction))
     }
 
-    /// The same law with a moment impulse M = (1 + e_m) M_c at C, where M_c is the one that gives a common yaw rate: e_m = −1 is none, e_m = 0 a
-    /// common yaw rate.
+    /// The same law with a moment impulse M = (1 + e_m) M_c at C, where M_c is the one that gives a common
+    /// yaw rate: e_m = −1 is none, e_m = 0 a common yaw rate.
     ///
     /// Under a friction limit M, and with it P and the motion after impact, jump where sticking turns into
     /// sliding. M_c is found under the condition of each regime, U_t = 0 or P_t = ±μ P_n, and these agree at
@@ -193,7 +197,8 @@ impl<T: Real> Law<T> {
         self.moment_restitution != -T::ONE
     }
 
-    /// Whether the impulse is affine in the velocities before impact: no limit switches, and the condition on it is linear.
+    /// Whether the impulse is affine in the velocities before impact: no limit switches, and the condition on
+    /// it is linear.
     #[inline(always)]
     #[must_use]
     pub fn is_affine(&self) -> bool {
@@ -208,8 +213,8 @@ impl<T: Real> Law<T> {
         }
     }
 
-    /// The law with the same coefficients of restitution, under which the condition that a friction limit can prevent is always met; for a
-    /// fraction of μ_c, the one that gives μ_c.
+    /// The law with the same coefficients of restitution, under which the condition that a friction limit can
+    /// prevent is always met; for a fraction of μ_c, the one that gives μ_c.
     #[inline(always)]
     #[must_use]
     pub fn without_limit(&self) -> Self {
@@ -228,8 +233,9 @@ impl<T: Real> Law<T> {
         Self { tangential: Tangential::Ratio(mu), ..*self }
     }
 
-    /// The impulse on vehicle 1 that satisfies the conditions, whether or not it is one that a collision can have:
-    /// [`Contact::impact`](crate::Contact::impact) judges that. A search for a speed needs the impulse on both sides of that border.
+    /// The impulse on vehicle 1 that satisfies the conditions, whether or not it is one that a collision can
+    /// have: [`Contact::impact`](crate::Contact::impact) judges that. A search for a speed needs the impulse
+    /// on both sides of that border.
     #[inline(always)]
     #[must_use]
     pub fn impulse(&self, k: &InverseMass<T>, approach: Approach<T>) -> LawImpulse<T> {
@@ -334,8 +340,8 @@ pub struct LawImpulse<T = f64> {
     pub regime: Option<Regime>,
 }
 
-/// The impulse of a law, and beside it the one that the same law asks for to give a common tangential velocity, up to a positive factor: its ratio
-/// is μ_c, if it is a push.
+/// The impulse of a law, and beside it the one that the same law asks for to give a common tangential
+/// velocity, up to a positive factor: its ratio is μ_c, if it is a push.
 pub(crate) struct Solution<T> {
     pub(crate) impulse: LawImpulse<T>,
     pub(crate) critical: NormalTangential<T>,
@@ -394,7 +400,8 @@ impl<T: Real> Conditions<'_, T> {
         -((self.restitution + 1.0) * self.approach.velocity.normal)
     }
 
-    /// Adds the moment impulse to an impulse P₀ that meets the conditions without one; per unit of moment, `correction` keeps them.
+    /// Adds the moment impulse to an impulse P₀ that meets the conditions without one; per unit of moment,
+    /// `correction` keeps them.
     #[inline(always)]
     fn with_moment(
         &self,
@@ -423,9 +430,9 @@ impl<T: Real> Conditions<'_, T> {
 
     /// The `full` impulse if friction of at most `limit` can bring it about, else that of sliding.
     ///
-    /// The usual rule for the direction of sliding, the sign of μ_c, holds only where μ_c is reached by a push. Beyond, μ_c has
-    /// jumped through infinity to the other sign, and the rule would let friction drive the sliding. The direction is
-    /// against the U_t that there would be without friction.
+    /// The usual rule for the direction of sliding, the sign of μ_c, holds only where μ_c is reached by a
+    /// push. Beyond, μ_c has jumped through infinity to the other sign, and the rule would let friction drive
+    /// the sliding. The direction is against the U_t that there would be without friction.
     #[inline(always)]
     fn limited(&self, full: LawImpulse<T>, limit: T) -> LawImpulse<T> {
         let p = full.linear;

@@ -17,9 +17,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The types: a [`Body`] in its place is a [`Participant`]; two of them and a crush plane make a [`Contact`]; the contact, two
-//! [`Motion`]s and a [`Law`] give an [`Outcome`]. Each number may be any [`Real`]; plain `f64` is
-//! the default. A [`VehicleId`] names one of the two.
+//! The types: a [`Body`] in its place is a [`Participant`]; two of them and a crush plane make a [`Contact`];
+//! the contact, two [`Motion`]s and a [`Law`] give an [`Outcome`]. Each number may be any [`Real`]; plain
+//! `f64` is the default. A [`VehicleId`] names one of the two.
 //!
 //! # Frames and signs
 //!
@@ -56,8 +56,9 @@
 //!
 //! # Which impact law?
 //!
-//! [`Law`] has the table: each row's two conditions, its source, when it fits, and what it assumes of the tangential direction. Where restitution depends on
-//! the closing speed, a [`RestitutionCurve`] makes the law a [`VaryingLaw`].
+//! [`Law`] has the table: each row's two conditions, its source, when it fits, and what it assumes of the
+//! tangential direction. Where restitution depends on the closing speed, a [`RestitutionCurve`] makes the law
+//! a [`VaryingLaw`].
 //!
 //! `examples/impact.rs` is the paper's impact forward, `examples/laws.rs` one geometry under several laws.
 //!
@@ -70,14 +71,15 @@
 //!
 //! # What it does not do
 //!
-//! No crush (see `crash3`), no search for an unknown speed (see `reconcile`), no motion before or after the impact,
-//! no units other than SI, no third dimension: roll, pitch and suspension forces are outside of planar impact mechanics.
+//! No crush (see `crash3`), no search for an unknown speed (see `reconcile`), no motion before or after the
+//! impact, no units other than SI, no third dimension: roll, pitch and suspension forces are outside of
+//! planar impact mechanics.
 //!
 //! # References
 //!
-//! R. M. Brach and R. M. Brach, *Crush Energy and Planar Impact Mechanics for Accident Reconstruction*, SAE 980025 (1998),
-//! called *the paper*. Its printed equations have misprints; what stands here was derived afresh, and departures from
-//! print are marked `ERRATUM`.
+//! R. M. Brach and R. M. Brach, *Crush Energy and Planar Impact Mechanics for Accident Reconstruction*, SAE
+//! 980025 (1998), called *the paper*. Its printed equations have misprints; what stands here was derived
+//! afresh, and departures from print are marked `ERRATUM`.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

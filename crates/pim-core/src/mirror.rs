@@ -1,8 +1,10 @@
-//! The same collision in a mirror along x: what it is in axes of the other handedness, with y to the right and clockwise positive.
+//! The same collision in a mirror along x: what it is in axes of the other handedness, with y to the right
+//! and clockwise positive.
 //!
-//! The equations hold in both. y and t components, angles, yaw rates and moments change their signs, and with them the impulse ratio;
-//! x and n components, energies and all coefficients that are shares of something do not. Only a PDOF is clockwise in any axes, so that
-//! [`Outcome::pdof`] of a mirrored outcome is minus that of the outcome itself.
+//! The equations hold in both. y and t components, angles, yaw rates and moments change their signs, and with
+//! them the impulse ratio; x and n components, energies and all coefficients that are shares of something do
+//! not. Only a PDOF is clockwise in any axes, so that [`Outcome::pdof`] of a mirrored outcome is minus that
+//! of the outcome itself.
 
 use nalgebra::Vector2;
 use real::Real;

@@ -7,9 +7,11 @@ use real::Real;
 use crate::error::{self, InvalidInput};
 use crate::law::Law;
 
-/// The coefficient of restitution as a function of the closing speed −u_n: linear between the points, constant outside.
+/// The coefficient of restitution as a function of the closing speed −u_n: linear between the points,
+/// constant outside.
 ///
-/// Restitution falls with closing speed, so a reconstruction in which the speed is not known cannot know it beforehand.
+/// Restitution falls with closing speed, so a reconstruction in which the speed is not known cannot know it
+/// beforehand.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RestitutionCurve<T = f64> {
     /// (closing speed in m/s, e), by ascending speed.
@@ -20,7 +22,8 @@ impl<T: Real> RestitutionCurve<T> {
     /// Through points (closing speed in m/s, coefficient of restitution).
     ///
     /// # Errors
-    /// Where there is no point, the speeds do not ascend from zero or more, or a coefficient lies outside [0, 1].
+    /// Where there is no point, the speeds do not ascend from zero or more, or a coefficient lies outside [0,
+    /// 1].
     pub fn new(points: Vec<(T, T)>) -> Result<Self, InvalidInput> {
         if points.is_empty() {
             return Err(InvalidInput::NoPoints);

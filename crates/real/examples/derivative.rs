@@ -1,4 +1,5 @@
-//! The exact derivative of a formula by one of its inputs: write it once over `Real`, evaluate it on a `Dual`.
+//! The exact derivative of a formula by one of its inputs: write it once over `Real`, evaluate it on a
+//! `Dual`.
 //!
 //! How much does the EES of the paper's GMC Jimmy move with its crush energy?
 

@@ -5,8 +5,8 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use crate::Real;
 
-/// A value and its derivative with respect to one input: an equation over [`Real`] evaluated on it is differentiated exactly, by the rules of
-/// calculus and not by differences.
+/// A value and its derivative with respect to one input: an equation over [`Real`] evaluated on it is
+/// differentiated exactly, by the rules of calculus and not by differences.
 ///
 /// ```
 /// use real::{Dual, Real};

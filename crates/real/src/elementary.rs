@@ -1,30 +1,32 @@
 //! Sine, cosine, arctangent, logarithm and exponential of `f64`, with the same bits everywhere.
 //!
-//! Made of + − × ÷, comparisons, selects and bit operations only: no table, no branch, no fused multiplication, no call. A plain loop over
-//! an array is therefore vectorised, and each lane has the bits of a call alone.
+//! Made of + − × ÷, comparisons, selects and bit operations only: no table, no branch, no fused
+//! multiplication, no call. A plain loop over an array is therefore vectorised, and each lane has the bits of
+//! a call alone.
 //!
 //! # References
 //!
-//! Sun Microsystems, *fdlibm* 5.3 (1993): minimax coefficients of `k_sin.c`, `k_cos.c`, `s_atan.c`, `e_log.c` and `e_exp.c`, parts of
-//! π/2 of `e_rem_pio2.c`.
-//! W. J. Cody and W. Waite, *Software Manual for the Elementary Functions* (1980): reduction by parts of π/2.
-//! T. J. Dekker, *A floating-point technique for extending the available precision*, Numer. Math. 18 (1971): splitting, exact
-//! products and sums.
-//! S. M. Rump, T. Ogita and S. Oishi, *Accurate floating-point summation, part I*, SIAM J. Sci. Comput. 31 (2008): when such sums are
-//! exact.
+//! Sun Microsystems, *fdlibm* 5.3 (1993): minimax coefficients of `k_sin.c`, `k_cos.c`, `s_atan.c`, `e_log.c`
+//! and `e_exp.c`, parts of π/2 of `e_rem_pio2.c`. W. J. Cody and W. Waite, *Software Manual for the
+//! Elementary Functions* (1980): reduction by parts of π/2. T. J. Dekker, *A floating-point technique for
+//! extending the available precision*, Numer. Math. 18 (1971): splitting, exact products and sums. S. M.
+//! Rump, T. Ogita and S. Oishi, *Accurate floating-point summation, part I*, SIAM J. Sci. Comput. 31 (2008):
+//! when such sums are exact.
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, LOG2_E, SQRT_2};
 
-/// (rad) the greatest angle, of either sign, that [`sin_cos`] takes: 2²⁰·π/2, about 1.6 million radians or 262 144 turns.
+/// (rad) the greatest angle, of either sign, that [`sin_cos`] takes: 2²⁰·π/2, about 1.6 million radians or
+/// 262 144 turns.
 ///
 /// Up to here the multiples of the parts of π/2 are exact.
 pub const SIN_COS_LIMIT: f64 = 1_048_576.0 * FRAC_PI_2;
 
-/// 1.5·2⁵²: the spacing of `f64` is 1 from here on, so adding it rounds to an integer, which then stands in the lowest bits.
+/// 1.5·2⁵²: the spacing of `f64` is 1 from here on, so adding it rounds to an integer, which then stands in
+/// the lowest bits.
 const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
-// π/2 in four parts (fdlibm `e_rem_pio2.c`). The first three end in 22, 21 and 25 zero bits, so their products with integers up to 2²⁰ are
-// exact. Their sum is π/2 to 2⁻¹⁰³, and with the fourth to 2⁻¹⁵⁶.
+// π/2 in four parts (fdlibm `e_rem_pio2.c`). The first three end in 22, 21 and 25 zero bits, so their
+// products with integers up to 2²⁰ are exact. Their sum is π/2 to 2⁻¹⁰³, and with the fourth to 2⁻¹⁵⁶.
 const FRAC_PI_2_A: f64 = f64::from_bits(0x3FF9_21FB_5440_0000);
 const FRAC_PI_2_B: f64 = f64::from_bits(0x3DD0_B461_1A60_0000);
 const FRAC_PI_2_C: f64 = f64::from_bits(0x3BA3_198A_2E00_0000);
@@ -65,7 +67,8 @@ const FRAC_PI_4_TAIL: f64 = f64::from_bits(0x3C81_A626_3314_5C07);
 /// Ratio from which [`atan2`] measures from the diagonal: where the polynomial ends.
 const FOLD: f64 = 0.4375;
 
-// [`atan2`] scales its arguments, by a power of two and so exactly, where a sum could overflow or a product of low bits underflow.
+// [`atan2`] scales its arguments, by a power of two and so exactly, where a sum could overflow or a product
+// of low bits underflow.
 const TWO_TO_1000: f64 = f64::from_bits(0x7E70_0000_0000_0000);
 const TWO_TO_200: f64 = f64::from_bits(0x4C70_0000_0000_0000);
 const TWO_TO_MINUS_100: f64 = f64::from_bits(0x39B0_0000_0000_0000);
@@ -74,7 +77,8 @@ const TWO_TO_MINUS_800: f64 = f64::from_bits(0x0DF0_0000_0000_0000);
 /// 2⁻³⁰: below it atan t = t to a tenth of an ulp.
 const TWO_TO_MINUS_30: f64 = f64::from_bits(0x3E10_0000_0000_0000);
 
-// ln 2 in two parts (fdlibm `e_log.c`). The first ends in 21 zero bits, so its products with exponents are exact.
+// ln 2 in two parts (fdlibm `e_log.c`). The first ends in 21 zero bits, so its products with exponents are
+// exact.
 const LN_2_A: f64 = f64::from_bits(0x3FE6_2E42_FEE0_0000);
 const LN_2_B: f64 = f64::from_bits(0x3DEA_39EF_3579_3C76);
 
@@ -94,7 +98,8 @@ const P3: f64 = f64::from_bits(0x3F11_566A_AF25_DE2C);
 const P4: f64 = f64::from_bits(0xBEBB_BD41_C5D2_6BF1);
 const P5: f64 = f64::from_bits(0x3E66_3769_72BE_A4D0);
 
-/// Beyond ±[`EXP_LIMIT`] the exponential is infinite or zero: ln of the greatest `f64` is 709.8, of the half of the least −745.2.
+/// Beyond ±[`EXP_LIMIT`] the exponential is infinite or zero: ln of the greatest `f64` is 709.8, of the half
+/// of the least −745.2.
 const EXP_LIMIT: f64 = 746.0;
 
 /// 2⁵⁴: makes every subnormal number normal.
@@ -107,9 +112,9 @@ const SIGN_BIT: u64 = 1 << 63;
 
 /// Sine and cosine of an angle in radians.
 ///
-/// For |x| ≤ [`SIN_COS_LIMIT`] each is within 1 ulp of the exact value, next to the multiples of π/2 too; the greatest error found was
-/// below 0.8 ulp, near the odd multiples of π/4. Beyond the limit, and for infinities and NaN, both are NaN. sin(−x) = −sin x and
-/// cos(−x) = cos x to the bit; sin(−0) = −0.
+/// For |x| ≤ [`SIN_COS_LIMIT`] each is within 1 ulp of the exact value, next to the multiples of π/2 too; the
+/// greatest error found was below 0.8 ulp, near the odd multiples of π/4. Beyond the limit, and for
+/// infinities and NaN, both are NaN. sin(−x) = −sin x and cos(−x) = cos x to the bit; sin(−0) = −0.
 #[inline(always)]
 #[must_use]
 pub fn sin_cos(x: f64) -> (f64, f64) {
@@ -137,7 +142,8 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
 
 /// x − n·π/2 as a sum of two numbers, for 0 ≤ x ≤ [`SIN_COS_LIMIT`] and n the integer nearest to x·2/π.
 ///
-/// No `f64` in this range is nearer than 2⁻⁶¹ to a multiple of π/2; what is left there is still good to more than 53 bits.
+/// No `f64` in this range is nearer than 2⁻⁶¹ to a multiple of π/2; what is left there is still good to more
+/// than 53 bits.
 #[inline(always)]
 fn reduce(x: f64, n: f64) -> (f64, f64) {
     // Exact: the two are within a factor of two of each other.
@@ -181,9 +187,11 @@ fn cos_kernel(r: f64, r_tail: f64) -> f64 {
 
 /// Angle in radians, in [−π, π], of the vector `(x, y)`.
 ///
-/// Within 1 ulp of the exact value for all finite arguments, however great, small or unequal: nothing overflows on the way, and
-/// nothing is lost to underflow that the result can hold. The greatest error found was below 0.7 ulp, where the ratio is near 7/16. Zeros and infinities give what IEEE 754 and C ask of `atan2`, with
-/// their signs: atan2(±0, −0) = ±π, atan2(±∞, −∞) = ±3π/4. NaN in either gives NaN. atan2(−y, x) = −atan2(y, x) to the bit.
+/// Within 1 ulp of the exact value for all finite arguments, however great, small or unequal: nothing
+/// overflows on the way, and nothing is lost to underflow that the result can hold. The greatest error found
+/// was below 0.7 ulp, where the ratio is near 7/16. Zeros and infinities give what IEEE 754 and C ask of
+/// `atan2`, with their signs: atan2(±0, −0) = ±π, atan2(±∞, −∞) = ±3π/4. NaN in either gives NaN. atan2(−y,
+/// x) = −atan2(y, x) to the bit.
 #[inline(always)]
 #[must_use]
 pub fn atan2(y: f64, x: f64) -> f64 {
@@ -229,8 +237,8 @@ pub fn atan2(y: f64, x: f64) -> f64 {
 
 /// Natural logarithm.
 ///
-/// Within 1 ulp of the exact value for all positive finite arguments, subnormal ones too; the greatest error found was below
-/// 0.7 ulp. −∞ of either zero, NaN below zero and of NaN, +∞ of +∞.
+/// Within 1 ulp of the exact value for all positive finite arguments, subnormal ones too; the greatest error
+/// found was below 0.7 ulp. −∞ of either zero, NaN below zero and of NaN, +∞ of +∞.
 #[inline(always)]
 #[must_use]
 pub fn ln(x: f64) -> f64 {
@@ -265,8 +273,8 @@ pub fn ln(x: f64) -> f64 {
 
 /// eˣ.
 ///
-/// Within 1 ulp of the exact value for all arguments, also where it is subnormal; the greatest error found was below 0.95 ulp. Infinite
-/// above 709.78, zero below −745.13, NaN of NaN.
+/// Within 1 ulp of the exact value for all arguments, also where it is subnormal; the greatest error found
+/// was below 0.95 ulp. Infinite above 709.78, zero below −745.13, NaN of NaN.
 #[inline(always)]
 #[must_use]
 pub fn exp(x: f64) -> f64 {
@@ -285,8 +293,8 @@ pub fn exp(x: f64) -> f64 {
     let c = r - z * (P1 + z * (P2 + z * (P3 + z * (P4 + z * P5))));
     let power = 1.0 + (high - (low - r * c / (2.0 - c)));
 
-    // 2ᵏ in two factors, since it may be beyond the normal numbers where eˣ is not. Only the second product is rounded.
-    // 2ᵏ = 2ᵏ′·2ᵏ″, k′ = ⌊k/2⌋, k″ = k − k′
+    // 2ᵏ in two factors, since it may be beyond the normal numbers where eˣ is not. Only the second product
+    // is rounded. 2ᵏ = 2ᵏ′·2ᵏ″, k′ = ⌊k/2⌋, k″ = k − k′
     let halves = shifted.to_bits().wrapping_sub(TO_INTEGER.to_bits()).wrapping_add(2046);
     let first = f64::from_bits((halves >> 1) << 52);
     let second = f64::from_bits((halves - (halves >> 1)) << 52);
@@ -332,10 +340,11 @@ pub fn ceil(x: f64) -> f64 {
     if nearest < x { (nearest + 1.0).copysign(x) } else { nearest }
 }
 
-/// Two numbers with the ratio of `least` ≤ `most`, such that a sum of them is finite and a product with their ratio keeps its low bits.
+/// Two numbers with the ratio of `least` ≤ `most`, such that a sum of them is finite and a product with their
+/// ratio keeps its low bits.
 ///
-/// Two infinities count as equal, two zeros as 0/1. Where `most` is finite the scaling is exact, except where the ratio is below
-/// the smallest `f64` in any case.
+/// Two infinities count as equal, two zeros as 0/1. Where `most` is finite the scaling is exact, except where
+/// the ratio is below the smallest `f64` in any case.
 #[inline(always)]
 fn scale(least: f64, most: f64) -> (f64, f64) {
     let factor = if most > TWO_TO_1000 { TWO_TO_MINUS_100 } else { 1.0 };
@@ -347,7 +356,8 @@ fn scale(least: f64, most: f64) -> (f64, f64) {
 
 /// a + b as the rounded sum and what rounding lost (Dekker).
 ///
-/// Needs a to be a multiple of the last place of b (Rump, Ogita, Oishi), as it is for |a| ≥ |b| and for a = 0.
+/// Needs a to be a multiple of the last place of b (Rump, Ogita, Oishi), as it is for |a| ≥ |b| and for a =
+/// 0.
 #[inline(always)]
 fn exact_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;

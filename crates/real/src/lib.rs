@@ -1,5 +1,5 @@
-//! The number that an equation runs on: a formula written once over [`Real`] serves plain `f64`, loops that the compiler
-//! vectorises, and numbers that carry their derivatives.
+//! The number that an equation runs on: a formula written once over [`Real`] serves plain `f64`, loops that
+//! the compiler vectorises, and numbers that carry their derivatives.
 //!
 //! ```
 //! use real::Real;
@@ -32,16 +32,18 @@
 //!
 //! # Same bits everywhere
 //!
-//! The C library picks its sine by the CPU it finds, so the standard library's last digit changes from machine to machine.
-//! The functions here are made of + − × ÷, comparisons and bit operations, √ is rounded correctly by IEEE 754, and nothing is
-//! fused, so a result has the same bits on every CPU and in every build profile, alone or in a vectorised loop. Two things are
-//! outside of the promise: the sign and payload of a NaN, and 32-bit x86 without SSE2, whose registers hold more than an `f64`.
+//! The C library picks its sine by the CPU it finds, so the standard library's last digit changes from
+//! machine to machine. The functions here are made of + − × ÷, comparisons and bit operations, √ is rounded
+//! correctly by IEEE 754, and nothing is fused, so a result has the same bits on every CPU and in every build
+//! profile, alone or in a vectorised loop. Two things are outside of the promise: the sign and payload of a
+//! NaN, and 32-bit x86 without SSE2, whose registers hold more than an `f64`.
 //!
 //! # A trap
 //!
-//! On a plain `f64`, `x.sin_cos()` and `y.atan2(x)` are the *standard library's* methods, even where [`Real`] is in scope: inherent
-//! methods win, and so do `f64::min` and `f64::max`, which lose a NaN. Inside a function generic over `T: Real` the same
-//! spelling is ours. Where the type is `f64`, write `Real::sin_cos(x)` or [`elementary::sin_cos`]`(x)`.
+//! On a plain `f64`, `x.sin_cos()` and `y.atan2(x)` are the *standard library's* methods, even where [`Real`]
+//! is in scope: inherent methods win, and so do `f64::min` and `f64::max`, which lose a NaN. Inside a
+//! function generic over `T: Real` the same spelling is ours. Where the type is `f64`, write
+//! `Real::sin_cos(x)` or [`elementary::sin_cos`]`(x)`.
 //!
 //! `examples/derivative.rs` differentiates a formula.
 //!
@@ -54,8 +56,9 @@
 //!
 //! # What it does not do
 //!
-//! No logarithm or exponential of a [`Real`], no power: only what the equations use. No `f64 * T`: write the constant on the right, `x * 0.5`.
-//! No complex numbers, no `f32`, and no reduction of angles beyond [`elementary::SIN_COS_LIMIT`].
+//! No logarithm or exponential of a [`Real`], no power: only what the equations use. No `f64 * T`: write the
+//! constant on the right, `x * 0.5`. No complex numbers, no `f32`, and no reduction of angles beyond
+//! [`elementary::SIN_COS_LIMIT`].
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
@@ -75,10 +78,12 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 /// A real number: what the equations compute with.
 ///
-/// Constants enter by `From<f64>` or stand as `f64` on the right of an operator. Angles are in radians. Nothing panics: an operation
-/// without an answer gives NaN, and NaN goes through every operation here to the result, where the caller turns it into an error.
+/// Constants enter by `From<f64>` or stand as `f64` on the right of an operator. Angles are in radians.
+/// Nothing panics: an operation without an answer gives NaN, and NaN goes through every operation here to the
+/// result, where the caller turns it into an error.
 ///
-/// Implementations mark every function `#[inline(always)]` and select instead of branching, so that a loop over samples is vectorised.
+/// Implementations mark every function `#[inline(always)]` and select instead of branching, so that a loop
+/// over samples is vectorised.
 ///
 /// The trait is sealed: the equations rely on numbers that behave as these do, and a later version may ask
 /// more of them.
@@ -126,10 +131,12 @@ pub trait Real:
     /// |x|.
     fn abs(self) -> Self;
 
-    /// The lesser of two numbers, the first if they are equal. NaN if either is NaN, unlike `f64::min`, which would hide it.
+    /// The lesser of two numbers, the first if they are equal. NaN if either is NaN, unlike `f64::min`, which
+    /// would hide it.
     fn min(self, other: Self) -> Self;
 
-    /// The greater of two numbers, the first if they are equal. NaN if either is NaN, unlike `f64::max`, which would hide it.
+    /// The greater of two numbers, the first if they are equal. NaN if either is NaN, unlike `f64::max`,
+    /// which would hide it.
     fn max(self, other: Self) -> Self;
 
     /// Neither infinite nor NaN, in anything it carries.

@@ -6,9 +6,11 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use crate::Real;
 
-/// A number inside of [`gradients`]. Everything computed from it is written down, so that the derivatives by all inputs follow at once.
+/// A number inside of [`gradients`]. Everything computed from it is written down, so that the derivatives by
+/// all inputs follow at once.
 ///
-/// It belongs to the call that made it, and to its thread: after that call it is a constant, and a call inside of that one must not use it.
+/// It belongs to the call that made it, and to its thread: after that call it is a constant, and a call
+/// inside of that one must not use it.
 #[derive(Clone, Copy, Debug)]
 pub struct Traced {
     value: f64,
@@ -19,7 +21,8 @@ pub struct Traced {
 /// The place of a number that does not depend on any input.
 const CONSTANT: usize = usize::MAX;
 
-/// How one number was computed: from which two, and its derivatives by them. [`CONSTANT`] where there is none.
+/// How one number was computed: from which two, and its derivatives by them. [`CONSTANT`] where there is
+/// none.
 struct Step {
     of: [usize; 2],
     by: [f64; 2],
@@ -42,8 +45,9 @@ pub struct Gradient {
 
 /// Evaluates a formula once, and differentiates each result by every input, however many these are.
 ///
-/// Where there are few inputs, a [`Dual`](crate::Dual) for each is quicker. The time taken here does not grow with their number: each result costs
-/// some times what the formula costs. The record takes 32 bytes for each operation of the formula.
+/// Where there are few inputs, a [`Dual`](crate::Dual) for each is quicker. The time taken here does not grow
+/// with their number: each result costs some times what the formula costs. The record takes 32 bytes for each
+/// operation of the formula.
 ///
 /// ```
 /// // SAE 980025, appendix: the GMC Jimmy of 3696 lb took 1.02e5 N·m of crush. Its energy equivalent speed:
@@ -279,7 +283,8 @@ mod tests {
         gradients(&inputs, |inputs| Ok::<_, ()>(formula(inputs.try_into().unwrap()))).unwrap()
     }
 
-    /// [`Dual`]'s derivatives are those of the other direction, and stand in its own tests against known ones.
+    /// [`Dual`]'s derivatives are those of the other direction, and stand in its own tests against known
+    /// ones.
     #[test]
     fn all_derivatives_at_once_are_those_by_one_input_at_a_time() {
         for inputs in [[0.7, 1.3, -0.4], [1.4, 0.2, 2.5], [0.1, 3.0, 1.0]] {

@@ -1,4 +1,5 @@
-//! Sine, cosine, arctangent, logarithm and exponential against 256-bit arithmetic, their identities and special values, and their bits.
+//! Sine, cosine, arctangent, logarithm and exponential against 256-bit arithmetic, their identities and
+//! special values, and their bits.
 #![expect(clippy::unwrap_used, reason = "clippy's exemption for tests leaves out the helpers beside them")]
 #![expect(clippy::disallowed_methods, reason = "powers of two are exact")]
 
@@ -26,7 +27,8 @@ fn big(x: f64) -> BigFloat {
     if x == 0.0 || !x.is_subnormal() {
         return BigFloat::from_f64(x, PRECISION);
     }
-    // astro-float-num 0.3.7 reads a subnormal number as half of what it is, so it gets a normal one and the exponent afterwards.
+    // astro-float-num 0.3.7 reads a subnormal number as half of what it is, so it gets a normal one and the
+    // exponent afterwards.
     let mut scaled = BigFloat::from_f64(x * 2.0_f64.powi(200), PRECISION);
     scaled.set_exponent(scaled.exponent().unwrap() - 200);
     scaled
@@ -67,7 +69,8 @@ impl<A: Copy + std::fmt::Debug> Worst<A> {
         }
     }
 
-    /// Below the bound, and not for want of samples: some error must be at least the half ulp of a rounding, nearly.
+    /// Below the bound, and not for want of samples: some error must be at least the half ulp of a rounding,
+    /// nearly.
     fn assert_below(&self, bound: f64) {
         let Self { ulps, at, count } = self;
         assert!(*ulps <= bound, "{ulps} ulp at {at:?} passes the bound of {bound}");
@@ -142,7 +145,8 @@ impl Random {
         if x.is_finite() { x } else { self.finite() }
     }
 
-    /// Uniform mantissa and sign, with an exponent (as encoded, 0 for subnormal numbers) uniform in the range.
+    /// Uniform mantissa and sign, with an exponent (as encoded, 0 for subnormal numbers) uniform in the
+    /// range.
     fn with_exponent(&mut self, least: u64, most: u64) -> f64 {
         let exponent = least + self.bits() % (most - least + 1);
         f64::from_bits((self.bits() & 0x800F_FFFF_FFFF_FFFF) | (exponent << 52))
@@ -273,7 +277,8 @@ fn sin_cos_of_special_values() {
     assert_eq!(bits(sin_cos(0.0)), bits((0.0, 1.0)));
     assert_eq!(bits(sin_cos(-0.0)), bits((-0.0, 1.0)));
     assert_eq!(sin_cos(f64::from_bits(1)), (f64::from_bits(1), 1.0));
-    // What the f64 nearest to π, 3.141592653589793115997963468544…, lacks of π = 3.141592653589793238462643383279… (OEIS A000796).
+    // What the f64 nearest to π, 3.141592653589793115997963468544…, lacks of π =
+    // 3.141592653589793238462643383279… (OEIS A000796).
     assert_eq!(sin_cos(PI), (1.224_646_799_147_353_2e-16, -1.0));
     assert_eq!(sin_cos(FRAC_PI_2), (1.0, 6.123_233_995_736_766e-17));
 
@@ -334,7 +339,8 @@ fn atan2_whose_angle_is_subnormal() {
         let shift = random.bits() % 51;
         let (y, x) = (random.with_exponent(400, 400), random.with_exponent(1422, 1422 + shift).abs());
         worst.note((y, x), oracle.atan2_error(y, x));
-        // A subnormal number over one near 1: here a correction of the quotient would itself be lost to underflow.
+        // A subnormal number over one near 1: here a correction of the quotient would itself be lost to
+        // underflow.
         let (y, x) = (random.with_exponent(0, 2), random.with_exponent(1022, 1026).abs());
         worst.note((y, x), oracle.atan2_error(y, x));
     }
@@ -349,8 +355,8 @@ fn atan2_where_the_formula_changes() {
     let mut oracle = Oracle::new();
     let mut worst = Worst::new();
     let mut random = Random(7);
-    // Slopes at the fold (7/16), the diagonal, the end of correction (2⁻³⁰), and powers of two, where an ulp of the angle is
-    // half of an ulp of the slope.
+    // Slopes at the fold (7/16), the diagonal, the end of correction (2⁻³⁰), and powers of two, where an ulp
+    // of the angle is half of an ulp of the slope.
     let folds = [0.4375, 1.0, 2.0_f64.powi(-30), 0.25, 0.125, 0.0625, 2.0_f64.powi(-20)];
     for slope in folds {
         for _ in 0..200 {
@@ -628,10 +634,11 @@ fn the_hash_is_right() {
     assert_eq!(fnv1a(FNV_START, b"foobar"), 0x8594_4171_F739_67E8);
 }
 
-/// The pins say nothing about accuracy, which the tests above measure. They guarantee that the bits stay: 100 000 sines and cosines and 100 000
-/// arctangents, logarithms and exponentials each are the same on every platform, at every optimisation level and after every change of compiler. A red pin
-/// means that reports made before and after (or here and there) may differ in their last digits: find out why, and
-/// renew it only for a change of the functions that was meant.
+/// The pins say nothing about accuracy, which the tests above measure. They guarantee that the bits stay: 100
+/// 000 sines and cosines and 100 000 arctangents, logarithms and exponentials each are the same on every
+/// platform, at every optimisation level and after every change of compiler. A red pin means that reports
+/// made before and after (or here and there) may differ in their last digits: find out why, and renew it only
+/// for a change of the functions that was meant.
 #[test]
 fn bits_are_pinned() {
     let mut random = Random(0x5EED);

@@ -21,11 +21,13 @@ pub const FASTEST: f64 = 1000.0;
     ))
 )]
 pub struct Reconciliation<T = f64> {
-    /// (m/s) the speed found, along the vehicle's heading. Of several admissible speeds, the one with the slowest approach.
+    /// (m/s) the speed found, along the vehicle's heading. Of several admissible speeds, the one with the
+    /// slowest approach.
     pub speed: T,
     /// How many speeds are admissible: [`Problem::speeds`] lists them.
     pub admissible: usize,
-    /// The law at the speed found: the given one, with the restitution of this closing speed where that varies.
+    /// The law at the speed found: the given one, with the restitution of this closing speed where that
+    /// varies.
     pub law: Law<T>,
     /// The impact at the speed found.
     pub outcome: Outcome<T>,

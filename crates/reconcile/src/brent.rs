@@ -2,11 +2,12 @@
 
 use real::Real;
 
-/// Most evaluations that [`brent`] makes beyond the two at the ends of the bracket. Halving alone resolves a bracket to double
-/// precision in 53 steps, and interpolation that is of no use leaves that many.
+/// Most evaluations that [`brent`] makes beyond the two at the ends of the bracket. Halving alone resolves a
+/// bracket to double precision in 53 steps, and interpolation that is of no use leaves that many.
 pub const MAX_STEPS: usize = 64;
 
-/// 2⁶⁰: more than this many times its resolution is a bracket that halving has to begin with at once, to be done two steps before the last.
+/// 2⁶⁰: more than this many times its resolution is a bracket that halving has to begin with at once, to be
+/// done two steps before the last.
 const HALVING_REACH: f64 = (1_u64 << (MAX_STEPS - 4)) as f64;
 
 /// Why there is no root.
@@ -26,16 +27,19 @@ pub enum RootError {
     },
 }
 
-/// A root of `f` between `a` and `b`, at which `f` must have opposite signs; an end that is a root is returned at once.
+/// A root of `f` between `a` and `b`, at which `f` must have opposite signs; an end that is a root is
+/// returned at once.
 ///
-/// Guarantee: the root stays bracketed throughout, and the answer lies within `tolerance`, plus 4 units of rounding of its
-/// size, of a change of sign. Every evaluation between the ends goes to `observe` as (x, f(x)).
+/// Guarantee: the root stays bracketed throughout, and the answer lies within `tolerance`, plus 4 units of
+/// rounding of its size, of a change of sign. Every evaluation between the ends goes to `observe` as (x,
+/// f(x)).
 ///
 /// # References
 /// R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), chapter 4.
 ///
 /// # Errors
-/// [`RootError`] where the signs are equal or a value is NaN, or where [`MAX_STEPS`] do not reach the tolerance.
+/// [`RootError`] where the signs are equal or a value is NaN, or where [`MAX_STEPS`] do not reach the
+/// tolerance.
 pub fn brent(
     f: impl Fn(f64) -> f64,
     [mut a, mut b]: [f64; 2],
@@ -106,8 +110,9 @@ pub fn brent(
 /// The ends of a narrowed bracket are within this factor of each other, 2^¼.
 const NARROW: f64 = 1.189_207_115_002_721;
 
-/// A bracket of the same change of sign with ends of nearly one size, from one whose lower end is zero or more. [`brent`] resolves a
-/// root relative to its size, and may need more than [`MAX_STEPS`] for one that is small beside its bracket.
+/// A bracket of the same change of sign with ends of nearly one size, from one whose lower end is zero or
+/// more. [`brent`] resolves a root relative to its size, and may need more than [`MAX_STEPS`] for one that is
+/// small beside its bracket.
 pub(crate) fn narrowed(f: impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2]) -> [f64; 2] {
     let below = f(low) < 0.0;
     let is_left = |x: f64| (f(x) < 0.0) == below;

@@ -44,7 +44,8 @@ pub enum ReconcileError {
         /// Cosine of the angle between heading and normal.
         cosine: f64,
     },
-    /// W_n stays away from the crush energy at every speed of a vehicle (at most 1000 m/s) at which the vehicles approach.
+    /// W_n stays away from the crush energy at every speed of a vehicle (at most 1000 m/s) at which the
+    /// vehicles approach.
     #[error(
         "no speed of vehicle {vehicle} up to 1000 m/s makes the work of the normal impulse equal to {energy:.1} J while \
          the vehicles approach and push; check the contact points, the crush plane, the headings, the yaw rates, the \

@@ -42,12 +42,13 @@
 //!
 //! # Guarantees
 //!
-//! - The relative velocity at C is affine in the speed. Under an impact law without a limit, W_n is then quadratic in it and the answer
-//!   is a closed form. Under a friction limit, a fraction of μ_c or a restitution that depends on the closing speed, W_n is a ratio of
-//!   polynomials piece by piece; their extrema isolate the roots, which Brent's method ([`brent`]) finds. Both agree to 1e-10 where
-//!   both apply.
-//! - An admissible speed is one of at most 1000 m/s at which the vehicles approach, push, and lose energy. All are found, however many
-//!   and however near to each other; the answer is the one with the slowest approach.
+//! - The relative velocity at C is affine in the speed. Under an impact law without a limit, W_n is then
+//!   quadratic in it and the answer is a closed form. Under a friction limit, a fraction of μ_c or a
+//!   restitution that depends on the closing speed, W_n is a ratio of polynomials piece by piece; their
+//!   extrema isolate the roots, which Brent's method ([`brent`]) finds. Both agree to 1e-10 where both apply.
+//! - An admissible speed is one of at most 1000 m/s at which the vehicles approach, push, and lose energy.
+//!   All are found, however many and however near to each other; the answer is the one with the slowest
+//!   approach.
 //! - [`Problem::residual`] gives the exact derivatives of a root, on numbers that carry their derivative.
 //! - Nothing is allocated.
 //!
@@ -62,8 +63,8 @@
 //!
 //! # What it does not do
 //!
-//! It finds one speed along a heading, from the energy alone. It does not measure crush (see `crash3`), nor does it use
-//! rest positions or momentum after impact.
+//! It finds one speed along a heading, from the energy alone. It does not measure crush (see `crash3`), nor
+//! does it use rest positions or momentum after impact.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

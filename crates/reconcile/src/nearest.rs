@@ -14,11 +14,13 @@ const SCAN_START: f64 = 1.0 / 1024.0;
 const SCAN_RATIO: f64 = 1.021_897_148_654_116_7;
 /// … to 1024 times that speed.
 const SCAN_SAMPLES: usize = 641;
-/// The best of the samples is narrowed by thirds, (2/3)⁴⁴ ≈ 2⁻²⁶: there W_n is as near as at its turn but for rounding.
+/// The best of the samples is narrowed by thirds, (2/3)⁴⁴ ≈ 2⁻²⁶: there W_n is as near as at its turn but for
+/// rounding.
 const TURN_STEPS: usize = 44;
 
 impl Problem {
-    /// How near a problem without an answer comes to one, to tell beside [`NotReached`](crate::ReconcileError::NotReached): of all impacts that can happen, that whose normal
+    /// How near a problem without an answer comes to one, to tell beside
+    /// [`NotReached`](crate::ReconcileError::NotReached): of all impacts that can happen, that whose normal
     /// work is nearest to the one sought, by a scan of the approach speed.
     ///
     /// # Errors

@@ -1,9 +1,10 @@
 //! All approach speeds at which W_n has the value sought.
 //!
-//! The relative velocity at C is affine in the approach speed x = −u_n, and e is linear in x between two points of a restitution
-//! curve. So the range of x falls into *stretches* of linear e, and these into *pieces* in which one law without a limit holds: a
-//! piece ends where sliding begins, ends or turns, where the contact jams, or where the law ceases to push. Within a piece W_n minus
-//! the value sought is a ratio of polynomials of x:
+//! The relative velocity at C is affine in the approach speed x = −u_n, and e is linear in x between two
+//! points of a restitution curve. So the range of x falls into *stretches* of linear e, and these into
+//! *pieces* in which one law without a limit holds: a piece ends where sliding begins, ends or turns, where
+//! the contact jams, or where the law ceases to push. Within a piece W_n minus the value sought is a ratio of
+//! polynomials of x:
 //!
 //! | law | P_n | degree of the numerator, e constant | e linear |
 //! |---|---|---:|---:|
@@ -11,8 +12,9 @@
 //! | fraction of μ_c | c_n (1+e) x / d | 3 | 6 |
 //! | fraction of μ_c with a moment impulse | see [`Posed::fraction_of_critical`] | 4 | 8 |
 //!
-//! The extrema of the numerator part each piece so that each part has at most one root (Rolle), which Brent's method finds on the law's
-//! own W_n. A jump of W_n from one piece to the next is no change of sign within a piece, so it is never taken for a root.
+//! The extrema of the numerator part each piece so that each part has at most one root (Rolle), which Brent's
+//! method finds on the law's own W_n. A jump of W_n from one piece to the next is no change of sign within a
+//! piece, so it is never taken for a root.
 
 use crash3::EnergyBasis;
 use pim_core::{Law, LawImpulse, Regime, RestitutionCurve, Tangential};
@@ -23,12 +25,12 @@ use crate::error::ReconcileError;
 use crate::polynomial::{Points, Polynomial, opposite};
 use crate::posed::Posed;
 
-/// Under a fraction of μ_c the contact may jam at the end of a piece, where W_n is infinite: its sign is taken at this relative distance,
-/// far above rounding.
+/// Under a fraction of μ_c the contact may jam at the end of a piece, where W_n is infinite: its sign is
+/// taken at this relative distance, far above rounding.
 const BESIDE_A_JAM: f64 = 1e-12;
 
-/// A root has the energy sought within this share. Rounding of the speed moves W_n by more only nearer than 1e-9 to a jam; a change of
-/// sign by rounding on the wrong side of a jam or a jump leaves far more.
+/// A root has the energy sought within this share. Rounding of the speed moves W_n by more only nearer than
+/// 1e-9 to a jam; a change of sign by rounding on the wrong side of a jam or a jump leaves far more.
 const ENERGY_MATCH: f64 = 1e-6;
 
 /// An approach speed at which W_n has the value sought.
@@ -116,7 +118,8 @@ impl Branch {
     }
 }
 
-/// Approach speeds between which W_n less the value sought changes its sign once, under one branch of the law.
+/// Approach speeds between which W_n less the value sought changes its sign once, under one branch of the
+/// law.
 struct Bracket {
     ends: [f64; 2],
     branch: Branch,
@@ -138,7 +141,8 @@ impl<'a> Posed<'a> {
             })
     }
 
-    /// The ranges in which e is linear, as far as the vehicles approach and the unknown is no faster than [`FASTEST`].
+    /// The ranges in which e is linear, as far as the vehicles approach and the unknown is no faster than
+    /// [`FASTEST`].
     fn stretches(self) -> impl Iterator<Item = Stretch> + use<'a> {
         let points = self.problem.law.curve().map_or(&[][..], RestitutionCurve::points);
         let [least, most] = self.reach();
@@ -194,7 +198,8 @@ impl<'a> Posed<'a> {
         let interval = stretch.interval();
         let roots = |polynomial: Polynomial| polynomial.roots(interval);
         match self.problem.law.nominal().tangential() {
-            // Friction suffices between P_t = −limit P_n and P_t = limit P_n; beyond, it turns about where the sliding does.
+            // Friction suffices between P_t = −limit P_n and P_t = limit P_n; beyond, it turns about where
+            // the sliding does.
             Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
                 let spare = |c_t: f64| {
                     roots(stretch.polynomial(|law, x| {
@@ -245,8 +250,9 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// Under f = 0 there is no friction. Under f = 1 the ratio is μ_c and nothing jams, where the moment impulse is none or M_c; any other
-    /// moment impulse differs between the law that gives μ_c and a ratio of that size.
+    /// Under f = 0 there is no friction. Under f = 1 the ratio is μ_c and nothing jams, where the moment
+    /// impulse is none or M_c; any other moment impulse differs between the law that gives μ_c and a ratio of
+    /// that size.
     fn branch_of_fraction(self, f: f64) -> Branch {
         let moment = self.problem.law.nominal().moment_restitution();
         if f == 0.0 {
@@ -308,7 +314,8 @@ impl<'a> Posed<'a> {
     /// d = k_nn c_n + f k_nt c_t and n = k_nm c_n + f k_tm c_t:
     ///
     /// - P_n = c_n (1+e) x / d without a moment impulse,
-    /// - P_n = c_n [(1+e) x g + (1+e_m) k_nm (s d + (1+e) x n)] / (d g) with one, where s = ω₁ − ω₂ and g = k_mm d − k_nm n,
+    /// - P_n = c_n [(1+e) x g + (1+e_m) k_nm (s d + (1+e) x n)] / (d g) with one, where s = ω₁ − ω₂ and g =
+    ///   k_mm d − k_nm n,
     /// - P_n = c_n [(1+e) x k_mm + k_nm s] / g with a common yaw rate, e_m = 0, where d cancels.
     fn fraction_of_critical(self, stretch: &Stretch, f: f64) -> (Polynomial, Polynomial) {
         let k = self.problem.contact.inverse_mass();

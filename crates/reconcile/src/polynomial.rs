@@ -41,12 +41,13 @@ impl Polynomial {
         Self { coefficients, degree: self.degree - order }
     }
 
-    /// Points in ascending order that part the interval so that the polynomial is monotonic between two neighbours: its extrema
-    /// strictly inside.
+    /// Points in ascending order that part the interval so that the polynomial is monotonic between two
+    /// neighbours: its extrema strictly inside.
     ///
-    /// By Rolle's theorem a polynomial has at most one root between two neighbouring roots of its derivative. So the roots of the
-    /// derivative of order n − 1, a line, isolate those of the next lower order, and so on up to the first derivative. None can be
-    /// missed but by rounding, which decides only where an extremum and a root coincide.
+    /// By Rolle's theorem a polynomial has at most one root between two neighbouring roots of its derivative.
+    /// So the roots of the derivative of order n − 1, a line, isolate those of the next lower order, and so
+    /// on up to the first derivative. None can be missed but by rounding, which decides only where an
+    /// extremum and a root coincide.
     pub(crate) fn extrema(&self, interval: [f64; 2]) -> Points {
         if self.degree == 0 { Points::none() } else { self.derivative(1).roots(interval) }
     }
@@ -164,7 +165,8 @@ impl IntoIterator for Points {
     }
 }
 
-/// Whether the sign changes between two values; zero counts as positive, and what is not a number has no sign.
+/// Whether the sign changes between two values; zero counts as positive, and what is not a number has no
+/// sign.
 pub(crate) fn opposite(a: f64, b: f64) -> bool {
     (a < 0.0 && b >= 0.0) || (a >= 0.0 && b < 0.0)
 }

@@ -56,7 +56,8 @@ impl<T: Real> Problem<T> {
 }
 
 impl Problem {
-    /// The speed that reconciles impact and crush: in closed form where there is one, else by the root-finder.
+    /// The speed that reconciles impact and crush: in closed form where there is one, else by the
+    /// root-finder.
     ///
     /// # Errors
     /// [`ReconcileError`].
@@ -67,10 +68,10 @@ impl Problem {
 
     /// The answer by root-finding alone, which serves every law.
     ///
-    /// Guarantee: no speed of at most [`FASTEST`](crate::FASTEST) is missed, and none is counted twice, but where rounding decides
-    /// whether it exists. W_n less the value sought is a ratio of polynomials of the approach speed within the pieces in which one
-    /// regime of the law holds and e is linear. The extrema of the numerator isolate its roots, and Brent's method finds each on the
-    /// law's own W_n.
+    /// Guarantee: no speed of at most [`FASTEST`](crate::FASTEST) is missed, and none is counted twice, but
+    /// where rounding decides whether it exists. W_n less the value sought is a ratio of polynomials of the
+    /// approach speed within the pieces in which one regime of the law holds and e is linear. The extrema of
+    /// the numerator isolate its roots, and Brent's method finds each on the law's own W_n.
     ///
     /// # Errors
     /// [`ReconcileError`].

@@ -9,7 +9,8 @@ use pim_core::{
 use crate::error::ReconcileError;
 use crate::line::ApproachLine;
 
-/// Where the cosine between heading and crush plane normal is below this, rounding of the angles decides what the speed does.
+/// Where the cosine between heading and crush plane normal is below this, rounding of the angles decides what
+/// the speed does.
 const LEAST_COSINE: f64 = 1e-9;
 
 /// Which vehicle's speed along its heading is sought.
@@ -166,8 +167,8 @@ impl<T: Real> Problem<T> {
         self.unknown.with_velocity(self.motions, forward * speed)
     }
 
-    /// (J) W_n at the given speed (m/s), by the law's conditions alone: negative or not a number where no impact can
-    /// happen.
+    /// (J) W_n at the given speed (m/s), by the law's conditions alone: negative or not a number where no
+    /// impact can happen.
     #[inline(always)]
     #[must_use]
     pub fn normal_work(&self, speed: T) -> T {
@@ -175,8 +176,9 @@ impl<T: Real> Problem<T> {
         self.work_at(&self.law.at(-approach.velocity.normal), approach)
     }
 
-    /// (J) what the normal work at the given speed (m/s) is above the one sought there: zero at every root. Its derivatives by an
-    /// input p and by the speed are those of the root, ds/dp = −(∂/∂p)/(∂/∂s), whatever method found it.
+    /// (J) what the normal work at the given speed (m/s) is above the one sought there: zero at every root.
+    /// Its derivatives by an input p and by the speed are those of the root, ds/dp = −(∂/∂p)/(∂/∂s), whatever
+    /// method found it.
     #[inline(always)]
     #[must_use]
     pub fn residual(&self, speed: T) -> T {

@@ -1,4 +1,5 @@
-//! A case to a report as text and a plan view as SVG: what a program of one's own needs of the whole workspace.
+//! A case to a report as text and a plan view as SVG: what a program of one's own needs of the whole
+//! workspace.
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 

@@ -1,4 +1,5 @@
-//! Results as data for programs: JSON in SI units and radians, CSV, samples. No sentence for people is written here.
+//! Results as data for programs: JSON in SI units and radians, CSV, samples. No sentence for people is
+//! written here.
 
 pub(crate) mod comparison;
 pub(crate) mod csv;

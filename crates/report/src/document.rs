@@ -1,4 +1,5 @@
-//! What a command has to say, before it is decided how it looks: the parts of a document, which the sections fill and the writers write.
+//! What a command has to say, before it is decided how it looks: the parts of a document, which the sections
+//! fill and the writers write.
 
 use ::drawing::Drawing;
 
@@ -6,7 +7,8 @@ use crate::steps::StepGroup;
 use crate::units::Units;
 use crate::writers;
 
-/// A document of the program. [`text`](Self::text), [`markdown`](Self::markdown) and [`html`](Self::html) write it.
+/// A document of the program. [`text`](Self::text), [`markdown`](Self::markdown) and [`html`](Self::html)
+/// write it.
 #[derive(Clone, Debug)]
 pub struct Document {
     pub(crate) blocks: Vec<Block>,
@@ -228,7 +230,8 @@ impl Document {
         self.push(Block::Paragraph(words.into()));
     }
 
-    /// Adds another document as one of its parts: without the title and the warnings of that, and with its headings one level lower.
+    /// Adds another document as one of its parts: without the title and the warnings of that, and with its
+    /// headings one level lower.
     pub(crate) fn part(&mut self, heading: &str, part: Self) {
         self.heading(heading);
         self.blocks.extend(part.blocks.into_iter().filter_map(|block| match block {
@@ -250,7 +253,8 @@ impl Document {
         writers::text(&self.blocks, self.line(columns), false)
     }
 
-    /// The same with its headings in bold and its warnings in yellow, by the escape sequences of a terminal (ECMA-48).
+    /// The same with its headings in bold and its warnings in yellow, by the escape sequences of a terminal
+    /// (ECMA-48).
     #[must_use]
     pub fn terminal(&self, columns: usize) -> String {
         writers::text(&self.blocks, self.line(columns), true)

@@ -7,8 +7,8 @@ use reconcile::ReconcileError;
 
 use crate::units::{Quantity, Units, number};
 
-/// Why there is no analysis, and what to check, in the units of the reader. The numbers are in the axes of the case, as
-/// [`reconstruct`](analysis::reconstruct) and the others leave them.
+/// Why there is no analysis, and what to check, in the units of the reader. The numbers are in the axes of
+/// the case, as [`reconstruct`](analysis::reconstruct) and the others leave them.
 #[must_use]
 pub fn no_answer(failure: &Failure, units: Units) -> String {
     match failure {

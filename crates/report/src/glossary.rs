@@ -80,8 +80,9 @@ fn parsed(glossary: &'static str) -> Vec<Topic> {
     topics
 }
 
-/// The topic of a term, a symbol, a key of the case file or the code of a warning. Capitals count only where names differ by them alone; a symbol may
-/// have the number of a vehicle, `E_1`, and a key its whole path, `vehicle1.crush.depths[2]`.
+/// The topic of a term, a symbol, a key of the case file or the code of a warning. Capitals count only where
+/// names differ by them alone; a symbol may have the number of a vehicle, `E_1`, and a key its whole path,
+/// `vehicle1.crush.depths[2]`.
 ///
 /// ```
 /// assert_eq!(report::topic("u")?.name, "relative velocity");
@@ -162,7 +163,8 @@ fn nearest(word: &str) -> Vec<&'static str> {
     nearest
 }
 
-/// The words of a text in small letters, a space before and after each, so that no name is found within another word.
+/// The words of a text in small letters, a space before and after each, so that no name is found within
+/// another word.
 fn words(text: &str) -> String {
     let is_part = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '–' | '\'');
     let words = text.split(|c: char| !is_part(c)).filter(|word| !word.is_empty());

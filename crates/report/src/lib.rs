@@ -12,17 +12,19 @@
 //! # }
 //! ```
 //!
-//! What a command has to say is a [`Document`], which writes itself as text, as Markdown and as HTML: [`results`], where every figure
-//! names its equation; [`handover`], the report to hand over, with the [`steps`] (every result with its equation and the numbers in it),
-//! all drawings and the case file; [`comparison`], [`sensitivity`], [`uncertainty`], [`judgement`] and [`validation`]; [`warnings`] alone;
+//! What a command has to say is a [`Document`], which writes itself as text, as Markdown and as HTML:
+//! [`results`], where every figure names its equation; [`handover`], the report to hand over, with the
+//! [`steps`] (every result with its equation and the numbers in it), all drawings and the case file;
+//! [`comparison`], [`sensitivity`], [`uncertainty`], [`judgement`] and [`validation`]; [`warnings`] alone;
 //! [`explanation`] of a term, symbol, key or warning, from glossary.md.
 //!
-//! The same for programs is data in SI units and radians, with keys that are kept: [`json`], [`comparison_json`] and so on; of many cases
-//! [`csv_row`] under [`csv_header`] gives a line each for a spreadsheet, and [`jsonl_row`] for a program; [`write_samples`] gives the samples of
-//! an uncertainty.
+//! The same for programs is data in SI units and radians, with keys that are kept: [`json`],
+//! [`comparison_json`] and so on; of many cases [`csv_row`] under [`csv_header`] gives a line each for a
+//! spreadsheet, and [`jsonl_row`] for a program; [`write_samples`] gives the samples of an uncertainty.
 //!
-//! [`message`] is the sentence of a warning and [`no_answer`] that of a case without an answer. All speak the [`Axes`](case::Axes) of the case,
-//! which each document names, and the [`Units`] of the reader. Results are converted to other units here and nowhere else.
+//! [`message`] is the sentence of a warning and [`no_answer`] that of a case without an answer. All speak the
+//! [`Axes`](case::Axes) of the case, which each document names, and the [`Units`] of the reader. Results are
+//! converted to other units here and nowhere else.
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -34,20 +36,23 @@
 //! # }
 //! ```
 //!
-//! [`drawing`](drawing()) draws a [`Subject`]: the scene and the damage to scale, the reconciliation, the energy. A [`Drawing`] is SVG or PNG; the crate
-//! [`drawing`](::drawing) makes all of them.
+//! [`drawing`](drawing()) draws a [`Subject`]: the scene and the damage to scale, the reconciliation, the
+//! energy. A [`Drawing`] is SVG or PNG; the crate [`drawing`](::drawing) makes all of them.
 //!
-//! [`histogram`] and [`tornado`] plot an uncertainty, [`computed_against_measured`] and [`reconstructed_speed`] the validation.
+//! [`histogram`] and [`tornado`] plot an uncertainty, [`computed_against_measured`] and
+//! [`reconstructed_speed`] the validation.
 //!
 //! `examples/text_and_drawing.rs` goes from a file to a text and a drawing.
 //!
 //! # What it does not do
 //!
-//! It computes nothing that the analysis does not hold, but the sums that a step of the report shows on the way. No terminal, no files.
+//! It computes nothing that the analysis does not hold, but the sums that a step of the report shows on the
+//! way. No terminal, no files.
 //!
 //! # Inside
 //!
-//! `sections` fill a `document` with `words`, numbers in `units` and drawings; `writers` write it. `data` is for programs. No arrow points back.
+//! `sections` fill a `document` with `words`, numbers in `units` and drawings; `writers` write it. `data` is
+//! for programs. No arrow points back.
 
 mod axes;
 mod checks;

@@ -1,4 +1,5 @@
-//! What outputs, reasons and methods of sampling are called, in which units outputs are printed, and how many samples fall into which class.
+//! What outputs, reasons and methods of sampling are called, in which units outputs are printed, and how many
+//! samples fall into which class.
 
 use ::uncertainty::{SamplingMethod, Summary};
 use analysis::{Kind, Output, Reason, quantity};

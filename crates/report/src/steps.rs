@@ -1,7 +1,10 @@
-//! The results one by one, each with its equation and the numbers put into it: what a reader with a calculator can check.
+//! The results one by one, each with its equation and the numbers put into it: what a reader with a
+//! calculator can check.
 //!
-//! The result stands in SI units and in those of the report. All numbers of a substitution are in SI units and degrees, but for those of the file that it converts, and in the axes of the case: the equations hold in either handedness. A number that is not exact is printed with at least six significant digits, one with five or fewer
-//! is exact; each printed result follows from the printed numbers within their rounding.
+//! The result stands in SI units and in those of the report. All numbers of a substitution are in SI units
+//! and degrees, but for those of the file that it converts, and in the axes of the case: the equations hold
+//! in either handedness. A number that is not exact is printed with at least six significant digits, one with
+//! five or fewer is exact; each printed result follows from the printed numbers within their rounding.
 
 mod collision;
 mod crash3;
@@ -20,9 +23,11 @@ pub struct Step {
     pub name: String,
     /// Its symbol, such as `E_1`; `_` begins a subscript.
     pub symbol: String,
-    /// The equation's right side in symbols; empty where the value is given or solved for, and where the symbol itself is the equation.
+    /// The equation's right side in symbols; empty where the value is given or solved for, and where the
+    /// symbol itself is the equation.
     pub formula: String,
-    /// The same with numbers and units: `·` multiplies, a unit follows its number after a no-break space. Empty where the value is given or solved for.
+    /// The same with numbers and units: `·` multiplies, a unit follows its number after a no-break space.
+    /// Empty where the value is given or solved for.
     pub substitution: String,
     /// The program's own result, in `unit`.
     pub value: f64,
@@ -32,12 +37,14 @@ pub struct Step {
     pub printed: String,
     /// What it is in the units of the reader, where `unit` alone does not tell.
     quantity: Option<Quantity>,
-    /// Where the equation stands: `Eq 5` of SAE 980025, or `theory 3`, a section of docs/theory.md. For a value without one, where it comes from: `input`, or a table.
+    /// Where the equation stands: `Eq 5` of SAE 980025, or `theory 3`, a section of docs/theory.md. For a
+    /// value without one, where it comes from: `input`, or a table.
     pub source: &'static str,
 }
 
 impl Step {
-    /// The result as the rest of a report in these units has it, like `24.71 ft/s = 16.85 mph`; `None` where that is no other unit than its own.
+    /// The result as the rest of a report in these units has it, like `24.71 ft/s = 16.85 mph`; `None` where
+    /// that is no other unit than its own.
     #[must_use]
     pub fn in_units(&self, units: Units) -> Option<String> {
         let quantity = self.quantity.or_else(|| quantity(self.unit))?;
@@ -140,8 +147,8 @@ const DIGITS: usize = 6;
 /// What is smaller is the rounding of a zero: no quantity of a collision is as small in SI units.
 const NOTHING: f64 = 1e-12;
 
-/// A number as it is printed: exact where that takes fewer than six digits, else with six. What a conversion of units leaves in the
-/// thirteenth digit does not count.
+/// A number as it is printed: exact where that takes fewer than six digits, else with six. What a conversion
+/// of units leaves in the thirteenth digit does not count.
 pub(crate) fn digits(value: f64) -> String {
     let value = if value.abs() < NOTHING { 0.0 } else { value };
     let text = match format!("{value:.11e}").parse::<f64>() {

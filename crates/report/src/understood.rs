@@ -1,4 +1,5 @@
-//! What was understood of a case, in words: ranges, units, choices, and what is assumed where the file says nothing.
+//! What was understood of a case, in words: ranges, units, choices, and what is assumed where the file says
+//! nothing.
 
 use analysis::Assumption;
 use case::{
@@ -26,7 +27,8 @@ pub(crate) fn amount(number: f64, unit: Option<&'static Unit>) -> String {
     unit.map_or_else(|| number.to_string(), |unit| format!("{number} {unit}"))
 }
 
-/// The units in which people of a custom know a quantity; depths and widths of damage in smaller ones than other lengths.
+/// The units in which people of a custom know a quantity; depths and widths of damage in smaller ones than
+/// other lengths.
 fn usual(dimension: Dimension, in_crush: bool, system: UnitSystem) -> &'static str {
     let (si, us) = match dimension {
         Dimension::Length if in_crush => ("cm", "in"),
@@ -63,7 +65,8 @@ pub(crate) fn converted(input: &Input, system: UnitSystem) -> (f64, Option<&'sta
 
 /// Six digits are more than any input has, and zeros at the end say nothing.
 pub(crate) fn shown((value, unit): (f64, Option<&'static Unit>)) -> String {
-    // Through the text of six digits: the shortest decimal that reads back as it has no zeros at its end and no exponent.
+    // Through the text of six digits: the shortest decimal that reads back as it has no zeros at its end and
+    // no exponent.
     let rounded = format!("{value:.5e}").parse().unwrap_or(value);
     let digits = if rounded == 0.0 { "0".to_owned() } else { rounded.to_string() };
     unit.map_or_else(|| digits.clone(), |unit| format!("{digits} {unit}"))

@@ -174,7 +174,8 @@ impl Units {
         format!("{} = {}", self.format(Quantity::YawRate, si), self.format(Quantity::YawRateDegrees, si))
     }
 
-    /// What a table of speeds is repeated in where people do not think in the unit of the equations: mph beside ft/s.
+    /// What a table of speeds is repeated in where people do not think in the unit of the equations: mph
+    /// beside ft/s.
     pub(crate) fn beside_speed(self) -> Option<Quantity> {
         (self == Self::Us).then_some(Quantity::RoadSpeed)
     }
@@ -184,7 +185,8 @@ impl Units {
         format!("{} ({})", self.format(Quantity::Speed, si), self.road_speed(si))
     }
 
-    /// What a speed stands in where there is one column for it: mph in US units. SI keeps the m/s of all its tables.
+    /// What a speed stands in where there is one column for it: mph in US units. SI keeps the m/s of all its
+    /// tables.
     pub(crate) fn speed_alone(self) -> Quantity {
         self.beside_speed().unwrap_or(Quantity::Speed)
     }

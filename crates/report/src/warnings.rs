@@ -33,7 +33,8 @@ pub(crate) fn of_analysis(analysis: &Analysis, case: &Case, units: Units) -> Opt
     (!warnings.is_empty()).then(|| block(&warnings, units))
 }
 
-/// How many there are, for the top of a report, with the heading that they stand under; nothing where all are of the kind that most cases have.
+/// How many there are, for the top of a report, with the heading that they stand under; nothing where all are
+/// of the kind that most cases have.
 pub(crate) fn notice(warnings: &[SeenWarning], heading: Option<&'static str>) -> Option<Block> {
     if warnings.iter().all(|seen| seen.warning().is_common()) {
         return None;

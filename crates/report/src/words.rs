@@ -1,4 +1,5 @@
-//! Names of what the engines tell apart, and what is said of a stiffness and a speed: below all that writes a document.
+//! Names of what the engines tell apart, and what is said of a stiffness and a speed: below all that writes a
+//! document.
 
 use case::{ENERGY_BASES, Fit, Program, SIDES, StiffnessSource, UNKNOWNS, word};
 use crash3::{DoubtfulDigit, EnergyBasis, Side};

@@ -39,7 +39,8 @@ fn anchor(heading: &str) -> String {
     kept.flat_map(char::to_lowercase).map(|c| if c == ' ' { '-' } else { c }).collect()
 }
 
-/// The parts of a sentence in turn, and which of them is code: all of it is words where a backtick has no other.
+/// The parts of a sentence in turn, and which of them is code: all of it is words where a backtick has no
+/// other.
 fn code_spans(text: &str) -> Vec<(&str, bool)> {
     if text.matches('`').count() % 2 == 1 {
         return vec![(text, false)];

@@ -225,7 +225,8 @@ fn the_json_has_the_texts_of_the_glossary() {
             assert_ne!(other.name, one.name);
         }
     }
-    // "in z-down axes", "The heading turns contact point, PDOF and speed into the scene": and not itself, nor "scene frame".
+    // "in z-down axes", "The heading turns contact point, PDOF and speed into the scene": and not itself, nor
+    // "scene frame".
     assert_eq!(topic("heading").unwrap().see_also(), ["axes", "contact point", "PDOF"]);
     assert_eq!(topic("heading").unwrap().aliases, ["θ", "theta", "heading angle"]);
 }

@@ -11,7 +11,8 @@ use report::{Subject, Units};
 
 const STATIONS: usize = 10_000;
 
-/// What grows with the numbers takes some seconds in a test build on a busy machine; what grows with their square, minutes.
+/// What grows with the numbers takes some seconds in a test build on a busy machine; what grows with their
+/// square, minutes.
 const SOON: Duration = Duration::from_secs(30);
 
 /// SAE 980025's example with so many stations on both vehicles.

@@ -1,6 +1,7 @@
 //! The table of output quantities against the JSON, for every fixture that has an answer.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+#![allow(clippy::disallowed_methods, reason = "the library's own functions would not be an independent check")]
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -213,7 +214,8 @@ fn each_row_stands_in_csv_glossary_and_text() {
     assert!(unknown.is_empty(), "not in the glossary: {unknown:?}");
 }
 
-/// By the heading of each vehicle: the part forward, ΔV·(cos θ, sin θ), and that to the left, ΔV·(−sin θ, cos θ), which z-down axes count to the right.
+/// By the heading of each vehicle: the part forward, ΔV·(cos θ, sin θ), and that to the left, ΔV·(−sin θ, cos
+/// θ), which z-down axes count to the right.
 #[test]
 fn the_parts_of_a_velocity_change_are_those_along_the_axes_of_the_vehicle() {
     let mut seen = 0;
@@ -225,14 +227,16 @@ fn the_parts_of_a_velocity_change_are_those_along_the_axes_of_the_vehicle() {
             let [x, y] = [0, 1].map(|axis| vector[axis].as_f64().unwrap());
             let heading = file.case.vehicles[i].heading.as_ref().unwrap().si();
             let part = |key: &str| vehicle[key].as_f64().unwrap();
-            // In z-down axes angles count clockwise, and the y axis of the vehicle is to its right: the same formula.
+            // In z-down axes angles count clockwise, and the y axis of the vehicle is to its right: the same
+            // formula.
             let expected = [x * heading.cos() + y * heading.sin(), y * heading.cos() - x * heading.sin()];
             let found = [part("delta_v_longitudinal"), part("delta_v_lateral")];
             let scale = part("delta_v").max(1e-9);
             for (found, expected) in found.into_iter().zip(expected) {
                 assert!((found - expected).abs() <= 1e-12 * scale, "{name}: {found} {expected}");
             }
-            // A force from the right pushes to the left: tan PDOF = lateral / −longitudinal, lateral counted to the left.
+            // A force from the right pushes to the left: tan PDOF = lateral / −longitudinal, lateral counted
+            // to the left.
             let left = if file.case.axes == case::Axes::ZDown { -found[1] } else { found[1] };
             let pdof = left.atan2(-found[0]);
             let turn = (pdof - part("pdof")).rem_euclid(std::f64::consts::TAU);

@@ -1,6 +1,7 @@
 //! Cases with speeds that are hard to find (`fixtures/roots`): all of them are found, counted and listed.
 //!
-//! The expected speeds come from a dense scan by a program that shares no code with this one, and each gave the crush energy in a forward impact.
+//! The expected speeds come from a dense scan by a program that shares no code with this one, and each gave
+//! the crush energy in a forward impact.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
@@ -18,7 +19,8 @@ fn found(name: &str) -> Value {
     document["found"].take()
 }
 
-/// The speeds (m/s) are these, slowest approach first, each within half of its last digit; the first is the answer.
+/// The speeds (m/s) are these, slowest approach first, each within half of its last digit; the first is the
+/// answer.
 #[track_caller]
 fn assert_roots(name: &str, expected: &[(f64, f64)]) {
     let found = found(name);

@@ -50,7 +50,8 @@ fn the_plots_are_current() {
     assert_current("reconstructed-speed.svg", &report::reconstructed_speed(&validation).svg());
 }
 
-/// Where the symbol of a point is, in the units of the axes of a chart. A triangle's middle lies up to a pixel below that of its box.
+/// Where the symbol of a point is, in the units of the axes of a chart. A triangle's middle lies up to a
+/// pixel below that of its box.
 #[track_caller]
 fn assert_drawn(svg: &str, tree: &Tree, [across, upward]: &[Scale; 2], id: &str, [x, y]: [f64; 2]) {
     let symbol = area(tree, id);

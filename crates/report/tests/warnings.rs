@@ -39,7 +39,8 @@ fn the_sign_that_opposes_the_sliding_is_that_of_the_readers_axes() {
     says(&change, Axes::ZUp, &["change of -1.00 ft/s", "u_t = -10.00 ft/s"]);
 }
 
-/// A profile without depth on a stiffness without A stands for no force: no ratio of forces is printed, and the warning has none.
+/// A profile without depth on a stiffness without A stands for no force: no ratio of forces is printed, and
+/// the warning has none.
 #[test]
 fn no_force_has_no_ratio() {
     let text = "[vehicle1]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"0 deg\"\n\

@@ -8,7 +8,8 @@ use std::ops::ControlFlow;
 use uncertainty::{Distribution, Function, SamplingMethod, Settings, propagate};
 
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
-    // Masses of the paper's vehicles (SAE 980025, appendix), ± 20 kg; a closing speed of 21 ± 1 m/s; central, without restitution.
+    // Masses of the paper's vehicles (SAE 980025, appendix), ± 20 kg; a closing speed of 21 ± 1 m/s; central,
+    // without restitution.
     let inputs = [
         Distribution::normal(1676.5, 20.0)?,
         Distribution::normal(1548.1, 20.0)?,
@@ -26,7 +27,8 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let [low, high] = [summary.intervals[2].low.value, summary.intervals[2].high.value];
     println!("ΔV {:.2} m/s, between {low:.2} and {high:.2} m/s with 95 %", summary.mean.value);
 
-    // By hand, first order: ΔV 10.08 m/s, and u² = (0.4801 · 1)² + (0.003127 · 20)² + (0.003386 · 20)² = 0.489² m²/s².
+    // By hand, first order: ΔV 10.08 m/s, and u² = (0.4801 · 1)² + (0.003127 · 20)² + (0.003386 · 20)² =
+    // 0.489² m²/s².
     assert!((summary.mean.value - 10.08).abs() < 0.01);
     assert!((summary.sd.value - 0.489).abs() < 0.005);
     // A normal distribution has 95 % within 1.96 deviations.

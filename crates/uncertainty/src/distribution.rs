@@ -1,4 +1,4 @@
-//! What is known of an input: a distribution, made from what an engineer can say.
+//! Distributions of inputs, made from numbers that an engineer can give.
 
 use crate::error::InvalidDistribution;
 use crate::model::{LANES, Lanes};
@@ -7,7 +7,8 @@ use crate::random::{bits, key, unit};
 
 /// The least share of a normal distribution that its bounds may leave.
 ///
-/// Where they leave less, nearly all of what was said of the value is impossible: value, deviation or bounds are mistaken.
+/// If they leave less, nearly all of the distribution is impossible, so the value, the deviation or the
+/// bounds are wrong.
 pub const MIN_KEPT: f64 = 1e-6;
 
 /// The shape, with the numbers it was made from.
@@ -21,7 +22,7 @@ pub enum Shape {
         /// (unit of the input) σ.
         sd: f64,
     },
-    /// Anything between two bounds, none likelier than another.
+    /// Every value between two bounds is equally likely.
     Uniform {
         /// (unit of the input) least value.
         low: f64,
@@ -46,7 +47,7 @@ pub struct Truncation {
     pub low: f64,
     /// (unit of the input) greatest value, or +∞.
     pub high: f64,
-    /// Share of the normal distribution between the bounds; 1 where they are too far out to be noticed.
+    /// Share of the normal distribution between the bounds; 1 if they are too far out to matter.
     pub kept: f64,
 }
 
@@ -91,12 +92,15 @@ impl Distribution {
         Ok(Self { shape: Shape::Normal { mean, sd }, truncation: None, transform })
     }
 
-    /// Normal, known to lie in [low, high]: the part of the distribution outside of it is cut away, and the rest takes its share.
+    /// Normal, truncated to [low, high]: the part of the distribution outside is removed, and the rest is
+    /// scaled up to 1.
     ///
-    /// `mean` and `sd` are those before the cut; [`mean`](Self::mean) and [`sd`](Self::sd) tell what the cut makes of them. Either bound may be infinite.
+    /// `mean` and `sd` are those before truncation; [`mean`](Self::mean) and [`sd`](Self::sd) give those
+    /// after it. Either bound may be infinite.
     ///
     /// # Errors
-    /// As [`normal`](Self::normal); where a bound is NaN or `low` is not below `high`; where the bounds leave a share below [`MIN_KEPT`].
+    /// As [`normal`](Self::normal); where a bound is NaN or `low` is not below `high`; where the bounds leave
+    /// a share below [`MIN_KEPT`].
     pub fn truncated_normal(mean: f64, sd: f64, low: f64, high: f64) -> Result<Self, InvalidDistribution> {
         let whole = Self::normal(mean, sd)?;
         for (name, value) in [("lower bound", low), ("upper bound", high)] {
@@ -130,7 +134,7 @@ impl Distribution {
         Ok(Self { shape: Shape::Uniform { low, high }, truncation: None, transform })
     }
 
-    /// Triangular between two bounds, likeliest at the mode, which may stand on a bound.
+    /// Triangular between two bounds, likeliest at the mode, which may equal a bound.
     ///
     /// # Errors
     /// Where a number is not finite, `low` is not below `high` or the mode is outside.
@@ -155,13 +159,13 @@ impl Distribution {
         self.shape
     }
 
-    /// The bounds that cut a normal distribution, for a report to say so.
+    /// The bounds that truncate a normal distribution, for a report to mention them.
     #[must_use]
     pub fn truncation(&self) -> Option<Truncation> {
         self.truncation
     }
 
-    /// (unit of the input) the value that a share `u` of the distribution lies below, for 0 ≤ u ≤ 1.
+    /// (unit of the input) the value below which a share `u` of the distribution lies, for 0 ≤ u ≤ 1.
     #[must_use]
     pub fn quantile(&self, u: f64) -> f64 {
         let mut lanes = [u];
@@ -190,7 +194,8 @@ impl Distribution {
             }
             // μ = (a + b)/2, σ² = (b − a)²/12
             (Shape::Uniform { low, high }, _) => (0.5 * low + 0.5 * high, (high - low) / 12.0_f64.sqrt()),
-            // μ = (a + c + b)/3, σ² = (a² + b² + c² − ab − ac − bc)/18 = ((b − a)² + (c − a)² − (b − a)(c − a))/18
+            // μ = (a + c + b)/3, σ² = (a² + b² + c² − ab − ac − bc)/18 = ((b − a)² + (c − a)² − (b − a)(c −
+            // a))/18
             (Shape::Triangular { low, mode, high }, _) => {
                 let (width, rise) = (high - low, mode - low);
                 let variance = (width * width + rise * rise - width * rise) / 18.0;
@@ -199,8 +204,8 @@ impl Distribution {
         }
     }
 
-    /// Independent shares in (0, 1) become independent values: as [`transform`](Self::transform), but for normal distributions, of which
-    /// [`normal::box_muller`] makes the numbers.
+    /// Independent shares in (0, 1) become independent values: as [`transform`](Self::transform), but for
+    /// normal distributions, of which [`normal::box_muller`] makes the numbers.
     #[inline(always)]
     pub(crate) fn draw(&self, lanes: &mut Lanes) {
         let Transform::Normal { centre, scale, low, high, .. } = self.transform else {
@@ -219,7 +224,7 @@ impl Distribution {
         }
     }
 
-    /// Draws the values again that a bound cuts off.
+    /// Redraws the values that lie beyond a bound.
     #[cold]
     #[inline(never)]
     fn draw_again(&self, shares: &Lanes, lanes: &mut Lanes) {
@@ -233,7 +238,7 @@ impl Distribution {
         }
     }
 
-    /// Shares in (0, 1) become values. The same bits for a lane as for a call alone.
+    /// Turns shares in (0, 1) into values. A lane gets the same bits as a single call.
     #[inline(always)]
     pub(crate) fn transform<const N: usize>(&self, lanes: &mut [f64; N]) {
         match self.transform {

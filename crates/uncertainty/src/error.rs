@@ -1,4 +1,4 @@
-//! Why a distribution or a request makes no sense.
+//! Errors of distributions and requests.
 
 use crate::limits::{MAX_SAMPLES, MIN_SAMPLES};
 
@@ -9,7 +9,7 @@ pub enum InvalidDistribution {
     /// A number that is infinite or NaN.
     #[error("the {name} is {value}, but must be a finite number")]
     NotFinite {
-        /// What the number is.
+        /// The name of the number.
         name: &'static str,
         /// The number.
         value: f64,
@@ -70,7 +70,7 @@ pub enum InvalidRequest {
     /// Nothing is uncertain.
     #[error("there is no uncertain input; give at least one input as a range")]
     NoInputs,
-    /// More inputs than the direction numbers of the Sobol' points serve.
+    /// More inputs than there are direction numbers for Sobol' points.
     #[error(
         "Sobol' points allow at most {limit} inputs, but there are {inputs}; use Latin hypercube or Monte \
          Carlo points"
@@ -81,13 +81,13 @@ pub enum InvalidRequest {
         /// The most there may be.
         limit: usize,
     },
-    /// A number of samples that tells nothing, or that no point set reaches.
+    /// A number of samples that is too small to be useful, or larger than any point set.
     #[error("the number of samples must be between {} and {MAX_SAMPLES}, but is {samples}", MIN_SAMPLES)]
     Samples {
         /// Number of samples.
         samples: usize,
     },
-    /// A number of rows for the indices that tells nothing, or that no point set reaches.
+    /// A number of rows for the indices that is too small to be useful, or larger than any point set.
     #[error("the number of rows must be between {} and {MAX_SAMPLES}, but is {rows}", MIN_SAMPLES)]
     Rows {
         /// Number of rows.
@@ -103,7 +103,7 @@ pub enum InvalidRequest {
         /// Length of the list.
         given: usize,
     },
-    /// A probability that is none.
+    /// Probabilities that are not 0 < low < high < 1.
     #[error("the two probabilities are {low} and {high}, but must be above 0, below 1 and in rising order")]
     Probabilities {
         /// The lower.

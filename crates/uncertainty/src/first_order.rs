@@ -2,8 +2,8 @@
 //!
 //! # References
 //!
-//! JCGM 100:2008, *Evaluation of measurement data – Guide to the expression of uncertainty in measurement*, Eq 10 (inputs that do not depend on
-//! each other).
+//! JCGM 100:2008, *Evaluation of measurement data – Guide to the expression of uncertainty in measurement*,
+//! Eq 10 (inputs that do not depend on each other).
 
 use crate::error::InvalidRequest;
 
@@ -23,7 +23,7 @@ impl FirstOrder {
     /// From the derivative of the output by each input, and the input's standard deviation.
     ///
     /// # Errors
-    /// Where the lists differ in length.
+    /// If the lists differ in length.
     pub fn new(derivatives: &[f64], sds: &[f64]) -> Result<Self, InvalidRequest> {
         if derivatives.len() != sds.len() {
             let (expected, given) = (derivatives.len(), sds.len());
@@ -36,8 +36,8 @@ impl FirstOrder {
         Ok(Self { sd: variance.sqrt(), shares: squares.iter().map(share).collect() })
     }
 
-    /// Whether a sampled standard deviation differs by more than [`FIRST_ORDER_LIMIT`], so that the output is no straight line over the range of
-    /// its inputs. NaN differs from everything.
+    /// Whether a sampled standard deviation differs by more than [`FIRST_ORDER_LIMIT`], so that the output is
+    /// no straight line over the range of its inputs. NaN differs from everything.
     #[must_use]
     pub fn differs(&self, sampled_sd: f64) -> bool {
         let agrees = (self.sd - sampled_sd).abs() <= FIRST_ORDER_LIMIT * sampled_sd;

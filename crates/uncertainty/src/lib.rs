@@ -1,4 +1,4 @@
-//! Ranges in, ranges out: propagates what is not known exactly of the inputs of any function to its outputs, and tells which input matters.
+//! Propagates the uncertainty of the inputs of any function to its outputs, and shows which input matters.
 //!
 //! ```
 //! use std::ops::ControlFlow;
@@ -29,38 +29,43 @@
 //!
 //! # Items
 //!
-//! | item | is |
+//! | item | what it is |
 //! |---|---|
-//! | [`Distribution`] | what is known of an input: normal, normal within bounds, uniform, triangular |
-//! | [`Model`], [`Function`] | what is evaluated: a block of samples, or one |
+//! | [`Distribution`] | the distribution of an input: normal, normal within bounds, uniform, triangular |
+//! | [`Model`], [`Function`] | the function to evaluate, for a block of samples or for one |
 //! | [`Settings`], [`SamplingMethod`] | number of samples, seed, kind of points: Monte Carlo, Latin hypercube, scrambled Sobol' |
 //! | [`propagate`] → [`Propagation`] | samples of the outputs, and a [`Summary`] of each: mean, deviation, median, intervals, with standard errors |
 //! | [`sensitivity`] → [`SobolIndices`] | first-order and total [`Indices`] of the inputs, with standard errors |
 //! | [`tornado`] → [`Tornado`] | one input at a time, from low to high |
 //! | [`FirstOrder`] | propagation by derivatives, and whether it differs from the samples |
-//! | [`Sampler`] | the inputs of the samples, made again |
+//! | [`Sampler`] | the inputs of the samples, generated again |
 //!
 //! # Guarantees
 //!
-//! - The same inputs, settings and model give the same bits for any number of threads, with and without the feature `parallel`, for any of the [`Instructions`] and
-//!   in any build profile. Nothing here calls the mathematical functions of the platform; a model that does has its own bits.
-//! - Every point follows from seed, number of input and number of sample alone, but for Latin hypercube and Sobol' points also from how many of each
-//!   there are. All distributions go through their inverse
-//!   transform, so that every method serves every distribution; only independent points become normal numbers by Box–Muller, which is quicker.
+//! - The same inputs, settings and model give the same bits for any number of threads, with and without the
+//!   feature `parallel`, for any of the [`Instructions`] and in any build profile. Nothing here calls the
+//!   mathematical functions of the platform; a model that does has its own bits.
+//! - Every point depends only on the seed, the number of the input and the number of the sample; Latin
+//!   hypercube and Sobol' points also depend on how many inputs and samples there are. All distributions use
+//!   their inverse transform, so every method works with every distribution; only independent points become
+//!   normal numbers by Box–Muller, which is faster.
 //! - Samples without an answer are counted by reason. An output that is infinite or NaN counts as a failure.
 //! - A run that is ended early leaves the first samples of the whole run, evenly from all replicates.
 //! - Memory grows with samples × outputs. Inputs are not kept.
 //!
 //! # Threads
 //!
-//! With the feature `parallel`, the work is shared among the threads of rayon's current pool: `ThreadPool::install` chooses another.
+//! With the feature `parallel`, the work is shared among the threads of rayon's current pool:
+//! `ThreadPool::install` chooses another.
 //!
 //! `examples/propagate.rs` sends ranges through a function and compares with the propagation by hand.
 //!
 //! # What it does not do
 //!
-//! Inputs do not depend on each other. A uniform or triangular distribution is not cut: choose its bounds where they make sense. Sobol' points
-//! serve [`MAX_SOBOL_INPUTS`] inputs, half of that in [`sensitivity`]. No quantity has a unit here, no input a name; files, histograms and words are for others.
+//! It treats all inputs as independent. It does not truncate a uniform or triangular distribution: choose
+//! bounds that make sense. Sobol' points support [`MAX_SOBOL_INPUTS`] inputs, half as many in
+//! [`sensitivity`]. Quantities have no units here, and inputs no names; files, histograms and texts are left
+//! to other crates.
 
 mod distribution;
 mod error;

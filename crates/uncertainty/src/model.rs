@@ -1,4 +1,4 @@
-//! What is propagated: any function of the inputs.
+//! The model: any function of the inputs.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,7 @@ use fearless_simd::dispatch;
 
 use crate::run::Instructions;
 
-/// Number of samples that a model is given at once.
+/// Number of samples that a model receives at once.
 pub const LANES: usize = 64;
 
 /// One number of each sample of a block.
@@ -15,7 +15,8 @@ pub type Lanes = [f64; LANES];
 /// The reason code of a sample that has an answer.
 pub const SUCCEEDED: u8 = 0;
 
-/// The reason code of a sample that the model let pass although an output is infinite or NaN. The model's own codes lie between.
+/// The reason code of a sample that the model accepted although an output is infinite or NaN. The model's own
+/// codes lie between.
 pub const NOT_FINITE: u8 = u8::MAX;
 
 /// How many samples failed, by reason code.
@@ -23,16 +24,17 @@ pub type Failures = BTreeMap<u8, usize>;
 
 /// A function of the inputs that is evaluated for [`LANES`] samples at once.
 ///
-/// Marked `#[inline(always)]`, without panics, and made of functions that are so too, [`evaluate`](Self::evaluate) is compiled for each
-/// instruction set that [`crate::Instructions`] knows, and its loop over the lanes is vectorised. It must answer by its inputs
-/// alone, and every lane by itself; then the results have the same bits for any number of threads. [`Function`] makes a model of a function of one
-/// sample.
+/// If [`evaluate`](Self::evaluate) and all functions that it calls are marked `#[inline(always)]` and cannot
+/// panic, it is compiled for each instruction set that [`crate::Instructions`] knows, and its loop over the
+/// lanes is vectorised. Each lane must depend only on its own inputs; then the results have the same bits for
+/// any number of threads. [`Function`] turns a function of one sample into a model.
 pub trait Model: Sync {
     /// Number of outputs.
     fn outputs(&self) -> usize;
 
-    /// Evaluates a block: `inputs` and `outputs` hold a column for each input and output. A sample without an answer gets its
-    /// reason, from 1 to 254, in `reasons`, which come as [`SUCCEEDED`]; its outputs do not matter then.
+    /// Evaluates a block: `inputs` and `outputs` hold a column for each input and output. A sample without an
+    /// answer gets a reason from 1 to 254 in `reasons`, which are [`SUCCEEDED`] at the start; its outputs are
+    /// then ignored.
     fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]);
 }
 
@@ -44,7 +46,8 @@ pub struct Function<F> {
 }
 
 impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Function<F> {
-    /// The function reads the inputs of a sample and writes its outputs, or fails with a reason from 1 to 254.
+    /// The function reads the inputs of a sample and writes its outputs, or fails with a reason from 1 to
+    /// 254.
     pub fn new(outputs: usize, function: F) -> Self {
         Self { outputs, function }
     }

@@ -2,11 +2,11 @@
 //!
 //! # References
 //!
-//! M. J. Wichura, *Algorithm AS 241: the percentage points of the normal distribution*, Applied Statistics 37 (1988): PPND16.
-//! G. E. P. Box and M. E. Muller, *A note on the generation of random normal deviates*, Annals of Mathematical Statistics 29 (1958).
-//! G. Marsaglia, *Evaluating the normal distribution*, Journal of Statistical Software 11 (2004): the series.
-//! M. Abramowitz and I. A. Stegun, *Handbook of Mathematical Functions* (1964): 26.2.14, the continued fraction; 25.4.30, Gauss's
-//! quadrature.
+//! M. J. Wichura, *Algorithm AS 241: the percentage points of the normal distribution*, Applied Statistics 37
+//! (1988): PPND16. G. E. P. Box and M. E. Muller, *A note on the generation of random normal deviates*,
+//! Annals of Mathematical Statistics 29 (1958). G. Marsaglia, *Evaluating the normal distribution*, Journal
+//! of Statistical Software 11 (2004): the series. M. Abramowitz and I. A. Stegun, *Handbook of Mathematical
+//! Functions* (1964): 26.2.14, the continued fraction; 25.4.30, Gauss's quadrature.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, LN_2, PI};
 
@@ -78,8 +78,9 @@ const F: [f64; 8] = [
 
 /// z with Φ(z) = p for each p, 0 < p < 1; −∞ at 0, +∞ at 1.
 ///
-/// Within 1e-15 of the exact value, relative to it. The middle, which holds 85 % of all shares, costs one division; it is done for all lanes, and then
-/// the tails again, gathered together, with their logarithm, root and division. Each loop is free of branches and so vectorised.
+/// Within 1e-15 of the exact value, relative to it. The middle, which holds 85 % of all shares, costs one
+/// division; it is done for all lanes, and then the tails again, gathered together, with their logarithm,
+/// root and division. Each loop is free of branches and so vectorised.
 #[inline(always)]
 pub(crate) fn quantiles<const N: usize>(lanes: &mut [f64; N]) {
     const GROUP: usize = 16;
@@ -88,7 +89,8 @@ pub(crate) fn quantiles<const N: usize>(lanes: &mut [f64; N]) {
         *lane = middle(*lane);
     }
 
-    // Never more than N: the remainders are only there to say so, since a check of bounds could panic, and nothing that can is vectorised.
+    // Never more than N: the remainders are only there to say so, since a check of bounds could panic, and
+    // nothing that can is vectorised.
     let mut tails = [0; N];
     let mut count = 0;
     for (lane, share) in shares.iter().enumerate() {
@@ -152,10 +154,11 @@ fn polynomial(coefficients: &[f64; 8], x: f64) -> f64 {
     c0 + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * (c5 + x * (c6 + x * c7))))))
 }
 
-/// Independent shares in (0, 1) become independent standard normal numbers: each of the first half of the lanes and its counterpart of the second half become
-/// two.
+/// Independent shares in (0, 1) become independent standard normal numbers: each of the first half of the
+/// lanes and its counterpart of the second half become two.
 ///
-/// Quicker than [`quantiles`], but a number is no longer the quantile of one share, which only independent points do without.
+/// Quicker than [`quantiles`], but a number is no longer the quantile of one share, which only independent
+/// points do without.
 #[inline(always)]
 pub(crate) fn box_muller(lanes: &mut Lanes) {
     let (radii, turns) = lanes.split_at_mut(LANES / 2);
@@ -168,7 +171,8 @@ pub(crate) fn box_muller(lanes: &mut Lanes) {
     }
 }
 
-// The functions of `real` are good to the last digit everywhere. A random number needs neither, and these take half the time.
+// The functions of `real` are good to the last digit everywhere. A random number needs neither, and these
+// take half the time.
 
 /// (2 artanh s − 2s)/s³ in powers of s², |s| ≤ 0.1716: Chebyshev interpolation, good to 3e-16 of 2 artanh s.
 const LN: [f64; 6] = [
@@ -246,7 +250,8 @@ fn density(z: f64) -> f64 {
     exp(-0.5 * z * z) / (2.0 * PI).sqrt()
 }
 
-/// Φ(z), within 1e-14 of the exact value, relative to it, where z < 0 (far out where its square is rounded, z²·1e-16).
+/// Φ(z), within 1e-14 of the exact value, relative to it, where z < 0 (far out where its square is rounded,
+/// z²·1e-16).
 pub(crate) fn cumulative(z: f64) -> f64 {
     /// From here on the continued fraction settles faster than the series loses digits.
     const TAIL: f64 = 1.5;
@@ -273,7 +278,8 @@ pub(crate) fn cumulative(z: f64) -> f64 {
 
 /// Mean and standard deviation of a standard normal variable that is known to lie in [low, high].
 ///
-/// By quadrature, whose terms are all positive: the textbook's differences of densities cancel where the interval is narrow.
+/// By quadrature, whose terms are all positive: the textbook's differences of densities cancel where the
+/// interval is narrow.
 pub(crate) fn truncated_moments(low: f64, high: f64) -> (f64, f64) {
     /// What lies farther out than this has no weight beside a kept share of [`crate::MIN_KEPT`].
     const REACH: f64 = 12.0;

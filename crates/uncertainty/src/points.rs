@@ -1,14 +1,17 @@
-//! Points in the unit cube, each from its index alone: shares between 0 and 1 for every input of every sample.
+//! Points in the unit cube, each from its index alone: shares between 0 and 1 for every input of every
+//! sample.
 //!
-//! Samples are dealt in turn to [`REPLICATES`] point sets: sample j is point ⌊j/16⌋ of set j mod 16. Each set is random by itself, so that the spread of
-//! a result between them tells its standard error; and each whole number of blocks from the beginning has the same number of points of each. Latin
-//! hypercube sets are independent of each other. Sobol' sets are, but for correlations between two inputs, which cancel among them.
+//! Samples are dealt in turn to [`REPLICATES`] point sets: sample j is point ⌊j/16⌋ of set j mod 16. Each set
+//! is random by itself, so the spread of a result between the sets gives its standard error. Every whole
+//! number of blocks from the beginning has the same number of points from each set. Latin hypercube sets are
+//! independent of each other. So are Sobol' sets, except for correlations between two inputs, which cancel
+//! among them.
 //!
 //! # References
 //!
-//! M. D. McKay, R. J. Beckman and W. J. Conover, *A comparison of three methods for selecting values of input variables*, Technometrics 21
-//! (1979): Latin hypercube sampling.
-//! A. B. Owen, *Randomly permuted (t,m,s)-nets and (t,s)-sequences*, in Monte Carlo and Quasi-Monte Carlo Methods (1995): scrambling.
+//! M. D. McKay, R. J. Beckman and W. J. Conover, *A comparison of three methods for selecting values of input
+//! variables*, Technometrics 21 (1979): Latin hypercube sampling. A. B. Owen, *Randomly permuted (t,m,s)-nets
+//! and (t,s)-sequences*, in Monte Carlo and Quasi-Monte Carlo Methods (1995): scrambling.
 
 mod direction_numbers;
 mod sobol;
@@ -21,16 +24,18 @@ use sobol::Sobol;
 
 pub use sobol::MAX_INPUTS as MAX_SOBOL_INPUTS;
 
-/// How points are laid.
+/// How points are distributed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SamplingMethod {
     /// Independent points.
     MonteCarlo,
-    /// In every replicate, each input has exactly one point in each of as many equal strata as there are points.
+    /// In every replicate, each input has exactly one point in each of as many equal strata as there are
+    /// points.
     LatinHypercube,
-    /// Sobol' points, scrambled after Owen, but for the first digits, which are shifted. Best where a power of two of samples is asked for: in between, a part of the
-    /// points of each replicate is less even, and so are pairs of inputs.
+    /// Sobol' points with Owen's scrambling, except for the first digits, which are shifted. They work best
+    /// for a power of two of samples; otherwise a part of the points of each replicate is less even, and so
+    /// are pairs of inputs.
     Sobol,
 }
 
@@ -89,7 +94,8 @@ impl Points {
         matches!(self.inputs, Inputs::MonteCarlo(_))
     }
 
-    /// The shares of a block of samples, a column for each input. Lanes beyond the last sample hold some point or other.
+    /// The shares of a block of samples, a column for each input. Lanes beyond the last sample hold some
+    /// point or other.
     #[inline(always)]
     pub(crate) fn fill(&self, block: u64, columns: &mut [Lanes]) {
         let first = block * LANES as u64;
@@ -136,7 +142,8 @@ impl Strata {
     }
 
     fn share(&self, sample: u64, samples: u64) -> f64 {
-        /// (bit) with a stratum's number of up to 28 bits below the 53 of an `f64`, so that their sum is exact.
+        /// (bit) with a stratum's number of up to 28 bits below the 53 of an `f64`, so that their sum is
+        /// exact.
         const PLACE_BITS: u32 = 20;
         const PLACES: f64 = (1_u64 << PLACE_BITS) as f64;
         let sets = REPLICATES as u64;
@@ -156,8 +163,9 @@ impl Strata {
 
 /// The place of `index` in a random permutation of 0, 1, … `count` − 1.
 ///
-/// A bijection of the numbers of as many bits as `count` needs, walked until it comes back below `count`: less than two steps on average
-/// (J. Black and P. Rogaway, *Ciphers with arbitrary finite domains*, CT-RSA 2002: cycle walking).
+/// A bijection of the numbers of as many bits as `count` needs, walked until it comes back below `count`:
+/// less than two steps on average (J. Black and P. Rogaway, *Ciphers with arbitrary finite domains*, CT-RSA
+/// 2002: cycle walking).
 fn permuted(index: u64, count: u64, key: u64) -> u64 {
     const ROUNDS: u64 = 4;
     let mask = count.next_power_of_two() - 1;
@@ -165,7 +173,8 @@ fn permuted(index: u64, count: u64, key: u64) -> u64 {
     let mut place = index;
     loop {
         for round in 0..ROUNDS {
-            // Adding, multiplying by an odd number and folding the high bits into the low ones can each be undone.
+            // Adding, multiplying by an odd number and folding the high bits into the low ones can each be
+            // undone.
             let word = bits(key, round);
             place = place.wrapping_add(word >> 32) & mask;
             place = place.wrapping_mul(word | 1) & mask;

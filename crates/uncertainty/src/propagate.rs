@@ -1,4 +1,4 @@
-//! Samples of all inputs become samples of the outputs.
+//! Turns samples of the inputs into samples of the outputs.
 
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
@@ -10,7 +10,7 @@ use crate::summary::Summary;
 /// Samples that one thread takes at a time.
 const SPAN: usize = 64 * LANES;
 
-/// What a propagation gives.
+/// The result of a propagation.
 #[derive(Clone, Debug)]
 pub struct Propagation {
     columns: Vec<Vec<f64>>,
@@ -21,7 +21,7 @@ pub struct Propagation {
 }
 
 impl Propagation {
-    /// Number of samples asked for.
+    /// Number of samples requested.
     #[must_use]
     pub fn requested(&self) -> usize {
         self.requested
@@ -39,7 +39,7 @@ impl Propagation {
         self.evaluated() - self.failures.values().sum::<usize>()
     }
 
-    /// Number of samples that have none, by the model's reason code, or [`crate::NOT_FINITE`].
+    /// Number of samples without an answer, by the model's reason code, or [`crate::NOT_FINITE`].
     #[must_use]
     pub fn failures(&self) -> &Failures {
         &self.failures
@@ -66,11 +66,11 @@ impl Propagation {
 
 /// Evaluates the model for samples of its inputs.
 ///
-/// `progress` is told how many samples are done, and may end the run: the result then holds the first samples, those that the
-/// whole run would have begun with.
+/// `progress` receives the number of finished samples and may end the run early; the result then holds the
+/// first samples of the whole run.
 ///
 /// # Errors
-/// Where there are no inputs or too many, or where the number of samples is out of range.
+/// If there are no inputs or too many, or if the number of samples is out of range.
 pub fn propagate<M: Model>(
     model: &M,
     inputs: &[Distribution],

@@ -2,7 +2,8 @@
 //!
 //! # References
 //!
-//! G. L. Steele, D. Lea and C. H. Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014: SplitMix64.
+//! G. L. Steele, D. Lea and C. H. Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014:
+//! SplitMix64.
 
 /// SplitMix64's increment, 2⁶⁴ over the golden ratio.
 const GAMMA: u64 = 0x9E37_79B9_7F4A_7C15;
@@ -23,7 +24,8 @@ pub(crate) fn key(seed: u64, path: &[u64]) -> u64 {
 
 /// The leading 52 bits as a number in (0, 1): the middle of one of 2⁵² equal cells.
 ///
-/// Never 0 or 1, and 1 − u is exact. The least is 2⁻⁵³, where a normal quantile is 8.2 standard deviations below the mean.
+/// Never 0 or 1, and 1 − u is exact. The least is 2⁻⁵³, where a normal quantile is 8.2 standard deviations
+/// below the mean.
 #[inline(always)]
 pub(crate) fn unit(bits: u64) -> f64 {
     // 2⁻⁵³

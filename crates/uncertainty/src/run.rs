@@ -5,12 +5,13 @@ use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::Level;
 
-/// An instruction set of this CPU, for which a model's loops are compiled. All give the same bits; they differ in speed.
+/// An instruction set of this CPU, for which a model's loops are compiled. All give the same bits; they
+/// differ in speed.
 #[derive(Clone, Copy, Debug)]
 pub struct Instructions(Level);
 
 impl Instructions {
-    /// The best that this CPU has.
+    /// The best instruction set of this CPU.
     #[must_use]
     pub fn best() -> Self {
         Self(Level::new())
@@ -32,8 +33,8 @@ impl Instructions {
         others.into_iter().flatten().map(Self).collect()
     }
 
-    /// For `dispatch!`. What it is given must be one call of a function that is `#[inline(always)]`: a closure of ours would be compiled once, for the
-    /// least of the instructions.
+    /// For `dispatch!`. What it is given must be one call of a function that is `#[inline(always)]`: a
+    /// closure of ours would be compiled once, for the least of the instructions.
     pub(crate) fn level(self) -> Level {
         self.0
     }
@@ -45,8 +46,9 @@ impl Default for Instructions {
     }
 }
 
-/// Told how many samples are done, of how many, whenever a span of some thousand samples begins; it ends the run by
-/// [`ControlFlow::Break`]. May be called from any thread, by one at a time.
+/// Receives the number of finished samples and of all samples whenever a span of some thousand samples
+/// begins, and ends the run with [`ControlFlow::Break`]. It may be called from any thread, but by only one at
+/// a time.
 pub type Progress<'a> = dyn FnMut(usize, usize) -> ControlFlow<()> + Send + 'a;
 
 /// A span of work, and how many samples it holds.

@@ -11,25 +11,26 @@ use crate::run::Instructions;
 /// How to sample.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings {
-    /// Number of samples; of rows for [`crate::sensitivity`].
+    /// Number of samples, or of rows for [`crate::sensitivity`].
     pub samples: usize,
-    /// Any number; the same gives the same results.
+    /// The random seed: the same seed gives the same results.
     pub seed: u64,
-    /// How points are laid.
+    /// How points are distributed.
     pub method: SamplingMethod,
-    /// For which instructions; makes no difference to the results.
+    /// The instruction set, which does not change the results.
     pub instructions: Instructions,
 }
 
 impl Settings {
-    /// With the best instructions of this CPU.
+    /// Settings with the best instruction set of this CPU.
     #[must_use]
     pub fn new(method: SamplingMethod, samples: usize, seed: u64) -> Self {
         Self { samples, seed, method, instructions: Instructions::best() }
     }
 }
 
-/// The inputs of the samples of a [`crate::propagate`], for whoever writes them down: they are not kept, but made again.
+/// Generates the inputs of the samples of [`crate::propagate`] again, for a caller that writes them to a
+/// file, because the propagation does not keep them.
 #[derive(Clone, Debug)]
 pub struct Sampler<'a> {
     inputs: &'a [Distribution],
@@ -38,10 +39,10 @@ pub struct Sampler<'a> {
 }
 
 impl<'a> Sampler<'a> {
-    /// For the same inputs and settings as the propagation.
+    /// A sampler for the same inputs and settings as the propagation.
     ///
     /// # Errors
-    /// Where there are no inputs or too many, or where the number of samples is out of range.
+    /// If there are no inputs or too many, or if the number of samples is out of range.
     pub fn new(inputs: &'a [Distribution], settings: &Settings) -> Result<Self, InvalidRequest> {
         let points = Points::new(settings.method, settings.seed, inputs.len(), settings.samples)?;
         Ok(Self { inputs, points, instructions: settings.instructions })
@@ -51,8 +52,8 @@ impl<'a> Sampler<'a> {
         self.inputs.len()
     }
 
-    /// Inputs of the samples `block`·[`crate::LANES`] and following, a column for each input. Lanes beyond the last sample hold some
-    /// value or other.
+    /// Inputs of the samples `block`·[`crate::LANES`] and following, a column for each input. Lanes beyond
+    /// the last sample hold some value or other.
     pub fn fill(&self, block: u64, columns: &mut [Lanes]) {
         fill(self.instructions, &self.points, self.inputs, block, columns);
     }

@@ -1,11 +1,12 @@
-//! How much of an output's variance each input brings.
+//! How much each input contributes to the variance of an output.
 //!
 //! # References
 //!
-//! A. Saltelli, P. Annoni, I. Azzini, F. Campolongo, M. Ratto and S. Tarantola, *Variance based sensitivity analysis of model output*, Comput. Phys. Commun. 181
-//! (2010): the sampling, and table 2 (b) and (f) for the estimators, which are those of M. J. W. Jansen, *Analysis of variance designs for model output*,
-//! Comput. Phys. Commun. 117 (1999).
-//! B. Efron and R. J. Tibshirani, *An Introduction to the Bootstrap* (1993), chapter 11: the jackknife.
+//! A. Saltelli, P. Annoni, I. Azzini, F. Campolongo, M. Ratto and S. Tarantola, *Variance based sensitivity
+//! analysis of model output*, Comput. Phys. Commun. 181 (2010): the sampling, and table 2 (b) and (f) for the
+//! estimators, which are those of M. J. W. Jansen, *Analysis of variance designs for model output*, Comput.
+//! Phys. Commun. 117 (1999). B. Efron and R. J. Tibshirani, *An Introduction to the Bootstrap* (1993),
+//! chapter 11: the jackknife.
 
 use std::ops::Range;
 
@@ -25,12 +26,14 @@ const SPAN_BLOCKS: usize = 16;
 /// The most spans: the sums of each are kept until all are done.
 const MAX_SPANS: usize = 256;
 
-/// A sensitivity index and how well the samples tell it.
+/// A sensitivity index and its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Index {
-    /// Share of the variance. From few samples it may come out below 0 or above 1, by as much as the standard error says.
+    /// Share of the variance. From few samples it may come out below 0 or above 1, by as much as the standard
+    /// error says.
     pub value: f64,
-    /// Its standard error, by the jackknife over [`REPLICATES`] groups of rows; `None` where a group has no rows.
+    /// Its standard error, by the jackknife over [`REPLICATES`] groups of rows; `None` where a group has no
+    /// rows.
     pub standard_error: Option<f64>,
 }
 
@@ -48,11 +51,12 @@ impl Index {
 pub struct Indices {
     /// Sᵢ: the share of the variance that would vanish if this input alone were known.
     pub first_order: Index,
-    /// Tᵢ: the share that would remain if all others were known; greater than Sᵢ by what this input does together with others.
+    /// Tᵢ: the share that would remain if all others were known; greater than Sᵢ by what this input does
+    /// together with others.
     pub total: Index,
 }
 
-/// What a sensitivity analysis gives.
+/// The result of a sensitivity analysis.
 #[derive(Clone, Debug)]
 pub struct SobolIndices {
     requested: usize,
@@ -64,7 +68,7 @@ pub struct SobolIndices {
 }
 
 impl SobolIndices {
-    /// Number of rows asked for.
+    /// Number of rows requested.
     #[must_use]
     pub fn requested(&self) -> usize {
         self.requested
@@ -94,7 +98,8 @@ impl SobolIndices {
         &self.failures
     }
 
-    /// The indices of all inputs, for each output; `None` where it does not vary, or where fewer than two rows could be used.
+    /// The indices of all inputs, for each output; `None` if the output does not vary, or if fewer than two
+    /// rows could be used.
     #[must_use]
     pub fn indices(&self) -> &[Option<Vec<Indices>>] {
         &self.indices
@@ -103,11 +108,11 @@ impl SobolIndices {
 
 /// Variance-based sensitivity: evaluates the model inputs + 2 times in each of `settings.samples` rows.
 ///
-/// A row is two independent samples A and B, and for each input the sample A with this one input from B. For Sobol' points a power of
-/// two of rows is best; they need two dimensions for each input.
+/// A row is two independent samples A and B, and for each input the sample A with this one input from B. For
+/// Sobol' points a power of two of rows is best; they need two dimensions for each input.
 ///
 /// # Errors
-/// Where there are no inputs or too many, or where the number of rows is out of range.
+/// If there are no inputs or too many, or if the number of rows is out of range.
 pub fn sensitivity<M: Model>(
     model: &M,
     inputs: &[Distribution],
@@ -157,7 +162,8 @@ pub fn sensitivity<M: Model>(
     })
 }
 
-/// The outputs with all inputs at their medians: somewhere near the middle, so that squares of what differs from them lose no digits.
+/// The outputs with all inputs at their medians: somewhere near the middle, so that squares of what differs
+/// from them lose no digits.
 fn shifts<M: Model>(instructions: Instructions, model: &M, inputs: &[Distribution]) -> Vec<f64> {
     let columns: Vec<Lanes> = inputs.iter().map(|input| [input.quantile(0.5); LANES]).collect();
     let mut outputs = vec![[0.0; LANES]; model.outputs()];

@@ -2,8 +2,9 @@
 //!
 //! # References
 //!
-//! R. J. Hyndman and Y. Fan, *Sample quantiles in statistical packages*, American Statistician 50 (1996): quantiles are their type 7, as in NumPy.
-//! M. G. Kendall and A. Stuart, *The Advanced Theory of Statistics*, volume 1, sections 10.5 and 14: standard errors of moments; order statistics.
+//! R. J. Hyndman and Y. Fan, *Sample quantiles in statistical packages*, American Statistician 50 (1996):
+//! quantiles are their type 7, as in NumPy. M. G. Kendall and A. Stuart, *The Advanced Theory of Statistics*,
+//! volume 1, sections 10.5 and 14: standard errors of moments; order statistics.
 
 use crate::limits::REPLICATES;
 use crate::model::LANES;
@@ -37,13 +38,16 @@ pub struct Interval {
 
 /// Statistics of one output.
 ///
-/// Monte Carlo: the standard error of the mean is s/√n, that of s follows from the fourth moment, that of a quantile from the order
-/// statistics one binomial standard deviation of the count to either side.
+/// Monte Carlo: the standard error of the mean is s/√n, that of s follows from the fourth moment, that of a
+/// quantile from the order statistics one binomial standard deviation of the count to either side.
 ///
-/// Latin hypercube and Sobol': the standard errors of the mean and of s follow from their spread between the [`REPLICATES`] point sets, s/√16. That of a quantile is half
-/// of the distance between the order statistics to either side of it, as for Monte Carlo, but as far away as the numbers of samples below the quantile, which differ
-/// between the replicates, tell: by their standard error and one place more. The spread of the replicates' own quantiles would not do: where one input rules the result, they
-/// keep to their strata, and the quantile of all samples does not. With 15 degrees of freedom all these are themselves uncertain by a fifth.
+/// Latin hypercube and Sobol': the standard errors of the mean and of s follow from their spread between the
+/// [`REPLICATES`] point sets, s/√16. That of a quantile is half of the distance between the order statistics
+/// to either side of it, as for Monte Carlo, but as far away as the numbers of samples below the quantile,
+/// which differ between the replicates, tell: by their standard error and one place more. The spread of the
+/// replicates' own quantiles would not do: where one input rules the result, they keep to their strata, and
+/// the quantile of all samples does not. With 15 degrees of freedom all these are themselves uncertain by a
+/// fifth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Summary {
     /// Number of samples that succeeded.
@@ -164,7 +168,8 @@ fn sums<const N: usize>(values: &[f64], f: impl Fn(f64) -> [f64; N]) -> [f64; N]
 /// The quantiles at [`PROBABILITIES`], and the order statistics around them.
 struct Quantiles {
     values: [f64; PROBABILITIES.len()],
-    /// Half of the distance between the order statistics next to each, a binomial standard deviation of the count away.
+    /// Half of the distance between the order statistics next to each, a binomial standard deviation of the
+    /// count away.
     half_distances: [Option<f64>; PROBABILITIES.len()],
 }
 
@@ -252,13 +257,15 @@ fn tail_is_populated(probability: f64, count: usize) -> bool {
 
 /// The values at the wanted places, counted from zero and ascending, of the values in their order.
 ///
-/// The range of the values is cut into equal cells. One pass counts the values in each; a second one takes out those of the few cells in which a
-/// wanted place lies, which alone are put in order. However the values lie, this is right; where most lie in one cell, it is no quicker than ordering them.
+/// The range of the values is cut into equal cells. One pass counts the values in each; a second one takes
+/// out those of the few cells in which a wanted place lies, which alone are put in order. However the values
+/// lie, this is right; where most lie in one cell, it is no quicker than ordering them.
 fn order_statistics(values: &[f64], wanted: &[usize]) -> Vec<f64> {
     let cells = Cells::of(values);
     let counts = cells.count(values);
 
-    // The cells with a wanted place, each with the place of its first value. There are fewer than u8::MAX: a summary wants 36 places at most.
+    // The cells with a wanted place, each with the place of its first value. There are fewer than u8::MAX: a
+    // summary wants 36 places at most.
     let mut slots = [u8::MAX; 2 * CELLS];
     let mut taken: Vec<(usize, Vec<f64>)> = Vec::new();
     let mut waiting = wanted.iter().peekable();
@@ -350,7 +357,8 @@ impl Cells {
     }
 }
 
-/// Puts the wanted places of the ordered values right, the middle one first and the others inside its halves. `values` begin at `start`.
+/// Puts the wanted places of the ordered values right, the middle one first and the others inside its halves.
+/// `values` begin at `start`.
 fn select(values: &mut [f64], start: usize, wanted: &[usize]) {
     let (before, [middle, after @ ..]) = wanted.split_at(wanted.len() / 2) else { return };
     let place = middle - start;
@@ -402,7 +410,8 @@ impl Errors {
     }
 }
 
-/// How far from its place among the ordered values each quantile may be, by the numbers of samples below it in the replicates. NaN is in none.
+/// How far from its place among the ordered values each quantile may be, by the numbers of samples below it
+/// in the replicates. NaN is in none.
 fn deviations_of_place(column: &[f64], quantiles: &[f64; PROBABILITIES.len()]) -> [f64; PROBABILITIES.len()] {
     let (rows, rest) = column.as_chunks::<REPLICATES>();
     let mut last = [f64::NAN; REPLICATES];

@@ -13,11 +13,11 @@ pub const TORNADO_PROBABILITIES: [f64; 2] = [0.025, 0.975];
 pub struct End {
     /// (unit of the input) value of the input.
     pub input: f64,
-    /// The outputs, or the reason why there are none.
+    /// The outputs, or the reason code if there are none.
     pub outputs: Result<Vec<f64>, u8>,
 }
 
-/// What one input does while all others stand at their central values.
+/// The effect of one input while all others keep their central values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bar {
     /// Number of the input, from 0.
@@ -29,7 +29,8 @@ pub struct Bar {
 }
 
 impl Bar {
-    /// (unit of the output) change of an output from the low to the high end; `None` where an end has no answer.
+    /// (unit of the output) change of an output from the low to the high end; `None` where an end has no
+    /// answer.
     #[must_use]
     pub fn swing(&self, output: usize) -> Option<f64> {
         match (&self.low.outputs, &self.high.outputs) {
@@ -49,7 +50,8 @@ pub struct Tornado {
 }
 
 impl Tornado {
-    /// The bars in the order of a drawing for one output: those without an answer first, then from the longest to the shortest.
+    /// The bars in the order of a drawing for one output: those without an answer first, then from the
+    /// longest to the shortest.
     #[must_use]
     pub fn ranked(&self, output: usize) -> Vec<&Bar> {
         let mut bars: Vec<&Bar> = self.bars.iter().collect();
@@ -62,7 +64,8 @@ impl Tornado {
 /// Sets each input in turn to the quantiles at two probabilities, and all others to `central`.
 ///
 /// # Errors
-/// Where there are no inputs, where `central` has another length, or where the probabilities are not 0 < low < high < 1.
+/// If there are no inputs, if `central` has a different length, or if the probabilities are not 0 < low <
+/// high < 1.
 pub fn tornado<M: Model>(
     model: &M,
     inputs: &[Distribution],

@@ -22,7 +22,8 @@ fn normal_quantiles_and_moments() {
     assert_eq!(normal.truncation(), None);
 }
 
-/// Exact: the ends of any interval of a uniform distribution are linear in the share, of a triangular one square roots of it.
+/// Exact: the ends of any interval of a uniform distribution are linear in the share, of a triangular one
+/// square roots of it.
 #[test]
 fn uniform_and_triangular_quantiles_and_moments() {
     let uniform = Distribution::uniform(-8.0, 8.0).unwrap();
@@ -167,8 +168,8 @@ fn samples_follow_their_distribution() {
     }
 }
 
-/// Box–Muller makes two numbers of two shares, which stand half a block apart: neither they nor their squares are correlated, within a block or from
-/// input to input.
+/// Box–Muller makes two numbers of two shares, which stand half a block apart: neither they nor their squares
+/// are correlated, within a block or from input to input.
 #[test]
 fn normal_samples_are_independent() {
     let inputs = [Distribution::normal(0.0, 1.0).unwrap(), Distribution::normal(0.0, 1.0).unwrap()];

@@ -85,7 +85,8 @@ fn standard_errors_are_the_spread_over_seeds() {
             let mean = list.iter().map(|(value, _)| value).sum::<f64>() / count;
             let spread = list.iter().map(|(value, _)| (value - mean).powi(2)).sum::<f64>() / (count - 1.0);
             let stated = list.iter().map(|(_, error)| error * error).sum::<f64>() / count;
-            // The spread of 200 is uncertain by 1/√400 = 5 %, four times over; to the error of a quantile belongs a place more.
+            // The spread of 200 is uncertain by 1/√400 = 5 %, four times over; to the error of a quantile
+            // belongs a place more.
             let ratio = (stated / spread).sqrt();
             assert!((0.8..1.25).contains(&ratio), "{method:?}, estimate {number}: {ratio}");
         }
@@ -112,9 +113,10 @@ fn ratios<M: Model>(model: &M, inputs: &[Distribution], method: SamplingMethod, 
     })
 }
 
-/// Where one input rules the result, its strata do, and the quantiles of the replicates tell nothing of the quantile of all samples. The spread over 100 seeds is
-/// uncertain by 7 %, three times over. Where the quantile lies between two strata of all replicates, as the median of a power of two does, the one place that is
-/// always allowed for is more than twice what is needed.
+/// Where one input rules the result, its strata do, and the quantiles of the replicates tell nothing of the
+/// quantile of all samples. The spread over 100 seeds is uncertain by 7 %, three times over. Where the
+/// quantile lies between two strata of all replicates, as the median of a power of two does, the one place
+/// that is always allowed for is more than twice what is needed.
 #[test]
 fn errors_of_quantiles_are_honest_where_one_input_rules() {
     let alone = Function::new(1, |x: &[f64], y: &mut [f64]| {
@@ -174,7 +176,8 @@ fn even_points_converge_faster() {
     let [chance, latin, sobol] = METHODS.map(|method| error(method, 1 << 14));
     assert!(latin < chance / 3.0, "{latin}, by chance {chance}");
     assert!(sobol < chance / 50.0, "{sobol}, by chance {chance}");
-    // Four times the points halve an error by chance, and divide that of scrambled Sobol' points by nearly 8 (Owen 1997).
+    // Four times the points halve an error by chance, and divide that of scrambled Sobol' points by nearly 8
+    // (Owen 1997).
     let finer = error(SamplingMethod::Sobol, 1 << 16);
     assert!(finer < sobol / 4.0, "{finer} after {sobol}");
 }
@@ -290,8 +293,9 @@ impl Model for Mixed {
     }
 }
 
-/// The pins say nothing about being right, which the tests above do. They guarantee that the bits stay the same on every platform, for any number of threads, for
-/// each instruction set, with and without the feature `parallel`, and at every optimisation level. Renew them only for a change that was meant.
+/// The pins say nothing about being right, which the tests above do. They guarantee that the bits stay the
+/// same on every platform, for any number of threads, for each instruction set, with and without the feature
+/// `parallel`, and at every optimisation level. Renew them only for a change that was meant.
 #[test]
 fn bits_are_pinned_for_every_instruction_set() {
     let available = Instructions::available();

@@ -19,7 +19,8 @@ fn run<M: Model>(model: &M, inputs: &[Distribution], settings: &Settings) -> Sob
     sensitivity(model, inputs, settings, &mut |_, _| ControlFlow::Continue(())).unwrap()
 }
 
-/// Within the stated errors, which must themselves be below a limit. Student's t with 15 degrees of freedom is beyond 5 once in 6000.
+/// Within the stated errors, which must themselves be below a limit. Student's t with 15 degrees of freedom
+/// is beyond 5 once in 6000.
 fn assert_indices(found: &[Indices], exact: &[(f64, f64)], limit: f64) {
     assert_eq!(found.len(), exact.len());
     for (found, exact) in found.iter().zip(exact) {
@@ -46,7 +47,8 @@ fn the_ishigami_function_has_its_indices() {
     let v13 = b * b * PI.powi(8) * (1.0 / 18.0 - 1.0 / 50.0);
     let v = v1 + v2 + v13;
     let exact = [(v1 / v, (v1 + v13) / v), (v2 / v, v2 / v), (0.0, v13 / v)];
-    // Saltelli and others, *Global sensitivity analysis: the primer* (2008): 0.3139, 0.4424, 0; 0.5576, 0.4424, 0.2437.
+    // Saltelli and others, *Global sensitivity analysis: the primer* (2008): 0.3139, 0.4424, 0; 0.5576,
+    // 0.4424, 0.2437.
     assert!((exact[0].0 - 0.3139).abs() < 5e-5 && (exact[0].1 - 0.5576).abs() < 5e-5);
     for (method, limit) in METHODS.into_iter().zip([0.02, 0.02, 0.005]) {
         let result = run(&model, &inputs, &Settings::new(method, 1 << 15, 1));
@@ -55,7 +57,8 @@ fn the_ishigami_function_has_its_indices() {
     }
 }
 
-/// y = Σ cᵢxᵢ: Sᵢ = Tᵢ = (cᵢσᵢ)²/Σ(cᵢσᵢ)², which is the first-order share too. Far from zero, so that careless squares would lose their digits.
+/// y = Σ cᵢxᵢ: Sᵢ = Tᵢ = (cᵢσᵢ)²/Σ(cᵢσᵢ)², which is the first-order share too. Far from zero, so that
+/// careless squares would lose their digits.
 #[test]
 fn a_linear_model_has_the_shares_of_first_order() {
     let inputs = [
@@ -109,7 +112,8 @@ fn confidence_intervals_hold_the_exact_index() {
     }
 }
 
-/// Fails where x₀ > 0.5, and is not finite where x₁ > 0.9: rows in which A, B or any mixture fails are left out.
+/// Fails where x₀ > 0.5, and is not finite where x₁ > 0.9: rows in which A, B or any mixture fails are left
+/// out.
 #[test]
 fn rows_with_failures_are_left_out_and_counted() {
     let inputs = [Distribution::uniform(0.0, 1.0).unwrap(); 2];

@@ -1,4 +1,5 @@
-//! How far off the program is: the speed of vehicle 1 of each staged collision, from its crush and as it was driven.
+//! How far off the program is: the speed of vehicle 1 of each staged collision, from its crush and as it was
+//! driven.
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 

@@ -18,7 +18,8 @@ macro_rules! ricsac {
 }
 
 impl Data {
-    /// `ricsac/*.toml` beside `src`, which `fixtures/ricsac` leads to, and [`case::EXAMPLE`], as they were when the program was built.
+    /// `ricsac/*.toml` beside `src`, which `fixtures/ricsac` leads to, and [`case::EXAMPLE`], as they were
+    /// when the program was built.
     #[must_use]
     pub fn built_in() -> Self {
         Self {

@@ -1,4 +1,5 @@
-//! The program's error rate: its results beside the RICSAC staged collisions and beside what the papers print of them.
+//! The program's error rate: its results beside the RICSAC staged collisions and beside what the papers print
+//! of them.
 //!
 //! ```
 //! let validation = validation::validate(&validation::Data::built_in())?;
@@ -9,21 +10,23 @@
 //! # Ok::<(), validation::ValidationError>(())
 //! ```
 //!
-//! The types: [`validate`] runs the [`Data`] and gives a [`Validation`], whose tables are made of [`Cell`]s: a number of ours, the paper's, and a
-//! [`Claim`]. What is claimed and fails is listed by [`Validation::failures`]; what is known not to come out carries its reason, and a misprint of
-//! the paper its [`Erratum`]. [`ErrorRate`] says how far computed velocities are from true ones.
+//! The types: [`validate`] runs the [`Data`] and gives a [`Validation`], whose tables are made of [`Cell`]s:
+//! a number of ours, the paper's, and a [`Claim`]. What is claimed and fails is listed by
+//! [`Validation::failures`]; what is known not to come out carries its reason, and a misprint of the paper
+//! its [`Erratum`]. [`ErrorRate`] says how far computed velocities are from true ones.
 //!
 //! `examples/error_rate.rs` prints how far off each reconstructed speed is.
 //!
 //! # What the comparison is worth
 //!
-//! e and μ of SAE 871993 were fitted to these very tests, and the distances d_1 and d_2 were solved back from the paper's numbers. So the PIM rows
-//! show that the equations are the paper's, not that they predict a collision. The reconstruction from the published crush profiles is the
-//! test of what the program is for.
+//! e and μ of SAE 871993 were fitted to these very tests, and the distances d_1 and d_2 were solved back from
+//! the paper's numbers. So the PIM rows show that the equations are the paper's, not that they predict a
+//! collision. The reconstruction from the published crush profiles is the test of what the program is for.
 //!
 //! # What it does not do
 //!
-//! It adds no equation of mechanics: every result comes from `analysis`, `crash3`, `pim-core` and `reconcile`. It writes no text (`report`).
+//! It adds no equation of mechanics: every result comes from `analysis`, `crash3`, `pim-core` and
+//! `reconcile`. It writes no text (`report`).
 
 mod appendix;
 mod claim;

@@ -1,4 +1,5 @@
-//! The speed of vehicle 1 found from crush energy, beside the true one, and how it depends on what the analyst chooses.
+//! The speed of vehicle 1 found from crush energy, beside the true one, and how it depends on what the
+//! analyst chooses.
 
 use crate::claim::Cell;
 use crate::error::ValidationError;
@@ -47,7 +48,8 @@ pub struct Choices {
     pub critical: f64,
     /// (m/s) the same with e = 0.
     pub critical_plastic: f64,
-    /// CRASH3's corrected velocity changes with the PDOF turned by −10°, 0 and +10°. The reconstruction takes no PDOF.
+    /// CRASH3's corrected velocity changes with the PDOF turned by −10°, 0 and +10°. The reconstruction takes
+    /// no PDOF.
     pub pdof: [TurnedPdof; 3],
 }
 

@@ -101,8 +101,8 @@ impl Staged {
         Ok([vehicle(0)?, vehicle(1)?])
     }
 
-    /// (m/s) CRASH3's velocity changes for the crush energies (J) of both vehicles, with the direction of the impulse turned
-    /// counter-clockwise by `turn` (rad), uncorrected and corrected for oblique force.
+    /// (m/s) CRASH3's velocity changes for the crush energies (J) of both vehicles, with the direction of the
+    /// impulse turned counter-clockwise by `turn` (rad), uncorrected and corrected for oblique force.
     pub(crate) fn crash3(&self, energies: [f64; 2], turn: f64) -> Result<Crash3, ValidationError> {
         let vehicles = self.struck()?;
         let mut inertias = [StruckVehicle::fixed(); 2];
@@ -123,14 +123,15 @@ impl Staged {
         })
     }
 
-    /// (m/s) velocity changes from the work of the normal impulse alone, by CRASH3's equations: the paper's "crush ΔV".
+    /// (m/s) velocity changes from the work of the normal impulse alone, by CRASH3's equations: the paper's
+    /// "crush ΔV".
     pub(crate) fn crush_delta_v(&self) -> Result<[f64; 2], ValidationError> {
         let normal_work = self.collision()?.outcome.energy.normal_work;
         Ok(self.crash3([normal_work, 0.0], 0.0)?.uncorrected)
     }
 
-    /// (J) crush energies that the paper's own numbers imply: of each vehicle where Table 3 holds the test; else of both together from the
-    /// uncorrected row of Table 2, shared as the profiles share it.
+    /// (J) crush energies that the paper's own numbers imply: of each vehicle where Table 3 holds the test;
+    /// else of both together from the uncorrected row of Table 2, shared as the profiles share it.
     fn implied_energies(&self) -> Result<[f64; 2], ValidationError> {
         if let Some(table3) = &self.printed.table3 {
             return Ok(table3.implied_energies.map(|energy| energy * FOOT_POUND));
@@ -145,7 +146,8 @@ impl Staged {
         Ok([e1 / known * total, e2 / known * total])
     }
 
-    /// (m/s) the speed of vehicle 1 at which the normal impulse takes this energy (J), under the law of the case or another.
+    /// (m/s) the speed of vehicle 1 at which the normal impulse takes this energy (J), under the law of the
+    /// case or another.
     pub(crate) fn speed(&self, crush_energy: f64, law: Option<Law>) -> Result<f64, ValidationError> {
         let impact = self.collision()?;
         let law = law.unwrap_or(impact.law);

@@ -11,13 +11,14 @@ pub struct ErrorRate {
     pub mean: f64,
     /// The least and the greatest.
     pub range: [f64; 2],
-    /// Limits within which one more error of the same kind lies with a probability of 95 %, if errors are independent and normally
-    /// distributed: mean ± t s √(1 + 1/n).
+    /// Limits within which one more error of the same kind lies with a probability of 95 %, if errors are
+    /// independent and normally distributed: mean ± t s √(1 + 1/n).
     pub limits: [f64; 2],
 }
 
-/// Student's t for 95 % two-sided by degrees of freedom from 1 on, to eight decimals: the t at which the probability A(t|ν) of Abramowitz & Stegun,
-/// *Handbook of Mathematical Functions*, 26.7.3 and 26.7.4, is 0.95. The three decimals that most tables print, such as that of the NIST/SEMATECH e-Handbook of
+/// Student's t for 95 % two-sided by degrees of freedom from 1 on, to eight decimals: the t at which the
+/// probability A(t|ν) of Abramowitz & Stegun, *Handbook of Mathematical Functions*, 26.7.3 and 26.7.4, is
+/// 0.95. The three decimals that most tables print, such as that of the NIST/SEMATECH e-Handbook of
 /// Statistical Methods, section 1.3.6.7.2, would show in the limits.
 const STUDENT: [f64; 30] = [
     12.706_204_74,

@@ -12,7 +12,8 @@ use crate::statistics::{ErrorRate, rms};
 const TENTH: f64 = 0.1 * FOOT_PER_SECOND;
 /// (m/s) what rounding to that digit can take.
 const ROUNDED: f64 = 0.05 * FOOT_PER_SECOND;
-/// (m/s) no pair of energies gives the ten numbers of Table 3 of test 4: the best leaves residuals up to this.
+/// (m/s) no pair of energies gives the ten numbers of Table 3 of test 4: the best leaves residuals up to
+/// this.
 const TEST_4_TABLE_3: f64 = 0.25 * FOOT_PER_SECOND;
 /// (m/s) and this in the rows of Table 2.
 const TEST_4_TABLE_2: f64 = 0.3 * FOOT_PER_SECOND + ROUNDED;

@@ -41,7 +41,8 @@ fn failing(validation: &Validation) -> Vec<String> {
     validation.failures().into_iter().map(|(place, _)| place).collect()
 }
 
-/// SAE 980025, Table 2 (ft/s): test; crush and total ΔV of PIM, uncorrected and corrected ΔV of CRASH3, measured ΔV; vehicle 1, vehicle 2.
+/// SAE 980025, Table 2 (ft/s): test; crush and total ΔV of PIM, uncorrected and corrected ΔV of CRASH3,
+/// measured ΔV; vehicle 1, vehicle 2.
 const TABLE_2: [(u8, [f64; 10]); 11] = [
     (1, [9.2, 13.9, 15.1, 22.7, 14.2, 21.2, 17.7, 26.4, 18.5, 22.8]),
     (3, [11.3, 17.9, 14.0, 22.2, 5.5, 8.7, 5.6, 8.9, 13.9, 23.2]),
@@ -150,8 +151,8 @@ fn crash3_from_the_implied_energies_comes_out() {
     }
 }
 
-/// Where Table 3 does not hold the test, the energy is shared as the profiles share it: differences from print (ft/s) by an independent
-/// calculation of the same.
+/// Where Table 3 does not hold the test, the energy is shared as the profiles share it: differences from
+/// print (ft/s) by an independent calculation of the same.
 #[test]
 fn the_shares_of_the_energy_are_those_of_the_profiles() {
     let validation = built_in();
@@ -181,7 +182,8 @@ fn the_eight_numbers_of_table_1_follow_from_the_papers_rows() {
     }
 }
 
-/// SAE 980025, Table 3 (ft/s), nominal row and the largest turns; the nominal 17.77 of test 5 is a misprint of 11.77.
+/// SAE 980025, Table 3 (ft/s), nominal row and the largest turns; the nominal 17.77 of test 5 is a misprint
+/// of 11.77.
 #[test]
 fn table_3_comes_out() {
     let validation = built_in();
@@ -252,8 +254,9 @@ fn the_energies_come_out_within_one_per_cent() {
     }
 }
 
-/// The tangential work of these tests is said to move by more than its difference when d_1, d_2 (ft, with their precision beside them in
-/// the case) and μ (printed to 0.001) move within their precision; that of test 9 is said not to.
+/// The tangential work of these tests is said to move by more than its difference when d_1, d_2 (ft, with
+/// their precision beside them in the case) and μ (printed to 0.001) move within their precision; that of
+/// test 9 is said not to.
 #[test]
 fn the_small_tangential_losses_hang_on_distances_and_rounding() {
     for (test, [d1, precision1], [d2, precision2], mu, explained) in [
@@ -347,7 +350,8 @@ fn the_reconstructions_are_those_of_an_independent_bisection() {
     }
 }
 
-/// The page says that category 2 (SAE 870045, Table 1) on the struck side would make the speeds found higher still.
+/// The page says that category 2 (SAE 870045, Table 1) on the struck side would make the speeds found higher
+/// still.
 #[test]
 fn the_stiffer_side_would_make_the_speeds_higher() {
     let category1 = "{ A = \"77 lb/in\", B = \"37 lb/in^2\", G = \"81 lb\" }";
@@ -363,7 +367,8 @@ fn the_stiffer_side_would_make_the_speeds_higher() {
     }
 }
 
-/// x̄ ± t s √(1 + 1/n), by hand: of 1, 2, 3 and 6, x̄ = 3, s² = 14/3, t = 3.182 446 31 for three degrees of freedom.
+/// x̄ ± t s √(1 + 1/n), by hand: of 1, 2, 3 and 6, x̄ = 3, s² = 14/3, t = 3.182 446 31 for three degrees of
+/// freedom.
 #[test]
 fn the_error_rate_is_that_of_the_textbook() {
     let rate = ErrorRate::of(&[1.0, 2.0, 3.0, 6.0]);

@@ -1,8 +1,10 @@
 //! A block of samples of a reconstruction at once.
 //!
-//! Each sample goes through the functions of the engine through which a single case goes, in the same order, so that the answers have the same bits. But there is
-//! nothing between them that keeps a compiler from vectorising the loop over the samples: no allocation, no error, no branch. What cannot be said so is left to the single
-//! case: laws that no closed form solves, fixed objects, crush that was not measured, estimated inertias, and every sample that fails.
+//! Each sample goes through the functions of the engine through which a single case goes, in the same order,
+//! so that the answers have the same bits. But there is nothing between them that keeps a compiler from
+//! vectorising the loop over the samples: no allocation, no error, no branch. What cannot be said so is left
+//! to the single case: laws that no closed form solves, fixed objects, crush that was not measured, estimated
+//! inertias, and every sample that fails.
 
 use ::uncertainty::{LANES, Lanes};
 use crash3::{EnergyBasis, Stiffness, Zone, equal_spacing, zone_energy};
@@ -67,11 +69,11 @@ struct Vehicle {
 }
 
 impl Block {
-    /// `None` where the case is left to [`Sample`](super::Sample): where it has another shape, or where one of its uncertain numbers, of which there are
-    /// `inputs`, is none that a block reads.
+    /// `None` where the case is left to [`Sample`](super::Sample): where it has another shape, or where one
+    /// of its uncertain numbers, of which there are `inputs`, is none that a block reads.
     ///
-    /// The structs of the case are taken apart field by field, here and for the vehicles, so that a new key does not compile before somebody has decided
-    /// what a block does with it.
+    /// The structs of the case are taken apart field by field, here and for the vehicles, so that a new key
+    /// does not compile before somebody has decided what a block does with it.
     pub(super) fn new(case: &Case<Number>, inputs: usize) -> Option<Self> {
         let Case {
             title: _,
@@ -127,7 +129,8 @@ impl Block {
         of_vehicles.chain([crush_plane.number(), *restitution, *tangential_restitution])
     }
 
-    /// Solves a block for the outputs of a reconstruction of two vehicles, and tells of each sample whether that is its answer.
+    /// Solves a block for the outputs of a reconstruction of two vehicles, and tells of each sample whether
+    /// that is its answer.
     #[inline(always)]
     pub(super) fn evaluate(&self, inputs: &[Lanes], central: &[f64], outputs: &mut [Lanes]) -> [bool; LANES] {
         let (Ok(central), Ok(outputs)) = (central.try_into(), outputs.try_into()) else {
@@ -167,10 +170,12 @@ impl Block {
     }
 }
 
-/// Number of outputs of a reconstruction of two vehicles: with one more or fewer of them, the list in [`answer`] does not compile.
+/// Number of outputs of a reconstruction of two vehicles: with one more or fewer of them, the list in
+/// [`answer`] does not compile.
 const OUTPUTS: usize = Output::of_two_vehicles(VehicleId::One, Axes::ZUp).len();
 
-/// Its outputs, in the order of [`Output::of_two_vehicles`]. A list, as a closure or a loop over it would not be inlined.
+/// Its outputs, in the order of [`Output::of_two_vehicles`]. A list, as a closure or a loop over it would not
+/// be inlined.
 #[inline(always)]
 fn answer(axes: Axes, central: &[f64; OUTPUTS], speed: f64, outcome: &Outcome) -> [f64; OUTPUTS] {
     [
@@ -225,7 +230,8 @@ impl Vehicle {
             fixed,
             mass,
             yaw,
-            // Where mass, inertia and crush are given, as a block asks for, these are for drawings and warnings.
+            // Where mass, inertia and crush are given, as a block asks for, these are for drawings and
+            // warnings.
             class: _,
             wheelbase: _,
             length: _,

@@ -179,7 +179,8 @@ fn other_shapes_have_no_block() {
     }
 }
 
-/// The paper's example with other lines in the place of those that begin with a word, at each of both vehicles.
+/// The paper's example with other lines in the place of those that begin with a word, at each of both
+/// vehicles.
 fn with_lines(changes: &[(&str, &str)]) -> String {
     let changed = |line: &str| {
         let change = changes.iter().find(|(word, _)| line.split(' ').next() == Some(word));
@@ -264,7 +265,8 @@ fn key_of(path: &str) -> String {
     path.split(['[', ']']).step_by(2).collect()
 }
 
-/// Whatever number of a case is the range: a block gives the bits of its samples and reads that number, or there is none.
+/// Whatever number of a case is the range: a block gives the bits of its samples and reads that number, or
+/// there is none.
 #[test]
 fn a_block_ignores_no_key() {
     let mut missing: BTreeSet<String> = case::number_keys().into_iter().collect();
@@ -318,8 +320,9 @@ fn a_reconstruction_of_two_vehicles_has_the_outputs_of_a_block() {
     }
 }
 
-/// The pin says nothing about being right, which the tests above do. It guarantees the same bits on every platform, with each instruction set and at
-/// every optimisation level. Renew it only for a change that was meant.
+/// The pin says nothing about being right, which the tests above do. It guarantees the same bits on every
+/// platform, with each instruction set and at every optimisation level. Renew it only for a change that was
+/// meant.
 #[test]
 fn bits_of_the_example_are_pinned_for_every_instruction_set() {
     let sampled = Sampled::new(UNCERTAIN);

@@ -14,8 +14,8 @@ use inputs::{Amount, Bounds, Quantity, Range, Spread, Unit};
 
 const FORMS: &str = "{ value = …, sd = … }, { low = …, high = … }, { low = …, mode = …, high = … } or \
                      { value = …, within = \"10 %\", confidence = 0.95 }";
-const LIST_FORMS: &str = "{ values = …, sd = … } or { values = …, within = \"10 %\", confidence = 0.95 }; values that are not all known \
-                          equally well are a list: [{ value = …, sd = … }, …]";
+const LIST_FORMS: &str = "{ values = …, sd = … } or { values = …, within = \"10 %\", confidence = 0.95 }; if the \
+                          uncertainties differ, write a list: [{ value = …, sd = … }, …]";
 
 /// What the numbers of a range are.
 #[derive(Clone, Copy)]
@@ -118,7 +118,7 @@ impl<'t> Reader<'t> {
         let nested =
             list.get_ref().as_array().and_then(|list| list.iter().find(|one| one.get_ref().is_table()));
         if let Some(nested) = nested {
-            let wanted = "a list of strings, as all of them have the spread beside it";
+            let wanted = "a list of strings, because the spread beside it applies to all";
             let found = kind(nested.get_ref());
             let example = RANGE_OF_LIST.example("values");
             self.report(
@@ -247,7 +247,7 @@ impl<'t> Reader<'t> {
                 None
             }
             Kind::Quantity(measure) => {
-                let wanted = "a string with number and unit";
+                let wanted = "a string with a number and a unit";
                 let quantity = self.certain_quantity(&place, value, measure, wanted)?;
                 Some(Amount { number: quantity.number(), unit: Some(quantity.unit()) })
             }
@@ -268,7 +268,7 @@ impl<'t> Reader<'t> {
     /// `sd`, or `within` and `confidence`.
     fn spread_about(&mut self, table: &Table<'t>, range: Kind) -> Option<Spread> {
         const WHY: &str =
-            "a standard deviation is greater than zero; write a value that is known exactly without it";
+            "a standard deviation must be greater than zero; write the value alone if it is known exactly";
         let deviation = match range {
             Kind::Quantity(measure) => Kind::Quantity(measure.positive(WHY)),
             Kind::Number(_) => Kind::Number(Bounds::Positive),

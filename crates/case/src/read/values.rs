@@ -57,7 +57,7 @@ impl<'t> Reader<'t> {
     ) -> Option<Quantity> {
         let value = table.get(key)?;
         let place = Place::of_key(table, key);
-        self.quantity_or_range(&place, value, measure, "a string with number and unit")
+        self.quantity_or_range(&place, value, measure, "a string with a number and a unit")
     }
 
     fn quantity_or_range(
@@ -267,7 +267,7 @@ impl<'t> Reader<'t> {
                 let number = shorten(&self.text[value.span()]);
                 let example = match hour_of(&number).filter(|_| place.path.ends_with(".pdof")) {
                     Some(hour) => {
-                        format!("pdof = \"{hour} deg\" or, of the hour of a clock, pdof = \"{hour} o'clock\"")
+                        format!("pdof = \"{hour} deg\" or, as a clock hour, pdof = \"{hour} o'clock\"")
                     }
                     None => example.to_owned(),
                 };

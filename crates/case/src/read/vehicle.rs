@@ -262,16 +262,16 @@ impl<'t> Reader<'t> {
                                   depths = \"42 50 54 54 50 42 cm\", no_damage_speed = \"8 km/h\" }";
         const ZONE_FORMS: &str =
             "zones = [{ A = \"587 N/cm\", B = \"63.3 N/cm^2\" }, { A = \"400 N/cm\", B = \"50 N/cm^2\" }]";
-        const BESIDE_FORMS: &str = "limit and G beside A and B or beside d0 and d1, as in stiffness = { A = \"587 N/cm\", B = \"63.3 N/cm^2\", \
-                                    limit = \"1500 N/cm\" }; a category and a test stand alone";
-        const IN_ZONE_FORMS: &str = "limit and G in the zone that they are of, as in \
+        const BESIDE_FORMS: &str = "limit and G with A and B or with d0 and d1, as in stiffness = { A = \"587 N/cm\", B = \"63.3 N/cm^2\", \
+                                    limit = \"1500 N/cm\" }; a category and a test allow no other key";
+        const IN_ZONE_FORMS: &str = "limit and G in the zone they belong to, as in \
                                      zones = [{ A = \"587 N/cm\", B = \"63.3 N/cm^2\", limit = \"1500 N/cm\" }, …]";
         let table = self.inline(crush, "stiffness", &STIFFNESS, "a table in braces", FORMS)?;
         match table.given(&["category", "test", "zones", "A", "B", "d0", "d1", "G", "limit"])[..] {
             ["category"] => {
                 let place = Place {
-                    example: "stiffness = { category = 4 }; the table has passenger cars only: for a van, a pickup or a truck give A and B, or a \
-                              test",
+                    example: "stiffness = { category = 4 }; the table covers only passenger cars; for a van, a pickup or a truck, give A and B or \
+                              a test",
                     ..Place::of_key(&table, "category")
                 };
                 self.counted(&place, &table, "category").map(StiffnessForm::Category)
@@ -301,7 +301,7 @@ impl<'t> Reader<'t> {
             if table.has("G") {
                 slope
             } else {
-                slope.positive("B may be zero only where G is given: without G, G = A²/2B needs it")
+                slope.positive("B may be zero only if G is given, because otherwise G = A²/2B")
             }
         });
         let a = self.quantity(table, "A");
@@ -329,9 +329,9 @@ impl<'t> Reader<'t> {
             let problem = match (error, limit) {
                 (CrushError::LimitBelowStart { a, .. }, Some(limit)) => {
                     let start = match &line {
-                        StiffnessLine::Crush { a, .. } => format!("A, {a}"),
+                        StiffnessLine::Crush { a, .. } => format!("A = {a}"),
                         StiffnessLine::Root { .. } => {
-                            format!("A = d0·d1, {}", format_limit(a, limit.unit(), Limit::Least))
+                            format!("A = d0·d1 = {}", format_limit(a, limit.unit(), Limit::Least))
                         }
                     };
                     CaseProblem::LimitBelowStart { path: named(&path), limit, start }
@@ -374,7 +374,7 @@ impl<'t> Reader<'t> {
                     ("no_damage_speed", CaseProblem::NoDamageSpeed { path, value, speed })
                 }
                 CrushError::NoCrushInTest => {
-                    ("depths", refused("give the residual crush that was measured after the test"))
+                    ("depths", refused("give the residual crush measured after the test"))
                 }
                 _ => ("speed", refused("check the numbers and their units")),
             };

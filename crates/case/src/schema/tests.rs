@@ -11,15 +11,15 @@ use super::*;
 const HEAD: &str = "\
 # The case file
 
-Every table and every key. This page is made from the same list as the JSON Schema (`deltav schema`) and the program's error texts; a test holds it to
-that list. `deltav explain KEY` says more about a key, and [how-do-i.md](how-do-i.md) what to do where a value is not known.
+This page lists every table and every key. It is generated from the list that the JSON Schema (`deltav schema`) and the program's error texts also use,
+and a test keeps it current. `deltav explain KEY` says more about a key, and [how-do-i.md](how-do-i.md) what to do if a value is not known.
 
 - The file is TOML. A number with a dimension is a text with its unit, `\"6.3 ft\"`; a number without one is bare, `0.3`.
-- A key that a table does not have is an error, which names the nearest one.
-- Any number can be a [range](#a-range). Several values stand in one text, `\"21.3 20.3 in\"`, or in a list, `[\"21.3 in\", \"20.3 in\"]`.
-- *If left out*: **needed** where the table cannot do without, else what holds then. At a dash the text says it, or nothing stands in for the value: `deltav check`
-  lists what is assumed, and what is missing for which command.
-- A file has 1,000,000 bytes, a list 10,000 values, a list of zones 1,000 and the whole case 500 ranges at most.
+- An unknown key is an error, which suggests the closest known one.
+- Any number can be a [range](#a-range). Write several values in one text, `\"21.3 20.3 in\"`, or in a list, `[\"21.3 in\", \"20.3 in\"]`.
+- *If left out*: **needed** if the table requires the key, otherwise the default. A dash means that there is no default, or that the text describes it:
+  `deltav check` lists what is assumed, and what is missing for which command.
+- Limits: 1,000,000 bytes in a file, 10,000 values in a list, 1,000 in a list of zones, and 500 ranges in the whole case.
 ";
 
 /// What a value looks like.
@@ -43,9 +43,9 @@ fn written(form: &Form) -> String {
         Form::NumberOrTable(bounds, schema) => {
             format!("number{}, or a table, {}", within(bounds), link(schema))
         }
-        Form::Value => "as the number it stands for".to_owned(),
-        Form::Values => "as the list it stands for".to_owned(),
-        Form::Deviation => "as the number it stands for, more than 0".to_owned(),
+        Form::Value => "like the number it replaces".to_owned(),
+        Form::Values => "like the list it replaces".to_owned(),
+        Form::Deviation => "like the number it replaces, more than 0".to_owned(),
         Form::Percent => "text, in `%`".to_owned(),
         Form::Probability => "number, more than 0 and less than 1".to_owned(),
     }
@@ -92,11 +92,13 @@ fn absent(schema: &Schema, key: &Key) -> String {
     if matches!(key.form, Form::Flag) {
         return "`false`".to_owned();
     }
-    // The texts say "X where absent" and "X, also where absent".
-    let before =
-        [", also where absent", " where absent"].iter().find_map(|words| key.text().split_once(words));
-    let word = before.and_then(|(before, _)| before.split_whitespace().last());
-    word.map_or_else(|| "–".to_owned(), |word| format!("`{}`", word.trim_matches('`')))
+    // The texts say "X (the default)" and "default is X".
+    let before = key.text().split_once(" (the default)").map(|(before, _)| before);
+    let after = key.text().split_once("default is ").map(|(_, after)| after);
+    let word = before
+        .and_then(|before| before.split_whitespace().last())
+        .or_else(|| after.and_then(|after| after.split_whitespace().next()));
+    word.map_or_else(|| "–".to_owned(), |word| format!("`{}`", word.trim_matches(['`', '.'])))
 }
 
 fn documentation() -> String {

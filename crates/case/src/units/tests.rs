@@ -199,7 +199,7 @@ fn documentation() -> String {
     let ticked = |words: &mut dyn Iterator<Item = &str>| {
         words.map(|word| format!("`{word}`")).collect::<Vec<_>>().join(" ")
     };
-    let mut text = String::from("| quantity | spellings | is |\n|---|---|---|\n");
+    let mut text = String::from("| quantity | spellings | in SI |\n|---|---|---|\n");
     for dimension in Dimension::ALL {
         for unit in dimension.units() {
             let spellings = ticked(&mut unit.spellings());
@@ -207,12 +207,12 @@ fn documentation() -> String {
             writeln!(text, "| {dimension} | {spellings} | {factor} {} |", dimension.si_unit()).unwrap();
         }
     }
-    text.push_str("\nIn any unit, a word may stand for its short form:\n\n| short | words |\n|---|---|\n");
+    text.push_str("\nIn any unit, a word may replace its short form:\n\n| short | words |\n|---|---|\n");
     for (short, long) in WORDS {
         writeln!(text, "| `{short}` | {} |", ticked(&mut long.iter().copied())).unwrap();
     }
     text.push_str(
-        "\nBeyond these limits a value is refused; the smallest holds where a value has to be positive:\n\n\
+        "\nA value beyond these limits is refused; the smallest applies to values that must be positive:\n\n\
          | quantity | smallest | largest |\n|---|---|---|\n",
     );
     for dimension in Dimension::ALL {

@@ -29,8 +29,9 @@ const BEFORE_A_TABLE: [&str; 9] = [
     "[impact]\ntangential = ",
 ];
 
-/// What is no word of the case file, and is meant otherwise: how a console block begins, where it is shortened and how it shows an exit status, the
-/// comment that names a schema, the mark of a misprint, a lint of clippy.
+/// What is no word of the case file, and is meant otherwise: how a console block begins, where it is
+/// shortened and how it shows an exit status, the comment that names a schema, the mark of a misprint, a lint
+/// of clippy.
 const OTHER: [&str; 6] = ["$", "...", "? 2", "#:schema", "ERRATUM", "incompatible_msrv"];
 
 /// A piece may leave out what it is not about.
@@ -115,7 +116,8 @@ fn begins_a_formula(sign: &str) -> bool {
     row.split(',').any(|cell| cell == format!("'{title}"))
 }
 
-/// A word of the case file, a topic of the glossary such as the code of a warning, a column of CSV, a value of an option, a crate or another folder.
+/// A word of the case file, a topic of the glossary such as the code of a warning, a column of CSV, a value
+/// of an option, a crate or another folder.
 fn is_known(word: &str, vocabulary: &[String]) -> bool {
     const OF_OPTIONS: [&str; 3] = ["monte-carlo", "latin-hypercube", "sobol"];
     let in_the_file = |word: &str| vocabulary.iter().any(|known| known == word);
@@ -172,7 +174,8 @@ fn everything_that_the_text_names_exists() {
     let vocabulary = vocabulary();
     let mut count = 0;
     let mut wrong = Vec::new();
-    // How the program is made has its own words, in docs/mutants.md and docs/versioning.md; docs/guide/case-file.md is made from the list of the keys.
+    // How the program is made has its own words, in docs/mutants.md and docs/versioning.md;
+    // docs/guide/case-file.md is made from the list of the keys.
     let apart = ["docs/mutants.md", "docs/versioning.md", "docs/validation.md", "docs/guide/case-file.md"];
     for page in
         pages(&["docs", "docs/guide", "crates/report"]).iter().filter(|page| !apart.contains(&&page.name[..]))

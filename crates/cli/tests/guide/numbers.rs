@@ -1,11 +1,12 @@
 //! Every number in the text of the guide, the README and the glossary has a source.
 //!
-//! Numbers in console blocks are what the program printed (`transcripts.rs`), and pieces of case files are read (`keys.rs`). For those in the
-//! sentences and tables, `facts.rs` and `glossary.rs` have patterns that are put together from the source of their
-//! numbers: a result of the program, a constant, a place in another page. A pattern is a short anchor word and the
-//! numbers with their units, `"warns … 0.3 … 15 m/s"`: the words between may change, the numbers may not. A number
-//! that no pattern holds fails here, and so does a pattern that the page does not have. So if a digit of the page or
-//! a result of the program changes, this test says which.
+//! Numbers in console blocks are what the program printed (`transcripts.rs`), and pieces of case files are
+//! read (`keys.rs`). For those in the sentences and tables, `facts.rs` and `glossary.rs` have patterns that
+//! are put together from the source of their numbers: a result of the program, a constant, a place in another
+//! page. A pattern is a short anchor word and the numbers with their units, `"warns … 0.3 … 15 m/s"`: the
+//! words between may change, the numbers may not. A number that no pattern holds fails here, and so does a
+//! pattern that the page does not have. So if a digit of the page or a result of the program changes, this
+//! test says which.
 
 use std::ops::Range;
 
@@ -31,8 +32,8 @@ const NAMES: [&str; 9] = [
     "JCGM 100",
 ];
 
-/// The page's sentences and tables as one line: without fenced blocks, equations, code in backticks, the targets of links and the numbers of headings and
-/// lists.
+/// The page's sentences and tables as one line: without fenced blocks, equations, code in backticks, the
+/// targets of links and the numbers of headings and lists.
 fn sentences(page: &Page) -> String {
     let mut text = String::new();
     for line in page.unfenced().into_iter().filter(|line| !line.starts_with("    ")) {
@@ -56,7 +57,8 @@ fn sentences(page: &Page) -> String {
     kept.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Where numbers stand: digits with points and commas between them, but not those of a symbol, such as d_1 or J670.
+/// Where numbers stand: digits with points and commas between them, but not those of a symbol, such as d_1 or
+/// J670.
 fn numbers(text: &str) -> Vec<Range<usize>> {
     let mut found: Vec<Range<usize>> = Vec::new();
     for (start, _) in text.char_indices().filter(|(_, c)| c.is_ascii_digit()) {
@@ -121,8 +123,8 @@ fn part_places<'a>(text: &'a str, part: &'a str) -> impl Iterator<Item = Range<u
     text.match_indices(part).map(|(start, part)| start..start + part.len()).filter(is_whole)
 }
 
-/// The places of the parts of the pattern, each time that all of them stand in this order. No number may stand
-/// between them but a reference.
+/// The places of the parts of the pattern, each time that all of them stand in this order. No number may
+/// stand between them but a reference.
 fn places(text: &str, pattern: &str, sourced: &[Range<usize>]) -> Vec<Vec<Range<usize>>> {
     let mut parts = pattern.split(GAP);
     let first = parts.next().unwrap_or_default();

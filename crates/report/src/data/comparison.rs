@@ -127,8 +127,9 @@ fn crash3_row(row: &Correction) -> Row {
     Row { law, coefficients, values, friction: law::friction_limits(row), ..Row::default() }
 }
 
-/// The comparison as indented JSON, ending in a line break: `{"title": …, "rows": [{"law": …, "found": …, "delta_v": […], …}]}`. The
-/// first row is the case's own law, and the differences are to it. Shares are of the initial kinetic energy.
+/// The comparison as indented JSON, ending in a line break: `{"title": …, "rows": [{"law": …, "found": …,
+/// "delta_v": […], …}]}`. The first row is the case's own law, and the differences are to it. Shares are of
+/// the initial kinetic energy.
 ///
 /// # Errors
 /// Where serialisation fails, which no comparison causes.

@@ -38,7 +38,8 @@ pub enum RowError {
     Csv(#[from] csv::Error),
 }
 
-/// A column of text or of a count: its name, its place in the JSON document (RFC 6901), and the quantity before whose column it stands.
+/// A column of text or of a count: its name, its place in the JSON document (RFC 6901), and the quantity
+/// before whose column it stands.
 struct Text {
     name: &'static str,
     place: &'static str,
@@ -115,11 +116,12 @@ fn unit(kind: Kind) -> &'static str {
     }
 }
 
-/// The last columns: the codes of all warnings, with spaces between them, as `vehicle2.burg-inertia` where one is of one vehicle, and what to write
-/// instead of what is wrong.
+/// The last columns: the codes of all warnings, with spaces between them, as `vehicle2.burg-inertia` where
+/// one is of one vehicle, and what to write instead of what is wrong.
 const LAST: [&str; 2] = ["warnings", "help"];
 
-/// What the names of columns end in, in SI and in US units, and what it is the unit of. There is one column for a speed: mph.
+/// What the names of columns end in, in SI and in US units, and what it is the unit of. There is one column
+/// for a speed: mph.
 const UNITS: [(&str, &str, Quantity); 8] = [
     ("(m/s)", "(mph)", Quantity::RoadSpeed),
     ("(m)", "(ft)", Quantity::Length),
@@ -142,7 +144,8 @@ fn converted(name: &str, units: Units) -> Option<(&str, &'static str, Quantity)>
     }
 }
 
-/// The columns of [`csv_row`]: names that do not change, with the unit of the values in parentheses. Columns may be added.
+/// The columns of [`csv_row`]: names that do not change, with the unit of the values in parentheses. Columns
+/// may be added.
 #[must_use]
 pub fn csv_columns(units: Units) -> Vec<String> {
     let named = |name: String| match converted(&name, units) {
@@ -160,12 +163,14 @@ pub fn csv_header(units: Units) -> Result<String, RowError> {
     line(&csv_columns(units))
 }
 
-/// One line of CSV (RFC 4180, but for the plain line feed at its end) under the [`csv_header`] of the same units: SI units and radians, or US units with speeds in mph
-/// and degrees. Each number is the shortest that reads back as the same; there is nothing where there is no value.
+/// One line of CSV (RFC 4180, but for the plain line feed at its end) under the [`csv_header`] of the same
+/// units: SI units and radians, or US units with speeds in mph and degrees. Each number is the shortest that
+/// reads back as the same; there is nothing where there is no value.
 ///
-/// A spreadsheet runs a cell that begins with `=`, `+`, `-`, `@`, tab or carriage return as a formula, and titles and names come from whoever wrote the
-/// file. Such a text, never a number, has an apostrophe before it: the spreadsheet shows a text, and a program takes the apostrophe away. [`jsonl_row`]
-/// has all texts as they are.
+/// A spreadsheet runs a cell that begins with `=`, `+`, `-`, `@`, tab or carriage return as a formula, and
+/// titles and names come from whoever wrote the file. Such a text, never a number, has an apostrophe before
+/// it: the spreadsheet shows a text, and a program takes the apostrophe away. [`jsonl_row`] has all texts as
+/// they are.
 ///
 /// # Errors
 /// [`RowError`], which no analysis causes.
@@ -202,7 +207,8 @@ pub fn csv_row(row: Row<'_>, units: Units) -> Result<String, RowError> {
     line(&cells)
 }
 
-/// One JSON document on one line: what [`json`](crate::json()) gives, with the `file` before all else; or `file`, `error` and, where there is more to say, `help`.
+/// One JSON document on one line: what [`json`](crate::json()) gives, with the `file` before all else; or
+/// `file`, `error` and, where there is more to say, `help`.
 ///
 /// # Errors
 /// [`RowError`], which no analysis causes.

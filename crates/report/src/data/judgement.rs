@@ -53,8 +53,9 @@ struct AssumptionBlock {
     message: String,
 }
 
-/// The judgement as indented JSON, ending in a line break: `commands`, `inputs` (as written, in SI and in US units), `choices`, `assumptions` and
-/// `warnings`. SI units here are those with a plain 1 before them: m, kg, N, rad.
+/// The judgement as indented JSON, ending in a line break: `commands`, `inputs` (as written, in SI and in US
+/// units), `choices`, `assumptions` and `warnings`. SI units here are those with a plain 1 before them: m,
+/// kg, N, rad.
 ///
 /// # Errors
 /// Where serialisation fails, which no judgement causes.

@@ -7,8 +7,9 @@ use analysis::{Reason, Uncertainty};
 
 use crate::outputs::reason_name;
 
-/// Writes a line for each sample: its number, why it has no answer, its uncertain inputs and its outputs, in SI units and radians. Outputs that there are not
-/// are empty. Numbers are the shortest that read back as the same.
+/// Writes a line for each sample: its number, why it has no answer, its uncertain inputs and its outputs, in
+/// SI units and radians. Outputs that there are not are empty. Numbers are the shortest that read back as the
+/// same.
 ///
 /// # Errors
 /// Where `out` cannot be written to.

@@ -52,9 +52,10 @@ struct SweepBlock {
     uncapped_delta_v: Option<OfMovable>,
 }
 
-/// The sensitivity as indented JSON, ending in a line break: `{"derivatives": [{"output": …, "input": …, "value": …}], "pdof_sweep": [{"change": …,
-/// "delta_v": […]}]}`. Derivatives are SI per SI, `relative` is per cent per per cent, and
-/// `influence` the relative change for 1 % of the input, or for 1° of an angle, by which they are ranked.
+/// The sensitivity as indented JSON, ending in a line break: `{"derivatives": [{"output": …, "input": …,
+/// "value": …}], "pdof_sweep": [{"change": …, "delta_v": […]}]}`. Derivatives are SI per SI, `relative` is
+/// per cent per per cent, and `influence` the relative change for 1 % of the input, or for 1° of an angle, by
+/// which they are ranked.
 ///
 /// # Errors
 /// Where serialisation fails, which no sensitivity causes.

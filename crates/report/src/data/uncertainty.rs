@@ -97,7 +97,8 @@ struct ErrorBlock {
     interval99: [Option<f64>; 2],
 }
 
-/// The input at its 2.5 % and 97.5 % quantile, and the output there; `share` is that of its first-order variance.
+/// The input at its 2.5 % and 97.5 % quantile, and the output there; `share` is that of its first-order
+/// variance.
 #[derive(Serialize)]
 struct BarBlock<'a> {
     input: &'a str,
@@ -122,9 +123,10 @@ struct IndexBlock<'a> {
     total_interval95: Option<[f64; 2]>,
 }
 
-/// The uncertainty as indented JSON, ending in a line break: `{"samples": N, "seed": S, "failed": {…}, "outputs": {"vehicle1.speed": {"mean": …,
-/// "sd": …, "median": …, "interval95": [lo, hi], …}, …}, "sensitivity": [{"input": …, "first_order": …, "total": …}]}`. SI units and
-/// radians. `samples` are those evaluated; `sensitivity` is that of the first output, and each output has its own.
+/// The uncertainty as indented JSON, ending in a line break: `{"samples": N, "seed": S, "failed": {…},
+/// "outputs": {"vehicle1.speed": {"mean": …, "sd": …, "median": …, "interval95": [lo, hi], …}, …},
+/// "sensitivity": [{"input": …, "first_order": …, "total": …}]}`. SI units and radians. `samples` are those
+/// evaluated; `sensitivity` is that of the first output, and each output has its own.
 ///
 /// # Errors
 /// Where serialisation fails, which no uncertainty causes.

@@ -28,7 +28,8 @@ pub struct Supplement {
 /// Over the warnings and what the analysis rests on.
 const WARNINGS: &str = "Warnings and assumptions";
 
-/// The report to hand over. As HTML it has all drawings; as Markdown it says what they show, and `deltav draw` makes them.
+/// The report to hand over. As HTML it has all drawings; as Markdown it says what they show, and `deltav
+/// draw` makes them.
 ///
 /// # Errors
 /// [`DrawingError::Analysis`] where the curve of the reconciliation cannot be computed.
@@ -94,7 +95,8 @@ pub fn handover(
     Ok(page)
 }
 
-/// All that the analysis has something for: one of damage alone has no scene, a forward one no reconciliation.
+/// All that the analysis has something for: one of damage alone has no scene, a forward one no
+/// reconciliation.
 fn drawings(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec<Drawing>, DrawingError> {
     let mut drawings = Vec::new();
     for subject in Subject::ALL {

@@ -22,8 +22,8 @@ const WRITTEN: usize = 22;
 /// (columns) of a value.
 const VALUE: usize = 14;
 
-/// Every number of the file as written and in both unit systems, the choices, what was assumed, the commands that the case has
-/// enough for, and the warnings, whose numbers are in the units of the reader.
+/// Every number of the file as written and in both unit systems, the choices, what was assumed, the commands
+/// that the case has enough for, and the warnings, whose numbers are in the units of the reader.
 #[must_use]
 pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Document {
     let case = &file.case;

@@ -10,7 +10,8 @@ use crate::document::{Block, Document, Table};
 use crate::units::{Quantity, Units};
 use crate::{axes, checks, energy, law, warnings, words};
 
-/// The analysis for the terminal and the file: what was found, all inputs and results with their equations, and the warnings.
+/// The analysis for the terminal and the file: what was found, all inputs and results with their equations,
+/// and the warnings.
 #[must_use]
 pub fn results(case: &Case, analysis: &Analysis, units: Units) -> Document {
     let analysis = &analysis.seen(case.axes);
@@ -198,7 +199,8 @@ impl Page {
         self.shared_inputs(case, analysis);
     }
 
-    /// What is no column of a vehicle: profiles, which need the whole line, and what belongs to the collision.
+    /// What is no column of a vehicle: profiles, which need the whole line, and what belongs to the
+    /// collision.
     fn shared_inputs(&mut self, case: &Case, analysis: &Seen) {
         let units = self.units;
         let mut profiles = Vec::new();
@@ -228,7 +230,8 @@ impl Page {
         self.document.push(table);
     }
 
-    /// Coefficients in one row where they are the same all along the side, else in one row for each vehicle and coefficient.
+    /// Coefficients in one row where they are the same all along the side, else in one row for each vehicle
+    /// and coefficient.
     fn stiffness(&self, analysis: &Seen, table: &mut Table) {
         let units = self.units;
         let damage = [0, 1].map(|i| analysis.vehicles[i].damage.as_ref());

@@ -44,7 +44,8 @@ pub fn sensitivity(case: &Case, sensitivity: &Sensitivity, units: Units) -> Docu
 /// A change smaller than this share of the largest one of its result is the rounding of zero.
 const ROUNDING: f64 = 1e-12;
 
-/// (SI) by how much a result moves with one of an input's own units, or with the whole of it where that is more.
+/// (SI) by how much a result moves with one of an input's own units, or with the whole of it where that is
+/// more.
 fn size(row: &Derivative) -> f64 {
     (row.value * row.input.factor()).abs() * row.input.number.abs().max(1.0)
 }

@@ -27,7 +27,8 @@ const MOST_DECIMALS: usize = 6;
 /// (–) a cut that takes less away is not worth a line.
 const NOTICED_CUT: f64 = 1e-6;
 
-/// The summary of each output as tables and bars, what drives them, and the warnings of the case as it stands.
+/// The summary of each output as tables and bars, what drives them, and the warnings of the case as it
+/// stands.
 #[must_use]
 pub fn uncertainty(case: &Case, uncertainty: &Uncertainty, units: Units) -> Document {
     let mut page = Page { uncertainty, units, document: Document::new() };

@@ -7,7 +7,8 @@ use crate::document::{Block, Cells, Column, Row, Table};
 use crate::steps::{Step, StepGroup};
 use crate::units::Units;
 
-/// Paper of any size: the browser's choice of A4 or Letter is respected, with margins that both have room for.
+/// Paper of any size: the browser's choice of A4 or Letter is respected, with margins that both have room
+/// for.
 const STYLE: &str = "
 :root { color-scheme: light; }
 body { font: 16px/1.5 Arial, Helvetica, 'DejaVu Sans', sans-serif; color: #111; background: #fff; max-width: 60rem; margin: 0 auto; padding: 1rem 1.25rem 3rem; }
@@ -268,7 +269,8 @@ fn prose(text: &str) -> Markup {
     }
 }
 
-/// What follows an underscore, lowered: letters and digits, then such after a comma or a plus without a blank.
+/// What follows an underscore, lowered: letters and digits, then such after a comma or a plus without a
+/// blank.
 fn subscripts(text: &str) -> Markup {
     let mut parts = text.split('_');
     let first = parts.next().unwrap_or_default();

@@ -118,7 +118,8 @@ fn prose(text: &str) -> String {
         .collect()
 }
 
-/// Characters that Markdown would take as its own; a line of a table ends with the line. The number of a note stays as it is.
+/// Characters that Markdown would take as its own; a line of a table ends with the line. The number of a note
+/// stays as it is.
 fn escaped(text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;

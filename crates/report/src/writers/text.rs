@@ -284,8 +284,8 @@ fn laid_out(cells: &[String], columns: &[Place], line: usize) -> String {
             Cells::Words | Cells::Bars => used + 2,
         };
         let mut start = wanted.max(least);
-        // A first cell that is too long has a line of its own, as have words that a figure would run into; and what would go
-        // beyond a line is on the next.
+        // A first cell that is too long has a line of its own, as have words that a figure would run into;
+        // and what would go beyond a line is on the next.
         let runs_into = used + 2 > wanted && (is_label || is_words && place.cells == Cells::Numbers);
         if used > 0 && (runs_into || start > wanted && start + width > line) {
             out.push_str(current.trim_end());

@@ -2,8 +2,9 @@
 //!
 //! # References
 //!
-//! S. Joe and F. Y. Kuo, *Constructing Sobol sequences with better two-dimensional projections*, SIAM J. Sci. Comput. 30 (2008): the
-//! set `new-joe-kuo-6`, its first 255 rows, copyright 2008 Frances Y. Kuo and Stephen Joe.
+//! S. Joe and F. Y. Kuo, *Constructing Sobol sequences with better two-dimensional projections*, SIAM J. Sci.
+//! Comput. 30 (2008): the set `new-joe-kuo-6`, its first 255 rows, copyright 2008 Frances Y. Kuo and Stephen
+//! Joe.
 
 /// A primitive polynomial over the integers modulo 2, and as many initial numbers mₖ as its degree.
 type Row = (u32, &'static [u32]);

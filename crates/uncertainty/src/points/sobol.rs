@@ -1,20 +1,23 @@
 //! Scrambled Sobol' points.
 //!
-//! Each replicate takes the same first points of the sequence and scrambles them by itself. But so few points of so many inputs are not even
-//! in every pair of inputs: of 64 points, two inputs out of 31 often have the same first digit throughout, or one has in the first place the digit
-//! that the other has in the second. Scrambling turns the sign of such a correlation and leaves its size, and 16 random signs do not cancel. Therefore
-//! the first digits are only shifted, by bits that are random in every replicate, but chosen together for digits that coincide: of any two
-//! of these, the bits agree in eight replicates and differ in eight, so that the correlations cancel. What depends on one input alone, or on three, still
-//! varies between any two replicates as if they were independent, so that the spread between them is that of chance.
+//! Each replicate takes the same first points of the sequence and scrambles them by itself. But so few points
+//! of so many inputs are not even in every pair of inputs: of 64 points, two inputs out of 31 often have the
+//! same first digit throughout, or one has in the first place the digit that the other has in the second.
+//! Scrambling turns the sign of such a correlation and leaves its size, and 16 random signs do not cancel.
+//! Therefore the first digits are only shifted, by bits that are random in every replicate, but chosen
+//! together for digits that coincide: of any two of these, the bits agree in eight replicates and differ in
+//! eight, so that the correlations cancel. What depends on one input alone, or on three, still varies between
+//! any two replicates as if they were independent, so that the spread between them is that of chance.
 //!
 //! # References
 //!
-//! I. M. Sobol', *On the distribution of points in a cube and the approximate evaluation of integrals*, USSR Comput. Math. Math. Phys. 7
-//! (1967).
-//! P. Bratley and B. L. Fox, *Algorithm 659*, ACM TOMS 14 (1988): the recurrence of the direction numbers.
-//! S. Laine and T. Karras, *Stratified sampling for stochastic transparency*, Computer Graphics Forum 30 (2011), and
-//! B. Burley, *Practical hash-based Owen scrambling*, JCGT 9 (2020): scrambling by a hash in which each bit depends on those below it only.
-//! J. J. Sylvester, *Thoughts on inverse orthogonal matrices*, Philosophical Magazine 34 (1867): the matrix of signs with orthogonal rows.
+//! I. M. Sobol', *On the distribution of points in a cube and the approximate evaluation of integrals*, USSR
+//! Comput. Math. Math. Phys. 7 (1967). P. Bratley and B. L. Fox, *Algorithm 659*, ACM TOMS 14 (1988): the
+//! recurrence of the direction numbers. S. Laine and T. Karras, *Stratified sampling for stochastic
+//! transparency*, Computer Graphics Forum 30 (2011), and B. Burley, *Practical hash-based Owen scrambling*,
+//! JCGT 9 (2020): scrambling by a hash in which each bit depends on those below it only. J. J. Sylvester,
+//! *Thoughts on inverse orthogonal matrices*, Philosophical Magazine 34 (1867): the matrix of signs with
+//! orthogonal rows.
 
 use super::direction_numbers::DIRECTION_NUMBERS;
 use super::{REPLICATES, permuted};
@@ -26,10 +29,12 @@ pub const MAX_INPUTS: usize = DIRECTION_NUMBERS.len() + 1;
 /// Enough for [`MAX_SAMPLES`](crate::MAX_SAMPLES) over all replicates.
 const DIRECTIONS: usize = 28;
 
-// Even, and 2 modulo 4, so that each bit depends on the next lower one. Digits of π (as Blowfish takes them), but for the last two bits.
+// Even, and 2 modulo 4, so that each bit depends on the next lower one. Digits of π (as Blowfish takes them),
+// but for the last two bits.
 const FOLDS: [u64; 3] = [0x243F_6A88_85A3_08D2, 0x1319_8A2E_0370_7346, 0xA409_3822_299F_31D2];
 
-/// The most digits that are shifted. What is left of a correlation where only later ones coincide is below 3/64.
+/// The most digits that are shifted. What is left of a correlation where only later ones coincide is below
+/// 3/64.
 pub(super) const SHIFTED: usize = 4;
 
 /// Points of one input.
@@ -46,10 +51,12 @@ pub(super) struct Sobol {
 }
 
 impl Sobol {
-    /// All inputs, of which each replicate has `points` points. `seeds` has one for each input, and one for what they have in common.
+    /// All inputs, of which each replicate has `points` points. `seeds` has one for each input, and one for
+    /// what they have in common.
     pub(super) fn all(seeds: &[u64], common: u64, points: u64) -> Vec<Self> {
         let mut all: Vec<_> = seeds.iter().enumerate().map(|(input, &seed)| Self::new(input, seed)).collect();
-        // As many points as are in the greatest power of two. Digits beyond those that tell these apart would be shifted alike in all of them.
+        // As many points as are in the greatest power of two. Digits beyond those that tell these apart would
+        // be shifted alike in all of them.
         let places = (points.max(1).ilog2() as usize).min(DIRECTIONS);
         let digits = SHIFTED.min(places);
         for input in &mut all {
@@ -96,8 +103,8 @@ impl Sobol {
         let first = digits & self.shifted;
         let [add, multiply, add_again, multiply_again] = &self.keys;
         for (replicate, share) in shares.iter_mut().enumerate() {
-            // Digit 1 is the lowest bit here: nothing flows from a higher bit to a lower one, so that points that agree in
-            // their first digits still do, and are told apart by the next as before.
+            // Digit 1 is the lowest bit here: nothing flows from a higher bit to a lower one, so that points
+            // that agree in their first digits still do, and are told apart by the next as before.
             let mut word = digits;
             word ^= word.wrapping_mul(FOLDS[0]);
             word = word.wrapping_add(add[replicate]).wrapping_mul(multiply[replicate]);
@@ -110,8 +117,8 @@ impl Sobol {
     }
 }
 
-/// The rows of the matrix of signs (−1)^|row ∧ column| in the order in which they are given out. No four of the first six multiply to one, which would be a
-/// sign that all replicates have in common.
+/// The rows of the matrix of signs (−1)^|row ∧ column| in the order in which they are given out. No four of
+/// the first six multiply to one, which would be a sign that all replicates have in common.
 const ROWS: [u64; REPLICATES] = [0, 1, 2, 4, 8, 15, 3, 5, 6, 9, 10, 12, 7, 11, 13, 14];
 
 /// The places of the index that a digit is the sum of, modulo 2.

@@ -33,8 +33,8 @@ fn permutations_are_bijections() {
     }
 }
 
-/// Over many keys each index must go everywhere alike: χ² with 15² degrees of freedom (rows and columns are fixed), mean 225, standard
-/// deviation √450 = 21.2.
+/// Over many keys each index must go everywhere alike: χ² with 15² degrees of freedom (rows and columns are
+/// fixed), mean 225, standard deviation √450 = 21.2.
 #[test]
 fn permutations_are_fair() {
     const COUNT: usize = 16;
@@ -141,7 +141,8 @@ fn replicates_are_not_correlated() {
             }
         }
         assert_eq!(correlations.len(), pairs);
-        // Variance of one: 1/n, but for Sobol' points that of the bits which shift the first four digits, Σ (3/4ᵏ)² = 0.6, and next to nothing of the others.
+        // Variance of one: 1/n, but for Sobol' points that of the bits which shift the first four digits, Σ
+        // (3/4ᵏ)² = 0.6, and next to nothing of the others.
         let variance = if method == SamplingMethod::Sobol { 0.6 } else { REPLICATES as f64 / samples as f64 };
         let mean = correlations.iter().sum::<f64>() / pairs as f64;
         let squares = correlations.iter().map(|correlation| correlation * correlation).sum::<f64>();
@@ -151,8 +152,9 @@ fn replicates_are_not_correlated() {
     }
 }
 
-/// Of 1,024 samples in 16 replicates, 465 pairs of inputs; 32,131 of 2,048. One scrambled set of 1,024 Sobol' points has up to 0.05; replicates that are scrambled without regard to each other
-/// have 0.4, and chance has 1/√n = 0.031, of which the greatest of 465 is more than three.
+/// Of 1,024 samples in 16 replicates, 465 pairs of inputs; 32,131 of 2,048. One scrambled set of 1,024 Sobol'
+/// points has up to 0.05; replicates that are scrambled without regard to each other have 0.4, and chance has
+/// 1/√n = 0.031, of which the greatest of 465 is more than three.
 #[test]
 fn pairs_of_sobol_inputs_are_hardly_correlated() {
     let greatest = |method, seed, inputs, samples| {
@@ -178,8 +180,9 @@ fn pairs_of_sobol_inputs_are_hardly_correlated() {
     assert!(many < 0.05, "{many}");
 }
 
-/// What cancels for two digits must not hide from the spread between the replicates what three do: the product of their signs is often the same for all points of a
-/// replicate, and then it must be a coin for each.
+/// What cancels for two digits must not hide from the spread between the replicates what three do: the
+/// product of their signs is often the same for all points of a replicate, and then it must be a coin for
+/// each.
 #[test]
 fn products_of_three_sobol_digits_vary_between_the_replicates() {
     let seeds = 40;
@@ -220,7 +223,8 @@ fn products_of_three_sobol_digits_vary_between_the_replicates() {
         }
     }
     assert!(varying > 100, "{varying}");
-    // A variance from 40 seeds is uncertain by √(2/40) = 0.22; of some hundred the greatest is beyond 1 by four times that.
+    // A variance from 40 seeds is uncertain by √(2/40) = 0.22; of some hundred the greatest is beyond 1 by
+    // four times that.
     assert!(worst < 3.0, "{worst} of {varying}");
 }
 

@@ -7,7 +7,8 @@ fn hundred() -> Vec<f64> {
     (0..=100).map(|index| f64::from(index * 37 % 101)).collect()
 }
 
-/// Of 0, 1, … 100 the quantile at p is 100p by any type that interpolates like NumPy's; the variance is n(n + 1)/12, n = 101.
+/// Of 0, 1, … 100 the quantile at p is 100p by any type that interpolates like NumPy's; the variance is n(n +
+/// 1)/12, n = 101.
 #[test]
 fn the_statistics_of_a_hundred_numbers() {
     let summary = Summary::of(&hundred(), false, SamplingMethod::MonteCarlo).unwrap();
@@ -69,11 +70,13 @@ fn replicates_give_the_standard_error() {
     assert_eq!((lonely.mean.standard_error, lonely.median.standard_error), (None, None));
 }
 
-/// A thousand values of each replicate. The median is 7.5: all of eight replicates lie below and none of the others, which differ from the mean of 500 by 500. So
-/// √(16/15·16·500² + 1) = 2065.6 places before and after place 7999.5: 5933.9 and 10065.1, of values 5 and 10.
-/// The lower quartile, place 3999.75, is 3 + ¾: four replicates below, 4·750² + 12·250² = 3·10⁶, √(16/15·3·10⁶ + 1) = 1788.9 places: 2210.9 and 5788.6, values 2 and 5.
-/// With the value at the quantile itself in one replicate, half of that counts: at 2.5 %, place 399.975 of value 0, 500 of replicate 0 lie below, and the mean is 31.25:
-/// √(16/15·(468.75² + 15·31.25²) + 1) = 500.0: from place 0 to 900 all are 0.
+/// A thousand values of each replicate. The median is 7.5: all of eight replicates lie below and none of the
+/// others, which differ from the mean of 500 by 500. So √(16/15·16·500² + 1) = 2065.6 places before and after
+/// place 7999.5: 5933.9 and 10065.1, of values 5 and 10. The lower quartile, place 3999.75, is 3 + ¾: four
+/// replicates below, 4·750² + 12·250² = 3·10⁶, √(16/15·3·10⁶ + 1) = 1788.9 places: 2210.9 and 5788.6, values
+/// 2 and 5. With the value at the quantile itself in one replicate, half of that counts: at 2.5 %, place
+/// 399.975 of value 0, 500 of replicate 0 lie below, and the mean is 31.25: √(16/15·(468.75² + 15·31.25²) +
+/// 1) = 500.0: from place 0 to 900 all are 0.
 #[test]
 fn numbers_below_a_quantile_give_its_standard_error() {
     let column: Vec<f64> = (0..16_000).map(|index| f64::from(index % 16)).collect();
@@ -84,7 +87,8 @@ fn numbers_below_a_quantile_give_its_standard_error() {
             .map(|(value, error)| Estimate { value, standard_error: Some(error) });
         assert_eq!(found, expected);
     }
-    // Replicates alike, 0 … 99 in each: nothing but the one place, which is between n + 1 and n − 1 in sixteen equal values each.
+    // Replicates alike, 0 … 99 in each: nothing but the one place, which is between n + 1 and n − 1 in
+    // sixteen equal values each.
     let column: Vec<f64> = (0..1600).map(|index| f64::from(index / 16)).collect();
     let summary = Summary::of(&column, true, SamplingMethod::Sobol).unwrap();
     // Place 1599/2 = 799.5 between 49 and 50; 798.5 is among the 49 and 800.5 among the 50.
@@ -112,7 +116,8 @@ fn selection_puts_all_places_right() {
     assert_eq!(Place::of(0.995, 2).above, 1);
 }
 
-/// Beside a full sort: values spread evenly, in clumps, all alike but one, all alike, over the whole range of an `f64`, subnormal, and of both zeros.
+/// Beside a full sort: values spread evenly, in clumps, all alike but one, all alike, over the whole range of
+/// an `f64`, subnormal, and of both zeros.
 #[test]
 fn order_statistics_are_those_of_a_sort() {
     let kinds: [fn(f64) -> f64; 8] = [

@@ -41,7 +41,7 @@ fn frames(ledger: &mut Ledger) {
     ledger.made(format!("({hour:.0}° … finer … ±{:.0}°", hour / 2.0));
     ledger.made(format!("finer … {:.0}°", hour / 2.0));
     ledger.quoted("PDOF_2 = θ_2 − θ_1 + PDOF_1 − 180°", &theory, "PDOF_2 = θ_2 − θ_1 + PDOF_1 − 180°");
-    ledger.quoted("impact … 0", &guide, "0 where absent");
+    ledger.quoted("impact … 0", &guide, "0 (the default)");
     ledger.made(format!("itself … {right_angle}°"));
     ledger.made(format!("mistake is {straight_angle}°"));
     ledger.made(format!("θ_1 − PDOF_1 … θ_2 − PDOF_2 … differ … {straight_angle}°"));
@@ -451,8 +451,8 @@ fn magnitudes(ledger: &mut Ledger) {
     ));
 }
 
-/// (mph) the no-damage speeds of CRASH3's categories, without and then with the rear of category 4: on the width of a car of about that size, whose mass
-/// is usual for it, and on 2 m of its side.
+/// (mph) the no-damage speeds of CRASH3's categories, without and then with the rear of category 4: on the
+/// width of a car of about that size, whose mass is usual for it, and on 2 m of its side.
 pub(super) fn no_damage_speeds() -> [f64; 3] {
     let cars = [(1, 950.0), (2, 1200.0), (3, 1500.0), (4, 1800.0), (5, 2100.0)];
     let (mut usual, mut high) = (Vec::new(), 0.0);

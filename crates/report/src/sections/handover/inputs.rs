@@ -1,4 +1,5 @@
-//! The inputs: every number of the file in the file's own unit and in SI, what it says in words, and what is assumed.
+//! The inputs: every number of the file in the file's own unit and in SI, what it says in words, and what is
+//! assumed.
 
 use analysis::{Analysis, Assumption};
 use case::{CaseFile, Input};
@@ -30,7 +31,8 @@ pub(super) fn tables(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<
     tables
 }
 
-/// Whether the analysis rests on the assumption: one of damage alone has no impact, and a forward one seeks no speed.
+/// Whether the analysis rests on the assumption: one of damage alone has no impact, and a forward one seeks
+/// no speed.
 fn is_of(assumption: &Assumption, analysis: &Analysis) -> bool {
     match assumption {
         Assumption::SpeedUnused { .. } => analysis.found.is_some(),

@@ -13,8 +13,8 @@ fn all(inputs: usize, seed: u64, points: u64) -> Vec<Sobol> {
     Sobol::all(&seeds, seed, points)
 }
 
-/// Points 1 to 3 in any dimension begin with ½, and points 4 to 7 of the first dimensions are printed in S. Joe and F. Y. Kuo,
-/// *Notes on generating Sobol' sequences* (2008), in Gray-code order; here by index.
+/// Points 1 to 3 in any dimension begin with ½, and points 4 to 7 of the first dimensions are printed in S.
+/// Joe and F. Y. Kuo, *Notes on generating Sobol' sequences* (2008), in Gray-code order; here by index.
 #[test]
 fn the_first_points_are_those_of_sobol() {
     let first: Vec<f64> = (0..8).map(|index| plain(0, index)).collect();
@@ -55,11 +55,13 @@ fn the_polynomials_are_primitive_and_differ() {
     }
 }
 
-/// Sobol's property A, which Joe and Kuo say holds for their first 1111 dimensions: the first digits of the first d direction numbers
-/// in d dimensions are linearly independent, so that the first 2ᵈ points have one in each of the halves' products.
+/// Sobol's property A, which Joe and Kuo say holds for their first 1111 dimensions: the first digits of the
+/// first d direction numbers in d dimensions are linearly independent, so that the first 2ᵈ points have one
+/// in each of the halves' products.
 #[test]
 fn property_a_holds_as_joe_and_kuo_say() {
-    // With more dimensions than direction numbers here, the matrix is not square; take as many as there are numbers, from each place on.
+    // With more dimensions than direction numbers here, the matrix is not square; take as many as there are
+    // numbers, from each place on.
     for dimensions in 1..=DIRECTIONS {
         let rows = (0..dimensions).map(|input| {
             directions(input)[..dimensions].iter().fold(0, |row, direction| (row << 1) | (direction & 1))
@@ -87,7 +89,8 @@ fn the_table_is_unchanged() {
     assert_eq!(hash, 0x9778_A5D1_26C9_A245, "0x{hash:016X}");
 }
 
-/// Every power-of-two block of points has one point in each of as many equal intervals, scrambled or not, in every input.
+/// Every power-of-two block of points has one point in each of as many equal intervals, scrambled or not, in
+/// every input.
 #[test]
 fn each_block_is_stratified_in_every_input() {
     for (input, sobol) in all(MAX_INPUTS, 77, 512).into_iter().enumerate() {
@@ -109,7 +112,8 @@ fn each_block_is_stratified_in_every_input() {
     }
 }
 
-/// The first two inputs are a (0, 2)-sequence (Sobol' 1967): one point in each elementary rectangle, whatever its shape, scrambled too.
+/// The first two inputs are a (0, 2)-sequence (Sobol' 1967): one point in each elementary rectangle, whatever
+/// its shape, scrambled too.
 #[test]
 fn the_first_two_inputs_fill_every_elementary_rectangle() {
     let [first, second] = all(2, 3, 256).try_into().unwrap();
@@ -136,7 +140,8 @@ fn the_first_two_inputs_fill_every_elementary_rectangle() {
     }
 }
 
-/// Owen's scrambling moves each point to anywhere, and takes every branch of the tree of digits with its own coin.
+/// Owen's scrambling moves each point to anywhere, and takes every branch of the tree of digits with its own
+/// coin.
 #[test]
 fn scrambling_is_uniform_and_its_coins_are_independent() {
     let seeds = 4096_u64;
@@ -212,7 +217,8 @@ fn shifts_of_digits_that_coincide_are_orthogonal() {
     assert!((ones / all - 0.5).abs() < 5.0 * (0.25 / all).sqrt(), "{}", ones / all);
 }
 
-/// Digits beyond those that tell the points apart are left to the scrambling, which takes another coin for each point.
+/// Digits beyond those that tell the points apart are left to the scrambling, which takes another coin for
+/// each point.
 #[test]
 fn few_points_have_few_digits_shifted() {
     for (points, digits) in [(4, 2), (7, 2), (8, 3), (16, 4), (1 << 28, 4)] {
