@@ -1,5 +1,5 @@
-//! Consistency of what was given with what was computed: each check says what it compared, whether or not it
-//! is content.
+//! Checks whether the input is consistent with the results. Each check reports what it compared, passed or
+//! not.
 
 use std::f64::consts::PI;
 
@@ -12,15 +12,15 @@ use crate::{Impact, Vehicle};
 /// One comparison. Values are in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Check {
-    /// What was compared.
+    /// The kind of comparison.
     pub quantity: CheckedQuantity,
     /// The value found.
     pub value: f64,
-    /// What it may be at most; for a direction of rotation, at least.
+    /// The greatest value allowed or, for a direction of rotation, the least.
     pub limit: f64,
 }
 
-/// What a check looks at.
+/// What a check compares.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CheckedQuantity {
     /// The ratio of the greater peak force to the lesser: by Newton's third law, 1.
@@ -34,8 +34,8 @@ pub enum CheckedQuantity {
         /// (J) E, the share of the crush energy that the normal impulse dissipates on the case's basis.
         crush_energy: f64,
     },
-    /// e above 15 m/s of closing speed: at most 0.3. Below it all that is possible passes, and there is no
-    /// check.
+    /// e above 15 m/s of closing speed: at most 0.3. Below that speed every possible e is acceptable, so
+    /// there is no check.
     Restitution,
     /// (N·m·s) moment about the CG of the impulse that acts along the line of action of the file's PDOF, or
     /// of the computed one where a moment impulse acts too; counted positive in the sense in which the yaw

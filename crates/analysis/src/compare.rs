@@ -1,11 +1,11 @@
-//! One case under every impact law: how much does the answer depend on that choice?
+//! Compares the answers of all impact laws for one case.
 
 use inputs::{BrachTangential, Case, Dimension, ImpactLaw, Quantity, Restitution};
 
 use crate::damage::ASSUMED_FRICTION;
 use crate::{Analysis, Failure, impact, reconstruct};
 
-/// What is assumed of tangential restitution: surfaces that interlock do not rebound along each other.
+/// The assumed tangential restitution: interlocking surfaces do not rebound along each other.
 const ASSUMED_TANGENTIAL_RESTITUTION: f64 = 0.0;
 
 /// The answers of all laws to one case.
@@ -13,7 +13,7 @@ const ASSUMED_TANGENTIAL_RESTITUTION: f64 = 0.0;
 pub struct Comparison {
     /// The case under its own law, and CRASH3's answer under every correction for oblique forces.
     pub own: Analysis,
-    /// One row a law, for the others.
+    /// One row for each other law.
     pub laws: Vec<LawRow>,
 }
 
@@ -22,18 +22,18 @@ pub struct Comparison {
 pub struct LawRow {
     /// The law with its coefficients.
     pub law: ImpactLaw,
-    /// Of which coefficient the value is assumed, and why that one; empty where all are the case's own.
+    /// The coefficients whose values are assumed, with the reason; empty if the case gives all of them.
     pub assumed: &'static str,
     /// The answer, or why there is none.
     pub answer: Result<Analysis, Failure>,
 }
 
-/// Solves the case under its own law and under every other, with the case's own coefficients where they fit
-/// and stated assumptions where not. A case with a `[reconstruct]` table is reconstructed; one with both
-/// speeds is computed forward.
+/// Solves the case with its own law and with every other. It uses the coefficients of the case where they
+/// apply, and states an assumption where they do not. It reconstructs a case with a `[reconstruct]` table,
+/// and solves the impact of one with both speeds.
 ///
 /// # Errors
-/// [`Failure`] where the case has no answer under its own law.
+/// [`Failure`] if the case has no answer with its own law.
 pub fn compare(case: &Case) -> Result<Comparison, Failure> {
     let own = solve(case)?;
     let laws = others(case, &own)

@@ -10,15 +10,15 @@ use pim_core::Real;
 
 use crate::Vehicle;
 
-/// What the damage of one vehicle says.
+/// The results for the damage of one vehicle.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Damage<T = f64> {
     /// (m) width of the damage.
     pub width: T,
-    /// (m) depths of crush; none where the crush was inferred.
+    /// (m) depths of crush; `None` if the crush was inferred.
     pub depths: Vec<T>,
-    /// What the crush was inferred to be, where it was not measured.
+    /// The inferred crush, if it was not measured.
     pub inferred: Option<Inferred<T>>,
     /// The stiffness.
     pub structure: SideStiffness<T>,
@@ -26,16 +26,16 @@ pub struct Damage<T = f64> {
     pub crush_energy: T,
     /// (m/s) energy equivalent speed of the uncorrected crush energy.
     pub ees: T,
-    /// (rad) the PDOF that the correction and the moment arm follow from: the file's, else that of the
+    /// (rad) the PDOF from which the correction and the moment arm follow: the file's, else that of the
     /// impact.
     pub pdof: Option<T>,
     /// (rad) α: angle between the force and the normal of the damaged side.
     pub oblique_angle: T,
-    /// The correction for it; none where the force does not push on the damaged side.
+    /// The correction for α; `None` if the force does not push on the damaged side.
     pub oblique: Option<Oblique<T>>,
     /// (m) h: distance of the force's line of action from the CG.
     pub moment_arm: T,
-    /// (m) centroid of the damage, forward and left of the CG, where the force was taken to act through it.
+    /// (m) centroid of the damage, forward and left of the CG, if the force was assumed to act through it.
     pub centroid: Option<[T; 2]>,
 }
 
@@ -47,11 +47,11 @@ pub struct Inferred<T = f64> {
     pub force: T,
     /// The crush whose energy is used.
     pub crush: UniformCrush<T>,
-    /// The bounds, where the width is not known.
+    /// The bounds, if the width is unknown.
     pub range: Option<CrushRange<T>>,
 }
 
-/// What follows for an oblique force that pushes on the damaged side.
+/// The correction for an oblique force that pushes on the damaged side.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Oblique<T = f64> {
@@ -63,8 +63,7 @@ pub struct Oblique<T = f64> {
     pub peak_force: T,
 }
 
-/// What is assumed of friction where the case says nothing: within the 0.3 to 1.0 that is usual between
-/// vehicles.
+/// The friction assumed if the case gives none: within the 0.3 to 1.0 that is usual between vehicles.
 pub(crate) const ASSUMED_FRICTION: f64 = 0.5;
 
 /// CRASH3's answer.
@@ -81,21 +80,20 @@ pub struct Crash3 {
     pub effective_mass_ratio: [f64; 2],
     /// (m/s) velocity changes from the uncorrected energy, with a common normal velocity (e = 0).
     pub delta_v: [f64; 2],
-    /// The same from the corrected energy; none where a force does not push on its damaged side.
+    /// (m/s) velocity changes from the corrected energy; `None` if a force does not push on its damaged side.
     pub corrected: Option<Corrected>,
-    /// The factor on each ΔV that takes restitution into account; none where the restitution is not known or
-    /// is 1.
+    /// The factor on each ΔV that accounts for restitution; `None` if the restitution is unknown or 1.
     pub restitution_factor: Option<f64>,
-    /// What each correction for oblique forces makes of it; without those that a force that does not push on
-    /// its damaged side cannot have.
+    /// CRASH3's answer with each correction for oblique forces, without those that need a force to push on
+    /// its damaged side if it does not.
     pub corrections: Vec<Correction>,
 }
 
-/// CRASH3's ΔV under one correction for oblique forces, with a common normal velocity.
+/// CRASH3's ΔV with one correction for oblique forces and a common normal velocity.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Correction {
-    /// The correction of each vehicle: one kind for both, of which each has the friction limit of its own.
+    /// The correction of each vehicle: one kind for both, but each vehicle with its own friction limit.
     pub corrections: [ObliqueCorrection; 2],
     /// The factor on each vehicle's crush energy; one for a fixed object.
     pub factor: [f64; 2],
@@ -115,8 +113,7 @@ pub struct Corrected {
     pub delta_v: [f64; 2],
 }
 
-/// Assesses the damage of both vehicles; `pdof` (rad) are those of the impact, which serve where the file
-/// gives none.
+/// Assesses the damage of both vehicles; `pdof` (rad) are those of the impact, used if the file gives none.
 pub(crate) fn assess<T: Real>(
     [s1, s2]: [VehicleData<T>; 2],
     [p1, p2]: [Option<T>; 2],
@@ -216,7 +213,7 @@ pub(crate) fn crush_energy<T: Real>(vehicles: &[Vehicle<T>; 2]) -> T {
     energies.fold(T::ZERO, |sum, energy| sum + energy)
 }
 
-/// CRASH3's answer, or `None` where the damage of a vehicle that can move is not known.
+/// CRASH3's answer, or `None` if the damage of a vehicle that can move is unknown.
 pub(crate) fn crash3(
     vehicles: &[Vehicle; 2],
     basis: EnergyBasis,
@@ -263,8 +260,8 @@ pub(crate) fn crash3(
     }))
 }
 
-/// Each vehicle's own friction limit; where it has none that of the other, as the surfaces are the same, and
-/// where neither has one the assumed one.
+/// The friction limit of each vehicle: its own, else that of the other vehicle, because the surfaces are the
+/// same, else the assumed one.
 fn friction_limits(vehicles: &[Vehicle; 2]) -> [f64; 2] {
     let [first, second] =
         vehicles.each_ref().map(|vehicle| match vehicle.subject.damage.as_ref()?.correction {
@@ -274,7 +271,7 @@ fn friction_limits(vehicles: &[Vehicle; 2]) -> [f64; 2] {
     [first.or(second), second.or(first)].map(|limit| limit.unwrap_or(ASSUMED_FRICTION))
 }
 
-/// `None` where a force does not push on its damaged side.
+/// `None` if a force does not push on its damaged side.
 fn corrected_by(
     corrections: [ObliqueCorrection; 2],
     vehicles: &[Vehicle; 2],

@@ -1,7 +1,7 @@
 //! Every output quantity of an analysis, one row each.
 //!
-//! What presents results chooses from [`QUANTITIES`]: a label, a symbol, a unit and a source stand here
-//! alone.
+//! Every presentation of results selects from [`QUANTITIES`], the only place of labels, symbols, units and
+//! sources.
 
 use pim_core::{Energy, Outcome, VehicleId};
 
@@ -10,22 +10,22 @@ use crate::{Crash3, Damage, Oblique, Seen};
 /// A number that a finished analysis gives.
 #[derive(Clone, Copy, Debug)]
 pub struct OutputQuantity {
-    /// Names it in columns and lists of outputs: that of a vehicle follows `vehicle1.` or `vehicle2.`.
+    /// Its name in columns and lists of outputs, where a quantity of a vehicle has the prefix `vehicle1.` or
+    /// `vehicle2.`.
     pub key: &'static str,
     /// Its place in the JSON (RFC 6901); `#` is the number of the vehicle and `%` one less.
     pub pointer: &'static str,
-    /// What a list of outputs calls it.
+    /// Its label in a list of outputs.
     pub name: &'static str,
-    /// What a table calls it, with its symbol where that helps. Components of one vector share the label of
-    /// the vector.
+    /// Its label in a table, with its symbol where that helps. The components of a vector share its label.
     pub label: &'static str,
-    /// As the equations have it; empty where they have none.
+    /// Its symbol in the equations; empty if it has none.
     pub symbol: &'static str,
     /// What kind of number it is.
     pub kind: Kind,
-    /// Equation n of SAE 980025 or section n of docs/theory.md; empty where it needs no equation.
+    /// Equation n of SAE 980025 or section n of docs/theory.md; empty if it needs no equation.
     pub source: &'static str,
-    /// What it belongs to, and how to get it. Numbers that count across or turn are in the axes of the
+    /// What it belongs to, and how to read it. Lateral and rotational numbers are in the axes of the
     /// analysis.
     pub of: Of,
 }
@@ -53,11 +53,11 @@ pub enum Kind {
     Force,
 }
 
-/// What a quantity belongs to, with the function that reads it from an analysis: `None` where that does not
-/// have it.
+/// What a quantity belongs to, with the function that reads it from an analysis, or returns `None` if it is
+/// absent.
 #[derive(Clone, Copy, Debug)]
 pub enum Of {
-    /// One number for the whole collision, which is neither vehicle's.
+    /// One number for the whole collision, not for a vehicle.
     Collision(fn(&Seen) -> Option<f64>),
     /// The part along the normal n.
     Normal(fn(&Seen) -> Option<f64>),
@@ -70,9 +70,9 @@ pub enum Of {
 /// The values of a quantity in one analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Values {
-    /// That of the collision: a table shows it across both columns of the vehicles.
+    /// The value of the collision, which a table shows across the columns of both vehicles.
     Shared(Option<f64>),
-    /// Those of vehicle 1 and 2.
+    /// The values of vehicles 1 and 2.
     Pair([Option<f64>; 2]),
 }
 
@@ -97,7 +97,7 @@ impl OutputQuantity {
     }
 }
 
-/// The quantity of that key.
+/// The quantity with this key.
 #[must_use]
 pub fn quantity(key: &str) -> Option<&'static OutputQuantity> {
     QUANTITIES.iter().find(|quantity| quantity.key == key)

@@ -1,4 +1,4 @@
-//! How much the answer moves with each estimate: exact derivatives, and a sweep of the direction of force.
+//! How sensitive the answer is to each input: exact derivatives, and a sweep of the direction of force.
 
 use crash3::{ObliqueCorrection, principal_angle};
 use inputs::{Axes, Case, Collision, Dimension, Input};
@@ -12,16 +12,16 @@ use crate::{Analysis, Failure, collide, furthest};
 /// (rad) 1°.
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// How the answer moves.
+/// The sensitivity of an answer.
 #[derive(Debug)]
 pub struct Sensitivity {
     /// The answer itself.
     pub nominal: Analysis,
     /// The derivatives of a reconstruction, for each output from the most to the least influential input;
-    /// none for a case without `[reconstruct]`.
+    /// empty for a case without `[reconstruct]`.
     pub derivatives: Vec<Derivative>,
-    /// CRASH3's answer for turned directions of force, ascending by their change; empty where the damage or
-    /// the PDOF of a vehicle is not known.
+    /// CRASH3's answer for rotated directions of force, in ascending order; empty if the damage or the PDOF
+    /// of a vehicle is unknown.
     pub pdof_sweep: Vec<SweepRow>,
 }
 
@@ -47,7 +47,7 @@ pub enum Output {
     DeltaVLateral {
         /// Which vehicle.
         vehicle: VehicleId,
-        /// Those of the case.
+        /// The axes of the case.
         axes: Axes,
     },
     /// (rad) principal direction of force.
@@ -55,9 +55,9 @@ pub enum Output {
         /// Which vehicle.
         vehicle: VehicleId,
     },
-    /// (m/s) speed with which the contact points approach each other along the normal.
+    /// (m/s) speed at which the contact points approach each other along the normal.
     ClosingSpeed,
-    /// (J) kinetic energy that the impact takes.
+    /// (J) kinetic energy that the impact dissipates.
     EnergyLoss,
     /// (J) work of the normal impulse.
     NormalWork,
@@ -159,19 +159,19 @@ impl Output {
 /// ∂(output)/∂(input), all other inputs as given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Derivative {
-    /// What moves.
+    /// The output.
     pub output: Output,
-    /// (SI) its value.
+    /// (SI) the value of the output.
     pub output_value: f64,
-    /// What moves it.
+    /// The input.
     pub input: Input,
     /// (SI per SI) the derivative.
     pub value: f64,
 }
 
 impl Derivative {
-    /// Per cent per per cent: ∂(ln output)/∂(ln input). `None` for an angle, the zero of which is a matter of
-    /// choice, and for an input of zero.
+    /// Per cent per per cent: ∂(ln output)/∂(ln input). `None` for an angle, because its zero is arbitrary,
+    /// and for an input of zero.
     #[must_use]
     pub fn relative(&self) -> Option<f64> {
         // (x/y) ∂y/∂x
@@ -179,8 +179,8 @@ impl Derivative {
             .then(|| self.value * self.input.si() / self.output_value)
     }
 
-    /// The relative change of the output for 1 % of the input, or for 1° of an angle: what inputs of every
-    /// kind can be ranked by.
+    /// The relative change of the output for 1 % of the input, or for 1° of an angle. It ranks inputs of
+    /// every kind.
     #[must_use]
     pub fn influence(&self) -> f64 {
         if self.is_by_angle() {
@@ -195,17 +195,18 @@ impl Derivative {
     }
 }
 
-/// CRASH3's answer for one turned direction of force.
+/// CRASH3's answer for one rotated direction of force.
 #[derive(Clone, Debug)]
 pub struct SweepRow {
-    /// (rad) by how much the line of action is turned about its points, in the sense of the axes of the case:
+    /// (rad) rotation of the line of action about its points, in the sense of the axes of the case:
     /// counter-clockwise, or clockwise in z-down axes.
     pub change: f64,
-    /// (rad) PDOF of both vehicles; none of a fixed object.
+    /// (rad) PDOF of both vehicles; `None` for a fixed object.
     pub pdof: [Option<f64>; 2],
-    /// (rad) α of both vehicles; none of a fixed object. One that the file gives turns with the force.
+    /// (rad) α of both vehicles; `None` for a fixed object. An angle that the file gives rotates with the
+    /// force.
     pub oblique_angle: [Option<f64>; 2],
-    /// CRASH3's answer with the angles and arms of that direction; an arm that the file gives stays.
+    /// CRASH3's answer with the angles and arms of that direction; an arm that the file gives is kept.
     pub crash3: Crash3,
 }
 
@@ -214,19 +215,19 @@ pub struct SweepRow {
 pub struct Sweep {
     /// (rad) from one direction to the next.
     pub step: f64,
-    /// How many to each side.
+    /// The number of steps to each side.
     pub steps: u32,
 }
 
 /// Differentiates a case with `[reconstruct]` and sweeps the direction of force of any case whose damage is
 /// known.
 ///
-/// The derivatives are exact: the same equations are evaluated on numbers that carry their derivative. Where
-/// the speed found is a root s of the residual R(s, p) = W_n − E, its derivative by an input p is
-/// −(∂R/∂p)/(∂R/∂s), whatever method found it.
+/// The derivatives are exact: the same equations are evaluated on numbers that carry their derivative. The
+/// speed found is a root s of the residual R(s, p) = W_n − E, so its derivative by an input p is
+/// −(∂R/∂p)/(∂R/∂s), whichever method found it.
 ///
 /// # Errors
-/// [`Failure`] where the case has no answer.
+/// [`Failure`] if the case has no answer.
 pub fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Failure> {
     let nominal = furthest(case)?;
     let derivatives = if nominal.found.is_some() { derivatives(case, &nominal)? } else { Vec::new() };
@@ -247,7 +248,7 @@ fn derivatives(case: &Case, nominal: &Analysis) -> Result<Vec<Derivative>, Failu
             derivatives.push(Derivative { output, output_value, input: input.clone(), value });
         }
     }
-    // Nothing is a share of zero.
+    // A relative change of zero is undefined.
     derivatives.retain(|derivative| derivative.output_value != 0.0);
     let order = |output: Output| outputs.iter().position(|other| *other == output);
     derivatives.sort_by(|a, b| {

@@ -25,7 +25,7 @@ pub enum CaseProblem {
     /// Another kind of file.
     #[error("this is {kind}, not a case file")]
     OtherFile { kind: &'static str },
-    /// Text in an encoding that programs of Windows write.
+    /// Text in UTF-16, which some Windows programs write.
     #[error("this is text in UTF-16, but a case file must be UTF-8")]
     Utf16 { help: &'static str },
     /// Text in another encoding.
@@ -34,7 +34,7 @@ pub enum CaseProblem {
     /// Not TOML.
     #[error("this is not valid TOML: {message}")]
     Syntax { message: String, help: Cow<'static, str> },
-    /// A key that no table, or not this one, has.
+    /// A key that this table does not have.
     #[error("unknown key \"{key}\" {}", placed(table))]
     UnknownKey {
         table: String,
@@ -46,7 +46,7 @@ pub enum CaseProblem {
     /// A table that a case does not have.
     #[error("unknown table [{table}]")]
     UnknownTable { table: String, nearest: Option<&'static str> },
-    /// A table that every case has.
+    /// A table that every case needs is missing.
     #[error("the table [{table}] is missing")]
     MissingTable { table: &'static str },
     /// A key that its table needs.
@@ -72,7 +72,7 @@ pub enum CaseProblem {
         keys: String,
         example: &'static str,
     },
-    /// A number where text is due, and the like.
+    /// A value of the wrong type.
     #[error("\"{path}\" is {found}, but must be {wanted}")]
     WrongType { path: String, found: &'static str, wanted: &'static str, example: &'static str },
     /// A table written with double brackets, or otherwise as a list.
@@ -84,43 +84,43 @@ pub enum CaseProblem {
     /// A plain number in quotes.
     #[error("{path} is the string \"{text}\", but must be a plain number")]
     QuotedNumber { path: String, text: String, number: Option<String>, example: &'static str },
-    /// A list of them.
+    /// A list of plain numbers where each needs a unit.
     #[error("\"{path}\" is a list of bare numbers, but needs a unit")]
     BareNumbers { path: String, dimension: Dimension, example: String },
-    /// A quantity that cannot be read; `unit` is one for an example.
+    /// A quantity that cannot be read; `unit` is used in an example.
     #[error("{error}")]
     Quantity { error: QuantityError, unit: Option<&'static Unit> },
-    /// Several quantities in one string that cannot be told apart.
+    /// A string that is not a list of quantities.
     #[error("\"{text}\" is not a list of numbers with one unit at its end")]
     BadList { text: String, dimension: Dimension, example: &'static str },
-    /// Zero or less where that makes no sense.
+    /// A value that must be greater than zero.
     #[error("{path} is {value}, but must be greater than zero")]
     NotPositive { path: String, value: Quantity, why: &'static str },
-    /// Less than zero where that makes no sense.
+    /// A value that must not be negative.
     #[error("{path} is {value}, but must not be negative")]
     Negative { path: String, value: Quantity },
-    /// Positive, but next to nothing.
+    /// A positive value that is implausibly small.
     #[error("{path} is {value}, which is implausibly small")]
     TooSmall { path: String, value: Quantity },
-    /// An angle that has to be acute.
+    /// An angle that must be acute.
     #[error("{path} is {value}, but must lie between -{limit} and {limit}")]
     NotAcute { path: String, value: Quantity, limit: &'static str },
-    /// A plain number outside of its range.
+    /// A plain number out of range.
     #[error("{path} is {}, but must be {range}", format_number(*value))]
     OutOfRange { path: String, value: f64, range: Cow<'static, str>, example: &'static str },
     /// A text that is empty.
     #[error("\"{path}\" is empty")]
     EmptyText { path: String, example: &'static str },
-    /// A word that is none of the choices.
+    /// A word that is not one of the choices.
     #[error("\"{path}\" cannot be \"{word}\"")]
     UnknownChoice { path: String, word: String, nearest: Option<&'static str>, choices: String },
-    /// Two keys for one thing.
+    /// Two keys of which only one may be given.
     #[error("{table} gives both \"{first}\" and \"{second}\"")]
     Both { table: String, first: &'static str, second: &'static str },
-    /// Keys that make up none of the forms a value can take.
+    /// Keys that do not make up a valid form of the value.
     #[error("\"{path}\" gives {}", not_valid(given, "set of keys"))]
     NoForm { path: String, given: Vec<&'static str>, forms: &'static str },
-    /// A key that a barrier cannot have.
+    /// A key that a fixed object cannot have.
     #[error("{table} is fixed, so it cannot give \"{key}\"")]
     FixedHas { table: String, key: &'static str },
     /// An outline with parts missing.
@@ -129,7 +129,7 @@ pub enum CaseProblem {
     /// Too few depths.
     #[error("\"{path}\" has {}, but a profile needs at least two", counted(*count, "station"))]
     TooFewStations { path: String, count: usize },
-    /// Too many depths.
+    /// Too many values in a list.
     #[error("\"{path}\" has {count} values, but at most {limit} are accepted")]
     TooMany { path: String, count: usize, limit: usize },
     /// Too many numbers that are ranges.
@@ -151,51 +151,51 @@ pub enum CaseProblem {
     /// A width that is not the sum of the spacing.
     #[error("\"{path}\" is {width}, but the spacing adds up to {sum}")]
     WidthMismatch { path: String, width: Quantity, sum: String },
-    /// As many stiffnesses as zones.
+    /// The number of zones does not match the depths.
     #[error("\"{path}\" has {} for {stations} depths, but {} are needed", counted(*zones, "zone"), stations - 1)]
     ZoneCount { path: String, zones: usize, stations: usize },
     /// Not an hour.
     #[error("\"{path}\" is \"{text}\", but a clock hour must be a whole number from 1 to 12")]
     NotAnHour { path: String, text: String },
-    /// An hour in another form.
+    /// An hour in an unsupported notation.
     #[error("\"{path}\" is \"{text}\", which is not how a clock hour is written here")]
     HourForm { path: String, text: String, hour: Option<u8> },
-    /// An inferred crush with what only a measured one has.
+    /// A key that only a measured crush can have.
     #[error("{table} takes its crush from the force balance, so it cannot give \"{key}\"")]
     InferredHas { table: String, key: &'static str },
-    /// A force per width that is limited to less than it begins with; `start` names A and says what it is.
+    /// A limit of the force per width that is below A; `start` gives A and its value.
     #[error("{path} is {limit}, but must be at least {start}, where crush begins")]
     LimitBelowStart { path: String, limit: Quantity, start: String },
-    /// A speed without damage at which the test left some.
+    /// A no-damage speed that is not below the test speed.
     #[error(
         "{path} is {value}, but must be less than the test speed of {speed}, because the test left crush"
     )]
     NoDamageSpeed { path: String, value: Quantity, speed: Quantity },
-    /// What the engine refuses of a stiffness.
+    /// A stiffness that the engine refuses.
     #[error("{error}")]
     Stiffness { error: CrushError, remedy: &'static str },
-    /// Keys that make up no range.
+    /// Keys that do not make up a range.
     #[error("{path} gives {}", not_valid(given, "range"))]
     NoRangeForm { path: String, given: Vec<&'static str>, forms: &'static str },
-    /// A range of something that is no number.
+    /// A range for a value that is not a number.
     #[error("\"{path}\" is a range, but only a number can be a range")]
     NoRange { path: String, example: &'static str },
     /// The ends of a range in the wrong order.
     #[error("{path} goes from {low} to {high}, but its low end must be below its high end")]
     NotRising { path: String, low: Amount, high: Amount },
-    /// The likeliest value outside of its range.
+    /// A mode outside its range.
     #[error("{path} has the mode {mode}, which is not between {low} and {high}")]
     ModeOutside { path: String, low: Amount, mode: Amount, high: Amount },
-    /// A share of nothing.
+    /// A percentage of zero.
     #[error("{path} is {value}, and a percentage of zero gives no range")]
     WithinOfZero { path: String, value: Amount },
-    /// A share for a standard deviation.
+    /// A percentage for a standard deviation.
     #[error("{path} is \"{text}\", but a standard deviation cannot be a percentage")]
     PercentAsSd { path: String, text: String },
     /// Not a percentage.
     #[error("{path} is \"{text}\", but must be a percentage")]
     NotPercent { path: String, text: String },
-    /// What is wrong with a case that can be read.
+    /// A fault of a case that can be read.
     #[error("{message}")]
     Fault { message: String, help: Option<String> },
 }
@@ -208,7 +208,7 @@ impl CaseProblem {
         self.help_in(None, &Program::NONE)
     }
 
-    /// The same, with examples in the units of a file, and pointing to the commands of a program.
+    /// Like [`help`](Self::help), with examples in the units of a file and the command names of a program.
     pub(crate) fn help_in(&self, units_in_use: Option<&UnitsInUse>, program: &Program) -> Option<String> {
         let suited = |place: &str, example: &str| {
             units_in_use
@@ -395,11 +395,11 @@ impl CaseProblem {
     }
 }
 
-/// What `class` may look like; [`pointing`] adds what describes the classes.
+/// What `class` may look like; [`pointing`] adds the command that describes the classes.
 pub(crate) const CLASS_FORMS: &str = "class = 3; 1 to 6 are CRASH3's size classes of cars, from smallest to largest; leave it out if yaw inertia and outline \
                                       are given";
 
-/// An example with what a program has to say of it.
+/// An example with a reference to the command that describes it.
 fn pointing<'a>(example: &'a str, program: &Program) -> Cow<'a, str> {
     match (program.describes_classes, example.split_once("; leave it out")) {
         (Some(command), Some((classes, _))) if example == CLASS_FORMS => {

@@ -4,8 +4,7 @@ use crate::number::split_number;
 use crate::units::read_unit;
 use inputs::{Dimension, format_number};
 
-/// What stands between a number and how far it may be off, and between the two ends of a range. The longer
-/// come first.
+/// Signs between a number and its deviation, and between the two ends of a range. Longer signs come first.
 const PLUS_MINUS: [&str; 3] = ["+/-", "+-", "±"];
 const FROM_TO: [&str; 6] = ["…", "–", "—", "−", " to ", "-"];
 
@@ -64,8 +63,8 @@ pub(crate) fn range(text: &str, dimension: Option<Dimension>) -> Option<String> 
     ))
 }
 
-/// The plain number in a text such as "8 %", ".08", "0,08" or "½": 0.08 of the first three. Digits of full
-/// width and the minus sign of print are those of the keyboard.
+/// The plain number in a text such as "8 %", ".08", "0,08" or "½"; it is 0.08 for the first three. Full-width
+/// digits and the typographic minus sign are accepted.
 pub(crate) fn plain(text: &str) -> Option<f64> {
     let text: String = text.trim().chars().map(keyboard).collect();
     let (text, share) = match text.strip_suffix('%') {
@@ -99,16 +98,16 @@ pub(crate) fn plain(text: &str) -> Option<f64> {
     shown.is_finite().then_some(shown)
 }
 
-/// A quantity in digits or signs that only look like those of the keyboard, as the keyboard has them: "5 in"
-/// for "５ in".
+/// A quantity with full-width digits or typographic signs, in the characters of the keyboard: "5 in" for
+/// "５ in".
 pub(crate) fn typed(text: &str, dimension: Dimension) -> Option<String> {
     let typed: String = text.chars().map(keyboard).collect();
     let (number, unit) = split_number(&typed);
     Some(format!("{} {}", format_number(number?), read_unit(unit.trim(), dimension)?))
 }
 
-/// The letter of the keyboard for one that looks like it: digits, point and comma of full width, and the
-/// dashes that stand for a minus.
+/// The keyboard character for one that looks like it: full-width digits, point and comma, and dashes used as
+/// a minus sign.
 pub(crate) fn keyboard(letter: char) -> char {
     match letter {
         '−' | '–' | '‐' | '‑' | '﹣' | '－' => '-',

@@ -1,12 +1,12 @@
-//! What the TOML parser found wrong, told from its sentence: it gives nothing else to go by.
+//! Classifies the errors of the TOML parser by their messages, because it gives no other information.
 //!
-//! Another version may word it otherwise. `Cargo.toml` therefore holds the minor version of `toml`, and the
-//! tests below have a text of each kind.
+//! Another version may change the messages. `Cargo.toml` therefore pins the minor version of `toml`, and the
+//! tests below cover every kind.
 
 /// What the parser found wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// A key or a table that stands twice.
+    /// A key or a table that appears twice.
     Duplicate,
     /// Tables or lists nested too deeply.
     TooDeep,
@@ -16,17 +16,17 @@ pub(crate) enum Kind {
     List,
     /// A second equals sign.
     ExtraEquals,
-    /// A key without an equals sign behind it.
+    /// A key without an equals sign after it.
     KeyWithoutValue,
-    /// A value that is nothing but perhaps a text without quotes.
+    /// A value that may be a text without quotes.
     Unquoted,
-    /// A text without a quote at its beginning.
+    /// A text without an opening quote.
     NoOpeningQuote,
-    /// A text that does not end, or has what no text may have.
+    /// A text that does not end, or that contains a forbidden character.
     BrokenText,
-    /// A backslash that begins no escape.
+    /// A backslash that starts no valid escape sequence.
     Escape,
-    /// A word that is no number, and neither true nor false.
+    /// A word that is not a number, true or false.
     BadScalar,
     /// Anything else.
     Other,

@@ -1,7 +1,7 @@
-//! Lines that are no TOML: what is wrong with them, and how the same is written.
+//! Explains lines that are not valid TOML: what is wrong with them, and how to write them.
 //!
-//! The parser says what it expected, see [`ParserError`]. What was meant shows in the line itself: each of
-//! [`SLIPS`] recognises one way of writing that is usual elsewhere.
+//! The parser only says what it expected, see [`ParserError`]. The line itself shows what was meant: each of
+//! [`SLIPS`] recognises one notation that is common elsewhere.
 
 use std::ops::Range;
 
@@ -20,13 +20,13 @@ pub(crate) struct Unclosed {
     pub(crate) problem: CaseProblem,
 }
 
-/// Quotes that are letters of print, and what else stands for them on a keyboard.
+/// Typographic quotes, and other characters that are typed in place of quotes.
 const FOREIGN_QUOTES: [char; 13] = ['“', '”', '„', '‟', '‘', '’', '‚', '‛', '«', '»', '´', '`', '＂'];
 
-/// How comments begin elsewhere.
+/// How comments start in other formats.
 const FOREIGN_COMMENTS: [&str; 5] = ["//", ";", "--", "/*", "%"];
 
-/// The line of an error, and what can be told of it.
+/// The line of an error, taken apart.
 struct Line<'t> {
     /// Without its comment.
     text: &'t str,
@@ -41,10 +41,10 @@ struct Line<'t> {
     error: ParserError<'t>,
 }
 
-/// The text of its problem: what is wrong, and what to write.
+/// The text of a problem: what is wrong, and what to write.
 type Found = Option<(String, String)>;
 
-/// What a line is recognised by, the surest first.
+/// The recognisers of slips, the most reliable first.
 const SLIPS: [fn(&Line<'_>, &UnitsInUse) -> Found; 13] = [
     depth,
     no_value,
@@ -82,7 +82,7 @@ pub(crate) fn problem(
     }
 }
 
-/// The same without a look at the line, where there are too many to be shown.
+/// Like [`problem`], but without examining the line, for problems beyond those that are shown.
 pub(crate) fn unexplained(error: ParserError<'_>) -> CaseProblem {
     CaseProblem::Syntax { message: error.message.to_owned(), help: help(error).into() }
 }
@@ -105,7 +105,7 @@ fn help(error: ParserError<'_>) -> &'static str {
     }
 }
 
-/// What stands twice, and where it stood first: where both are lines of their own.
+/// The key or table that appears twice, and the line of the first, if each is on a line of its own.
 fn repeated(text: &str, at: usize) -> Option<String> {
     let (start, end) = bounds_of_line(text, at);
     let line = without_comment(&text[start..end]).trim();
@@ -250,7 +250,7 @@ fn has_odd_quotes(line: &str) -> bool {
 
 impl<'t> Line<'t> {
     fn at(text: &'t str, at: usize, error: ParserError<'t>) -> Self {
-        // (bytes) longer lines are no slip of a hand.
+        // (bytes) a longer line is not a typing error.
         const LONGEST: usize = 2000;
         let at = (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or_default();
         let (start, end) = bounds_of_line(text, at);

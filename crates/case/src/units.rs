@@ -1,5 +1,4 @@
-//! Units as people spell them: which texts name a unit of the table, and which unit a misspelt one was meant
-//! to be.
+//! Spellings of units: which texts name a unit of the table, and which unit a misspelt text was meant to be.
 
 mod pattern;
 mod spelling;

@@ -41,10 +41,7 @@ impl Image {
         match path.extension().map(|ending| ending.to_ascii_lowercase()) {
             Some(ending) if ending == "svg" => Ok(Self::Svg),
             Some(ending) if ending == "png" => Ok(Self::Png),
-            _ => bail!(
-                "{} ends neither in .svg nor in .png: its name says which of the two is written",
-                path.display()
-            ),
+            _ => bail!("{} must end in .svg or .png: the extension selects the format", path.display()),
         }
     }
 }

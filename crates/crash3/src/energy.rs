@@ -267,6 +267,6 @@ fn one_plus_tan_squared<T: Real>(oblique_angle: T) -> Result<T, CrushError> {
 /// cos α of a force that pushes on the side.
 pub(crate) fn pushing_cosine<T: Real>(oblique_angle: T) -> Result<T, CrushError> {
     let (_, cos) = oblique_angle.sin_cos();
-    // A NaN angle fails here too; a cosine of one rounding of π/2 is no push.
+    // A NaN angle fails here too; a cosine that is only rounding at π/2 does not count as pushing.
     if cos > T::from(1e-9) { Ok(cos) } else { Err(CrushError::NotPushing { angle: oblique_angle.value() }) }
 }

@@ -36,7 +36,7 @@ impl Axes {
     pub fn lateral<T: Real>(self, value: T) -> T {
         match self {
             Self::ZUp => value,
-            // Not −value, which of nothing would make a negative nothing.
+            // Subtracts from zero, because −0.0 would print as "-0".
             Self::ZDown => T::ZERO - value,
         }
     }

@@ -16,7 +16,7 @@ use crate::impact::Outcome;
 use crate::law::Law;
 use crate::restitution::VaryingLaw;
 
-/// Not −value, which of nothing would make a negative nothing.
+/// Subtracts from zero, because −0.0 would print as "-0".
 fn flipped<T: Real>(value: T) -> T {
     T::ZERO - value
 }

@@ -1,7 +1,10 @@
 //! The table of output quantities against the JSON, for every fixture that has an answer.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
-#![allow(clippy::disallowed_methods, reason = "the library's own functions would not be an independent check")]
+#![allow(
+    clippy::disallowed_methods,
+    reason = "the library's own functions would not be an independent check"
+)]
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -195,7 +195,7 @@ fn answer(axes: Axes, central: &[f64; OUTPUTS], speed: f64, outcome: &Outcome) -
     ]
 }
 
-/// What is the same for a block under every law, in SI.
+/// The part of a block that does not depend on the law, in SI.
 struct VehicleLanes {
     mass: Lanes,
     yaw_inertia: Lanes,

@@ -48,7 +48,7 @@ impl<'t> Reader<'t> {
         self.quantity_as(table, key, table.measure(key)?)
     }
 
-    /// The same, where the row does not say all.
+    /// Like [`quantity`](Self::quantity), with a measure that differs from the row.
     pub(super) fn quantity_as(
         &mut self,
         table: &Table<'t>,
@@ -442,7 +442,7 @@ impl<'t> Reader<'t> {
         self.choice_among(table, key, choices, &join(&quoted, "or"))
     }
 
-    /// The same, where words are not all that the value may be: `forms` says what it may.
+    /// Like [`choice`](Self::choice), for a value that may also have other forms, which `forms` lists.
     pub(super) fn choice_among<T: Copy>(
         &mut self,
         table: &Table<'t>,
@@ -483,7 +483,7 @@ pub(super) fn hour_of(number: &str) -> Option<u8> {
     number.parse().ok().filter(|hour| (1..=12).contains(hour))
 }
 
-/// What a plain number has to be, in words.
+/// The bounds of a plain number, in words.
 pub(super) fn words(bounds: Bounds) -> &'static str {
     match bounds {
         Bounds::None | Bounds::Acute => "a finite number",
@@ -494,7 +494,7 @@ pub(super) fn words(bounds: Bounds) -> &'static str {
     }
 }
 
-/// A case may say e = 1, and learns from the mechanics that no speed follows from it.
+/// A case may give e = 1; the mechanics then explain that no speed follows from it.
 pub(super) fn accepts(bounds: Bounds, number: f64) -> bool {
     let [low, high] = if bounds == Bounds::BelowOne { [0.0, 1.0] } else { bounds.interval(None) };
     number.is_finite() && (low..=high).contains(&number)
