@@ -1,5 +1,7 @@
 //! Comparisons, none of which a NaN can pass.
 
+#![allow(clippy::unwrap_used, reason = "tests")]
+
 /// Asserts |actual − expected| ≤ tolerance.
 #[track_caller]
 pub(crate) fn assert_close(what: &str, actual: f64, expected: f64, tolerance: f64) {
@@ -35,11 +37,10 @@ pub(crate) fn assert_printed(value: f64, printed: &str) {
 }
 
 fn agrees_with_print(value: f64, printed: &str) -> bool {
-    let expected: f64 = printed.parse().expect("a printed number");
+    let expected: f64 = printed.parse().unwrap();
     let (mantissa, exponent) = printed.split_once('e').unwrap_or((printed, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, fraction)| fraction.len());
-    let exponent =
-        exponent.parse::<i32>().expect("an exponent") - i32::try_from(decimals).expect("few digits");
+    let exponent = exponent.parse::<i32>().unwrap() - i32::try_from(decimals).unwrap();
     let unit = 10_f64.powi(exponent);
     // A tie may be rounded either way, and the decimal value itself is rounded to binary.
     (value - expected).abs() <= 0.5 * unit * (1.0 + 1e-9)
