@@ -12,7 +12,8 @@
 //! let found = analysis.found.as_ref().ok_or("a reconstruction finds a speed")?;
 //! assert!((found.speed - 22.9).abs() < 0.05); // the paper: 22.9 m/s
 //!
-//! println!("{}", deltav::report::results(&file.case, &analysis, Units::Us).text()); // every figure with its equation
+//! // Every figure with its equation:
+//! println!("{}", deltav::report::results(&file.case, &analysis, Units::Us).text());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

@@ -4,7 +4,8 @@
 //! ```
 //! use real::Real;
 //!
-//! /// (m/s) speed along the forward axis of a vehicle that moves with `(vx, vy)` and points to `heading` (rad).
+//! /// (m/s) speed along the forward axis of a vehicle that moves with `(vx, vy)` and points to
+//! /// `heading` (rad).
 //! #[inline(always)]
 //! fn forward_speed<T: Real>(vx: T, vy: T, heading: T) -> T {
 //!     let (sin, cos) = heading.sin_cos();
@@ -12,7 +13,8 @@
 //!     vx * cos + vy * sin
 //! }
 //!
-//! // SAE 980025, appendix: the Altima moved with (5.7, 13.5) ft/s and pointed to 67°. Its speed was 10 mph, 14.67 ft/s.
+//! // SAE 980025, appendix: the Altima moved with (5.7, 13.5) ft/s and pointed to 67°. Its speed was
+//! // 10 mph, 14.67 ft/s.
 //! let speed = forward_speed(5.7, 13.5, 67_f64.to_radians());
 //! assert!((speed - 14.67).abs() < 0.05 * (1.0 + 1.0)); // both components are printed to 0.1 ft/s
 //! ```

@@ -15,8 +15,8 @@
 //! What a command has to say is a [`Document`], which writes itself as text, as Markdown and as HTML:
 //! [`results`], where every figure names its equation; [`handover`], the report to hand over, with the
 //! [`steps`] (every result with its equation and the numbers in it), all drawings and the case file;
-//! [`comparison`], [`sensitivity`], [`uncertainty`], [`judgement`] and [`validation`]; [`warnings`] alone;
-//! [`explanation`] of a term, symbol, key or warning, from glossary.md.
+//! [`comparison`], [`sensitivity`], [`uncertainty()`], [`judgement`] and [`validation()`]; [`warnings`]
+//! alone; [`explanation`] of a term, symbol, key or warning, from glossary.md.
 //!
 //! The same for programs is data in SI units and radians, with keys that are kept: [`json`],
 //! [`comparison_json`] and so on; of many cases [`csv_row`] under [`csv_header`] gives a line each for a
@@ -37,7 +37,7 @@
 //! ```
 //!
 //! [`drawing`](drawing()) draws a [`Subject`]: the scene and the damage to scale, the reconciliation, the
-//! energy. A [`Drawing`] is SVG or PNG; the crate [`drawing`](::drawing) makes all of them.
+//! energy. A [`Drawing`] is SVG or PNG; the crate `drawing` makes all of them.
 //!
 //! [`histogram`] and [`tornado`] plot an uncertainty, [`computed_against_measured`] and
 //! [`reconstructed_speed`] the validation.

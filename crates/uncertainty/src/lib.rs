@@ -5,7 +5,8 @@
 //! use crash3::{Profile, Stiffness, crush_energy};
 //! use uncertainty::{Distribution, Function, SamplingMethod, Settings, propagate};
 //!
-//! // SAE 980025, appendix: six depths of crush over 65 in of the GMC Jimmy's front. How sure is its crush energy (Eq 5), if each depth was
+//! // SAE 980025, appendix: six depths of crush over 65 in of the GMC Jimmy's front. How sure is its crush
+//! // energy (Eq 5), if each depth was
 //! // measured to half an inch?
 //! let [inch, width] = [0.0254, 65.0 * 0.0254];
 //! let depth = |depth: f64| Distribution::normal(depth * inch, 0.5 * inch);
@@ -21,7 +22,8 @@
 //!
 //! let summary = result.summaries()[0].ok_or("no sample has an answer")?;
 //! assert!((summary.mean.value / 1.02e5 - 1.0).abs() < 0.005); // the paper: 1.02e5 N·m
-//! // By hand: σ_E² = Σ (∂E/∂C_j)² σ², with ∂E/∂C_j = w (A + B (C_j−1 + 4 C_j + C_j+1)/6) and, at the ends, w (A/2 + B (2 C_1 + C_2)/6).
+//! // By hand: σ_E² = Σ (∂E/∂C_j)² σ², with ∂E/∂C_j = w (A + B (C_j−1 + 4 C_j + C_j+1)/6) and, at the ends,
+//! // w (A/2 + B (2 C_1 + C_2)/6).
 //! assert!((summary.sd.value / 2462.0 - 1.0).abs() < 0.01);
 //! assert_eq!(summary.intervals[2].level, 0.95);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
