@@ -31,8 +31,8 @@ const NEAR: f64 = 0.01;
 /// Of the change of motion in the impact. Over [`NEAR`], an answer without a jump changes by about as much,
 /// so that a tenth of that is lost in it.
 const JUMP: f64 = 0.1 * NEAR;
-/// The size of μ above which the surfaces pull harder than they push. Friction between vehicles is mostly about
-/// half of that.
+/// The size of μ above which the surfaces pull harder than they push. Friction between vehicles is mostly
+/// about half of that.
 const LARGE_RATIO: f64 = 1.0;
 /// (kg) from a quadricycle to a loaded articulated lorry.
 const USUAL_MASS: [f64; 2] = [100.0, 50_000.0];
