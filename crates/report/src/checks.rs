@@ -4,13 +4,13 @@ use analysis::{CheckedQuantity, FAST_CLOSING, Seen};
 use crash3::EnergyBasis;
 
 use crate::document::Table;
-use crate::units::{Quantity, Units, number};
+use crate::units::{Measure, Units, number};
 
 /// All checks of the analysis, where it has any. Where one is not passed, a warning below them says more.
 pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
     let mut table = Table::of_two("Consistency checks", ["found", "limit", "verdict"]);
     let percent = |share: f64| format!("{} %", number(100.0 * share, 1));
-    let angle = |si: f64| units.format(Quantity::Angle, si);
+    let angle = |si: f64| units.format(Measure::Angle, si);
     for check in &analysis.checks {
         let (label, found, limit) = match check.quantity {
             CheckedQuantity::ForceBalance => {
@@ -30,7 +30,7 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
             CheckedQuantity::Restitution => {
                 // Where they close slowly there is no limit, and no check.
                 let closing = analysis.impact.as_ref().map_or(0.0, |i| -i.outcome.approach.normal);
-                let [closing, fast] = [closing, FAST_CLOSING].map(|si| units.format(Quantity::Speed, si));
+                let [closing, fast] = [closing, FAST_CLOSING].map(|si| units.format(Measure::Speed, si));
                 (
                     "restitution at closing speed".to_owned(),
                     format!("{} at {closing}", number(check.value, 2)),

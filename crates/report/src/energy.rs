@@ -3,7 +3,7 @@
 use analysis::{Seen, Warning};
 use pim_core::Energy;
 
-use crate::units::{Quantity, Units, number};
+use crate::units::{Measure, Units, number};
 
 /// A share of the initial energy.
 pub(crate) fn share(work: f64, energy: &Energy<f64>) -> String {
@@ -16,7 +16,7 @@ pub(crate) fn notes(analysis: &Seen, units: Units) -> Vec<String> {
         return Vec::new();
     };
     let mut notes = Vec::new();
-    let printed = |si: f64| units.format(Quantity::Energy, si);
+    let printed = |si: f64| units.format(Measure::Energy, si);
     // A zero of rounding is no work.
     if printed(energy.tangential_work).starts_with('-') {
         let is_warned =
@@ -33,7 +33,7 @@ pub(crate) fn notes(analysis: &Seen, units: Units) -> Vec<String> {
             number(-100.0 * energy.tangential_work / energy.loss, 1)
         ));
     }
-    if !adds_up(energy, |work| units.value(Quantity::Energy, work).round())
+    if !adds_up(energy, |work| units.value(Measure::Energy, work).round())
         || !adds_up(energy, |work| (1000.0 * work / energy.before).round())
     {
         notes.push(

@@ -5,7 +5,7 @@ use crash3::CrushError;
 use pim_core::{ImpactError, VehicleId};
 use reconcile::ReconcileError;
 
-use crate::units::{Quantity, Units, number};
+use crate::units::{Measure, Units, number};
 
 /// Why there is no analysis, and what to check, in the units of the reader. The numbers are in the axes of
 /// the case, as [`reconstruct`](analysis::reconstruct) and the others leave them.
@@ -25,15 +25,15 @@ pub fn no_answer(failure: &Failure, units: Units) -> String {
                  the crush energy is far too large; check `crush_plane`, the angle of the normal, the \
                  headings, and the units of depths, widths and stiffness",
                 fastest(units),
-                units.format(Quantity::Energy, *energy),
+                units.format(Measure::Energy, *energy),
                 units.speed(nearest.speed),
-                units.format(Quantity::Energy, nearest.normal_work)
+                units.format(Measure::Energy, nearest.normal_work)
             )
         }
         Failure::NotReached { vehicle, energy, nearest: Ok(nearest) } => {
             let nearest = format!(
                 "; the closest is {}, at {}",
-                units.format(Quantity::Energy, nearest.normal_work),
+                units.format(Measure::Energy, nearest.normal_work),
                 units.speed(nearest.speed)
             );
             not_reached(*vehicle, *energy, &nearest, units)
@@ -52,7 +52,7 @@ fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
             "the crush energy is {}, but must be greater than zero, because without crush there is no speed \
              to find; check the depths and the stiffness \
              of both vehicles",
-            units.format(Quantity::Energy, *energy)
+            units.format(Measure::Energy, *energy)
         ),
         ReconcileError::Inadmissible { vehicle, speed: si, reason } => format!(
             "at {} vehicle {vehicle} would give the crush energy, but: {}",
@@ -69,7 +69,7 @@ fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
              input for extreme values, or try another \
              tangential condition",
             units.speed(*last),
-            units.format(Quantity::Energy, *residual)
+            units.format(Measure::Energy, *residual)
         ),
         // Without a quantity.
         _ => refusal.to_string(),
@@ -81,13 +81,13 @@ fn not_reached(vehicle: VehicleId, energy: f64, nearest: &str, units: Units) -> 
         "no speed of vehicle {vehicle} up to {} makes the work of the normal impulse equal to {} while the vehicles approach and push{nearest}; \
          check the contact points, the crush plane, the headings, the yaw rates, the restitution and the crush energy",
         fastest(units),
-        units.format(Quantity::Energy, energy)
+        units.format(Measure::Energy, energy)
     )
 }
 
 /// It is a judgement, and has no decimals.
 fn fastest(units: Units) -> String {
-    format!("{} {}", number(units.value(Quantity::Speed, reconcile::FASTEST), 0), units.name(Quantity::Speed))
+    format!("{} {}", number(units.value(Measure::Speed, reconcile::FASTEST), 0), units.name(Measure::Speed))
 }
 
 fn of_impact(refusal: &ImpactError, units: Units) -> String {
@@ -95,7 +95,7 @@ fn of_impact(refusal: &ImpactError, units: Units) -> String {
         ImpactError::NotApproaching { u_n } => format!(
             "the vehicles do not approach each other at the contact point: the normal relative velocity u_n \
              is {}, but must be negative; check the headings, the speeds and the crush plane",
-            units.format(Quantity::Speed, *u_n)
+            units.format(Measure::Speed, *u_n)
         ),
         ImpactError::Jam { impulse_ratio, k_nn, k_nt } => format!(
             "the contact jams: with the impulse ratio μ = {impulse_ratio} the impulse would have to be \
@@ -109,10 +109,10 @@ fn of_impact(refusal: &ImpactError, units: Units) -> String {
             "the tangential condition would require the vehicles to pull on each other (P_n = {}), because \
              they slide too fast for this geometry; check the contact points and the crush plane or, if the \
              surfaces did slide until they separated, give a friction limit or an impulse ratio instead",
-            units.format(Quantity::Impulse, *normal_impulse)
+            units.format(Measure::Impulse, *normal_impulse)
         ),
         ImpactError::EnergyCreated { loss, normal_work, tangential_work, moment_work } => {
-            let energy = |si: f64| units.format(Quantity::Energy, si);
+            let energy = |si: f64| units.format(Measure::Energy, si);
             let of_moment = match *moment_work {
                 0.0 => String::new(),
                 work => format!(" and {} that of the moment impulse", energy(work)),
@@ -135,15 +135,15 @@ fn of_crush(refusal: &CrushError, units: Units) -> String {
         CrushError::ForceAboveLimit { force_per_width, limit } => format!(
             "the force of the other vehicle requires {} of width, more than the limit of {}, so the crush \
              cannot be inferred; check the limit, the stiffness and the other vehicle's crush",
-            units.format(Quantity::StiffnessA, *force_per_width),
-            units.format(Quantity::StiffnessA, *limit)
+            units.format(Measure::StiffnessA, *force_per_width),
+            units.format(Measure::StiffnessA, *limit)
         ),
         CrushError::ForceTooGreat { force, most } => format!(
             "the force of the other vehicle is {}, but the damaged side can bear no more than {}, even if \
              it is crushed over its whole length and as deep as the centre of gravity; check the stiffness \
              of both vehicles and the other vehicle's crush",
-            units.format(Quantity::Force, *force),
-            units.format(Quantity::Force, *most)
+            units.format(Measure::Force, *force),
+            units.format(Measure::Force, *most)
         ),
         // Without a quantity, or one that the reader refuses at its place in the file.
         _ => refusal.to_string(),

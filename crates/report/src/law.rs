@@ -4,7 +4,7 @@ use analysis::Correction;
 use case::{BrachTangential, ImpactLaw, OBLIQUE_CORRECTIONS, Restitution, word};
 use crash3::ObliqueCorrection;
 
-use crate::units::{Quantity, Units};
+use crate::units::{Measure, Units};
 
 /// The law with its tangential condition.
 pub(crate) fn name(law: &ImpactLaw) -> &'static str {
@@ -39,7 +39,7 @@ pub(crate) fn coefficients(law: &ImpactLaw, units: Units) -> String {
         }
         ImpactLaw::Woolley { tangential_velocity_change: None } => "e 0, μ = μ_c".to_owned(),
         ImpactLaw::Woolley { tangential_velocity_change: Some(change) } => {
-            format!("e 0, U_t − u_t = {}", units.format(Quantity::Speed, change.si()))
+            format!("e 0, U_t − u_t = {}", units.format(Measure::Speed, change.si()))
         }
         ImpactLaw::Ishikawa { restitution: e, tangential_restitution } => {
             format!("e_n {}, e_t {tangential_restitution}", restitution(e, units))
@@ -57,7 +57,7 @@ fn restitution(restitution: &Restitution, units: Units) -> String {
             let points: Vec<String> = speeds
                 .iter()
                 .zip(values)
-                .map(|(speed, e)| format!("{e} at {}", units.format(Quantity::Speed, speed.si())))
+                .map(|(speed, e)| format!("{e} at {}", units.format(Measure::Speed, speed.si())))
                 .collect();
             points.join(", ")
         }

@@ -4,7 +4,7 @@
 use ::uncertainty::{SamplingMethod, Summary};
 use analysis::{Kind, Output, Reason, quantity};
 
-use crate::units::Quantity;
+use crate::units::Measure;
 
 /// The key of the JSON and of the samples.
 pub(crate) fn reason_name(reason: Reason) -> &'static str {
@@ -31,17 +31,17 @@ pub(crate) fn method_name(method: SamplingMethod) -> &'static str {
 }
 
 /// The quantity in which a kind of number is printed; none for a pure number.
-pub(crate) fn printed(kind: Kind) -> Option<Quantity> {
+pub(crate) fn printed(kind: Kind) -> Option<Measure> {
     match kind {
         Kind::Ratio => None,
-        Kind::Speed => Some(Quantity::Speed),
-        Kind::Length => Some(Quantity::Length),
-        Kind::Angle => Some(Quantity::Angle),
-        Kind::YawRate => Some(Quantity::YawRate),
-        Kind::Energy => Some(Quantity::Energy),
-        Kind::Impulse => Some(Quantity::Impulse),
-        Kind::MomentImpulse => Some(Quantity::MomentImpulse),
-        Kind::Force => Some(Quantity::Force),
+        Kind::Speed => Some(Measure::Speed),
+        Kind::Length => Some(Measure::Length),
+        Kind::Angle => Some(Measure::Angle),
+        Kind::YawRate => Some(Measure::YawRate),
+        Kind::Energy => Some(Measure::Energy),
+        Kind::Impulse => Some(Measure::Impulse),
+        Kind::MomentImpulse => Some(Measure::MomentImpulse),
+        Kind::Force => Some(Measure::Force),
     }
 }
 
@@ -55,14 +55,14 @@ pub(crate) fn output_name(output: Output) -> String {
 }
 
 /// What an output is printed in, a speed in the unit of the equations.
-pub(crate) fn output_quantity(output: Output) -> Quantity {
-    quantity(output.key()).and_then(|row| printed(row.kind)).unwrap_or(Quantity::Speed)
+pub(crate) fn output_quantity(output: Output) -> Measure {
+    quantity(output.key()).and_then(|row| printed(row.kind)).unwrap_or(Measure::Speed)
 }
 
 /// In a picture: people read speeds in mph and km/h.
-pub(crate) fn pictured(output: Output) -> Quantity {
+pub(crate) fn pictured(output: Output) -> Measure {
     match output_quantity(output) {
-        Quantity::Speed => Quantity::RoadSpeed,
+        Measure::Speed => Measure::RoadSpeed,
         other => other,
     }
 }

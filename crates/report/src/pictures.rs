@@ -17,7 +17,7 @@ use analysis::{Analysis, Failure};
 use case::{Case, CaseFile};
 
 use crate::Units;
-use crate::units::Quantity;
+use crate::units::Measure;
 
 /// What to draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +87,7 @@ pub fn drawing(
 }
 
 /// A unit of the reader, for a scale bar.
-fn scale_unit(units: Units, quantity: Quantity) -> ScaleUnit {
+fn scale_unit(units: Units, quantity: Measure) -> ScaleUnit {
     ScaleUnit { name: units.name(quantity).to_owned(), size: units.size(quantity) }
 }
 

@@ -14,7 +14,7 @@ mod inertia;
 use analysis::Analysis;
 use case::Case;
 
-use crate::units::{Quantity, Units, significant};
+use crate::units::{Measure, Units, significant};
 
 /// One result.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +36,7 @@ pub struct Step {
     /// The result as printed, without its unit.
     pub printed: String,
     /// What it is in the units of the reader, where `unit` alone does not tell.
-    quantity: Option<Quantity>,
+    quantity: Option<Measure>,
     /// Where the equation stands: `Eq 5` of SAE 980025, or `theory 3`, a section of docs/theory.md. For a
     /// value without one, where it comes from: `input`, or a table.
     pub source: &'static str,
@@ -48,36 +48,35 @@ impl Step {
     #[must_use]
     pub fn in_units(&self, units: Units) -> Option<String> {
         let quantity = self.quantity.or_else(|| quantity(self.unit))?;
-        let shown: Vec<String> =
-            [Some(quantity), (quantity == Quantity::Speed).then_some(Quantity::RoadSpeed)]
-                .into_iter()
-                .flatten()
-                .filter(|&quantity| units.name(quantity) != self.unit)
-                .map(|quantity| units.format(quantity, self.value).replace('-', "−"))
-                .collect();
+        let shown: Vec<String> = [Some(quantity), (quantity == Measure::Speed).then_some(Measure::RoadSpeed)]
+            .into_iter()
+            .flatten()
+            .filter(|&quantity| units.name(quantity) != self.unit)
+            .map(|quantity| units.format(quantity, self.value).replace('-', "−"))
+            .collect();
         (!shown.is_empty()).then(|| shown.join(" = "))
     }
 
     /// Which is not what its unit alone would say.
-    fn of(self, quantity: Quantity) -> Self {
+    fn of(self, quantity: Measure) -> Self {
         Self { quantity: Some(quantity), ..self }
     }
 }
 
 /// What has the unit in most steps. Sums on the way, such as an area, are in no other unit anywhere.
-fn quantity(unit: &str) -> Option<Quantity> {
+fn quantity(unit: &str) -> Option<Measure> {
     Some(match unit {
-        "m/s" => Quantity::Speed,
-        "m" => Quantity::Length,
-        "kg" => Quantity::Mass,
-        "kg·m²" => Quantity::YawInertia,
-        "rad/s" => Quantity::YawRateDegrees,
-        "J" => Quantity::Energy,
-        "N·s" => Quantity::Impulse,
-        "N·m·s" => Quantity::MomentImpulse,
-        "N/m" => Quantity::StiffnessA,
-        "N/m²" => Quantity::StiffnessB,
-        "N" => Quantity::StiffnessG,
+        "m/s" => Measure::Speed,
+        "m" => Measure::Length,
+        "kg" => Measure::Mass,
+        "kg·m²" => Measure::YawInertia,
+        "rad/s" => Measure::YawRateDegrees,
+        "J" => Measure::Energy,
+        "N·s" => Measure::Impulse,
+        "N·m·s" => Measure::MomentImpulse,
+        "N/m" => Measure::StiffnessA,
+        "N/m²" => Measure::StiffnessB,
+        "N" => Measure::StiffnessG,
         _ => return None,
     })
 }

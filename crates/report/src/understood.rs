@@ -9,7 +9,7 @@ use case::{
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
 
-use crate::units::{Quantity, Units, significant};
+use crate::units::{Measure, Units, significant};
 use crate::words;
 
 pub(crate) fn spread(range: &Range) -> String {
@@ -138,9 +138,9 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
         }
         Assumption::CategoryStiffness { category, side, abg: [a, b, g], .. } => format!(
             "A = {}, B = {}, G = {}: category {category} of CRASH3's table, {}{}",
-            units.format(Quantity::StiffnessA, *a),
-            units.format(Quantity::StiffnessB, *b),
-            units.format(Quantity::StiffnessG, *g),
+            units.format(Measure::StiffnessA, *a),
+            units.format(Measure::StiffnessB, *b),
+            units.format(Measure::StiffnessG, *g),
             words::side_name(*side),
             words::stiffness_doubt(StiffnessSource::Category(*category), *side)
                 .map_or_else(String::new, |doubt| format!("; {doubt}"))
@@ -148,11 +148,11 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
         Assumption::YawRate { .. } => "0: the vehicle does not turn before the impact".to_owned(),
         Assumption::ClassInertia { class, yaw_inertia, .. } => format!(
             "{}, with the radius of gyration of CRASH3's size class {class}",
-            units.format(Quantity::YawInertia, *yaw_inertia)
+            units.format(Measure::YawInertia, *yaw_inertia)
         ),
         Assumption::BurgInertia { yaw_inertia, .. } => format!(
             "{}, Burg's estimate from mass, wheelbase and length",
-            units.format(Quantity::YawInertia, *yaw_inertia)
+            units.format(Measure::YawInertia, *yaw_inertia)
         ),
         Assumption::Outline { class, .. } => format!(
             "neither this nor `width`, `cg_to_front` or `class` is given: drawings use the outline of \
@@ -160,11 +160,11 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
         ),
         Assumption::SpeedUnused { given, .. } => format!(
             "unknown: this is the speed to find; the {} that the file gives is not used",
-            units.format(Quantity::Speed, *given)
+            units.format(Measure::Speed, *given)
         ),
         Assumption::EqualSpacing { .. } => "equal: the stations divide the width into equal parts".to_owned(),
         Assumption::EnergyWithoutCrush { g, .. } => {
-            let values: Vec<String> = g.iter().map(|&si| units.format(Quantity::StiffnessG, si)).collect();
+            let values: Vec<String> = g.iter().map(|&si| units.format(Measure::StiffnessG, si)).collect();
             format!("A²/2B (d0²/2) = {}", values.join(", "))
         }
         Assumption::ExactFit { .. } => "exact: the line reproduces the test's kinetic energy".to_owned(),
@@ -177,7 +177,7 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
             format!("0: the middle of the damage lies {}", words::undisplaced(*side))
         }
         Assumption::Pdof { opposite: Some(pdof), .. } => {
-            format!("{}, opposite to the force on the other vehicle", units.format(Quantity::Angle, *pdof))
+            format!("{}, opposite to the force on the other vehicle", units.format(Measure::Angle, *pdof))
         }
         Assumption::Pdof { opposite: None, .. } => "that of the impulse, if an impact is computed".to_owned(),
         Assumption::CappedCorrection { .. } => {

@@ -35,7 +35,7 @@ const DEGREE: f64 = PI / 180.0;
 
 /// A quantity that can be printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
+pub enum Measure {
     /// m/s
     Speed,
     /// m/s, as drivers know it: in km/h or mph
@@ -80,83 +80,83 @@ impl Units {
         }
     }
 
-    fn display(self, quantity: Quantity) -> Display {
+    fn display(self, quantity: Measure) -> Display {
         match (quantity, self) {
-            (Quantity::Speed, Self::Si) => unit("m/s", 1.0, 2),
-            (Quantity::Speed, Self::Us) => unit("ft/s", FOOT, 2),
-            (Quantity::RoadSpeed, Self::Si) => unit("km/h", 1.0 / 3.6, 1),
-            (Quantity::RoadSpeed, Self::Us) => unit("mph", MILE_PER_HOUR, 2),
-            (Quantity::Length, Self::Si) => unit("m", 1.0, 3),
-            (Quantity::Length, Self::Us) => unit("ft", FOOT, 2),
-            (Quantity::Crush, Self::Si) => unit("cm", 0.01, 1),
-            (Quantity::Crush, Self::Us) => unit("in", INCH, 1),
-            (Quantity::Mass, Self::Si) => unit("kg", 1.0, 1),
-            (Quantity::Mass, Self::Us) => unit("lb", POUND, 0),
-            (Quantity::YawInertia, Self::Si) => unit("kg·m²", 1.0, 0),
-            (Quantity::YawInertia, Self::Us) => unit("lb·ft·s²", POUND_FORCE * FOOT, 0),
-            (Quantity::Angle, _) => unit("°", DEGREE, 1),
-            (Quantity::YawRate, _) => unit("rad/s", 1.0, 2),
-            (Quantity::YawRateDegrees, _) => unit("°/s", DEGREE, 0),
-            (Quantity::Energy, Self::Si) => unit("J", 1.0, 0),
-            (Quantity::Energy, Self::Us) => unit("ft·lb", FOOT * POUND_FORCE, 0),
-            (Quantity::Impulse, Self::Si) => unit("N·s", 1.0, 0),
-            (Quantity::Impulse, Self::Us) => unit("lb·s", POUND_FORCE, 0),
-            (Quantity::MomentImpulse, Self::Si) => unit("N·m·s", 1.0, 0),
-            (Quantity::MomentImpulse, Self::Us) => unit("ft·lb·s", FOOT * POUND_FORCE, 0),
-            (Quantity::Force, Self::Si) => unit("kN", 1000.0, 1),
-            (Quantity::Force, Self::Us) => unit("lb", POUND_FORCE, 0),
-            (Quantity::StiffnessA, Self::Si) => unit("N/cm", 100.0, 1),
-            (Quantity::StiffnessA, Self::Us) => unit("lb/in", POUND_FORCE / INCH, 1),
-            (Quantity::StiffnessB, Self::Si) => unit("N/cm²", 10_000.0, 2),
-            (Quantity::StiffnessB, Self::Us) => unit("lb/in²", POUND_FORCE / (INCH * INCH), 2),
-            (Quantity::StiffnessG, Self::Si) => unit("N", 1.0, 0),
-            (Quantity::StiffnessG, Self::Us) => unit("lb", POUND_FORCE, 1),
+            (Measure::Speed, Self::Si) => unit("m/s", 1.0, 2),
+            (Measure::Speed, Self::Us) => unit("ft/s", FOOT, 2),
+            (Measure::RoadSpeed, Self::Si) => unit("km/h", 1.0 / 3.6, 1),
+            (Measure::RoadSpeed, Self::Us) => unit("mph", MILE_PER_HOUR, 2),
+            (Measure::Length, Self::Si) => unit("m", 1.0, 3),
+            (Measure::Length, Self::Us) => unit("ft", FOOT, 2),
+            (Measure::Crush, Self::Si) => unit("cm", 0.01, 1),
+            (Measure::Crush, Self::Us) => unit("in", INCH, 1),
+            (Measure::Mass, Self::Si) => unit("kg", 1.0, 1),
+            (Measure::Mass, Self::Us) => unit("lb", POUND, 0),
+            (Measure::YawInertia, Self::Si) => unit("kg·m²", 1.0, 0),
+            (Measure::YawInertia, Self::Us) => unit("lb·ft·s²", POUND_FORCE * FOOT, 0),
+            (Measure::Angle, _) => unit("°", DEGREE, 1),
+            (Measure::YawRate, _) => unit("rad/s", 1.0, 2),
+            (Measure::YawRateDegrees, _) => unit("°/s", DEGREE, 0),
+            (Measure::Energy, Self::Si) => unit("J", 1.0, 0),
+            (Measure::Energy, Self::Us) => unit("ft·lb", FOOT * POUND_FORCE, 0),
+            (Measure::Impulse, Self::Si) => unit("N·s", 1.0, 0),
+            (Measure::Impulse, Self::Us) => unit("lb·s", POUND_FORCE, 0),
+            (Measure::MomentImpulse, Self::Si) => unit("N·m·s", 1.0, 0),
+            (Measure::MomentImpulse, Self::Us) => unit("ft·lb·s", FOOT * POUND_FORCE, 0),
+            (Measure::Force, Self::Si) => unit("kN", 1000.0, 1),
+            (Measure::Force, Self::Us) => unit("lb", POUND_FORCE, 0),
+            (Measure::StiffnessA, Self::Si) => unit("N/cm", 100.0, 1),
+            (Measure::StiffnessA, Self::Us) => unit("lb/in", POUND_FORCE / INCH, 1),
+            (Measure::StiffnessB, Self::Si) => unit("N/cm²", 10_000.0, 2),
+            (Measure::StiffnessB, Self::Us) => unit("lb/in²", POUND_FORCE / (INCH * INCH), 2),
+            (Measure::StiffnessG, Self::Si) => unit("N", 1.0, 0),
+            (Measure::StiffnessG, Self::Us) => unit("lb", POUND_FORCE, 1),
         }
     }
 
     /// An SI value with its unit, like `75.03 ft/s`.
     #[must_use]
-    pub fn format(self, quantity: Quantity, si: f64) -> String {
+    pub fn format(self, quantity: Measure, si: f64) -> String {
         let Display { name, size, decimals } = self.display(quantity);
         let space = if name == "°" { "" } else { " " };
         format!("{}{space}{name}", number(si / size, decimals))
     }
 
     /// The unit's size in SI units.
-    pub(crate) fn size(self, quantity: Quantity) -> f64 {
+    pub(crate) fn size(self, quantity: Measure) -> f64 {
         self.display(quantity).size
     }
 
     /// An SI value in the unit.
-    pub(crate) fn value(self, quantity: Quantity, si: f64) -> f64 {
+    pub(crate) fn value(self, quantity: Measure, si: f64) -> f64 {
         si / self.display(quantity).size
     }
 
     /// The unit's name.
-    pub(crate) fn name(self, quantity: Quantity) -> &'static str {
+    pub(crate) fn name(self, quantity: Measure) -> &'static str {
         self.display(quantity).name
     }
 
     /// Decimals that make sense.
-    pub(crate) fn decimals(self, quantity: Quantity) -> usize {
+    pub(crate) fn decimals(self, quantity: Measure) -> usize {
         self.display(quantity).decimals
     }
 
     /// An SI value without its unit, for the columns of a table.
-    pub(crate) fn plain(self, quantity: Quantity, si: f64) -> String {
+    pub(crate) fn plain(self, quantity: Measure, si: f64) -> String {
         let Display { size, decimals, .. } = self.display(quantity);
         number(si / size, decimals)
     }
 
     /// A difference, with its sign and without its unit.
-    pub(crate) fn signed(self, quantity: Quantity, si: f64) -> String {
+    pub(crate) fn signed(self, quantity: Measure, si: f64) -> String {
         let plain = self.plain(quantity, si);
         if plain.starts_with('-') { plain } else { format!("+{plain}") }
     }
 
     /// SI values with one unit behind them all, like `21.3 20.3 13.8 in`.
     #[must_use]
-    pub fn format_all(self, quantity: Quantity, si: &[f64]) -> String {
+    pub fn format_all(self, quantity: Measure, si: &[f64]) -> String {
         let Display { name, size, decimals } = self.display(quantity);
         let numbers: Vec<String> = si.iter().map(|value| number(value / size, decimals)).collect();
         format!("{} {name}", numbers.join(" "))
@@ -164,36 +164,36 @@ impl Units {
 
     /// A vector in the scene, like `(-75.03, 0.00) ft/s`.
     #[must_use]
-    pub fn format_vector(self, quantity: Quantity, [x, y]: [f64; 2]) -> String {
+    pub fn format_vector(self, quantity: Measure, [x, y]: [f64; 2]) -> String {
         let Display { name, size, decimals } = self.display(quantity);
         format!("({}, {}) {name}", number(x / size, decimals), number(y / size, decimals))
     }
 
     /// A yaw rate as the equations have it and as people see it, like `-3.98 rad/s = -228 °/s`.
     pub(crate) fn yaw_rate(self, si: f64) -> String {
-        format!("{} = {}", self.format(Quantity::YawRate, si), self.format(Quantity::YawRateDegrees, si))
+        format!("{} = {}", self.format(Measure::YawRate, si), self.format(Measure::YawRateDegrees, si))
     }
 
     /// What a table of speeds is repeated in where people do not think in the unit of the equations: mph
     /// beside ft/s.
-    pub(crate) fn beside_speed(self) -> Option<Quantity> {
-        (self == Self::Us).then_some(Quantity::RoadSpeed)
+    pub(crate) fn beside_speed(self) -> Option<Measure> {
+        (self == Self::Us).then_some(Measure::RoadSpeed)
     }
 
     /// A speed as the equations have it and as drivers know it, like `75.03 ft/s (51.16 mph)`.
     pub(crate) fn speed(self, si: f64) -> String {
-        format!("{} ({})", self.format(Quantity::Speed, si), self.road_speed(si))
+        format!("{} ({})", self.format(Measure::Speed, si), self.road_speed(si))
     }
 
     /// What a speed stands in where there is one column for it: mph in US units. SI keeps the m/s of all its
     /// tables.
-    pub(crate) fn speed_alone(self) -> Quantity {
-        self.beside_speed().unwrap_or(Quantity::Speed)
+    pub(crate) fn speed_alone(self) -> Measure {
+        self.beside_speed().unwrap_or(Measure::Speed)
     }
 
     /// A speed as drivers know it, like `51.16 mph`.
     #[must_use]
     pub fn road_speed(self, si: f64) -> String {
-        self.format(Quantity::RoadSpeed, si)
+        self.format(Measure::RoadSpeed, si)
     }
 }

@@ -6,7 +6,7 @@ use crash3::{EnergyBasis, Side};
 use pim_core::{Switch, VehicleId};
 
 use crate::document::{Block, Document};
-use crate::units::{Quantity, Units, number};
+use crate::units::{Measure, Units, number};
 use crate::{axes, words};
 
 /// Where more is said of a warning.
@@ -51,7 +51,7 @@ pub(crate) fn notice(warnings: &[SeenWarning], heading: Option<&'static str>) ->
 pub fn message(seen: &SeenWarning, units: Units) -> String {
     let (warning, axes) = (seen.warning(), seen.axes());
     let speed = |si: f64| units.speed(si);
-    let angle = |si: f64| units.format(Quantity::Angle, si);
+    let angle = |si: f64| units.format(Measure::Angle, si);
     let spread = format!("±{} %", number(100.0 * crash3::BURG_SPREAD, 0));
     match warning {
         Warning::PlaneDoesNotSeparate => {
@@ -62,7 +62,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::ContactOutside { vehicle, distance } => format!(
             "the contact point lies {} outside the outline of vehicle {vehicle}, but the resultant impulse \
              acts within the damage",
-            units.format(Quantity::Length, *distance)
+            units.format(Measure::Length, *distance)
         ),
         Warning::HighRestitution { restitution, closing_speed } => format!(
             "a restitution of {restitution} at a closing speed of {} is high: above 15 m/s (49 ft/s), tests \
@@ -79,8 +79,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             format!(
                 "the peak forces that follow from the crush differ{differ}: {} on vehicle 1, {} on vehicle \
                  2; by Newton's third law they must be equal, so check stiffness, damage width and depths",
-                units.format(Quantity::Force, *f1),
-                units.format(Quantity::Force, *f2)
+                units.format(Measure::Force, *f1),
+                units.format(Measure::Force, *f2)
             )
         }
         Warning::PdofDiffers { vehicle, given, computed } => format!(
@@ -135,11 +135,11 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             if let Some(inertia) = yaw_inertia {
                 assumed.push(format!(
                     "a yaw inertia of {} (its radius of gyration may be {spread} off)",
-                    units.format(Quantity::YawInertia, *inertia)
+                    units.format(Measure::YawInertia, *inertia)
                 ));
             }
             if let Some(outline) = outline {
-                let [length, width, front] = outline.map(|si| units.format(Quantity::Length, si));
+                let [length, width, front] = outline.map(|si| units.format(Measure::Length, si));
                 assumed.push(format!(
                     "a body of {length} by {width} with the centre of gravity {front} behind its front"
                 ));
@@ -153,23 +153,23 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::BurgInertia { vehicle, yaw_inertia } => format!(
             "the yaw inertia of vehicle {vehicle} was estimated from mass, wheelbase and length (Burg: I = 0.1269 × mass × wheelbase × length) as {}; \
              its radius of gyration may be {spread} off",
-            units.format(Quantity::YawInertia, *yaw_inertia)
+            units.format(Measure::YawInertia, *yaw_inertia)
         ),
         Warning::InferredEnergy { vehicle, force, crush: [width, depth], energy, bounds } => {
             let crush = if *depth > 0.0 {
-                format!("a uniform crush of {}", units.format(Quantity::Crush, *depth))
+                format!("a uniform crush of {}", units.format(Measure::Crush, *depth))
             } else {
                 "no residual crush, only elastic energy".to_owned()
             };
             let bounds = bounds.map_or_else(String::new, |bounds| {
-                let [least, most] = bounds.map(|si| units.format(Quantity::Energy, si));
+                let [least, most] = bounds.map(|si| units.format(Measure::Energy, si));
                 format!("; the width is not known, so the energy may be anywhere between {least} and {most}")
             });
             format!(
                 "the crush of vehicle {vehicle} was not measured but inferred from the force of {} on the other vehicle: {crush} over {}, {}{bounds}",
-                units.format(Quantity::Force, *force),
-                units.format(Quantity::Crush, *width),
-                units.format(Quantity::Energy, *energy)
+                units.format(Measure::Force, *force),
+                units.format(Measure::Crush, *width),
+                units.format(Measure::Energy, *energy)
             )
         }
         Warning::DamageCentroid { vehicle, point: [forward, aside], side, offset_given } => {
@@ -183,8 +183,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 "the force on vehicle {vehicle} is assumed to act through the centroid of its damage, {} \
                  forward and {} {} of the \
                  centre of gravity{assumed}",
-                units.format(Quantity::Length, *forward),
-                units.format(Quantity::Length, *aside),
+                units.format(Measure::Length, *forward),
+                units.format(Measure::Length, *aside),
                 axes::side_of_y(axes)
             )
         }
@@ -194,7 +194,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             angle(*off)
         ),
         Warning::DamageEnergyDiffers { normal_work, crush_energy, basis, on_other_basis } => {
-            let energy = |si: f64| units.format(Quantity::Energy, si);
+            let energy = |si: f64| units.format(Measure::Energy, si);
             let (is, other) = match basis {
                 EnergyBasis::Dissipated => ("dissipated", "absorbed"),
                 EnergyBasis::Absorbed => ("absorbed", "dissipated"),
@@ -217,7 +217,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::RotationOpposes { vehicle, pdof, turned } => format!(
             "the impact turned vehicle {vehicle} by {} in yaw rate, but a force with the PDOF {} through its contact point would turn it the \
              other way; check PDOF, contact point and crush plane",
-            units.format(Quantity::YawRate, *turned),
+            units.format(Measure::YawRate, *turned),
             angle(*pdof)
         ),
         Warning::GivenSpeedUnused { vehicle, given, found } => format!(
@@ -227,13 +227,13 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         ),
         Warning::SlidingDriven { tangential_work, energy_loss, sliding, cause } => format!(
             "the work of the tangential impulse is {}, {} of the energy loss: {}",
-            units.format(Quantity::Energy, *tangential_work),
+            units.format(Measure::Energy, *tangential_work),
             share(*tangential_work, *energy_loss),
             drive(*cause, *sliding, units)
         ),
         Warning::RotationDriven { moment_work, energy_loss, moment_restitution } => format!(
             "the moment impulse drives the rotation: its work is {}, {} of the energy loss; {}",
-            units.format(Quantity::Energy, *moment_work),
+            units.format(Measure::Energy, *moment_work),
             share(*moment_work, *energy_loss),
             if *moment_restitution > 0.0 {
                 format!(
@@ -289,12 +289,12 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             "the contact point of vehicle {vehicle} lies {} beyond the end of the damage to its {}, as \
              placed by `offset` and width; the resultant impulse acts within the damage, so check the signs \
              of `contact` and `offset`",
-            units.format(Quantity::Crush, *distance),
+            units.format(Measure::Crush, *distance),
             side_name(*side)
         ),
         Warning::ContactOtherHalf { vehicle, side, distance } => format!(
             "the contact point of vehicle {vehicle} lies {} {}, but the damage is to its {}; check the sign of `contact`{}",
-            units.format(Quantity::Crush, *distance),
+            units.format(Measure::Crush, *distance),
             match side {
                 Side::Front => "behind the centre of gravity",
                 Side::Rear => "ahead of the centre of gravity",
@@ -310,22 +310,22 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::DamageOutside { vehicle, side, distance } => format!(
             "the damage to the {} of vehicle {vehicle} reaches {} beyond the end of that side; check its width and `offset`",
             side_name(*side),
-            units.format(Quantity::Crush, *distance)
+            units.format(Measure::Crush, *distance)
         ),
         Warning::Implausible { vehicle, magnitude, value, usual: [low, high] } => {
             let (name, quantity) = match magnitude {
-                Magnitude::Mass => ("mass", Quantity::Mass),
-                Magnitude::YawRadius => ("radius of gyration √(I/m)", Quantity::Length),
-                Magnitude::Length => ("length", Quantity::Length),
-                Magnitude::BodyWidth => ("width", Quantity::Length),
-                Magnitude::Speed => ("speed", Quantity::RoadSpeed),
-                Magnitude::SpeedFound => ("speed found", Quantity::RoadSpeed),
-                Magnitude::CrushDepth => ("depth of crush", Quantity::Crush),
-                Magnitude::DamageWidth => ("width of the damage", Quantity::Crush),
-                Magnitude::TestMass => ("mass in the barrier test", Quantity::Mass),
-                Magnitude::TestSpeed => ("speed in the barrier test", Quantity::RoadSpeed),
-                Magnitude::TestDepth => ("depth of crush in the barrier test", Quantity::Crush),
-                Magnitude::TestWidth => ("width of the damage in the barrier test", Quantity::Crush),
+                Magnitude::Mass => ("mass", Measure::Mass),
+                Magnitude::YawRadius => ("radius of gyration √(I/m)", Measure::Length),
+                Magnitude::Length => ("length", Measure::Length),
+                Magnitude::BodyWidth => ("width", Measure::Length),
+                Magnitude::Speed => ("speed", Measure::RoadSpeed),
+                Magnitude::SpeedFound => ("speed found", Measure::RoadSpeed),
+                Magnitude::CrushDepth => ("depth of crush", Measure::Crush),
+                Magnitude::DamageWidth => ("width of the damage", Measure::Crush),
+                Magnitude::TestMass => ("mass in the barrier test", Measure::Mass),
+                Magnitude::TestSpeed => ("speed in the barrier test", Measure::RoadSpeed),
+                Magnitude::TestDepth => ("depth of crush in the barrier test", Measure::Crush),
+                Magnitude::TestWidth => ("width of the damage in the barrier test", Measure::Crush),
             };
             let remedy = match magnitude {
                 Magnitude::SpeedFound => "check the units of depths, widths and stiffness, and the angles",
@@ -371,7 +371,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::NoResidualCrush { vehicle, energy } => format!(
             "all depths of vehicle {vehicle} are zero, so its crush energy of {} comes from G alone; this \
              is an upper bound, because without residual crush the energy may have been anything less",
-            units.format(Quantity::Energy, *energy)
+            units.format(Measure::Energy, *energy)
         ),
     }
 }
@@ -390,8 +390,8 @@ fn stiffness_check(source: StiffnessSource) -> &'static str {
 
 /// What a law gives on one side of a jump.
 fn jump_side(side: &JumpSide, units: Units) -> String {
-    let mut values = vec![format!("W_n = {}", units.format(Quantity::Energy, side.normal_work))];
-    values.extend(side.moment.map(|moment| format!("M = {}", units.format(Quantity::MomentImpulse, moment))));
+    let mut values = vec![format!("W_n = {}", units.format(Measure::Energy, side.normal_work))];
+    values.extend(side.moment.map(|moment| format!("M = {}", units.format(Measure::MomentImpulse, moment))));
     values.extend(VehicleId::ALL.into_iter().zip(side.yaw_rates).filter_map(|(vehicle, rate)| {
         // Jumps of a few per cent do not show in two decimals.
         rate.map(|rate| format!("Ω_{vehicle} = {} rad/s", number(rate, 3)))

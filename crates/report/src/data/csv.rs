@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::json::document;
-use crate::units::{Quantity, Units};
+use crate::units::{Measure, Units};
 
 /// What came of one file.
 #[derive(Clone, Copy, Debug)]
@@ -122,19 +122,19 @@ const LAST: [&str; 2] = ["warnings", "help"];
 
 /// What the names of columns end in, in SI and in US units, and what it is the unit of. There is one column
 /// for a speed: mph.
-const UNITS: [(&str, &str, Quantity); 8] = [
-    ("(m/s)", "(mph)", Quantity::RoadSpeed),
-    ("(m)", "(ft)", Quantity::Length),
-    ("(rad)", "(deg)", Quantity::Angle),
-    ("(rad/s)", "(deg/s)", Quantity::YawRateDegrees),
-    ("(J)", "(ft lb)", Quantity::Energy),
-    ("(N s)", "(lb s)", Quantity::Impulse),
-    ("(N m s)", "(ft lb s)", Quantity::MomentImpulse),
-    ("(N)", "(lb)", Quantity::Force),
+const UNITS: [(&str, &str, Measure); 8] = [
+    ("(m/s)", "(mph)", Measure::RoadSpeed),
+    ("(m)", "(ft)", Measure::Length),
+    ("(rad)", "(deg)", Measure::Angle),
+    ("(rad/s)", "(deg/s)", Measure::YawRateDegrees),
+    ("(J)", "(ft lb)", Measure::Energy),
+    ("(N s)", "(lb s)", Measure::Impulse),
+    ("(N m s)", "(ft lb s)", Measure::MomentImpulse),
+    ("(N)", "(lb)", Measure::Force),
 ];
 
 /// Where the values of a column are converted: its name without the unit, the unit, and what it is of.
-fn converted(name: &str, units: Units) -> Option<(&str, &'static str, Quantity)> {
+fn converted(name: &str, units: Units) -> Option<(&str, &'static str, Measure)> {
     let find = || {
         UNITS.iter().find_map(|&(si, us, quantity)| name.strip_suffix(si).map(|bare| (bare, us, quantity)))
     };

@@ -5,10 +5,10 @@ use analysis::{Analysis, Damage};
 use case::Case;
 use pim_core::VehicleId;
 
-use super::vehicle::{Body, Outline, Profile, profile};
+use super::vehicle::{Body, DrawnOutline, Profile, profile};
 use super::{DrawingError, scale_unit, title};
 use crate::Units;
-use crate::units::Quantity;
+use crate::units::Measure;
 use crate::words;
 
 /// Stations whose depths the caption lists; of more it says between what they lie.
@@ -37,7 +37,7 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
     if vehicles.iter().all(Option::is_none) {
         return Err(DrawingError::NoDamage);
     }
-    Ok(DamagePicture { title: title(case), vehicles, length: scale_unit(units, Quantity::Length) })
+    Ok(DamagePicture { title: title(case), vehicles, length: scale_unit(units, Measure::Length) })
 }
 
 fn caption(
@@ -48,48 +48,48 @@ fn caption(
     units: Units,
 ) -> Vec<String> {
     let side = vehicle.crush.as_ref().map_or("", |crush| words::side_name(crush.side));
-    let width = units.format(Quantity::Crush, damage.width);
+    let width = units.format(Measure::Crush, damage.width);
     // The unit does not go to a line of its own.
-    let unit = &format!(" {}", units.name(Quantity::Crush));
+    let unit = &format!(" {}", units.name(Measure::Crush));
     let crush = match &damage.inferred {
         Some(inferred) => format!(
             "{side}, {width} wide; inferred from the force: {} deep",
-            units.format(Quantity::Crush, inferred.crush.depth)
+            units.format(Measure::Crush, inferred.crush.depth)
         ),
         None if damage.depths.len() > LISTED => format!(
             "{side}, {width} wide; C1 to C{}: {} to {} deep",
             damage.depths.len(),
-            units.format(Quantity::Crush, damage.depths.iter().copied().fold(f64::INFINITY, f64::min)),
-            units.format(Quantity::Crush, damage.depths.iter().copied().fold(0.0, f64::max)),
+            units.format(Measure::Crush, damage.depths.iter().copied().fold(f64::INFINITY, f64::min)),
+            units.format(Measure::Crush, damage.depths.iter().copied().fold(0.0, f64::max)),
         ),
         None => format!(
             "{side}, {width} wide; C1 to C{}: {}",
             damage.depths.len(),
             units
-                .format_all(Quantity::Crush, &damage.depths)
+                .format_all(Measure::Crush, &damage.depths)
                 .replace(unit, &format!("\u{a0}{}", unit.trim_start()))
         ),
     };
-    let energy = units.format(Quantity::Energy, damage.crush_energy);
+    let energy = units.format(Measure::Energy, damage.crush_energy);
     let mut sentences = vec![format!("Damage: {crush}."), format!("Crush energy {energy}.")];
     if let Some(crush) = vehicle.crush.as_ref().filter(|crush| crush.offset.is_none()) {
         let middle = words::undisplaced(crush.side);
         sentences.push(format!("No offset is given: drawn {middle}."));
     }
     let outline = match body.outline {
-        Outline::Given => None,
-        Outline::OfClass(class) => Some(format!("Outline: typical of CRASH3's size class {class}.")),
-        Outline::Nearest(class) => {
-            Some(format!("Outline: CRASH3's size class {class}, assumed, nearest by radius of gyration."))
+        DrawnOutline::Given => None,
+        DrawnOutline::OfClass(class) => {
+            Some(format!("DrawnOutline: typical of CRASH3's size class {class}."))
         }
+        DrawnOutline::Nearest(class) => Some(format!(
+            "DrawnOutline: CRASH3's size class {class}, assumed, nearest by radius of gyration."
+        )),
     };
     let beyond: Vec<String> = body
         .beyond(profile.face.iter().chain(&profile.crushed).copied())
         .into_iter()
         .filter(|(_, by)| *by > BEYOND)
-        .map(|(side, by)| {
-            format!("{} past its {}", units.format(Quantity::Crush, by), words::side_name(side))
-        })
+        .map(|(side, by)| format!("{} past its {}", units.format(Measure::Crush, by), words::side_name(side)))
         .collect();
     let beyond = (!beyond.is_empty())
         .then(|| format!("The damage reaches beyond the outline as drawn: {}.", beyond.join(", ")));

@@ -7,7 +7,7 @@ use pim_core::VehicleId;
 
 use super::{DrawingError, Subject, title};
 use crate::Units;
-use crate::units::Quantity;
+use crate::units::Measure;
 
 pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<EnergyPicture, DrawingError> {
     let impact = analysis.impact.as_ref().ok_or(DrawingError::NoImpact { subject: Subject::Energy })?;
@@ -20,7 +20,7 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
     let bar = |name: &str, joule: f64| EnergyBar {
         name: name.to_owned(),
         energy: joule,
-        value: format!("{} ({} %)", units.format(Quantity::Energy, joule), share(joule)),
+        value: format!("{} ({} %)", units.format(Measure::Energy, joule), share(joule)),
         remark: None,
     };
     // What it means that the work is negative, where it is so as printed: not for the rounding of zero.
@@ -65,7 +65,7 @@ fn is_crush(crush: f64, normal_work: f64) -> bool {
 fn note(analysis: &Analysis, crush: f64, normal_work: f64, units: Units) -> String {
     let mut note = "Each bar begins where the one above it ends.".to_owned();
     if crush > 0.0 && !is_crush(crush, normal_work) {
-        let energy = |si: f64| units.format(Quantity::Energy, si);
+        let energy = |si: f64| units.format(Measure::Energy, si);
         let why = match (&analysis.found, analysis.basis) {
             (Some(_), crash3::EnergyBasis::Absorbed) => "restitution gives the rest back",
             _ => "the damage and the impact do not agree",

@@ -7,7 +7,7 @@ use crash3::EnergyBasis;
 
 use super::{DrawingError, title};
 use crate::Units;
-use crate::units::Quantity;
+use crate::units::Measure;
 
 /// Steps of the curve.
 const SAMPLES: usize = 240;
@@ -20,16 +20,16 @@ pub(super) fn picture(
     let found = analysis.found.as_ref().ok_or(DrawingError::NoReconciliation)?;
     let curve = work_curve(&file.case, found, SAMPLES)?;
     let vehicle = found.unknown.vehicle();
-    let axis = |what: &str, quantity: Quantity| Axis {
+    let axis = |what: &str, quantity: Measure| Axis {
         title: format!("{what} ({})", units.name(quantity)),
         unit: units.size(quantity),
     };
     let answer = units.road_speed(found.speed);
-    let energy = units.format(Quantity::Energy, found.normal_work);
+    let energy = units.format(Measure::Energy, found.normal_work);
     // What is sought may depend on the speed: an inferred crush, or a basis that restitution has a part in.
-    let varies = curve.iter().any(|point| units.format(Quantity::Energy, point.sought) != energy);
+    let varies = curve.iter().any(|point| units.format(Measure::Energy, point.sought) != energy);
     let there = if varies { " at the speed found" } else { "" };
-    let speed = |si: f64| units.format(Quantity::RoadSpeed, si);
+    let speed = |si: f64| units.format(Measure::RoadSpeed, si);
     let touch = speed(curve.first().map_or(0.0, |point| point.speed));
     // An interval whose ends look the same is none to the reader.
     let begins = match first_push(&file.case, &curve)?.filter(|&begins| speed(begins) != touch) {
@@ -44,7 +44,7 @@ pub(super) fn picture(
         EnergyBasis::Dissipated => format!("the crush energy, {energy},"),
         EnergyBasis::Absorbed => format!(
             "{energy}, which is (1 − e²) times the crush energy of {},",
-            units.format(Quantity::Energy, found.crush_energy)
+            units.format(Measure::Energy, found.crush_energy)
         ),
     };
     let description = format!(
@@ -55,8 +55,8 @@ pub(super) fn picture(
         title: title(&file.case),
         subtitle: format!("Reconciliation: work of the normal impulse over the speed of vehicle {vehicle}"),
         description,
-        speed: axis(&format!("speed of vehicle {vehicle}"), Quantity::RoadSpeed),
-        work: axis("Wₙ", Quantity::Energy),
+        speed: axis(&format!("speed of vehicle {vehicle}"), Measure::RoadSpeed),
+        work: axis("Wₙ", Measure::Energy),
         curve: curve
             .iter()
             .map(|point| CurvePoint { speed: point.speed, work: point.normal_work, sought: point.sought })

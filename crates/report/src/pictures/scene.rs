@@ -5,16 +5,16 @@ use analysis::{Analysis, Impact};
 use case::{Axes, Case};
 use pim_core::{Real, Vector2, VehicleId};
 
-use super::vehicle::{Body, Outline};
+use super::vehicle::{Body, DrawnOutline};
 use super::{DrawingError, Subject, scale_unit, title};
 use crate::Units;
 use crate::axes;
-use crate::units::Quantity;
+use crate::units::Measure;
 
 pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<ScenePicture, DrawingError> {
     let impact = analysis.impact.as_ref().ok_or(DrawingError::NoImpact { subject: Subject::Scene })?;
     let outcome = &impact.outcome;
-    let impulse = units.format(Quantity::Impulse, length(outcome.impulse_vector));
+    let impulse = units.format(Measure::Impulse, length(outcome.impulse_vector));
     Ok(ScenePicture {
         title: title(case),
         description: description(case, analysis.seen(case.axes).impact.as_ref().unwrap_or(impact), units),
@@ -22,8 +22,8 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
         vehicles: VehicleId::ALL.map(|id| vehicle(case, analysis, impact, id, units)),
         normal: impact.contact.normal().into(),
         impulse: SceneArrow { vector: outcome.impulse_vector.into(), label: format!("P {impulse}") },
-        length: scale_unit(units, Quantity::Length),
-        speed: scale_unit(units, Quantity::RoadSpeed),
+        length: scale_unit(units, Measure::Length),
+        speed: scale_unit(units, Measure::RoadSpeed),
     })
 }
 
@@ -38,9 +38,11 @@ fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, id: VehicleId, uni
         (None, false) => format!("vehicle {id}"),
     };
     let legend = match (body.map(|body| body.outline), is_fixed) {
-        (Some(Outline::Given), _) => Some(format!("outline {id}, as given")),
-        (Some(Outline::OfClass(class)), _) => Some(format!("outline {id}: CRASH3 class {class}")),
-        (Some(Outline::Nearest(class)), _) => Some(format!("outline {id}: CRASH3 class {class}, assumed")),
+        (Some(DrawnOutline::Given), _) => Some(format!("outline {id}, as given")),
+        (Some(DrawnOutline::OfClass(class)), _) => Some(format!("outline {id}: CRASH3 class {class}")),
+        (Some(DrawnOutline::Nearest(class)), _) => {
+            Some(format!("outline {id}: CRASH3 class {class}, assumed"))
+        }
         (None, true) => Some(format!("{id}: fixed object, extent not known")),
         (None, false) => None,
     };
@@ -60,13 +62,13 @@ fn motion(impact: &Impact, i: usize, units: Units) -> SceneMotion {
     let number = ["₁", "₂"][i];
     let velocity = |symbol: &str, velocity: Vector2<f64>| SceneArrow {
         vector: velocity.into(),
-        label: format!("{symbol}{number} {}", units.format(Quantity::RoadSpeed, length(velocity))),
+        label: format!("{symbol}{number} {}", units.format(Measure::RoadSpeed, length(velocity))),
     };
     // The heading, turned clockwise by the PDOF.
     let forward = outcome.forward[i];
     let (sin, cos) = Real::sin_cos(impact.pdof[i]);
     let from = [forward.x * cos + forward.y * sin, forward.y * cos - forward.x * sin];
-    let pdof = units.format(Quantity::Angle, impact.pdof[i]);
+    let pdof = units.format(Measure::Angle, impact.pdof[i]);
     SceneMotion {
         before: velocity("v", outcome.before[i].velocity),
         after: velocity("V", outcome.after[i].velocity),
@@ -94,17 +96,17 @@ fn description(case: &Case, impact: &Impact, units: Units) -> String {
         sentences.push(format!(
             "Vehicle {id}{name} heads {} {} from the x axis of the scene; its velocity is {} before and {} after the impact; the force on it \
              comes from {} clockwise of its heading.",
-            units.format(Quantity::Angle, heading),
+            units.format(Measure::Angle, heading),
             axes::sense(case.axes),
-            units.format_vector(Quantity::RoadSpeed, outcome.before[i].velocity.into()),
-            units.format_vector(Quantity::RoadSpeed, outcome.after[i].velocity.into()),
-            units.format(Quantity::Angle, impact.pdof[i]),
+            units.format_vector(Measure::RoadSpeed, outcome.before[i].velocity.into()),
+            units.format_vector(Measure::RoadSpeed, outcome.after[i].velocity.into()),
+            units.format(Measure::Angle, impact.pdof[i]),
         ));
     }
     sentences.push(format!(
         "The impulse of {} on vehicle 1 at the contact point C points to {} in the scene.",
-        units.format(Quantity::Impulse, length(outcome.impulse_vector)),
-        units.format(Quantity::Angle, outcome.impulse_direction()),
+        units.format(Measure::Impulse, length(outcome.impulse_vector)),
+        units.format(Measure::Angle, outcome.impulse_direction()),
     ));
     sentences.join(" ")
 }

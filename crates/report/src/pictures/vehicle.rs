@@ -10,12 +10,12 @@ use pim_core::Vector2;
 #[derive(Clone, Copy)]
 pub(super) struct Body {
     pub(super) dimensions: Dimensions,
-    pub(super) outline: Outline,
+    pub(super) outline: DrawnOutline,
 }
 
 /// Where an outline is from.
 #[derive(Clone, Copy)]
-pub(super) enum Outline {
+pub(super) enum DrawnOutline {
     /// The file gives it.
     Given,
     /// The file gives the CRASH3 class, whose typical outline it is.
@@ -29,7 +29,7 @@ impl Body {
     /// for a fixed object without one.
     pub(super) fn of(vehicle: &Vehicle) -> Option<Self> {
         if let Some(dimensions) = vehicle.subject.dimensions {
-            let outline = dimensions.class.map_or(Outline::Given, Outline::OfClass);
+            let outline = dimensions.class.map_or(DrawnOutline::Given, DrawnOutline::OfClass);
             return Some(Self { dimensions, outline });
         }
         let (class, known) = analysis::nearest_class(&vehicle.subject.inertia?)?;
@@ -39,7 +39,7 @@ impl Body {
             cg_to_front: known.cg_to_front,
             class: Some(class),
         };
-        Some(Self { dimensions, outline: Outline::Nearest(class) })
+        Some(Self { dimensions, outline: DrawnOutline::Nearest(class) })
     }
 
     /// For the drawing.

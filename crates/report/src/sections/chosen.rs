@@ -4,7 +4,7 @@ use analysis::{Kind, OutputQuantity, Seen, Values, quantity};
 
 use crate::document::{NONE, Table};
 use crate::outputs::printed;
-use crate::units::{Quantity, Units, number};
+use crate::units::{Measure, Units, number};
 
 /// The numbers of an analysis, in the axes of the case and the units of the reader.
 #[derive(Clone, Copy)]
@@ -18,8 +18,8 @@ impl Chosen<'_> {
     pub(crate) fn format(self, kind: Kind, si: f64) -> String {
         match printed(kind) {
             None => number(si, 4),
-            Some(Quantity::Speed) => both_speeds(self.units, si),
-            Some(Quantity::YawRate) => self.units.yaw_rate(si),
+            Some(Measure::Speed) => both_speeds(self.units, si),
+            Some(Measure::YawRate) => self.units.yaw_rate(si),
             Some(quantity) => self.units.format(quantity, si),
         }
     }
@@ -96,7 +96,7 @@ impl Chosen<'_> {
         let Some(row) = quantity(key) else { return };
         if let [Some(si), _] = self.values(row) {
             let label = format!("{indent}{}", row.label);
-            table.row([label, self.units.format(Quantity::Energy, si), share(si), row.source.to_owned()]);
+            table.row([label, self.units.format(Measure::Energy, si), share(si), row.source.to_owned()]);
         }
     }
 }
@@ -108,7 +108,7 @@ pub(crate) fn label(key: &'static str) -> &'static str {
 
 /// A speed as the equations have it and as drivers know it, like `75.03 ft/s = 51.16 mph`.
 pub(crate) fn both_speeds(units: Units, si: f64) -> String {
-    format!("{} = {}", units.format(Quantity::Speed, si), units.road_speed(si))
+    format!("{} = {}", units.format(Measure::Speed, si), units.road_speed(si))
 }
 
 /// A value, or a dash.

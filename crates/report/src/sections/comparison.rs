@@ -1,11 +1,11 @@
 //! The answers of several laws side by side.
 
-use analysis::Comparison;
+use analysis::{Comparison, quantity};
 use case::Case;
 
 use crate::data::comparison::{Row, rows};
 use crate::document::{Block, Column, Document, NONE, Table, Width};
-use crate::units::{Quantity, Units, number};
+use crate::units::{Measure, Units, number};
 use crate::{axes, warnings};
 
 /// (columns) of the name of a law, and of a number, at least.
@@ -17,22 +17,22 @@ const COLUMN: usize = 7;
 pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Document {
     let rows = rows(case, comparison, units);
     let answered = || rows.iter().filter(|row| row.error.is_none());
-    let name = |quantity: Quantity| units.name(quantity);
-    let plain = |quantity: Quantity, value: Option<f64>| value.map(|si| units.plain(quantity, si));
+    let name = |quantity: Measure| units.name(quantity);
+    let plain = |quantity: Measure, value: Option<f64>| value.map(|si| units.plain(quantity, si));
     // A fixed object has neither motion nor heading.
     let of = |pair: Option<[f64; 2]>, i: usize| pair.filter(|_| !case.vehicles[i].fixed).map(|pair| pair[i]);
     let mut page = Document::new();
     page.title(case);
 
-    for quantity in [Some(Quantity::Speed), units.beside_speed()].into_iter().flatten() {
+    for quantity in [Some(Measure::Speed), units.beside_speed()].into_iter().flatten() {
         let speed = name(quantity);
         let columns = [
-            ("speed", speed),
-            ("", "change"),
-            ("ΔV 1", speed),
-            ("", "change"),
-            ("ΔV 2", speed),
-            ("", "change"),
+            ("speed".to_owned(), speed),
+            (String::new(), "change"),
+            (of_vehicle("delta_v", 1), speed),
+            (String::new(), "change"),
+            (of_vehicle("delta_v", 2), speed),
+            (String::new(), "change"),
         ];
         page.push(table(
             &columns,
@@ -53,24 +53,35 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
         ));
     }
     page.push(table(
-        &[("PDOF 1", "°"), ("PDOF 2", "°"), ("E_L", name(Quantity::Energy)), ("W_n", "%"), ("W_t", "%")],
+        &[
+            (of_vehicle("pdof", 1), "°"),
+            (of_vehicle("pdof", 2), "°"),
+            (symbol("impact.energy_loss").to_owned(), name(Measure::Energy)),
+            (symbol("impact.normal_work").to_owned(), "%"),
+            (symbol("impact.tangential_work").to_owned(), "%"),
+        ],
         answered().map(|row| {
             let share = |share: Option<f64>| share.map(|share| number(100.0 * share, 1));
             let values = &row.values;
             let cells = vec![
-                plain(Quantity::Angle, of(values.pdof, 0)),
-                plain(Quantity::Angle, of(values.pdof, 1)),
-                plain(Quantity::Energy, values.energy_loss),
+                plain(Measure::Angle, of(values.pdof, 0)),
+                plain(Measure::Angle, of(values.pdof, 1)),
+                plain(Measure::Energy, values.energy_loss),
                 share(values.normal_share),
                 share(values.tangential_share),
             ];
             (row.law, cells)
         }),
     ));
-    let rates = [Quantity::YawRate, Quantity::YawRateDegrees];
+    let rates = [Measure::YawRate, Measure::YawRateDegrees];
     let [radians, degrees] = rates.map(name);
     page.push(table(
-        &[("Ω 1", radians), ("", degrees), ("Ω 2", radians), ("", degrees)],
+        &[
+            (of_vehicle("final_yaw_rate", 1), radians),
+            (String::new(), degrees),
+            (of_vehicle("final_yaw_rate", 2), radians),
+            (String::new(), degrees),
+        ],
         // CRASH3 knows no rotation.
         answered().filter(|row| row.values.final_yaw_rate.is_some()).map(|row| {
             let cells = [0, 1].map(|i| rates.map(|rate| plain(rate, of(row.values.final_yaw_rate, i))));
@@ -105,9 +116,23 @@ fn coefficients(row: &Row) -> String {
     format!("{}{sliding}{assumed}", row.coefficients)
 }
 
+/// As the table of results has it.
+fn symbol(key: &str) -> &'static str {
+    quantity(key).map_or("", |row| row.symbol)
+}
+
+/// The symbol with the number of the vehicle.
+fn of_vehicle(key: &str, vehicle: u8) -> String {
+    format!("{} {vehicle}", symbol(key))
+}
+
 /// Numbers of several laws, under a name and a unit.
-fn table(columns: &[(&str, &str)], rows: impl Iterator<Item = (&'static str, Vec<Option<String>>)>) -> Table {
-    let numbers = columns.iter().map(|(name, unit)| Column::numbers(*name, Width::Fit(COLUMN)).unit(*unit));
+fn table(
+    columns: &[(String, &str)],
+    rows: impl Iterator<Item = (&'static str, Vec<Option<String>>)>,
+) -> Table {
+    let numbers =
+        columns.iter().map(|(name, unit)| Column::numbers(name.clone(), Width::Fit(COLUMN)).unit(*unit));
     let law = Column::words("law", Width::Fit(NAME));
     let mut table = Table::new("", std::iter::once(law).chain(numbers).collect::<Vec<_>>());
     for (law, values) in rows {

@@ -7,7 +7,7 @@ use pim_core::{Outcome, Regime, VehicleId};
 
 use super::chosen::{Chosen, both_speeds, label};
 use crate::document::{Block, Document, Table};
-use crate::units::{Quantity, Units};
+use crate::units::{Measure, Units};
 use crate::{axes, checks, energy, law, warnings, words};
 
 /// The analysis for the terminal and the file: what was found, all inputs and results with their equations,
@@ -54,7 +54,7 @@ impl Page {
     fn found(&mut self, found: &Found, basis: EnergyBasis) {
         let vehicle = found.unknown.vehicle();
         let units = self.units;
-        let energy = |si: f64| units.format(Quantity::Energy, si);
+        let energy = |si: f64| units.format(Measure::Energy, si);
         let work = match basis {
             EnergyBasis::Dissipated => format!(
                 "equals the crush energy, {}, which the normal impulse dissipates",
@@ -88,10 +88,10 @@ impl Page {
         table.pair("name", known(&|i| vehicles[i].name.clone()), "");
         table.pair("fixed object", known(&|i| vehicles[i].fixed.then(|| "yes".to_owned())), "");
         let inertia = |i: usize| analysis.vehicles[i].subject.inertia;
-        table.pair("mass", known(&|i| inertia(i).map(|v| units.format(Quantity::Mass, v.mass))), "");
+        table.pair("mass", known(&|i| inertia(i).map(|v| units.format(Measure::Mass, v.mass))), "");
         table.pair(
             "yaw inertia",
-            known(&|i| inertia(i).map(|v| units.format(Quantity::YawInertia, v.yaw_inertia))),
+            known(&|i| inertia(i).map(|v| units.format(Measure::YawInertia, v.yaw_inertia))),
             "",
         );
         table.pair(
@@ -103,16 +103,16 @@ impl Page {
             }),
             "",
         );
-        let angle = |q: &case::Quantity| units.format(Quantity::Angle, q.si());
+        let angle = |q: &case::Quantity| units.format(Measure::Angle, q.si());
         table.pair("heading θ", known(&|i| vehicles[i].heading.as_ref().map(angle)), "");
         table.pair(
             "contact point C, forward",
-            known(&|i| analysis.vehicles[i].subject.contact.map(|c| units.format(Quantity::Length, c[0]))),
+            known(&|i| analysis.vehicles[i].subject.contact.map(|c| units.format(Measure::Length, c[0]))),
             "",
         );
         table.pair(
             &format!("contact point C, {}", axes::side_of_y(self.axes)),
-            known(&|i| analysis.vehicles[i].subject.contact.map(|c| units.format(Quantity::Length, c[1]))),
+            known(&|i| analysis.vehicles[i].subject.contact.map(|c| units.format(Measure::Length, c[1]))),
             "",
         );
         let sought = |i: usize| analysis.found.as_ref().is_some_and(|found| found.unknown.index() == i);
@@ -122,7 +122,7 @@ impl Page {
                 _ if sought(i) => Some("sought".to_owned()),
                 Some(Velocity::Speed(speed)) => Some(both_speeds(units, speed.si())),
                 Some(Velocity::Vector { x, y }) => {
-                    Some(units.format_vector(Quantity::Speed, [x.si(), y.si()]))
+                    Some(units.format_vector(Measure::Speed, [x.si(), y.si()]))
                 }
                 None => None,
             }),
@@ -137,14 +137,14 @@ impl Page {
                     format!(
                         "{}, {}",
                         words::side_name(crush.side),
-                        units.format(Quantity::Crush, damage.width)
+                        units.format(Measure::Crush, damage.width)
                     )
                 })
             }),
             "",
         );
         let crush = |i: usize| vehicles[i].crush.as_ref();
-        let crush_length = |q: case::Quantity| units.format(Quantity::Crush, q.si());
+        let crush_length = |q: case::Quantity| units.format(Measure::Crush, q.si());
         // Of a front or rear the offset is from the vehicle's axis, of a side from its CG.
         let side_of_y = axes::side_of_y(self.axes);
         for (label, is_end) in [
@@ -163,7 +163,7 @@ impl Page {
                 let follows = || {
                     let damage = analysis.vehicles[i].subject.damage.as_ref()?;
                     let pdof = damage.pdof.filter(|_| damage.pdof_follows)?;
-                    Some(format!("opposite: {}", units.format(Quantity::Angle, pdof)))
+                    Some(format!("opposite: {}", units.format(Measure::Angle, pdof)))
                 };
                 let given = crush(i)?.pdof.map(|pdof| match pdof {
                     Pdof::Angle(given) => angle(&given),
@@ -181,12 +181,12 @@ impl Page {
         table.pair(
             "moment arm h as given",
             known(&|i| {
-                crush(i).and_then(|crush| crush.moment_arm).map(|q| units.format(Quantity::Length, q.si()))
+                crush(i).and_then(|crush| crush.moment_arm).map(|q| units.format(Measure::Length, q.si()))
             }),
             "",
         );
         let dimensions = |i: usize| analysis.vehicles[i].subject.dimensions;
-        let length = |si: f64| units.format(Quantity::Length, si);
+        let length = |si: f64| units.format(Measure::Length, si);
         table.pair(
             "outline, length by width",
             known(&|i| dimensions(i).map(|d| format!("{} by {}", length(d.length), length(d.width)))),
@@ -208,7 +208,7 @@ impl Page {
             if let Some(damage) = &vehicle.damage
                 && damage.inferred.is_none()
             {
-                let depths = units.format_all(Quantity::Crush, &damage.depths);
+                let depths = units.format_all(Measure::Crush, &damage.depths);
                 profiles.push((format!("crush depths, vehicle {id}"), depths));
             }
         }
@@ -223,7 +223,7 @@ impl Page {
             table.shared(label, depths, "");
         }
         if let Some(impact) = &case.impact {
-            table.shared("crush plane Γ", &units.format(Quantity::Angle, impact.crush_plane.si()), "");
+            table.shared("crush plane Γ", &units.format(Measure::Angle, impact.crush_plane.si()), "");
             table.shared("impact law", law::name(&impact.law), "");
             table.shared("coefficients", &law::coefficients(&impact.law, units), "");
         }
@@ -243,12 +243,12 @@ impl Page {
                 .map(|d| words::stiffness_source(d.stiffness_source, d.side))
         });
         table.pair("stiffness from", source, "");
-        type Coefficient = (&'static str, Quantity, fn(&Stiffness) -> Option<f64>);
+        type Coefficient = (&'static str, Measure, fn(&Stiffness) -> Option<f64>);
         let coefficients: [Coefficient; 4] = [
-            ("stiffness A", Quantity::StiffnessA, |s| Some(s.a())),
-            ("stiffness B", Quantity::StiffnessB, |s| Some(s.b())),
-            ("stiffness G", Quantity::StiffnessG, |s| Some(s.g())),
-            ("limit of the force per width", Quantity::StiffnessA, Stiffness::saturation_force),
+            ("stiffness A", Measure::StiffnessA, |s| Some(s.a())),
+            ("stiffness B", Measure::StiffnessB, |s| Some(s.b())),
+            ("stiffness G", Measure::StiffnessG, |s| Some(s.g())),
+            ("limit of the force per width", Measure::StiffnessA, Stiffness::saturation_force),
         ];
         for (label, quantity, of) in coefficients {
             let uniform = damage.map(|damage| match damage.map(|damage| &damage.structure) {
@@ -355,7 +355,7 @@ impl Page {
         }
         let mut table = Table::of_two("Damage", SOURCED);
         let each = |f: &dyn Fn(&Damage) -> Option<String>| damage.map(|damage| damage.and_then(f));
-        let energy = |si: f64| units.format(Quantity::Energy, si);
+        let energy = |si: f64| units.format(Measure::Energy, si);
         if damage.iter().flatten().any(|damage| damage.inferred.is_some()) {
             let evidence =
                 |d: &Damage| if d.inferred.is_some() { "inferred from the force" } else { "measured" };
@@ -372,7 +372,7 @@ impl Page {
             |i: usize| analysis.vehicles[i].subject.damage.as_ref().is_some_and(|d| d.pdof.is_some());
         if analysis.impact.is_none() || [0, 1].into_iter().any(is_given) {
             let label = if analysis.impact.is_none() { label("pdof") } else { "PDOF that CRASH3 uses" };
-            let pdof = |d: &Damage| d.pdof.map(|pdof| units.format(Quantity::Angle, pdof));
+            let pdof = |d: &Damage| d.pdof.map(|pdof| units.format(Measure::Angle, pdof));
             table.pair(label, each(&pdof), "theory 5");
         }
         chosen.pair(&mut table, "ees");

@@ -9,7 +9,7 @@ use super::chosen::or_none;
 use crate::data::sensitivity::given_in_sweep;
 use crate::document::{Column, Document, Table, Width};
 use crate::outputs::{output_name, output_quantity};
-use crate::units::{Quantity, Units, number, significant};
+use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
 
 /// The derivatives and the sweep as tables, and the warnings of the case as it stands.
@@ -54,7 +54,7 @@ fn derivatives(first: &Derivative, group: &[Derivative], units: Units) -> Table 
     let quantity = output_quantity(first.output);
     // Where there is one column for a speed, it is that of the road.
     let (alone, beside) = match quantity {
-        Quantity::Speed => (units.speed_alone(), units.beside_speed()),
+        Measure::Speed => (units.speed_alone(), units.beside_speed()),
         other => (other, None),
     };
     let beside =
@@ -136,8 +136,8 @@ fn sweep(sensitivity: &Sensitivity, units: Units, case: &Case) -> Table {
 /// By how much the directions are turned, and both PDOFs.
 fn turned(row: &SweepRow, units: Units) -> [String; 3] {
     let nominal = if row.change == 0.0 { " (nominal)" } else { "" };
-    let [first, second] = row.pdof.map(|pdof| or_none(pdof.map(|pdof| units.plain(Quantity::Angle, pdof))));
-    [format!("{}{nominal}", units.signed(Quantity::Angle, row.change)), first, second]
+    let [first, second] = row.pdof.map(|pdof| or_none(pdof.map(|pdof| units.plain(Measure::Angle, pdof))));
+    [format!("{}{nominal}", units.signed(Measure::Angle, row.change)), first, second]
 }
 
 fn on_the_sweep(sensitivity: &Sensitivity, axes: Axes) -> String {

@@ -9,7 +9,7 @@ use crash3::principal_angle;
 
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::outputs::{Histogram, method_name, output_name, output_quantity as quantity};
-use crate::units::{Quantity, Units, number, significant};
+use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
 
 /// Classes of the histogram.
@@ -97,21 +97,21 @@ impl<'a> Page<'a> {
         self.uncertainty.outputs.iter().zip(summaries.iter().map(Option::as_ref)).collect()
     }
 
-    fn label(&self, output: &UncertainOutput, quantity: Quantity) -> String {
+    fn label(&self, output: &UncertainOutput, quantity: Measure) -> String {
         format!("{}, {}", output_name(output.output), self.units.name(quantity))
     }
 
     /// Where there is one line or column for the output.
-    fn alone(&self, output: &UncertainOutput) -> Quantity {
+    fn alone(&self, output: &UncertainOutput) -> Measure {
         match quantity(output.output) {
-            Quantity::Speed => self.units.speed_alone(),
+            Measure::Speed => self.units.speed_alone(),
             other => other,
         }
     }
 
     /// What a speed is repeated in.
-    fn beside(&self, output: &UncertainOutput) -> Option<Quantity> {
-        self.units.beside_speed().filter(|_| quantity(output.output) == Quantity::Speed)
+    fn beside(&self, output: &UncertainOutput) -> Option<Measure> {
+        self.units.beside_speed().filter(|_| quantity(output.output) == Measure::Speed)
     }
 
     /// ± the standard error, in the unit of the value, in at most so many columns.
@@ -129,7 +129,7 @@ impl<'a> Page<'a> {
     }
 
     /// An SI value with decimals enough for two digits of a standard deviation (SI) that is not zero.
-    fn resolved(&self, quantity: Quantity, sd: f64) -> impl Fn(f64) -> String + use<> {
+    fn resolved(&self, quantity: Measure, sd: f64) -> impl Fn(f64) -> String + use<> {
         let units = self.units;
         let decimals =
             units.decimals(quantity).max(decimals_of(units.value(quantity, sd))).min(MOST_DECIMALS);
@@ -242,7 +242,7 @@ impl<'a> Page<'a> {
             };
             let mut ends = summary.intervals.iter().flat_map(|ends| [ends.low.value, ends.high.value]);
             let Some(end) = ends.find(|end| end.abs() > PI) else { continue };
-            let [end, same] = [end, principal_angle(end)].map(|si| self.units.format(Quantity::Angle, si));
+            let [end, same] = [end, principal_angle(end)].map(|si| self.units.format(Measure::Angle, si));
             let turned = format!(
                 "The {} passes through 180°, straight from behind. Its intervals are not cut there: an end \
                  at {end} is the direction {same}.",

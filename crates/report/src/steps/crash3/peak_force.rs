@@ -6,7 +6,7 @@ use pim_core::VehicleId;
 
 use super::super::damage::share_below;
 use super::super::{Step, angle, n, step};
-use crate::units::Quantity;
+use crate::units::Measure;
 
 /// Of the whole side where the same line holds all along, else zone by zone.
 pub(super) fn steps(damage: &Damage, profile: &Profile, peak: f64, i: VehicleId) -> Vec<Step> {
@@ -21,7 +21,7 @@ pub(super) fn steps(damage: &Damage, profile: &Profile, peak: f64, i: VehicleId)
             "N",
             "theory 5",
         )
-        .of(Quantity::Force)
+        .of(Measure::Force)
     };
     let mut zones: Vec<(Zone, Stiffness)> = Vec::new();
     match &damage.structure {
@@ -60,7 +60,7 @@ fn of_zone(zone: Zone, stiffness: &Stiffness, i: VehicleId, j: usize) -> Step {
         "N",
         "theory 5",
     )
-    .of(Quantity::Force)
+    .of(Measure::Force)
 }
 
 /// The force of a zone in symbols, and its mean per width in numbers.

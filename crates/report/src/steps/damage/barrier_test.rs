@@ -5,7 +5,7 @@ use crash3::Stiffness;
 use pim_core::VehicleId;
 
 use super::super::{Step, inertia, n, p, step};
-use crate::units::Quantity;
+use crate::units::Measure;
 
 pub(super) fn steps(stiffness: &Stiffness, test: &GivenTest, i: VehicleId) -> Vec<Step> {
     let Ok(fitted) = test.test() else { return Vec::new() };
@@ -21,7 +21,7 @@ pub(super) fn steps(stiffness: &Stiffness, test: &GivenTest, i: VehicleId) -> Ve
         "m",
         "theory 5",
     );
-    steps.push(mean_crush.of(Quantity::Crush));
+    steps.push(mean_crush.of(Measure::Crush));
     let (v, b0) = (test.speed.si(), test.no_damage_speed.si());
     let slope = match test.fit {
         Fit::Exact => {

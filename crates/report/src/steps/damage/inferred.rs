@@ -5,15 +5,15 @@ use crash3::Stiffness;
 use pim_core::VehicleId;
 
 use super::super::{Step, angle, given, n, p, step};
-use crate::units::Quantity;
+use crate::units::Measure;
 
 pub(super) fn steps(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: VehicleId) -> Vec<Step> {
     let (force, width) = (inferred.force, inferred.crush.width);
     let mut steps = vec![
         given(format!("peak force of vehicle {i}"), format!("F_{i}"), force, "N", "theory 5")
-            .of(Quantity::Force),
+            .of(Measure::Force),
         given(format!("width of the damage of vehicle {i}"), format!("w_{i}"), width, "m", "theory 5")
-            .of(Quantity::Crush),
+            .of(Measure::Crush),
     ];
     if inferred.crush.depth > 0.0 {
         steps.extend(crushed(damage, inferred, stiffness, i));
@@ -67,7 +67,7 @@ fn crushed(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: Vehic
             "Eq 5",
         )
     };
-    [crush.of(Quantity::Crush), energy]
+    [crush.of(Measure::Crush), energy]
 }
 
 /// The energy of a force that leaves no residual crush.
