@@ -3,7 +3,7 @@
 
 use crash3::{EnergyBasis, Side, SideStiffness, VehicleClass};
 use inputs::{
-    Axes, Case, Crush, Faults, Fit, ImpactLaw, InertiaData, InferredWidth, Purpose, StiffnessForm,
+    Axes, Case, Crush, Faults, Fit, ImpactLaw, InertiaData, InferredWidth, Kind, Purpose, StiffnessForm,
     StiffnessLine, VehicleData, Velocity, YawSource,
 };
 use pim_core::VehicleId;
@@ -231,7 +231,8 @@ pub fn judge(case: &Case) -> Judgement {
 }
 
 /// A vehicle of which something needed is missing.
-const NOTHING: VehicleData = VehicleData { inertia: None, contact: None, dimensions: None, damage: None };
+const NOTHING: VehicleData =
+    VehicleData { kind: None, inertia: None, contact: None, dimensions: None, damage: None };
 
 /// `speeds` (m/s) of a collision; that which is sought is zero.
 fn of_vehicles(
@@ -295,7 +296,8 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
                 YawSource::Burg => assumptions.push(Assumption::BurgInertia { vehicle: id, yaw_inertia }),
             }
         }
-        if let Some(VehicleData { inertia: Some(inertia), dimensions: None, .. }) = subject
+        if vehicle.kind.unwrap_or_default() == Kind::Car
+            && let Some(VehicleData { inertia: Some(inertia), dimensions: None, .. }) = subject
             && let Some((class, _)) = nearest_class(inertia)
         {
             assumptions.push(Assumption::Outline { vehicle: id, class });

@@ -43,6 +43,7 @@ mod seen;
 mod sensitivity;
 mod thresholds;
 mod uncertainty;
+mod usual;
 mod warning;
 
 pub use checks::{Check, CheckedQuantity};

@@ -3,12 +3,13 @@
 use std::f64::consts::TAU;
 
 use crash3::{EnergyBasis, Side, principal_angle};
-use inputs::{Case, Dimension, Dimensions, Quantity, StiffnessForm, StiffnessSource, Velocity, YawSource};
+use inputs::{Case, Dimension, Kind, Quantity, StiffnessForm, StiffnessSource, Velocity, YawSource};
 use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential, VehicleId};
 
 use crate::checks::{Check, CheckedQuantity};
 use crate::damage::Crash3;
 use crate::thresholds::{FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
+use crate::usual::Usual;
 use crate::{Damage, Found, Impact, Vehicle};
 
 /// How far CRASH3's ΔV may be from that of the impact.
@@ -34,35 +35,10 @@ const JUMP: f64 = 0.1 * NEAR;
 /// The size of μ above which the surfaces pull harder than they push. Friction between vehicles is mostly
 /// about half of that.
 const LARGE_RATIO: f64 = 1.0;
-/// (kg) from a quadricycle to a loaded articulated lorry.
-const USUAL_MASS: [f64; 2] = [100.0, 50_000.0];
-/// (kg/m²) mass by length and width: cars have 150 to 250, a loaded mixer of four axles 1400.
-const USUAL_AREAL_MASS: f64 = 2000.0;
-/// (m) k of cars is 1.1 to 1.7, that of a lorry of 12 m about 3.5: 0.29 times the length.
-const USUAL_YAW_RADIUS: [f64; 2] = [0.8, 4.0];
-/// (m/s) 250 km/h, 155 mph: most cars cannot drive faster.
-const USUAL_SPEED: [f64; 2] = [0.0, 250.0 / 3.6];
 /// (m/s) 100 km/h, 62 mph: cars are driven into barriers with up to 64 km/h, and slowly with 8.
 const USUAL_TEST_SPEED: [f64; 2] = [2.0, 100.0 / 3.6];
-/// (m) from a motor scooter to a road train.
-const USUAL_LENGTH: [f64; 2] = [1.8, 30.0];
-/// (m) from a motor scooter to a wide load.
-const USUAL_BODY_WIDTH: [f64; 2] = [0.6, 4.0];
-/// (m) greatest depth: with more, not much is left of the front of a car, or of its compartment.
-const USUAL_DEPTH: f64 = 1.5;
-/// (m) greatest width of a damage where no dimensions are known: a lorry is at most 2.55 or 2.6 wide, and
-/// hardly a car 6 long.
-const USUAL_WIDTH: [f64; 2] = [2.6, 6.0];
-/// By how much of the face a damage may be wider than it: a crushed front bows out round the corners, and a
-/// size class gives a typical outline.
-const SPREAD: f64 = 0.1;
-/// (m/s) 1 mph: a car that parks leaves no damage.
-const LOW_NO_DAMAGE_SPEED: f64 = 0.447_04;
 /// Between vehicles 0.3 to 1.0 is seen, and less where they are wet or the surfaces are smooth.
 const USUAL_FRICTION: [f64; 2] = [0.1, 1.0];
-/// (m/s) 15 mph. Over the width of the face, CRASH3's categories stand for 3 to 11 mph, but for the rear of
-/// category 4 (16 mph).
-const HIGH_NO_DAMAGE_SPEED: f64 = 15.0 * 0.447_04;
 /// Rounding of an angle of just one turn.
 const FULL_TURN: f64 = TAU * (1.0 + 1e-9);
 
@@ -290,8 +266,12 @@ pub enum Warning {
         magnitude: Magnitude,
         /// (SI) the number.
         value: f64,
-        /// (SI) the usual range.
+        /// (SI) the usual range of this kind of vehicle.
         usual: [f64; 2],
+        /// The kind.
+        kind: Kind,
+        /// Where the file does not say what the vehicle is: the other kinds of which the number is usual.
+        others: Vec<Kind>,
     },
     /// By its stiffness, the side would withstand a fast impact without damage.
     HighNoDamageSpeed {
@@ -680,12 +660,12 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
         if let Some(crush) = &vehicle.crush
             && let StiffnessForm::Test(test) = &crush.stiffness
         {
-            let mut judge = |magnitude, value, usual| judge(id, (magnitude, value, usual), warnings);
+            let mut judge = Judge { vehicle: id, kind: vehicle.kind, warnings };
             let deepest = test.depths.iter().map(Quantity::si).fold(0.0, f64::max);
-            judge(Magnitude::TestMass, test.mass.kg(), USUAL_MASS);
-            judge(Magnitude::TestSpeed, test.speed.si(), USUAL_TEST_SPEED);
-            judge(Magnitude::TestDepth, deepest, [0.0, USUAL_DEPTH]);
-            judge(Magnitude::TestWidth, test.width.si(), [0.0, usual_width(None, crush.side)]);
+            judge.of(Magnitude::TestMass, test.mass.kg(), |usual| usual.mass(None));
+            judge.of(Magnitude::TestSpeed, test.speed.si(), |_| USUAL_TEST_SPEED);
+            judge.of(Magnitude::TestDepth, deepest, |usual| usual.depth(None, crush.side));
+            judge.of(Magnitude::TestWidth, test.width.si(), |usual| usual.damage_width(None, crush.side));
         }
     }
     if let Some(friction) = case.impact.as_ref().and_then(|impact| impact.law.friction())
@@ -699,14 +679,26 @@ fn is_usual(value: f64, [low, high]: [f64; 2]) -> bool {
     (low..=high).contains(&value)
 }
 
-/// Warns where a number of a vehicle is not usual.
-fn judge(
+/// Holds the numbers of a vehicle against those that are usual of its kind.
+struct Judge<'a> {
     vehicle: VehicleId,
-    (magnitude, value, usual): (Magnitude, f64, [f64; 2]),
-    warnings: &mut Vec<Warning>,
-) {
-    if !is_usual(value, usual) {
-        warnings.push(Warning::Implausible { vehicle, magnitude, value, usual });
+    kind: Option<Kind>,
+    warnings: &'a mut Vec<Warning>,
+}
+
+impl Judge<'_> {
+    /// Warns where a number is not usual, and returns whether it is.
+    fn of(&mut self, magnitude: Magnitude, value: f64, range: impl Fn(&Usual) -> [f64; 2]) -> bool {
+        let Self { vehicle, kind: given, .. } = *self;
+        let kind = given.unwrap_or_default();
+        let usual = range(Usual::of(kind));
+        let passed = is_usual(value, usual);
+        if !passed {
+            let fits = |kind: &Kind| given.is_none() && is_usual(value, range(Usual::of(*kind)));
+            let others = Kind::WORDS.into_iter().map(|(_, kind)| kind).filter(fits).collect();
+            self.warnings.push(Warning::Implausible { vehicle, magnitude, value, usual, kind, others });
+        }
+        passed
     }
 }
 
@@ -720,56 +712,38 @@ pub(crate) fn of_data(
 ) {
     for (id, (vehicle, speed)) in VehicleId::ALL.into_iter().zip(vehicles.iter().zip(speeds)) {
         let subject = &vehicle.subject;
-        let mut judge = |magnitude, value, usual| judge(id, (magnitude, value, usual), warnings);
-        // A body that cannot be says nothing of what lies within it.
+        let mut judge = Judge { vehicle: id, kind: subject.kind, warnings };
+        // A body that cannot be says nothing of what lies within it. A wall or a pole may have any size.
+        let moves = subject.inertia.is_some();
         let dimensions = subject.dimensions.as_ref().filter(|body| {
-            judge(Magnitude::Length, body.length, USUAL_LENGTH);
-            judge(Magnitude::BodyWidth, body.width, USUAL_BODY_WIDTH);
-            is_usual(body.length, USUAL_LENGTH) && is_usual(body.width, USUAL_BODY_WIDTH)
+            if !moves {
+                return false;
+            }
+            let [length, width] = [
+                judge.of(Magnitude::Length, body.length, |usual| usual.length),
+                judge.of(Magnitude::BodyWidth, body.width, |usual| usual.width),
+            ];
+            length && width
         });
         if let Some(inertia) = subject.inertia {
-            judge(Magnitude::Mass, inertia.mass, usual_mass(dimensions));
+            judge.of(Magnitude::Mass, inertia.mass, |usual| usual.mass(dimensions));
             // k = √(I/m)
-            judge(Magnitude::YawRadius, (inertia.yaw_inertia / inertia.mass).sqrt(), USUAL_YAW_RADIUS);
+            let radius = (inertia.yaw_inertia / inertia.mass).sqrt();
+            judge.of(Magnitude::YawRadius, radius, |usual| usual.yaw_radius);
         }
         if let Some(speed) = speed {
             let magnitude = if found == Some(id) { Magnitude::SpeedFound } else { Magnitude::Speed };
-            judge(magnitude, speed.abs(), USUAL_SPEED);
+            judge.of(magnitude, speed.abs(), |usual| usual.speed);
         }
         if let (Some(damage), Some(given)) = (&vehicle.damage, &subject.damage) {
             let inferred = damage.inferred.map(|inferred| inferred.crush.depth);
             let deepest = damage.depths.iter().copied().chain(inferred).fold(0.0, f64::max);
-            judge(Magnitude::CrushDepth, deepest, [0.0, usual_depth(dimensions, given.side)]);
-            judge(Magnitude::DamageWidth, damage.width, [0.0, usual_width(dimensions, given.side)]);
+            judge.of(Magnitude::CrushDepth, deepest, |usual| usual.depth(dimensions, given.side));
+            judge
+                .of(Magnitude::DamageWidth, damage.width, |usual| usual.damage_width(dimensions, given.side));
             of_stiffness(id, vehicle, damage, given.stiffness_source, warnings);
             of_places(id, vehicle, damage, given, warnings);
         }
-    }
-}
-
-/// (kg)
-fn usual_mass(dimensions: Option<&Dimensions>) -> [f64; 2] {
-    let [least, most] = USUAL_MASS;
-    let of_size = dimensions.map(|dimensions| USUAL_AREAL_MASS * dimensions.length * dimensions.width);
-    [least, of_size.map_or(most, |of_size| most.min(of_size))]
-}
-
-/// (m)
-fn usual_depth(dimensions: Option<&Dimensions>, side: Side) -> f64 {
-    let possible = dimensions.map(|dimensions| match side {
-        Side::Front | Side::Rear => dimensions.length / 2.0,
-        Side::Left | Side::Right => dimensions.width,
-    });
-    possible.map_or(USUAL_DEPTH, |possible| USUAL_DEPTH.min(possible))
-}
-
-/// (m)
-fn usual_width(dimensions: Option<&Dimensions>, side: Side) -> f64 {
-    let [across, along] = USUAL_WIDTH;
-    match (dimensions, side) {
-        (Some(dimensions), _) => dimensions.extent(side) * (1.0 + SPREAD),
-        (None, Side::Front | Side::Rear) => across,
-        (None, Side::Left | Side::Right) => along,
     }
 }
 
@@ -780,15 +754,14 @@ fn of_stiffness(
     source: StiffnessSource,
     warnings: &mut Vec<Warning>,
 ) {
-    match of.no_damage_speed() {
-        Some(speed) if speed > HIGH_NO_DAMAGE_SPEED => {
+    let usual = Usual::of(of.subject.kind.unwrap_or_default()).no_damage_speed;
+    if let (Some(speed), Some([least, most])) = (of.no_damage_speed(), usual) {
+        if speed > most {
             warnings.push(Warning::HighNoDamageSpeed { vehicle, speed, source });
-        }
         // With A = 0 somebody chose a line through the origin.
-        Some(speed) if speed > 0.0 && speed < LOW_NO_DAMAGE_SPEED => {
+        } else if speed > 0.0 && speed < least {
             warnings.push(Warning::LowNoDamageSpeed { vehicle, speed, source });
         }
-        _ => {}
     }
     if damage.inferred.is_none() && damage.depths.iter().all(|&depth| depth == 0.0) {
         warnings.push(Warning::NoResidualCrush { vehicle, energy: damage.crush_energy });

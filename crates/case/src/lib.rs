@@ -44,7 +44,7 @@
 //! |---|---|
 //! | top | `title`, `source` |
 //! | `[scene]` | `axes`: `"z-up"` (the default) or `"z-down"`, see below |
-//! | `[vehicle1]`, `[vehicle2]`, both needed | `name`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, for what is not known; `heading`; `speed` or `velocity = { x, y }`; `yaw_rate`; `contact = { distance, angle }` or `{ x, y }`; `length`, `width`, `cg_to_front`: all or none, or `length` alone beside `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact` and the outline |
+//! | `[vehicle1]`, `[vehicle2]`, both needed | `name`; `kind`: `"car"` (the default), `"heavy-truck"`, `"trailer"`, `"motorcycle"`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, for what is not known; `heading`; `speed` or `velocity = { x, y }`; `yaw_rate`; `contact = { distance, angle }` or `{ x, y }`; `length`, `width`, `cg_to_front`: all or none, or `length` alone beside `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact` and the outline |
 //! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of or beside the width (to 0.1 %); `from_force_balance = true` in place of depths, for one vehicle; `stiffness`, see below; `offset`, left of the axis (right of it in z-down axes) or forward of the CG; `pdof`, an angle, clockwise in any axes, or `"2 o'clock"`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"`, `"secant"`, `{ friction = 0.5 }` |
 //! | `stiffness = { … }` | `d0`, `d1` or `A`, `B`, either with `G` and `limit`; or `category`, 1 to 5; or `test = { mass or weight, speed, width, depths, no_damage_speed, fit }`, `fit`: `"exact"` (the default), `"mean"`; or `zones = [{ A, B }, …]`, one between each two stations |
 //! | `[impact]` | `crush_plane`; `law`: `"brach"` (the default), `"woolley"`, `"ishikawa"`, `"kudlich-slibar"`, and the keys of that law |
@@ -195,8 +195,8 @@ pub use units::read_unit;
 pub use inputs::{
     Amount, Axes, Bounds, BrachTangential, Case, Collision, ContactPoint, Crush, CrushOnly, DamageData,
     Dimension, Dimensions, ENERGY_BASES, Evidence, Faults, Fit, GivenImpact, GivenTest, GivenVehicle,
-    ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, LawName, LeftOut, Mass, OBLIQUE_CORRECTIONS,
-    Outline, Pdof, Purpose, Quantity, Range, Reconstruct, ReconstructionInput, Restitution, SIDES,
-    STANDARD_GRAVITY, Spread, StiffnessForm, StiffnessLine, StiffnessSource, UNKNOWNS, Unit, UnitSystem,
-    VehicleData, Velocity, YawInertia, YawSource, word,
+    ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, Kind, LawName, LeftOut, Mass,
+    OBLIQUE_CORRECTIONS, Outline, Pdof, Purpose, Quantity, Range, Reconstruct, ReconstructionInput,
+    Restitution, SIDES, STANDARD_GRAVITY, Spread, StiffnessForm, StiffnessLine, StiffnessSource, UNKNOWNS,
+    Unit, UnitSystem, VehicleData, Velocity, YawInertia, YawSource, word,
 };

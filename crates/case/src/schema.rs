@@ -3,7 +3,7 @@
 use crate::nearest::join;
 use crate::units::read_unit;
 use inputs::{
-    Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, Fit, LawName, OBLIQUE_CORRECTIONS, SIDES,
+    Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, Fit, Kind, LawName, OBLIQUE_CORRECTIONS, SIDES,
     UNKNOWNS, words_of,
 };
 
@@ -227,6 +227,12 @@ pub(crate) static VEHICLE: Schema = Schema {
             "Fixed object. Set it to true for a barrier, a wall or a pole, which does not move and has no mass, inertia, speed or crush.",
         ),
         key(
+            "kind",
+            "kind = \"heavy-truck\"",
+            Form::Words(&words_of(&Kind::WORDS)),
+            "Kind of vehicle. `\"car\"` (the default): a car, a van or a pickup; `\"heavy-truck\"`: a lorry, a bus or a tractor with its semitrailer, as one rigid body; `\"trailer\"`; `\"motorcycle\"`. It sets which sizes are plausible and how the vehicle is drawn; CRASH3's classes and categories and Burg's formula are for cars only.",
+        ),
+        key(
             "mass",
             "mass = \"1676 kg\"",
             Form::Quantity(Dimension::Mass, POSITIVE),
@@ -314,7 +320,8 @@ pub(crate) static VEHICLE: Schema = Schema {
 };
 
 /// What moves or is damaged, and a fixed object is neither.
-pub(crate) static NEVER_FIXED: [&str; 10] = [
+pub(crate) static NEVER_FIXED: [&str; 11] = [
+    "kind",
     "mass",
     "weight",
     "yaw_inertia",

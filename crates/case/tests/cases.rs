@@ -12,7 +12,7 @@ use std::path::Path;
 
 use case::{
     Amount, Axes, Bounds, Case, CaseFile, CaseProblem, Collision, ContactPoint, Crush, Diagnostics,
-    Dimension, Evidence, Faults, Fit, GivenImpact, GivenTest, GivenVehicle, ImpactLaw, LeftOut, Mass,
+    Dimension, Evidence, Faults, Fit, GivenImpact, GivenTest, GivenVehicle, ImpactLaw, Kind, LeftOut, Mass,
     Outline, Pdof, Program, Quantity, Reconstruct, Restitution, Spread, StiffnessForm, StiffnessLine, Unit,
     UnitSystem, Velocity, YawInertia, read_quantity, to_toml,
 };
@@ -167,6 +167,7 @@ fn the_other_forms_are_read() {
     let vehicle = GivenVehicle {
         name: None,
         fixed: false,
+        kind: None,
         mass: Some(Mass::Mass(quantity("1500 kg", Dimension::Mass))),
         yaw: Some(YawInertia::Radius(length("1.4 m"))),
         class: None,
@@ -1311,7 +1312,8 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
     ];
     let outline = (length(Positive), length(Positive), length(Positive))
         .prop_map(|(length, width, cg_to_front)| Outline { length, width, cg_to_front });
-    let typical = (option::of(1..=6_u8), option::of(length(Positive)), option::of(length(Positive)));
+    let kind = option::of(select(Kind::WORDS.map(|(_, kind)| kind).to_vec()));
+    let typical = (kind, option::of(1..=6_u8), option::of(length(Positive)), option::of(length(Positive)));
     let of_both = (option::of(words()), option::of(angle()), option::of(contact), option::of(outline));
     let yaw_rate = any_quantity(Dimension::YawRate, Any);
     let of_vehicles = (
@@ -1325,21 +1327,27 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
         |(
             (name, heading, contact, outline),
             (mass, yaw, motion, yaw_rate, crush),
-            (class, wheelbase, length),
-        )| GivenVehicle {
-            name,
-            fixed: false,
-            mass,
-            yaw,
-            class,
-            wheelbase,
-            length: length.filter(|_| wheelbase.is_some() && outline.is_none()),
-            heading,
-            contact,
-            motion,
-            yaw_rate,
-            outline,
-            crush,
+            (kind, class, wheelbase, length),
+        )| {
+            // Tables of cars are for cars.
+            let is_of_table = |crush: &Crush| matches!(crush.stiffness, StiffnessForm::Category(_));
+            let kind = kind.filter(|_| !crush.as_ref().is_some_and(is_of_table));
+            GivenVehicle {
+                name,
+                fixed: false,
+                kind,
+                mass,
+                yaw,
+                class: class.filter(|_| kind.unwrap_or_default() == Kind::Car),
+                wheelbase,
+                length: length.filter(|_| wheelbase.is_some() && outline.is_none()),
+                heading,
+                contact,
+                motion,
+                yaw_rate,
+                outline,
+                crush,
+            }
         },
     )
 }

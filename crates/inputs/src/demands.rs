@@ -19,7 +19,7 @@ use crate::impact::{BrachTangential, ImpactLaw, Restitution};
 use crate::inertia::Mass;
 use crate::purpose::Purpose;
 use crate::quantity::Quantity;
-use crate::vehicle::{ContactPoint, GivenVehicle, Velocity};
+use crate::vehicle::{ContactPoint, GivenVehicle, Kind, Velocity};
 
 /// Two vehicles that collide, as the mechanics need them.
 #[derive(Clone, Debug)]
@@ -37,6 +37,8 @@ pub struct Collision<T = f64> {
 /// The data of one vehicle, as far as the case gives them.
 #[derive(Clone, Debug)]
 pub struct VehicleData<T = f64> {
+    /// What it is, where the case says so.
+    pub kind: Option<Kind>,
     /// Mass and yaw inertia, or `None` for a fixed object.
     pub inertia: Option<InertiaData<T>>,
     /// (m) contact point C forward and left of the CG.
@@ -320,6 +322,27 @@ pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Unknown>)
             format!("write find = \"{}.speed\"", table(id.other())),
         );
     }
+    for (id, vehicle) in VehicleId::ALL.into_iter().zip(vehicles) {
+        let Some(kind) = vehicle.kind.filter(|kind| *kind != Kind::Car) else { continue };
+        let (table, kind) = (table(id), kind.name());
+        if vehicle.class.is_some() {
+            contradiction(
+                &format!("{table}.class"),
+                format!("CRASH3's size classes are of passenger cars, but [{table}] has kind = \"{kind}\""),
+                "remove `class`, and give yaw_inertia or yaw_radius, and length, width and cg_to_front"
+                    .to_owned(),
+            );
+        }
+        if vehicle.crush.as_ref().is_some_and(|crush| matches!(crush.stiffness, StiffnessForm::Category(_))) {
+            contradiction(
+                &format!("{table}.crush.stiffness.category"),
+                format!(
+                    "CRASH3's stiffness categories are of passenger cars, but [{table}] has kind = \"{kind}\""
+                ),
+                "give A and B of its structure, or a test".to_owned(),
+            );
+        }
+    }
     let inferred =
         |id: VehicleId| vehicles[id.index()].crush.as_ref().is_some_and(|crush| crush.from_force_balance);
     if VehicleId::ALL.into_iter().all(inferred) {
@@ -496,14 +519,14 @@ impl<'a, T: Real> Demand<'a, T> {
         let class = self.class(id, vehicle);
         let dimensions = dimensions(vehicle, class);
         if vehicle.fixed {
-            return Some(VehicleData { inertia: None, contact, dimensions, damage: None });
+            return Some(VehicleData { kind: None, inertia: None, contact, dimensions, damage: None });
         }
         let inertia = self.inertia(id, vehicle, class);
         let damage = match &vehicle.crush {
             Some(crush) => Some(self.damage(id, crush, dimensions)?),
             None => None,
         };
-        Some(VehicleData { inertia: Some(inertia?), contact, dimensions, damage })
+        Some(VehicleData { kind: vehicle.kind, inertia: Some(inertia?), contact, dimensions, damage })
     }
 
     fn class(&mut self, id: VehicleId, vehicle: &GivenVehicle<T>) -> Option<(u8, VehicleClass)> {
@@ -537,11 +560,20 @@ impl<'a, T: Real> Demand<'a, T> {
             let yaw_inertia = mass * known.yaw_radius * known.yaw_radius;
             return Some(InertiaData { mass, yaw_inertia, yaw_source: YawSource::Class(class) });
         }
-        if let Some((wheelbase, length)) = vehicle.wheelbase.zip(length) {
+        let is_car = vehicle.kind.unwrap_or_default() == Kind::Car;
+        if let Some((wheelbase, length)) = vehicle.wheelbase.zip(length).filter(|_| is_car) {
             let mass = mass?;
             let estimate = crash3::yaw_inertia_burg(mass, wheelbase.si(), length.si());
             let yaw_inertia = self.accepted(format_args!("{table}.wheelbase"), estimate)?;
             return Some(InertiaData { mass, yaw_inertia, yaw_source: YawSource::Burg });
+        }
+        if !is_car {
+            self.missing(
+                format_args!("{table}.yaw_inertia"),
+                "`yaw_inertia = \"2437 lb ft s^2\"` or the radius of gyration, `yaw_radius = \"1.40 m\"`; if neither is known, √((l² + w²)/12) is \
+                 the radius of gyration of a body of length l and width w that is loaded evenly",
+            );
+            return None;
         }
         self.missing(
             format_args!("{table}.yaw_inertia"),

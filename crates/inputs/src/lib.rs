@@ -66,6 +66,6 @@ pub use purpose::Purpose;
 pub use quantity::{InvalidQuantity, Quantity, format_number};
 pub use range::{Amount, Bounds, Range, Spread};
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
-pub use vehicle::{ContactPoint, GivenVehicle, Outline, Velocity};
+pub use vehicle::{ContactPoint, GivenVehicle, Kind, Outline, Velocity};
 pub use walk::{Input, Value};
 pub use words::{ENERGY_BASES, OBLIQUE_CORRECTIONS, SIDES, UNKNOWNS, word, words_of};

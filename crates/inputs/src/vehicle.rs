@@ -8,6 +8,37 @@ use crate::crush::Crush;
 use crate::inertia::{Mass, YawInertia};
 use crate::quantity::Quantity;
 use crate::walk::{Key, Walk};
+use crate::words::word;
+
+/// What a vehicle is: its plausible sizes, the tables that apply to it and its drawing depend on that.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Kind {
+    /// `"car"`: a car, a van or a pickup.
+    #[default]
+    Car,
+    /// `"heavy-truck"`: a lorry, a bus, or a tractor with its semitrailer, taken as one rigid body.
+    HeavyTruck,
+    /// `"trailer"`: a trailer or semitrailer alone.
+    Trailer,
+    /// `"motorcycle"`: a motorcycle, a scooter or a moped.
+    Motorcycle,
+}
+
+impl Kind {
+    /// Each under its word.
+    pub const WORDS: [(&str, Self); 4] = [
+        ("car", Self::Car),
+        ("heavy-truck", Self::HeavyTruck),
+        ("trailer", Self::Trailer),
+        ("motorcycle", Self::Motorcycle),
+    ];
+
+    /// Its word, such as `heavy-truck`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        word(&Self::WORDS, &self)
+    }
+}
 
 /// A vehicle or, with [`fixed`](GivenVehicle::fixed), a barrier. Every value is optional here; each
 /// computation reports the values that it needs and does not find.
@@ -17,6 +48,8 @@ pub struct GivenVehicle<T = f64> {
     pub name: Option<String>,
     /// A barrier: it has neither mass nor motion nor crush.
     pub fixed: bool,
+    /// What it is; [`Kind::Car`] where absent.
+    pub kind: Option<Kind>,
     /// `mass` or `weight`.
     pub mass: Option<Mass<T>>,
     /// `yaw_inertia` or `yaw_radius`.
@@ -112,6 +145,7 @@ impl<U> Walk<'_, U> {
         GivenVehicle {
             name: self.text(&at("name"), vehicle.name.as_ref()),
             fixed: self.flag(&at("fixed"), vehicle.fixed),
+            kind: vehicle.kind.map(|kind| self.choice(&at("kind"), &Kind::WORDS, kind)),
             mass: vehicle.mass.as_ref().map(|mass| self.mass(table, mass)),
             yaw: vehicle.yaw.as_ref().map(|yaw| match yaw {
                 YawInertia::Inertia(q) => YawInertia::Inertia(self.quantity(&at("yaw_inertia"), q)),

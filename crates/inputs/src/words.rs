@@ -58,6 +58,7 @@ mod tests {
     use crate::axes::Axes;
     use crate::crush::Fit;
     use crate::impact::LawName;
+    use crate::vehicle::Kind;
 
     /// The place of a choice among all of its kind: a new one does not compile before it has one here.
     trait Place {
@@ -80,6 +81,7 @@ mod tests {
     places!(EnergyBasis: Dissipated, Absorbed);
     places!(Axes: ZUp, ZDown);
     places!(Fit: Exact, Mean);
+    places!(Kind: Car, HeavyTruck, Trailer, Motorcycle);
     places!(LawName: Brach, Woolley, Ishikawa, KudlichSlibar);
 
     fn assert_complete<T: Place + PartialEq + Copy>(table: &[(&'static str, T)]) {
@@ -97,6 +99,7 @@ mod tests {
         assert_complete(&ENERGY_BASES);
         assert_complete(&Axes::WORDS);
         assert_complete(&Fit::WORDS);
+        assert_complete(&Kind::WORDS);
         assert_complete(&LawName::WORDS);
     }
 }

@@ -83,6 +83,9 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
         if vehicle.fixed {
             say("fixed", "true".to_owned());
         }
+        if let Some(kind) = vehicle.kind {
+            say("kind", kind.name().to_owned());
+        }
         if let Some(class) = vehicle.class {
             say("class", class.to_string());
         }

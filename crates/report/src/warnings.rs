@@ -1,7 +1,7 @@
 //! The sentence of each warning.
 
 use analysis::{Analysis, Drive, JumpSide, Magnitude, SeenWarning, Warning};
-use case::{Case, StiffnessSource};
+use case::{Case, Kind, StiffnessSource};
 use crash3::{EnergyBasis, Side};
 use pim_core::{Switch, VehicleId};
 
@@ -312,7 +312,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             side_name(*side),
             units.format(Measure::Crush, *distance)
         ),
-        Warning::Implausible { vehicle, magnitude, value, usual: [low, high] } => {
+        Warning::Implausible { vehicle, magnitude, value, usual: [low, high], kind, others } => {
             let (name, quantity) = match magnitude {
                 Magnitude::Mass => ("mass", Measure::Mass),
                 Magnitude::YawRadius => ("radius of gyration √(I/m)", Measure::Length),
@@ -342,9 +342,11 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 format!("at most {}", bound(*high))
             };
             format!(
-                "the {name} of vehicle {vehicle} is {}, but {usual} {} is usual; {remedy}",
+                "the {name} of vehicle {vehicle} is {}, but {usual} {} is usual for {}; {remedy}{}",
                 units.format(quantity, *value),
-                units.name(quantity)
+                units.name(quantity),
+                words::kind_name(*kind),
+                say_what_it_is(others)
             )
         }
         Warning::HighNoDamageSpeed { vehicle, speed: si, source } => format!(
@@ -373,6 +375,15 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
              is an upper bound, because without residual crush the energy may have been anything less",
             units.format(Measure::Energy, *energy)
         ),
+    }
+}
+
+/// The remedy for a vehicle that is no car, of which the file does not say so; `kinds` are those that fit.
+fn say_what_it_is(kinds: &[Kind]) -> String {
+    let words: Vec<String> = kinds.iter().map(|kind| format!("`kind = \"{}\"`", kind.name())).collect();
+    match words.join(" or ") {
+        none if none.is_empty() => none,
+        words => format!(", or give {words} if that is what the vehicle is"),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Names of what the engines tell apart, and what is said of a stiffness and a speed: below all that writes a
 //! document.
 
-use case::{ENERGY_BASES, Fit, Program, SIDES, StiffnessSource, UNKNOWNS, word};
+use case::{ENERGY_BASES, Fit, Kind, Program, SIDES, StiffnessSource, UNKNOWNS, word};
 use crash3::{DoubtfulDigit, EnergyBasis, Side};
 use pim_core::Regime;
 use reconcile::Unknown;
@@ -33,6 +33,16 @@ pub(crate) fn undisplaced(side: Side) -> &'static str {
 
 pub(crate) fn side_name(side: Side) -> &'static str {
     word(&SIDES, &side)
+}
+
+/// What a vehicle is, with its article.
+pub(crate) fn kind_name(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Car => "a car",
+        Kind::HeavyTruck => "a heavy truck",
+        Kind::Trailer => "a trailer",
+        Kind::Motorcycle => "a motorcycle",
+    }
 }
 
 /// Where a stiffness comes from, short enough for a column.

@@ -1,7 +1,7 @@
 //! The sentences of the warnings: what they tell the reader to do, in the reader's units and axes.
 
 use analysis::{Drive, JumpSide, Magnitude, Warning};
-use case::{Axes, StiffnessSource};
+use case::{Axes, Kind, StiffnessSource};
 use crash3::{EnergyBasis, Side};
 use pim_core::{Switch, VehicleId};
 use report::{Units, message};
@@ -169,7 +169,14 @@ fn what_is_implausible_is_named_with_what_is_usual() {
             ["width of the damage of vehicle 2 is 1,000.0 in", "at most 100 in"],
         ),
     ] {
-        let warning = Warning::Implausible { vehicle: VehicleId::Two, magnitude, value, usual };
+        let warning = Warning::Implausible {
+            vehicle: VehicleId::Two,
+            magnitude,
+            value,
+            usual,
+            kind: Kind::Car,
+            others: Vec::new(),
+        };
         says(&warning, Axes::ZUp, &words);
         says(&warning, Axes::ZUp, &["check the unit"]);
     }
@@ -179,12 +186,15 @@ fn what_is_implausible_is_named_with_what_is_usual() {
         magnitude: Magnitude::SpeedFound,
         value: 447.04,
         usual,
+        kind: Kind::Motorcycle,
+        others: Vec::new(),
     };
     says(
         &found,
         Axes::ZUp,
         &[
             "the speed found of vehicle 1 is 1,000.00 mph",
+            "is usual for a motorcycle",
             "check the units of depths, widths and stiffness, and the angles",
         ],
     );
@@ -196,9 +206,16 @@ fn what_is_implausible_is_named_with_what_is_usual() {
         (Magnitude::TestDepth, "the depth of crush in the barrier test of vehicle 1 is 393.7 in"),
         (Magnitude::TestWidth, "the width of the damage in the barrier test of vehicle 1 is 393.7 in"),
     ] {
-        let warning =
-            Warning::Implausible { vehicle: VehicleId::One, magnitude, value: 10.0, usual: [0.0, 1.0] };
-        says(&warning, Axes::ZUp, &[words]);
+        let warning = Warning::Implausible {
+            vehicle: VehicleId::One,
+            magnitude,
+            value: 10.0,
+            usual: [0.0, 1.0],
+            kind: Kind::Car,
+            others: vec![Kind::HeavyTruck, Kind::Trailer],
+        };
+        let remedy = "is usual for a car; check the unit, or give `kind = \"heavy-truck\"` or `kind = \"trailer\"` if that is what the vehicle is";
+        says(&warning, Axes::ZUp, &[words, remedy]);
     }
 }
 

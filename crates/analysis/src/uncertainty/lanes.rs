@@ -227,6 +227,7 @@ impl Vehicle {
     fn new(vehicle: &GivenVehicle<Number>, is_sought: bool) -> Option<Self> {
         let GivenVehicle {
             name: _,
+            kind: _,
             fixed,
             mass,
             yaw,

@@ -9,8 +9,8 @@ use crate::schema::{
 };
 use crash3::{CrushError, ObliqueCorrection};
 use inputs::{
-    ContactPoint, Crush, Dimension, Fit, GivenTest, GivenVehicle, Mass, OBLIQUE_CORRECTIONS, Outline, Pdof,
-    Quantity, SIDES, StiffnessForm, StiffnessLine, Velocity, YawInertia, format_number,
+    ContactPoint, Crush, Dimension, Fit, GivenTest, GivenVehicle, Kind, Mass, OBLIQUE_CORRECTIONS, Outline,
+    Pdof, Quantity, SIDES, StiffnessForm, StiffnessLine, Velocity, YawInertia, format_number,
 };
 use toml::de::DeValue;
 
@@ -33,6 +33,7 @@ impl<'t> Reader<'t> {
         let mut vehicle = GivenVehicle {
             name: self.text(&table, "name"),
             fixed,
+            kind: self.choice(&table, "kind", &Kind::WORDS),
             mass: self.mass(&table),
             yaw: self.yaw(&table),
             class: self.class(&table),

@@ -393,18 +393,15 @@ fn magnitudes(ledger: &mut Ledger) {
         "{} kg … {} t … outline … {} t/m²",
         number(mass[0], 0),
         number(mass[1] / 1000.0, 0),
-        number(of_size / 1000.0, 0)
+        number(of_size / 1000.0, 1)
     ));
-    ledger.cited(
-        "0.15 … 0.25 … mixer … 1.4)",
-        "mass by length and width of small to large cars, and of a mixer of four axles: 32 t on 9.3 m by 2.5 m",
-    );
+    ledger.cited("0.15 … 0.25)", "mass by length and width of small to large cars");
     let radius = usual(&with(&plain, "1.4 m", "5 m"));
     let [of_cars, _] = radii();
     ledger.made(format!(
-        "{} … {} m … cars … {} … {})",
+        "{} … {} m … mostly … {} … {})",
         number(radius[0], 1),
-        number(radius[1], 0),
+        number(radius[1], 1),
         number(of_cars.iter().copied().fold(f64::INFINITY, f64::min), 1),
         number(of_cars.iter().copied().fold(0.0, f64::max), 1)
     ));
@@ -419,9 +416,9 @@ fn magnitudes(ledger: &mut Ledger) {
     ledger.made(format!(
         "body … {} … {} m … {} … {} m",
         number(long[0], 1),
-        number(long[1], 0),
+        number(long[1], 1),
         number(wide[0], 1),
-        number(wide[1], 0)
+        number(wide[1], 1)
     ));
     let depth = |text: &str| usual(&with(text, "0.3 0.3 m", "4 4 m"))[1];
     let close = |value: f64, expected: f64| assert!((value - expected).abs() < 1e-9, "{value} {expected}");
