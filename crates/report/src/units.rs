@@ -174,21 +174,9 @@ impl Units {
         format!("{} = {}", self.format(Measure::YawRate, si), self.format(Measure::YawRateDegrees, si))
     }
 
-    /// What a table of speeds is repeated in where people do not think in the unit of the equations: mph
-    /// beside ft/s.
-    pub(crate) fn beside_speed(self) -> Option<Measure> {
-        (self == Self::Us).then_some(Measure::RoadSpeed)
-    }
-
-    /// A speed as the equations have it and as drivers know it, like `75.03 ft/s (51.16 mph)`.
+    /// A speed as drivers know it and as the equations have it, like `51.16 mph (75.03 ft/s)`.
     pub(crate) fn speed(self, si: f64) -> String {
-        format!("{} ({})", self.format(Measure::Speed, si), self.road_speed(si))
-    }
-
-    /// What a speed stands in where there is one column for it: mph in US units. SI keeps the m/s of all its
-    /// tables.
-    pub(crate) fn speed_alone(self) -> Measure {
-        self.beside_speed().unwrap_or(Measure::Speed)
+        format!("{} ({})", self.road_speed(si), self.format(Measure::Speed, si))
     }
 
     /// A speed as drivers know it, like `51.16 mph`.

@@ -42,20 +42,20 @@ fn a_refusal_speaks_the_units_of_the_reader() {
     for (failure, si, us) in [
         (
             &BEYOND,
-            "equal to 135,582 J while the vehicles approach and push; the closest is 13,558 J, at 44.70 m/s (160.9 km/h);",
-            "up to 3,281 ft/s makes the work of the normal impulse equal to 100,000 ft·lb while the vehicles approach and push; the closest is 10,000 ft·lb, at 146.67 ft/s (100.00 mph);",
+            "equal to 135,582 J while the vehicles approach and push; the closest is 13,558 J, at 160.9 km/h (44.70 m/s);",
+            "up to 3,281 ft/s makes the work of the normal impulse equal to 100,000 ft·lb while the vehicles approach and push; the closest is 10,000 ft·lb, at 100.00 mph (146.67 ft/s);",
         ),
         (
             &too_fast,
-            "up to 1,000 m/s makes the work of the normal impulse equal to 135,582 J; it would take 4,470.40 m/s (16,093.4 km/h), which gives 135,582 J;",
-            "up to 3,281 ft/s makes the work of the normal impulse equal to 100,000 ft·lb; it would take 14,666.67 ft/s (10,000.00 mph), which gives 100,000 ft·lb;",
+            "up to 1,000 m/s makes the work of the normal impulse equal to 135,582 J; it would take 16,093.4 km/h (4,470.40 m/s), which gives 135,582 J;",
+            "up to 3,281 ft/s makes the work of the normal impulse equal to 100,000 ft·lb; it would take 10,000.00 mph (14,666.67 ft/s), which gives 100,000 ft·lb;",
         ),
         (&jam, "needs μ above -2.0000:", "needs μ above -2.0000:"),
         (&not_approaching, "u_n is 3.05 m/s, but", "u_n is 10.00 ft/s, but"),
         (&pulling, "(P_n = -4,448 N·s)", "(P_n = -1,000 lb·s)"),
         (
             &inadmissible,
-            "at 44.70 m/s (160.9 km/h) vehicle 2 would",
+            "at 160.9 km/h (44.70 m/s) vehicle 2 would",
             "the energy loss would be -1,000 ft·lb, of which 2,000 ft·lb is the work of the normal, -4,000 ft·lb that of the tangential impulse and 1,000 ft·lb that of the moment impulse;",
         ),
         (

@@ -18,7 +18,7 @@ impl Chosen<'_> {
     pub(crate) fn format(self, kind: Kind, si: f64) -> String {
         match printed(kind) {
             None => number(si, 4),
-            Some(Measure::Speed) => both_speeds(self.units, si),
+            Some(Measure::Speed) => self.units.speed(si),
             Some(Measure::YawRate) => self.units.yaw_rate(si),
             Some(quantity) => self.units.format(quantity, si),
         }
@@ -104,11 +104,6 @@ impl Chosen<'_> {
 /// The label of a quantity, which is its key where it has no row.
 pub(crate) fn label(key: &'static str) -> &'static str {
     quantity(key).map_or(key, |row| row.label)
-}
-
-/// A speed as the equations have it and as drivers know it, like `75.03 ft/s = 51.16 mph`.
-pub(crate) fn both_speeds(units: Units, si: f64) -> String {
-    format!("{} = {}", units.format(Measure::Speed, si), units.road_speed(si))
 }
 
 /// A value, or a dash.

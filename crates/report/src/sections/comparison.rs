@@ -24,7 +24,7 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
     let mut page = Document::new();
     page.title(case);
 
-    for quantity in [Some(Measure::Speed), units.beside_speed()].into_iter().flatten() {
+    for quantity in [Measure::RoadSpeed, Measure::Speed] {
         let speed = name(quantity);
         let columns = [
             ("speed".to_owned(), speed),

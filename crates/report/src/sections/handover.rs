@@ -9,7 +9,7 @@ use crash3::EnergyBasis;
 use pim_core::VehicleId;
 use sha2::{Digest as _, Sha256};
 
-use super::chosen::{Chosen, both_speeds};
+use super::chosen::Chosen;
 use super::results::search;
 use crate::document::{Block, Document, Table};
 use crate::pictures::{DrawingError, Subject, drawing};
@@ -130,20 +130,16 @@ fn sha256(text: &str) -> String {
 
 fn answer(analysis: &Analysis, units: Units) -> String {
     let found = |found: &Found| {
-        format!(
-            "Speed of vehicle {} before impact: {}.",
-            found.unknown.vehicle(),
-            both_speeds(units, found.speed)
-        )
+        format!("Speed of vehicle {} before impact: {}.", found.unknown.vehicle(), units.speed(found.speed))
     };
     match (&analysis.found, &analysis.impact, &analysis.crash3) {
         (Some(answer), ..) => found(answer),
         (None, Some(impact), _) => {
-            let [first, second] = impact.outcome.delta_v_magnitude().map(|dv| both_speeds(units, dv));
+            let [first, second] = impact.outcome.delta_v_magnitude().map(|dv| units.speed(dv));
             format!("Velocity changes: {first} of vehicle 1 and {second} of vehicle 2.")
         }
         (None, None, Some(crash3)) => {
-            let [first, second] = crash3.delta_v.map(|dv| both_speeds(units, dv));
+            let [first, second] = crash3.delta_v.map(|dv| units.speed(dv));
             format!("CRASH3's velocity changes: {first} of vehicle 1 and {second} of vehicle 2.")
         }
         (None, None, None) => "The damage gives the crush energies below.".to_owned(),
@@ -240,7 +236,7 @@ fn crash3(analysis: &Seen, units: Units) -> Option<Table> {
     let crash3 = analysis.crash3.as_ref()?;
     let mut table = of_vehicles("ΔV by impact mechanics and by CRASH3");
     let pair = |values: [f64; 2]| {
-        VehicleId::ALL.map(|id| analysis.moves(id).then(|| both_speeds(units, values[id.index()])))
+        VehicleId::ALL.map(|id| analysis.moves(id).then(|| units.speed(values[id.index()])))
     };
     if let Some(impact) = &analysis.impact {
         table.pair("planar impact mechanics", pair(impact.outcome.delta_v_magnitude()), "theory 2");

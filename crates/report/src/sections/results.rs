@@ -5,7 +5,7 @@ use case::{Axes, Case, Pdof, Velocity, YawSource};
 use crash3::{EnergyBasis, SideStiffness, Stiffness};
 use pim_core::{Outcome, Regime, VehicleId};
 
-use super::chosen::{Chosen, both_speeds, label};
+use super::chosen::{Chosen, label};
 use crate::document::{Block, Document, Table};
 use crate::units::{Measure, Units};
 use crate::{axes, checks, energy, law, warnings, words};
@@ -73,7 +73,7 @@ impl Page {
         };
         let method = search(found);
         self.document.push(Block::Answer {
-            found: format!("Speed of vehicle {vehicle}: {}", both_speeds(units, found.speed)),
+            found: format!("Speed of vehicle {vehicle}: {}", units.speed(found.speed)),
             how: format!(
                 "At this speed the work of the normal impulse {work}. {roots}, found {method} (theory 6)."
             ),
@@ -120,7 +120,7 @@ impl Page {
             "speed",
             known(&|i| match &vehicles[i].motion {
                 _ if sought(i) => Some("sought".to_owned()),
-                Some(Velocity::Speed(speed)) => Some(both_speeds(units, speed.si())),
+                Some(Velocity::Speed(speed)) => Some(units.speed(speed.si())),
                 Some(Velocity::Vector { x, y }) => {
                     Some(units.format_vector(Measure::Speed, [x.si(), y.si()]))
                 }
@@ -405,7 +405,7 @@ impl Page {
             let known = |i: usize, value: String| (!case.vehicles[i].fixed).then_some(value);
             [known(0, first), known(1, second)]
         };
-        let speeds = |delta_v: [f64; 2], factor: f64| pair(delta_v.map(|dv| both_speeds(units, dv * factor)));
+        let speeds = |delta_v: [f64; 2], factor: f64| pair(delta_v.map(|dv| units.speed(dv * factor)));
         chosen.pair(&mut table, "crash3.moment_arm");
         chosen.pair(&mut table, "crash3.effective_mass_ratio");
         chosen.pair(&mut table, "crash3.delta_v");

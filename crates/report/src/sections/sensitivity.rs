@@ -53,13 +53,10 @@ fn size(row: &Derivative) -> f64 {
 fn derivatives(first: &Derivative, group: &[Derivative], units: Units) -> Table {
     let quantity = output_quantity(first.output);
     // Where there is one column for a speed, it is that of the road.
-    let (alone, beside) = match quantity {
-        Measure::Speed => (units.speed_alone(), units.beside_speed()),
-        other => (other, None),
+    let (alone, value) = match quantity {
+        Measure::Speed => (Measure::RoadSpeed, units.speed(first.output_value)),
+        other => (other, units.format(other, first.output_value)),
     };
-    let beside =
-        beside.map_or_else(String::new, |road| format!(" = {}", units.format(road, first.output_value)));
-    let value = units.format(quantity, first.output_value) + &beside;
     let mut table = Table::new(
         format!("{}, {value}", output_name(first.output)),
         [
@@ -96,7 +93,7 @@ fn derivatives(first: &Derivative, group: &[Derivative], units: Units) -> Table 
 }
 
 fn sweep(sensitivity: &Sensitivity, units: Units, case: &Case) -> Table {
-    let speed = units.name(units.speed_alone());
+    let speed = units.name(Measure::RoadSpeed);
     let delta_v = |name: &str| Column::numbers(name, Width::Fixed(12)).unit(speed);
     let mut table = Table::new(
         "PDOF sweep, CRASH3",
@@ -117,7 +114,7 @@ fn sweep(sensitivity: &Sensitivity, units: Units, case: &Case) -> Table {
             let [change, first, second] =
                 if n == 0 { turned(row, units) } else { [const { String::new() }; 3] };
             let cell =
-                |dv: Option<[f64; 2]>| or_none(dv.map(|dv| units.plain(units.speed_alone(), dv[vehicle])));
+                |dv: Option<[f64; 2]>| or_none(dv.map(|dv| units.plain(Measure::RoadSpeed, dv[vehicle])));
             table.row([
                 change,
                 first,

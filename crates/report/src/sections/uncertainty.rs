@@ -8,7 +8,7 @@ use case::Case;
 use crash3::principal_angle;
 
 use crate::document::{Block, Column, Document, NONE, Table, Width};
-use crate::outputs::{Histogram, method_name, output_name, output_quantity as quantity};
+use crate::outputs::{Histogram, method_name, output_name, output_quantity};
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
 
@@ -26,6 +26,14 @@ const END: usize = 8;
 const MOST_DECIMALS: usize = 6;
 /// (–) a cut that takes less away is not worth a line.
 const NOTICED_CUT: f64 = 1e-6;
+
+/// A speed comes first in the unit of the road.
+fn quantity(output: Output) -> Measure {
+    match output_quantity(output) {
+        Measure::Speed => Measure::RoadSpeed,
+        other => other,
+    }
+}
 
 /// The summary of each output as tables and bars, what drives them, and the warnings of the case as it
 /// stands.
@@ -101,17 +109,9 @@ impl<'a> Page<'a> {
         format!("{}, {}", output_name(output.output), self.units.name(quantity))
     }
 
-    /// Where there is one line or column for the output.
-    fn alone(&self, output: &UncertainOutput) -> Measure {
-        match quantity(output.output) {
-            Measure::Speed => self.units.speed_alone(),
-            other => other,
-        }
-    }
-
     /// What a speed is repeated in.
-    fn beside(&self, output: &UncertainOutput) -> Option<Measure> {
-        self.units.beside_speed().filter(|_| quantity(output.output) == Measure::Speed)
+    fn beside(output: &UncertainOutput) -> Option<Measure> {
+        (output_quantity(output.output) == Measure::Speed).then_some(Measure::Speed)
     }
 
     /// ± the standard error, in the unit of the value, in at most so many columns.
@@ -180,10 +180,10 @@ impl<'a> Page<'a> {
                 format!("{}\n{}", plain(estimate.value), self.error(output, estimate, 10))
             };
             table.row([label, central, of(mean), of(median), of(sd), first, differs]);
-            if let Some(road) = self.beside(output) {
-                let of = self.resolved(road, sd.value);
+            if let Some(beside) = Self::beside(output) {
+                let of = self.resolved(beside, sd.value);
                 table.row([
-                    format!("  in {}", self.units.name(road)),
+                    format!("  in {}", self.units.name(beside)),
                     of(output.central),
                     of(mean.value),
                     of(median.value),
@@ -223,10 +223,10 @@ impl<'a> Page<'a> {
             let cell =
                 |end: Estimate| format!("{}\n{}", short(plain(end.value)), self.error(output, end, END));
             table.cells(std::iter::once(label).chain(ends.into_iter().flatten().map(cell)));
-            if let Some(road) = self.beside(output) {
-                let of = self.resolved(road, summary.sd.value);
+            if let Some(beside) = Self::beside(output) {
+                let of = self.resolved(beside, summary.sd.value);
                 let cells = ends.into_iter().flatten().map(|end| short(of(end.value)));
-                let label = format!("  in {}", self.units.name(road));
+                let label = format!("  in {}", self.units.name(beside));
                 table.cells(std::iter::once(label).chain(cells));
             }
         }
@@ -261,7 +261,7 @@ impl<'a> Page<'a> {
         }
         let Some(histogram) = Histogram::new(column, summary, CLASSES) else { return };
         let most = histogram.counts.iter().copied().max().unwrap_or_default();
-        let alone = self.alone(output);
+        let alone = quantity(output.output);
         let title = self.label(output, alone);
         let mut table = Table::new(
             title,
@@ -287,7 +287,7 @@ impl<'a> Page<'a> {
     fn tornado(&mut self) {
         let Some(&(output, _)) = self.rows().first() else { return };
         let title = format!("Main drivers: {}", output_name(output.output));
-        let alone = self.alone(output);
+        let alone = quantity(output.output);
         let unit = self.units.name(alone);
         let bars = self.uncertainty.tornado.ranked(0);
         let longest = bars
