@@ -21,7 +21,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         println!("{}", report::message(&warning.seen(file.case.axes), Units::Si));
     }
     // The paper finds 22.9 m/s.
-    assert!(text.contains("Speed of vehicle 1: 22.87 m/s"));
+    assert!(text.contains("Speed of vehicle 1: 82.3 km/h (22.87 m/s)"));
 
     let scene = report::drawing(&file, &analysis, Units::Si, Subject::Scene)?;
     println!("{} bytes of SVG: {}", scene.svg().len(), scene.title());
