@@ -47,7 +47,7 @@ fn damage(side: Side, width: f64, depths: [f64; 6], [d0, d1]: [f64; 2]) -> Crush
 
 fn vehicle(name: &str, weight: f64, inertia: f64, heading: f64, [distance, angle]: [f64; 2]) -> GivenVehicle {
     GivenVehicle {
-        name: Some(name.to_owned()),
+        name: Some(name.into()),
         mass: Some(Mass::Weight(quantity(weight, "lb", Dimension::Weight))),
         yaw: Some(YawInertia::Inertia(quantity(inertia, "lb ft s^2", Dimension::Inertia))),
         heading: Some(degrees(heading)),
@@ -71,8 +71,8 @@ fn built() -> Case {
         ..vehicle("1995 Nissan Altima", 3413.0, 2165.0, 67.0, [3.8, -39.0])
     };
     Case {
-        title: Some("Intersection collision, GMC Jimmy and Nissan Altima".to_owned()),
-        source: Some("SAE 980025, appendix".to_owned()),
+        title: Some("Intersection collision, GMC Jimmy and Nissan Altima".into()),
+        source: Some("SAE 980025, appendix".into()),
         vehicles: [jimmy, altima],
         impact: Some(GivenImpact {
             crush_plane: degrees(-23.0),

@@ -4,9 +4,9 @@ use std::error::Error;
 use std::fmt;
 use std::ops::Range;
 
-use annotate_snippets::{
-    AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet, normalize_untrusted_str,
-};
+use annotate_snippets::{AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet};
+
+use inputs::{acts, shown, sign};
 
 use crate::case_problem::CaseProblem;
 use crate::program::Program;
@@ -43,12 +43,12 @@ impl Diagnostic {
     }
 
     fn render(&self, source: &Source, program: &Program) -> String {
-        let title = Level::ERROR.primary_title(self.problem.to_string());
+        let title = Level::ERROR.primary_title(shown(&self.problem.to_string()).into_owned());
         let place = self.place(source);
         let help = self
             .problem
             .help_in(Some(source.units_in_use()), program)
-            .map(|help| Level::HELP.message(normalize_untrusted_str(&help)));
+            .map(|help| Level::HELP.message(shown(&help).into_owned()));
         let group: Group<'_> = title.element(place).elements(help);
         Renderer::plain().render(&[group])
     }
@@ -72,7 +72,7 @@ impl Diagnostic {
 
     /// The line and the caret under the value. One line: a value of many lines is shown by its first.
     fn place<'a>(&self, source: &'a Source) -> Element<'a> {
-        let name = normalize_untrusted_str(source.name());
+        let name = source.name().to_string();
         let text = source.text();
         let Some(span) = &self.span else {
             return Origin::path(name).into();
@@ -95,7 +95,10 @@ impl Diagnostic {
         }
         let from = (start - line_start).min(line.len());
         let to = (end - line_start).clamp(from, line.len());
-        Snippet::source(line)
+        // One sign for each character, so that the column stays right.
+        let signed = |part: &str| part.replace(|letter| acts(letter) && sign(letter).is_none(), "\u{fffd}");
+        let (from, to) = (signed(&line[..from]).len(), signed(&line[..to]).len());
+        Snippet::source(signed(line))
             .path(name)
             .line_start(number)
             .annotation(AnnotationKind::Primary.span(from..to))
@@ -104,7 +107,7 @@ impl Diagnostic {
 }
 
 fn on_one_line(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+    shown(&text.split_whitespace().collect::<Vec<_>>().join(" ")).into_owned()
 }
 
 fn floor_char_boundary(text: &str, index: usize) -> usize {

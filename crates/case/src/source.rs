@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::OnceLock;
 
+use inputs::Text;
 use toml::de::DeTable;
 
 use crate::units_in_use::UnitsInUse;
@@ -30,7 +31,7 @@ impl Spans {
 /// A case file's name, text and the places of its keys.
 #[derive(Clone, Debug)]
 pub struct Source {
-    name: String,
+    name: Text,
     text: String,
     spans: Spans,
     /// Boxed to keep errors small.
@@ -39,7 +40,7 @@ pub struct Source {
 
 impl Source {
     pub(crate) fn new(name: &str, text: &str, spans: Spans) -> Self {
-        Self { name: name.to_owned(), text: text.to_owned(), spans, units_in_use: OnceLock::new() }
+        Self { name: name.into(), text: text.to_owned(), spans, units_in_use: OnceLock::new() }
     }
 
     /// The units of the file. Finding them parses the text again, which happens only for an error.
@@ -50,7 +51,7 @@ impl Source {
 
     /// The name under which the file was read.
     #[must_use]
-    pub fn name(&self) -> &str {
+    pub fn name(&self) -> &Text {
         &self.name
     }
 

@@ -13,8 +13,8 @@ use std::path::Path;
 use case::{
     Amount, Axes, Bounds, Case, CaseFile, CaseProblem, Collision, ContactPoint, Crush, Diagnostics,
     Dimension, Evidence, Faults, Fit, GivenImpact, GivenTest, GivenVehicle, ImpactLaw, Kind, LeftOut, Mass,
-    Outline, Pdof, Program, Quantity, Reconstruct, Restitution, Spread, StiffnessForm, StiffnessLine, Unit,
-    UnitSystem, Velocity, YawInertia, read_quantity, to_toml,
+    Outline, Pdof, Program, Quantity, Reconstruct, Restitution, Spread, StiffnessForm, StiffnessLine, Text,
+    Unit, UnitSystem, Velocity, YawInertia, read_quantity, to_toml,
 };
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
@@ -80,7 +80,7 @@ fn the_example_of_the_crate_is_that_of_the_fixtures() {
 fn the_papers_example_is_read() {
     let case = read(&paper()).case;
     let [jimmy, altima] = &case.vehicles;
-    assert_eq!(jimmy.name.as_deref(), Some("1994 GMC Jimmy"));
+    assert_eq!(jimmy.name, Some("1994 GMC Jimmy".into()));
     // 3696 lb and 3413 lb, with NIST SP 811's exact pound of 0.453 592 37 kg.
     assert!((jimmy.mass.unwrap().kg() - 3696.0 * 0.453_592_37).abs() < 1e-9);
     assert!((altima.mass.unwrap().kg() - 3413.0 * 0.453_592_37).abs() < 1e-9);
@@ -1333,7 +1333,7 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
             let is_of_table = |crush: &Crush| matches!(crush.stiffness, StiffnessForm::Category(_));
             let kind = kind.filter(|_| !crush.as_ref().is_some_and(is_of_table));
             GivenVehicle {
-                name,
+                name: name.map(Text::from),
                 fixed: false,
                 kind,
                 mass,
@@ -1438,6 +1438,7 @@ fn any_case() -> impl Strategy<Value = Case> {
                     && reconstruct.is_some_and(|table| table.energy_basis == EnergyBasis::Dissipated),
                 fit: [0, 1].map(|i| fits_out[i] && has_exact_fit(&vehicles[i])),
             };
+            let [title, source] = [title, source].map(|text| text.map(Text::from));
             Case { title, source, axes, vehicles, impact, reconstruct, ranges: Vec::new(), left_out }
         },
     )

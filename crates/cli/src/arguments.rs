@@ -47,8 +47,9 @@ pub(crate) enum Command {
             lb)\", \"vehicle1.peak_force (lb)\", \
             \"vehicle2.pdof (deg)\" and so on. The \"warnings\" column lists warning codes, prefixed with \
             the vehicle where one applies; `deltav explain CODE` describes each. \"help\" says what to \
-            write instead of what is wrong. If a text begins with =, +, -, @, tab or carriage return, it \
-            gets an apostrophe in front, because a spreadsheet would run it as a formula. A line of jsonl \
+            write instead of what is wrong. If a text begins with =, +, -, @, one of their full-width forms, tab, line feed \
+            or carriage return, it gets an apostrophe in front, because a spreadsheet would run it as a \
+            formula. A line of jsonl \
             is the object of --format json with \"file\" added in front, or \
             {\"file\": …, \"error\": …, \"help\": …}.",
         after_help = "Examples:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \

@@ -14,7 +14,7 @@ use rayon::ThreadPool;
 use report::{PROGRAM, Refused, Row, RowError, Units};
 
 use crate::progress::Progress;
-use crate::{Analyse, read};
+use crate::{Analyse, named, read};
 
 /// Cases per thread that are begun before the row whose turn it is has been written: enough that no thread
 /// waits for a slow one, and few enough to keep in memory.
@@ -82,7 +82,7 @@ type Written = (Result<String, RowError>, bool);
 pub(crate) fn write(job: &Job<'_>, pool: &ThreadPool, output: Option<&Path>) -> Result<()> {
     let mut sink: Box<dyn Write> = match output {
         Some(path) => Box::new(
-            File::create(path).with_context(|| format!("cannot write the output to {}", path.display()))?,
+            File::create(path).with_context(|| format!("cannot write the output to {}", named(path)))?,
         ),
         None => Box::new(io::stdout()),
     };

@@ -41,7 +41,7 @@ impl Image {
         match path.extension().map(|ending| ending.to_ascii_lowercase()) {
             Some(ending) if ending == "svg" => Ok(Self::Svg),
             Some(ending) if ending == "png" => Ok(Self::Png),
-            _ => bail!("{} must end in .svg or .png: the extension selects the format", path.display()),
+            _ => bail!("{} must end in .svg or .png: the extension selects the format", crate::named(path)),
         }
     }
 }

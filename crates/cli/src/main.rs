@@ -22,7 +22,7 @@ use arguments::{
     UnitSystem, ValidateArguments,
 };
 use batch::{Job, Rows};
-use case::{Case, CaseFile, Diagnostics};
+use case::{Case, CaseFile, Diagnostics, Text};
 use clap::Parser as _;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use report::{Document, DrawingError, Supplement, Units};
@@ -48,7 +48,10 @@ const NO_ANSWER: u8 = 1;
 const WRONG_INPUT: u8 = 2;
 
 fn main() -> ExitCode {
-    let command = Command::parse();
+    let command = match Command::try_parse() {
+        Ok(command) => command,
+        Err(error) => return not_a_command(&error),
+    };
     match outputs::check(&command).and_then(|()| run(command)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
@@ -57,6 +60,25 @@ fn main() -> ExitCode {
             let _ = writeln!(io::stderr(), "{lead}{error:#}");
             ExitCode::from(status)
         }
+    }
+}
+
+/// Prints the help or the version that was asked for, or what is wrong with the command line.
+fn not_a_command(error: &clap::Error) -> ExitCode {
+    if error.use_stderr() {
+        // The message quotes the command line, which a script may have made of the name of a file.
+        let shown = std::env::args_os().map(|argument| case::shown(&argument.to_string_lossy()).into_owned());
+        let again = Command::try_parse_from(shown).err();
+        // Nothing is left to be done where standard error is closed.
+        let _ = again.as_ref().unwrap_or(error).print();
+        return ExitCode::from(WRONG_INPUT);
+    }
+    match error.print() {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            let _ = writeln!(io::stderr(), "error: cannot write to standard output: {error}");
+            ExitCode::from(WRONG_INPUT)
+        }
+        _ => ExitCode::SUCCESS,
     }
 }
 
@@ -221,7 +243,7 @@ fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
     let units = units(arguments.arguments.units, &file);
     let uncertainty = answered(propagate(&file.case, arguments)?, &file, units)?;
     if let Some(path) = &arguments.samples_out {
-        let cannot = || format!("cannot write the samples to {}", path.display());
+        let cannot = || format!("cannot write the samples to {}", named(path));
         let mut out = BufWriter::new(fs::File::create(path).with_context(cannot)?);
         report::write_samples(&uncertainty, &mut out).and_then(|()| out.flush()).with_context(cannot)?;
     }
@@ -273,6 +295,11 @@ fn pool(threads: Option<u16>) -> Result<ThreadPool> {
 fn case_file(path: &Path) -> Result<CaseFile> {
     let (name, bytes) = read(path)?;
     Ok(CaseFile::parse_bytes(&name, &bytes).map_err(|errors| errors.in_words_of(&report::PROGRAM))?)
+}
+
+/// A path as messages write it.
+fn named(path: &Path) -> Text {
+    path.display().to_string().into()
 }
 
 fn units(asked: Option<UnitSystem>, file: &CaseFile) -> Units {
@@ -368,7 +395,7 @@ fn read(path: &Path) -> Result<(String, Vec<u8>)> {
     let name = path.display().to_string();
     let bytes = fs::File::open(path)
         .and_then(read_at_most)
-        .with_context(|| format!("cannot read the case file {name}"))?;
+        .with_context(|| format!("cannot read the case file {}", named(path)))?;
     Ok((name, bytes))
 }
 
@@ -376,7 +403,7 @@ fn write(path: Option<&Path>, output: impl AsRef<[u8]>) -> Result<()> {
     let output = output.as_ref();
     match path {
         Some(path) => {
-            fs::write(path, output).with_context(|| format!("cannot write the output to {}", path.display()))
+            fs::write(path, output).with_context(|| format!("cannot write the output to {}", named(path)))
         }
         None => match io::stdout().write_all(output) {
             // Whoever reads has read enough, as `head` does.

@@ -20,7 +20,7 @@ pub(crate) fn new(arguments: &NewArguments) -> Result<()> {
         CaseUnits::Us => case::UnitSystem::Us,
     });
     let Some(path) = &arguments.output else { return crate::write(None, text) };
-    let name = path.display();
+    let name = crate::named(path);
     // Whoever has a case in that file keeps it, whatever happens between a look and the writing.
     let mut file = match File::create_new(path) {
         Err(error) if error.kind() == ErrorKind::AlreadyExists => {

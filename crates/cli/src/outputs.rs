@@ -9,6 +9,7 @@ use anyhow::{Context as _, Result, bail};
 use same_file::{Handle, is_same_file};
 
 use crate::arguments::{Arguments, Command, Format, Rows};
+use crate::named;
 
 /// A file that is written.
 struct Output<'a> {
@@ -40,19 +41,19 @@ pub(crate) fn check(command: &Command) -> Result<()> {
     let Files { cases, outputs, folder } = files(command);
     for output in &outputs {
         let Output { option, path, .. } = output;
-        let (name, other) = (path.display(), proposal(output));
+        let (name, other) = (named(path), proposal(output));
         if let Some(case) = cases.iter().find(|case| is_read_from(case, path)) {
             let case = if is_standard_input(case) {
                 "that comes in on standard input".to_owned()
             } else {
-                case.display().to_string()
+                named(case).to_string()
             };
             bail!(
                 "{option} {name} would write over the case file {case}: give another name, such as {option} {other}"
             );
         }
         if !parent(path).is_dir() {
-            bail!("{option} {name}: there is no folder {}; make it first", parent(path).display());
+            bail!("{option} {name}: there is no folder {}; make it first", named(parent(path)));
         }
         if is_toml(path) {
             bail!(
@@ -67,7 +68,7 @@ pub(crate) fn check(command: &Command) -> Result<()> {
             "{} and {} would both write to {}: give another name to one of the two, such as {} {}",
             first.option,
             second.option,
-            first.path.display(),
+            named(first.path),
             second.option,
             proposal(second)
         );
@@ -77,7 +78,7 @@ pub(crate) fn check(command: &Command) -> Result<()> {
             check_folder(&folder, &cases, &outputs)?;
             let Folder { option, path, .. } = folder;
             fs::create_dir_all(path)
-                .with_context(|| format!("{option} {} cannot be made a folder", path.display()))
+                .with_context(|| format!("{option} {} cannot be made a folder", named(path)))
         }
         None => Ok(()),
     }
@@ -88,14 +89,14 @@ fn check_folder(
     cases: &[&Path],
     outputs: &[Output<'_>],
 ) -> Result<()> {
-    let shown = folder.display();
+    let shown = named(folder);
     for output in outputs {
         let is_theirs = output.path.file_name().and_then(|name| name.to_str()).is_some_and(is_name);
         if is_theirs && is_same_file(parent(output.path), folder).unwrap_or(false) {
             bail!(
                 "{} and {option} {shown} may both write to {}: give another name to the first, such as {} {}",
                 output.option,
-                output.path.display(),
+                named(output.path),
                 output.option,
                 proposal(output)
             );
@@ -109,7 +110,7 @@ fn check_folder(
         {
             bail!(
                 "{option} {shown} would write over {}, which is a case file: give another folder",
-                path.display()
+                named(&path)
             );
         }
     }
@@ -220,7 +221,7 @@ fn is_page(name: &str) -> bool {
 fn proposal(output: &Output<'_>) -> String {
     let mut name = output.path.file_stem().map_or_else(OsString::new, OsString::from);
     name.push(output.ending);
-    output.path.with_file_name(name).display().to_string()
+    named(&output.path.with_file_name(name)).to_string()
 }
 
 fn is_standard_input(case: &Path) -> bool {

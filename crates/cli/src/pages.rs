@@ -18,7 +18,7 @@ pub(crate) fn completions(shell: Shell) -> Result<()> {
 pub(crate) fn manual(folder: Option<&Path>) -> Result<()> {
     match folder {
         Some(folder) => clap_mangen::generate_to(for_pages(), folder)
-            .with_context(|| format!("cannot write the manual pages into {}", folder.display())),
+            .with_context(|| format!("cannot write the manual pages into {}", crate::named(folder))),
         None => {
             let mut page = Vec::new();
             // As in the folder, which has no page for the help.

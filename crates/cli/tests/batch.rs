@@ -224,7 +224,7 @@ fn text_that_csv_has_to_quote_reads_back() {
         let column = records[0].iter().position(|column| column == name).unwrap();
         records[1][column].as_str()
     };
-    assert_eq!((cell("file"), cell("title")), (&*path, "two, \"three\"\nand a line, = 1"));
+    assert_eq!((cell("file"), cell("title")), (&*path, "two, \"three\"␊and a line, = 1"));
     // SAE 980025, appendix: 75 ft/s.
     assert!((cell("found.value (m/s)").parse::<f64>().unwrap() / 0.3048 - 75.0).abs() < 0.05);
 }
@@ -233,7 +233,7 @@ fn text_that_csv_has_to_quote_reads_back() {
 fn no_text_of_a_case_is_a_formula_to_a_spreadsheet() {
     let case = fs::read_to_string("../../fixtures/sae-980025.toml").unwrap();
     let line = |key: &str| case.lines().find(|line| line.trim_start().starts_with(key)).unwrap();
-    for lead in ["=", "+", "-", "@", r"\t", r"\r"] {
+    for lead in ["=", "+", "-", "@", "＝", "＋", "－", "＠", r"\t", r"\r", r"\n"] {
         let text = case
             .replace(line("title"), &format!("title = \"{lead}1+2\""))
             .replace(line("name"), &format!("name = \"{lead}cmd|' /C calc'!A0\""));
@@ -250,17 +250,21 @@ fn no_text_of_a_case_is_a_formula_to_a_spreadsheet() {
         };
         let [columns, cells] = <[Vec<String>; 2]>::try_from(records(&run("csv"))).unwrap();
         let cell = |name: &str| cells[columns.iter().position(|column| column == name).unwrap()].as_str();
-        let start = lead.replace(r"\t", "\t").replace(r"\r", "\r");
+        let raw = lead.replace(r"\t", "\t").replace(r"\r", "\r").replace(r"\n", "\n");
+        let start = raw.replace('\t', "␉").replace('\r', "␍").replace('\n', "␊");
         assert_eq!(cell("file"), "'=1+2.toml");
         assert_eq!(cell("title"), format!("'{start}1+2"));
         assert_eq!(cell("vehicle1.name"), format!("'{start}cmd|' /C calc'!A0"));
         // A number is a number: the Jimmy drives to −x.
         assert!(cell("vehicle1.velocity.x (m/s)").parse::<f64>().unwrap() < -22.0);
         for cell in cells.iter().filter(|cell| cell.parse::<f64>().is_err()) {
-            assert!(!cell.starts_with(['=', '+', '-', '@', '\t', '\r']), "{cell:?}");
+            assert!(
+                !cell.starts_with(['=', '+', '-', '@', '＝', '＋', '－', '＠', '\t', '\r', '\n']),
+                "{cell:?}"
+            );
         }
         let json: Value = serde_json::from_str(&run("jsonl")).unwrap();
-        assert_eq!(json["title"], format!("{start}1+2"));
+        assert_eq!(json["title"], format!("{raw}1+2"));
     }
 }
 

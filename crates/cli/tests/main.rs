@@ -5,6 +5,7 @@ mod batch;
 mod changes;
 mod examples;
 mod guide;
+mod hostile;
 mod json;
 mod outputs;
 mod start;

@@ -10,6 +10,7 @@ use crate::axes::Axes;
 use crate::impact::GivenImpact;
 use crate::quantity::Quantity;
 use crate::range::Range;
+use crate::text::Text;
 use crate::units::{Unit, UnitSystem};
 use crate::vehicle::GivenVehicle;
 use crate::walk::{Input, Others, Replace, Value, Walk};
@@ -20,9 +21,9 @@ use crate::words::{ENERGY_BASES, UNKNOWNS};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Case<T = f64> {
     /// The title, which heads every report.
-    pub title: Option<String>,
+    pub title: Option<Text>,
     /// Where the data come from.
-    pub source: Option<String>,
+    pub source: Option<Text>,
     /// `axes` of `[scene]`: the axes in which all numbers of this case are given.
     pub axes: Axes,
     /// `[vehicle1]` and `[vehicle2]`.

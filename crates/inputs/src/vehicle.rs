@@ -7,6 +7,7 @@ use pim_core::Real;
 use crate::crush::Crush;
 use crate::inertia::{Mass, YawInertia};
 use crate::quantity::Quantity;
+use crate::text::Text;
 use crate::walk::{Key, Walk};
 use crate::words::word;
 
@@ -45,7 +46,7 @@ impl Kind {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GivenVehicle<T = f64> {
     /// Make and model.
-    pub name: Option<String>,
+    pub name: Option<Text>,
     /// A barrier: it has neither mass nor motion nor crush.
     pub fixed: bool,
     /// What it is; [`Kind::Car`] where absent.

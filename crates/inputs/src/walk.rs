@@ -3,6 +3,7 @@
 use std::fmt::{self, Display};
 
 use crate::quantity::Quantity;
+use crate::text::Text;
 use crate::units::Unit;
 use crate::words::word;
 
@@ -110,9 +111,9 @@ impl<'a, U> Walk<'a, U> {
         }
     }
 
-    pub(crate) fn text(&mut self, path: &dyn Display, text: Option<&String>) -> Option<String> {
+    pub(crate) fn text(&mut self, path: &dyn Display, text: Option<&Text>) -> Option<Text> {
         if let Some(text) = text {
-            self.other(path, || Value::Text(text.clone()));
+            self.other(path, || Value::Text(text.as_given().to_owned()));
         }
         text.cloned()
     }

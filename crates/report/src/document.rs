@@ -2,10 +2,11 @@
 //! fill and the writers write.
 
 use ::drawing::Drawing;
+use case::Text;
 
 use crate::steps::StepGroup;
 use crate::units::Units;
-use crate::writers;
+use crate::{words, writers};
 
 /// A document of the program. [`text`](Self::text), [`markdown`](Self::markdown) and [`html`](Self::html)
 /// write it.
@@ -218,8 +219,8 @@ impl Document {
     }
 
     pub(crate) fn title(&mut self, case: &case::Case) {
-        let title = case.title.clone().unwrap_or_else(|| "Untitled case".to_owned());
-        self.push(Block::Title { title, source: case.source.clone() });
+        let source = case.source.as_ref().map(Text::to_string);
+        self.push(Block::Title { title: words::title(case), source });
     }
 
     pub(crate) fn heading(&mut self, heading: impl Into<String>) {

@@ -34,7 +34,11 @@ impl Topic {
 
 /// No topic has that name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("no topic is called \"{word}\"{}; `deltav explain` lists all topics", suggestions(nearest))]
+#[error(
+    "no topic is called \"{}\"{}; `deltav explain` lists all topics",
+    case::shown(word),
+    suggestions(nearest)
+)]
 pub struct UnknownTopic {
     /// What was asked for.
     pub word: String,

@@ -14,10 +14,11 @@ pub use staged::{computed_against_measured, reconstructed_speed};
 use ::drawing::Drawing;
 use ::drawing::ScaleUnit;
 use analysis::{Analysis, Failure};
-use case::{Case, CaseFile};
+use case::CaseFile;
 
 use crate::Units;
 use crate::units::Measure;
+use crate::words::title;
 
 /// What to draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,9 +90,4 @@ pub fn drawing(
 /// A unit of the reader, for a scale bar.
 fn scale_unit(units: Units, quantity: Measure) -> ScaleUnit {
     ScaleUnit { name: units.name(quantity).to_owned(), size: units.size(quantity) }
-}
-
-/// What every drawing is headed with.
-fn title(case: &Case) -> String {
-    case.title.clone().unwrap_or_else(|| "Untitled case".to_owned())
 }

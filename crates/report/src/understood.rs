@@ -78,7 +78,7 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
         let mut say = |key: &str, value: String| choices.push((format!("vehicle{id}.{key}"), value));
         if let Some(name) = &vehicle.name {
-            say("name", name.clone());
+            say("name", name.to_string());
         }
         if vehicle.fixed {
             say("fixed", "true".to_owned());

@@ -1,7 +1,7 @@
 //! Names of what the engines tell apart, and what is said of a stiffness and a speed: below all that writes a
 //! document.
 
-use case::{ENERGY_BASES, Fit, Kind, Program, SIDES, StiffnessSource, UNKNOWNS, word};
+use case::{Case, ENERGY_BASES, Fit, Kind, Program, SIDES, StiffnessSource, Text, UNKNOWNS, word};
 use crash3::{DoubtfulDigit, EnergyBasis, Side};
 use pim_core::Regime;
 use reconcile::Unknown;
@@ -12,6 +12,11 @@ pub static PROGRAM: Program = Program {
     begins: Some("`deltav new`"),
     describes_classes: Some("`deltav explain class`"),
 };
+
+/// What every document and drawing is headed with.
+pub(crate) fn title(case: &Case) -> String {
+    case.title.as_ref().map_or_else(|| "Untitled case".to_owned(), Text::to_string)
+}
 
 pub(crate) fn basis_name(basis: EnergyBasis) -> &'static str {
     word(&ENERGY_BASES, &basis)

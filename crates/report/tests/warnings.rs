@@ -25,8 +25,16 @@ fn the_sign_that_opposes_the_sliding_is_that_of_the_readers_axes() {
     let common =
         ["-1,000 ft·lb", "-10.0 % of the energy loss", "friction cannot add energy", "friction limit"];
     says(&along, Axes::ZUp, &common);
-    says(&along, Axes::ZUp, &["ratio of 0.3 has", "u_t = 6.82 mph (10.00 ft/s)", "opposes the sliding is negative"]);
-    says(&along, Axes::ZDown, &["ratio of -0.3 has", "u_t = -6.82 mph (-10.00 ft/s)", "opposes the sliding is positive"]);
+    says(
+        &along,
+        Axes::ZUp,
+        &["ratio of 0.3 has", "u_t = 6.82 mph (10.00 ft/s)", "opposes the sliding is negative"],
+    );
+    says(
+        &along,
+        Axes::ZDown,
+        &["ratio of -0.3 has", "u_t = -6.82 mph (-10.00 ft/s)", "opposes the sliding is positive"],
+    );
     let beyond = driven(-3.048, Drive::RatioBeyond { impulse_ratio: 0.5, critical: Some(0.2) });
     says(
         &beyond,
@@ -132,7 +140,11 @@ fn both_sides_of_a_jump_are_told() {
             "sliding as in the answer gives W_n = 100,000 ft·lb, Ω_1 = 1.000 rad/s; sliding the other way gives",
         ],
     );
-    says(&turn, Axes::ZDown, &["u_t = 6.82 mph (10.00 ft/s)", "the one before the impact, 6.85 mph (10.05 ft/s)"]);
+    says(
+        &turn,
+        Axes::ZDown,
+        &["u_t = 6.82 mph (10.00 ft/s)", "the one before the impact, 6.85 mph (10.05 ft/s)"],
+    );
 }
 
 #[test]

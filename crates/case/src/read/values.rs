@@ -14,7 +14,7 @@ use crate::number::{leading_numbers, split_number};
 use crate::number_slips;
 use crate::quantity::{QuantityError, find_unit, not_a_number, read_quantity, shorten};
 use crate::schema::{Form, MOST_STATIONS, Measure};
-use inputs::{Bounds, Dimension, Quantity, format_number};
+use inputs::{Bounds, Dimension, Quantity, Text, format_number};
 
 /// A key of a number, or an element of its list.
 pub(super) struct Place {
@@ -397,13 +397,13 @@ impl<'t> Reader<'t> {
     }
 
     /// A text that is not empty.
-    pub(super) fn text(&mut self, table: &Table<'t>, key: &'static str) -> Option<String> {
+    pub(super) fn text(&mut self, table: &Table<'t>, key: &'static str) -> Option<Text> {
         let value = table.get(key)?;
         self.not_a_range(table, key, value)?;
         let path = table.path_of(key);
         let example = table.schema.example(key);
         let problem = match value.get_ref() {
-            DeValue::String(text) if !text.trim().is_empty() => return Some(text.to_string()),
+            DeValue::String(text) if !text.trim().is_empty() => return Some(Text::from(&**text)),
             DeValue::String(_) => CaseProblem::EmptyText { path, example },
             other => CaseProblem::WrongType { path, found: kind(other), wanted: "a text in quotes", example },
         };

@@ -6,6 +6,7 @@ use crash3::ObliqueCorrection;
 use serde::Serialize;
 
 use super::json::WarningBlock;
+use super::{pretty, title};
 use crate::failures::no_answer;
 use crate::law;
 use crate::units::Units;
@@ -134,12 +135,12 @@ fn crash3_row(row: &Correction) -> Row {
 /// # Errors
 /// Where serialisation fails, which no comparison causes.
 pub fn comparison_json(case: &Case, comparison: &Comparison) -> Result<String, serde_json::Error> {
-    let title = case.title.as_deref().unwrap_or_default();
+    let title = title(case);
     let document = Document {
         title,
         axes: case.axes.name(),
         rows: rows(case, comparison, Units::Si),
         warnings: WarningBlock::all(&comparison.own, case),
     };
-    Ok(serde_json::to_string_pretty(&document)? + "\n")
+    pretty(&document)
 }

@@ -1,12 +1,13 @@
 //! Many reconstructions, a row each: as CSV for a spreadsheet, or as one JSON document a line.
 
 use analysis::{Analysis, Kind, OutputQuantity, QUANTITIES, Values};
-use case::Case;
+use case::{Case, shown};
 use pim_core::VehicleId;
 use serde::Serialize;
 use serde_json::Value;
 
 use super::json::document;
+use super::on_one_line;
 use crate::units::{Measure, Units};
 
 /// What came of one file.
@@ -167,10 +168,10 @@ pub fn csv_header(units: Units) -> Result<String, RowError> {
 /// units: SI units and radians, or US units with speeds in mph and degrees. Each number is the shortest that
 /// reads back as the same; there is nothing where there is no value.
 ///
-/// A spreadsheet runs a cell that begins with `=`, `+`, `-`, `@`, tab or carriage return as a formula, and
-/// titles and names come from whoever wrote the file. Such a text, never a number, has an apostrophe before
-/// it: the spreadsheet shows a text, and a program takes the apostrophe away. [`jsonl_row`] has all texts as
-/// they are.
+/// A spreadsheet runs a cell that begins with `=`, `+`, `-`, `@`, one of their full-width forms, tab, line
+/// feed or carriage return as a formula, and titles and names come from whoever wrote the file. Such a text,
+/// never a number, has an apostrophe before it: the spreadsheet shows a text, and a program takes the
+/// apostrophe away. Control characters are [shown](case::shown). [`jsonl_row`] has all texts as they are.
 ///
 /// # Errors
 /// [`RowError`], which no analysis causes.
@@ -213,11 +214,10 @@ pub fn csv_row(row: Row<'_>, units: Units) -> Result<String, RowError> {
 /// # Errors
 /// [`RowError`], which no analysis causes.
 pub fn jsonl_row(Row { file, answer }: Row<'_>) -> Result<String, RowError> {
-    let line = match answer {
-        Ok((case, analysis)) => serde_json::to_string(&document(Some(file), case, analysis))?,
-        Err(refused) => serde_json::to_string(&RefusedFile::new(file, refused))?,
-    };
-    Ok(line + "\n")
+    Ok(match answer {
+        Ok((case, analysis)) => on_one_line(&document(Some(file), case, analysis))?,
+        Err(refused) => on_one_line(&RefusedFile::new(file, refused))?,
+    })
 }
 
 #[derive(Serialize)]
@@ -251,9 +251,13 @@ fn cell(value: &Value) -> String {
 
 /// A text as a spreadsheet should show it: see [`csv_row`].
 fn no_formula(text: &str) -> String {
-    match text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
-        true => format!("'{text}"),
-        false => text.to_owned(),
+    // The list of the Open Worldwide Application Security Project (OWASP, CSV Injection).
+    const BEGINS_A_FORMULA: [char; 11] = ['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠'];
+    let shown = shown(text);
+    // Standard input is called so, and a sign alone is no formula.
+    match text.starts_with(BEGINS_A_FORMULA) && text != "-" {
+        true => format!("'{shown}"),
+        false => shown.into_owned(),
     }
 }
 

@@ -5,6 +5,7 @@ use case::Case;
 use pim_core::VehicleId;
 use serde::Serialize;
 
+use super::{pretty, title};
 use crate::Units;
 use crate::law;
 use crate::warnings;
@@ -190,7 +191,7 @@ struct CorrectionBlock {
 /// # Errors
 /// Where serialisation fails, which no analysis causes.
 pub fn json(case: &Case, analysis: &Analysis) -> Result<String, serde_json::Error> {
-    Ok(serde_json::to_string_pretty(&document(None, case, analysis))? + "\n")
+    pretty(&document(None, case, analysis))
 }
 
 /// What the JSON says; `file` names the analysis among several.
@@ -203,7 +204,7 @@ pub(crate) fn document<'a>(
     let [vehicle1, vehicle2] = VehicleId::ALL.map(|id| vehicle(case, analysis, id));
     Document {
         file,
-        title: case.title.as_deref().unwrap_or_default(),
+        title: title(case),
         axes: case.axes.name(),
         energy_basis: words::basis_name(analysis.basis),
         warnings: analysis.warnings.iter().map(WarningBlock::new).collect(),
@@ -296,7 +297,7 @@ fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
     let oblique = damage.and_then(|damage| damage.oblique);
     let given_pdof = damage.and_then(|damage| damage.pdof);
     VehicleBlock {
-        name: case.vehicles[i].name.clone(),
+        name: case.vehicles[i].name.as_ref().map(|name| name.as_given().to_owned()),
         fixed: fixed.then_some(true),
         speed: moves.map(|_| plain(analysis.speed(id))),
         velocity: moves.map(|outcome| plain_pair(outcome.before[i].velocity.into())),

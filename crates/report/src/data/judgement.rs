@@ -5,6 +5,7 @@ use case::{CaseFile, Unit, UnitSystem};
 use serde::Serialize;
 
 use super::json::WarningBlock;
+use super::{pretty, title};
 use crate::PROGRAM;
 use crate::understood::{choices, converted, message, spread};
 use crate::units::Units;
@@ -63,7 +64,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
     let case = &file.case;
     let mut ranges = case.ranges.iter().peekable();
     let document = Document {
-        title: case.title.as_deref().unwrap_or_default(),
+        title: title(case),
         axes: case.axes.name(),
         commands: judgement
             .abilities
@@ -110,5 +111,5 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
             .map(|warning| WarningBlock::new(&warning.seen(case.axes)))
             .collect(),
     };
-    Ok(serde_json::to_string_pretty(&document)? + "\n")
+    pretty(&document)
 }

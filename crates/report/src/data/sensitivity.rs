@@ -7,6 +7,7 @@ use pim_core::VehicleId;
 use serde::Serialize;
 
 use super::json::{OfMovable, WarningBlock, of_movable};
+use super::{pretty, title};
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -66,7 +67,7 @@ pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String
     let document = Document {
         pdof_sweep_held: paths("moment_arm", given_in_sweep(sensitivity, |damage| damage.moment_arm)),
         pdof_sweep_turned: paths("oblique_angle", given_in_sweep(sensitivity, |damage| damage.oblique_angle)),
-        title: case.title.as_deref().unwrap_or_default(),
+        title: title(case),
         axes: case.axes.name(),
         warnings: WarningBlock::all(&sensitivity.nominal, case),
         derivatives: sensitivity
@@ -95,7 +96,7 @@ pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String
             })
             .collect(),
     };
-    Ok(serde_json::to_string_pretty(&document)? + "\n")
+    pretty(&document)
 }
 
 /// The vehicles in the sweep of whose damage the file gives something.

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::pretty;
 use crate::glossary::{Topic, topics};
 
 /// A topic.
@@ -27,7 +28,7 @@ impl Entry {
 /// # Errors
 /// Where serialisation fails, which no topic causes.
 pub fn topic_json(topic: &'static Topic) -> Result<String, serde_json::Error> {
-    Ok(serde_json::to_string_pretty(&Entry::new(topic))? + "\n")
+    pretty(&Entry::new(topic))
 }
 
 /// All topics as a list of what [`topic_json`] gives, in the order of the glossary.
@@ -36,5 +37,5 @@ pub fn topic_json(topic: &'static Topic) -> Result<String, serde_json::Error> {
 /// Where serialisation fails, which no topic causes.
 pub fn topics_json() -> Result<String, serde_json::Error> {
     let entries: Vec<Entry> = topics().iter().map(Entry::new).collect();
-    Ok(serde_json::to_string_pretty(&entries)? + "\n")
+    pretty(&entries)
 }

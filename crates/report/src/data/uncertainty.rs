@@ -9,6 +9,7 @@ use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
 use super::json::WarningBlock;
+use super::{pretty, title};
 use crate::outputs::{method_name, reason_name};
 
 #[derive(Serialize)]
@@ -137,7 +138,7 @@ pub fn uncertainty_json(case: &Case, uncertainty: &Uncertainty) -> Result<String
         (output.output.path(), output_block(uncertainty, place))
     });
     let document = Document {
-        title: case.title.as_deref().unwrap_or_default(),
+        title: title(case),
         axes: case.axes.name(),
         warnings: WarningBlock::all(&uncertainty.nominal, case),
         samples: propagation.evaluated(),
@@ -155,7 +156,7 @@ pub fn uncertainty_json(case: &Case, uncertainty: &Uncertainty) -> Result<String
             evaluations: indices.evaluations(),
         }),
     };
-    Ok(serde_json::to_string_pretty(&document)? + "\n")
+    pretty(&document)
 }
 
 fn input_block(input: &UncertainInput) -> InputBlock<'_> {

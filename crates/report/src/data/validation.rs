@@ -3,6 +3,8 @@
 use serde::Serialize;
 use validation::{Cell, Claim, ErrorRate, Method, Row, TurnedPdof, Validation};
 
+use super::pretty;
+
 #[derive(Serialize)]
 struct Document {
     claimed: usize,
@@ -362,5 +364,5 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
             },
         },
     };
-    Ok(serde_json::to_string_pretty(&document)? + "\n")
+    pretty(&document)
 }

@@ -23,7 +23,7 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
         let damage = vehicle.damage.as_ref()?;
         let body = Body::of(vehicle)?;
         let profile = profile(case, vehicle, &body, damage, i)?;
-        let name = case.vehicles[i].name.as_deref().map(|name| format!(" · {name}")).unwrap_or_default();
+        let name = case.vehicles[i].name.as_ref().map(|name| format!(" · {name}")).unwrap_or_default();
         Some(DamagedVehicle {
             name: format!("Vehicle {id}{name}"),
             caption: caption(&case.vehicles[i], &body, &profile, damage, units),

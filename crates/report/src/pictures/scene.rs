@@ -32,7 +32,7 @@ fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, id: VehicleId, uni
     let participant = &impact.contact.participants()[i];
     let body = Body::of(&analysis.vehicles[i]);
     let is_fixed = participant.body().is_fixed();
-    let name = match (case.vehicles[i].name.as_deref(), is_fixed) {
+    let name = match (case.vehicles[i].name.as_ref(), is_fixed) {
         (Some(name), _) => format!("{id} · {name}"),
         (None, true) => format!("{id} · fixed object"),
         (None, false) => format!("vehicle {id}"),

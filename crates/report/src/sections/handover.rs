@@ -91,7 +91,7 @@ pub fn handover(
     page.paragraph(format!(
         "The complete text of {name}; the program can reproduce this report from it alone."
     ));
-    page.push(Block::Listing { language: "toml", text: file.source.text().to_owned() });
+    page.push(Block::Listing { language: "toml", text: case::shown_lines(file.source.text()) });
     Ok(page)
 }
 
@@ -116,8 +116,8 @@ fn identification(file: &CaseFile, analysis: &Analysis) -> Vec<(&'static str, St
         (None, None) => "damage alone (CRASH3)",
     };
     vec![
-        ("Case", file.case.title.clone().unwrap_or_else(|| "untitled".to_owned())),
-        ("Case file", file.source.name().to_owned()),
+        ("Case", words::title(&file.case)),
+        ("Case file", file.source.name().to_string()),
         ("SHA-256 of the case file", sha256(file.source.text())),
         ("Analysis", kind.to_owned()),
         ("Program", format!("deltav {}", env!("CARGO_PKG_VERSION"))),

@@ -1,7 +1,7 @@
 //! A finished analysis as text for the terminal and the file.
 
 use analysis::{Analysis, Crash3, Damage, Found, Impact, Seen};
-use case::{Axes, Case, Pdof, Velocity, YawSource};
+use case::{Axes, Case, Pdof, Text, Velocity, YawSource};
 use crash3::{EnergyBasis, SideStiffness, Stiffness};
 use pim_core::{Outcome, Regime, VehicleId};
 
@@ -85,7 +85,7 @@ impl Page {
         let mut table = Table::of_two("Inputs as understood", VEHICLES);
         let vehicles = &case.vehicles;
         let known = |f: &dyn Fn(usize) -> Option<String>| [f(0), f(1)];
-        table.pair("name", known(&|i| vehicles[i].name.clone()), "");
+        table.pair("name", known(&|i| vehicles[i].name.as_ref().map(Text::to_string)), "");
         table.pair("fixed object", known(&|i| vehicles[i].fixed.then(|| "yes".to_owned())), "");
         let inertia = |i: usize| analysis.vehicles[i].subject.inertia;
         table.pair("mass", known(&|i| inertia(i).map(|v| units.format(Measure::Mass, v.mass))), "");

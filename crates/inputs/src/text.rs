@@ -1,0 +1,137 @@
+//! Words that somebody else wrote.
+
+use std::borrow::Cow;
+use std::fmt;
+
+/// A title, a name, a source or the name of a file. A case file may come from the other side, so
+/// [`Display`](fmt::Display) writes such words as [`shown`] does; [`as_given`](Self::as_given) has each
+/// letter of them.
+///
+/// ```
+/// let title = inputs::Text::from("Elm St.\nSpeed of vehicle 1: 20 mph");
+/// assert_eq!(title.to_string(), "Elm St.␊Speed of vehicle 1: 20 mph");
+/// assert_eq!(title.as_given(), "Elm St.\nSpeed of vehicle 1: 20 mph");
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Text(String);
+
+impl Text {
+    /// Letter by letter.
+    #[must_use]
+    pub fn as_given(&self) -> &str {
+        &self.0
+    }
+}
+
+impl From<&str> for Text {
+    fn from(text: &str) -> Self {
+        Self(text.to_owned())
+    }
+}
+
+impl From<String> for Text {
+    fn from(text: String) -> Self {
+        Self(text)
+    }
+}
+
+impl fmt::Display for Text {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&shown(&self.0))
+    }
+}
+
+/// The same text on one line, without a character that would act on the reader's terminal or on the letters
+/// around it: each is replaced with a [`sign`], and one that has no sign with its number, as ⟨U+202E⟩.
+///
+/// ```
+/// assert_eq!(inputs::shown("\u{1b}[8mhidden\u{202e}"), "␛[8mhidden⟨U+202E⟩");
+/// ```
+#[must_use]
+pub fn shown(text: &str) -> Cow<'_, str> {
+    if !text.contains(acts) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match sign(letter) {
+            Some(sign) => shown.push(sign),
+            None if acts(letter) => shown.push_str(&format!("⟨U+{:04X}⟩", u32::from(letter))),
+            None => shown.push(letter),
+        }
+    }
+    Cow::Owned(shown)
+}
+
+/// The same of each line of a text, whose line breaks and tabs stay.
+///
+/// ```
+/// assert_eq!(inputs::shown_lines("a\r\n\tb\u{1b}\n"), "a\n\tb␛\n");
+/// ```
+#[must_use]
+pub fn shown_lines(text: &str) -> String {
+    let line = |line: &str| line.split('\t').map(shown).collect::<Vec<_>>().join("\t") + "\n";
+    text.lines().map(line).collect()
+}
+
+/// Whether a character acts instead of being read: a control character, a line or paragraph separator, or one
+/// that turns the direction of writing (`Bidi_Control` of the Unicode Character Database).
+#[must_use]
+pub fn acts(letter: char) -> bool {
+    letter.is_control()
+        || matches!(
+            letter,
+            '\u{061c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}'
+        )
+}
+
+/// The picture that Unicode has for a control character of ASCII, such as ␛ for escape.
+#[must_use]
+pub fn sign(letter: char) -> Option<char> {
+    match u32::from(letter) {
+        code @ 0..=0x1f => char::from_u32(0x2400 + code),
+        0x7f => Some('␡'),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Text, acts, shown, sign};
+
+    /// Every character of Unicode, with the classes written down from its tables: Cc, `Bidi_Control`, Zl, Zp.
+    #[test]
+    fn no_character_that_acts_is_left_and_no_other_changes() {
+        let class = [0..=0x1f, 0x7f..=0x9f, 0x61c..=0x61c, 0x200e..=0x200f, 0x2028..=0x202e, 0x2066..=0x2069];
+        for letter in '\0'..=char::MAX {
+            let is_in_class = class.iter().any(|range| range.contains(&u32::from(letter)));
+            assert_eq!(acts(letter), is_in_class, "U+{:04X}", u32::from(letter));
+            let text = format!("a{letter}b");
+            let shown = shown(&text);
+            assert_eq!(shown != text, is_in_class, "U+{:04X}", u32::from(letter));
+            assert!(!shown.contains(acts), "U+{:04X}", u32::from(letter));
+        }
+    }
+
+    #[test]
+    fn the_signs_are_those_of_unicode() {
+        for (letter, expected) in [
+            ('\0', '␀'),
+            ('\u{7}', '␇'),
+            ('\n', '␊'),
+            ('\r', '␍'),
+            ('\u{1b}', '␛'),
+            ('\u{1f}', '␟'),
+            ('\u{7f}', '␡'),
+        ] {
+            assert_eq!(sign(letter), Some(expected));
+        }
+        assert_eq!(sign('\u{9b}'), None);
+        assert_eq!(shown("\u{9b}31m\u{85}"), "⟨U+009B⟩31m⟨U+0085⟩");
+    }
+
+    #[test]
+    fn a_text_is_shown_in_the_width_that_is_asked_for() {
+        assert_eq!(format!("[{:6}]", Text::from("a\nb")), "[a␊b   ]");
+    }
+}
