@@ -9,7 +9,7 @@ use report::Subject;
 use crate::arguments::{DrawArguments, What};
 
 pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
-    let image = Image::of(arguments.output.as_deref())?;
+    let image = Image::of(arguments.output.file())?;
     let file = crate::case_file(&arguments.case)?;
     let subject = match arguments.what {
         What::Scene => Subject::Scene,
@@ -23,7 +23,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     // A drawing has no room for sentences, and standard output may be the drawing.
     let warnings = report::warnings(&file.case, &analysis, units).text();
     write!(io::stderr(), "{warnings}").context("cannot write to standard error")?;
-    let path = arguments.output.as_deref();
+    let path = arguments.output.file();
     match image {
         Image::Svg => crate::write(path, drawing.svg()),
         Image::Png => crate::write(path, drawing.png()?),
