@@ -3,8 +3,8 @@
 
 use crash3::{EnergyBasis, Side, SideStiffness, VehicleClass};
 use inputs::{
-    Axes, Case, Crush, Faults, Fit, ImpactLaw, InertiaData, InferredWidth, Kind, Purpose, StiffnessForm,
-    StiffnessLine, VehicleData, Velocity, YawSource,
+    Axes, Case, Crush, Faults, Fit, ImpactLaw, InferredWidth, Kind, Purpose, StiffnessForm, StiffnessLine,
+    VehicleData, Velocity, YawSource,
 };
 use pim_core::VehicleId;
 
@@ -165,15 +165,28 @@ impl Assumption {
     }
 }
 
+/// By how much the radius of gyration may differ from that of the nearest size class, as a share of that, and
+/// (m) how far the contact point may lie outside of the outline of the class: cars of the same class differ
+/// so much.
+const CLASS_RADIUS: f64 = 0.15;
+const CLASS_OUTLINE: f64 = 0.6;
+
 /// The size class of CRASH3 whose radius of gyration is nearest, and its typical measures: what drawings show
-/// of a vehicle without an outline.
+/// of a car without an outline. `None` where the vehicle is no car, as its kind, its radius of gyration or its
+/// contact point tells.
 #[must_use]
-pub fn nearest_class(inertia: &InertiaData) -> Option<(u8, VehicleClass)> {
+pub fn nearest_class(vehicle: &VehicleData) -> Option<(u8, VehicleClass)> {
+    let inertia = vehicle.inertia.filter(|_| vehicle.kind.unwrap_or_default() == Kind::Car)?;
     // k = √(I/m)
     let radius = (inertia.yaw_inertia / inertia.mass).sqrt();
     let distance = |class: &VehicleClass| (class.yaw_radius - radius).abs();
     let known = (1..=6).filter_map(|class| VehicleClass::new(class).ok().map(|known| (class, known)));
-    known.min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)))
+    let (class, known) = known.min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)))?;
+    let is_on_it = vehicle.contact.is_none_or(|[forward, left]| {
+        let ahead = (forward - known.cg_to_front).max(known.cg_to_front - known.length - forward);
+        ahead.max(left.abs() - known.width / 2.0) <= CLASS_OUTLINE
+    });
+    (distance(&known) <= CLASS_RADIUS * known.yaw_radius && is_on_it).then_some((class, known))
 }
 
 /// Judges a case without solving it.
@@ -296,9 +309,8 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
                 YawSource::Burg => assumptions.push(Assumption::BurgInertia { vehicle: id, yaw_inertia }),
             }
         }
-        if vehicle.kind.unwrap_or_default() == Kind::Car
-            && let Some(VehicleData { inertia: Some(inertia), dimensions: None, .. }) = subject
-            && let Some((class, _)) = nearest_class(inertia)
+        if let Some(subject @ VehicleData { dimensions: None, .. }) = subject
+            && let Some((class, _)) = nearest_class(subject)
         {
             assumptions.push(Assumption::Outline { vehicle: id, class });
         }

@@ -294,6 +294,21 @@ fn an_outline_that_is_not_given_is_that_of_the_nearest_class() {
             assert_eq!(outlines(&format!("yaw_radius = \"{} m\"", radius + off)), [expected]);
         }
     }
+    // Class 6 has 65.03 in: 15 % more are 74.8 in. Class 1 has 44.79 in: 15 % less are 38.07 in.
+    let assumed = |radius: &str| !outlines(&format!("yaw_radius = \"{radius} in\"")).is_empty();
+    assert_eq!(["38.0", "38.2", "74.7", "74.9"].map(assumed), [false, true, true, false]);
+    // The body of class 3 reaches 89.8 in ahead of the CG and 36.3 in to its left; 0.6 m are 23.6 in.
+    let contact = |x: &str, y: &str| {
+        let radius = "yaw_radius = \"1.4645 m\"";
+        let text = PAPER.replace("yaw_inertia = \"2437 lb ft s^2\"", radius).replace(
+            "contact     = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }",
+            &format!("contact = {{ x = \"{x} in\", y = \"{y} in\" }}"),
+        );
+        let assumed = judge(&parsed(&text)).assumptions;
+        assumed.iter().any(|one| matches!(one, Assumption::Outline { vehicle: VehicleId::One, class: 3 }))
+    };
+    assert!(contact("113", "0") && !contact("114", "0") && contact("0", "59") && !contact("0", "60.5"));
+    assert!(contact("-129", "0") && !contact("-131", "0"));
     for known in
         ["class = 4", "yaw_radius = \"1.4 m\"\nlength = \"4.5 m\"\nwidth = \"1.8 m\"\ncg_to_front = \"2 m\""]
     {

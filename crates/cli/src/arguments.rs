@@ -1,12 +1,9 @@
 //! The command line.
 
 use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use clap::builder::{
-    MapValueParser, PathBufValueParser, PossibleValue, StringValueParser, TypedValueParser,
-    ValueParserFactory,
-};
+use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, Args, Parser, ValueEnum};
 use clap_complete::Shell;
 use uncertainty::MIN_SAMPLES;
@@ -133,11 +130,12 @@ pub(crate) enum Command {
             Ctrl-C ends the sampling and prints the results so far."
     )]
     Uncertainty(UncertaintyArguments),
-    /// Draw the scene, the damage, the reconciliation or the energy, as SVG or PNG
+    /// Draw the scene, the damage, the reconciliation or the energy, as SVG, PNG or PDF
     #[command(
-        long_about = "Draw the scene, the damage, the reconciliation or the energy, as SVG or PNG.\n\n\
-            A case with [reconstruct] is reconstructed first; a case with both speeds is computed forward; for a case without [impact], only the damage can be drawn. Scene and damage are to scale. A vehicle that has neither class nor length, width and cg_to_front is drawn with the outline of the CRASH3 size class whose radius of gyration is nearest to its own, and the legend notes this.",
+        long_about = "Draw the scene, the damage, the reconciliation or the energy, as SVG, PNG or PDF.\n\n\
+            A case with [reconstruct] is reconstructed first; a case with both speeds is computed forward; for a case without [impact], only the damage can be drawn. Scene and damage are to scale. The damaged body is filled, and its shape before the damage is dashed. A vehicle that has neither class nor length, width and cg_to_front is drawn with the outline of the CRASH3 size class whose radius of gyration is nearest to its own, and the legend notes this. If its radius of gyration or its contact point does not fit a car of that class, the scene shows its centre of gravity and its arrows, and no body.\n\n--plain draws the scene for readers who are no engineers: the vehicles by name and their speeds before and after the impact, without symbols, axes or forces.\n\nStandard error says how many warnings the case has. The letters of PNG and PDF are those of DejaVu Sans. If a text has other letters, standard error names them, and the picture has ? in their place; an SVG uses the fonts of its reader.",
         after_help = "Examples:\n  deltav draw fixtures/sae-980025.toml --what scene -o scene.svg\n  \
+            deltav draw fixtures/sae-980025.toml --what scene --plain -o exhibit.pdf\n  \
             deltav draw fixtures/sae-980025.toml --what energy -o energy.png"
     )]
     Draw(DrawArguments),
@@ -194,31 +192,6 @@ pub(crate) enum Command {
     Man(ManArguments),
 }
 
-/// A file, or standard output, which is also called `-`.
-#[derive(Clone, Debug)]
-pub(crate) struct Destination(PathBuf);
-
-impl Destination {
-    /// Nothing where it is standard output.
-    pub(crate) fn file(&self) -> Option<&Path> {
-        (self.0 != Path::new("-")).then_some(&self.0)
-    }
-}
-
-impl From<PathBuf> for Destination {
-    fn from(path: PathBuf) -> Self {
-        Self(path)
-    }
-}
-
-impl ValueParserFactory for Destination {
-    type Parser = MapValueParser<PathBufValueParser, fn(PathBuf) -> Self>;
-
-    fn value_parser() -> Self::Parser {
-        PathBufValueParser::new().map(Self::from)
-    }
-}
-
 #[derive(Debug, Args)]
 pub(crate) struct ExplainArguments {
     /// What to explain, in one or more words
@@ -230,8 +203,8 @@ pub(crate) struct ExplainArguments {
     pub(crate) format: Format,
 
     /// Write to FILE instead of standard output
-    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
-    pub(crate) output: Destination,
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 /// Takes any word, which may be a symbol or a key, and offers the names of the topics to the completions of
@@ -280,8 +253,8 @@ pub(crate) struct CasesArguments {
     pub(crate) threads: Option<u16>,
 
     /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
-    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
-    pub(crate) output: Destination,
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -326,8 +299,8 @@ pub(crate) struct NewArguments {
     pub(crate) units: CaseUnits,
 
     /// Write to FILE, which must not exist, instead of standard output
-    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
-    pub(crate) output: Destination,
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -355,8 +328,8 @@ pub(crate) enum Template {
 #[derive(Debug, Args)]
 pub(crate) struct SchemaArguments {
     /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
-    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
-    pub(crate) output: Destination,
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
@@ -387,9 +360,13 @@ pub(crate) struct DrawArguments {
     #[arg(long, value_enum)]
     pub(crate) units: Option<UnitSystem>,
 
-    /// Write to FILE, which must end in .svg or .png; without this option, SVG goes to standard output
-    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
-    pub(crate) output: Destination,
+    /// Draw the scene in plain words: vehicle names, and speeds before and after the impact
+    #[arg(long)]
+    pub(crate) plain: bool,
+
+    /// Write to FILE, which must end in .svg, .png or .pdf; without this option, SVG goes to standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -449,9 +426,20 @@ pub(crate) struct UncertaintyArguments {
     #[arg(long, value_name = "FILE")]
     pub(crate) samples_out: Option<PathBuf>,
 
-    /// Also write a histogram and a tornado of each result as SVG into DIR, which is created if needed
+    /// Also write a histogram and a tornado of each result into DIR, which is created if needed
     #[arg(long, value_name = "DIR")]
     pub(crate) plots: Option<PathBuf>,
+
+    /// Format of the plots
+    #[arg(long, value_enum, default_value_t = PlotsFormat::Svg, requires = "plots")]
+    pub(crate) plots_format: PlotsFormat,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PlotsFormat {
+    Svg,
+    Png,
+    Pdf,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -500,13 +488,17 @@ pub(crate) struct ValidateArguments {
     pub(crate) format: Format,
 
     /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
-    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
-    pub(crate) output: Destination,
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
 
     /// Also write the plots computed-against-measured.svg and reconstructed-speed.svg into DIR, which is
     /// created if needed
     #[arg(long, value_name = "DIR")]
     pub(crate) plots: Option<PathBuf>,
+
+    /// Format of the plots, which is also the ending of their names
+    #[arg(long, value_enum, default_value_t = PlotsFormat::Svg, requires = "plots")]
+    pub(crate) plots_format: PlotsFormat,
 }
 
 #[derive(Debug, Args)]
@@ -524,8 +516,8 @@ pub(crate) struct Arguments {
     pub(crate) units: Option<UnitSystem>,
 
     /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
-    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
-    pub(crate) output: Destination,
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -4,12 +4,16 @@ use std::io::{self, Write as _};
 use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
-use report::Subject;
+use report::{Drawing, PictureFormat, Subject};
 
 use crate::arguments::{DrawArguments, What};
 
 pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
-    let image = Image::of(arguments.output.file())?;
+    let path = arguments.output.as_deref();
+    let format = format_of(path)?;
+    if arguments.plain && arguments.what != What::Scene {
+        bail!("--plain is a form of the scene alone: give --what scene, or leave out --plain");
+    }
     let file = crate::case_file(&arguments.case)?;
     let subject = match arguments.what {
         What::Scene => Subject::Scene,
@@ -19,29 +23,55 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     };
     let units = crate::units(arguments.units, &file);
     let analysis = crate::answered(analysis::furthest(&file.case), &file, units)?;
-    let drawing = report::drawing(&file, &analysis, units, subject)?;
+    let drawing = if arguments.plain {
+        report::plain_scene(&file, &analysis, units)?
+    } else {
+        report::drawing(&file, &analysis, units, subject)?
+    };
     // A drawing has no room for sentences, and standard output may be the drawing.
-    let warnings = report::warnings(&file.case, &analysis, units).text();
-    write!(io::stderr(), "{warnings}").context("cannot write to standard error")?;
-    let path = arguments.output.file();
-    match image {
-        Image::Svg => crate::write(path, drawing.svg()),
-        Image::Png => crate::write(path, drawing.png()?),
+    let warnings = match analysis.warnings.len() {
+        0 => None,
+        1 => Some("1 warning".to_owned()),
+        several => Some(format!("{several} warnings")),
+    };
+    if let Some(warnings) = warnings {
+        let command = match (&analysis.found, &analysis.impact) {
+            (Some(_), _) => "reconstruct",
+            (None, Some(_)) => "impact",
+            (None, None) => "crush",
+        };
+        let case = crate::named(&arguments.case);
+        writeln!(io::stderr(), "{case} has {warnings}: `deltav {command} {case}` prints them.")
+            .context("cannot write to standard error")?;
     }
+    write_picture(path, &drawing, format)
 }
 
-enum Image {
-    Svg,
-    Png,
+/// Writes a drawing, and says on standard error which of its letters it could not draw.
+pub(crate) fn write_picture(path: Option<&Path>, drawing: &Drawing, format: PictureFormat) -> Result<()> {
+    let missing: Vec<String> =
+        drawing.missing_letters().map(|letter| format!("{letter} (U+{:04X})", u32::from(letter))).collect();
+    if format != PictureFormat::Svg && !missing.is_empty() {
+        let place = path.map_or_else(String::new, |path| format!("{}: ", crate::named(path)));
+        writeln!(
+            io::stderr(),
+            "warning: {place}the font of the drawings lacks {}; the picture has ? instead. An SVG uses the \
+             fonts of its reader.",
+            missing.join(", ")
+        )
+        .context("cannot write to standard error")?;
+    }
+    crate::write(path, drawing.write_as(format)?)
 }
 
-impl Image {
-    fn of(path: Option<&Path>) -> Result<Self> {
-        let Some(path) = path else { return Ok(Self::Svg) };
-        match path.extension().map(|ending| ending.to_ascii_lowercase()) {
-            Some(ending) if ending == "svg" => Ok(Self::Svg),
-            Some(ending) if ending == "png" => Ok(Self::Png),
-            _ => bail!("{} must end in .svg or .png: the extension selects the format", crate::named(path)),
-        }
-    }
+fn format_of(path: Option<&Path>) -> Result<PictureFormat> {
+    let Some(path) = path else { return Ok(PictureFormat::Svg) };
+    let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+    let format = PictureFormat::ALL
+        .into_iter()
+        .find(|format| ending.as_deref().is_some_and(|ending| ending == format.extension()));
+    let Some(format) = format else {
+        bail!("{} must end in .svg, .png or .pdf: the extension selects the format", crate::named(path))
+    };
+    Ok(format)
 }

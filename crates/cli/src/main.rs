@@ -7,7 +7,6 @@ mod new;
 mod outputs;
 mod pages;
 mod progress;
-mod sink;
 mod terminal;
 
 use std::fs;
@@ -19,15 +18,14 @@ use std::process::ExitCode;
 use analysis::{Analysis, Failure, Plan, Stage, Sweep, Uncertainty};
 use anyhow::{Context as _, Result};
 use arguments::{
-    Arguments, CasesArguments, Command, ExplainArguments, Format, SensitivityArguments, UncertaintyArguments,
-    UnitSystem, ValidateArguments,
+    Arguments, CasesArguments, Command, ExplainArguments, Format, PlotsFormat, SensitivityArguments,
+    UncertaintyArguments, UnitSystem, ValidateArguments,
 };
 use batch::{Job, Rows};
 use case::{Case, CaseFile, Diagnostics, Text};
 use clap::Parser as _;
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use report::{Document, DrawingError, Supplement, Units};
-use sink::Sink;
+use report::{Document, Drawing, DrawingError, PictureFormat, Supplement, Units};
 use uncertainty::{SamplingMethod, Settings};
 use validation::{Data, Validation};
 
@@ -41,8 +39,8 @@ const SUPPLEMENT_SAMPLES: usize = 20_000;
 const LEAST_SUPPLEMENT_SAMPLES: usize = 500;
 const SUPPLEMENT_NUMBERS: usize = 30_000_000;
 
-/// The files that `deltav validate --plots` writes.
-const VALIDATION_PLOTS: [&str; 2] = ["computed-against-measured.svg", "reconstructed-speed.svg"];
+/// The files that `deltav validate --plots` writes, without their endings.
+const VALIDATION_PLOTS: [&str; 2] = ["computed-against-measured", "reconstructed-speed"];
 
 /// The case is well formed, but no answer exists; or a claim of the validation fails.
 const NO_ANSWER: u8 = 1;
@@ -97,7 +95,7 @@ fn run(command: Command) -> Result<()> {
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::Validate(arguments) => validate(&arguments),
         Command::Explain(arguments) => explain(&arguments),
-        Command::Schema(arguments) => write(arguments.output.file(), case::json_schema()),
+        Command::Schema(arguments) => write(arguments.output.as_deref(), case::json_schema()),
         Command::Completions(arguments) => pages::completions(arguments.shell),
         Command::Man(arguments) => pages::manual(arguments.output_dir.as_deref()),
     }
@@ -116,7 +114,8 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
 
 fn report_or_rows(arguments: CasesArguments, analyse: Analyse) -> Result<()> {
     let CasesArguments { mut cases, format, units, threads, output } = arguments;
-    let rows = |format| batch::write(&Job { cases: &cases, analyse, format }, &pool(threads)?, output.file());
+    let rows =
+        |format| batch::write(&Job { cases: &cases, analyse, format }, &pool(threads)?, output.as_deref());
     let format = match format.of_one() {
         Ok(format) => format,
         // Rows of several cases have one header: its units are not those of a case.
@@ -155,7 +154,7 @@ fn present<E>(
 where
     anyhow::Error: From<E>,
 {
-    present_as(document, arguments.format, arguments.output.file(), json)
+    present_as(document, arguments.format, arguments.output.as_deref(), json)
 }
 
 fn present_as<E>(
@@ -215,7 +214,7 @@ fn explain(ExplainArguments { topic, format, output }: &ExplainArguments) -> Res
         words => Some(report::topic(&words.join(" "))?),
     };
     let document = topic.map_or_else(report::list_of_topics, report::explanation);
-    present_as(&document, *format, output.file(), || {
+    present_as(&document, *format, output.as_deref(), || {
         topic.map_or_else(report::topics_json, report::topic_json)
     })
 }
@@ -245,10 +244,8 @@ fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
     let uncertainty = answered(propagate(&file.case, arguments)?, &file, units)?;
     if let Some(path) = &arguments.samples_out {
         let cannot = || format!("cannot write the samples to {}", named(path));
-        let mut out = BufWriter::new(Sink::open(Some(path)).with_context(cannot)?);
-        report::write_samples(&uncertainty, &mut out)
-            .and_then(|()| out.into_inner().map_err(io::IntoInnerError::into_error)?.finish())
-            .with_context(cannot)?;
+        let mut out = BufWriter::new(fs::File::create(path).with_context(cannot)?);
+        report::write_samples(&uncertainty, &mut out).and_then(|()| out.flush()).with_context(cannot)?;
     }
     if let Some(folder) = &arguments.plots {
         for (place, output) in uncertainty.outputs.iter().enumerate() {
@@ -259,13 +256,29 @@ fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
             ];
             for (plot, drawing) in plots {
                 if let Some(drawing) = drawing {
-                    write(Some(&folder.join(format!("{plot}-{name}.svg"))), drawing.svg())?;
+                    write_plot(folder, &format!("{plot}-{name}"), &drawing, arguments.plots_format)?;
                 }
             }
         }
     }
     let document = report::uncertainty(&file.case, &uncertainty, units);
     present(&document, &arguments.arguments, || report::uncertainty_json(&file.case, &uncertainty))
+}
+
+fn write_plot(folder: &Path, name: &str, plot: &Drawing, format: PlotsFormat) -> Result<()> {
+    let format = PictureFormat::from(format);
+    let path = folder.join(format!("{name}.{}", format.extension()));
+    draw::write_picture(Some(&path), plot, format)
+}
+
+impl From<PlotsFormat> for PictureFormat {
+    fn from(format: PlotsFormat) -> Self {
+        match format {
+            PlotsFormat::Svg => Self::Svg,
+            PlotsFormat::Png => Self::Png,
+            PlotsFormat::Pdf => Self::Pdf,
+        }
+    }
 }
 
 fn propagate(case: &Case, arguments: &UncertaintyArguments) -> Result<Result<Uncertainty, Failure>> {
@@ -363,13 +376,13 @@ fn validate(arguments: &ValidateArguments) -> Result<()> {
 
 /// Writes everything first: what fails is to be seen in full.
 fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
-    present_as(&report::validation(validation), arguments.format, arguments.output.file(), || {
+    present_as(&report::validation(validation), arguments.format, arguments.output.as_deref(), || {
         report::validation_json(validation)
     })?;
     if let Some(folder) = &arguments.plots {
         let plots = [report::computed_against_measured(validation), report::reconstructed_speed(validation)];
         for (name, plot) in VALIDATION_PLOTS.into_iter().zip(plots) {
-            write(Some(&folder.join(name)), plot.svg())?;
+            write_plot(folder, name, &plot, arguments.plots_format)?;
         }
     }
     let failures = validation.failures();
@@ -403,17 +416,16 @@ fn read(path: &Path) -> Result<(String, Vec<u8>)> {
 }
 
 fn write(path: Option<&Path>, output: impl AsRef<[u8]>) -> Result<()> {
-    let written = Sink::open(path).and_then(|mut sink| {
-        sink.write_all(output.as_ref())?;
-        sink.finish()
-    });
-    match (written, path) {
-        (written, Some(path)) => {
-            written.with_context(|| format!("cannot write the output to {}", named(path)))
+    let output = output.as_ref();
+    match path {
+        Some(path) => {
+            fs::write(path, output).with_context(|| format!("cannot write the output to {}", named(path)))
         }
-        // Whoever reads has read enough, as `head` does.
-        (Err(error), None) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        (written, None) => written.context("cannot write to standard output"),
+        None => match io::stdout().write_all(output) {
+            // Whoever reads has read enough, as `head` does.
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+            written => written.context("cannot write to standard output"),
+        },
     }
 }
 
@@ -423,7 +435,7 @@ mod tests {
 
     use case::CaseFile;
 
-    use crate::arguments::{Format, ValidateArguments};
+    use crate::arguments::{Format, PlotsFormat, ValidateArguments};
 
     use super::{NO_ANSWER, lead_and_status, read_at_most, show, supplement_samples};
 
@@ -442,7 +454,9 @@ mod tests {
     #[test]
     fn a_claim_that_fails_ends_with_status_1_after_the_page_is_written() {
         let page = std::env::temp_dir().join(format!("deltav-failing-{}.txt", std::process::id()));
-        let arguments = ValidateArguments { format: Format::Text, output: page.clone().into(), plots: None };
+        let output = Some(page.clone());
+        let arguments =
+            ValidateArguments { format: Format::Text, output, plots: None, plots_format: PlotsFormat::Svg };
         let mut validation = validation::validate(&validation::Data::built_in()).unwrap();
         assert!(show(&validation, &arguments).is_ok());
         validation.energies[3].normal.ours *= 1.02;

@@ -6,6 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
+use report::PictureFormat;
 use same_file::{Handle, is_same_file};
 
 use crate::arguments::{Arguments, Command, Format, Rows};
@@ -39,13 +40,6 @@ struct Files<'a> {
 /// called before anything is computed.
 pub(crate) fn check(command: &Command) -> Result<()> {
     let Files { cases, outputs, folder } = files(command);
-    let named_so = outputs.iter().map(|output| (output.option, output.path));
-    let folders = folder.iter().map(|folder| (folder.option, folder.path));
-    if let Some((option, _)) = named_so.chain(folders).find(|(_, path)| *path == Path::new("-")) {
-        bail!(
-            "{option} - : standard output is for the report; give a name, or ./- for one that is called so"
-        );
-    }
     for output in &outputs {
         let Output { option, path, .. } = output;
         let (name, other) = (named(path), proposal(output));
@@ -131,7 +125,7 @@ fn files(command: &Command) -> Files<'_> {
         Command::Reconstruct(arguments) | Command::Impact(arguments) => Files {
             cases: arguments.cases.iter().map(|case| &**case).collect(),
             outputs: output(
-                arguments.output.file(),
+                arguments.output.as_deref(),
                 match arguments.format.of_one() {
                     Ok(format) => ending(format, REPORT),
                     Err(Rows::Csv) => "-rows.csv",
@@ -157,20 +151,22 @@ fn files(command: &Command) -> Files<'_> {
         }
         Command::Draw(arguments) => Files {
             cases: vec![&arguments.case],
-            outputs: output(arguments.output.file(), "-drawing.svg"),
+            outputs: output(arguments.output.as_deref(), "-drawing.svg"),
             folder: None,
         },
         Command::Validate(arguments) => Files {
             cases: Vec::new(),
-            outputs: output(arguments.output.file(), ending(arguments.format, PAGE)),
+            outputs: output(arguments.output.as_deref(), ending(arguments.format, PAGE)),
             folder: arguments.plots.as_deref().map(|path| Folder {
                 option: "--plots",
                 path,
-                is_name: |name| crate::VALIDATION_PLOTS.contains(&name),
+                is_name: |name| {
+                    without_ending(name).is_some_and(|name| crate::VALIDATION_PLOTS.contains(&name))
+                },
             }),
         },
         Command::Schema(arguments) => {
-            Files { outputs: output(arguments.output.file(), ".schema.json"), ..Files::default() }
+            Files { outputs: output(arguments.output.as_deref(), ".schema.json"), ..Files::default() }
         }
         Command::Man(arguments) => Files {
             folder: arguments.output_dir.as_deref().map(|path| Folder {
@@ -181,7 +177,7 @@ fn files(command: &Command) -> Files<'_> {
             ..Files::default()
         },
         Command::Explain(arguments) => Files {
-            outputs: output(arguments.output.file(), ending(arguments.format, TOPIC)),
+            outputs: output(arguments.output.as_deref(), ending(arguments.format, TOPIC)),
             ..Files::default()
         },
         // Standard output is theirs.
@@ -192,7 +188,7 @@ fn files(command: &Command) -> Files<'_> {
 fn of_arguments(arguments: &Arguments) -> Files<'_> {
     Files {
         cases: vec![&arguments.case],
-        outputs: output(arguments.output.file(), ending(arguments.format, REPORT)),
+        outputs: output(arguments.output.as_deref(), ending(arguments.format, REPORT)),
         folder: None,
     }
 }
@@ -217,7 +213,13 @@ fn output<'a>(path: Option<&'a Path>, ending: &'static str) -> Vec<Output<'a>> {
 }
 
 fn is_plot(name: &str) -> bool {
-    name.ends_with(".svg") && (name.starts_with("tornado-") || name.starts_with("histogram-"))
+    without_ending(name).is_some_and(|name| name.starts_with("tornado-") || name.starts_with("histogram-"))
+}
+
+/// The name of a picture, without what says its format.
+fn without_ending(name: &str) -> Option<&str> {
+    let (name, ending) = name.rsplit_once('.')?;
+    PictureFormat::ALL.iter().any(|format| format.extension() == ending).then_some(name)
 }
 
 fn is_page(name: &str) -> bool {

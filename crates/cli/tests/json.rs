@@ -1128,5 +1128,10 @@ fn every_command_says_the_warnings_of_the_case() {
     let drawn = deltav(&["draw", "-", "--what", "scene"], text.as_bytes());
     assert!(drawn.stdout.starts_with(b"<svg"));
     let said = String::from_utf8(drawn.stderr).unwrap();
-    assert!(said.starts_with("warning [") && said.contains("[unusual-friction]"), "{said}");
+    assert!(
+        said.starts_with("- has ")
+            && said.ends_with(": `deltav impact -` prints them.\n")
+            && said.lines().count() == 1,
+        "{said}"
+    );
 }

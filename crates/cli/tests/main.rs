@@ -9,4 +9,3 @@ mod hostile;
 mod json;
 mod outputs;
 mod start;
-mod writing;

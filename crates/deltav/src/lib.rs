@@ -49,7 +49,7 @@
 //! | [`case`] | the case file: TOML, its reader and writer, diagnostics |
 //! | [`analysis`] | from these inputs to a finished analysis, with its warnings |
 //! | [`report`] | a finished analysis as text, JSON, HTML, Markdown and drawings |
-//! | [`drawing`] | pictures of a collision and of its numbers, as SVG and PNG |
+//! | [`drawing`] | pictures of a collision and of its numbers, as SVG, PNG and PDF |
 //! | [`validation`] | staged collisions beside what the papers print of them |
 //! | [`real`] | the number that the equations run on, with derivatives |
 //!

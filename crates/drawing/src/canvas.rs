@@ -1,10 +1,11 @@
 //! A page of shapes and labels, and how it becomes SVG.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use kurbo::{BezPath, PathEl, Point, Rect, Vec2};
 
-use crate::font::{Anchor, SMALL};
+use crate::font::{self, Anchor, SMALL};
 use crate::labels::{self, Kind, Placer};
 use crate::number::significant;
 use crate::pens::{BLACK, GREY, Pen, WHITE};
@@ -22,21 +23,35 @@ pub(crate) enum Head {
 pub(crate) struct Canvas {
     width: f64,
     height: f64,
+    /// (px) by which the page reaches above the origin.
+    above: f64,
     prefix: &'static str,
     body: String,
     placer: Placer,
+    /// What was written that the font has not.
+    missing: BTreeSet<char>,
 }
 
 impl Canvas {
     /// (px) of the given size; the `id`s of its shapes begin with `prefix`.
     pub(crate) fn new(prefix: &'static str, width: f64, height: f64) -> Self {
-        let mut canvas = Self { width, height, prefix, body: String::new(), placer: Placer::default() };
-        canvas.element(&format!(
-            "<rect width=\"{}\" height=\"{}\" fill=\"{WHITE}\"/>",
-            px(width),
-            px(height)
-        ));
-        canvas
+        let (body, placer) = (String::new(), Placer::default());
+        Self { width, height, above: 0.0, prefix, body, placer, missing: BTreeSet::new() }
+    }
+
+    /// (px) below the origin.
+    pub(crate) fn set_height(&mut self, height: f64) {
+        self.height = height;
+    }
+
+    /// Room above the origin (px).
+    pub(crate) fn grow_up(&mut self, above: f64) {
+        self.above = above.max(0.0);
+    }
+
+    /// (px) the whole page.
+    pub(crate) fn page(&self) -> Rect {
+        Rect::new(0.0, -self.above, self.width, self.height)
     }
 
     pub(crate) fn size(&self) -> (f64, f64) {
@@ -45,6 +60,11 @@ impl Canvas {
 
     pub(crate) fn body(&self) -> &str {
         &self.body
+    }
+
+    /// Letters that the font has not.
+    pub(crate) fn missing(&self) -> impl Iterator<Item = char> {
+        self.missing.iter().copied()
     }
 
     pub(crate) fn element(&mut self, element: &str) {
@@ -207,6 +227,7 @@ impl Canvas {
     }
 
     fn write(&mut self, at: Point, text: &str, size: f64, anchor: Anchor, colour: &str) {
+        self.missing.extend(font::missing(text));
         let anchor = match anchor {
             Anchor::Start => "",
             Anchor::Middle => " text-anchor=\"middle\"",

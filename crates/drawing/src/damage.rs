@@ -5,9 +5,9 @@ use kurbo::{Affine, BezPath, Point, Rect, Vec2};
 use crate::canvas::Canvas;
 use crate::finished::Drawing;
 use crate::font::{self, Anchor, SMALL};
-use crate::footprint::{Footprint, placed};
+use crate::footprint::{CrushProfile, Footprint, Shape, placed};
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
-use crate::pens::{BLACK, CRUSHED, FILL, GREY, OUTLINE, THIN, WHITE};
+use crate::pens::{BLACK, CRUSHED, FILL, GREY, OUTLINE, THIN, WHITE, undamaged};
 
 const NAME: &str = "damage";
 
@@ -42,13 +42,10 @@ pub struct DamagePicture {
 pub struct DamagedVehicle {
     /// Its outline.
     pub footprint: Footprint,
-    /// Stations on the undamaged face.
-    pub face: Vec<[f64; 2]>,
-    /// The same stations as deep as the crush.
-    pub crushed: Vec<[f64; 2]>,
-    /// Out of the vehicle; a unit vector along an axis.
-    pub outward: [f64; 2],
-    /// The stations are marked and named C1, C2 ….
+    /// Its damaged face.
+    pub crush: CrushProfile,
+    /// The crush was measured at the stations: they are marked and named C1, C2 …, and the undamaged outline
+    /// is dashed.
     pub has_stations: bool,
     /// Heads the caption.
     pub name: String,
@@ -99,12 +96,17 @@ impl DamagePicture {
         let at = Point::new(EDGE + 4.0, bottom + 14.0);
         legend::scale_bar(&mut canvas, "scale", at, scale * self.length.size, &self.length, "");
         let fill = canvas.pattern("crushed");
-        let entries = [
+        let mut entries = vec![
             (Sample::Box(CRUSHED, fill), "crushed area of the side".to_owned()),
             (Sample::Line(CRUSHED), "profile through the stations C1, C2 …".to_owned()),
             (Sample::CentreOfGravity, "CG: centre of gravity".to_owned()),
-            legend::windscreen(),
         ];
+        if panels.iter().any(|panel| panel.vehicle.footprint.shape == Shape::Car) {
+            entries.push(legend::windscreen());
+        }
+        if let Some(panel) = panels.iter().find(|panel| panel.vehicle.has_stations) {
+            entries.push((Sample::Line(undamaged(panel.i)), "shape before the damage".to_owned()));
+        }
         legend::legend(&mut canvas, bottom + 36.0, 3, &entries);
         let description = captions.iter().map(|lines| lines.join(" ")).collect::<Vec<_>>().join(" ");
         Drawing::new(
@@ -125,7 +127,7 @@ impl Panel<'_> {
     fn extent(&self) -> Rect {
         let there = self.there(Point::ZERO, 1.0);
         let footprint = &self.vehicle.footprint;
-        let points = footprint.corners().into_iter().chain(points(&self.vehicle.face));
+        let points = footprint.corners().into_iter().chain(points(&self.vehicle.crush.face));
         let start = there * footprint.middle();
         points.fold(Rect::from_points(start, start), |rect, point| rect.union_pt(there * point))
     }
@@ -142,10 +144,22 @@ impl Panel<'_> {
         let cg = middle - extent.center().to_vec2() * scale;
         let there = self.there(cg, scale);
         let outline = there * vehicle.footprint.outline();
-        canvas.path(&format!("outline-{number}"), &outline, Some(OUTLINE[i]), FILL[i]);
-        canvas.path("", &(there * vehicle.footprint.windscreen()), Some(THIN), WHITE);
-        let face: Vec<Point> = points(&vehicle.face).map(|at| there * at).collect();
-        let crushed: Vec<Point> = points(&vehicle.crushed).map(|at| there * at).collect();
+        let crush = vehicle.has_stations.then_some(&vehicle.crush);
+        let id = format!("outline-{number}");
+        match crush {
+            None => canvas.path(&id, &outline, Some(OUTLINE[i]), FILL[i]),
+            Some(crush) => {
+                let damaged = there * vehicle.footprint.damaged(crush);
+                canvas.path(&format!("damaged-{number}"), &damaged, Some(OUTLINE[i]), FILL[i]);
+                canvas.path(&id, &outline, Some(undamaged(i)), "none");
+            }
+        }
+        if let Some(detail) = vehicle.footprint.detail(crush) {
+            let fill = if vehicle.footprint.shape == Shape::Car { WHITE } else { "none" };
+            canvas.path(&format!("front-{number}"), &(there * detail), Some(THIN), fill);
+        }
+        let face: Vec<Point> = points(&vehicle.crush.face).map(|at| there * at).collect();
+        let crushed: Vec<Point> = points(&vehicle.crush.crushed).map(|at| there * at).collect();
         let mut area = BezPath::new();
         for (k, &point) in face.iter().chain(crushed.iter().rev()).enumerate() {
             if k == 0 { area.move_to(point) } else { area.line_to(point) }
@@ -162,7 +176,7 @@ impl Panel<'_> {
 
     /// The stations, and the names of as many as there is room for, the first and the last among them.
     fn stations(&self, canvas: &mut Canvas, face: &[Point], crushed: &[Point]) {
-        let [forward, left] = self.vehicle.outward;
+        let [forward, left] = self.vehicle.crush.outward;
         let outward = Vec2::new(-left, -forward);
         let shortest = face.windows(2).map(|pair| (pair[1] - pair[0]).hypot()).fold(f64::INFINITY, f64::min);
         let apart = if face.len() < 10 { APART[0] } else { APART[1] };

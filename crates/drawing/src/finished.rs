@@ -1,7 +1,36 @@
 //! A drawing that is made.
 
-use crate::canvas::{Canvas, escaped};
-use crate::raster::{self, PngError};
+use crate::canvas::{Canvas, escaped, px};
+use crate::pdf;
+use crate::pens::WHITE;
+use crate::raster::{self, RenderError};
+
+/// What a file of a drawing is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PictureFormat {
+    /// Vectors, for pages of a browser.
+    #[default]
+    Svg,
+    /// Pixels.
+    Png,
+    /// Vectors on a page of paper.
+    Pdf,
+}
+
+impl PictureFormat {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Svg, Self::Png, Self::Pdf];
+
+    /// What file names end in, without the point.
+    #[must_use]
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Svg => "svg",
+            Self::Png => "png",
+            Self::Pdf => "pdf",
+        }
+    }
+}
 
 /// A finished drawing.
 #[derive(Clone, Debug)]
@@ -39,23 +68,52 @@ impl Drawing {
     #[must_use]
     pub fn svg(&self) -> String {
         let Self { name, title, description, canvas } = self;
-        let (width, height) = canvas.size();
+        let page = canvas.page();
+        let [top, width, height] = [page.y0, page.width(), page.height()].map(px);
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" role=\"img\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 {top} {width} {height}\" role=\"img\" \
              aria-labelledby=\"{name}-title {name}-description\" font-family=\"Arial, Helvetica, 'DejaVu Sans', sans-serif\">\n\
-             <title id=\"{name}-title\">{}</title>\n<desc id=\"{name}-description\">{}</desc>\n{}</svg>\n",
+             <title id=\"{name}-title\">{}</title>\n<desc id=\"{name}-description\">{}</desc>\n\
+             <rect y=\"{top}\" width=\"{width}\" height=\"{height}\" fill=\"{WHITE}\"/>\n{}</svg>\n",
             escaped(title),
             escaped(description),
             canvas.body(),
         )
     }
 
+    /// Letters of the drawing that DejaVu Sans, which the program carries, has not. A PNG and a PDF have
+    /// question marks in their place; of an SVG the reader's own fonts are asked.
+    pub fn missing_letters(&self) -> impl Iterator<Item = char> {
+        self.canvas.missing()
+    }
+
     /// The drawing as PNG, twice as many pixels as the SVG has units. The letters are those of DejaVu Sans,
     /// which the program carries.
     ///
     /// # Errors
-    /// [`PngError`]: the picture is too large for the memory.
-    pub fn png(&self) -> Result<Vec<u8>, PngError> {
+    /// [`RenderError`]: the picture is too large for the memory.
+    pub fn png(&self) -> Result<Vec<u8>, RenderError> {
         raster::png(&self.svg())
+    }
+
+    /// The drawing as PDF: one page, as large as the SVG at 96 px to the inch. The letters are outlines of
+    /// those of DejaVu Sans. No date is in it.
+    ///
+    /// # Errors
+    /// [`RenderError`]: the letters could not be laid out.
+    pub fn pdf(&self) -> Result<Vec<u8>, RenderError> {
+        pdf::pdf(&self.svg(), &self.title)
+    }
+
+    /// The drawing in a format of one's choice.
+    ///
+    /// # Errors
+    /// [`RenderError`], of a PNG or a PDF.
+    pub fn write_as(&self, format: PictureFormat) -> Result<Vec<u8>, RenderError> {
+        match format {
+            PictureFormat::Svg => Ok(self.svg().into_bytes()),
+            PictureFormat::Png => self.png(),
+            PictureFormat::Pdf => self.pdf(),
+        }
     }
 }

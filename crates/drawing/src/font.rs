@@ -35,6 +35,24 @@ fn advance() -> impl Fn(char) -> f64 {
     }
 }
 
+/// Whether the font has a letter.
+fn known() -> impl Fn(char) -> bool {
+    let letters = FontRef::new(dejavu::sans::regular()).ok().map(|font| font.charmap());
+    move |letter| letters.as_ref().is_some_and(|letters| letters.map(letter).is_some())
+}
+
+/// What is printed of a text that the font has not.
+pub(crate) fn missing(text: &str) -> Vec<char> {
+    let known = known();
+    text.chars().filter(|&letter| !letter.is_control() && !known(letter)).collect()
+}
+
+/// The text with a question mark for each letter that the font has not.
+pub(crate) fn with_known_letters(text: &str) -> String {
+    let known = known();
+    text.chars().map(|letter| if letter.is_control() || known(letter) { letter } else { '?' }).collect()
+}
+
 /// (px) width of a text in letters of the given size (px).
 pub(crate) fn width(text: &str, size: f64) -> f64 {
     text.chars().map(advance()).sum::<f64>() * size

@@ -1,8 +1,11 @@
-//! The outline of a vehicle.
+//! The outline of a vehicle, and what its damage leaves of it.
 
-use kurbo::{Affine, BezPath, Point, Rect, RoundedRect, Shape as _, Vec2};
+use kurbo::{Affine, BezPath, Line, ParamCurve as _, Point, Rect, RoundedRect, Shape as _, Vec2};
 
-/// A vehicle's body seen from above, in its own axes: x forward, y left of the CG.
+/// Points on the arc of a rounded corner, and pieces of a line that the damage may bend.
+const PIECES: u32 = 12;
+
+/// A body seen from above, in its own axes: x forward, y left of the CG.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Footprint {
     /// (m)
@@ -11,23 +14,97 @@ pub struct Footprint {
     pub width: f64,
     /// (m) from the CG to the front.
     pub cg_to_front: f64,
+    /// What it looks like.
+    pub shape: Shape,
+}
+
+/// What a body looks like from above.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// Rounded corners, and a windscreen.
+    Car,
+    /// A rectangle: a truck or a trailer.
+    Box,
+    /// Round at both ends, with handlebars.
+    Motorcycle,
+    /// A rectangle, hatched: a fixed object.
+    Fixed,
+}
+
+/// A damaged face in the axes of its vehicle (m): x forward, y left of the CG.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CrushProfile {
+    /// Stations on the undamaged face, from one end to the other.
+    pub face: Vec<[f64; 2]>,
+    /// The same stations as deep as the crush.
+    pub crushed: Vec<[f64; 2]>,
+    /// Out of the vehicle; a unit vector along an axis.
+    pub outward: [f64; 2],
 }
 
 impl Footprint {
     fn bounds(&self) -> Rect {
-        let Self { length, width, cg_to_front } = *self;
+        let Self { length, width, cg_to_front, .. } = *self;
         Rect::new(cg_to_front - length, -width / 2.0, cg_to_front, width / 2.0)
     }
 
-    /// The body with rounded corners.
-    pub(crate) fn outline(&self) -> BezPath {
-        let bounds = self.bounds();
-        let radius = 0.12 * bounds.height();
-        RoundedRect::from_rect(bounds, radius).to_path(1e-3)
+    /// (m) of the corners.
+    fn radius(&self) -> f64 {
+        match self.shape {
+            Shape::Car => 0.12 * self.width,
+            Shape::Box => 0.03 * self.width,
+            Shape::Motorcycle => 0.5 * self.width.min(self.length),
+            Shape::Fixed => 0.0,
+        }
     }
 
-    /// The windscreen: what tells front from rear.
-    pub(crate) fn windscreen(&self) -> BezPath {
+    /// The undamaged body.
+    pub(crate) fn outline(&self) -> BezPath {
+        RoundedRect::from_rect(self.bounds(), self.radius()).to_path(1e-3)
+    }
+
+    /// What the damage leaves of the body: each point of the face lies as deep as the crush is there.
+    pub(crate) fn damaged(&self, crush: &CrushProfile) -> BezPath {
+        let surface = Surface::new(self, crush);
+        let mut path = BezPath::new();
+        for (k, &[along, depth]) in surface.contour().iter().enumerate() {
+            let point = surface.at(along, depth);
+            if k == 0 { path.move_to(point) } else { path.line_to(point) }
+        }
+        path.close_path();
+        path
+    }
+
+    /// What tells front from rear: a car's windscreen or a motorcycle's handlebars, pushed in where the
+    /// damage reaches them.
+    pub(crate) fn detail(&self, crush: Option<&CrushProfile>) -> Option<BezPath> {
+        let whole = match self.shape {
+            Shape::Car => self.windscreen(),
+            Shape::Motorcycle => self.handlebars(),
+            Shape::Box | Shape::Fixed => return None,
+        };
+        let Some(surface) = crush.map(|crush| Surface::new(self, crush)) else { return Some(whole) };
+        if whole.segments().all(|segment| {
+            [segment.start(), segment.end()].iter().all(|&point| surface.pushed(point) == point)
+        }) {
+            return Some(whole);
+        }
+        let mut path = BezPath::new();
+        kurbo::flatten(whole.iter(), 1e-2, |element| match element {
+            kurbo::PathEl::MoveTo(point) => path.move_to(surface.pushed(point)),
+            kurbo::PathEl::LineTo(end) => {
+                let Some(start) = path.current_position() else { return };
+                for k in 1..=PIECES {
+                    let share = f64::from(k) / f64::from(PIECES);
+                    path.line_to(surface.pushed(Line::new(start, end).eval(share)));
+                }
+            }
+            _ => path.close_path(),
+        });
+        Some(path)
+    }
+
+    fn windscreen(&self) -> BezPath {
         let Rect { x1: front, y0: right, y1: left, .. } = self.bounds();
         let length = self.length;
         let (ahead, behind) = (front - 0.26 * length, front - 0.36 * length);
@@ -37,6 +114,15 @@ impl Footprint {
         path.line_to((behind, left * 0.66));
         path.quad_to((behind + 0.03 * length, 0.0), (behind, right * 0.66));
         path.close_path();
+        path
+    }
+
+    fn handlebars(&self) -> BezPath {
+        let Rect { x1: front, y0: right, y1: left, .. } = self.bounds();
+        let across = front - 0.3 * self.length;
+        let mut path = BezPath::new();
+        path.move_to((across, right));
+        path.line_to((across, left));
         path
     }
 
@@ -55,10 +141,234 @@ impl Footprint {
     }
 }
 
+/// The body as the damaged face sees it: a place along the face, and a depth below it.
+struct Surface {
+    /// Along the face, in the axes of the vehicle.
+    direction: Vec2,
+    outward: Vec2,
+    /// (m) from the CG to the face, and to the one opposite.
+    face: f64,
+    depth: f64,
+    /// (m) where the face ends.
+    ends: [f64; 2],
+    /// (m) of the corners.
+    radius: f64,
+    /// (m) stations: place along the face, and depth of the crush; by place.
+    stations: Vec<[f64; 2]>,
+}
+
+impl Surface {
+    fn new(body: &Footprint, crush: &CrushProfile) -> Self {
+        let outward = Vec2::new(crush.outward[0], crush.outward[1]);
+        let direction = Vec2::new(outward.y.abs(), outward.x.abs());
+        let corners = body.corners().map(Point::to_vec2);
+        let most = |direction: Vec2| corners.map(|c| c.dot(direction)).into_iter().fold(f64::MIN, f64::max);
+        let face = most(outward);
+        let mut stations: Vec<[f64; 2]> = crush
+            .crushed
+            .iter()
+            .map(|&[x, y]| Vec2::new(x, y))
+            .map(|at| [at.dot(direction), face - at.dot(outward)])
+            .collect();
+        if stations.first().zip(stations.last()).is_some_and(|(first, last)| first[0] > last[0]) {
+            stations.reverse();
+        }
+        let (radius, ends) = (body.radius(), [-most(-direction), most(direction)]);
+        // What a rounded corner leaves beside the first or the last station goes with that.
+        let beside = |along: f64, end: f64| (along - end).abs() < radius;
+        if let Some(first) = stations.first().copied().filter(|first| beside(first[0], ends[0])) {
+            stations.insert(0, [first[0].min(ends[0]), first[1]]);
+        }
+        if let Some(last) = stations.last().copied().filter(|last| beside(last[0], ends[1])) {
+            stations.push([last[0].max(ends[1]), last[1]]);
+        }
+        Self { direction, outward, face, depth: face + most(-outward), ends, radius, stations }
+    }
+
+    fn at(&self, along: f64, depth: f64) -> Point {
+        (self.direction * along + self.outward * (self.face - depth)).to_point()
+    }
+
+    /// (m) how far the undamaged body lies below its face: more than zero at the rounded corners.
+    fn undamaged(&self, along: f64) -> f64 {
+        let [low, high] = self.ends;
+        let inside = (along - low).min(high - along).clamp(0.0, self.radius);
+        let short = self.radius - inside;
+        // r − √(r² − (r − s)²)
+        self.radius - (self.radius * self.radius - short * short).max(0.0).sqrt()
+    }
+
+    /// (m) the same of the face opposite.
+    fn opposite(&self, along: f64) -> f64 {
+        self.depth - self.undamaged(along)
+    }
+
+    /// (m) of the crush, between stations along a straight line; zero beside the damage.
+    fn crush(&self, along: f64) -> f64 {
+        let pair = self.stations.windows(2).find(|pair| pair[0][0] <= along && along <= pair[1][0]);
+        pair.map_or(0.0, |pair| {
+            let [[from, first], [to, second]] = [pair[0], pair[1]];
+            let share = if to > from { (along - from) / (to - from) } else { 0.0 };
+            first + (second - first) * share
+        })
+    }
+
+    /// (m) what is left of the body begins here, and no deeper than the face opposite.
+    fn damaged(&self, along: f64, crush: f64) -> f64 {
+        self.undamaged(along).max(crush).min(self.opposite(along))
+    }
+
+    /// Place along the face and depth of each corner of what is left, once around.
+    fn contour(&self) -> Vec<[f64; 2]> {
+        let [low, high] = self.ends;
+        let arc = |k: u32| {
+            // s = r (1 − cos φ) has its points where the arc bends; (k/N)² comes near enough.
+            let share = f64::from(k) / f64::from(PIECES);
+            self.radius * share * share
+        };
+        let mut body: Vec<f64> = (0..=PIECES).map(|k| low + arc(k)).collect();
+        body.extend((0..=PIECES).rev().map(|k| high - arc(k)));
+        let (begins, ends) = match (self.stations.first(), self.stations.last()) {
+            (Some(first), Some(last)) => (first[0], last[0]),
+            _ => (high, low),
+        };
+        let mut near: Vec<[f64; 2]> = Vec::new();
+        let beside = |along: f64| [along, self.undamaged(along)];
+        let left = body.iter().filter(|&&along| along < begins);
+        near.extend(left.map(|&along| beside(along)));
+        if low < begins && begins <= high {
+            near.push(beside(begins));
+        }
+        let mut inside: Vec<[f64; 2]> =
+            self.stations.iter().copied().filter(|[along, _]| (low..=high).contains(along)).collect();
+        let between = body.iter().filter(|&&along| begins <= along && along <= ends);
+        inside.extend(between.map(|&along| [along, self.crush(along)]));
+        inside.sort_by(|one, other| one[0].total_cmp(&other[0]));
+        near.extend(inside.iter().map(|&[along, crush]| [along, self.damaged(along, crush)]));
+        if low <= ends && ends < high {
+            near.push(beside(ends));
+        }
+        let right = body.iter().filter(|&&along| along > ends);
+        near.extend(right.map(|&along| beside(along)));
+        near.extend(body.iter().rev().map(|&along| [along, self.opposite(along)]));
+        near.dedup();
+        near
+    }
+
+    /// Where the damage takes a point of the body.
+    fn pushed(&self, point: Point) -> Point {
+        let at = point.to_vec2();
+        let (along, depth) = (at.dot(self.direction), self.face - at.dot(self.outward));
+        let crush = self.damaged(along, self.crush(along));
+        if depth < crush { self.at(along, crush) } else { point }
+    }
+}
+
 /// From the axes of a vehicle whose forward axis is `forward` (a unit vector of the scene, y upwards) and
 /// whose CG is at `cg` (px) to the page.
 pub(crate) fn placed(forward: Vec2, cg: Point, scale: f64) -> Affine {
     let (c, s) = (forward.x * scale, forward.y * scale);
     // (x, y) ↦ CG + scale (x cos θ − y sin θ, −(x sin θ + y cos θ)): the page's y runs downwards.
     Affine::new([c, -s, -s, -c, cg.x, cg.y])
+}
+
+#[cfg(test)]
+mod tests {
+    use kurbo::{BezPath, Point, Shape as _};
+
+    use super::{CrushProfile, Footprint, Shape};
+
+    /// 4 m × 2 m, its CG 1.5 m behind the front: from x = −2.5 to 1.5, y = −1 to 1.
+    const BODY: Footprint = Footprint { length: 4.0, width: 2.0, cg_to_front: 1.5, shape: Shape::Fixed };
+
+    fn crush(outward: [f64; 2], stations: &[([f64; 2], f64)]) -> CrushProfile {
+        let [x, y] = outward;
+        CrushProfile {
+            face: stations.iter().map(|(at, _)| *at).collect(),
+            crushed: stations.iter().map(|([u, v], deep)| [u - x * deep, v - y * deep]).collect(),
+            outward,
+        }
+    }
+
+    fn has(path: &BezPath, x: f64, y: f64) -> bool {
+        path.elements()
+            .iter()
+            .filter_map(kurbo::PathEl::end_point)
+            .any(|at| at.distance(Point::new(x, y)) < 1e-12)
+    }
+
+    /// The corners of what is left, and its area by hand, on all four sides; the stations run as they do in a
+    /// case: from left to right on front and rear, from rear to front on the sides.
+    #[test]
+    fn each_side_is_as_deep_as_its_stations() {
+        // 0.2 m at one end of a damage of 1 m, 0.4 m at the other: 0.3 m² are gone.
+        let left = 4.0 * 2.0 - 0.3;
+        let front = crush([1.0, 0.0], &[([1.5, 0.6], 0.2), ([1.5, -0.4], 0.4)]);
+        let rear = crush([-1.0, 0.0], &[([-2.5, 0.6], 0.2), ([-2.5, -0.4], 0.4)]);
+        let of_left = crush([0.0, 1.0], &[([-0.5, 1.0], 0.2), ([0.5, 1.0], 0.4)]);
+        let of_right = crush([0.0, -1.0], &[([-0.5, -1.0], 0.2), ([0.5, -1.0], 0.4)]);
+        for (crush, corners) in [
+            (front, [[1.5, 0.6], [1.3, 0.6], [1.1, -0.4], [1.5, -0.4]]),
+            (rear, [[-2.5, 0.6], [-2.3, 0.6], [-2.1, -0.4], [-2.5, -0.4]]),
+            (of_left, [[-0.5, 1.0], [-0.5, 0.8], [0.5, 0.6], [0.5, 1.0]]),
+            (of_right, [[-0.5, -1.0], [-0.5, -0.8], [0.5, -0.6], [0.5, -1.0]]),
+        ] {
+            let path = BODY.damaged(&crush);
+            for [x, y] in corners.into_iter().chain([[-2.5, 1.0], [-2.5, -1.0], [1.5, 1.0], [1.5, -1.0]]) {
+                assert!(has(&path, x, y), "{x} {y}: {}", path.to_svg());
+            }
+            assert!((path.area().abs() - left).abs() < 1e-12, "{}", path.area());
+        }
+    }
+
+    #[test]
+    fn damage_beyond_the_body_takes_no_more_than_there_is() {
+        // From 0.5 m to the left of the axis to 1.5 m to its right, where the body ends at 1 m; 0.4 m deep.
+        let wide = crush([1.0, 0.0], &[([1.5, 0.5], 0.4), ([1.5, -1.5], 0.4)]);
+        assert!((BODY.damaged(&wide).area().abs() - (8.0 - 1.5 * 0.4)).abs() < 1e-12);
+        // As deep as the body is wide, and more.
+        let through = crush([0.0, 1.0], &[([-0.5, 1.0], 3.0), ([0.5, 1.0], 3.0)]);
+        let path = BODY.damaged(&through);
+        assert!((path.area().abs() - 6.0).abs() < 1e-12);
+        assert!(path.bounding_box().y0 >= -1.0);
+    }
+
+    #[test]
+    fn rounded_corners_stay_where_the_damage_does_not_reach() {
+        let car = Footprint { shape: Shape::Car, ..BODY };
+        let shallow = crush([1.0, 0.0], &[([1.5, 1.0], 0.05), ([1.5, -1.0], 0.05)]);
+        let (whole, damaged) = (car.outline(), car.damaged(&shallow));
+        // r = 0.24 m; the strip of 0.05 m is 2 m wide but for what the two corners lack of it already.
+        let (r, d) = (0.24_f64, 0.05_f64);
+        let angle = ((r - d) / r).acos();
+        let gone = whole.area().abs() - damaged.area().abs();
+        // ∫ from r − d to r of the width 2 (1 − r + √(r² − u²)) du
+        let half_strip = 0.5 * (r * r * angle - (r - d) * (r * r - (r - d) * (r - d)).sqrt());
+        let expected = 2.0 * ((1.0 - r) * d + half_strip);
+        assert!((gone - expected).abs() < 2e-3, "{gone} for {expected}");
+    }
+
+    #[test]
+    fn no_sliver_of_a_corner_stands_beside_the_damage() {
+        let car = Footprint { shape: Shape::Car, ..BODY };
+        // The corners have a radius of 0.24 m: 0.2 m beside the damage go with it, 0.3 m do not.
+        let front = |left: f64, right: f64| {
+            car.damaged(&crush([1.0, 0.0], &[([1.5, left], 0.5), ([1.5, -right], 0.5)])).bounding_box().x1
+        };
+        assert!((front(0.8, 0.8) - 1.0).abs() < 1e-12);
+        assert!((front(0.7, 0.8) - 1.5).abs() < 1e-12);
+        assert!((front(0.8, 0.7) - 1.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_windscreen_is_pushed_in_with_the_front() {
+        let car = Footprint { shape: Shape::Car, ..BODY };
+        let small = crush([1.0, 0.0], &[([1.5, 1.0], 0.5), ([1.5, -1.0], 0.5)]);
+        assert_eq!(car.detail(Some(&small)), car.detail(None));
+        // The windscreen lies between 0.88 m and 1.44 m behind the front.
+        let large = crush([1.0, 0.0], &[([1.5, 1.0], 1.2), ([1.5, -1.0], 1.2)]);
+        let bent = car.detail(Some(&large)).unwrap().bounding_box();
+        assert!((bent.x1 - 0.3).abs() < 1e-9 && bent.x0 < 0.1, "{bent:?}");
+        assert_eq!(BODY.detail(None), None);
+    }
 }

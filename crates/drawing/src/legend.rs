@@ -19,11 +19,25 @@ const ROW: f64 = 24.0;
 /// (px) width of a sample in the legend.
 const SAMPLE: f64 = 40.0;
 
-/// The title and a line below it.
+/// (px) from line to line of the title, and of what stands below it.
+const LEADING: [f64; 2] = [22.0, 18.0];
+
+/// The title, and lines below it. Those for which there is no room above what is drawn grow the page upwards.
 pub(crate) fn header(canvas: &mut Canvas, title: &str, below: &str) {
     let most = canvas.size().0 - 2.0 * EDGE;
-    canvas.text(Point::new(EDGE, 30.0), &font::cut(title, LARGE, most), LARGE, Anchor::Start, BLACK);
-    canvas.text(Point::new(EDGE, 52.0), &font::cut(below, SMALL, most), SMALL, Anchor::Start, GREY);
+    let below = below.lines().flat_map(|line| font::lines(line, SMALL, most)).map(|line| (line, SMALL, GREY));
+    let lines: Vec<_> =
+        font::lines(title, LARGE, most).into_iter().map(|line| (line, LARGE, BLACK)).chain(below).collect();
+    // A line has its room below it. There always is room for a title and one line.
+    let room = |(_, size, _): &(String, f64, &'static str)| LEADING[usize::from(*size == SMALL)];
+    let above = lines.iter().map(room).sum::<f64>() - LEADING.iter().sum::<f64>();
+    canvas.grow_up(above);
+    let mut base = 30.0 - above.max(0.0);
+    for line in &lines {
+        let (words, size, colour) = line;
+        canvas.text(Point::new(EDGE, base), words, *size, Anchor::Start, colour);
+        base += room(line);
+    }
 }
 
 /// A unit of the reader, for a bar that shows the scale.
@@ -42,6 +56,8 @@ pub(crate) enum Sample {
     /// A filled box with its edge.
     Box(Pen, String),
     CentreOfGravity,
+    /// For what is not drawn.
+    Nothing,
     Dot(Option<Pen>, &'static str),
     /// As on a vehicle that faces to the right.
     Windscreen(Pen),
@@ -72,6 +88,7 @@ pub(crate) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(
                 canvas.rect("", Rect::from_center_size(middle, (SAMPLE - 6.0, 14.0)), Some(*pen), fill);
             }
             Sample::CentreOfGravity => canvas.centre_of_gravity("", middle),
+            Sample::Nothing => {}
             Sample::Windscreen(pen) => {
                 let mut path = BezPath::new();
                 path.move_to((middle.x + 2.0, middle.y - 8.0));

@@ -1,4 +1,4 @@
-//! Pictures of a collision and of its numbers, as SVG and PNG.
+//! Pictures of a collision and of its numbers, as SVG, PNG and PDF.
 //!
 //! ```
 //! use drawing::{Axis, HistogramMark, HistogramPicture};
@@ -25,7 +25,7 @@
 //! ```
 //!
 //! Each picture is a struct of plain figures and of the words that stand beside them; its `draw` gives a
-//! [`Drawing`], which is SVG or PNG:
+//! [`Drawing`], which is SVG, PNG or PDF:
 //!
 //! | picture | shows |
 //! |---|---|
@@ -46,7 +46,8 @@
 //! description.
 //!
 //! Widths of texts are those of DejaVu Sans, which the crate carries. Its letters are among the widest, so
-//! that what fits with them fits with those of another reader's font; a PNG has the letters themselves.
+//! that what fits with them fits with those of another reader's font. PNG and PDF have the letters
+//! themselves, and a question mark for each letter that the font has not ([`Drawing::missing_letters`]).
 //!
 //! Arrows carry an `id` such as `scene-velocity-before-1`, and `data-from` and `data-to`; a scale bar such as
 //! `scene-scale` has `data-si` as well, what it stands for in SI units.
@@ -67,6 +68,7 @@ mod histogram;
 mod labels;
 mod legend;
 mod number;
+mod pdf;
 mod pens;
 mod raster;
 mod reconciliation;
@@ -79,14 +81,14 @@ mod tornado;
 pub use chart::Axis;
 pub use damage::{DamagePicture, DamagedVehicle};
 pub use energy::{EnergyBar, EnergyPicture, Loss};
-pub use finished::Drawing;
-pub use footprint::Footprint;
+pub use finished::{Drawing, PictureFormat};
+pub use footprint::{CrushProfile, Footprint, Shape};
 pub use histogram::{HistogramMark, HistogramPicture};
 pub use legend::ScaleUnit;
 pub use number::{number, significant};
-pub use raster::PngError;
+pub use raster::RenderError;
 pub use reconciliation::{CurvePoint, ReconciliationPicture};
 pub use scatter::{ScatterPanel, ScatterPicture, ScatterPoint};
-pub use scene::{SceneArrow, SceneMotion, ScenePicture, SceneVehicle};
+pub use scene::{SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle};
 pub use symbol::{Marker, Symbol};
 pub use tornado::{TornadoBar, TornadoPicture};

@@ -22,6 +22,10 @@ const fn pen(colour: &'static str, width: f64, dashes: &'static str) -> Pen {
 }
 
 pub(crate) const OUTLINE: [Pen; 2] = [pen(BLUE, 2.0, ""), pen(VERMILION, 2.0, "")];
+/// The shape of a body before its damage.
+pub(crate) const fn undamaged(i: usize) -> Pen {
+    Pen { width: 1.0, dashes: "5 4", ..OUTLINE[i] }
+}
 pub(crate) const FILL: [&str; 2] = ["#dcebf5", "#fae3d0"];
 pub(crate) const PLANE: Pen = pen(GREY, 1.4, "10 4 2 4");
 pub(crate) const AXIS: Pen = pen(BLACK, 1.6, "");

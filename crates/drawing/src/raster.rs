@@ -5,30 +5,32 @@ use std::sync::Arc;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb::Database};
 
-/// The SVG could not be turned into pixels.
+use crate::font;
+
+/// The drawing could not be turned into a PNG or a PDF.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the drawing could not be turned into a PNG: {0}")]
-pub struct PngError(String);
+#[error("the drawing could not be rendered: {0}")]
+pub struct RenderError(String);
 
 /// Pixels for each unit of the SVG.
 const SCALE: f32 = 2.0;
 
 /// The drawing as resvg reads it, with the one font that the program carries: no font of the machine has a
 /// say in the result.
-fn tree(svg: &str) -> Result<Tree, PngError> {
+pub(crate) fn tree(svg: &str) -> Result<Tree, RenderError> {
     let mut fonts = Database::new();
     fonts.load_font_data(dejavu::sans::regular().to_vec());
     let options =
         Options { fontdb: Arc::new(fonts), font_family: "DejaVu Sans".to_owned(), ..Options::default() };
-    Tree::from_str(svg, &options).map_err(|error| PngError(error.to_string()))
+    Tree::from_str(&font::with_known_letters(svg), &options).map_err(|error| RenderError(error.to_string()))
 }
 
-pub(crate) fn png(svg: &str) -> Result<Vec<u8>, PngError> {
+pub(crate) fn png(svg: &str) -> Result<Vec<u8>, RenderError> {
     let tree = tree(svg)?;
     let size =
-        tree.size().to_int_size().scale_by(SCALE).ok_or_else(|| PngError("it has no size".to_owned()))?;
+        tree.size().to_int_size().scale_by(SCALE).ok_or_else(|| RenderError("it has no size".to_owned()))?;
     let mut pixels = Pixmap::new(size.width(), size.height())
-        .ok_or_else(|| PngError("there is no memory for it".to_owned()))?;
+        .ok_or_else(|| RenderError("there is no memory for it".to_owned()))?;
     resvg::render(&tree, Transform::from_scale(SCALE, SCALE), &mut pixels.as_mut());
-    pixels.encode_png().map_err(|error| PngError(error.to_string()))
+    pixels.encode_png().map_err(|error| RenderError(error.to_string()))
 }

@@ -1,14 +1,15 @@
 //! The scene: both vehicles at impact, seen from above.
 
-use kurbo::{Affine, BezPath, Point, Rect, Vec2};
+use kurbo::{Affine, BezPath, Circle, ParamCurve as _, Point, Rect, Shape as _, Vec2};
 
 use crate::canvas::{Canvas, Head};
 use crate::finished::Drawing;
 use crate::font::{self, Anchor, SMALL};
-use crate::footprint::{Footprint, placed};
+use crate::footprint::{CrushProfile, Footprint, Shape, placed};
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::pens::{
     AFTER, AXIS, BEFORE, BLACK, FILL, GREY, HEADING, IMPULSE, OUTLINE, PALE, PDOF, PLANE, Pen, THIN,
+    undamaged,
 };
 
 const NAME: &str = "scene";
@@ -28,10 +29,13 @@ const CONTACT: f64 = 4.5;
 const MARGIN: f64 = 34.0;
 /// (px/m) the largest scale: a small vehicle does not fill the page.
 const LARGEST: f64 = 130.0;
-/// (m) how far the wall that stands for a fixed object without an outline reaches beyond the vehicle at it,
-/// and its thickness.
+/// (m) how far the wall that stands for a fixed object of unknown extent reaches beyond the vehicle at it,
+/// its thickness, and the least length that is drawn.
 const WALL: f64 = 0.7;
 const WALL_DEPTH: f64 = 0.5;
+const SHORTEST_WALL: f64 = 0.2;
+/// (m) what of a vehicle lies farther than this beyond the crush plane has no wall in front of it.
+const BEHIND: f64 = 0.1;
 /// (m/s) below this there is no arrow.
 const SLOWEST: f64 = 1e-6;
 
@@ -47,6 +51,8 @@ pub struct ScenePicture {
     pub description: String,
     /// The axes that are shown have y to the right, and t so.
     pub is_z_down: bool,
+    /// For readers who are no engineers: vehicles and their velocities alone.
+    pub is_plain: bool,
     /// Vehicles 1 and 2.
     pub vehicles: [SceneVehicle; 2],
     /// Of the crush plane, from vehicle 2 to vehicle 1; a unit vector.
@@ -64,16 +70,37 @@ pub struct ScenePicture {
 pub struct SceneVehicle {
     /// What stands on it.
     pub name: String,
-    /// What the legend says of its outline; a fixed object without one is drawn as a wall.
+    /// What the legend says of its body.
     pub legend: Option<String>,
-    /// Its outline, where one is known.
-    pub footprint: Option<Footprint>,
+    /// What is drawn of it.
+    pub body: SceneBody,
     /// (m) its centre of gravity.
     pub cg: [f64; 2],
     /// Its heading; a unit vector.
     pub forward: [f64; 2],
     /// `None` for a fixed object.
     pub motion: Option<SceneMotion>,
+}
+
+/// What is known of the shape of a vehicle or of a fixed object.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SceneBody {
+    /// Its outline. Where its crush is known, the damaged body is filled and the undamaged one dashed.
+    Outline {
+        /// The undamaged body.
+        footprint: Footprint,
+        /// The damaged face.
+        crush: Option<CrushProfile>,
+    },
+    /// A pole or a tree, which the contact point touches.
+    Pole {
+        /// (m)
+        diameter: f64,
+    },
+    /// A fixed object of unknown extent: a wall along the crush plane.
+    Wall,
+    /// A vehicle of unknown shape: its centre of gravity and its arrows are drawn, and no body.
+    Unknown,
 }
 
 /// What moves a vehicle, and how.
@@ -109,35 +136,47 @@ impl ScenePicture {
         let (scale, origin) = self.fit(&arrows);
 
         let bar_row = HEADER + SCENE + 30.0;
-        let entries = 7 + self.vehicles.len() + body_entries(&self.vehicles).len();
-        let height = bar_row + 22.0 + legend::height(entries, 3) + 10.0;
-        let canvas = Canvas::new(NAME, WIDTH, height);
+        let canvas = Canvas::new(NAME, WIDTH, bar_row);
         let mut page = Page { canvas, scene: self, scale, origin, wall: self.wall_ends() };
         legend::header(&mut page.canvas, &self.title, "Plan view at impact, to scale");
-        // The bodies lie over each other: all areas first, so that no edge is hidden.
-        for (i, vehicle) in self.vehicles.iter().enumerate() {
-            page.area(vehicle, i);
+        // The bodies lie over each other: all areas first, so that no edge is hidden; and fixed objects below
+        // what drove into them.
+        for is_fixed in [true, false] {
+            for (i, vehicle) in self.vehicles.iter().enumerate() {
+                if vehicle.motion.is_none() == is_fixed {
+                    page.area(vehicle, i);
+                }
+            }
         }
-        page.plane();
+        if !self.is_plain {
+            page.plane();
+        }
         for (i, vehicle) in self.vehicles.iter().enumerate() {
             page.edge(vehicle, i);
         }
-        page.axes();
-        // Before the other values: it has the fewest places, as its arrow is mostly over both vehicles.
-        page.canvas.label_beside(page.tip_of_impulse(), &self.impulse.label, BLACK);
+        if !self.is_plain {
+            page.axes();
+            // Before the other values: it has the fewest places, as its arrow is mostly over both vehicles.
+            page.canvas.label_beside(page.tip_of_impulse(), &self.impulse.label, BLACK);
+        }
         for (i, vehicle) in self.vehicles.iter().enumerate() {
             if let Some(motion) = &vehicle.motion {
                 page.vehicle(vehicle, motion, &arrows, i);
             }
         }
-        page.canvas.arrow("impulse", origin, page.tip_of_impulse(), IMPULSE, Head::Filled);
+        if !self.is_plain {
+            page.canvas.arrow("impulse", origin, page.tip_of_impulse(), IMPULSE, Head::Filled);
+        }
         for (i, vehicle) in self.vehicles.iter().enumerate() {
             page.name(vehicle, i);
         }
-        page.frame();
+        if !self.is_plain {
+            page.frame();
+        }
         page.canvas.place_labels(area());
         page.scales(bar_row, &arrows);
         let entries = page.entries();
+        page.canvas.set_height(bar_row + 22.0 + legend::height(entries.len(), 3) + 10.0);
         legend::legend(&mut page.canvas, bar_row + 22.0, 3, &entries);
         let title = format!("{}: plan view at impact", self.title);
         Drawing::new(NAME, title, self.description.clone(), page.canvas)
@@ -147,30 +186,39 @@ impl ScenePicture {
     fn fit(&self, arrows: &Arrows) -> (f64, Point) {
         let room = area().inset(-MARGIN);
         let bounds = |scale: f64| {
-            let mut points = vec![arrows.impulse(), Vec2::ZERO];
-            let normal = flipped(vec2(self.normal));
-            let t = Vec2::new(normal.y, -normal.x);
-            // t points to either side, by the axes of the case; the picture is the same.
-            points.extend([normal, t, -t].map(|axis| axis * AXES));
+            let mut points = vec![Vec2::ZERO];
+            if !self.is_plain {
+                points.push(arrows.impulse());
+                let normal = flipped(vec2(self.normal));
+                let t = Vec2::new(normal.y, -normal.x);
+                // t points to either side, by the axes of the case; the picture is the same.
+                points.extend([normal, t, -t].map(|axis| axis * AXES));
+            }
             for (i, vehicle) in self.vehicles.iter().enumerate() {
                 let cg = flipped(vec2(vehicle.cg)) * scale;
-                if let Some(footprint) = &vehicle.footprint {
-                    let there = vehicle.on_page(Point::ZERO, scale);
-                    points.extend(footprint.corners().map(|corner| (there * corner).to_vec2()));
-                } else if vehicle.motion.is_none() {
-                    points.extend(self.wall(self.wall_ends(), i).map(|corner| flipped(corner) * scale));
+                match &vehicle.body {
+                    SceneBody::Outline { footprint, .. } => {
+                        let there = vehicle.on_page(Point::ZERO, scale);
+                        points.extend(footprint.corners().map(|corner| (there * corner).to_vec2()));
+                    }
+                    SceneBody::Pole { diameter } => {
+                        let centre = self.pole(*diameter, i);
+                        let reach =
+                            [(1.0, 1.0), (-1.0, -1.0)].map(|(x, y)| Vec2::new(x, y) * (diameter / 2.0));
+                        points.extend(reach.map(|reach| flipped(centre + reach) * scale));
+                    }
+                    SceneBody::Wall => {
+                        points.extend(self.wall(self.wall_ends(), i).map(|corner| flipped(corner) * scale));
+                    }
+                    SceneBody::Unknown => {}
                 }
                 if let Some(motion) = &vehicle.motion {
                     points.push(cg);
                     points.extend(arrows.of_vehicle(motion).map(|arrow| cg + arrow));
                 }
             }
-            points
-                .iter()
-                .skip(1)
-                .fold(Rect::from_points(points[0].to_point(), points[0].to_point()), |bounds, point| {
-                    bounds.union_pt(point.to_point())
-                })
+            let start = Rect::from_points(Point::ZERO, Point::ZERO);
+            points.iter().fold(start, |bounds, point| bounds.union_pt(point.to_point()))
         };
         let fits = |scale: f64| {
             let bounds = bounds(scale);
@@ -201,27 +249,59 @@ impl ScenePicture {
         [t * high, t * high + away * WALL_DEPTH, t * low + away * WALL_DEPTH, t * low]
     }
 
-    /// (m) how far a wall reaches along t from C: beyond the whole of the other vehicle.
+    /// (m) the centre of a pole: C lies on its surface.
+    fn pole(&self, diameter: f64, i: usize) -> Vec2 {
+        // n points from vehicle 2 to vehicle 1.
+        vec2(self.normal) * (if i == 0 { 0.5 } else { -0.5 } * diameter)
+    }
+
+    /// (m) how far a wall reaches along t from C: beyond the whole of the other vehicle, but for what of that
+    /// lies beyond the crush plane, where there cannot be a wall.
     fn wall_ends(&self) -> [f64; 2] {
         let n = vec2(self.normal);
         let t = Vec2::new(-n.y, n.x);
-        let mut ends = [-WALL, WALL];
-        for vehicle in &self.vehicles {
-            let Some(footprint) = &vehicle.footprint else { continue };
-            let (cg, forward) = (vec2(vehicle.cg), vec2(vehicle.forward));
-            let left = Vec2::new(-forward.y, forward.x);
-            for corner in footprint.corners() {
-                let along = (cg + forward * corner.x + left * corner.y).dot(t);
-                ends = [ends[0].min(along - WALL), ends[1].max(along + WALL)];
+        let (mut ends, mut blocked) = ([-WALL, WALL], Vec::new());
+        for (vehicle, outward) in self.vehicles.iter().zip([-1.0, 1.0]) {
+            let SceneBody::Outline { footprint, crush } = &vehicle.body else { continue };
+            let outline =
+                crush.as_ref().map_or_else(|| footprint.outline(), |crush| footprint.damaged(crush));
+            let there = vehicle.in_scene();
+            for edge in outline.segments() {
+                let [from, to] = [edge.start(), edge.end()].map(|at| (there * at).to_vec2());
+                let along = [from.dot(t).min(to.dot(t)), from.dot(t).max(to.dot(t))];
+                ends = [ends[0].min(along[0] - WALL), ends[1].max(along[1] + WALL)];
+                if [from, to].iter().all(|at| at.dot(n) * outward > BEHIND) {
+                    blocked.push(along);
+                }
             }
         }
-        ends
+        blocked.sort_by(|one, other| one[0].total_cmp(&other[0]));
+        // Of the gaps, the nearest to C and, of several such, the longest.
+        let (mut low, mut gaps) = (ends[0], Vec::new());
+        for [from, to] in blocked.into_iter().chain([[ends[1]; 2]]) {
+            if from > low {
+                gaps.push([low, from]);
+            }
+            low = low.max(to);
+        }
+        let far = |[low, high]: [f64; 2]| low.max(-high).max(0.0);
+        let length = |[low, high]: [f64; 2]| high - low;
+        let best = |one: &[f64; 2], other: &[f64; 2]| {
+            far(*one).total_cmp(&far(*other)).then(length(*other).total_cmp(&length(*one)))
+        };
+        gaps.into_iter().min_by(best).unwrap_or_default()
     }
 }
 
 impl SceneVehicle {
     fn on_page(&self, origin: Point, scale: f64) -> Affine {
         placed(vec2(self.forward), origin + flipped(vec2(self.cg)) * scale, scale)
+    }
+
+    /// (m) from its own axes to those of the scene.
+    fn in_scene(&self) -> Affine {
+        let (forward, cg) = (vec2(self.forward), vec2(self.cg));
+        Affine::new([forward.x, forward.y, -forward.y, forward.x, cg.x, cg.y])
     }
 }
 
@@ -304,33 +384,61 @@ impl Page<'_> {
     }
 
     fn area(&mut self, vehicle: &SceneVehicle, i: usize) {
-        if let Some(footprint) = &vehicle.footprint {
-            let there = vehicle.on_page(self.origin, self.scale);
-            let outline = there * footprint.outline();
-            self.canvas.path("", &outline, None, FILL[i]);
-            self.canvas.keep_off(&outline, false);
-        } else if vehicle.motion.is_none() {
-            self.canvas.define_stripes("wall", GREY, PALE, 45, 8.0);
-            let mut path = BezPath::new();
-            for (k, corner) in self.scene.wall(self.wall, i).into_iter().enumerate() {
-                let corner = self.at(corner);
-                if k == 0 { path.move_to(corner) } else { path.line_to(corner) }
+        let id = format!("outline-{}", i + 1);
+        let fixed = match &vehicle.body {
+            SceneBody::Outline { footprint, .. } if footprint.shape == Shape::Fixed => {
+                vehicle.on_page(self.origin, self.scale) * footprint.outline()
             }
-            path.close_path();
-            let fill = self.canvas.pattern("wall");
-            self.canvas.path(&format!("outline-{}", i + 1), &path, Some(THIN), &fill);
-            // No letter is legible on stripes.
-            self.canvas.keep_off(&path, true);
-        }
+            SceneBody::Outline { footprint, crush } => {
+                let there = vehicle.on_page(self.origin, self.scale);
+                let whole = there * footprint.outline();
+                let body =
+                    crush.as_ref().map_or_else(|| whole.clone(), |crush| there * footprint.damaged(crush));
+                self.canvas.path("", &body, None, FILL[i]);
+                self.canvas.keep_off(&whole, false);
+                return;
+            }
+            SceneBody::Pole { diameter } => {
+                let centre = self.at(self.scene.pole(*diameter, i));
+                Circle::new(centre, 0.5 * diameter * self.scale).to_path(1e-2)
+            }
+            SceneBody::Wall if self.wall[1] - self.wall[0] >= SHORTEST_WALL => {
+                let mut path = BezPath::new();
+                for (k, corner) in self.scene.wall(self.wall, i).into_iter().enumerate() {
+                    let corner = self.at(corner);
+                    if k == 0 { path.move_to(corner) } else { path.line_to(corner) }
+                }
+                path.close_path();
+                path
+            }
+            SceneBody::Wall | SceneBody::Unknown => return,
+        };
+        self.canvas.define_stripes("fixed", GREY, PALE, 45, 8.0);
+        let fill = self.canvas.pattern("fixed");
+        self.canvas.path(&id, &fixed, Some(THIN), &fill);
+        // No letter is legible on stripes.
+        self.canvas.keep_off(&fixed, true);
     }
 
     fn edge(&mut self, vehicle: &SceneVehicle, i: usize) {
-        let Some(footprint) = &vehicle.footprint else { return };
+        let SceneBody::Outline { footprint, crush } = &vehicle.body else { return };
+        if footprint.shape == Shape::Fixed {
+            return;
+        }
         let there = vehicle.on_page(self.origin, self.scale);
         let id = format!("outline-{}", i + 1);
-        self.canvas.path(&id, &(there * footprint.outline()), Some(OUTLINE[i]), "none");
-        let edge = Pen { width: 1.0, ..OUTLINE[i] };
-        self.canvas.path("", &(there * footprint.windscreen()), Some(edge), "none");
+        match crush {
+            None => self.canvas.path(&id, &(there * footprint.outline()), Some(OUTLINE[i]), "none"),
+            Some(crush) => {
+                self.canvas.path(&id, &(there * footprint.outline()), Some(undamaged(i)), "none");
+                let id = format!("damaged-{}", i + 1);
+                self.canvas.path(&id, &(there * footprint.damaged(crush)), Some(OUTLINE[i]), "none");
+            }
+        }
+        if let Some(detail) = footprint.detail(crush.as_ref()) {
+            let pen = Pen { width: 1.0, ..OUTLINE[i] };
+            self.canvas.path(&format!("front-{}", i + 1), &(there * detail), Some(pen), "none");
+        }
     }
 
     fn axes(&mut self) {
@@ -350,13 +458,17 @@ impl Page<'_> {
 
     fn vehicle(&mut self, vehicle: &SceneVehicle, motion: &SceneMotion, arrows: &Arrows, i: usize) {
         let cg = self.at(vec2(vehicle.cg));
-        if let Some(footprint) = &vehicle.footprint {
+        let is_plain = self.scene.is_plain;
+        if let (SceneBody::Outline { footprint, .. }, false) = (&vehicle.body, is_plain) {
             let there = vehicle.on_page(self.origin, self.scale);
             self.canvas.line("", cg, there * footprint.front(), HEADING);
         }
         let [before, after, tail] = arrows.of_vehicle(motion);
-        self.canvas.arrow(&format!("pdof-{}", i + 1), cg + tail, cg + unit(tail) * 9.0, PDOF, Head::Open);
-        self.canvas.label_beside(cg + tail, &motion.force_from.label, BLACK);
+        if !is_plain {
+            let tip = cg + unit(tail) * 9.0;
+            self.canvas.arrow(&format!("pdof-{}", i + 1), cg + tail, tip, PDOF, Head::Open);
+            self.canvas.label_beside(cg + tail, &motion.force_from.label, BLACK);
+        }
         for (id, given, arrow, pen, head) in [
             ("before", &motion.before, before, BEFORE, Head::Filled),
             ("after", &motion.after, after, AFTER, Head::Open),
@@ -367,8 +479,12 @@ impl Page<'_> {
             self.canvas.arrow(&format!("velocity-{id}-{}", i + 1), cg, cg + arrow, pen, head);
             self.canvas.label_beside(cg + arrow, &given.label, BLACK);
         }
-        self.canvas.centre_of_gravity(&format!("cg-{}", i + 1), cg);
-        self.canvas.label(cg, ["CG₁", "CG₂"][i], BLACK);
+        if is_plain {
+            self.canvas.dot(&format!("cg-{}", i + 1), cg, CONTACT, None, BLACK);
+        } else {
+            self.canvas.centre_of_gravity(&format!("cg-{}", i + 1), cg);
+            self.canvas.label(cg, ["CG₁", "CG₂"][i], BLACK);
+        }
     }
 
     fn tip_of_impulse(&self) -> Point {
@@ -376,9 +492,9 @@ impl Page<'_> {
     }
 
     fn name(&mut self, vehicle: &SceneVehicle, i: usize) {
-        let at = match &vehicle.footprint {
+        let at = match &vehicle.body {
             // Well away from C, where the arrows are.
-            Some(footprint) => {
+            SceneBody::Outline { footprint, .. } => {
                 let there = vehicle.on_page(self.origin, self.scale);
                 let length = footprint.length;
                 let ends =
@@ -386,10 +502,12 @@ impl Page<'_> {
                 let [front, rear] = ends.map(|end| (end - self.origin).hypot());
                 if front > rear { ends[0] } else { ends[1] }
             }
-            None => {
+            SceneBody::Pole { diameter } => self.at(self.scene.pole(2.0 * diameter, i)),
+            SceneBody::Wall => {
                 let [_, outer, inner, _] = self.scene.wall(self.wall, i).map(|corner| self.at(corner));
                 outer.midpoint(inner)
             }
+            SceneBody::Unknown => self.at(vec2(vehicle.cg)),
         };
         self.canvas.label(at, &font::cut(&vehicle.name, SMALL, 240.0), BLACK);
     }
@@ -417,37 +535,50 @@ impl Page<'_> {
     }
 
     fn entries(&self) -> Vec<(Sample, String)> {
-        let mut entries = vec![
-            (Sample::Arrow(BEFORE, Head::Filled), "v: velocity of the CG before impact".to_owned()),
-            (Sample::Arrow(AFTER, Head::Open), "V: velocity of the CG after impact".to_owned()),
-            (Sample::Arrow(IMPULSE, Head::Filled), "P: impulse on vehicle 1 (−P on 2)".to_owned()),
-            (Sample::Arrow(PDOF, Head::Open), "PDOF, drawn to the CG".to_owned()),
-            (Sample::Line(PLANE), "crush plane, with axes n and t".to_owned()),
-            (Sample::Dot(None, BLACK), "C: contact point of the impulse".to_owned()),
-            (Sample::CentreOfGravity, "CG: centre of gravity".to_owned()),
-        ];
-        entries.extend(body_entries(&self.scene.vehicles));
-        for (i, vehicle) in self.scene.vehicles.iter().enumerate() {
+        let mut entries = if self.scene.is_plain {
+            vec![
+                (Sample::Arrow(BEFORE, Head::Filled), "speed and direction before impact".to_owned()),
+                (Sample::Arrow(AFTER, Head::Open), "speed and direction after impact".to_owned()),
+            ]
+        } else {
+            vec![
+                (Sample::Arrow(BEFORE, Head::Filled), "v: velocity of the CG before impact".to_owned()),
+                (Sample::Arrow(AFTER, Head::Open), "V: velocity of the CG after impact".to_owned()),
+                (Sample::Arrow(IMPULSE, Head::Filled), "P: impulse on vehicle 1 (−P on 2)".to_owned()),
+                (Sample::Arrow(PDOF, Head::Open), "PDOF, drawn to the CG".to_owned()),
+                (Sample::Line(PLANE), "crush plane, with axes n and t".to_owned()),
+                (Sample::Dot(None, BLACK), "C: contact point of the impulse".to_owned()),
+                (Sample::CentreOfGravity, "CG: centre of gravity".to_owned()),
+            ]
+        };
+        let vehicles = &self.scene.vehicles;
+        let outlines = || {
+            vehicles.iter().enumerate().filter_map(|(i, vehicle)| match &vehicle.body {
+                SceneBody::Outline { footprint, crush } => Some((i, vehicle, footprint, crush)),
+                _ => None,
+            })
+        };
+        if outlines().any(|(_, _, footprint, _)| footprint.shape == Shape::Car) {
+            entries.push(legend::windscreen());
+        }
+        if !self.scene.is_plain && outlines().any(|(_, vehicle, ..)| vehicle.motion.is_some()) {
+            entries.push((Sample::Line(HEADING), "heading, from the CG to the front".to_owned()));
+        }
+        if let Some((i, ..)) = outlines().find(|(.., crush)| crush.is_some()) {
+            entries.push((Sample::Line(undamaged(i)), "shape before the damage".to_owned()));
+        }
+        for (i, vehicle) in vehicles.iter().enumerate() {
             let Some(text) = vehicle.legend.clone() else { continue };
-            let sample = match vehicle.footprint {
-                Some(_) => Sample::Box(OUTLINE[i], FILL[i].to_owned()),
-                None => Sample::Box(THIN, self.canvas.pattern("wall")),
+            let sample = match &vehicle.body {
+                SceneBody::Outline { footprint, .. } if footprint.shape != Shape::Fixed => {
+                    Sample::Box(OUTLINE[i], FILL[i].to_owned())
+                }
+                SceneBody::Unknown => Sample::Nothing,
+                SceneBody::Wall if self.wall[1] - self.wall[0] < SHORTEST_WALL => Sample::Nothing,
+                _ => Sample::Box(THIN, self.canvas.pattern("fixed")),
             };
             entries.push((sample, text));
         }
         entries
     }
-}
-
-/// Of what is drawn on a body, where one is drawn.
-fn body_entries(vehicles: &[SceneVehicle; 2]) -> Vec<(Sample, String)> {
-    let mut entries = Vec::new();
-    let bodies = || vehicles.iter().filter(|vehicle| vehicle.footprint.is_some());
-    if bodies().next().is_some() {
-        entries.push(legend::windscreen());
-    }
-    if bodies().any(|vehicle| vehicle.motion.is_some()) {
-        entries.push((Sample::Line(HEADING), "heading, from the CG to the front".to_owned()));
-    }
-    entries
 }

@@ -1,10 +1,10 @@
 //! Pictures of invented figures: what is drawn is what was given, and can be read.
 
 use drawing::{
-    Axis, CurvePoint, DamagePicture, DamagedVehicle, Drawing, EnergyBar, EnergyPicture, Footprint,
-    HistogramMark, HistogramPicture, Loss, Marker, ReconciliationPicture, ScaleUnit, ScatterPanel,
-    ScatterPicture, ScatterPoint, SceneArrow, SceneMotion, ScenePicture, SceneVehicle, Symbol, TornadoBar,
-    TornadoPicture,
+    Axis, CrushProfile, CurvePoint, DamagePicture, DamagedVehicle, Drawing, EnergyBar, EnergyPicture,
+    Footprint, HistogramMark, HistogramPicture, Loss, Marker, ReconciliationPicture, ScaleUnit, ScatterPanel,
+    ScatterPicture, ScatterPoint, SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle, Shape,
+    Symbol, TornadoBar, TornadoPicture,
 };
 
 use crate::reader::{Reader, area, attribute, number, scales};
@@ -40,7 +40,7 @@ fn histogram(central: f64) -> HistogramPicture {
     }
 }
 
-fn tornado(longest: f64) -> TornadoPicture {
+pub(crate) fn tornado(longest: f64) -> TornadoPicture {
     let bar = |name: &str, ends: [Option<f64>; 2]| TornadoBar {
         name: text(name),
         ends,
@@ -91,7 +91,7 @@ fn scatter() -> ScatterPicture {
     }
 }
 
-const CAR: Footprint = Footprint { length: 4.0, width: 1.7, cg_to_front: 2.0 };
+const CAR: Footprint = Footprint { length: 4.0, width: 1.7, cg_to_front: 2.0, shape: Shape::Car };
 
 /// A car that drives to the right into a wall.
 fn scene() -> ScenePicture {
@@ -99,19 +99,19 @@ fn scene() -> ScenePicture {
     let car = SceneVehicle {
         name: text("1 · car"),
         legend: Some(text("outline 1")),
-        footprint: Some(CAR),
+        body: SceneBody::Outline { footprint: CAR, crush: None },
         cg: [-2.0, 0.5],
         forward: [1.0, 0.0],
         motion: Some(SceneMotion {
-            before: arrow(10.0, 0.0, "v₁ 36 km/h"),
-            after: arrow(-1.0, 0.5, "V₁ 4 km/h"),
+            before: arrow(10.0, 0.0, "v₁ before: 36 km/h"),
+            after: arrow(-1.0, 0.5, "V₁ after: 4 km/h"),
             force_from: arrow(1.0, 0.0, "PDOF₁ 0°"),
         }),
     };
     let wall = SceneVehicle {
         name: text("2 · wall"),
         legend: Some(text("2: fixed object")),
-        footprint: None,
+        body: SceneBody::Wall,
         cg: [0.0, 0.0],
         forward: [1.0, 0.0],
         motion: None,
@@ -120,6 +120,7 @@ fn scene() -> ScenePicture {
         title: text("Wall"),
         description: text("A car drives into a wall."),
         is_z_down: false,
+        is_plain: false,
         vehicles: [car, wall],
         normal: [-1.0, 0.0],
         impulse: arrow(-16_500.0, 750.0, "P 16,517 N·s"),
@@ -131,9 +132,11 @@ fn scene() -> ScenePicture {
 fn damage() -> DamagePicture {
     let front = DamagedVehicle {
         footprint: CAR,
-        face: vec![[2.0, 0.7], [2.0, 0.0], [2.0, -0.7]],
-        crushed: vec![[1.8, 0.7], [1.6, 0.0], [1.9, -0.7]],
-        outward: [1.0, 0.0],
+        crush: CrushProfile {
+            face: vec![[2.0, 0.7], [2.0, 0.0], [2.0, -0.7]],
+            crushed: vec![[1.8, 0.7], [1.6, 0.0], [1.9, -0.7]],
+            outward: [1.0, 0.0],
+        },
         has_stations: true,
         name: text("Vehicle 1"),
         caption: vec![text("Damage: front, 140 cm wide."), text("Crush energy 50,000 J.")],
@@ -183,7 +186,7 @@ fn reconciliation() -> ReconciliationPicture {
     }
 }
 
-fn all() -> [Drawing; 7] {
+pub(crate) fn all() -> [Drawing; 7] {
     [
         scene().draw(),
         damage().draw(),

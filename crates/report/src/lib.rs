@@ -37,7 +37,7 @@
 //! ```
 //!
 //! [`drawing`](drawing()) draws a [`Subject`]: the scene and the damage to scale, the reconciliation, the
-//! energy. A [`Drawing`] is SVG or PNG; the crate `drawing` makes all of them.
+//! energy. A [`Drawing`] is SVG, PNG or PDF; the crate `drawing` makes all of them.
 //!
 //! [`histogram`] and [`tornado`] plot an uncertainty, [`computed_against_measured`] and
 //! [`reconstructed_speed`] the validation.
@@ -72,7 +72,7 @@ mod warnings;
 mod words;
 mod writers;
 
-pub use ::drawing::Drawing;
+pub use ::drawing::{Drawing, PictureFormat};
 pub use data::comparison::comparison_json;
 pub use data::csv::{Refused, Row, RowError, csv_columns, csv_header, csv_row, jsonl_row};
 pub use data::json::json;
@@ -86,7 +86,8 @@ pub use document::Document;
 pub use failures::no_answer;
 pub use glossary::{Topic, UnknownTopic, topic, topics};
 pub use pictures::{
-    DrawingError, Subject, computed_against_measured, drawing, histogram, reconstructed_speed, tornado,
+    DrawingError, Subject, computed_against_measured, drawing, histogram, plain_scene, reconstructed_speed,
+    tornado,
 };
 pub use sections::comparison::comparison;
 pub use sections::handover::{Supplement, handover};

@@ -87,6 +87,15 @@ pub fn drawing(
     }
 }
 
+/// Draws the scene for readers who are no engineers, such as a jury: the vehicles by name, and their speeds
+/// before and after the impact in words; no symbols, axes or forces.
+///
+/// # Errors
+/// [`DrawingError`]: the analysis has no impact.
+pub fn plain_scene(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Drawing, DrawingError> {
+    Ok(scene::plain(&file.case, analysis, units)?.draw())
+}
+
 /// A unit of the reader, for a scale bar.
 fn scale_unit(units: Units, quantity: Measure) -> ScaleUnit {
     ScaleUnit { name: units.name(quantity).to_owned(), size: units.size(quantity) }

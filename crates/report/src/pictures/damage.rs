@@ -1,11 +1,11 @@
 //! The damage: each vehicle with its crush profile in place.
 
-use ::drawing::{DamagePicture, DamagedVehicle};
+use ::drawing::{CrushProfile, DamagePicture, DamagedVehicle};
 use analysis::{Analysis, Damage};
 use case::Case;
 use pim_core::VehicleId;
 
-use super::vehicle::{Body, DrawnOutline, Profile, profile};
+use super::vehicle::{Body, DrawnOutline, profile};
 use super::{DrawingError, scale_unit, title};
 use crate::Units;
 use crate::units::Measure;
@@ -21,16 +21,14 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
         let i = id.index();
         let vehicle = &analysis.vehicles[i];
         let damage = vehicle.damage.as_ref()?;
-        let body = Body::of(vehicle)?;
+        let body = Body::of(&case.vehicles[i], vehicle)?;
         let profile = profile(case, vehicle, &body, damage, i)?;
         let name = case.vehicles[i].name.as_ref().map(|name| format!(" · {name}")).unwrap_or_default();
         Some(DamagedVehicle {
             name: format!("Vehicle {id}{name}"),
             caption: caption(&case.vehicles[i], &body, &profile, damage, units),
             footprint: body.footprint(),
-            face: profile.face,
-            crushed: profile.crushed,
-            outward: profile.outward,
+            crush: profile,
             has_stations: damage.inferred.is_none(),
         })
     });
@@ -43,7 +41,7 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
 fn caption(
     vehicle: &case::GivenVehicle,
     body: &Body,
-    profile: &Profile,
+    profile: &CrushProfile,
     damage: &Damage,
     units: Units,
 ) -> Vec<String> {
@@ -78,12 +76,10 @@ fn caption(
     }
     let outline = match body.outline {
         DrawnOutline::Given => None,
-        DrawnOutline::OfClass(class) => {
-            Some(format!("DrawnOutline: typical of CRASH3's size class {class}."))
+        DrawnOutline::OfClass(class) => Some(format!("Outline: typical of CRASH3's size class {class}.")),
+        DrawnOutline::Nearest(class) => {
+            Some(format!("Outline: CRASH3's size class {class}, assumed, nearest by radius of gyration."))
         }
-        DrawnOutline::Nearest(class) => Some(format!(
-            "DrawnOutline: CRASH3's size class {class}, assumed, nearest by radius of gyration."
-        )),
     };
     let beyond: Vec<String> = body
         .beyond(profile.face.iter().chain(&profile.crushed).copied())

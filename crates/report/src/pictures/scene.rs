@@ -1,15 +1,44 @@
 //! The scene: both vehicles at impact, seen from above.
 
-use ::drawing::{SceneArrow, SceneMotion, ScenePicture, SceneVehicle};
+use ::drawing::{SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle};
 use analysis::{Analysis, Impact};
 use case::{Axes, Case};
 use pim_core::{Real, Vector2, VehicleId};
 
-use super::vehicle::{Body, DrawnOutline};
+use super::vehicle::{Body, DrawnOutline, profile};
 use super::{DrawingError, Subject, scale_unit, title};
 use crate::Units;
 use crate::axes;
 use crate::units::Measure;
+
+/// The same for readers who are no engineers: vehicles and their speeds before and after, in words.
+pub(super) fn plain(case: &Case, analysis: &Analysis, units: Units) -> Result<ScenePicture, DrawingError> {
+    let picture = picture(case, analysis, units)?;
+    let mut description = vec!["Both vehicles from above at the moment of impact, to scale.".to_owned()];
+    let mut vehicles = picture.vehicles;
+    for (id, vehicle) in VehicleId::ALL.into_iter().zip(&mut vehicles) {
+        let given = &case.vehicles[id.index()];
+        let kind = if given.fixed { "fixed object" } else { "vehicle" };
+        let name = given.name.as_ref().map_or_else(|| format!("{kind} {id}"), ToString::to_string);
+        vehicle.legend = Some(match &vehicle.body {
+            SceneBody::Outline { .. } if analysis.vehicles[id.index()].subject.dimensions.is_none() => {
+                format!("{name}, outline assumed")
+            }
+            SceneBody::Wall | SceneBody::Unknown => format!("{name}, shape not known"),
+            _ => name.clone(),
+        });
+        if let Some(motion) = &mut vehicle.motion {
+            for (arrow, when) in [(&mut motion.before, "before"), (&mut motion.after, "after")] {
+                arrow.label =
+                    format!("{when}: {}", units.format(Measure::RoadSpeed, length(arrow.vector.into())));
+            }
+            let [before, after] = [&motion.before, &motion.after].map(|arrow| arrow.label.as_str());
+            description.push(format!("Speed of {name} {before}, {after}."));
+        }
+        vehicle.name = name;
+    }
+    Ok(ScenePicture { is_plain: true, description: description.join(" "), vehicles, ..picture })
+}
 
 pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<ScenePicture, DrawingError> {
     let impact = analysis.impact.as_ref().ok_or(DrawingError::NoImpact { subject: Subject::Scene })?;
@@ -19,6 +48,7 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
         title: title(case),
         description: description(case, analysis.seen(case.axes).impact.as_ref().unwrap_or(impact), units),
         is_z_down: case.axes == Axes::ZDown,
+        is_plain: false,
         vehicles: VehicleId::ALL.map(|id| vehicle(case, analysis, impact, id, units)),
         normal: impact.contact.normal().into(),
         impulse: SceneArrow { vector: outcome.impulse_vector.into(), label: format!("P {impulse}") },
@@ -30,7 +60,7 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
 fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, id: VehicleId, units: Units) -> SceneVehicle {
     let i = id.index();
     let participant = &impact.contact.participants()[i];
-    let body = Body::of(&analysis.vehicles[i]);
+    let body = Body::of(&case.vehicles[i], &analysis.vehicles[i]);
     let is_fixed = participant.body().is_fixed();
     let name = match (case.vehicles[i].name.as_ref(), is_fixed) {
         (Some(name), _) => format!("{id} · {name}"),
@@ -44,12 +74,12 @@ fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, id: VehicleId, uni
             Some(format!("outline {id}: CRASH3 class {class}, assumed"))
         }
         (None, true) => Some(format!("{id}: fixed object, extent not known")),
-        (None, false) => None,
+        (None, false) => Some(format!("{id}: outline not known")),
     };
     SceneVehicle {
         name,
         legend,
-        footprint: body.map(|body| body.footprint()),
+        body: scene_body(case, &analysis.vehicles[i], body, i),
         // r points from the CG to C, which is the origin.
         cg: (-participant.arm()).into(),
         forward: participant.forward().into(),
@@ -57,12 +87,24 @@ fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, id: VehicleId, uni
     }
 }
 
+/// With its crush where that was measured.
+fn scene_body(case: &Case, vehicle: &analysis::Vehicle, body: Option<Body>, i: usize) -> SceneBody {
+    let Some(body) = body else {
+        return if case.vehicles[i].fixed { SceneBody::Wall } else { SceneBody::Unknown };
+    };
+    let measured = vehicle.damage.as_ref().filter(|damage| damage.inferred.is_none());
+    SceneBody::Outline {
+        footprint: body.footprint(),
+        crush: measured.and_then(|damage| profile(case, vehicle, &body, damage, i)),
+    }
+}
+
 fn motion(impact: &Impact, i: usize, units: Units) -> SceneMotion {
     let outcome = &impact.outcome;
     let number = ["₁", "₂"][i];
-    let velocity = |symbol: &str, velocity: Vector2<f64>| SceneArrow {
+    let velocity = |symbol: &str, when: &str, velocity: Vector2<f64>| SceneArrow {
         vector: velocity.into(),
-        label: format!("{symbol}{number} {}", units.format(Measure::RoadSpeed, length(velocity))),
+        label: format!("{symbol}{number} {when}: {}", units.format(Measure::RoadSpeed, length(velocity))),
     };
     // The heading, turned clockwise by the PDOF.
     let forward = outcome.forward[i];
@@ -70,8 +112,8 @@ fn motion(impact: &Impact, i: usize, units: Units) -> SceneMotion {
     let from = [forward.x * cos + forward.y * sin, forward.y * cos - forward.x * sin];
     let pdof = units.format(Measure::Angle, impact.pdof[i]);
     SceneMotion {
-        before: velocity("v", outcome.before[i].velocity),
-        after: velocity("V", outcome.after[i].velocity),
+        before: velocity("v", "before", outcome.before[i].velocity),
+        after: velocity("V", "after", outcome.after[i].velocity),
         force_from: SceneArrow { vector: from, label: format!("PDOF{number} {pdof}") },
     }
 }

@@ -1,8 +1,8 @@
 //! The outline of a vehicle, and its damage in place.
 
-use ::drawing::Footprint;
+use ::drawing::{CrushProfile, Footprint, Shape};
 use analysis::{Damage, Vehicle};
-use case::{Case, Dimensions};
+use case::{Case, Dimensions, GivenVehicle, Kind};
 use crash3::Side;
 use pim_core::Vector2;
 
@@ -11,6 +11,7 @@ use pim_core::Vector2;
 pub(super) struct Body {
     pub(super) dimensions: Dimensions,
     pub(super) outline: DrawnOutline,
+    shape: Shape,
 }
 
 /// Where an outline is from.
@@ -26,26 +27,32 @@ pub(super) enum DrawnOutline {
 
 impl Body {
     /// The vehicle's own outline, else that of the CRASH3 class whose radius of gyration is nearest; `None`
-    /// for a fixed object without one.
-    pub(super) fn of(vehicle: &Vehicle) -> Option<Self> {
+    /// for what is not like a car of a class.
+    pub(super) fn of(given: &GivenVehicle, vehicle: &Vehicle) -> Option<Self> {
+        let shape = match given.kind.unwrap_or_default() {
+            _ if given.fixed => Shape::Fixed,
+            Kind::Car => Shape::Car,
+            Kind::HeavyTruck | Kind::Trailer => Shape::Box,
+            Kind::Motorcycle => Shape::Motorcycle,
+        };
         if let Some(dimensions) = vehicle.subject.dimensions {
             let outline = dimensions.class.map_or(DrawnOutline::Given, DrawnOutline::OfClass);
-            return Some(Self { dimensions, outline });
+            return Some(Self { dimensions, outline, shape });
         }
-        let (class, known) = analysis::nearest_class(&vehicle.subject.inertia?)?;
+        let (class, known) = analysis::nearest_class(&vehicle.subject)?;
         let dimensions = Dimensions {
             length: known.length,
             width: known.width,
             cg_to_front: known.cg_to_front,
             class: Some(class),
         };
-        Some(Self { dimensions, outline: DrawnOutline::Nearest(class) })
+        Some(Self { dimensions, outline: DrawnOutline::Nearest(class), shape })
     }
 
     /// For the drawing.
     pub(super) fn footprint(&self) -> Footprint {
         let Dimensions { length, width, cg_to_front, .. } = self.dimensions;
-        Footprint { length, width, cg_to_front }
+        Footprint { length, width, cg_to_front, shape: self.shape }
     }
 
     /// (m) how far points lie beyond the front, the rear, the left and the right of the body; negative where
@@ -65,16 +72,6 @@ impl Body {
     }
 }
 
-/// The damage in the axes of the vehicle (m).
-pub(super) struct Profile {
-    /// Stations on the undamaged face.
-    pub(super) face: Vec<[f64; 2]>,
-    /// The same stations as deep as the crush.
-    pub(super) crushed: Vec<[f64; 2]>,
-    /// Out of the vehicle.
-    pub(super) outward: [f64; 2],
-}
-
 /// Where the crush of vehicle `i` lies on its body.
 pub(super) fn profile(
     case: &Case,
@@ -82,7 +79,7 @@ pub(super) fn profile(
     body: &Body,
     damage: &Damage,
     i: usize,
-) -> Option<Profile> {
+) -> Option<CrushProfile> {
     let crush = case.vehicles[i].crush.as_ref()?;
     let given = vehicle.subject.damage.as_ref()?;
     let (side, offset) = (given.side, given.offset.unwrap_or_default());
@@ -117,5 +114,5 @@ pub(super) fn profile(
     }
     let crushed = face.iter().zip(&depths).map(|(at, depth)| (at - outward * *depth).into()).collect();
     let face = face.into_iter().map(Vector2::into).collect();
-    Some(Profile { face, crushed, outward: outward.into() })
+    Some(CrushProfile { face, crushed, outward: outward.into() })
 }
