@@ -251,8 +251,8 @@ fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
         for (place, output) in uncertainty.outputs.iter().enumerate() {
             let name = output.output.path();
             let plots = [
-                ("tornado", report::tornado(&uncertainty, place, units)),
-                ("histogram", report::histogram(&uncertainty, place, units)),
+                ("tornado", report::tornado(&file.case, &uncertainty, place, units)),
+                ("histogram", report::histogram(&file.case, &uncertainty, place, units)),
             ];
             for (plot, drawing) in plots {
                 if let Some(drawing) = drawing {

@@ -1088,7 +1088,7 @@ fn uncertainty_draws_every_result() {
     // A histogram and a tornado of each of 13 results.
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 26);
     let drawn = fs::read_to_string(folder.join("tornado-vehicle1.speed.svg")).unwrap();
-    assert!(drawn.contains("impact.crush_plane"));
+    assert!(drawn.contains(">crush plane: ") && drawn.contains(", seed 1<"), "{drawn}");
     // People read speeds in mph and km/h: 22.869 m/s, the speed found, is 51.16 mph or 82.3 km/h.
     let plots = |units: &str| {
         let text = temporary("u-units.txt");

@@ -67,7 +67,17 @@ impl Drawing {
     /// The drawing as SVG, with its title and description; it stands alone as a file or inside of HTML.
     #[must_use]
     pub fn svg(&self) -> String {
-        let Self { name, title, description, canvas } = self;
+        self.svg_named(self.name)
+    }
+
+    /// The same with another word for [`name`](Self::name) in its `id`s: several drawings of one kind on one
+    /// page have one each.
+    #[must_use]
+    pub fn svg_named(&self, name: &str) -> String {
+        let Self { name: own, title, description, canvas } = self;
+        // No text has a quotation mark of its own: it is escaped.
+        let body = canvas.body().replace(&format!(" id=\"{own}-"), &format!(" id=\"{name}-"));
+        let body = body.replace(&format!("=\"url(#{own}-"), &format!("=\"url(#{name}-"));
         let page = canvas.page();
         let [top, width, height] = [page.y0, page.width(), page.height()].map(px);
         format!(
@@ -77,7 +87,7 @@ impl Drawing {
              <rect y=\"{top}\" width=\"{width}\" height=\"{height}\" fill=\"{WHITE}\"/>\n{}</svg>\n",
             escaped(title),
             escaped(description),
-            canvas.body(),
+            body,
         )
     }
 

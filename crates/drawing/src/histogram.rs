@@ -29,7 +29,7 @@ const CLASS: Pen = Pen { width: 1.0, ..OUTLINE[0] };
 pub struct HistogramPicture {
     /// What is distributed, with its unit.
     pub title: String,
-    /// The line below it.
+    /// The lines below it.
     pub subtitle: String,
     /// What a reader who cannot see it has to be told. The labels of the lines are added to it.
     pub description: String,

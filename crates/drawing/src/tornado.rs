@@ -28,7 +28,7 @@ const BELOW: f64 = 42.0;
 pub struct TornadoPicture {
     /// The result, with its unit.
     pub title: String,
-    /// The line below it.
+    /// The lines below it.
     pub subtitle: String,
     /// What a reader who cannot see it has to be told.
     pub description: String,

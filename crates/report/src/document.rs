@@ -62,6 +62,13 @@ pub(crate) enum Block {
         units: Units,
     },
     Drawing(Box<Drawing>),
+    /// A drawing in HTML; elsewhere the table that says the same, where there is one.
+    Chart {
+        /// Its own among the drawings of the page, for [`Drawing::svg_named`].
+        name: String,
+        drawing: Box<Drawing>,
+        instead: Option<Table>,
+    },
     /// A drawing that is a file of its own beside a page of Markdown.
     Picture {
         file: &'static str,

@@ -9,8 +9,14 @@ pub(crate) use html::write as html;
 pub(crate) use markdown::write as markdown;
 pub(crate) use text::write as text;
 
+use crate::document::Block;
 use crate::steps::Step;
 use crate::units::Units;
+
+/// Whether only HTML has a block: a picture that says what tables say too.
+fn is_for_html_alone(block: &Block) -> bool {
+    matches!(block, Block::Chart { instead: None, .. })
+}
 
 /// A step as lines of plain text: what it is, its equation, the numbers in it, and the value.
 fn step_lines(step: &Step, units: Units) -> Vec<String> {

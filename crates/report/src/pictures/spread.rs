@@ -2,10 +2,12 @@
 
 use ::drawing::{Axis, Drawing, HistogramMark, HistogramPicture, TornadoBar, TornadoPicture};
 use ::uncertainty::{Bar, End};
-use analysis::{UncertainOutput, Uncertainty};
+use analysis::{UncertainInput, UncertainOutput, Uncertainty};
+use case::Case;
 
-use crate::outputs::{Histogram, output_name, pictured};
-use crate::units::{Units, number};
+use super::title;
+use crate::outputs::{Histogram, method_name, output_name, pictured};
+use crate::units::{Units, number, significant};
 
 /// Classes of a histogram.
 const CLASSES: u32 = 40;
@@ -19,10 +21,29 @@ fn output(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<(&Unc
     Some((output, format!("{}, {}", output_name(output.output), units.name(pictured(output.output)))))
 }
 
+/// What the numbers of a plot can be reproduced from: the line below its own.
+fn origin(case: &Case, uncertainty: &Uncertainty) -> String {
+    let settings = &uncertainty.settings;
+    format!(
+        "{}. deltav {}, method {}, {} samples, seed {}",
+        title(case),
+        env!("CARGO_PKG_VERSION"),
+        method_name(settings.method),
+        number_of(uncertainty.propagation.evaluated()),
+        settings.seed
+    )
+}
+
+/// With commas.
+#[expect(clippy::cast_precision_loss, reason = "a count to print")]
+fn number_of(count: usize) -> String {
+    number(count as f64, 0)
+}
+
 /// The middle 99 % of the samples of an output, with its 95 % interval and its central value. `None` where
 /// the samples do not differ, and where there is no such output.
 #[must_use]
-pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<Drawing> {
+pub fn histogram(case: &Case, uncertainty: &Uncertainty, place: usize, units: Units) -> Option<Drawing> {
     let (output, name) = output(uncertainty, place, units)?;
     let summary = uncertainty.propagation.summaries().get(place).copied().flatten()?;
     let column = uncertainty.propagation.columns().get(place)?;
@@ -34,12 +55,12 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Optio
     #[expect(clippy::cast_precision_loss, reason = "a share to draw")]
     let shares: Vec<f64> =
         counts.iter().map(|&count| 100.0 * count as f64 / summary.samples as f64).collect();
-    let samples = format!("the middle 99 % of {} samples", summary.samples);
+    let samples = format!("the middle 99 % of {} samples", number_of(summary.samples));
     let most = shares.iter().copied().fold(0.0, f64::max);
     let mark = |value: f64, lead: &str| HistogramMark { value, lead: lead.to_owned() };
     let [_, _, ninety_five, _] = summary.intervals;
     let picture = HistogramPicture {
-        subtitle: format!("Histogram: {samples}"),
+        subtitle: format!("Histogram: {samples}\n{}", origin(case, uncertainty)),
         description: format!(
             "{name}: {samples}, in {CLASSES} classes, of which the fullest has {} % of the samples. Ends of the 95 % interval and central value:",
             number(most, 1)
@@ -62,7 +83,7 @@ pub fn histogram(uncertainty: &Uncertainty, place: usize, units: Units) -> Optio
 /// What each input alone does to an output, from its 2.5 % to its 97.5 % quantile, the longest bars first.
 /// `None` where there is no such output.
 #[must_use]
-pub fn tornado(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<Drawing> {
+pub fn tornado(case: &Case, uncertainty: &Uncertainty, place: usize, units: Units) -> Option<Drawing> {
     let (output, name) = output(uncertainty, place, units)?;
     let value = |end: &End| {
         let outputs = end.outputs.as_ref().ok()?;
@@ -77,7 +98,7 @@ pub fn tornado(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<
         .map(|bar| {
             let ends = [value(&bar.low), value(&bar.high)];
             TornadoBar {
-                name: path(uncertainty, bar).to_owned(),
+                name: input_with_range(&uncertainty.inputs[bar.input], bar),
                 ends,
                 labels: of_bar(ends, output.central, print),
                 remark: ends.contains(&None).then(|| NO_ANSWER.to_owned()),
@@ -101,7 +122,8 @@ pub fn tornado(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<
     };
     let picture = TornadoPicture {
         subtitle: format!(
-            "Tornado: what each input alone does, from its 2.5 % to its 97.5 % quantile{of_all}"
+            "Tornado: what each input alone does, from its 2.5 % to its 97.5 % quantile{of_all}\n{}",
+            origin(case, uncertainty)
         ),
         description: format!(
             "{name}: {central_label}. At the low and the high end of each input alone: {}.",
@@ -117,9 +139,51 @@ pub fn tornado(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<
     Some(picture.draw())
 }
 
-/// The input of a bar.
-fn path<'a>(uncertainty: &'a Uncertainty, bar: &Bar) -> &'a str {
-    &uncertainty.inputs[bar.input].input.path
+/// An input and its ends, in the unit of the file.
+fn input_with_range(input: &UncertainInput, bar: &Bar) -> String {
+    let name = input_in_words(&input.input.path);
+    let [low, high] = [&bar.low, &bar.high].map(|end| significant(end.input, 4));
+    let unit = input.input.unit.map_or_else(String::new, |unit| format!(" {unit}"));
+    format!("{name}: {low} to {high}{unit}")
+}
+
+/// Keys of the case file below a vehicle or a table, and what a reader who does not know the file calls them.
+/// Others are read as they are spelled.
+const WORDS: [(&str, &str); 13] = [
+    ("yaw_radius", "radius of gyration"),
+    ("contact.distance", "distance of the contact point"),
+    ("contact.angle", "angle of the contact point"),
+    ("contact.x", "contact point, forward"),
+    ("contact.y", "contact point, sideways"),
+    ("crush.width", "damage width"),
+    ("crush.offset", "damage offset"),
+    ("crush.pdof", "PDOF"),
+    ("crush_plane", "crush plane"),
+    ("tangential.ratio", "impulse ratio"),
+    ("tangential.fraction", "fraction of the critical impulse ratio"),
+    ("tangential.friction", "friction"),
+    ("moment_restitution", "moment restitution"),
+];
+
+/// `vehicle1.crush.depths[2]` is the crush depth C2 of vehicle 1.
+fn input_in_words(path: &str) -> String {
+    let (table, key) = path.split_once('.').unwrap_or(("", path));
+    let of = table.strip_prefix("vehicle").map_or_else(String::new, |number| format!(", vehicle {number}"));
+    let station = |lead: &str, letter: &str| {
+        let number = key.strip_prefix(lead)?.strip_prefix('[')?.strip_suffix(']')?;
+        Some(format!("{letter}{number}"))
+    };
+    let name = if let Some(depth) = station("crush.depths", "C") {
+        format!("crush depth {depth}")
+    } else if let Some(width) = station("crush.spacing", "w") {
+        format!("width {width} between stations")
+    } else if let Some((_, words)) = WORDS.iter().find(|(known, _)| *known == key) {
+        (*words).to_owned()
+    } else {
+        let key = key.strip_prefix("crush.").unwrap_or(key);
+        key.replace(['_', '.'], " ")
+    };
+    format!("{name}{of}")
 }
 
 /// The labels of a bar of a tornado from what its two ends give to the central value: each with the end that
@@ -141,7 +205,23 @@ fn of_bar(ends: [Option<f64>; 2], central: f64, print: impl Fn(f64) -> String) -
 
 #[cfg(test)]
 mod tests {
-    use super::of_bar;
+    use super::{input_in_words, of_bar};
+
+    #[test]
+    fn inputs_have_names_that_a_reader_knows() {
+        for (path, name) in [
+            ("vehicle1.crush.depths[2]", "crush depth C2, vehicle 1"),
+            ("vehicle2.crush.spacing[1]", "width w1 between stations, vehicle 2"),
+            ("vehicle2.contact.angle", "angle of the contact point, vehicle 2"),
+            ("vehicle1.crush.stiffness.A", "stiffness A, vehicle 1"),
+            ("vehicle1.crush.stiffness.test.no_damage_speed", "stiffness test no damage speed, vehicle 1"),
+            ("vehicle2.yaw_inertia", "yaw inertia, vehicle 2"),
+            ("impact.crush_plane", "crush plane"),
+            ("impact.restitution", "restitution"),
+        ] {
+            assert_eq!(input_in_words(path), name);
+        }
+    }
 
     #[test]
     fn a_bar_prints_no_value_twice() {

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use ::drawing::Drawing;
 use ::uncertainty::{Bar, End, Estimate, Index, SamplingMethod, Shape, Summary};
 use analysis::{Output, REASONS, Reason, UncertainInput, UncertainOutput, Uncertainty};
 use case::Case;
@@ -9,6 +10,7 @@ use crash3::principal_angle;
 
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::outputs::{Histogram, method_name, output_name, output_quantity};
+use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
 
@@ -39,12 +41,13 @@ fn quantity(output: Output) -> Measure {
 /// stands.
 #[must_use]
 pub fn uncertainty(case: &Case, uncertainty: &Uncertainty, units: Units) -> Document {
-    let mut page = Page { uncertainty, units, document: Document::new() };
+    let mut page = Page { case, uncertainty, units, document: Document::new() };
     page.document.title(case);
     page.head();
     page.results();
     page.intervals();
     page.histogram();
+    page.histograms_of_delta_v();
     page.tornado();
     page.indices();
     page.inputs();
@@ -54,6 +57,7 @@ pub fn uncertainty(case: &Case, uncertainty: &Uncertainty, units: Units) -> Docu
 }
 
 struct Page<'a> {
+    case: &'a Case,
     uncertainty: &'a Uncertainty,
     units: Units,
     document: Document,
@@ -280,12 +284,34 @@ impl<'a> Page<'a> {
         }
         let [below, above] = histogram.outside.map(|count| share(count, summary.samples));
         table.notes.push(format!("{below} % lie below and {above} % above."));
-        self.document.push(table);
+        match pictures::histogram(self.case, self.uncertainty, 0, self.units) {
+            Some(drawing) => self.chart(0, drawing, Some(table)),
+            None => self.document.push(table),
+        }
+    }
+
+    /// Where there are pictures: of both vehicles, besides that of the first output.
+    fn histograms_of_delta_v(&mut self) {
+        for (place, (output, _)) in self.rows().into_iter().enumerate().skip(1) {
+            if output.output.key() == "delta_v"
+                && let Some(drawing) = pictures::histogram(self.case, self.uncertainty, place, self.units)
+            {
+                self.chart(place, drawing, None);
+            }
+        }
+    }
+
+    fn chart(&mut self, place: usize, drawing: Drawing, instead: Option<Table>) {
+        let name = format!("{}-{place}", drawing.name());
+        self.document.push(Block::Chart { name, drawing: Box::new(drawing), instead });
     }
 
     /// Of the first output.
     fn tornado(&mut self) {
         let Some(&(output, _)) = self.rows().first() else { return };
+        if let Some(drawing) = pictures::tornado(self.case, self.uncertainty, 0, self.units) {
+            self.chart(0, drawing, None);
+        }
         let title = format!("Main drivers: {}", output_name(output.output));
         let alone = quantity(output.output);
         let unit = self.units.name(alone);

@@ -1,5 +1,6 @@
 //! A document as HTML.
 
+use ::drawing::Drawing;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::{anchor, code_spans};
@@ -139,13 +140,19 @@ fn block(block: &Block) -> Markup {
         },
         Block::Table(table) => self::table(table),
         Block::Steps { group, units } => steps(group, *units),
-        Block::Drawing(drawing) | Block::Picture { drawing, .. } => html! {
-            figure {
-                (PreEscaped(drawing.svg()))
-                figcaption { (drawing.title()) }
-            }
-        },
+        Block::Drawing(drawing) | Block::Picture { drawing, .. } => figure(drawing, drawing.name()),
+        Block::Chart { name, drawing, .. } => figure(drawing, name),
         Block::Listing { text, .. } => html! { pre { code { (text) } } },
+    }
+}
+
+/// A drawing with an `id` of its own.
+fn figure(drawing: &Drawing, name: &str) -> Markup {
+    html! {
+        figure {
+            (PreEscaped(drawing.svg_named(name)))
+            figcaption { (drawing.title()) }
+        }
     }
 }
 

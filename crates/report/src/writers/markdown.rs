@@ -1,11 +1,11 @@
 //! A document as Markdown.
 
-use super::{anchor, code_spans, step_lines};
+use super::{anchor, code_spans, is_for_html_alone, step_lines};
 use crate::document::{Block, Cells, Column, Row, Table};
 
 /// The document as Markdown.
 pub(crate) fn write(blocks: &[Block]) -> String {
-    let blocks: Vec<String> = blocks.iter().map(block).collect();
+    let blocks: Vec<String> = blocks.iter().filter(|block| !is_for_html_alone(block)).map(block).collect();
     blocks.join("\n")
 }
 
@@ -45,7 +45,8 @@ fn block(block: &Block) -> String {
         Block::Entries(entries) => {
             entries.iter().map(|(words, value)| format!("- {}: {}\n", escaped(words), prose(value))).collect()
         }
-        Block::Table(table) => self::table(table),
+        Block::Table(table) | Block::Chart { instead: Some(table), .. } => self::table(table),
+        Block::Chart { instead: None, .. } => String::new(),
         Block::Steps { group, units } => {
             let lines: String = group
                 .steps

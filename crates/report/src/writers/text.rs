@@ -1,7 +1,7 @@
 //! A document as text in columns.
 
-use super::step_lines;
 use super::wrap::{hanging, wrapped};
+use super::{is_for_html_alone, step_lines};
 use crate::document::{Block, Cells, Column, Row, Table, Width};
 use crate::steps::StepGroup;
 use crate::units::Units;
@@ -17,9 +17,10 @@ const WORDS: usize = 38;
 /// The document in lines of so many columns; for a terminal, headings and answers stand out.
 pub(crate) fn write(blocks: &[Block], line: usize, terminal: bool) -> String {
     let mut page = Page { line, terminal, out: String::new() };
-    for (i, block) in blocks.iter().enumerate() {
-        let before = i.checked_sub(1).and_then(|before| blocks.get(before));
+    let mut before = None;
+    for block in blocks.iter().filter(|block| !is_for_html_alone(block)) {
         page.block(block, before);
+        before = Some(block);
     }
     page.out
 }
@@ -117,13 +118,15 @@ impl Page {
                     self.entry(words, value);
                 }
             }
-            Block::Table(table) => self.table(table, is_beneath_a_heading(block, before)),
+            Block::Table(table) | Block::Chart { instead: Some(table), .. } => {
+                self.table(table, is_beneath_a_heading(block, before));
+            }
             Block::Steps { group, units } => self.steps(group, *units),
             Block::Drawing(drawing) => {
                 let words = format!("{}: {}", drawing.name(), drawing.description());
                 self.wrapped(&words);
             }
-            Block::Picture { .. } => {}
+            Block::Picture { .. } | Block::Chart { instead: None, .. } => {}
             Block::Listing { text, .. } => text.lines().for_each(|line| self.plain(line)),
         }
     }
