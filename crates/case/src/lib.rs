@@ -197,6 +197,7 @@ pub use inputs::{
     Dimension, Dimensions, ENERGY_BASES, Evidence, Faults, Fit, GivenImpact, GivenTest, GivenVehicle,
     ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, Kind, LawName, LeftOut, Mass,
     OBLIQUE_CORRECTIONS, Outline, Pdof, Purpose, Quantity, Range, Reconstruct, ReconstructionInput,
-    Restitution, SIDES, STANDARD_GRAVITY, Spread, StiffnessForm, StiffnessLine, StiffnessSource, Text,
-    UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity, YawInertia, YawSource, acts, shown, shown_lines, word,
+    ReportHead, Restitution, SIDES, STANDARD_GRAVITY, Spread, StiffnessForm, StiffnessLine, StiffnessSource,
+    Text, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity, YawInertia, YawSource, acts, shown, shown_lines,
+    word,
 };

@@ -12,9 +12,11 @@ use crate::case_problem::CaseProblem;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::other_files;
 use crate::program::Program;
-use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, SCENE, TOP};
+use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, TOP};
 use crate::source::{Source, Spans};
-use inputs::{Axes, Case, ENERGY_BASES, FaultKind, Faults, LeftOut, Reconstruct, UNKNOWNS, contradictions};
+use inputs::{
+    Axes, Case, ENERGY_BASES, FaultKind, Faults, LeftOut, Reconstruct, ReportHead, UNKNOWNS, contradictions,
+};
 use tree::{Reader, Table};
 
 /// A case and the text that it came from.
@@ -113,6 +115,8 @@ impl<'t> Reader<'t> {
         let top = self.document(document, &TOP);
         let title = self.text(&top, "title");
         let source = self.text(&top, "source");
+        let report = self.child(&top, "report", &REPORT);
+        let report = report.map_or_else(ReportHead::default, |table| self.report_head(&table));
         let axes = self.child(&top, "scene", &SCENE).and_then(|scene| self.axes(&scene)).unwrap_or_default();
         let first = self.vehicle(&top, "vehicle1");
         let second = self.vehicle(&top, "vehicle2");
@@ -137,13 +141,19 @@ impl<'t> Reader<'t> {
             }),
         };
         let mut case =
-            Case { title, source, axes, vehicles, impact, reconstruct, ranges: Vec::new(), left_out };
+            Case { title, source, report, axes, vehicles, impact, reconstruct, ranges: Vec::new(), left_out };
         case.ranges = case.inputs().iter().filter_map(|input| self.take_range(&input.path)).collect();
         if let Some(first_too_many) = case.ranges.get(MOST_RANGES) {
             let problem = CaseProblem::TooManyRanges { count: case.ranges.len(), limit: MOST_RANGES };
             self.report_path(&first_too_many.path, problem);
         }
         Some(case)
+    }
+
+    fn report_head(&mut self, table: &Table<'t>) -> ReportHead {
+        let [analyst, date, file_number, exhibit] =
+            ["analyst", "date", "file_number", "exhibit"].map(|key| self.text(table, key));
+        ReportHead { analyst, date, file_number, exhibit }
     }
 
     fn axes(&mut self, scene: &Table<'t>) -> Option<Axes> {

@@ -194,6 +194,7 @@ pub(crate) static TOP: Schema = Schema {
             Form::Text,
             "Source of the data. For example a police report, a file number or a paper.",
         ),
+        table("report", "[report]", &REPORT),
         table("scene", "[scene]", &SCENE),
         key("vehicle1", "[vehicle1]", Form::Vehicle, "First vehicle."),
         key("vehicle2", "[vehicle2]", Form::Vehicle, "Second vehicle, or a fixed object."),
@@ -201,6 +202,23 @@ pub(crate) static TOP: Schema = Schema {
         table("reconstruct", "[reconstruct]", &RECONSTRUCT),
     ],
     rules: &[Rule::Needs(&["vehicle1", "vehicle2"])],
+};
+
+pub(crate) static REPORT: Schema = Schema {
+    place: "[report]",
+    text: "The head of the report. What it says of its making; no result depends on it.",
+    keys: &[
+        key("analyst", "analyst = \"J. Doe, P.E.\"", Form::Text, "Analyst. Who made the reconstruction."),
+        key("date", "date = \"22 November 2026\"", Form::Text, "Date of the report."),
+        key(
+            "file_number",
+            "file_number = \"2026-0417\"",
+            Form::Text,
+            "File number. The number under which you keep the matter.",
+        ),
+        key("exhibit", "exhibit = \"B-3\"", Form::Text, "Exhibit. The number of the report as an exhibit."),
+    ],
+    rules: &[],
 };
 
 pub(crate) static SCENE: Schema = Schema {
@@ -854,6 +872,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
 
 static ALL: [&Schema; 11] = [
     &TOP,
+    &REPORT,
     &SCENE,
     &VEHICLE,
     &CRUSH,

@@ -13,8 +13,8 @@ use std::path::Path;
 use case::{
     Amount, Axes, Bounds, Case, CaseFile, CaseProblem, Collision, ContactPoint, Crush, Diagnostics,
     Dimension, Evidence, Faults, Fit, GivenImpact, GivenTest, GivenVehicle, ImpactLaw, Kind, LeftOut, Mass,
-    Outline, Pdof, Program, Quantity, Reconstruct, Restitution, Spread, StiffnessForm, StiffnessLine, Text,
-    Unit, UnitSystem, Velocity, YawInertia, read_quantity, to_toml,
+    Outline, Pdof, Program, Quantity, Reconstruct, ReportHead, Restitution, Spread, StiffnessForm,
+    StiffnessLine, Text, Unit, UnitSystem, Velocity, YawInertia, read_quantity, to_toml,
 };
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
@@ -205,6 +205,7 @@ fn the_other_forms_are_read() {
     let expected = Case {
         title: None,
         source: None,
+        report: ReportHead::default(),
         axes: Axes::ZUp,
         vehicles: [vehicle, wall],
         impact: Some(GivenImpact {
@@ -1404,12 +1405,12 @@ fn any_case() -> impl Strategy<Value = Case> {
     let reconstruct = (select(vec![Unknown::Speed1, Unknown::Speed2]), select(bases))
         .prop_map(|(find, energy_basis)| Reconstruct { find, energy_basis });
     let vehicles = [any_vehicle(), any_vehicle()];
-    let texts = [option::of(words()), option::of(words())];
+    let texts = [(); 6].map(|()| option::of(words()));
     let barrier = option::of(0..2_usize);
     let axes = select(vec![Axes::ZUp, Axes::ZDown]);
     let axes = (axes, any::<[bool; 5]>());
     (texts, axes, vehicles, barrier, option::of(impact), option::of(reconstruct)).prop_map(
-        |([title, source], (axes, leaves_out), mut vehicles, barrier, impact, mut reconstruct)| {
+        |(texts, (axes, leaves_out), mut vehicles, barrier, impact, mut reconstruct)| {
             if let Some(index) = barrier {
                 let GivenVehicle { name, heading, contact, outline, .. } = vehicles[index].clone();
                 vehicles[index] =
@@ -1438,8 +1439,9 @@ fn any_case() -> impl Strategy<Value = Case> {
                     && reconstruct.is_some_and(|table| table.energy_basis == EnergyBasis::Dissipated),
                 fit: [0, 1].map(|i| fits_out[i] && has_exact_fit(&vehicles[i])),
             };
-            let [title, source] = [title, source].map(|text| text.map(Text::from));
-            Case { title, source, axes, vehicles, impact, reconstruct, ranges: Vec::new(), left_out }
+            let [title, source, analyst, date, file_number, exhibit] = texts.map(|text| text.map(Text::from));
+            let report = ReportHead { analyst, date, file_number, exhibit };
+            Case { title, source, report, axes, vehicles, impact, reconstruct, ranges: Vec::new(), left_out }
         },
     )
 }

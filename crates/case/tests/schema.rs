@@ -200,7 +200,7 @@ fn every_key_says_what_it_is() {
         assert!(text("description").len() > 10, "{path}: description");
         // The examples of a table are those of its keys; of most parts of a range, those of the key around
         // it.
-        let is_table = ["scene", "vehicle1", "vehicle2", "crush", "impact", "reconstruct"]
+        let is_table = ["report", "scene", "vehicle1", "vehicle2", "crush", "impact", "reconstruct"]
             .iter()
             .any(|table| path == *table || path.ends_with(&format!(".{table}")));
         let is_amount = key.get("$ref").is_some() || path.ends_with(".values") || key["type"] == "number";

@@ -395,13 +395,16 @@ pub(crate) struct SensitivityArguments {
     pub(crate) pdof_steps: u32,
 }
 
+/// Samples where the command line does not say: enough for three digits, in a blink.
+pub(crate) const SAMPLES: usize = 100_000;
+
 #[derive(Debug, Args)]
 pub(crate) struct UncertaintyArguments {
     #[command(flatten)]
     pub(crate) arguments: Arguments,
 
     /// Number of samples; four times as many halve the standard errors
-    #[arg(long, value_name = "N", default_value = "100000", value_parser = count)]
+    #[arg(long, value_name = "N", default_value_t = SAMPLES, value_parser = count)]
     pub(crate) samples: usize,
 
     /// Random seed

@@ -25,19 +25,18 @@ use batch::{Job, Rows};
 use case::{Case, CaseFile, Diagnostics, Text};
 use clap::Parser as _;
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use report::{Document, Drawing, DrawingError, PictureFormat, Supplement, Units};
+use report::{Document, Drawing, DrawingError, PictureFormat, Supplements, Units};
 use uncertainty::{SamplingMethod, Settings};
 use validation::{Data, Validation};
 
 /// What a command makes of a case.
 type Analyse = fn(&Case) -> Result<Analysis, Failure>;
 
-/// Samples behind the uncertainty in a report: enough for three digits, in a blink.
-const SUPPLEMENT_SAMPLES: usize = 20_000;
-/// The same in a case of very many numbers, through all of which each sample goes: at least so many samples,
-/// and more while samples times numbers remain below a second's work. The report says how many they are.
-const LEAST_SUPPLEMENT_SAMPLES: usize = 500;
-const SUPPLEMENT_NUMBERS: usize = 30_000_000;
+/// Samples behind a report on a case of very many numbers, through all of which each sample goes: at least so
+/// many, and more while samples times numbers remain below some seconds' work. The report says how many they
+/// are; on any other case they are as many as `deltav uncertainty` takes.
+const LEAST_REPORT_SAMPLES: usize = 500;
+const REPORT_NUMBERS: usize = 100_000_000;
 
 /// The files that `deltav validate --plots` writes, without their endings.
 const VALIDATION_PLOTS: [&str; 2] = ["computed-against-measured", "reconstructed-speed"];
@@ -138,9 +137,7 @@ fn report_analysis(arguments: &Arguments, analyse: Analyse) -> Result<()> {
     let document = match arguments.format {
         // In a terminal the results; the report to hand over has all steps and the case file besides.
         Format::Text | Format::Json => report::results(&file.case, &analysis, units),
-        Format::Html | Format::Markdown => {
-            report::handover(&file, &analysis, supplements(&file, &analysis, units)?, units)?
-        }
+        Format::Html | Format::Markdown => handover(&file, &analysis, units)?,
     };
     present(&document, arguments, || report::json(&file.case, &analysis))
 }
@@ -175,30 +172,32 @@ where
     }
 }
 
-/// What ranges of the case make of the answer, for a report to hand over.
-fn supplements(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec<Supplement>> {
-    if file.case.ranges.is_empty() || analysis.impact.is_none() {
-        return Ok(Vec::new());
-    }
-    let samples = supplement_samples(file.case.inputs().len());
-    let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None };
-    let uncertainty = analysis::uncertainty(&file.case, &plan, &mut |_, _, _| ControlFlow::Continue(()));
-    let uncertainty = answered(uncertainty, file, units)?;
-    let mut supplements = vec![Supplement {
-        title: "Uncertainty",
-        document: report::uncertainty(&file.case, &uncertainty, units),
-    }];
-    if analysis.found.is_some() {
+/// The report to hand over, with what the uncertain inputs make of the answer.
+fn handover(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Document> {
+    let is_uncertain = !file.case.ranges.is_empty() && analysis.impact.is_some();
+    let uncertainty = is_uncertain.then(|| {
+        let samples = report_samples(file.case.inputs().len());
+        let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None };
+        let uncertainty = analysis::uncertainty(&file.case, &plan, &mut |_, _, _| ControlFlow::Continue(()));
+        answered(uncertainty, file, units)
+    });
+    let uncertainty = uncertainty.transpose()?;
+    let sensitivity = (is_uncertain && analysis.found.is_some()).then(|| {
         let sensitivity = analysis::sensitivity(&file.case, Sweep { step: 5_f64.to_radians(), steps: 2 });
-        let sensitivity = answered(sensitivity, file, units)?;
-        let document = report::sensitivity(&file.case, &sensitivity, units);
-        supplements.push(Supplement { title: "Sensitivity", document });
-    }
-    Ok(supplements)
+        answered(sensitivity, file, units)
+    });
+    let sensitivity = sensitivity.transpose()?;
+    let validation = validation::validate(&Data::built_in())?;
+    let supplements = Supplements {
+        uncertainty: uncertainty.as_ref(),
+        sensitivity: sensitivity.as_ref(),
+        validation: Some(&validation),
+    };
+    Ok(report::handover(file, analysis, supplements, units)?)
 }
 
-fn supplement_samples(numbers: usize) -> usize {
-    (SUPPLEMENT_NUMBERS / numbers.max(1)).clamp(LEAST_SUPPLEMENT_SAMPLES, SUPPLEMENT_SAMPLES)
+fn report_samples(numbers: usize) -> usize {
+    (REPORT_NUMBERS / numbers.max(1)).clamp(LEAST_REPORT_SAMPLES, arguments::SAMPLES)
 }
 
 fn report_judgement(arguments: &Arguments) -> Result<()> {
@@ -437,7 +436,7 @@ mod tests {
 
     use crate::arguments::{Format, PlotsFormat, ValidateArguments};
 
-    use super::{NO_ANSWER, lead_and_status, read_at_most, show, supplement_samples};
+    use super::{NO_ANSWER, lead_and_status, read_at_most, report_samples, show};
 
     #[test]
     fn a_source_without_end_is_left_after_one_byte_too_many() {
@@ -446,9 +445,9 @@ mod tests {
 
     #[test]
     fn a_report_takes_fewer_samples_of_a_case_with_very_many_numbers() {
-        assert_eq!([0, 31, 1500].map(supplement_samples), [20_000; 3]);
-        assert_eq!(supplement_samples(10_000), 3000);
-        assert_eq!(supplement_samples(100_000), 500);
+        assert_eq!([0, 31, 1000].map(report_samples), [100_000; 3]);
+        assert_eq!(report_samples(10_000), 10_000);
+        assert_eq!(report_samples(1_000_000), 500);
     }
 
     #[test]

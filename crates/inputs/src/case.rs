@@ -24,6 +24,8 @@ pub struct Case<T = f64> {
     pub title: Option<Text>,
     /// Where the data come from.
     pub source: Option<Text>,
+    /// `[report]`.
+    pub report: ReportHead,
     /// `axes` of `[scene]`: the axes in which all numbers of this case are given.
     pub axes: Axes,
     /// `[vehicle1]` and `[vehicle2]`.
@@ -37,6 +39,19 @@ pub struct Case<T = f64> {
     pub ranges: Vec<Range>,
     /// Which optional words the case leaves out.
     pub left_out: LeftOut,
+}
+
+/// What the head of a report says of its making.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ReportHead {
+    /// Who made the analysis.
+    pub analyst: Option<Text>,
+    /// Of the report.
+    pub date: Option<Text>,
+    /// The number under which the matter is kept.
+    pub file_number: Option<Text>,
+    /// The number of the report as an exhibit.
+    pub exhibit: Option<Text>,
 }
 
 /// Which optional words a case leaves out. The case then holds their defaults, so no result depends on these
@@ -113,6 +128,12 @@ impl Case {
         Case {
             title: walk.text(&"title", self.title.as_ref()),
             source: walk.text(&"source", self.source.as_ref()),
+            report: ReportHead {
+                analyst: walk.text(&"report.analyst", self.report.analyst.as_ref()),
+                date: walk.text(&"report.date", self.report.date.as_ref()),
+                file_number: walk.text(&"report.file_number", self.report.file_number.as_ref()),
+                exhibit: walk.text(&"report.exhibit", self.report.exhibit.as_ref()),
+            },
             axes: walk.default(&"scene.axes", &Axes::WORDS, self.axes, axes_out),
             vehicles: [walk.vehicle(&"vehicle1", v1, fit1_out), walk.vehicle(&"vehicle2", v2, fit2_out)],
             impact: self.impact.as_ref().map(|impact| walk.impact(impact, law_out)),

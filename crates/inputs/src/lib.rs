@@ -54,7 +54,7 @@ mod walk;
 mod words;
 
 pub use axes::Axes;
-pub use case::{Case, LeftOut, Reconstruct};
+pub use case::{Case, LeftOut, Reconstruct, ReportHead};
 pub use crush::{Crush, Fit, GivenTest, Pdof, StiffnessForm, StiffnessLine};
 pub use demands::{
     Collision, CrushOnly, DamageData, Dimensions, Evidence, ImpactInput, InertiaData, InferredWidth,

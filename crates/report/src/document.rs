@@ -31,9 +31,9 @@ pub(crate) enum Block {
     Heading(String),
     Subheading(String),
     Paragraph(String),
-    /// What was found, and how.
+    /// What was found, a line each, and how.
     Answer {
-        found: String,
+        found: Vec<String>,
         how: String,
     },
     /// How many warnings there are; they stand under the heading of this name.

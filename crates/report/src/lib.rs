@@ -90,7 +90,7 @@ pub use pictures::{
     tornado,
 };
 pub use sections::comparison::comparison;
-pub use sections::handover::{Supplement, handover};
+pub use sections::handover::{Supplements, handover};
 pub use sections::judgement::judgement;
 pub use sections::results::results;
 pub use sections::sensitivity::sensitivity;

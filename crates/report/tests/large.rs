@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use analysis::Sweep;
 use case::CaseFile;
-use report::{Subject, Units};
+use report::{Subject, Supplements, Units};
 
 const STATIONS: usize = 10_000;
 
@@ -75,7 +75,7 @@ fn a_page_with_long_texts_comes_soon() {
     let file = CaseFile::parse("long.toml", &text).unwrap();
     let analysis = analysis::reconstruct(&file.case).unwrap();
     let start = Instant::now();
-    let page = report::handover(&file, &analysis, Vec::new(), Units::Us).unwrap().html();
+    let page = report::handover(&file, &analysis, Supplements::default(), Units::Us).unwrap().html();
     assert!(page.matches(name.as_str()).count() > 0);
     assert!(start.elapsed() < SOON, "{:?}", start.elapsed());
 }

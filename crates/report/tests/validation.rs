@@ -132,7 +132,7 @@ fn words(text: &str) -> String {
 #[test]
 fn the_readme_has_the_error_rate() {
     let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    let headline = report::validation_headline(&built_in());
+    let headline = report::validation_headline(&built_in(), report::Units::Si);
     assert!(words(&readme).contains(&words(&headline)), "the README has to say:\n{headline}");
 }
 
@@ -144,10 +144,12 @@ fn the_headline_is_that_of_the_speeds() {
     let mean = errors.iter().sum::<f64>() / 11.0;
     let [least, most] =
         [errors.iter().copied().fold(0.0, f64::min), errors.iter().copied().fold(0.0, f64::max)];
-    let headline = report::validation_headline(&validation);
-    assert!(mean > 0.0 && headline.contains(&format!("{mean:.1} m/s (")), "{headline}");
+    let headline = report::validation_headline(&validation, report::Units::Si);
+    // 1 m/s is 3.6 km/h.
+    let [mean, least, most] = [mean, least, most].map(|error| error * 3.6);
+    assert!(mean > 0.0 && headline.contains(&format!("{mean:.0} km/h (")), "{headline}");
     assert!(headline.contains("too high"), "{headline}");
-    assert!(headline.contains(&format!("by {least:+.1} to {most:+.1} m/s")), "{headline}");
+    assert!(headline.contains(&format!("by {least:+.0} to {most:+.0} km/h")), "{headline}");
 }
 
 #[test]

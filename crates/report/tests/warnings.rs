@@ -4,7 +4,7 @@ use analysis::{Drive, JumpSide, Magnitude, Warning};
 use case::{Axes, Kind, StiffnessSource};
 use crash3::{EnergyBasis, Side};
 use pim_core::{Switch, VehicleId};
-use report::{Units, message};
+use report::{Supplements, Units, message};
 
 #[track_caller]
 fn says(warning: &Warning, axes: Axes, words: &[&str]) {
@@ -64,7 +64,7 @@ fn no_force_has_no_ratio() {
     says(found.unwrap(), Axes::ZUp, &["follow from the crush differ: 0 lb on vehicle 1, 3,1"]);
     for output in [
         report::results(&file.case, &analysis, Units::Us).text(),
-        report::handover(&file, &analysis, Vec::new(), Units::Us).unwrap().html(),
+        report::handover(&file, &analysis, Supplements::default(), Units::Us).unwrap().html(),
         report::json(&file.case, &analysis).unwrap(),
     ] {
         let words: Vec<&str> = output.split(|c: char| !c.is_alphanumeric()).collect();

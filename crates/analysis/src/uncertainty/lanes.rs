@@ -78,6 +78,7 @@ impl Block {
         let Case {
             title: _,
             source: _,
+            report: _,
             axes,
             vehicles: [one, two],
             impact,

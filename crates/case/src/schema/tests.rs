@@ -105,6 +105,7 @@ fn documentation() -> String {
     let mut page = HEAD.to_owned();
     let tables = [
         &TOP,
+        &REPORT,
         &SCENE,
         &VEHICLE,
         &VELOCITY,

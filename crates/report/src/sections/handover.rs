@@ -3,30 +3,36 @@
 mod inputs;
 
 use ::drawing::Drawing;
-use analysis::{Analysis, Found, Impact, Seen};
-use case::{Axes, CaseFile};
+use analysis::{Analysis, Impact, Output, Seen, Sensitivity, Uncertainty};
+use case::{Axes, CaseFile, ReportHead};
 use crash3::EnergyBasis;
 use pim_core::VehicleId;
 use sha2::{Digest as _, Sha256};
+use validation::Validation;
 
 use super::chosen::Chosen;
 use super::results::search;
 use crate::document::{Block, Document, Table};
 use crate::pictures::{DrawingError, Subject, drawing};
 use crate::steps::steps;
+use crate::units::{Measure, number};
 use crate::{Units, axes, checks, energy, law, warnings, words};
 
-/// A part of the report that is a document of its own, such as that of `deltav uncertainty`.
-#[derive(Clone, Debug)]
-pub struct Supplement {
-    /// Its heading.
-    pub title: &'static str,
-    /// What it says.
-    pub document: Document,
+/// What a report shows besides the analysis itself.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Supplements<'a> {
+    /// What the uncertain inputs of the case make of its results.
+    pub uncertainty: Option<&'a Uncertainty>,
+    /// How the results follow each input.
+    pub sensitivity: Option<&'a Sensitivity>,
+    /// How far the program is off where the truth is known.
+    pub validation: Option<&'a Validation>,
 }
 
 /// Over the warnings and what the analysis rests on.
 const WARNINGS: &str = "Warnings and assumptions";
+const UNCERTAINTY: &str = "Uncertainty";
+const ERROR_RATE: &str = "Known error rate";
 
 /// The report to hand over. As HTML it has all drawings; as Markdown it says what they show, and `deltav
 /// draw` makes them.
@@ -36,17 +42,25 @@ const WARNINGS: &str = "Warnings and assumptions";
 pub fn handover(
     file: &CaseFile,
     analysis: &Analysis,
-    supplements: Vec<Supplement>,
+    supplements: Supplements<'_>,
     units: Units,
 ) -> Result<Document, DrawingError> {
     let case = &file.case;
     let seen = &analysis.seen(case.axes);
+    let Supplements { uncertainty, sensitivity, validation } = supplements;
     let mut page = Document::new();
     page.title(case);
-    page.push(Block::Answer { found: answer(analysis, units), how: String::new() });
+    page.push(answer(analysis, supplements, units));
     page.blocks.extend(warnings::notice(&seen.warnings, Some(WARNINGS)));
     page.push(Block::Facts { title: "Identification", facts: identification(file, analysis) });
     page.push(results(seen, units));
+    if let Some(uncertainty) = uncertainty {
+        page.part(UNCERTAINTY, super::uncertainty::uncertainty(case, uncertainty, units));
+    }
+    if let Some(validation) = validation {
+        page.heading(ERROR_RATE);
+        page.blocks.extend(error_rate(analysis, validation, units).into_iter().map(Block::Paragraph));
+    }
     let drawings = drawings(file, analysis, units)?;
     if !drawings.is_empty() {
         page.heading("Drawings");
@@ -72,20 +86,26 @@ pub fn handover(
         page.heading("Energy balance");
         page.push(energy_balance(seen, impact, units));
     }
-    if let Some(table) = crash3(seen, units) {
-        page.heading("Comparison with CRASH3");
-        page.push(table);
-    }
     if let Some(checks) = checks::table(seen, units) {
         page.heading(checks.title.clone());
         page.push(Table { title: "What was given against what was computed".to_owned(), ..checks });
     }
-    for Supplement { title, document } in supplements {
-        page.part(title, document);
+    if let Some(sensitivity) = sensitivity {
+        page.part("Sensitivity", super::sensitivity::sensitivity(case, sensitivity, units));
     }
     page.heading(WARNINGS);
     page.push(warnings::block(&seen.warnings, units));
     page.push(Block::List(assumptions(file, analysis, units)));
+    if let Some(table) = crash3(seen, units) {
+        page.heading("Appendix: ΔV by CRASH3's formulas");
+        if seen.impact.is_some() {
+            page.paragraph(
+                "The ΔV of this report is that of planar impact mechanics, the first row. CRASH3's formulas \
+                 stand here for comparison only.",
+            );
+        }
+        page.push(table);
+    }
     page.heading("Case file");
     let name = file.source.name();
     page.paragraph(format!(
@@ -115,35 +135,110 @@ fn identification(file: &CaseFile, analysis: &Analysis) -> Vec<(&'static str, St
         (None, Some(_)) => "impact, computed forward from both speeds",
         (None, None) => "damage alone (CRASH3)",
     };
-    vec![
+    let ReportHead { analyst, date, file_number, exhibit } = &file.case.report;
+    let head = [("Analyst", analyst), ("Date", date), ("File number", file_number), ("Exhibit", exhibit)];
+    let head = head.into_iter().filter_map(|(name, text)| Some((name, text.as_ref()?.to_string())));
+    let mut facts: Vec<_> = head.collect();
+    facts.extend([
         ("Case", words::title(&file.case)),
         ("Case file", file.source.name().to_string()),
         ("SHA-256 of the case file", sha256(file.source.text())),
         ("Analysis", kind.to_owned()),
         ("Program", format!("deltav {}", env!("CARGO_PKG_VERSION"))),
-    ]
+    ]);
+    facts
 }
 
 fn sha256(text: &str) -> String {
     Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn answer(analysis: &Analysis, units: Units) -> String {
-    let found = |found: &Found| {
-        format!("Speed of vehicle {} before impact: {}.", found.unknown.vehicle(), units.speed(found.speed))
+/// What was found, with its interval first where the inputs have one.
+fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Block {
+    let intervals = supplements.uncertainty.map(|uncertainty| Intervals { uncertainty, units });
+    let said = |output: Output, si: f64| {
+        let interval = intervals.as_ref().and_then(|intervals| intervals.of(output));
+        match interval {
+            Some(interval) => format!("{interval}; central value {}", units.speed(si)),
+            None => units.speed(si),
+        }
     };
-    match (&analysis.found, &analysis.impact, &analysis.crash3) {
-        (Some(answer), ..) => found(answer),
-        (None, Some(impact), _) => {
-            let [first, second] = impact.outcome.delta_v_magnitude().map(|dv| units.speed(dv));
-            format!("Velocity changes: {first} of vehicle 1 and {second} of vehicle 2.")
-        }
-        (None, None, Some(crash3)) => {
-            let [first, second] = crash3.delta_v.map(|dv| units.speed(dv));
-            format!("CRASH3's velocity changes: {first} of vehicle 1 and {second} of vehicle 2.")
-        }
-        (None, None, None) => "The damage gives the crush energies below.".to_owned(),
+    let changes = |values: [f64; 2]| {
+        VehicleId::ALL
+            .into_iter()
+            .filter(|&id| analysis.moves(id))
+            .map(|id| {
+                format!("ΔV of vehicle {id}: {}.", said(Output::DeltaV { vehicle: id }, values[id.index()]))
+            })
+            .collect::<Vec<_>>()
+    };
+    let mut found = Vec::new();
+    if let Some(answer) = &analysis.found {
+        let vehicle = answer.unknown.vehicle();
+        let speed = said(Output::Speed { vehicle }, answer.speed);
+        found.push(format!("Speed of vehicle {vehicle} before impact: {speed}."));
     }
+    match (&analysis.impact, &analysis.crash3) {
+        (Some(impact), _) => found.extend(changes(impact.outcome.delta_v_magnitude())),
+        (None, Some(crash3)) => found.extend(changes(crash3.delta_v)),
+        (None, None) => found.push("The damage gives the crush energies below.".to_owned()),
+    }
+    let interval = if intervals.is_some() {
+        format!(
+            "The intervals follow from the uncertain inputs of the case; \"{UNCERTAINTY}\" says what they \
+             cover and what they leave out."
+        )
+    } else {
+        "The inputs of the case are taken as exact, so these figures have no interval.".to_owned()
+    };
+    let rate = match supplements.validation {
+        Some(_) => format!(" \"{ERROR_RATE}\" says how far the method is off on staged collisions."),
+        None => String::new(),
+    };
+    Block::Answer { found, how: interval + &rate }
+}
+
+/// The intervals of the outputs in words.
+struct Intervals<'a> {
+    uncertainty: &'a Uncertainty,
+    units: Units,
+}
+
+impl Intervals<'_> {
+    /// `45.8 to 58.0 mph (95 %)`; `None` of an output that does not vary.
+    fn of(&self, output: Output) -> Option<String> {
+        let Uncertainty { outputs, propagation, .. } = self.uncertainty;
+        let place = outputs.iter().position(|other| other.output == output)?;
+        let summary = propagation.summaries().get(place)?.as_ref()?;
+        let interval = summary.intervals.iter().find(|interval| interval.level == LEAD)?;
+        if !outputs.get(place)?.varies(summary.sd.value) {
+            return None;
+        }
+        let [low, high] =
+            [interval.low, interval.high].map(|end| self.units.value(Measure::RoadSpeed, end.value));
+        let percent = 100.0 * LEAD;
+        let unit = self.units.name(Measure::RoadSpeed);
+        Some(format!("{} to {} {unit} ({percent} % interval)", number(low, 1), number(high, 1)))
+    }
+}
+
+/// (–) the level of the interval that the report leads with.
+const LEAD: f64 = 0.95;
+
+/// What the comparison with staged collisions says of the program, for this analysis.
+fn error_rate(analysis: &Analysis, validation: &Validation, units: Units) -> Vec<String> {
+    let of_speeds = analysis.found.is_none().then(|| {
+        "This report reconstructs no speed; the error rate below is that of speeds which the program \
+         reconstructs from damage."
+            .to_owned()
+    });
+    let own = of_speeds.into_iter().chain([
+        super::validation::validation_headline(validation, units),
+        "`deltav validate` repeats the comparison and prints its data, case by case: the RICSAC collisions of \
+         SAE 871993 and SAE 980025. The intervals of this report do not contain this error."
+            .to_owned(),
+    ]);
+    own.collect()
 }
 
 fn method(analysis: &Analysis, axes: Axes) -> Vec<String> {

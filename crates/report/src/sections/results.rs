@@ -19,7 +19,7 @@ pub fn results(case: &Case, analysis: &Analysis, units: Units) -> Document {
     let mut page = Page { units, axes: case.axes, document: Document::new().with_columns([88, 120]) };
     page.document.title(case);
     if let Some(found) = &analysis.found {
-        page.found(found, analysis.basis);
+        page.found(found, analysis);
     }
     // Many read no further than the first screen.
     page.document.blocks.extend(warnings::notice(&analysis.warnings, None));
@@ -51,11 +51,11 @@ const VEHICLES: [&str; 3] = ["vehicle 1", "vehicle 2", ""];
 const SOURCED: [&str; 3] = ["vehicle 1", "vehicle 2", "source"];
 
 impl Page {
-    fn found(&mut self, found: &Found, basis: EnergyBasis) {
+    fn found(&mut self, found: &Found, analysis: &Seen) {
         let vehicle = found.unknown.vehicle();
         let units = self.units;
         let energy = |si: f64| units.format(Measure::Energy, si);
-        let work = match basis {
+        let work = match analysis.basis {
             EnergyBasis::Dissipated => format!(
                 "equals the crush energy, {}, which the normal impulse dissipates",
                 energy(found.crush_energy)
@@ -72,8 +72,15 @@ impl Page {
             several => format!("{several} admissible speeds"),
         };
         let method = search(found);
+        let delta_v = analysis.impact.iter().flat_map(|impact| {
+            let magnitudes = impact.outcome.delta_v_magnitude();
+            let of = |id: &VehicleId| format!("ΔV of vehicle {id}: {}", units.speed(magnitudes[id.index()]));
+            VehicleId::ALL.iter().filter(|id| analysis.moves(**id)).map(of).collect::<Vec<_>>()
+        });
         self.document.push(Block::Answer {
-            found: format!("Speed of vehicle {vehicle}: {}", units.speed(found.speed)),
+            found: std::iter::once(format!("Speed of vehicle {vehicle}: {}", units.speed(found.speed)))
+                .chain(delta_v)
+                .collect(),
             how: format!(
                 "At this speed the work of the normal impulse {work}. {roots}, found {method} (theory 6)."
             ),
@@ -399,6 +406,13 @@ impl Page {
         });
         self.document.push(table);
         let mut table = Table::of_two("CRASH3 by vehicle", SOURCED);
+        if analysis.impact.is_some() {
+            table.notes.push(
+                "The ΔV of this reconstruction is that of the impact, above. CRASH3's formulas are for \
+                 comparison."
+                    .to_owned(),
+            );
+        }
         // A fixed object has no arm and no ΔV.
         let pair = |values: [String; 2]| {
             let [first, second] = values;

@@ -6,7 +6,7 @@ use validation::{
 
 use crate::document::{Block, Column, Document, Table, Width};
 use crate::pictures::{computed_against_measured, reconstructed_speed};
-use crate::units::number;
+use crate::units::{Measure, Units, number};
 
 /// Reasons and misprints, numbered in the order in which the page comes upon them.
 #[derive(Default)]
@@ -113,30 +113,29 @@ fn heading(words: &str) -> Block {
 
 /// How far reconstructed speeds are from true ones, and why: the paragraph that stands in the README.
 #[must_use]
-pub fn validation_headline(validation: &Validation) -> String {
+pub fn validation_headline(validation: &Validation, units: Units) -> String {
     let errors = &validation.speed_errors;
     let [rate, share] = [errors.profiles, errors.profiles_relative];
-    let [least, most] = rate.range;
-    let [low, high] = rate.limits;
+    let road = |si: f64| signed(units.value(Measure::RoadSpeed, si), 0);
+    let size = |si: f64| road(si.abs()).replace('+', "");
+    let unit = units.name(Measure::RoadSpeed);
+    let [least, most] = rate.range.map(road);
+    let [low, high] = rate.limits.map(road);
     let trip = errors.round_trip_relative.range.map(f64::abs);
     let direction = if rate.mean < 0.0 { "low" } else { "high" };
     format!(
         "Over {} staged collisions, the speed of vehicle 1 was reconstructed from the published crush profiles with \
-         CRASH3's stiffness. On average it is {} m/s ({} %) too {direction}; single collisions are off by {} to {} m/s \
-         ({} to {}), with an rms error of {} m/s. For a further collision, expect an error between {} and {} m/s (95 % \
-         prediction interval). With the energies that SAE 871993 publishes for the same impacts, the program finds the \
-         true speeds within {} %. That checks only the solution, because the contact points were solved back from these \
-         energies.",
+         CRASH3's stiffness. On average it is {} {unit} ({} %) too {direction}; single collisions are off by {least} to \
+         {most} {unit} ({} to {}), with an rms error of {} {unit}. For a further collision, expect an error between {low} \
+         and {high} {unit} (95 % prediction interval). With the energies that SAE 871993 publishes for the same impacts, \
+         the program finds the true speeds within {} %. That checks only the solution, because the contact points were \
+         solved back from these energies.",
         rate.count,
-        number(rate.mean.abs(), 1),
+        size(rate.mean),
         number(100.0 * share.mean.abs(), 0),
-        signed(least, 1),
-        signed(most, 1),
         percent(share.range[0], 0),
         percent(share.range[1], 0),
-        number(rate.rms, 1),
-        signed(low, 1),
-        signed(high, 1),
+        size(rate.rms),
         number(trip[0].max(trip[1]) * 100.0, 1),
     )
 }
@@ -153,7 +152,7 @@ fn blocks(validation: &Validation) -> Vec<Block> {
     let mut notes = Notes::default();
     let mut blocks = vec![
         Block::Title { title: "Validation on the RICSAC staged collisions".to_owned(), source: None },
-        paragraph(validation_headline(validation)),
+        paragraph(validation_headline(validation, Units::Si)),
     ];
     blocks.extend(verdict(validation));
     blocks.extend(error_rates(validation));

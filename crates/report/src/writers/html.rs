@@ -93,7 +93,7 @@ fn block(block: &Block) -> Markup {
         Block::Subheading(heading) => html! { h3 { (heading) } },
         Block::Paragraph(words) => html! { p { (prose(words)) } },
         Block::Answer { found, how } => html! {
-            p.answer { (found) }
+            p.answer { @for (i, line) in found.iter().enumerate() { @if i > 0 { br; } (line) } }
             @if !how.is_empty() { p { (prose(how)) } }
         },
         Block::Notice { count, heading } => html! {

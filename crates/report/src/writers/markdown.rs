@@ -21,7 +21,8 @@ fn block(block: &Block) -> String {
         Block::Paragraph(words) => format!("{}\n", prose(words)),
         Block::Answer { found, how } => {
             let how = if how.is_empty() { String::new() } else { format!("\n{}\n", prose(how)) };
-            format!("**{}**\n{how}", escaped(found))
+            let found: Vec<String> = found.iter().map(|line| format!("**{}**", escaped(line))).collect();
+            format!("{}\n{how}", found.join("\\\n"))
         }
         Block::Notice { count, heading } => match heading {
             Some(heading) => format!("[{count}](#{}), at the end.\n", anchor(heading)),

@@ -86,7 +86,7 @@ impl Page {
             Block::Subheading(heading) => self.marked(BOLD, heading),
             Block::Paragraph(words) => self.wrapped(words),
             Block::Answer { found, how } => {
-                self.marked(BOLD, found);
+                self.marked(BOLD, &found.join("\n"));
                 self.wrapped(how);
             }
             Block::Notice { count, .. } => self.marked(YELLOW, &format!("{count}, at the end.")),

@@ -143,7 +143,12 @@ fn readme(ledger: &mut Ledger) {
         both(FOOT, 2, [of("/crash3/delta_v/0"), of("/crash3/delta_v/1")])
     ));
     let validation = validation::validate(&validation::Data::built_in()).unwrap();
-    ledger.made(report::validation_headline(&validation).split_whitespace().collect::<Vec<_>>().join(" "));
+    ledger.made(
+        report::validation_headline(&validation, report::Units::Si)
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" "),
+    );
 }
 
 fn conventions(ledger: &mut Ledger) {
