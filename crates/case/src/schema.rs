@@ -870,7 +870,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
 };
 
-static ALL: [&Schema; 11] = [
+static ALL: [&Schema; 12] = [
     &TOP,
     &REPORT,
     &SCENE,
