@@ -54,9 +54,10 @@ pub use judgement::{Ability, Assumption, Judgement, assumptions, judge, nearest_
 pub use quantities::{Kind, Of, OutputQuantity, QUANTITIES, Values, quantity};
 pub use seen::{Seen, SeenWarning};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
-pub use thresholds::FAST_CLOSING;
+pub use thresholds::{FAST_CLOSING, HIGH_RESTITUTION};
 pub use uncertainty::{
-    Plan, REASONS, Reason, Stage, UncertainInput, UncertainOutput, Uncertainty, uncertainty,
+    Doubt, Doubtful, ExactValue, Plan, REASONS, Reason, Stage, TakenAsExact, UncertainInput, UncertainOutput,
+    Uncertainty, uncertainty,
 };
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 

@@ -242,7 +242,7 @@ fn derivatives(case: &Case, nominal: &Analysis) -> Result<Vec<Derivative>, Failu
         .collect();
     let gradients = gradients(case, nominal, &outputs)?;
     let mut derivatives = Vec::new();
-    for (i, input) in case.inputs().into_iter().enumerate() {
+    for (i, input) in case.variables().into_iter().enumerate() {
         for (&output, gradient) in outputs.iter().zip(&gradients) {
             let (output_value, value) = (gradient.value, gradient.by[i]);
             derivatives.push(Derivative { output, output_value, input: input.clone(), value });
@@ -258,13 +258,13 @@ fn derivatives(case: &Case, nominal: &Analysis) -> Result<Vec<Derivative>, Failu
     Ok(derivatives)
 }
 
-/// Each output, and its derivatives by all inputs of the case (SI per SI).
+/// Each output, and its derivatives by all variables of the case (SI per SI).
 pub(crate) fn gradients(
     case: &Case,
     nominal: &Analysis,
     outputs: &[Output],
 ) -> Result<Vec<Gradient>, Failure> {
-    let inputs = case.inputs();
+    let inputs = case.variables();
     let mut numbers: Vec<f64> = inputs.iter().map(|input| input.number).collect();
     // The speed found is an input too: the last.
     numbers.extend(nominal.found.as_ref().map(|found| found.speed));

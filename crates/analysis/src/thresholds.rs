@@ -9,7 +9,7 @@ pub(crate) const FORCE_RATIO: f64 = 2.0;
 pub(crate) const PDOF_DIFFERENCE: f64 = 10.0 * PI / 180.0;
 /// Restitution falls with closing speed: above [`FAST_CLOSING`], more than this is not seen in vehicle
 /// collisions.
-pub(crate) const HIGH_RESTITUTION: f64 = 0.3;
+pub const HIGH_RESTITUTION: f64 = 0.3;
 /// (m/s) see [`CheckedQuantity::Restitution`](crate::CheckedQuantity::Restitution)
 pub const FAST_CLOSING: f64 = 15.0;
 /// How far the work of the normal impulse may be from the crush energy.

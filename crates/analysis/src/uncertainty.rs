@@ -1,20 +1,27 @@
 //! Propagates the ranges of a case to its results.
 
+mod doubts;
+mod exact;
 mod lanes;
 
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
 use ::uncertainty::{
-    Distribution, FirstOrder, InvalidDistribution, LANES, Lanes, Model, Progress, Propagation, Settings,
-    TORNADO_PROBABILITIES, Tornado, Truncation,
+    Distribution, FirstOrder, InvalidDistribution, InvalidRequest, LANES, Lanes, Model, Progress,
+    Propagation, Settings, TORNADO_PROBABILITIES, Tornado, Truncation,
 };
 use crash3::CrushError;
-use inputs::{Bounds, Case, Fault, FaultKind, Faults, Input, Range, Spread};
+use inputs::{
+    Bounds, Case, Estimate, Fault, FaultKind, Faults, Input, Origin, Range, STIFFNESS_LN_SD_A, Spread, Unit,
+    YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+};
 use pim_core::{ImpactError, Outcome};
 use real::Gradient;
 use reconcile::ReconcileError;
 
+pub use doubts::{Doubt, Doubtful};
+pub use exact::{ExactValue, TakenAsExact};
 use lanes::{Block, Number};
 
 use crate::sensitivity::{Output, at, gradients};
@@ -37,19 +44,23 @@ pub struct Uncertainty {
     pub nominal: Analysis,
     /// The settings: the method and the requested number of samples.
     pub settings: Settings,
-    /// The numbers that are ranges, in the order of the file.
+    /// The numbers that are ranges, in the order of the file, and after them the factors of estimates.
     pub inputs: Vec<UncertainInput>,
+    /// What all samples share, so that the intervals do not contain its error.
+    pub taken_as_exact: Vec<TakenAsExact>,
     /// The quantities that were computed for each sample.
     pub outputs: Vec<UncertainOutput>,
     /// The samples of the outputs (SI), in their order, and the failures by [`Reason::code`].
     pub propagation: Propagation,
+    /// How many samples with an answer are doubtful, by the reason; none with zero.
+    pub doubtful: Vec<Doubtful>,
     /// One input at a time, from low to high.
     pub tornado: Tornado,
     /// Sobol' indices, if asked for, of the outputs in their order.
     pub indices: Option<::uncertainty::SobolIndices>,
 }
 
-/// A number that is a range.
+/// A number that is a range, or the factor of an estimate.
 #[derive(Clone, Debug)]
 pub struct UncertainInput {
     /// The number itself, which is the central value.
@@ -256,7 +267,9 @@ pub fn uncertainty(
     let nominal = if case.reconstruct.is_some() { reconstruct(case)? } else { impact(case)? };
     let outputs = Output::of(&nominal, case.axes);
     let central = central(&nominal, &outputs);
-    let first_order = first_order(case, &nominal, &outputs, &inputs)?;
+    let gradients = gradients(case, &nominal, &outputs)?;
+    let first_order = first_order(case, &gradients, &inputs)?;
+    let taken_as_exact = exact::taken_as_exact(case, &inputs, &gradients);
 
     let model = Sample::new(case, &inputs, &outputs, &central);
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
@@ -265,6 +278,7 @@ pub fn uncertainty(
     let of_samples: &mut Progress<'_> = &mut |done, total| progress(Stage::Samples, done, total);
     let propagation = ::uncertainty::propagate(&model, &distributions, &plan.settings, of_samples)?;
     let is_ended = propagation.evaluated() < propagation.requested();
+    let doubtful = doubts::doubtful(&model, &inputs, &plan.settings, &propagation)?;
     let indices = match plan.index_rows {
         Some(samples) if !is_ended => {
             let settings = Settings { samples, ..plan.settings };
@@ -280,20 +294,38 @@ pub fn uncertainty(
             UncertainOutput { output, central, first_order, scale }
         })
         .collect();
-    Ok(Uncertainty { nominal, settings: plan.settings, inputs, outputs, propagation, tornado, indices })
+    Ok(Uncertainty {
+        nominal,
+        settings: plan.settings,
+        inputs,
+        taken_as_exact,
+        outputs,
+        propagation,
+        doubtful,
+        tornado,
+        indices,
+    })
 }
 
-/// The ranges of the case, as the engine takes them: at least one.
+/// The ranges of the case and the spreads of its estimates, as the engine takes them: at least one.
 pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     let mut ranges = case.ranges.iter().peekable();
     let mut inputs = Vec::new();
     let mut faults = Vec::new();
-    for input in case.inputs() {
-        let Some(range) = ranges.next_if(|range| range.path == input.path) else { continue };
-        match distribution(&input, range) {
-            Ok(distribution) => inputs.push(UncertainInput { input, distribution, bounds: range.bounds }),
+    for input in case.variables() {
+        let (distribution, bounds) = match input.origin {
+            Origin::Given => {
+                let Some(range) = ranges.next_if(|range| range.path == input.path) else { continue };
+                (distribution(&input, range), range.bounds)
+            }
+            // Without a speed to find, no result depends on the stiffness.
+            Origin::Estimate(Estimate::Stiffness { .. }) if case.reconstruct.is_none() => continue,
+            Origin::Estimate(estimate) => (spread_of(estimate, input.number), Bounds::Positive),
+        };
+        match distribution {
+            Ok(distribution) => inputs.push(UncertainInput { input, distribution, bounds }),
             Err(error) => faults.push(Fault {
-                key: range.path.clone(),
+                key: input.path,
                 kind: FaultKind::Refused { reason: error.to_string() },
                 advice: None,
             }),
@@ -329,21 +361,23 @@ fn no_range(case: &Case) -> Fault {
     Fault { key: String::new(), kind: FaultKind::NothingUncertain, advice: Some(help) }
 }
 
+/// The spread that an estimate has by itself.
+fn spread_of(estimate: Estimate, factor: f64) -> Result<Distribution, InvalidDistribution> {
+    match estimate {
+        // A = A₀ exp(σ_A z)
+        Estimate::Stiffness { .. } => Distribution::log_normal(factor, STIFFNESS_LN_SD_A),
+        Estimate::YawRadius { .. } => {
+            within(factor, YAW_RADIUS_WITHIN * factor, YAW_RADIUS_CONFIDENCE, Bounds::Positive, None)
+        }
+    }
+}
+
 fn distribution(input: &Input, range: &Range) -> Result<Distribution, InvalidDistribution> {
     let value = input.number;
-    let normal = |sd| match range.bounds {
-        Bounds::None => Distribution::normal(value, sd),
-        bounds => {
-            let [low, high] = bounds.interval(input.unit);
-            Distribution::truncated_normal(value, sd, low, high)
-        }
-    };
     match range.spread {
-        Spread::Normal { sd } => normal(sd.in_unit(input.unit)),
+        Spread::Normal { sd } => normal(value, sd.in_unit(input.unit), range.bounds, input.unit),
         Spread::Within { percent, confidence } => {
-            // P(|x − μ| < p μ) = c  ⇒  σ = p |μ| / Φ⁻¹((1 + c)/2)
-            let z = Distribution::normal(0.0, 1.0)?.quantile(0.5 * (1.0 + confidence));
-            normal(percent / 100.0 * value.abs() / z)
+            within(value, percent / 100.0 * value.abs(), confidence, range.bounds, input.unit)
         }
         Spread::Uniform { low, high } => {
             Distribution::uniform(low.in_unit(input.unit), high.in_unit(input.unit))
@@ -352,6 +386,34 @@ fn distribution(input: &Input, range: &Range) -> Result<Distribution, InvalidDis
             Distribution::triangular(low.in_unit(input.unit), value, high.in_unit(input.unit))
         }
     }
+}
+
+fn normal(
+    value: f64,
+    sd: f64,
+    bounds: Bounds,
+    unit: Option<&'static Unit>,
+) -> Result<Distribution, InvalidDistribution> {
+    match bounds {
+        Bounds::None => Distribution::normal(value, sd),
+        bounds => {
+            let [low, high] = bounds.interval(unit);
+            Distribution::truncated_normal(value, sd, low, high)
+        }
+    }
+}
+
+/// Normal: with the probability `confidence` no farther from the value than `distance`.
+fn within(
+    value: f64,
+    distance: f64,
+    confidence: f64,
+    bounds: Bounds,
+    unit: Option<&'static Unit>,
+) -> Result<Distribution, InvalidDistribution> {
+    // P(|x − μ| < d) = c  ⇒  σ = d/Φ⁻¹((1 + c)/2)
+    let z = Distribution::normal(0.0, 1.0)?.quantile(0.5 * (1.0 + confidence));
+    normal(value, distance / z, bounds, unit)
 }
 
 /// (SI) the outputs at the central values.
@@ -364,14 +426,15 @@ fn central(nominal: &Analysis, outputs: &[Output]) -> Vec<f64> {
 
 fn first_order(
     case: &Case,
-    nominal: &Analysis,
-    outputs: &[Output],
+    gradients: &[Gradient],
     inputs: &[UncertainInput],
-) -> Result<Vec<FirstOrder>, Failure> {
-    let gradients = gradients(case, nominal, outputs)?;
+) -> Result<Vec<FirstOrder>, InvalidRequest> {
     let mut uncertain = inputs.iter().map(|input| &input.input.path).peekable();
-    let is_uncertain: Vec<bool> =
-        case.inputs().iter().map(|input| uncertain.next_if(|path| **path == input.path).is_some()).collect();
+    let is_uncertain: Vec<bool> = case
+        .variables()
+        .iter()
+        .map(|input| uncertain.next_if(|path| **path == input.path).is_some())
+        .collect();
     let sds: Vec<f64> = inputs.iter().map(|input| input.distribution.sd() * input.input.factor()).collect();
     let of = |gradient: &Gradient| {
         let all = gradient.by.iter().zip(&is_uncertain);
@@ -379,7 +442,7 @@ fn first_order(
             all.filter(|(_, is_uncertain)| **is_uncertain).map(|(by, _)| *by).collect();
         FirstOrder::new(&derivatives, &sds)
     };
-    Ok(gradients.iter().map(of).collect::<Result<_, _>>()?)
+    gradients.iter().map(of).collect()
 }
 
 /// What turns the uncertain numbers of a sample into its outputs.
@@ -447,13 +510,18 @@ impl<'a> Sample<'a> {
         }
     }
 
-    fn answer(&self, numbers: &[f64], results: &mut [f64]) -> Result<(), Reason> {
+    /// The case of a sample with these uncertain numbers.
+    fn case_of(&self, numbers: &[f64]) -> Case {
         let mut numbers = numbers.iter();
         let mut is_uncertain = self.is_uncertain.iter();
-        let case = self.case.map_numbers(|central| match is_uncertain.next() {
+        self.case.map_numbers(|central| match is_uncertain.next() {
             Some(true) => numbers.next().copied().unwrap_or(central),
             _ => central,
-        });
+        })
+    }
+
+    fn answer(&self, numbers: &[f64], results: &mut [f64]) -> Result<(), Reason> {
+        let case = self.case_of(numbers);
         self.solve(&case, results).map_err(|failure| Reason::of_case(&case, &failure))
     }
 

@@ -194,10 +194,10 @@ pub use units::read_unit;
 // What a case file holds is of the crate `inputs`, and is here too for whoever reads files.
 pub use inputs::{
     Amount, Axes, Bounds, BrachTangential, Case, Collision, ContactPoint, Crush, CrushOnly, DamageData,
-    Dimension, Dimensions, ENERGY_BASES, Evidence, Faults, Fit, GivenImpact, GivenTest, GivenVehicle,
-    ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, Kind, LawName, LeftOut, Mass,
-    OBLIQUE_CORRECTIONS, Outline, Pdof, Purpose, Quantity, Range, Reconstruct, ReconstructionInput,
-    ReportHead, Restitution, SIDES, STANDARD_GRAVITY, Spread, StiffnessForm, StiffnessLine, StiffnessSource,
-    Text, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity, YawInertia, YawSource, acts, shown, shown_lines,
-    word,
+    Dimension, Dimensions, ENERGY_BASES, Estimate, Evidence, Factors, Faults, Fit, GivenImpact, GivenTest,
+    GivenVehicle, ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, Kind, LawName, LeftOut, Mass,
+    OBLIQUE_CORRECTIONS, Origin, Outline, Pdof, Purpose, Quantity, Range, Reconstruct, ReconstructionInput,
+    ReportHead, Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, Spread,
+    StiffnessForm, StiffnessLine, StiffnessSource, Text, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity,
+    YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, acts, shown, shown_lines, word,
 };

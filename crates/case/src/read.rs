@@ -15,7 +15,8 @@ use crate::program::Program;
 use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, TOP};
 use crate::source::{Source, Spans};
 use inputs::{
-    Axes, Case, ENERGY_BASES, FaultKind, Faults, LeftOut, Reconstruct, ReportHead, UNKNOWNS, contradictions,
+    Axes, Case, ENERGY_BASES, Factors, FaultKind, Faults, LeftOut, Reconstruct, ReportHead, UNKNOWNS,
+    contradictions,
 };
 use tree::{Reader, Table};
 
@@ -140,8 +141,18 @@ impl<'t> Reader<'t> {
                 self.says(&test) && !self.says(&format!("{test}.fit"))
             }),
         };
-        let mut case =
-            Case { title, source, report, axes, vehicles, impact, reconstruct, ranges: Vec::new(), left_out };
+        let mut case = Case {
+            title,
+            source,
+            report,
+            axes,
+            vehicles,
+            impact,
+            reconstruct,
+            ranges: Vec::new(),
+            factors: Factors::default(),
+            left_out,
+        };
         case.ranges = case.inputs().iter().filter_map(|input| self.take_range(&input.path)).collect();
         if let Some(first_too_many) = case.ranges.get(MOST_RANGES) {
             let problem = CaseProblem::TooManyRanges { count: case.ranges.len(), limit: MOST_RANGES };

@@ -219,6 +219,7 @@ fn the_other_forms_are_read() {
         reconstruct: Some(Reconstruct { find: Unknown::Speed1, energy_basis: EnergyBasis::Absorbed }),
         ranges: Vec::new(),
         left_out: LeftOut { axes: true, law: true, energy_basis: false, fit: [false; 2] },
+        ..Case::default()
     };
     assert_eq!(case, expected);
     assert_eq!(case.unit_system(), UnitSystem::Si);
@@ -1441,7 +1442,18 @@ fn any_case() -> impl Strategy<Value = Case> {
             };
             let [title, source, analyst, date, file_number, exhibit] = texts.map(|text| text.map(Text::from));
             let report = ReportHead { analyst, date, file_number, exhibit };
-            Case { title, source, report, axes, vehicles, impact, reconstruct, ranges: Vec::new(), left_out }
+            Case {
+                title,
+                source,
+                report,
+                axes,
+                vehicles,
+                impact,
+                reconstruct,
+                ranges: Vec::new(),
+                left_out,
+                ..Case::default()
+            }
         },
     )
 }

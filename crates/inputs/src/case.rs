@@ -1,19 +1,21 @@
 //! What is known of a collision, in the units in which it is given.
 
 use std::cell::RefCell;
+use std::fmt::Display;
 
 use crash3::EnergyBasis;
 use pim_core::Real;
 use reconcile::Unknown;
 
 use crate::axes::Axes;
+use crate::estimate::Factors;
 use crate::impact::GivenImpact;
 use crate::quantity::Quantity;
 use crate::range::Range;
 use crate::text::Text;
 use crate::units::{Unit, UnitSystem};
 use crate::vehicle::GivenVehicle;
-use crate::walk::{Input, Others, Replace, Value, Walk};
+use crate::walk::{Input, Origin, Others, Replace, Value, Walk};
 use crate::words::{ENERGY_BASES, UNKNOWNS};
 
 /// A whole case: two vehicles, and what is known of the impact. The crate `case` reads it from a file and
@@ -37,6 +39,8 @@ pub struct Case<T = f64> {
     /// Which of the numbers are not known exactly, in the order of [`inputs`](Case::inputs). The numbers
     /// themselves are the central values.
     pub ranges: Vec<Range>,
+    /// By what estimates are multiplied: nothing of the file, and 1 unless they are varied.
+    pub factors: Factors<T>,
     /// Which optional words the case leaves out.
     pub left_out: LeftOut,
 }
@@ -88,20 +92,30 @@ impl<T: Real> Case<T> {
 
 impl Case {
     /// Returns the case with its numbers replaced. `replace` receives them in the order of
-    /// [`inputs`](Self::inputs). The new numbers are certain: the [`ranges`](Case::ranges) are dropped.
+    /// [`variables`](Self::variables). The new numbers are certain: the [`ranges`](Case::ranges) are dropped.
     pub fn map<U>(&self, mut replace: impl FnMut(Input) -> U) -> Case<U> {
-        self.walk(&mut |path, number, unit| replace(Input { path: path.to_string(), number, unit }), None)
+        let input =
+            |path: &dyn Display, number, unit, origin| Input { path: path.to_string(), number, unit, origin };
+        self.walk(&mut |path, number, unit, origin| replace(input(path, number, unit, origin)), None)
     }
 
     /// Like [`map`](Self::map), but without building the path of each number, which makes it fast. The
-    /// numbers come in the order of [`inputs`](Self::inputs).
+    /// numbers come in the order of [`variables`](Self::variables).
     pub fn map_numbers<U>(&self, mut replace: impl FnMut(f64) -> U) -> Case<U> {
-        self.walk(&mut |_, number, _| replace(number), None)
+        self.walk(&mut |_, number, _, _| replace(number), None)
     }
 
-    /// Every number of the case.
+    /// Every number that the case gives.
     #[must_use]
     pub fn inputs(&self) -> Vec<Input> {
+        let mut inputs = self.variables();
+        inputs.retain(|input| input.origin == Origin::Given);
+        inputs
+    }
+
+    /// Every number that may vary: those that the case gives, and after them the factors of its estimates.
+    #[must_use]
+    pub fn variables(&self) -> Vec<Input> {
         let mut inputs = Vec::new();
         self.map(|input| inputs.push(input));
         inputs
@@ -114,7 +128,11 @@ impl Case {
         let values = RefCell::new(Vec::new());
         let tell = |path: String, value| values.borrow_mut().push((path, value));
         self.walk(
-            &mut |path, number, unit| tell(path.to_string(), Value::Number { number, unit }),
+            &mut |path, number, unit, origin| {
+                if origin == Origin::Given {
+                    tell(path.to_string(), Value::Number { number, unit });
+                }
+            },
             Some(&mut |path, value| tell(path.to_string(), value)),
         );
         values.into_inner()
@@ -147,6 +165,7 @@ impl Case {
                 ),
             }),
             ranges: Vec::new(),
+            factors: walk.factors(&self.estimates(), &self.factors),
             left_out: self.left_out,
         }
     }

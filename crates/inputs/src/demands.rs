@@ -14,6 +14,7 @@ use reconcile::Unknown;
 use crate::axes::Axes;
 use crate::case::Case;
 use crate::crush::{Crush, Fit, StiffnessForm, StiffnessLine};
+use crate::estimate::scaled;
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::impact::{BrachTangential, ImpactLaw, Restitution};
 use crate::inertia::Mass;
@@ -550,21 +551,24 @@ impl<'a, T: Real> Demand<'a, T> {
             "`weight = \"3696 lb\"` or `mass = \"1676 kg\"`",
         );
         let length = vehicle.outline.map(|outline| outline.length).or(vehicle.length);
+        let factor = self.case.factors.yaw_radius[id.index()].unwrap_or(T::ONE);
         if let Some(yaw) = &vehicle.yaw {
             let mass = mass?;
             return Some(InertiaData { mass, yaw_inertia: yaw.kg_m2(mass), yaw_source: YawSource::Given });
         }
         if let Some((class, known)) = class {
             let mass = mass?;
+            let yaw_radius = factor * known.yaw_radius;
             // I = m k²
-            let yaw_inertia = mass * known.yaw_radius * known.yaw_radius;
+            let yaw_inertia = mass * yaw_radius * yaw_radius;
             return Some(InertiaData { mass, yaw_inertia, yaw_source: YawSource::Class(class) });
         }
         let is_car = vehicle.kind.unwrap_or_default() == Kind::Car;
         if let Some((wheelbase, length)) = vehicle.wheelbase.zip(length).filter(|_| is_car) {
             let mass = mass?;
             let estimate = crash3::yaw_inertia_burg(mass, wheelbase.si(), length.si());
-            let yaw_inertia = self.accepted(format_args!("{table}.wheelbase"), estimate)?;
+            // I = m k²
+            let yaw_inertia = self.accepted(format_args!("{table}.wheelbase"), estimate)? * factor * factor;
             return Some(InertiaData { mass, yaw_inertia, yaw_source: YawSource::Burg });
         }
         if !is_car {
@@ -695,7 +699,12 @@ impl<'a, T: Real> Demand<'a, T> {
         dimensions: Option<Dimensions<T>>,
     ) -> Option<DamageData<T>> {
         let path = |key| InCrush(id, key);
-        let structure = self.accepted(path("stiffness"), crush.stiffness.structure(crush.side));
+        let structure = crush.stiffness.structure(crush.side);
+        let structure = match self.case.factors.stiffness[id.index()] {
+            Some(factor) => structure.and_then(|structure| scaled(structure, factor)),
+            None => structure,
+        };
+        let structure = self.accepted(path("stiffness"), structure);
         let evidence = if crush.from_force_balance {
             let width = self.inferred_width(id, crush, dimensions)?;
             match structure? {

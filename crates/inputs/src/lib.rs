@@ -20,8 +20,9 @@
 //! The types: a [`Case`] holds two [`GivenVehicle`]s and a [`GivenImpact`]. Its numbers are [`Quantity`]s,
 //! which keep the unit in which they were given, because reports and errors quote them in that unit;
 //! [`Quantity::si`] is where a unit is converted. [`Case::inputs`] lists the numbers, each under its key, and
-//! [`Case::values`] lists every value; [`Case::map`] replaces the numbers. A [`Range`] says how far a number
-//! may be off.
+//! [`Case::values`] lists every value. A [`Range`] says how far a number may be off. An [`Estimate`] is what
+//! a table or a formula gives in place of a number; its factor, 1, is one of [`Case::variables`] besides the
+//! numbers. [`Case::map`] replaces all of these.
 //!
 //! [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into the types of the
 //! engines, for three [`Purpose`]s. A value that is missing, or that an engine refuses, is a [`Fault`] of its
@@ -41,6 +42,7 @@ mod axes;
 mod case;
 mod crush;
 mod demands;
+mod estimate;
 mod fault;
 mod impact;
 mod inertia;
@@ -60,6 +62,9 @@ pub use demands::{
     Collision, CrushOnly, DamageData, Dimensions, Evidence, ImpactInput, InertiaData, InferredWidth,
     ReconstructionInput, StiffnessSource, VehicleData, YawSource, contradictions,
 };
+pub use estimate::{
+    Estimate, Factors, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+};
 pub use fault::{Fault, FaultKind, Faults};
 pub use impact::{BrachTangential, GivenImpact, ImpactLaw, LawName, Restitution};
 pub use inertia::{Mass, YawInertia};
@@ -69,5 +74,5 @@ pub use range::{Amount, Bounds, Range, Spread};
 pub use text::{Text, acts, shown, shown_lines, sign};
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
 pub use vehicle::{ContactPoint, GivenVehicle, Kind, Outline, Velocity};
-pub use walk::{Input, Value};
+pub use walk::{Input, Origin, Value};
 pub use words::{ENERGY_BASES, OBLIQUE_CORRECTIONS, SIDES, UNKNOWNS, word, words_of};

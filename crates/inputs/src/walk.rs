@@ -2,6 +2,9 @@
 
 use std::fmt::{self, Display};
 
+use pim_core::VehicleId;
+
+use crate::estimate::{Estimate, Factors};
 use crate::quantity::Quantity;
 use crate::text::Text;
 use crate::units::Unit;
@@ -17,6 +20,17 @@ pub struct Input {
     pub number: f64,
     /// The unit as written; `None` of a coefficient that has none.
     pub unit: Option<&'static Unit>,
+    /// Where it comes from.
+    pub origin: Origin,
+}
+
+/// Where a number that may vary comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// The case gives it.
+    Given,
+    /// It is the factor of an estimate: 1, unless it is varied.
+    Estimate(Estimate),
 }
 
 impl Input {
@@ -53,8 +67,8 @@ pub enum Value {
     Hour(u8),
 }
 
-/// Receives the path, the number and its unit; returns the replacement of the number.
-pub(crate) type Replace<'a, U> = dyn FnMut(&dyn Display, f64, Option<&'static Unit>) -> U + 'a;
+/// Receives the path, the number, its unit and its origin; returns the replacement of the number.
+pub(crate) type Replace<'a, U> = dyn FnMut(&dyn Display, f64, Option<&'static Unit>, Origin) -> U + 'a;
 /// Receives the path and a value that is not a number.
 pub(crate) type Others<'a> = dyn FnMut(&dyn Display, Value) + 'a;
 
@@ -89,11 +103,29 @@ impl<'a, U> Walk<'a, U> {
     }
 
     pub(crate) fn number(&mut self, path: &dyn Display, number: f64) -> U {
-        (self.replace)(path, number, None)
+        (self.replace)(path, number, None, Origin::Given)
     }
 
     pub(crate) fn quantity(&mut self, path: &dyn Display, quantity: &Quantity) -> Quantity<U> {
-        quantity.with((self.replace)(path, quantity.number(), Some(quantity.unit())))
+        quantity.with((self.replace)(path, quantity.number(), Some(quantity.unit()), Origin::Given))
+    }
+
+    /// The factors of the estimates of a case; a factor that is absent is 1.
+    pub(crate) fn factors(&mut self, estimates: &[Estimate], factors: &Factors) -> Factors<U> {
+        let mut replaced = Factors { stiffness: [None, None], yaw_radius: [None, None] };
+        for estimate in estimates {
+            let of = |list: &[Option<f64>; 2], vehicle: VehicleId| list[vehicle.index()].unwrap_or(1.0);
+            let (number, place) = match *estimate {
+                Estimate::Stiffness { vehicle, .. } => {
+                    (of(&factors.stiffness, vehicle), &mut replaced.stiffness[vehicle.index()])
+                }
+                Estimate::YawRadius { vehicle, .. } => {
+                    (of(&factors.yaw_radius, vehicle), &mut replaced.yaw_radius[vehicle.index()])
+                }
+            };
+            *place = Some((self.replace)(estimate, number, None, Origin::Estimate(*estimate)));
+        }
+        replaced
     }
 
     pub(crate) fn maybe(&mut self, path: &dyn Display, quantity: Option<&Quantity>) -> Option<Quantity<U>> {

@@ -127,6 +127,13 @@ impl Real for Dual {
     }
 
     #[inline(always)]
+    fn power(self, exponent: f64) -> Self {
+        let power = self.value.power(exponent);
+        // (xᵖ)′ = p xᵖ x′/x
+        Self { value: power, derivative: exponent * power * self.derivative / self.value }
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         if self.value < 0.0 { -self } else { self }
     }
@@ -166,6 +173,8 @@ mod tests {
             ("x/(1 + x)", x / (x + 1.0), 1.0 / (1.7 * 1.7)),
             ("√x", x.sqrt(), 0.5 / 0.7_f64.sqrt()),
             ("√0 of a constant", Dual::ZERO.sqrt(), 0.0),
+            // d/dx x^1.5 = 1.5 √x
+            ("x^1.5", x.power(1.5), 1.5 * 0.7_f64.sqrt()),
             ("sin", sin, 0.764_842_187_284_488_5),
             ("cos", cos, -0.644_217_687_237_691),
             ("atan", x.atan2(Dual::ONE), 1.0 / 1.49),

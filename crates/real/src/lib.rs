@@ -58,7 +58,7 @@
 //!
 //! # What it does not do
 //!
-//! No logarithm or exponential of a [`Real`], no power: only what the equations use. No `f64 * T`: write the
+//! No logarithm or exponential of a [`Real`]: only what the equations use. No `f64 * T`: write the
 //! constant on the right, `x * 0.5`. No complex numbers, no `f32`, and no reduction of angles beyond
 //! [`elementary::SIN_COS_LIMIT`].
 
@@ -130,6 +130,9 @@ pub trait Real:
     /// Angle in radians, in [−π, π], of the vector `(x, self)`: called on y, as `y.atan2(x)`.
     fn atan2(self, x: Self) -> Self;
 
+    /// xᵖ with an exponent that is a constant; NaN below zero.
+    fn power(self, exponent: f64) -> Self;
+
     /// |x|.
     fn abs(self) -> Self;
 
@@ -181,6 +184,12 @@ impl Real for f64 {
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
         elementary::atan2(self, x)
+    }
+
+    #[inline(always)]
+    fn power(self, exponent: f64) -> Self {
+        // xᵖ = exp(p ln x)
+        elementary::exp(exponent * elementary::ln(self))
     }
 
     #[inline(always)]

@@ -222,6 +222,13 @@ impl Real for Traced {
     }
 
     #[inline]
+    fn power(self, exponent: f64) -> Self {
+        let power = self.value.power(exponent);
+        // (xᵖ)′ = p xᵖ/x
+        Self::computed_from(power, self, exponent * power / self.value)
+    }
+
+    #[inline]
     fn abs(self) -> Self {
         if self.value < 0.0 { -self } else { self }
     }
@@ -266,6 +273,7 @@ mod tests {
             x - 2.0,
             x / 2.0,
             x.sqrt(),
+            y.power(1.7),
             sin,
             cos,
             x.atan2(y),

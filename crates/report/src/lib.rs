@@ -70,6 +70,7 @@ mod understood;
 mod units;
 mod warnings;
 mod words;
+mod worth;
 mod writers;
 
 pub use ::drawing::{Drawing, PictureFormat};

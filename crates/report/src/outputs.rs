@@ -4,6 +4,8 @@
 use ::uncertainty::{SamplingMethod, Summary};
 use analysis::{Kind, Output, Reason, quantity};
 
+use case::{Estimate, Input, Origin, YawSource};
+
 use crate::units::Measure;
 
 /// The key of the JSON and of the samples.
@@ -27,6 +29,32 @@ pub(crate) fn method_name(method: SamplingMethod) -> &'static str {
         SamplingMethod::LatinHypercube => "latin-hypercube",
         SamplingMethod::Sobol => "sobol",
         _ => "other",
+    }
+}
+
+/// What a reader calls a number that may vary: the path of what the file gives, and words for what it does not.
+pub(crate) fn input_name(input: &Input) -> String {
+    match input.origin {
+        Origin::Given => input.path.clone(),
+        Origin::Estimate(estimate) => estimate_name(estimate),
+    }
+}
+
+/// What an estimate comes from.
+pub(crate) fn estimate_source(estimate: Estimate) -> String {
+    match estimate {
+        Estimate::Stiffness { category, .. } => format!("category {category}"),
+        Estimate::YawRadius { source: YawSource::Class(class), .. } => format!("class {class}"),
+        Estimate::YawRadius { .. } => "Burg".to_owned(),
+    }
+}
+
+/// What is estimated, and from what.
+pub(crate) fn estimate_name(estimate: Estimate) -> String {
+    let source = estimate_source(estimate);
+    match estimate {
+        Estimate::Stiffness { vehicle, .. } => format!("stiffness, vehicle {vehicle}, {source}"),
+        Estimate::YawRadius { vehicle, .. } => format!("yaw radius, vehicle {vehicle}, {source}"),
     }
 }
 

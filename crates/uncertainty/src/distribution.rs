@@ -1,5 +1,7 @@
 //! Distributions of inputs, made from numbers that an engineer can give.
 
+use real::elementary::exp;
+
 use crate::error::InvalidDistribution;
 use crate::model::{LANES, Lanes};
 use crate::normal;
@@ -21,6 +23,13 @@ pub enum Shape {
         mean: f64,
         /// (unit of the input) σ.
         sd: f64,
+    },
+    /// A median times a factor whose logarithm is normally distributed.
+    LogNormal {
+        /// (unit of the input) half of the values lie below it.
+        median: f64,
+        /// (–) σ of the natural logarithm.
+        ln_sd: f64,
     },
     /// Every value between two bounds is equally likely.
     Uniform {
@@ -66,6 +75,8 @@ enum Transform {
     ///
     /// Bounds above the mean are mirrored to below it, where Φ keeps its digits.
     Normal { centre: f64, scale: f64, start: f64, span: f64, mirrored: bool, low: f64, high: f64 },
+    /// median·exp(scale·Φ⁻¹(u)).
+    LogNormal { median: f64, scale: f64 },
     /// low + span·u, held below high.
     Uniform { low: f64, span: f64, high: f64 },
     /// low + √(u·rise) up to the mode's share, high − √((1 − u)·fall) from there on.
@@ -122,6 +133,27 @@ impl Distribution {
         let scale = if mirrored { -sd } else { sd };
         let transform = Transform::Normal { centre: mean, scale, start, span: kept, mirrored, low, high };
         Ok(Self { truncation: Some(Truncation { low, high, kept }), transform, ..whole })
+    }
+
+    /// Log-normal: the median times e to the power of a normally distributed number with mean 0 and standard
+    /// deviation `ln_sd`. All values are greater than zero.
+    ///
+    /// # Errors
+    /// Where a number is not finite, or not greater than zero.
+    pub fn log_normal(median: f64, ln_sd: f64) -> Result<Self, InvalidDistribution> {
+        finite("median", median)?;
+        finite("standard deviation", ln_sd)?;
+        if median <= 0.0 {
+            return Err(InvalidDistribution::MedianNotPositive { median });
+        }
+        if ln_sd <= 0.0 {
+            return Err(InvalidDistribution::NoDeviation { sd: ln_sd });
+        }
+        // Samples lie within 8.3 standard deviations; the variance needs the square.
+        let end = median * exp(10.0 * ln_sd);
+        finite("square of the end of the range", end * end)?;
+        let transform = Transform::LogNormal { median, scale: ln_sd };
+        Ok(Self { shape: Shape::LogNormal { median, ln_sd }, truncation: None, transform })
     }
 
     /// Uniform between two bounds.
@@ -192,6 +224,11 @@ impl Distribution {
                 let (shift, factor) = normal::truncated_moments((low - mean) / sd, (high - mean) / sd);
                 (mean + sd * shift, sd * factor)
             }
+            // μ = m exp(s²/2), σ² = μ² (exp(s²) − 1)
+            (Shape::LogNormal { median, ln_sd }, _) => {
+                let mean = median * exp(0.5 * ln_sd * ln_sd);
+                (mean, mean * (exp(ln_sd * ln_sd) - 1.0).sqrt())
+            }
             // μ = (a + b)/2, σ² = (b − a)²/12
             (Shape::Uniform { low, high }, _) => (0.5 * low + 0.5 * high, (high - low) / 12.0_f64.sqrt()),
             // μ = (a + c + b)/3, σ² = (a² + b² + c² − ab − ac − bc)/18 = ((b − a)² + (c − a)² − (b − a)(c −
@@ -205,9 +242,16 @@ impl Distribution {
     }
 
     /// Independent shares in (0, 1) become independent values: as [`transform`](Self::transform), but for
-    /// normal distributions, of which [`normal::box_muller`] makes the numbers.
+    /// normal and log-normal distributions, of which [`normal::box_muller`] makes the numbers.
     #[inline(always)]
     pub(crate) fn draw(&self, lanes: &mut Lanes) {
+        if let Transform::LogNormal { median, scale } = self.transform {
+            normal::box_muller(lanes);
+            for lane in lanes {
+                *lane = median * exp(scale * *lane);
+            }
+            return;
+        }
         let Transform::Normal { centre, scale, low, high, .. } = self.transform else {
             return self.transform(lanes);
         };
@@ -253,6 +297,13 @@ impl Distribution {
                     let x = centre + scale * *lane;
                     let x = if x < low { low } else { x };
                     *lane = if x > high { high } else { x };
+                }
+            }
+            Transform::LogNormal { median, scale } => {
+                // x = m exp(s Φ⁻¹(u))
+                normal::quantiles(lanes);
+                for lane in lanes {
+                    *lane = median * exp(scale * *lane);
                 }
             }
             Transform::Uniform { low, span, high } => {

@@ -22,6 +22,12 @@ pub enum InvalidDistribution {
         /// (unit of the input) the standard deviation.
         sd: f64,
     },
+    /// A log-normal distribution about a value that is not positive.
+    #[error("the median is {median}, but must be greater than zero")]
+    MedianNotPositive {
+        /// (unit of the input) the median.
+        median: f64,
+    },
     /// Bounds in the wrong order, or equal.
     #[error(
         "the bounds are {low} and {high}, but the lower must be below the upper; write an exact value \

@@ -33,7 +33,7 @@
 //!
 //! | item | what it is |
 //! |---|---|
-//! | [`Distribution`] | the distribution of an input: normal, normal within bounds, uniform, triangular |
+//! | [`Distribution`] | the distribution of an input: normal, normal within bounds, log-normal, uniform, triangular |
 //! | [`Model`], [`Function`] | the function to evaluate, for a block of samples or for one |
 //! | [`Settings`], [`SamplingMethod`] | number of samples, seed, kind of points: Monte Carlo, Latin hypercube, scrambled Sobol' |
 //! | [`propagate`] → [`Propagation`] | samples of the outputs, and a [`Summary`] of each: mean, deviation, median, intervals, with standard errors |

@@ -49,6 +49,43 @@ fn uniform_and_triangular_quantiles_and_moments() {
     assert_eq!((falling.quantile(0.75), falling.quantile(0.0)), (1.0, 0.0));
 }
 
+/// Against an integration of the density by the midpoint rule, which uses neither a formula of the moments nor
+/// the inverse of the normal distribution.
+#[test]
+fn log_normal_quantiles_and_moments() {
+    for (median, ln_sd) in [(1.0, 0.38), (2.5, 0.59), (0.1, 0.05)] {
+        let distribution = Distribution::log_normal(median, ln_sd).unwrap();
+        let (low, high): (f64, f64) = (median * (-9.0 * ln_sd).exp(), median * (9.0 * ln_sd).exp());
+        let steps = 400_000;
+        let (mut share, mut mean, mut square) = (0.0, 0.0, 0.0);
+        let mut quantiles = [0.025, 0.16, 0.5, 0.9].map(|u| (u, f64::NAN));
+        let ratio = (high / low).powf(1.0 / f64::from(steps));
+        for step in 0..steps {
+            let left = low * ratio.powi(step);
+            let (x, width) = (left * ratio.sqrt(), left * (ratio - 1.0));
+            let z = (x / median).ln() / ln_sd;
+            let weight = (-0.5 * z * z).exp() / (x * ln_sd * std::f64::consts::TAU.sqrt()) * width;
+            share += weight;
+            mean += weight * x;
+            square += weight * x * x;
+            for (u, quantile) in &mut quantiles {
+                if quantile.is_nan() && share >= *u {
+                    *quantile = x;
+                }
+            }
+        }
+        assert_near(share, 1.0, 1e-8);
+        assert_near(distribution.mean(), mean, 1e-7);
+        assert_near(distribution.sd(), (square - mean * mean).sqrt(), 1e-6);
+        for (u, quantile) in quantiles {
+            assert_near(distribution.quantile(u), quantile, 1e-4);
+        }
+        assert_eq!(distribution.shape(), Shape::LogNormal { median, ln_sd });
+    }
+    assert!(Distribution::log_normal(0.0, 0.1).is_err() && Distribution::log_normal(1.0, 0.0).is_err());
+    assert!(Distribution::log_normal(1.0, 80.0).is_err() && Distribution::log_normal(f64::NAN, 1.0).is_err());
+}
+
 /// Values by mpmath 1.3 with 40 digits, for a standard normal variable.
 #[test]
 fn truncated_normal_moments_and_quantiles() {
@@ -127,8 +164,9 @@ fn samples_follow_their_distribution() {
         Distribution::triangular(1.0, 2.0, 4.0).unwrap(),
         Distribution::normal(0.0, 1.0).unwrap(),
         Distribution::truncated_normal(0.0, 1.0, -0.5, 1.0).unwrap(),
+        Distribution::log_normal(2.0, 0.4).unwrap(),
     ];
-    let identity = Function::new(4, |x: &[f64], y: &mut [f64]| {
+    let identity = Function::new(5, |x: &[f64], y: &mut [f64]| {
         y.copy_from_slice(x);
         Ok(())
     });
@@ -147,7 +185,8 @@ fn samples_follow_their_distribution() {
     };
     let (start, end) = (normal(-0.5), normal(1.0));
     let truncated = |x: f64| (normal(x) - start) / (end - start);
-    let shares: [&dyn Fn(f64) -> f64; 4] = [&uniform, &triangular, &normal, &truncated];
+    let log_normal = |x: f64| normal((x / 2.0).ln() / 0.4);
+    let shares: [&dyn Fn(f64) -> f64; 5] = [&uniform, &triangular, &normal, &truncated, &log_normal];
 
     for ((column, share), input) in result.columns().iter().zip(shares).zip(&inputs) {
         let mut sorted = column.clone();

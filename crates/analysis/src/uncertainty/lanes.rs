@@ -84,6 +84,8 @@ impl Block {
             impact,
             reconstruct,
             ranges: _,
+            // Of estimates, which a block does not read.
+            factors: _,
             left_out: _,
         } = case;
         let Reconstruct { find: unknown, energy_basis: basis } = reconstruct.as_ref()?;

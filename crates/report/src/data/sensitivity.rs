@@ -1,10 +1,12 @@
 //! How sensitive the answer is to each input, as JSON.
 
 use analysis::Sensitivity;
-use case::{Case, DamageData};
+use case::{Case, DamageData, Origin};
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
 use serde::Serialize;
+
+use crate::outputs::input_name;
 
 use super::json::{OfMovable, WarningBlock, of_movable};
 use super::{pretty, title};
@@ -31,6 +33,9 @@ struct Document<'a> {
 struct DerivativeBlock<'a> {
     output: String,
     input: &'a str,
+    /// In words, of what is no key of the file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
     value: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     relative: Option<f64>,
@@ -76,6 +81,7 @@ pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String
             .map(|row| DerivativeBlock {
                 output: row.output.path(),
                 input: &row.input.path,
+                name: (row.input.origin != Origin::Given).then(|| input_name(&row.input)),
                 value: row.value + 0.0,
                 relative: row.relative().map(|relative| relative + 0.0),
                 influence: row.influence() + 0.0,

@@ -3,14 +3,16 @@
 use std::collections::BTreeMap;
 
 use ::uncertainty::{Bar, End, Estimate, Indices, LEVELS, Shape, Summary};
-use analysis::{REASONS, UncertainInput, Uncertainty};
-use case::Case;
+use analysis::{Doubt, Doubtful, ExactValue, REASONS, TakenAsExact, UncertainInput, Uncertainty};
+use case::{Case, Input, Origin};
+use pim_core::VehicleId;
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
 use super::json::WarningBlock;
 use super::{pretty, title};
-use crate::outputs::{method_name, reason_name};
+use crate::outputs::{estimate_source, input_name, method_name, reason_name};
+use crate::worth::worth;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -23,7 +25,11 @@ struct Document<'a> {
     method: &'static str,
     succeeded: usize,
     failed: BTreeMap<&'static str, usize>,
+    /// Samples with an answer of which a single case would be warned.
+    doubtful: Vec<DoubtfulBlock>,
     inputs: Vec<InputBlock<'a>>,
+    /// What all samples share, so that no interval contains its error.
+    taken_as_exact: Vec<ExactBlock<'a>>,
     outputs: InOrder<OutputBlock<'a>>,
     /// Of the first output.
     sensitivity: Vec<IndexBlock<'a>>,
@@ -31,6 +37,45 @@ struct Document<'a> {
     index_rows: Option<RowsBlock>,
     /// Of the case as it stands.
     warnings: Vec<WarningBlock>,
+}
+
+/// `of` is the number of samples that were looked at, and `share` that of the doubtful among them.
+#[derive(Serialize)]
+struct DoubtfulBlock {
+    code: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vehicle: Option<u8>,
+    samples: usize,
+    of: usize,
+    share: f64,
+}
+
+/// `value` in SI and radians; `worth` says how well such a number is usually known.
+#[derive(Serialize)]
+struct ExactBlock<'a> {
+    key: &'a str,
+    value: ExactNumbers,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    worth: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    source: Option<&'static str>,
+}
+
+/// A number, the numbers of a list, or a word.
+enum ExactNumbers {
+    One(f64),
+    List(Vec<f64>),
+    Word(String),
+}
+
+impl Serialize for ExactNumbers {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::One(number) => number.serialize(serializer),
+            Self::List(numbers) => numbers.serialize(serializer),
+            Self::Word(word) => word.serialize(serializer),
+        }
+    }
 }
 
 /// An object whose keys keep their order.
@@ -50,6 +95,9 @@ impl<T: Serialize> Serialize for InOrder<T> {
 #[derive(Serialize)]
 struct InputBlock<'a> {
     input: &'a str,
+    /// In words, of what is no key of the file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
     distribution: &'static str,
     central: f64,
     mean: f64,
@@ -147,7 +195,9 @@ pub fn uncertainty_json(case: &Case, uncertainty: &Uncertainty) -> Result<String
         method: method_name(uncertainty.settings.method),
         succeeded: propagation.succeeded(),
         failed: REASONS.map(|reason| (reason_name(reason), uncertainty.failed(reason))).into(),
+        doubtful: uncertainty.doubtful.iter().map(doubtful_block).collect(),
         inputs: uncertainty.inputs.iter().map(input_block).collect(),
+        taken_as_exact: uncertainty.taken_as_exact.iter().map(exact_block).collect(),
         outputs: InOrder(outputs.collect()),
         sensitivity: indices(uncertainty, 0),
         index_rows: uncertainty.indices.as_ref().map(|indices| RowsBlock {
@@ -159,14 +209,47 @@ pub fn uncertainty_json(case: &Case, uncertainty: &Uncertainty) -> Result<String
     pretty(&document)
 }
 
+fn doubtful_block(doubtful: &Doubtful) -> DoubtfulBlock {
+    let Doubtful { doubt, samples, of } = *doubtful;
+    let vehicle = match doubt {
+        Doubt::FoundBackward { vehicle }
+        | Doubt::GivenBackward { vehicle }
+        | Doubt::FoundTooFast { vehicle, .. } => Some(if vehicle == VehicleId::One { 1 } else { 2 }),
+        Doubt::SeveralSpeeds | Doubt::HighRestitution => None,
+    };
+    #[expect(clippy::cast_precision_loss, reason = "counts are below 2^53")]
+    let share = samples as f64 / of as f64;
+    DoubtfulBlock { code: doubt.code(), vehicle, samples, of, share }
+}
+
+fn exact_block(exact: &TakenAsExact) -> ExactBlock<'_> {
+    let value = match &exact.value {
+        ExactValue::Numbers(numbers) => match numbers.as_slice() {
+            [one] if one.path == exact.key => ExactNumbers::One(one.si()),
+            list => ExactNumbers::List(list.iter().map(Input::si).collect()),
+        },
+        ExactValue::Estimate(estimate) => ExactNumbers::Word(estimate_source(*estimate)),
+        ExactValue::Word(word) => ExactNumbers::Word((*word).to_owned()),
+    };
+    let worth = worth(&exact.key);
+    ExactBlock {
+        key: &exact.key,
+        value,
+        worth: worth.as_ref().map(|worth| worth.error),
+        source: worth.map(|worth| worth.source),
+    }
+}
+
 fn input_block(input: &UncertainInput) -> InputBlock<'_> {
     let UncertainInput { input: number, distribution, .. } = input;
     let factor = number.factor();
     let bound = |bound: f64| bound.is_finite().then_some(bound * factor);
     InputBlock {
         input: &number.path,
+        name: (number.origin != Origin::Given).then(|| input_name(number)),
         distribution: match distribution.shape() {
             Shape::Normal { .. } => "normal",
+            Shape::LogNormal { .. } => "log-normal",
             Shape::Uniform { .. } => "uniform",
             Shape::Triangular { .. } => "triangular",
             _ => "other",

@@ -3,10 +3,10 @@
 use ::drawing::{Axis, Drawing, HistogramMark, HistogramPicture, TornadoBar, TornadoPicture};
 use ::uncertainty::{Bar, End};
 use analysis::{UncertainInput, UncertainOutput, Uncertainty};
-use case::Case;
+use case::{Case, Origin};
 
 use super::title;
-use crate::outputs::{Histogram, method_name, output_name, pictured};
+use crate::outputs::{Histogram, input_name, method_name, output_name, pictured};
 use crate::units::{Units, number, significant};
 
 /// Classes of a histogram.
@@ -141,8 +141,11 @@ pub fn tornado(case: &Case, uncertainty: &Uncertainty, place: usize, units: Unit
 
 /// An input and its ends, in the unit of the file.
 fn input_with_range(input: &UncertainInput, bar: &Bar) -> String {
-    let name = input_in_words(&input.input.path);
     let [low, high] = [&bar.low, &bar.high].map(|end| significant(end.input, 4));
+    let name = match input.input.origin {
+        Origin::Given => input_in_words(&input.input.path),
+        Origin::Estimate(_) => return format!("{}: × {low} to {high}", input_name(&input.input)),
+    };
     let unit = input.input.unit.map_or_else(String::new, |unit| format!(" {unit}"));
     format!("{name}: {low} to {high}{unit}")
 }

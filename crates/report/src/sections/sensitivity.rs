@@ -1,14 +1,14 @@
 //! How sensitive the answer is to each input.
 
 use analysis::{Derivative, Sensitivity, SweepRow};
-use case::{Axes, Case};
+use case::{Axes, Case, Origin};
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
 
 use super::chosen::or_none;
 use crate::data::sensitivity::given_in_sweep;
 use crate::document::{Column, Document, Table, Width};
-use crate::outputs::{output_name, output_quantity};
+use crate::outputs::{input_name, output_name, output_quantity};
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
 
@@ -71,21 +71,24 @@ fn derivatives(first: &Derivative, group: &[Derivative], units: Units) -> Table 
     let (with, without): (Vec<&Derivative>, Vec<&Derivative>) =
         group.iter().partition(|row| size(row) > ROUNDING * largest);
     for row in with {
-        let (unit, per) = match row.input.unit {
-            Some(unit) => (format!(" {unit}"), unit.to_string()),
-            None => (String::new(), "1".to_owned()),
+        let (value, per, step) = match (row.input.origin, row.input.unit) {
+            (Origin::Given, Some(unit)) => {
+                (format!("{} {unit}", row.input.number), unit.to_string(), row.input.factor())
+            }
+            (Origin::Given, None) => (row.input.number.to_string(), "1".to_owned(), 1.0),
+            (Origin::Estimate(_), _) => ("× 1".to_owned(), "%".to_owned(), 0.01),
         };
         // In the result's unit per one of the input's own.
-        let change = significant(units.value(alone, row.value * row.input.factor()), 4);
+        let change = significant(units.value(alone, row.value * step), 4);
         table.row([
-            row.input.path.clone(),
-            format!("{}{unit}", row.input.number),
+            input_name(&row.input),
+            value,
             format!("{change} {} per {per}", units.name(alone)),
             or_none(row.relative().map(|relative| number(relative, 3))),
             number(100.0 * row.influence(), 2),
         ]);
     }
-    let without: Vec<&str> = without.iter().map(|row| row.input.path.as_str()).collect();
+    let without: Vec<String> = without.iter().map(|row| input_name(&row.input)).collect();
     if !without.is_empty() {
         table.notes.push(format!("no influence: {}", without.join(", ")));
     }

@@ -4,15 +4,23 @@ use std::f64::consts::PI;
 
 use ::drawing::Drawing;
 use ::uncertainty::{Bar, End, Estimate, Index, SamplingMethod, Shape, Summary};
-use analysis::{Output, REASONS, Reason, UncertainInput, UncertainOutput, Uncertainty};
-use case::Case;
+use analysis::{
+    Doubt, Doubtful, ExactValue, FAST_CLOSING, HIGH_RESTITUTION, Output, REASONS, Reason, TakenAsExact,
+    UncertainInput, UncertainOutput, Uncertainty,
+};
+use case::{
+    Case, Input, Origin, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, Unit, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+};
 use crash3::principal_angle;
 
 use crate::document::{Block, Column, Document, NONE, Table, Width};
-use crate::outputs::{Histogram, method_name, output_name, output_quantity};
+use crate::outputs::{
+    Histogram, estimate_name, estimate_source, input_name, method_name, output_name, output_quantity,
+};
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
+use crate::worth::{BARRIER_TESTS, Worth, worth};
 
 /// Classes of the histogram.
 const CLASSES: u32 = 15;
@@ -51,6 +59,8 @@ pub fn uncertainty(case: &Case, uncertainty: &Uncertainty, units: Units) -> Docu
     page.tornado();
     page.indices();
     page.inputs();
+    page.default_spreads();
+    page.taken_as_exact();
     let Page { mut document, .. } = page;
     document.blocks.extend(warnings::of_analysis(&uncertainty.nominal, case, units));
     document
@@ -88,6 +98,7 @@ impl<'a> Page<'a> {
             ));
         }
         lines.extend(self.failures());
+        lines.extend(self.doubts());
         self.document.push(Block::List(lines));
     }
 
@@ -101,6 +112,47 @@ impl<'a> Page<'a> {
             (failed > 0).then(|| format!("{} ({share} %) without: {}", grouped(failed), in_words(reason)))
         };
         REASONS.into_iter().filter_map(of).collect()
+    }
+
+    /// How many samples a single case would be warned of.
+    fn doubts(&self) -> Vec<String> {
+        let of = |doubtful: &Doubtful| {
+            #[expect(clippy::cast_precision_loss, reason = "a share for people")]
+            let share = significant(100.0 * doubtful.samples as f64 / doubtful.of as f64, 2);
+            let among = if doubtful.doubt == Doubt::SeveralSpeeds {
+                format!(" of the first {}", grouped(doubtful.of))
+            } else {
+                String::new()
+            };
+            let says = match doubtful.doubt {
+                Doubt::FoundBackward { vehicle } => {
+                    format!("find a negative speed of vehicle {vehicle}, which then moves backward")
+                }
+                Doubt::GivenBackward { vehicle } => {
+                    format!("have a negative speed of vehicle {vehicle}, which then moves backward")
+                }
+                Doubt::FoundTooFast { vehicle, limit } => format!(
+                    "find a speed of vehicle {vehicle} above {}, which is implausible",
+                    self.units.format(Measure::RoadSpeed, limit)
+                ),
+                Doubt::SeveralSpeeds => {
+                    "have several speeds that agree with the crush energy; the slowest approach counts"
+                        .to_owned()
+                }
+                Doubt::HighRestitution => format!(
+                    "have a restitution above {HIGH_RESTITUTION} at more than {}, which is unusual",
+                    self.units.format(Measure::RoadSpeed, FAST_CLOSING)
+                ),
+            };
+            format!("{} ({share} %){among} {says}", grouped(doubtful.samples))
+        };
+        let doubts: Vec<String> = self.uncertainty.doubtful.iter().map(of).collect();
+        if doubts.is_empty() {
+            return doubts;
+        }
+        let lead =
+            "Samples with an answer of which a single case would be warned; the intervals contain them:";
+        std::iter::once(lead.to_owned()).chain(doubts).collect()
     }
 
     /// Each output with its summary.
@@ -235,6 +287,10 @@ impl<'a> Page<'a> {
             }
         }
         self.document.push(table);
+        self.document.paragraph(
+            "An interval contains the error of the ranges below. It does not contain that of the numbers that \
+             were taken as exact, which are listed below too, nor the error of the method itself.",
+        );
         self.turned();
     }
 
@@ -336,7 +392,7 @@ impl<'a> Page<'a> {
                 Ok(outputs) => self.units.plain(alone, outputs.first().copied().unwrap_or(f64::NAN)),
                 Err(_) => "none".to_owned(),
             });
-            let path = self.uncertainty.inputs[bar.input].input.path.clone();
+            let path = input_name(&self.uncertainty.inputs[bar.input].input);
             let share = number(100.0 * output.first_order.shares[bar.input], 1);
             table.row([path, low, high, both_sides(bar, output.central, longest), format!("{share} %")]);
         }
@@ -383,7 +439,7 @@ impl<'a> Page<'a> {
         };
         for (input, index) in ranked {
             let cells = [cells(index.first_order), cells(index.total)].concat();
-            table.cells(std::iter::once(input.input.path.clone()).chain(cells));
+            table.cells(std::iter::once(input_name(&input.input)).chain(cells));
         }
         self.document.push(table);
         self.document.paragraph(format!(
@@ -410,14 +466,15 @@ impl<'a> Page<'a> {
         let mut cut = Vec::new();
         for input in &self.uncertainty.inputs {
             let central = with_unit(input, &input.input.number.to_string());
-            table.row([input.input.path.clone(), central, String::new(), distribution(input)]);
+            table.row([input_name(&input.input), central, String::new(), distribution(input)]);
             let kept = input.truncation().map_or(1.0, |cut| cut.kept);
             if 1.0 - kept > NOTICED_CUT {
                 let away = significant(100.0 * (1.0 - kept), 2);
                 let mean = with_unit(input, &significant(input.distribution.mean(), 4));
                 cut.push(format!(
                     "{}: {}; {away} % of the normal distribution is cut away, which moves its mean to {mean}",
-                    input.input.path, input.bounds
+                    input_name(&input.input),
+                    input.bounds
                 ));
             }
         }
@@ -425,6 +482,108 @@ impl<'a> Page<'a> {
         if !cut.is_empty() {
             self.document.paragraph("Distributions cut at physical limits:");
             self.document.push(Block::List(cut));
+        }
+    }
+
+    /// What has a spread although the file gives no range.
+    fn default_spreads(&mut self) {
+        let (mut stiffness, mut yaw_radius) = (Vec::new(), Vec::new());
+        let mut times = [1.0; 2];
+        for input in &self.uncertainty.inputs {
+            let Origin::Estimate(estimate) = input.input.origin else { continue };
+            match estimate {
+                case::Estimate::Stiffness { .. } => {
+                    stiffness.push(estimate_name(estimate));
+                    times = [0.025, 0.975].map(|share| input.distribution.quantile(share));
+                }
+                case::Estimate::YawRadius { .. } => yaw_radius.push(estimate_name(estimate)),
+            }
+        }
+        if !stiffness.is_empty() {
+            let [low, high] = times.map(|factor| significant(factor, 2));
+            self.document.paragraph(format!(
+                "Spread by default: {}. A category stands for many vehicles; A of a single one lies between \
+                 {low} and {high} times the value of the table with a probability of 95 %. The standard \
+                 deviation is {STIFFNESS_LN_SD_A} for ln A and {STIFFNESS_LN_SD_B} for ln B, which vary \
+                 together, and G with them ({BARRIER_TESTS}). The tests were of fronts; the spread is used \
+                 for all sides.",
+                stiffness.join("; ")
+            ));
+        }
+        if !yaw_radius.is_empty() {
+            self.document.paragraph(format!(
+                "Spread by default: {}. The radius of gyration k is within {} % of the estimate with a \
+                 probability of {} % (theory 5).",
+                yaw_radius.join("; "),
+                100.0 * YAW_RADIUS_WITHIN,
+                100.0 * YAW_RADIUS_CONFIDENCE
+            ));
+        }
+    }
+
+    /// What all samples share.
+    fn taken_as_exact(&mut self) {
+        let exact = &self.uncertainty.taken_as_exact;
+        if exact.is_empty() {
+            self.document.paragraph("Taken as exact: no number of the case.");
+            return;
+        }
+        let mut table = Table::new(
+            "Taken as exact",
+            [
+                Column::words("", Width::Fixed(34)),
+                Column::words("value", Width::Fixed(26)),
+                Column::words("how well it is usually known", Width::Share),
+            ],
+        );
+        let mut sources = Vec::new();
+        for TakenAsExact { key, value } in exact {
+            let value = match value {
+                ExactValue::Numbers(numbers) => exact_value(numbers),
+                ExactValue::Estimate(estimate) => estimate_source(*estimate),
+                ExactValue::Word(word) => (*word).to_owned(),
+            };
+            let worth = worth(key).map_or_else(
+                || NONE.to_owned(),
+                |Worth { error, source }| {
+                    let known = sources.iter().position(|other| *other == source);
+                    let number = known.unwrap_or_else(|| {
+                        sources.push(source);
+                        sources.len() - 1
+                    }) + 1;
+                    format!("{error} [{number}]")
+                },
+            );
+            table.row([key.clone(), value, worth]);
+        }
+        self.document.push(table);
+        let sources: Vec<String> =
+            (1..).zip(sources).map(|(number, source)| format!("[{number}] {source}")).collect();
+        let sources = if sources.is_empty() { String::new() } else { format!(" {}.", sources.join("; ")) };
+        self.document.paragraph(format!(
+            "Every sample uses these values, so no interval contains their error. Give a range for each that \
+             you do not know exactly.{sources}"
+        ));
+    }
+}
+
+/// A number with its unit; of a list, the least and the greatest.
+fn exact_value(numbers: &[Input]) -> String {
+    let with_unit = |number: &str, unit: Option<&Unit>| {
+        unit.map_or_else(|| number.to_owned(), |unit| format!("{number} {unit}"))
+    };
+    match numbers {
+        [] => NONE.to_owned(),
+        [input] => with_unit(&input.number.to_string(), input.unit),
+        [first, rest @ ..] => {
+            let (mut low, mut high) = (first, first);
+            for input in rest {
+                low = if input.si() < low.si() { input } else { low };
+                high = if input.si() > high.si() { input } else { high };
+            }
+            let [least, most] = [low, high].map(|input| with_unit(&input.number.to_string(), input.unit));
+            let least = if low.unit == high.unit { low.number.to_string() } else { least };
+            format!("{} values, {least} to {most}", numbers.len())
         }
     }
 }
@@ -451,6 +610,7 @@ fn distribution(input: &UncertainInput) -> String {
     let four = |value: f64| significant(value, 4);
     match input.distribution.shape() {
         Shape::Normal { sd, .. } => format!("normal, std. dev. {}", with_unit(input, &four(sd))),
+        Shape::LogNormal { ln_sd, .. } => format!("log-normal, std. dev. of ln {ln_sd}"),
         Shape::Uniform { low, high } => {
             format!("uniform, {} to {}", low, with_unit(input, &high.to_string()))
         }
@@ -462,7 +622,12 @@ fn distribution(input: &UncertainInput) -> String {
 }
 
 fn with_unit(input: &UncertainInput, number: &str) -> String {
-    input.input.unit.map_or_else(|| number.to_owned(), |unit| format!("{number} {unit}"))
+    match input.input.origin {
+        Origin::Given => {
+            input.input.unit.map_or_else(|| number.to_owned(), |unit| format!("{number} {unit}"))
+        }
+        Origin::Estimate(_) => format!("× {number}"),
+    }
 }
 
 fn value(end: &End) -> Option<f64> {

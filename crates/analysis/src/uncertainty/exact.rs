@@ -1,0 +1,67 @@
+//! Which numbers of a case the samples share: their errors are not in the intervals.
+
+use inputs::{BrachTangential, Case, Estimate, ImpactLaw, Input, Origin};
+use real::Gradient;
+
+use super::UncertainInput;
+
+/// What all samples share.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TakenAsExact {
+    /// Its key, such as `vehicle1.crush.depths`; of an estimate, the key of the value that is estimated.
+    pub key: String,
+    /// What it is.
+    pub value: ExactValue,
+}
+
+/// A value that all samples share.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ExactValue {
+    /// A number, or the numbers of a list that are not ranges.
+    Numbers(Vec<Input>),
+    /// What a table or a formula gives.
+    Estimate(Estimate),
+    /// A choice in a word.
+    Word(&'static str),
+}
+
+/// Every number of a case that is neither among the uncertain `inputs` nor without any part in the results, by
+/// the derivatives of these; the numbers of a list together.
+pub(super) fn taken_as_exact(
+    case: &Case,
+    inputs: &[UncertainInput],
+    gradients: &[Gradient],
+) -> Vec<TakenAsExact> {
+    let mut uncertain = inputs.iter().map(|input| &input.input.path).peekable();
+    // A list has a part in the results if one of its numbers has.
+    let mut lists: Vec<(String, ExactValue, bool)> = Vec::new();
+    for (place, input) in case.variables().into_iter().enumerate() {
+        if uncertain.next_if(|path| **path == input.path).is_some() {
+            continue;
+        }
+        let key = match input.origin {
+            Origin::Given => input.path.split('[').next().unwrap_or_default().to_owned(),
+            Origin::Estimate(estimate) => estimate.key(),
+        };
+        // A friction limit that is not reached has a part in the results too.
+        let has_part =
+            key.starts_with("impact.") || gradients.iter().any(|gradient| gradient.by[place] != 0.0);
+        match (lists.last_mut(), input.origin) {
+            (_, Origin::Estimate(estimate)) => lists.push((key, ExactValue::Estimate(estimate), has_part)),
+            (Some((last, ExactValue::Numbers(numbers), list_has_part)), _) if *last == key => {
+                numbers.push(input);
+                *list_has_part |= has_part;
+            }
+            _ => lists.push((key, ExactValue::Numbers(vec![input]), has_part)),
+        }
+    }
+    lists.retain(|(_, _, has_part)| *has_part);
+    let mut exact: Vec<TakenAsExact> =
+        lists.into_iter().map(|(key, value, _)| TakenAsExact { key, value }).collect();
+    if let Some(ImpactLaw::Brach { tangential: BrachTangential::Critical, .. }) =
+        case.impact.as_ref().map(|impact| &impact.law)
+    {
+        exact.push(TakenAsExact { key: "impact.tangential".to_owned(), value: ExactValue::Word("critical") });
+    }
+    exact
+}
