@@ -1,9 +1,12 @@
 //! The command line.
 
 use std::ffi::OsStr;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
+use clap::builder::{
+    MapValueParser, PathBufValueParser, PossibleValue, StringValueParser, TypedValueParser,
+    ValueParserFactory,
+};
 use clap::{Arg, Args, Parser, ValueEnum};
 use clap_complete::Shell;
 use uncertainty::MIN_SAMPLES;
@@ -192,6 +195,31 @@ pub(crate) enum Command {
     Man(ManArguments),
 }
 
+/// A file, or standard output, which is also called `-`.
+#[derive(Clone, Debug)]
+pub(crate) struct Destination(PathBuf);
+
+impl Destination {
+    /// Nothing where it is standard output.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        (self.0 != Path::new("-")).then_some(&self.0)
+    }
+}
+
+impl From<PathBuf> for Destination {
+    fn from(path: PathBuf) -> Self {
+        Self(path)
+    }
+}
+
+impl ValueParserFactory for Destination {
+    type Parser = MapValueParser<PathBufValueParser, fn(PathBuf) -> Self>;
+
+    fn value_parser() -> Self::Parser {
+        PathBufValueParser::new().map(Self::from)
+    }
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct ExplainArguments {
     /// What to explain, in one or more words
@@ -203,8 +231,8 @@ pub(crate) struct ExplainArguments {
     pub(crate) format: Format,
 
     /// Write to FILE instead of standard output
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
+    pub(crate) output: Destination,
 }
 
 /// Takes any word, which may be a symbol or a key, and offers the names of the topics to the completions of
@@ -253,8 +281,8 @@ pub(crate) struct CasesArguments {
     pub(crate) threads: Option<u16>,
 
     /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
+    pub(crate) output: Destination,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -299,8 +327,8 @@ pub(crate) struct NewArguments {
     pub(crate) units: CaseUnits,
 
     /// Write to FILE, which must not exist, instead of standard output
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
+    pub(crate) output: Destination,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -328,8 +356,8 @@ pub(crate) enum Template {
 #[derive(Debug, Args)]
 pub(crate) struct SchemaArguments {
     /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
+    pub(crate) output: Destination,
 }
 
 #[derive(Debug, Args)]
@@ -365,8 +393,8 @@ pub(crate) struct DrawArguments {
     pub(crate) plain: bool,
 
     /// Write to FILE, which must end in .svg, .png or .pdf; without this option, SVG goes to standard output
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
+    pub(crate) output: Destination,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -491,8 +519,8 @@ pub(crate) struct ValidateArguments {
     pub(crate) format: Format,
 
     /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
+    pub(crate) output: Destination,
 
     /// Also write the plots computed-against-measured.svg and reconstructed-speed.svg into DIR, which is
     /// created if needed
@@ -519,8 +547,8 @@ pub(crate) struct Arguments {
     pub(crate) units: Option<UnitSystem>,
 
     /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
+    pub(crate) output: Destination,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

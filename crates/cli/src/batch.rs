@@ -2,7 +2,6 @@
 
 use std::collections::VecDeque;
 use std::fmt;
-use std::fs::File;
 use std::io::{self, ErrorKind, IsTerminal as _, Write};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc;
@@ -14,6 +13,7 @@ use rayon::ThreadPool;
 use report::{PROGRAM, Refused, Row, RowError, Units};
 
 use crate::progress::Progress;
+use crate::sink::Sink;
 use crate::{Analyse, named, read};
 
 /// Cases per thread that are begun before the row whose turn it is has been written: enough that no thread
@@ -80,23 +80,25 @@ pub(crate) struct Job<'a> {
 type Written = (Result<String, RowError>, bool);
 
 pub(crate) fn write(job: &Job<'_>, pool: &ThreadPool, output: Option<&Path>) -> Result<()> {
-    let mut sink: Box<dyn Write> = match output {
-        Some(path) => Box::new(
-            File::create(path).with_context(|| format!("cannot write the output to {}", named(path)))?,
-        ),
-        None => Box::new(io::stdout()),
+    let cannot = || {
+        output.map_or(CANNOT_WRITE.to_owned(), |path| format!("cannot write the output to {}", named(path)))
     };
+    let mut sink = Sink::open(output).with_context(cannot)?;
     // Rows that appear on the terminal show themselves how far it is, and a bar would run into them.
     let mut progress = match output.is_none() && io::stdout().is_terminal() {
         true => None,
         false => Some(Progress::new()?),
     };
-    match rows(job, pool, &mut *sink, &mut |done| {
+    let written = rows(job, pool, &mut sink, &mut |done| {
         progress.as_mut().is_some_and(|progress| progress.at("case files", done, job.cases.len()).is_break())
-    }) {
+    });
+    match written {
         // Whoever reads has read enough, as `head` does.
         Err(error) if is_broken_pipe(&error) => Ok(()),
-        written => written,
+        // The rows that there are.
+        Err(error) if error.is::<Incomplete>() => sink.finish().with_context(cannot).and(Err(error)),
+        Err(error) => Err(error),
+        Ok(()) => sink.finish().with_context(cannot),
     }
 }
 

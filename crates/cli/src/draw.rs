@@ -9,7 +9,7 @@ use report::{Drawing, PictureFormat, Subject};
 use crate::arguments::{DrawArguments, What};
 
 pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
-    let path = arguments.output.as_deref();
+    let path = arguments.output.file();
     let format = format_of(path)?;
     if arguments.plain && arguments.what != What::Scene {
         bail!("--plain is a form of the scene alone: give --what scene, or leave out --plain");

@@ -7,6 +7,7 @@ mod new;
 mod outputs;
 mod pages;
 mod progress;
+mod sink;
 mod terminal;
 
 use std::fs;
@@ -26,6 +27,7 @@ use case::{Case, CaseFile, Diagnostics, Text};
 use clap::Parser as _;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use report::{Document, Drawing, DrawingError, PictureFormat, Supplements, Units};
+use sink::Sink;
 use uncertainty::{SamplingMethod, Settings};
 use validation::{Data, Validation};
 
@@ -94,7 +96,7 @@ fn run(command: Command) -> Result<()> {
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::Validate(arguments) => validate(&arguments),
         Command::Explain(arguments) => explain(&arguments),
-        Command::Schema(arguments) => write(arguments.output.as_deref(), case::json_schema()),
+        Command::Schema(arguments) => write(arguments.output.file(), case::json_schema()),
         Command::Completions(arguments) => pages::completions(arguments.shell),
         Command::Man(arguments) => pages::manual(arguments.output_dir.as_deref()),
     }
@@ -113,8 +115,7 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
 
 fn report_or_rows(arguments: CasesArguments, analyse: Analyse) -> Result<()> {
     let CasesArguments { mut cases, format, units, threads, output } = arguments;
-    let rows =
-        |format| batch::write(&Job { cases: &cases, analyse, format }, &pool(threads)?, output.as_deref());
+    let rows = |format| batch::write(&Job { cases: &cases, analyse, format }, &pool(threads)?, output.file());
     let format = match format.of_one() {
         Ok(format) => format,
         // Rows of several cases have one header: its units are not those of a case.
@@ -151,7 +152,7 @@ fn present<E>(
 where
     anyhow::Error: From<E>,
 {
-    present_as(document, arguments.format, arguments.output.as_deref(), json)
+    present_as(document, arguments.format, arguments.output.file(), json)
 }
 
 fn present_as<E>(
@@ -213,7 +214,7 @@ fn explain(ExplainArguments { topic, format, output }: &ExplainArguments) -> Res
         words => Some(report::topic(&words.join(" "))?),
     };
     let document = topic.map_or_else(report::list_of_topics, report::explanation);
-    present_as(&document, *format, output.as_deref(), || {
+    present_as(&document, *format, output.file(), || {
         topic.map_or_else(report::topics_json, report::topic_json)
     })
 }
@@ -243,8 +244,10 @@ fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
     let uncertainty = answered(propagate(&file.case, arguments)?, &file, units)?;
     if let Some(path) = &arguments.samples_out {
         let cannot = || format!("cannot write the samples to {}", named(path));
-        let mut out = BufWriter::new(fs::File::create(path).with_context(cannot)?);
-        report::write_samples(&uncertainty, &mut out).and_then(|()| out.flush()).with_context(cannot)?;
+        let mut out = BufWriter::new(Sink::open(Some(path)).with_context(cannot)?);
+        report::write_samples(&uncertainty, &mut out)
+            .and_then(|()| out.into_inner().map_err(io::IntoInnerError::into_error)?.finish())
+            .with_context(cannot)?;
     }
     if let Some(folder) = &arguments.plots {
         for (place, output) in uncertainty.outputs.iter().enumerate() {
@@ -375,7 +378,7 @@ fn validate(arguments: &ValidateArguments) -> Result<()> {
 
 /// Writes everything first: what fails is to be seen in full.
 fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
-    present_as(&report::validation(validation), arguments.format, arguments.output.as_deref(), || {
+    present_as(&report::validation(validation), arguments.format, arguments.output.file(), || {
         report::validation_json(validation)
     })?;
     if let Some(folder) = &arguments.plots {
@@ -415,16 +418,17 @@ fn read(path: &Path) -> Result<(String, Vec<u8>)> {
 }
 
 fn write(path: Option<&Path>, output: impl AsRef<[u8]>) -> Result<()> {
-    let output = output.as_ref();
-    match path {
-        Some(path) => {
-            fs::write(path, output).with_context(|| format!("cannot write the output to {}", named(path)))
+    let written = Sink::open(path).and_then(|mut sink| {
+        sink.write_all(output.as_ref())?;
+        sink.finish()
+    });
+    match (written, path) {
+        (written, Some(path)) => {
+            written.with_context(|| format!("cannot write the output to {}", named(path)))
         }
-        None => match io::stdout().write_all(output) {
-            // Whoever reads has read enough, as `head` does.
-            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-            written => written.context("cannot write to standard output"),
-        },
+        // Whoever reads has read enough, as `head` does.
+        (Err(error), None) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        (written, None) => written.context("cannot write to standard output"),
     }
 }
 
@@ -453,7 +457,7 @@ mod tests {
     #[test]
     fn a_claim_that_fails_ends_with_status_1_after_the_page_is_written() {
         let page = std::env::temp_dir().join(format!("deltav-failing-{}.txt", std::process::id()));
-        let output = Some(page.clone());
+        let output = page.clone().into();
         let arguments =
             ValidateArguments { format: Format::Text, output, plots: None, plots_format: PlotsFormat::Svg };
         let mut validation = validation::validate(&validation::Data::built_in()).unwrap();

@@ -40,6 +40,13 @@ struct Files<'a> {
 /// called before anything is computed.
 pub(crate) fn check(command: &Command) -> Result<()> {
     let Files { cases, outputs, folder } = files(command);
+    let named_so = outputs.iter().map(|output| (output.option, output.path));
+    let folders = folder.iter().map(|folder| (folder.option, folder.path));
+    if let Some((option, _)) = named_so.chain(folders).find(|(_, path)| *path == Path::new("-")) {
+        bail!(
+            "{option} - : standard output is for the report; give a name, or ./- for one that is called so"
+        );
+    }
     for output in &outputs {
         let Output { option, path, .. } = output;
         let (name, other) = (named(path), proposal(output));
@@ -125,7 +132,7 @@ fn files(command: &Command) -> Files<'_> {
         Command::Reconstruct(arguments) | Command::Impact(arguments) => Files {
             cases: arguments.cases.iter().map(|case| &**case).collect(),
             outputs: output(
-                arguments.output.as_deref(),
+                arguments.output.file(),
                 match arguments.format.of_one() {
                     Ok(format) => ending(format, REPORT),
                     Err(Rows::Csv) => "-rows.csv",
@@ -151,12 +158,12 @@ fn files(command: &Command) -> Files<'_> {
         }
         Command::Draw(arguments) => Files {
             cases: vec![&arguments.case],
-            outputs: output(arguments.output.as_deref(), "-drawing.svg"),
+            outputs: output(arguments.output.file(), "-drawing.svg"),
             folder: None,
         },
         Command::Validate(arguments) => Files {
             cases: Vec::new(),
-            outputs: output(arguments.output.as_deref(), ending(arguments.format, PAGE)),
+            outputs: output(arguments.output.file(), ending(arguments.format, PAGE)),
             folder: arguments.plots.as_deref().map(|path| Folder {
                 option: "--plots",
                 path,
@@ -166,7 +173,7 @@ fn files(command: &Command) -> Files<'_> {
             }),
         },
         Command::Schema(arguments) => {
-            Files { outputs: output(arguments.output.as_deref(), ".schema.json"), ..Files::default() }
+            Files { outputs: output(arguments.output.file(), ".schema.json"), ..Files::default() }
         }
         Command::Man(arguments) => Files {
             folder: arguments.output_dir.as_deref().map(|path| Folder {
@@ -177,7 +184,7 @@ fn files(command: &Command) -> Files<'_> {
             ..Files::default()
         },
         Command::Explain(arguments) => Files {
-            outputs: output(arguments.output.as_deref(), ending(arguments.format, TOPIC)),
+            outputs: output(arguments.output.file(), ending(arguments.format, TOPIC)),
             ..Files::default()
         },
         // Standard output is theirs.
@@ -188,7 +195,7 @@ fn files(command: &Command) -> Files<'_> {
 fn of_arguments(arguments: &Arguments) -> Files<'_> {
     Files {
         cases: vec![&arguments.case],
-        outputs: output(arguments.output.as_deref(), ending(arguments.format, REPORT)),
+        outputs: output(arguments.output.file(), ending(arguments.format, REPORT)),
         folder: None,
     }
 }

@@ -17,8 +17,12 @@ pub(crate) fn completions(shell: Shell) -> Result<()> {
 /// The page of the program to standard output, or all pages into a folder.
 pub(crate) fn manual(folder: Option<&Path>) -> Result<()> {
     match folder {
-        Some(folder) => clap_mangen::generate_to(for_pages(), folder)
-            .with_context(|| format!("cannot write the manual pages into {}", crate::named(folder))),
+        Some(folder) => {
+            let mut command = for_pages().disable_help_subcommand(true);
+            // Pages are named after the commands before them too, which it gives them.
+            command.build();
+            pages(&command, folder)
+        }
         None => {
             let mut page = Vec::new();
             // As in the folder, which has no page for the help.
@@ -27,6 +31,18 @@ pub(crate) fn manual(folder: Option<&Path>) -> Result<()> {
             crate::write(None, page)
         }
     }
+}
+
+/// The page of a command, and those of its commands.
+fn pages(command: &clap::Command, folder: &Path) -> Result<()> {
+    command
+        .get_subcommands()
+        .filter(|command| !command.is_hide_set())
+        .try_for_each(|command| pages(command, folder))?;
+    let manual = clap_mangen::Man::new(command.clone());
+    let mut page = Vec::new();
+    manual.render(&mut page).context("cannot make the page")?;
+    crate::write(Some(&folder.join(manual.get_filename())), page)
 }
 
 /// The commands with dots behind what may be given several times, which clap_mangen leaves out.

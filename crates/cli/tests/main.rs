@@ -9,3 +9,4 @@ mod hostile;
 mod json;
 mod outputs;
 mod start;
+mod writing;
