@@ -5,7 +5,6 @@ use ::drawing::Drawing;
 use case::Text;
 
 use crate::steps::StepGroup;
-use crate::units::Units;
 use crate::{words, writers};
 
 /// A document of the program. [`text`](Self::text), [`markdown`](Self::markdown) and [`html`](Self::html)
@@ -57,10 +56,7 @@ pub(crate) enum Block {
     /// Words and what is said of them, which may take several lines.
     Entries(Vec<(String, String)>),
     Table(Table),
-    Steps {
-        group: StepGroup,
-        units: Units,
-    },
+    Steps(StepGroup),
     Drawing(Box<Drawing>),
     /// A drawing in HTML; elsewhere the table that says the same, where there is one.
     Chart {

@@ -1,20 +1,25 @@
 //! The results one by one, each with its equation and the numbers put into it: what a reader with a
 //! calculator can check.
 //!
-//! The result stands in SI units and in those of the report. All numbers of a substitution are in SI units
-//! and degrees, but for those of the file that it converts, and in the axes of the case: the equations hold
-//! in either handedness. A number that is not exact is printed with at least six significant digits, one with
-//! five or fewer is exact; each printed result follows from the printed numbers within their rounding.
+//! All numbers of a substitution are in coherent units of the reader, SI or ft, lb, s and slug, and in
+//! degrees, but for those of the file that it converts, and in the axes of the case: the equations hold in
+//! either handedness. The result is repeated as the other tables of the report have it. A number that is not
+//! exact is printed with at least six significant digits, one with five or fewer is exact; each printed result
+//! follows from the printed numbers within their rounding.
 
 mod collision;
 mod crash3;
 mod damage;
 mod inertia;
+mod numbers;
 
 use analysis::Analysis;
-use case::Case;
+use case::{Case, Quantity};
 
-use crate::units::{Measure, Units, significant};
+use crate::units::{Measure, Units};
+use numbers::{angle, coherent, converted, is_coherent, n, name_of, p};
+
+pub(crate) use numbers::digits;
 
 /// One result.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,26 +40,43 @@ pub struct Step {
     pub unit: &'static str,
     /// The result as printed, without its unit.
     pub printed: String,
+    /// The result as the rest of the report has it, like `24.71 ft/s = 16.85 mph`; `None` where that is no
+    /// other unit than its own.
+    pub repeated: Option<String>,
     /// What it is in the units of the reader, where `unit` alone does not tell.
     quantity: Option<Measure>,
+    /// The number of the file that it is, which needs no equation where its unit is the one of the others.
+    input: Option<Quantity>,
     /// Where the equation stands: `Eq 5` of SAE 980025, or `theory 3`, a section of docs/theory.md. For a
     /// value without one, where it comes from: `input`, or a table.
     pub source: &'static str,
 }
 
 impl Step {
-    /// The result as the rest of a report in these units has it, like `24.71 ft/s = 16.85 mph`; `None` where
-    /// that is no other unit than its own.
-    #[must_use]
-    pub fn in_units(&self, units: Units) -> Option<String> {
-        let quantity = self.quantity.or_else(|| quantity(self.unit))?;
-        let shown: Vec<String> = [Some(quantity), (quantity == Measure::Speed).then_some(Measure::RoadSpeed)]
+    /// The step, which is in SI units, in those of the reader.
+    fn for_reader(self, units: Units) -> Self {
+        let quantity = self.quantity.or_else(|| quantity(self.unit));
+        let (size, unit) = coherent(self.unit, units);
+        let road = (quantity == Some(Measure::Speed)).then_some(Measure::RoadSpeed);
+        let shown: Vec<String> = [quantity, road]
             .into_iter()
             .flatten()
-            .filter(|&quantity| units.name(quantity) != self.unit)
+            .filter(|&quantity| units.name(quantity) != unit)
             .map(|quantity| units.format(quantity, self.value).replace('-', "−"))
             .collect();
-        (!shown.is_empty()).then(|| shown.join(" = "))
+        let value = self.value / size;
+        let is_as_given = self.input.is_some_and(|input| is_coherent(&input, self.unit, units));
+        let [formula, substitution] = [&self.formula, &self.substitution]
+            .map(|text| if is_as_given { String::new() } else { numbers::printed(text, units) });
+        Self {
+            formula,
+            substitution,
+            value,
+            unit,
+            printed: digits(value),
+            repeated: (!shown.is_empty()).then(|| shown.join(" = ")),
+            ..self
+        }
     }
 
     /// Which is not what its unit alone would say.
@@ -92,13 +114,17 @@ pub struct StepGroup {
 
 /// All steps of an analysis, in the order in which one follows from the other.
 #[must_use]
-pub fn steps(case: &Case, analysis: &Analysis) -> Vec<StepGroup> {
+pub fn steps(case: &Case, analysis: &Analysis, units: Units) -> Vec<StepGroup> {
     let analysis = &analysis.seen(case.axes);
     let mut groups = inertia::groups(case, analysis);
     groups.extend(damage::groups(case, analysis));
     groups.extend(collision::groups(case, analysis));
     groups.extend(crash3::groups(case, analysis));
     groups.retain(|group| !group.steps.is_empty());
+    for group in &mut groups {
+        let steps = std::mem::take(&mut group.steps);
+        group.steps = steps.into_iter().map(|step| step.for_reader(units)).collect();
+    }
     groups
 }
 
@@ -123,8 +149,10 @@ fn step(
         substitution,
         value,
         unit,
-        printed: digits(value),
+        printed: String::new(),
+        repeated: None,
         quantity: None,
+        input: None,
         source,
     }
 }
@@ -138,86 +166,4 @@ fn given(
     source: &'static str,
 ) -> Step {
     step(name, symbol, "", String::new(), value, unit, source)
-}
-
-/// (digits) that say that a number is rounded.
-const DIGITS: usize = 6;
-
-/// What is smaller is the rounding of a zero: no quantity of a collision is as small in SI units.
-const NOTHING: f64 = 1e-12;
-
-/// A number as it is printed: exact where that takes fewer than six digits, else with six. What a conversion
-/// of units leaves in the thirteenth digit does not count.
-pub(crate) fn digits(value: f64) -> String {
-    let value = if value.abs() < NOTHING { 0.0 } else { value };
-    let text = match format!("{value:.11e}").parse::<f64>() {
-        Ok(plain) if is_short(plain) => format!("{plain}"),
-        _ => rounded(value),
-    };
-    text.replace('-', "−")
-}
-
-/// What is smaller has more than two zeros behind the point.
-const LONG: f64 = 1e-3;
-
-fn is_short(value: f64) -> bool {
-    let text = format!("{value}");
-    let digits = text.trim_start_matches(['-', '0', '.']).chars().filter(char::is_ascii_digit).count();
-    digits < DIGITS && (value == 0.0 || (1e-5..1e6).contains(&value.abs()))
-}
-
-/// Six significant digits; a factor of a power of ten only where the number would be long.
-fn rounded(value: f64) -> String {
-    if (1e5..1e12).contains(&value.abs()) {
-        return format!("{value:.0}");
-    }
-    if value.abs() >= LONG {
-        let text = significant(value, DIGITS);
-        if !text.contains('e') {
-            return text;
-        }
-        // Behind the point stand zeros, and then all six.
-        let zeros = if value.abs() < 0.01 { 2 } else { 1 };
-        return format!("{value:.*}", DIGITS + zeros);
-    }
-    let scientific = format!("{value:.*e}", DIGITS - 1);
-    match scientific.split_once('e') {
-        Some((mantissa, exponent)) => format!("{mantissa}·10{}", superscript(exponent)),
-        None => scientific,
-    }
-}
-
-fn superscript(exponent: &str) -> String {
-    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    exponent
-        .chars()
-        .map(|c| match c.to_digit(10) {
-            Some(digit) => usize::try_from(digit).ok().and_then(|d| RAISED.get(d).copied()).unwrap_or(c),
-            None => '⁻',
-        })
-        .collect()
-}
-
-/// A number with its unit, in parentheses where it is negative or a product.
-fn n(value: f64, unit: &str) -> String {
-    let text = with_unit(value, unit);
-    if text.starts_with('−') || text.contains('·') && text.contains("10") && !text.contains('\u{a0}') {
-        format!("({text})")
-    } else {
-        text
-    }
-}
-
-/// A number with its unit in parentheses, to be raised to a power.
-fn p(value: f64, unit: &str) -> String {
-    format!("({})", with_unit(value, unit))
-}
-
-fn with_unit(value: f64, unit: &str) -> String {
-    if unit.is_empty() { digits(value) } else { format!("{}\u{a0}{unit}", digits(value)) }
-}
-
-/// An angle as the argument of a function.
-fn angle(rad: f64) -> String {
-    format!("({}\u{a0}°)", digits(rad.to_degrees()))
 }

@@ -11,7 +11,6 @@ pub(crate) use text::write as text;
 
 use crate::document::Block;
 use crate::steps::Step;
-use crate::units::Units;
 
 /// Whether only HTML has a block: a picture that says what tables say too.
 fn is_for_html_alone(block: &Block) -> bool {
@@ -19,12 +18,12 @@ fn is_for_html_alone(block: &Block) -> bool {
 }
 
 /// A step as lines of plain text: what it is, its equation, the numbers in it, and the value.
-fn step_lines(step: &Step, units: Units) -> Vec<String> {
+fn step_lines(step: &Step) -> Vec<String> {
     let mut value = step.printed.clone();
     if !step.unit.is_empty() {
         value.push_str(&format!(" {}", step.unit));
     }
-    if let Some(shown) = step.in_units(units) {
+    if let Some(shown) = &step.repeated {
         value.push_str(&format!(" = {shown}"));
     }
     let mut lines = vec![format!("{} ({})", step.name, step.source)];

@@ -72,7 +72,7 @@ fn every_symbol_of_a_report_has_a_topic() {
     let mut symbols = BTreeSet::new();
     for file in cases() {
         for analysis in analyses(&file) {
-            let groups = report::steps(&file.case, &analysis);
+            let groups = report::steps(&file.case, &analysis, report::Units::Si);
             symbols.extend(groups.into_iter().flat_map(|group| group.steps).map(|step| step.symbol));
         }
     }

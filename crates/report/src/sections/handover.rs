@@ -75,13 +75,19 @@ pub fn handover(
     );
     page.blocks.extend(inputs::tables(file, analysis, units).into_iter().map(Block::Table));
     page.heading("Results step by step");
-    page.paragraph(
-        "Each result has its equation, the numbers in it, and its source. Numbers are in SI units and \
-         degrees, so a calculator gives the printed result. A number with fewer than six digits is exact; \
-         any other is rounded. Each result is repeated in the units of the other tables. atan2(y, x) is the \
-         angle of the point (x, y).",
-    );
-    page.blocks.extend(steps(case, analysis).into_iter().map(|group| Block::Steps { group, units }));
+    let system = match units {
+        Units::Si => "Numbers are in SI units and degrees",
+        Units::Us => {
+            "Numbers are in ft, lb, s, slug (1 slug = 1 lb·s²/ft, so a mass is the weight over 32.174 ft/s²) and \
+             degrees"
+        }
+    };
+    page.paragraph(format!(
+        "Each result has its equation, the numbers in it, and its source. {system}, so a calculator gives the \
+         printed result. A number with fewer than six digits is exact; any other is rounded. Each result is \
+         repeated in the units of the other tables. atan2(y, x) is the angle of the point (x, y)."
+        ));
+    page.blocks.extend(steps(case, analysis, units).into_iter().map(Block::Steps));
     if let Some(impact) = &seen.impact {
         page.heading("Energy balance");
         page.push(energy_balance(seen, impact, units));

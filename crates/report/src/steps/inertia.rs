@@ -4,7 +4,7 @@ use analysis::{Seen, Vehicle};
 use case::{Case, Mass, Quantity, STANDARD_GRAVITY, YawInertia, YawSource};
 use pim_core::VehicleId;
 
-use super::{Step, StepGroup, given, group, n, p, step};
+use super::{Step, StepGroup, converted, given, group, n, name_of, p, step};
 
 pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     let steps = VehicleId::ALL
@@ -15,24 +15,11 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     vec![group("Mass and yaw inertia", steps)]
 }
 
-/// A number of the file, from its own unit where that is not the one of the equations.
+/// A number of the file, converted where its unit is not the one of the reader's equations.
 fn input(name: String, symbol: String, quantity: &Quantity, unit: &'static str) -> Step {
-    if quantity.unit().factor() == 1.0 {
-        return given(name, symbol, quantity.si(), unit, "input");
-    }
-    step(name, symbol, format!("as given, in {unit}"), in_si(quantity, unit), quantity.si(), unit, "input")
-}
-
-/// `3300 lb · 0.453592 kg/lb`; a number in the unit of the equations as it is.
-fn in_si(quantity: &Quantity, unit: &str) -> String {
-    let own = quantity.unit().spelling().replace(' ', "·").replace("^2", "²");
-    let number = n(quantity.number(), &own);
-    let factor = quantity.unit().factor();
-    if factor == 1.0 {
-        return number;
-    }
-    let own = if own.contains('·') { format!("({own})") } else { own };
-    format!("{number} · {}", n(factor, &format!("{unit}/{own}")))
+    let formula = format!("as given, in {}", name_of(unit));
+    let step = step(name, symbol, formula, converted(quantity, unit), quantity.si(), unit, "input");
+    Step { input: Some(*quantity), ..step }
 }
 
 /// A mass in kg: a weight over the standard gravity, by which the program divides too.
@@ -45,7 +32,7 @@ pub(super) fn mass(written: &Mass, name: String, of: &str) -> Step {
             name,
             symbol,
             format!("W_{of}/g"),
-            format!("{} / {}", in_si(weight, "N"), n(STANDARD_GRAVITY, "m/s²")),
+            format!("{} / {}", converted(weight, "N"), n(STANDARD_GRAVITY, "m/s²")),
             written.kg(),
             "kg",
             "theory 1",

@@ -6,7 +6,6 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use super::{anchor, code_spans};
 use crate::document::{Block, Cells, Column, Row, Table};
 use crate::steps::{Step, StepGroup};
-use crate::units::Units;
 
 /// Paper of any size: the browser's choice of A4 or Letter is respected, with margins that both have room
 /// for.
@@ -139,7 +138,7 @@ fn block(block: &Block) -> Markup {
             }
         },
         Block::Table(table) => self::table(table),
-        Block::Steps { group, units } => steps(group, *units),
+        Block::Steps(group) => steps(group),
         Block::Drawing(drawing) | Block::Picture { drawing, .. } => figure(drawing, drawing.name()),
         Block::Chart { name, drawing, .. } => figure(drawing, name),
         Block::Listing { text, .. } => html! { pre { code { (text) } } },
@@ -221,7 +220,7 @@ fn lines(text: &str) -> Markup {
     }
 }
 
-fn steps(group: &StepGroup, units: Units) -> Markup {
+fn steps(group: &StepGroup) -> Markup {
     html! {
         h3 { (group.title) }
         table.steps {
@@ -234,13 +233,13 @@ fn steps(group: &StepGroup, units: Units) -> Markup {
                 }
             }
             tbody {
-                @for step in &group.steps { (self::step(step, units)) }
+                @for step in &group.steps { (self::step(step)) }
             }
         }
     }
 }
 
-fn step(step: &Step, units: Units) -> Markup {
+fn step(step: &Step) -> Markup {
     html! {
         tr {
             th scope="row" { (subscripts(&step.name)) }
@@ -251,7 +250,7 @@ fn step(step: &Step, units: Units) -> Markup {
             }
             td.number {
                 span.result { (step.printed) @if !step.unit.is_empty() { "\u{a0}" (step.unit) } }
-                @if let Some(shown) = step.in_units(units) { br; "= " (shown) }
+                @if let Some(shown) = &step.repeated { br; "= " (shown) }
             }
             td { (step.source) }
         }

@@ -48,13 +48,8 @@ fn block(block: &Block) -> String {
         }
         Block::Table(table) | Block::Chart { instead: Some(table), .. } => self::table(table),
         Block::Chart { instead: None, .. } => String::new(),
-        Block::Steps { group, units } => {
-            let lines: String = group
-                .steps
-                .iter()
-                .flat_map(|step| step_lines(step, *units))
-                .map(|line| line + "\n")
-                .collect();
+        Block::Steps(group) => {
+            let lines: String = group.steps.iter().flat_map(step_lines).map(|line| line + "\n").collect();
             format!("### {}\n\n{}", escaped(&group.title), listing("text", &lines))
         }
         Block::Drawing(drawing) => {

@@ -4,7 +4,6 @@ use super::wrap::{hanging, wrapped};
 use super::{is_for_html_alone, step_lines};
 use crate::document::{Block, Cells, Column, Row, Table, Width};
 use crate::steps::StepGroup;
-use crate::units::Units;
 
 /// Codes of ECMA-48.
 const BOLD: &str = "1";
@@ -121,7 +120,7 @@ impl Page {
             Block::Table(table) | Block::Chart { instead: Some(table), .. } => {
                 self.table(table, is_beneath_a_heading(block, before));
             }
-            Block::Steps { group, units } => self.steps(group, *units),
+            Block::Steps(group) => self.steps(group),
             Block::Drawing(drawing) => {
                 let words = format!("{}: {}", drawing.name(), drawing.description());
                 self.wrapped(&words);
@@ -137,10 +136,10 @@ impl Page {
         self.out.push_str(&hanging(&head, value, self.line));
     }
 
-    fn steps(&mut self, StepGroup { title, steps }: &StepGroup, units: Units) {
+    fn steps(&mut self, StepGroup { title, steps }: &StepGroup) {
         self.heading(title);
         for step in steps {
-            for line in step_lines(step, units) {
+            for line in step_lines(step) {
                 self.plain(&line);
             }
         }
