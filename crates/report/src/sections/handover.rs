@@ -241,7 +241,7 @@ fn error_rate(analysis: &Analysis, validation: &Validation, units: Units) -> Vec
     let own = of_speeds.into_iter().chain([
         super::validation::validation_headline(validation, units),
         "`deltav validate` repeats the comparison and prints its data, case by case: the RICSAC collisions of \
-         SAE 871993 and SAE 980025. The intervals of this report do not contain this error."
+         SAE 871993 and SAE 980025. Intervals of a report do not contain this error."
             .to_owned(),
     ]);
     own.collect()

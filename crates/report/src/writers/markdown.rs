@@ -22,7 +22,7 @@ fn block(block: &Block) -> String {
         Block::Answer { found, how } => {
             let how = if how.is_empty() { String::new() } else { format!("\n{}\n", prose(how)) };
             let found: Vec<String> = found.iter().map(|line| format!("**{}**", escaped(line))).collect();
-            format!("{}\n{how}", found.join("\\\n"))
+            format!("{}\n{how}", found.join("\n\n"))
         }
         Block::Notice { count, heading } => match heading {
             Some(heading) => format!("[{count}](#{}), at the end.\n", anchor(heading)),
