@@ -57,7 +57,7 @@ pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitiv
 pub use thresholds::{FAST_CLOSING, HIGH_RESTITUTION};
 pub use uncertainty::{
     Doubt, Doubtful, ExactValue, Plan, REASONS, Reason, Stage, TakenAsExact, UncertainInput, UncertainOutput,
-    Uncertainty, uncertainty,
+    Uncertainty, is_uncertain, uncertainty,
 };
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 

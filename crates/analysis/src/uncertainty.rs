@@ -307,6 +307,15 @@ pub fn uncertainty(
     })
 }
 
+/// Whether [`uncertainty()`] has anything to propagate: a range, or a value that is estimated.
+#[must_use]
+pub fn is_uncertain(case: &Case) -> bool {
+    match inputs(case) {
+        Ok(_) => true,
+        Err(faults) => faults.list().iter().any(|fault| fault.kind != FaultKind::NothingUncertain),
+    }
+}
+
 /// The ranges of the case and the spreads of its estimates, as the engine takes them: at least one.
 pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     let mut ranges = case.ranges.iter().peekable();

@@ -175,7 +175,7 @@ where
 
 /// The report to hand over, with what the uncertain inputs make of the answer.
 fn handover(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Document> {
-    let is_uncertain = !file.case.ranges.is_empty() && analysis.impact.is_some();
+    let is_uncertain = analysis.impact.is_some() && analysis::is_uncertain(&file.case);
     let uncertainty = is_uncertain.then(|| {
         let samples = report_samples(file.case.inputs().len());
         let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None };

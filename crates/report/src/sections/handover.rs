@@ -3,8 +3,8 @@
 mod inputs;
 
 use ::drawing::Drawing;
-use analysis::{Analysis, Impact, Output, Seen, Sensitivity, Uncertainty};
-use case::{Axes, CaseFile, ReportHead};
+use analysis::{Analysis, Impact, Output, Seen, Sensitivity, UncertainInput, Uncertainty};
+use case::{Axes, CaseFile, Estimate, Origin, ReportHead};
 use crash3::EnergyBasis;
 use pim_core::VehicleId;
 use sha2::{Digest as _, Sha256};
@@ -161,7 +161,15 @@ fn sha256(text: &str) -> String {
 
 /// What was found, with its interval first where the inputs have one.
 fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Block {
-    let intervals = supplements.uncertainty.map(|uncertainty| Intervals { uncertainty, units });
+    // Spreads of yaw inertias alone hardly move a speed: an interval of them would be read as that of all.
+    let is_told = |uncertainty: &&Uncertainty| {
+        let of_inertia = |input: &UncertainInput| {
+            matches!(input.input.origin, Origin::Estimate(Estimate::YawRadius { .. }))
+        };
+        !uncertainty.inputs.iter().all(of_inertia)
+    };
+    let intervals =
+        supplements.uncertainty.filter(is_told).map(|uncertainty| Intervals { uncertainty, units });
     let said = |output: Output, si: f64| {
         let interval = intervals.as_ref().and_then(|intervals| intervals.of(output));
         match interval {
@@ -189,19 +197,19 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
         (None, Some(crash3)) => found.extend(changes(crash3.delta_v)),
         (None, None) => found.push("The damage gives the crush energies below.".to_owned()),
     }
-    let interval = if intervals.is_some() {
-        format!(
-            "The intervals follow from the uncertain inputs of the case; \"{UNCERTAINTY}\" says what they \
-             cover and what they leave out."
-        )
-    } else {
-        "The inputs of the case are taken as exact, so these figures have no interval.".to_owned()
+    let mut how = match &intervals {
+        Some(Intervals { uncertainty: Uncertainty { inputs, taken_as_exact, .. }, .. }) => format!(
+            "The intervals contain the errors of {} inputs, but not those of the {} that are taken as exact: \
+             \"{UNCERTAINTY}\" lists both.",
+            inputs.len(),
+            taken_as_exact.len()
+        ),
+        None => "The inputs are taken as exact, so these figures have no interval.".to_owned(),
     };
-    let rate = match supplements.validation {
-        Some(_) => format!(" \"{ERROR_RATE}\" says how far the method is off on staged collisions."),
-        None => String::new(),
-    };
-    Block::Answer { found, how: interval + &rate }
+    if supplements.validation.is_some() {
+        how.push_str(&format!(" \"{ERROR_RATE}\" says how far the method is off on staged collisions."));
+    }
+    Block::Answer { found, how }
 }
 
 /// The intervals of the outputs in words.
