@@ -387,6 +387,13 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         Of::Vehicle(|a, id| Some(motion(a, id)?.after[id.index()].velocity.y)),
     ),
     row(
+        "final_speed",
+        "/vehicle#/final_speed",
+        ["speed after", "speed after", "V", "theory 2"],
+        Kind::Speed,
+        Of::Vehicle(|a, id| Some(motion(a, id)?.after[id.index()].velocity.norm())),
+    ),
+    row(
         "final_yaw_rate",
         "/vehicle#/final_yaw_rate",
         ["yaw rate after", "yaw rate after, Ω", "Ω", "theory 2"],

@@ -92,12 +92,13 @@ const IMPACT: [(&str, Kind); 13] = [
     ("normal_work", Number),
     ("tangential_work", Number),
 ];
-const MOTION: [(&str, Kind); 8] = [
+const MOTION: [(&str, Kind); 9] = [
     ("speed", Number),
     ("velocity", Pair),
     ("yaw_rate", Number),
     ("final_velocity", Pair),
     ("final_yaw_rate", Number),
+    ("final_speed", Number),
     ("delta_v", Number),
     ("delta_v_vector", Pair),
     ("pdof", Number),
@@ -218,6 +219,9 @@ fn the_example_has_the_known_values() {
         ("/vehicle1/final_velocity/0", "-35.21", FOOT),
         ("/vehicle1/final_velocity/1", "-1.92", FOOT),
         ("/vehicle1/final_yaw_rate", "-3.98", 1.0),
+        // √(35.21² + 1.92²), √(37.39² + 15.57²)
+        ("/vehicle1/final_speed", "35.3", FOOT),
+        ("/vehicle2/final_speed", "40.5", FOOT),
         ("/vehicle1/delta_v", "12.15", 1.0),
         ("/vehicle1/delta_v", "27.18", MPH),
         ("/vehicle1/pdof", "0.048", 1.0),

@@ -30,7 +30,7 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
             CheckedQuantity::Restitution => {
                 // Where they close slowly there is no limit, and no check.
                 let closing = analysis.impact.as_ref().map_or(0.0, |i| -i.outcome.approach.normal);
-                let [closing, fast] = [closing, FAST_CLOSING].map(|si| units.format(Measure::Speed, si));
+                let [closing, fast] = [closing, FAST_CLOSING].map(|si| units.road_speed(si));
                 (
                     "restitution at closing speed".to_owned(),
                     format!("{} at {closing}", number(check.value, 2)),

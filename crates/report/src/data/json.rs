@@ -126,6 +126,8 @@ struct VehicleBlock {
     #[serde(skip_serializing_if = "Option::is_none")]
     final_yaw_rate: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    final_speed: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     delta_v: Option<f64>,
     /// Forward.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -304,6 +306,7 @@ fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
         yaw_rate: moves.map(|outcome| plain(outcome.before[i].yaw_rate)),
         final_velocity: moves.map(|outcome| plain_pair(outcome.after[i].velocity.into())),
         final_yaw_rate: moves.map(|outcome| plain(outcome.after[i].yaw_rate)),
+        final_speed: moves.map(|outcome| outcome.after[i].velocity.norm()),
         delta_v: moves.map(|outcome| outcome.delta_v_magnitude()[i]),
         delta_v_longitudinal: moves.map(|outcome| plain(outcome.delta_v_components()[i][0])),
         delta_v_lateral: moves.map(|outcome| plain(outcome.delta_v_components()[i][1])),

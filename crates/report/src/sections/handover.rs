@@ -314,6 +314,7 @@ fn results(analysis: &Seen, units: Units) -> Table {
     let mut table = of_vehicles("Results at a glance");
     if analysis.impact.is_some() {
         chosen.pair(&mut table, "speed");
+        chosen.pair(&mut table, "final_speed");
         chosen.vectors(&mut table, "final_velocity");
         for key in ["final_yaw_rate", "delta_v", "delta_v_longitudinal", "delta_v_lateral", "pdof"] {
             chosen.pair(&mut table, key);

@@ -326,6 +326,7 @@ impl Page {
         let mut table = Table::of_two("Motion", SOURCED);
         chosen.pair(&mut table, "speed");
         chosen.vectors(&mut table, "velocity");
+        chosen.pair(&mut table, "final_speed");
         chosen.vectors(&mut table, "final_velocity");
         for key in ["yaw_rate", "final_yaw_rate", "delta_v", "delta_v_longitudinal", "delta_v_lateral"] {
             chosen.pair(&mut table, key);
