@@ -123,6 +123,9 @@ pub enum CaseProblem {
     /// A key that a fixed object cannot have.
     #[error("{table} is fixed, so it cannot give \"{key}\"")]
     FixedHas { table: String, key: &'static str },
+    /// A diameter of what is no pole.
+    #[error("{table} gives a diameter, which only a fixed object has")]
+    DiameterMoves { table: String },
     /// An outline with parts missing.
     #[error("{table} gives {} of the outline, but not {}", join(given, "and"), join(missing, "and"))]
     HalfOutline { table: String, given: Vec<&'static str>, missing: Vec<&'static str> },
@@ -327,6 +330,9 @@ impl CaseProblem {
             Self::NoForm { path, forms, .. } => format!("write {}", suited(path, forms)),
             Self::FixedHas { key, .. } => {
                 format!("remove {key}, or remove fixed = true if this vehicle can move")
+            }
+            Self::DiameterMoves { .. } => {
+                "for a pole or tree, add fixed = true; for a vehicle, give length, width and cg_to_front instead".to_owned()
             }
             Self::HalfOutline { missing, .. } => format!(
                 "add {}, or leave out all three of length, width and cg_to_front: a drawing of the body and a check of the \

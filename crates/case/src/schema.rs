@@ -324,10 +324,18 @@ pub(crate) static VEHICLE: Schema = Schema {
             Form::Quantity(Dimension::Length, POSITIVE),
             "Distance from the CG to the front bumper. Give it with `length` and `width`.",
         ),
+        key(
+            "diameter",
+            "diameter = \"30 cm\"",
+            Form::Quantity(Dimension::Length, POSITIVE),
+            "Diameter of a pole or tree, for drawings. Only for a fixed object, in place of `length`, `width` and `cg_to_front`.",
+        ),
         table("crush", "[vehicle1.crush]", &CRUSH),
     ],
     rules: &[
         Rule::NeverIf(True("fixed"), &NEVER_FIXED),
+        Rule::NeverIf(NotTrue("fixed"), &["diameter"]),
+        Rule::NeverIf(Has("diameter"), &["length", "width", "cg_to_front"]),
         Rule::NeverIf(Has("mass"), &["weight"]),
         Rule::NeverIf(Has("yaw_inertia"), &["yaw_radius"]),
         Rule::NeverIf(Has("speed"), &["velocity"]),

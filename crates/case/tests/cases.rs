@@ -182,6 +182,7 @@ fn the_other_forms_are_read() {
             width: length("1.75 m"),
             cg_to_front: length("2 m"),
         }),
+        diameter: None,
         crush: Some(Crush {
             side: Side::Left,
             from_force_balance: false,
@@ -1348,6 +1349,7 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
                 motion,
                 yaw_rate,
                 outline,
+                diameter: None,
                 crush,
             }
         },
@@ -1414,8 +1416,17 @@ fn any_case() -> impl Strategy<Value = Case> {
         |(texts, (axes, leaves_out), mut vehicles, barrier, impact, mut reconstruct)| {
             if let Some(index) = barrier {
                 let GivenVehicle { name, heading, contact, outline, .. } = vehicles[index].clone();
-                vehicles[index] =
-                    GivenVehicle { name, fixed: true, heading, contact, outline, ..GivenVehicle::default() };
+                // One of the two, or neither.
+                let diameter = vehicles[index].wheelbase.filter(|_| outline.is_none());
+                vehicles[index] = GivenVehicle {
+                    name,
+                    fixed: true,
+                    heading,
+                    contact,
+                    outline,
+                    diameter,
+                    ..GivenVehicle::default()
+                };
                 let moving = [Unknown::Speed2, Unknown::Speed1][index];
                 reconstruct = reconstruct.map(|wanted| Reconstruct { find: moving, ..wanted });
             }

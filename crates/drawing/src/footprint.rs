@@ -174,8 +174,9 @@ impl Surface {
             stations.reverse();
         }
         let (radius, ends) = (body.radius(), [-most(-direction), most(direction)]);
-        // What a rounded corner leaves beside the first or the last station goes with that.
-        let beside = |along: f64, end: f64| (along - end).abs() < radius;
+        // What the rounded corner of a bumper leaves beside the first or the last station goes with that.
+        let corner = if body.shape == Shape::Motorcycle { 0.0 } else { radius };
+        let beside = |along: f64, end: f64| (along - end).abs() < corner;
         if let Some(first) = stations.first().copied().filter(|first| beside(first[0], ends[0])) {
             stations.insert(0, [first[0].min(ends[0]), first[1]]);
         }
@@ -358,6 +359,12 @@ mod tests {
         assert!((front(0.8, 0.8) - 1.0).abs() < 1e-12);
         assert!((front(0.7, 0.8) - 1.5).abs() < 1e-12);
         assert!((front(0.8, 0.7) - 1.5).abs() < 1e-12);
+        // A motorcycle is round at its ends, and has no bumper: 0.2 m to each side of the axis are gone, and
+        // beside them its front is as far as √(1 − 0.2²) m ahead of the middle of the arc, at x = 0.5.
+        let motorcycle = Footprint { shape: Shape::Motorcycle, ..BODY };
+        let hit = crush([1.0, 0.0], &[([1.5, 0.2], 0.5), ([1.5, -0.2], 0.5)]);
+        let front = motorcycle.damaged(&hit).bounding_box().x1;
+        assert!((front - (0.5 + 0.96_f64.sqrt())).abs() < 1e-12, "{front}");
     }
 
     #[test]

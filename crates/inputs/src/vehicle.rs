@@ -71,6 +71,8 @@ pub struct GivenVehicle<T = f64> {
     pub yaw_rate: Option<Quantity<T>>,
     /// The body seen from above.
     pub outline: Option<Outline<T>>,
+    /// (m) of a pole or a tree: a fixed object that is round.
+    pub diameter: Option<Quantity<T>>,
     /// `[vehicleN.crush]`.
     pub crush: Option<Crush<T>>,
 }
@@ -179,6 +181,7 @@ impl<U> Walk<'_, U> {
                 width: self.quantity(&at("width"), &outline.width),
                 cg_to_front: self.quantity(&at("cg_to_front"), &outline.cg_to_front),
             }),
+            diameter: self.maybe(&at("diameter"), vehicle.diameter.as_ref()),
             crush: vehicle.crush.as_ref().map(|crush| self.crush(&at("crush"), crush, fit_left_out)),
         }
     }

@@ -240,6 +240,7 @@ impl Vehicle {
             wheelbase: _,
             length: _,
             outline: _,
+            diameter: _,
             heading,
             contact,
             motion,

@@ -44,6 +44,7 @@ impl<'t> Reader<'t> {
             motion: self.motion(&table),
             yaw_rate: self.quantity(&table, "yaw_rate"),
             outline: self.outline(&table),
+            diameter: self.diameter(&table, fixed),
             crush: self.child(&table, "crush", &CRUSH).and_then(|crush| self.crush(&crush)),
         };
         if vehicle.outline.is_none() && length_alone(&table) {
@@ -116,6 +117,16 @@ impl<'t> Reader<'t> {
         let width = self.quantity(table, "width");
         let cg_to_front = self.quantity(table, "cg_to_front");
         Some(Outline { length: length?, width: width?, cg_to_front: cg_to_front? })
+    }
+
+    fn diameter(&mut self, table: &Table<'t>, fixed: bool) -> Option<Quantity> {
+        if table.has("diameter") && !fixed {
+            self.report_path(&table.path_of("diameter"), CaseProblem::DiameterMoves { table: table.label() });
+        }
+        if let [key, ..] = table.given(&["length", "width", "cg_to_front"])[..] {
+            self.not_both(table, "diameter", key);
+        }
+        self.quantity(table, "diameter")
     }
 
     fn crush(&mut self, table: &Table<'t>) -> Option<Crush> {

@@ -20,12 +20,12 @@ pub(super) fn plain(case: &Case, analysis: &Analysis, units: Units) -> Result<Sc
         let given = &case.vehicles[id.index()];
         let kind = if given.fixed { "fixed object" } else { "vehicle" };
         let name = given.name.as_ref().map_or_else(|| format!("{kind} {id}"), ToString::to_string);
-        vehicle.legend = Some(match &vehicle.body {
-            SceneBody::Outline { .. } if analysis.vehicles[id.index()].subject.dimensions.is_none() => {
-                format!("{name}, outline assumed")
-            }
-            SceneBody::Wall | SceneBody::Unknown => format!("{name}, shape not known"),
-            _ => name.clone(),
+        let body = Body::of(given, &analysis.vehicles[id.index()]);
+        vehicle.legend = Some(match (&vehicle.body, body.map(|body| body.outline)) {
+            (SceneBody::Wall | SceneBody::Unknown, _) => format!("{name}, shape not known"),
+            (_, Some(DrawnOutline::OfClass(_))) => format!("{name}, typical shape"),
+            (_, Some(DrawnOutline::Nearest(_))) => format!("{name}, shape assumed"),
+            (_, Some(DrawnOutline::Given) | None) => name.clone(),
         });
         if let Some(motion) = &mut vehicle.motion {
             for (arrow, when) in [(&mut motion.before, "before"), (&mut motion.after, "after")] {
@@ -73,7 +73,12 @@ fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, id: VehicleId, uni
         (Some(DrawnOutline::Nearest(class)), _) => {
             Some(format!("outline {id}: CRASH3 class {class}, assumed"))
         }
-        (None, true) => Some(format!("{id}: fixed object, extent not known")),
+        (None, true) => Some(match &case.vehicles[i].diameter {
+            Some(diameter) => {
+                format!("{id}: fixed object, {} across", units.format(Measure::Crush, diameter.si()))
+            }
+            None => format!("{id}: fixed object, extent not known"),
+        }),
         (None, false) => Some(format!("{id}: outline not known")),
     };
     SceneVehicle {
@@ -89,8 +94,12 @@ fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, id: VehicleId, uni
 
 /// With its crush where that was measured.
 fn scene_body(case: &Case, vehicle: &analysis::Vehicle, body: Option<Body>, i: usize) -> SceneBody {
+    let given = &case.vehicles[i];
+    if let Some(diameter) = &given.diameter {
+        return SceneBody::Pole { diameter: diameter.si() };
+    }
     let Some(body) = body else {
-        return if case.vehicles[i].fixed { SceneBody::Wall } else { SceneBody::Unknown };
+        return if given.fixed { SceneBody::Wall } else { SceneBody::Unknown };
     };
     let measured = vehicle.damage.as_ref().filter(|damage| damage.inferred.is_none());
     SceneBody::Outline {
