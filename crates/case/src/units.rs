@@ -11,16 +11,18 @@ use crate::nearest::LONGEST;
 
 pub(crate) use pattern::{HOUR, list_pattern, pattern, percent_pattern};
 pub(crate) use spelling::nearest_unit;
-use spelling::{Pound, is_pound_a_force, normalise};
+use spelling::{Pound, is_pound_a_force, is_spelled, normalise};
 
 /// The unit of `dimension` that a text names, if it has one.
 ///
-/// Forgives what does not change the meaning: `·`, `*` and `-` between units, `²`, `√`, spelled-out words.
+/// Forgives what does not change the meaning: `·`, `*` and `-` between units, `²`, `√`, spelled-out words, and
+/// capitals, but for the letter m, which says mega or milli outside of speeds.
 ///
 /// ```
 /// use case::{Dimension, Unit, read_unit};
 ///
 /// assert_eq!(read_unit("feet/second", Dimension::Speed).map(Unit::spelling), Some("ft/s"));
+/// assert_eq!(read_unit("MPH", Dimension::Speed).map(Unit::spelling), Some("mph"));
 /// assert_eq!(read_unit("furlongs", Dimension::Length), None);
 /// ```
 #[must_use]
@@ -29,8 +31,11 @@ pub fn read_unit(text: &str, dimension: Dimension) -> Option<&'static Unit> {
         return None;
     }
     let wanted = normalise(text, Pound::AsWritten);
-    let of_force = wanted.contains("lbf").then(|| normalise(text, Pound::Force));
-    let is_meant =
-        |known| known == wanted || (of_force.as_deref() == Some(known) && is_pound_a_force(known, dimension));
+    let of_force = wanted.to_ascii_lowercase().contains("lbf").then(|| normalise(text, Pound::Force));
+    let is_meant = |known: &str| {
+        is_spelled(known, &wanted, dimension)
+            || is_pound_a_force(known, dimension)
+                && of_force.as_deref().is_some_and(|of_force| is_spelled(known, of_force, dimension))
+    };
     dimension.units().iter().find(|unit| unit.spellings().any(is_meant))
 }

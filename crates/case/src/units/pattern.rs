@@ -1,7 +1,7 @@
 //! The texts that a quantity is read from, as regular expressions for an editor: `read_quantity` in the
 //! language of JSON Schema (ECMA 262), without its magnitudes.
 
-use super::spelling::{WORDS, is_pound_a_force};
+use super::spelling::{WORDS, is_free, is_pound_a_force};
 use inputs::{Bounds, Dimension};
 
 /// Digits with a point, and an exponent.
@@ -62,7 +62,7 @@ fn unit(spelling: &str, dimension: Dimension) -> String {
         let end = rest.find(|c: char| !c.is_alphabetic()).unwrap_or(rest.len());
         if end > 0 {
             let (name, tail) = rest.split_at(end);
-            let word = word(name, is_pound_a_force(spelling, dimension));
+            let word = word(name, is_pound_a_force(spelling, dimension), dimension);
             rest = tail;
             match tail.strip_prefix("^0.5") {
                 Some(tail) => {
@@ -85,14 +85,26 @@ fn unit(spelling: &str, dimension: Dimension) -> String {
 }
 
 /// The short form of a unit, or one of its words.
-fn word(short: &str, is_pound_a_force: bool) -> String {
+fn word(short: &str, is_pound_a_force: bool, dimension: Dimension) -> String {
     let long = WORDS.iter().find(|(known, _)| *known == short).map_or(&[][..], |(_, long)| long);
     let force = (short == "lb" && is_pound_a_force).then_some("lbf");
-    let all: Vec<&str> = std::iter::once(short).chain(long.iter().copied()).chain(force).collect();
-    match all[..] {
-        [only] => only.to_owned(),
-        _ => format!("(?:{})", all.join("|")),
+    let short_forms = std::iter::once(short).chain(force);
+    let short_forms = short_forms.map(|form| in_any_case(form, |letter| is_free(letter, dimension)));
+    let words = long.iter().map(|word| in_any_case(word, |letter| letter.is_ascii_alphabetic()));
+    let all: Vec<String> = short_forms.chain(words).collect();
+    match &all[..] {
+        [only] => only.clone(),
+        all => format!("(?:{})", all.join("|")),
     }
+}
+
+/// The letters that are free in either case.
+fn in_any_case(word: &str, is_free: impl Fn(char) -> bool) -> String {
+    let letter = |letter: char| match is_free(letter) {
+        true => format!("[{}{}]", letter.to_ascii_lowercase(), letter.to_ascii_uppercase()),
+        false => letter.to_string(),
+    };
+    word.chars().map(letter).collect()
 }
 
 fn root(word: &str) -> String {

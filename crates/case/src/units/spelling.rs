@@ -91,10 +91,23 @@ fn is_word(c: char) -> bool {
 }
 
 fn short_word(word: &str, pound: Pound) -> &str {
-    if word == "lbf" && pound == Pound::Force {
+    if word.eq_ignore_ascii_case("lbf") && pound == Pound::Force {
         return "lb";
     }
-    WORDS.iter().find(|(_, long)| long.contains(&word)).map_or(word, |(short, _)| short)
+    let is_word = |long: &&str| long.eq_ignore_ascii_case(word);
+    WORDS.iter().find(|(_, long)| long.iter().any(is_word)).map_or(word, |(short, _)| short)
+}
+
+/// Whether a short form is the one of the table, but for capitals that do not change the meaning.
+pub(super) fn is_spelled(known: &str, written: &str, dimension: Dimension) -> bool {
+    let is_same =
+        |(a, b): (u8, u8)| a == b || a.eq_ignore_ascii_case(&b) && is_free(char::from(a), dimension);
+    known.len() == written.len() && known.bytes().zip(written.bytes()).all(is_same)
+}
+
+/// Whether a letter of a short form means the same as a capital: m is milli and M is mega, but not in a speed.
+pub(super) fn is_free(letter: char, dimension: Dimension) -> bool {
+    letter.is_ascii_alphabetic() && (dimension == Dimension::Speed || !letter.eq_ignore_ascii_case(&'m'))
 }
 
 /// Whether the "lb" in a spelling of the table is a pound-force, which may be written "lbf" there.

@@ -63,12 +63,41 @@ fn what_does_not_change_the_meaning_is_forgiven() {
 }
 
 #[test]
+fn capitals_are_forgiven_where_they_mean_the_same() {
+    use Dimension::*;
+    for (dimension, written, canonical) in [
+        (Speed, "MPH", "mph"),
+        (Speed, "Km/h", "km/h"),
+        (Speed, "KM/H", "km/h"),
+        (Length, "IN", "in"),
+        (Length, "Feet", "ft"),
+        (Length, "METERS", "m"),
+        (Weight, "LB", "lb"),
+        (Weight, "LBF", "lb"),
+        (Weight, "KN", "kN"),
+        (Inertia, "Lb-Ft-S^2", "lb ft s^2"),
+        (StiffnessA, "LB/IN", "lb/in"),
+        (StiffnessB, "PSI", "lb/in^2"),
+        (RootForce, "LB^0.5", "lb^0.5"),
+        (Mass, "Short Tons", "short ton"),
+    ] {
+        assert_eq!(read_unit(written, dimension).map(Unit::spelling), Some(canonical), "{written}");
+    }
+    // A short ton is 2000 lb (NIST SP 811, appendix B.8: 907.1847 kg).
+    let tons = read_quantity("40 short tons", Mass).unwrap();
+    assert!((tons.si() - 40.0 * 907.1847).abs() < 0.01, "{}", tons.si());
+}
+
+#[test]
 fn what_changes_the_meaning_is_not() {
     use Dimension::*;
     for (dimension, written) in [
         (Mass, "lbf"),
         (Weight, "lbff"),
+        // Mega or milli, if not a slip.
         (Length, "M"),
+        (StiffnessB, "mN/m^2"),
+        (Mass, "ton"),
         (Speed, "ft s"),
         // A force by the square of a length, and a mass by a length by the square of a time, are no inertia.
         (Inertia, "lbf ft^2"),

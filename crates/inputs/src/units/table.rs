@@ -50,12 +50,14 @@ rows! { MASS, Mass:
     "t" [], 1000.0, SI;
     "lb" ["lbm"], POUND, US;
     "slug" [], SLUG, US;
+    "short ton" ["short tons"], 2000.0 * POUND, US;
 }
 rows! { WEIGHT, Weight:
     "lb" ["lbf"], POUND_FORCE, US;
     "N" [], 1.0, SI;
     "kN" [], 1000.0, SI;
     "kgf" [], STANDARD_GRAVITY, SI;
+    "short ton" ["short tons"], 2000.0 * POUND_FORCE, US;
 }
 rows! { SPEED, Speed:
     "m/s" ["mps"], 1.0, SI;
