@@ -89,7 +89,7 @@ fn word(short: &str, is_pound_a_force: bool, dimension: Dimension) -> String {
     let long = WORDS.iter().find(|(known, _)| *known == short).map_or(&[][..], |(_, long)| long);
     let force = (short == "lb" && is_pound_a_force).then_some("lbf");
     let short_forms = std::iter::once(short).chain(force);
-    let short_forms = short_forms.map(|form| in_any_case(form, |letter| is_free(letter, dimension)));
+    let short_forms = short_forms.map(|form| in_any_case(form, |letter| is_free(letter, form, dimension)));
     let words = long.iter().map(|word| in_any_case(word, |letter| letter.is_ascii_alphabetic()));
     let all: Vec<String> = short_forms.chain(words).collect();
     match &all[..] {

@@ -101,13 +101,16 @@ fn short_word(word: &str, pound: Pound) -> &str {
 /// Whether a short form is the one of the table, but for capitals that do not change the meaning.
 pub(super) fn is_spelled(known: &str, written: &str, dimension: Dimension) -> bool {
     let is_same =
-        |(a, b): (u8, u8)| a == b || a.eq_ignore_ascii_case(&b) && is_free(char::from(a), dimension);
+        |(a, b): (u8, u8)| a == b || a.eq_ignore_ascii_case(&b) && is_free(char::from(a), known, dimension);
     known.len() == written.len() && known.bytes().zip(written.bytes()).all(is_same)
 }
 
-/// Whether a letter of a short form means the same as a capital: m is milli and M is mega, but not in a speed.
-pub(super) fn is_free(letter: char, dimension: Dimension) -> bool {
-    letter.is_ascii_alphabetic() && (dimension == Dimension::Speed || !letter.eq_ignore_ascii_case(&'m'))
+/// Whether a letter of a short form means the same as a capital: m is milli and M is mega, but not in a speed,
+/// where kn is the knot and kN would be a force.
+pub(super) fn is_free(letter: char, form: &str, dimension: Dimension) -> bool {
+    letter.is_ascii_alphabetic()
+        && form != "kn"
+        && (dimension == Dimension::Speed || !letter.eq_ignore_ascii_case(&'m'))
 }
 
 /// Whether the "lb" in a spelling of the table is a pound-force, which may be written "lbf" there.

@@ -98,6 +98,8 @@ fn what_changes_the_meaning_is_not() {
         (Length, "M"),
         (StiffnessB, "mN/m^2"),
         (Mass, "ton"),
+        // A force, and no knots.
+        (Speed, "kN"),
         (Speed, "ft s"),
         // A force by the square of a length, and a mass by a length by the square of a time, are no inertia.
         (Inertia, "lbf ft^2"),
