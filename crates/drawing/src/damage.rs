@@ -31,6 +31,8 @@ const ROW: f64 = 18.0;
 pub struct DamagePicture {
     /// Of the case.
     pub title: String,
+    /// A sentence below the title.
+    pub remark: Option<String>,
     /// Vehicles 1 and 2, where they are damaged.
     pub vehicles: [Option<DamagedVehicle>; 2],
     /// Of the scale bar.
@@ -79,7 +81,9 @@ impl DamagePicture {
         let mut canvas = Canvas::new(NAME, WIDTH, bottom + 118.0);
         canvas.define_stripes("crushed", GREY, WHITE, 45, 6.0);
 
-        legend::header(&mut canvas, &self.title, "Damage: crush profiles in place, to scale, forward is up");
+        let below = "Damage: crush profiles in place, to scale, forward is up".to_owned();
+        let below = self.remark.iter().fold(below, |below, remark| format!("{below}\n{remark}"));
+        legend::header(&mut canvas, &self.title, &below);
         let room = Rect::new(EDGE, HEADER, WIDTH - EDGE, HEADER + ROOM);
         for (k, (panel, caption)) in panels.iter().zip(&captions).enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "there are two panels at most")]
@@ -108,7 +112,8 @@ impl DamagePicture {
             entries.push((Sample::Line(undamaged(panel.i)), "shape before the damage".to_owned()));
         }
         legend::legend(&mut canvas, bottom + 36.0, 3, &entries);
-        let description = captions.iter().map(|lines| lines.join(" ")).collect::<Vec<_>>().join(" ");
+        let captions = captions.iter().map(|lines| lines.join(" ")).chain(self.remark.clone());
+        let description = captions.collect::<Vec<_>>().join(" ");
         Drawing::new(
             NAME,
             format!("{}: damage", self.title),

@@ -202,9 +202,12 @@ impl<'a> Painter<'a> {
     }
 }
 
+/// In six decimals: the sine of a pattern's angle may differ in its last bit from machine to machine.
 fn row(transform: Transform) -> [f32; 6] {
     let Transform { sx, kx, ky, sy, tx, ty } = transform;
-    [sx, ky, kx, sy, tx, ty]
+    #[expect(clippy::cast_possible_truncation, reason = "a number of the page, which was one of f32")]
+    let rounded = |number: f32| ((f64::from(number) * 1e6).round() / 1e6) as f32;
+    [sx, ky, kx, sy, tx, ty].map(rounded)
 }
 
 /// 0 to 1.

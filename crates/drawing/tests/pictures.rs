@@ -142,7 +142,7 @@ fn damage() -> DamagePicture {
         caption: vec![text("Damage: front, 140 cm wide."), text("Crush energy 50,000 J.")],
     };
     let length = ScaleUnit { name: text("m"), size: 1.0 };
-    DamagePicture { title: text("Wall"), vehicles: [Some(front), None], length }
+    DamagePicture { title: text("Wall"), remark: None, vehicles: [Some(front), None], length }
 }
 
 fn energy() -> EnergyPicture {

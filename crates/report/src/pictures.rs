@@ -15,6 +15,7 @@ use ::drawing::Drawing;
 use ::drawing::ScaleUnit;
 use analysis::{Analysis, Failure};
 use case::CaseFile;
+use pim_core::VehicleId;
 
 use crate::Units;
 use crate::units::Measure;
@@ -59,8 +60,16 @@ pub enum DrawingError {
         subject: Subject,
     },
     /// Nothing is damaged.
-    #[error("there is no damage to draw: no vehicle of the case has a crush table")]
+    #[error("there is no damage to draw: no vehicle of the case has a crush profile")]
     NoDamage,
+    /// What is damaged has no body to draw the damage on.
+    #[error(
+        "there is no damage to draw: the outline of vehicle {vehicle} is not known; give its length, width and cg_to_front"
+    )]
+    NoOutline {
+        /// The first of them.
+        vehicle: VehicleId,
+    },
     /// No speed was sought.
     #[error("there is no reconciliation to draw: the case has no [reconstruct] table")]
     NoReconciliation,

@@ -32,10 +32,19 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
             has_stations: damage.inferred.is_none(),
         })
     });
+    let bodiless = |id: &VehicleId| {
+        let vehicle = &analysis.vehicles[id.index()];
+        vehicle.damage.is_some() && Body::of(&case.vehicles[id.index()], vehicle).is_none()
+    };
+    let bodiless: Vec<VehicleId> = VehicleId::ALL.into_iter().filter(bodiless).collect();
     if vehicles.iter().all(Option::is_none) {
-        return Err(DrawingError::NoDamage);
+        let Some(&vehicle) = bodiless.first() else { return Err(DrawingError::NoDamage) };
+        return Err(DrawingError::NoOutline { vehicle });
     }
-    Ok(DamagePicture { title: title(case), vehicles, length: scale_unit(units, Measure::Length) })
+    let remark = bodiless.first().map(|id| {
+        format!("Vehicle {id} is damaged too, but its outline is not known: give its length, width and cg_to_front.")
+    });
+    Ok(DamagePicture { title: title(case), remark, vehicles, length: scale_unit(units, Measure::Length) })
 }
 
 fn caption(

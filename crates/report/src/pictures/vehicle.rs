@@ -93,6 +93,9 @@ pub(super) fn profile(
             (damage.depths.clone(), given.unwrap_or(equal))
         }
     };
+    if depths.len() < 2 {
+        return None;
+    }
     let outward = match side {
         Side::Front => Vector2::new(1.0, 0.0),
         Side::Rear => Vector2::new(-1.0, 0.0),

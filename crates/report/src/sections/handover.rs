@@ -128,7 +128,12 @@ fn drawings(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec<Dr
     for subject in Subject::ALL {
         match drawing(file, analysis, units, subject) {
             Ok(drawing) => drawings.push(drawing),
-            Err(DrawingError::NoImpact { .. } | DrawingError::NoDamage | DrawingError::NoReconciliation) => {}
+            Err(
+                DrawingError::NoImpact { .. }
+                | DrawingError::NoDamage
+                | DrawingError::NoOutline { .. }
+                | DrawingError::NoReconciliation,
+            ) => {}
             Err(error) => return Err(error),
         }
     }
