@@ -44,7 +44,7 @@ fn judge(file: &CaseFile, result: Result<Analysis, Failure>) {
         let text = report::results(&file.case, &analysis, units).text();
         assert_finite(file, &text);
     }
-    let json = report::json(&file.case, &analysis).expect("an analysis is JSON");
+    let json = report::json(&file, &analysis).expect("an analysis is JSON");
     let mut value: Value = serde_json::from_str(&json).expect("what is written as JSON is JSON");
     // The one key that may be null: there is no critical ratio where no push could end the sliding.
     if let Some(impact) = value.get_mut("impact").and_then(Value::as_object_mut) {

@@ -82,6 +82,13 @@ impl Output {
         outputs
     }
 
+    /// All that there are, for the speed of either vehicle.
+    #[must_use]
+    pub fn all() -> Vec<Self> {
+        let [speed, others @ ..] = Self::of_two_vehicles(VehicleId::One, Axes::default());
+        [speed, Self::Speed { vehicle: VehicleId::Two }].into_iter().chain(others).collect()
+    }
+
     /// Those of a reconstruction of two vehicles, `found` the one whose speed is sought.
     pub(crate) const fn of_two_vehicles(found: VehicleId, axes: Axes) -> [Self; 13] {
         [

@@ -22,6 +22,9 @@ pub enum CaseProblem {
     /// The file is too large to be a case.
     #[error("the file is larger than {limit} bytes, the limit of a case file")]
     TooLarge { limit: usize },
+    /// Nothing but blanks.
+    #[error("the file is empty")]
+    Empty,
     /// Another kind of file.
     #[error("this is {kind}, not a case file")]
     OtherFile { kind: &'static str },
@@ -219,6 +222,10 @@ impl CaseProblem {
         };
         let help = match self {
             Self::TooLarge { .. } => "a case file is about a page of text; is this the right file?".to_owned(),
+            Self::Empty => match program.begins {
+                Some(begins) => format!("{begins} writes a template of a case file"),
+                None => "a case file is plain text in TOML".to_owned(),
+            },
             Self::OtherFile { .. } => {
                 let begins = program.begins.map_or_else(String::new, |begins| format!("; {begins} writes a template"));
                 format!("a case file is plain text in TOML{begins}; is this the right file?")

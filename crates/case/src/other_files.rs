@@ -36,6 +36,9 @@ pub(crate) fn text(bytes: &[u8], limit: usize) -> Result<&str, CaseProblem> {
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
         CaseProblem::NotUtf8 { line, help: SAVE_AS_UTF_8 }
     })?;
+    if text.trim_start_matches('\u{feff}').trim().is_empty() {
+        return Err(CaseProblem::Empty);
+    }
     markup(text).map_or(Ok(text), other)
 }
 

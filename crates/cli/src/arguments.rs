@@ -54,7 +54,11 @@ pub(crate) enum Command {
             or carriage return, it gets an apostrophe in front, because a spreadsheet would run it as a \
             formula. A line of jsonl \
             is the object of --format json with \"file\" added in front, or \
-            {\"file\": …, \"error\": …, \"help\": …}.",
+            {\"file\": …, \"error\": …, \"help\": …}. The ranges of a case are not propagated: \
+            the \"ranges\" column says so, and `deltav uncertainty` does it. The last columns are \
+            \"program.version\" and \"case.sha256\", the SHA-256 of the file.\n\n\
+            --csv-style european separates the columns by semicolons, writes decimal commas and begins with \
+            a byte order mark, as European spreadsheets expect.",
         after_help = "Examples:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
             deltav reconstruct fixtures/sae-980025.toml --format json -o result.json\n  \
             deltav reconstruct fixtures/sae-980025.toml --format html -o report.html\n  \
@@ -77,10 +81,11 @@ pub(crate) enum Command {
     /// Compute crush energy and ΔV from damage and PDOF alone (CRASH3)
     #[command(
         long_about = "Compute crush energy and ΔV from damage and PDOF alone (CRASH3).\n\n\
-            Each damaged vehicle needs a PDOF in its crush table, because no impact is computed that could provide one.",
+            Each damaged vehicle needs a PDOF in its crush table, because no impact is computed that could provide one.\n\n\
+            Several files give one row each, as with `deltav reconstruct`; the columns for the impact are empty.",
         after_help = "Example:\n  deltav crush fixtures/sae-980025-crush.toml"
     )]
-    Crush(Arguments),
+    Crush(CasesArguments),
     /// Check a case without solving it
     #[command(
         long_about = "Check a case without solving it.\n\n\
@@ -96,10 +101,12 @@ pub(crate) enum Command {
             Shows how much the answer depends on the choice of impact law. The case is solved under its own \
             law and under Brach's, Woolley's, Ishikawa's and Kudlich–Slibar's, with its own coefficients \
             where they apply and stated assumptions elsewhere. A case with [reconstruct] is reconstructed \
-            under each law; a case with both speeds is computed forward.",
+            under each law; a case with both speeds is computed forward.\n\n\
+            Several files give one row for each law of each case with --format csv, and one line for each \
+            case with --format jsonl.",
         after_help = "Example:\n  deltav compare fixtures/sae-980025.toml"
     )]
-    Compare(Arguments),
+    Compare(CasesArguments),
     /// Show how sensitive the answer is to each input
     #[command(
         long_about = "Show how sensitive the answer is to each input.\n\n\
@@ -126,7 +133,11 @@ pub(crate) enum Command {
             deviation, median and the intervals that hold 50, 90, 95 and 99 % of the samples, each with its \
             standard error; the number of samples without an answer, by reason; the effect of each input \
             alone (tornado); and the first-order propagation (GUM) for comparison. The same seed gives the \
-            same bytes, with any number of threads.",
+            same bytes, with any number of threads.\n\n\
+            Several files give one row each: --format csv has, of each result, the columns \
+            \"vehicle1.speed.central (m/s)\", \"….median (m/s)\", \"….sd (m/s)\", \"….low95 (m/s)\" and \
+            \"….high95 (m/s)\", the ends of the 95 % interval, and besides \"seed\", \"samples\" and \
+            \"failed_share\".",
         after_help = "Examples:\n  deltav uncertainty fixtures/sae-980025-uncertain.toml\n  \
             deltav uncertainty fixtures/sae-980025-uncertain.toml --method sobol --samples 65536 --sobol\n  \
             deltav uncertainty fixtures/sae-980025-uncertain.toml --format json -o result.json --samples-out samples.csv --plots .\n\n\
@@ -262,7 +273,8 @@ impl TypedValueParser for TopicParser {
 
 #[derive(Debug, Args)]
 pub(crate) struct CasesArguments {
-    /// The case file (TOML), or - for standard input; several with --format csv or jsonl
+    /// The case file (TOML), or - for standard input; with --format csv or jsonl several, or a folder for its
+    /// .toml files in the order of their names
     #[arg(value_name = "CASE", required = true)]
     pub(crate) cases: Vec<PathBuf>,
 
@@ -276,13 +288,25 @@ pub(crate) struct CasesArguments {
     #[arg(long, value_enum)]
     pub(crate) units: Option<UnitSystem>,
 
-    /// Number of threads for csv and jsonl; the default is one for each processor
+    /// Number of threads; the default is one for each processor
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
+
+    /// How a spreadsheet reads the csv
+    #[arg(long, value_name = "STYLE", value_enum, default_value_t = CsvStyle::International)]
+    pub(crate) csv_style: CsvStyle,
 
     /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
     pub(crate) output: Destination,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum CsvStyle {
+    /// Commas between the columns, decimal points
+    International,
+    /// Semicolons between the columns, decimal commas, byte order mark
+    European,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -429,7 +453,7 @@ pub(crate) const SAMPLES: usize = 100_000;
 #[derive(Debug, Args)]
 pub(crate) struct UncertaintyArguments {
     #[command(flatten)]
-    pub(crate) arguments: Arguments,
+    pub(crate) arguments: CasesArguments,
 
     /// Number of samples; four times as many halve the standard errors
     #[arg(long, value_name = "N", default_value_t = SAMPLES, value_parser = count)]
@@ -438,10 +462,6 @@ pub(crate) struct UncertaintyArguments {
     /// Random seed
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     pub(crate) seed: u64,
-
-    /// Number of threads; the default is one for each processor
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub(crate) threads: Option<u16>,
 
     /// Sampling method
     #[arg(long, value_enum, default_value_t = Method::MonteCarlo)]
@@ -452,8 +472,8 @@ pub(crate) struct UncertaintyArguments {
     #[arg(long, value_name = "ROWS", num_args = 0..=1, require_equals = true, default_missing_value = "4096", value_parser = rows)]
     pub(crate) sobol: Option<usize>,
 
-    /// Also write every sample and its inputs to FILE as CSV (SI units and radians); a .toml file is not
-    /// overwritten
+    /// Also write every sample and its inputs to FILE as CSV (SI units and radians), of one case; a .toml file
+    /// is not overwritten
     #[arg(long, value_name = "FILE")]
     pub(crate) samples_out: Option<PathBuf>,
 

@@ -8,13 +8,13 @@ use std::sync::mpsc;
 
 use analysis::Failure;
 use anyhow::{Context as _, Result};
-use case::{CaseFile, Diagnostics};
+use case::{Case, CaseFile, Diagnostics};
 use rayon::ThreadPool;
-use report::{PROGRAM, Refused, Row, RowError, Units};
+use report::{Answer, Csv, PROGRAM, Refused, Row, RowError, Units};
 
 use crate::progress::Progress;
 use crate::sink::Sink;
-use crate::{Analyse, named, read};
+use crate::{named, read};
 
 /// Cases per thread that are begun before the row whose turn it is has been written: enough that no thread
 /// waits for a slow one, and few enough to keep in memory.
@@ -49,21 +49,21 @@ impl std::error::Error for Incomplete {}
 /// What a row is.
 #[derive(Clone, Copy)]
 pub(crate) enum Rows {
-    Csv(Units),
+    Csv(Csv),
     Jsonl,
 }
 
 impl Rows {
     fn header(self) -> Result<String, RowError> {
         match self {
-            Self::Csv(units) => report::csv_header(units),
+            Self::Csv(csv) => csv.header(),
             Self::Jsonl => Ok(String::new()),
         }
     }
 
     fn row(self, row: Row<'_>) -> Result<String, RowError> {
         match self {
-            Self::Csv(units) => report::csv_row(row, units),
+            Self::Csv(csv) => csv.row(row),
             Self::Jsonl => report::jsonl_row(row),
         }
     }
@@ -72,7 +72,7 @@ impl Rows {
 /// What is to be done with the files.
 pub(crate) struct Job<'a> {
     pub(crate) cases: &'a [PathBuf],
-    pub(crate) analyse: Analyse,
+    pub(crate) answer: &'a (dyn Fn(&Case) -> Result<Answer, Failure> + Sync),
     pub(crate) format: Rows,
 }
 
@@ -109,7 +109,7 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
 /// Writes each row as soon as all before it are written. `ends` is told how many are, and says whether that
 /// is enough.
 fn rows(
-    &Job { cases, analyse, format }: &Job<'_>,
+    &Job { cases, answer, format }: &Job<'_>,
     pool: &ThreadPool,
     sink: &mut dyn Write,
     ends: &mut dyn FnMut(usize) -> bool,
@@ -128,7 +128,7 @@ fn rows(
                 let (send, receive) = mpsc::sync_channel::<Written>(1);
                 scope.spawn(move |_| {
                     // Nobody waits for it where the writing has ended.
-                    let _ = send.send(analysed(path, analyse, format));
+                    let _ = send.send(row(path, answer, format));
                 });
                 begun.push_back(receive);
             }
@@ -146,24 +146,26 @@ fn rows(
     })
 }
 
-fn analysed(path: &Path, analyse: Analyse, format: Rows) -> Written {
+fn row(path: &Path, answer: &dyn Fn(&Case) -> Result<Answer, Failure>, format: Rows) -> Written {
     let file = path.display().to_string();
+    let read = read(path);
+    let bytes = read.as_ref().ok().map(|(_, bytes)| bytes.as_slice());
     let sentence = |error: String| (on_one_line(&error), String::new());
     let of_case = |errors: Diagnostics| {
         let errors = errors.in_words_of(&PROGRAM);
         (errors.one_line(), errors.help_on_one_line())
     };
-    let answer = read(path).map_err(|error| sentence(format!("{error:#}"))).and_then(|(name, bytes)| {
-        let file = CaseFile::parse_bytes(&name, &bytes).map_err(of_case)?;
-        match analyse(&file.case) {
-            Ok(analysis) => Ok((file.case, analysis)),
+    let answer = read.as_ref().map_err(|error| sentence(format!("{error:#}"))).and_then(|(name, bytes)| {
+        let file = CaseFile::parse_bytes(name, bytes).map_err(of_case)?;
+        match answer(&file.case) {
+            Ok(answer) => Ok((file, answer)),
             Err(Failure::Case(faults)) => Err(of_case(file.diagnostics(&faults, &PROGRAM))),
             Err(failure) => Err(sentence(report::no_answer(&failure, Units::of_case(&file.case)))),
         }
     });
     let is_error = answer.is_err();
-    let answer = answer.as_ref().map(|(case, analysis)| (case, analysis));
-    let answer = answer.map_err(|(error, help)| Refused { error, help });
+    let answer = answer.as_ref().map(|(file, answer)| (file, answer));
+    let answer = answer.map_err(|(error, help)| Refused { error, help, bytes });
     (format.row(Row { file: &file, answer }), is_error)
 }
 

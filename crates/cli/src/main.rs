@@ -13,7 +13,7 @@ mod terminal;
 use std::fs;
 use std::io::{self, BufWriter, ErrorKind, Read as _, Write as _};
 use std::ops::ControlFlow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use analysis::{Analysis, Failure, Plan, Stage, Sweep, Uncertainty};
@@ -26,7 +26,9 @@ use batch::{Job, Rows};
 use case::{Case, CaseFile, Diagnostics, Text};
 use clap::Parser as _;
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use report::{Document, Drawing, DrawingError, PictureFormat, Supplements, Units};
+use report::{
+    Answer, Csv, CsvStyle, Document, Drawing, DrawingError, PictureFormat, Supplements, Table, Units,
+};
 use sink::Sink;
 use uncertainty::{SamplingMethod, Settings};
 use validation::{Data, Validation};
@@ -88,11 +90,11 @@ fn run(command: Command) -> Result<()> {
         Command::New(arguments) => new::new(&arguments),
         Command::Reconstruct(arguments) => report_or_rows(arguments, analysis::reconstruct),
         Command::Impact(arguments) => report_or_rows(arguments, analysis::impact),
-        Command::Crush(arguments) => report_analysis(&arguments, analysis::crush),
+        Command::Crush(arguments) => report_or_rows(arguments, analysis::crush),
         Command::Check(arguments) => report_judgement(&arguments),
-        Command::Compare(arguments) => report_comparison(&arguments),
+        Command::Compare(arguments) => report_comparison(arguments),
         Command::Sensitivity(arguments) => report_sensitivity(&arguments),
-        Command::Uncertainty(arguments) => report_uncertainty(&arguments),
+        Command::Uncertainty(arguments) => report_uncertainty(arguments),
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::Validate(arguments) => validate(&arguments),
         Command::Explain(arguments) => explain(&arguments),
@@ -114,21 +116,61 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
 }
 
 fn report_or_rows(arguments: CasesArguments, analyse: Analyse) -> Result<()> {
-    let CasesArguments { mut cases, format, units, threads, output } = arguments;
-    let rows = |format| batch::write(&Job { cases: &cases, analyse, format }, &pool(threads)?, output.file());
-    let format = match format.of_one() {
-        Ok(format) => format,
-        // Rows of several cases have one header: its units are not those of a case.
-        Err(arguments::Rows::Csv) => return rows(Rows::Csv(units.map_or(Units::Si, Units::from))),
-        Err(arguments::Rows::Jsonl) => return rows(Rows::Jsonl),
-    };
-    match (cases.pop(), cases.len()) {
-        (Some(case), 0) => report_analysis(&Arguments { case, format, units, output }, analyse),
-        (_, others) => Err(anyhow::anyhow!(
-            "{} case files are given, and a report is on one; use --format csv or --format jsonl for a row each",
-            others + 1
-        )),
+    let answer = |case: &Case| analyse(case).map(|analysis| Answer::Analysis(Box::new(analysis)));
+    match of_cases(arguments, Table::Analyses, &answer)? {
+        Some(arguments) => report_analysis(&arguments, analyse),
+        None => Ok(()),
     }
+}
+
+/// Writes a row for each case, where rows are asked for; else the arguments for the report on one.
+fn of_cases(
+    arguments: CasesArguments,
+    table: Table,
+    answer: &(dyn Fn(&Case) -> Result<Answer, Failure> + Sync),
+) -> Result<Option<Arguments>> {
+    let CasesArguments { cases, format, units, threads, csv_style, output } = arguments;
+    let mut cases = with_folders(cases)?;
+    let format = match format.of_one() {
+        Ok(format) => match (cases.pop(), cases.len()) {
+            (Some(case), 0) => return Ok(Some(Arguments { case, format, units, output })),
+            (_, others) => anyhow::bail!(
+                "{} case files are given, and a report is on one; use --format csv or --format jsonl for a row each",
+                others + 1
+            ),
+        },
+        // Rows of several cases have one header: its units are not those of a case.
+        Err(arguments::Rows::Csv) => {
+            let units = units.map_or(Units::Si, Units::from);
+            Rows::Csv(Csv { table, units, style: csv_style.into() })
+        }
+        Err(arguments::Rows::Jsonl) => Rows::Jsonl,
+    };
+    batch::write(&Job { cases: &cases, answer, format }, &pool(threads)?, output.file())?;
+    Ok(None)
+}
+
+/// The case files, with those of each folder in the order of their names.
+fn with_folders(paths: Vec<PathBuf>) -> Result<Vec<PathBuf>> {
+    let mut cases = Vec::new();
+    for path in paths {
+        if !path.is_dir() {
+            cases.push(path);
+            continue;
+        }
+        let cannot = || format!("cannot read the folder {}", named(&path));
+        let mut inside = Vec::new();
+        for entry in fs::read_dir(&path).with_context(cannot)? {
+            inside.push(entry.with_context(cannot)?.path());
+        }
+        inside.retain(|path| path.extension().is_some_and(|ending| ending == "toml") && !path.is_dir());
+        if inside.is_empty() {
+            anyhow::bail!("{} is a folder without .toml files: name the case files", named(&path));
+        }
+        inside.sort();
+        cases.append(&mut inside);
+    }
+    Ok(cases)
 }
 
 fn report_analysis(arguments: &Arguments, analyse: Analyse) -> Result<()> {
@@ -140,7 +182,7 @@ fn report_analysis(arguments: &Arguments, analyse: Analyse) -> Result<()> {
         Format::Text | Format::Json => report::results(&file.case, &analysis, units),
         Format::Html | Format::Markdown => handover(&file, &analysis, units)?,
     };
-    present(&document, arguments, || report::json(&file.case, &analysis))
+    present(&document, arguments, || report::json(&file, &analysis))
 }
 
 /// Writes a document, or its data as JSON, to where the arguments say.
@@ -219,12 +261,14 @@ fn explain(ExplainArguments { topic, format, output }: &ExplainArguments) -> Res
     })
 }
 
-fn report_comparison(arguments: &Arguments) -> Result<()> {
+fn report_comparison(arguments: CasesArguments) -> Result<()> {
+    let answer = |case: &Case| analysis::compare(case).map(|answer| Answer::Comparison(Box::new(answer)));
+    let Some(arguments) = of_cases(arguments, Table::Comparisons, &answer)? else { return Ok(()) };
     let file = case_file(&arguments.case)?;
     let units = units(arguments.units, &file);
     let comparison = answered(analysis::compare(&file.case), &file, units)?;
     let document = report::comparison(&file.case, &comparison, units);
-    present(&document, arguments, || report::comparison_json(&file.case, &comparison))
+    present(&document, &arguments, || report::comparison_json(&file, &comparison))
 }
 
 fn report_sensitivity(
@@ -235,21 +279,48 @@ fn report_sensitivity(
     let units = units(arguments.units, &file);
     let sensitivity = answered(analysis::sensitivity(&file.case, sweep), &file, units)?;
     let document = report::sensitivity(&file.case, &sensitivity, units);
-    present(&document, arguments, || report::sensitivity_json(&file.case, &sensitivity))
+    present(&document, arguments, || report::sensitivity_json(&file, &sensitivity))
 }
 
-fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
-    let file = case_file(&arguments.arguments.case)?;
-    let units = units(arguments.arguments.units, &file);
-    let uncertainty = answered(propagate(&file.case, arguments)?, &file, units)?;
-    if let Some(path) = &arguments.samples_out {
+fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
+    let UncertaintyArguments {
+        arguments: of_case,
+        samples,
+        seed,
+        method,
+        sobol,
+        samples_out,
+        plots,
+        plots_format,
+    } = arguments;
+    let method = match method {
+        arguments::Method::MonteCarlo => SamplingMethod::MonteCarlo,
+        arguments::Method::LatinHypercube => SamplingMethod::LatinHypercube,
+        arguments::Method::Sobol => SamplingMethod::Sobol,
+    };
+    let plan = Plan { settings: Settings::new(method, samples, seed), index_rows: sobol };
+    if of_case.format.of_one().is_err() && (samples_out.is_some() || plots.is_some()) {
+        anyhow::bail!(
+            "--samples-out and --plots are for the report on one case: leave them out, or --format"
+        );
+    }
+    let (threads, csv_style) = (of_case.threads, of_case.csv_style);
+    let answer = |case: &Case| {
+        let uncertainty = analysis::uncertainty(case, &plan, &mut |_, _, _| ControlFlow::Continue(()));
+        uncertainty.map(|answer| Answer::Uncertainty(Box::new(answer)))
+    };
+    let Some(arguments) = of_cases(of_case, Table::Uncertainties, &answer)? else { return Ok(()) };
+    let file = case_file(&arguments.case)?;
+    let units = units(arguments.units, &file);
+    let uncertainty = answered(propagate(&file.case, &plan, &pool(threads)?)?, &file, units)?;
+    if let Some(path) = &samples_out {
         let cannot = || format!("cannot write the samples to {}", named(path));
         let mut out = BufWriter::new(Sink::open(Some(path)).with_context(cannot)?);
-        report::write_samples(&uncertainty, &mut out)
+        report::write_samples(&uncertainty, csv_style.into(), &mut out)
             .and_then(|()| out.into_inner().map_err(io::IntoInnerError::into_error)?.finish())
             .with_context(cannot)?;
     }
-    if let Some(folder) = &arguments.plots {
+    if let Some(folder) = &plots {
         for (place, output) in uncertainty.outputs.iter().enumerate() {
             let name = output.output.path();
             let plots = [
@@ -258,13 +329,13 @@ fn report_uncertainty(arguments: &UncertaintyArguments) -> Result<()> {
             ];
             for (plot, drawing) in plots {
                 if let Some(drawing) = drawing {
-                    write_plot(folder, &format!("{plot}-{name}"), &drawing, arguments.plots_format)?;
+                    write_plot(folder, &format!("{plot}-{name}"), &drawing, plots_format)?;
                 }
             }
         }
     }
     let document = report::uncertainty(&file.case, &uncertainty, units);
-    present(&document, &arguments.arguments, || report::uncertainty_json(&file.case, &uncertainty))
+    present(&document, &arguments, || report::uncertainty_json(&file, &uncertainty))
 }
 
 fn write_plot(folder: &Path, name: &str, plot: &Drawing, format: PlotsFormat) -> Result<()> {
@@ -283,18 +354,10 @@ impl From<PlotsFormat> for PictureFormat {
     }
 }
 
-fn propagate(case: &Case, arguments: &UncertaintyArguments) -> Result<Result<Uncertainty, Failure>> {
-    let method = match arguments.method {
-        arguments::Method::MonteCarlo => SamplingMethod::MonteCarlo,
-        arguments::Method::LatinHypercube => SamplingMethod::LatinHypercube,
-        arguments::Method::Sobol => SamplingMethod::Sobol,
-    };
-    let settings = Settings::new(method, arguments.samples, arguments.seed);
-    let plan = Plan { settings, index_rows: arguments.sobol };
-    let pool = pool(arguments.threads)?;
+fn propagate(case: &Case, plan: &Plan, pool: &ThreadPool) -> Result<Result<Uncertainty, Failure>> {
     let mut progress = progress::Progress::new()?;
     Ok(pool.install(|| {
-        analysis::uncertainty(case, &plan, &mut |stage, done, total| {
+        analysis::uncertainty(case, plan, &mut |stage, done, total| {
             let counted = match stage {
                 Stage::Samples => "samples",
                 Stage::Indices => "rows for the indices",
@@ -322,6 +385,15 @@ fn named(path: &Path) -> Text {
 
 fn units(asked: Option<UnitSystem>, file: &CaseFile) -> Units {
     asked.map_or_else(|| Units::of_case(&file.case), Units::from)
+}
+
+impl From<arguments::CsvStyle> for CsvStyle {
+    fn from(asked: arguments::CsvStyle) -> Self {
+        match asked {
+            arguments::CsvStyle::International => Self::International,
+            arguments::CsvStyle::European => Self::European,
+        }
+    }
 }
 
 impl From<UnitSystem> for Units {
@@ -411,6 +483,9 @@ fn read(path: &Path) -> Result<(String, Vec<u8>)> {
         return Ok(("standard input".to_owned(), bytes));
     }
     let name = path.display().to_string();
+    if path.is_dir() {
+        anyhow::bail!("{name} is a folder: name the case file in it", name = named(path));
+    }
     let bytes = fs::File::open(path)
         .and_then(read_at_most)
         .with_context(|| format!("cannot read the case file {}", named(path)))?;

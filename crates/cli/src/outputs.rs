@@ -9,7 +9,7 @@ use anyhow::{Context as _, Result, bail};
 use report::PictureFormat;
 use same_file::{Handle, is_same_file};
 
-use crate::arguments::{Arguments, Command, Format, Rows};
+use crate::arguments::{Arguments, CasesArguments, Command, Format, Rows};
 use crate::named;
 
 /// A file that is written.
@@ -129,24 +129,14 @@ fn files(command: &Command) -> Files<'_> {
     match command {
         // It refuses whatever exists when it writes.
         Command::New(_) => Files::default(),
-        Command::Reconstruct(arguments) | Command::Impact(arguments) => Files {
-            cases: arguments.cases.iter().map(|case| &**case).collect(),
-            outputs: output(
-                arguments.output.file(),
-                match arguments.format.of_one() {
-                    Ok(format) => ending(format, REPORT),
-                    Err(Rows::Csv) => "-rows.csv",
-                    Err(Rows::Jsonl) => "-rows.jsonl",
-                },
-            ),
-            folder: None,
-        },
-        Command::Crush(arguments) | Command::Check(arguments) | Command::Compare(arguments) => {
-            of_arguments(arguments)
-        }
+        Command::Reconstruct(arguments)
+        | Command::Impact(arguments)
+        | Command::Crush(arguments)
+        | Command::Compare(arguments) => of_cases(arguments),
+        Command::Check(arguments) => of_arguments(arguments),
         Command::Sensitivity(arguments) => of_arguments(&arguments.arguments),
         Command::Uncertainty(arguments) => {
-            let mut files = of_arguments(&arguments.arguments);
+            let mut files = of_cases(&arguments.arguments);
             files.outputs.extend(arguments.samples_out.as_deref().map(|path| Output {
                 option: "--samples-out",
                 path,
@@ -189,6 +179,19 @@ fn files(command: &Command) -> Files<'_> {
         },
         // Standard output is theirs.
         Command::Completions(_) => Files::default(),
+    }
+}
+
+fn of_cases(arguments: &CasesArguments) -> Files<'_> {
+    let ending = match arguments.format.of_one() {
+        Ok(format) => ending(format, REPORT),
+        Err(Rows::Csv) => "-rows.csv",
+        Err(Rows::Jsonl) => "-rows.jsonl",
+    };
+    Files {
+        cases: arguments.cases.iter().map(|case| &**case).collect(),
+        outputs: output(arguments.output.file(), ending),
+        folder: None,
     }
 }
 

@@ -48,6 +48,13 @@ fn pages(command: &clap::Command, folder: &Path) -> Result<()> {
 /// The commands with dots behind what may be given several times, which clap_mangen leaves out.
 fn for_pages() -> clap::Command {
     Command::command()
-        .mut_subcommand("reconstruct", |command| command.mut_arg("cases", |cases| cases.value_name("CASE…")))
+        .mut_subcommands(|command| {
+            let takes_several = command.get_arguments().any(|argument| argument.get_id() == "cases");
+            if takes_several {
+                command.mut_arg("cases", |cases| cases.value_name("CASE…"))
+            } else {
+                command
+            }
+        })
         .mut_subcommand("explain", |command| command.mut_arg("topic", |topic| topic.value_name("TOPIC…")))
 }

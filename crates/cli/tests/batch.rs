@@ -142,9 +142,9 @@ fn a_row_says_what_the_json_of_its_file_says() {
             let help = line.get("help").map_or("", |help| help.as_str().unwrap());
             // What is refused by the reader alone always says what to write.
             assert!(!file.contains("/invalid/") || !help.is_empty(), "{file}");
-            assert!(
-                !help.contains('\n') && line.as_object().unwrap().len() == 2 + usize::from(!help.is_empty())
-            );
+            assert!(!help.contains('\n'));
+            let known = ["file", "error", "help", "program", "case"];
+            assert!(line.as_object().unwrap().keys().all(|key| known.contains(&key.as_str())), "{file}");
             let printed = String::from_utf8(alone.stderr).unwrap();
             // The error text shows the same help, broken into lines.
             let words = |text: &str| text.replace('|', "").split_whitespace().collect::<Vec<_>>().join(" ");
@@ -159,6 +159,9 @@ fn a_row_says_what_the_json_of_its_file_says() {
                     "file" => &file,
                     "error" => error,
                     "help" => help,
+                    "program.version" => env!("CARGO_PKG_VERSION"),
+                    // Empty for a file that cannot be read.
+                    "case.sha256" => line.pointer("/case/sha256").map_or("", |hash| hash.as_str().unwrap()),
                     _ => "",
                 };
                 assert_eq!(cell, expected, "{file}: {column}");
@@ -172,6 +175,19 @@ fn a_row_says_what_the_json_of_its_file_says() {
             match (column.as_str(), value) {
                 ("file", _) => assert_eq!(*cell, file),
                 ("error" | "help", _) => assert_eq!(cell, ""),
+                ("ranges", _) => {
+                    let case = case::CaseFile::parse(
+                        "",
+                        &fs::read_to_string(Path::new("../..").join(&file)).unwrap(),
+                    );
+                    let ranges = case.unwrap().case.ranges.len();
+                    let held = match ranges {
+                        0 => String::new(),
+                        1 => "1 range held at its central value; ".to_owned(),
+                        _ => format!("{ranges} ranges held at their central values; "),
+                    };
+                    assert_eq!(cell.split("deltav").next().unwrap(), held, "{file}");
+                }
                 ("warnings", _) => {
                     let warnings = json["warnings"].as_array().unwrap();
                     let codes: Vec<String> = warnings

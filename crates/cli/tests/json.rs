@@ -43,7 +43,11 @@ fn printed(arguments: &[&str], input: &str) -> Vec<u8> {
 
 #[track_caller]
 fn json(command: &str, case: &str) -> Value {
-    serde_json::from_slice(&printed(&[command, "-", "--format", "json"], case)).unwrap()
+    let mut document: Value =
+        serde_json::from_slice(&printed(&[command, "-", "--format", "json"], case)).unwrap();
+    // Its hash is that of the text, and what is compared is the collision.
+    document.as_object_mut().unwrap().remove("case").unwrap();
+    document
 }
 
 /// What the program says to standard error, where it ends with status 2 and prints nothing.
@@ -474,7 +478,11 @@ fn every_way_in_and_out_has_the_same_bytes() {
         let from_file = printed(&["reconstruct", PAPER_FILE, "--format", format], "");
         assert!(from_file.len() > 1000);
         assert_eq!(from_file, printed(&["reconstruct", PAPER_FILE, "--format", format], ""));
-        assert_eq!(from_file, printed(&["reconstruct", "-", "--format", format], PAPER));
+        let from_input =
+            String::from_utf8(printed(&["reconstruct", "-", "--format", format], PAPER)).unwrap();
+        // The name of the file, which only a file has.
+        let named = from_input.replace("\"file\": \"standard input\"", "\"file\": \"sae-980025.toml\"");
+        assert_eq!(from_file, named.into_bytes());
 
         let path = temporary(&format!("out.{format}"));
         // An older and longer file leaves nothing behind.
@@ -841,11 +849,9 @@ fn what_is_no_text_is_refused_in_one_error() {
 #[test]
 fn a_folder_is_no_case() {
     let folder = env!("CARGO_TARGET_TMPDIR");
-    for command in ["reconstruct", "impact", "crush"] {
+    for command in ["check", "sensitivity"] {
         let message = refused(&[command, folder], b"");
-        // What follows is the operating system's.
-        assert!(message.starts_with(&format!("error: cannot read the case file {folder}: ")), "{message}");
-        assert_eq!(message.lines().count(), 1);
+        assert_eq!(message, format!("error: {folder} is a folder: name the case file in it\n"));
     }
 }
 

@@ -8,5 +8,6 @@ mod guide;
 mod hostile;
 mod json;
 mod outputs;
+mod rows;
 mod start;
 mod writing;

@@ -206,7 +206,9 @@ fn every_command_has_a_manual_page() {
         assert!(page_of_deltav.contains(&format!(r"deltav\-{command}(1)")), "{command}");
     }
     // What may be given several times, and what may not.
-    for (command, argument) in [("reconstruct", "CASE…"), ("explain", "TOPIC…"), ("impact", "CASE")] {
+    for (command, argument) in
+        [("reconstruct", "CASE…"), ("explain", "TOPIC…"), ("uncertainty", "CASE…"), ("check", "CASE")]
+    {
         let page = fs::read_to_string(folder.join(format!("deltav-{command}.1"))).unwrap();
         assert!(page.contains(&format!("\\fI{argument}\\fR")), "{command}: {page}");
     }

@@ -11,12 +11,54 @@ pub(crate) mod topics;
 pub(crate) mod uncertainty;
 pub(crate) mod validation;
 
-use case::{Case, Text};
+use case::{Case, CaseFile, Text};
 use serde::Serialize;
+use sha2::{Digest as _, Sha256};
+
+use crate::words::file_name;
 
 /// The title as given; empty without one.
 fn title(case: &Case) -> &str {
     case.title.as_ref().map_or("", Text::as_given)
+}
+
+/// What came of a case, with what it takes to get it again: the program and the file.
+#[derive(Serialize)]
+struct Identified<'a, T> {
+    /// Of one among several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file: Option<&'a str>,
+    #[serde(flatten)]
+    document: T,
+    program: ProgramBlock,
+    case: CaseBlock,
+}
+
+#[derive(Serialize)]
+struct ProgramBlock {
+    name: &'static str,
+    version: &'static str,
+}
+
+const THIS_PROGRAM: ProgramBlock = ProgramBlock { name: "deltav", version: env!("CARGO_PKG_VERSION") };
+
+#[derive(Serialize)]
+struct CaseBlock {
+    file: String,
+    sha256: String,
+}
+
+fn identified<T>(file: &CaseFile, document: T) -> Identified<'_, T> {
+    let case = CaseBlock {
+        file: file_name(file.source.name()).as_given().to_owned(),
+        sha256: sha256(file.source.text().as_bytes()),
+    };
+    Identified { file: None, document, program: THIS_PROGRAM, case }
+}
+
+/// The SHA-256 of a case file, in hexadecimal digits.
+pub(crate) fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// A JSON document in indented lines.

@@ -6,7 +6,7 @@
 //! let analysis = analysis::reconstruct(&file.case)?;
 //! let text = report::results(&file.case, &analysis, report::Units::Us).text();
 //! assert!(text.contains("75.03 ft/s")); // SAE 980025: 75 ft/s
-//! let json = report::json(&file.case, &analysis)?;
+//! let json = report::json(&file, &analysis)?;
 //! assert!(json.contains("\"admissible_roots\": 1"));
 //! # Ok(())
 //! # }
@@ -19,8 +19,8 @@
 //! alone; [`explanation`] of a term, symbol, key or warning, from glossary.md.
 //!
 //! The same for programs is data in SI units and radians, with keys that are kept: [`json`],
-//! [`comparison_json`] and so on; of many cases [`csv_row`] under [`csv_header`] gives a line each for a
-//! spreadsheet, and [`jsonl_row`] for a program; [`write_samples`] gives the samples of an uncertainty.
+//! [`comparison_json`] and so on; of many cases a [`Csv`] gives a line each for a spreadsheet, and
+//! [`jsonl_row`] for a program; [`write_samples`] gives the samples of an uncertainty.
 //!
 //! [`message`] is the sentence of a warning and [`no_answer`] that of a case without an answer. All speak the
 //! [`Axes`](case::Axes) of the case, which each document names, and the [`Units`] of the reader. Results are
@@ -75,7 +75,7 @@ mod writers;
 
 pub use ::drawing::{Drawing, PictureFormat};
 pub use data::comparison::comparison_json;
-pub use data::csv::{Refused, Row, RowError, csv_columns, csv_header, csv_row, jsonl_row};
+pub use data::csv::{Answer, Csv, CsvStyle, Refused, Row, RowError, Table, jsonl_row};
 pub use data::json::json;
 pub use data::judgement::judgement_json;
 pub use data::samples::write_samples;

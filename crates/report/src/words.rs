@@ -1,6 +1,9 @@
 //! Names of what the engines tell apart, and what is said of a stiffness and a speed: below all that writes a
 //! document.
 
+use std::ffi::OsStr;
+use std::path::Path;
+
 use case::{Case, ENERGY_BASES, Fit, Kind, Program, SIDES, StiffnessSource, Text, UNKNOWNS, word};
 use crash3::{DoubtfulDigit, EnergyBasis, Side};
 use pim_core::Regime;
@@ -16,6 +19,12 @@ pub static PROGRAM: Program = Program {
 /// What every document and drawing is headed with.
 pub(crate) fn title(case: &Case) -> String {
     case.title.as_ref().map_or_else(|| "Untitled case".to_owned(), Text::to_string)
+}
+
+/// The name of a case file without its folders, which are of no concern to whom it is handed to.
+pub(crate) fn file_name(name: &Text) -> Text {
+    let last = Path::new(name.as_given()).file_name().and_then(OsStr::to_str);
+    last.map_or_else(|| name.clone(), Text::from)
 }
 
 pub(crate) fn basis_name(basis: EnergyBasis) -> &'static str {

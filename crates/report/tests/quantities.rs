@@ -50,7 +50,7 @@ fn analyses() -> Vec<(String, CaseFile, Analysis)> {
 }
 
 fn json(file: &CaseFile, analysis: &Analysis) -> Value {
-    serde_json::from_str(&report::json(&file.case, analysis).unwrap()).unwrap()
+    serde_json::from_str(&report::json(file, analysis).unwrap()).unwrap()
 }
 
 /// Where the JSON has each value of a quantity, and the value by the table.
@@ -190,7 +190,12 @@ const ELSEWHERE: [(&str, &str); 1] = [("found.value", "in the answer above all t
 
 #[test]
 fn each_row_stands_in_csv_glossary_and_text() {
-    let columns = report::csv_columns(report::Units::Si);
+    let columns = report::Csv {
+        table: report::Table::Analyses,
+        units: report::Units::Si,
+        style: report::CsvStyle::International,
+    }
+    .columns();
     let mut labels = BTreeSet::new();
     for (_, file, analysis) in analyses() {
         let text = report::results(&file.case, &analysis, report::Units::Si).text();

@@ -15,7 +15,7 @@ fn found(name: &str) -> Value {
     let text = std::fs::read_to_string(&path).unwrap();
     let file = CaseFile::parse(&path, &text).unwrap_or_else(|error| panic!("{error}"));
     let analysis = analysis::reconstruct(&file.case).unwrap_or_else(|failure| panic!("{name}: {failure}"));
-    let mut document: Value = serde_json::from_str(&report::json(&file.case, &analysis).unwrap()).unwrap();
+    let mut document: Value = serde_json::from_str(&report::json(&file, &analysis).unwrap()).unwrap();
     document["found"].take()
 }
 

@@ -65,7 +65,7 @@ fn no_force_has_no_ratio() {
     for output in [
         report::results(&file.case, &analysis, Units::Us).text(),
         report::handover(&file, &analysis, Supplements::default(), Units::Us).unwrap().html(),
-        report::json(&file.case, &analysis).unwrap(),
+        report::json(&file, &analysis).unwrap(),
     ] {
         let words: Vec<&str> = output.split(|c: char| !c.is_alphanumeric()).collect();
         assert!(!words.contains(&"inf") && !words.contains(&"NaN") && !words.contains(&"null"), "{output}");

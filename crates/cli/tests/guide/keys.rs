@@ -100,6 +100,10 @@ fn is_a_quantity(text: &str) -> bool {
     })
 }
 
+fn csv(table: report::Table, units: report::Units) -> report::Csv {
+    report::Csv { table, units, style: report::CsvStyle::International }
+}
+
 /// Whether a title that begins with this has an apostrophe before it in CSV, so that no spreadsheet runs it.
 fn begins_a_formula(sign: &str) -> bool {
     let title = format!("{sign}1");
@@ -108,24 +112,27 @@ fn begins_a_formula(sign: &str) -> bool {
     let file =
         CaseFile::parse("title.toml", &text.replacen(line, &format!("title = \"{title}\""), 1)).unwrap();
     let analysis = analysis::reconstruct(&file.case).unwrap();
-    let row = report::csv_row(
-        report::Row { file: "title.toml", answer: Ok((&file.case, &analysis)) },
-        report::Units::Si,
-    )
-    .unwrap();
+    let answer = report::Answer::Analysis(Box::new(analysis));
+    let row = csv(report::Table::Analyses, report::Units::Si)
+        .row(report::Row { file: "title.toml", answer: Ok((&file, &answer)) })
+        .unwrap();
     row.split(',').any(|cell| cell == format!("'{title}"))
 }
 
 /// A word of the case file, a topic of the glossary such as the code of a warning, a column of CSV, a value
 /// of an option, a crate or another folder.
 fn is_known(word: &str, vocabulary: &[String]) -> bool {
-    const OF_OPTIONS: [&str; 3] = ["monte-carlo", "latin-hypercube", "sobol"];
+    const OF_OPTIONS: [&str; 4] = ["monte-carlo", "latin-hypercube", "sobol", "european"];
     let in_the_file = |word: &str| vocabulary.iter().any(|known| known == word);
     word.split('.').all(in_the_file)
         || report::topic(word).is_ok()
         || [report::Units::Si, report::Units::Us]
             .into_iter()
-            .flat_map(report::csv_columns)
+            .flat_map(|units| {
+                [report::Table::Analyses, report::Table::Comparisons, report::Table::Uncertainties]
+                    .map(|table| csv(table, units).columns())
+            })
+            .flatten()
             .any(|column| column == word)
         || OF_OPTIONS.contains(&word)
         || root().join("crates").join(word).is_dir()

@@ -1,12 +1,12 @@
 //! The answers of several laws side by side, as JSON.
 
 use analysis::{Comparison, Correction, Seen, quantity};
-use case::Case;
+use case::{Case, CaseFile};
 use crash3::ObliqueCorrection;
 use serde::Serialize;
 
 use super::json::WarningBlock;
-use super::{pretty, title};
+use super::{identified, pretty, title};
 use crate::failures::no_answer;
 use crate::law;
 use crate::units::Units;
@@ -134,13 +134,16 @@ fn crash3_row(row: &Correction) -> Row {
 ///
 /// # Errors
 /// Where serialisation fails, which no comparison causes.
-pub fn comparison_json(case: &Case, comparison: &Comparison) -> Result<String, serde_json::Error> {
-    let title = title(case);
-    let document = Document {
-        title,
+pub fn comparison_json(file: &CaseFile, comparison: &Comparison) -> Result<String, serde_json::Error> {
+    pretty(&identified(file, document(&file.case, comparison)))
+}
+
+/// What the JSON says.
+pub(crate) fn document<'a>(case: &'a Case, comparison: &Comparison) -> impl Serialize + use<'a> {
+    Document {
+        title: title(case),
         axes: case.axes.name(),
         rows: rows(case, comparison, Units::Si),
         warnings: WarningBlock::all(&comparison.own, case),
-    };
-    pretty(&document)
+    }
 }

@@ -1,22 +1,38 @@
-//! Many reconstructions, a row each: as CSV for a spreadsheet, or as one JSON document a line.
+//! Many cases, a row each: as CSV for a spreadsheet, or as one JSON document a line.
 
-use analysis::{Analysis, Kind, OutputQuantity, QUANTITIES, Values};
-use case::{Case, shown};
+use analysis::{
+    Analysis, Comparison, Kind, Output, OutputQuantity, QUANTITIES, Uncertainty, Values, quantity,
+};
+use case::{CaseFile, shown};
 use pim_core::VehicleId;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::json::document;
-use super::on_one_line;
+use super::{
+    CaseBlock, Identified, ProgramBlock, THIS_PROGRAM, comparison, identified, json, on_one_line, sha256,
+    uncertainty,
+};
 use crate::units::{Measure, Units};
+use crate::words::file_name;
 
 /// What came of one file.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<'a> {
     /// The name of the file.
     pub file: &'a str,
-    /// Its case and its analysis, or why there is none.
-    pub answer: Result<(&'a Case, &'a Analysis), Refused<'a>>,
+    /// The case and what was found, or why there is nothing.
+    pub answer: Result<(&'a CaseFile, &'a Answer), Refused<'a>>,
+}
+
+/// What a row holds.
+#[derive(Debug)]
+pub enum Answer {
+    /// Of `deltav reconstruct`, `deltav impact` and `deltav crush`.
+    Analysis(Box<Analysis>),
+    /// Of `deltav compare`.
+    Comparison(Box<Comparison>),
+    /// Of `deltav uncertainty`.
+    Uncertainty(Box<Uncertainty>),
 }
 
 /// Why a file has no answer.
@@ -26,6 +42,67 @@ pub struct Refused<'a> {
     pub error: &'a str,
     /// What to write instead, on one line; empty where the error says all.
     pub help: &'a str,
+    /// The bytes of the file, if it could be read.
+    pub bytes: Option<&'a [u8]>,
+}
+
+/// A table for a spreadsheet: which rows it has, and how they are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Csv {
+    /// What the rows are.
+    pub table: Table,
+    /// The units of its numbers.
+    pub units: Units,
+    /// How a spreadsheet reads it.
+    pub style: CsvStyle,
+}
+
+/// What the rows of a [`Csv`] are. The [`Answer`] of each row is of this kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Table {
+    /// One analysis in each.
+    Analyses,
+    /// One law of one case in each.
+    Comparisons,
+    /// The intervals of one case in each.
+    Uncertainties,
+}
+
+/// How numbers and columns are told apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CsvStyle {
+    /// Commas between the columns, and a decimal point (RFC 4180).
+    #[default]
+    International,
+    /// Semicolons between the columns, a decimal comma, and a byte order mark, without which spreadsheets take
+    /// UTF-8 for another encoding.
+    European,
+}
+
+impl CsvStyle {
+    /// What the file begins with.
+    pub(crate) fn beginning(self) -> &'static str {
+        match self {
+            Self::International => "",
+            Self::European => "\u{feff}",
+        }
+    }
+
+    /// What stands between two columns.
+    pub(crate) fn separator(self) -> char {
+        match self {
+            Self::International => ',',
+            Self::European => ';',
+        }
+    }
+
+    /// A number, which has a decimal point.
+    pub(crate) fn number(self, number: String) -> String {
+        match self {
+            Self::International => number,
+            Self::European => number.replace('.', ","),
+        }
+    }
 }
 
 /// Why a row cannot be written; no analysis causes that.
@@ -76,12 +153,39 @@ const VEHICLE: [Text; 4] = [
 enum Column {
     /// What the JSON document has at this place.
     Place(String),
+    /// The number that it has there, in SI units.
+    Number(String),
+    /// How many samples of all have no answer.
+    FailedShare,
+    /// That numbers are ranges, where the row has their central values.
+    Ranges,
+    /// The codes of all warnings, with spaces between them, as `vehicle2.burg-inertia` where one is of one
+    /// vehicle.
+    Warnings,
     /// A quantity of the collision, or of this vehicle.
     Quantity(&'static OutputQuantity, Option<VehicleId>),
 }
 
-/// The columns before the last: names in SI units, and what stands in them. Every quantity has one.
-fn columns() -> Vec<(String, Column)> {
+/// The columns: names in SI units, and what stands in them.
+fn columns(table: Table) -> Vec<(String, Column)> {
+    let mut columns = match table {
+        Table::Analyses => of_analyses(),
+        Table::Comparisons => of_comparisons(),
+        Table::Uncertainties => of_uncertainties(),
+    };
+    let place = |name: &str, place: &str| (name.to_owned(), Column::Place(place.to_owned()));
+    columns.push(("warnings".to_owned(), Column::Warnings));
+    columns.push(place("help", "/help"));
+    if table != Table::Uncertainties {
+        columns.push(("ranges".to_owned(), Column::Ranges));
+    }
+    columns.push(place("program.version", "/program/version"));
+    columns.push(place("case.sha256", "/case/sha256"));
+    columns
+}
+
+/// Every quantity has a column.
+fn of_analyses() -> Vec<(String, Column)> {
     let mut columns = Vec::new();
     let mut add = |texts: &[Text], vehicle: Option<VehicleId>| {
         let prefix = vehicle.map_or_else(String::new, |id| format!("vehicle{id}."));
@@ -102,6 +206,72 @@ fn columns() -> Vec<(String, Column)> {
     columns
 }
 
+/// The columns that each row of a comparison fills, with their places in it.
+const COMPARISON: [(&str, &str); 20] = [
+    ("law", "law"),
+    ("coefficients", "coefficients"),
+    ("assumed", "assumed"),
+    ("regime", "regime"),
+    ("found (m/s)", "found"),
+    ("found_difference (m/s)", "found_difference"),
+    ("vehicle1.delta_v (m/s)", "delta_v/0"),
+    ("vehicle2.delta_v (m/s)", "delta_v/1"),
+    ("vehicle1.delta_v_difference (m/s)", "delta_v_difference/0"),
+    ("vehicle2.delta_v_difference (m/s)", "delta_v_difference/1"),
+    ("vehicle1.pdof (rad)", "pdof/0"),
+    ("vehicle2.pdof (rad)", "pdof/1"),
+    ("vehicle1.final_yaw_rate (rad/s)", "final_yaw_rate/0"),
+    ("vehicle2.final_yaw_rate (rad/s)", "final_yaw_rate/1"),
+    ("energy_loss (J)", "energy_loss"),
+    ("normal_share", "normal_share"),
+    ("tangential_share", "tangential_share"),
+    ("moment_share", "moment_share"),
+    ("vehicle1.friction", "friction/0"),
+    ("vehicle2.friction", "friction/1"),
+];
+
+/// The places have `#` for the number of the row.
+fn of_comparisons() -> Vec<(String, Column)> {
+    let place = |name: &str, place: &str| (name.to_owned(), Column::Place(place.to_owned()));
+    let mut columns = vec![
+        place("file", "/file"),
+        // That of the file, or of the law.
+        place("error", "/error"),
+        place("law_error", "/rows/#/error"),
+        place("title", "/title"),
+        place("axes", "/axes"),
+    ];
+    columns.extend(
+        COMPARISON.map(|(name, place)| (name.to_owned(), Column::Number(format!("/rows/#/{place}")))),
+    );
+    columns
+}
+
+/// The statistics of an output, with their places in it.
+const STATISTICS: [(&str, &str); 5] = [
+    ("central", "central"),
+    ("median", "median"),
+    ("sd", "sd"),
+    ("low95", "interval95/0"),
+    ("high95", "interval95/1"),
+];
+
+fn of_uncertainties() -> Vec<(String, Column)> {
+    let mut columns: Vec<(String, Column)> =
+        ["file", "error", "title", "axes", "method", "seed", "samples", "succeeded"]
+            .map(|name| (name.to_owned(), Column::Place(format!("/{name}"))))
+            .into();
+    columns.push(("failed_share".to_owned(), Column::FailedShare));
+    for output in Output::all() {
+        let path = output.path();
+        let unit = quantity(output.key()).map_or("", |row| unit(row.kind));
+        columns.extend(STATISTICS.map(|(name, place)| {
+            (format!("{path}.{name}{unit}"), Column::Number(format!("/outputs/{path}/{place}")))
+        }));
+    }
+    columns
+}
+
 /// What the name of a column in SI units ends in.
 fn unit(kind: Kind) -> &'static str {
     match kind {
@@ -116,10 +286,6 @@ fn unit(kind: Kind) -> &'static str {
         Kind::Force => " (N)",
     }
 }
-
-/// The last columns: the codes of all warnings, with spaces between them, as `vehicle2.burg-inertia` where
-/// one is of one vehicle, and what to write instead of what is wrong.
-const LAST: [&str; 2] = ["warnings", "help"];
 
 /// What the names of columns end in, in SI and in US units, and what it is the unit of. There is one column
 /// for a speed: mph.
@@ -145,79 +311,121 @@ fn converted(name: &str, units: Units) -> Option<(&str, &'static str, Measure)> 
     }
 }
 
-/// The columns of [`csv_row`]: names that do not change, with the unit of the values in parentheses. Columns
-/// may be added.
-#[must_use]
-pub fn csv_columns(units: Units) -> Vec<String> {
-    let named = |name: String| match converted(&name, units) {
-        Some((bare, unit, _)) => format!("{bare}{unit}"),
-        None => name,
-    };
-    columns().into_iter().map(|(name, _)| named(name)).chain(LAST.map(str::to_owned)).collect()
-}
-
-/// The line with the names of the columns.
-///
-/// # Errors
-/// [`RowError`], which no names cause.
-pub fn csv_header(units: Units) -> Result<String, RowError> {
-    line(&csv_columns(units))
-}
-
-/// One line of CSV (RFC 4180, but for the plain line feed at its end) under the [`csv_header`] of the same
-/// units: SI units and radians, or US units with speeds in mph and degrees. Each number is the shortest that
-/// reads back as the same; there is nothing where there is no value.
-///
-/// A spreadsheet runs a cell that begins with `=`, `+`, `-`, `@`, one of their full-width forms, tab, line
-/// feed or carriage return as a formula, and titles and names come from whoever wrote the file. Such a text,
-/// never a number, has an apostrophe before it: the spreadsheet shows a text, and a program takes the
-/// apostrophe away. Control characters are [shown](case::shown). [`jsonl_row`] has all texts as they are.
-///
-/// # Errors
-/// [`RowError`], which no analysis causes.
-pub fn csv_row(row: Row<'_>, units: Units) -> Result<String, RowError> {
-    let value = value(row)?;
-    let seen = row.answer.ok().map(|(case, analysis)| analysis.seen(case.axes));
-    let number = |name: &str, quantity: &OutputQuantity, vehicle: Option<VehicleId>| {
-        let si = match quantity.values(seen.as_ref()?) {
-            Values::Shared(value) => value,
-            Values::Pair(values) => values[vehicle?.index()],
+impl Csv {
+    /// The columns of [`row`](Self::row): names that do not change, with the unit of the values in
+    /// parentheses. Columns may be added.
+    #[must_use]
+    pub fn columns(self) -> Vec<String> {
+        let named = |name: String| match converted(&name, self.units) {
+            Some((bare, unit, _)) => format!("{bare}{unit}"),
+            None => name,
         };
-        Some(match (converted(name, units), si?) {
-            (Some((_, _, unit)), si) => units.value(unit, si),
-            (None, si) => si,
-        })
-    };
-    let mut cells: Vec<String> = columns()
-        .into_iter()
-        .map(|(name, column)| match column {
-            Column::Place(place) => value.pointer(&place).map(cell).unwrap_or_default(),
+        columns(self.table).into_iter().map(|(name, _)| named(name)).collect()
+    }
+
+    /// The line with the names of the columns.
+    ///
+    /// # Errors
+    /// [`RowError`], which no names cause.
+    pub fn header(self) -> Result<String, RowError> {
+        Ok(self.style.beginning().to_owned() + &self.line(&self.columns())?)
+    }
+
+    /// The line of a file under the [`header`](Self::header), or one for each law: RFC 4180, but for the plain
+    /// line feed at its end. SI units and radians, or US units with speeds in mph and degrees. Each number is
+    /// the shortest that reads back as the same; there is nothing where there is no value.
+    ///
+    /// A spreadsheet runs a cell that begins with `=`, `+`, `-`, `@`, one of their full-width forms, tab, line
+    /// feed or carriage return as a formula, and titles and names come from whoever wrote the file. Such a
+    /// text, never a number, has an apostrophe before it: the spreadsheet shows a text, and a program takes the
+    /// apostrophe away. Control characters are [shown](case::shown). [`jsonl_row`] has all texts as they are.
+    ///
+    /// # Errors
+    /// [`RowError`], which no answer causes.
+    pub fn row(self, row: Row<'_>) -> Result<String, RowError> {
+        let value = document(row)?;
+        let rows = match self.table {
+            Table::Comparisons => value.pointer("/rows").and_then(Value::as_array).map_or(1, Vec::len),
+            Table::Analyses | Table::Uncertainties => 1,
+        };
+        (0..rows).map(|number| self.line(&self.cells(row, &value, number))).collect()
+    }
+
+    fn cells(self, row: Row<'_>, value: &Value, number: usize) -> Vec<String> {
+        let seen = match row.answer {
+            Ok((file, Answer::Analysis(analysis))) => Some(analysis.seen(file.case.axes)),
+            _ => None,
+        };
+        let place = |place: &str| value.pointer(&place.replace('#', &number.to_string()));
+        let cell = |name: &str, column: &Column| match column {
+            Column::Place(at) => Some(self.cell(name, place(at)?)),
+            Column::Number(at) => Some(self.cell(name, place(at)?)),
             Column::Quantity(quantity, vehicle) => {
-                number(&name, quantity, vehicle).map(|number| cell(&number.into())).unwrap_or_default()
+                let si = match quantity.values(seen.as_ref()?) {
+                    Values::Shared(value) => value,
+                    Values::Pair(values) => values[vehicle.as_ref()?.index()],
+                };
+                Some(self.cell(name, &si?.into()))
             }
-        })
-        .collect();
+            Column::FailedShare => {
+                let [samples, succeeded] =
+                    ["/samples", "/succeeded"].map(|at| place(at).and_then(Value::as_f64));
+                Some(self.cell(name, &(1.0 - succeeded? / samples?).into()))
+            }
+            Column::Ranges => match row.answer.ok()?.0.case.ranges.len() {
+                0 => None,
+                1 => Some("1 range held at its central value; deltav uncertainty propagates it".to_owned()),
+                ranges => Some(format!(
+                    "{ranges} ranges held at their central values; deltav uncertainty propagates them"
+                )),
+            },
+            Column::Warnings => Some(codes(value)),
+        };
+        columns(self.table).iter().map(|(name, column)| cell(name, column).unwrap_or_default()).collect()
+    }
+
+    /// A value of the JSON document in its column.
+    fn cell(self, name: &str, value: &Value) -> String {
+        match (value, converted(name, self.units)) {
+            (Value::Null, _) => String::new(),
+            (Value::String(text), _) => no_formula(text),
+            (Value::Number(number), Some((_, _, measure))) => {
+                let si = number.as_f64().unwrap_or(f64::NAN);
+                self.style.number(Value::from(self.units.value(measure, si)).to_string())
+            }
+            (Value::Number(number), None) => self.style.number(number.to_string()),
+            (other, _) => other.to_string(),
+        }
+    }
+
+    fn line(self, cells: &[String]) -> Result<String, RowError> {
+        let separator = u8::try_from(self.style.separator()).unwrap_or(b',');
+        let mut writer = csv::WriterBuilder::new().delimiter(separator).from_writer(Vec::new());
+        writer.write_record(cells)?;
+        let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
+        // What went in was text, and so is what comes out.
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+}
+
+fn codes(value: &Value) -> String {
     let warnings = value.get("warnings").and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
     let codes = warnings.iter().filter_map(|warning| {
         let code = warning.get("code").and_then(Value::as_str)?;
         let vehicle = warning.get("vehicle").and_then(Value::as_u64);
         Some(vehicle.map_or_else(|| code.to_owned(), |vehicle| format!("vehicle{vehicle}.{code}")))
     });
-    cells.push(codes.collect::<Vec<_>>().join(" "));
-    cells.push(value.pointer("/help").map(cell).unwrap_or_default());
-    line(&cells)
+    codes.collect::<Vec<_>>().join(" ")
 }
 
-/// One JSON document on one line: what [`json`](crate::json()) gives, with the `file` before all else; or
-/// `file`, `error` and, where there is more to say, `help`.
+/// One JSON document on one line: what [`json`](crate::json()), [`comparison_json`](crate::comparison_json) or
+/// [`uncertainty_json`](crate::uncertainty_json) gives, with the `file` before all else; or `file`, `error`
+/// and, where there is more to say, `help`.
 ///
 /// # Errors
-/// [`RowError`], which no analysis causes.
-pub fn jsonl_row(Row { file, answer }: Row<'_>) -> Result<String, RowError> {
-    Ok(match answer {
-        Ok((case, analysis)) => on_one_line(&document(Some(file), case, analysis))?,
-        Err(refused) => on_one_line(&RefusedFile::new(file, refused))?,
-    })
+/// [`RowError`], which no answer causes.
+pub fn jsonl_row(row: Row<'_>) -> Result<String, RowError> {
+    Ok(on_one_line(&document(row)?)?)
 }
 
 #[derive(Serialize)]
@@ -226,27 +434,35 @@ struct RefusedFile<'a> {
     error: &'a str,
     #[serde(skip_serializing_if = "str::is_empty")]
     help: &'a str,
+    program: ProgramBlock,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    case: Option<CaseBlock>,
 }
 
-impl<'a> RefusedFile<'a> {
-    fn new(file: &'a str, Refused { error, help }: Refused<'a>) -> Self {
-        Self { file, error, help }
-    }
-}
-
-fn value(Row { file, answer }: Row<'_>) -> Result<Value, serde_json::Error> {
-    match answer {
-        Ok((case, analysis)) => serde_json::to_value(document(Some(file), case, analysis)),
-        Err(refused) => serde_json::to_value(RefusedFile::new(file, refused)),
-    }
-}
-
-fn cell(value: &Value) -> String {
-    match value {
-        Value::Null => String::new(),
-        Value::String(text) => no_formula(text),
-        other => other.to_string(),
-    }
+fn document(Row { file: name, answer }: Row<'_>) -> Result<Value, serde_json::Error> {
+    let (file, answer) = match answer {
+        Ok(answer) => answer,
+        Err(Refused { error, help, bytes }) => {
+            let case = bytes.map(|bytes| CaseBlock {
+                file: file_name(&name.into()).as_given().to_owned(),
+                sha256: sha256(bytes),
+            });
+            return serde_json::to_value(RefusedFile {
+                file: name,
+                error,
+                help,
+                program: THIS_PROGRAM,
+                case,
+            });
+        }
+    };
+    let case = &file.case;
+    let document = match answer {
+        Answer::Analysis(analysis) => serde_json::to_value(json::document(case, analysis))?,
+        Answer::Comparison(comparison) => serde_json::to_value(comparison::document(case, comparison))?,
+        Answer::Uncertainty(uncertainty) => serde_json::to_value(uncertainty::document(case, uncertainty))?,
+    };
+    serde_json::to_value(Identified { file: Some(name), ..identified(file, document) })
 }
 
 /// A text as a spreadsheet should show it: see [`csv_row`].
@@ -259,12 +475,4 @@ fn no_formula(text: &str) -> String {
         true => format!("'{shown}"),
         false => shown.into_owned(),
     }
-}
-
-fn line(cells: &[String]) -> Result<String, RowError> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(cells)?;
-    let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
-    // What went in was text, and so is what comes out.
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

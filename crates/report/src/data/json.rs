@@ -1,11 +1,11 @@
 //! A finished analysis as JSON, in SI units and radians.
 
 use analysis::{Analysis, CheckedQuantity, Impact, Seen, SeenWarning};
-use case::Case;
+use case::{Case, CaseFile};
 use pim_core::VehicleId;
 use serde::Serialize;
 
-use super::{pretty, title};
+use super::{identified, pretty, title};
 use crate::Units;
 use crate::law;
 use crate::warnings;
@@ -13,9 +13,6 @@ use crate::words;
 
 #[derive(Serialize)]
 struct Document<'a> {
-    /// Of one analysis among several.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    file: Option<&'a str>,
     title: &'a str,
     /// Those of all signed values: `z-up` or `z-down`.
     axes: &'static str,
@@ -192,20 +189,15 @@ struct CorrectionBlock {
 ///
 /// # Errors
 /// Where serialisation fails, which no analysis causes.
-pub fn json(case: &Case, analysis: &Analysis) -> Result<String, serde_json::Error> {
-    pretty(&document(None, case, analysis))
+pub fn json(file: &CaseFile, analysis: &Analysis) -> Result<String, serde_json::Error> {
+    pretty(&identified(file, document(&file.case, analysis)))
 }
 
-/// What the JSON says; `file` names the analysis among several.
-pub(crate) fn document<'a>(
-    file: Option<&'a str>,
-    case: &'a Case,
-    analysis: &Analysis,
-) -> impl Serialize + use<'a> {
+/// What the JSON says.
+pub(crate) fn document<'a>(case: &'a Case, analysis: &Analysis) -> impl Serialize + use<'a> {
     let analysis = &analysis.seen(case.axes);
     let [vehicle1, vehicle2] = VehicleId::ALL.map(|id| vehicle(case, analysis, id));
     Document {
-        file,
         title: title(case),
         axes: case.axes.name(),
         energy_basis: words::basis_name(analysis.basis),

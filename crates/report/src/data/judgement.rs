@@ -5,7 +5,7 @@ use case::{CaseFile, Unit, UnitSystem};
 use serde::Serialize;
 
 use super::json::WarningBlock;
-use super::{pretty, title};
+use super::{identified, pretty, title};
 use crate::PROGRAM;
 use crate::understood::{choices, converted, message, spread};
 use crate::units::Units;
@@ -111,5 +111,5 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
             .map(|warning| WarningBlock::new(&warning.seen(case.axes)))
             .collect(),
     };
-    pretty(&document)
+    pretty(&identified(file, document))
 }

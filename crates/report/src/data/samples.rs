@@ -5,22 +5,24 @@ use std::io::{self, Write};
 use ::uncertainty::{LANES, SUCCEEDED, Sampler};
 use analysis::{Reason, Uncertainty};
 
+use super::csv::CsvStyle;
 use crate::outputs::reason_name;
 
 /// Writes a line for each sample: its number, why it has no answer, its uncertain inputs and its outputs, in
 /// SI units and radians. Outputs that there are not are empty. Numbers are the shortest that read back as the
-/// same.
+/// same, in the style of the spreadsheet.
 ///
 /// # Errors
 /// Where `out` cannot be written to.
-pub fn write_samples(uncertainty: &Uncertainty, out: &mut dyn Write) -> io::Result<()> {
+pub fn write_samples(uncertainty: &Uncertainty, style: CsvStyle, out: &mut dyn Write) -> io::Result<()> {
+    let next = style.separator();
     let inputs = &uncertainty.inputs;
-    write!(out, "sample,failed")?;
+    write!(out, "{}sample{next}failed", style.beginning())?;
     for input in inputs {
-        write!(out, ",{}", input.input.path)?;
+        write!(out, "{next}{}", input.input.path)?;
     }
     for output in &uncertainty.outputs {
-        write!(out, ",{}", output.output.path())?;
+        write!(out, "{next}{}", output.output.path())?;
     }
     writeln!(out)?;
     let distributions: Vec<_> = inputs.iter().map(|input| input.distribution).collect();
@@ -33,14 +35,15 @@ pub fn write_samples(uncertainty: &Uncertainty, out: &mut dyn Write) -> io::Resu
         for (lane, &code) in reasons.iter().enumerate() {
             let sample = first + lane;
             let failed = if code == SUCCEEDED { "" } else { reason_name(Reason::of_code(code)) };
-            write!(out, "{},{failed}", sample + 1)?;
+            write!(out, "{}{next}{failed}", sample + 1)?;
             for (input, column) in inputs.iter().zip(&block) {
-                write!(out, ",{}", column[lane] * input.input.factor())?;
+                let value = column[lane] * input.input.factor();
+                write!(out, "{next}{}", style.number(value.to_string()))?;
             }
             for column in columns {
                 match column[sample] {
-                    value if value.is_nan() => write!(out, ",")?,
-                    value => write!(out, ",{value}")?,
+                    value if value.is_nan() => write!(out, "{next}")?,
+                    value => write!(out, "{next}{}", style.number(value.to_string()))?,
                 }
             }
             writeln!(out)?;

@@ -1,7 +1,7 @@
 //! How sensitive the answer is to each input, as JSON.
 
 use analysis::Sensitivity;
-use case::{Case, DamageData, Origin};
+use case::{CaseFile, DamageData, Origin};
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
 use serde::Serialize;
@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::outputs::input_name;
 
 use super::json::{OfMovable, WarningBlock, of_movable};
-use super::{pretty, title};
+use super::{identified, pretty, title};
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -65,7 +65,8 @@ struct SweepBlock {
 ///
 /// # Errors
 /// Where serialisation fails, which no sensitivity causes.
-pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String, serde_json::Error> {
+pub fn sensitivity_json(file: &CaseFile, sensitivity: &Sensitivity) -> Result<String, serde_json::Error> {
+    let case = &file.case;
     let paths = |key: &str, vehicles: Vec<VehicleId>| -> Vec<String> {
         vehicles.into_iter().map(|vehicle| format!("vehicle{vehicle}.crush.{key}")).collect()
     };
@@ -102,7 +103,7 @@ pub fn sensitivity_json(case: &Case, sensitivity: &Sensitivity) -> Result<String
             })
             .collect(),
     };
-    pretty(&document)
+    pretty(&identified(file, document))
 }
 
 /// The vehicles in the sweep of whose damage the file gives something.

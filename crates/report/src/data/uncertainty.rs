@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 
 use ::uncertainty::{Bar, End, Estimate, Indices, LEVELS, Shape, Summary};
 use analysis::{Doubt, Doubtful, ExactValue, REASONS, TakenAsExact, UncertainInput, Uncertainty};
-use case::{Case, Input, Origin};
+use case::{Case, CaseFile, Input, Origin};
 use pim_core::VehicleId;
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
 use super::json::WarningBlock;
-use super::{pretty, title};
+use super::{identified, pretty, title};
 use crate::outputs::{estimate_source, input_name, method_name, reason_name};
 use crate::worth::worth;
 
@@ -179,13 +179,18 @@ struct IndexBlock<'a> {
 ///
 /// # Errors
 /// Where serialisation fails, which no uncertainty causes.
-pub fn uncertainty_json(case: &Case, uncertainty: &Uncertainty) -> Result<String, serde_json::Error> {
+pub fn uncertainty_json(file: &CaseFile, uncertainty: &Uncertainty) -> Result<String, serde_json::Error> {
+    pretty(&identified(file, document(&file.case, uncertainty)))
+}
+
+/// What the JSON says.
+pub(crate) fn document<'a>(case: &'a Case, uncertainty: &'a Uncertainty) -> impl Serialize + use<'a> {
     let propagation = &uncertainty.propagation;
     let outputs = (0..uncertainty.outputs.len()).map(|place| {
         let output = &uncertainty.outputs[place];
         (output.output.path(), output_block(uncertainty, place))
     });
-    let document = Document {
+    Document {
         title: title(case),
         axes: case.axes.name(),
         warnings: WarningBlock::all(&uncertainty.nominal, case),
@@ -205,8 +210,7 @@ pub fn uncertainty_json(case: &Case, uncertainty: &Uncertainty) -> Result<String
             used: indices.used(),
             evaluations: indices.evaluations(),
         }),
-    };
-    pretty(&document)
+    }
 }
 
 fn doubtful_block(doubtful: &Doubtful) -> DoubtfulBlock {

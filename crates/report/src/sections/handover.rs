@@ -7,11 +7,11 @@ use analysis::{Analysis, Impact, Output, Seen, Sensitivity, UncertainInput, Unce
 use case::{Axes, CaseFile, Estimate, Origin, ReportHead};
 use crash3::EnergyBasis;
 use pim_core::VehicleId;
-use sha2::{Digest as _, Sha256};
 use validation::Validation;
 
 use super::chosen::Chosen;
 use super::results::search;
+use crate::data::sha256;
 use crate::document::{Block, Document, Table};
 use crate::pictures::{DrawingError, Subject, drawing};
 use crate::steps::steps;
@@ -113,7 +113,7 @@ pub fn handover(
         page.push(table);
     }
     page.heading("Case file");
-    let name = file.source.name();
+    let name = words::file_name(file.source.name());
     page.paragraph(format!(
         "The complete text of {name}; the program can reproduce this report from it alone."
     ));
@@ -152,16 +152,12 @@ fn identification(file: &CaseFile, analysis: &Analysis) -> Vec<(&'static str, St
     let mut facts: Vec<_> = head.collect();
     facts.extend([
         ("Case", words::title(&file.case)),
-        ("Case file", file.source.name().to_string()),
-        ("SHA-256 of the case file", sha256(file.source.text())),
+        ("Case file", words::file_name(file.source.name()).to_string()),
+        ("SHA-256 of the case file", sha256(file.source.text().as_bytes())),
         ("Analysis", kind.to_owned()),
         ("Program", format!("deltav {}", env!("CARGO_PKG_VERSION"))),
     ]);
     facts
-}
-
-fn sha256(text: &str) -> String {
-    Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// What was found, with its interval first where the inputs have one.
