@@ -73,6 +73,30 @@ fn a_bar_is_where_the_svg_has_it() {
     assert!(content.starts_with(&flip), "{flip}: {}", content.lines().next().unwrap());
 }
 
+/// The first curve of the windscreen. B(½) of a quadratic curve is (a + 2 b + c)/4, and of a cubic one
+/// (a + 3 b + 3 c + d)/8.
+#[test]
+fn a_curve_goes_through_the_same_points() {
+    let drawing = all().into_iter().find(|drawing| drawing.name() == "scene").unwrap();
+    let front = crate::reader::attribute(&drawing.svg(), "scene-front-1", "d").unwrap();
+    let numbers = |text: &str| -> Vec<f64> {
+        text.split([' ', 'M', 'Q', 'L', 'Z', 'm', 'c', '\n']).filter_map(|word| word.parse().ok()).collect()
+    };
+    let quadratic = numbers(front.split('L').next().unwrap());
+    let [ax, ay, bx, by, cx, cy] = quadratic[..] else { panic!("{front}") };
+    let content = content(&drawing.pdf().unwrap());
+    let start = format!("{ax} {ay} m\n");
+    let curve = content.split(&start).nth(1).unwrap().split(" c\n").next().unwrap();
+    let [x1, y1, x2, y2, x, y] = numbers(curve)[..] else { panic!("{curve}") };
+    assert!((x - cx).abs() < 1e-3 && (y - cy).abs() < 1e-3, "{curve}");
+    for (quadratic, cubic) in [
+        ((ax + 2.0 * bx + cx) / 4.0, (ax + 3.0 * x1 + 3.0 * x2 + x) / 8.0),
+        ((ay + 2.0 * by + cy) / 4.0, (ay + 3.0 * y1 + 3.0 * y2 + y) / 8.0),
+    ] {
+        assert!((quadratic - cubic).abs() < 1e-3, "{curve}");
+    }
+}
+
 #[test]
 fn letters_that_the_font_has_not_are_named() {
     let picture = crate::pictures::tornado(4.0);
