@@ -9,6 +9,9 @@ use pim_core::{Real, VehicleId};
 use crate::thresholds::{ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
 use crate::{Impact, Vehicle};
 
+/// (rad) what the sums of a few angles within a turn or two are rounded by, and more.
+const ANGLE_ROUNDING: f64 = 1e-12;
+
 /// One comparison. Values are in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Check {
@@ -53,6 +56,8 @@ impl Check {
     pub fn passed(&self) -> bool {
         match self.quantity {
             CheckedQuantity::Rotation { .. } => self.value >= self.limit,
+            // Two neighbouring hours are as far apart as may be.
+            CheckedQuantity::PdofsOpposite => self.value <= self.limit + ANGLE_ROUNDING,
             _ => self.value <= self.limit,
         }
     }
@@ -94,7 +99,10 @@ pub(crate) fn checks(
     if let ([Some(p1), Some(p2)], [Some(h1), Some(h2)]) = (given, headings) {
         // The force comes from the scene angle θ − PDOF.
         let value = principal_angle((h1 - p1) - (h2 - p2) + PI).abs();
-        checks.push(Check { quantity: CheckedQuantity::PdofsOpposite, value, limit: PDOF_DIFFERENCE });
+        // Two hours of the clock may be off by half an hour each.
+        let half_hours: f64 = vehicles.iter().map(Vehicle::half_hour).sum();
+        let limit = if half_hours > 0.0 { half_hours } else { PDOF_DIFFERENCE };
+        checks.push(Check { quantity: CheckedQuantity::PdofsOpposite, value, limit });
     }
     if let (Some(impact), Some(crush_energy)) = (impact, crush_energy) {
         let normal_work = impact.outcome.energy.normal_work;
@@ -130,12 +138,20 @@ fn moment_with_rotation(impact: &Impact, vehicle: &Vehicle, id: VehicleId) -> Op
     }
     let damage = vehicle.damage.as_ref()?;
     let [forward, left] = subject.contact.or(damage.centroid)?;
-    let (sin, cos) = Real::sin_cos(damage.pdof?);
     let p = impact.outcome.impulse_vector;
     let size = (p.x * p.x + p.y * p.y).sqrt();
-    // r × P with the push P = |P| (−cos PDOF, sin PDOF) in (forward, left)
-    let moment = size * (forward * sin + left * cos);
     let [before, after] = [&impact.outcome.before, &impact.outcome.after];
     let turned = after[id.index()].yaw_rate - before[id.index()].yaw_rate;
-    (turned != 0.0).then(|| if turned < 0.0 { -moment } else { moment })
+    if turned == 0.0 {
+        return None;
+    }
+    let sense = turned.signum();
+    // Of an hour of the clock, the direction within it that turns the vehicle the most in that sense.
+    let (given, half_hour) = (damage.pdof?, vehicle.half_hour());
+    let best = (sense * forward).atan2(sense * left);
+    let pdof = given + principal_angle(best - given).clamp(-half_hour, half_hour);
+    let (sin, cos) = Real::sin_cos(pdof);
+    // r × P with the push P = |P| (−cos PDOF, sin PDOF) in (forward, left)
+    let moment = size * (forward * sin + left * cos);
+    Some(sense * moment)
 }

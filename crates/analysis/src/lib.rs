@@ -54,6 +54,7 @@ pub use judgement::{Ability, Assumption, Judgement, assumptions, judge, nearest_
 pub use quantities::{Kind, Of, OutputQuantity, QUANTITIES, Values, quantity};
 pub use seen::{Seen, SeenWarning};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
+use thresholds::HALF_HOUR;
 pub use thresholds::{FAST_CLOSING, HIGH_RESTITUTION};
 pub use uncertainty::{
     Doubt, Doubtful, ExactValue, Plan, REASONS, Reason, Stage, TakenAsExact, UncertainInput, UncertainOutput,
@@ -175,6 +176,13 @@ impl Vehicle {
     /// (rad) the PDOF that the file gives for this vehicle itself.
     pub(crate) fn given_pdof(&self) -> Option<f64> {
         self.subject.damage.as_ref().filter(|damage| !damage.pdof_follows)?.pdof
+    }
+
+    /// (rad) how far the direction of force may be from the middle of the hour that is given for it; 0 of an
+    /// angle.
+    pub(crate) fn half_hour(&self) -> f64 {
+        let is_hour = self.subject.damage.as_ref().is_some_and(|damage| damage.pdof_is_hour);
+        if is_hour { HALF_HOUR } else { 0.0 }
     }
 
     /// (m/s) b_0, the highest speed that leaves no crush on the damaged width: its energy is G.

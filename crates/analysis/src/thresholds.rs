@@ -7,6 +7,8 @@ use std::f64::consts::PI;
 pub(crate) const FORCE_RATIO: f64 = 2.0;
 /// (rad) how far a PDOF judged by eye may be from the computed one: 10°.
 pub(crate) const PDOF_DIFFERENCE: f64 = 10.0 * PI / 180.0;
+/// (rad) how far a PDOF may be from the hour of the clock that is given for it: half of an hour, 15°.
+pub(crate) const HALF_HOUR: f64 = 15.0 * PI / 180.0;
 /// Restitution falls with closing speed: above [`FAST_CLOSING`], more than this is not seen in vehicle
 /// collisions.
 pub const HIGH_RESTITUTION: f64 = 0.3;

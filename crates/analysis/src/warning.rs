@@ -78,6 +78,8 @@ pub enum Warning {
         given: f64,
         /// (rad) as computed.
         computed: f64,
+        /// (rad) how far apart they may be.
+        limit: f64,
     },
     /// α was limited to 45°.
     AngleCapped {
@@ -881,8 +883,9 @@ pub(crate) fn of_directions(impact: &Impact, vehicles: &[Vehicle; 2], warnings: 
     for (id, (vehicle, computed)) in VehicleId::ALL.into_iter().zip(vehicles.iter().zip(impact.pdof)) {
         let Some(given) = vehicle.given_pdof() else { continue };
         // The difference of two directions, the short way round.
-        if principal_angle(given - computed).abs() > PDOF_DIFFERENCE {
-            warnings.push(Warning::PdofDiffers { vehicle: id, given, computed });
+        let limit = vehicle.half_hour().max(PDOF_DIFFERENCE);
+        if principal_angle(given - computed).abs() > limit {
+            warnings.push(Warning::PdofDiffers { vehicle: id, given, computed, limit });
         }
     }
 }

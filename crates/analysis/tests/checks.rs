@@ -56,6 +56,51 @@ fn two_given_directions_of_force_have_to_be_opposite() {
     }
 }
 
+/// An hour of the clock is 30° wide: 12 and 11 o'clock may be the same direction, and so may 12 and an angle
+/// up to 15° from it.
+#[test]
+fn hours_of_the_clock_are_held_to_half_an_hour_each() {
+    for (first, second, limit, passed) in [
+        ("12 o'clock", "12 o'clock", 30.0, true),
+        ("12 o'clock", "11 o'clock", 30.0, true),
+        ("12 o'clock", "10 o'clock", 30.0, false),
+        ("14.9 deg", "12 o'clock", 15.0, true),
+        ("12 o'clock", "15.1 deg", 15.0, false),
+    ] {
+        let text = head_on([0.0, 0.0], 5.0, 0.1);
+        let text = text.replacen("\"0 deg\"\n[vehicle2]", &format!("\"{first}\"\n[vehicle2]"), 1);
+        let text = text.replacen("\"0 deg\"\n[impact]", &format!("\"{second}\"\n[impact]"), 1);
+        assert!(text.contains(first) && text.contains(second), "{text}");
+        let analysis = analysis(crush, &text);
+        let check = check(&analysis, "pdofs-opposite").unwrap();
+        // 1e-9: the rounding of radians.
+        assert!((check.limit.to_degrees() - limit).abs() < 1e-9, "{check:?}");
+        assert_eq!(check.passed(), passed, "{first} {second}");
+        assert_eq!(raises(&analysis, "pdofs-not-opposite"), !passed);
+    }
+}
+
+/// The GMC Jimmy's PDOF is 2.8°, and its line of action turns it the other way beyond 22.4°: 12 o'clock
+/// differs by less than half an hour; 1 o'clock (15° to 45°) differs, and part of it turns the vehicle as it
+/// turned; no part of 2 o'clock does.
+#[test]
+fn an_hour_agrees_where_a_part_of_it_does() {
+    let arm = |degrees: f64| (22.4 - degrees).to_radians().sin();
+    for (hour, differs, best, turns) in
+        [(12, false, -15.0, true), (1, true, 15.0, true), (2, true, 45.0, false)]
+    {
+        let side = "side      = \"front\"";
+        let text = PAPER.replace(side, &format!("{side}\npdof      = \"{hour} o'clock\""));
+        let analysis = analysis(reconstruct, &text);
+        assert_eq!(raises(&analysis, "pdof-differs"), differs, "{hour}");
+        assert_eq!(raises(&analysis, "rotation-opposes"), !turns, "{hour}");
+        let first = check(&analysis, "rotation").unwrap();
+        let p = analysis.impact.as_ref().unwrap().outcome.impulse_vector;
+        let expected = 6.3 * 0.3048 * f64::hypot(p.x, p.y) * arm(best);
+        assert!((first.value - expected).abs() < 1e-6, "{hour}: {} {expected}", first.value);
+    }
+}
+
 /// Head-on with equal masses, W_n = m v² (1−e²) for both together, and E = 108,300 J.
 #[test]
 fn the_normal_work_has_to_be_the_crush_energy() {

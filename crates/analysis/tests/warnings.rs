@@ -204,7 +204,7 @@ fn pdof_differs() {
             let found = raised(analysis::impact, &text, "pdof-differs");
             match (&found[..], expected) {
                 ([], false) => {}
-                ([Warning::PdofDiffers { vehicle, given: named, computed: pdof }], true) => {
+                ([Warning::PdofDiffers { vehicle, given: named, computed: pdof, .. }], true) => {
                     assert_eq!(*vehicle, car);
                     assert_close("given", *named, f64::to_radians(given), 1e-14);
                     // −180° and 180° are one direction, and rounding decides between them.

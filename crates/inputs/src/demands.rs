@@ -13,7 +13,7 @@ use reconcile::Unknown;
 
 use crate::axes::Axes;
 use crate::case::Case;
-use crate::crush::{Crush, Fit, StiffnessForm, StiffnessLine};
+use crate::crush::{Crush, Fit, Pdof, StiffnessForm, StiffnessLine};
 use crate::estimate::scaled;
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::impact::{BrachTangential, ImpactLaw, Restitution};
@@ -126,6 +126,8 @@ pub struct DamageData<T = f64> {
     pub pdof: Option<T>,
     /// Whether the PDOF was derived from that of the other vehicle, by Newton's third law.
     pub pdof_follows: bool,
+    /// Whether it is an hour of the clock, the given one or that of the other vehicle: each is 30° wide.
+    pub pdof_is_hour: bool,
     /// (rad) α as given.
     pub oblique_angle: Option<T>,
     /// (m) h as given.
@@ -371,17 +373,20 @@ pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Unknown>)
 /// Where one PDOF and both headings are given, the other PDOF follows by Newton's third law.
 fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: [Option<&mut VehicleData<T>>; 2]) {
     let [Some(h1), Some(h2)] = headings else { return };
-    let given =
-        vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.damage.as_ref()?.pdof));
+    let given = vehicles.each_ref().map(|vehicle| {
+        let damage = vehicle.as_ref()?.damage.as_ref()?;
+        Some((damage.pdof?, damage.pdof_is_hour))
+    });
     let follows = [
-        given[1].map(|pdof| crash3::opposite_pdof(pdof, [h2, h1])),
-        given[0].map(|pdof| crash3::opposite_pdof(pdof, [h1, h2])),
+        given[1].map(|(pdof, is_hour)| (crash3::opposite_pdof(pdof, [h2, h1]), is_hour)),
+        given[0].map(|(pdof, is_hour)| (crash3::opposite_pdof(pdof, [h1, h2]), is_hour)),
     ];
     for (vehicle, follows) in vehicles.into_iter().zip(follows) {
         if let Some(damage) = vehicle.and_then(|vehicle| vehicle.damage.as_mut())
             && damage.pdof.is_none()
+            && let Some((pdof, is_hour)) = follows
         {
-            (damage.pdof, damage.pdof_follows) = (follows, follows.is_some());
+            (damage.pdof, damage.pdof_follows, damage.pdof_is_hour) = (Some(pdof), true, is_hour);
         }
     }
 }
@@ -747,6 +752,7 @@ impl<'a, T: Real> Demand<'a, T> {
             correction: crush.oblique.unwrap_or_default(),
             pdof: crush.pdof.as_ref().map(|pdof| crash3::principal_angle(pdof.rad())),
             pdof_follows: false,
+            pdof_is_hour: matches!(crush.pdof, Some(Pdof::Clock(_))),
             oblique_angle: crush.oblique_angle.as_ref().map(Quantity::si),
             moment_arm: crush.moment_arm.as_ref().map(Quantity::si),
         })

@@ -83,10 +83,11 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 units.format(Measure::Force, *f2)
             )
         }
-        Warning::PdofDiffers { vehicle, given, computed } => format!(
-            "the PDOF given for vehicle {vehicle}, {}, differs from that of the impulse, {}, by more than 10°",
+        Warning::PdofDiffers { vehicle, given, computed, limit } => format!(
+            "the PDOF given for vehicle {vehicle}, {}, differs from that of the impulse, {}, by more than {:.0}°",
             angle(*given),
-            angle(*computed)
+            angle(*computed),
+            limit.to_degrees()
         ),
         Warning::AngleCapped { vehicle, oblique_angle } => format!(
             "the force meets the damaged side of vehicle {vehicle} at {} to its normal; CRASH3 limits that to 45°, \
