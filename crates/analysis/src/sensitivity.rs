@@ -1,7 +1,7 @@
 //! How sensitive the answer is to each input: exact derivatives, and a sweep of the direction of force.
 
 use crash3::{ObliqueCorrection, principal_angle};
-use inputs::{Axes, Case, Collision, Dimension, Input};
+use inputs::{Axes, Case, Collision, Dimension, Input, Origin};
 use pim_core::{ImpactError, Outcome, Real, VehicleId};
 use real::{Gradient, Traced};
 use reconcile::Problem;
@@ -255,6 +255,8 @@ fn derivatives(case: &Case, nominal: &Analysis) -> Result<Vec<Derivative>, Failu
             derivatives.push(Derivative { output, output_value, input: input.clone(), value });
         }
     }
+    // What numbers share follows from their own rows.
+    derivatives.retain(|derivative| !matches!(derivative.input.origin, Origin::Shared(_)));
     // A relative change of zero is undefined.
     derivatives.retain(|derivative| derivative.output_value != 0.0);
     let order = |output: Output| outputs.iter().position(|other| *other == output);
@@ -279,9 +281,9 @@ pub(crate) fn gradients(
         let all = |found: Traced, outcome: &Outcome<Traced>| -> Vec<Traced> {
             outputs.iter().map(|output| output.value(found, outcome)).collect()
         };
-        let mut numbers = numbers.iter().copied();
-        let case = case.map_numbers(|number| numbers.next().unwrap_or(Traced::from(number)));
-        match numbers.next() {
+        let (numbers, found) = numbers.split_at(inputs.len());
+        let case = case.with_numbers(numbers.to_vec());
+        match found.first().copied() {
             Some(found) => at(&case, |problem| {
                 let (_, outcome) = problem.impact(found)?;
                 let mut results = all(found, &outcome);

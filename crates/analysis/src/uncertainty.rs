@@ -13,8 +13,8 @@ use ::uncertainty::{
 };
 use crash3::CrushError;
 use inputs::{
-    Bounds, Case, Estimate, Fault, FaultKind, Faults, Input, Origin, Range, STIFFNESS_LN_SD_A, Spread, Unit,
-    YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+    Bounds, Case, Estimate, Fault, FaultKind, Faults, GivenUncertainty, Input, Origin, Range,
+    STIFFNESS_LN_SD_A, SharedEffects, SharedError, Spread, Unit, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
 };
 use pim_core::{ImpactError, Outcome};
 use real::Gradient;
@@ -307,7 +307,8 @@ pub fn uncertainty(
     })
 }
 
-/// Whether [`uncertainty()`] has anything to propagate: a range, or a value that is estimated.
+/// Whether [`uncertainty()`] has anything to propagate: a range, a value that is estimated, or an error
+/// that numbers share.
 #[must_use]
 pub fn is_uncertain(case: &Case) -> bool {
     match inputs(case) {
@@ -329,7 +330,12 @@ pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
             }
             // Without a speed to find, no result depends on the stiffness.
             Origin::Estimate(Estimate::Stiffness { .. }) if case.reconstruct.is_none() => continue,
+            Origin::Estimate(estimate) if case.uncertainty.exact.contains(&estimate.key()) => continue,
             Origin::Estimate(estimate) => (spread_of(estimate, input.number), Bounds::Positive),
+            Origin::Shared(error) => match case.uncertainty.shared.get(error) {
+                Some(error) => (size_of(error, &input), Bounds::None),
+                None => continue,
+            },
         };
         match distribution {
             Ok(distribution) => inputs.push(UncertainInput { input, distribution, bounds }),
@@ -368,6 +374,12 @@ fn no_range(case: &Case) -> Fault {
         None => format!("give at least one number as a range; the forms are {forms}"),
     };
     Fault { key: String::new(), kind: FaultKind::NothingUncertain, advice: Some(help) }
+}
+
+/// The distribution of an error that several numbers share.
+fn size_of(error: &SharedError, input: &Input) -> Result<Distribution, InvalidDistribution> {
+    let range = Range { path: input.path.clone(), spread: error.size, bounds: Bounds::None };
+    distribution(input, &range)
 }
 
 /// The spread that an estimate has by itself.
@@ -464,12 +476,17 @@ struct Sample<'a> {
     is_uncertain: Vec<bool>,
     /// The case without its texts, which no sample needs.
     case: Case,
+    /// Where numbers share errors: what these do, and the numbers at their central values.
+    shared: Option<(SharedEffects, Vec<f64>)>,
     /// The same for a block at once, where the case has a shape that can be solved so.
     block: Option<Block>,
 }
 
 impl<'a> Sample<'a> {
     fn new(case: &Case, inputs: &[UncertainInput], outputs: &'a [Output], central: &'a [f64]) -> Self {
+        let effects = SharedEffects::of(case);
+        let numbers = || case.variables().into_iter().map(|input| input.number).collect();
+        let shared = (!effects.is_empty()).then(|| (effects, numbers()));
         let mut paths = inputs.iter().map(|input| &input.input.path).peekable();
         let mut is_uncertain = Vec::new();
         let mut case = case.map(|input| {
@@ -482,12 +499,21 @@ impl<'a> Sample<'a> {
             _ => Number::Known(number),
         });
         let block = Block::new(&numbers, inputs.len());
+        case.uncertainty = GivenUncertainty::default();
         case.title = None;
         case.source = None;
         for vehicle in &mut case.vehicles {
             vehicle.name = None;
         }
-        Self { is_reconstruction: case.reconstruct.is_some(), outputs, central, is_uncertain, case, block }
+        Self {
+            is_reconstruction: case.reconstruct.is_some(),
+            outputs,
+            central,
+            is_uncertain,
+            case,
+            shared,
+            block,
+        }
     }
 
     /// The samples of a block that are not `answered` yet, each as a case of its own.
@@ -523,6 +549,16 @@ impl<'a> Sample<'a> {
     fn case_of(&self, numbers: &[f64]) -> Case {
         let mut numbers = numbers.iter();
         let mut is_uncertain = self.is_uncertain.iter();
+        if let Some((effects, central)) = &self.shared {
+            let mut all = central.clone();
+            for (place, _) in all.iter_mut().zip(is_uncertain).filter(|(_, is_uncertain)| **is_uncertain) {
+                *place = numbers.next().copied().unwrap_or(*place);
+            }
+            effects.apply(&mut all);
+            // Without the errors themselves, which the case of a sample has no more.
+            let mut all = all.into_iter();
+            return self.case.map_numbers(|central| all.next().unwrap_or(central));
+        }
         self.case.map_numbers(|central| match is_uncertain.next() {
             Some(true) => numbers.next().copied().unwrap_or(central),
             _ => central,

@@ -551,3 +551,112 @@ fn samples_with_several_speeds_are_counted_among_the_first() {
     let several = doubt(&result, Doubt::SeveralSpeeds).unwrap();
     assert_eq!((several.samples, several.of), (4096, 4096));
 }
+
+/// All depths of both vehicles, but for the tape.
+const TAPE: &str = include_str!("../../../fixtures/depths-shared.toml");
+const INDEPENDENT: &str = include_str!("../../../fixtures/depths-independent.toml");
+const DEPTHS: [&str; 2] = ["3.0 6.5 8.8 10.0 11.2 13.5 in", "3.0 8.0 11.5 12.5 10.0 5.0 in"];
+
+/// Sample by sample: the file with the error added to each of its depths; below zero, a depth is zero.
+#[test]
+fn a_shared_error_is_added_to_each_of_its_numbers() {
+    let wide = TAPE.replace("sd   = \"1 in\"", "sd   = \"10 cm\"");
+    let result = run(&wide, 64);
+    assert_eq!(result.inputs.len(), 1);
+    assert_eq!(result.inputs[0].input.path, "uncertainty.shared.tape");
+    let columns = first_block(&result);
+    let mut cut = 0;
+    for (lane, error) in columns[0].iter().enumerate() {
+        let mut text = wide.split("[[uncertainty.shared]]").next().unwrap().to_owned();
+        for depths in DEPTHS {
+            let numbers = depths.trim_end_matches(" in").split(' ');
+            let moved = numbers.map(|depth| {
+                // The error is in cm, the depths are in inches.
+                let moved: f64 = depth.parse::<f64>().unwrap() + error / 2.54;
+                cut += usize::from(moved < 0.0);
+                moved.max(0.0).to_string()
+            });
+            let moved = moved.collect::<Vec<_>>().join(" ");
+            text = text.replace(depths, &format!("{moved} in"));
+        }
+        let expected = reconstruct(&read(&text)).unwrap().found.unwrap().speed;
+        let sampled = result.propagation.columns()[0][lane];
+        assert!((sampled / expected - 1.0).abs() < 1e-9, "sample {lane}: {sampled} is not {expected}");
+    }
+    assert!(cut > 10, "{cut}");
+}
+
+/// A percentage multiplies: the energy of depths alone (A = G = 0) goes with their square, and the closing speed
+/// of a head-on collision with its root.
+#[test]
+fn a_shared_percentage_multiplies_each_of_its_numbers() {
+    let text = TAPE
+        .replace("sd   = \"1 in\"", "within = \"10 %\"\nconfidence = 0.95")
+        .replace("{ category = 4 }", "{ A = \"0 lb/in\", B = \"40 psi\" }")
+        .replace("{ category = 2 }", "{ A = \"0 lb/in\", B = \"60 psi\" }")
+        .replace("\"vehicle1.crush.stiffness\", \"vehicle2.crush.stiffness\", ", "");
+    let result = run(&text, 64);
+    let work = place(&result, Output::NormalWork);
+    let central = result.outputs[work].central;
+    for (factor, sampled) in first_block(&result)[0].iter().zip(&result.propagation.columns()[work]) {
+        assert!((sampled / (central * factor * factor) - 1.0).abs() < 1e-9);
+    }
+}
+
+/// The derivatives of a shared error add up before they are squared, those of independent ones after.
+#[test]
+fn first_order_of_a_shared_error_is_the_sum_of_the_derivatives() {
+    let sweep = analysis::Sweep { step: 0.1, steps: 1 };
+    let rows = analysis::sensitivity(&read(TAPE), sweep).unwrap().derivatives;
+    let of_depths: Vec<f64> = rows
+        .iter()
+        .filter(|row| row.input.path.contains("crush.depths") && matches!(row.output, Output::Speed { .. }))
+        .map(|row| row.value)
+        .collect();
+    assert_eq!(of_depths.len(), 12);
+    // Nothing is said twice.
+    assert!(!rows.iter().any(|row| row.input.path.starts_with("uncertainty")));
+    let inch = 0.0254;
+    let sum = of_depths.iter().sum::<f64>() * inch;
+    let root = of_depths.iter().map(|by| by * by).sum::<f64>().sqrt() * inch;
+    let shared = run(TAPE, 20_000);
+    let independent = run(INDEPENDENT, 20_000);
+    assert!((shared.outputs[0].first_order.sd / sum - 1.0).abs() < 1e-9);
+    // A depth of 3 in with 1 in is cut at zero, which takes 0.5 % of its deviation.
+    assert!((independent.outputs[0].first_order.sd / root - 1.0).abs() < 1e-2);
+    for (result, expected) in [(&shared, sum), (&independent, root)] {
+        let sd = result.propagation.summaries()[0].unwrap().sd.value;
+        assert!((sd / expected - 1.0).abs() < 0.05, "{sd} is not {expected}");
+    }
+}
+
+/// On top of the range that a number has of its own, and beside the one of another.
+#[test]
+fn a_number_may_have_a_range_and_share_an_error() {
+    let both = INDEPENDENT.to_owned()
+        + TAPE
+            .split_once("[[uncertainty.shared]]")
+            .map(|(_, rest)| "[[uncertainty.shared]]".to_owned() + rest)
+            .unwrap()
+            .as_str();
+    let result = run(&both, 20_000);
+    assert_eq!(result.inputs.len(), 13);
+    let variance = |result: &Uncertainty| result.outputs[0].first_order.sd.powi(2);
+    let apart = variance(&run(TAPE, 64)) + variance(&run(INDEPENDENT, 64));
+    assert!((variance(&result) / apart - 1.0).abs() < 1e-9);
+    let keys: Vec<&str> = result.taken_as_exact.iter().map(|exact| exact.key.as_str()).collect();
+    assert!(!keys.contains(&"vehicle1.crush.depths") && keys.contains(&"vehicle1.crush.width"), "{keys:?}");
+    assert!(run(TAPE, 64).taken_as_exact.iter().all(|exact| exact.key != "vehicle1.crush.depths"));
+}
+
+/// Estimates that are listed as exact have no spread, and the list of what is exact has them.
+#[test]
+fn a_spread_that_is_switched_off_is_taken_as_exact() {
+    let exact = CATEGORIES.to_owned()
+        + "\n[uncertainty]\nexact = [\"vehicle1.crush.stiffness\", \"vehicle2.yaw_inertia\"]\n";
+    let result = run(&exact, 64);
+    let paths: Vec<&str> = result.inputs.iter().map(|input| input.input.path.as_str()).collect();
+    assert_eq!(paths, ["vehicle2.speed", "vehicle1.yaw_radius.factor", "vehicle2.crush.stiffness.factor"]);
+    let keys: Vec<&str> = result.taken_as_exact.iter().map(|exact| exact.key.as_str()).collect();
+    assert!(keys.contains(&"vehicle1.crush.stiffness") && keys.contains(&"vehicle2.yaw_inertia"), "{keys:?}");
+}

@@ -134,6 +134,12 @@ impl Generator {
                 object(json!({ "type": "string", "enum": words, "default": LawName::default().name() }))
             }
             Form::Count(last) => object(json!({ "type": "integer", "minimum": 1, "maximum": last })),
+            Form::Keys([]) => object(
+                json!({ "type": "array", "minItems": 1, "items": { "type": "string", "pattern": r"\S" } }),
+            ),
+            Form::Keys(keys) => {
+                object(json!({ "type": "array", "items": { "type": "string", "enum": keys } }))
+            }
             Form::Number(bounds) => {
                 let mut node = object(json!({ "type": ["number", "object"] }));
                 node.extend(limits(bounds));
@@ -219,7 +225,8 @@ impl Generator {
                 node.extend(limits(if is_deviation { Bounds::Positive } else { bounds }));
                 node
             }
-            None => Node::new(),
+            // Of whatever the error of several numbers is added to.
+            None => object(json!({ "type": ["string", "number"] })),
         }
     }
 

@@ -3,6 +3,7 @@
 mod impact;
 mod range;
 mod tree;
+mod uncertainty;
 mod values;
 mod vehicle;
 
@@ -12,11 +13,11 @@ use crate::case_problem::CaseProblem;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::other_files;
 use crate::program::Program;
-use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, TOP};
+use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, TOP, UNCERTAINTY};
 use crate::source::{Source, Spans};
 use inputs::{
-    Axes, Case, ENERGY_BASES, Factors, FaultKind, Faults, LeftOut, Reconstruct, ReportHead, UNKNOWNS,
-    contradictions,
+    Axes, Case, ENERGY_BASES, Factors, FaultKind, Faults, GivenUncertainty, LeftOut, Reconstruct, ReportHead,
+    UNKNOWNS, contradictions,
 };
 use tree::{Reader, Table};
 
@@ -119,6 +120,8 @@ impl<'t> Reader<'t> {
         let report = self.child(&top, "report", &REPORT);
         let report = report.map_or_else(ReportHead::default, |table| self.report_head(&table));
         let axes = self.child(&top, "scene", &SCENE).and_then(|scene| self.axes(&scene)).unwrap_or_default();
+        // Its keys are looked up in what all other tables give.
+        let uncertainty = self.child(&top, "uncertainty", &UNCERTAINTY);
         let first = self.vehicle(&top, "vehicle1");
         let second = self.vehicle(&top, "vehicle2");
         let impact = self.child(&top, "impact", &IMPACT).map(|table| self.impact(&table));
@@ -151,12 +154,16 @@ impl<'t> Reader<'t> {
             reconstruct,
             ranges: Vec::new(),
             factors: Factors::default(),
+            uncertainty: GivenUncertainty::default(),
             left_out,
         };
         case.ranges = case.inputs().iter().filter_map(|input| self.take_range(&input.path)).collect();
         if let Some(first_too_many) = case.ranges.get(MOST_RANGES) {
             let problem = CaseProblem::TooManyRanges { count: case.ranges.len(), limit: MOST_RANGES };
             self.report_path(&first_too_many.path, problem);
+        }
+        if let Some(table) = uncertainty {
+            case.uncertainty = self.uncertainty(&table, &case)?;
         }
         Some(case)
     }

@@ -59,6 +59,8 @@ pub(crate) enum Form {
     Law(&'static [&'static str]),
     /// A whole number from 1 to this.
     Count(u8),
+    /// A list of these keys, or of keys that hold numbers where there are none.
+    Keys(&'static [&'static str]),
     /// A plain number, or a range.
     Number(Bounds),
     /// A list of plain numbers and of ranges.
@@ -200,6 +202,7 @@ pub(crate) static TOP: Schema = Schema {
         key("vehicle2", "[vehicle2]", Form::Vehicle, "Second vehicle, or a fixed object."),
         table("impact", "[impact]", &IMPACT),
         table("reconstruct", "[reconstruct]", &RECONSTRUCT),
+        table("uncertainty", "[uncertainty]", &UNCERTAINTY),
     ],
     rules: &[Rule::Needs(&["vehicle1", "vehicle2"])],
 };
@@ -559,6 +562,66 @@ pub(crate) static RECONSTRUCT: Schema = Schema {
     rules: &[Rule::Needs(&["find"])],
 };
 
+/// What is estimated from a table or a formula where the file does not give it.
+pub(crate) static ESTIMATES: [&str; 4] =
+    ["vehicle1.crush.stiffness", "vehicle1.yaw_inertia", "vehicle2.crush.stiffness", "vehicle2.yaw_inertia"];
+
+pub(crate) static UNCERTAINTY: Schema = Schema {
+    place: "[uncertainty]",
+    text: "What `deltav uncertainty` cannot see from the ranges. Errors that several numbers share, and estimates that have no spread.",
+    keys: &[
+        key(
+            "exact",
+            "exact = [\"vehicle1.crush.stiffness\"]",
+            Form::Keys(&ESTIMATES),
+            "Estimates without a spread. The stiffness of a `category`, and the yaw inertia of a `class` or by Burg's formula, have a spread by default; for those listed here it is switched off.",
+        ),
+        key(
+            "shared",
+            "shared = [{ name = \"tape\", of = [\"vehicle1.crush.depths\"], sd = \"1 cm\" }]",
+            Form::Tables(&SHARED),
+            "Errors that several numbers share. Each sample draws such an error once and applies it to all of its numbers.",
+        ),
+    ],
+    rules: &[],
+};
+
+pub(crate) static SHARED: Schema = Schema {
+    place: "[[uncertainty.shared]]",
+    text: "An error that several numbers share, such as that of one tape, one photograph or one scale. `sd` is added to each number, in one unit for all; `within` multiplies each number.",
+    keys: &[
+        key("name", "name = \"tape\"", Form::Text, "Name of the error. Reports use it."),
+        key(
+            "of",
+            "of = [\"vehicle1.crush.depths\", \"vehicle1.crush.width\"]",
+            Form::Keys(&[]),
+            "The numbers that share the error, by their keys. The key of a list means all of its numbers. A depth that the error takes below zero is zero.",
+        ),
+        key(
+            "sd",
+            "sd = \"1 cm\"",
+            Form::Deviation,
+            "Standard deviation of the error. It is added to each of the numbers.",
+        ),
+        key(
+            "within",
+            "within = \"5 %\"",
+            Form::Percent,
+            "Greatest error in per cent of each number, with the probability `confidence`. All of the numbers are multiplied by the same factor.",
+        ),
+        key(
+            "confidence",
+            "confidence = 0.95",
+            Form::Probability,
+            "Probability that the error is no larger. More than 0 and less than 1.",
+        ),
+    ],
+    rules: &[Rule::OneOf(&[
+        form(&["name", "of", "sd"], &[]),
+        form(&["name", "of", "within", "confidence"], &[]),
+    ])],
+};
+
 pub(crate) static CONTACT: Schema = Schema {
     place: "contact = { … } of a vehicle",
     text: "Contact point, measured from the CG of the vehicle. Give `distance` and `angle`, or `x` and `y`.",
@@ -878,7 +941,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
 };
 
-static ALL: [&Schema; 12] = [
+static ALL: [&Schema; 13] = [
     &TOP,
     &REPORT,
     &SCENE,
@@ -886,6 +949,7 @@ static ALL: [&Schema; 12] = [
     &CRUSH,
     &IMPACT,
     &RECONSTRUCT,
+    &UNCERTAINTY,
     &CONTACT,
     &VELOCITY,
     &STIFFNESS,
@@ -930,6 +994,7 @@ pub fn number_keys() -> Vec<String> {
         | Form::Words(_)
         | Form::Law(_)
         | Form::Count(_)
+        | Form::Keys(_)
         | Form::Vehicle
         | Form::Table(_)
         | Form::Tables(_)

@@ -123,6 +123,15 @@ const BEYOND: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "keys that other tables give",
+        &[
+            "uncertainty-shared-dimensions",
+            "uncertainty-shared-no-number",
+            "uncertainty-shared-twice",
+            "uncertainty-shared-unknown",
+        ],
+    ),
+    (
         "ranges",
         &[
             "range-empty-width",
@@ -200,9 +209,10 @@ fn every_key_says_what_it_is() {
         assert!(text("description").len() > 10, "{path}: description");
         // The examples of a table are those of its keys; of most parts of a range, those of the key around
         // it.
-        let is_table = ["report", "scene", "vehicle1", "vehicle2", "crush", "impact", "reconstruct"]
-            .iter()
-            .any(|table| path == *table || path.ends_with(&format!(".{table}")));
+        let is_table =
+            ["report", "scene", "vehicle1", "vehicle2", "crush", "impact", "reconstruct", "uncertainty"]
+                .iter()
+                .any(|table| path == *table || path.ends_with(&format!(".{table}")));
         let is_amount = key.get("$ref").is_some() || path.ends_with(".values") || key["type"] == "number";
         assert!(!key["examples"][0].is_null() || is_table || is_amount, "{path}: no example");
     }

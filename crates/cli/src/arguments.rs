@@ -128,10 +128,14 @@ pub(crate) enum Command {
             restitution = { low = 0.2, high = 0.4 }  uniform\n  \
             width = { low = \"63 in\", mode = \"65 in\", high = \"66 in\" }  triangular\n  \
             depths = { values = \"21.3 20.3 13.8 in\", sd = \"0.5 in\" }  each station by itself\n\n\
+            Stiffness from a category, and yaw inertia from a class or by Burg's formula, vary by default; \
+            `exact` in [uncertainty] switches that off. [[uncertainty.shared]] names an error that several \
+            numbers share, such as that of one tape.\n\n\
             Each sample draws all ranges independently and solves the same equations as `deltav \
             reconstruct` (or, without [reconstruct], `deltav impact`). The report has the mean, standard \
             deviation, median and the intervals that hold 50, 90, 95 and 99 % of the samples, each with its \
-            standard error; the number of samples without an answer, by reason; the effect of each input \
+            standard error; the number of samples without an answer, by reason, and of those of which a single \
+            case would be warned; what was taken as exact; the effect of each input \
             alone (tornado); and the first-order propagation (GUM) for comparison. The same seed gives the \
             same bytes, with any number of threads.\n\n\
             Several files give one row each: --format csv has, of each result, the columns \

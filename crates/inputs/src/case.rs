@@ -13,6 +13,7 @@ use crate::impact::GivenImpact;
 use crate::quantity::Quantity;
 use crate::range::Range;
 use crate::text::Text;
+use crate::uncertain::GivenUncertainty;
 use crate::units::{Unit, UnitSystem};
 use crate::vehicle::GivenVehicle;
 use crate::walk::{Input, Origin, Others, Replace, Value, Walk};
@@ -39,6 +40,8 @@ pub struct Case<T = f64> {
     /// Which of the numbers are not known exactly, in the order of [`inputs`](Case::inputs). The numbers
     /// themselves are the central values.
     pub ranges: Vec<Range>,
+    /// `[uncertainty]`.
+    pub uncertainty: GivenUncertainty,
     /// By what estimates are multiplied: nothing of the file, and 1 unless they are varied.
     pub factors: Factors<T>,
     /// Which optional words the case leaves out.
@@ -113,7 +116,8 @@ impl Case {
         inputs
     }
 
-    /// Every number that may vary: those that the case gives, and after them the factors of its estimates.
+    /// Every number that may vary: those that the case gives, and after them the factors of its
+    /// estimates, and the errors that some of them share.
     #[must_use]
     pub fn variables(&self) -> Vec<Input> {
         let mut inputs = Vec::new();
@@ -166,6 +170,7 @@ impl Case {
             }),
             ranges: Vec::new(),
             factors: walk.factors(&self.estimates(), &self.factors),
+            uncertainty: walk.uncertainty(&self.uncertainty),
             left_out: self.left_out,
         }
     }

@@ -5,8 +5,10 @@ use std::fmt::{self, Display};
 use pim_core::VehicleId;
 
 use crate::estimate::{Estimate, Factors};
-use crate::quantity::Quantity;
+use crate::quantity::{Quantity, format_number};
+use crate::range::Spread;
 use crate::text::Text;
+use crate::uncertain::GivenUncertainty;
 use crate::units::Unit;
 use crate::words::word;
 
@@ -31,6 +33,9 @@ pub enum Origin {
     Given,
     /// It is the factor of an estimate: 1, unless it is varied.
     Estimate(Estimate),
+    /// It is the error, by its place among those that numbers of the case share: 0 in its unit or, where it is a
+    /// percentage, the factor 1, unless it is varied.
+    Shared(usize),
 }
 
 impl Input {
@@ -126,6 +131,37 @@ impl<'a, U> Walk<'a, U> {
             *place = Some((self.replace)(estimate, number, None, Origin::Estimate(*estimate)));
         }
         replaced
+    }
+
+    /// What `[uncertainty]` says, and the errors that it names. What replaces them is dropped:
+    /// [`Case::with_numbers`](crate::Case::with_numbers) applies them.
+    pub(crate) fn uncertainty(&mut self, uncertainty: &GivenUncertainty) -> GivenUncertainty {
+        let GivenUncertainty { exact, shared } = uncertainty;
+        for (i, key) in exact.iter().enumerate() {
+            self.other(&Element(&"uncertainty.exact", i), || Value::Text(key.clone()));
+        }
+        for (i, error) in shared.iter().enumerate() {
+            let table = &Element(&"uncertainty.shared", i);
+            self.other(&Key(table, "name"), || Value::Text(error.name.clone()));
+            for (n, key) in error.of.iter().enumerate() {
+                self.other(&Element(&Key(table, "of"), n), || Value::Text(key.clone()));
+            }
+            match error.size {
+                Spread::Normal { sd } => {
+                    self.other(&Key(table, "sd"), || Value::Number { number: sd.number, unit: sd.unit });
+                }
+                Spread::Within { percent, confidence } => {
+                    let percent = || Value::Text(format!("{} %", format_number(percent)));
+                    self.other(&Key(table, "within"), percent);
+                    let confidence = || Value::Number { number: confidence, unit: None };
+                    self.other(&Key(table, "confidence"), confidence);
+                }
+                Spread::Uniform { .. } | Spread::Triangular { .. } => {}
+            }
+            let (number, unit) = error.central();
+            (self.replace)(&error.path(), number, unit, Origin::Shared(i));
+        }
+        uncertainty.clone()
     }
 
     pub(crate) fn maybe(&mut self, path: &dyn Display, quantity: Option<&Quantity>) -> Option<Quantity<U>> {

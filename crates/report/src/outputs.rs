@@ -37,6 +37,9 @@ pub(crate) fn input_name(input: &Input) -> String {
     match input.origin {
         Origin::Given => input.path.clone(),
         Origin::Estimate(estimate) => estimate_name(estimate),
+        Origin::Shared(_) => {
+            format!("shared error {}", input.path.strip_prefix("uncertainty.shared.").unwrap_or_default())
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Which numbers of a case the samples share: their errors are not in the intervals.
 
-use inputs::{BrachTangential, Case, Estimate, ImpactLaw, Input, Origin};
+use inputs::{BrachTangential, Case, Estimate, ImpactLaw, Input, Origin, SharedEffects};
 use real::Gradient;
 
 use super::UncertainInput;
@@ -25,23 +25,25 @@ pub enum ExactValue {
     Word(&'static str),
 }
 
-/// Every number of a case that is neither among the uncertain `inputs` nor without any part in the results, by
+/// Every number of a case that is neither among the uncertain `inputs`, nor has an error that it shares, nor is without any part in the results, by
 /// the derivatives of these; the numbers of a list together.
 pub(super) fn taken_as_exact(
     case: &Case,
     inputs: &[UncertainInput],
     gradients: &[Gradient],
 ) -> Vec<TakenAsExact> {
+    let shared = SharedEffects::of(case);
     let mut uncertain = inputs.iter().map(|input| &input.input.path).peekable();
     // A list has a part in the results if one of its numbers has.
     let mut lists: Vec<(String, ExactValue, bool)> = Vec::new();
     for (place, input) in case.variables().into_iter().enumerate() {
-        if uncertain.next_if(|path| **path == input.path).is_some() {
+        if uncertain.next_if(|path| **path == input.path).is_some() || shared.cover(place) {
             continue;
         }
         let key = match input.origin {
             Origin::Given => input.path.split('[').next().unwrap_or_default().to_owned(),
             Origin::Estimate(estimate) => estimate.key(),
+            Origin::Shared(_) => continue,
         };
         // A friction limit that is not reached has a part in the results too.
         let has_part =

@@ -84,7 +84,8 @@ impl Block {
             impact,
             reconstruct,
             ranges: _,
-            // Of estimates, which a block does not read.
+            // A block reads neither shared errors nor estimates.
+            uncertainty: _,
             factors: _,
             left_out: _,
         } = case;

@@ -10,7 +10,7 @@ use crate::case_problem::CaseProblem;
 use crate::number::split_number;
 use crate::quantity::shorten;
 use crate::schema::{Measure, RANGE, RANGE_OF_LIST, RESTITUTION, Schema};
-use inputs::{Amount, Bounds, Quantity, Range, Spread, Unit};
+use inputs::{Amount, Bounds, Dimension, Quantity, Range, Spread, Unit};
 
 const FORMS: &str = "{ value = …, sd = … }, { low = …, high = … }, { low = …, mode = …, high = … } or \
                      { value = …, within = \"10 %\", confidence = 0.95 }";
@@ -263,6 +263,22 @@ impl<'t> Reader<'t> {
                 Some(Amount { number, unit: None })
             }
         }
+    }
+
+    /// The size of an error of numbers with this dimension: `sd`, or `within` and `confidence`.
+    pub(super) fn size_of_error(
+        &mut self,
+        table: &Table<'t>,
+        dimension: Option<Dimension>,
+    ) -> Option<Spread> {
+        let bounds = Bounds::None;
+        self.spread_about(
+            table,
+            match dimension {
+                Some(dimension) => Kind::Quantity(Measure { dimension, bounds, why: "" }),
+                None => Kind::Number(bounds),
+            },
+        )
     }
 
     /// `sd`, or `within` and `confidence`.

@@ -38,6 +38,7 @@ fn written(form: &Form) -> String {
         Form::AngleOrHour => "an angle, or `\"2 o'clock\"`".to_owned(),
         Form::Vehicle => format!("table, {}", link(&VEHICLE)),
         Form::Table(schema) => format!("table, {}", link(schema)),
+        Form::Keys(_) => "list of keys".to_owned(),
         Form::Tables(schema) => format!("list of tables, {}", link(schema)),
         Form::WordsOrTable(words, schema) => format!("{}, or a table, {}", ticked(words), link(schema)),
         Form::NumberOrTable(bounds, schema) => {
@@ -119,6 +120,8 @@ fn documentation() -> String {
         &TANGENTIAL,
         &RESTITUTION,
         &RECONSTRUCT,
+        &UNCERTAINTY,
+        &SHARED,
         &RANGE,
         &RANGE_OF_LIST,
     ];

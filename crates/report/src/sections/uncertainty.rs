@@ -34,6 +34,8 @@ const BARS: usize = 15;
 const END: usize = 8;
 /// Decimals beyond which no figure goes.
 const MOST_DECIMALS: usize = 6;
+/// How a default spread is switched off.
+const SWITCH_OFF: &str = "List the key under `exact` in [uncertainty] to switch this off.";
 /// (–) a cut that takes less away is not worth a line.
 const NOTICED_CUT: f64 = 1e-6;
 
@@ -506,14 +508,14 @@ impl<'a> Page<'a> {
                  {low} and {high} times the value of the table with a probability of 95 %. The standard \
                  deviation is {STIFFNESS_LN_SD_A} for ln A and {STIFFNESS_LN_SD_B} for ln B, which vary \
                  together, and G with them ({BARRIER_TESTS}). The tests were of fronts; the spread is used \
-                 for all sides.",
+                 for all sides. {SWITCH_OFF}",
                 stiffness.join("; ")
             ));
         }
         if !yaw_radius.is_empty() {
             self.document.paragraph(format!(
                 "Spread by default: {}. The radius of gyration k is within {} % of the estimate with a \
-                 probability of {} % (theory 5).",
+                 probability of {} % (theory 5). {SWITCH_OFF}",
                 yaw_radius.join("; "),
                 100.0 * YAW_RADIUS_WITHIN,
                 100.0 * YAW_RADIUS_CONFIDENCE
@@ -623,10 +625,12 @@ fn distribution(input: &UncertainInput) -> String {
 
 fn with_unit(input: &UncertainInput, number: &str) -> String {
     match input.input.origin {
-        Origin::Given => {
+        Origin::Estimate(_) => format!("× {number}"),
+        // A percentage of each of its numbers.
+        Origin::Shared(_) if input.input.number == 1.0 => format!("× {number}"),
+        Origin::Given | Origin::Shared(_) => {
             input.input.unit.map_or_else(|| number.to_owned(), |unit| format!("{number} {unit}"))
         }
-        Origin::Estimate(_) => format!("× {number}"),
     }
 }
 

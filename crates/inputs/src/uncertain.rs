@@ -1,0 +1,141 @@
+//! What a case says of its uncertainty besides the ranges: the table `[uncertainty]`.
+
+use pim_core::Real;
+
+use crate::case::Case;
+use crate::range::Spread;
+use crate::units::Unit;
+use crate::walk::{Input, Origin};
+
+/// The table `[uncertainty]`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct GivenUncertainty {
+    /// Keys of estimates that have no spread of their own.
+    pub exact: Vec<String>,
+    /// Errors that several numbers share.
+    pub shared: Vec<SharedError>,
+}
+
+/// An error that several numbers share, such as that of a tape with which all of them were measured. Each sample
+/// draws it once: it is added to each of the numbers or, as a percentage, multiplies them, on top of what the
+/// range of a number does.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SharedError {
+    /// Its name.
+    pub name: String,
+    /// The keys of its numbers; a key of a list means all of its elements.
+    pub of: Vec<String>,
+    /// How large it is: [`Spread::Normal`] about zero, or [`Spread::Within`] of each number.
+    pub size: Spread,
+}
+
+impl SharedError {
+    /// The path of the error among the numbers that may vary.
+    #[must_use]
+    pub fn path(&self) -> String {
+        format!("uncertainty.shared.{}", self.name)
+    }
+
+    /// The error itself where it does nothing: 0 in its unit, or the factor 1.
+    pub(crate) fn central(&self) -> (f64, Option<&'static Unit>) {
+        match self.size {
+            Spread::Normal { sd } => (0.0, sd.unit),
+            _ => (1.0, None),
+        }
+    }
+
+    fn covers(&self, input: &Input) -> bool {
+        input.origin == Origin::Given
+            && self.of.iter().any(|key| *key == input.path || Some(key.as_str()) == list_of(&input.path))
+    }
+}
+
+/// The key of the list of which a path is an element.
+fn list_of(path: &str) -> Option<&str> {
+    path.strip_suffix(']').and_then(|path| path.rsplit_once('[')).map(|(list, _)| list)
+}
+
+/// What shared errors do to the numbers of a case.
+#[derive(Clone, Debug, Default)]
+pub struct SharedEffects {
+    effects: Vec<Effect>,
+}
+
+/// What one error does to one number, by their places among [`Case::variables`].
+#[derive(Clone, Copy, Debug)]
+struct Effect {
+    error: usize,
+    number: usize,
+    /// (1/unit) what one unit of an error that is added is in the unit of the number; none of one that
+    /// multiplies.
+    added: Option<f64>,
+    /// Whether the number is a depth, which is zero or more.
+    is_depth: bool,
+}
+
+impl SharedEffects {
+    /// Those of the errors of a case.
+    #[must_use]
+    pub fn of(case: &Case) -> Self {
+        if case.uncertainty.shared.is_empty() {
+            return Self::default();
+        }
+        let variables = case.variables();
+        let mut effects = Vec::new();
+        for (place, variable) in variables.iter().enumerate() {
+            let Origin::Shared(index) = variable.origin else { continue };
+            let Some(error) = case.uncertainty.shared.get(index) else { continue };
+            let is_added = matches!(error.size, Spread::Normal { .. });
+            for (number, input) in variables.iter().enumerate().filter(|(_, input)| error.covers(input)) {
+                effects.push(Effect {
+                    error: place,
+                    number,
+                    added: is_added.then(|| variable.factor() / input.factor()),
+                    is_depth: list_of(&input.path).is_some_and(|list| list.ends_with(".crush.depths")),
+                });
+            }
+        }
+        Self { effects }
+    }
+
+    /// Whether no number shares an error with another.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.effects.is_empty()
+    }
+
+    /// Whether an error covers the number at a place among [`Case::variables`].
+    #[must_use]
+    pub fn cover(&self, place: usize) -> bool {
+        self.effects.iter().any(|effect| effect.number == place)
+    }
+
+    /// Applies the errors to the numbers, which are in the order of [`Case::variables`]. A depth that an error
+    /// takes below zero is zero.
+    pub fn apply<T: Real>(&self, numbers: &mut [T]) {
+        for effect in &self.effects {
+            let (Some(error), Some(number)) = (numbers.get(effect.error), numbers.get(effect.number)) else {
+                continue;
+            };
+            let changed = match effect.added {
+                // C = C₀ + δ
+                Some(scale) => *number + *error * scale,
+                // C = f C₀
+                None => *number * *error,
+            };
+            let is_below = effect.is_depth && changed.value() < 0.0;
+            numbers[effect.number] = if is_below { T::ZERO } else { changed };
+        }
+    }
+}
+
+impl Case {
+    /// The case with other numbers, which are in the order of [`variables`](Self::variables), after the errors
+    /// that they share.
+    #[must_use]
+    pub fn with_numbers<T: Real>(&self, mut numbers: Vec<T>) -> Case<T> {
+        SharedEffects::of(self).apply(&mut numbers);
+        let mut numbers = numbers.into_iter();
+        self.map_numbers(|number| numbers.next().unwrap_or(T::from(number)))
+    }
+}
