@@ -148,7 +148,7 @@ fn moment_with_rotation(impact: &Impact, vehicle: &Vehicle, id: VehicleId) -> Op
     let sense = turned.signum();
     // Of an hour of the clock, the direction within it that turns the vehicle the most in that sense.
     let (given, half_hour) = (damage.pdof?, vehicle.half_hour());
-    let best = (sense * forward).atan2(sense * left);
+    let best = Real::atan2(sense * forward, sense * left);
     let pdof = given + principal_angle(best - given).clamp(-half_hour, half_hour);
     let (sin, cos) = Real::sin_cos(pdof);
     // r × P with the push P = |P| (−cos PDOF, sin PDOF) in (forward, left)
