@@ -172,8 +172,8 @@ const CLASS_RADIUS: f64 = 0.15;
 const CLASS_OUTLINE: f64 = 0.6;
 
 /// The size class of CRASH3 whose radius of gyration is nearest, and its typical measures: what drawings show
-/// of a car without an outline. `None` where the vehicle is no car, as its kind, its radius of gyration or its
-/// contact point tells.
+/// of a car without an outline. `None` where the vehicle is no car, as its kind, its radius of gyration or
+/// its contact point tells.
 #[must_use]
 pub fn nearest_class(vehicle: &VehicleData) -> Option<(u8, VehicleClass)> {
     let inertia = vehicle.inertia.filter(|_| vehicle.kind.unwrap_or_default() == Kind::Car)?;

@@ -376,8 +376,8 @@ mod tests {
         let large = crush([1.0, 0.0], &[([1.5, 1.0], 1.2), ([1.5, -1.0], 1.2)]);
         let bent = car.detail(Some(&large)).unwrap().bounding_box();
         assert!((bent.x1 - 0.3).abs() < 1e-9 && bent.x0 < 0.1, "{bent:?}");
-        // Its front corners lie at x = 0.46, y = ±0.78. From 1.0 m deep on the left, at y = 1, to 1.4 m on the
-        // right the crush is 1.0 + 0.2 (1 − y): 1.044 m and 1.356 m there.
+        // Its front corners lie at x = 0.46, y = ±0.78. From 1.0 m deep on the left, at y = 1, to 1.4 m on
+        // the right the crush is 1.0 + 0.2 (1 − y): 1.044 m and 1.356 m there.
         let slope = crush([1.0, 0.0], &[([1.5, 1.0], 1.0), ([1.5, -1.0], 1.4)]);
         let bent = car.detail(Some(&slope)).unwrap();
         let near = |x: f64, y: f64| {

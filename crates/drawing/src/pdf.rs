@@ -1,5 +1,5 @@
-//! From SVG to PDF: one page, with paths as paths and letters as outlines. No date is in it, so that the bytes are the same at every
-//! run.
+//! From SVG to PDF: one page, with paths as paths and letters as outlines. No date is in it, so that the
+//! bytes are the same at every run.
 
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::types::{LineCapStyle, LineJoinStyle, PaintType, TilingType};
