@@ -63,7 +63,8 @@ impl Sink {
         match self {
             Self::StandardOutput(stdout) => stdout,
             Self::Device(device) => device,
-            Self::Beside { file, .. } => file,
+            // Its own errors would name it.
+            Self::Beside { file, .. } => file.as_file_mut(),
         }
     }
 }
@@ -85,7 +86,7 @@ pub(crate) fn create_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
         return Err(ErrorKind::AlreadyExists.into());
     }
     let mut file = beside(path)?;
-    file.write_all(bytes)?;
+    file.as_file_mut().write_all(bytes)?;
     file.as_file().sync_all()?;
     file.persist_noclobber(path).map(|_| ()).map_err(|error| error.error)
 }
