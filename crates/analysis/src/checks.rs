@@ -132,12 +132,11 @@ pub(crate) fn checks(
 fn moment_with_rotation(impact: &Impact, vehicle: &Vehicle, id: VehicleId) -> Option<f64> {
     let subject = &vehicle.subject;
     subject.inertia?;
-    let is_given = subject.damage.as_ref()?.pdof.is_some();
-    if !is_given && !impact.law.has_moment() {
+    if subject.pdof().is_none() && !impact.law.has_moment() {
         return None;
     }
-    let damage = vehicle.damage.as_ref()?;
-    let [forward, left] = subject.contact.or(damage.centroid)?;
+    let centroid = vehicle.damage.as_ref().and_then(|damage| damage.centroid);
+    let [forward, left] = subject.contact.or(centroid)?;
     let p = impact.outcome.impulse_vector;
     let size = (p.x * p.x + p.y * p.y).sqrt();
     let [before, after] = [&impact.outcome.before, &impact.outcome.after];
@@ -147,7 +146,7 @@ fn moment_with_rotation(impact: &Impact, vehicle: &Vehicle, id: VehicleId) -> Op
     }
     let sense = turned.signum();
     // Of an hour of the clock, the direction within it that turns the vehicle the most in that sense.
-    let (given, half_hour) = (damage.pdof?, vehicle.half_hour());
+    let (given, half_hour) = (vehicle.crash3_pdof()?, vehicle.half_hour());
     let best = Real::atan2(sense * forward, sense * left);
     let pdof = given + principal_angle(best - given).clamp(-half_hour, half_hour);
     let (sin, cos) = Real::sin_cos(pdof);

@@ -4,7 +4,7 @@ use crash3::{
     CrushError, CrushRange, EnergyBasis, ObliqueCorrection, ObliqueFactor, Profile, SideStiffness,
     StruckVehicle, UniformCrush,
 };
-use inputs::{Evidence, InferredWidth, VehicleData};
+use inputs::{EnergyData, Evidence, InferredWidth, VehicleData};
 
 use pim_core::Real;
 
@@ -29,14 +29,29 @@ pub struct Damage<T = f64> {
     /// (rad) the PDOF from which the correction and the moment arm follow: the file's, else that of the
     /// impact.
     pub pdof: Option<T>,
-    /// (rad) α: angle between the force and the normal of the damaged side.
-    pub oblique_angle: T,
-    /// The correction for α; `None` if the force does not push on the damaged side.
+    /// (rad) α: angle between the force and the normal of the damaged side; `None` where no direction of the
+    /// force is known, of one vehicle alone.
+    pub oblique_angle: Option<T>,
+    /// The correction for α; `None` if that is not known, or the force does not push on the damaged side.
     pub oblique: Option<Oblique<T>>,
     /// (m) h: distance of the force's line of action from the CG.
     pub moment_arm: T,
     /// (m) centroid of the damage, forward and left of the CG, if the force was assumed to act through it.
     pub centroid: Option<[T; 2]>,
+}
+
+/// The results for a damage of which only the energy is known: from an EES, or none at all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct EnergyAlone<T = f64> {
+    /// (J) crush energy; no correction for oblique forces applies to it.
+    pub crush_energy: T,
+    /// (m/s) energy equivalent speed.
+    pub ees: T,
+    /// (rad) the PDOF from which the moment arm follows: the file's, else that of the impact.
+    pub pdof: Option<T>,
+    /// (m) h: distance of the force's line of action from the CG.
+    pub moment_arm: T,
 }
 
 /// A crush inferred from the force on the other vehicle.
@@ -133,20 +148,25 @@ fn vehicle<T: Real>(
     computed_pdof: Option<T>,
     other: Option<&Damage<T>>,
 ) -> Result<Vehicle<T>, CrushError> {
+    let energy = match subject.inertia.zip(subject.energy) {
+        Some((inertia, given)) => Some(energy_alone(&subject, inertia.mass, given, computed_pdof)?),
+        None => None,
+    };
     let (Some(given), Some(inertia)) = (&subject.damage, subject.inertia) else {
-        return Ok(Vehicle { subject, damage: None });
+        return Ok(Vehicle { subject, damage: None, energy });
     };
     let pdof = given.pdof.or(computed_pdof);
-    // A case that gives no PDOF gives the angle and the arm themselves: its demands see to that.
-    let oblique_angle =
-        given.oblique_angle.or(pdof.map(|pdof| given.side.oblique_angle(pdof))).unwrap_or(T::ZERO);
+    // A case of two vehicles that gives no PDOF gives the angle and the arm themselves: its demands see to that.
+    let known_angle = given.oblique_angle.or(pdof.map(|pdof| given.side.oblique_angle(pdof)));
+    let oblique_angle = known_angle.unwrap_or(T::ZERO);
     let (profile, structure, inferred) = match &given.evidence {
         Evidence::Measured { profile, structure } => (profile.clone(), structure.clone(), None),
         Evidence::ForceBalance { stiffness, width } => {
             // A case with a force balance has a measured crush as well: its demands see to that.
-            let Some(other) = other else { return Ok(Vehicle { subject, damage: None }) };
+            let Some(other) = other else { return Ok(Vehicle { subject, damage: None, energy }) };
             let Some(Oblique { peak_force: force, .. }) = other.oblique else {
-                return Err(CrushError::NotPushing { angle: other.oblique_angle.value() });
+                let angle = other.oblique_angle.map_or(0.0, T::value);
+                return Err(CrushError::NotPushing { angle });
             };
             let inferred = match *width {
                 InferredWidth::Given(width) => {
@@ -184,7 +204,7 @@ fn vehicle<T: Real>(
         None => (structure.crush_energy(&profile)?, structure.peak_force(&profile, oblique_angle)),
     };
     let oblique = match (given.correction.factor(oblique_angle), peak_force) {
-        (Ok(factor), Ok(peak_force)) => {
+        (Ok(factor), Ok(peak_force)) if known_angle.is_some() => {
             // E' = E (1 + tan²α), or the factor of another correction
             Some(Oblique { factor, corrected_crush_energy: crush_energy * factor.factor, peak_force })
         }
@@ -198,18 +218,32 @@ fn vehicle<T: Real>(
         crush_energy,
         ees: crash3::energy_equivalent_speed(crush_energy, inertia.mass)?,
         pdof,
-        oblique_angle,
+        oblique_angle: known_angle,
         oblique,
         moment_arm,
         centroid,
     };
-    Ok(Vehicle { subject, damage: Some(damage) })
+    Ok(Vehicle { subject, damage: Some(damage), energy })
+}
+
+fn energy_alone<T: Real>(
+    subject: &VehicleData<T>,
+    mass: T,
+    given: EnergyData<T>,
+    computed_pdof: Option<T>,
+) -> Result<EnergyAlone<T>, CrushError> {
+    let ees = given.ees.unwrap_or(T::ZERO);
+    let pdof = given.pdof.or(computed_pdof);
+    let line = subject.contact.zip(pdof);
+    let moment_arm =
+        given.moment_arm.or(line.map(|(point, pdof)| crash3::moment_arm(point, pdof))).unwrap_or(T::ZERO);
+    let crush_energy = crash3::energy_of_equivalent_speed(ees, mass)?;
+    Ok(EnergyAlone { crush_energy, ees, pdof, moment_arm })
 }
 
 /// (J) of both vehicles.
 pub(crate) fn crush_energy<T: Real>(vehicles: &[Vehicle<T>; 2]) -> T {
-    let energies =
-        vehicles.iter().filter_map(|vehicle| vehicle.damage.as_ref()).map(|damage| damage.crush_energy);
+    let energies = vehicles.iter().filter_map(Vehicle::crush_energy);
     energies.fold(T::ZERO, |sum, energy| sum + energy)
 }
 
@@ -225,12 +259,13 @@ pub(crate) fn crash3(
     let mut moment_arm = [0.0; 2];
     for (i, vehicle) in vehicles.iter().enumerate() {
         let Some(inertia) = vehicle.subject.inertia else { continue };
-        let Some(damage) = &vehicle.damage else { return Ok(None) };
-        crush_energy += damage.crush_energy;
+        let Some((energy, arm)) = vehicle.crush_energy().zip(vehicle.moment_arm()) else { return Ok(None) };
+        crush_energy += energy;
         corrected_energy =
-            corrected_energy.zip(damage.oblique).map(|(sum, oblique)| sum + oblique.corrected_crush_energy);
-        moment_arm[i] = damage.moment_arm;
-        inertias[i] = StruckVehicle::new(inertia.mass, inertia.yaw_inertia, damage.moment_arm)?;
+            corrected_energy.zip(vehicle.corrected_crush_energy()).map(|(sum, corrected)| sum + corrected);
+        moment_arm[i] = arm;
+        let Some(yaw_inertia) = inertia.yaw_inertia else { return Ok(None) };
+        inertias[i] = StruckVehicle::new(inertia.mass, yaw_inertia, arm)?;
     }
     let corrected = match corrected_energy {
         Some(crush_energy) => {
@@ -280,8 +315,12 @@ fn corrected_by(
     let mut crush_energy = 0.0;
     let mut factor = [1.0; 2];
     for (i, vehicle) in vehicles.iter().enumerate() {
+        if let Some(energy) = &vehicle.energy {
+            crush_energy += energy.crush_energy;
+        }
         let Some(damage) = &vehicle.damage else { continue };
-        let Ok(oblique) = corrections[i].factor(damage.oblique_angle) else { return Ok(None) };
+        let oblique = damage.oblique_angle.map(|angle| corrections[i].factor(angle));
+        let Some(Ok(oblique)) = oblique else { return Ok(None) };
         factor[i] = oblique.factor;
         crush_energy += damage.crush_energy * oblique.factor;
     }

@@ -3,8 +3,8 @@
 
 use crash3::{EnergyBasis, Side, SideStiffness, VehicleClass};
 use inputs::{
-    Axes, Case, Crush, Faults, Fit, ImpactLaw, InferredWidth, Kind, Purpose, StiffnessForm, StiffnessLine,
-    VehicleData, Velocity, YawSource,
+    Axes, Case, Crush, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Kind, Purpose, StiffnessForm,
+    StiffnessLine, VehicleData, Velocity, YawSource,
 };
 use pim_core::VehicleId;
 
@@ -178,7 +178,7 @@ const CLASS_OUTLINE: f64 = 0.6;
 pub fn nearest_class(vehicle: &VehicleData) -> Option<(u8, VehicleClass)> {
     let inertia = vehicle.inertia.filter(|_| vehicle.kind.unwrap_or_default() == Kind::Car)?;
     // k = √(I/m)
-    let radius = (inertia.yaw_inertia / inertia.mass).sqrt();
+    let radius = (inertia.yaw_inertia? / inertia.mass).sqrt();
     let distance = |class: &VehicleClass| (class.yaw_radius - radius).abs();
     let known = (1..=6).filter_map(|class| VehicleClass::new(class).ok().map(|known| (class, known)));
     let (class, known) = known.min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)))?;
@@ -245,7 +245,7 @@ pub fn judge(case: &Case) -> Judgement {
 
 /// A vehicle of which something needed is missing.
 const NOTHING: VehicleData =
-    VehicleData { kind: None, inertia: None, contact: None, dimensions: None, damage: None };
+    VehicleData { kind: None, inertia: None, contact: None, dimensions: None, damage: None, energy: None };
 
 /// `speeds` (m/s) of a collision; that which is sought is zero.
 fn of_vehicles(
@@ -267,7 +267,8 @@ fn of_vehicles(
     }
     // What the engine refuses of a damage is told when it is solved.
     let assessed = damage::assess(subjects.clone(), [None, None]);
-    let mut vehicles = assessed.unwrap_or_else(|_| subjects.map(|subject| Vehicle { subject, damage: None }));
+    let mut vehicles =
+        assessed.unwrap_or_else(|_| subjects.map(|subject| Vehicle { subject, damage: None, energy: None }));
     if speeds.is_some() {
         warning::of_outlines(&vehicles, warnings);
     }
@@ -300,14 +301,12 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
             continue;
         }
         if let Some(inertia) = subject.as_ref().and_then(|subject| subject.inertia) {
-            let yaw_inertia = inertia.yaw_inertia;
-            match inertia.yaw_source {
-                YawSource::Given => {}
-                YawSource::Class(class) => {
-                    assumptions.push(Assumption::ClassInertia { vehicle: id, class, yaw_inertia });
-                }
-                YawSource::Burg => assumptions.push(Assumption::BurgInertia { vehicle: id, yaw_inertia }),
-            }
+            let assumed = |yaw_inertia| match inertia.yaw_source {
+                YawSource::Given | YawSource::Unknown => None,
+                YawSource::Class(class) => Some(Assumption::ClassInertia { vehicle: id, class, yaw_inertia }),
+                YawSource::Burg => Some(Assumption::BurgInertia { vehicle: id, yaw_inertia }),
+            };
+            assumptions.extend(inertia.yaw_inertia.and_then(assumed));
         }
         if let Some(subject @ VehicleData { dimensions: None, .. }) = subject
             && let Some((class, _)) = nearest_class(subject)
@@ -329,6 +328,21 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
         if let Some(crush) = &vehicle.crush {
             of_crush(id, crush, subject.as_ref(), case.left_out.fit[id.index()], &mut assumptions);
         }
+        if let Some(energy) = subject.as_ref().and_then(|subject| subject.energy)
+            && energy.moment_arm.is_none()
+            && (energy.pdof.is_none() || energy.pdof_follows)
+        {
+            assumptions.push(Assumption::Pdof { vehicle: id, opposite: energy.pdof });
+        }
+    }
+    if case.vehicles.iter().any(GivenVehicle::is_absent) {
+        // Where no direction of the force is known, no correction for it is assumed.
+        let is_directed = subjects.iter().flatten().any(|subject| subject.pdof().is_some());
+        assumptions.retain(|assumption| match assumption {
+            Assumption::Pdof { .. } => false,
+            Assumption::CappedCorrection { .. } => is_directed,
+            _ => true,
+        });
     }
     if let Some(impact) = &case.impact {
         if case.left_out.law && matches!(impact.law, ImpactLaw::Brach { .. }) {
@@ -339,7 +353,7 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
         }
     }
     // It counts where a crush energy meets an impact.
-    let has_crush = case.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
+    let has_crush = case.vehicles.iter().any(GivenVehicle::has_damage_data);
     let is_default = case.reconstruct.is_none_or(|reconstruct| {
         case.left_out.energy_basis && reconstruct.energy_basis == EnergyBasis::default()
     });

@@ -49,7 +49,7 @@ mod warning;
 pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, first_push, work_curve};
-pub use damage::{Correction, Crash3, Damage, Inferred, Oblique};
+pub use damage::{Correction, Crash3, Damage, EnergyAlone, Inferred, Oblique};
 pub use judgement::{Ability, Assumption, Judgement, assumptions, judge, nearest_class};
 pub use quantities::{Kind, Of, OutputQuantity, QUANTITIES, Values, quantity};
 pub use seen::{Seen, SeenWarning};
@@ -162,8 +162,47 @@ impl Impact {
 pub struct Vehicle<T = f64> {
     /// The data that the case gives.
     pub subject: VehicleData<T>,
-    /// Its damage.
+    /// Its damage, where the crush was measured or inferred.
     pub damage: Option<Damage<T>>,
+    /// Its damage, where only the energy is known.
+    pub energy: Option<EnergyAlone<T>>,
+}
+
+impl<T: Real> Vehicle<T> {
+    /// (J) crush energy, uncorrected, as far as the damage is known.
+    #[must_use]
+    pub fn crush_energy(&self) -> Option<T> {
+        let alone = self.energy.map(|energy| energy.crush_energy);
+        self.damage.as_ref().map(|damage| damage.crush_energy).or(alone)
+    }
+
+    /// (J) crush energy, corrected for an oblique force; an energy that is given alone needs no correction.
+    /// `None` where the force does not push on the damaged side.
+    #[must_use]
+    pub fn corrected_crush_energy(&self) -> Option<T> {
+        let alone = self.energy.map(|energy| energy.crush_energy);
+        self.damage.as_ref().map_or(alone, |damage| Some(damage.oblique?.corrected_crush_energy))
+    }
+
+    /// (m/s) energy equivalent speed of the uncorrected crush energy.
+    #[must_use]
+    pub fn ees(&self) -> Option<T> {
+        let alone = self.energy.map(|energy| energy.ees);
+        self.damage.as_ref().map(|damage| damage.ees).or(alone)
+    }
+
+    /// (m) h: distance of the force's line of action from the CG.
+    #[must_use]
+    pub fn moment_arm(&self) -> Option<T> {
+        let alone = self.energy.map(|energy| energy.moment_arm);
+        self.damage.as_ref().map(|damage| damage.moment_arm).or(alone)
+    }
+
+    /// (rad) the PDOF that CRASH3 uses: the file's, else that of the impact.
+    #[must_use]
+    pub fn crash3_pdof(&self) -> Option<T> {
+        self.damage.as_ref().map_or(self.energy.and_then(|energy| energy.pdof), |damage| damage.pdof)
+    }
 }
 
 impl Vehicle {
@@ -175,13 +214,13 @@ impl Vehicle {
 
     /// (rad) the PDOF that the file gives for this vehicle itself.
     pub(crate) fn given_pdof(&self) -> Option<f64> {
-        self.subject.damage.as_ref().filter(|damage| !damage.pdof_follows)?.pdof
+        self.subject.pdof().filter(|_| !self.subject.pdof_follows())
     }
 
     /// (rad) how far the direction of force may be from the middle of the hour that is given for it; 0 of an
     /// angle.
     pub(crate) fn half_hour(&self) -> f64 {
-        let is_hour = self.subject.damage.as_ref().is_some_and(|damage| damage.pdof_is_hour);
+        let is_hour = self.subject.pdof_is_hour();
         if is_hour { HALF_HOUR } else { 0.0 }
     }
 
@@ -341,7 +380,8 @@ fn judged(
     (found, impact): (Option<Found>, Option<Impact>),
     mut warnings: Vec<Warning>,
 ) -> Result<Analysis, Failure> {
-    let crash3 = damage::crash3(&vehicles, basis, restitution)?;
+    let alone = case.vehicles.iter().any(inputs::GivenVehicle::is_absent);
+    let crash3 = if alone { None } else { damage::crash3(&vehicles, basis, restitution)? };
     // Of a speed that was found from the crush energy it would say nothing that the normal work equals it.
     let energy = crash3
         .as_ref()

@@ -129,7 +129,7 @@ fn moment(analysis: &Seen) -> Option<&Outcome> {
 fn pdof(analysis: &Seen, id: VehicleId) -> Option<f64> {
     let computed =
         analysis.impact.as_ref().filter(|_| analysis.moves(id)).map(|impact| impact.pdof[id.index()]);
-    computed.or_else(|| damage(analysis, id)?.pdof)
+    computed.or_else(|| analysis.vehicles[id.index()].crash3_pdof())
 }
 
 fn damage(analysis: &Seen, id: VehicleId) -> Option<&Damage> {
@@ -447,7 +447,7 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         "/vehicle#/crush_energy",
         ["crush energy", "crush energy E", "E", "Eq 5"],
         Kind::Energy,
-        Of::Vehicle(|a, id| Some(damage(a, id)?.crush_energy)),
+        Of::Vehicle(|a, id| a.vehicles[id.index()].crush_energy()),
     ),
     row(
         "crush_energy_bounds.low",
@@ -468,14 +468,14 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         "/vehicle#/ees",
         ["energy equivalent speed", "energy equivalent speed EES", "EES", "theory 5"],
         Kind::Speed,
-        Of::Vehicle(|a, id| Some(damage(a, id)?.ees)),
+        Of::Vehicle(|a, id| a.vehicles[id.index()].ees()),
     ),
     row(
         "oblique_angle",
         "/vehicle#/oblique_angle",
         ["angle to the normal", "angle to the normal α", "α", "theory 5"],
         Kind::Angle,
-        Of::Vehicle(|a, id| Some(damage(a, id)?.oblique_angle)),
+        Of::Vehicle(|a, id| damage(a, id)?.oblique_angle),
     ),
     row(
         "oblique_factor",
@@ -489,7 +489,7 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         "/vehicle#/corrected_crush_energy",
         ["corrected crush energy", "corrected crush energy", "E'", "Eq 8"],
         Kind::Energy,
-        Of::Vehicle(|a, id| Some(oblique(a, id)?.corrected_crush_energy)),
+        Of::Vehicle(|a, id| a.vehicles[id.index()].corrected_crush_energy()),
     ),
     row(
         "peak_force",

@@ -340,8 +340,7 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepR
     if nominal.crash3.is_none() {
         return Ok(rows);
     }
-    let nominal_pdof =
-        nominal.vehicles.each_ref().map(|vehicle| vehicle.damage.as_ref().and_then(|damage| damage.pdof));
+    let nominal_pdof = nominal.vehicles.each_ref().map(crate::Vehicle::crash3_pdof);
     let restitution = nominal.impact.as_ref().map(|impact| impact.law.restitution());
     let steps = i64::from(sweep.steps);
     for step in -steps..=steps {
@@ -353,6 +352,12 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepR
         let pdof = nominal_pdof.map(|pdof| pdof.map(turned));
         let mut subjects = nominal.vehicles.each_ref().map(|vehicle| vehicle.subject.clone());
         for (subject, pdof) in subjects.iter_mut().zip(pdof) {
+            if let Some(energy) = &mut subject.energy {
+                if energy.moment_arm.is_none() && (pdof.is_none() || subject.contact.is_none()) {
+                    return Ok(Vec::new());
+                }
+                energy.pdof = pdof;
+            }
             let Some(damage) = &mut subject.damage else { continue };
             // Without a PDOF, or without a point that the force acts through, there is nothing to turn.
             if pdof.is_none() || (subject.contact.is_none() && damage.face.is_none()) {
@@ -365,8 +370,9 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepR
             damage.oblique_angle = damage.oblique_angle.map(turned);
         }
         let vehicles = damage::assess(subjects, [None, None])?;
-        let oblique_angle =
-            vehicles.each_ref().map(|vehicle| vehicle.damage.as_ref().map(|damage| damage.oblique_angle));
+        let oblique_angle = vehicles
+            .each_ref()
+            .map(|vehicle| vehicle.damage.as_ref().and_then(|damage| damage.oblique_angle));
         if let Some(crash3) = damage::crash3(&vehicles, nominal.basis, restitution)? {
             rows.push(SweepRow { change, pdof, oblique_angle, crash3 });
         }

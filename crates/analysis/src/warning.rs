@@ -730,12 +730,17 @@ pub(crate) fn of_data(
         if let Some(inertia) = subject.inertia {
             judge.of(Magnitude::Mass, inertia.mass, |usual| usual.mass(dimensions));
             // k = √(I/m)
-            let radius = (inertia.yaw_inertia / inertia.mass).sqrt();
-            judge.of(Magnitude::YawRadius, radius, |usual| usual.yaw_radius);
+            if let Some(yaw_inertia) = inertia.yaw_inertia {
+                let radius = (yaw_inertia / inertia.mass).sqrt();
+                judge.of(Magnitude::YawRadius, radius, |usual| usual.yaw_radius);
+            }
         }
         if let Some(speed) = speed {
             let magnitude = if found == Some(id) { Magnitude::SpeedFound } else { Magnitude::Speed };
             judge.of(magnitude, speed.abs(), |usual| usual.speed);
+        }
+        if let Some((side, contact)) = subject.energy.and_then(|energy| energy.side).zip(subject.contact) {
+            of_half(id, contact, side, judge.warnings);
         }
         if let (Some(damage), Some(given)) = (&vehicle.damage, &subject.damage) {
             let inferred = damage.inferred.map(|inferred| inferred.crush.depth);
@@ -770,6 +775,19 @@ fn of_stiffness(
     }
 }
 
+/// Of a contact point on the half of the vehicle away from the damaged side.
+fn of_half(vehicle: VehicleId, [forward, left]: [f64; 2], side: Side, warnings: &mut Vec<Warning>) {
+    let outward = match side {
+        Side::Front => forward,
+        Side::Rear => -forward,
+        Side::Left => left,
+        Side::Right => -left,
+    };
+    if outward < -END_TOLERANCE {
+        warnings.push(Warning::ContactOtherHalf { vehicle, side, distance: -outward });
+    }
+}
+
 /// Of contact point, damage and outline, which have to fit together.
 fn of_places(
     id: VehicleId,
@@ -780,16 +798,8 @@ fn of_places(
 ) {
     let side = given.side;
     let is_end = matches!(side, Side::Front | Side::Rear);
-    if let Some([forward, left]) = vehicle.subject.contact {
-        let outward = match side {
-            Side::Front => forward,
-            Side::Rear => -forward,
-            Side::Left => left,
-            Side::Right => -left,
-        };
-        if outward < -END_TOLERANCE {
-            warnings.push(Warning::ContactOtherHalf { vehicle: id, side, distance: -outward });
-        }
+    if let Some(contact) = vehicle.subject.contact {
+        of_half(id, contact, side, warnings);
     }
     // A width that is not known, or a damage of which the place is not, has no ends.
     let has_width = damage.inferred.is_none_or(|inferred| inferred.range.is_none());
@@ -826,13 +836,14 @@ pub(crate) fn of_assumptions(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning
         let (mut class, mut yaw_inertia) = (from_class.map(|(class, _)| class), None);
         if let Some(inertia) = subject.inertia {
             match inertia.yaw_source {
-                YawSource::Given => {}
+                YawSource::Given | YawSource::Unknown => {}
                 YawSource::Class(of_yaw) => {
                     class = Some(of_yaw);
-                    yaw_inertia = Some(inertia.yaw_inertia);
+                    yaw_inertia = inertia.yaw_inertia;
                 }
                 YawSource::Burg => {
-                    warnings.push(Warning::BurgInertia { vehicle: id, yaw_inertia: inertia.yaw_inertia });
+                    let burg = |yaw_inertia| Warning::BurgInertia { vehicle: id, yaw_inertia };
+                    warnings.extend(inertia.yaw_inertia.map(burg));
                 }
             }
         }
@@ -861,7 +872,7 @@ pub(crate) fn of_damage(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
     let mut peak_forces = [None; 2];
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(vehicles) {
         let Some(damage) = &vehicle.damage else { continue };
-        let oblique_angle = damage.oblique_angle;
+        let Some(oblique_angle) = damage.oblique_angle else { continue };
         match damage.oblique {
             Some(oblique) => {
                 peak_forces[id.index()] = Some(oblique.peak_force);
@@ -920,7 +931,7 @@ pub(crate) fn of_checks(
             }
             (CheckedQuantity::Rotation { vehicle }, Some(impact)) => {
                 let [before, after] = [&impact.outcome.before, &impact.outcome.after];
-                if let Some(pdof) = vehicles[vehicle.index()].damage.as_ref().and_then(|damage| damage.pdof) {
+                if let Some(pdof) = vehicles[vehicle.index()].crash3_pdof() {
                     let turned = after[vehicle.index()].yaw_rate - before[vehicle.index()].yaw_rate;
                     warnings.push(Warning::RotationOpposes { vehicle, pdof, turned });
                 }

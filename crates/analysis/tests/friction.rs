@@ -87,7 +87,7 @@ fn the_friction_row_has_each_vehicle_s_own_limit() {
         let mut energy = 0.0;
         for (i, vehicle) in analysis.vehicles.iter().enumerate() {
             let damage = vehicle.damage.as_ref().unwrap();
-            let tan = damage.oblique_angle.tan().abs();
+            let tan = damage.oblique_angle.unwrap().tan().abs();
             // 1 + min(|tan α|, μ) |tan α|
             let factor = 1.0 + tan.min(expected[i]) * tan;
             assert!((row.factor[i] / factor - 1.0).abs() < 1e-12, "{limits:?}");

@@ -1,6 +1,7 @@
 //! The tests of a case analysed, in one binary.
 
 mod checks;
+mod energies;
 mod estimates;
 mod friction;
 mod inputs;

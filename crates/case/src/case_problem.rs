@@ -169,6 +169,9 @@ pub enum CaseProblem {
     /// A key that only a measured crush can have.
     #[error("{table} takes its crush from the force balance, so it cannot give \"{key}\"")]
     InferredHas { table: String, key: &'static str },
+    /// A key for which the energy equivalent speed stands in.
+    #[error("{table} gives \"ees\", so it cannot give \"{key}\"")]
+    EesHas { table: String, key: &'static str },
     /// A limit of the force per width that is below A; `start` gives A and its value.
     #[error("{path} is {limit}, but must be at least {start}, where crush begins")]
     LimitBelowStart { path: String, limit: Quantity, start: String },
@@ -257,9 +260,9 @@ impl CaseProblem {
             Self::UnknownTable { .. } => "the tables of a case are [vehicle1], [vehicle1.crush], [vehicle2], [vehicle2.crush], [impact] and \
                  [reconstruct]"
                 .to_owned(),
-            Self::MissingTable { table } => format!(
-                "a case needs two vehicles: add [{table}]; for a barrier, the one line fixed = true is enough"
-            ),
+            Self::MissingTable { table } => {
+                format!("add [{table}]; a case of one vehicle alone describes it there")
+            }
             Self::MissingKey { table, example, .. } => format!("add a line such as {}", suited(table, example)),
             Self::KeyOfOtherLaw { key, law, keys, owners, .. } => other_law_help(key, law, keys, owners),
             Self::MissingKeyOfLaw { example, law, keys, .. } => {
@@ -376,6 +379,9 @@ impl CaseProblem {
             ),
             Self::InferredHas { key, .. } => {
                 format!("remove {key}, or remove from_force_balance = true if the damage was measured")
+            }
+            Self::EesHas { key, .. } => {
+                format!("remove {key}, or remove ees if the energy is to follow from the crush depths")
             }
             Self::LimitBelowStart { .. } => {
                 "raise the limit, or leave it out if none is known".to_owned()

@@ -186,9 +186,9 @@ impl Generator {
                 object(json!({ "type": "array", "maxItems": MOST_ZONES, "items": self.table(schema) }))
             }
             Form::WordsOrTable(words, schema) => {
-                // Each alternative has its own type, as the words bind a text alone.
+                // Not by `anyOf`, whose errors are at the key: what is wrong in a table is marked there.
                 let table = self.table(schema);
-                object(json!({ "anyOf": [{ "type": "string", "enum": words }, table] }))
+                object(json!({ "if": { "type": "string" }, "then": { "enum": words }, "else": table }))
             }
             Form::NumberOrTable(bounds, schema) => {
                 let mut node = object(json!({ "type": ["number", "object"] }));

@@ -4,7 +4,7 @@ use crate::nearest::join;
 use crate::units::read_unit;
 use inputs::{
     Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, Fit, Kind, LawName, OBLIQUE_CORRECTIONS, SIDES,
-    UNKNOWNS, words_of,
+    UNDAMAGED, UNKNOWNS, words_of,
 };
 
 /// The largest number of stations: far more than any scan of a vehicle gives.
@@ -204,7 +204,7 @@ pub(crate) static TOP: Schema = Schema {
         table("reconstruct", "[reconstruct]", &RECONSTRUCT),
         table("uncertainty", "[uncertainty]", &UNCERTAINTY),
     ],
-    rules: &[Rule::Needs(&["vehicle1", "vehicle2"])],
+    rules: &[Rule::Needs(&["vehicle1"])],
 };
 
 pub(crate) static REPORT: Schema = Schema {
@@ -333,7 +333,12 @@ pub(crate) static VEHICLE: Schema = Schema {
             Form::Quantity(Dimension::Length, POSITIVE),
             "Diameter of a pole or tree, for drawings. Only for a fixed object, in place of `length`, `width` and `cg_to_front`.",
         ),
-        table("crush", "[vehicle1.crush]", &CRUSH),
+        key(
+            "crush",
+            "[vehicle1.crush]",
+            Form::WordsOrTable(&[UNDAMAGED], &CRUSH),
+            "Damage of the vehicle. A table; or `crush = \"none\"` for a vehicle whose damage took no energy that counts, such as a lorry that a car ran into.",
+        ),
     ],
     rules: &[
         Rule::NeverIf(True("fixed"), &NEVER_FIXED),
@@ -363,10 +368,20 @@ pub(crate) static NEVER_FIXED: [&str; 11] = [
     "crush",
 ];
 
+/// What an energy equivalent speed stands in for.
+pub(crate) static NEVER_BESIDE_EES: [&str; 8] =
+    ["width", "depths", "spacing", "from_force_balance", "stiffness", "offset", "oblique_angle", "oblique"];
+
 pub(crate) static CRUSH: Schema = Schema {
     place: "[vehicle1.crush] or [vehicle2.crush]",
-    text: "Damage to one side of the vehicle. The measured residual crush and the stiffness of the structure.",
+    text: "Damage to one side of the vehicle. The measured residual crush and the stiffness of the structure, or the energy equivalent speed.",
     keys: &[
+        key(
+            "ees",
+            "ees = \"45 km/h\"",
+            Form::Quantity(Dimension::Speed, NOT_NEGATIVE),
+            "Energy equivalent speed. The crush energy is ½ m EES². Give it in place of width, depths and stiffness, for example from a catalogue; it stands for the energy of all plastic deformation, so no correction for an oblique force is applied.",
+        ),
         key(
             "side",
             "side = \"front\"",
@@ -430,9 +445,10 @@ pub(crate) static CRUSH: Schema = Schema {
         ),
     ],
     rules: &[
-        Rule::Needs(&["side", "stiffness"]),
-        Rule::NeedsIf(&[NotTrue("from_force_balance")], &["depths"]),
-        Rule::NeedsIf(&[NotTrue("from_force_balance"), Lacks("spacing")], &["width"]),
+        Rule::NeedsIf(&[Lacks("ees")], &["side", "stiffness"]),
+        Rule::NeedsIf(&[Lacks("ees"), NotTrue("from_force_balance")], &["depths"]),
+        Rule::NeedsIf(&[Lacks("ees"), NotTrue("from_force_balance"), Lacks("spacing")], &["width"]),
+        Rule::NeverIf(Has("ees"), &NEVER_BESIDE_EES),
         Rule::NeverIf(True("from_force_balance"), &["depths", "spacing"]),
     ],
 };

@@ -12,9 +12,10 @@ use std::path::Path;
 
 use case::{
     Amount, Axes, Bounds, Case, CaseFile, CaseProblem, Collision, ContactPoint, Crush, Diagnostics,
-    Dimension, Evidence, Faults, Fit, GivenImpact, GivenTest, GivenVehicle, ImpactLaw, Kind, LeftOut, Mass,
-    Outline, Pdof, Program, Quantity, Reconstruct, ReportHead, Restitution, Spread, StiffnessForm,
-    StiffnessLine, Text, Unit, UnitSystem, Velocity, YawInertia, read_quantity, to_toml,
+    Dimension, Evidence, Faults, Fit, GivenEes, GivenImpact, GivenTest, GivenVehicle, ImpactLaw, Kind,
+    KnownEnergy, LeftOut, Mass, Outline, Pdof, Program, Quantity, Reconstruct, ReportHead, Restitution,
+    Spread, StiffnessForm, StiffnessLine, Text, Unit, UnitSystem, Velocity, YawInertia, read_quantity,
+    to_toml,
 };
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
@@ -183,6 +184,7 @@ fn the_other_forms_are_read() {
             cg_to_front: length("2 m"),
         }),
         diameter: None,
+        energy: None,
         crush: Some(Crush {
             side: Side::Left,
             from_force_balance: false,
@@ -1245,6 +1247,19 @@ fn any_profile() -> impl Strategy<Value = (Option<Quantity>, Vec<Quantity>, Opti
     )
 }
 
+fn any_energy() -> impl Strategy<Value = KnownEnergy> {
+    let side = select(vec![Side::Front, Side::Rear, Side::Left, Side::Right]);
+    let pdof = prop_oneof![
+        any_quantity(Dimension::Angle, Signs::Any).prop_map(Pdof::Angle),
+        (1..=12_u8).prop_map(Pdof::Clock)
+    ];
+    let arm = any_quantity(Dimension::Length, Signs::NotNegative);
+    let ees = any_quantity(Dimension::Speed, Signs::NotNegative);
+    let given = (ees, option::of(side), option::of(pdof), option::of(arm))
+        .prop_map(|(ees, side, pdof, moment_arm)| KnownEnergy::Ees(GivenEes { ees, side, pdof, moment_arm }));
+    prop_oneof![given, Just(KnownEnergy::Undamaged)]
+}
+
 fn any_crush() -> impl Strategy<Value = Crush> {
     let side = select(vec![Side::Front, Side::Rear, Side::Left, Side::Right]);
     let oblique = option::of(select(vec![
@@ -1324,17 +1339,18 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
         option::of(yaw),
         option::of(motion),
         option::of(yaw_rate),
-        option::of(any_crush()),
+        (option::of(any_crush()), option::of(any_energy())),
     );
     (of_both, of_vehicles, typical).prop_map(
         |(
             (name, heading, contact, outline),
-            (mass, yaw, motion, yaw_rate, crush),
+            (mass, yaw, motion, yaw_rate, (crush, energy)),
             (kind, class, wheelbase, length),
         )| {
             // Tables of cars are for cars.
             let is_of_table = |crush: &Crush| matches!(crush.stiffness, StiffnessForm::Category(_));
             let kind = kind.filter(|_| !crush.as_ref().is_some_and(is_of_table));
+            let energy = energy.filter(|_| crush.is_none());
             GivenVehicle {
                 name: name.map(Text::from),
                 fixed: false,
@@ -1351,6 +1367,7 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
                 outline,
                 diameter: None,
                 crush,
+                energy,
             }
         },
     )

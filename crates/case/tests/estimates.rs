@@ -115,7 +115,7 @@ fn yaw_inertia_comes_from_the_file_then_the_class_then_burg() {
         let file = cars([(lines, &crush), (YAW, &crush)]);
         let [first, _] = file.case.damage().unwrap().vehicles;
         let inertia = first.inertia.unwrap();
-        (inertia.yaw_inertia, inertia.yaw_source, first.dimensions)
+        (inertia.yaw_inertia.unwrap(), inertia.yaw_source, first.dimensions)
     };
     let wheelbase = "wheelbase = \"2.6 m\"\nlength = \"4.5 m\"";
     // 0.1269 · 1500 · 2.6 · 4.5

@@ -190,7 +190,8 @@ fn keys(schema: &Value) -> Vec<(String, Value)> {
             found.push((path.clone(), property.clone()));
             walk(root, property, &path, found);
         }
-        for part in node["anyOf"].as_array().into_iter().flatten().chain(node.get("items")) {
+        let parts = node["anyOf"].as_array().into_iter().flatten();
+        for part in parts.chain(node.get("items")).chain(node.get("else")) {
             walk(root, part, path, found);
         }
     }
@@ -416,7 +417,7 @@ fn spelt() -> impl Strategy<Value = String> {
 static PATTERNS: LazyLock<BTreeMap<&str, Validator>> = LazyLock::new(|| {
     let schema = schema();
     let vehicle = &schema["$defs"]["vehicle"]["properties"];
-    let line = &vehicle["crush"]["properties"]["stiffness"]["properties"];
+    let line = &vehicle["crush"]["else"]["properties"]["stiffness"]["properties"];
     let pattern = |table: &Value, key: &'static str| {
         let pattern = json!({ "type": "string", "pattern": table[key]["pattern"] });
         (key, jsonschema::draft202012::new(&pattern).unwrap())

@@ -139,3 +139,15 @@ pub fn energy_equivalent_speed<T: Real>(energy: T, mass: T) -> Result<T, CrushEr
     // EES = √( 2E/m )
     Ok((energy * 2.0 / mass).sqrt())
 }
+
+/// (J) the crush energy of a vehicle whose energy equivalent speed is known: the inverse of
+/// [`energy_equivalent_speed`].
+///
+/// # Errors
+/// Where the speed (m/s) is negative, the mass (kg) is not positive, or one of them is not finite.
+pub fn energy_of_equivalent_speed<T: Real>(speed: T, mass: T) -> Result<T, CrushError> {
+    error::not_negative("energy equivalent speed", speed.value())?;
+    error::positive("mass", mass.value())?;
+    // E = ½ m EES²
+    Ok(mass * speed * speed / 2.0)
+}

@@ -8,8 +8,9 @@ use pim_core::Real;
 
 use crate::inertia::Mass;
 use crate::quantity::Quantity;
+use crate::text::Text;
 use crate::walk::{Element, Key, Walk};
-use crate::words::{OBLIQUE_CORRECTIONS, SIDES};
+use crate::words::{OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED};
 
 /// The damage to one side of a vehicle.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,6 +41,39 @@ pub struct Crush<T = f64> {
     pub moment_arm: Option<Quantity<T>>,
     /// How the energy is corrected for an oblique force; absent means [`ObliqueCorrection::Capped`].
     pub oblique: Option<ObliqueCorrection<T>>,
+}
+
+/// A damage of which the energy is known, and not the crush.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum KnownEnergy<T = f64> {
+    /// `ees` in the table `crush`.
+    Ees(GivenEes<T>),
+    /// `crush = "none"`: no damage, or none whose energy counts.
+    Undamaged,
+}
+
+/// The keys beside `ees`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GivenEes<T = f64> {
+    /// (m/s) energy equivalent speed: ½ m EES² is the energy of all plastic deformation.
+    pub ees: Quantity<T>,
+    /// The damaged side.
+    pub side: Option<Side>,
+    /// Principal direction of force, clockwise from the heading in any axes.
+    pub pdof: Option<Pdof<T>>,
+    /// (m) distance from the centre of gravity to the line of action; replaces the derived one.
+    pub moment_arm: Option<Quantity<T>>,
+}
+
+impl<T> KnownEnergy<T> {
+    /// The keys beside `ees`; `None` without damage.
+    #[must_use]
+    pub fn ees(&self) -> Option<&GivenEes<T>> {
+        match self {
+            Self::Ees(given) => Some(given),
+            Self::Undamaged => None,
+        }
+    }
 }
 
 /// How a principal direction of force is given.
@@ -196,6 +230,29 @@ impl<T: Real> GivenTest<T> {
 }
 
 impl<U> Walk<'_, U> {
+    pub(crate) fn known_energy(&mut self, table: &dyn Display, known: &KnownEnergy) -> KnownEnergy<U> {
+        let at = |key| Key(table, key);
+        match known {
+            KnownEnergy::Undamaged => {
+                self.text(table, Some(&Text::from(UNDAMAGED.to_owned())));
+                KnownEnergy::Undamaged
+            }
+            KnownEnergy::Ees(given) => KnownEnergy::Ees(GivenEes {
+                ees: self.quantity(&at("ees"), &given.ees),
+                side: given.side.map(|side| self.choice(&at("side"), &SIDES, side)),
+                pdof: given.pdof.as_ref().map(|pdof| self.pdof(&at("pdof"), pdof)),
+                moment_arm: self.maybe(&at("moment_arm"), given.moment_arm.as_ref()),
+            }),
+        }
+    }
+
+    fn pdof(&mut self, path: &dyn Display, pdof: &Pdof) -> Pdof<U> {
+        match pdof {
+            Pdof::Angle(q) => Pdof::Angle(self.quantity(path, q)),
+            Pdof::Clock(hour) => Pdof::Clock(self.hour(path, *hour)),
+        }
+    }
+
     pub(crate) fn crush(&mut self, table: &dyn Display, crush: &Crush, fit_left_out: bool) -> Crush<U> {
         let at = |key| Key(table, key);
         Crush {
@@ -206,10 +263,7 @@ impl<U> Walk<'_, U> {
             spacing: crush.spacing.as_ref().map(|spacing| self.list(&at("spacing"), spacing)),
             stiffness: self.stiffness(&at("stiffness"), &crush.stiffness, fit_left_out),
             offset: self.maybe(&at("offset"), crush.offset.as_ref()),
-            pdof: crush.pdof.as_ref().map(|pdof| match pdof {
-                Pdof::Angle(q) => Pdof::Angle(self.quantity(&at("pdof"), q)),
-                Pdof::Clock(hour) => Pdof::Clock(self.hour(&at("pdof"), *hour)),
-            }),
+            pdof: crush.pdof.as_ref().map(|pdof| self.pdof(&at("pdof"), pdof)),
             oblique_angle: self.maybe(&at("oblique_angle"), crush.oblique_angle.as_ref()),
             moment_arm: self.maybe(&at("moment_arm"), crush.moment_arm.as_ref()),
             oblique: crush.oblique.map(|oblique| {

@@ -13,7 +13,7 @@ use reconcile::Unknown;
 
 use crate::axes::Axes;
 use crate::case::Case;
-use crate::crush::{Crush, Fit, Pdof, StiffnessForm, StiffnessLine};
+use crate::crush::{Crush, Fit, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
 use crate::estimate::scaled;
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::impact::{BrachTangential, ImpactLaw, Restitution};
@@ -46,8 +46,49 @@ pub struct VehicleData<T = f64> {
     pub contact: Option<[T; 2]>,
     /// The body seen from above.
     pub dimensions: Option<Dimensions<T>>,
-    /// The damage.
+    /// The damage, where its crush was measured or is to be inferred.
     pub damage: Option<DamageData<T>>,
+    /// The damage, where only its energy is known.
+    pub energy: Option<EnergyData<T>>,
+}
+
+impl<T: Copy> VehicleData<T> {
+    /// (rad) PDOF: as given, or opposite to the PDOF given for the other vehicle.
+    #[must_use]
+    pub fn pdof(&self) -> Option<T> {
+        self.damage.as_ref().map(|damage| damage.pdof).or(self.energy.map(|energy| energy.pdof))?
+    }
+
+    /// Whether that PDOF was derived from that of the other vehicle, by Newton's third law.
+    #[must_use]
+    pub fn pdof_follows(&self) -> bool {
+        let of_energy = self.energy.is_some_and(|energy| energy.pdof_follows);
+        self.damage.as_ref().map_or(of_energy, |damage| damage.pdof_follows)
+    }
+
+    /// Whether the PDOF is known as the hour of a clock alone.
+    #[must_use]
+    pub fn pdof_is_hour(&self) -> bool {
+        let of_energy = self.energy.is_some_and(|energy| energy.pdof_is_hour);
+        self.damage.as_ref().map_or(of_energy, |damage| damage.pdof_is_hour)
+    }
+}
+
+/// A damage of which only the energy is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyData<T = f64> {
+    /// (m/s) energy equivalent speed; `None` without damage.
+    pub ees: Option<T>,
+    /// The damaged side, if the case gives it.
+    pub side: Option<Side>,
+    /// (rad) PDOF: as given, or opposite to the PDOF given for the other vehicle.
+    pub pdof: Option<T>,
+    /// Whether the PDOF was derived from that of the other vehicle, by Newton's third law.
+    pub pdof_follows: bool,
+    /// Whether the PDOF is known as the hour of a clock alone.
+    pub pdof_is_hour: bool,
+    /// (m) h as given.
+    pub moment_arm: Option<T>,
 }
 
 /// Mass and yaw inertia.
@@ -55,8 +96,8 @@ pub struct VehicleData<T = f64> {
 pub struct InertiaData<T = f64> {
     /// (kg) mass.
     pub mass: T,
-    /// (kg·m²) yaw inertia.
-    pub yaw_inertia: T,
+    /// (kg·m²) yaw inertia; only the damage of a vehicle alone does without.
+    pub yaw_inertia: Option<T>,
     /// Where the yaw inertia comes from.
     pub yaw_source: YawSource,
 }
@@ -70,6 +111,8 @@ pub enum YawSource {
     Class(u8),
     /// Burg's estimate from wheelbase and length.
     Burg,
+    /// It is not known.
+    Unknown,
 }
 
 /// The body seen from above.
@@ -208,7 +251,7 @@ pub struct ImpactInput<T = f64> {
 #[derive(Clone, Debug)]
 pub struct CrushOnly<T = f64> {
     /// Both vehicles. The damage of each one that can move has a PDOF, or both an oblique angle and a moment
-    /// arm.
+    /// arm, unless it is the only vehicle of the case.
     pub vehicles: [VehicleData<T>; 2],
     /// The energy basis.
     pub basis: EnergyBasis,
@@ -226,7 +269,7 @@ impl<T: Real> Case<T> {
         let unknown = demand.unknown();
         let collision = demand.collision(|id| unknown.is_some_and(|unknown| unknown.vehicle() != id));
         for (id, vehicle) in VehicleId::ALL.into_iter().zip(&self.vehicles) {
-            if !vehicle.fixed && vehicle.crush.is_none() {
+            if !vehicle.fixed && !vehicle.is_absent() && !vehicle.has_damage_data() {
                 demand.missing_crush(id);
             }
         }
@@ -269,9 +312,16 @@ impl Case {
     pub fn damage(&self) -> Result<CrushOnly, Faults> {
         let mut demand = Demand::new(self, Purpose::Crush);
         let vehicles = VehicleId::ALL.map(|id| demand.subject(id));
+        // The energy of one vehicle alone needs no direction.
+        let alone = self.vehicles.iter().any(GivenVehicle::is_absent);
         for (id, vehicle) in VehicleId::ALL.into_iter().zip(&self.vehicles) {
-            if !vehicle.fixed {
+            if vehicle.fixed || vehicle.is_absent() {
+                continue;
+            }
+            if !alone {
                 demand.direction_of_force(id, vehicle);
+            } else if !vehicle.has_damage_data() {
+                demand.missing_crush(id);
             }
         }
         let [v1, v2] = vehicles;
@@ -374,19 +424,21 @@ pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Unknown>)
 fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: [Option<&mut VehicleData<T>>; 2]) {
     let [Some(h1), Some(h2)] = headings else { return };
     let given = vehicles.each_ref().map(|vehicle| {
-        let damage = vehicle.as_ref()?.damage.as_ref()?;
-        Some((damage.pdof?, damage.pdof_is_hour))
+        let vehicle = vehicle.as_ref()?;
+        Some((vehicle.pdof()?, vehicle.pdof_is_hour()))
     });
     let follows = [
         given[1].map(|(pdof, is_hour)| (crash3::opposite_pdof(pdof, [h2, h1]), is_hour)),
         given[0].map(|(pdof, is_hour)| (crash3::opposite_pdof(pdof, [h1, h2]), is_hour)),
     ];
     for (vehicle, follows) in vehicles.into_iter().zip(follows) {
-        if let Some(damage) = vehicle.and_then(|vehicle| vehicle.damage.as_mut())
-            && damage.pdof.is_none()
-            && let Some((pdof, is_hour)) = follows
-        {
+        let Some(vehicle) = vehicle.filter(|vehicle| vehicle.pdof().is_none()) else { continue };
+        let Some((pdof, is_hour)) = follows else { continue };
+        if let Some(damage) = &mut vehicle.damage {
             (damage.pdof, damage.pdof_follows, damage.pdof_is_hour) = (Some(pdof), true, is_hour);
+        }
+        if let Some(energy) = &mut vehicle.energy {
+            (energy.pdof, energy.pdof_follows, energy.pdof_is_hour) = (Some(pdof), true, is_hour);
         }
     }
 }
@@ -442,7 +494,11 @@ impl<'a, T: Real> Demand<'a, T> {
         } else {
             ""
         };
-        let example = format!("a table with side, width, depths and stiffness{inferred}");
+        let example = format!(
+            "a table with side, width, depths and stiffness{inferred}; or `ees = \"45 km/h\"` alone, if the energy equivalent speed is known; or \
+             `crush = \"none\"` in [{}], if the vehicle has no damage that counts",
+            table(id)
+        );
         self.missing(format_args!("{}.crush", table(id)), &example);
     }
 
@@ -489,6 +545,10 @@ impl<'a, T: Real> Demand<'a, T> {
         if let Some(reconstruct) = &self.case.reconstruct {
             return Some(reconstruct.find);
         }
+        // Of one vehicle alone nothing can be found.
+        if self.case.vehicles.iter().any(GivenVehicle::is_absent) {
+            return None;
+        }
         // A moving vehicle without a speed is the one whose speed is to be found.
         let is_open = self.case.vehicles.each_ref().map(|vehicle| !vehicle.fixed && vehicle.motion.is_none());
         let found = if is_open == [false, true] { "vehicle2.speed" } else { "vehicle1.speed" };
@@ -505,6 +565,12 @@ impl<'a, T: Real> Demand<'a, T> {
 
     /// The collision; `needs_speed` says whether a vehicle must have a speed.
     fn collision(&mut self, needs_speed: impl Fn(VehicleId) -> bool) -> Option<Collision<T>> {
+        if let Some(id) = VehicleId::ALL.into_iter().find(|id| self.case.vehicles[id.index()].is_absent()) {
+            let advice =
+                "a table of its own for each vehicle; `fixed = true` in it is a barrier, a wall or a pole";
+            self.missing(table(id), advice);
+            return None;
+        }
         let vehicles = VehicleId::ALL.map(|id| self.subject(id));
         let inertias =
             vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.inertia));
@@ -524,15 +590,33 @@ impl<'a, T: Real> Demand<'a, T> {
         let contact = self.contact_point(vehicle);
         let class = self.class(id, vehicle);
         let dimensions = dimensions(vehicle, class);
-        if vehicle.fixed {
-            return Some(VehicleData { kind: None, inertia: None, contact, dimensions, damage: None });
+        if vehicle.fixed || vehicle.is_absent() {
+            return Some(VehicleData {
+                kind: None,
+                inertia: None,
+                contact,
+                dimensions,
+                damage: None,
+                energy: None,
+            });
         }
         let inertia = self.inertia(id, vehicle, class);
         let damage = match &vehicle.crush {
             Some(crush) => Some(self.damage(id, crush, dimensions)?),
             None => None,
         };
-        Some(VehicleData { kind: vehicle.kind, inertia: Some(inertia?), contact, dimensions, damage })
+        let energy = vehicle.energy.map(|known| {
+            let given = known.ees();
+            EnergyData {
+                ees: given.map(|given| given.ees.si()),
+                side: given.and_then(|given| given.side),
+                pdof: given.and_then(|given| given.pdof).map(|pdof| crash3::principal_angle(pdof.rad())),
+                pdof_follows: false,
+                pdof_is_hour: given.is_some_and(|given| matches!(given.pdof, Some(Pdof::Clock(_)))),
+                moment_arm: given.and_then(|given| given.moment_arm).map(|arm| arm.si()),
+            }
+        });
+        Some(VehicleData { kind: vehicle.kind, inertia: Some(inertia?), contact, dimensions, damage, energy })
     }
 
     fn class(&mut self, id: VehicleId, vehicle: &GivenVehicle<T>) -> Option<(u8, VehicleClass)> {
@@ -559,13 +643,14 @@ impl<'a, T: Real> Demand<'a, T> {
         let factor = self.case.factors.yaw_radius[id.index()].unwrap_or(T::ONE);
         if let Some(yaw) = &vehicle.yaw {
             let mass = mass?;
-            return Some(InertiaData { mass, yaw_inertia: yaw.kg_m2(mass), yaw_source: YawSource::Given });
+            let yaw_inertia = Some(yaw.kg_m2(mass));
+            return Some(InertiaData { mass, yaw_inertia, yaw_source: YawSource::Given });
         }
         if let Some((class, known)) = class {
             let mass = mass?;
             let yaw_radius = factor * known.yaw_radius;
             // I = m k²
-            let yaw_inertia = mass * yaw_radius * yaw_radius;
+            let yaw_inertia = Some(mass * yaw_radius * yaw_radius);
             return Some(InertiaData { mass, yaw_inertia, yaw_source: YawSource::Class(class) });
         }
         let is_car = vehicle.kind.unwrap_or_default() == Kind::Car;
@@ -573,8 +658,12 @@ impl<'a, T: Real> Demand<'a, T> {
             let mass = mass?;
             let estimate = crash3::yaw_inertia_burg(mass, wheelbase.si(), length.si());
             // I = m k²
-            let yaw_inertia = self.accepted(format_args!("{table}.wheelbase"), estimate)? * factor * factor;
+            let estimate = self.accepted(format_args!("{table}.wheelbase"), estimate)?;
+            let yaw_inertia = Some(estimate * factor * factor);
             return Some(InertiaData { mass, yaw_inertia, yaw_source: YawSource::Burg });
+        }
+        if self.case.vehicles[id.other().index()].is_absent() {
+            return Some(InertiaData { mass: mass?, yaw_inertia: None, yaw_source: YawSource::Unknown });
         }
         if !is_car {
             self.missing(
@@ -616,7 +705,7 @@ impl<'a, T: Real> Demand<'a, T> {
         );
         let InertiaData { mass, yaw_inertia, .. } = inertia?;
         let ([forward, left], heading) = (contact?, heading?);
-        let body = self.accepted(table, Body::new(mass, yaw_inertia))?;
+        let body = self.accepted(table, Body::new(mass, yaw_inertia?))?;
         self.accepted(table, Participant::new(body, heading, forward, left))
     }
 
@@ -798,7 +887,9 @@ impl<'a, T: Real> Demand<'a, T> {
     /// Whether the case gives the PDOF of a vehicle, or the other vehicle's PDOF and both headings.
     fn has_pdof(&self, id: VehicleId) -> bool {
         let given = |id: VehicleId| {
-            self.case.vehicles[id.index()].crush.as_ref().is_some_and(|crush: &Crush<T>| crush.pdof.is_some())
+            let vehicle = &self.case.vehicles[id.index()];
+            let of_ees = vehicle.energy.as_ref().and_then(KnownEnergy::ees).and_then(|given| given.pdof);
+            vehicle.crush.as_ref().and_then(|crush| crush.pdof).or(of_ees).is_some()
         };
         given(id) || (given(id.other()) && self.case.headings().iter().all(Option::is_some))
     }
@@ -823,17 +914,29 @@ impl<'a, T: Real> Demand<'a, T> {
     /// `crush` has no impulse to take the direction of the force from.
     fn direction_of_force(&mut self, id: VehicleId, vehicle: &GivenVehicle<T>) {
         let table = table(id);
-        let Some(crush) = &vehicle.crush else {
+        let of_ees = vehicle.energy.as_ref().map(|known| known.ees().and_then(|given| given.moment_arm));
+        let of_crush = vehicle.crush.as_ref().map(|crush| (crush.oblique_angle.is_some(), crush.moment_arm));
+        // The energy of an EES is not corrected for an oblique force, so it takes no angle.
+        let Some((has_angle, moment_arm)) = of_crush.or(of_ees.map(|moment_arm| (true, moment_arm))) else {
             self.missing_crush(id);
             return;
         };
-        if !self.has_pdof(id) && (crush.oblique_angle.is_none() || crush.moment_arm.is_none()) {
+        if !self.has_pdof(id) && (!has_angle || moment_arm.is_none()) {
             self.missing(
                 format_args!("{table}.crush.pdof"),
-                "the direction from which the force came, clockwise from the heading: `pdof = \"2.7 deg\"` or `pdof = \"2 o'clock\"`; the \
-                 other vehicle's `pdof` is enough if both have a `heading`; or give both `oblique_angle` and `moment_arm`",
+                &format!(
+                    "the direction from which the force came, clockwise from the heading: `pdof = \"2.7 deg\"` or `pdof = \"2 o'clock\"`; the \
+                     other vehicle's `pdof` is enough if both have a `heading`; or give {}",
+                    if vehicle.energy.is_some() { "`moment_arm`" } else { "both `oblique_angle` and `moment_arm`" }
+                ),
             );
-        } else if crush.moment_arm.is_none() && vehicle.contact.is_none() && !has_dimensions(vehicle) {
+        } else if moment_arm.is_none() && vehicle.contact.is_none() && vehicle.energy.is_some() {
+            self.missing(
+                format_args!("{table}.contact"),
+                "the point where the force acts: `contact = { x = \"1.78 m\", y = \"-0.73 m\" }`; or, in a table crush with `ees`, the distance of \
+                 its line of action from the CG, `moment_arm = \"2.1 ft\"`",
+            );
+        } else if moment_arm.is_none() && vehicle.contact.is_none() && !has_dimensions(vehicle) {
             self.missing(
                 format_args!("{table}.crush.moment_arm"),
                 "the distance of the force's line of action from the CG: `moment_arm = \"2.1 ft\"`, or the vehicle's `contact` point; or, if \

@@ -58,10 +58,10 @@ mod words;
 
 pub use axes::Axes;
 pub use case::{Case, LeftOut, Reconstruct, ReportHead};
-pub use crush::{Crush, Fit, GivenTest, Pdof, StiffnessForm, StiffnessLine};
+pub use crush::{Crush, Fit, GivenEes, GivenTest, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
 pub use demands::{
-    Collision, CrushOnly, DamageData, Dimensions, Evidence, ImpactInput, InertiaData, InferredWidth,
-    ReconstructionInput, StiffnessSource, VehicleData, YawSource, contradictions,
+    Collision, CrushOnly, DamageData, Dimensions, EnergyData, Evidence, ImpactInput, InertiaData,
+    InferredWidth, ReconstructionInput, StiffnessSource, VehicleData, YawSource, contradictions,
 };
 pub use estimate::{
     Estimate, Factors, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
@@ -77,4 +77,4 @@ pub use uncertain::{GivenUncertainty, SharedEffects, SharedError};
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
 pub use vehicle::{ContactPoint, GivenVehicle, Kind, Outline, Velocity};
 pub use walk::{Input, Origin, Value};
-pub use words::{ENERGY_BASES, OBLIQUE_CORRECTIONS, SIDES, UNKNOWNS, word, words_of};
+pub use words::{ENERGY_BASES, OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED, UNKNOWNS, word, words_of};

@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use pim_core::Real;
 
-use crate::crush::Crush;
+use crate::crush::{Crush, KnownEnergy};
 use crate::inertia::{Mass, YawInertia};
 use crate::quantity::Quantity;
 use crate::text::Text;
@@ -73,8 +73,54 @@ pub struct GivenVehicle<T = f64> {
     pub outline: Option<Outline<T>>,
     /// (m) of a pole or a tree: a fixed object that is round.
     pub diameter: Option<Quantity<T>>,
-    /// `[vehicleN.crush]`.
+    /// `[vehicleN.crush]` with a measured or inferred crush.
     pub crush: Option<Crush<T>>,
+    /// `[vehicleN.crush]` with `ees`, or `crush = "none"`, in place of a crush.
+    pub energy: Option<KnownEnergy<T>>,
+}
+
+impl<T> GivenVehicle<T> {
+    /// Whether the case tells the crush energy, in one form or another.
+    #[must_use]
+    pub fn has_damage_data(&self) -> bool {
+        self.crush.is_some() || self.energy.is_some()
+    }
+
+    /// Whether the case says nothing of it, so that the other vehicle is alone.
+    #[must_use]
+    pub fn is_absent(&self) -> bool {
+        // Without `..`: a new field does not compile before it counts here.
+        let Self {
+            name,
+            fixed,
+            kind,
+            mass,
+            yaw,
+            class,
+            wheelbase,
+            length,
+            heading,
+            contact,
+            motion,
+            yaw_rate,
+            outline,
+            diameter,
+            crush,
+            energy,
+        } = self;
+        !(*fixed
+            || name.is_some()
+            || kind.is_some()
+            || mass.is_some()
+            || yaw.is_some()
+            || class.is_some()
+            || [wheelbase, length, heading, yaw_rate, diameter].into_iter().any(Option::is_some)
+            || contact.is_some()
+            || motion.is_some()
+            || outline.is_some()
+            || crush.is_some()
+            || energy.is_some())
+    }
 }
 
 /// Where the impulse acts, from the centre of gravity.
@@ -183,6 +229,7 @@ impl<U> Walk<'_, U> {
             }),
             diameter: self.maybe(&at("diameter"), vehicle.diameter.as_ref()),
             crush: vehicle.crush.as_ref().map(|crush| self.crush(&at("crush"), crush, fit_left_out)),
+            energy: vehicle.energy.as_ref().map(|known| self.known_energy(&at("crush"), known)),
         }
     }
 }

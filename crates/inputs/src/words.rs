@@ -8,6 +8,9 @@ use reconcile::Unknown;
 pub const SIDES: [(&str, Side); 4] =
     [("front", Side::Front), ("rear", Side::Rear), ("left", Side::Left), ("right", Side::Right)];
 
+/// `crush` of a vehicle without damage.
+pub const UNDAMAGED: &str = "none";
+
 /// `crush.oblique`, except the limit by friction, which has a number.
 pub const OBLIQUE_CORRECTIONS: [(&str, ObliqueCorrection); 4] = [
     ("capped", ObliqueCorrection::Capped),

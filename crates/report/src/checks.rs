@@ -39,8 +39,7 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
             }
             CheckedQuantity::Rotation { vehicle } => {
                 let found = if check.passed() { "with the moment" } else { "against the moment" };
-                let damage = analysis.vehicles[vehicle.index()].subject.damage.as_ref();
-                let is_given = damage.is_some_and(|damage| damage.pdof.is_some());
+                let is_given = analysis.vehicles[vehicle.index()].subject.pdof().is_some();
                 let of = if is_given { "of the PDOF as given" } else { "of the impulse at C" };
                 (format!("rotation of vehicle {vehicle}"), found.to_owned(), of.to_owned())
             }

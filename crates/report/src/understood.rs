@@ -3,8 +3,8 @@
 
 use analysis::Assumption;
 use case::{
-    BrachTangential, Case, Dimension, Fit, ImpactLaw, Input, Pdof, Range, Spread, StiffnessForm,
-    StiffnessSource, Unit, UnitSystem, word,
+    BrachTangential, Case, Dimension, Fit, ImpactLaw, Input, KnownEnergy, Pdof, Range, Spread, StiffnessForm,
+    StiffnessSource, UNDAMAGED, Unit, UnitSystem, word,
 };
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
@@ -89,6 +89,18 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
         if let Some(class) = vehicle.class {
             say("class", class.to_string());
         }
+        match &vehicle.energy {
+            Some(KnownEnergy::Undamaged) => say("crush", UNDAMAGED.to_owned()),
+            Some(KnownEnergy::Ees(given)) => {
+                if let Some(side) = given.side {
+                    say("crush.side", words::side_name(side).to_owned());
+                }
+                if let Some(Pdof::Clock(hour)) = given.pdof {
+                    say("crush.pdof", clock(hour));
+                }
+            }
+            None => {}
+        }
         let Some(crush) = &vehicle.crush else { continue };
         say("crush.side", words::side_name(crush.side).to_owned());
         if crush.from_force_balance {
@@ -102,7 +114,7 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
             _ => {}
         }
         if let Some(Pdof::Clock(hour)) = crush.pdof {
-            say("crush.pdof", format!("{hour} o'clock = {}°", clock_degrees(hour)));
+            say("crush.pdof", clock(hour));
         }
         match crush.oblique {
             // Its number stands among the numbers.
@@ -123,6 +135,11 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
         choices.push(("reconstruct.energy_basis".to_owned(), basis.to_owned()));
     }
     choices
+}
+
+/// The hour of a PDOF, and what it means.
+fn clock(hour: u8) -> String {
+    format!("{hour} o'clock = {}°", clock_degrees(hour))
 }
 
 /// (°) clockwise, in (−180°, 180°].

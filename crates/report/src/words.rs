@@ -4,6 +4,7 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
+use analysis::Vehicle;
 use case::{Case, ENERGY_BASES, Fit, Kind, Program, SIDES, StiffnessSource, Text, UNKNOWNS, word};
 use crash3::{DoubtfulDigit, EnergyBasis, Side};
 use pim_core::Regime;
@@ -56,6 +57,17 @@ pub(crate) fn kind_name(kind: Kind) -> &'static str {
         Kind::HeavyTruck => "a heavy truck",
         Kind::Trailer => "a trailer",
         Kind::Motorcycle => "a motorcycle",
+    }
+}
+
+/// How the damage of a vehicle is known: the value of the JSON key `crush_source`.
+pub(crate) fn crush_source(vehicle: &Vehicle) -> Option<&'static str> {
+    match (&vehicle.damage, &vehicle.subject.energy) {
+        (Some(damage), _) if damage.inferred.is_some() => Some("force balance"),
+        (Some(_), _) => Some("measured"),
+        (None, Some(energy)) if energy.ees.is_some() => Some("EES"),
+        (None, Some(_)) => Some("none"),
+        (None, None) => None,
     }
 }
 

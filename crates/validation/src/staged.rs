@@ -90,7 +90,7 @@ impl Staged {
             let damage = vehicle.damage.as_ref().ok_or_else(|| self.incomplete("crush"))?;
             Ok::<_, ValidationError>(Struck {
                 mass: inertia.mass,
-                yaw_inertia: inertia.yaw_inertia,
+                yaw_inertia: inertia.yaw_inertia.ok_or_else(|| self.incomplete("yaw inertia"))?,
                 contact: subject.contact.ok_or_else(|| self.incomplete("contact point"))?,
                 side: given.side,
                 correction: given.correction,

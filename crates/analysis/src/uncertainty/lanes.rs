@@ -247,6 +247,8 @@ impl Vehicle {
             motion,
             yaw_rate,
             crush,
+            // A block asks for a crush, beside which there is none.
+            energy: _,
         } = vehicle;
         let Crush {
             from_force_balance,

@@ -269,7 +269,9 @@ fn key_of(path: &str) -> String {
 /// there is none.
 #[test]
 fn a_block_ignores_no_key() {
-    let mut missing: BTreeSet<String> = case::number_keys().into_iter().collect();
+    // Only a fixed object has a diameter, and no block takes one.
+    let is_of_vehicle = |key: &String| !key.ends_with(".diameter");
+    let mut missing: BTreeSet<String> = case::number_keys().into_iter().filter(is_of_vehicle).collect();
     let (mut with_block, mut without) = (BTreeSet::new(), BTreeSet::new());
     for text in cases_of_all_keys() {
         let parsed =

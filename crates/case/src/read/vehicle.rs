@@ -5,12 +5,14 @@ use super::values::{Place, hour_of, named};
 use crate::case_problem::{CLASS_FORMS, CaseProblem};
 use crate::quantity::{Limit, format_limit, shorten};
 use crate::schema::{
-    CONTACT, CRUSH, MOST_ZONES, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY, ZONE,
+    CONTACT, CRUSH, MOST_ZONES, NEVER_BESIDE_EES, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY,
+    ZONE,
 };
 use crash3::{CrushError, ObliqueCorrection};
 use inputs::{
-    ContactPoint, Crush, Dimension, Fit, GivenTest, GivenVehicle, Kind, Mass, OBLIQUE_CORRECTIONS, Outline,
-    Pdof, Quantity, SIDES, StiffnessForm, StiffnessLine, Velocity, YawInertia, format_number,
+    ContactPoint, Crush, Dimension, Fit, GivenEes, GivenTest, GivenVehicle, Kind, KnownEnergy, Mass,
+    OBLIQUE_CORRECTIONS, Outline, Pdof, Quantity, SIDES, StiffnessForm, StiffnessLine, UNDAMAGED, Velocity,
+    YawInertia, format_number,
 };
 use toml::de::DeValue;
 
@@ -20,6 +22,10 @@ const WIDTH_TOLERANCE: f64 = 1e-3;
 impl<'t> Reader<'t> {
     pub(super) fn vehicle(&mut self, top: &Table<'t>, key: &'static str) -> Option<GivenVehicle> {
         if !top.has(key) {
+            // The damage of one vehicle alone is a case; each purpose tells whether it needs the other.
+            if key == "vehicle2" && top.has("vehicle1") {
+                return Some(GivenVehicle::default());
+            }
             self.missing(top, key);
             return None;
         }
@@ -30,6 +36,7 @@ impl<'t> Reader<'t> {
                 self.report_path(&table.path_of(key), CaseProblem::FixedHas { table: table.label(), key });
             }
         }
+        let (crush, energy) = self.damage(&table);
         let mut vehicle = GivenVehicle {
             name: self.text(&table, "name"),
             fixed,
@@ -45,7 +52,8 @@ impl<'t> Reader<'t> {
             yaw_rate: self.quantity(&table, "yaw_rate"),
             outline: self.outline(&table),
             diameter: self.diameter(&table, fixed),
-            crush: self.child(&table, "crush", &CRUSH).and_then(|crush| self.crush(&crush)),
+            crush,
+            energy,
         };
         if vehicle.outline.is_none() && length_alone(&table) {
             vehicle.length = self.quantity(&table, "length");
@@ -127,6 +135,29 @@ impl<'t> Reader<'t> {
             self.not_both(table, "diameter", key);
         }
         self.quantity(table, "diameter")
+    }
+
+    /// The crush, or its energy alone.
+    fn damage(&mut self, vehicle: &Table<'t>) -> (Option<Crush>, Option<KnownEnergy>) {
+        const FORMS: &str =
+            "a table [vehicle1.crush], or crush = \"none\" for a vehicle without damage that counts";
+        if vehicle.get("crush").is_some_and(|value| !value.get_ref().is_table()) {
+            let undamaged =
+                self.choice_among(vehicle, "crush", &[(UNDAMAGED, KnownEnergy::Undamaged)], FORMS);
+            return (None, undamaged);
+        }
+        let Some(table) = self.child(vehicle, "crush", &CRUSH) else { return (None, None) };
+        if !table.has("ees") {
+            return (self.crush(&table), None);
+        }
+        for key in table.given(&NEVER_BESIDE_EES) {
+            self.report_path(&table.path_of(key), CaseProblem::EesHas { table: table.label(), key });
+        }
+        let ees = self.quantity(&table, "ees");
+        let side = self.choice(&table, "side", &SIDES);
+        let pdof = self.pdof(&table);
+        let moment_arm = self.quantity(&table, "moment_arm");
+        (None, ees.map(|ees| KnownEnergy::Ees(GivenEes { ees, side, pdof, moment_arm })))
     }
 
     fn crush(&mut self, table: &Table<'t>) -> Option<Crush> {

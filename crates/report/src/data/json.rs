@@ -289,7 +289,8 @@ fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
     let moves = impact.map(|impact| &impact.outcome);
     let damage = analysis.vehicles[i].damage.as_ref();
     let oblique = damage.and_then(|damage| damage.oblique);
-    let given_pdof = damage.and_then(|damage| damage.pdof);
+    let of = &analysis.vehicles[i];
+    let given_pdof = of.crash3_pdof();
     VehicleBlock {
         name: case.vehicles[i].name.as_ref().map(|name| name.as_given().to_owned()),
         fixed: fixed.then_some(true),
@@ -309,16 +310,15 @@ fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
             .damage
             .as_ref()
             .map(|given| words::stiffness_source_and_doubt(given.stiffness_source, given.side)),
-        crush_source: damage
-            .map(|damage| if damage.inferred.is_some() { "force balance" } else { "measured" }),
-        crush_energy: damage.map(|damage| damage.crush_energy),
+        crush_source: words::crush_source(of),
+        crush_energy: of.crush_energy(),
         crush_energy_bounds: damage
             .and_then(|damage| damage.inferred?.range)
             .map(|range| [range.lowest.energy, range.highest.energy]),
-        oblique_angle: damage.map(|damage| plain(damage.oblique_angle)),
+        oblique_angle: damage.and_then(|damage| damage.oblique_angle).map(plain),
         oblique_factor: oblique.map(|oblique| oblique.factor.factor),
-        corrected_crush_energy: oblique.map(|oblique| oblique.corrected_crush_energy),
-        ees: damage.map(|damage| damage.ees),
+        corrected_crush_energy: of.corrected_crush_energy(),
+        ees: of.ees(),
         peak_force: oblique.map(|oblique| oblique.peak_force),
         no_damage_speed: analysis.vehicles[i].no_damage_speed(),
     }

@@ -12,8 +12,7 @@ use crate::units::Measure;
 pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<EnergyPicture, DrawingError> {
     let impact = analysis.impact.as_ref().ok_or(DrawingError::NoImpact { subject: Subject::Energy })?;
     let energy = impact.outcome.energy;
-    let crush =
-        [0, 1].map(|i| analysis.vehicles[i].damage.as_ref().map_or(0.0, |damage| damage.crush_energy));
+    let crush = [0, 1].map(|i| analysis.vehicles[i].crush_energy().unwrap_or_default());
     let total = crush[0] + crush[1];
     // (%)
     let share = |joule: f64| number(100.0 * joule / energy.before, 1);

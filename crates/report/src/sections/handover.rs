@@ -393,6 +393,15 @@ fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String
                 words::stiffness_source_and_doubt(damage.stiffness_source, damage.side)
             ));
         }
+        if let Some(energy) = vehicle.subject.energy {
+            assumptions.push(if energy.ees.is_some() {
+                format!(
+                    "Crush energy of vehicle {id}: from its energy equivalent speed. The analyst chose it; no crush was measured."
+                )
+            } else {
+                format!("Vehicle {id}: no damage that counts, so its crush energy is taken as zero.")
+            });
+        }
     }
     assumptions
 }

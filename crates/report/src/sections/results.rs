@@ -93,12 +93,13 @@ impl Page {
         let vehicles = &case.vehicles;
         let known = |f: &dyn Fn(usize) -> Option<String>| [f(0), f(1)];
         table.pair("name", known(&|i| vehicles[i].name.as_ref().map(Text::to_string)), "");
+        table.pair("vehicle", known(&|i| vehicles[i].is_absent().then(|| "not in the case".to_owned())), "");
         table.pair("fixed object", known(&|i| vehicles[i].fixed.then(|| "yes".to_owned())), "");
         let inertia = |i: usize| analysis.vehicles[i].subject.inertia;
         table.pair("mass", known(&|i| inertia(i).map(|v| units.format(Measure::Mass, v.mass))), "");
         table.pair(
             "yaw inertia",
-            known(&|i| inertia(i).map(|v| units.format(Measure::YawInertia, v.yaw_inertia))),
+            known(&|i| Some(units.format(Measure::YawInertia, inertia(i)?.yaw_inertia?))),
             "",
         );
         table.pair(
@@ -106,7 +107,7 @@ impl Page {
             known(&|i| match inertia(i).map(|v| v.yaw_source) {
                 Some(YawSource::Class(class)) => Some(format!("CRASH3's class {class}")),
                 Some(YawSource::Burg) => Some("Burg's estimate".to_owned()),
-                Some(YawSource::Given) | None => None,
+                Some(YawSource::Given | YawSource::Unknown) | None => None,
             }),
             "",
         );
@@ -150,6 +151,20 @@ impl Page {
             }),
             "",
         );
+        let known_energy = |i: usize| analysis.vehicles[i].subject.energy;
+        table.pair(
+            "damage",
+            known(&|i| {
+                let energy = known_energy(i)?;
+                Some(match (energy.ees, energy.side) {
+                    (None, _) => "none that counts".to_owned(),
+                    (Some(_), None) => "by its EES".to_owned(),
+                    (Some(_), Some(side)) => format!("{}, by its EES", words::side_name(side)),
+                })
+            }),
+            "",
+        );
+        table.pair("EES as given", known(&|i| Some(units.speed(known_energy(i)?.ees?))), "");
         let crush = |i: usize| vehicles[i].crush.as_ref();
         let crush_length = |q: case::Quantity| units.format(Measure::Crush, q.si());
         // Of a front or rear the offset is from the vehicle's axis, of a side from its CG.
@@ -168,11 +183,12 @@ impl Page {
             "PDOF as given",
             known(&|i| {
                 let follows = || {
-                    let damage = analysis.vehicles[i].subject.damage.as_ref()?;
-                    let pdof = damage.pdof.filter(|_| damage.pdof_follows)?;
+                    let subject = &analysis.vehicles[i].subject;
+                    let pdof = subject.pdof().filter(|_| subject.pdof_follows())?;
                     Some(format!("opposite: {}", units.format(Measure::Angle, pdof)))
                 };
-                let given = crush(i)?.pdof.map(|pdof| match pdof {
+                let of_ees = vehicles[i].energy.as_ref().and_then(|known| known.ees()?.pdof);
+                let given = crush(i).map_or(of_ees, |crush| crush.pdof).map(|pdof| match pdof {
                     Pdof::Angle(given) => angle(&given),
                     Pdof::Clock(hour) => format!("{hour} o'clock"),
                 });
@@ -188,7 +204,10 @@ impl Page {
         table.pair(
             "moment arm h as given",
             known(&|i| {
-                crush(i).and_then(|crush| crush.moment_arm).map(|q| units.format(Measure::Length, q.si()))
+                let of_ees = vehicles[i].energy.as_ref().and_then(|known| known.ees()?.moment_arm);
+                crush(i)
+                    .map_or(of_ees, |crush| crush.moment_arm)
+                    .map(|q| units.format(Measure::Length, q.si()))
             }),
             "",
         );
@@ -358,7 +377,7 @@ impl Page {
         let chosen = Chosen { analysis, units: self.units };
         let units = self.units;
         let damage = [0, 1].map(|i| analysis.vehicles[i].damage.as_ref());
-        if damage.iter().all(Option::is_none) {
+        if analysis.vehicles.iter().all(|vehicle| vehicle.crush_energy().is_none()) {
             return;
         }
         let mut table = Table::of_two("Damage", SOURCED);
@@ -376,12 +395,11 @@ impl Page {
         }
         chosen.pair(&mut table, "crush_energy");
         // That of the impulse stands above; here is the one that the file puts in its place.
-        let is_given =
-            |i: usize| analysis.vehicles[i].subject.damage.as_ref().is_some_and(|d| d.pdof.is_some());
+        let is_given = |i: usize| analysis.vehicles[i].subject.pdof().is_some();
         if analysis.impact.is_none() || [0, 1].into_iter().any(is_given) {
             let label = if analysis.impact.is_none() { label("pdof") } else { "PDOF that CRASH3 uses" };
-            let pdof = |d: &Damage| d.pdof.map(|pdof| units.format(Measure::Angle, pdof));
-            table.pair(label, each(&pdof), "theory 5");
+            let pdof = |i: usize| Some(units.format(Measure::Angle, analysis.vehicles[i].crash3_pdof()?));
+            table.pair(label, [0, 1].map(pdof), "theory 5");
         }
         chosen.pair(&mut table, "ees");
         chosen.pair(&mut table, "oblique_angle");

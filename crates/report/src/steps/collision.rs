@@ -33,7 +33,7 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
         inertia: analysis
             .vehicles
             .each_ref()
-            .map(|vehicle| vehicle.subject.inertia.map(|v| (v.mass, v.yaw_inertia))),
+            .map(|vehicle| vehicle.subject.inertia.and_then(|v| Some((v.mass, v.yaw_inertia?)))),
     };
     vec![
         group("Geometry", collision.geometry()),

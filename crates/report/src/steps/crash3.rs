@@ -21,6 +21,9 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
             let pdof = pdof_symbol(vehicle, i);
             steps.extend(oblique(vehicle, damage, correction, &pdof, i));
             groups.push(group(format!("CRASH3: oblique force on vehicle {i}"), steps));
+        } else if vehicle.energy.is_some() {
+            let steps = pdof_of_file(vehicle, analysis.impact.is_some(), i).into_iter().collect();
+            groups.push(group(format!("CRASH3: force on vehicle {i}"), steps));
         }
     }
     groups.push(group("CRASH3: velocity changes", velocity_changes::steps(analysis, case.axes)));
@@ -29,24 +32,24 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
 
 /// The symbol of the PDOF that CRASH3 uses: that of the impulse has one of its own, above.
 fn pdof_symbol(vehicle: &Vehicle, i: VehicleId) -> String {
-    match vehicle.subject.damage.as_ref().filter(|given| given.pdof.is_some()) {
-        Some(given) if given.pdof_follows => format!("PDOF_opposite,{i}"),
-        Some(_) => format!("PDOF_given,{i}"),
-        None => format!("PDOF_{i}"),
+    match (vehicle.subject.pdof(), vehicle.subject.pdof_follows()) {
+        (Some(_), true) => format!("PDOF_opposite,{i}"),
+        (Some(_), false) => format!("PDOF_given,{i}"),
+        (None, _) => format!("PDOF_{i}"),
     }
 }
 
 /// The PDOF that the file gives for the vehicle or, by that of the other, for the force opposite to it.
 fn pdof_of_file(vehicle: &Vehicle, has_impulse: bool, i: VehicleId) -> Option<Step> {
-    let written = vehicle.subject.damage.as_ref()?;
-    let (what, source) = if written.pdof_follows {
+    let pdof = vehicle.subject.pdof()?;
+    let (what, source) = if vehicle.subject.pdof_follows() {
         ("opposite to the given force on the other vehicle", "theory 5")
     } else {
         ("as given", "input")
     };
     let instead = if has_impulse { ", used for CRASH3 in place of that of the impulse" } else { "" };
     let name = format!("PDOF of vehicle {i} {what}{instead}");
-    Some(given(name, pdof_symbol(vehicle, i), written.pdof?.to_degrees(), "°", source))
+    Some(given(name, pdof_symbol(vehicle, i), pdof.to_degrees(), "°", source))
 }
 
 fn oblique(
@@ -56,15 +59,17 @@ fn oblique(
     pdof_symbol: &str,
     i: VehicleId,
 ) -> Vec<Step> {
-    let mut steps = vec![oblique_angle(damage, correction.map(|(_, square)| square), pdof_symbol, i)];
+    let Some(alpha) = damage.oblique_angle else { return Vec::new() };
+    let square = correction.map(|(_, square)| square);
+    let mut steps = vec![oblique_angle(damage.pdof.zip(square), alpha, pdof_symbol, i)];
     let Some(oblique) = &damage.oblique else { return steps };
     if damage.inferred.is_none()
         && let Some(profile) = super::damage::measured(vehicle)
     {
-        steps.extend(peak_force::steps(damage, profile, oblique.peak_force, i));
+        steps.extend(peak_force::steps(&damage.structure, profile, [oblique.peak_force, alpha], i));
     }
     let (formula, numbers) =
-        factor(damage, correction.map(|(correction, _)| correction), oblique.factor.capped, i);
+        factor(alpha, correction.map(|(correction, _)| correction), oblique.factor.capped, i);
     let capped = if oblique.factor.capped { ", at CRASH3's limit of 45°" } else { "" };
     steps.push(step(
         format!("factor of the oblique correction{capped}, vehicle {i}"),
@@ -87,12 +92,11 @@ fn oblique(
     steps
 }
 
-/// α, from the PDOF where it follows from that; `square` is the PDOF of a square hit.
-fn oblique_angle(damage: &Damage, square: Option<f64>, pdof_symbol: &str, i: VehicleId) -> Step {
-    let alpha = damage.oblique_angle;
+/// α (rad), from the PDOF and that of a square hit where it follows from them.
+fn oblique_angle(pdofs: Option<(f64, f64)>, alpha: f64, pdof_symbol: &str, i: VehicleId) -> Step {
     let name = format!("angle of the force to the normal of the damaged side, vehicle {i}");
-    match (damage.pdof, square) {
-        (Some(pdof), Some(square)) if (pdof - square - alpha).abs() < 1e-9 => step(
+    match pdofs {
+        Some((pdof, square)) if (pdof - square - alpha).abs() < 1e-9 => step(
             name,
             format!("α_{i}"),
             format!("{pdof_symbol} − PDOF of a square hit"),
@@ -107,12 +111,12 @@ fn oblique_angle(damage: &Damage, square: Option<f64>, pdof_symbol: &str, i: Veh
 
 /// The factor of a correction in symbols and in numbers.
 fn factor(
-    damage: &Damage,
+    alpha: f64,
     correction: Option<ObliqueCorrection>,
     is_capped: bool,
     i: VehicleId,
 ) -> (String, String) {
-    let alpha = angle(damage.oblique_angle);
+    let alpha = angle(alpha);
     let tangent = format!("tan{alpha}");
     match correction {
         Some(ObliqueCorrection::None) => (String::new(), String::new()),

@@ -12,7 +12,7 @@ use case::{Case, Crush, Evidence};
 use crash3::{EnergyBasis, Profile, SideStiffness, Yielding};
 use pim_core::VehicleId;
 
-use super::{Step, StepGroup, group, n, p, step};
+use super::{Step, StepGroup, given, group, n, p, step};
 use crate::words;
 
 pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
@@ -20,6 +20,8 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     for (i, vehicle) in VehicleId::ALL.into_iter().zip(&analysis.vehicles) {
         if let (Some(damage), Some(crush)) = (&vehicle.damage, &case.vehicles[i.index()].crush) {
             groups.push(group(format!("Crush energy of vehicle {i}"), energy(vehicle, damage, crush, i)));
+        } else if let Some(step) = energy_alone(vehicle, i) {
+            groups.push(group(format!("Crush energy of vehicle {i}"), step));
         }
     }
     groups.push(group("Energy sought", sought(analysis)));
@@ -59,6 +61,32 @@ fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: VehicleId) -> Ve
     steps
 }
 
+/// An energy that is given alone, by its speed, or that of a vehicle without damage.
+fn energy_alone(vehicle: &Vehicle, i: VehicleId) -> Option<Vec<Step>> {
+    let (inertia, energy) = vehicle.subject.inertia.zip(vehicle.energy)?;
+    if vehicle.subject.energy?.ees.is_none() {
+        let name = format!("crush energy of vehicle {i}, which has no damage that counts");
+        return Some(vec![given(name, format!("E_{i}"), 0.0, "J", "input")]);
+    }
+    let ees = given(
+        format!("energy equivalent speed of vehicle {i}"),
+        format!("EES_{i}"),
+        energy.ees,
+        "m/s",
+        "input",
+    );
+    let crush_energy = step(
+        format!("crush energy of vehicle {i}"),
+        format!("E_{i}"),
+        format!("½ m_{i} EES_{i}²"),
+        format!("1 / 2 · {} · {}²", n(inertia.mass, "kg"), p(energy.ees, "m/s")),
+        energy.crush_energy,
+        "J",
+        "theory 5",
+    );
+    Some(vec![ees, crush_energy])
+}
+
 /// The speeds that stand for energies: b_0 where the stiffness is the same all along, and EES.
 fn speeds(vehicle: &Vehicle, damage: &Damage, i: VehicleId) -> Vec<Step> {
     let Some(inertia) = vehicle.subject.inertia else { return Vec::new() };
@@ -96,8 +124,8 @@ pub(super) fn total(analysis: &Seen, crush_energy: f64, source: &'static str) ->
     let (symbols, numbers): (Vec<String>, Vec<String>) = VehicleId::ALL
         .into_iter()
         .zip(&analysis.vehicles)
-        .filter_map(|(i, vehicle)| vehicle.damage.as_ref().map(|damage| (i, damage)))
-        .map(|(i, damage)| (format!("E_{i}"), n(damage.crush_energy, "J")))
+        .filter_map(|(i, vehicle)| vehicle.crush_energy().map(|energy| (i, energy)))
+        .map(|(i, energy)| (format!("E_{i}"), n(energy, "J")))
         .unzip();
     let name = if symbols.len() > 1 { "crush energy of both vehicles" } else { "crush energy" };
     step(name, "E", symbols.join(" + "), numbers.join(" + "), crush_energy, "J", source)

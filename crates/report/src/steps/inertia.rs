@@ -45,6 +45,7 @@ fn of_vehicle(written: &case::GivenVehicle, vehicle: &Vehicle, k: VehicleId) -> 
         return Vec::new();
     };
     let mut steps = vec![mass(written_mass, format!("mass of vehicle {k}"), &k.to_string())];
+    let Some(yaw_inertia) = inertia.yaw_inertia else { return steps };
     let name = format!("yaw inertia of vehicle {k}");
     let symbol = format!("I_{k}");
     // I = m k²
@@ -54,7 +55,7 @@ fn of_vehicle(written: &case::GivenVehicle, vehicle: &Vehicle, k: VehicleId) -> 
             format!("I_{k}"),
             format!("m_{k} k_{k}²"),
             format!("{} · {}²", n(inertia.mass, "kg"), p(radius, "m")),
-            inertia.yaw_inertia,
+            yaw_inertia,
             "kg·m²",
             "theory 1",
         )
@@ -90,12 +91,12 @@ fn of_vehicle(written: &case::GivenVehicle, vehicle: &Vehicle, k: VehicleId) -> 
                     n(wheelbase.si(), "m"),
                     n(length.si(), "m")
                 ),
-                inertia.yaw_inertia,
+                yaw_inertia,
                 "kg·m²",
                 "theory 5",
             ));
         }
-        (YawSource::Given, None) => {}
+        (YawSource::Given, None) | (YawSource::Unknown, _) => {}
     }
     steps
 }

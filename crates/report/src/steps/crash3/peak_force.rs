@@ -1,6 +1,5 @@
 //! The force at maximum crush.
 
-use analysis::Damage;
 use crash3::{Profile, Saturation, SideStiffness, Stiffness, Yielding, Zone, zone_force};
 use pim_core::VehicleId;
 
@@ -8,9 +7,14 @@ use super::super::damage::share_below;
 use super::super::{Step, angle, n, step};
 use crate::units::Measure;
 
-/// Of the whole side where the same line holds all along, else zone by zone.
-pub(super) fn steps(damage: &Damage, profile: &Profile, peak: f64, i: VehicleId) -> Vec<Step> {
-    let alpha = angle(damage.oblique_angle);
+/// Of the whole side where the same line holds all along, else zone by zone; the peak force (N), and α (rad).
+pub(super) fn steps(
+    structure: &SideStiffness,
+    profile: &Profile,
+    [peak, alpha]: [f64; 2],
+    i: VehicleId,
+) -> Vec<Step> {
+    let alpha = angle(alpha);
     let total = |formula: String, substitution: String| {
         step(
             format!("peak force, vehicle {i}"),
@@ -24,7 +28,7 @@ pub(super) fn steps(damage: &Damage, profile: &Profile, peak: f64, i: VehicleId)
         .of(Measure::Force)
     };
     let mut zones: Vec<(Zone, Stiffness)> = Vec::new();
-    match &damage.structure {
+    match structure {
         SideStiffness::Uniform(stiffness) if stiffness.saturation_force().is_none() => {
             let sums = profile.sums();
             return vec![total(

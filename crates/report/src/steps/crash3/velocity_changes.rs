@@ -26,7 +26,7 @@ pub(super) fn steps(analysis: &Seen, axes: Axes) -> Vec<Step> {
         .zip(&analysis.vehicles)
         .filter_map(|(id, vehicle)| {
             let inertia = vehicle.subject.inertia?;
-            Some(Movable { id, mass: inertia.mass, yaw_inertia: inertia.yaw_inertia })
+            Some(Movable { id, mass: inertia.mass, yaw_inertia: inertia.yaw_inertia? })
         })
         .collect();
     let mut steps = Vec::new();
@@ -55,10 +55,12 @@ fn moment_arm(analysis: &Seen, crash3: &Crash3, k: VehicleId, axes: Axes) -> Ste
     };
     let damage = vehicle.damage.as_ref();
     let direction = pdof_symbol(vehicle, k);
-    let given_arm = vehicle.subject.damage.as_ref().and_then(|given| given.moment_arm);
+    let subject = &vehicle.subject;
+    let of_energy = subject.energy.and_then(|given| given.moment_arm);
+    let given_arm = subject.damage.as_ref().map_or(of_energy, |given| given.moment_arm);
     let name = format!("distance of the line of action from CG {k}");
     let point = vehicle.subject.contact.or(damage.and_then(|damage| damage.centroid));
-    match (given_arm, point, damage.and_then(|damage| damage.pdof)) {
+    match (given_arm, point, vehicle.crash3_pdof()) {
         (None, Some([x, y]), Some(pdof)) => step(
             name,
             format!("h_{k}"),
@@ -163,8 +165,12 @@ fn with_restitution(analysis: &Seen, crash3: &Crash3, vehicles: &[Movable], delt
 fn corrected_total(analysis: &Seen, crush_energy: f64) -> Step {
     let (symbols, numbers): (Vec<String>, Vec<String>) = (1..)
         .zip(&analysis.vehicles)
-        .filter_map(|(i, vehicle)| vehicle.damage.as_ref()?.oblique.map(|oblique| (i, oblique)))
-        .map(|(i, oblique)| (format!("E'_{i}"), n(oblique.corrected_crush_energy, "J")))
+        .filter_map(|(i, vehicle)| vehicle.corrected_crush_energy().map(|energy| (vehicle, i, energy)))
+        .map(|(vehicle, i, energy)| {
+            // An energy that is given alone has no correction.
+            let corrected = if vehicle.energy.is_some() { "" } else { "'" };
+            (format!("E{corrected}_{i}"), n(energy, "J"))
+        })
         .unzip();
     let name =
         if symbols.len() > 1 { "corrected crush energy of both vehicles" } else { "corrected crush energy" };

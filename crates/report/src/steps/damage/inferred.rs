@@ -34,7 +34,8 @@ fn crushed(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: Vehic
         format!(
             "({} · cos{} / {} − {}) / {}",
             n(inferred.force, "N"),
-            angle(damage.oblique_angle),
+            // A force balance needs α, so there is one.
+            angle(damage.oblique_angle.unwrap_or_default()),
             n(width, "m"),
             n(a, "N/m"),
             n(b, "N/m²")
@@ -81,7 +82,8 @@ fn elastic(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: Vehic
             "{width} · {} · ({} · cos{} / ({} · {width}))²",
             n(stiffness.g(), "N"),
             n(inferred.force, "N"),
-            angle(damage.oblique_angle),
+            // A force balance needs α, so there is one.
+            angle(damage.oblique_angle.unwrap_or_default()),
             n(stiffness.a(), "N/m")
         ),
         damage.crush_energy,

@@ -1,0 +1,131 @@
+//! Damage of which only the energy is known, no damage at all, and one vehicle alone.
+//!
+//! The expected values follow from the arithmetic that stands beside them.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
+use analysis::{Analysis, Failure};
+use case::CaseFile;
+use inputs::{Case, FaultKind};
+use pim_core::VehicleId;
+
+fn parsed(text: &str) -> Case {
+    CaseFile::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}\n{text}")).case
+}
+
+fn reconstructed(text: &str) -> Analysis {
+    analysis::reconstruct(&parsed(text)).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+#[track_caller]
+fn assert_close(actual: f64, expected: f64) {
+    assert!((actual - expected).abs() <= 1e-9 * expected.abs(), "{actual} is not {expected}");
+}
+
+/// Two vehicles of 1200 kg and 1800 kg that meet centrally, the first with the speed that is sought.
+fn central(mover: VehicleId, crush: [&str; 2], more: &str) -> String {
+    let [heading, other_heading] = ["0 deg", "180 deg"];
+    let of = |id: VehicleId, mass: u32, heading: &str, crush: &str, speed: &str| {
+        let (inline, table) = if crush.starts_with("crush") { (crush, "") } else { ("", crush) };
+        let table = if table.is_empty() { String::new() } else { format!("[vehicle{id}.crush]\n{table}\n") };
+        format!(
+            "[vehicle{id}]\nmass = \"{mass} kg\"\nyaw_radius = \"1.4 m\"\nheading = \"{heading}\"\ncontact = {{ x = \"2 m\", y = \"0 m\" }}\n{speed}{inline}\n{table}"
+        )
+    };
+    of(mover, 1200, heading, crush[0], "")
+        + &of(mover.other(), 1800, other_heading, crush[1], "speed = \"5 m/s\"\n")
+        + &format!(
+            "[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.2\ntangential = \"critical\"\n[reconstruct]\nfind = \"vehicle{mover}.speed\"\n{more}"
+        )
+}
+
+/// W_n = ½ m̄ (1 − e²) u² with m̄ = 720 kg, and u = v_1 + 5 m/s.
+fn central_speed(energy: f64, share: f64) -> f64 {
+    (2.0 * energy / (720.0 * share)).sqrt() - 5.0
+}
+
+#[test]
+fn an_ees_gives_the_energy() {
+    for mover in VehicleId::ALL {
+        // ½ 1200 · 12² + ½ 1800 · 8²
+        let [e1, e2] = [86_400.0, 57_600.0];
+        let text = central(mover, ["ees = \"43.2 km/h\"", "ees = \"8 m/s\"\nside = \"front\""], "");
+        let analysis = reconstructed(&text);
+        let found = analysis.found.as_ref().unwrap();
+        assert_close(found.crush_energy, e1 + e2);
+        assert_close(found.speed, central_speed(e1 + e2, 1.0 - 0.04));
+        let [first, second] = [mover, mover.other()].map(|id| &analysis.vehicles[id.index()]);
+        assert_close(first.crush_energy().unwrap(), e1);
+        assert_close(second.ees().unwrap(), 8.0);
+        assert_eq!(analysis.warnings, [], "{text}");
+        // The basis counts for it as for any crush energy.
+        let absorbed = reconstructed(&(text + "energy_basis = \"absorbed\"\n"));
+        assert_close(absorbed.found.unwrap().speed, central_speed(e1 + e2, 1.0));
+    }
+}
+
+#[test]
+fn an_ees_is_not_corrected_for_an_oblique_force() {
+    let text = central(VehicleId::One, ["ees = \"12 m/s\"\npdof = \"40 deg\"", "ees = \"8 m/s\""], "");
+    let analysis = reconstructed(&text);
+    let crash3 = analysis.crash3.unwrap();
+    assert_close(crash3.corrected.unwrap().crush_energy, 144_000.0);
+    for correction in crash3.corrections {
+        assert_close(correction.crush_energy, 144_000.0);
+    }
+    // h = 2 sin 40°
+    assert_close(crash3.moment_arm[0], 2.0 * 40.0_f64.to_radians().sin());
+}
+
+#[test]
+fn a_vehicle_without_damage_takes_no_energy() {
+    for mover in VehicleId::ALL {
+        let analysis = reconstructed(&central(mover, ["ees = \"12 m/s\"", "crush = \"none\""], ""));
+        let other = &analysis.vehicles[mover.other().index()];
+        assert_eq!((other.crush_energy(), other.ees()), (Some(0.0), Some(0.0)));
+        assert_close(analysis.found.as_ref().unwrap().speed, central_speed(86_400.0, 0.96));
+        // ΔV = √(2 E/m̄) m̄/m of CRASH3, for a central impact
+        let delta_v = analysis.crash3.unwrap().delta_v[mover.index()];
+        assert_close(delta_v, (2.0 * 86_400.0 / 720.0_f64).sqrt() * 720.0 / 1200.0);
+        assert_eq!(analysis.warnings, []);
+    }
+    let neither = parsed(&central(VehicleId::One, ["crush = \"none\"", "crush = \"none\""], ""));
+    assert!(matches!(analysis::reconstruct(&neither), Err(Failure::Reconcile(_))));
+}
+
+#[test]
+fn a_lorry_without_damage_raises_no_warning() {
+    let analysis = reconstructed(include_str!("../../../fixtures/lorry.toml"));
+    assert_eq!(analysis.warnings, []);
+}
+
+/// 60 in of 8, 12, 14 and 10 in with A = 300 lb/in, B = 50 lb/in² and G = 900 lb: 300 · 700 + 50 · 4160 + 900 ·
+/// 60 = 472,000 lb·in, and EES = √(2 · 39,333 ft·lb · 32.174 ft/s² / 3200 lb) = 28.124 ft/s.
+#[test]
+fn one_vehicle_alone_has_an_energy() {
+    let text = include_str!("../../../fixtures/one-vehicle.toml");
+    let turned = text.replace("vehicle1", "vehicle2") + "[vehicle1]\n";
+    for (text, i) in [(text, 0), (&turned, 1)] {
+        let case = parsed(text);
+        let analysis = analysis::crush(&case).unwrap();
+        let vehicle = &analysis.vehicles[i];
+        let foot_pound = 4.448_221_615_260_5 * 0.3048;
+        assert_close(vehicle.crush_energy().unwrap(), 472_000.0 / 12.0 * foot_pound);
+        assert!((vehicle.ees().unwrap() / 0.3048 - 28.124).abs() < 5e-4);
+        assert!(analysis.crash3.is_none());
+        assert_eq!(analysis.warnings, []);
+        // Without a direction of the force there is no angle to the side.
+        assert_eq!(vehicle.damage.as_ref().unwrap().oblique_angle, None);
+        let Err(Failure::Case(faults)) = analysis::reconstruct(&case) else {
+            panic!("it needs two vehicles")
+        };
+        let [fault] = faults.list() else { panic!("{faults}") };
+        assert_eq!(fault.key, ["vehicle2", "vehicle1"][i]);
+        assert!(matches!(fault.kind, FaultKind::Missing { .. }));
+    }
+    // With a direction there is one, and the correction for it: 1 + tan² 20°.
+    let with_pdof = text.to_owned() + "pdof = \"20 deg\"\n";
+    let analysis = analysis::crush(&parsed(&with_pdof)).unwrap();
+    let factor = analysis.vehicles[0].damage.as_ref().unwrap().oblique.unwrap().factor.factor;
+    assert_close(factor, 1.0 + 20.0_f64.to_radians().tan().powi(2));
+}
