@@ -230,6 +230,7 @@ fn cases_of_all_keys() -> Vec<String> {
             "weight = \"3500 lb\"\nlength = \"4.4 m\"\nwidth = \"1.7 m\"\ncg_to_front = \"2 m\"",
         )]),
         with_lines(&[("width", "spacing = \"13 13 13 13 13 in\"")]),
+        with_lines(&[("width", "ees = \"40 km/h\""), ("depths", ""), ("stiffness", "")]),
         crush("offset = \"3 in\""),
         crush("pdof = \"20 deg\""),
         crush("oblique_angle = \"20 deg\""),
