@@ -281,7 +281,7 @@ pub(crate) static VEHICLE: Schema = Schema {
             "class",
             "class = 3",
             Form::Count(6),
-            "CRASH3 size class, 1 to 6. Its typical values are used for a yaw inertia or an outline that is not given.",
+            "CRASH3 size class, 1 to 6. The one with the nearest wheelbase: 1 is 93 in (2.37 m), 2 is 96 in (2.45 m), 3 is 105 in (2.66 m), 4 is 114 in (2.89 m), 5 is 121 in (3.08 m), 6 is 125 in (3.18 m). Its typical values are used for a yaw inertia or an outline that is not given.",
         ),
         key(
             "wheelbase",
@@ -742,7 +742,7 @@ pub(crate) static STIFFNESS: Schema = Schema {
             "category",
             "category = 4",
             Form::Count(5),
-            "Stiffness category of CRASH3's table, 1 to 5. The table has values for each side (SAE 870045, Table 1).",
+            "Stiffness category of CRASH3's table, 1 to 5. By wheelbase: 1 minicar (93 in), 2 subcompact (96 in), 3 compact (105 in), 4 intermediate (114 in), 5 full-size (121 in and more). The table has values for each side (SAE 870045, Table 1).",
         ),
         table(
             "test",

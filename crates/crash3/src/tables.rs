@@ -3,15 +3,17 @@
 //! else.
 //!
 //! Source of both tables: T. D. Day and R. L. Hargens, SAE 870045 (1987), Tables 1 and 2, which give those of
-//! NHTSA's CRASH3. They were read from a poor scan; the doubtful digits:
+//! NHTSA's CRASH3. Some digits of the copy that was read are not clear, and were settled by relations that
+//! hold between the numbers of the tables:
 //!
-//! | where | the scan reads | taken | because |
+//! | where | reads | taken | because |
 //! |---|---|---|---|
-//! | stiffness, rear, category 2, G | 1074 | 1874 | A²/2B = 1864 |
-//! | class 2, track | 34.6 | 54.6 | between those of its neighbours |
-//! | class 2, width | 61.2 | 67.2 | twice the half width y_s = 33.6 |
-//! | class 4, CG to front axle | 54.1 or 54.7 | 54.7 | not decided |
-//! | classes 5 and 6, width | 79.0 | 79.0 | twice the half width y_s = 39.9 would be 79.8 |
+//! | stiffness, rear, category 2, G | 1074 | 1874 | G = A²/2B holds within 2 % in every row, and gives 1864 |
+//! | class 2, track | 34.6 | 54.6 | the tracks grow from class to class |
+//! | class 2, width | 61.2 | 67.2 | the width is twice the half width y_s = 33.6 |
+//! | class 4, CG to front axle | 54.1 or 54.7 | 54.7 | only the wheelbase depends on it: 113.3 or 113.9 |
+//!
+//! The widths of classes 5 and 6 are as printed; twice their half widths would be 0.8 in more.
 
 use real::Real;
 
@@ -50,8 +52,7 @@ const SIDE: Categories = [
 ];
 
 impl<T: Real> Stiffness<T> {
-    /// CRASH3's stiffness category of a side: A, B and a G of its own. [`DoubtfulDigit::of_category`] has the
-    /// one number in doubt.
+    /// CRASH3's stiffness category of a side: A, B and a G of its own.
     ///
     /// # References
     /// SAE 870045, Table 1.
@@ -73,31 +74,6 @@ impl<T: Real> Stiffness<T> {
             T::from(b * POUND_FORCE / (INCH * INCH)),
             T::from(g * POUND_FORCE),
         )
-    }
-}
-
-/// A number of a table that was read from a poor scan, all in pounds-force.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DoubtfulDigit {
-    /// What the scan reads.
-    pub scanned: f64,
-    /// What is taken.
-    pub taken: f64,
-    /// A²/2B of the same row, which tells the two apart.
-    pub expected: f64,
-}
-
-impl DoubtfulDigit {
-    /// What is in doubt of G of a stiffness category: that of category 2, rear, alone.
-    ///
-    /// # References
-    /// SAE 870045, Table 1.
-    #[must_use]
-    pub fn of_category(side: Side, category: u8) -> Option<Self> {
-        let [_, [a, b, g], ..] = REAR;
-        // A²/2B
-        let expected = a * a / (2.0 * b);
-        (side == Side::Rear && category == 2).then_some(Self { scanned: 1074.0, taken: g, expected })
     }
 }
 
@@ -152,8 +128,7 @@ pub struct VehicleClass {
 }
 
 impl VehicleClass {
-    /// Class 1 to 6. Some digits are doubtful: widths of classes 2, 5 and 6, track of class 2, front axle of
-    /// class 4 (so its wheelbase).
+    /// Class 1 to 6.
     ///
     /// # References
     /// SAE 870045, Table 2.
@@ -195,4 +170,27 @@ pub fn yaw_inertia_burg<T: Real>(mass: T, wheelbase: T, length: T) -> Result<T, 
     error::positive("length", length.value())?;
     // I = 0.1269 × mass × wheelbase × length
     Ok(mass * wheelbase * length * BURG)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CLASSES, FRONT, REAR, SIDE};
+
+    /// The relations by which unclear digits were settled, in every row.
+    #[test]
+    fn the_numbers_of_the_tables_fit_each_other() {
+        for [a, b, g] in [FRONT, REAR, SIDE].into_iter().flatten() {
+            // G = A²/2B
+            assert!((a * a / (2.0 * b) / g - 1.0).abs() < 0.02, "{a} {b} {g}");
+        }
+        // SAE 870045, Table 2: the half widths y_s, in.
+        for (row, half_width) in CLASSES.iter().zip([30.4, 33.6, 36.3, 38.5, 39.9, 39.9]) {
+            assert!((row.width - 2.0 * half_width).abs() < 0.81, "{}", row.width);
+        }
+        // And the distances from the CG to the rear end, x_r, in.
+        for (row, to_rear) in CLASSES.iter().zip([83.8, 91.6, 106.4, 114.0, 121.9, 125.2]) {
+            assert!((row.length - row.cg_to_front - to_rear).abs() < 0.051, "{}", row.length);
+        }
+        assert!(CLASSES.windows(2).all(|pair| pair[0].track < pair[1].track));
+    }
 }

@@ -4,7 +4,7 @@
 use analysis::Assumption;
 use case::{
     BrachTangential, Case, Dimension, Fit, ImpactLaw, Input, KnownEnergy, Pdof, Range, Spread, StiffnessForm,
-    StiffnessSource, UNDAMAGED, Unit, UnitSystem, word,
+    UNDAMAGED, Unit, UnitSystem, word,
 };
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
@@ -157,13 +157,11 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
             "z-up: y to the left of x, angles and yaw rates counter-clockwise positive".to_owned()
         }
         Assumption::CategoryStiffness { category, side, abg: [a, b, g], .. } => format!(
-            "A = {}, B = {}, G = {}: category {category} of CRASH3's table, {}{}",
+            "A = {}, B = {}, G = {}: category {category} of CRASH3's table, {}",
             units.format(Measure::StiffnessA, *a),
             units.format(Measure::StiffnessB, *b),
             units.format(Measure::StiffnessG, *g),
-            words::side_name(*side),
-            words::stiffness_doubt(StiffnessSource::Category(*category), *side)
-                .map_or_else(String::new, |doubt| format!("; {doubt}"))
+            words::side_name(*side)
         ),
         Assumption::YawRate { .. } => "0: the vehicle does not turn before the impact".to_owned(),
         Assumption::ClassInertia { class, yaw_inertia, .. } => format!(

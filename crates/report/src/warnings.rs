@@ -146,8 +146,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 ));
             }
             format!(
-                "vehicle {vehicle} has typical values of CRASH3's size class {class} (SAE 870045, from a \
-                 poor scan): {}",
+                "vehicle {vehicle} has typical values of CRASH3's size class {class} (SAE 870045): {}",
                 assumed.join("; ")
             )
         }

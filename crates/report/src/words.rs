@@ -6,7 +6,7 @@ use std::path::Path;
 
 use analysis::Vehicle;
 use case::{Case, ENERGY_BASES, Fit, Kind, Program, SIDES, StiffnessSource, Text, UNKNOWNS, word};
-use crash3::{DoubtfulDigit, EnergyBasis, Side};
+use crash3::{EnergyBasis, Side};
 use pim_core::Regime;
 use reconcile::Unknown;
 
@@ -87,22 +87,6 @@ pub(crate) fn stiffness_source(source: StiffnessSource, side: Side) -> String {
         StiffnessSource::Test(Fit::Mean) => "barrier test, mean crush".to_owned(),
         StiffnessSource::Zones => "zone by zone as given".to_owned(),
     }
-}
-
-/// What is in doubt of a stiffness from a table.
-pub(crate) fn stiffness_doubt(source: StiffnessSource, side: Side) -> Option<String> {
-    let StiffnessSource::Category(category) = source else { return None };
-    let DoubtfulDigit { scanned, taken, expected } = DoubtfulDigit::of_category(side, category)?;
-    let side = side_name(side);
-    Some(format!(
-        "G of category {category}, {side}, is in doubt: the scan of the table reads {scanned} lb; {taken} lb is taken, as A²/2B = {expected:.0} lb asks"
-    ))
-}
-
-/// The same with what is in doubt of it, where there is room.
-pub(crate) fn stiffness_source_and_doubt(source: StiffnessSource, side: Side) -> String {
-    let doubt = stiffness_doubt(source, side).map_or_else(String::new, |doubt| format!("; {doubt}"));
-    stiffness_source(source, side) + &doubt
 }
 
 /// The value of the JSON key `regime`.

@@ -309,7 +309,7 @@ fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
             .subject
             .damage
             .as_ref()
-            .map(|given| words::stiffness_source_and_doubt(given.stiffness_source, given.side)),
+            .map(|given| words::stiffness_source(given.stiffness_source, given.side)),
         crush_source: words::crush_source(of),
         crush_energy: of.crush_energy(),
         crush_energy_bounds: damage

@@ -390,7 +390,7 @@ fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String
         if let Some(damage) = &vehicle.subject.damage {
             assumptions.push(format!(
                 "Stiffness of vehicle {id}: {}.",
-                words::stiffness_source_and_doubt(damage.stiffness_source, damage.side)
+                words::stiffness_source(damage.stiffness_source, damage.side)
             ));
         }
         if let Some(energy) = vehicle.subject.energy {

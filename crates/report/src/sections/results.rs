@@ -283,13 +283,6 @@ impl Page {
             });
             table.pair(label, uniform, "");
         }
-        let doubt = analysis.vehicles.iter().find_map(|vehicle| {
-            let damage = vehicle.subject.damage.as_ref()?;
-            words::stiffness_doubt(damage.stiffness_source, damage.side)
-        });
-        if let Some(doubt) = doubt {
-            table.notes.push(format!("{doubt}."));
-        }
         for (id, damage) in VehicleId::ALL.into_iter().zip(damage) {
             let Some(SideStiffness::Zones(zones)) = damage.map(|damage| &damage.structure) else { continue };
             for (label, quantity, of) in coefficients {

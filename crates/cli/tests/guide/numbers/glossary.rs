@@ -95,7 +95,17 @@ fn damage(ledger: &mut Ledger) {
     ledger.made(format!("factor … {} in d1 … {} in", number(inches, 0), number(inches * inches, 0)));
     let [least, most] = bounds("category");
     ledger.made(format!("{least} … {most} … CRASH3's … table"));
-    ledger.cited("870045 … Table … 1 … 2", "the place of the table");
+    ledger.cited("870045 … Table … 1", "the place of the table");
+    let inches = |class: u8| number(VehicleClass::new(class).unwrap().wheelbase / FOOT * 12.0, 0);
+    for (category, name) in [
+        (1, "minicar"),
+        (2, "subcompact"),
+        (3, "compact"),
+        (4, "intermediate car"),
+        (5, "full-size or large car"),
+    ] {
+        ledger.made(format!("{category} … {name} ({} in", inches(category)));
+    }
     ledger.cited("categories … 1970s", "the age of the crash tests behind CRASH3's table");
     ledger.cited("usually … 5 … 10 km/h", "a rule of thumb of those who evaluate barrier tests");
     let ratio = number(limit("force-balance"), 0);
@@ -229,7 +239,9 @@ fn warnings(ledger: &mut Ledger) {
     };
     ledger.made(format!("{} cm … outside", number(100.0 * threshold(0.3, 0.0, outside), 0)));
     ledger.made(format!("differs … {}°", pdof_difference()));
-    ledger.cited("good … 10° … 15°", "half an hour of the clock, or somewhat less");
+    ledger.cited("good … 10°", "somewhat less than half an hour of the clock");
+    ledger.made(format!("hour of the clock by more … {:.0}°", (clock(2) - clock(1)) / 2.0));
+    ledger.made(format!("more than … {:.0}° for each", (clock(2) - clock(1)) / 2.0));
     let opposite = degrees(opposite_limit());
     ledger.made(format!("opposite … ({opposite}°)"));
     ledger.made(format!("{opposite}° … opposite"));
