@@ -156,7 +156,8 @@ fn vehicle<T: Real>(
         return Ok(Vehicle { subject, damage: None, energy });
     };
     let pdof = given.pdof.or(computed_pdof);
-    // A case of two vehicles that gives no PDOF gives the angle and the arm themselves: its demands see to that.
+    // A case of two vehicles that gives no PDOF gives the angle and the arm themselves: its demands see to
+    // that.
     let known_angle = given.oblique_angle.or(pdof.map(|pdof| given.side.oblique_angle(pdof)));
     let oblique_angle = known_angle.unwrap_or(T::ZERO);
     let (profile, structure, inferred) = match &given.evidence {

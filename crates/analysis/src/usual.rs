@@ -48,8 +48,8 @@ const CAR: Usual = Usual {
     // With more, not much is left of the front of a car, or of its compartment.
     depth: 1.5,
     damage_width: [2.6, 6.0],
-    // 1 mph: a car that parks leaves no damage. 15 mph: over the width of the face, CRASH3's categories have 3
-    // to 11 mph, but for the rear of category 4 (16 mph).
+    // 1 mph: a car that parks leaves no damage. 15 mph: over the width of the face, CRASH3's categories have
+    // 3 to 11 mph, but for the rear of category 4 (16 mph).
     no_damage_speed: Some([0.447_04, 15.0 * 0.447_04]),
 };
 

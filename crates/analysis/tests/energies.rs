@@ -99,8 +99,8 @@ fn a_lorry_without_damage_raises_no_warning() {
     assert_eq!(analysis.warnings, []);
 }
 
-/// 60 in of 8, 12, 14 and 10 in with A = 300 lb/in, B = 50 lb/in² and G = 900 lb: 300 · 700 + 50 · 4160 + 900 ·
-/// 60 = 472,000 lb·in, and EES = √(2 · 39,333 ft·lb · 32.174 ft/s² / 3200 lb) = 28.124 ft/s.
+/// 60 in of 8, 12, 14 and 10 in with A = 300 lb/in, B = 50 lb/in² and G = 900 lb: 300 · 700 + 50 · 4160 + 900
+/// · 60 = 472,000 lb·in, and EES = √(2 · 39,333 ft·lb · 32.174 ft/s² / 3200 lb) = 28.124 ft/s.
 #[test]
 fn one_vehicle_alone_has_an_energy() {
     let text = include_str!("../../../fixtures/one-vehicle.toml");

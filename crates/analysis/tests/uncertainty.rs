@@ -310,8 +310,8 @@ fn with_categories(first: i32, second: i32) -> f64 {
     reconstruct(&read(&text)).unwrap().found.unwrap().speed
 }
 
-/// Whoever chooses a category may be off by one, for either vehicle or both. An interval that does not contain
-/// those answers claims more than anybody knows.
+/// Whoever chooses a category may be off by one, for either vehicle or both. An interval that does not
+/// contain those answers claims more than anybody knows.
 #[test]
 fn the_interval_of_a_case_from_tables_contains_the_answers_of_the_neighbouring_categories() {
     let result = run(CATEGORIES, 20_000);
@@ -326,8 +326,8 @@ fn the_interval_of_a_case_from_tables_contains_the_answers_of_the_neighbouring_c
     }
 }
 
-/// The case with A, B, G and k of both vehicles written out, each vehicle with a factor on A and one on k. The
-/// numbers are those of SAE 870045, Tables 1 and 2.
+/// The case with A, B, G and k of both vehicles written out, each vehicle with a factor on A and one on k.
+/// The numbers are those of SAE 870045, Tables 1 and 2.
 fn written_out([a1, k1, a2, k2]: [f64; 4]) -> String {
     let stiffness = |[a, b, g]: [f64; 3], factor: f64| {
         // ln A and ln B are normal with 0.38 and 0.59, and of the same z.
@@ -446,8 +446,8 @@ fn a_case_without_a_range_has_the_spread_of_its_estimates() {
     assert_eq!(paths(&forward), ["vehicle1.yaw_radius.factor", "vehicle2.yaw_radius.factor"]);
 }
 
-/// Every number of the T-bone but the one range, and what is estimated; nothing that has no part in the answer,
-/// such as an outline.
+/// Every number of the T-bone but the one range, and what is estimated; nothing that has no part in the
+/// answer, such as an outline.
 #[test]
 fn what_has_no_range_is_taken_as_exact() {
     let outline = CATEGORIES.replace(
@@ -586,8 +586,8 @@ fn a_shared_error_is_added_to_each_of_its_numbers() {
     assert!(cut > 10, "{cut}");
 }
 
-/// A percentage multiplies: the energy of depths alone (A = G = 0) goes with their square, and the closing speed
-/// of a head-on collision with its root.
+/// A percentage multiplies: the energy of depths alone (A = G = 0) goes with their square, and the closing
+/// speed of a head-on collision with its root.
 #[test]
 fn a_shared_percentage_multiplies_each_of_its_numbers() {
     let text = TAPE

@@ -15,8 +15,8 @@ use spelling::{Pound, is_pound_a_force, is_spelled, normalise};
 
 /// The unit of `dimension` that a text names, if it has one.
 ///
-/// Forgives what does not change the meaning: `·`, `*` and `-` between units, `²`, `√`, spelled-out words, and
-/// capitals, but for the letter m, which says mega or milli outside of speeds.
+/// Forgives what does not change the meaning: `·`, `*` and `-` between units, `²`, `√`, spelled-out words,
+/// and capitals, but for the letter m, which says mega or milli outside of speeds.
 ///
 /// ```
 /// use case::{Dimension, Unit, read_unit};

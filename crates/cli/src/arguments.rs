@@ -476,8 +476,8 @@ pub(crate) struct UncertaintyArguments {
     #[arg(long, value_name = "ROWS", num_args = 0..=1, require_equals = true, default_missing_value = "4096", value_parser = rows)]
     pub(crate) sobol: Option<usize>,
 
-    /// Also write every sample and its inputs to FILE as CSV (SI units and radians), of one case; a .toml file
-    /// is not overwritten
+    /// Also write every sample and its inputs to FILE as CSV (SI units and radians), of one case; a .toml
+    /// file is not overwritten
     #[arg(long, value_name = "FILE")]
     pub(crate) samples_out: Option<PathBuf>,
 

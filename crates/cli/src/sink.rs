@@ -39,7 +39,8 @@ impl Sink {
         };
         let file = beside(&place)?;
         if place.exists() {
-            // A file that is not to be written to is not replaced either, and the new one has its permissions.
+            // A file that is not to be written to is not replaced either, and the new one has its
+            // permissions.
             let old = OpenOptions::new().write(true).open(&place)?;
             file.as_file().set_permissions(old.metadata()?.permissions())?;
         }

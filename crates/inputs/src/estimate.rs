@@ -85,8 +85,8 @@ pub(crate) fn scaled<T: Real>(
     Stiffness::from_abg(a, b, g).map(SideStiffness::Uniform)
 }
 
-/// Where the yaw inertia of a vehicle comes from: what is given takes precedence over the class, and that over
-/// Burg's formula. `None` where nothing tells it.
+/// Where the yaw inertia of a vehicle comes from: what is given takes precedence over the class, and that
+/// over Burg's formula. `None` where nothing tells it.
 pub(crate) fn yaw_source<T>(vehicle: &GivenVehicle<T>) -> Option<YawSource> {
     let has_length = vehicle.outline.is_some() || vehicle.length.is_some();
     match (&vehicle.yaw, vehicle.class) {
@@ -97,8 +97,8 @@ pub(crate) fn yaw_source<T>(vehicle: &GivenVehicle<T>) -> Option<YawSource> {
 }
 
 impl<T> Case<T> {
-    /// Whether the stiffness of each vehicle comes from a category, and its radius of gyration from a class or
-    /// a formula.
+    /// Whether the stiffness of each vehicle comes from a category, and its radius of gyration from a class
+    /// or a formula.
     #[must_use]
     pub fn estimates(&self) -> Vec<Estimate> {
         let of = |vehicle: VehicleId| {

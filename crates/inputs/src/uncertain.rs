@@ -16,9 +16,9 @@ pub struct GivenUncertainty {
     pub shared: Vec<SharedError>,
 }
 
-/// An error that several numbers share, such as that of a tape with which all of them were measured. Each sample
-/// draws it once: it is added to each of the numbers or, as a percentage, multiplies them, on top of what the
-/// range of a number does.
+/// An error that several numbers share, such as that of a tape with which all of them were measured. Each
+/// sample draws it once: it is added to each of the numbers or, as a percentage, multiplies them, on top of
+/// what the range of a number does.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SharedError {
     /// Its name.
@@ -110,8 +110,8 @@ impl SharedEffects {
         self.effects.iter().any(|effect| effect.number == place)
     }
 
-    /// Applies the errors to the numbers, which are in the order of [`Case::variables`]. A depth that an error
-    /// takes below zero is zero.
+    /// Applies the errors to the numbers, which are in the order of [`Case::variables`]. A depth that an
+    /// error takes below zero is zero.
     pub fn apply<T: Real>(&self, numbers: &mut [T]) {
         for effect in &self.effects {
             let (Some(error), Some(number)) = (numbers.get(effect.error), numbers.get(effect.number)) else {
@@ -130,8 +130,8 @@ impl SharedEffects {
 }
 
 impl Case {
-    /// The case with other numbers, which are in the order of [`variables`](Self::variables), after the errors
-    /// that they share.
+    /// The case with other numbers, which are in the order of [`variables`](Self::variables), after the
+    /// errors that they share.
     #[must_use]
     pub fn with_numbers<T: Real>(&self, mut numbers: Vec<T>) -> Case<T> {
         SharedEffects::of(self).apply(&mut numbers);

@@ -33,8 +33,8 @@ pub enum Origin {
     Given,
     /// It is the factor of an estimate: 1, unless it is varied.
     Estimate(Estimate),
-    /// It is the error, by its place among those that numbers of the case share: 0 in its unit or, where it is a
-    /// percentage, the factor 1, unless it is varied.
+    /// It is the error, by its place among those that numbers of the case share: 0 in its unit or, where it
+    /// is a percentage, the factor 1, unless it is varied.
     Shared(usize),
 }
 

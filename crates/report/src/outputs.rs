@@ -32,7 +32,8 @@ pub(crate) fn method_name(method: SamplingMethod) -> &'static str {
     }
 }
 
-/// What a reader calls a number that may vary: the path of what the file gives, and words for what it does not.
+/// What a reader calls a number that may vary: the path of what the file gives, and words for what it does
+/// not.
 pub(crate) fn input_name(input: &Input) -> String {
     match input.origin {
         Origin::Given => input.path.clone(),

@@ -4,8 +4,8 @@
 //! All numbers of a substitution are in coherent units of the reader, SI or ft, lb, s and slug, and in
 //! degrees, but for those of the file that it converts, and in the axes of the case: the equations hold in
 //! either handedness. The result is repeated as the other tables of the report have it. A number that is not
-//! exact is printed with at least six significant digits, one with five or fewer is exact; each printed result
-//! follows from the printed numbers within their rounding.
+//! exact is printed with at least six significant digits, one with five or fewer is exact; each printed
+//! result follows from the printed numbers within their rounding.
 
 mod collision;
 mod crash3;

@@ -49,8 +49,8 @@ fn uniform_and_triangular_quantiles_and_moments() {
     assert_eq!((falling.quantile(0.75), falling.quantile(0.0)), (1.0, 0.0));
 }
 
-/// Against an integration of the density by the midpoint rule, which uses neither a formula of the moments nor
-/// the inverse of the normal distribution.
+/// Against an integration of the density by the midpoint rule, which uses neither a formula of the moments
+/// nor the inverse of the normal distribution.
 #[test]
 fn log_normal_quantiles_and_moments() {
     for (median, ln_sd) in [(1.0, 0.38), (2.5, 0.59), (0.1, 0.05)] {

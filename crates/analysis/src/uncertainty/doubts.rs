@@ -8,8 +8,8 @@ use crate::sensitivity::{Output, at};
 use crate::thresholds::{FAST_CLOSING, HIGH_RESTITUTION};
 use crate::usual::Usual;
 
-/// Samples in which [`Doubt::SeveralSpeeds`] is looked for, the first ones: all speeds of a sample take longer
-/// than its answer.
+/// Samples in which [`Doubt::SeveralSpeeds`] is looked for, the first ones: all speeds of a sample take
+/// longer than its answer.
 const SEARCHED: usize = 4096;
 
 /// Why a sample that has an answer is doubtful. A single case has the warning of [`code`](Self::code).
@@ -90,8 +90,8 @@ impl Watched {
     }
 }
 
-/// Counts the doubtful among the samples that have an answer. The counts are the same for any number of threads,
-/// as they come from the samples alone.
+/// Counts the doubtful among the samples that have an answer. The counts are the same for any number of
+/// threads, as they come from the samples alone.
 pub(super) fn doubtful(
     sample: &Sample<'_>,
     inputs: &[UncertainInput],

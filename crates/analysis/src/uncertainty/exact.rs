@@ -25,8 +25,8 @@ pub enum ExactValue {
     Word(&'static str),
 }
 
-/// Every number of a case that is neither among the uncertain `inputs`, nor has an error that it shares, nor is without any part in the results, by
-/// the derivatives of these; the numbers of a list together.
+/// Every number of a case that is neither among the uncertain `inputs`, nor has an error that it shares, nor
+/// is without any part in the results, by the derivatives of these; the numbers of a list together.
 pub(super) fn taken_as_exact(
     case: &Case,
     inputs: &[UncertainInput],

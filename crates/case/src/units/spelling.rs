@@ -105,8 +105,8 @@ pub(super) fn is_spelled(known: &str, written: &str, dimension: Dimension) -> bo
     known.len() == written.len() && known.bytes().zip(written.bytes()).all(is_same)
 }
 
-/// Whether a letter of a short form means the same as a capital: m is milli and M is mega, but not in a speed,
-/// where kn is the knot and kN would be a force.
+/// Whether a letter of a short form means the same as a capital: m is milli and M is mega, but not in a
+/// speed, where kn is the knot and kN would be a force.
 pub(super) fn is_free(letter: char, form: &str, dimension: Dimension) -> bool {
     letter.is_ascii_alphabetic()
         && form != "kn"

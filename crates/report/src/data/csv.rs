@@ -74,8 +74,8 @@ pub enum CsvStyle {
     /// Commas between the columns, and a decimal point (RFC 4180).
     #[default]
     International,
-    /// Semicolons between the columns, a decimal comma, and a byte order mark, without which spreadsheets take
-    /// UTF-8 for another encoding.
+    /// Semicolons between the columns, a decimal comma, and a byte order mark, without which spreadsheets
+    /// take UTF-8 for another encoding.
     European,
 }
 
@@ -331,14 +331,15 @@ impl Csv {
         Ok(self.style.beginning().to_owned() + &self.line(&self.columns())?)
     }
 
-    /// The line of a file under the [`header`](Self::header), or one for each law: RFC 4180, but for the plain
-    /// line feed at its end. SI units and radians, or US units with speeds in mph and degrees. Each number is
-    /// the shortest that reads back as the same; there is nothing where there is no value.
+    /// The line of a file under the [`header`](Self::header), or one for each law: RFC 4180, but for the
+    /// plain line feed at its end. SI units and radians, or US units with speeds in mph and degrees. Each
+    /// number is the shortest that reads back as the same; there is nothing where there is no value.
     ///
-    /// A spreadsheet runs a cell that begins with `=`, `+`, `-`, `@`, one of their full-width forms, tab, line
-    /// feed or carriage return as a formula, and titles and names come from whoever wrote the file. Such a
-    /// text, never a number, has an apostrophe before it: the spreadsheet shows a text, and a program takes the
-    /// apostrophe away. Control characters are [shown](case::shown). [`jsonl_row`] has all texts as they are.
+    /// A spreadsheet runs a cell that begins with `=`, `+`, `-`, `@`, one of their full-width forms, tab,
+    /// line feed or carriage return as a formula, and titles and names come from whoever wrote the file. Such
+    /// a text, never a number, has an apostrophe before it: the spreadsheet shows a text, and a program takes
+    /// the apostrophe away. Control characters are [shown](case::shown). [`jsonl_row`] has all texts as they
+    /// are.
     ///
     /// # Errors
     /// [`RowError`], which no answer causes.
@@ -418,9 +419,9 @@ fn codes(value: &Value) -> String {
     codes.collect::<Vec<_>>().join(" ")
 }
 
-/// One JSON document on one line: what [`json`](crate::json()), [`comparison_json`](crate::comparison_json) or
-/// [`uncertainty_json`](crate::uncertainty_json) gives, with the `file` before all else; or `file`, `error`
-/// and, where there is more to say, `help`.
+/// One JSON document on one line: what [`json`](crate::json()), [`comparison_json`](crate::comparison_json)
+/// or [`uncertainty_json`](crate::uncertainty_json) gives, with the `file` before all else; or `file`,
+/// `error` and, where there is more to say, `help`.
 ///
 /// # Errors
 /// [`RowError`], which no answer causes.
