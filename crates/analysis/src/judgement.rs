@@ -269,9 +269,7 @@ fn of_vehicles(
     let assessed = damage::assess(subjects.clone(), [None, None]);
     let mut vehicles =
         assessed.unwrap_or_else(|_| subjects.map(|subject| Vehicle { subject, damage: None, energy: None }));
-    if speeds.is_some() {
-        warning::of_outlines(&vehicles, warnings);
-    }
+    warning::of_outlines(&vehicles, warnings);
     warning::of_case(case, warnings);
     warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), None, warnings);
     warning::of_assumptions(&vehicles, warnings);

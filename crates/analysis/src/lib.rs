@@ -390,8 +390,8 @@ fn judged(
     let checks = checks::checks(&vehicles, case.headings(), energy, impact.as_ref());
     if let Some(impact) = &impact {
         warning::of_impact(impact, &mut warnings);
-        warning::of_outlines(&vehicles, &mut warnings);
     }
+    warning::of_outlines(&vehicles, &mut warnings);
     let speeds = impact.as_ref().map(|impact| impact.outcome.before.map(|motion| motion.velocity.norm()));
     warning::of_case(case, &mut warnings);
     let sought = found.as_ref().map(|found| found.unknown.vehicle());

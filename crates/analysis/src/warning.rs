@@ -19,6 +19,12 @@ const OUTLINE_TOLERANCE: f64 = 0.05;
 /// (m) where a damage ends is a judgement, as it fades out into induced damage: it is hardly known better
 /// than to this.
 const END_TOLERANCE: f64 = 0.1;
+/// (m) how far the contact point may be behind the deepest crush of front or rear: the points of the staged
+/// collisions lie up to 0.51 m behind it (RICSAC 10).
+const END_DEPTH_TOLERANCE: f64 = 0.6;
+/// (m) the same of a side, on which none of those points lies behind it: during the impact the crush was
+/// deeper than what remains of it, and the place of C is a judgement.
+const SIDE_DEPTH_TOLERANCE: f64 = 0.3;
 /// Friction takes energy. Ratios that were fitted to the staged collisions RICSAC 3 and 5 add 1.5 and 1.7 %
 /// of the energy loss, which is what measurement leaves; as much as this moves the speed by 1 %.
 const DRIVING_SHARE: f64 = 0.02;
@@ -251,6 +257,15 @@ pub enum Warning {
         /// (m) how far beyond the CG or the vehicle's axis.
         distance: f64,
     },
+    /// The contact point lies deeper in the vehicle than the damage reaches.
+    ContactDepth {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// The damaged side.
+        side: Side,
+        /// (m) how far behind the deepest crush, seen from the damaged side.
+        distance: f64,
+    },
     /// The damage reaches beyond the end of the damaged side.
     DamageOutside {
         /// Which vehicle.
@@ -388,7 +403,7 @@ pub enum Magnitude {
 
 impl Warning {
     /// Every warning code.
-    pub const CODES: [&'static str; 31] = [
+    pub const CODES: [&'static str; 32] = [
         "crush-plane",
         "contact-outside",
         "high-restitution",
@@ -413,6 +428,7 @@ impl Warning {
         "near-jump",
         "contact-off-damage",
         "contact-other-half",
+        "contact-depth",
         "damage-outside",
         "implausible",
         "high-no-damage-speed",
@@ -450,6 +466,7 @@ impl Warning {
             Self::NearJump { .. } => "near-jump",
             Self::ContactOffDamage { .. } => "contact-off-damage",
             Self::ContactOtherHalf { .. } => "contact-other-half",
+            Self::ContactDepth { .. } => "contact-depth",
             Self::DamageOutside { .. } => "damage-outside",
             Self::Implausible { .. } => "implausible",
             Self::HighNoDamageSpeed { .. } => "high-no-damage-speed",
@@ -477,6 +494,7 @@ impl Warning {
             | Self::GivenSpeedUnused { vehicle, .. }
             | Self::ContactOffDamage { vehicle, .. }
             | Self::ContactOtherHalf { vehicle, .. }
+            | Self::ContactDepth { vehicle, .. }
             | Self::DamageOutside { vehicle, .. }
             | Self::Implausible { vehicle, .. }
             | Self::HighNoDamageSpeed { vehicle, .. }
@@ -775,16 +793,40 @@ fn of_stiffness(
     }
 }
 
-/// Of a contact point on the half of the vehicle away from the damaged side.
-fn of_half(vehicle: VehicleId, [forward, left]: [f64; 2], side: Side, warnings: &mut Vec<Warning>) {
-    let outward = match side {
+/// (m) how far a point lies from the CG towards a side.
+fn outward([forward, left]: [f64; 2], side: Side) -> f64 {
+    match side {
         Side::Front => forward,
         Side::Rear => -forward,
         Side::Left => left,
         Side::Right => -left,
-    };
+    }
+}
+
+/// Of a contact point on the half of the vehicle away from the damaged side.
+fn of_half(vehicle: VehicleId, contact: [f64; 2], side: Side, warnings: &mut Vec<Warning>) {
+    let outward = outward(contact, side);
     if outward < -END_TOLERANCE {
         warnings.push(Warning::ContactOtherHalf { vehicle, side, distance: -outward });
+    }
+}
+
+/// Of a contact point deeper in the vehicle than the measured crush reaches.
+fn of_depth(vehicle: VehicleId, of: &Vehicle, damage: &Damage, side: Side, warnings: &mut Vec<Warning>) {
+    let (Some(contact), Some(outline), None) = (of.subject.contact, of.subject.dimensions, damage.inferred)
+    else {
+        return;
+    };
+    let outward = outward(contact, side);
+    let deepest = damage.depths.iter().copied().fold(0.0, f64::max);
+    let distance = outline.face(side) - deepest - outward;
+    let tolerance = match side {
+        Side::Front | Side::Rear => END_DEPTH_TOLERANCE,
+        Side::Left | Side::Right => SIDE_DEPTH_TOLERANCE,
+    };
+    // On the other half it has a warning already.
+    if distance > tolerance && outward >= -END_TOLERANCE {
+        warnings.push(Warning::ContactDepth { vehicle, side, distance });
     }
 }
 
@@ -800,6 +842,7 @@ fn of_places(
     let is_end = matches!(side, Side::Front | Side::Rear);
     if let Some(contact) = vehicle.subject.contact {
         of_half(id, contact, side, warnings);
+        of_depth(id, vehicle, damage, side, warnings);
     }
     // A width that is not known, or a damage of which the place is not, has no ends.
     let has_width = damage.inferred.is_none_or(|inferred| inferred.range.is_none());

@@ -307,6 +307,98 @@ fn a_contact_point_on_the_other_half() {
     }
 }
 
+/// The outline reaches 2 m forward, 2.5 m back and 0.9 m to each side, the crush 0.2 to 0.3 m into it. On
+/// front and rear 60 cm behind the deepest are allowed, on the sides 30 cm; the other half has a warning of
+/// its own from 10 cm on.
+#[test]
+fn a_contact_point_behind_the_damage() {
+    for (axes, left) in [("z-up", 1.0), ("z-down", -1.0)] {
+        for car in VehicleId::ALL {
+            for (name, side, face, limit, outward) in [
+                ("front", Side::Front, 2.0, 0.6, [1.0, 0.0]),
+                ("rear", Side::Rear, 2.5, 0.6, [-1.0, 0.0]),
+                ("left", Side::Left, 0.9, 0.3, [0.0, left]),
+                ("right", Side::Right, 0.9, 0.3, [0.0, -left]),
+            ] {
+                let at = |forward: f64, aside: f64, of_car: &str| {
+                    let contact = format!("contact = {{ x = \"{forward} m\", y = \"{aside} m\" }}\n{of_car}");
+                    let text = damaged(car, &contact, name, 1.2, "0.2 0.3 0.25", SOFT);
+                    raised(analysis::crush, &format!("[scene]\naxes = \"{axes}\"\n{text}"), "contact-depth")
+                };
+                for (behind, expected) in [
+                    (-0.5, false),
+                    (limit - 0.001, false),
+                    (limit + 0.001, true),
+                    (face - 0.3, true),
+                    (face - 0.3 + 0.099, true),
+                    (face - 0.3 + 0.101, false),
+                ] {
+                    // The place along the side does not count.
+                    for along in [-0.4, 0.0, 0.4] {
+                        let [x, y] = outward.map(|share: f64| {
+                            share * (face - 0.3 - behind) + if share == 0.0 { along } else { 0.0 }
+                        });
+                        match (&at(x, y, OUTLINE)[..], expected) {
+                            ([], false) => {}
+                            ([Warning::ContactDepth { vehicle, side: named, distance }], true) => {
+                                assert_eq!((*vehicle, *named), (car, side));
+                                assert_close(*distance, behind, 1e-12);
+                            }
+                            (found, _) => panic!("{axes} {name} {behind}: {found:?}"),
+                        }
+                    }
+                }
+                // Without an outline nobody knows where the side is.
+                let [x, y] = outward.map(|share| share * 0.2);
+                assert_eq!(at(x, y, ""), []);
+                // The outline of a class will do: class 1 has its front 76.0 in from the CG, its rear 83.8 in and
+                // its sides 30.4 in, so that these are 0.27 m from it.
+                assert_eq!(at(x, y, "class = 1\n").len(), usize::from(face > 0.9), "{name}");
+            }
+        }
+    }
+}
+
+/// A front 99 in ahead of the CG with a crush of at most 14.5 in, so that the deepest is 84.5 in ahead.
+#[test]
+fn a_contact_point_measured_from_the_bumper() {
+    const OUTLINE: &str = "length = \"200 in\"\nwidth = \"72 in\"\ncg_to_front = \"99 in\"\n";
+    for (forward, behind) in [
+        (84.5, None),
+        (78.0, None),
+        (60.0, Some(24.5)),
+        (40.0, Some(44.5)),
+        (20.0, Some(64.5)),
+        (5.0, Some(79.5)),
+    ] {
+        let of_car = format!("{OUTLINE}contact = {{ x = \"{forward} in\", y = \"2 in\" }}\n");
+        let depths = [3.0, 6.5, 8.8, 10.0, 11.2, 14.5].map(|inches| (inches * 0.0254).to_string()).join(" ");
+        let text = damaged(VehicleId::One, &of_car, "front", 1.5, &depths, SOFT);
+        match (&raised(analysis::crush, &text, "contact-depth")[..], behind) {
+            ([], None) => {}
+            ([Warning::ContactDepth { distance, .. }], Some(behind)) => {
+                assert_close(*distance, behind * 0.0254, 1e-12);
+            }
+            (found, _) => panic!("{forward} in: {found:?}"),
+        }
+    }
+}
+
+/// In front of the face by more than 5 cm, a point lies outside of the outline, which damage alone tells too.
+#[test]
+fn a_contact_point_in_front_of_the_damage() {
+    for (name, contact) in
+        [("front", [2.0, 0.0]), ("rear", [-2.5, 0.0]), ("left", [0.0, 0.9]), ("right", [0.0, -0.9])]
+    {
+        for (ahead, expected) in [(0.049_f64, 0), (0.051, 1)] {
+            let [x, y] = contact.map(|at: f64| if at == 0.0 { at } else { at + ahead.copysign(at) });
+            let of_car = format!("{OUTLINE}contact = {{ x = \"{x} m\", y = \"{y} m\" }}\n");
+            let text = damaged(VehicleId::One, &of_car, name, 1.2, "0.3 0.3", SOFT);
+            assert_eq!(raised(analysis::crush, &text, "contact-outside").len(), expected, "{name}");
+        }
+    }
+}
+
 /// The outline reaches 0.9 m to each side, 2 m forward and 2.5 m back; 10 cm beyond are allowed.
 #[test]
 fn a_damage_beyond_the_outline() {

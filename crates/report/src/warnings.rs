@@ -307,6 +307,16 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 Side::Front | Side::Rear => "",
             }
         ),
+        Warning::ContactDepth { vehicle, side, distance } => format!(
+            "the contact point of vehicle {vehicle} lies {} behind the deepest crush of its {}; `contact` is measured from the centre of gravity, so \
+             check its unit, and that it is not measured from the {}",
+            units.format(Measure::Crush, *distance),
+            side_name(*side),
+            match side {
+                Side::Front | Side::Rear => "bumper",
+                Side::Left | Side::Right => "side of the body",
+            }
+        ),
         Warning::DamageOutside { vehicle, side, distance } => format!(
             "the damage to the {} of vehicle {vehicle} reaches {} beyond the end of that side; check its width and `offset`",
             side_name(*side),

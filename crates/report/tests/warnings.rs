@@ -248,6 +248,19 @@ fn a_place_is_named_by_side() {
         let other = Warning::ContactOtherHalf { vehicle: VehicleId::One, side, distance: 0.254 };
         says(&other, Axes::ZUp, &["vehicle 1 lies 10.0 in", words]);
     }
+    for (side, words) in [
+        (
+            Side::Front,
+            "24.5 in behind the deepest crush of its front; `contact` is measured from the centre of gravity, so check its unit, and that it is not measured from the bumper",
+        ),
+        (
+            Side::Right,
+            "deepest crush of its right side; `contact` is measured from the centre of gravity, so check its unit, and that it is not measured from the side of the body",
+        ),
+    ] {
+        let deep = Warning::ContactDepth { vehicle: VehicleId::One, side, distance: 0.6223 };
+        says(&deep, Axes::ZUp, &["the contact point of vehicle 1 lies", words]);
+    }
     let outside = Warning::DamageOutside { vehicle: VehicleId::One, side: Side::Rear, distance: 0.254 };
     says(&outside, Axes::ZUp, &["damage to the rear of vehicle 1 reaches 10.0 in beyond"]);
 }

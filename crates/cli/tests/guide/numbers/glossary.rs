@@ -372,6 +372,24 @@ fn places(ledger: &mut Ledger) {
     let behind =
         |distance: f64| is_warned("contact-other-half", &damaged(&contact(-distance, 0.0), "", SOFT));
     ledger.made(format!("so on … {} cm", number(100.0 * threshold(0.5, 0.0, behind), 0)));
+    // The front is 2 m ahead of the CG, the crush 0.3 m deep.
+    let deep = |distance: f64| {
+        let contact = contact(2.0 - 0.3 - distance, 0.0);
+        is_warned("contact-depth", &damaged(&format!("{outline}\n{contact}"), "", SOFT))
+    };
+    ledger.made(format!("crush: more than {} cm on front", number(100.0 * threshold(1.0, 0.0, deep), 0)));
+    // The left side is 0.9 m from the CG.
+    let deep = |distance: f64| {
+        let contact = contact(0.0, 0.9 - 0.3 - distance);
+        let of_front = damaged(&format!("{outline}\n{contact}"), "", SOFT);
+        is_warned("contact-depth", &of_front.replace("\"front\"", "\"left\""))
+    };
+    ledger.made(format!("more than {} cm on the sides", number(100.0 * threshold(0.6, 0.0, deep), 0)));
+    let [striking, _] = analysed(include_str!("../../../../../fixtures/ricsac/10.toml")).vehicles;
+    let (body, damage) = (striking.subject.dimensions.unwrap(), striking.damage.unwrap());
+    let deepest = damage.depths.into_iter().fold(0.0, f64::max);
+    let behind = body.cg_to_front - deepest - striking.subject.contact.unwrap()[0];
+    ledger.made(format!("up to {} cm behind it (RICSAC 10)", number(100.0 * behind, 0)));
     // The front reaches 90 cm to the left, the damage 75 cm and the offset.
     let outside = |beyond: f64| {
         is_warned("damage-outside", &damaged(outline, &format!("offset = \"{} m\"", 0.15 + beyond), SOFT))
