@@ -868,7 +868,7 @@ fn of_places(
     }
 }
 
-/// What stands in for what is not known.
+/// Warnings of values that are assumed.
 pub(crate) fn of_assumptions(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(vehicles) {
         let subject = &vehicle.subject;
@@ -990,7 +990,7 @@ pub(crate) fn of_delta_v(
     vehicles: &[Vehicle; 2],
     warnings: &mut Vec<Warning>,
 ) {
-    // CRASH3 has no answer to surfaces that slide to the end.
+    // CRASH3 has no answer to surfaces that slide until separation.
     if impact.outcome.regime == Some(Regime::Sliding) {
         return;
     }

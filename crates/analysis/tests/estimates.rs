@@ -1,4 +1,4 @@
-//! One inspected vehicle, and what stands in for unknown data: figures by hand, and the warning of each.
+//! One inspected vehicle, and substitutes for unknown data: figures by hand, and the warning of each.
 
 #![allow(
     clippy::unwrap_used,

@@ -1,4 +1,4 @@
-//! What stands in for what is not known: stiffness from tables and tests, size classes, PDOFs by the clock or
+//! Substitutes for unknown values: stiffness from tables and tests, size classes, PDOFs by the clock or
 //! from the other vehicle, and a crush that was not measured.
 
 #![allow(

@@ -46,7 +46,7 @@ pub enum Tangential<T = f64> {
 pub enum Regime {
     /// Friction sufficed for the law's condition on U_t.
     Full,
-    /// The surfaces slide to the end, |P_t| = μ P_n.
+    /// The surfaces slide until separation, |P_t| = μ P_n.
     Sliding,
 }
 

@@ -29,7 +29,7 @@ pub struct Erratum {
 pub struct Cell {
     /// What the program computes.
     pub ours: f64,
-    /// What the paper has, misprints mended.
+    /// What the paper has, with its misprints corrected.
     pub paper: f64,
     /// The misprint that was mended.
     pub erratum: Option<Erratum>,

@@ -13,7 +13,7 @@ const fn hollow(marker: Marker) -> Symbol {
     Symbol { marker, is_filled: false }
 }
 
-/// Between what and what the upward numbers of points differ from those across, in words.
+/// The range of the differences between the computed and the measured numbers, in words.
 fn differences(points: &[ScatterPoint], Axis { unit, .. }: &Axis) -> String {
     let difference = |point: &ScatterPoint| (point.at[1] - point.at[0]) / unit;
     let least = points.iter().map(difference).fold(f64::INFINITY, f64::min);

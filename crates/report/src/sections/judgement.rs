@@ -13,7 +13,7 @@ use crate::{warnings, words};
 pub(crate) const NUMBERS: &str = "Numbers as understood";
 /// Over what the file says in words.
 pub(crate) const CHOICES: &str = "Choices";
-/// Over what stands in for what it does not say.
+/// Heading of the assumptions: values that the file does not give.
 pub(crate) const ASSUMED: &str = "Assumed, because the file does not say";
 /// (columns) of the keys that are usual.
 const KEY: usize = 36;
