@@ -1,7 +1,7 @@
 //! Tests across the crates, in one binary.
 //!
-//! What is expected comes from a source (the paper, with its misprints corrected as docs/theory.md has them) or
-//! from a method that shares no code with the crates: [`oracle`] solves the raw equations of impulse and
+//! What is expected comes from a source (the paper, with its misprints corrected as docs/theory.md has them)
+//! or from a method that shares no code with the crates: [`oracle`] solves the raw equations of impulse and
 //! momentum for the random collisions of [`scenes`]. These are the same at every run; `PROPTEST_RNG_SEED=2
 //! cargo test -p deltav-tests` draws others.
 

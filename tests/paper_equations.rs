@@ -1,5 +1,5 @@
-//! The equations of SAE 980025 in its own symbols, with its misprints corrected (docs/theory.md, sections 3, 4
-//! and 8), against the matrix form of `pim-core`; and each misprinted one, to show that it is one.
+//! The equations of SAE 980025 in its own symbols, with its misprints corrected (docs/theory.md, sections 3,
+//! 4 and 8), against the matrix form of `pim-core`; and each misprinted one, to show that it is one.
 //!
 //! The paper's equations are for vehicles without yaw rate before impact.
 

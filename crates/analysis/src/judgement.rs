@@ -283,7 +283,8 @@ fn of_vehicles(
     warning::of_checks(&checks, &vehicles, None, EnergyBasis::default(), warnings);
 }
 
-/// The values that are assumed where the case gives none, in the order of its keys, for any analysis that uses them.
+/// The values that are assumed where the case gives none, in the order of its keys, for any analysis that
+/// uses them.
 #[must_use]
 pub fn assumptions(case: &Case) -> Vec<Assumption> {
     assumed(case, &case.subjects())

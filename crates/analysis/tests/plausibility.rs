@@ -351,8 +351,8 @@ fn a_contact_point_behind_the_damage() {
                 // Without an outline nobody knows where the side is.
                 let [x, y] = outward.map(|share| share * 0.2);
                 assert_eq!(at(x, y, ""), []);
-                // The outline of a class will do: class 1 has its front 76.0 in from the CG, its rear 83.8 in and
-                // its sides 30.4 in, so that these are 0.27 m from it.
+                // The outline of a class will do: class 1 has its front 76.0 in from the CG, its rear 83.8 in
+                // and its sides 30.4 in, so that these are 0.27 m from it.
                 assert_eq!(at(x, y, "class = 1\n").len(), usize::from(face > 0.9), "{name}");
             }
         }
