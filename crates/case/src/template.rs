@@ -2,7 +2,7 @@
 
 use inputs::UnitSystem;
 
-/// A commented, runnable case of one kind of collision. The numbers are invented.
+/// A commented, runnable case of one kind. The numbers are invented.
 ///
 /// ```
 /// use case::{CaseFile, Template, UnitSystem};
@@ -23,11 +23,26 @@ pub enum Template {
     Barrier,
     /// Two vehicles that scrape along each other.
     Sideswipe,
+    /// Two cars of which the energy equivalent speeds are known.
+    Ees,
+    /// A car against a heavy truck without damage that counts.
+    HeavyTruck,
+    /// The damage of one vehicle alone.
+    OneVehicle,
 }
 
 impl Template {
     /// All templates.
-    pub const ALL: [Self; 5] = [Self::FrontSide, Self::HeadOn, Self::RearEnd, Self::Barrier, Self::Sideswipe];
+    pub const ALL: [Self; 8] = [
+        Self::FrontSide,
+        Self::HeadOn,
+        Self::RearEnd,
+        Self::Barrier,
+        Self::Sideswipe,
+        Self::Ees,
+        Self::HeavyTruck,
+        Self::OneVehicle,
+    ];
 
     /// Its name in one word.
     #[must_use]
@@ -38,6 +53,9 @@ impl Template {
             Self::RearEnd => "rear-end",
             Self::Barrier => "barrier",
             Self::Sideswipe => "sideswipe",
+            Self::Ees => "ees",
+            Self::HeavyTruck => "heavy-truck",
+            Self::OneVehicle => "one-vehicle",
         }
     }
 
@@ -51,11 +69,17 @@ impl Template {
             (Self::RearEnd, UnitSystem::Si) => include_str!("../templates/si/rear-end.toml"),
             (Self::Barrier, UnitSystem::Si) => include_str!("../templates/si/barrier.toml"),
             (Self::Sideswipe, UnitSystem::Si) => include_str!("../templates/si/sideswipe.toml"),
+            (Self::Ees, UnitSystem::Si) => include_str!("../templates/si/ees.toml"),
+            (Self::HeavyTruck, UnitSystem::Si) => include_str!("../templates/si/heavy-truck.toml"),
+            (Self::OneVehicle, UnitSystem::Si) => include_str!("../templates/si/one-vehicle.toml"),
             (Self::FrontSide, UnitSystem::Us) => include_str!("../templates/us/front-side.toml"),
             (Self::HeadOn, UnitSystem::Us) => include_str!("../templates/us/head-on.toml"),
             (Self::RearEnd, UnitSystem::Us) => include_str!("../templates/us/rear-end.toml"),
             (Self::Barrier, UnitSystem::Us) => include_str!("../templates/us/barrier.toml"),
             (Self::Sideswipe, UnitSystem::Us) => include_str!("../templates/us/sideswipe.toml"),
+            (Self::Ees, UnitSystem::Us) => include_str!("../templates/us/ees.toml"),
+            (Self::HeavyTruck, UnitSystem::Us) => include_str!("../templates/us/heavy-truck.toml"),
+            (Self::OneVehicle, UnitSystem::Us) => include_str!("../templates/us/one-vehicle.toml"),
         }
     }
 }

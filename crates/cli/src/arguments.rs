@@ -346,7 +346,7 @@ impl CasesFormat {
 
 #[derive(Debug, Args)]
 pub(crate) struct NewArguments {
-    /// Kind of collision
+    /// Kind of case
     #[arg(long, value_enum, default_value_t = Template::FrontSide)]
     pub(crate) template: Template,
 
@@ -379,6 +379,12 @@ pub(crate) enum Template {
     Barrier,
     /// A vehicle that scrapes along the side of another
     Sideswipe,
+    /// Two cars whose energy equivalent speeds (EES) are known
+    Ees,
+    /// A car against the rear of a heavy truck (lorry)
+    HeavyTruck,
+    /// One vehicle with its damage, for `deltav crush`
+    OneVehicle,
 }
 
 #[derive(Debug, Args)]

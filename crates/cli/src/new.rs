@@ -14,6 +14,9 @@ pub(crate) fn new(arguments: &NewArguments) -> Result<()> {
         Template::RearEnd => case::Template::RearEnd,
         Template::Barrier => case::Template::Barrier,
         Template::Sideswipe => case::Template::Sideswipe,
+        Template::Ees => case::Template::Ees,
+        Template::HeavyTruck => case::Template::HeavyTruck,
+        Template::OneVehicle => case::Template::OneVehicle,
     };
     let text = template.text(match arguments.units {
         CaseUnits::Si => case::UnitSystem::Si,

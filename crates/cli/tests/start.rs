@@ -8,7 +8,8 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-const TEMPLATES: [&str; 5] = ["front-side", "head-on", "rear-end", "barrier", "sideswipe"];
+const TEMPLATES: [&str; 8] =
+    ["front-side", "head-on", "rear-end", "barrier", "sideswipe", "ees", "heavy-truck", "one-vehicle"];
 
 fn deltav(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_deltav")).args(arguments).output().unwrap()
@@ -31,8 +32,8 @@ fn temporary(name: &str) -> PathBuf {
     path
 }
 
-/// Each template states its speed, which comes from a solution of the raw impulse equations and a numerical
-/// integral of the crush energy, made without this program.
+/// Each template states its speed or its EES, which comes from a solution of the raw impulse equations and a
+/// numerical integral of the crush energy, made without this program.
 #[test]
 fn every_template_runs_as_it_is_and_finds_what_it_states() {
     // (m/s) a kilometre and a mile (exactly 1609.344 m) per hour
@@ -42,26 +43,43 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
             let name = path.to_str().unwrap();
             printed(&["new", "--template", template, "--units", units, "-o", name]);
             let text = fs::read_to_string(&path).unwrap();
-            let mut stated = text.split("it finds vehicle 1 at ").nth(1).unwrap().split_whitespace();
+            let alone = template == "one-vehicle";
+            let (command, states, place) = if alone {
+                ("crush", "it finds an EES of ", "/vehicle1/ees")
+            } else {
+                ("reconstruct", "it finds vehicle 1 at ", "/found/value")
+            };
+            assert!(text.contains(&format!("deltav {command} case.toml\n")), "{template}");
+            let mut stated = text.split(states).nth(1).unwrap().split_whitespace();
             let speed: f64 = stated.next().unwrap().parse().unwrap();
             assert_eq!(stated.next().unwrap().trim_end_matches('.'), named, "{template}");
             let json = |command| -> Value {
                 serde_json::from_str(&printed(&[command, name, "--format", "json"])).unwrap()
             };
-            let result = json("reconstruct");
-            let found = result["found"]["value"].as_f64().unwrap() / size;
+            let result = json(command);
+            let found = result.pointer(place).unwrap().as_f64().unwrap() / size;
             // One decimal is stated.
             assert!((found - speed).abs() <= 0.05, "{template}: {found} {named}, not {speed}");
             assert_eq!(result["warnings"], Value::Array(Vec::new()), "{template} in {units}");
-            assert_eq!(result["found"]["admissible_roots"], 1, "{template}");
+            if !alone {
+                assert_eq!(result["found"]["admissible_roots"], 1, "{template}");
+            }
+            for written in ["text", "html", "markdown"] {
+                assert!(
+                    printed(&[command, name, "--format", written]).contains("No warnings."),
+                    "{template}"
+                );
+            }
             let judged = json("check");
             assert_eq!(judged["warnings"], Value::Array(Vec::new()), "{template} in {units}");
-            assert_eq!(judged["commands"][0]["runs"], true, "{template} in {units}");
+            let runs =
+                &judged["commands"].as_array().unwrap().iter().find(|ability| ability["command"] == command);
+            assert_eq!(runs.unwrap()["runs"], true, "{template} in {units}");
             // Whoever measures in inches does not read of centimetres, and the other way round.
             let own: &[&str] = if units == "us" {
                 &["lb", "in", "mph", "deg"]
             } else {
-                &["kg", "m", "cm", "km/h", "m/s", "deg"]
+                &["kg", "t", "m", "cm", "km/h", "m/s", "deg"]
             };
             for input in judged["inputs"].as_array().unwrap() {
                 if let Some(unit) = input["unit"].as_str() {
@@ -75,26 +93,56 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
     }
 }
 
-/// The two differ in their numbers alone.
+/// The units in the text of the templates.
+const UNITS: [&str; 13] =
+    ["lb", "kg", "kN", "t", "in", "ft", "m", "cm", "mph", "ft/s", "lb/in", "N/cm", "lb/in^2"];
+
+/// The two differ in their numbers and units alone, and quote no unit of the other system.
 #[test]
 fn the_templates_of_a_kind_say_the_same() {
     for template in TEMPLATES {
         let [si, us] = ["si", "us"].map(|units| {
             let text = printed(&["new", "--template", template, "--units", units]);
+            if units == "si" {
+                for foreign in [" lb\"", " in\"", " ft\"", " mph\"", "lb/in"] {
+                    assert!(!text.contains(foreign), "{template}: {foreign}");
+                }
+            }
             let without = |line: &str| -> String {
-                let masses = line.replace("weight", "mass").replace("km/h", "mph");
+                let masses = line.replace("weight", "mass").replace("km/h", "mph").replace("m/s", "ft/s");
                 let words =
                     masses.split_whitespace().filter(|word| !word.contains(|c: char| c.is_ascii_digit()));
                 let words = words.map(|word| word.trim_end_matches(['"', ',', '.']));
-                words
-                    .filter(|word| !["lb", "kg", "in", "m", "cm", "mph", "m/s"].contains(word))
-                    .collect::<Vec<_>>()
-                    .join(" ")
+                words.filter(|word| !UNITS.contains(word)).collect::<Vec<_>>().join(" ")
             };
             text.lines().map(without).collect::<Vec<String>>()
         });
         assert_eq!(si, us, "{template}");
     }
+}
+
+/// The error of a missing speed points to the recipe for two unknown speeds, and that of one vehicle alone
+/// to the second vehicle.
+#[test]
+fn what_a_case_lacks_is_told_with_the_way_on() {
+    for (template, command, left_out, expected) in [
+        (
+            "rear-end",
+            "reconstruct",
+            "speed ",
+            "if neither speed is known, `deltav explain two unknown speeds`",
+        ),
+        ("one-vehicle", "sensitivity", "", "`vehicle2` is missing: `deltav impact` needs it"),
+    ] {
+        let path = temporary(&format!("lacks-{template}.toml"));
+        let text = printed(&["new", "--template", template]);
+        let kept = text.lines().filter(|line| left_out.is_empty() || !line.starts_with(left_out));
+        fs::write(&path, kept.collect::<Vec<_>>().join("\n")).unwrap();
+        let output = deltav(&[command, path.to_str().unwrap()]);
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.code() == Some(2) && message.contains(expected), "{message}");
+    }
+    assert!(printed(&["explain", "two", "unknown", "speeds"]).starts_with("two unknown speeds\n"));
 }
 
 /// A line of a template sets something, or says something.
