@@ -231,13 +231,14 @@ pub fn judge(case: &Case) -> Judgement {
     };
     let solved = if seeks { Purpose::Reconstruct } else { Purpose::Impact };
     let (furthest, _) = crate::furthest_solver(case);
+    let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
     let abilities = [
         of(Purpose::Reconstruct, Purpose::Reconstruct),
         of(Purpose::Impact, Purpose::Impact),
         of(Purpose::Crush, Purpose::Crush),
         Ability { purpose: Purpose::Uncertainty, on: solved, obstacle: unpropagated },
         of(Purpose::Compare, solved),
-        of(Purpose::Sensitivity, furthest),
+        of(Purpose::Sensitivity, if alone { Purpose::Impact } else { furthest }),
         of(Purpose::Draw, furthest),
     ];
     Judgement { abilities, assumptions, warnings }

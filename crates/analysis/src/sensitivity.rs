@@ -1,7 +1,7 @@
 //! How sensitive the answer is to each input: exact derivatives, and a sweep of the direction of force.
 
 use crash3::{ObliqueCorrection, principal_angle};
-use inputs::{Axes, Case, Collision, Dimension, Input, Origin};
+use inputs::{Axes, Case, Collision, Dimension, GivenVehicle, Input, Origin};
 use pim_core::{ImpactError, Outcome, Real, VehicleId};
 use real::{Gradient, Traced};
 use reconcile::Problem;
@@ -236,7 +236,9 @@ pub struct Sweep {
 /// # Errors
 /// [`Failure`] if the case has no answer.
 pub fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Failure> {
-    let nominal = furthest(case)?;
+    // One vehicle alone has neither a speed nor a force to vary: the impact says what is missing.
+    let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
+    let nominal = if alone { crate::impact(case)? } else { furthest(case)? };
     let derivatives = if nominal.found.is_some() { derivatives(case, &nominal)? } else { Vec::new() };
     let pdof_sweep = pdof_sweep(&nominal, sweep, case.axes)?;
     Ok(Sensitivity { nominal, derivatives, pdof_sweep })

@@ -11,12 +11,18 @@ pub struct Program {
     pub begins: Option<&'static str>,
     /// The command that describes CRASH3's size classes.
     pub describes_classes: Option<&'static str>,
+    /// The command that explains what to do where neither speed is known.
+    pub explains_two_speeds: Option<&'static str>,
 }
 
 impl Program {
     /// No program: purposes keep their own names, and no command is mentioned.
-    pub const NONE: Self =
-        Self { name: |purpose| format!("`{purpose}`"), begins: None, describes_classes: None };
+    pub const NONE: Self = Self {
+        name: |purpose| format!("`{purpose}`"),
+        begins: None,
+        describes_classes: None,
+        explains_two_speeds: None,
+    };
 }
 
 impl Default for Program {

@@ -103,7 +103,15 @@ impl CaseFile {
                 help: fault.advice.as_ref().map(|advice| match fault.kind {
                     // It quotes the file itself.
                     FaultKind::NothingUncertain => advice.clone(),
-                    _ => self.source.units_in_use().suited(&fault.key, advice),
+                    _ => {
+                        let advice = self.source.units_in_use().suited(&fault.key, advice);
+                        match program.explains_two_speeds.filter(|_| fault.lacks_speed()) {
+                            Some(explains) => {
+                                format!("{advice}; if neither speed is known, {explains} tells what to do")
+                            }
+                            None => advice,
+                        }
+                    }
                 }),
             };
             Diagnostic::new(self.source.nearest_span(&fault.key), problem)

@@ -8,3 +8,4 @@ mod commands;
 mod keys;
 mod numbers;
 mod prose;
+mod recipes;

@@ -38,6 +38,18 @@ pub enum FaultKind {
 }
 
 impl Fault {
+    /// Whether a reconstruction lacks a speed that it takes as known.
+    #[must_use]
+    pub fn lacks_speed(&self) -> bool {
+        match self.kind {
+            FaultKind::Missing { needed_for } => {
+                needed_for == Purpose::Reconstruct && self.key.ends_with(".speed")
+            }
+            FaultKind::NoSpeed => true,
+            FaultKind::Refused { .. } | FaultKind::NothingUncertain => false,
+        }
+    }
+
     /// What is wrong, in one sentence. `name` gives the reader's name of a purpose, for example the command
     /// of a program.
     #[must_use]

@@ -15,6 +15,7 @@ pub static PROGRAM: Program = Program {
     name: |purpose| format!("`deltav {purpose}`"),
     begins: Some("`deltav new`"),
     describes_classes: Some("`deltav explain class`"),
+    explains_two_speeds: Some("`deltav explain two unknown speeds`"),
 };
 
 /// What every document and drawing is headed with.

@@ -145,7 +145,16 @@ fn a_symbol_or_key_means_what_it_means_there() {
     explained("J670", "axes");
     explained("heading angle", "heading");
     explained("CDC", "PDOF");
-    explained("EDR", "ΔV");
+    explained("edr", "EDR");
+    explained("rest positions", "two unknown speeds");
+    explained("skid", "two unknown speeds");
+    explained("articulated", "outside the model");
+    explained("pedestrian", "outside the model");
+    explained("truck", "kind");
+    explained("lorry", "kind");
+    explained("motorcycle", "kind");
+    explained("tree", "fixed object");
+    explained("pole", "fixed object");
     explained("momentum", "impulse");
     explained("trapezoid", "crush profile sums");
     explained("A and B", "A, B, G");
