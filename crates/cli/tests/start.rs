@@ -70,6 +70,10 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                     "{template}"
                 );
             }
+            // A report on one vehicle does not speak of two.
+            let report = printed(&[command, name, "--format", "markdown"]);
+            assert_eq!(report.contains("Two rigid bodies collide"), !alone, "{template}");
+            assert!(!alone || !report.contains("energy of both vehicles"), "{template}");
             let judged = json("check");
             assert_eq!(judged["warnings"], Value::Array(Vec::new()), "{template} in {units}");
             let runs =

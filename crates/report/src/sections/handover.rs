@@ -288,10 +288,15 @@ fn method(analysis: &Analysis, axes: Axes) -> Vec<String> {
              the plane determine the impulse, and the impulse all the rest."
                 .to_owned(),
         );
-    } else {
+    } else if analysis.crash3.is_some() {
         paragraphs.push(
             "The CRASH3 algorithm gives the crush energy from damage and stiffness, and the velocity changes from the energy of both vehicles and the principal \
              direction of force."
+                .to_owned(),
+        );
+    } else {
+        paragraphs.push(
+            "The crush energy follows from the damage, and the EES from the crush energy and the mass."
                 .to_owned(),
         );
     }
@@ -369,11 +374,14 @@ fn crash3(analysis: &Seen, units: Units) -> Option<Table> {
 
 /// What the analysis rests on besides the numbers.
 fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String> {
-    let mut assumptions = vec![
-        "Two rigid bodies collide in the plane in one instantaneous impact, without tyre forces; the crush \
-         changes neither positions nor inertias."
-            .to_owned(),
-    ];
+    let mut assumptions = Vec::new();
+    if analysis.impact.is_some() || analysis.crash3.is_some() {
+        assumptions.push(
+            "Two rigid bodies collide in the plane in one instantaneous impact, without tyre forces; the crush \
+             changes neither positions nor inertias."
+                .to_owned(),
+        );
+    }
     if let Some(impact) = &file.case.impact {
         assumptions.push(format!(
             "Impact law: {}, with {}. The analyst chose contact point, crush plane and coefficients.",
