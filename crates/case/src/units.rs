@@ -11,7 +11,7 @@ use crate::nearest::LONGEST;
 
 pub(crate) use pattern::{HOUR, list_pattern, pattern, percent_pattern};
 pub(crate) use spelling::nearest_unit;
-use spelling::{Pound, is_pound_a_force, is_spelled, normalise};
+use spelling::{Pound, has_pound_force, is_pound_a_force, is_spelled, normalise};
 
 /// The unit of `dimension` that a text names, if it has one.
 ///
@@ -31,7 +31,11 @@ pub fn read_unit(text: &str, dimension: Dimension) -> Option<&'static Unit> {
         return None;
     }
     let wanted = normalise(text, Pound::AsWritten);
-    let of_force = wanted.to_ascii_lowercase().contains("lbf").then(|| normalise(text, Pound::Force));
+    // Nearly every unit of a file is written as the table has it.
+    if let Some(unit) = dimension.units().iter().find(|unit| unit.spellings().any(|known| known == wanted)) {
+        return Some(unit);
+    }
+    let of_force = has_pound_force(&wanted).then(|| normalise(text, Pound::Force));
     let is_meant = |known: &str| {
         is_spelled(known, &wanted, dimension)
             || is_pound_a_force(known, dimension)

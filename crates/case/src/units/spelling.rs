@@ -113,6 +113,11 @@ pub(super) fn is_free(letter: char, form: &str, dimension: Dimension) -> bool {
         && (dimension == Dimension::Speed || !letter.eq_ignore_ascii_case(&'m'))
 }
 
+/// Whether a unit is written with "lbf".
+pub(super) fn has_pound_force(spelling: &str) -> bool {
+    spelling.as_bytes().windows(3).any(|letters| letters.eq_ignore_ascii_case(b"lbf"))
+}
+
 /// Whether the "lb" in a spelling of the table is a pound-force, which may be written "lbf" there.
 pub(super) fn is_pound_a_force(known: &str, dimension: Dimension) -> bool {
     match dimension {
