@@ -165,7 +165,7 @@ impl<'t> Reader<'t> {
             uncertainty: GivenUncertainty::default(),
             left_out,
         };
-        case.ranges = case.inputs().iter().filter_map(|input| self.take_range(&input.path)).collect();
+        case.ranges = self.take_ranges(&case);
         if let Some(first_too_many) = case.ranges.get(MOST_RANGES) {
             let problem = CaseProblem::TooManyRanges { count: case.ranges.len(), limit: MOST_RANGES };
             self.report_path(&first_too_many.path, problem);

@@ -16,7 +16,7 @@ use crate::schema::{Measure, Schema};
 use crate::source::Spans;
 use crate::toml_slips;
 use crate::units_in_use::UnitsInUse;
-use inputs::{Bounds, Range};
+use inputs::{Bounds, Case, Range};
 
 /// Of so many broken lines the text is looked at: more than are shown.
 const EXPLAINED: usize = 50;
@@ -130,8 +130,13 @@ impl<'t> Reader<'t> {
         self.ranges.insert(range.path.clone(), range);
     }
 
-    pub(super) fn take_range(&mut self, path: &str) -> Option<Range> {
-        self.ranges.remove(path)
+    /// The ranges of a case, in the order of its numbers.
+    pub(super) fn take_ranges(&mut self, case: &Case) -> Vec<Range> {
+        // Most files have none.
+        if self.ranges.is_empty() {
+            return Vec::new();
+        }
+        case.inputs().iter().filter_map(|input| self.ranges.remove(&input.path)).collect()
     }
 
     /// Reports a problem at a key, or at the table that should have it.
