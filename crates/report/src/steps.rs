@@ -17,7 +17,7 @@ use analysis::Analysis;
 use case::{Case, Quantity};
 
 use crate::units::{Measure, Units};
-use numbers::{angle, coherent, converted, is_coherent, n, name_of, p};
+use numbers::{angle, converted, is_coherent, n, name_of, p};
 
 pub(crate) use numbers::digits;
 
@@ -56,7 +56,7 @@ impl Step {
     /// The step, which is in SI units, in those of the reader.
     fn for_reader(self, units: Units) -> Self {
         let quantity = self.quantity.or_else(|| quantity(self.unit));
-        let (size, unit) = coherent(self.unit, units);
+        let (size, unit) = units.coherent(self.unit);
         let road = (quantity == Some(Measure::Speed)).then_some(Measure::RoadSpeed);
         let shown: Vec<String> = [quantity, road]
             .into_iter()

@@ -30,6 +30,8 @@ const FOOT: f64 = 0.3048;
 const INCH: f64 = 0.0254;
 const POUND: f64 = 0.453_592_37;
 const POUND_FORCE: f64 = 4.448_221_615_260_5;
+/// 1 lbf·s²/ft
+const SLUG: f64 = POUND_FORCE / FOOT;
 const MILE_PER_HOUR: f64 = 0.447_04;
 const DEGREE: f64 = PI / 180.0;
 
@@ -140,6 +142,36 @@ impl Units {
     /// Decimals that make sense.
     pub(crate) fn decimals(self, quantity: Measure) -> usize {
         self.display(quantity).decimals
+    }
+
+    /// The unit of a coherent system in which the steps have what the equations have in an SI unit: its size
+    /// (SI) and its name. In US units these are the foot, the pound-force, the second and the slug.
+    pub(crate) fn coherent(self, unit: &str) -> (f64, &str) {
+        if self == Self::Si {
+            return (1.0, unit);
+        }
+        match unit {
+            "m" => (FOOT, "ft"),
+            "m²" => (FOOT * FOOT, "ft²"),
+            "m³" => (FOOT * FOOT * FOOT, "ft³"),
+            "m/s" => (FOOT, "ft/s"),
+            "m/s²" => (FOOT, "ft/s²"),
+            "kg" => (SLUG, "slug"),
+            "1/kg" => (1.0 / SLUG, "1/slug"),
+            "1/kg²" => (1.0 / (SLUG * SLUG), "1/slug²"),
+            "1/(kg·m)" => (1.0 / (SLUG * FOOT), "1/(slug·ft)"),
+            "kg·m²" => (POUND_FORCE * FOOT, "lb·ft·s²"),
+            "N" => (POUND_FORCE, "lb"),
+            "N/m" => (POUND_FORCE / FOOT, "lb/ft"),
+            "N/m²" => (POUND_FORCE / (FOOT * FOOT), "lb/ft²"),
+            "√N" => (POUND_FORCE.sqrt(), "√lb"),
+            "√N/m" => (POUND_FORCE.sqrt() / FOOT, "√lb/ft"),
+            "N·s" => (POUND_FORCE, "lb·s"),
+            "N·m·s" => (POUND_FORCE * FOOT, "ft·lb·s"),
+            "J" => (POUND_FORCE * FOOT, "ft·lb"),
+            // The same in both systems.
+            _ => (1.0, unit),
+        }
     }
 
     /// An SI value without its unit, for the columns of a table.

@@ -86,7 +86,7 @@ pub fn handover(
         "Each result has its equation, the numbers in it, and its source. {system}, so a calculator gives the \
          printed result. A number with fewer than six digits is exact; any other is rounded. Each result is \
          repeated in the units of the other tables. atan2(y, x) is the angle of the point (x, y)."
-        ));
+    ));
     page.blocks.extend(steps(case, analysis, units).into_iter().map(Block::Steps));
     if let Some(impact) = &seen.impact {
         page.heading("Energy balance");
@@ -169,14 +169,12 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
         };
         !uncertainty.inputs.iter().all(of_inertia)
     };
-    let intervals =
-        supplements.uncertainty.filter(is_told).map(|uncertainty| Intervals { uncertainty, units });
-    let said = |output: Output, si: f64| {
-        let interval = intervals.as_ref().and_then(|intervals| intervals.of(output));
-        match interval {
-            Some(interval) => format!("{interval}; central value {}", units.speed(si)),
-            None => units.speed(si),
-        }
+    let uncertainty = supplements.uncertainty.filter(is_told);
+    let said = |output: Output, si: f64| match uncertainty
+        .and_then(|uncertainty| interval(uncertainty, output, units))
+    {
+        Some(interval) => format!("{interval}; central value {}", units.speed(si)),
+        None => units.speed(si),
     };
     let changes = |values: [f64; 2]| {
         VehicleId::ALL
@@ -198,8 +196,8 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
         (None, Some(crash3)) => found.extend(changes(crash3.delta_v)),
         (None, None) => found.push("The damage gives the crush energies below.".to_owned()),
     }
-    let mut how = match &intervals {
-        Some(Intervals { uncertainty: Uncertainty { inputs, taken_as_exact, .. }, .. }) => format!(
+    let mut how = match uncertainty {
+        Some(Uncertainty { inputs, taken_as_exact, .. }) => format!(
             "The intervals contain the errors of {} inputs, but not those of the {} that are taken as exact: \
              \"{UNCERTAINTY}\" lists both.",
             inputs.len(),
@@ -213,28 +211,17 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
     Block::Answer { found, how }
 }
 
-/// The intervals of the outputs in words.
-struct Intervals<'a> {
-    uncertainty: &'a Uncertainty,
-    units: Units,
-}
-
-impl Intervals<'_> {
-    /// `45.8 to 58.0 mph (95 %)`; `None` of an output that does not vary.
-    fn of(&self, output: Output) -> Option<String> {
-        let Uncertainty { outputs, propagation, .. } = self.uncertainty;
-        let place = outputs.iter().position(|other| other.output == output)?;
-        let summary = propagation.summaries().get(place)?.as_ref()?;
-        let interval = summary.intervals.iter().find(|interval| interval.level == LEAD)?;
-        if !outputs.get(place)?.varies(summary.sd.value) {
-            return None;
-        }
-        let [low, high] =
-            [interval.low, interval.high].map(|end| self.units.value(Measure::RoadSpeed, end.value));
-        let percent = 100.0 * LEAD;
-        let unit = self.units.name(Measure::RoadSpeed);
-        Some(format!("{} to {} {unit} ({percent} % interval)", number(low, 1), number(high, 1)))
+/// `45.8 to 58.0 mph (95 % interval)`; `None` of an output that does not vary.
+fn interval(uncertainty: &Uncertainty, output: Output, units: Units) -> Option<String> {
+    let place = uncertainty.outputs.iter().position(|other| other.output == output)?;
+    let summary = uncertainty.propagation.summaries().get(place)?.as_ref()?;
+    if !uncertainty.outputs.get(place)?.varies(summary.sd.value) {
+        return None;
     }
+    let interval = summary.intervals.iter().find(|interval| interval.level == LEAD)?;
+    let [low, high] =
+        [interval.low, interval.high].map(|end| number(units.value(Measure::RoadSpeed, end.value), 1));
+    Some(format!("{low} to {high} {} ({} % interval)", units.name(Measure::RoadSpeed), 100.0 * LEAD))
 }
 
 /// (–) the level of the interval that the report leads with.

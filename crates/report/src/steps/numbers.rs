@@ -57,15 +57,15 @@ pub(super) fn printed(text: &str, units: Units) -> String {
 fn one(fields: &[&str], units: Units) -> Option<String> {
     Some(match *fields {
         ["n", value, unit] => {
-            let (size, unit) = coherent(unit, units);
+            let (size, unit) = units.coherent(unit);
             bracketed(with_unit(value.parse::<f64>().ok()? / size, unit))
         }
         ["p", value, unit] => {
-            let (size, unit) = coherent(unit, units);
+            let (size, unit) = units.coherent(unit);
             format!("({})", with_unit(value.parse::<f64>().ok()? / size, unit))
         }
         ["c", number, own, factor, unit] => {
-            let (size, unit) = coherent(unit, units);
+            let (size, unit) = units.coherent(unit);
             let number = bracketed(with_unit(number.parse().ok()?, own));
             match factor.parse::<f64>().ok()? / size {
                 same if is_one(same) => number,
@@ -75,14 +75,14 @@ fn one(fields: &[&str], units: Units) -> Option<String> {
                 }
             }
         }
-        ["u", unit] => coherent(unit, units).1.to_owned(),
+        ["u", unit] => units.coherent(unit).1.to_owned(),
         _ => return None,
     })
 }
 
 /// Whether a number of the file needs no conversion.
 pub(super) fn is_coherent(quantity: &Quantity, unit: &str, units: Units) -> bool {
-    is_one(quantity.unit().factor() / coherent(unit, units).0)
+    is_one(quantity.unit().factor() / units.coherent(unit).0)
 }
 
 /// But for the rounding of a product of factors.
@@ -100,39 +100,6 @@ fn bracketed(text: String) -> String {
 
 fn with_unit(value: f64, unit: &str) -> String {
     if unit.is_empty() { digits(value) } else { format!("{}\u{a0}{unit}", digits(value)) }
-}
-
-/// The coherent unit in which a reader gets what the equations have in an SI unit: its size (SI) and name.
-pub(super) fn coherent(unit: &str, units: Units) -> (f64, &str) {
-    // NIST SP 811: 1 ft = 0.3048 m, 1 lbf = 4.448 221 615 260 5 N. The slug is 1 lbf·s²/ft.
-    const FT: f64 = 0.3048;
-    const LB: f64 = 4.448_221_615_260_5;
-    const SLUG: f64 = LB / FT;
-    if units == Units::Si {
-        return (1.0, unit);
-    }
-    match unit {
-        "m" => (FT, "ft"),
-        "m²" => (FT * FT, "ft²"),
-        "m³" => (FT * FT * FT, "ft³"),
-        "m/s" => (FT, "ft/s"),
-        "m/s²" => (FT, "ft/s²"),
-        "kg" => (SLUG, "slug"),
-        "1/kg" => (1.0 / SLUG, "1/slug"),
-        "1/kg²" => (1.0 / (SLUG * SLUG), "1/slug²"),
-        "1/(kg·m)" => (1.0 / (SLUG * FT), "1/(slug·ft)"),
-        "kg·m²" => (LB * FT, "lb·ft·s²"),
-        "N" => (LB, "lb"),
-        "N/m" => (LB / FT, "lb/ft"),
-        "N/m²" => (LB / (FT * FT), "lb/ft²"),
-        "√N" => (LB.sqrt(), "√lb"),
-        "√N/m" => (LB.sqrt() / FT, "√lb/ft"),
-        "N·s" => (LB, "lb·s"),
-        "N·m·s" => (LB * FT, "ft·lb·s"),
-        "J" => (LB * FT, "ft·lb"),
-        // The same in both systems.
-        _ => (1.0, unit),
-    }
 }
 
 /// (digits) that say that a number is rounded.
