@@ -132,7 +132,7 @@ fn equal_spacing_is_a_case_of_given_spacing() {
     });
 }
 
-/// SAE 980025, Eq 5, with its brackets mended (theory, section 5).
+/// SAE 980025, Eq 5, with its brackets corrected (theory, section 5).
 #[test]
 fn six_stations_are_the_paper_s_eq_5() {
     let depths = || proptest::array::uniform6(0.0..1.5);

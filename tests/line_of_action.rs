@@ -339,9 +339,9 @@ struct Staged {
     rows: [[f64; 3]; 5],
 }
 
-/// SAE 980025, Table 3, with the misprints of test 5 mended (theory, section 8). Geometry: Vossou and
+/// SAE 980025, Table 3, with the misprints of test 5 corrected (theory, section 8). Geometry: Vossou and
 /// Koulocheris (2018); μ: Brach, SAE 871993; masses and inertias: Neades, Appendix D, with the misprint of
-/// test 7's vehicle 2 mended (771 kg for 1184 kg, which the ratio of the ΔV shows; its inertia is in
+/// test 7's vehicle 2 corrected (771 kg for 1184 kg, which the ratio of the ΔV shows; its inertia is in
 /// proportion). The distances d and the energies are published nowhere: d follows from the other figures of
 /// the paper, the two energies of each test are fitted to the table's ten numbers. So two numbers are tested
 /// against ten.

@@ -368,7 +368,7 @@ pub(crate) static NEVER_FIXED: [&str; 11] = [
     "crush",
 ];
 
-/// What an energy equivalent speed stands in for.
+/// The keys that an energy equivalent speed replaces.
 pub(crate) static NEVER_BESIDE_EES: [&str; 8] =
     ["width", "depths", "spacing", "from_force_balance", "stiffness", "offset", "oblique_angle", "oblique"];
 

@@ -235,7 +235,7 @@ fn the_example_has_the_known_values() {
         ("/vehicle1/corrected_crush_energy", "1024", 100.0),
         ("/vehicle1/ees", "11.04", 1.0),
         ("/vehicle2/speed", "10", MPH),
-        // 10 mph along 67°, with the mended sign of the appendix.
+        // 10 mph along 67°, with the corrected sign of the appendix.
         ("/vehicle2/velocity/0", "5.7", FOOT),
         ("/vehicle2/velocity/1", "13.5", FOOT),
         ("/vehicle2/yaw_rate", "0.0", 1.0),

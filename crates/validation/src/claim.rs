@@ -15,7 +15,7 @@ pub enum Claim {
     },
 }
 
-/// A misprint that was mended before the comparison. Marked `ERRATUM` wherever it is shown.
+/// A misprint that was corrected before the comparison. Marked `ERRATUM` wherever it is shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Erratum {
     /// What stands in print.
@@ -31,7 +31,7 @@ pub struct Cell {
     pub ours: f64,
     /// What the paper has, with its misprints corrected.
     pub paper: f64,
-    /// The misprint that was mended.
+    /// The misprint that was corrected.
     pub erratum: Option<Erratum>,
     /// What is claimed.
     pub claim: Claim,

@@ -103,7 +103,7 @@ pub(crate) struct TurnedErratum {
 }
 
 impl Table3 {
-    /// The misprint that was mended in the row of this turn (degrees) for this vehicle.
+    /// The misprint that was corrected in the row of this turn (degrees) for this vehicle.
     pub(crate) fn erratum(&self, turn: f64, vehicle: VehicleId) -> Option<Erratum> {
         self.errata
             .iter()
