@@ -43,6 +43,7 @@
 //! |---|---|
 //! | [`pim_core`] | planar impact mechanics: bodies, contact, impact law, outcome; frames and signs are drawn there |
 //! | [`crash3`] | CRASH3 damage: profile, stiffness, crush energy, ΔV |
+//! | [`trajectory`] | the motion of a vehicle from the impact to rest |
 //! | [`reconcile`] | the speed that makes the two agree |
 //! | [`uncertainty`] | propagates input ranges to the results of any function |
 //! | [`inputs`] | what is known of a collision: numbers with units and ranges; what an analysis needs of them |
@@ -58,11 +59,11 @@
 //!
 //! # What it does not do
 //!
-//! It adds nothing to these crates. No motion before or after the impact, no rest positions, no rollover, no
-//! occupant loads.
+//! It adds nothing to these crates. No rollover, no occupant loads.
 
 pub use {
-    analysis, case, crash3, drawing, inputs, pim_core, real, reconcile, report, uncertainty, validation,
+    analysis, case, crash3, drawing, inputs, pim_core, real, reconcile, report, trajectory, uncertainty,
+    validation,
 };
 
 /// What most reconstructions need: `use deltav::prelude::*;`.

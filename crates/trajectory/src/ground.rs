@@ -1,0 +1,182 @@
+//! What the wheels stand on.
+
+use pim_core::{InvalidInput, Vector2};
+use real::{Real, elementary};
+
+use crate::check;
+
+/// (–) greatest friction of a ground.
+pub const GREATEST_FRICTION: f64 = 2.0;
+
+/// (–) greatest rise per length of a ground, either way: 45°.
+pub const GREATEST_GRADE: f64 = 1.0;
+
+/// A plane with friction, which may differ by zones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ground<'a, T = f64> {
+    /// (–) μ of tyres on it, outside of the zones.
+    pub friction: T,
+    /// Where the friction is another. Where zones overlap, the later one counts.
+    pub zones: &'a [Zone<'a, T>],
+    /// (–) rise per horizontal length along x and along y. All distances are measured along the plane.
+    pub grade: Vector2<T>,
+}
+
+/// A part of the ground with its own friction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Zone<'a, T = f64> {
+    /// Where it is.
+    pub region: Region<'a>,
+    /// (–) μ of tyres on it.
+    pub friction: T,
+}
+
+/// A part of the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Region<'a> {
+    /// All on one side of a straight line.
+    HalfPlane {
+        /// (m) a point of the line.
+        point: Vector2<f64>,
+        /// (rad) direction at right angles to the line, into the region.
+        into: f64,
+    },
+    /// The inside of a closed line through these corners (m), either way round.
+    Polygon(&'a [Vector2<f64>]),
+}
+
+impl<T: Real> Ground<'_, T> {
+    /// Level ground of one friction.
+    #[must_use]
+    pub fn level(friction: T) -> Self {
+        Self { friction, zones: &[], grade: Vector2::new(T::ZERO, T::ZERO) }
+    }
+
+    /// Whether every number is one that a ground can have.
+    ///
+    /// # Errors
+    /// Where a friction is not above 0 and at most [`GREATEST_FRICTION`], a grade steeper than
+    /// [`GREATEST_GRADE`], a place not finite, or a polygon has fewer than three corners.
+    pub fn check(&self) -> Result<(), InvalidInput> {
+        friction(self.friction)?;
+        check::within("grade along x", self.grade.x.value(), -GREATEST_GRADE, GREATEST_GRADE)?;
+        check::within("grade along y", self.grade.y.value(), -GREATEST_GRADE, GREATEST_GRADE)?;
+        for zone in self.zones {
+            friction(zone.friction)?;
+            zone.region.check()?;
+        }
+        Ok(())
+    }
+
+    /// The number of the zone at a point, counted from 1; 0 is outside of all.
+    pub(crate) fn zone_at(&self, point: [f64; 2]) -> usize {
+        self.zones.iter().rposition(|zone| zone.region.contains(point)).map_or(0, |place| place + 1)
+    }
+
+    /// (–) μ in the zone of that number.
+    pub(crate) fn friction_in(&self, zone: usize) -> T {
+        zone.checked_sub(1)
+            .and_then(|place| self.zones.get(place))
+            .map_or(self.friction, |zone| zone.friction)
+    }
+}
+
+/// Refuses a friction that no ground has.
+fn friction<T: Real>(friction: T) -> Result<(), InvalidInput> {
+    check::positive("friction of the ground", friction.value())?;
+    check::within("friction of the ground", friction.value(), 0.0, GREATEST_FRICTION)
+}
+
+/// A straight border between regions, as a line with a unit normal.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Edge {
+    point: [f64; 2],
+    normal: [f64; 2],
+}
+
+impl Edge {
+    /// (m) distance of a point from the line, positive on the side of its normal.
+    pub(crate) fn distance<T: Real>(&self, [x, y]: [T; 2]) -> T {
+        (x - self.point[0]) * self.normal[0] + (y - self.point[1]) * self.normal[1]
+    }
+
+    /// (m/s) how fast a point with this velocity moves to the side of the normal.
+    pub(crate) fn rate<T: Real>(&self, [vx, vy]: [T; 2]) -> T {
+        vx * self.normal[0] + vy * self.normal[1]
+    }
+}
+
+impl Region<'_> {
+    fn check(&self) -> Result<(), InvalidInput> {
+        match *self {
+            Self::HalfPlane { point, into } => {
+                corner(point)?;
+                check::angle("direction into a zone", into)
+            }
+            Self::Polygon(corners) => {
+                #[expect(clippy::cast_precision_loss, reason = "nobody draws 2⁵³ corners")]
+                check::within("number of corners of a zone", corners.len() as f64, 3.0, f64::MAX)?;
+                corners.iter().copied().try_for_each(corner)
+            }
+        }
+    }
+
+    /// Whether a point lies in it.
+    pub(crate) fn contains(&self, [x, y]: [f64; 2]) -> bool {
+        match *self {
+            Self::HalfPlane { point, into } => {
+                let (sin, cos) = elementary::sin_cos(into);
+                (x - point.x) * cos + (y - point.y) * sin > 0.0
+            }
+            // A ray from the point along +x crosses the border an odd number of times.
+            Self::Polygon(corners) => sides(corners).fold(false, |inside, [from, to]| {
+                let crosses = (from.y > y) != (to.y > y)
+                    && x < from.x + (to.x - from.x) * (y - from.y) / (to.y - from.y);
+                inside != crosses
+            }),
+        }
+    }
+
+    /// The part of its border that is nearest to a point.
+    pub(crate) fn nearest_edge(&self, [x, y]: [f64; 2]) -> Option<Edge> {
+        match *self {
+            Self::HalfPlane { point, into } => {
+                let (sin, cos) = elementary::sin_cos(into);
+                Some(Edge { point: [point.x, point.y], normal: [cos, sin] })
+            }
+            Self::Polygon(corners) => {
+                let mut nearest = None;
+                let mut least = f64::INFINITY;
+                for [from, to] in sides(corners) {
+                    let side = to - from;
+                    let length_squared = side.x * side.x + side.y * side.y;
+                    if length_squared == 0.0 {
+                        continue;
+                    }
+                    let along = ((x - from.x) * side.x + (y - from.y) * side.y) / length_squared;
+                    let along = along.clamp(0.0, 1.0);
+                    let (dx, dy) = (x - from.x - along * side.x, y - from.y - along * side.y);
+                    let distance = dx * dx + dy * dy;
+                    if distance < least {
+                        least = distance;
+                        let length = elementary::sqrt(length_squared);
+                        let normal = [-side.y / length, side.x / length];
+                        nearest = Some(Edge { point: [from.x, from.y], normal });
+                    }
+                }
+                nearest
+            }
+        }
+    }
+}
+
+fn corner(point: Vector2<f64>) -> Result<(), InvalidInput> {
+    check::finite("corner of a zone along x", point.x)?;
+    check::finite("corner of a zone along y", point.y)
+}
+
+/// The sides of a polygon, the last of which leads back to the first corner.
+fn sides(corners: &[Vector2<f64>]) -> impl Iterator<Item = [Vector2<f64>; 2]> {
+    let before = corners.last().into_iter().chain(corners);
+    before.zip(corners).map(|(&from, &to)| [from, to])
+}

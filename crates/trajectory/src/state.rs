@@ -1,0 +1,136 @@
+//! Where the vehicle is, what was recorded on its way, and how it ended.
+
+use pim_core::{Motion, Vector2};
+use real::Real;
+
+/// Place and motion of a vehicle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
+pub struct State<T = f64> {
+    /// (m) place of the CG in the scene.
+    pub position: Vector2<T>,
+    /// (rad) heading in the scene, counted on through full turns.
+    pub heading: T,
+    /// Velocity and yaw rate.
+    pub motion: Motion<T>,
+}
+
+impl<T: Real> State<T> {
+    /// The plain numbers, without derivatives.
+    #[must_use]
+    pub fn values(&self) -> State<f64> {
+        let plain = |vector: Vector2<T>| Vector2::new(vector.x.value(), vector.y.value());
+        State {
+            position: plain(self.position),
+            heading: self.heading.value(),
+            motion: Motion { velocity: plain(self.motion.velocity), yaw_rate: self.motion.yaw_rate.value() },
+        }
+    }
+}
+
+/// One moment on the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample<T = f64> {
+    /// (s) since the start.
+    pub time: T,
+    /// (m) length of the path since the start.
+    pub distance: T,
+    /// Place and motion.
+    pub state: State<T>,
+    /// Which tyres slide and leave marks: front left, front right, rear left, rear right.
+    pub sliding: [bool; 4],
+    /// (–) friction of the ground under each wheel.
+    pub friction: [T; 4],
+}
+
+impl<T: Real> Sample<T> {
+    /// Place and motion at a time (s) between this sample and the `next`, by the cubic through both places
+    /// with both velocities.
+    #[must_use]
+    pub fn between(&self, next: &Self, time: T) -> State<T> {
+        let span = next.time - self.time;
+        if span.value() <= 0.0 {
+            return self.state;
+        }
+        let s = (time - self.time) / span;
+        let (from, to) = (&self.state, &next.state);
+        let cubic = |p0, p1, v0, v1| cubic(s, span, [p0, p1], [v0, v1]);
+        let (v0, v1) = (from.motion.velocity, to.motion.velocity);
+        let (x, vx) = cubic(from.position.x, to.position.x, v0.x, v1.x);
+        let (y, vy) = cubic(from.position.y, to.position.y, v0.y, v1.y);
+        let (heading, yaw_rate) = cubic(from.heading, to.heading, from.motion.yaw_rate, to.motion.yaw_rate);
+        let motion = Motion { velocity: Vector2::new(vx, vy), yaw_rate };
+        State { position: Vector2::new(x, y), heading, motion }
+    }
+}
+
+/// Value and rate, at the share `s` of a span of time, of the cubic with these values and rates at its ends
+/// (Hermite).
+#[inline(always)]
+pub(crate) fn cubic<T: Real>(s: T, span: T, [p0, p1]: [T; 2], [v0, v1]: [T; 2]) -> (T, T) {
+    let (m0, m1, rise) = (v0 * span, v1 * span, p1 - p0);
+    // p = p₀ + s (m₀ + s (3Δ − 2m₀ − m₁ + s (m₀ + m₁ − 2Δ)))
+    let (square, cube) = (rise * 3.0 - m0 * 2.0 - m1, m0 + m1 - rise * 2.0);
+    let value = p0 + s * (m0 + s * (square + s * cube));
+    let rate = (m0 + s * (square * 2.0 + s * cube * 3.0)) / span;
+    (value, rate)
+}
+
+/// Where the kinetic energy went.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct EnergyBalance<T = f64> {
+    /// (J) kinetic energy at the start.
+    pub start: T,
+    /// (J) taken by the tyres.
+    pub friction: T,
+    /// (J) given by the grade, negative uphill.
+    pub grade: T,
+    /// (J) what the three above leave: the error of the integration.
+    pub remainder: T,
+}
+
+/// How a vehicle came to rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rest<T = f64> {
+    /// (m) place of the CG in the scene.
+    pub position: Vector2<T>,
+    /// (rad) heading in the scene, counted on from the start through full turns.
+    pub heading: T,
+    /// (s) since the start.
+    pub time: T,
+    /// (m) length of the path of the CG.
+    pub distance: T,
+    /// Where the kinetic energy went.
+    pub energy: EnergyBalance<T>,
+    /// Steps of the integration, with those that were tried in vain.
+    pub steps: u32,
+}
+
+/// How closely, and how long, to follow a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Control {
+    /// (m) what a step may add to the error of the rest position, and of each wheel there.
+    pub tolerance: f64,
+    /// (s) a vehicle that still moves then is given up.
+    pub longest_time: f64,
+    /// (s) longest step, for a fine record of the path.
+    pub longest_step: f64,
+    /// Steps after which a motion is given up.
+    pub most_steps: u32,
+}
+
+impl Default for Control {
+    /// About 1 mm at rest, and a minute at most.
+    fn default() -> Self {
+        Self { tolerance: 1e-4, longest_time: 60.0, longest_step: 1.0, most_steps: 20_000 }
+    }
+}

@@ -1,0 +1,69 @@
+//! The angle of the front wheels.
+
+use core::f64::consts::FRAC_PI_2;
+
+use pim_core::InvalidInput;
+use real::Real;
+
+use crate::check;
+
+/// (rad) steer angle of the front wheels, counter-clockwise from the vehicle's axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Steer<'a, T = f64> {
+    /// The same all the time.
+    Held(T),
+    /// Angles (rad) at times (s) that ascend, counted from the start of the motion: linear between them, and
+    /// held before the first and after the last.
+    Over(&'a [(T, T)]),
+}
+
+impl<T: Real> Steer<'_, T> {
+    /// Wheels that point straight ahead.
+    #[must_use]
+    pub fn straight() -> Self {
+        Self::Held(T::ZERO)
+    }
+
+    /// Whether every number is one that a steering can have.
+    ///
+    /// # Errors
+    /// Where an angle is not within ±90°, or the times do not ascend.
+    pub fn check(&self) -> Result<(), InvalidInput> {
+        let angle = |angle: T| check::within("steer angle", angle.value(), -FRAC_PI_2, FRAC_PI_2);
+        match *self {
+            Self::Held(held) => angle(held),
+            Self::Over(points) => {
+                let mut before = 0.0;
+                for &(time, at) in points {
+                    check::within("time of a steer angle", time.value(), before, f64::MAX)?;
+                    angle(at)?;
+                    before = time.value();
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// (rad) the angle at a time (s).
+    pub fn at(&self, time: T) -> T {
+        match *self {
+            Self::Held(held) => held,
+            Self::Over(points) => {
+                let next = points.partition_point(|&(at, _)| at <= time);
+                match (next.checked_sub(1).and_then(|last| points.get(last)), points.get(next)) {
+                    (Some(&(t0, from)), Some(&(t1, to))) => from + (to - from) * ((time - t0) / (t1 - t0)),
+                    (Some(&(_, held)), None) | (None, Some(&(_, held))) => held,
+                    (None, None) => T::ZERO,
+                }
+            }
+        }
+    }
+
+    /// (s) when the rate of steering changes next after a time (s).
+    pub(crate) fn next_change(&self, time: T) -> Option<T> {
+        match *self {
+            Self::Held(_) => None,
+            Self::Over(points) => points.iter().map(|&(at, _)| at).find(|&at| at > time),
+        }
+    }
+}

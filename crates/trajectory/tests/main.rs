@@ -1,0 +1,10 @@
+//! Motion after an impact: closed forms, balances, mirrors, staged collisions.
+
+#![expect(clippy::disallowed_methods, reason = "what is expected shares no function with what is tested")]
+
+#[cfg(test)]
+mod closed_forms;
+#[cfg(test)]
+mod ricsac;
+#[cfg(test)]
+mod scenes;
