@@ -2,7 +2,7 @@
 
 use allocation_counter::measure;
 use pim_core::{ImpactError, Tangential};
-use reconcile::{EnergyBasis, Unknown};
+use reconcile::{Departure, EnergyBasis, Momentum, MomentumAndCrush, Unknown};
 
 use crate::reconciliation::posed;
 use crate::scenes::{Car, Scene};
@@ -72,4 +72,26 @@ fn a_search_for_a_speed_allocates_nothing() {
 #[test]
 fn the_counter_counts() {
     assert_eq!(measure(|| drop(std::hint::black_box(vec![1_u8]))).count_total, 1);
+}
+
+#[test]
+fn a_search_for_both_speeds_allocates_nothing() {
+    for law in LAWS {
+        let scene = collision(law).at_speed(0, 20.0).at_speed(1, -8.0);
+        let Ok(outcome) = scene.impact() else { continue };
+        let after = outcome
+            .after
+            .map(|motion| Departure { velocity: motion.velocity, yaw_rate: Some(motion.yaw_rate) });
+        let momentum =
+            Momentum { contact: scene.contact(), yaw_rates: scene.cars.map(|car| car.yaw_rate), after };
+        let (energy, basis) = (outcome.energy.normal_work, EnergyBasis::Dissipated);
+        let info = measure(|| {
+            let speeds = momentum.speeds().unwrap();
+            momentum.implied(speeds).unwrap();
+            let axis = momentum.common_axis();
+            let search = MomentumAndCrush::new(momentum, axis, scene.law().into(), energy, basis);
+            search.unwrap().solve().unwrap();
+        });
+        assert_eq!(info.count_total, 0, "{law:?}");
+    }
 }

@@ -39,6 +39,8 @@ mod line_of_action;
 #[cfg(test)]
 mod maps;
 #[cfg(test)]
+mod momentum;
+#[cfg(test)]
 mod oracle;
 #[cfg(test)]
 mod packages;

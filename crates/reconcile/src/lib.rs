@@ -1,4 +1,5 @@
-//! Finds the speed that makes the work of the normal impulse equal the crush energy.
+//! Finds the speed that makes the work of the normal impulse equal the crush energy, and both speeds from the
+//! momentum after impact.
 //!
 //! ```
 //! use pim_core::{Body, Contact, Law, Motion, Participant, Tangential};
@@ -30,6 +31,10 @@
 //! [`Problem::speeds`] lists all admissible speeds. The numbers on the way to a closed form are
 //! [`Problem::line`] and [`Problem::quadratic`].
 //!
+//! Where neither speed is known, but both velocities after impact are, a [`Momentum`] gives both speeds if
+//! the approaches cross, and a [`MomentumAndCrush`] if they are collinear. [`Implied`] is what is then known
+//! twice.
+//!
 //! | code | symbol | meaning | unit |
 //! |---|---|---|---|
 //! | `x` | x = −u_n | approach speed | m/s |
@@ -39,6 +44,8 @@
 //! | `tangential_at_zero_approach` | u_t0 | u_t at x = 0 | m/s |
 //! | `alpha`, `beta` | α, β | P_n = α x + β in a [`Quadratic`] | kg, N·s |
 //! | `c` | c | 2 W_n/(1−e) | J |
+//! | `axis` | â | unit vector along which momentum is kept | – |
+//! | `relative` | σ | relative speed of the CGs along the line of speeds that the momentum allows | m/s |
 //!
 //! # Guarantees
 //!
@@ -63,8 +70,8 @@
 //!
 //! # What it does not do
 //!
-//! It finds one speed along a heading, from the energy alone. It does not measure crush (see `crash3`), nor
-//! does it use rest positions or momentum after impact.
+//! Speeds are along the headings. It does not measure crush (see `crash3`), nor does it find the velocities
+//! after impact from rest positions: [`Momentum`] takes them as given.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
@@ -73,6 +80,7 @@ mod brent;
 mod closed_form;
 mod error;
 mod line;
+mod momentum;
 mod nearest;
 mod pieces;
 mod polynomial;
@@ -85,4 +93,5 @@ pub use closed_form::Quadratic;
 pub use crash3::EnergyBasis;
 pub use error::ReconcileError;
 pub use line::ApproachLine;
+pub use momentum::{BothSpeeds, COLLINEAR, Departure, Implied, Momentum, MomentumAndCrush, MomentumError};
 pub use problem::{Problem, Unknown};

@@ -1,0 +1,202 @@
+//! Both speeds from the velocities after impact.
+
+mod crush;
+mod error;
+mod implied;
+
+use pim_core::{Contact, InvalidInput, Motion, Real, Vector2, VehicleId};
+
+pub use crush::{BothSpeeds, MomentumAndCrush};
+pub use error::MomentumError;
+pub use implied::Implied;
+
+/// (rad) 10°. Approaches whose directions, or those of one and the opposite of the other, differ by no more
+/// are collinear: EDCRASH's rule (its manual, chapter 2). At this angle an error of the momentum across the
+/// axis is 1/sin 10° = 5.8 times as large in the speeds.
+pub const COLLINEAR: f64 = 0.174_532_925_199_432_95;
+
+/// sin 10°.
+const COLLINEAR_SINE: f64 = 0.173_648_177_666_930_35;
+
+/// Headings of 170° and 180° differ by 10° but for their rounding, which is far below this share.
+const SINE_ROUNDING: f64 = 1e-9;
+
+/// How a vehicle left the impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
+pub struct Departure<T = f64> {
+    /// (m/s) V, the velocity of the CG after impact in the scene frame.
+    pub velocity: Vector2<T>,
+    /// (rad/s) Ω, the yaw rate after impact, where it is known.
+    pub yaw_rate: Option<T>,
+}
+
+/// A collision of which neither speed is known, but how both vehicles left it: from rest positions, from
+/// marks or as given.
+///
+/// No force from outside counts during the impact, so the vehicles take out of it the momentum that they
+/// brought. Each moved along its heading ê_i, which its [`Contact`] has:
+///
+/// m_1 v_1 ê_1 + m_2 v_2 ê_2 = m_1 V_1 + m_2 V_2
+///
+/// In the plane these are two equations for two speeds. [`speeds`](Self::speeds) solves them where the
+/// approaches cross. Where they are collinear, one equation is left, and [`MomentumAndCrush`] takes the crush
+/// energy for the other. [`implied`](Self::implied) is what follows from the speeds beside them.
+///
+/// Any values may stand here; [`check`](Self::check) says whether they can be used.
+///
+/// ```
+/// use pim_core::{Body, Contact, Participant, Vector2};
+/// use reconcile::{Departure, Momentum};
+///
+/// // Two cars of 1500 kg meet at right angles and leave together, at 10 m/s in either direction.
+/// let body = Body::new(1500.0, 2500.0)?;
+/// let one = Participant::new(body, 0.0, 1.5, -1.5)?;
+/// let two = Participant::new(body, std::f64::consts::FRAC_PI_2, 1.5, 1.5)?;
+/// let together = Departure { velocity: Vector2::new(10.0, 10.0), yaw_rate: None };
+/// let contact = Contact::new([one, two], 0.0)?;
+/// let momentum = Momentum { contact, yaw_rates: [0.0; 2], after: [together; 2] };
+///
+/// let [v1, v2] = momentum.speeds()?;
+/// assert!((v1 - 20.0).abs() < 1e-12 && (v2 - 20.0).abs() < 1e-12);
+/// assert!((momentum.implied([v1, v2])?.energy_loss - 3e5).abs() < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
+pub struct Momentum<T = f64> {
+    /// The geometry.
+    pub contact: Contact<T>,
+    /// (rad/s) yaw rates before impact.
+    pub yaw_rates: [T; 2],
+    /// How the vehicles left the impact.
+    pub after: [Departure<T>; 2],
+}
+
+impl<T: Real> Momentum<T> {
+    /// Whether both vehicles can move and all numbers are finite.
+    ///
+    /// # Errors
+    /// [`MomentumError::Fixed`] and [`MomentumError::Invalid`].
+    pub fn check(&self) -> Result<(), MomentumError> {
+        for (i, vehicle) in VehicleId::ALL.into_iter().enumerate() {
+            if self.contact.participants()[i].body().is_fixed() {
+                return Err(MomentumError::Fixed { vehicle });
+            }
+            let Departure { velocity, yaw_rate } = self.after[i];
+            finite("velocity along x after impact", velocity.x)?;
+            finite("velocity along y after impact", velocity.y)?;
+            finite("yaw rate after impact", yaw_rate.unwrap_or(T::ZERO))?;
+            finite("yaw rate", self.yaw_rates[i])?;
+        }
+        Ok(())
+    }
+
+    /// (kg·m/s) the momentum of both vehicles in the scene frame.
+    #[inline(always)]
+    #[must_use]
+    pub fn total(&self) -> Vector2<T> {
+        let [m1, m2] = self.masses();
+        let [one, two] = &self.after;
+        // p = m₁ V₁ + m₂ V₂
+        one.velocity * m1 + two.velocity * m2
+    }
+
+    /// (rad) the angle from the heading of vehicle 1 to that of vehicle 2, in [−π, π].
+    #[must_use]
+    pub fn angle(&self) -> T {
+        let [e1, e2] = self.headings();
+        cross(e1, e2).atan2(dot(e1, e2))
+    }
+
+    /// (–) the sine of that angle: how well momentum alone tells the speeds. An error δp of the momentum
+    /// moves the speed of vehicle i by up to δp/(m_i |sine|).
+    #[inline(always)]
+    #[must_use]
+    pub fn sine(&self) -> T {
+        let [e1, e2] = self.headings();
+        cross(e1, e2)
+    }
+
+    /// Whether the headings lie within [`COLLINEAR`] of one line, so that momentum alone does not tell both
+    /// speeds.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_collinear(&self) -> bool {
+        self.sine().abs() <= T::from(COLLINEAR_SINE * (1.0 + SINE_ROUNDING))
+    }
+
+    /// Unit vector of the line that collinear approaches share: it halves the angle between the headings, or
+    /// between one and the opposite of the other.
+    #[must_use]
+    pub fn common_axis(&self) -> Vector2<T> {
+        let [e1, e2] = self.headings();
+        // â = (ê₁ ± ê₂)/|ê₁ ± ê₂| with the sign of ê₁·ê₂
+        let sum = if dot(e1, e2) < T::ZERO { e1 - e2 } else { e1 + e2 };
+        sum / dot(sum, sum).sqrt()
+    }
+
+    /// (m/s) both speeds along the headings, from momentum alone.
+    ///
+    /// # Errors
+    /// Where [`check`](Self::check) finds one, or the approaches are collinear.
+    pub fn speeds(&self) -> Result<[T; 2], MomentumError> {
+        self.check()?;
+        if self.is_collinear() {
+            return Err(MomentumError::Collinear { angle: self.angle().value() });
+        }
+        let [m1, m2] = self.masses();
+        let [e1, e2] = self.headings();
+        let p = self.total();
+        // v₁ = (p × ê₂)/(m₁ ê₁ × ê₂),  v₂ = (ê₁ × p)/(m₂ ê₁ × ê₂)
+        Ok([cross(p, e2) / (m1 * self.sine()), cross(e1, p) / (m2 * self.sine())])
+    }
+
+    /// The motions before impact at these speeds (m/s).
+    #[inline(always)]
+    #[must_use]
+    pub fn motions_at(&self, speeds: [T; 2]) -> [Motion<T>; 2] {
+        let [e1, e2] = self.headings();
+        let ([v1, v2], [w1, w2]) = (speeds, self.yaw_rates);
+        [Motion { velocity: e1 * v1, yaw_rate: w1 }, Motion { velocity: e2 * v2, yaw_rate: w2 }]
+    }
+
+    #[inline(always)]
+    fn headings(&self) -> [Vector2<T>; 2] {
+        self.contact.participants().each_ref().map(|participant| participant.forward())
+    }
+
+    #[inline(always)]
+    fn masses(&self) -> [T; 2] {
+        self.contact.participants().each_ref().map(|participant| participant.body().mass())
+    }
+}
+
+fn finite<T: Real>(what: &'static str, value: T) -> Result<(), InvalidInput> {
+    if value.is_finite() { Ok(()) } else { Err(InvalidInput::NotFinite { what, value: value.value() }) }
+}
+
+#[inline(always)]
+fn dot<T: Real>(a: Vector2<T>, b: Vector2<T>) -> T {
+    a.x * b.x + a.y * b.y
+}
+
+/// The scalar cross product.
+#[inline(always)]
+fn cross<T: Real>(a: Vector2<T>, b: Vector2<T>) -> T {
+    a.x * b.y - a.y * b.x
+}

@@ -1,0 +1,108 @@
+//! Why both speeds have no answer.
+
+use pim_core::{ImpactError, InvalidInput, VehicleId};
+
+/// Why momentum, with the crush energy or without, does not give both speeds.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MomentumError {
+    /// The ground takes momentum out of a fixed object.
+    #[error(
+        "vehicle {vehicle} is fixed, so the momentum of the vehicles is not kept and does not give their \
+         speeds; find the other vehicle's speed from the crush energy"
+    )]
+    Fixed {
+        /// Which vehicle.
+        vehicle: VehicleId,
+    },
+    /// An input is impossible.
+    #[error(transparent)]
+    Invalid(#[from] InvalidInput),
+    /// The headings lie too near to one line for momentum alone.
+    #[error(
+        "the headings differ by {:.2}°, which is within 10° of one line, so momentum alone does not tell both \
+         speeds; use momentum along this line together with the crush energy", .angle.to_degrees()
+    )]
+    Collinear {
+        /// (rad) the angle from the heading of vehicle 1 to that of vehicle 2.
+        angle: f64,
+    },
+    /// The axis is not a direction.
+    #[error("the axis of the momentum is a vector of length {length}, but must be of length 1")]
+    NoAxis {
+        /// (–) its length.
+        length: f64,
+    },
+    /// Neither speed adds momentum along the axis.
+    #[error(
+        "both vehicles head across the axis of the momentum (cosines {:.1e} and {:.1e}), so it does not \
+         depend on their speeds; take the axis along the headings", .cosines[0], .cosines[1]
+    )]
+    AcrossAxis {
+        /// Cosines of the angles between the headings and the axis.
+        cosines: [f64; 2],
+    },
+    /// The vehicles approach along the crush plane, at any speeds that the momentum allows.
+    #[error(
+        "the speeds that the momentum allows differ by a velocity along the crush plane (at 90° to its normal \
+         but for a cosine of {cosine:.1e}), so the crush energy does not tell which they are; check the \
+         headings and the crush plane"
+    )]
+    AlongCrushPlane {
+        /// Cosine of the angle between that velocity and the normal.
+        cosine: f64,
+    },
+    /// There is no second equation.
+    #[error(
+        "the crush energy is {energy} J, but must be greater than zero to give the speeds; check the depths \
+         and the stiffness of both vehicles"
+    )]
+    NoCrushEnergy {
+        /// (J) the crush energy.
+        energy: f64,
+    },
+    /// e = 1: W_n is zero at all speeds.
+    #[error(
+        "with a restitution of {restitution} the normal impulse dissipates no energy, so no speeds fit the \
+         crush energy; give a restitution below 1"
+    )]
+    NoRestitutionLoss {
+        /// e.
+        restitution: f64,
+    },
+    /// W_n stays away from the crush energy at all speeds that the momentum allows.
+    #[error(
+        "no speeds with this momentum make the work of the normal impulse equal to {energy:.1} J while the \
+         vehicles approach and push; check the velocities after impact, the crush energy, the crush plane and \
+         the restitution"
+    )]
+    NotReached {
+        /// (J) the normal work sought.
+        energy: f64,
+    },
+    /// Speeds give momentum and energy, but no impact can happen like this.
+    #[error(
+        "at {:.4} and {:.4} m/s the vehicles would have the momentum and the crush energy, but: {reason}",
+        .speeds[0], .speeds[1]
+    )]
+    Inadmissible {
+        /// (m/s) the speeds.
+        speeds: [f64; 2],
+        /// What is wrong with the impact at these speeds.
+        reason: ImpactError,
+    },
+    /// No impact is possible at any speeds with this momentum.
+    #[error(transparent)]
+    Impact(ImpactError),
+    /// The root-finder stopped short of its tolerance.
+    #[error(
+        "the search for the speeds did not converge: {:.9} and {:.9} m/s still miss the crush energy by \
+         {residual:.3e} J; check the input for extreme values", .speeds[0], .speeds[1]
+    )]
+    NotConverged {
+        /// (m/s) the last speeds tried.
+        speeds: [f64; 2],
+        /// (J) what is missing there.
+        residual: f64,
+    },
+}

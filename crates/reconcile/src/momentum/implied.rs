@@ -1,0 +1,197 @@
+//! What both speeds imply beside what gave them.
+
+use pim_core::{Approach, Motion, NormalTangential, Real, Vector2, normal_work, pdof};
+
+use crate::momentum::{Departure, Momentum, cross, error::MomentumError};
+
+/// What follows from the speeds before impact and the velocities after it. More is known then than was
+/// needed: each number here can be held against another source.
+///
+/// | number | to hold against |
+/// |---|---|
+/// | [`impulses`](Self::impulses) | each other: where both speeds come from momentum they are equal |
+/// | [`impulse_ratio`](Self::impulse_ratio) | μ_c, which it does not pass, and 0, whose side is that against the sliding |
+/// | [`pdof`](Self::pdof) | the direction that the damage shows |
+/// | [`normal_work`](Self::normal_work) | the crush energy |
+/// | [`energy_loss`](Self::energy_loss) | the crush energy, which it exceeds where sliding took a part |
+/// | [`restitution`](Self::restitution), [`separation`](Self::separation) | the impact law, and what the motions at C are |
+/// | [`yaw_rates`](Self::yaw_rates) | the yaw rates that rest positions or recorders tell |
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: Real + serde::Serialize",
+        deserialize = "T: Real + serde::Deserialize<'de>"
+    ))
+)]
+pub struct Implied<T = f64> {
+    /// The motions before impact.
+    pub before: [Motion<T>; 2],
+    /// (N·s) the impulse on vehicle 1 in the scene frame, as each vehicle's velocities tell it.
+    pub impulses: [Vector2<T>; 2],
+    /// (N·s) P, their mean.
+    pub impulse_vector: Vector2<T>,
+    /// (N·s) P along n and t.
+    pub impulse: NormalTangential<T>,
+    /// (–) P_t/P_n; `None` where P does not push.
+    pub impulse_ratio: Option<T>,
+    /// (–) μ_c, the ratio that gives U_t = 0 with the same change of u_n; `None` where no push gives that.
+    pub critical_impulse_ratio: Option<T>,
+    /// (m/s) ΔV vectors V − v of the two CGs in the scene frame.
+    pub delta_v: [Vector2<T>; 2],
+    /// (rad) principal directions of force, each from the vehicle's own ΔV, see [`pdof`].
+    pub pdof: [T; 2],
+    /// (m/s) u, velocity of vehicle 1 relative to vehicle 2 at C before impact.
+    pub approach: NormalTangential<T>,
+    /// (m/s) U, the same after the impulse P at C.
+    pub separation: NormalTangential<T>,
+    /// (–) −U_n/u_n with this U; `None` where the vehicles do not approach.
+    pub restitution: Option<T>,
+    /// (rad/s) Ω, the yaw rates after the impulse P at C.
+    pub yaw_rates: [T; 2],
+    /// (m/s) U of the motions after impact themselves, where both yaw rates are known.
+    pub departure: Option<NormalTangential<T>>,
+    /// (–) −U_n/u_n with that U.
+    pub departure_restitution: Option<T>,
+    /// (J) W_n, the energy taken by the normal impulse.
+    pub normal_work: T,
+    /// (J) W_t, the energy taken by the tangential impulse.
+    pub tangential_work: T,
+    /// (J) E_L, the kinetic energy before less that after impact. A yaw rate after impact that is not known
+    /// is here the one that P gives.
+    pub energy_loss: T,
+}
+
+impl<T: Real> Momentum<T> {
+    /// What the speeds (m/s) imply, whatever gave them. P acts at C alone: a moment impulse is not told apart
+    /// from another point of contact.
+    ///
+    /// # Errors
+    /// Where [`check`](Momentum::check) finds one or a speed is not finite.
+    pub fn implied(&self, speeds: [T; 2]) -> Result<Implied<T>, MomentumError> {
+        self.check()?;
+        super::finite("speed of vehicle 1", speeds[0])?;
+        super::finite("speed of vehicle 2", speeds[1])?;
+        let before = self.motions_at(speeds);
+        let bodies = self.contact.participants().each_ref().map(|participant| participant.body());
+        let arms = self.contact.participants().each_ref().map(|participant| participant.arm());
+        let velocities = self.after.each_ref().map(|departure| departure.velocity);
+        // ΔV_i = V_i − v_i
+        let delta_v = [velocities[0] - before[0].velocity, velocities[1] - before[1].velocity];
+        // P = m₁ ΔV₁ = −m₂ ΔV₂
+        let impulses = [delta_v[0] * bodies[0].mass(), -delta_v[1] * bodies[1].mass()];
+        let impulse_vector = (impulses[0] + impulses[1]) * T::from(0.5);
+        let impulse = self.contact.resolve(impulse_vector);
+        // Ω₁ = ω₁ + r₁×P/I₁,  Ω₂ = ω₂ − r₂×P/I₂
+        let yaw_rates = [
+            before[0].yaw_rate + cross(arms[0], impulse_vector) * bodies[0].inverse_yaw_inertia(),
+            before[1].yaw_rate - cross(arms[1], impulse_vector) * bodies[1].inverse_yaw_inertia(),
+        ];
+        let k = self.contact.inverse_mass();
+        let approach = self.contact.approach(&before);
+        let u = approach.velocity;
+        let separation = k.separation(approach, impulse, T::ZERO).velocity;
+        let approaches = u.normal < T::ZERO;
+        // e = −U_n/u_n
+        let restitution = |after: NormalTangential<T>| approaches.then(|| -(after.normal / u.normal));
+        let departure = match self.after {
+            [
+                Departure { yaw_rate: Some(yaw_rate_1), velocity: velocity_1 },
+                Departure { yaw_rate: Some(yaw_rate_2), velocity: velocity_2 },
+            ] => {
+                let motions = [
+                    Motion { velocity: velocity_1, yaw_rate: yaw_rate_1 },
+                    Motion { velocity: velocity_2, yaw_rate: yaw_rate_2 },
+                ];
+                Some(self.contact.approach(&motions).velocity)
+            }
+            _ => None,
+        };
+        let after = |i: usize| Motion {
+            velocity: velocities[i],
+            yaw_rate: self.after[i].yaw_rate.unwrap_or(yaw_rates[i]),
+        };
+        // E_L = T_before − T_after
+        let energy_loss = (bodies[0].kinetic_energy(&before[0]) - bodies[0].kinetic_energy(&after(0)))
+            + (bodies[1].kinetic_energy(&before[1]) - bodies[1].kinetic_energy(&after(1)));
+        let [f1, f2] = self.headings();
+        Ok(Implied {
+            before,
+            impulses,
+            impulse_vector,
+            impulse,
+            impulse_ratio: ratio(impulse),
+            critical_impulse_ratio: self.critical_ratio(approach, separation.normal),
+            delta_v,
+            pdof: [pdof(f1, delta_v[0]), pdof(f2, delta_v[1])],
+            approach: u,
+            separation,
+            restitution: restitution(separation),
+            yaw_rates,
+            departure,
+            departure_restitution: departure.and_then(restitution),
+            normal_work: normal_work(u, impulse, separation),
+            // W_t = −½ P_t (u_t + U_t)
+            tangential_work: -(impulse.tangential * (u.tangential + separation.tangential)) * 0.5,
+            energy_loss,
+        })
+    }
+
+    /// The ratio of the impulse that gives U_t = 0 and this U_n (m/s), if that is a push.
+    fn critical_ratio(&self, Approach { velocity: u, .. }: Approach<T>, separation: T) -> Option<T> {
+        let k = self.contact.inverse_mass();
+        let change = separation - u.normal;
+        // K P = (U_n − u_n, −u_t), up to det K
+        ratio(NormalTangential {
+            normal: k.tt * change + k.nt * u.tangential,
+            tangential: -(k.nn * u.tangential) - k.nt * change,
+        })
+    }
+}
+
+/// P_t/P_n of a push.
+fn ratio<T: Real>(p: NormalTangential<T>) -> Option<T> {
+    (p.normal > T::ZERO).then(|| p.tangential / p.normal)
+}
+
+impl<T: Real> Implied<T> {
+    /// (N·s) how far the impulses that the two vehicles tell lie apart.
+    #[must_use]
+    pub fn disagreement(&self) -> T {
+        let apart = self.impulses[0] - self.impulses[1];
+        (apart.x * apart.x + apart.y * apart.y).sqrt()
+    }
+
+    /// The same in axes of the other handedness: see [`Outcome::mirrored`](pim_core::Outcome::mirrored).
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        // Subtracted from zero, because −0 would be printed as "-0".
+        let flipped = |value: T| T::ZERO - value;
+        let across = |v: Vector2<T>| Vector2::new(v.x, flipped(v.y));
+        Self {
+            before: self.before.map(|motion| Motion {
+                velocity: across(motion.velocity),
+                yaw_rate: flipped(motion.yaw_rate),
+            }),
+            impulses: self.impulses.map(across),
+            impulse_vector: across(self.impulse_vector),
+            impulse: self.impulse.mirrored(),
+            impulse_ratio: self.impulse_ratio.map(flipped),
+            critical_impulse_ratio: self.critical_impulse_ratio.map(flipped),
+            delta_v: self.delta_v.map(across),
+            // Clockwise on the face of a clock in either axes.
+            pdof: self.pdof,
+            approach: self.approach.mirrored(),
+            separation: self.separation.mirrored(),
+            restitution: self.restitution,
+            yaw_rates: self.yaw_rates.map(flipped),
+            departure: self.departure.map(NormalTangential::mirrored),
+            departure_restitution: self.departure_restitution,
+            normal_work: self.normal_work,
+            tangential_work: self.tangential_work,
+            energy_loss: self.energy_loss,
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! Tests of the validation, in one binary.
+
+mod claims;
+mod momentum;
