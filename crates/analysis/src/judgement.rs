@@ -313,7 +313,7 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
         {
             assumptions.push(Assumption::Outline { vehicle: id, class });
         }
-        let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.vehicle() == id);
+        let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(id));
         if let Some(motion) = vehicle.motion.filter(|_| sought) {
             let given = match motion {
                 Velocity::Speed(speed) => speed.si(),

@@ -16,7 +16,7 @@ use inputs::{
     Bounds, Case, Estimate, Fault, FaultKind, Faults, GivenUncertainty, Input, Origin, Range,
     STIFFNESS_LN_SD_A, SharedEffects, SharedError, Spread, Unit, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
 };
-use pim_core::{ImpactError, Outcome};
+use pim_core::{ImpactError, Outcome, VehicleId};
 use real::Gradient;
 use reconcile::ReconcileError;
 
@@ -349,10 +349,10 @@ pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     Faults::none_of(faults)?;
     // A speed that is sought is no input, even where the file gives one.
     if let Some(reconstruct) = &case.reconstruct {
-        let vehicle = format!("vehicle{}", reconstruct.find.vehicle());
-        let sought =
-            [format!("{vehicle}.speed"), format!("{vehicle}.velocity.x"), format!("{vehicle}.velocity.y")];
-        inputs.retain(|input| !sought.contains(&input.input.path));
+        for id in VehicleId::ALL.into_iter().filter(|id| reconstruct.find.seeks(*id)) {
+            let sought = ["speed", "velocity.x", "velocity.y"].map(|key| format!("vehicle{id}.{key}"));
+            inputs.retain(|input| !sought.contains(&input.input.path));
+        }
     }
     if inputs.is_empty() { Err(no_range(case).into()) } else { Ok(inputs) }
 }

@@ -670,7 +670,7 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
         }
     }
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
-        let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.vehicle() == id);
+        let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(id));
         if let Some(Velocity::Speed(given)) = vehicle.motion
             && given.si() < 0.0
             && !sought

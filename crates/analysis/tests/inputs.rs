@@ -7,9 +7,9 @@ use analysis::{Failure, crush, impact, reconstruct};
 use case::{CaseFile, Program};
 use crash3::{EnergyBasis, Side};
 use inputs::{
-    BrachTangential, Case, ContactPoint, Crush, Dimension, Faults, GivenImpact, GivenVehicle, ImpactLaw,
-    LeftOut, Mass, Purpose, Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Velocity,
-    YawInertia,
+    BrachTangential, Case, ContactPoint, Crush, Dimension, Faults, Find, GivenImpact, GivenVehicle,
+    ImpactLaw, LeftOut, Mass, Purpose, Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine,
+    Velocity, YawInertia,
 };
 use reconcile::Unknown;
 
@@ -82,7 +82,10 @@ fn built() -> Case {
                 moment_restitution: None,
             },
         }),
-        reconstruct: Some(Reconstruct { find: Unknown::Speed1, energy_basis: EnergyBasis::Dissipated }),
+        reconstruct: Some(Reconstruct {
+            find: Find::One(Unknown::Speed1),
+            energy_basis: EnergyBasis::Dissipated,
+        }),
         ..Case::default()
     }
 }

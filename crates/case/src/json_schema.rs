@@ -7,7 +7,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::schema::{
     Condition, Form, Key, KeysOfLaw, MOST_STATIONS, MOST_ZONES, RANGE, RANGE_OF_LIST, Rule, Schema, TOP,
-    VEHICLE,
+    VEHICLE, WHEELS,
 };
 use crate::units::{HOUR, list_pattern, pattern, percent_pattern};
 use inputs::{Bounds, Dimension, LawName, Unit};
@@ -130,6 +130,17 @@ impl Generator {
             Form::Text => object(json!({ "type": "string", "pattern": r"\S" })),
             Form::Flag => object(json!({ "type": "boolean" })),
             Form::Words(words) => object(json!({ "type": "string", "enum": words })),
+            Form::WordOrAll(words) => object(json!({
+                "type": ["string", "array"],
+                "if": { "type": "string" },
+                "then": { "enum": words },
+                "else": {
+                    "minItems": words.len(),
+                    "maxItems": words.len(),
+                    "uniqueItems": true,
+                    "items": { "type": "string", "enum": words },
+                },
+            })),
             Form::Law(words) => {
                 object(json!({ "type": "string", "enum": words, "default": LawName::default().name() }))
             }
@@ -153,6 +164,27 @@ impl Generator {
                 object(json!({ "type": "array", "maxItems": MOST_STATIONS, "items": items }))
             }
             Form::Quantity(dimension, bounds) => self.quantity_or_range(dimension, bounds),
+            Form::Exact(dimension, bounds) => self.quantity(dimension, bounds),
+            Form::QuantityOrTables(dimension, bounds, schema) => {
+                let mut node = self.quantity_or_range(dimension, bounds);
+                node.insert("type".into(), json!(["string", "object", "array"]));
+                node.insert("minItems".into(), json!(1));
+                node.insert("maxItems".into(), json!(MOST_ZONES));
+                node.insert("items".into(), Value::Object(self.table(schema)));
+                node
+            }
+            Form::Wheels(bounds, words) => {
+                let mut wheel = object(json!({ "type": ["number", "object", "string"] }));
+                wheel.insert("pattern".into(), json!(format!("^(?:{})$", words.join("|"))));
+                wheel.extend(limits(bounds));
+                wheel.extend(self.content(&[&RANGE], Some(Kind::Number(bounds))));
+                let mut node = wheel.clone();
+                node.insert("type".into(), json!(["number", "object", "string", "array"]));
+                node.insert("minItems".into(), json!(WHEELS));
+                node.insert("maxItems".into(), json!(WHEELS));
+                node.insert("items".into(), Value::Object(wheel));
+                node
+            }
             Form::Quantities(dimension, bounds, least) => {
                 let kind = Kind::Quantity(dimension, bounds);
                 let mut node = object(json!({

@@ -193,12 +193,13 @@ pub use units::read_unit;
 
 // What a case file holds is of the crate `inputs`, and is here too for whoever reads files.
 pub use inputs::{
-    Amount, Axes, Bounds, BrachTangential, Case, Collision, ContactPoint, Crush, CrushOnly, DamageData,
-    Dimension, Dimensions, ENERGY_BASES, EnergyData, Estimate, Evidence, Factors, Faults, Fit, GivenEes,
-    GivenImpact, GivenTest, GivenVehicle, ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, Kind,
-    KnownEnergy, LawName, LeftOut, Mass, OBLIQUE_CORRECTIONS, Origin, Outline, Pdof, Purpose, Quantity,
-    Range, Reconstruct, ReconstructionInput, ReportHead, Restitution, SIDES, STANDARD_GRAVITY,
-    STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, Spread, StiffnessForm, StiffnessLine, StiffnessSource, Text,
-    UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
-    YawInertia, YawSource, acts, shown, shown_lines, word,
+    After, Amount, Axes, Before, Bounds, BrachTangential, Case, Collision, ContactPoint, Crush, CrushOnly,
+    DamageData, Dimension, Dimensions, Drag, ENERGY_BASES, EdgeSide, EnergyData, Estimate, Evidence, Factors,
+    Faults, Find, Fit, GivenEes, GivenImpact, GivenTest, GivenVehicle, Grade, ImpactInput, ImpactLaw,
+    InertiaData, InferredWidth, Input, Kind, KnownEnergy, LawName, LeftOut, Mass, OBLIQUE_CORRECTIONS,
+    Origin, Outline, Pdof, Place, Purpose, Quantity, Range, Reconstruct, ReconstructionInput, ReportHead,
+    Rest, RestHeading, Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, Skid,
+    Spread, Steer, SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, Surface, SurfaceRegion,
+    SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity, WheelDrag,
+    YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, acts, shown, shown_lines, word,
 };

@@ -1,7 +1,9 @@
 //! Reads a case: from TOML to a spanned tree, and from the tree to a [`Case`], collecting every problem.
 
+mod after;
 mod impact;
 mod range;
+mod scene;
 mod tree;
 mod uncertainty;
 mod values;
@@ -13,10 +15,10 @@ use crate::case_problem::CaseProblem;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::other_files;
 use crate::program::Program;
-use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, TOP, UNCERTAINTY};
+use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, SURFACE, TOP, UNCERTAINTY};
 use crate::source::{Source, Spans};
 use inputs::{
-    Axes, Case, ENERGY_BASES, Factors, FaultKind, Faults, GivenUncertainty, LeftOut, Reconstruct, ReportHead,
+    Case, ENERGY_BASES, Factors, FaultKind, Faults, Find, GivenUncertainty, LeftOut, Reconstruct, ReportHead,
     UNKNOWNS, contradictions,
 };
 use tree::{Reader, Table};
@@ -127,7 +129,10 @@ impl<'t> Reader<'t> {
         let source = self.text(&top, "source");
         let report = self.child(&top, "report", &REPORT);
         let report = report.map_or_else(ReportHead::default, |table| self.report_head(&table));
-        let axes = self.child(&top, "scene", &SCENE).and_then(|scene| self.axes(&scene)).unwrap_or_default();
+        let scene = self.child(&top, "scene", &SCENE);
+        let axes = scene.as_ref().and_then(|scene| self.axes(scene)).unwrap_or_default();
+        let scene_contact = scene.as_ref().map_or(Some(None), |scene| self.scene_contact(scene));
+        let surface = self.child(&top, "surface", &SURFACE).map(|table| self.surface(&table));
         // Its keys are looked up in what all other tables give.
         let uncertainty = self.child(&top, "uncertainty", &UNCERTAINTY);
         let first = self.vehicle(&top, "vehicle1");
@@ -143,6 +148,7 @@ impl<'t> Reader<'t> {
             self.report_path(&fault.key, problem);
         }
         let (impact, reconstruct) = (optional(impact)?, optional(reconstruct)?);
+        let (scene_contact, surface) = (scene_contact?, optional(surface)?);
         let left_out = LeftOut {
             axes: !self.says("scene.axes"),
             law: impact.is_some() && !self.says("impact.law"),
@@ -157,6 +163,8 @@ impl<'t> Reader<'t> {
             source,
             report,
             axes,
+            scene_contact,
+            surface,
             vehicles,
             impact,
             reconstruct,
@@ -182,17 +190,33 @@ impl<'t> Reader<'t> {
         ReportHead { analyst, date, file_number, exhibit }
     }
 
-    fn axes(&mut self, scene: &Table<'t>) -> Option<Axes> {
-        const FORMS: &str = "\"z-up\" (y to the left, angles positive counter-clockwise) or \"z-down\" (SAE J670: y to the right, angles positive \
-                             clockwise)";
-        self.choice_among(scene, "axes", &Axes::WORDS, FORMS)
-    }
-
     fn reconstruct(&mut self, table: &Table<'t>) -> Option<Reconstruct> {
         self.require(table, &["find"]);
-        let find = self.choice(table, "find", &UNKNOWNS);
+        let find = self.find(table);
         let energy_basis = self.choice(table, "energy_basis", &ENERGY_BASES);
         Some(Reconstruct { find: find?, energy_basis: energy_basis.unwrap_or_default() })
+    }
+
+    /// One speed, or a list of both.
+    fn find(&mut self, table: &Table<'t>) -> Option<Find> {
+        const FORMS: &str =
+            "\"vehicle1.speed\", \"vehicle2.speed\" or, for both, [\"vehicle1.speed\", \"vehicle2.speed\"]";
+        let value = table.get("find")?;
+        let Some(list) = value.get_ref().as_array() else {
+            return self.choice_among(table, "find", &UNKNOWNS, FORMS).map(Find::One);
+        };
+        let words: Vec<Option<&str>> = list.iter().map(|word| word.get_ref().as_str()).collect();
+        let is_both =
+            words.len() == UNKNOWNS.len() && UNKNOWNS.iter().all(|(name, _)| words.contains(&Some(*name)));
+        if is_both {
+            return Some(Find::Both);
+        }
+        let message = format!("\"{}\" is a list, but not of both speeds", table.path_of("find"));
+        self.report(
+            value.span(),
+            CaseProblem::Fault { message, help: Some(format!("write find = {FORMS}")) },
+        );
+        None
     }
 }
 

@@ -3,8 +3,8 @@
 use crate::nearest::join;
 use crate::units::read_unit;
 use inputs::{
-    Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, Fit, Kind, LawName, OBLIQUE_CORRECTIONS, SIDES,
-    UNDAMAGED, UNKNOWNS, words_of,
+    Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, EdgeSide, Fit, Kind, LawName,
+    OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED, UNKNOWNS, WheelDrag, words_of,
 };
 
 /// The largest number of stations: far more than any scan of a vehicle gives.
@@ -12,6 +12,9 @@ pub(crate) const MOST_STATIONS: usize = 10_000;
 
 /// The largest number of zones with separate stiffness: far more than any published structure has.
 pub(crate) const MOST_ZONES: usize = 1_000;
+
+/// The wheels of a vehicle: front left, front right, rear left, rear right.
+pub(crate) const WHEELS: usize = 4;
 
 /// The largest number of ranges. Each takes as much computing time as the whole case, and represents an error
 /// that is independent of all others.
@@ -55,6 +58,8 @@ pub(crate) enum Form {
     Flag,
     /// One of these words.
     Words(&'static [&'static str]),
+    /// One of these words, or a list of all of them.
+    WordOrAll(&'static [&'static str]),
     /// The name of an impact law: one of these words.
     Law(&'static [&'static str]),
     /// A whole number from 1 to this.
@@ -67,8 +72,14 @@ pub(crate) enum Form {
     Numbers(Bounds),
     /// A number with its unit, or a range.
     Quantity(Dimension, Bounds),
+    /// A number with its unit, and never a range.
+    Exact(Dimension, Bounds),
     /// Several, at least as many as the number says.
     Quantities(Dimension, Bounds, usize),
+    /// A number with its unit, a range, or a list of tables.
+    QuantityOrTables(Dimension, Bounds, &'static Schema),
+    /// A plain number, a range or one of these words; or a list of four of these, one for each wheel.
+    Wheels(Bounds, &'static [&'static str]),
     /// An angle, or the hour of a clock.
     AngleOrHour,
     /// The table of a vehicle.
@@ -113,7 +124,10 @@ impl Form {
     /// What a quantity is, or each of several.
     pub(crate) fn measure(self) -> Option<Measure> {
         let (dimension, bounds) = match self {
-            Self::Quantity(dimension, bounds) | Self::Quantities(dimension, bounds, _) => (dimension, bounds),
+            Self::Quantity(dimension, bounds)
+            | Self::Exact(dimension, bounds)
+            | Self::Quantities(dimension, bounds, _)
+            | Self::QuantityOrTables(dimension, bounds, _) => (dimension, bounds),
             Self::AngleOrHour => (Dimension::Angle, Bounds::None),
             _ => return None,
         };
@@ -123,7 +137,10 @@ impl Form {
     /// The bounds of a plain number, or of each of several.
     pub(crate) fn bounds(self) -> Option<Bounds> {
         match self {
-            Self::Number(bounds) | Self::Numbers(bounds) | Self::NumberOrTable(bounds, _) => Some(bounds),
+            Self::Number(bounds)
+            | Self::Numbers(bounds)
+            | Self::NumberOrTable(bounds, _)
+            | Self::Wheels(bounds, _) => Some(bounds),
             _ => None,
         }
     }
@@ -198,6 +215,7 @@ pub(crate) static TOP: Schema = Schema {
         ),
         table("report", "[report]", &REPORT),
         table("scene", "[scene]", &SCENE),
+        table("surface", "[surface]", &SURFACE),
         key("vehicle1", "[vehicle1]", Form::Vehicle, "First vehicle."),
         key("vehicle2", "[vehicle2]", Form::Vehicle, "Second vehicle, or a fixed object."),
         table("impact", "[impact]", &IMPACT),
@@ -226,14 +244,130 @@ pub(crate) static REPORT: Schema = Schema {
 
 pub(crate) static SCENE: Schema = Schema {
     place: "[scene]",
-    text: "The scene. It says in which axes the file gives angles, lateral coordinates and yaw rates.",
-    keys: &[key(
-        "axes",
-        "axes = \"z-down\"",
-        Form::Words(&words_of(&Axes::WORDS)),
-        "Axes of the file. `\"z-up\"` (the default): y points to the left of x; angles and yaw rates are positive counter-clockwise, seen from above. `\"z-down\"`, as in SAE J670: y points to the right; clockwise is positive.",
-    )],
+    text: "The scene. It says in which axes the file gives angles, lateral coordinates and yaw rates, and where the impact happened.",
+    keys: &[
+        key(
+            "axes",
+            "axes = \"z-down\"",
+            Form::Words(&words_of(&Axes::WORDS)),
+            "Axes of the file. `\"z-up\"` (the default): y points to the left of x; angles and yaw rates are positive counter-clockwise, seen from above. `\"z-down\"`, as in SAE J670: y points to the right; clockwise is positive.",
+        ),
+        table("contact", "contact = { x = \"12.4 m\", y = \"3.1 m\" }", &SCENE_CONTACT),
+    ],
     rules: &[],
+};
+
+// The keys of a place in the scene.
+const PLACE_X: Key = key(
+    "x",
+    "x = \"12.4 m\"",
+    Form::Quantity(Dimension::Length, ANY),
+    "Coordinate along the x axis of the scene.",
+);
+const PLACE_Y: Key = key(
+    "y",
+    "y = \"3.1 m\"",
+    Form::Quantity(Dimension::Length, ANY),
+    "Coordinate along the y axis of the scene.",
+);
+
+pub(crate) static SCENE_CONTACT: Schema = Schema {
+    place: "contact = { … } of [scene]",
+    text: "Place of the impact. The point through which the impulse acted, in the coordinates of the survey. Every place of the file is in the same coordinates, whose axes are those of the headings; any origin will do.",
+    keys: &[PLACE_X, PLACE_Y],
+    rules: &[Rule::Needs(&["x", "y"])],
+};
+
+pub(crate) static SURFACE: Schema = Schema {
+    place: "[surface]",
+    text: "The ground between impact and rest. Its friction, its slope, and the parts of it that have another friction.",
+    keys: &[
+        key(
+            "friction",
+            "friction = 0.7",
+            Form::Number(POSITIVE),
+            "Coefficient of friction between tyre and ground. A locked wheel is held back by this share of its load.",
+        ),
+        table("grade", "grade = { slope = 0.03, uphill = \"90 deg\" }", &GRADE),
+        key(
+            "zone",
+            "zone = [{ name = \"grass\", friction = 0.4, edge = [{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }], side = \"left\" }]",
+            Form::Tables(&SURFACE_ZONE),
+            "Parts of the ground with a friction of their own. Where two overlap, the later one counts.",
+        ),
+    ],
+    rules: &[Rule::Needs(&["friction"])],
+};
+
+pub(crate) static GRADE: Schema = Schema {
+    place: "grade = { … } of [surface]",
+    text: "Slope of the ground. Without it, the ground is level.",
+    keys: &[
+        key(
+            "slope",
+            "slope = 0.03",
+            Form::Number(Bounds::Share),
+            "Rise per horizontal distance, 0 to 1. A grade of 3 % is 0.03.",
+        ),
+        key(
+            "uphill",
+            "uphill = \"90 deg\"",
+            Form::Quantity(Dimension::Angle, ANY),
+            "Direction in which the ground rises. The angle from the x axis of the scene, seen from above; positive counter-clockwise, or clockwise with `axes = \"z-down\"`.",
+        ),
+    ],
+    rules: &[Rule::Needs(&["slope", "uphill"])],
+};
+
+pub(crate) static SURFACE_ZONE: Schema = Schema {
+    place: "[[surface.zone]]",
+    text: "A part of the ground, such as a shoulder, a strip of grass or an ice patch. Give the corners of a `polygon`, or an `edge` and the `side` of it on which the zone lies.",
+    keys: &[
+        key("name", "name = \"grass\"", Form::Text, "Name of the zone. Reports and drawings use it."),
+        key("friction", "friction = 0.4", Form::Number(POSITIVE), "Coefficient of friction in the zone."),
+        key(
+            "polygon",
+            "polygon = [{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }, { x = \"50 m\", y = \"9 m\" }]",
+            Form::Tables(&CORNER),
+            "Corners of the zone, three or more, in their order along its outline. The outline must not cross itself.",
+        ),
+        key(
+            "edge",
+            "edge = [{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }]",
+            Form::Tables(&CORNER),
+            "Two places on a straight edge. The zone is all that lies on one `side` of it.",
+        ),
+        key(
+            "side",
+            "side = \"left\"",
+            Form::Words(&words_of(&EdgeSide::WORDS)),
+            "Side of the `edge` on which the zone lies. Left or right, seen from above, for someone who walks from the first place to the second.",
+        ),
+    ],
+    rules: &[Rule::OneOf(&[
+        form(&["friction", "polygon"], &["name"]),
+        form(&["friction", "edge", "side"], &["name"]),
+    ])],
+};
+
+pub(crate) static CORNER: Schema = Schema {
+    place: "a corner of a zone",
+    text: "A place on the edge of a zone. It is exact: no range is possible.",
+    keys: &[
+        key(
+            "x",
+            "x = \"0 m\"",
+            Form::Exact(Dimension::Length, ANY),
+            "Coordinate along the x axis of the scene.",
+        ),
+        key(
+            "y",
+            "y = \"6 m\"",
+            Form::Exact(Dimension::Length, ANY),
+            "Coordinate along the y axis of the scene.",
+        ),
+    ],
+    rules: &[Rule::Needs(&["x", "y"])],
 };
 
 pub(crate) static VEHICLE: Schema = Schema {
@@ -287,7 +421,19 @@ pub(crate) static VEHICLE: Schema = Schema {
             "wheelbase",
             "wheelbase = \"2.62 m\"",
             Form::Quantity(Dimension::Length, POSITIVE),
-            "Wheelbase. If no yaw inertia is given, Burg's formula estimates it from the wheelbase and `length`.",
+            "Wheelbase. If no yaw inertia is given, Burg's formula estimates it from the wheelbase and `length`. The motion after the impact needs it, or `class`.",
+        ),
+        key(
+            "track",
+            "track = \"1.50 m\"",
+            Form::Quantity(Dimension::Length, POSITIVE),
+            "Distance between the wheels of an axle, for the motion after the impact. Without it, that of `class` is used.",
+        ),
+        key(
+            "cg_to_front_axle",
+            "cg_to_front_axle = \"1.10 m\"",
+            Form::Quantity(Dimension::Length, POSITIVE),
+            "Distance from the CG to the front axle, for the motion after the impact. Without it, the CG lies at the same share of the wheelbase as in the `class`.",
         ),
         key(
             "heading",
@@ -339,6 +485,8 @@ pub(crate) static VEHICLE: Schema = Schema {
             Form::WordsOrTable(&[UNDAMAGED], &CRUSH),
             "Damage of the vehicle. A table; or `crush = \"none\"` for a vehicle whose damage took no energy that counts, such as a lorry that a car ran into.",
         ),
+        table("before", "[vehicle1.before]", &BEFORE),
+        table("after", "[vehicle1.after]", &AFTER),
     ],
     rules: &[
         Rule::NeverIf(True("fixed"), &NEVER_FIXED),
@@ -354,7 +502,7 @@ pub(crate) static VEHICLE: Schema = Schema {
 };
 
 /// What moves or is damaged, and a fixed object is neither.
-pub(crate) static NEVER_FIXED: [&str; 11] = [
+pub(crate) static NEVER_FIXED: [&str; 15] = [
     "kind",
     "mass",
     "weight",
@@ -362,11 +510,136 @@ pub(crate) static NEVER_FIXED: [&str; 11] = [
     "yaw_radius",
     "class",
     "wheelbase",
+    "track",
+    "cg_to_front_axle",
     "speed",
     "velocity",
     "yaw_rate",
     "crush",
+    "before",
+    "after",
 ];
+
+pub(crate) static BEFORE: Schema = Schema {
+    place: "[vehicle1.before] or [vehicle2.before]",
+    text: "The vehicle before the impact. Its skid marks tell the speed at which the driver began to brake.",
+    keys: &[table("skid", "skid = { length = \"18 m\", friction = 0.7 }", &SKID)],
+    rules: &[Rule::Needs(&["skid"])],
+};
+
+pub(crate) static SKID: Schema = Schema {
+    place: "skid = { … } of [vehicle1.before] or [vehicle2.before]",
+    text: "Skid marks of all wheels, up to the impact.",
+    keys: &[
+        key(
+            "length",
+            "length = \"18 m\"",
+            Form::Quantity(Dimension::Length, POSITIVE),
+            "Distance that the vehicle skidded, from the beginning of the marks to the impact.",
+        ),
+        key(
+            "friction",
+            "friction = 0.7",
+            Form::Number(POSITIVE),
+            "Coefficient of friction there. Without it, that of [surface] is used.",
+        ),
+    ],
+    rules: &[Rule::Needs(&["length"])],
+};
+
+pub(crate) static AFTER: Schema = Schema {
+    place: "[vehicle1.after] or [vehicle2.after]",
+    text: "The vehicle between impact and rest. Where it came to rest, what slowed its wheels and, where it is known from elsewhere, how it left the impact.",
+    keys: &[
+        key(
+            "drag",
+            "drag = [0.02, \"locked\", 0.02, 0.02]",
+            Form::Wheels(NOT_NEGATIVE, &words_of(&WheelDrag::WORDS)),
+            "What resists the rolling of the wheels, as a share of the load on each. One value for all wheels, or a list of four: front left, front right, rear left, rear right. About 0.01 rolls freely; `\"locked\"` does not turn.",
+        ),
+        key(
+            "steer",
+            "steer = \"5 deg\"",
+            Form::QuantityOrTables(Dimension::Angle, ANY, &STEER),
+            "Steer angle of the front wheels. Positive counter-clockwise, or clockwise with `axes = \"z-down\"`, seen from above; 0 (the default) is straight ahead. One angle, or a list of angles over time.",
+        ),
+        table("rest", "rest = { x = \"31.2 m\", y = \"9.8 m\", heading = \"140 deg\" }", &REST),
+        key(
+            "points",
+            "points = [{ x = \"18.0 m\", y = \"5.5 m\" }, { x = \"25.1 m\", y = \"8.3 m\" }]",
+            Form::Tables(&POINT),
+            "Places where the CG passed, from impact to rest. They tell which of several motions to the same rest it was.",
+        ),
+        key(
+            "speed",
+            "speed = \"12 m/s\"",
+            Form::Quantity(Dimension::Speed, NOT_NEGATIVE),
+            "Speed of the CG just after the impact, if it is known from elsewhere. Give it with `direction`.",
+        ),
+        key(
+            "direction",
+            "direction = \"35 deg\"",
+            Form::Quantity(Dimension::Angle, ANY),
+            "Direction in which the CG left the impact. The angle from the x axis of the scene, seen from above; positive counter-clockwise, or clockwise with `axes = \"z-down\"`.",
+        ),
+        key(
+            "yaw_rate",
+            "yaw_rate = \"90 deg/s\"",
+            Form::Quantity(Dimension::YawRate, ANY),
+            "Yaw rate just after the impact, if it is known from elsewhere. Seen from above, positive counter-clockwise, or clockwise with `axes = \"z-down\"`.",
+        ),
+    ],
+    rules: &[Rule::NeedsIf(&[Has("speed")], &["direction"])],
+};
+
+pub(crate) static REST: Schema = Schema {
+    place: "rest = { … } of [vehicle1.after] or [vehicle2.after]",
+    text: "Rest of the vehicle: the place of its CG, and how it stands there. Give `heading`, or `turned` if it is known which way and how often it turned.",
+    keys: &[
+        PLACE_X,
+        PLACE_Y,
+        key(
+            "heading",
+            "heading = \"140 deg\"",
+            Form::Quantity(Dimension::Angle, ANY),
+            "Heading at rest. The angle of the forward axis from the x axis of the scene, as `heading` of the vehicle; it leaves open which way and how often the vehicle turned.",
+        ),
+        key(
+            "turned",
+            "turned = \"-220 deg\"",
+            Form::Quantity(Dimension::Angle, ANY),
+            "Angle by which the vehicle turned since the impact, full turns included. Seen from above, positive counter-clockwise, or clockwise with `axes = \"z-down\"`.",
+        ),
+    ],
+    rules: &[Rule::OneOf(&[form(&["x", "y", "heading"], &[]), form(&["x", "y", "turned"], &[])])],
+};
+
+pub(crate) static POINT: Schema = Schema {
+    place: "a point of the path",
+    text: "A place where the CG passed.",
+    keys: &[PLACE_X, PLACE_Y],
+    rules: &[Rule::Needs(&["x", "y"])],
+};
+
+pub(crate) static STEER: Schema = Schema {
+    place: "steer = [{ … }] of [vehicle1.after] or [vehicle2.after]",
+    text: "Steer angle at one time. Between two times it changes evenly; before the first and after the last it is held.",
+    keys: &[
+        key(
+            "time",
+            "time = \"0.5 s\"",
+            Form::Quantity(Dimension::Time, NOT_NEGATIVE),
+            "Time since the impact. Each is later than the one before.",
+        ),
+        key(
+            "angle",
+            "angle = \"5 deg\"",
+            Form::Quantity(Dimension::Angle, ANY),
+            "Steer angle at that time, signed as `steer`.",
+        ),
+    ],
+    rules: &[Rule::Needs(&["time", "angle"])],
+};
 
 /// The keys that an energy equivalent speed replaces.
 pub(crate) static NEVER_BESIDE_EES: [&str; 8] =
@@ -565,8 +838,8 @@ pub(crate) static RECONSTRUCT: Schema = Schema {
         key(
             "find",
             "find = \"vehicle1.speed\"",
-            Form::Words(&words_of(&UNKNOWNS)),
-            "The speed to find. The other vehicle's speed must be known, unless that vehicle is fixed.",
+            Form::WordOrAll(&words_of(&UNKNOWNS)),
+            "The speed to find. The other vehicle's speed must be known, unless that vehicle is fixed. A list of both speeds finds both, from the motion of both vehicles after the impact.",
         ),
         key(
             "energy_basis",
@@ -957,7 +1230,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
 };
 
-static ALL: [&Schema; 13] = [
+static ALL: [&Schema; 16] = [
     &TOP,
     &REPORT,
     &SCENE,
@@ -971,6 +1244,9 @@ static ALL: [&Schema; 13] = [
     &STIFFNESS,
     &TANGENTIAL,
     &RESTITUTION,
+    &SURFACE,
+    &BEFORE,
+    &AFTER,
 ];
 
 /// The path of every key of a case file, tables included: `scene`, `scene.axes`, `vehicle1`, …,
@@ -1003,14 +1279,18 @@ pub fn number_keys() -> Vec<String> {
         | Form::Numbers(_)
         | Form::Quantity(..)
         | Form::Quantities(..)
+        | Form::QuantityOrTables(..)
+        | Form::Wheels(..)
         | Form::AngleOrHour
         | Form::NumberOrTable(..) => true,
         Form::Text
         | Form::Flag
         | Form::Words(_)
+        | Form::WordOrAll(_)
         | Form::Law(_)
         | Form::Count(_)
         | Form::Keys(_)
+        | Form::Exact(..)
         | Form::Vehicle
         | Form::Table(_)
         | Form::Tables(_)
@@ -1036,6 +1316,7 @@ fn walked(is_wanted: fn(&Form) -> bool) -> Vec<String> {
                 Form::Vehicle => walk(&VEHICLE, &inner, is_wanted, paths),
                 Form::Table(schema)
                 | Form::Tables(schema)
+                | Form::QuantityOrTables(_, _, schema)
                 | Form::WordsOrTable(_, schema)
                 | Form::NumberOrTable(_, schema) => walk(schema, &inner, is_wanted, paths),
                 _ => {}

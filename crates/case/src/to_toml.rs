@@ -107,6 +107,7 @@ fn in_order<'n>(
             Form::Vehicle => &VEHICLE,
             Form::Table(inner)
             | Form::Tables(inner)
+            | Form::QuantityOrTables(_, _, inner)
             | Form::WordsOrTable(_, inner)
             | Form::NumberOrTable(_, inner) => inner,
             _ => schema,

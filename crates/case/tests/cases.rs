@@ -11,11 +11,12 @@ use std::fs;
 use std::path::Path;
 
 use case::{
-    Amount, Axes, Bounds, Case, CaseFile, CaseProblem, Collision, ContactPoint, Crush, Diagnostics,
-    Dimension, Evidence, Faults, Fit, GivenEes, GivenImpact, GivenTest, GivenVehicle, ImpactLaw, Kind,
-    KnownEnergy, LeftOut, Mass, Outline, Pdof, Program, Quantity, Reconstruct, ReportHead, Restitution,
-    Spread, StiffnessForm, StiffnessLine, Text, Unit, UnitSystem, Velocity, YawInertia, read_quantity,
-    to_toml,
+    After, Amount, Axes, Before, Bounds, Case, CaseFile, CaseProblem, Collision, ContactPoint, Crush,
+    Diagnostics, Dimension, Drag, EdgeSide, Evidence, Faults, Find, Fit, GivenEes, GivenImpact, GivenTest,
+    GivenVehicle, Grade, ImpactLaw, Kind, KnownEnergy, LeftOut, Mass, Outline, Pdof, Place, Program,
+    Quantity, Reconstruct, ReportHead, Rest, RestHeading, Restitution, Skid, Spread, Steer, SteerPoint,
+    StiffnessForm, StiffnessLine, Surface, SurfaceRegion, SurfaceZone, Text, Unit, UnitSystem, Velocity,
+    WheelDrag, YawInertia, read_quantity, to_toml,
 };
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
@@ -116,7 +117,7 @@ fn the_papers_example_is_read() {
     };
     assert_eq!(impact.law, law);
     assert!((impact.crush_plane.si() + 23.0 * std::f64::consts::PI / 180.0).abs() < 1e-15);
-    let wanted = Reconstruct { find: Unknown::Speed1, energy_basis: EnergyBasis::Dissipated };
+    let wanted = Reconstruct { find: Find::One(Unknown::Speed1), energy_basis: EnergyBasis::Dissipated };
     assert_eq!(case.reconstruct, Some(wanted));
     assert_eq!(case.unit_system(), UnitSystem::Us);
 }
@@ -173,6 +174,8 @@ fn the_other_forms_are_read() {
         yaw: Some(YawInertia::Radius(length("1.4 m"))),
         class: None,
         wheelbase: None,
+        track: None,
+        cg_to_front_axle: None,
         length: None,
         heading: Some(angle("0 rad")),
         contact: Some(ContactPoint::Cartesian { x: length("1.78 m"), y: length("-0.73 m") }),
@@ -203,6 +206,8 @@ fn the_other_forms_are_read() {
             moment_arm: Some(length("0 m")),
             oblique: Some(ObliqueCorrection::None),
         }),
+        before: None,
+        after: None,
     };
     let wall = GivenVehicle { fixed: true, heading: Some(angle("90 deg")), ..GivenVehicle::default() };
     let expected = Case {
@@ -219,7 +224,10 @@ fn the_other_forms_are_read() {
                 moment_restitution: None,
             },
         }),
-        reconstruct: Some(Reconstruct { find: Unknown::Speed1, energy_basis: EnergyBasis::Absorbed }),
+        reconstruct: Some(Reconstruct {
+            find: Find::One(Unknown::Speed1),
+            energy_basis: EnergyBasis::Absorbed,
+        }),
         ranges: Vec::new(),
         left_out: LeftOut { axes: true, law: true, energy_basis: false, fit: [false; 2] },
         ..Case::default()
@@ -1307,6 +1315,89 @@ fn any_crush() -> impl Strategy<Value = Crush> {
     )
 }
 
+fn any_place() -> impl Strategy<Value = Place> {
+    let coordinate = || any_quantity(Dimension::Length, Signs::Any);
+    (coordinate(), coordinate()).prop_map(|(x, y)| Place { x, y })
+}
+
+fn any_surface() -> impl Strategy<Value = Surface> {
+    let friction = || 1e-3..10.0_f64;
+    let grade = (0.0..=1.0_f64, any_quantity(Dimension::Angle, Signs::Any))
+        .prop_map(|(slope, uphill)| Grade { slope, uphill });
+    let metres =
+        |number: i32| Quantity::new(f64::from(number) / 10.0, Dimension::Length.unit("m").unwrap()).unwrap();
+    let corner = move |x, y| Place { x: metres(x), y: metres(y) };
+    let place = || (-900..900_i32, -900..900_i32);
+    let edge = (place(), 1..90_i32, select(vec![EdgeSide::Left, EdgeSide::Right])).prop_map(
+        move |((x, y), by, side)| SurfaceRegion::Beside {
+            edge: [corner(x, y), corner(x - by, y + by)],
+            side,
+        },
+    );
+    // A triangle, or a square with or without a notch.
+    let polygon = (place(), 2..90_i32, 0..3_u8).prop_map(move |((x, y), by, shape)| {
+        let far = [(x + 2 * by, y), (x + 2 * by, y + 2 * by)];
+        let rest = match shape {
+            0 => vec![],
+            1 => vec![(x, y + 2 * by)],
+            _ => vec![(x + by, y + by), (x, y + 2 * by)],
+        };
+        SurfaceRegion::Polygon(
+            [(x, y)].into_iter().chain(far).chain(rest).map(|(x, y)| corner(x, y)).collect(),
+        )
+    });
+    let zone = (option::of(words()), friction(), prop_oneof![edge, polygon])
+        .prop_map(|(name, friction, region)| SurfaceZone { name: name.map(Text::from), friction, region });
+    (friction(), option::of(grade), vec(zone, 0..3)).prop_map(|(friction, grade, zones)| Surface {
+        friction,
+        grade,
+        zones,
+    })
+}
+
+fn any_before() -> impl Strategy<Value = Before> {
+    (any_quantity(Dimension::Length, Signs::Positive), option::of(1e-3..10.0_f64))
+        .prop_map(|(length, friction)| Before { skid: Skid { length, friction } })
+}
+
+fn any_after() -> impl Strategy<Value = After> {
+    let angle = || any_quantity(Dimension::Angle, Signs::Any);
+    let wheel = || prop_oneof![Just(WheelDrag::Locked), (0.0..10.0_f64).prop_map(WheelDrag::Share)];
+    let drag = prop_oneof![
+        wheel().prop_map(Drag::Every),
+        [wheel(), wheel(), wheel(), wheel()].prop_map(Drag::Each),
+    ];
+    let unit = Dimension::Time.unit("ms").unwrap();
+    let over = vec((1..9_i32, angle()), 1..4).prop_map(move |steps| {
+        let mut time = 0;
+        let points = steps.into_iter().map(|(step, angle)| {
+            time += step;
+            SteerPoint { time: Quantity::new(f64::from(time), unit).unwrap(), angle }
+        });
+        Steer::Over(points.collect())
+    });
+    let steer = prop_oneof![angle().prop_map(Steer::Held), over];
+    let heading = prop_oneof![angle().prop_map(RestHeading::Heading), angle().prop_map(RestHeading::Turned)];
+    let rest = (any_place(), heading).prop_map(|(place, heading)| Rest { place, heading });
+    let velocity = (
+        option::of(any_quantity(Dimension::Speed, Signs::NotNegative)),
+        option::of(angle()),
+        option::of(any_quantity(Dimension::YawRate, Signs::Any)),
+    );
+    (option::of(drag), option::of(steer), option::of(rest), vec(any_place(), 0..3), velocity).prop_map(
+        |(drag, steer, rest, points, (speed, direction, yaw_rate))| After {
+            drag,
+            steer,
+            rest,
+            points,
+            // A speed has a direction.
+            speed: speed.filter(|_| direction.is_some()),
+            direction,
+            yaw_rate,
+        },
+    )
+}
+
 fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
     use Signs::{Any, NotNegative, Positive};
     let length = |range| any_quantity(Dimension::Length, range);
@@ -1331,7 +1422,8 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
     let outline = (length(Positive), length(Positive), length(Positive))
         .prop_map(|(length, width, cg_to_front)| Outline { length, width, cg_to_front });
     let kind = option::of(select(Kind::WORDS.map(|(_, kind)| kind).to_vec()));
-    let typical = (kind, option::of(1..=6_u8), option::of(length(Positive)), option::of(length(Positive)));
+    let typical = (kind, option::of(1..=6_u8), [(); 4].map(|()| option::of(length(Positive))));
+    let moving = (option::of(any_before()), option::of(any_after().boxed()));
     let of_both = (option::of(words()), option::of(angle()), option::of(contact), option::of(outline));
     let yaw_rate = any_quantity(Dimension::YawRate, Any);
     let of_vehicles = (
@@ -1341,11 +1433,12 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
         option::of(yaw_rate),
         (option::of(any_crush()), option::of(any_energy())),
     );
-    (of_both, of_vehicles, typical).prop_map(
+    (of_both, of_vehicles, typical, moving).prop_map(
         |(
             (name, heading, contact, outline),
             (mass, yaw, motion, yaw_rate, (crush, energy)),
-            (kind, class, wheelbase, length),
+            (kind, class, [wheelbase, track, cg_to_front_axle, length]),
+            (before, after),
         )| {
             // Tables of cars are for cars.
             let is_of_table = |crush: &Crush| matches!(crush.stiffness, StiffnessForm::Category(_));
@@ -1359,6 +1452,8 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
                 yaw,
                 class: class.filter(|_| kind.unwrap_or_default() == Kind::Car),
                 wheelbase,
+                track,
+                cg_to_front_axle,
                 length: length.filter(|_| wheelbase.is_some() && outline.is_none()),
                 heading,
                 contact,
@@ -1368,6 +1463,9 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
                 diameter: None,
                 crush,
                 energy,
+                before,
+                // A table without a key says nothing.
+                after: after.filter(|after| *after != After::default()),
             }
         },
     )
@@ -1422,15 +1520,26 @@ fn any_case() -> impl Strategy<Value = Case> {
     let impact = (any_quantity(Dimension::Angle, Signs::Any), any_law())
         .prop_map(|(crush_plane, law)| GivenImpact { crush_plane, law });
     let bases = vec![EnergyBasis::Dissipated, EnergyBasis::Absorbed];
-    let reconstruct = (select(vec![Unknown::Speed1, Unknown::Speed2]), select(bases))
-        .prop_map(|(find, energy_basis)| Reconstruct { find, energy_basis });
-    let vehicles = [any_vehicle(), any_vehicle()];
+    let finds = vec![Find::One(Unknown::Speed1), Find::One(Unknown::Speed2), Find::Both];
+    let reconstruct =
+        (select(finds), select(bases)).prop_map(|(find, energy_basis)| Reconstruct { find, energy_basis });
+    let ground = (option::of(any_place()), option::of(any_surface().boxed()));
+    // Boxed, because the strategies are too large for the stack of a test.
+    let vehicles = [any_vehicle().boxed(), any_vehicle().boxed()];
     let texts = [(); 6].map(|()| option::of(words()));
     let barrier = option::of(0..2_usize);
     let axes = select(vec![Axes::ZUp, Axes::ZDown]);
     let axes = (axes, any::<[bool; 5]>());
-    (texts, axes, vehicles, barrier, option::of(impact), option::of(reconstruct)).prop_map(
-        |(texts, (axes, leaves_out), mut vehicles, barrier, impact, mut reconstruct)| {
+    (texts, axes, ground, vehicles, barrier, option::of(impact), option::of(reconstruct)).prop_map(
+        |(
+            texts,
+            (axes, leaves_out),
+            (scene_contact, surface),
+            mut vehicles,
+            barrier,
+            impact,
+            mut reconstruct,
+        )| {
             if let Some(index) = barrier {
                 let GivenVehicle { name, heading, contact, outline, .. } = vehicles[index].clone();
                 // One of the two, or neither.
@@ -1444,7 +1553,7 @@ fn any_case() -> impl Strategy<Value = Case> {
                     diameter,
                     ..GivenVehicle::default()
                 };
-                let moving = [Unknown::Speed2, Unknown::Speed1][index];
+                let moving = Find::One([Unknown::Speed2, Unknown::Speed1][index]);
                 reconstruct = reconstruct.map(|wanted| Reconstruct { find: moving, ..wanted });
             }
             // A crush can be inferred only from one that was measured.
@@ -1475,6 +1584,8 @@ fn any_case() -> impl Strategy<Value = Case> {
                 source,
                 report,
                 axes,
+                scene_contact,
+                surface,
                 vehicles,
                 impact,
                 reconstruct,

@@ -210,10 +210,20 @@ fn every_key_says_what_it_is() {
         assert!(text("description").len() > 10, "{path}: description");
         // The examples of a table are those of its keys; of most parts of a range, those of the key around
         // it.
-        let is_table =
-            ["report", "scene", "vehicle1", "vehicle2", "crush", "impact", "reconstruct", "uncertainty"]
-                .iter()
-                .any(|table| path == *table || path.ends_with(&format!(".{table}")));
+        let tables = [
+            "report",
+            "scene",
+            "surface",
+            "vehicle1",
+            "vehicle2",
+            "crush",
+            "before",
+            "after",
+            "impact",
+            "reconstruct",
+            "uncertainty",
+        ];
+        let is_table = tables.iter().any(|table| path == *table || path.ends_with(&format!(".{table}")));
         let is_amount = key.get("$ref").is_some() || path.ends_with(".values") || key["type"] == "number";
         assert!(!key["examples"][0].is_null() || is_table || is_amount, "{path}: no example");
     }

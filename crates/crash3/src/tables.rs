@@ -123,6 +123,8 @@ pub struct VehicleClass {
     pub width: f64,
     /// (m) from the CG forward to the front of the body.
     pub cg_to_front: f64,
+    /// (m) from the CG forward to the front axle.
+    pub cg_to_front_axle: f64,
     /// (m) k, yaw radius of gyration.
     pub yaw_radius: f64,
 }
@@ -146,6 +148,7 @@ impl VehicleClass {
             length: row.length * INCH,
             width: row.width * INCH,
             cg_to_front: row.cg_to_front * INCH,
+            cg_to_front_axle: row.cg_to_front_axle * INCH,
             yaw_radius: row.yaw_radius_squared.sqrt() * INCH,
         })
     }

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::fmt::Display;
 
 use crash3::EnergyBasis;
-use pim_core::Real;
+use pim_core::{Real, VehicleId};
 use reconcile::Unknown;
 
 use crate::axes::Axes;
@@ -12,11 +12,12 @@ use crate::estimate::Factors;
 use crate::impact::GivenImpact;
 use crate::quantity::Quantity;
 use crate::range::Range;
+use crate::scene::{Place, Surface};
 use crate::text::Text;
 use crate::uncertain::GivenUncertainty;
 use crate::units::{Unit, UnitSystem};
 use crate::vehicle::GivenVehicle;
-use crate::walk::{Input, Origin, Others, Replace, Value, Walk};
+use crate::walk::{Element, Input, Origin, Others, Replace, Value, Walk};
 use crate::words::{ENERGY_BASES, UNKNOWNS};
 
 /// A whole case: two vehicles, and what is known of the impact. The crate `case` reads it from a file and
@@ -31,6 +32,10 @@ pub struct Case<T = f64> {
     pub report: ReportHead,
     /// `axes` of `[scene]`: the axes in which all numbers of this case are given.
     pub axes: Axes,
+    /// `contact` of `[scene]`: where the impulse of the impact acted, in the coordinates of the survey.
+    pub scene_contact: Option<Place<T>>,
+    /// `[surface]`.
+    pub surface: Option<Surface<T>>,
     /// `[vehicle1]` and `[vehicle2]`.
     pub vehicles: [GivenVehicle<T>; 2],
     /// `[impact]`.
@@ -78,10 +83,36 @@ pub struct LeftOut {
 /// Which speed to find.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reconstruct {
-    /// The unknown.
-    pub find: Unknown,
+    /// What is unknown.
+    pub find: Find,
     /// The energy that the crush energy is compared with.
     pub energy_basis: EnergyBasis,
+}
+
+/// The speeds that a reconstruction is to find.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Find {
+    /// One; the other is known.
+    One(Unknown),
+    /// Those of both vehicles.
+    Both,
+}
+
+impl Find {
+    /// The one that is unknown; `None` where both are.
+    #[must_use]
+    pub fn unknown(self) -> Option<Unknown> {
+        match self {
+            Self::One(unknown) => Some(unknown),
+            Self::Both => None,
+        }
+    }
+
+    /// Whether the speed of a vehicle is sought.
+    #[must_use]
+    pub fn seeks(self, vehicle: VehicleId) -> bool {
+        self.unknown().is_none_or(|unknown| unknown.vehicle() == vehicle)
+    }
 }
 
 impl<T: Real> Case<T> {
@@ -157,10 +188,20 @@ impl Case {
                 exhibit: walk.text(&"report.exhibit", self.report.exhibit.as_ref()),
             },
             axes: walk.default(&"scene.axes", &Axes::WORDS, self.axes, axes_out),
+            scene_contact: self.scene_contact.as_ref().map(|place| walk.place(&"scene.contact", place)),
+            surface: self.surface.as_ref().map(|surface| walk.surface(surface)),
             vehicles: [walk.vehicle(&"vehicle1", v1, fit1_out), walk.vehicle(&"vehicle2", v2, fit2_out)],
             impact: self.impact.as_ref().map(|impact| walk.impact(impact, law_out)),
             reconstruct: self.reconstruct.map(|Reconstruct { find, energy_basis }| Reconstruct {
-                find: walk.choice(&"reconstruct.find", &UNKNOWNS, find),
+                find: match find {
+                    Find::One(unknown) => Find::One(walk.choice(&"reconstruct.find", &UNKNOWNS, unknown)),
+                    Find::Both => {
+                        for (index, (_, unknown)) in UNKNOWNS.into_iter().enumerate() {
+                            walk.choice(&Element(&"reconstruct.find", index), &UNKNOWNS, unknown);
+                        }
+                        Find::Both
+                    }
+                },
                 energy_basis: walk.default(
                     &"reconstruct.energy_basis",
                     &ENERGY_BASES,

@@ -12,7 +12,7 @@ use pim_core::{
 use reconcile::Unknown;
 
 use crate::axes::Axes;
-use crate::case::Case;
+use crate::case::{Case, Find};
 use crate::crush::{Crush, Fit, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
 use crate::estimate::scaled;
 use crate::fault::{Fault, FaultKind, Faults};
@@ -355,13 +355,15 @@ impl Case {
 
 /// Contradictions between the vehicles of a case and the speed to find, which no purpose allows.
 #[must_use]
-pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Unknown>) -> Vec<Fault> {
+pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Find>) -> Vec<Fault> {
     let mut faults = Vec::new();
     let mut contradiction = |key: &str, reason: String, advice: String| {
         let kind = FaultKind::Refused { reason };
         faults.push(Fault { key: key.to_owned(), kind, advice: Some(advice) });
     };
-    let fixed = find.map(Unknown::vehicle).filter(|id| vehicles[id.index()].fixed);
+    let fixed = VehicleId::ALL
+        .into_iter()
+        .find(|id| vehicles[id.index()].fixed && find.is_some_and(|find| find.seeks(*id)));
     if vehicles.iter().all(|vehicle| vehicle.fixed) {
         contradiction(
             "vehicle2.fixed",
@@ -543,7 +545,18 @@ impl<'a, T: Real> Demand<'a, T> {
 
     fn unknown(&mut self) -> Option<Unknown> {
         if let Some(reconstruct) = &self.case.reconstruct {
-            return Some(reconstruct.find);
+            let unknown = reconstruct.find.unknown();
+            if unknown.is_none() {
+                let reason = "`reconstruct.find` asks for both speeds, which is not possible in this version";
+                self.faults.push(Fault {
+                    key: "reconstruct.find".to_owned(),
+                    kind: FaultKind::Refused { reason: reason.to_owned() },
+                    advice: Some(
+                        "write find = \"vehicle1.speed\" and give the speed of vehicle 2".to_owned(),
+                    ),
+                });
+            }
+            return unknown;
         }
         // Of one vehicle alone nothing can be found.
         if self.case.vehicles.iter().any(GivenVehicle::is_absent) {

@@ -38,6 +38,7 @@
 //! A. Thompson and B. N. Taylor, *Guide for the Use of the International System of Units (SI)*, NIST Special
 //! Publication 811 (2008), appendix B.8: the factors.
 
+mod after;
 mod axes;
 mod case;
 mod crush;
@@ -49,6 +50,7 @@ mod inertia;
 mod purpose;
 mod quantity;
 mod range;
+mod scene;
 mod text;
 mod uncertain;
 mod units;
@@ -56,8 +58,9 @@ mod vehicle;
 mod walk;
 mod words;
 
+pub use after::{After, Before, Drag, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag};
 pub use axes::Axes;
-pub use case::{Case, LeftOut, Reconstruct, ReportHead};
+pub use case::{Case, Find, LeftOut, Reconstruct, ReportHead};
 pub use crush::{Crush, Fit, GivenEes, GivenTest, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
 pub use demands::{
     Collision, CrushOnly, DamageData, Dimensions, EnergyData, Evidence, ImpactInput, InertiaData,
@@ -72,6 +75,7 @@ pub use inertia::{Mass, YawInertia};
 pub use purpose::Purpose;
 pub use quantity::{InvalidQuantity, Quantity, format_number};
 pub use range::{Amount, Bounds, Range, Spread};
+pub use scene::{EdgeSide, Grade, Place, Surface, SurfaceRegion, SurfaceZone};
 pub use text::{Text, acts, shown, shown_lines, sign};
 pub use uncertain::{GivenUncertainty, SharedEffects, SharedError};
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};

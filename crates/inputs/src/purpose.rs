@@ -11,6 +11,8 @@ pub enum Purpose {
     Impact,
     /// CRASH3 from the damage alone.
     Crush,
+    /// Follows each vehicle from the impact to rest, or back.
+    Motion,
     /// Propagates the ranges of the case.
     Uncertainty,
     /// Puts the answers of all laws side by side.
@@ -29,6 +31,7 @@ impl Purpose {
             Self::Reconstruct => "reconstruct",
             Self::Impact => "impact",
             Self::Crush => "crush",
+            Self::Motion => "motion",
             Self::Uncertainty => "uncertainty",
             Self::Compare => "compare",
             Self::Sensitivity => "sensitivity",

@@ -27,6 +27,8 @@ pub enum Dimension {
     Angle,
     /// (rad/s) yaw rate.
     YawRate,
+    /// (s) time.
+    Time,
     /// (kg·m²) yaw moment of inertia.
     Inertia,
     /// (N/m) stiffness coefficient A: force per unit width at which crush begins.
@@ -43,13 +45,14 @@ pub enum Dimension {
 
 impl Dimension {
     /// All dimensions, in the order of the unit table.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Length,
         Self::Mass,
         Self::Weight,
         Self::Speed,
         Self::Angle,
         Self::YawRate,
+        Self::Time,
         Self::Inertia,
         Self::StiffnessA,
         Self::StiffnessB,
@@ -68,6 +71,7 @@ impl Dimension {
             Self::Speed => "a speed",
             Self::Angle => "an angle",
             Self::YawRate => "a yaw rate",
+            Self::Time => "a time",
             Self::Inertia => "a moment of inertia",
             Self::StiffnessA => "a stiffness A",
             Self::StiffnessB => "a stiffness B",
@@ -97,7 +101,7 @@ impl Dimension {
             Self::Length => 1e3,
             Self::Mass => 1e6,
             Self::Weight => 1e7,
-            Self::Speed | Self::YawRate => 1e3,
+            Self::Speed | Self::YawRate | Self::Time => 1e3,
             Self::Angle => 1e5 * table::DEGREE,
             Self::Inertia => 1e9,
             Self::StiffnessA | Self::StiffnessG => 1e8,
@@ -115,7 +119,7 @@ impl Dimension {
             Self::Length => 1e-6,
             Self::Mass => 1e-3,
             Self::Weight => 1e-2,
-            Self::Speed | Self::YawRate | Self::Angle => 1e-9,
+            Self::Speed | Self::YawRate | Self::Angle | Self::Time => 1e-9,
             Self::Inertia => 1e-9,
             Self::StiffnessA | Self::StiffnessB | Self::StiffnessG => 1e-3,
             Self::RootForce | Self::RootForcePerLength => 1e-3,

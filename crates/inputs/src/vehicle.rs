@@ -4,6 +4,7 @@ use std::fmt::Display;
 
 use pim_core::Real;
 
+use crate::after::{After, Before};
 use crate::crush::{Crush, KnownEnergy};
 use crate::inertia::{Mass, YawInertia};
 use crate::quantity::Quantity;
@@ -59,6 +60,10 @@ pub struct GivenVehicle<T = f64> {
     pub class: Option<u8>,
     /// (m) wheelbase: with the length, it gives the yaw inertia if neither that nor a class is given.
     pub wheelbase: Option<Quantity<T>>,
+    /// (m) between the wheels of an axle: for the motion after the impact.
+    pub track: Option<Quantity<T>>,
+    /// (m) from the centre of gravity forward to the front axle: for the motion after the impact.
+    pub cg_to_front_axle: Option<Quantity<T>>,
     /// (m) length of the body, if the rest of the outline is unknown.
     pub length: Option<Quantity<T>>,
     /// (rad) scene angle of the vehicle's forward axis, in the sense of the axes.
@@ -77,6 +82,10 @@ pub struct GivenVehicle<T = f64> {
     pub crush: Option<Crush<T>>,
     /// `[vehicleN.crush]` with `ees`, or `crush = "none"`, in place of a crush.
     pub energy: Option<KnownEnergy<T>>,
+    /// `[vehicleN.before]`.
+    pub before: Option<Before<T>>,
+    /// `[vehicleN.after]`.
+    pub after: Option<After<T>>,
 }
 
 impl<T> GivenVehicle<T> {
@@ -98,6 +107,8 @@ impl<T> GivenVehicle<T> {
             yaw,
             class,
             wheelbase,
+            track,
+            cg_to_front_axle,
             length,
             heading,
             contact,
@@ -107,6 +118,8 @@ impl<T> GivenVehicle<T> {
             diameter,
             crush,
             energy,
+            before,
+            after,
         } = self;
         !(*fixed
             || name.is_some()
@@ -114,12 +127,16 @@ impl<T> GivenVehicle<T> {
             || mass.is_some()
             || yaw.is_some()
             || class.is_some()
-            || [wheelbase, length, heading, yaw_rate, diameter].into_iter().any(Option::is_some)
+            || [wheelbase, track, cg_to_front_axle, length, heading, yaw_rate, diameter]
+                .into_iter()
+                .any(Option::is_some)
             || contact.is_some()
             || motion.is_some()
             || outline.is_some()
             || crush.is_some()
-            || energy.is_some())
+            || energy.is_some()
+            || before.is_some()
+            || after.is_some())
     }
 }
 
@@ -202,6 +219,8 @@ impl<U> Walk<'_, U> {
             }),
             class: vehicle.class.map(|class| self.count(&at("class"), class)),
             wheelbase: self.maybe(&at("wheelbase"), vehicle.wheelbase.as_ref()),
+            track: self.maybe(&at("track"), vehicle.track.as_ref()),
+            cg_to_front_axle: self.maybe(&at("cg_to_front_axle"), vehicle.cg_to_front_axle.as_ref()),
             length: self.maybe(&at("length"), vehicle.length.as_ref()),
             heading: self.maybe(&at("heading"), vehicle.heading.as_ref()),
             contact: vehicle.contact.as_ref().map(|contact| match contact {
@@ -230,6 +249,8 @@ impl<U> Walk<'_, U> {
             diameter: self.maybe(&at("diameter"), vehicle.diameter.as_ref()),
             crush: vehicle.crush.as_ref().map(|crush| self.crush(&at("crush"), crush, fit_left_out)),
             energy: vehicle.energy.as_ref().map(|known| self.known_energy(&at("crush"), known)),
+            before: vehicle.before.as_ref().map(|before| self.before(&at("before"), before)),
+            after: vehicle.after.as_ref().map(|after| self.after(&at("after"), after)),
         }
     }
 }

@@ -173,6 +173,11 @@ impl<'a, U> Walk<'a, U> {
         quantities.iter().enumerate().map(element).collect()
     }
 
+    /// A quantity that does not vary.
+    pub(crate) fn exact(&mut self, path: &dyn Display, quantity: &Quantity) {
+        self.other(path, || Value::Number { number: quantity.number(), unit: Some(quantity.unit()) });
+    }
+
     fn other(&mut self, path: &dyn Display, value: impl FnOnce() -> Value) {
         if let Some(others) = &mut self.others {
             others(path, value());

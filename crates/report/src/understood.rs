@@ -41,6 +41,7 @@ fn usual(dimension: Dimension, in_crush: bool, system: UnitSystem) -> &'static s
         Dimension::Inertia => ("kg m^2", "lb ft s^2"),
         Dimension::StiffnessA => ("N/cm", "lb/in"),
         Dimension::StiffnessB => ("N/cm^2", "lb/in^2"),
+        Dimension::Time => ("s", "s"),
         Dimension::RootForce => ("N^0.5", "lb^0.5"),
         Dimension::RootForcePerLength => ("N^0.5/cm", "lb^0.5/in"),
     };
@@ -130,7 +131,7 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
         }
     }
     if let Some(reconstruct) = &case.reconstruct {
-        choices.push(("reconstruct.find".to_owned(), words::unknown_name(reconstruct.find).to_owned()));
+        choices.push(("reconstruct.find".to_owned(), words::find_names(reconstruct.find)));
         let basis = words::basis_name(reconstruct.energy_basis);
         choices.push(("reconstruct.energy_basis".to_owned(), basis.to_owned()));
     }

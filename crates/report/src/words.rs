@@ -5,7 +5,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use analysis::Vehicle;
-use case::{Case, ENERGY_BASES, Fit, Kind, Program, SIDES, StiffnessSource, Text, UNKNOWNS, word};
+use case::{Case, ENERGY_BASES, Find, Fit, Kind, Program, SIDES, StiffnessSource, Text, UNKNOWNS, word};
 use crash3::{EnergyBasis, Side};
 use pim_core::Regime;
 use reconcile::Unknown;
@@ -35,6 +35,14 @@ pub(crate) fn basis_name(basis: EnergyBasis) -> &'static str {
 
 pub(crate) fn unknown_name(unknown: Unknown) -> &'static str {
     word(&UNKNOWNS, &unknown)
+}
+
+/// The keys of the speeds that are to be found.
+pub(crate) fn find_names(find: Find) -> String {
+    match find {
+        Find::One(unknown) => unknown_name(unknown).to_owned(),
+        Find::Both => UNKNOWNS.map(|(name, _)| name).join(" and "),
+    }
 }
 
 /// Whether damage is laid off from the vehicle's axis, and not from beside its CG.

@@ -9,8 +9,8 @@
 use ::uncertainty::{LANES, Lanes};
 use crash3::{EnergyBasis, Stiffness, Zone, equal_spacing, zone_energy};
 use inputs::{
-    Axes, BrachTangential, Case, ContactPoint, Crush, GivenImpact, GivenVehicle, ImpactLaw, Mass, Quantity,
-    Reconstruct, Restitution, StiffnessForm, StiffnessLine, Velocity, YawInertia,
+    Axes, BrachTangential, Case, ContactPoint, Crush, Find, GivenImpact, GivenVehicle, ImpactLaw, Mass,
+    Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Velocity, YawInertia,
 };
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2, VehicleId};
 use reconcile::{Problem, Unknown};
@@ -80,6 +80,9 @@ impl Block {
             source: _,
             report: _,
             axes,
+            // They tell the motion after the impact, which the reconstruction of one speed does not use.
+            scene_contact: _,
+            surface: _,
             vehicles: [one, two],
             impact,
             reconstruct,
@@ -89,7 +92,9 @@ impl Block {
             factors: _,
             left_out: _,
         } = case;
-        let Reconstruct { find: unknown, energy_basis: basis } = reconstruct.as_ref()?;
+        let Reconstruct { find: Find::One(unknown), energy_basis: basis } = reconstruct.as_ref()? else {
+            return None;
+        };
         let GivenImpact { crush_plane, law } = impact.as_ref()?;
         let (restitution, tangential_restitution) = match law {
             ImpactLaw::Brach {
@@ -239,6 +244,8 @@ impl Vehicle {
             // warnings.
             class: _,
             wheelbase: _,
+            track: _,
+            cg_to_front_axle: _,
             length: _,
             outline: _,
             diameter: _,
@@ -249,6 +256,9 @@ impl Vehicle {
             crush,
             // A block asks for a crush, beside which there is none.
             energy: _,
+            // The motion before and after the impact is not used by the reconstruction of one speed.
+            before: _,
+            after: _,
         } = vehicle;
         let Crush {
             from_force_balance,

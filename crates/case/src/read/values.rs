@@ -32,7 +32,7 @@ impl Place {
         Self { name: named(&path), path, example: table.schema.example(key) }
     }
 
-    fn element(&self, index: usize) -> Self {
+    pub(super) fn element(&self, index: usize) -> Self {
         Self {
             path: format!("{}[{}]", self.path, index + 1),
             name: format!("value {} of {}", index + 1, self.name),
@@ -310,11 +310,21 @@ impl<'t> Reader<'t> {
     pub(super) fn number(&mut self, table: &Table<'t>, key: &'static str) -> Option<f64> {
         let bounds = table.bounds(key)?;
         let value = table.get(key)?;
-        let place = Place::of_key(table, key);
+        self.number_at(&Place::of_key(table, key), key, value, bounds)
+    }
+
+    /// Like [`number`](Self::number), for a value that need not be that of a key.
+    pub(super) fn number_at(
+        &mut self,
+        place: &Place,
+        key: &str,
+        value: &'t Spanned<DeValue<'t>>,
+        bounds: Bounds,
+    ) -> Option<f64> {
         if value.get_ref().is_table() {
-            return self.range_of_number(&place, value, bounds);
+            return self.range_of_number(place, value, bounds);
         }
-        self.certain_number(&place, key, value, words(bounds), |number| accepts(bounds, number))
+        self.certain_number(place, key, value, words(bounds), |number| accepts(bounds, number))
     }
 
     /// A plain number for which `accepts` holds; `range` says in words what that is.

@@ -45,6 +45,8 @@ impl<'t> Reader<'t> {
             yaw: self.yaw(&table),
             class: self.class(&table),
             wheelbase: self.quantity(&table, "wheelbase"),
+            track: self.quantity(&table, "track"),
+            cg_to_front_axle: self.quantity(&table, "cg_to_front_axle"),
             length: None,
             heading: self.quantity(&table, "heading"),
             contact: self.contact(&table),
@@ -54,6 +56,8 @@ impl<'t> Reader<'t> {
             diameter: self.diameter(&table, fixed),
             crush,
             energy,
+            before: self.before(&table),
+            after: self.after(&table),
         };
         if vehicle.outline.is_none() && length_alone(&table) {
             vehicle.length = self.quantity(&table, "length");

@@ -28,10 +28,18 @@ fn written(form: &Form) -> String {
         Form::Text => "text".to_owned(),
         Form::Flag => "`true` or `false`".to_owned(),
         Form::Words(words) | Form::Law(words) => ticked(words),
+        Form::WordOrAll(words) => format!("{}, or a list of both", ticked(words)),
         Form::Count(last) => format!("whole number, 1 to {last}"),
         Form::Number(bounds) => format!("number{}", within(bounds)),
         Form::Numbers(bounds) => format!("list of numbers{}", within(bounds)),
         Form::Quantity(dimension, bounds) => format!("{dimension}{}", within(bounds)),
+        Form::Exact(dimension, bounds) => format!("{dimension}{}; no range", within(bounds)),
+        Form::QuantityOrTables(dimension, bounds, schema) => {
+            format!("{dimension}{}, or a list of tables, {}", within(bounds), link(schema))
+        }
+        Form::Wheels(bounds, words) => {
+            format!("number{}, or {}; or a list of four of these", within(bounds), ticked(words))
+        }
         Form::Quantities(dimension, bounds, least) => {
             format!("{dimension} each{}; {least} or more", within(bounds))
         }
@@ -108,6 +116,11 @@ fn documentation() -> String {
         &TOP,
         &REPORT,
         &SCENE,
+        &SCENE_CONTACT,
+        &SURFACE,
+        &GRADE,
+        &SURFACE_ZONE,
+        &CORNER,
         &VEHICLE,
         &VELOCITY,
         &CONTACT,
@@ -116,6 +129,12 @@ fn documentation() -> String {
         &ZONE,
         &TEST,
         &OBLIQUE,
+        &BEFORE,
+        &SKID,
+        &AFTER,
+        &REST,
+        &POINT,
+        &STEER,
         &IMPACT,
         &TANGENTIAL,
         &RESTITUTION,

@@ -55,6 +55,10 @@ pub(super) fn normalise(spelling: &str, pound: Pound) -> String {
     }
     while let Some((before, after)) = text.split_once('√') {
         let end = after.find(|c: char| !c.is_alphabetic()).unwrap_or(after.len());
+        // A root of nothing is no unit.
+        if end == 0 {
+            break;
+        }
         let (inside, rest) = after.split_at(end);
         text = format!("{before}{inside}^0.5{rest}");
     }

@@ -75,6 +75,10 @@ rows! { YAW_RATE, YawRate:
     "rad/s" [], 1.0, BOTH;
     "rpm" ["rev/min"], PI / 30.0, BOTH;
 }
+rows! { TIME, Time:
+    "s" [], 1.0, BOTH;
+    "ms" [], 0.001, BOTH;
+}
 rows! { INERTIA, Inertia:
     "kg m^2" ["m^2 kg"], 1.0, SI;
     "slug ft^2" ["ft^2 slug"], SLUG * FOOT * FOOT, US;
@@ -126,6 +130,7 @@ pub(super) fn units(dimension: Dimension) -> &'static [Unit] {
         Dimension::Speed => SPEED,
         Dimension::Angle => ANGLE,
         Dimension::YawRate => YAW_RATE,
+        Dimension::Time => TIME,
         Dimension::Inertia => INERTIA,
         Dimension::StiffnessA => STIFFNESS_A,
         Dimension::StiffnessB => STIFFNESS_B,

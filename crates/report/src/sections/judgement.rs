@@ -119,7 +119,7 @@ fn numbers(case: &Case) -> Table {
 fn good_for(case: &Case, purpose: Purpose, on: Purpose) -> String {
     match (&case.reconstruct, purpose) {
         (Some(reconstruct), Purpose::Reconstruct) => {
-            format!(" to find {}", words::unknown_name(reconstruct.find))
+            format!(" to find {}", words::find_names(reconstruct.find))
         }
         (_, Purpose::Draw) => {
             let is_damaged = case.vehicles.iter().any(|vehicle| vehicle.crush.is_some());

@@ -1,0 +1,156 @@
+//! `[vehicleN.before]` and `[vehicleN.after]`: the motion before and after the impact.
+
+use toml::Spanned;
+use toml::de::DeValue;
+
+use super::tree::{Reader, Table};
+use super::values::Place as Position;
+use crate::case_problem::CaseProblem;
+use crate::nearest::nearest;
+use crate::quantity::shorten;
+use crate::schema::{AFTER, BEFORE, MOST_ZONES, POINT, REST, SKID, STEER, WHEELS};
+use inputs::{After, Before, Drag, Place, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag};
+
+const DRAGS: &str = "drag = 0.02, drag = \"locked\" or, front left, front right, rear left, rear right, \
+                     drag = [0.02, \"locked\", 0.02, 0.02]";
+
+impl<'t> Reader<'t> {
+    pub(super) fn before(&mut self, vehicle: &Table<'t>) -> Option<Before> {
+        const FORMS: &str = "skid = { length = \"18 m\", friction = 0.7 }";
+        let table = self.child(vehicle, "before", &BEFORE)?;
+        self.require(&table, &["skid"]);
+        let skid = self.inline(&table, "skid", &SKID, "a table in braces", FORMS)?;
+        self.require(&skid, &["length"]);
+        let length = self.quantity(&skid, "length");
+        let friction = self.number(&skid, "friction");
+        Some(Before { skid: Skid { length: length?, friction } })
+    }
+
+    /// A table without a key says nothing.
+    pub(super) fn after(&mut self, vehicle: &Table<'t>) -> Option<After> {
+        let table = self.child(vehicle, "after", &AFTER)?;
+        let after = After {
+            drag: self.drag(&table),
+            steer: self.steer(&table),
+            rest: self.rest(&table),
+            points: self.points(&table),
+            speed: self.quantity(&table, "speed"),
+            direction: self.quantity(&table, "direction"),
+            yaw_rate: self.quantity(&table, "yaw_rate"),
+        };
+        if table.has("speed") && !table.has("direction") && !table.means("direction") {
+            let message = format!("{} gives \"speed\", but not \"direction\"", table.label());
+            let help = "add the direction in which the CG moved after the impact, as in direction = \"35 deg\"; the speed before the impact \
+                        stands in the table of the vehicle"
+                .to_owned();
+            self.report_path(&table.path_of("speed"), CaseProblem::Fault { message, help: Some(help) });
+        }
+        (after != After::default()).then_some(after)
+    }
+
+    fn drag(&mut self, after: &Table<'t>) -> Option<Drag> {
+        let value = after.get("drag")?;
+        let place = Position::of_key(after, "drag");
+        let Some(list) = value.get_ref().as_array() else {
+            return self.wheel_drag(after, &place, value).map(Drag::Every);
+        };
+        // Every wheel is looked at before the first fault ends it.
+        let wheels: Vec<Option<WheelDrag>> = list
+            .iter()
+            .enumerate()
+            .map(|(index, value)| self.wheel_drag(after, &place.element(index), value))
+            .collect();
+        let Ok(wheels) = <[Option<WheelDrag>; WHEELS]>::try_from(wheels) else {
+            let message = format!("{} has {} values, but a vehicle has four wheels", place.name, list.len());
+            let help = Some(format!("write {DRAGS}"));
+            self.report(value.span(), CaseProblem::Fault { message, help });
+            return None;
+        };
+        let [Some(front_left), Some(front_right), Some(rear_left), Some(rear_right)] = wheels else {
+            return None;
+        };
+        Some(Drag::Each([front_left, front_right, rear_left, rear_right]))
+    }
+
+    fn wheel_drag(
+        &mut self,
+        after: &Table<'t>,
+        place: &Position,
+        value: &'t Spanned<DeValue<'t>>,
+    ) -> Option<WheelDrag> {
+        let DeValue::String(word) = value.get_ref() else {
+            let bounds = after.bounds("drag")?;
+            return self.number_at(place, "drag", value, bounds).map(WheelDrag::Share);
+        };
+        if let Some((_, drag)) = WheelDrag::WORDS.iter().find(|(name, _)| name == word) {
+            return Some(*drag);
+        }
+        let problem = CaseProblem::UnknownChoice {
+            path: place.path.clone(),
+            word: shorten(word),
+            nearest: nearest(word, WheelDrag::WORDS.iter().map(|(name, _)| *name)),
+            choices: DRAGS.to_owned(),
+        };
+        self.report(value.span(), problem);
+        None
+    }
+
+    fn steer(&mut self, after: &Table<'t>) -> Option<Steer> {
+        const FORMS: &str = "steer = \"5 deg\" or steer = [{ time = \"0 s\", angle = \"0 deg\" }, { time = \"0.5 s\", angle = \"5 deg\" }]";
+        let value = after.get("steer")?;
+        if !value.get_ref().is_array() {
+            return self.quantity(after, "steer").map(Steer::Held);
+        }
+        let tables = self.tables(after, "steer", &STEER, FORMS, MOST_ZONES)?;
+        if tables.is_empty() {
+            let message = format!("\"{}\" is an empty list", after.path_of("steer"));
+            let help = Some(format!("write {FORMS}, or leave it out if the wheels are straight"));
+            self.report(value.span(), CaseProblem::Fault { message, help });
+            return None;
+        }
+        let points: Vec<Option<SteerPoint>> = tables
+            .iter()
+            .map(|table| {
+                self.require(table, &["time", "angle"]);
+                let time = self.quantity(table, "time");
+                let angle = self.quantity(table, "angle");
+                Some(SteerPoint { time: time?, angle: angle? })
+            })
+            .collect();
+        let points: Vec<SteerPoint> = points.into_iter().collect::<Option<_>>()?;
+        for (pair, table) in points.windows(2).zip(&tables[1..]) {
+            if let [before, point] = pair
+                && point.time.si() <= before.time.si()
+            {
+                let path = table.path_of("time");
+                let message = format!(
+                    "\"{path}\" is {}, but must be later than the {} before it",
+                    point.time, before.time
+                );
+                let help = Some("list the steer angles in the order of time, each time once".to_owned());
+                self.report_path(&path, CaseProblem::Fault { message, help });
+                return None;
+            }
+        }
+        Some(Steer::Over(points))
+    }
+
+    fn rest(&mut self, after: &Table<'t>) -> Option<Rest> {
+        const FORMS: &str = "rest = { x = \"31.2 m\", y = \"9.8 m\", heading = \"140 deg\" }, or turned = \"-220 deg\" in place of heading, if it is \
+                             known which way and how often it turned";
+        let table = self.inline(after, "rest", &REST, "a table in braces", FORMS)?;
+        let [x, y, heading, turned] = ["x", "y", "heading", "turned"].map(|key| self.quantity(&table, key));
+        let heading = match table.given(&["x", "y", "heading", "turned"])[..] {
+            ["x", "y", "heading"] => RestHeading::Heading(heading?),
+            ["x", "y", "turned"] => RestHeading::Turned(turned?),
+            _ => return self.no_form(&table, FORMS),
+        };
+        Some(Rest { place: Place { x: x?, y: y? }, heading })
+    }
+
+    fn points(&mut self, after: &Table<'t>) -> Vec<Place> {
+        const FORMS: &str = "points = [{ x = \"18.0 m\", y = \"5.5 m\" }, { x = \"25.1 m\", y = \"8.3 m\" }]";
+        let tables = self.tables(after, "points", &POINT, FORMS, MOST_ZONES).unwrap_or_default();
+        tables.iter().filter_map(|table| self.place(table)).collect()
+    }
+}

@@ -1,0 +1,189 @@
+//! `[scene]` and `[surface]`: the axes, the place of the impact, and the ground.
+
+use super::tree::{Reader, Table};
+use super::values::Place as Position;
+use crate::case_problem::CaseProblem;
+use crate::schema::{CORNER, GRADE, MOST_ZONES, SCENE_CONTACT, SURFACE_ZONE, Schema};
+use inputs::{Axes, EdgeSide, Grade, Place, Quantity, Surface, SurfaceRegion, SurfaceZone, shown};
+
+impl<'t> Reader<'t> {
+    pub(super) fn axes(&mut self, scene: &Table<'t>) -> Option<Axes> {
+        const FORMS: &str = "\"z-up\" (y to the left, angles positive counter-clockwise) or \"z-down\" (SAE J670: y to the right, angles positive \
+                             clockwise)";
+        self.choice_among(scene, "axes", &Axes::WORDS, FORMS)
+    }
+
+    /// `contact` of `[scene]`; the outer option is `None` where it is there and wrong.
+    pub(super) fn scene_contact(&mut self, scene: &Table<'t>) -> Option<Option<Place>> {
+        const FORMS: &str = "contact = { x = \"12.4 m\", y = \"3.1 m\" }";
+        if !scene.has("contact") {
+            return Some(None);
+        }
+        self.place_of(scene, "contact", &SCENE_CONTACT, FORMS).map(Some)
+    }
+
+    fn place_of(
+        &mut self,
+        parent: &Table<'t>,
+        key: &'static str,
+        schema: &'static Schema,
+        forms: &'static str,
+    ) -> Option<Place> {
+        let table = self.inline(parent, key, schema, "a table in braces", forms)?;
+        self.place(&table)
+    }
+
+    /// A place in the scene.
+    pub(super) fn place(&mut self, table: &Table<'t>) -> Option<Place> {
+        self.require(table, &["x", "y"]);
+        let x = self.quantity(table, "x");
+        let y = self.quantity(table, "y");
+        Some(Place { x: x?, y: y? })
+    }
+
+    pub(super) fn surface(&mut self, table: &Table<'t>) -> Option<Surface> {
+        self.require(table, &["friction"]);
+        let friction = self.number(table, "friction");
+        let grade = if table.has("grade") { self.grade(table).map(Some) } else { Some(None) };
+        let zones = if table.has("zone") { self.surface_zones(table) } else { Some(Vec::new()) };
+        Some(Surface { friction: friction?, grade: grade?, zones: zones? })
+    }
+
+    fn grade(&mut self, surface: &Table<'t>) -> Option<Grade> {
+        const FORMS: &str =
+            "grade = { slope = 0.03, uphill = \"90 deg\" }, which rises by 3 % in that direction";
+        let table = self.inline(surface, "grade", &GRADE, "a table in braces", FORMS)?;
+        self.require(&table, &["slope", "uphill"]);
+        let slope = self.number(&table, "slope");
+        let uphill = self.quantity(&table, "uphill");
+        Some(Grade { slope: slope?, uphill: uphill? })
+    }
+
+    fn surface_zones(&mut self, surface: &Table<'t>) -> Option<Vec<SurfaceZone>> {
+        const FORMS: &str =
+            "a table [[surface.zone]] with friction and polygon, or with friction, edge and side";
+        let tables = self.tables(surface, "zone", &SURFACE_ZONE, FORMS, MOST_ZONES)?;
+        // Every zone is looked at before the first fault ends it.
+        let zones: Vec<Option<SurfaceZone>> = tables.iter().map(|table| self.surface_zone(table)).collect();
+        zones.into_iter().collect()
+    }
+
+    fn surface_zone(&mut self, table: &Table<'t>) -> Option<SurfaceZone> {
+        const FORMS: &str = "friction and polygon = [{ x = \"0 m\", y = \"6 m\" }, …], or friction, \
+                             edge = [{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }] and side = \"left\"";
+        let name = self.text(table, "name");
+        let friction = self.number(table, "friction");
+        let polygon = self.corners(table, "polygon");
+        let edge = self.corners(table, "edge");
+        let side = self.choice(table, "side", &EdgeSide::WORDS);
+        let region = match table.given(&["friction", "polygon", "edge", "side"])[..] {
+            ["friction", "polygon"] => SurfaceRegion::Polygon(self.outlined(table, polygon?)?),
+            ["friction", "edge", "side"] => {
+                SurfaceRegion::Beside { edge: self.edge(table, &edge?)?, side: side? }
+            }
+            _ => return self.no_form(table, FORMS),
+        };
+        Some(SurfaceZone { name, friction: friction?, region })
+    }
+
+    fn corners(&mut self, zone: &Table<'t>, key: &'static str) -> Option<Vec<Place>> {
+        const FORMS: &str =
+            "[{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }, { x = \"50 m\", y = \"9 m\" }]";
+        let tables = self.tables(zone, key, &CORNER, FORMS, MOST_ZONES)?;
+        let corners: Vec<Option<Place>> = tables
+            .iter()
+            .map(|table| {
+                self.require(table, &["x", "y"]);
+                let [x, y] = ["x", "y"].map(|key| self.exact_quantity(table, key));
+                Some(Place { x: x?, y: y? })
+            })
+            .collect();
+        corners.into_iter().collect()
+    }
+
+    fn exact_quantity(&mut self, table: &Table<'t>, key: &'static str) -> Option<Quantity> {
+        let (value, measure) = (table.get(key)?, table.measure(key)?);
+        let place = Position::of_key(table, key);
+        let wanted = "a string with a number and a unit, because the corners of a zone are exact";
+        self.certain_quantity(&place, value, measure, wanted)
+    }
+
+    fn edge(&mut self, zone: &Table<'t>, edge: &[Place]) -> Option<[Place; 2]> {
+        if let [first, second] = edge
+            && at(first) != at(second)
+        {
+            return Some([*first, *second]);
+        }
+        let message = match edge {
+            [_, _] => format!("the two places of \"{}\" are the same", zone.path_of("edge")),
+            _ => format!("\"{}\" has {} places, but an edge needs two", zone.path_of("edge"), edge.len()),
+        };
+        let help = "give two different places on the edge of the zone, far apart; for a zone with corners, write polygon";
+        self.refuse_zone(zone, "edge", message, help)
+    }
+
+    /// The corners, if they enclose a part of the ground.
+    fn outlined(&mut self, zone: &Table<'t>, corners: Vec<Place>) -> Option<Vec<Place>> {
+        let path = zone.path_of("polygon");
+        let places: Vec<[f64; 2]> = corners.iter().map(at).collect();
+        let count = places.len();
+        if count < 3 {
+            let message = format!("\"{path}\" has {count} corners, but a zone needs three or more");
+            let help = "give all corners, in their order along the outline; for a zone with one straight edge, write edge and side";
+            return self.refuse_zone(zone, "polygon", message, help);
+        }
+        let side = |index: usize| [places[index], places[(index + 1) % count]];
+        if let Some(index) = (0..count).find(|index| side(*index)[0] == side(*index)[1]) {
+            let message =
+                format!("corners {} and {} of \"{path}\" are the same", index + 1, (index + 1) % count + 1);
+            let help = "give each corner once; the outline closes by itself";
+            return self.refuse_zone(zone, "polygon", message, help);
+        }
+        let crossing = (0..count)
+            .flat_map(|first| (first + 2..count).map(move |second| (first, second)))
+            // The last side ends where the first begins.
+            .filter(|(first, second)| (second + 1) % count != *first)
+            .find(|(first, second)| cross(side(*first), side(*second)));
+        if let Some((first, second)) = crossing {
+            let message = format!(
+                "the outline of \"{path}\" crosses itself: its side after corner {} meets that after corner {}",
+                first + 1,
+                second + 1
+            );
+            let help = "list the corners in their order along the outline";
+            return self.refuse_zone(zone, "polygon", message, help);
+        }
+        Some(corners)
+    }
+
+    fn refuse_zone<T>(
+        &mut self,
+        zone: &Table<'t>,
+        key: &'static str,
+        message: String,
+        help: &str,
+    ) -> Option<T> {
+        let problem =
+            CaseProblem::Fault { message: shown(&message).to_string(), help: Some(help.to_owned()) };
+        self.report_path(&zone.path_of(key), problem);
+        None
+    }
+}
+
+/// (m) the coordinates of a place.
+fn at(place: &Place) -> [f64; 2] {
+    [place.x.si(), place.y.si()]
+}
+
+/// Whether two straight lines between places have a point in common.
+fn cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    // (q − p) × (r − p): positive where r lies to the left of the line from p to q
+    let turn =
+        |p: [f64; 2], q: [f64; 2], r: [f64; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+    let (of_c, of_d, of_a, of_b) = (turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b));
+    // Where one lies on the line of the other, their extents decide.
+    let overlap = |axis: usize| {
+        a[axis].min(b[axis]) <= c[axis].max(d[axis]) && c[axis].min(d[axis]) <= a[axis].max(b[axis])
+    };
+    of_c * of_d <= 0.0 && of_a * of_b <= 0.0 && overlap(0) && overlap(1)
+}

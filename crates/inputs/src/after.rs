@@ -1,0 +1,200 @@
+//! The motion of a vehicle before and after the impact: what the tables `[vehicleN.before]` and
+//! `[vehicleN.after]` hold.
+
+use std::fmt::Display;
+
+use crate::quantity::Quantity;
+use crate::scene::Place;
+use crate::walk::{Element, Key, Walk};
+
+/// Between impact and rest: how the vehicle could roll, where it went, and how it left the impact.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct After<T = f64> {
+    /// What resists the rolling of its wheels.
+    pub drag: Option<Drag<T>>,
+    /// How its front wheels are steered; straight where absent.
+    pub steer: Option<Steer<T>>,
+    /// Where it came to rest.
+    pub rest: Option<Rest<T>>,
+    /// Where its centre of gravity passed, from the impact to the rest.
+    pub points: Vec<Place<T>>,
+    /// (m/s) speed of the centre of gravity after the impact.
+    pub speed: Option<Quantity<T>>,
+    /// (rad) scene angle of its velocity after the impact, in the sense of the axes.
+    pub direction: Option<Quantity<T>>,
+    /// (rad/s) yaw rate after the impact, in the sense of the axes.
+    pub yaw_rate: Option<Quantity<T>>,
+}
+
+/// The drag of the wheels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Drag<T = f64> {
+    /// The same at every wheel.
+    Every(WheelDrag<T>),
+    /// Front left, front right, rear left, rear right.
+    Each([WheelDrag<T>; 4]),
+}
+
+impl<T: Copy> Drag<T> {
+    /// That of each wheel: front left, front right, rear left, rear right.
+    #[must_use]
+    pub fn wheels(&self) -> [WheelDrag<T>; 4] {
+        match self {
+            Self::Every(drag) => [*drag; 4],
+            Self::Each(wheels) => *wheels,
+        }
+    }
+}
+
+/// The drag of a wheel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum WheelDrag<T = f64> {
+    /// `"locked"`: it does not turn, and slides.
+    Locked,
+    /// (–) force that resists its rolling, as a share of the load on it; zero or more.
+    Share(T),
+}
+
+impl WheelDrag {
+    /// The word of the drag that has no number.
+    pub const WORDS: [(&str, Self); 1] = [("locked", Self::Locked)];
+}
+
+/// How the front wheels are steered.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Steer<T = f64> {
+    /// (rad) angle from the vehicle's axis, in the sense of the axes.
+    Held(Quantity<T>),
+    /// Linear between these, and constant outside of them; at least one.
+    Over(Vec<SteerPoint<T>>),
+}
+
+/// The steer angle at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SteerPoint<T = f64> {
+    /// (s) since the impact.
+    pub time: Quantity<T>,
+    /// (rad) angle from the vehicle's axis, in the sense of the axes.
+    pub angle: Quantity<T>,
+}
+
+/// Where a vehicle came to rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rest<T = f64> {
+    /// The place of its centre of gravity.
+    pub place: Place<T>,
+    /// How it stands there.
+    pub heading: RestHeading<T>,
+}
+
+/// How a vehicle stands at rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RestHeading<T = f64> {
+    /// (rad) scene angle of its forward axis, in the sense of the axes. How often and which way it turned is
+    /// not known.
+    Heading(Quantity<T>),
+    /// (rad) by how much it turned since the impact, full turns included, in the sense of the axes.
+    Turned(Quantity<T>),
+}
+
+/// Before the impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Before<T = f64> {
+    /// The marks of its locked wheels, up to the impact.
+    pub skid: Skid<T>,
+}
+
+/// Skid marks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Skid<T = f64> {
+    /// (m) from where they begin to the impact.
+    pub length: Quantity<T>,
+    /// (–) coefficient of friction there; that of the surface where absent.
+    pub friction: Option<T>,
+}
+
+impl<U> Walk<'_, U> {
+    pub(crate) fn after(&mut self, table: &dyn Display, after: &After) -> After<U> {
+        let at = |key| Key(table, key);
+        let points = at("points");
+        After {
+            drag: after.drag.as_ref().map(|drag| self.drag(&at("drag"), drag)),
+            steer: after.steer.as_ref().map(|steer| self.steer(&at("steer"), steer)),
+            rest: after.rest.as_ref().map(|rest| self.rest(&at("rest"), rest)),
+            points: after
+                .points
+                .iter()
+                .enumerate()
+                .map(|(i, point)| self.place(&Element(&points, i), point))
+                .collect(),
+            speed: self.maybe(&at("speed"), after.speed.as_ref()),
+            direction: self.maybe(&at("direction"), after.direction.as_ref()),
+            yaw_rate: self.maybe(&at("yaw_rate"), after.yaw_rate.as_ref()),
+        }
+    }
+
+    fn drag(&mut self, path: &dyn Display, drag: &Drag) -> Drag<U> {
+        match drag {
+            Drag::Every(drag) => Drag::Every(self.wheel_drag(path, *drag)),
+            Drag::Each([front_left, front_right, rear_left, rear_right]) => Drag::Each([
+                self.wheel_drag(&Element(path, 0), *front_left),
+                self.wheel_drag(&Element(path, 1), *front_right),
+                self.wheel_drag(&Element(path, 2), *rear_left),
+                self.wheel_drag(&Element(path, 3), *rear_right),
+            ]),
+        }
+    }
+
+    fn wheel_drag(&mut self, path: &dyn Display, drag: WheelDrag) -> WheelDrag<U> {
+        match drag {
+            WheelDrag::Locked => {
+                self.choice(path, &WheelDrag::WORDS, WheelDrag::Locked);
+                WheelDrag::Locked
+            }
+            WheelDrag::Share(share) => WheelDrag::Share(self.number(path, share)),
+        }
+    }
+
+    fn steer(&mut self, path: &dyn Display, steer: &Steer) -> Steer<U> {
+        match steer {
+            Steer::Held(angle) => Steer::Held(self.quantity(path, angle)),
+            Steer::Over(points) => Steer::Over(
+                points
+                    .iter()
+                    .enumerate()
+                    .map(|(i, point)| {
+                        let table = Element(path, i);
+                        SteerPoint {
+                            time: self.quantity(&Key(&table, "time"), &point.time),
+                            angle: self.quantity(&Key(&table, "angle"), &point.angle),
+                        }
+                    })
+                    .collect(),
+            ),
+        }
+    }
+
+    fn rest(&mut self, path: &dyn Display, rest: &Rest) -> Rest<U> {
+        Rest {
+            place: self.place(path, &rest.place),
+            heading: match &rest.heading {
+                RestHeading::Heading(heading) => {
+                    RestHeading::Heading(self.quantity(&Key(path, "heading"), heading))
+                }
+                RestHeading::Turned(turned) => {
+                    RestHeading::Turned(self.quantity(&Key(path, "turned"), turned))
+                }
+            },
+        }
+    }
+
+    pub(crate) fn before(&mut self, table: &dyn Display, before: &Before) -> Before<U> {
+        let skid = Key(table, "skid");
+        Before {
+            skid: Skid {
+                length: self.quantity(&Key(&skid, "length"), &before.skid.length),
+                friction: before.skid.friction.map(|mu| self.number(&Key(&skid, "friction"), mu)),
+            },
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! Where things lie: places in the scene, and what the table `[surface]` says of the ground.
+
+use std::fmt::Display;
+
+use crate::quantity::Quantity;
+use crate::text::Text;
+use crate::walk::{Element, Key, Walk};
+use crate::words::word;
+
+/// A place in the scene, in the coordinates of its survey.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place<T = f64> {
+    /// (m) along the scene's x.
+    pub x: Quantity<T>,
+    /// (m) along the scene's y.
+    pub y: Quantity<T>,
+}
+
+/// The ground: what the table `[surface]` holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface<T = f64> {
+    /// (–) coefficient of friction between tyre and ground, outside of all zones.
+    pub friction: T,
+    /// How the ground slopes; level where absent.
+    pub grade: Option<Grade<T>>,
+    /// Parts of the ground with a friction of their own. Where two overlap, the later one counts.
+    pub zones: Vec<SurfaceZone<T>>,
+}
+
+/// A slope.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grade<T = f64> {
+    /// (–) rise per horizontal distance: 0.03 is a grade of 3 %.
+    pub slope: T,
+    /// (rad) scene angle of the direction in which the ground rises, in the sense of the axes.
+    pub uphill: Quantity<T>,
+}
+
+/// A part of the ground: what an entry of `[[surface.zone]]` holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceZone<T = f64> {
+    /// What it is, such as "wet shoulder".
+    pub name: Option<Text>,
+    /// (–) coefficient of friction.
+    pub friction: T,
+    /// Where it lies. Its corners are exact.
+    pub region: SurfaceRegion,
+}
+
+/// Where a zone lies.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SurfaceRegion {
+    /// All that lies to one side of a line through two places.
+    Beside {
+        /// The two places.
+        edge: [Place; 2],
+        /// On which side, going from the first to the second, seen from above.
+        side: EdgeSide,
+    },
+    /// What three or more corners enclose.
+    Polygon(Vec<Place>),
+}
+
+/// One side of a line, going along it, seen from above.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EdgeSide {
+    /// `"left"`.
+    Left,
+    /// `"right"`.
+    Right,
+}
+
+impl EdgeSide {
+    /// Each under its word.
+    pub const WORDS: [(&str, Self); 2] = [("left", Self::Left), ("right", Self::Right)];
+
+    /// Its word.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        word(&Self::WORDS, &self)
+    }
+}
+
+impl<U> Walk<'_, U> {
+    pub(crate) fn place(&mut self, path: &dyn Display, place: &Place) -> Place<U> {
+        Place { x: self.quantity(&Key(path, "x"), &place.x), y: self.quantity(&Key(path, "y"), &place.y) }
+    }
+
+    pub(crate) fn surface(&mut self, surface: &Surface) -> Surface<U> {
+        Surface {
+            friction: self.number(&"surface.friction", surface.friction),
+            grade: surface.grade.as_ref().map(|grade| Grade {
+                slope: self.number(&"surface.grade.slope", grade.slope),
+                uphill: self.quantity(&"surface.grade.uphill", &grade.uphill),
+            }),
+            zones: surface.zones.iter().enumerate().map(|(i, zone)| self.surface_zone(i, zone)).collect(),
+        }
+    }
+
+    fn surface_zone(&mut self, index: usize, zone: &SurfaceZone) -> SurfaceZone<U> {
+        let table = Element(&"surface.zone", index);
+        let at = |key| Key(&table, key);
+        let name = self.text(&at("name"), zone.name.as_ref());
+        let friction = self.number(&at("friction"), zone.friction);
+        match &zone.region {
+            SurfaceRegion::Polygon(corners) => self.exact_places(&at("polygon"), corners),
+            SurfaceRegion::Beside { edge, side } => {
+                self.exact_places(&at("edge"), edge);
+                self.choice(&at("side"), &EdgeSide::WORDS, *side);
+            }
+        }
+        SurfaceZone { name, friction, region: zone.region.clone() }
+    }
+
+    /// Places that do not vary: only their values are told.
+    fn exact_places(&mut self, list: &dyn Display, places: &[Place]) {
+        for (index, place) in places.iter().enumerate() {
+            let table = Element(list, index);
+            self.exact(&Key(&table, "x"), &place.x);
+            self.exact(&Key(&table, "y"), &place.y);
+        }
+    }
+}
