@@ -146,8 +146,10 @@ fn a_symbol_or_key_means_what_it_means_there() {
     explained("heading angle", "heading");
     explained("CDC", "PDOF");
     explained("edr", "EDR");
-    explained("rest positions", "two unknown speeds");
-    explained("skid", "two unknown speeds");
+    explained("rest positions", "rest");
+    explained("drag factor", "drag");
+    explained("skid", "skid");
+    explained("both speeds", "two unknown speeds");
     explained("articulated", "outside the model");
     explained("pedestrian", "outside the model");
     explained("truck", "kind");

@@ -214,9 +214,30 @@ fn cases_of_all_keys() -> Vec<String> {
             .replace("\"67 deg\"", "\"10 deg\"")
             .replace("[vehicle1]\n", &format!("[vehicle1]\n{motion}\n"))
     };
+    let moving = |rest: &str, steer: &str, drag: &str| {
+        let tables = |vehicle: &str| {
+            format!(
+                "[{vehicle}.before]\nskid = {{ length = \"12 m\", friction = 0.7 }}\n[{vehicle}.after]\ndrag = {drag}\nsteer = {steer}\n\
+                 rest = {{ x = \"9 m\", y = \"4 m\", {rest} }}\npoints = [{{ x = \"5 m\", y = \"2 m\" }}]\n\
+                 speed = \"9 m/s\"\ndirection = \"30 deg\"\nyaw_rate = \"1 rad/s\"\n"
+            )
+        };
+        let case =
+            with_lines(&[("name", "wheelbase = \"2.6 m\"\ntrack = \"1.5 m\"\ncg_to_front_axle = \"1.2 m\"")]);
+        let ground = "[scene]\ncontact = { x = \"1 m\", y = \"2 m\" }\n[surface]\nfriction = 0.7\n\
+                      grade = { slope = 0.02, uphill = \"90 deg\" }\n[[surface.zone]]\nfriction = 0.4\n\
+                      edge = [{ x = \"0 m\", y = \"9 m\" }, { x = \"9 m\", y = \"9 m\" }]\nside = \"left\"\n";
+        format!("{case}\n{}{}{ground}", tables("vehicle1"), tables("vehicle2"))
+    };
     vec![
         CERTAIN.to_owned(),
         of_speed_2("speed = \"75 ft/s\""),
+        moving("heading = \"20 deg\"", "\"5 deg\"", "0.02"),
+        moving(
+            "turned = \"20 deg\"",
+            "[{ time = \"0 s\", angle = \"0 deg\" }, { time = \"1 s\", angle = \"5 deg\" }]",
+            "[0.02, \"locked\", 0.02, 0.02]",
+        ),
         of_speed_2("velocity = { x = \"-75 ft/s\", y = \"1 ft/s\" }"),
         with_lines(&[("speed", "velocity = { x = \"1.7 m/s\", y = \"4.1 m/s\" }")]),
         with_lines(&[
