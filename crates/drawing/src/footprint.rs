@@ -75,6 +75,11 @@ impl Footprint {
         path
     }
 
+    /// The damaged body, or the whole one.
+    pub(crate) fn left_by(&self, crush: Option<&CrushProfile>) -> BezPath {
+        crush.map_or_else(|| self.outline(), |crush| self.damaged(crush))
+    }
+
     /// What tells front from rear: a car's windscreen or a motorcycle's handlebars, pushed in where the
     /// damage reaches them.
     pub(crate) fn detail(&self, crush: Option<&CrushProfile>) -> Option<BezPath> {

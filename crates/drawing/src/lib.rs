@@ -70,6 +70,7 @@ mod legend;
 mod number;
 mod pdf;
 mod pens;
+mod plan;
 mod raster;
 mod reconciliation;
 mod scatter;

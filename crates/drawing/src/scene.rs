@@ -1,16 +1,17 @@
 //! The scene: both vehicles at impact, seen from above.
 
-use kurbo::{Affine, BezPath, Circle, ParamCurve as _, Point, Rect, Shape as _, Vec2};
+use kurbo::{Point, Rect, Vec2};
 
 use crate::canvas::{Canvas, Head};
 use crate::finished::Drawing;
-use crate::font::{self, Anchor, SMALL};
-use crate::footprint::{CrushProfile, Footprint, Shape, placed};
+use crate::font::{self, SMALL};
+use crate::footprint::{CrushProfile, Footprint, Shape};
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::pens::{
     AFTER, AXIS, BEFORE, BLACK, FILL, GREY, HEADING, IMPULSE, OUTLINE, PALE, PDOF, PLANE, Pen, THIN,
     undamaged,
 };
+use crate::plan::{self, Contact, Pose, View, flipped, unit, vec2};
 
 const NAME: &str = "scene";
 
@@ -29,13 +30,6 @@ const CONTACT: f64 = 4.5;
 const MARGIN: f64 = 34.0;
 /// (px/m) the largest scale: a small vehicle does not fill the page.
 const LARGEST: f64 = 130.0;
-/// (m) how far the wall that stands for a fixed object of unknown extent reaches beyond the vehicle at it,
-/// its thickness, and the least length that is drawn.
-const WALL: f64 = 0.7;
-const WALL_DEPTH: f64 = 0.5;
-const SHORTEST_WALL: f64 = 0.2;
-/// (m) what of a vehicle lies farther than this beyond the crush plane has no wall in front of it.
-const BEHIND: f64 = 0.1;
 /// (m/s) below this there is no arrow.
 const SLOWEST: f64 = 1e-6;
 
@@ -133,11 +127,12 @@ impl ScenePicture {
             .map(|arrow| vec2(arrow.vector).hypot())
             .fold(SLOWEST, f64::max);
         let arrows = Arrows { scene: self, per_speed: FASTEST / fastest };
-        let (scale, origin) = self.fit(&arrows);
+        let view = self.view(&arrows);
+        let origin = view.origin;
 
         let bar_row = HEADER + SCENE + 30.0;
         let canvas = Canvas::new(NAME, WIDTH, bar_row);
-        let mut page = Page { canvas, scene: self, scale, origin, wall: self.wall_ends() };
+        let mut page = Page { canvas, scene: self, view, wall: self.wall_ends() };
         legend::header(&mut page.canvas, &self.title, "Plan view at impact, to scale");
         // The bodies lie over each other: all areas first, so that no edge is hidden; and fixed objects below
         // what drove into them.
@@ -182,8 +177,8 @@ impl ScenePicture {
         Drawing::new(NAME, title, self.description.clone(), page.canvas)
     }
 
-    /// The scale (px/m) and the place of C (px) at which everything is on the page.
-    fn fit(&self, arrows: &Arrows) -> (f64, Point) {
+    /// C is the origin.
+    fn view(&self, arrows: &Arrows) -> View {
         let room = area().inset(-MARGIN);
         let bounds = |scale: f64| {
             let mut points = vec![Vec2::ZERO];
@@ -198,17 +193,19 @@ impl ScenePicture {
                 let cg = flipped(vec2(vehicle.cg)) * scale;
                 match &vehicle.body {
                     SceneBody::Outline { footprint, .. } => {
-                        let there = vehicle.on_page(Point::ZERO, scale);
+                        let there = View { origin: Point::ZERO, scale }.place(vehicle.pose());
                         points.extend(footprint.corners().map(|corner| (there * corner).to_vec2()));
                     }
                     SceneBody::Pole { diameter } => {
-                        let centre = self.pole(*diameter, i);
+                        let centre = self.contact().pole(*diameter, i);
                         let reach =
                             [(1.0, 1.0), (-1.0, -1.0)].map(|(x, y)| Vec2::new(x, y) * (diameter / 2.0));
                         points.extend(reach.map(|reach| flipped(centre + reach) * scale));
                     }
                     SceneBody::Wall => {
-                        points.extend(self.wall(self.wall_ends(), i).map(|corner| flipped(corner) * scale));
+                        points.extend(
+                            self.contact().wall(self.wall_ends(), i).map(|corner| flipped(corner) * scale),
+                        );
                     }
                     SceneBody::Unknown => {}
                 }
@@ -220,108 +217,32 @@ impl ScenePicture {
             let start = Rect::from_points(Point::ZERO, Point::ZERO);
             points.iter().fold(start, |bounds, point| bounds.union_pt(point.to_point()))
         };
-        let fits = |scale: f64| {
-            let bounds = bounds(scale);
-            bounds.width() <= room.width() && bounds.height() <= room.height()
-        };
-        let (mut low, mut high) = (1.0, LARGEST);
-        if fits(high) {
-            low = high;
-        }
-        for _ in 0..40 {
-            let middle = 0.5 * (low + high);
-            if fits(middle) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        let bounds = bounds(low);
-        (low, (room.center() - bounds.center()).to_point())
+        View::fit(room, LARGEST, bounds)
     }
 
-    /// (m) the corners of the wall that stands for a fixed object: on the far side of the crush plane.
-    fn wall(&self, [low, high]: [f64; 2], i: usize) -> [Vec2; 4] {
-        let n = vec2(self.normal);
-        let t = Vec2::new(-n.y, n.x);
-        // n points from vehicle 2 to vehicle 1.
-        let away = if i == 0 { n } else { -n };
-        [t * high, t * high + away * WALL_DEPTH, t * low + away * WALL_DEPTH, t * low]
+    fn contact(&self) -> Contact {
+        Contact { at: Vec2::ZERO, normal: vec2(self.normal) }
     }
 
-    /// (m) the centre of a pole: C lies on its surface.
-    fn pole(&self, diameter: f64, i: usize) -> Vec2 {
-        // n points from vehicle 2 to vehicle 1.
-        vec2(self.normal) * (if i == 0 { 0.5 } else { -0.5 } * diameter)
-    }
-
-    /// (m) how far a wall reaches along t from C: beyond the whole of the other vehicle, but for what of that
-    /// lies beyond the crush plane, where there cannot be a wall.
     fn wall_ends(&self) -> [f64; 2] {
-        let n = vec2(self.normal);
-        let t = Vec2::new(-n.y, n.x);
-        let (mut ends, mut blocked) = ([-WALL, WALL], Vec::new());
-        for (vehicle, outward) in self.vehicles.iter().zip([-1.0, 1.0]) {
-            let SceneBody::Outline { footprint, crush } = &vehicle.body else { continue };
-            let outline =
-                crush.as_ref().map_or_else(|| footprint.outline(), |crush| footprint.damaged(crush));
-            let there = vehicle.in_scene();
-            for edge in outline.segments() {
-                let [from, to] = [edge.start(), edge.end()].map(|at| (there * at).to_vec2());
-                let along = [from.dot(t).min(to.dot(t)), from.dot(t).max(to.dot(t))];
-                ends = [ends[0].min(along[0] - WALL), ends[1].max(along[1] + WALL)];
-                if [from, to].iter().all(|at| at.dot(n) * outward > BEHIND) {
-                    blocked.push(along);
-                }
+        self.contact().wall_ends(self.vehicles.each_ref().map(|vehicle| match &vehicle.body {
+            SceneBody::Outline { footprint, crush } => {
+                Some(vehicle.pose().in_scene() * footprint.left_by(crush.as_ref()))
             }
-        }
-        blocked.sort_by(|one, other| one[0].total_cmp(&other[0]));
-        // Of the gaps, the nearest to C and, of several such, the longest.
-        let (mut low, mut gaps) = (ends[0], Vec::new());
-        for [from, to] in blocked.into_iter().chain([[ends[1]; 2]]) {
-            if from > low {
-                gaps.push([low, from]);
-            }
-            low = low.max(to);
-        }
-        let far = |[low, high]: [f64; 2]| low.max(-high).max(0.0);
-        let length = |[low, high]: [f64; 2]| high - low;
-        let best = |one: &[f64; 2], other: &[f64; 2]| {
-            far(*one).total_cmp(&far(*other)).then(length(*other).total_cmp(&length(*one)))
-        };
-        gaps.into_iter().min_by(best).unwrap_or_default()
+            _ => None,
+        }))
     }
 }
 
 impl SceneVehicle {
-    fn on_page(&self, origin: Point, scale: f64) -> Affine {
-        placed(vec2(self.forward), origin + flipped(vec2(self.cg)) * scale, scale)
-    }
-
-    /// (m) from its own axes to those of the scene.
-    fn in_scene(&self) -> Affine {
-        let (forward, cg) = (vec2(self.forward), vec2(self.cg));
-        Affine::new([forward.x, forward.y, -forward.y, forward.x, cg.x, cg.y])
+    fn pose(&self) -> Pose {
+        Pose::new(self.cg, self.forward)
     }
 }
 
 /// Where the scene is drawn.
 fn area() -> Rect {
     Rect::new(EDGE, HEADER, WIDTH - EDGE, HEADER + SCENE)
-}
-
-fn vec2([x, y]: [f64; 2]) -> Vec2 {
-    Vec2::new(x, y)
-}
-
-/// From the scene (m, y upwards) to the page (px, y downwards), without the origin.
-fn flipped(v: Vec2) -> Vec2 {
-    Vec2::new(v.x, -v.y)
-}
-
-fn unit(v: Vec2) -> Vec2 {
-    let length = v.hypot();
-    if length > 0.0 { v / length } else { Vec2::new(1.0, 0.0) }
 }
 
 /// All arrows of the scene, of which only the starting points are to scale.
@@ -348,15 +269,14 @@ impl Arrows<'_> {
 struct Page<'a> {
     canvas: Canvas,
     scene: &'a ScenePicture,
-    scale: f64,
-    origin: Point,
+    view: View,
     /// (m) along t from C, where there is a wall.
     wall: [f64; 2],
 }
 
 impl Page<'_> {
     fn at(&self, metres: Vec2) -> Point {
-        self.origin + flipped(metres) * self.scale
+        self.view.at(metres)
     }
 
     /// The crush plane, as far as the page goes.
@@ -367,8 +287,8 @@ impl Page<'_> {
         let reach = |direction: Vec2| {
             let mut most = f64::INFINITY;
             for (at, along, low, high) in [
-                (self.origin.x, direction.x, room.x0, room.x1),
-                (self.origin.y, direction.y, room.y0, room.y1),
+                (self.view.origin.x, direction.x, room.x0, room.x1),
+                (self.view.origin.y, direction.y, room.y0, room.y1),
             ] {
                 if along > 1e-9 {
                     most = most.min((high - at) / along);
@@ -376,7 +296,7 @@ impl Page<'_> {
                     most = most.min((low - at) / along);
                 }
             }
-            self.origin + direction * most.clamp(0.0, 330.0)
+            self.view.origin + direction * most.clamp(0.0, 330.0)
         };
         let (a, b) = (reach(-t), reach(t));
         self.canvas.line("crush-plane", a, b, PLANE);
@@ -387,31 +307,21 @@ impl Page<'_> {
         let id = format!("outline-{}", i + 1);
         let fixed = match &vehicle.body {
             SceneBody::Outline { footprint, .. } if footprint.shape == Shape::Fixed => {
-                vehicle.on_page(self.origin, self.scale) * footprint.outline()
+                self.view.place(vehicle.pose()) * footprint.outline()
             }
             SceneBody::Outline { footprint, crush } => {
-                let there = vehicle.on_page(self.origin, self.scale);
+                let there = self.view.place(vehicle.pose());
                 let whole = there * footprint.outline();
-                let body =
-                    crush.as_ref().map_or_else(|| whole.clone(), |crush| there * footprint.damaged(crush));
-                self.canvas.path("", &body, None, FILL[i]);
+                self.canvas.path("", &(there * footprint.left_by(crush.as_ref())), None, FILL[i]);
                 self.canvas.keep_off(&whole, false);
                 return;
             }
-            SceneBody::Pole { diameter } => {
-                let centre = self.at(self.scene.pole(*diameter, i));
-                Circle::new(centre, 0.5 * diameter * self.scale).to_path(1e-2)
-            }
-            SceneBody::Wall if self.wall[1] - self.wall[0] >= SHORTEST_WALL => {
-                let mut path = BezPath::new();
-                for (k, corner) in self.scene.wall(self.wall, i).into_iter().enumerate() {
-                    let corner = self.at(corner);
-                    if k == 0 { path.move_to(corner) } else { path.line_to(corner) }
-                }
-                path.close_path();
-                path
-            }
-            SceneBody::Wall | SceneBody::Unknown => return,
+            SceneBody::Pole { diameter } => self.scene.contact().drawn_pole(*diameter, i, self.view),
+            SceneBody::Wall => match self.scene.contact().drawn_wall(self.wall, i, self.view) {
+                Some(wall) => wall,
+                None => return,
+            },
+            SceneBody::Unknown => return,
         };
         self.canvas.define_stripes("fixed", GREY, PALE, 45, 8.0);
         let fill = self.canvas.pattern("fixed");
@@ -425,7 +335,7 @@ impl Page<'_> {
         if footprint.shape == Shape::Fixed {
             return;
         }
-        let there = vehicle.on_page(self.origin, self.scale);
+        let there = self.view.place(vehicle.pose());
         let id = format!("outline-{}", i + 1);
         match crush {
             None => self.canvas.path(&id, &(there * footprint.outline()), Some(OUTLINE[i]), "none"),
@@ -445,7 +355,7 @@ impl Page<'_> {
         let n = vec2(self.scene.normal);
         // +90° in the sense of the axes
         let t = Vec2::new(-n.y, n.x) * if self.scene.is_z_down { -1.0 } else { 1.0 };
-        let origin = self.origin;
+        let origin = self.view.origin;
         for (name, direction) in [("n", n), ("t", t)] {
             let tip = origin + flipped(direction) * AXES;
             self.canvas.arrow(name, origin, tip, AXIS, Head::Open);
@@ -460,7 +370,7 @@ impl Page<'_> {
         let cg = self.at(vec2(vehicle.cg));
         let is_plain = self.scene.is_plain;
         if let (SceneBody::Outline { footprint, .. }, false) = (&vehicle.body, is_plain) {
-            let there = vehicle.on_page(self.origin, self.scale);
+            let there = self.view.place(vehicle.pose());
             self.canvas.line("", cg, there * footprint.front(), HEADING);
         }
         let [before, after, tail] = arrows.of_vehicle(motion);
@@ -488,23 +398,24 @@ impl Page<'_> {
     }
 
     fn tip_of_impulse(&self) -> Point {
-        self.origin + flipped(unit(vec2(self.scene.impulse.vector))) * IMPULSE_LENGTH
+        self.view.origin + flipped(unit(vec2(self.scene.impulse.vector))) * IMPULSE_LENGTH
     }
 
     fn name(&mut self, vehicle: &SceneVehicle, i: usize) {
         let at = match &vehicle.body {
             // Well away from C, where the arrows are.
             SceneBody::Outline { footprint, .. } => {
-                let there = vehicle.on_page(self.origin, self.scale);
+                let there = self.view.place(vehicle.pose());
                 let length = footprint.length;
                 let ends =
                     [0.36, -0.36].map(|share| there * (footprint.middle() + Vec2::new(share * length, 0.0)));
-                let [front, rear] = ends.map(|end| (end - self.origin).hypot());
+                let [front, rear] = ends.map(|end| (end - self.view.origin).hypot());
                 if front > rear { ends[0] } else { ends[1] }
             }
-            SceneBody::Pole { diameter } => self.at(self.scene.pole(2.0 * diameter, i)),
+            SceneBody::Pole { diameter } => self.at(self.scene.contact().pole(2.0 * diameter, i)),
             SceneBody::Wall => {
-                let [_, outer, inner, _] = self.scene.wall(self.wall, i).map(|corner| self.at(corner));
+                let [_, outer, inner, _] =
+                    self.scene.contact().wall(self.wall, i).map(|corner| self.at(corner));
                 outer.midpoint(inner)
             }
             SceneBody::Unknown => self.at(vec2(vehicle.cg)),
@@ -514,21 +425,15 @@ impl Page<'_> {
 
     /// The axes of the scene, in a corner.
     fn frame(&mut self) {
-        let (drop, end, dy) = if self.scene.is_z_down { (64.0, 40.0, 16.0) } else { (12.0, -40.0, -8.0) };
+        let drop = if self.scene.is_z_down { 64.0 } else { 12.0 };
         let at = Point::new(area().x1 - 62.0, area().y1 - drop);
-        for (name, end, dx, dy) in
-            [("x", Vec2::new(40.0, 0.0), 8.0, 4.0), ("y", Vec2::new(0.0, end), -4.0, dy)]
-        {
-            let tip = at + end;
-            self.canvas.arrow(&format!("scene-{name}"), at, tip, Pen { width: 1.4, ..THIN }, Head::Open);
-            self.canvas.text(Point::new(tip.x + dx, tip.y + dy), name, SMALL, Anchor::Start, GREY);
-        }
+        plan::axes(&mut self.canvas, at, self.scene.is_z_down);
     }
 
     fn scales(&mut self, y: f64, arrows: &Arrows) {
         let ScenePicture { length, speed, .. } = self.scene;
         let at = Point::new(EDGE + 4.0, y);
-        legend::scale_bar(&mut self.canvas, "scale", at, self.scale * length.size, length, "");
+        legend::scale_bar(&mut self.canvas, "scale", at, self.view.scale * length.size, length, "");
         let at = Point::new(WIDTH / 2.0, y);
         let what = " for the arrows of velocity";
         legend::scale_bar(&mut self.canvas, "velocity-scale", at, arrows.per_speed * speed.size, speed, what);
@@ -574,7 +479,7 @@ impl Page<'_> {
                     Sample::Box(OUTLINE[i], FILL[i].to_owned())
                 }
                 SceneBody::Unknown => Sample::Nothing,
-                SceneBody::Wall if self.wall[1] - self.wall[0] < SHORTEST_WALL => Sample::Nothing,
+                SceneBody::Wall if !plan::is_drawn(self.wall) => Sample::Nothing,
                 _ => Sample::Box(THIN, self.canvas.pattern("fixed")),
             };
             entries.push((sample, text));

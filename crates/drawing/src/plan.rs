@@ -1,0 +1,199 @@
+//! What all plan views share: from the scene to the page, and where fixed objects stand.
+
+use kurbo::{Affine, BezPath, Circle, ParamCurve as _, Point, Rect, Shape as _, Vec2};
+
+use crate::canvas::{Canvas, Head};
+use crate::font::{Anchor, SMALL};
+use crate::footprint::placed;
+use crate::pens::{GREY, Pen, THIN};
+
+/// (m) how far the wall that stands for a fixed object of unknown extent reaches beyond the vehicle at it,
+/// its thickness, and the least length that is drawn.
+const WALL: f64 = 0.7;
+const WALL_DEPTH: f64 = 0.5;
+const SHORTEST_WALL: f64 = 0.2;
+/// (m) what of a vehicle lies farther than this beyond the crush plane has no wall in front of it.
+const BEHIND: f64 = 0.1;
+/// (px/m) the smallest scale that is tried.
+const SMALLEST: f64 = 1e-3;
+
+pub(crate) fn vec2([x, y]: [f64; 2]) -> Vec2 {
+    Vec2::new(x, y)
+}
+
+/// From the scene (m, y upwards) to the page (px, y downwards), without the origin.
+pub(crate) fn flipped(v: Vec2) -> Vec2 {
+    Vec2::new(v.x, -v.y)
+}
+
+pub(crate) fn unit(v: Vec2) -> Vec2 {
+    let length = v.hypot();
+    if length > 0.0 { v / length } else { Vec2::new(1.0, 0.0) }
+}
+
+/// Where a vehicle is.
+#[derive(Clone, Copy)]
+pub(crate) struct Pose {
+    /// (m)
+    pub(crate) cg: Vec2,
+    /// A unit vector.
+    pub(crate) forward: Vec2,
+}
+
+impl Pose {
+    pub(crate) fn new(cg: [f64; 2], forward: [f64; 2]) -> Self {
+        Self { cg: vec2(cg), forward: unit(vec2(forward)) }
+    }
+
+    /// (m) from the vehicle's own axes to those of the scene.
+    pub(crate) fn in_scene(self) -> Affine {
+        let Self { cg, forward } = self;
+        Affine::new([forward.x, forward.y, -forward.y, forward.x, cg.x, cg.y])
+    }
+}
+
+/// Where the scene lies on the page.
+#[derive(Clone, Copy)]
+pub(crate) struct View {
+    /// (px) of the scene's origin.
+    pub(crate) origin: Point,
+    /// (px/m)
+    pub(crate) scale: f64,
+}
+
+impl View {
+    /// At the largest scale, up to `largest` (px/m), at which what is drawn fits into the room (px) and
+    /// stands in its middle. `bounds` gives its extent (px) around the scene's origin at a scale.
+    pub(crate) fn fit(room: Rect, largest: f64, bounds: impl Fn(f64) -> Rect) -> Self {
+        let fits = |scale: f64| {
+            let bounds = bounds(scale);
+            bounds.width() <= room.width() && bounds.height() <= room.height()
+        };
+        let (mut low, mut high) = (SMALLEST.min(largest), largest);
+        if fits(high) {
+            low = high;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if fits(middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        Self { origin: (room.center() - bounds(low).center()).to_point(), scale: low }
+    }
+
+    pub(crate) fn at(self, metres: Vec2) -> Point {
+        self.origin + flipped(metres) * self.scale
+    }
+
+    /// From a vehicle's own axes (m) to the page.
+    pub(crate) fn place(self, pose: Pose) -> Affine {
+        placed(pose.forward, self.at(pose.cg), self.scale)
+    }
+}
+
+/// Where two bodies touch.
+#[derive(Clone, Copy)]
+pub(crate) struct Contact {
+    /// (m) the contact point C.
+    pub(crate) at: Vec2,
+    /// Of the crush plane, from vehicle 2 to vehicle 1; a unit vector.
+    pub(crate) normal: Vec2,
+}
+
+impl Contact {
+    fn tangent(self) -> Vec2 {
+        Vec2::new(-self.normal.y, self.normal.x)
+    }
+
+    /// (m) the corners of the wall that stands for body `i`: on the far side of the crush plane.
+    pub(crate) fn wall(self, [low, high]: [f64; 2], i: usize) -> [Vec2; 4] {
+        let t = self.tangent();
+        let away = if i == 0 { self.normal } else { -self.normal };
+        [t * high, t * high + away * WALL_DEPTH, t * low + away * WALL_DEPTH, t * low]
+            .map(|corner| self.at + corner)
+    }
+
+    /// (m) the centre of the pole that is body `i`: C lies on its surface.
+    pub(crate) fn pole(self, diameter: f64, i: usize) -> Vec2 {
+        self.at + self.normal * (if i == 0 { 0.5 } else { -0.5 } * diameter)
+    }
+
+    /// (m) how far a wall reaches along t from C: beyond the whole of the other vehicle, but for what of that
+    /// lies beyond the crush plane, where there cannot be a wall. The outlines are those of the bodies in the
+    /// scene (m), where they have one.
+    pub(crate) fn wall_ends(self, outlines: [Option<BezPath>; 2]) -> [f64; 2] {
+        let (n, t) = (self.normal, self.tangent());
+        let (mut ends, mut blocked) = ([-WALL, WALL], Vec::new());
+        for (outline, outward) in outlines.into_iter().zip([-1.0, 1.0]) {
+            for edge in outline.iter().flat_map(BezPath::segments) {
+                let [from, to] = [edge.start(), edge.end()].map(|at| at.to_vec2() - self.at);
+                let along = [from.dot(t).min(to.dot(t)), from.dot(t).max(to.dot(t))];
+                ends = [ends[0].min(along[0] - WALL), ends[1].max(along[1] + WALL)];
+                if [from, to].iter().all(|at| at.dot(n) * outward > BEHIND) {
+                    blocked.push(along);
+                }
+            }
+        }
+        blocked.sort_by(|one, other| one[0].total_cmp(&other[0]));
+        // Of the gaps, the nearest to C and, of several such, the longest.
+        let (mut low, mut gaps) = (ends[0], Vec::new());
+        for [from, to] in blocked.into_iter().chain([[ends[1]; 2]]) {
+            if from > low {
+                gaps.push([low, from]);
+            }
+            low = low.max(to);
+        }
+        let far = |[low, high]: [f64; 2]| low.max(-high).max(0.0);
+        let length = |[low, high]: [f64; 2]| high - low;
+        let best = |one: &[f64; 2], other: &[f64; 2]| {
+            far(*one).total_cmp(&far(*other)).then(length(*other).total_cmp(&length(*one)))
+        };
+        gaps.into_iter().min_by(best).unwrap_or_default()
+    }
+
+    /// The wall on the page, where it is long enough to be drawn.
+    pub(crate) fn drawn_wall(self, ends: [f64; 2], i: usize, view: View) -> Option<BezPath> {
+        is_drawn(ends).then(|| polygon(self.wall(ends, i).map(|corner| view.at(corner))))
+    }
+
+    /// The pole on the page.
+    pub(crate) fn drawn_pole(self, diameter: f64, i: usize, view: View) -> BezPath {
+        Circle::new(view.at(self.pole(diameter, i)), 0.5 * diameter * view.scale).to_path(1e-2)
+    }
+}
+
+/// Whether a wall with these ends (m along t) is long enough to be drawn.
+pub(crate) fn is_drawn([low, high]: [f64; 2]) -> bool {
+    high - low >= SHORTEST_WALL
+}
+
+/// Through the corners and back to the first.
+pub(crate) fn polygon(corners: impl IntoIterator<Item = Point>) -> BezPath {
+    let mut path = polyline(corners);
+    if !path.is_empty() {
+        path.close_path();
+    }
+    path
+}
+
+/// From the first point to the last.
+pub(crate) fn polyline(points: impl IntoIterator<Item = Point>) -> BezPath {
+    let mut path = BezPath::new();
+    for (k, point) in points.into_iter().enumerate() {
+        if k == 0 { path.move_to(point) } else { path.line_to(point) }
+    }
+    path
+}
+
+/// The axes of the scene, 40 px long.
+pub(crate) fn axes(canvas: &mut Canvas, at: Point, is_z_down: bool) {
+    let (end, dy) = if is_z_down { (40.0, 16.0) } else { (-40.0, -8.0) };
+    for (name, end, dx, dy) in [("x", Vec2::new(40.0, 0.0), 8.0, 4.0), ("y", Vec2::new(0.0, end), -4.0, dy)] {
+        let tip = at + end;
+        canvas.arrow(&format!("scene-{name}"), at, tip, Pen { width: 1.4, ..THIN }, Head::Open);
+        canvas.text(Point::new(tip.x + dx, tip.y + dy), name, SMALL, Anchor::Start, GREY);
+    }
+}
