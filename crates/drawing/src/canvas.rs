@@ -9,6 +9,7 @@ use crate::font::{self, Anchor, SMALL};
 use crate::labels::{self, Kind, Placer};
 use crate::number::significant;
 use crate::pens::{BLACK, GREY, Pen, WHITE};
+use crate::site_plan::Backdrop;
 
 /// The head of an arrow.
 #[derive(Clone, Copy, PartialEq)]
@@ -26,6 +27,8 @@ pub(crate) struct Canvas {
     /// (px) by which the page reaches above the origin.
     above: f64,
     prefix: &'static str,
+    /// Behind everything.
+    backdrop: Option<Backdrop>,
     body: String,
     placer: Placer,
     /// What was written that the font has not.
@@ -36,7 +39,7 @@ impl Canvas {
     /// (px) of the given size; the `id`s of its shapes begin with `prefix`.
     pub(crate) fn new(prefix: &'static str, width: f64, height: f64) -> Self {
         let (body, placer) = (String::new(), Placer::default());
-        Self { width, height, above: 0.0, prefix, body, placer, missing: BTreeSet::new() }
+        Self { width, height, above: 0.0, prefix, backdrop: None, body, placer, missing: BTreeSet::new() }
     }
 
     /// (px) below the origin.
@@ -58,6 +61,14 @@ impl Canvas {
         (self.width, self.height)
     }
 
+    pub(crate) fn set_backdrop(&mut self, backdrop: Backdrop) {
+        self.backdrop = Some(backdrop);
+    }
+
+    pub(crate) fn backdrop(&self) -> Option<&Backdrop> {
+        self.backdrop.as_ref()
+    }
+
     pub(crate) fn body(&self) -> &str {
         &self.body
     }
@@ -76,7 +87,8 @@ impl Canvas {
         if id.is_empty() { String::new() } else { format!(" id=\"{}-{id}\"", self.prefix) }
     }
 
-    /// A stripe pattern, named for [`pattern`](Self::pattern): what colour says, in grey as well.
+    /// A stripe pattern, named for [`pattern`](Self::pattern): what colour says, in grey as well. The ground is
+    /// a colour or `none`.
     pub(crate) fn define_stripes(&mut self, name: &str, colour: &str, ground: &str, degrees: i32, gap: f64) {
         let id = self.id(name);
         self.element(&format!(
@@ -267,6 +279,11 @@ impl Canvas {
     /// The same of one point among many, which [`protect`](Self::protect) has told of.
     pub(crate) fn label_of_point(&mut self, at: Point, text: &str, colour: &'static str) {
         self.placer.label(at, text, colour, Kind::OfPoint);
+    }
+
+    /// The name of an area, on it where there is room.
+    pub(crate) fn label_within(&mut self, area: &BezPath, at: Point, text: &str, colour: &'static str) {
+        self.placer.label_within(area, at, text, colour);
     }
 
     /// Places all labels inside of `bounds` ([`Placer::place`]).

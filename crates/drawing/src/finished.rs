@@ -74,6 +74,19 @@ impl Drawing {
     /// page have one each.
     #[must_use]
     pub fn svg_named(&self, name: &str) -> String {
+        let page = self.canvas.page();
+        let [top, width, height] = [page.y0, page.width(), page.height()].map(px);
+        let ground = format!("<rect y=\"{top}\" width=\"{width}\" height=\"{height}\" fill=\"{WHITE}\"/>\n");
+        let backdrop = self.canvas.backdrop().map(|backdrop| backdrop.svg(name)).unwrap_or_default();
+        self.svg_on(name, &format!("{ground}{backdrop}"))
+    }
+
+    /// What stands in front of the page and of its backdrop.
+    fn foreground(&self) -> String {
+        self.svg_on(self.name, "")
+    }
+
+    fn svg_on(&self, name: &str, ground: &str) -> String {
         let Self { name: own, title, description, canvas } = self;
         // No text has a quotation mark of its own: it is escaped.
         let body = canvas.body().replace(&format!(" id=\"{own}-"), &format!(" id=\"{name}-"));
@@ -84,10 +97,9 @@ impl Drawing {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 {top} {width} {height}\" role=\"img\" \
              aria-labelledby=\"{name}-title {name}-description\" font-family=\"Arial, Helvetica, 'DejaVu Sans', sans-serif\">\n\
              <title id=\"{name}-title\">{}</title>\n<desc id=\"{name}-description\">{}</desc>\n\
-             <rect y=\"{top}\" width=\"{width}\" height=\"{height}\" fill=\"{WHITE}\"/>\n{}</svg>\n",
+             {ground}{body}</svg>\n",
             escaped(title),
             escaped(description),
-            body,
         )
     }
 
@@ -103,7 +115,7 @@ impl Drawing {
     /// # Errors
     /// [`RenderError`]: the picture is too large for the memory.
     pub fn png(&self) -> Result<Vec<u8>, RenderError> {
-        raster::png(&self.svg())
+        raster::png(&self.foreground(), self.canvas.page().y0, self.canvas.backdrop())
     }
 
     /// The drawing as PDF: one page, as large as the SVG at 96 px to the inch. The letters are outlines of
@@ -112,7 +124,7 @@ impl Drawing {
     /// # Errors
     /// [`RenderError`]: the letters could not be laid out.
     pub fn pdf(&self) -> Result<Vec<u8>, RenderError> {
-        pdf::pdf(&self.svg(), &self.title)
+        pdf::pdf(&self.foreground(), self.canvas.page().y0, self.canvas.backdrop(), &self.title)
     }
 
     /// The drawing in a format of one's choice.

@@ -30,6 +30,10 @@ const CROWDING: f64 = 60.0;
 const PLAIN: f64 = 3.0;
 /// (px) two points at most this far apart look like one.
 const SAME: f64 = 1.0;
+/// (px) between places within an area, and what a pixel costs by which the label is farther from where it
+/// would stand best: a line costs more.
+const STEP: f64 = 12.0;
+const WITHIN: f64 = 0.02;
 /// What it costs that a label's line crosses that of another, and a piece of anything else.
 const CROSSING: f64 = 60.0;
 const CROSSED: f64 = 0.5;
@@ -43,6 +47,8 @@ pub(crate) enum Kind {
     BesideOutlines,
     /// Where it is plain which of many points it names.
     OfPoint,
+    /// On the area that it names, without a line, where there is room; beside all outlines.
+    Within,
 }
 
 /// A label that has yet to find its place.
@@ -52,6 +58,8 @@ struct Label {
     text: String,
     colour: &'static str,
     kind: Kind,
+    /// The area of [`Kind::Within`].
+    within: Option<BezPath>,
 }
 
 /// An area that labels keep off.
@@ -129,15 +137,27 @@ impl Placer {
 
     /// A text that belongs to a point.
     pub(crate) fn label(&mut self, at: Point, text: &str, colour: &'static str, kind: Kind) {
-        self.labels.push(Label { at, text: text.to_owned(), colour, kind });
+        self.labels.push(Label { at, text: text.to_owned(), colour, kind, within: None });
+    }
+
+    /// A text that names an area, and stands on it where there is room, as near to the point as that allows.
+    pub(crate) fn label_within(&mut self, area: &BezPath, at: Point, text: &str, colour: &'static str) {
+        let within = Some(area.clone());
+        self.labels.push(Label { at, text: text.to_owned(), colour, kind: Kind::Within, within });
     }
 
     /// Places all labels inside of `bounds`, in the order in which they were given: each where it covers no
     /// other text and the least of the lines, as near to its point as that allows.
     pub(crate) fn place(&mut self, bounds: Rect) -> Vec<Placed> {
         let mut placed = Vec::new();
-        for Label { at, text, colour, kind } in std::mem::take(&mut self.labels) {
+        for Label { at, text, colour, kind, within } in std::mem::take(&mut self.labels) {
             let size = (font::width(&text, SMALL), LINE * SMALL);
+            if let Some(centre) = within.and_then(|within| self.place_within(&within, at, size, bounds)) {
+                let base = base_of(Rect::from_center_size(centre, size));
+                self.taken(text_area(base, &text, SMALL, Anchor::Start));
+                placed.push(Placed { base, text, colour, leader: None });
+                continue;
+            }
             let mut best = (f64::INFINITY, at);
             for centre in candidates(at, size) {
                 let area = Rect::from_center_size(centre, size).inflate(5.0, 1.0);
@@ -165,11 +185,36 @@ impl Placer {
                 self.leaders.push(line);
                 self.block(line.p0, line.p1, 1.0);
             }
-            let base = Point::new(area.x0, area.y0 + ASCENT * SMALL);
+            let base = base_of(area);
             self.taken(text_area(base, &text, SMALL, Anchor::Start));
             placed.push(Placed { base, text, colour, leader });
         }
         placed
+    }
+
+    /// The best place that is wholly on an area, where there is one without another text, a point or an outline.
+    fn place_within(&self, within: &BezPath, at: Point, size: (f64, f64), bounds: Rect) -> Option<Point> {
+        let room = within.bounding_box().intersect(bounds);
+        let within = Area { path: within.clone(), all: true };
+        let mut best = (ON_AREA, None);
+        let mut y = room.y0 + 0.5 * size.1 + PIECE;
+        while y < room.y1 {
+            let mut x = room.x0 + 0.5 * size.0 + PIECE;
+            while x < room.x1 {
+                let centre = Point::new(x, y);
+                let area = Rect::from_center_size(centre, size).inflate(5.0, 1.0);
+                let far = WITHIN * (centre - at).hypot();
+                if far < best.0 && within.holds(area) {
+                    let cost = far + self.cost(area, bounds, Kind::Within);
+                    if cost < best.0 {
+                        best = (cost, Some(centre));
+                    }
+                }
+                x += STEP;
+            }
+            y += STEP;
+        }
+        best.1
     }
 
     fn cost(&self, area: Rect, bounds: Rect, kind: Kind) -> f64 {
@@ -177,7 +222,10 @@ impl Placer {
         let covers = |other: &Rect| area.intersect(*other).area() > 0.0;
         let texts = count(self.texts.iter().filter(|other| covers(other))) * ON_TEXT;
         let points = count(self.points.iter().filter(|other| covers(other))) * ON_POINT;
-        let kept_off = self.areas.iter().filter(|other| other.all || kind == Kind::BesideOutlines);
+        let kept_off = self
+            .areas
+            .iter()
+            .filter(|other| other.all || matches!(kind, Kind::BesideOutlines | Kind::Within));
         let areas = count(kept_off.filter(|other| other.is_under(area))) * ON_AREA;
         let lines: f64 = self
             .obstacles
@@ -232,12 +280,26 @@ pub(crate) fn text_area(at: Point, text: &str, size: f64, anchor: Anchor) -> Rec
 impl Area {
     /// As far as points every few pixels of the label tell.
     fn is_under(&self, label: Rect) -> bool {
-        const STEPS: i32 = 8;
-        (0..=STEPS).any(|step| {
-            let x = label.x0 + label.width() * f64::from(step) / f64::from(STEPS);
-            [label.y0, label.center().y, label.y1].iter().any(|&y| self.path.contains(Point::new(x, y)))
-        })
+        points_of(label).any(|point| self.path.contains(point))
     }
+
+    /// The same of the whole label.
+    fn holds(&self, label: Rect) -> bool {
+        points_of(label).all(|point| self.path.contains(point))
+    }
+}
+
+fn points_of(label: Rect) -> impl Iterator<Item = Point> {
+    const STEPS: i32 = 8;
+    (0..=STEPS).flat_map(move |step| {
+        let x = label.x0 + label.width() * f64::from(step) / f64::from(STEPS);
+        [label.y0, label.center().y, label.y1].map(|y| Point::new(x, y))
+    })
+}
+
+/// Where the text of a label begins.
+fn base_of(label: Rect) -> Point {
+    Point::new(label.x0, label.y0 + ASCENT * SMALL)
 }
 
 fn count<T>(iterator: impl Iterator<Item = T>) -> f64 {

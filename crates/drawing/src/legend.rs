@@ -1,10 +1,11 @@
 //! What stands above and below a drawing: its title, the legend, the scale bar.
 
-use kurbo::{BezPath, Point, Rect};
+use kurbo::{BezPath, Point, Rect, Vec2};
 
 use crate::canvas::{Canvas, Head};
 use crate::font::{self, Anchor, LARGE, SMALL};
 use crate::pens::{BLACK, GREY, Pen, THIN};
+use crate::plan::polyline;
 use crate::symbol::Symbol;
 use crate::ticks;
 
@@ -62,6 +63,9 @@ pub(crate) enum Sample {
     /// As on a vehicle that faces to the right.
     Windscreen(Pen),
     Symbol(Symbol),
+    Cross(Pen),
+    /// As on a vehicle that faces to the right.
+    Chevron(Pen),
 }
 
 /// Of the windscreen of an outline.
@@ -98,6 +102,11 @@ pub(crate) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(
                 path.close_path();
                 canvas.path("", &path, Some(*pen), "none");
             }
+            Sample::Cross(pen) => canvas.path("", &cross(middle, 6.0), Some(*pen), "none"),
+            Sample::Chevron(pen) => {
+                let corners = [(-3.0, -7.0), (5.0, 0.0), (-3.0, 7.0)].map(|at| middle + Vec2::from(at));
+                canvas.path("", &polyline(corners), Some(*pen), "none");
+            }
             Sample::Symbol(symbol) => symbol.draw(canvas, "", middle),
             Sample::Dot(pen, fill) => canvas.dot("", middle, 5.0, *pen, fill),
         }
@@ -105,6 +114,16 @@ pub(crate) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(
         let most = width - SAMPLE - 16.0;
         canvas.text(Point::new(left, y + 4.5), &font::cut(text, SMALL, most), SMALL, Anchor::Start, BLACK);
     }
+}
+
+/// Two strokes through a point, with ends as far (px) across and down from it.
+pub(crate) fn cross(at: Point, reach: f64) -> BezPath {
+    let mut path = BezPath::new();
+    for arm in [(1.0, 1.0), (1.0, -1.0)].map(|(x, y)| Vec2::new(x, y) * reach) {
+        path.move_to(at - arm);
+        path.line_to(at + arm);
+    }
+    path
 }
 
 /// (px) height of so many entries in columns.

@@ -30,6 +30,8 @@
 //! | picture | shows |
 //! |---|---|
 //! | [`ScenePicture`] | both vehicles at impact, seen from above |
+//! | [`MotionPicture`] | the motion from approach over impact to rest, on a site plan where there is one |
+//! | [`MotionCurvesPicture`] | numbers of that motion over time |
 //! | [`DamagePicture`] | each damaged vehicle with its crush profile in place |
 //! | [`EnergyPicture`] | where the initial kinetic energy went |
 //! | [`ReconciliationPicture`] | work of the normal impulse over the speed sought |
@@ -64,9 +66,12 @@ mod energy;
 mod finished;
 mod font;
 mod footprint;
+mod ground;
 mod histogram;
 mod labels;
 mod legend;
+mod motion;
+mod motion_curves;
 mod number;
 mod pdf;
 mod pens;
@@ -75,7 +80,9 @@ mod raster;
 mod reconciliation;
 mod scatter;
 mod scene;
+mod site_plan;
 mod symbol;
+mod thin;
 mod ticks;
 mod tornado;
 
@@ -84,12 +91,16 @@ pub use damage::{DamagePicture, DamagedVehicle};
 pub use energy::{EnergyBar, EnergyPicture, Loss};
 pub use finished::{Drawing, PictureFormat};
 pub use footprint::{CrushProfile, Footprint, Shape};
+pub use ground::{GroundShape, GroundZone};
 pub use histogram::{HistogramMark, HistogramPicture};
 pub use legend::ScaleUnit;
+pub use motion::{MeasuredPoint, MotionPicture, MotionPoint, MotionRest, MotionVehicle};
+pub use motion_curves::{MotionCurves, MotionCurvesPicture};
 pub use number::{number, significant};
 pub use raster::RenderError;
 pub use reconciliation::{CurvePoint, ReconciliationPicture};
 pub use scatter::{ScatterPanel, ScatterPicture, ScatterPoint};
 pub use scene::{SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle};
+pub use site_plan::{PlanPlace, SitePlan, SitePlanError};
 pub use symbol::{Marker, Symbol};
 pub use tornado::{TornadoBar, TornadoPicture};

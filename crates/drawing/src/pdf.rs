@@ -1,6 +1,8 @@
 //! From SVG to PDF: one page, with paths as paths and letters as outlines. No date is in it, so that the
 //! bytes are the same at every run.
 
+use std::borrow::Cow;
+
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::types::{LineCapStyle, LineJoinStyle, PaintType, TilingType};
 use pdf_writer::{Content, Filter, Finish as _, Name, Pdf, Rect, Ref, TextStr};
@@ -10,6 +12,7 @@ use resvg::usvg::{
 };
 
 use crate::raster::{self, RenderError};
+use crate::site_plan::{Backdrop, Encoding, OPACITY, SitePlan, SitePlanError};
 
 /// (pt) of a pixel of CSS: 1/96 in.
 const POINT: f32 = 0.75;
@@ -23,18 +26,34 @@ const CONTENT: Ref = Ref::new(4);
 const INFO: Ref = Ref::new(5);
 /// Of the first pattern; the others follow.
 const PATTERN: Ref = Ref::new(6);
+/// The site plan, and how much of it is seen.
+const SITE_PLAN: Name = Name(b"S");
+const FADED: Name = Name(b"G");
 
-pub(crate) fn pdf(svg: &str, title: &str) -> Result<Vec<u8>, RenderError> {
+/// The top of the page has the given y (px).
+pub(crate) fn pdf(
+    svg: &str,
+    top: f64,
+    backdrop: Option<&Backdrop>,
+    title: &str,
+) -> Result<Vec<u8>, RenderError> {
     let tree = raster::tree(svg)?;
-    Ok(document(&tree, title))
+    let picture = backdrop.map(|backdrop| Picture::of(backdrop.plan())).transpose();
+    let picture = picture.map_err(|error| RenderError(error.to_string()))?;
+    Ok(document(&tree, top, backdrop.zip(picture.as_ref()), title))
 }
 
-fn document(tree: &Tree, title: &str) -> Vec<u8> {
-    let (width, height) = (tree.size().width() * POINT, tree.size().height() * POINT);
+fn document(tree: &Tree, top: f64, backdrop: Option<(&Backdrop, &Picture<'_>)>, title: &str) -> Vec<u8> {
+    let [page_width, page_height] = [tree.size().width(), tree.size().height()];
+    let (width, height) = (page_width * POINT, page_height * POINT);
     // The y of a PDF runs upwards.
     let page_of_svg = Transform::from_row(POINT, 0.0, 0.0, -POINT, 0.0, height);
     let mut painter = Painter { content: Content::new(), patterns: Vec::new() };
     painter.content.transform(row(page_of_svg));
+    painter.content.set_fill_rgb(1.0, 1.0, 1.0).rect(0.0, 0.0, page_width, page_height).fill_nonzero();
+    if let Some((backdrop, _)) = backdrop {
+        painter.backdrop(backdrop, top);
+    }
     painter.group(tree.root(), page_of_svg);
     let Painter { content, patterns } = painter;
 
@@ -58,10 +77,29 @@ fn document(tree: &Tree, title: &str) -> Vec<u8> {
         tiling.resources();
         names.push((pattern.name.as_str(), reference));
     }
+    // Behind the patterns.
+    let next = Ref::new(PATTERN.get() + i32::try_from(patterns.len()).unwrap_or_default());
+    let (image, faded) = (next, next.next());
+    if let Some((backdrop, picture)) = backdrop {
+        let [columns, rows] =
+            backdrop.plan().pixels().map(|number| i32::try_from(number).unwrap_or(i32::MAX));
+        let mut written = pdf.image_xobject(image, &picture.samples);
+        written.width(columns).height(rows).bits_per_component(8).filter(picture.filter);
+        match picture.is_grey {
+            true => written.color_space().device_gray(),
+            false => written.color_space().device_rgb(),
+        }
+        written.finish();
+        pdf.ext_graphics(faded).non_stroking_alpha(OPACITY);
+    }
     let mut page = pdf.page(PAGE);
     page.media_box(Rect::new(0.0, 0.0, width, height)).parent(PAGES).contents(CONTENT);
     let mut resources = page.resources();
     resources.patterns().pairs(names.iter().map(|(name, reference)| (Name(name.as_bytes()), *reference)));
+    if backdrop.is_some() {
+        resources.x_objects().pair(SITE_PLAN, image);
+        resources.ext_g_states().pair(FADED, faded);
+    }
     resources.finish();
     page.finish();
     pdf.finish()
@@ -79,7 +117,46 @@ struct Painter<'a> {
     patterns: Vec<Tiles<'a>>,
 }
 
+/// A site plan as a PDF holds it: 8 bits for each part of a colour.
+struct Picture<'a> {
+    samples: Cow<'a, [u8]>,
+    filter: Filter,
+    is_grey: bool,
+}
+
+impl<'a> Picture<'a> {
+    fn of(plan: &'a SitePlan) -> Result<Self, SitePlanError> {
+        Ok(match plan.encoding() {
+            Encoding::Jpeg { is_grey } => {
+                Self { samples: plan.bytes().into(), filter: Filter::DctDecode, is_grey }
+            }
+            Encoding::Png => {
+                let pixels = plan.decoded()?;
+                let colours: Vec<u8> =
+                    pixels.data().chunks_exact(4).flat_map(|rgba| [rgba[0], rgba[1], rgba[2]]).collect();
+                let samples = compress_to_vec_zlib(&colours, LEVEL).into();
+                Self { samples, filter: Filter::FlateDecode, is_grey: false }
+            }
+        })
+    }
+}
+
 impl<'a> Painter<'a> {
+    fn backdrop(&mut self, backdrop: &Backdrop, top: f64) {
+        let frame = backdrop.frame();
+        #[expect(clippy::cast_possible_truncation, reason = "numbers of the page")]
+        let [x, y, width, height] =
+            [frame.x0, frame.y0 - top, frame.width(), frame.height()].map(|number| number as f32);
+        #[expect(clippy::cast_possible_truncation, reason = "numbers of the page")]
+        let [a, b, c, d, e, f] = backdrop.page_of_plan().map(|number| number as f32);
+        #[expect(clippy::cast_possible_truncation, reason = "a number of the page")]
+        let place = Transform::from_row(a, b, c, d, e, f - top as f32);
+        // The unit square of an image in a PDF has its y upwards (ISO 32000-1, 8.9.5.1).
+        let upright = place.pre_concat(Transform::from_row(1.0, 0.0, 0.0, -1.0, 0.0, 1.0));
+        self.content.save_state().rect(x, y, width, height).clip_nonzero().end_path();
+        self.content.set_parameters(FADED).transform(row(upright)).x_object(SITE_PLAN).restore_state();
+    }
+
     /// `page_of_here` takes the coordinates around the group to those of the page.
     fn group(&mut self, group: &'a Group, page_of_here: Transform) {
         let inner = page_of_here.pre_concat(group.transform());

@@ -43,3 +43,14 @@ pub(crate) const GRID: Pen = pen(PALE, 1.0, "");
 pub(crate) const BOUND: Pen = pen(BLACK, 1.6, "6 4");
 /// Where two numbers are equal.
 pub(crate) const EQUALITY: Pen = pen(GREY, 1.4, "7 4");
+/// Of a motion: the path of the CG, and the outlines on the way.
+pub(crate) const PATH: [Pen; 2] = [pen(BLUE, 1.8, ""), pen(VERMILION, 1.8, "")];
+pub(crate) const PASSING: [Pen; 2] = [pen("#4a90c2", 1.0, ""), pen("#d9803f", 1.0, "")];
+pub(crate) const APPROACH: Pen = pen(GREEN, 3.0, "");
+/// The outline at rest that was measured.
+pub(crate) const MEASURED: Pen = pen(BLACK, 1.6, "5 3");
+/// Of a wheel that slides.
+pub(crate) const MARK: Pen = pen("#333333", 1.2, "");
+pub(crate) const EDGE_OF_GROUND: Pen = pen(GREY, 1.2, "9 3 2 3");
+/// Numbers of vehicles 1 and 2.
+pub(crate) const OF_VEHICLE: [Pen; 2] = [pen(BLUE, 2.5, ""), pen(VERMILION, 2.0, "9 5")];

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
+mod motion;
 mod pdf;
 mod pictures;
 mod reader;

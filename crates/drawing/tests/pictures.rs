@@ -186,8 +186,8 @@ fn reconciliation() -> ReconciliationPicture {
     }
 }
 
-pub(crate) fn all() -> [Drawing; 7] {
-    [
+pub(crate) fn all() -> Vec<Drawing> {
+    let others = [
         scene().draw(),
         damage().draw(),
         energy().draw(),
@@ -195,7 +195,8 @@ pub(crate) fn all() -> [Drawing; 7] {
         histogram(22.5).draw(),
         tornado(4.0).draw(),
         scatter().draw(),
-    ]
+    ];
+    others.into_iter().chain(crate::motion::all()).collect()
 }
 
 #[test]

@@ -1,0 +1,642 @@
+//! The motion: both vehicles from their approach over the impact to rest, seen from above.
+
+use kurbo::{Affine, BezPath, Point, Rect, Shape as _, Vec2};
+
+use crate::canvas::{Canvas, Head};
+use crate::finished::Drawing;
+use crate::font::{self, SMALL};
+use crate::footprint::{Footprint, Shape};
+use crate::ground::GroundZone;
+use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
+use crate::number::number;
+use crate::pens::{
+    APPROACH, BLACK, EDGE_OF_GROUND, FILL, GREY, MARK, MEASURED, OUTLINE, PALE, PASSING, PATH, Pen, THIN,
+    WHITE,
+};
+use crate::plan::{self, Contact, Pose, View, flipped, polyline, unit, vec2};
+use crate::scene::{SceneArrow, SceneBody};
+use crate::site_plan::{Backdrop, SitePlan};
+use crate::symbol::{Marker, Symbol};
+use crate::thin::thinned;
+use crate::ticks;
+
+const NAME: &str = "motion";
+
+/// (px) height of what is drawn, below the title: at least, and at most.
+const LOWEST: f64 = 300.0;
+const HIGHEST: f64 = 760.0;
+/// (px) around the outermost point, for labels: on all sides, and above and below where the height is free.
+const MARGIN: f64 = 34.0;
+const ABOVE: f64 = 62.0;
+/// (px/m) the largest scale.
+const LARGEST: f64 = 90.0;
+/// (px) of the arrow of the approach, and from it to the vehicle.
+const APPROACH_LENGTH: f64 = 80.0;
+const BEFORE_VEHICLE: f64 = 7.0;
+/// (px) of the arrow uphill.
+const UPHILL: f64 = 34.0;
+/// (px) radius of the places at equal times, of the centre of gravity, and of the mark of the impact.
+const AT_TIME: f64 = 2.4;
+const CENTRE: f64 = 4.0;
+const IMPACT: f64 = 7.0;
+/// Outlines on the longest path, and how far apart they are in the mean, in lengths of the vehicle. More are
+/// a tangle.
+const MOST_OUTLINES: f64 = 9.0;
+const APART: f64 = 0.6;
+/// (px) across a vehicle that has room for its windscreen.
+const WITH_DETAIL: f64 = 5.0;
+
+const MEASURED_POINT: Symbol = Symbol { marker: Marker::Diamond, is_filled: false };
+const MEASURED_CENTRE: Pen = Pen { dashes: "", ..MEASURED };
+const IMPACT_PEN: Pen = Pen { colour: BLACK, width: 2.4, dashes: "" };
+const UPHILL_PEN: Pen = Pen { colour: GREY, width: 2.0, dashes: "" };
+
+/// Plan view of the motion of both vehicles.
+///
+/// Positions are those of one scene with y to the left of x, whatever the axes that are shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionPicture {
+    /// Of the case.
+    pub title: String,
+    /// What a reader who cannot see it has to be told.
+    pub description: String,
+    /// The axes that are shown have y to the right.
+    pub is_z_down: bool,
+    /// For readers who are no engineers: no axes, and no abbreviations.
+    pub is_plain: bool,
+    /// Vehicles 1 and 2, as far as they are known.
+    pub vehicles: [Option<MotionVehicle>; 2],
+    /// (m) where the impact was.
+    pub impact: Option<[f64; 2]>,
+    /// Of the crush plane, from vehicle 2 to vehicle 1; a unit vector. A wall or a pole stands at the place
+    /// of the impact, on its side of this plane; it is drawn where both are known.
+    pub normal: Option<[f64; 2]>,
+    /// Parts of the ground, the later ones over the earlier ones.
+    pub ground: Vec<GroundZone>,
+    /// Up the slope, with its grade.
+    pub uphill: Option<SceneArrow>,
+    /// Behind everything.
+    pub site_plan: Option<SitePlan>,
+    /// Of the scale bar.
+    pub length: ScaleUnit,
+    /// Of the time between two outlines; its size is in seconds.
+    pub time: ScaleUnit,
+}
+
+/// A vehicle that moves, or what it hits.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionVehicle {
+    /// What stands at it, where it is at impact.
+    pub name: String,
+    /// What the legend says of its body.
+    pub legend: Option<String>,
+    /// What is drawn of it. Where its crush is known, the damaged body is drawn.
+    pub body: SceneBody,
+    /// (m) its centre of gravity at impact.
+    pub cg: [f64; 2],
+    /// Its heading at impact; a unit vector.
+    pub forward: [f64; 2],
+    /// The direction of its velocity before the impact; `None` where it stood.
+    pub approach: Option<SceneArrow>,
+    /// From the impact on, in the order of time.
+    pub path: Vec<MotionPoint>,
+    /// Where it comes to rest, as computed.
+    pub rest: Option<MotionRest>,
+    /// Where it was found.
+    pub measured_rest: Option<MotionRest>,
+    /// Points of its path that were measured.
+    pub measured_points: Vec<MeasuredPoint>,
+    /// (m) the marks of its wheels: a line for each stretch on which a wheel slides.
+    pub marks: Vec<Vec<[f64; 2]>>,
+}
+
+/// Where a vehicle is at a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotionPoint {
+    /// (s) since the impact.
+    pub time: f64,
+    /// (m) its centre of gravity.
+    pub cg: [f64; 2],
+    /// Its heading; a unit vector.
+    pub forward: [f64; 2],
+}
+
+/// Where a vehicle came to rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionRest {
+    /// (m) its centre of gravity.
+    pub cg: [f64; 2],
+    /// Its heading, where it is known; a unit vector.
+    pub forward: Option<[f64; 2]>,
+    /// What stands at it.
+    pub label: String,
+}
+
+/// A point that was measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasuredPoint {
+    /// (m)
+    pub at: [f64; 2],
+    /// What stands at it.
+    pub label: String,
+}
+
+impl MotionPicture {
+    /// Draws it.
+    #[must_use]
+    pub fn draw(&self) -> Drawing {
+        let widest = Rect::new(EDGE, HEADER, WIDTH - EDGE, HEADER + HIGHEST);
+        let largest = View::fit(widest.inset((-MARGIN, -ABOVE)), LARGEST, |scale| self.bounds(scale));
+        let height = (self.bounds(largest.scale).height() + 2.0 * ABOVE).clamp(LOWEST, HIGHEST);
+        let area = Rect { y1: HEADER + height, ..widest };
+        let view = View::fit(area.inset((-MARGIN, -ABOVE)), LARGEST, |scale| self.bounds(scale));
+
+        let mut canvas = Canvas::new(NAME, WIDTH, area.y1);
+        legend::header(&mut canvas, &self.title, "Plan view from approach to rest, to scale");
+        let mut page = Page { canvas, motion: self, area, view, step: self.step() };
+        page.ground();
+        // Marks lie over the vehicle that begins to make them, and below the one that has made them.
+        for layer in [Page::at_impact, Page::passing, Page::marks, Page::at_rest, Page::path, Page::edges] {
+            for (i, vehicle) in self.each() {
+                layer(&mut page, vehicle, i);
+            }
+        }
+        page.impact();
+        for (i, vehicle) in self.each() {
+            page.labels(vehicle, i);
+        }
+        page.names_of_ground();
+        page.canvas.place_labels(area.inset(-2.0));
+        page.below()
+    }
+
+    fn each(&self) -> impl Iterator<Item = (usize, &MotionVehicle)> {
+        self.vehicles.iter().enumerate().filter_map(|(i, vehicle)| Some((i, vehicle.as_ref()?)))
+    }
+
+    fn contact(&self) -> Option<Contact> {
+        Some(Contact { at: vec2(self.impact?), normal: unit(vec2(self.normal?)) })
+    }
+
+    fn wall_ends(&self, contact: Contact) -> [f64; 2] {
+        contact.wall_ends(self.vehicles.each_ref().map(|vehicle| match vehicle {
+            Some(MotionVehicle { body: SceneBody::Outline { footprint, crush }, cg, forward, .. }) => {
+                Some(Pose::new(*cg, *forward).in_scene() * footprint.left_by(crush.as_ref()))
+            }
+            _ => None,
+        }))
+    }
+
+    /// (px) what is drawn, around the origin of the scene.
+    fn bounds(&self, scale: f64) -> Rect {
+        let mut points: Vec<Vec2> = self.impact.iter().map(|&at| vec2(at)).collect();
+        let mut arrows = Vec::new();
+        for (i, vehicle) in self.each() {
+            match (&vehicle.body, self.contact()) {
+                (SceneBody::Outline { .. } | SceneBody::Unknown, _) => {
+                    points.extend(vehicle.poses().flat_map(|pose| vehicle.corners(pose)));
+                }
+                (SceneBody::Pole { diameter }, Some(contact)) => {
+                    let centre = contact.pole(*diameter, i);
+                    points.extend(
+                        [(1.0, 1.0), (-1.0, -1.0)].map(|(x, y)| centre + Vec2::new(x, y) * (diameter / 2.0)),
+                    );
+                }
+                (SceneBody::Wall, Some(contact)) => points.extend(contact.wall(self.wall_ends(contact), i)),
+                (SceneBody::Pole { .. } | SceneBody::Wall, None) => {}
+            }
+            points.extend(vehicle.path.iter().map(|point| vec2(point.cg)));
+            points.extend(vehicle.measured_points.iter().map(|point| vec2(point.at)));
+            points.extend(vehicle.marks.iter().flatten().map(|&at| vec2(at)));
+            arrows.extend(vehicle.approach_arrow(View { origin: Point::ZERO, scale }).map(|(tail, _)| tail));
+        }
+        let mut points = points.into_iter().map(|point| (flipped(point) * scale).to_point()).chain(arrows);
+        let first = points.next().unwrap_or_default();
+        points.fold(Rect::from_points(first, first), |bounds, point| bounds.union_pt(point))
+    }
+
+    /// (units of time) between two places at equal times: a round number.
+    fn step(&self) -> Option<f64> {
+        let size = self.time.size;
+        let moving = self.each().filter_map(|(_, vehicle)| Some((vehicle, vehicle.path.last()?)));
+        let longest = moving.max_by(|(one, _), (other, _)| one.distance().total_cmp(&other.distance()));
+        let (vehicle, last) = longest?;
+        let apart = APART * vehicle.length();
+        let most = (vehicle.distance() / apart).clamp(1.0, MOST_OUTLINES);
+        let (times, _) = ticks::between(0.0, last.time / size, most);
+        // A path on which there is nothing between its ends has none.
+        times.get(1).copied().filter(|step| *step < last.time / size)
+    }
+}
+
+impl MotionVehicle {
+    fn at_impact(&self) -> Pose {
+        Pose::new(self.cg, self.forward)
+    }
+
+    fn has_outline_at(&self, rest: &MotionRest) -> bool {
+        matches!(self.body, SceneBody::Outline { .. }) && rest.forward.is_some()
+    }
+
+    fn has_shape(&self, shape: Shape) -> bool {
+        matches!(&self.body, SceneBody::Outline { footprint, .. } if footprint.shape == shape)
+    }
+
+    fn is_fixed(&self) -> bool {
+        match &self.body {
+            SceneBody::Outline { footprint, .. } => footprint.shape == Shape::Fixed,
+            SceneBody::Pole { .. } | SceneBody::Wall => true,
+            SceneBody::Unknown => false,
+        }
+    }
+
+    /// Where it is at impact, on its path and at rest.
+    fn poses(&self) -> impl Iterator<Item = Pose> {
+        let rests = [&self.rest, &self.measured_rest].into_iter().flatten();
+        std::iter::once(self.at_impact())
+            .chain(rests.filter_map(MotionRest::pose))
+            .chain(self.path.iter().map(|point| Pose::new(point.cg, point.forward)))
+    }
+
+    /// (m) of the body there.
+    fn corners(&self, pose: Pose) -> Vec<Vec2> {
+        match &self.body {
+            SceneBody::Outline { footprint, .. } => {
+                footprint.corners().map(|corner| (pose.in_scene() * corner).to_vec2()).to_vec()
+            }
+            _ => vec![pose.cg],
+        }
+    }
+
+    /// (m) of its path.
+    fn distance(&self) -> f64 {
+        self.path.windows(2).map(|pair| (vec2(pair[1].cg) - vec2(pair[0].cg)).hypot()).sum()
+    }
+
+    /// (m)
+    fn length(&self) -> f64 {
+        match &self.body {
+            SceneBody::Outline { footprint, .. } => footprint.length,
+            // What has no outline needs room for its symbol alone.
+            _ => 1.0,
+        }
+    }
+
+    /// Where it is at a time (s), between the points of its path along straight lines.
+    fn pose_at(&self, time: f64) -> Option<Pose> {
+        let after = self.path.partition_point(|point| point.time < time);
+        let next = self.path.get(after)?;
+        let Some(last) = after.checked_sub(1).and_then(|before| self.path.get(before)) else {
+            return (next.time <= time).then(|| Pose::new(next.cg, next.forward));
+        };
+        let share = (time - last.time) / (next.time - last.time);
+        let between = |from: [f64; 2], to: [f64; 2]| vec2(from) + (vec2(to) - vec2(from)) * share;
+        Some(Pose { cg: between(last.cg, next.cg), forward: unit(between(last.forward, next.forward)) })
+    }
+
+    /// The arrow of the approach, from its tail to its tip: it ends where the vehicle begins.
+    fn approach_arrow(&self, view: View) -> Option<(Point, Point)> {
+        let direction = unit(vec2(self.approach.as_ref()?.vector));
+        let pose = self.at_impact();
+        let reach = self.corners(pose).into_iter().map(|corner| (pose.cg - corner).dot(direction));
+        let reach = reach.fold(0.0, f64::max) * view.scale + BEFORE_VEHICLE;
+        let back = |length: f64| view.at(pose.cg) - flipped(direction) * length;
+        Some((back(reach + APPROACH_LENGTH), back(reach)))
+    }
+}
+
+impl MotionRest {
+    fn pose(&self) -> Option<Pose> {
+        self.forward.map(|forward| Pose::new(self.cg, forward))
+    }
+}
+
+struct Page<'a> {
+    canvas: Canvas,
+    motion: &'a MotionPicture,
+    /// (px) where the motion is drawn.
+    area: Rect,
+    view: View,
+    /// (units of time) between two places at equal times.
+    step: Option<f64>,
+}
+
+impl Page<'_> {
+    fn ground(&mut self) {
+        if let Some(plan) = &self.motion.site_plan {
+            let page_of_scene = Affine::translate(self.view.origin.to_vec2())
+                * Affine::scale_non_uniform(self.view.scale, -self.view.scale);
+            self.canvas.set_backdrop(Backdrop::new(plan, page_of_scene, self.area));
+        }
+        for (k, zone) in self.zones() {
+            let name = format!("ground-{}", k + 1);
+            // Neighbours differ in the direction of their hatching.
+            let degrees = if k.is_multiple_of(2) { 60 } else { -60 };
+            self.canvas.define_stripes(&name, PALE, "none", degrees, 9.0);
+            let fill = self.canvas.pattern(&name);
+            self.canvas.path(&format!("zone-{}", k + 1), &zone, Some(EDGE_OF_GROUND), &fill);
+        }
+        if self.motion.site_plan.is_some() || !self.motion.ground.is_empty() {
+            self.canvas.rect("frame", self.area, Some(THIN), "none");
+        }
+    }
+
+    /// What is seen of the parts of the ground, with their numbers.
+    fn zones(&self) -> Vec<(usize, BezPath)> {
+        let zones = self.motion.ground.iter().enumerate();
+        zones.filter_map(|(k, zone)| Some((k, zone.shape.on_page(self.view, self.area)?))).collect()
+    }
+
+    fn names_of_ground(&mut self) {
+        for (k, zone) in self.zones() {
+            let text = font::cut(&self.motion.ground[k].label, SMALL, 320.0);
+            self.canvas.label_within(&zone, zone.bounding_box().center(), &text, BLACK);
+        }
+    }
+
+    fn at_rest(&mut self, vehicle: &MotionVehicle, _: usize) {
+        if let Some(rest) = vehicle.rest.as_ref().and_then(MotionRest::pose) {
+            self.filled(vehicle, rest, WHITE);
+        }
+    }
+
+    fn filled(&mut self, vehicle: &MotionVehicle, pose: Pose, fill: &str) {
+        let SceneBody::Outline { footprint, crush } = &vehicle.body else { return };
+        let body = self.view.place(pose) * footprint.left_by(crush.as_ref());
+        self.canvas.path("", &body, None, fill);
+        self.canvas.keep_off(&body, false);
+    }
+
+    /// Its body at impact, or the fixed object that it is.
+    fn at_impact(&mut self, vehicle: &MotionVehicle, i: usize) {
+        let fixed = match (&vehicle.body, self.motion.contact()) {
+            (SceneBody::Outline { footprint, .. }, _) if footprint.shape == Shape::Fixed => {
+                Some(self.view.place(vehicle.at_impact()) * footprint.outline())
+            }
+            (SceneBody::Outline { .. }, _) => {
+                self.filled(vehicle, vehicle.at_impact(), FILL[i]);
+                None
+            }
+            (SceneBody::Pole { diameter }, Some(contact)) => {
+                Some(contact.drawn_pole(*diameter, i, self.view))
+            }
+            (SceneBody::Wall, Some(contact)) => {
+                contact.drawn_wall(self.motion.wall_ends(contact), i, self.view)
+            }
+            _ => None,
+        };
+        if let Some(fixed) = fixed {
+            self.canvas.define_stripes("fixed", GREY, PALE, 45, 8.0);
+            let fill = self.canvas.pattern("fixed");
+            self.canvas.path(&format!("impact-{}", i + 1), &fixed, Some(THIN), &fill);
+            self.canvas.keep_off(&fixed, true);
+        }
+    }
+
+    fn marks(&mut self, vehicle: &MotionVehicle, _: usize) {
+        for mark in &vehicle.marks {
+            let points: Vec<Point> = mark.iter().map(|&at| self.view.at(vec2(at))).collect();
+            self.canvas.path("", &polyline(thinned(&points)), Some(MARK), "none");
+        }
+    }
+
+    /// Its outlines at equal times.
+    fn passing(&mut self, vehicle: &MotionVehicle, i: usize) {
+        if let (SceneBody::Outline { footprint, crush }, true) = (&vehicle.body, self.has_outlines(vehicle)) {
+            for pose in self.at_equal_times(vehicle) {
+                let there = self.view.place(pose);
+                let body = there * footprint.left_by(crush.as_ref());
+                self.canvas.path("", &body, Some(PASSING[i]), "none");
+                self.detail(vehicle, pose, PASSING[i]);
+            }
+        }
+    }
+
+    /// The path of its centre of gravity.
+    fn path(&mut self, vehicle: &MotionVehicle, i: usize) {
+        let points: Vec<Point> = vehicle.path.iter().map(|point| self.view.at(vec2(point.cg))).collect();
+        if points.len() > 1 {
+            let path = polyline(thinned(&points));
+            self.canvas.path(&format!("path-{}", i + 1), &path, Some(PATH[i]), "none");
+        }
+        for pose in self.at_equal_times(vehicle) {
+            self.canvas.dot("", self.view.at(pose.cg), AT_TIME, None, PATH[i].colour);
+        }
+    }
+
+    /// Between the impact and the end of its path.
+    fn at_equal_times(&self, vehicle: &MotionVehicle) -> Vec<Pose> {
+        let Some(step) = self.step else { return Vec::new() };
+        let end = vehicle.path.last().map_or(0.0, |point| point.time) / self.motion.time.size;
+        // That at the end is drawn as the rest.
+        let (times, _) = ticks::between(step, end * (1.0 - 1e-9), end / step);
+        times.iter().filter_map(|time| vehicle.pose_at(time * self.motion.time.size)).collect()
+    }
+
+    /// Whether its outlines at equal times would stand apart.
+    fn has_outlines(&self, vehicle: &MotionVehicle) -> bool {
+        #[expect(clippy::cast_precision_loss, reason = "there are few")]
+        let spaces = (self.at_equal_times(vehicle).len() + 1) as f64;
+        vehicle.distance() > 0.5 * APART * vehicle.length() * spaces
+    }
+
+    /// What is seen of its front.
+    fn detail(&mut self, vehicle: &MotionVehicle, pose: Pose, pen: Pen) {
+        let SceneBody::Outline { footprint, crush } = &vehicle.body else { return };
+        if footprint.width * self.view.scale < WITH_DETAIL {
+            return;
+        }
+        let front = footprint.detail(crush.as_ref()).unwrap_or_else(|| chevron(footprint));
+        let pen = Pen { width: pen.width.min(1.0), ..pen };
+        self.canvas.path("", &(self.view.place(pose) * front), Some(pen), "none");
+    }
+
+    /// Its outlines at impact and at rest, and its approach.
+    fn edges(&mut self, vehicle: &MotionVehicle, i: usize) {
+        let at_impact = (format!("impact-{}", i + 1), vehicle.at_impact(), OUTLINE[i]);
+        let computed = vehicle.rest.as_ref().and_then(MotionRest::pose);
+        let computed = computed.map(|pose| (format!("rest-{}", i + 1), pose, OUTLINE[i]));
+        let measured = vehicle.measured_rest.as_ref().and_then(MotionRest::pose);
+        let measured = measured.map(|pose| (format!("measured-rest-{}", i + 1), pose, MEASURED));
+        for (id, pose, pen) in std::iter::once(at_impact).chain(computed).chain(measured) {
+            if let SceneBody::Outline { footprint, crush } = &vehicle.body
+                && footprint.shape != Shape::Fixed
+            {
+                let there = self.view.place(pose) * footprint.left_by(crush.as_ref());
+                self.canvas.path(&id, &there, Some(pen), "none");
+                self.detail(vehicle, pose, pen);
+            }
+        }
+        if !vehicle.is_fixed() {
+            let computed = std::iter::once(vehicle.cg).chain(vehicle.rest.iter().map(|rest| rest.cg));
+            for cg in computed {
+                self.canvas.dot("", self.view.at(vec2(cg)), CENTRE, None, PATH[i].colour);
+            }
+            if let Some(rest) = &vehicle.measured_rest {
+                self.canvas.dot("", self.view.at(vec2(rest.cg)), CENTRE, Some(MEASURED_CENTRE), WHITE);
+            }
+        }
+        if let Some((tail, tip)) = vehicle.approach_arrow(self.view) {
+            self.canvas.arrow(&format!("approach-{}", i + 1), tail, tip, APPROACH, Head::Filled);
+        }
+        for point in &vehicle.measured_points {
+            MEASURED_POINT.draw(&mut self.canvas, "", self.view.at(vec2(point.at)));
+        }
+    }
+
+    fn impact(&mut self) {
+        let Some(at) = self.motion.impact.map(|at| self.view.at(vec2(at))) else { return };
+        let cross = legend::cross(at, IMPACT);
+        self.canvas.path("", &cross, Some(Pen { width: 5.0, colour: WHITE, dashes: "" }), "none");
+        self.canvas.path("impact", &cross, Some(IMPACT_PEN), "none");
+        self.canvas.protect(Rect::from_center_size(at, (2.0 * IMPACT, 2.0 * IMPACT)));
+    }
+
+    fn labels(&mut self, vehicle: &MotionVehicle, i: usize) {
+        if let Some((tail, _)) = vehicle.approach_arrow(self.view)
+            && let Some(approach) = &vehicle.approach
+        {
+            self.canvas.label_beside(tail, &approach.label, BLACK);
+        }
+        for rest in [&vehicle.rest, &vehicle.measured_rest].into_iter().flatten() {
+            self.canvas.label_beside(self.view.at(vec2(rest.cg)), &rest.label, BLACK);
+        }
+        for point in &vehicle.measured_points {
+            self.canvas.label_of_point(self.view.at(vec2(point.at)), &point.label, BLACK);
+        }
+        let at = match (&vehicle.body, self.motion.contact()) {
+            (SceneBody::Pole { diameter }, Some(contact)) => contact.pole(*diameter, i),
+            (SceneBody::Wall, Some(contact)) => {
+                let [_, outer, inner, _] = contact.wall(self.motion.wall_ends(contact), i);
+                (outer + inner) * 0.5
+            }
+            _ => vec2(vehicle.cg),
+        };
+        self.canvas.label_beside(self.view.at(at), &font::cut(&vehicle.name, SMALL, 240.0), BLACK);
+    }
+
+    /// Scales and legend.
+    fn below(mut self) -> Drawing {
+        let motion = self.motion;
+        let row = self.area.y1 + 34.0;
+        let at = Point::new(EDGE + 4.0, row);
+        legend::scale_bar(
+            &mut self.canvas,
+            "scale",
+            at,
+            self.view.scale * motion.length.size,
+            &motion.length,
+            "",
+        );
+        let mut bottom = row + 22.0;
+        if let Some(uphill) = &motion.uphill {
+            let half = flipped(unit(vec2(uphill.vector))) * (0.5 * UPHILL);
+            let middle = Point::new(0.5 * WIDTH - 60.0, row);
+            self.canvas.arrow("uphill", middle - half, middle + half, UPHILL_PEN, Head::Filled);
+            let text = font::cut(&uphill.label, SMALL, 280.0);
+            let left = Point::new(middle.x + 0.5 * UPHILL + 12.0, row + 4.5);
+            self.canvas.text(left, &text, SMALL, font::Anchor::Start, BLACK);
+        }
+        if !motion.is_plain {
+            let drop = if motion.is_z_down { -8.0 } else { 32.0 };
+            plan::axes(&mut self.canvas, Point::new(WIDTH - EDGE - 62.0, row + drop), motion.is_z_down);
+            bottom = row + if motion.is_z_down { 60.0 } else { 44.0 };
+        }
+        let entries = self.entries();
+        self.canvas.set_height(bottom + legend::height(entries.len(), 3) + 10.0);
+        legend::legend(&mut self.canvas, bottom, 3, &entries);
+        let title = format!("{}: motion from approach to rest", motion.title);
+        Drawing::new(NAME, title, motion.description.clone(), self.canvas)
+    }
+
+    fn entries(&self) -> Vec<(Sample, String)> {
+        let motion = self.motion;
+        let any = |has: fn(&MotionVehicle) -> bool| motion.each().any(|(_, vehicle)| has(vehicle));
+        let mut entries = Vec::new();
+        for (i, vehicle) in motion.each() {
+            let Some(text) = vehicle.legend.clone() else { continue };
+            let sample = match (&vehicle.body, motion.contact()) {
+                (SceneBody::Outline { footprint, .. }, _) if footprint.shape != Shape::Fixed => {
+                    Sample::Box(OUTLINE[i], FILL[i].to_owned())
+                }
+                (SceneBody::Wall, Some(contact)) if !plan::is_drawn(motion.wall_ends(contact)) => {
+                    Sample::Nothing
+                }
+                (SceneBody::Unknown, _) | (SceneBody::Wall | SceneBody::Pole { .. }, None) => Sample::Nothing,
+                _ => Sample::Box(THIN, self.canvas.pattern("fixed")),
+            };
+            entries.push((sample, text));
+        }
+        let mut add = |is_there: bool, sample: Sample, text: &str| {
+            if is_there {
+                entries.push((sample, text.to_owned()));
+            }
+        };
+        let is_plain = motion.is_plain;
+        let word = |plain: &'static str, other: &'static str| if is_plain { plain } else { other };
+        add(motion.impact.is_some(), Sample::Cross(IMPACT_PEN), "place of the impact");
+        let approach = word("direction before the impact", "direction of the approach");
+        add(any(|vehicle| vehicle.approach.is_some()), Sample::Arrow(APPROACH, Head::Filled), approach);
+        let moving = motion.each().filter(|(_, vehicle)| vehicle.path.len() > 1).map(|(i, _)| i).next();
+        let path = word("path of the vehicle", "path of the CG");
+        let every = self.step.map(|step| format!("{} {}", with_few_decimals(step), motion.time.name));
+        if let Some(i) = moving {
+            let text = every.as_ref().map_or(path.to_owned(), |every| format!("{path}, a dot every {every}"));
+            add(true, Sample::Line(PATH[i]), &text);
+        }
+        let passing = motion.each().find(|(_, vehicle)| {
+            matches!(vehicle.body, SceneBody::Outline { .. })
+                && self.has_outlines(vehicle)
+                && !self.at_equal_times(vehicle).is_empty()
+        });
+        if let (Some((i, _)), Some(every)) = (passing, &every) {
+            add(true, Sample::Box(PASSING[i], "none".to_owned()), &format!("outline every {every}"));
+        }
+        let computed =
+            |vehicle: &MotionVehicle| vehicle.rest.as_ref().map(|rest| vehicle.has_outline_at(rest));
+        let resting = motion.each().filter_map(|(i, vehicle)| Some((computed(vehicle)?, i)));
+        if let Some((has_outline, i)) = resting.max_by_key(|(has_outline, _)| *has_outline) {
+            let sample = match has_outline {
+                true => Sample::Box(OUTLINE[i], WHITE.to_owned()),
+                false => Sample::Dot(None, PATH[i].colour),
+            };
+            add(true, sample, "at rest, as computed");
+        }
+        let measured =
+            |vehicle: &MotionVehicle| vehicle.measured_rest.as_ref().map(|rest| vehicle.has_outline_at(rest));
+        if let Some(has_outline) = motion.each().filter_map(|(_, vehicle)| measured(vehicle)).max() {
+            let sample = match has_outline {
+                true => Sample::Box(MEASURED, "none".to_owned()),
+                false => Sample::Dot(Some(MEASURED_CENTRE), WHITE),
+            };
+            add(true, sample, word("at rest, as found", "at rest, as measured"));
+        }
+        let points = any(|vehicle| !vehicle.measured_points.is_empty());
+        add(points, Sample::Symbol(MEASURED_POINT), "measured point of the path");
+        let marks = any(|vehicle| !vehicle.marks.is_empty());
+        add(marks, Sample::Line(MARK), word("tyre mark, as computed", "mark of a wheel that slides"));
+        add(!motion.ground.is_empty(), Sample::Line(EDGE_OF_GROUND), "edge of a part of the ground");
+        if any(|vehicle| vehicle.has_shape(Shape::Car)) {
+            entries.push(legend::windscreen());
+        }
+        if any(|vehicle| vehicle.has_shape(Shape::Box)) {
+            entries.push((Sample::Chevron(THIN), "angle: points to the front".to_owned()));
+        }
+        entries
+    }
+}
+
+/// A round number.
+fn with_few_decimals(step: f64) -> String {
+    let text = number(step, 6);
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// What tells front from rear where a body has no windscreen: an angle that points forward.
+fn chevron(body: &Footprint) -> BezPath {
+    let Footprint { length, width, cg_to_front, .. } = *body;
+    let behind = cg_to_front - (0.25 * length).min(0.6 * width);
+    polyline(
+        [(behind, -0.3 * width), (cg_to_front - 0.04 * length, 0.0), (behind, 0.3 * width)].map(Point::from),
+    )
+}
