@@ -87,8 +87,8 @@ impl Canvas {
         if id.is_empty() { String::new() } else { format!(" id=\"{}-{id}\"", self.prefix) }
     }
 
-    /// A stripe pattern, named for [`pattern`](Self::pattern): what colour says, in grey as well. The ground is
-    /// a colour or `none`.
+    /// A stripe pattern, named for [`pattern`](Self::pattern): what colour says, in grey as well. The ground
+    /// is a colour or `none`.
     pub(crate) fn define_stripes(&mut self, name: &str, colour: &str, ground: &str, degrees: i32, gap: f64) {
         let id = self.id(name);
         self.element(&format!(

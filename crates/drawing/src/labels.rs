@@ -192,7 +192,8 @@ impl Placer {
         placed
     }
 
-    /// The best place that is wholly on an area, where there is one without another text, a point or an outline.
+    /// The best place that is wholly on an area, where there is one without another text, a point or an
+    /// outline.
     fn place_within(&self, within: &BezPath, at: Point, size: (f64, f64), bounds: Rect) -> Option<Point> {
         let room = within.bounding_box().intersect(bounds);
         let within = Area { path: within.clone(), all: true };
