@@ -73,6 +73,13 @@ pub enum Assumption {
         /// (kg·m²) the estimate.
         yaw_inertia: f64,
     },
+    /// The contact point is the centroid of the damage.
+    ContactPlaced {
+        /// Of which vehicle.
+        vehicle: VehicleId,
+        /// (m) the point, forward and left of the CG or, in z-down axes, right.
+        point: [f64; 2],
+    },
     /// Drawings take the outline of CRASH3's size class.
     Outline {
         /// Of which vehicle.
@@ -147,6 +154,7 @@ impl Assumption {
             Self::ClassInertia { vehicle, .. } | Self::BurgInertia { vehicle, .. } => {
                 (vehicle, "yaw_inertia")
             }
+            Self::ContactPlaced { vehicle, .. } => (vehicle, "contact"),
             Self::Outline { vehicle, .. } => (vehicle, "length"),
             Self::SpeedUnused { vehicle, .. } => (vehicle, "speed"),
             Self::CategoryStiffness { vehicle, .. } => (vehicle, "crush.stiffness"),
@@ -245,8 +253,15 @@ pub fn judge(case: &Case) -> Judgement {
 }
 
 /// A vehicle of which something needed is missing.
-const NOTHING: VehicleData =
-    VehicleData { kind: None, inertia: None, contact: None, dimensions: None, damage: None, energy: None };
+const NOTHING: VehicleData = VehicleData {
+    kind: None,
+    inertia: None,
+    contact: None,
+    contact_is_placed: false,
+    dimensions: None,
+    damage: None,
+    energy: None,
+};
 
 /// `speeds` (m/s) of a collision; that which is sought is zero.
 fn of_vehicles(
@@ -273,7 +288,7 @@ fn of_vehicles(
     warning::of_outlines(&vehicles, warnings);
     warning::of_case(case, warnings);
     warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), None, warnings);
-    warning::of_assumptions(&vehicles, warnings);
+    warning::of_assumptions(case, &vehicles, warnings);
     for (vehicle, directed) in vehicles.iter_mut().zip(directed) {
         if !directed {
             vehicle.damage = None;
@@ -307,6 +322,10 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
                 YawSource::Burg => Some(Assumption::BurgInertia { vehicle: id, yaw_inertia }),
             };
             assumptions.extend(inertia.yaw_inertia.and_then(assumed));
+        }
+        if let Some(VehicleData { contact: Some([forward, left]), contact_is_placed: true, .. }) = subject {
+            let point = [*forward, case.axes.lateral(*left)];
+            assumptions.push(Assumption::ContactPlaced { vehicle: id, point });
         }
         if let Some(subject @ VehicleData { dimensions: None, .. }) = subject
             && let Some((class, _)) = nearest_class(subject)

@@ -362,12 +362,10 @@ type Solve = fn(&Case) -> Result<Analysis, Failure>;
 
 /// The most complete purpose that the case allows, and the function that serves it.
 fn furthest_solver(case: &Case) -> (Purpose, Solve) {
-    if case.reconstruct.is_some() {
-        (Purpose::Reconstruct, reconstruct)
-    } else if case.impact.is_some() && case.vehicles.iter().all(|v| v.fixed || v.motion.is_some()) {
-        (Purpose::Impact, impact)
-    } else {
-        (Purpose::Crush, crush)
+    match case.furthest_purpose() {
+        purpose @ Purpose::Reconstruct => (purpose, reconstruct),
+        purpose @ Purpose::Impact => (purpose, impact),
+        _ => (Purpose::Crush, crush),
     }
 }
 
@@ -396,7 +394,7 @@ fn judged(
     warning::of_case(case, &mut warnings);
     let sought = found.as_ref().map(|found| found.unknown.vehicle());
     warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), sought, &mut warnings);
-    warning::of_assumptions(&vehicles, &mut warnings);
+    warning::of_assumptions(case, &vehicles, &mut warnings);
     warning::of_damage(&vehicles, &mut warnings);
     if let Some(impact) = &impact {
         warning::of_directions(impact, &vehicles, &mut warnings);

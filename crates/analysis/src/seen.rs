@@ -95,6 +95,7 @@ impl Warning {
     pub fn seen(&self, axes: Axes) -> SeenWarning {
         let mut seen = self.clone();
         if let Self::DamageCentroid { point: [_, lateral], .. }
+        | Self::ContactPlaced { point: [_, lateral], .. }
         | Self::RotationOpposes { turned: lateral, .. } = &mut seen
         {
             *lateral = axes.lateral(*lateral);

@@ -1,7 +1,7 @@
 //! How sensitive the answer is to each input: exact derivatives, and a sweep of the direction of force.
 
 use crash3::{ObliqueCorrection, principal_angle};
-use inputs::{Axes, Case, Collision, Dimension, GivenVehicle, Input, Origin};
+use inputs::{Axes, Case, Collision, Dimension, Estimate, GivenVehicle, Input, Origin};
 use pim_core::{ImpactError, Outcome, Real, VehicleId};
 use real::{Gradient, Traced};
 use reconcile::Problem;
@@ -11,6 +11,8 @@ use crate::{Analysis, Failure, collide, furthest};
 
 /// (rad) 1°.
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
+/// (m) 1 cm, about 1 % of the distance from the CG to the face of a car.
+const CENTIMETRE: f64 = 0.01;
 
 /// The sensitivity of an answer.
 #[derive(Debug)]
@@ -186,12 +188,14 @@ impl Derivative {
             .then(|| self.value * self.input.si() / self.output_value)
     }
 
-    /// The relative change of the output for 1 % of the input, or for 1° of an angle. It ranks inputs of
-    /// every kind.
+    /// The relative change of the output for 1 % of the input, for 1° of an angle, or for 1 cm by which a
+    /// contact point that was placed is moved. It ranks inputs of every kind.
     #[must_use]
     pub fn influence(&self) -> f64 {
         if self.is_by_angle() {
             self.value * DEGREE / self.output_value
+        } else if matches!(self.input.origin, Origin::Estimate(Estimate::Contact { .. })) {
+            self.value * CENTIMETRE / self.output_value
         } else {
             self.relative().unwrap_or_default() / 100.0
         }

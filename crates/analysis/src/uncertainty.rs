@@ -13,7 +13,7 @@ use ::uncertainty::{
 };
 use crash3::CrushError;
 use inputs::{
-    Bounds, Case, Estimate, Fault, FaultKind, Faults, GivenUncertainty, Input, Origin, Range,
+    Bounds, Case, ContactSpread, Estimate, Fault, FaultKind, Faults, GivenUncertainty, Input, Origin, Range,
     STIFFNESS_LN_SD_A, SharedEffects, SharedError, Spread, Unit, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
 };
 use pim_core::{ImpactError, Outcome, VehicleId};
@@ -44,7 +44,7 @@ pub struct Uncertainty {
     pub nominal: Analysis,
     /// The settings: the method and the requested number of samples.
     pub settings: Settings,
-    /// The numbers that are ranges, in the order of the file, and after them the factors of estimates.
+    /// The numbers that are ranges, in the order of the file, and after them the departures of estimates.
     pub inputs: Vec<UncertainInput>,
     /// What all samples share, so that the intervals do not contain its error.
     pub taken_as_exact: Vec<TakenAsExact>,
@@ -60,7 +60,7 @@ pub struct Uncertainty {
     pub indices: Option<::uncertainty::SobolIndices>,
 }
 
-/// A number that is a range, or the factor of an estimate.
+/// A number that is a range, or the departure of an estimate.
 #[derive(Clone, Debug)]
 pub struct UncertainInput {
     /// The number itself, which is the central value.
@@ -331,7 +331,23 @@ pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
             // Without a speed to find, no result depends on the stiffness.
             Origin::Estimate(Estimate::Stiffness { .. }) if case.reconstruct.is_none() => continue,
             Origin::Estimate(estimate) if case.uncertainty.exact.contains(&estimate.key()) => continue,
-            Origin::Estimate(estimate) => (spread_of(estimate, input.number), Bounds::Positive),
+            Origin::Estimate(Estimate::Contact { vehicle, axis }) => match case.contact_spread(vehicle, axis)
+            {
+                // The number is in the unit of the offset.
+                ContactSpread::Default(sd) => {
+                    (Distribution::normal(input.number, sd / input.factor()), Bounds::None)
+                }
+                ContactSpread::OfInputs | ContactSpread::Exact => continue,
+            },
+            Origin::Estimate(Estimate::Stiffness { .. }) => {
+                // A = A₀ exp(σ_A z)
+                (Distribution::log_normal(input.number, STIFFNESS_LN_SD_A), Bounds::Positive)
+            }
+            Origin::Estimate(Estimate::YawRadius { .. }) => {
+                let distance = YAW_RADIUS_WITHIN * input.number;
+                let spread = within(input.number, distance, YAW_RADIUS_CONFIDENCE, Bounds::Positive, None);
+                (spread, Bounds::Positive)
+            }
             Origin::Shared(error) => match case.uncertainty.shared.get(error) {
                 Some(error) => (size_of(error, &input), Bounds::None),
                 None => continue,
@@ -380,17 +396,6 @@ fn no_range(case: &Case) -> Fault {
 fn size_of(error: &SharedError, input: &Input) -> Result<Distribution, InvalidDistribution> {
     let range = Range { path: input.path.clone(), spread: error.size, bounds: Bounds::None };
     distribution(input, &range)
-}
-
-/// The spread that an estimate has by itself.
-fn spread_of(estimate: Estimate, factor: f64) -> Result<Distribution, InvalidDistribution> {
-    match estimate {
-        // A = A₀ exp(σ_A z)
-        Estimate::Stiffness { .. } => Distribution::log_normal(factor, STIFFNESS_LN_SD_A),
-        Estimate::YawRadius { .. } => {
-            within(factor, YAW_RADIUS_WITHIN * factor, YAW_RADIUS_CONFIDENCE, Bounds::Positive, None)
-        }
-    }
 }
 
 fn distribution(input: &Input, range: &Range) -> Result<Distribution, InvalidDistribution> {

@@ -3,7 +3,10 @@
 use std::f64::consts::TAU;
 
 use crash3::{EnergyBasis, Side, principal_angle};
-use inputs::{Case, Dimension, Kind, Quantity, StiffnessForm, StiffnessSource, Velocity, YawSource};
+use inputs::{
+    Case, ContactSpread, Dimension, FaceAxis, Kind, Quantity, StiffnessForm, StiffnessSource, Velocity,
+    YawSource,
+};
 use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential, VehicleId};
 
 use crate::checks::{Check, CheckedQuantity};
@@ -166,6 +169,15 @@ pub enum Warning {
         side: Side,
         /// Whether the file says where on the face the damage lies.
         offset_given: bool,
+    },
+    /// The contact point was placed at the centroid of the damage.
+    ContactPlaced {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (m) the point, forward and left of the CG or, in z-down axes, right.
+        point: [f64; 2],
+        /// How far it may be off in the samples of `uncertainty`, for each [`FaceAxis`].
+        spread: [ContactSpread; 2],
     },
     /// The two directions of force that the file gives are not opposite in the scene.
     PdofsNotOpposite {
@@ -403,7 +415,7 @@ pub enum Magnitude {
 
 impl Warning {
     /// Every warning code.
-    pub const CODES: [&'static str; 32] = [
+    pub const CODES: [&'static str; 33] = [
         "crush-plane",
         "contact-outside",
         "high-restitution",
@@ -418,6 +430,7 @@ impl Warning {
         "burg-inertia",
         "inferred-energy",
         "damage-centroid",
+        "contact-placed",
         "pdofs-not-opposite",
         "damage-energy-differs",
         "rotation-opposes",
@@ -456,6 +469,7 @@ impl Warning {
             Self::BurgInertia { .. } => "burg-inertia",
             Self::InferredEnergy { .. } => "inferred-energy",
             Self::DamageCentroid { .. } => "damage-centroid",
+            Self::ContactPlaced { .. } => "contact-placed",
             Self::PdofsNotOpposite { .. } => "pdofs-not-opposite",
             Self::DamageEnergyDiffers { .. } => "damage-energy-differs",
             Self::RotationOpposes { .. } => "rotation-opposes",
@@ -490,6 +504,7 @@ impl Warning {
             | Self::BurgInertia { vehicle, .. }
             | Self::InferredEnergy { vehicle, .. }
             | Self::DamageCentroid { vehicle, .. }
+            | Self::ContactPlaced { vehicle, .. }
             | Self::RotationOpposes { vehicle, .. }
             | Self::GivenSpeedUnused { vehicle, .. }
             | Self::ContactOffDamage { vehicle, .. }
@@ -869,7 +884,7 @@ fn of_places(
 }
 
 /// Warnings of values that are assumed.
-pub(crate) fn of_assumptions(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
+pub(crate) fn of_assumptions(case: &Case, vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(vehicles) {
         let subject = &vehicle.subject;
         let from_class = subject.dimensions.and_then(|dimensions| {
@@ -893,6 +908,10 @@ pub(crate) fn of_assumptions(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning
         if let Some(class) = class {
             let outline = from_class.map(|(_, outline)| outline);
             warnings.push(Warning::ClassValues { vehicle: id, class, yaw_inertia, outline });
+        }
+        if let Some(point) = subject.contact.filter(|_| subject.contact_is_placed) {
+            let spread = FaceAxis::ALL.map(|axis| case.contact_spread(id, axis));
+            warnings.push(Warning::ContactPlaced { vehicle: id, point, spread });
         }
         let Some(damage) = &vehicle.damage else { continue };
         if let Some(inferred) = damage.inferred {

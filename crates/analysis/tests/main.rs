@@ -1,6 +1,7 @@
 //! The tests of a case analysed, in one binary.
 
 mod checks;
+mod contact;
 mod energies;
 mod estimates;
 mod friction;

@@ -44,7 +44,7 @@
 //! |---|---|
 //! | top | `title`, `source` |
 //! | `[scene]` | `axes`: `"z-up"` (the default) or `"z-down"`, see below |
-//! | `[vehicle1]`, `[vehicle2]` | `name`; `kind`: `"car"` (the default), `"heavy-truck"`, `"trailer"`, `"motorcycle"`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, for what is not known; `heading`; `speed` or `velocity = { x, y }`; `yaw_rate`; `contact = { distance, angle }` or `{ x, y }`; `length`, `width`, `cg_to_front`: all or none, or `length` alone beside `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact`, and the outline or `diameter` |
+//! | `[vehicle1]`, `[vehicle2]` | `name`; `kind`: `"car"` (the default), `"heavy-truck"`, `"trailer"`, `"motorcycle"`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, for what is not known; `heading`; `speed` or `velocity = { x, y }`; `yaw_rate`; `contact = { distance, angle }` or `{ x, y }`, or none where the damage places it; `length`, `width`, `cg_to_front`: all or none, or `length` alone beside `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact`, and the outline or `diameter` |
 //! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of or beside the width (to 0.1 %); `from_force_balance = true` in place of depths, for one vehicle; `stiffness`, see below; `offset`, left of the axis (right of it in z-down axes) or forward of the CG; `pdof`, an angle, clockwise in any axes, or `"2 o'clock"`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"`, `"secant"`, `{ friction = 0.5 }`. Or `ees` with at most `side`, `pdof` and `moment_arm`; or, in the table of the vehicle, `crush = "none"` |
 //! | `stiffness = { … }` | `d0`, `d1` or `A`, `B`, either with `G` and `limit`; or `category`, 1 to 5; or `test = { mass or weight, speed, width, depths, no_damage_speed, fit }`, `fit`: `"exact"` (the default), `"mean"`; or `zones = [{ A, B }, …]`, one between each two stations |
 //! | `[impact]` | `crush_plane`; `law`: `"brach"` (the default), `"woolley"`, `"ishikawa"`, `"kudlich-slibar"`, and the keys of that law |
@@ -193,13 +193,14 @@ pub use units::read_unit;
 
 // What a case file holds is of the crate `inputs`, and is here too for whoever reads files.
 pub use inputs::{
-    After, Amount, Axes, Before, Bounds, BrachTangential, Case, Collision, ContactPoint, Crush, CrushOnly,
-    DamageData, Dimension, Dimensions, Drag, ENERGY_BASES, EdgeSide, EnergyData, Estimate, Evidence, Factors,
-    Faults, Find, Fit, GivenEes, GivenImpact, GivenTest, GivenVehicle, Grade, ImpactInput, ImpactLaw,
-    InertiaData, InferredWidth, Input, Kind, KnownEnergy, LawName, LeftOut, Mass, OBLIQUE_CORRECTIONS,
-    Origin, Outline, Pdof, Place, Purpose, Quantity, Range, Reconstruct, ReconstructionInput, ReportHead,
-    Rest, RestHeading, Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, Skid,
-    Spread, Steer, SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, Surface, SurfaceRegion,
-    SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity, WheelDrag,
-    YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, acts, shown, shown_lines, word,
+    After, Amount, Axes, Before, Bounds, BrachTangential, Case, Collision, ContactPoint, ContactSpread,
+    Crush, CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD, DamageData, Departures, Dimension, Dimensions, Drag,
+    ENERGY_BASES, EdgeSide, EnergyData, Estimate, Evidence, FaceAxis, Faults, Find, Fit, GivenEes,
+    GivenImpact, GivenTest, GivenVehicle, Grade, ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input,
+    Kind, KnownEnergy, LawName, LeftOut, Mass, OBLIQUE_CORRECTIONS, OFFSET_SD, Origin, Outline, Pdof, Place,
+    Purpose, Quantity, Range, Reconstruct, ReconstructionInput, ReportHead, Rest, RestHeading, Restitution,
+    SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, Skid, Spread, Steer, SteerPoint,
+    StiffnessForm, StiffnessLine, StiffnessSource, Surface, SurfaceRegion, SurfaceZone, Text, UNDAMAGED,
+    UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity, WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+    YawInertia, YawSource, acts, shown, shown_lines, word,
 };

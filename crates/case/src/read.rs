@@ -18,8 +18,8 @@ use crate::program::Program;
 use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, SURFACE, TOP, UNCERTAINTY};
 use crate::source::{Source, Spans};
 use inputs::{
-    Case, ENERGY_BASES, Factors, FaultKind, Faults, Find, GivenUncertainty, LeftOut, Reconstruct, ReportHead,
-    UNKNOWNS, contradictions,
+    Case, Departures, ENERGY_BASES, FaultKind, Faults, Find, GivenUncertainty, LeftOut, Reconstruct,
+    ReportHead, UNKNOWNS, contradictions,
 };
 use tree::{Reader, Table};
 
@@ -169,7 +169,7 @@ impl<'t> Reader<'t> {
             impact,
             reconstruct,
             ranges: Vec::new(),
-            factors: Factors::default(),
+            departures: Departures::default(),
             uncertainty: GivenUncertainty::default(),
             left_out,
         };

@@ -690,7 +690,7 @@ pub(crate) static CRUSH: Schema = Schema {
             "offset",
             "offset = \"12 in\"",
             Form::Quantity(Dimension::Length, ANY),
-            "Middle of the damage. On the front and rear, its distance to the left of the vehicle's axis, or to the right with `axes = \"z-down\"`; on the sides, its distance forward of the CG. It places the damage in drawings, gives a line of action if there is no contact point, and shows whether a contact point lies within the damage.",
+            "Middle of the damage. On the front and rear, its distance to the left of the vehicle's axis, or to the right with `axes = \"z-down\"`; on the sides, its distance forward of the CG. It places the damage in drawings, gives a line of action or, with the outline, the contact point if there is none, and shows whether a contact point lies within the damage.",
         ),
         key(
             "pdof",
@@ -852,8 +852,14 @@ pub(crate) static RECONSTRUCT: Schema = Schema {
 };
 
 /// What is estimated from a table or a formula where the file does not give it.
-pub(crate) static ESTIMATES: [&str; 4] =
-    ["vehicle1.crush.stiffness", "vehicle1.yaw_inertia", "vehicle2.crush.stiffness", "vehicle2.yaw_inertia"];
+pub(crate) static ESTIMATES: [&str; 6] = [
+    "vehicle1.crush.stiffness",
+    "vehicle1.yaw_inertia",
+    "vehicle1.contact",
+    "vehicle2.crush.stiffness",
+    "vehicle2.yaw_inertia",
+    "vehicle2.contact",
+];
 
 pub(crate) static UNCERTAINTY: Schema = Schema {
     place: "[uncertainty]",
@@ -863,7 +869,7 @@ pub(crate) static UNCERTAINTY: Schema = Schema {
             "exact",
             "exact = [\"vehicle1.crush.stiffness\"]",
             Form::Keys(&ESTIMATES),
-            "Estimates without a spread. The stiffness of a `category`, and the yaw inertia of a `class` or by Burg's formula, have a spread by default; for those listed here it is switched off.",
+            "Estimates without a spread. The stiffness of a `category`, the yaw inertia of a `class` or by Burg's formula, and a contact point that the program placed have a spread by default; for those listed here it is switched off.",
         ),
         key(
             "shared",
@@ -913,7 +919,7 @@ pub(crate) static SHARED: Schema = Schema {
 
 pub(crate) static CONTACT: Schema = Schema {
     place: "contact = { … } of a vehicle",
-    text: "Contact point, measured from the CG of the vehicle. Give `distance` and `angle`, or `x` and `y`.",
+    text: "Contact point, measured from the CG of the vehicle. Give `distance` and `angle`, or `x` and `y`. Where it is left out, an impact takes the centroid of the damage, if `crush` has `width`, `depths` and `offset` and the outline or `class` is given.",
     keys: &[
         key(
             "distance",

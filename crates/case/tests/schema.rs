@@ -125,6 +125,7 @@ const BEYOND: &[(&str, &[&str])] = &[
     (
         "keys that other tables give",
         &[
+            "uncertainty-exact-contact-given",
             "uncertainty-shared-dimensions",
             "uncertainty-shared-no-number",
             "uncertainty-shared-twice",

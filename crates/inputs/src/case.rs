@@ -8,7 +8,7 @@ use pim_core::{Real, VehicleId};
 use reconcile::Unknown;
 
 use crate::axes::Axes;
-use crate::estimate::Factors;
+use crate::estimate::Departures;
 use crate::impact::GivenImpact;
 use crate::quantity::Quantity;
 use crate::range::Range;
@@ -47,8 +47,8 @@ pub struct Case<T = f64> {
     pub ranges: Vec<Range>,
     /// `[uncertainty]`.
     pub uncertainty: GivenUncertainty,
-    /// By what estimates are multiplied: nothing of the file, and 1 unless they are varied.
-    pub factors: Factors<T>,
+    /// How far estimates are varied: nothing that the case says, and not at all in the case itself.
+    pub departures: Departures<T>,
     /// Which optional words the case leaves out.
     pub left_out: LeftOut,
 }
@@ -147,7 +147,7 @@ impl Case {
         inputs
     }
 
-    /// Every number that may vary: those that the case gives, and after them the factors of its
+    /// Every number that may vary: those that the case gives, and after them the departures of its
     /// estimates, and the errors that some of them share.
     #[must_use]
     pub fn variables(&self) -> Vec<Input> {
@@ -210,7 +210,7 @@ impl Case {
                 ),
             }),
             ranges: Vec::new(),
-            factors: walk.factors(&self.estimates(), &self.factors),
+            departures: walk.departures(self),
             uncertainty: walk.uncertainty(&self.uncertainty),
             left_out: self.left_out,
         }

@@ -14,7 +14,7 @@ use reconcile::Unknown;
 use crate::axes::Axes;
 use crate::case::{Case, Find};
 use crate::crush::{Crush, Fit, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
-use crate::estimate::scaled;
+use crate::estimate::{FaceAxis, scaled};
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::impact::{BrachTangential, ImpactLaw, Restitution};
 use crate::inertia::Mass;
@@ -44,6 +44,8 @@ pub struct VehicleData<T = f64> {
     pub inertia: Option<InertiaData<T>>,
     /// (m) contact point C forward and left of the CG.
     pub contact: Option<[T; 2]>,
+    /// Whether that point was placed at the centroid of the damage, because the case gives none.
+    pub contact_is_placed: bool,
     /// The body seen from above.
     pub dimensions: Option<Dimensions<T>>,
     /// The damage, where its crush was measured or is to be inferred.
@@ -341,12 +343,25 @@ impl Case {
         }))
     }
 
-    /// The data of each vehicle, regardless of what a purpose would need; `None` for a vehicle whose data are
-    /// incomplete. If one PDOF and both headings are given, the other PDOF follows.
+    /// The purpose that takes this case furthest: to find a speed if it asks for one, to solve the impact if
+    /// it gives both speeds, else to assess the damage alone.
+    #[must_use]
+    pub fn furthest_purpose(&self) -> Purpose {
+        if self.reconstruct.is_some() {
+            Purpose::Reconstruct
+        } else if self.impact.is_some() && self.vehicles.iter().all(|v| v.fixed || v.motion.is_some()) {
+            Purpose::Impact
+        } else {
+            Purpose::Crush
+        }
+    }
+
+    /// The data of each vehicle for the [furthest purpose](Self::furthest_purpose), regardless of what that
+    /// would need; `None` for a vehicle whose data are incomplete. If one PDOF and both headings are given,
+    /// the other PDOF follows.
     #[must_use]
     pub fn subjects(&self) -> [Option<VehicleData>; 2] {
-        // The faults are dropped, so any purpose will do.
-        let mut demand = Demand::new(self, Purpose::Crush);
+        let mut demand = Demand::new(self, self.furthest_purpose());
         let mut subjects = VehicleId::ALL.map(|id| demand.subject(id));
         fill_opposite_pdof(self.headings(), subjects.each_mut().map(Option::as_mut));
         subjects
@@ -543,6 +558,66 @@ impl<'a, T: Real> Demand<'a, T> {
         contact.map(|[x, y]| [x, self.case.axes.lateral(y)])
     }
 
+    /// (m) C forward and left of the CG, at the centroid of a damage of which the case tells where it lies.
+    fn placed_contact(
+        &mut self,
+        id: VehicleId,
+        damage: &DamageData<T>,
+        dimensions: Dimensions<T>,
+    ) -> Option<[T; 2]> {
+        let (Evidence::Measured { profile, .. }, Some(offset)) = (&damage.evidence, damage.offset) else {
+            return None;
+        };
+        let moved = |axis| self.case.departures.of_contact(id, axis);
+        let along = match damage.side {
+            Side::Front | Side::Rear => self.case.axes.lateral(moved(FaceAxis::Along)),
+            // Forward is forward in any axes.
+            Side::Left | Side::Right => moved(FaceAxis::Along),
+        };
+        // A damage that is moved as a whole takes its centroid with it.
+        let distance = dimensions.face(damage.side) - moved(FaceAxis::Inward);
+        let face = DamagedFace::new(damage.side, distance, offset + along);
+        let face = self.accepted(format_args!("{}.contact", table(id)), face)?;
+        Some(face.centroid(profile))
+    }
+
+    /// Reports that a vehicle has no contact point, and what the program would place it by.
+    fn missing_contact(&mut self, id: VehicleId) {
+        let table = table(id);
+        let vehicle = &self.case.vehicles[id.index()];
+        let mut lacking = Vec::new();
+        if let Some(crush) = vehicle.crush.as_ref().filter(|crush| !crush.from_force_balance) {
+            if crush.width.is_none() && crush.spacing.is_none() {
+                lacking.push("the `width` of the damage".to_owned());
+            }
+            if crush.offset.is_none() {
+                let from = match crush.side {
+                    Side::Front | Side::Rear => "from the vehicle's axis",
+                    Side::Left | Side::Right => "forward of the centre of gravity",
+                };
+                lacking.push(format!(
+                    "`offset = \"12 in\"` in [{table}.crush], the middle of the damage {from}"
+                ));
+            }
+            if !vehicle.has_outline() {
+                lacking.push("`length`, `width` and `cg_to_front`, or `class`".to_owned());
+            }
+        }
+        let instead = match lacking.as_slice() {
+            [] => String::new(),
+            list => format!(
+                "; where C is not known, give in its place {}: C is then placed at the centroid of the damage",
+                list.join(", and ")
+            ),
+        };
+        self.missing(
+            format_args!("{table}.contact"),
+            &format!(
+                "`contact = {{ distance = \"6.3 ft\", angle = \"-22.4 deg\" }}` or `contact = {{ x = \"1.78 m\", y = \"-0.73 m\" }}`{instead}"
+            ),
+        );
+    }
+
     fn unknown(&mut self) -> Option<Unknown> {
         if let Some(reconstruct) = &self.case.reconstruct {
             let unknown = reconstruct.find.unknown();
@@ -585,9 +660,7 @@ impl<'a, T: Real> Demand<'a, T> {
             return None;
         }
         let vehicles = VehicleId::ALL.map(|id| self.subject(id));
-        let inertias =
-            vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.inertia));
-        let participants = VehicleId::ALL.map(|id| self.participant(id, inertias[id.index()]));
+        let participants = VehicleId::ALL.map(|id| self.participant(id, vehicles[id.index()].as_ref()));
         let motions = VehicleId::ALL.map(|id| self.motion(id, needs_speed(id)));
         let law = self.law();
         let ([v1, v2], [p1, p2], [m1, m2]) = (vehicles, participants, motions);
@@ -600,7 +673,7 @@ impl<'a, T: Real> Demand<'a, T> {
 
     fn subject(&mut self, id: VehicleId) -> Option<VehicleData<T>> {
         let vehicle = &self.case.vehicles[id.index()];
-        let contact = self.contact_point(vehicle);
+        let mut contact = self.contact_point(vehicle);
         let class = self.class(id, vehicle);
         let dimensions = dimensions(vehicle, class);
         if vehicle.fixed || vehicle.is_absent() {
@@ -608,6 +681,7 @@ impl<'a, T: Real> Demand<'a, T> {
                 kind: None,
                 inertia: None,
                 contact,
+                contact_is_placed: false,
                 dimensions,
                 damage: None,
                 energy: None,
@@ -629,7 +703,20 @@ impl<'a, T: Real> Demand<'a, T> {
                 moment_arm: given.and_then(|given| given.moment_arm).map(|arm| arm.si()),
             }
         });
-        Some(VehicleData { kind: vehicle.kind, inertia: Some(inertia?), contact, dimensions, damage, energy })
+        // The damage alone needs no point: its force acts through the centroid unless the case gives the arm.
+        let contact_is_placed = vehicle.places_contact() && self.purpose != Purpose::Crush;
+        if let (true, Some(damage), Some(dimensions)) = (contact_is_placed, &damage, dimensions) {
+            contact = Some(self.placed_contact(id, damage, dimensions)?);
+        }
+        Some(VehicleData {
+            kind: vehicle.kind,
+            inertia: Some(inertia?),
+            contact,
+            contact_is_placed,
+            dimensions,
+            damage,
+            energy,
+        })
     }
 
     fn class(&mut self, id: VehicleId, vehicle: &GivenVehicle<T>) -> Option<(u8, VehicleClass)> {
@@ -653,7 +740,7 @@ impl<'a, T: Real> Demand<'a, T> {
             "`weight = \"3696 lb\"` or `mass = \"1676 kg\"`",
         );
         let length = vehicle.outline.map(|outline| outline.length).or(vehicle.length);
-        let factor = self.case.factors.yaw_radius[id.index()].unwrap_or(T::ONE);
+        let factor = self.case.departures.yaw_radius[id.index()].unwrap_or(T::ONE);
         if let Some(yaw) = &vehicle.yaw {
             let mass = mass?;
             let yaw_inertia = Some(yaw.kg_m2(mass));
@@ -694,11 +781,11 @@ impl<'a, T: Real> Demand<'a, T> {
         None
     }
 
-    fn participant(&mut self, id: VehicleId, inertia: Option<InertiaData<T>>) -> Option<Participant<T>> {
+    fn participant(&mut self, id: VehicleId, data: Option<&VehicleData<T>>) -> Option<Participant<T>> {
         let table = table(id);
         let vehicle = &self.case.vehicles[id.index()];
         let heading = self.case.headings()[id.index()];
-        let contact = self.contact_point(vehicle);
+        let contact = data.map_or_else(|| self.contact_point(vehicle), |data| data.contact);
         if vehicle.fixed {
             // The heading and the contact point of a fixed object are optional: they only help to orient the
             // normal of the crush plane.
@@ -711,12 +798,10 @@ impl<'a, T: Real> Demand<'a, T> {
             };
         }
         let heading = self.given(heading, format_args!("{table}.heading"), "`heading = \"180 deg\"`");
-        let contact = self.given(
-            contact,
-            format_args!("{table}.contact"),
-            "`contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }` or `contact = { x = \"1.78 m\", y = \"-0.73 m\" }`",
-        );
-        let InertiaData { mass, yaw_inertia, .. } = inertia?;
+        if contact.is_none() && !vehicle.places_contact() {
+            self.missing_contact(id);
+        }
+        let InertiaData { mass, yaw_inertia, .. } = data?.inertia?;
         let ([forward, left], heading) = (contact?, heading?);
         let body = self.accepted(table, Body::new(mass, yaw_inertia?))?;
         self.accepted(table, Participant::new(body, heading, forward, left))
@@ -807,7 +892,7 @@ impl<'a, T: Real> Demand<'a, T> {
     ) -> Option<DamageData<T>> {
         let path = |key| InCrush(id, key);
         let structure = crush.stiffness.structure(crush.side);
-        let structure = match self.case.factors.stiffness[id.index()] {
+        let structure = match self.case.departures.stiffness[id.index()] {
             Some(factor) => structure.and_then(|structure| scaled(structure, factor)),
             None => structure,
         };
@@ -949,7 +1034,7 @@ impl<'a, T: Real> Demand<'a, T> {
                 "the point where the force acts: `contact = { x = \"1.78 m\", y = \"-0.73 m\" }`; or, in a table crush with `ees`, the distance of \
                  its line of action from the CG, `moment_arm = \"2.1 ft\"`",
             );
-        } else if moment_arm.is_none() && vehicle.contact.is_none() && !has_dimensions(vehicle) {
+        } else if moment_arm.is_none() && vehicle.contact.is_none() && !vehicle.has_outline() {
             self.missing(
                 format_args!("{table}.crush.moment_arm"),
                 "the distance of the force's line of action from the CG: `moment_arm = \"2.1 ft\"`, or the vehicle's `contact` point; or, if \
@@ -957,10 +1042,6 @@ impl<'a, T: Real> Demand<'a, T> {
             );
         }
     }
-}
-
-fn has_dimensions<T>(vehicle: &GivenVehicle<T>) -> bool {
-    vehicle.outline.is_some() || vehicle.class.is_some()
 }
 
 fn dimensions<T: Real>(

@@ -8,6 +8,7 @@ use pim_core::{Real, VehicleId};
 use crate::case::Case;
 use crate::crush::StiffnessForm;
 use crate::demands::YawSource;
+use crate::quantity::Quantity;
 use crate::vehicle::GivenVehicle;
 
 /// (–) standard deviation of ln A among the vehicles of a fleet.
@@ -22,7 +23,51 @@ pub const YAW_RADIUS_WITHIN: f64 = 0.05;
 /// (–) that probability.
 pub const YAW_RADIUS_CONFIDENCE: f64 = 0.95;
 
-/// A value of a vehicle that comes from a table or a formula.
+/// (m) standard deviation of the offset of a damage: 1.8 in.
+///
+/// As that of its length and its depths from 34 pairs of measurements of the same damage: Smith and Noga,
+/// *Accuracy and Sensitivity of CRASH*, SAE 821169 (1982), by Neades, thesis, Table 5.2.
+pub const OFFSET_SD: f64 = 1.8 * 0.0254;
+/// (m) the same of the length of a damage, the `width` of a case: 3.0 in.
+pub const DAMAGE_LENGTH_SD: f64 = 3.0 * 0.0254;
+/// (m) the same of a depth of crush: 1.5 in.
+pub const DEPTH_SD: f64 = 1.5 * 0.0254;
+
+/// A direction at the damaged face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FaceAxis {
+    /// Along the face, in the sense of the `offset`.
+    Along,
+    /// Across it, into the vehicle.
+    Inward,
+}
+
+impl FaceAxis {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Along, Self::Inward];
+
+    /// Its place in a pair.
+    #[must_use]
+    pub fn index(self) -> usize {
+        match self {
+            Self::Along => 0,
+            Self::Inward => 1,
+        }
+    }
+}
+
+/// How far a contact point that was placed may be off in one direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ContactSpread {
+    /// (m) standard deviation that it has by itself.
+    Default(f64),
+    /// As far as the ranges that the case gives of the numbers that it follows from.
+    OfInputs,
+    /// Not at all, as the case asks for.
+    Exact,
+}
+
+/// A value of a vehicle that comes from a table or a formula, or a point that the program placed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Estimate {
     /// Stiffness of a category: the factor is that of A; B goes with it, as stiff vehicles have more of both.
@@ -39,14 +84,23 @@ pub enum Estimate {
         /// Where it comes from.
         source: YawSource,
     },
+    /// Contact point at the centroid of the damage.
+    Contact {
+        /// Whose.
+        vehicle: VehicleId,
+        /// The direction in which it is moved.
+        axis: FaceAxis,
+    },
 }
 
-/// The path of its factor among the numbers that may vary.
+/// The path of its factor, or of the distance by which it is moved, among the numbers that may vary.
 impl fmt::Display for Estimate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Stiffness { vehicle, .. } => write!(f, "vehicle{vehicle}.crush.stiffness.factor"),
             Self::YawRadius { vehicle, .. } => write!(f, "vehicle{vehicle}.yaw_radius.factor"),
+            Self::Contact { vehicle, axis: FaceAxis::Along } => write!(f, "vehicle{vehicle}.contact.along"),
+            Self::Contact { vehicle, axis: FaceAxis::Inward } => write!(f, "vehicle{vehicle}.contact.inward"),
         }
     }
 }
@@ -58,17 +112,28 @@ impl Estimate {
         match self {
             Self::Stiffness { vehicle, .. } => format!("vehicle{vehicle}.crush.stiffness"),
             Self::YawRadius { vehicle, .. } => format!("vehicle{vehicle}.yaw_inertia"),
+            Self::Contact { vehicle, .. } => format!("vehicle{vehicle}.contact"),
         }
     }
 }
 
-/// (–) by what the estimates of both vehicles are multiplied: 1 where there is none.
+/// How far the estimates of both vehicles are varied; not at all where there is none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Factors<T = f64> {
-    /// On A of a stiffness category.
+pub struct Departures<T = f64> {
+    /// (–) factor on A of a stiffness category.
     pub stiffness: [Option<T>; 2],
-    /// On the radius of gyration of a size class or by Burg's formula.
+    /// (–) factor on the radius of gyration of a size class or by Burg's formula.
     pub yaw_radius: [Option<T>; 2],
+    /// (m) by how much a contact point that was placed is moved, for each [`FaceAxis`].
+    pub contact: [[Option<Quantity<T>>; 2]; 2],
+}
+
+impl<T: Real> Departures<T> {
+    /// (m) by how much the contact point of a vehicle is moved.
+    pub(crate) fn of_contact(&self, vehicle: VehicleId, axis: FaceAxis) -> T {
+        let moved = &self.contact[vehicle.index()][axis.index()];
+        moved.as_ref().map_or(T::ZERO, Quantity::si)
+    }
 }
 
 /// The stiffness of another vehicle of the same category, whose A is so many times as large.
@@ -97,8 +162,8 @@ pub(crate) fn yaw_source<T>(vehicle: &GivenVehicle<T>) -> Option<YawSource> {
 }
 
 impl<T> Case<T> {
-    /// Whether the stiffness of each vehicle comes from a category, and its radius of gyration from a class
-    /// or a formula.
+    /// Whether the stiffness of each vehicle comes from a category, its radius of gyration from a class or a
+    /// formula, and the contact point of an impact from the damage.
     #[must_use]
     pub fn estimates(&self) -> Vec<Estimate> {
         let of = |vehicle: VehicleId| {
@@ -110,8 +175,44 @@ impl<T> Case<T> {
             let source = yaw_source(given).filter(|source| *source != YawSource::Given);
             let stiffness = category.map(|category| Estimate::Stiffness { vehicle, category });
             let yaw_radius = source.map(|source| Estimate::YawRadius { vehicle, source });
-            [stiffness, yaw_radius].into_iter().flatten().filter(|_| !given.fixed)
+            let is_placed = self.impact.is_some() && given.places_contact();
+            let contact = FaceAxis::ALL.map(|axis| is_placed.then_some(Estimate::Contact { vehicle, axis }));
+            [stiffness, yaw_radius].into_iter().chain(contact).flatten().filter(|_| !given.fixed)
         };
         VehicleId::ALL.into_iter().flat_map(of).collect()
+    }
+}
+
+impl Case {
+    /// How far the contact point of a vehicle may be off, where it is placed at the centroid of the damage.
+    ///
+    /// Along the face it is as far off as the middle of the damage: by the error of the offset and by half of
+    /// that of the length, since one end that is misjudged moves the middle by half as much. Both are taken
+    /// as independent, which is on the safe side: the error of an end may be in that of the offset already.
+    /// Across the face it is as far off as one depth. The errors of several depths move their centroid by
+    /// less, but they were measured after the impact, and the force acted when the crush was at its deepest.
+    ///
+    /// An error that the case gives itself is not counted again. Where the `offset` has one, the middle of
+    /// the damage is off by that alone; an error of `width` or `spacing` replaces that of the length, and one
+    /// of the `depths` the error across the face.
+    #[must_use]
+    pub fn contact_spread(&self, vehicle: VehicleId, axis: FaceAxis) -> ContactSpread {
+        let table = format!("vehicle{vehicle}");
+        let has_error = |key: &str| self.has_error(&format!("{table}.crush.{key}"));
+        let is_exact = || self.uncertainty.exact.contains(&format!("{table}.contact"));
+        match axis {
+            FaceAxis::Along if has_error("offset") => ContactSpread::OfInputs,
+            FaceAxis::Inward if has_error("depths") => ContactSpread::OfInputs,
+            _ if is_exact() => ContactSpread::Exact,
+            FaceAxis::Along if has_error("width") || has_error("spacing") => {
+                ContactSpread::Default(OFFSET_SD)
+            }
+            FaceAxis::Along => {
+                let half_length_sd = DAMAGE_LENGTH_SD / 2.0;
+                // σ = √(σ_D² + (σ_L/2)²)
+                ContactSpread::Default((OFFSET_SD * OFFSET_SD + half_length_sd * half_length_sd).sqrt())
+            }
+            FaceAxis::Inward => ContactSpread::Default(DEPTH_SD),
+        }
     }
 }

@@ -21,8 +21,9 @@
 //! which keep the unit in which they were given, because reports and errors quote them in that unit;
 //! [`Quantity::si`] is where a unit is converted. [`Case::inputs`] lists the numbers, each under its key, and
 //! [`Case::values`] lists every value. A [`Range`] says how far a number may be off. An [`Estimate`] is what
-//! a table or a formula gives in place of a number; its factor, 1, is one of [`Case::variables`] besides the
-//! numbers. [`Case::map`] replaces all of these.
+//! a table or a formula gives in place of a number, or a contact point that is placed at the damage; its
+//! factor, 1, or the distance by which it is moved, 0, is one of [`Case::variables`] besides the numbers.
+//! [`Case::map`] replaces all of these.
 //!
 //! [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into the types of the
 //! engines, for three [`Purpose`]s. A value that is missing, or that an engine refuses, is a [`Fault`] of its
@@ -67,7 +68,8 @@ pub use demands::{
     InferredWidth, ReconstructionInput, StiffnessSource, VehicleData, YawSource, contradictions,
 };
 pub use estimate::{
-    Estimate, Factors, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+    ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, Departures, Estimate, FaceAxis, OFFSET_SD, STIFFNESS_LN_SD_A,
+    STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
 };
 pub use fault::{Fault, FaultKind, Faults};
 pub use impact::{BrachTangential, GivenImpact, ImpactLaw, LawName, Restitution};

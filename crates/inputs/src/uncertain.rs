@@ -130,6 +130,14 @@ impl SharedEffects {
 }
 
 impl Case {
+    /// Whether the case says how far a number may be off, or one of a list: by a range, or by an error that
+    /// it shares with others.
+    pub(crate) fn has_error(&self, key: &str) -> bool {
+        let is_of = |path: &str| path == key || list_of(path) == Some(key);
+        let mut shared = self.uncertainty.shared.iter().flat_map(|error| &error.of);
+        self.ranges.iter().any(|range| is_of(&range.path)) || shared.any(|path| is_of(path))
+    }
+
     /// The case with other numbers, which are in the order of [`variables`](Self::variables), after the
     /// errors that they share.
     #[must_use]

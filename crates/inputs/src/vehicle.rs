@@ -68,7 +68,8 @@ pub struct GivenVehicle<T = f64> {
     pub length: Option<Quantity<T>>,
     /// (rad) scene angle of the vehicle's forward axis, in the sense of the axes.
     pub heading: Option<Quantity<T>>,
-    /// From the centre of gravity to the point where the impulse acts.
+    /// From the centre of gravity to the point where the impulse acts. Where it is absent, an impact takes
+    /// the centroid of the damage, if the case tells [where that lies](Self::places_contact).
     pub contact: Option<ContactPoint<T>>,
     /// `speed` or `velocity`, before the impact.
     pub motion: Option<Velocity<T>>,
@@ -93,6 +94,22 @@ impl<T> GivenVehicle<T> {
     #[must_use]
     pub fn has_damage_data(&self) -> bool {
         self.crush.is_some() || self.energy.is_some()
+    }
+
+    /// Whether the contact point of an impact is placed at the centroid of the damage: the case does not give
+    /// the point, but a measured crush, its place on the face, and the outline or the size class.
+    #[must_use]
+    pub fn places_contact(&self) -> bool {
+        let is_placed = self.crush.as_ref().is_some_and(|crush| {
+            let has_width = crush.width.is_some() || crush.spacing.is_some();
+            !crush.from_force_balance && has_width && crush.offset.is_some()
+        });
+        !self.fixed && self.contact.is_none() && is_placed && self.has_outline()
+    }
+
+    /// Whether the outline is known: as given, or from the size class.
+    pub(crate) fn has_outline(&self) -> bool {
+        self.outline.is_some() || self.class.is_some()
     }
 
     /// Whether the case says nothing of it, so that the other vehicle is alone.

@@ -2,9 +2,8 @@
 
 use std::fmt::{self, Display};
 
-use pim_core::VehicleId;
-
-use crate::estimate::{Estimate, Factors};
+use crate::case::Case;
+use crate::estimate::{Departures, Estimate};
 use crate::quantity::{Quantity, format_number};
 use crate::range::Spread;
 use crate::text::Text;
@@ -31,7 +30,8 @@ pub struct Input {
 pub enum Origin {
     /// The case gives it.
     Given,
-    /// It is the factor of an estimate: 1, unless it is varied.
+    /// It is the factor of an estimate, 1 unless it is varied, or the distance by which a contact point that
+    /// was placed is moved, 0 unless it is varied.
     Estimate(Estimate),
     /// It is the error, by its place among those that numbers of the case share: 0 in its unit or, where it
     /// is a percentage, the factor 1, unless it is varied.
@@ -115,20 +115,35 @@ impl<'a, U> Walk<'a, U> {
         quantity.with((self.replace)(path, quantity.number(), Some(quantity.unit()), Origin::Given))
     }
 
-    /// The factors of the estimates of a case; a factor that is absent is 1.
-    pub(crate) fn factors(&mut self, estimates: &[Estimate], factors: &Factors) -> Factors<U> {
-        let mut replaced = Factors { stiffness: [None, None], yaw_radius: [None, None] };
-        for estimate in estimates {
-            let of = |list: &[Option<f64>; 2], vehicle: VehicleId| list[vehicle.index()].unwrap_or(1.0);
-            let (number, place) = match *estimate {
+    /// The departures of the estimates of a case: a factor that is absent is 1, and a distance is 0.
+    pub(crate) fn departures(&mut self, case: &Case) -> Departures<U> {
+        let Departures { stiffness, yaw_radius, contact } = &case.departures;
+        let mut replaced = Departures {
+            stiffness: [None, None],
+            yaw_radius: [None, None],
+            contact: [[None, None], [None, None]],
+        };
+        for estimate in case.estimates() {
+            let mut replace =
+                |number, unit| (self.replace)(&estimate, number, unit, Origin::Estimate(estimate));
+            match estimate {
                 Estimate::Stiffness { vehicle, .. } => {
-                    (of(&factors.stiffness, vehicle), &mut replaced.stiffness[vehicle.index()])
+                    let factor = stiffness[vehicle.index()].unwrap_or(1.0);
+                    replaced.stiffness[vehicle.index()] = Some(replace(factor, None));
                 }
                 Estimate::YawRadius { vehicle, .. } => {
-                    (of(&factors.yaw_radius, vehicle), &mut replaced.yaw_radius[vehicle.index()])
+                    let factor = yaw_radius[vehicle.index()].unwrap_or(1.0);
+                    replaced.yaw_radius[vehicle.index()] = Some(replace(factor, None));
                 }
-            };
-            *place = Some((self.replace)(estimate, number, None, Origin::Estimate(*estimate)));
+                Estimate::Contact { vehicle, axis } => {
+                    let (vehicle, place) = (vehicle.index(), axis.index());
+                    // In the unit of the offset, without which no point is placed.
+                    let offset = case.vehicles[vehicle].crush.as_ref().and_then(|crush| crush.offset);
+                    let moved = contact[vehicle][place].or(offset.map(|offset| offset.with(0.0)));
+                    replaced.contact[vehicle][place] =
+                        moved.map(|moved| moved.with(replace(moved.number(), Some(moved.unit()))));
+                }
+            }
         }
         replaced
     }

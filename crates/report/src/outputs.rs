@@ -4,7 +4,7 @@
 use ::uncertainty::{SamplingMethod, Summary};
 use analysis::{Kind, Output, Reason, quantity};
 
-use case::{Estimate, Input, Origin, YawSource};
+use case::{Estimate, FaceAxis, Input, Origin, YawSource};
 
 use crate::units::Measure;
 
@@ -50,6 +50,7 @@ pub(crate) fn estimate_source(estimate: Estimate) -> String {
         Estimate::Stiffness { category, .. } => format!("category {category}"),
         Estimate::YawRadius { source: YawSource::Class(class), .. } => format!("class {class}"),
         Estimate::YawRadius { .. } => "Burg".to_owned(),
+        Estimate::Contact { .. } => "centroid of the damage".to_owned(),
     }
 }
 
@@ -59,6 +60,12 @@ pub(crate) fn estimate_name(estimate: Estimate) -> String {
     match estimate {
         Estimate::Stiffness { vehicle, .. } => format!("stiffness, vehicle {vehicle}, {source}"),
         Estimate::YawRadius { vehicle, .. } => format!("yaw radius, vehicle {vehicle}, {source}"),
+        Estimate::Contact { vehicle, axis: FaceAxis::Along } => {
+            format!("C along the face, vehicle {vehicle}")
+        }
+        Estimate::Contact { vehicle, axis: FaceAxis::Inward } => {
+            format!("C across the face, vehicle {vehicle}")
+        }
     }
 }
 

@@ -173,6 +173,12 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
             "{}, Burg's estimate from mass, wheelbase and length",
             units.format(Measure::YawInertia, *yaw_inertia)
         ),
+        Assumption::ContactPlaced { point: [x, y], .. } => format!(
+            "x = {}, y = {}: the centroid of the damage, from its side, width, depths and offset and the \
+             vehicle's outline",
+            units.format(Measure::Length, *x),
+            units.format(Measure::Length, *y)
+        ),
         Assumption::Outline { class, .. } => format!(
             "neither this nor `width`, `cg_to_front` or `class` is given: drawings use the outline of \
              CRASH3's size class {class}, which has the nearest radius of gyration"

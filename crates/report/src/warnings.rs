@@ -1,7 +1,7 @@
 //! The sentence of each warning.
 
 use analysis::{Analysis, Drive, JumpSide, Magnitude, SeenWarning, Warning};
-use case::{Case, Kind, StiffnessSource};
+use case::{Case, ContactSpread, Kind, StiffnessSource};
 use crash3::{EnergyBasis, Side};
 use pim_core::{Switch, VehicleId};
 
@@ -44,6 +44,21 @@ pub(crate) fn notice(warnings: &[SeenWarning], heading: Option<&'static str>) ->
         several => format!("{several} warnings"),
     };
     Some(Block::Notice { count, heading })
+}
+
+/// How far `uncertainty` moves a contact point that was placed: along the face and across it.
+fn spread_of_contact([along, across]: [ContactSpread; 2], units: Units) -> String {
+    let by = |spread: ContactSpread| match spread {
+        ContactSpread::Default(sd) => {
+            format!("with a standard deviation of {}", units.format(Measure::Crush, sd))
+        }
+        ContactSpread::OfInputs => "as the ranges of the damage do".to_owned(),
+        ContactSpread::Exact => "not at all, as the file asks".to_owned(),
+    };
+    if [along, across] == [ContactSpread::Exact; 2] {
+        return "`uncertainty` takes it as exact, as the file asks".to_owned();
+    }
+    format!("`uncertainty` moves it along the face {} and across it {}", by(along), by(across))
 }
 
 /// What the warning says, in the units of the reader.
@@ -188,6 +203,15 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 axes::side_of_y(axes)
             )
         }
+        Warning::ContactPlaced { vehicle, point: [forward, aside], spread } => format!(
+            "the file gives no contact point of vehicle {vehicle}: C was placed at the centroid of its damage, \
+             {} forward and {} {} of the centre of gravity, as side, width, depths and offset of the damage \
+             and the outline tell it; {}",
+            units.format(Measure::Length, *forward),
+            units.format(Measure::Length, *aside),
+            axes::side_of_y(axes),
+            spread_of_contact(*spread, units)
+        ),
         Warning::PdofsNotOpposite { angle: off } => format!(
             "the two directions of force that the file gives are {} from opposite in the scene; by Newton's \
              third law they must be opposite, so check both PDOFs and headings",

@@ -8,7 +8,7 @@ pub(crate) struct Worth {
     pub(crate) source: &'static str,
 }
 
-const SMITH_NOGA: &str = "Smith and Noga (1982), 34 pairs of measurements";
+pub(crate) const SMITH_NOGA: &str = "Smith and Noga (1982), 34 pairs of measurements";
 pub(crate) const BARRIER_TESTS: &str = "698 full-width frontal barrier tests of NHTSA";
 
 /// Of the key of a number, or of a list of numbers.
@@ -21,6 +21,10 @@ pub(crate) fn worth(key: &str) -> Option<Worth> {
         }
         "crush.width" => ("std. dev. 3.0 in (76 mm)", SMITH_NOGA),
         "crush.offset" => ("std. dev. 1.8 in (46 mm)", SMITH_NOGA),
+        "contact" => (
+            "at the centroid of the damage: 2.3 in (60 mm) along the face, 1.5 in (38 mm) across",
+            SMITH_NOGA,
+        ),
         "weight" | "mass" => ("std. dev. 65 lb (29 kg)", SMITH_NOGA),
         "crush.pdof" => ("±20° with a probability of 95 %", SMITH_NOGA),
         "crush.stiffness" => {

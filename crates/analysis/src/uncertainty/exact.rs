@@ -1,6 +1,9 @@
 //! Which numbers of a case the samples share: their errors are not in the intervals.
 
-use inputs::{BrachTangential, Case, Estimate, ImpactLaw, Input, Origin, SharedEffects};
+use inputs::{
+    BrachTangential, Case, ContactSpread, Estimate, FaceAxis, ImpactLaw, Input, Origin, SharedEffects,
+};
+use pim_core::VehicleId;
 use real::Gradient;
 
 use super::UncertainInput;
@@ -40,8 +43,17 @@ pub(super) fn taken_as_exact(
         if uncertain.next_if(|path| **path == input.path).is_some() || shared.cover(place) {
             continue;
         }
+        if is_covered_by_contact(case, &input) {
+            continue;
+        }
         let key = match input.origin {
             Origin::Given => input.path.split('[').next().unwrap_or_default().to_owned(),
+            // Its error is that of the numbers that it follows from.
+            Origin::Estimate(Estimate::Contact { vehicle, axis })
+                if case.contact_spread(vehicle, axis) == ContactSpread::OfInputs =>
+            {
+                continue;
+            }
             Origin::Estimate(estimate) => estimate.key(),
             Origin::Shared(_) => continue,
         };
@@ -49,6 +61,10 @@ pub(super) fn taken_as_exact(
         let has_part =
             key.starts_with("impact.") || gradients.iter().any(|gradient| gradient.by[place] != 0.0);
         match (lists.last_mut(), input.origin) {
+            // A point is one value, though it may move in two directions.
+            (Some((last, ExactValue::Estimate(_), point_has_part)), _) if *last == key => {
+                *point_has_part |= has_part;
+            }
             (_, Origin::Estimate(estimate)) => lists.push((key, ExactValue::Estimate(estimate), has_part)),
             (Some((last, ExactValue::Numbers(numbers), list_has_part)), _) if *last == key => {
                 numbers.push(input);
@@ -66,4 +82,14 @@ pub(super) fn taken_as_exact(
         exact.push(TakenAsExact { key: "impact.tangential".to_owned(), value: ExactValue::Word("critical") });
     }
     exact
+}
+
+/// Whether a number is the offset of a damage at which the contact point was placed: the error of the point
+/// is that of the offset, from which nothing else follows.
+fn is_covered_by_contact(case: &Case, input: &Input) -> bool {
+    VehicleId::ALL.into_iter().any(|vehicle| {
+        input.path == format!("vehicle{vehicle}.crush.offset")
+            && case.vehicles[vehicle.index()].places_contact()
+            && matches!(case.contact_spread(vehicle, FaceAxis::Along), ContactSpread::Default(_))
+    })
 }

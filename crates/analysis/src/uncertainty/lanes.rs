@@ -89,7 +89,7 @@ impl Block {
             ranges: _,
             // A block reads neither shared errors nor estimates.
             uncertainty: _,
-            factors: _,
+            departures: _,
             left_out: _,
         } = case;
         let Reconstruct { find: Find::One(unknown), energy_basis: basis } = reconstruct.as_ref()? else {

@@ -27,7 +27,9 @@ impl<'t> Reader<'t> {
 
     fn exact(&mut self, table: &Table<'t>, case: &Case) -> Option<Vec<String>> {
         let names = self.names(table, "exact")?;
-        let known: Vec<String> = case.estimates().into_iter().map(|estimate| estimate.key()).collect();
+        let mut known: Vec<String> = case.estimates().into_iter().map(|estimate| estimate.key()).collect();
+        // A contact point is estimated in two directions.
+        known.dedup();
         let mut is_sound = true;
         for Named { key, span } in &names {
             if known.contains(key) {

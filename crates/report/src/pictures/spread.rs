@@ -145,6 +145,7 @@ fn input_with_range(input: &UncertainInput, bar: &Bar) -> String {
     let name = match input.input.origin {
         Origin::Given => input_in_words(&input.input.path),
         Origin::Shared(_) => input_name(&input.input),
+        Origin::Estimate(_) if input.input.unit.is_some() => input_name(&input.input),
         Origin::Estimate(_) => return format!("{}: × {low} to {high}", input_name(&input.input)),
     };
     let unit = input.input.unit.map_or_else(String::new, |unit| format!(" {unit}"));

@@ -162,12 +162,16 @@ fn identification(file: &CaseFile, analysis: &Analysis) -> Vec<(&'static str, St
 
 /// What was found, with its interval first where the inputs have one.
 fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Block {
-    // Spreads of yaw inertias alone hardly move a speed: an interval of them would be read as that of all.
+    // Spreads of yaw inertias and contact points alone move a speed little: an interval of them would be read
+    // as that of all.
     let is_told = |uncertainty: &&Uncertainty| {
-        let of_inertia = |input: &UncertainInput| {
-            matches!(input.input.origin, Origin::Estimate(Estimate::YawRadius { .. }))
+        let is_small = |input: &UncertainInput| {
+            matches!(
+                input.input.origin,
+                Origin::Estimate(Estimate::YawRadius { .. } | Estimate::Contact { .. })
+            )
         };
-        !uncertainty.inputs.iter().all(of_inertia)
+        !uncertainty.inputs.iter().all(is_small)
     };
     let uncertainty = supplements.uncertainty.filter(is_told);
     let said = |output: Output, si: f64| match uncertainty

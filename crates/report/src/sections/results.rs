@@ -123,6 +123,12 @@ impl Page {
             known(&|i| analysis.vehicles[i].subject.contact.map(|c| units.format(Measure::Length, c[1]))),
             "",
         );
+        let is_placed = |i: usize| analysis.vehicles[i].subject.contact_is_placed;
+        table.pair(
+            "contact point from",
+            known(&|i| is_placed(i).then(|| "centroid of the damage".to_owned())),
+            "",
+        );
         let sought = |i: usize| analysis.found.as_ref().is_some_and(|found| found.unknown.index() == i);
         table.pair(
             "speed",

@@ -72,11 +72,9 @@ fn derivatives(first: &Derivative, group: &[Derivative], units: Units) -> Table 
         group.iter().partition(|row| size(row) > ROUNDING * largest);
     for row in with {
         let (value, per, step) = match (row.input.origin, row.input.unit) {
-            (Origin::Given | Origin::Shared(_), Some(unit)) => {
-                (format!("{} {unit}", row.input.number), unit.to_string(), row.input.factor())
-            }
+            (_, Some(unit)) => (format!("{} {unit}", row.input.number), unit.to_string(), row.input.factor()),
             (Origin::Given | Origin::Shared(_), None) => (row.input.number.to_string(), "1".to_owned(), 1.0),
-            (Origin::Estimate(_), _) => ("× 1".to_owned(), "%".to_owned(), 0.01),
+            (Origin::Estimate(_), None) => ("× 1".to_owned(), "%".to_owned(), 0.01),
         };
         // In the result's unit per one of the input's own.
         let change = significant(units.value(alone, row.value * step), 4);

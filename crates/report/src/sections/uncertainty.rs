@@ -9,7 +9,8 @@ use analysis::{
     UncertainInput, UncertainOutput, Uncertainty,
 };
 use case::{
-    Case, Input, Origin, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, Unit, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+    Case, DAMAGE_LENGTH_SD, DEPTH_SD, FaceAxis, Input, OFFSET_SD, Origin, STIFFNESS_LN_SD_A,
+    STIFFNESS_LN_SD_B, Unit, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
 };
 use crash3::principal_angle;
 
@@ -20,7 +21,7 @@ use crate::outputs::{
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
-use crate::worth::{BARRIER_TESTS, Worth, worth};
+use crate::worth::{BARRIER_TESTS, SMITH_NOGA, Worth, worth};
 
 /// Classes of the histogram.
 const CLASSES: u32 = 15;
@@ -489,7 +490,7 @@ impl<'a> Page<'a> {
 
     /// What has a spread although the file gives no range.
     fn default_spreads(&mut self) {
-        let (mut stiffness, mut yaw_radius) = (Vec::new(), Vec::new());
+        let (mut stiffness, mut yaw_radius, mut contact) = (Vec::new(), Vec::new(), Vec::new());
         let mut times = [1.0; 2];
         for input in &self.uncertainty.inputs {
             let Origin::Estimate(estimate) = input.input.origin else { continue };
@@ -499,6 +500,11 @@ impl<'a> Page<'a> {
                     times = [0.025, 0.975].map(|share| input.distribution.quantile(share));
                 }
                 case::Estimate::YawRadius { .. } => yaw_radius.push(estimate_name(estimate)),
+                case::Estimate::Contact { axis, .. } => {
+                    let sd = input.distribution.sd() * input.input.factor();
+                    let sd = self.units.format(Measure::Crush, sd);
+                    contact.push((axis, format!("{}, std. dev. {sd}", estimate_name(estimate))));
+                }
             }
         }
         if !stiffness.is_empty() {
@@ -521,6 +527,36 @@ impl<'a> Page<'a> {
                 100.0 * YAW_RADIUS_CONFIDENCE
             ));
         }
+        self.spread_of_contact(&contact);
+    }
+
+    /// The spread of contact points that the program placed, each with its direction and in words.
+    fn spread_of_contact(&mut self, contact: &[(FaceAxis, String)]) {
+        if contact.is_empty() {
+            return;
+        }
+        let has = |wanted: FaceAxis| contact.iter().any(|(axis, _)| *axis == wanted);
+        let length = |si: f64| self.units.format(Measure::Crush, si);
+        let parts = [
+            has(FaceAxis::Along).then(|| {
+                format!(
+                    "along the face that of the middle of the damage, {} of its offset and half of {} of its \
+                     length, as the root of the sum of squares",
+                    length(OFFSET_SD),
+                    length(DAMAGE_LENGTH_SD)
+                )
+            }),
+            has(FaceAxis::Inward).then(|| format!("across it that of one depth, {}", length(DEPTH_SD))),
+        ];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        let list: Vec<&str> = contact.iter().map(|(_, words)| words.as_str()).collect();
+        self.document.paragraph(format!(
+            "Spread by default: {}. The file gives no contact point, so C is at the centroid of the damage. \
+             Its error is {} ({SMITH_NOGA}). A range of `offset`, `width` or `depths` replaces its part. How \
+             far the force acts from the centroid is not known and not in the spread. {SWITCH_OFF}",
+            list.join("; "),
+            parts.join("; ")
+        ));
     }
 
     /// What all samples share.
@@ -625,10 +661,10 @@ fn distribution(input: &UncertainInput) -> String {
 
 fn with_unit(input: &UncertainInput, number: &str) -> String {
     match input.input.origin {
-        Origin::Estimate(_) => format!("× {number}"),
+        Origin::Estimate(_) if input.input.unit.is_none() => format!("× {number}"),
         // A percentage of each of its numbers.
         Origin::Shared(_) if input.input.number == 1.0 => format!("× {number}"),
-        Origin::Given | Origin::Shared(_) => {
+        Origin::Given | Origin::Estimate(_) | Origin::Shared(_) => {
             input.input.unit.map_or_else(|| number.to_owned(), |unit| format!("{number} {unit}"))
         }
     }

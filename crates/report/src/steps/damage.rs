@@ -43,9 +43,19 @@ fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: VehicleId) -> Ve
         return steps;
     }
     let Some(profile) = measured(vehicle) else { return steps };
+    let rises_everywhere = match &damage.structure {
+        SideStiffness::Uniform(stiffness) => {
+            profile.zones().all(|zone| zone.yielding(stiffness) == Yielding::Nowhere)
+        }
+        SideStiffness::Zones(_) => false,
+    };
+    // The centroid of the damage follows from the moments too.
+    if rises_everywhere || vehicle.subject.contact_is_placed {
+        steps.extend(profile::moments(profile, i));
+    }
     match &damage.structure {
         SideStiffness::Uniform(stiffness) => {
-            if profile.zones().all(|zone| zone.yielding(stiffness) == Yielding::Nowhere) {
+            if rises_everywhere {
                 steps.extend(profile::whole(profile, stiffness, damage.crush_energy, i));
             } else {
                 let zones = profile.zones().map(|zone| (zone, *stiffness));

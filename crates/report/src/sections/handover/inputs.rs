@@ -36,7 +36,10 @@ pub(super) fn tables(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<
 fn is_of(assumption: &Assumption, analysis: &Analysis) -> bool {
     match assumption {
         Assumption::SpeedUnused { .. } => analysis.found.is_some(),
-        Assumption::YawRate { .. } | Assumption::BrachLaw | Assumption::NoMoment => analysis.impact.is_some(),
+        Assumption::YawRate { .. }
+        | Assumption::ContactPlaced { .. }
+        | Assumption::BrachLaw
+        | Assumption::NoMoment => analysis.impact.is_some(),
         _ => true,
     }
 }

@@ -1,11 +1,13 @@
 //! Where the vehicles touch, and the inverse mass that C feels.
 
-use case::{ContactPoint, Quantity};
+use case::{Axes, ContactPoint, Quantity};
+use crash3::Side;
 use pim_core::VehicleId;
 
+use super::super::damage::measured;
 use super::super::{Step, angle, digits, given, n, p, step};
 use super::Collision;
-use crate::axes;
+use crate::{axes, words};
 
 /// How K is built up: a symbol, its sum over the vehicles in symbols and in numbers, its value and unit.
 type Entry = (&'static str, (String, String), f64, &'static str);
@@ -24,6 +26,11 @@ impl Collision<'_> {
         }
         let mut steps = vec![direction];
         for (k, vehicle) in VehicleId::ALL.into_iter().zip(&self.case.vehicles) {
+            let placed = &self.analysis.vehicles[k.index()].subject;
+            if let (true, Some(point)) = (placed.contact_is_placed, placed.contact) {
+                steps.extend(self.placed_contact(k, point).into_iter().flatten());
+                steps.extend(self.arm(k, point));
+            }
             let Some(contact) = &vehicle.contact else { continue };
             if let ContactPoint::Polar { distance, angle } = contact {
                 steps.extend(self.contact_point(k, distance, angle, contact.xy()));
@@ -62,6 +69,108 @@ impl Collision<'_> {
                 "theory 1",
             ),
         ]
+    }
+
+    /// The contact point of a vehicle in its own axes, at the centroid of its damage.
+    fn placed_contact(&self, k: VehicleId, [forward, aside]: [f64; 2]) -> Option<Vec<Step>> {
+        let vehicle = &self.analysis.vehicles[k.index()];
+        let profile = measured(vehicle)?;
+        let (given_crush, body) =
+            (self.case.vehicles[k.index()].crush.as_ref()?, vehicle.subject.dimensions?);
+        let (side, offset) = (given_crush.side, given_crush.offset?.si());
+        let sums = profile.sums();
+        let (face, name_of_face) = (body.face(side), words::side_name(side));
+        let source = if body.class.is_some() { "theory 5" } else { "input" };
+        let mut steps = vec![
+            given(format!("{name_of_face} of vehicle {k} from its CG"), format!("f_{k}"), face, "m", source),
+            given(
+                format!("offset of the damage of vehicle {k}"),
+                format!("offset_{k}"),
+                offset,
+                "m",
+                "input",
+            ),
+        ];
+        // From the first station to the centroid, and from the face to it: no area, no crush.
+        let (mut start, mut terms, mut moment) = (0.0, Vec::new(), 0.0);
+        for zone in profile.zones() {
+            let [c1, c2] = zone.depths;
+            terms.push(format!(
+                "{} · {1} · ({3} + {4}) / 2 + {2}² · ({3} + 2 · {4}) / 6",
+                n(start, "m"),
+                n(zone.width, "m"),
+                p(zone.width, "m"),
+                n(c1, "m"),
+                n(c2, "m")
+            ));
+            moment += start * zone.area() + zone.width * zone.width * (c1 + 2.0 * c2) / 6.0;
+            start += zone.width;
+        }
+        let (along, depth) = if sums.area > 0.0 {
+            (moment / sums.area, sums.second_moment / sums.area)
+        } else {
+            (sums.width / 2.0, 0.0)
+        };
+        if sums.area > 0.0 {
+            steps.push(step(
+                format!("centroid of the damage of vehicle {k}, from its first station"),
+                format!("s_{k}"),
+                format!("Σ [s_j w_j (C_j + C_j+1)/2 + w_j² (C_j + 2 C_j+1)/6]/S_1,{k}"),
+                format!("({}) / {}", terms.join(" + "), n(sums.area, "m²")),
+                along,
+                "m",
+                "theory 5",
+            ));
+            steps.push(step(
+                format!("centroid of the damage of vehicle {k}, from the face"),
+                format!("c_{k}"),
+                format!("S_2,{k}/S_1,{k}"),
+                format!("{} / {}", n(sums.second_moment, "m³"), n(sums.area, "m²")),
+                depth,
+                "m",
+                "theory 5",
+            ));
+        } else {
+            let name = "without crush: the middle of the damage of vehicle";
+            steps.push(given(
+                format!("{name} {k}, from its first station"),
+                format!("s_{k}"),
+                along,
+                "m",
+                "theory 5",
+            ));
+            steps.push(given(format!("{name} {k}, from the face"), format!("c_{k}"), depth, "m", "theory 5"));
+        }
+        let out = format!("{} − {}", n(face, "m"), n(depth, "m"));
+        let from_middle = format!("({} − {} / 2)", n(along, "m"), n(sums.width, "m"));
+        let across = |sign: &str| match sign {
+            "−" => (format!("−(f_{k} − c_{k})"), format!("−({out})")),
+            _ => (format!("f_{k} − c_{k}"), out.clone()),
+        };
+        let beside = |sign: &str| {
+            (
+                format!("offset_{k} {sign} (s_{k} − L_{k}/2)"),
+                format!("{} {sign} {from_middle}", n(offset, "m")),
+            )
+        };
+        // Stations run from left to right, or from rear to front; y points to the left, or to the right.
+        let (to_right, left, right) = match self.case.axes {
+            Axes::ZUp => ("−", "+", "−"),
+            Axes::ZDown => ("+", "−", "+"),
+        };
+        let (x, y) = match side {
+            Side::Front => (across("+"), beside(to_right)),
+            Side::Rear => (across("−"), beside(to_right)),
+            Side::Left => (beside("+"), across(left)),
+            Side::Right => (beside("+"), across(right)),
+        };
+        let point = |axis: &str, name: &str, (formula, substitution): (String, String), value: f64| {
+            let name = format!("contact point {name} of CG {k}, at the centroid of the damage");
+            step(name, format!("{axis}_{k}"), formula, substitution, value, "m", "theory 5")
+        };
+        steps.push(point("x", "forward", x, forward));
+        steps.push(point("y", axes::side_of_y(self.case.axes), y, aside));
+        Some(steps)
     }
 
     /// The arm of a vehicle along n and t, from its contact point in its own axes.

@@ -5,8 +5,8 @@ use pim_core::VehicleId;
 
 use super::super::{Step, n, p, step};
 
-/// The same stiffness all along and no saturation: area and second moment of the profile first.
-pub(super) fn whole(profile: &Profile, stiffness: &Stiffness, energy: f64, i: VehicleId) -> [Step; 3] {
+/// Area and second moment of a profile.
+pub(super) fn moments(profile: &Profile, i: VehicleId) -> [Step; 2] {
     let sums = profile.sums();
     let area = |Zone { width, depths: [c1, c2] }: Zone| {
         format!("{} · ({} + {}) / 2", n(width, "m"), n(c1, "m"), n(c2, "m"))
@@ -31,24 +31,29 @@ pub(super) fn whole(profile: &Profile, stiffness: &Stiffness, energy: f64, i: Ve
             "m³",
             "Eq 5",
         ),
-        step(
-            format!("crush energy of vehicle {i}"),
-            format!("E_{i}"),
-            format!("A_{i} S_1,{i} + B_{i} S_2,{i} + G_{i} L_{i}"),
-            format!(
-                "{} · {} + {} · {} + {} · {}",
-                n(stiffness.a(), "N/m"),
-                n(sums.area, "m²"),
-                n(stiffness.b(), "N/m²"),
-                n(sums.second_moment, "m³"),
-                n(stiffness.g(), "N"),
-                n(sums.width, "m")
-            ),
-            energy,
-            "J",
-            "Eq 5",
-        ),
     ]
+}
+
+/// The same stiffness all along and no saturation: from the moments of the profile.
+pub(super) fn whole(profile: &Profile, stiffness: &Stiffness, energy: f64, i: VehicleId) -> [Step; 1] {
+    let sums = profile.sums();
+    [step(
+        format!("crush energy of vehicle {i}"),
+        format!("E_{i}"),
+        format!("A_{i} S_1,{i} + B_{i} S_2,{i} + G_{i} L_{i}"),
+        format!(
+            "{} · {} + {} · {} + {} · {}",
+            n(stiffness.a(), "N/m"),
+            n(sums.area, "m²"),
+            n(stiffness.b(), "N/m²"),
+            n(sums.second_moment, "m³"),
+            n(stiffness.g(), "N"),
+            n(sums.width, "m")
+        ),
+        energy,
+        "J",
+        "Eq 5",
+    )]
 }
 
 /// C_1² + C_1 C_2 + C_2² in numbers.
