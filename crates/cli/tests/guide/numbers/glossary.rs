@@ -200,7 +200,7 @@ fn ranges(ledger: &mut Ledger) {
     ledger.made(format!("in {sets} … scrambled"));
     ledger.cited("100:2008) … equation … 10", "the place of the equation");
     ledger.made(format!("samples … {} %", number(100.0 * uncertainty::FIRST_ORDER_LIMIT, 0)));
-    ledger.cited("change … 1 % … 1°", "the definition");
+    ledger.cited("change … 1 % … 1° … 1 cm", "the definition");
 }
 
 /// The paper's example with both speeds and these changes: what it is warned of.
