@@ -97,4 +97,18 @@ impl<T: Real> Chassis<T> {
             Vector2::new(position.x + forward * cos - left * sin, position.y + forward * sin + left * cos)
         })
     }
+
+    /// The same in other numbers, without derivatives.
+    pub(crate) fn constant<U: Real>(&self) -> Chassis<U> {
+        let plain = |x: T| U::from(x.value());
+        let body = Body::new_with_validity(plain(self.body.mass()), plain(self.body.yaw_inertia())).0;
+        let wheels = self.wheels.map(|Wheel { forward, left, load, drag, steered }| Wheel {
+            forward: plain(forward),
+            left: plain(left),
+            load: plain(load),
+            drag: plain(drag),
+            steered,
+        });
+        Chassis { body, wheels }
+    }
 }

@@ -109,7 +109,7 @@ impl<T: Real> Spin<T> {
     /// it rolls its yaw rate falls, and both end together.
     ///
     /// It is meant for spins with wheels that turn. Where the wheels are locked or the vehicle rolls out
-    /// after its spin, [`to_rest`](crate::to_rest) follows the motion itself.
+    /// after its spin, [`to_start`](crate::to_start) follows the motion itself.
     ///
     /// # Errors
     /// Where a number is impossible: without a way and without a turn nothing moved.

@@ -48,32 +48,38 @@ pub(crate) struct Acceleration<T> {
 impl<T: Real> Field<T> {
     /// The wheels on level ground without friction, until [`stand`](Self::stand) says on which zones they
     /// are.
-    pub(crate) fn new(chassis: &Chassis<T>, ground: &Ground<'_, T>) -> Self {
-        let grade = ground.grade;
+    pub(crate) fn new<G: Real>(chassis: &Chassis<T>, ground: &Ground<'_, G>) -> Self
+    where
+        T: From<G>,
+    {
+        let grade: [T; 2] = [ground.grade.x.into(), ground.grade.y.into()];
         // cos θ = 1/√(1 + |G|²), and the pull along the plane is g sin θ = g |G| cos θ
-        let cos = T::ONE / (grade.x * grade.x + grade.y * grade.y + 1.0).sqrt();
+        let cos = T::ONE / (grade[0] * grade[0] + grade[1] * grade[1] + 1.0).sqrt();
         let normal = cos * GRAVITY;
         let wheels = chassis.wheels().map(|wheel| Footing {
             forward: wheel.forward,
             left: wheel.left,
             load: wheel.load * normal,
             drag: wheel.drag,
-            friction: ground.friction,
+            friction: ground.friction.into(),
             steered: wheel.steered,
         });
         let body = chassis.body();
         Self {
             wheels,
-            gravity: [-(grade.x * normal), -(grade.y * normal)],
+            gravity: [-(grade[0] * normal), -(grade[1] * normal)],
             inverse_radius_squared: body.mass() * body.inverse_yaw_inertia(),
             radius_squared: body.yaw_inertia() * body.inverse_mass(),
         }
     }
 
     /// Puts each wheel on the zone of this number.
-    pub(crate) fn stand(&mut self, ground: &Ground<'_, T>, zones: [usize; 4]) {
+    pub(crate) fn stand<G: Real>(&mut self, ground: &Ground<'_, G>, zones: [usize; 4])
+    where
+        T: From<G>,
+    {
         for (wheel, zone) in self.wheels.iter_mut().zip(zones) {
-            wheel.friction = ground.friction_in(zone);
+            wheel.friction = ground.friction_in(zone).into();
         }
     }
 

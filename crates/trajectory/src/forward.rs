@@ -32,6 +32,18 @@ pub fn to_rest<T: Real>(
     ground: &Ground<'_, T>,
     start: &State<T>,
     control: &Control,
+    record: impl FnMut(&Sample<T>),
+) -> Result<Rest<T>, NoRest> {
+    follow::<T, T>(chassis, steer, ground, start, control, record)
+}
+
+/// [`to_rest`] over a ground and with a steering whose numbers may carry less than those of the motion.
+pub(crate) fn follow<T: Real + From<G>, G: Real>(
+    chassis: &Chassis<T>,
+    steer: Steer<'_, G>,
+    ground: &Ground<'_, G>,
+    start: &State<T>,
+    control: &Control,
     mut record: impl FnMut(&Sample<T>),
 ) -> Result<Rest<T>, NoRest> {
     check_start(start, control)?;
@@ -89,11 +101,11 @@ fn check_start<T: Real>(start: &State<T>, control: &Control) -> Result<(), Inval
 }
 
 /// A motion under way.
-struct Run<'a, T> {
+struct Run<'a, T, G> {
     chassis: &'a Chassis<T>,
-    ground: &'a Ground<'a, T>,
-    steer: Steer<'a, T>,
-    steering: Steering<'a, T>,
+    ground: &'a Ground<'a, G>,
+    steer: Steer<'a, G>,
+    steering: Steering<'a, T, G>,
     control: &'a Control,
     field: Field<T>,
     /// The zone under each wheel.
@@ -106,7 +118,7 @@ struct Run<'a, T> {
     steps: u32,
 }
 
-impl<T: Real> Run<'_, T> {
+impl<T: Real + From<G>, G: Real> Run<'_, T, G> {
     fn acceleration(&self) -> Acceleration<T> {
         self.field.acceleration(self.phase.q[2].sin_cos(), self.phase.w, self.steering.at(self.time))
     }
@@ -168,7 +180,7 @@ impl<T: Real> Run<'_, T> {
     /// Whether neither the ground nor the steering changes on the last way.
     fn stays(&self, time: T) -> bool {
         let end = self.time + time;
-        if self.steer.next_change(self.time).is_some_and(|change| change < end) {
+        if self.steer.next_change(self.time.value()).is_some_and(|change| change.value() < end.value()) {
             return false;
         }
         if self.ground.zones.is_empty() {
@@ -242,7 +254,7 @@ impl<T: Real> Run<'_, T> {
         let left = self.control.longest_time - self.time.value();
         let mut h = h.min(self.control.longest_step).min(to_rest * SHARE_OF_THE_REST).min(left);
         // A step ends where the steering changes its rate.
-        let change = self.steer.next_change(self.time).map(|change| change - self.time);
+        let change = self.steer.next_change(self.time.value()).map(|change| T::from(change) - self.time);
         loop {
             self.steps += 1;
             let length = match change {

@@ -21,6 +21,7 @@
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
+mod backward;
 mod chassis;
 mod check;
 pub mod closed;
@@ -33,6 +34,7 @@ mod steer;
 mod step;
 mod tyre;
 
+pub use backward::{Departure, MOST_STARTS, REACHED, Starts, Target, Unreached, to_start};
 pub use chassis::{Axles, Chassis, GREATEST_DRAG, Wheel};
 pub use error::NoRest;
 pub use field::GRAVITY;

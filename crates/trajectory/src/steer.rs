@@ -46,24 +46,32 @@ impl<T: Real> Steer<'_, T> {
 
     /// (rad) the angle at a time (s).
     pub fn at(&self, time: T) -> T {
+        self.angle(time)
+    }
+
+    /// The same at a time that carries more than the angles do.
+    pub(crate) fn angle<U: Real + From<T>>(&self, time: U) -> U {
         match *self {
-            Self::Held(held) => held,
+            Self::Held(held) => held.into(),
             Self::Over(points) => {
-                let next = points.partition_point(|&(at, _)| at <= time);
+                let next = points.partition_point(|&(at, _)| at.value() <= time.value());
                 match (next.checked_sub(1).and_then(|last| points.get(last)), points.get(next)) {
-                    (Some(&(t0, from)), Some(&(t1, to))) => from + (to - from) * ((time - t0) / (t1 - t0)),
-                    (Some(&(_, held)), None) | (None, Some(&(_, held))) => held,
-                    (None, None) => T::ZERO,
+                    (Some(&(t0, from)), Some(&(t1, to))) => {
+                        let [t0, from, t1, to]: [U; 4] = [t0, from, t1, to].map(Into::into);
+                        from + (to - from) * ((time - t0) / (t1 - t0))
+                    }
+                    (Some(&(_, held)), None) | (None, Some(&(_, held))) => held.into(),
+                    (None, None) => U::ZERO,
                 }
             }
         }
     }
 
     /// (s) when the rate of steering changes next after a time (s).
-    pub(crate) fn next_change(&self, time: T) -> Option<T> {
+    pub(crate) fn next_change(&self, time: f64) -> Option<T> {
         match *self {
             Self::Held(_) => None,
-            Self::Over(points) => points.iter().map(|&(at, _)| at).find(|&at| at > time),
+            Self::Over(points) => points.iter().map(|&(at, _)| at).find(|at| at.value() > time),
         }
     }
 }

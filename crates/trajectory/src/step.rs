@@ -52,15 +52,15 @@ pub(crate) struct Step<T> {
 
 /// The steering, with what can be computed once.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Steering<'a, T> {
+pub(crate) enum Steering<'a, T, G> {
     Held((T, T)),
-    Over(Steer<'a, T>),
+    Over(Steer<'a, G>),
 }
 
-impl<'a, T: Real> Steering<'a, T> {
-    pub(crate) fn new(steer: Steer<'a, T>) -> Self {
+impl<'a, T: Real + From<G>, G: Real> Steering<'a, T, G> {
+    pub(crate) fn new(steer: Steer<'a, G>) -> Self {
         match steer {
-            Steer::Held(angle) => Self::Held(angle.sin_cos()),
+            Steer::Held(angle) => Self::Held(T::from(angle).sin_cos()),
             Steer::Over(_) => Self::Over(steer),
         }
     }
@@ -70,7 +70,7 @@ impl<'a, T: Real> Steering<'a, T> {
     pub(crate) fn at(&self, time: T) -> (T, T) {
         match self {
             Self::Held(sin_cos) => *sin_cos,
-            Self::Over(steer) => steer.at(time).sin_cos(),
+            Self::Over(steer) => steer.angle(time).sin_cos(),
         }
     }
 }
@@ -87,7 +87,12 @@ pub(crate) struct Start<T> {
 
 /// A step of the length `h` (s).
 #[inline]
-pub(crate) fn step<T: Real>(field: &Field<T>, steering: &Steering<'_, T>, start: &Start<T>, h: T) -> Step<T> {
+pub(crate) fn step<T: Real + From<G>, G: Real>(
+    field: &Field<T>,
+    steering: &Steering<'_, T, G>,
+    start: &Start<T>,
+    h: T,
+) -> Step<T> {
     let matrix = resolvent(start.slope, h.value() * GAMMA);
     let Phase { q, w } = start.phase;
     // Slopes of the stages.

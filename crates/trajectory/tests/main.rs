@@ -3,7 +3,11 @@
 #![expect(clippy::disallowed_methods, reason = "what is expected shares no function with what is tested")]
 
 #[cfg(test)]
+mod backward;
+#[cfg(test)]
 mod closed_forms;
+#[cfg(test)]
+mod integration;
 #[cfg(test)]
 mod ricsac;
 #[cfg(test)]

@@ -1,0 +1,100 @@
+//! Backward after forward.
+
+use trajectory::{
+    Control, Departure, Ground, REACHED, Region, Steer, Target, Unreached, Vector2, Zone, to_rest, to_start,
+};
+
+use crate::scenes::{car, random, start, turned_car};
+
+/// The start itself is found again, or others that lead to the same rest; the forward run is the judge.
+#[test]
+fn a_start_of_every_rest_is_found() {
+    let mut random = random(18);
+    let control = Control::default();
+    let (mut same, mut other) = (0, 0);
+    for n in 0..1000 {
+        let (chassis, start, ground) = turned_car(&mut random);
+        let rest = to_rest(&chassis, Steer::straight(), &ground, &start, &control, |_| {}).unwrap();
+        let target = Target { position: rest.position, heading: rest.heading, turns_known: false, via: None };
+        let (position, heading) = (start.position, start.heading);
+        let starts = to_start(&chassis, Steer::straight(), &ground, position, heading, &target, &control)
+            .unwrap_or_else(|refusal| panic!("{n}: {refusal}"));
+        let off = |found: &Departure| {
+            let dv = found.motion.velocity - start.motion.velocity;
+            f64::hypot(dv.x, dv.y).max((found.motion.yaw_rate - start.motion.yaw_rate).abs())
+        };
+        if starts.iter().map(off).fold(f64::INFINITY, f64::min) < 1e-6 {
+            same += 1;
+            continue;
+        }
+        other += 1;
+        for found in starts.iter() {
+            let again = trajectory::State { motion: found.motion, ..start };
+            let again = to_rest(&chassis, Steer::straight(), &ground, &again, &control, |_| {}).unwrap();
+            let miss = again.position - rest.position;
+            let turns = (again.heading - rest.heading) / std::f64::consts::TAU;
+            assert!(f64::hypot(miss.x, miss.y) <= REACHED * control.tolerance, "{n}: {miss}");
+            assert!((turns - turns.round()).abs() < REACHED * control.tolerance, "{n}: {turns}");
+        }
+    }
+    assert!(same > 400, "{same} the same, {other} others");
+}
+
+/// Derivatives go through the borders of zones.
+#[test]
+fn a_start_is_found_over_changing_ground() {
+    let chassis = car([0.3; 4]);
+    let ground = Ground {
+        zones: &[Zone {
+            region: Region::HalfPlane { point: Vector2::new(4.0, 0.0), into: 0.3 },
+            friction: 0.35,
+        }],
+        ..Ground::level(0.8)
+    };
+    let start = start(0.2, [9.0, 3.0], 2.5);
+    let control = Control::default();
+    let rest = to_rest(&chassis, Steer::straight(), &ground, &start, &control, |_| {}).unwrap();
+    let target = Target { position: rest.position, heading: rest.heading, turns_known: true, via: None };
+    let starts =
+        to_start(&chassis, Steer::straight(), &ground, start.position, start.heading, &target, &control)
+            .unwrap();
+    let found = starts.first().unwrap();
+    assert!((found.motion.velocity - start.motion.velocity).norm() < 1e-6, "{found:?}");
+    assert!((found.motion.yaw_rate - start.motion.yaw_rate).abs() < 1e-6, "{found:?}");
+}
+
+/// A point of the path tells starts apart that lead to the same rest.
+#[test]
+fn the_start_past_the_point_comes_first() {
+    let chassis = car([0.1; 4]);
+    let start = start(0.0, [6.0, 7.0], 4.5);
+    let (control, ground) = (Control::default(), Ground::level(0.7));
+    let mut path = Vec::new();
+    let rest = to_rest(&chassis, Steer::straight(), &ground, &start, &control, |sample| {
+        path.push(sample.state.position);
+    })
+    .unwrap();
+    let via = Some(path[path.len() / 3]);
+    let target = Target { position: rest.position, heading: rest.heading, turns_known: false, via };
+    let starts =
+        to_start(&chassis, Steer::straight(), &ground, start.position, start.heading, &target, &control)
+            .unwrap();
+    let misses: Vec<f64> = starts.iter().map(|found| found.via_miss.unwrap()).collect();
+    assert!(misses.is_sorted() && misses.len() > 1, "{misses:?}");
+    let first = starts.first().unwrap();
+    assert!((first.motion.velocity - start.motion.velocity).norm() < 5e-3, "{first:?}");
+}
+
+#[test]
+fn a_rest_that_nothing_leads_to_is_refused() {
+    let (control, ground) = (Control::default(), Ground::level(0.7));
+    let to = |x: f64, heading: f64, friction: f64| {
+        let target = Target { position: Vector2::new(x, 0.0), heading, turns_known: true, via: None };
+        let ground = Ground { friction, ..ground };
+        to_start(&car([1.0; 4]), Steer::straight(), &ground, Vector2::new(0.0, 0.0), 0.0, &target, &control)
+    };
+    assert!(to(10.0, 0.0, 0.7).is_ok());
+    assert!(matches!(to(f64::NAN, 0.0, 0.7), Err(Unreached::Invalid(_))));
+    assert!(matches!(to(10.0, 0.0, 0.0), Err(Unreached::Invalid(_))));
+    assert!(matches!(to(0.0, 0.0, 0.7), Err(Unreached::NoWay)));
+}
