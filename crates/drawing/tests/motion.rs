@@ -281,6 +281,8 @@ fn bodies_and_paths_are_where_they_were_given() {
         let cg = scale.at(spin.from);
         let [gap, whole] = [cg - tip, cg - tail];
         assert!(gap.cross(whole).abs() < 0.1 * whole.hypot() && gap.dot(whole) > 0.0, "{k}");
+        let [x, y] = direction(heading);
+        assert!(gap.x * x - gap.y * y > 0.0, "{k}: it points ahead, as the vehicle does");
         // From the CG to the rear are 2.4 m.
         assert!(gap.hypot() > 2.4 * scale.metre && gap.hypot() < 2.4 * scale.metre + 10.0, "{k}");
     }
