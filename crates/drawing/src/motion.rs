@@ -35,10 +35,11 @@ const APPROACH_LENGTH: f64 = 80.0;
 const BEFORE_VEHICLE: f64 = 7.0;
 /// (px) of the arrow uphill.
 const UPHILL: f64 = 34.0;
-/// (px) radius of the places at equal times, of the centre of gravity, and of the mark of the impact.
+/// (px) radius of the places at equal times, of the centre of gravity (at least, and at most), and of the mark
+/// of the impact.
 const AT_TIME: f64 = 2.4;
-const CENTRE: f64 = 4.0;
-const IMPACT: f64 = 7.0;
+const CENTRE: [f64; 2] = [2.0, 4.0];
+const IMPACT: f64 = 6.0;
 /// Outlines on the longest path, and how far apart they are in the mean, in lengths of the vehicle. More are
 /// a tangle.
 const MOST_OUTLINES: f64 = 9.0;
@@ -468,12 +469,18 @@ impl Page<'_> {
             }
         }
         if !vehicle.is_fixed() {
+            // No larger than that the vehicle is seen around it.
+            let centre = match &vehicle.body {
+                SceneBody::Outline { footprint, .. } => 0.16 * footprint.width * self.view.scale,
+                _ => CENTRE[1],
+            };
+            let centre = centre.clamp(CENTRE[0], CENTRE[1]);
             let computed = std::iter::once(vehicle.cg).chain(vehicle.rest.iter().map(|rest| rest.cg));
             for cg in computed {
-                self.canvas.dot("", self.view.at(vec2(cg)), CENTRE, None, PATH[i].colour);
+                self.canvas.dot("", self.view.at(vec2(cg)), centre, None, PATH[i].colour);
             }
             if let Some(rest) = &vehicle.measured_rest {
-                self.canvas.dot("", self.view.at(vec2(rest.cg)), CENTRE, Some(MEASURED_CENTRE), WHITE);
+                self.canvas.dot("", self.view.at(vec2(rest.cg)), centre, Some(MEASURED_CENTRE), WHITE);
             }
         }
         if let Some((tail, tip)) = vehicle.approach_arrow(self.view) {
