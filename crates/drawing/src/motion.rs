@@ -35,8 +35,8 @@ const APPROACH_LENGTH: f64 = 80.0;
 const BEFORE_VEHICLE: f64 = 7.0;
 /// (px) of the arrow uphill.
 const UPHILL: f64 = 34.0;
-/// (px) radius of the places at equal times, of the centre of gravity (at least, and at most), and of the mark
-/// of the impact.
+/// (px) radius of the places at equal times, of the centre of gravity (at least, and at most), and of the
+/// mark of the impact.
 const AT_TIME: f64 = 2.4;
 const CENTRE: [f64; 2] = [2.0, 4.0];
 const IMPACT: f64 = 6.0;
