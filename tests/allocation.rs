@@ -1,8 +1,10 @@
 //! The equations allocate nothing: neither an impact nor the search for a speed.
 
 use allocation_counter::measure;
+use deltav_benches::spin_out;
 use pim_core::{ImpactError, Tangential};
 use reconcile::{Departure, EnergyBasis, Momentum, MomentumAndCrush, Unknown};
+use trajectory::{Control, Steer, Target, to_rest, to_start};
 
 use crate::reconciliation::posed;
 use crate::scenes::{Car, Scene};
@@ -67,6 +69,19 @@ fn a_search_for_a_speed_allocates_nothing() {
         });
         assert_eq!(info.count_total, 0, "{law:?}");
     }
+}
+
+#[test]
+fn a_motion_to_rest_and_back_allocates_nothing() {
+    let (chassis, ground, start) = spin_out().unwrap();
+    let control = Control::default();
+    let info = measure(|| {
+        let rest = to_rest(&chassis, Steer::straight(), &ground, &start, &control, |_| {}).unwrap();
+        let target = Target { position: rest.position, heading: rest.heading, turns_known: false, via: None };
+        to_start(&chassis, Steer::straight(), &ground, start.position, start.heading, &target, &control)
+            .unwrap();
+    });
+    assert_eq!(info.count_total, 0);
 }
 
 #[test]

@@ -10,6 +10,8 @@ mod derivative;
 mod impact;
 #[path = "../crates/pim-core/examples/laws.rs"]
 mod laws;
+#[path = "../crates/trajectory/examples/rest.rs"]
+mod rest;
 #[path = "../crates/reconcile/examples/speed.rs"]
 mod speed;
 
@@ -36,6 +38,11 @@ fn the_laws_example_runs() {
 #[test]
 fn the_derivative_example_runs() {
     derivative::main();
+}
+
+#[test]
+fn the_rest_example_runs() {
+    rest::main().unwrap();
 }
 
 #[test]

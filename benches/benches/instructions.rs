@@ -9,12 +9,14 @@ use case::{CaseFile, Diagnostics};
 use crash3::{Profile, Stiffness, crush_energy};
 use deltav_benches::{
     CASE_FILE, Example, FRACTION, FRICTION, FULL_OR_SLIDING, RATIO, RESTITUTION, Refused, VELOCITY_CHANGE,
+    centimetre, spin_out,
 };
 use gungraun::{library_benchmark, library_benchmark_group, main};
 use pim_core::{
     Contact, ImpactError, InvalidInput, Law, Motion, Outcome, Participant, RestitutionCurve, Tangential,
 };
 use reconcile::{Problem, ReconcileError, Reconciliation};
+use trajectory::{Chassis, Ground, NoRest, Rest, Starts, State, Steer, Target, Unreached, to_rest, to_start};
 
 type Impact = ([Motion; 2], Law, Contact);
 type Meeting = ([Participant; 2], f64, [Motion; 2], Law);
@@ -116,9 +118,36 @@ fn parse((name, text): (&str, &str)) -> Result<CaseFile, Diagnostics> {
     CaseFile::parse(name, text)
 }
 
+type Way = (Chassis, Ground<'static>, State);
+
+fn way_input() -> &'static Way {
+    kept(spin_out())
+}
+
+#[library_benchmark(setup = way_input, teardown = check)]
+#[bench::spin_out()]
+fn forward((chassis, ground, start): &'static Way) -> Result<Rest, NoRest> {
+    to_rest(chassis, Steer::straight(), ground, start, &centimetre(), |_| {})
+}
+
+/// With the turn that is known.
+fn target_input() -> &'static (Way, Target) {
+    kept(spin_out().map(|(chassis, ground, start)| {
+        let rest = accepted(to_rest(&chassis, Steer::straight(), &ground, &start, &centimetre(), |_| {}));
+        let target = Target { position: rest.position, heading: rest.heading, turns_known: true, via: None };
+        ((chassis, ground, start), target)
+    }))
+}
+
+#[library_benchmark(setup = target_input, teardown = check)]
+#[bench::spin_out()]
+fn backward(((chassis, ground, start), target): &'static (Way, Target)) -> Result<Starts, Unreached> {
+    to_start(chassis, Steer::straight(), ground, start.position, start.heading, target, &centimetre())
+}
+
 library_benchmark_group!(
     name = deltav,
-    benchmarks = [impact, contact_and_impact, crush, closed_form, root_finder, parse]
+    benchmarks = [impact, contact_and_impact, crush, closed_form, root_finder, parse, forward, backward]
 );
 
 main!(library_benchmark_groups = deltav);

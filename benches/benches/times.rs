@@ -7,8 +7,9 @@ use std::ops::ControlFlow;
 use case::CaseFile;
 use crash3::crush_energy;
 use criterion::{Criterion, Throughput};
-use deltav_benches::{CASE_FILE, Example, FRICTION, TANGENTIAL_CONDITIONS};
+use deltav_benches::{CASE_FILE, Example, FRICTION, TANGENTIAL_CONDITIONS, centimetre, spin_out};
 use pim_core::{Contact, Tangential};
+use trajectory::{State, Steer, Target, to_rest, to_start};
 use uncertainty::{Distribution, LANES, Lanes, Model, SamplingMethod, Settings, propagate};
 
 // Not criterion's own macros: an input that is refused ends the run with its reason.
@@ -17,6 +18,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     impact(&mut criterion)?;
     crush(&mut criterion)?;
     reconciliation(&mut criterion)?;
+    motion(&mut criterion)?;
     case_file(&mut criterion)?;
     sampling(&mut criterion)?;
     criterion.final_summary();
@@ -63,6 +65,25 @@ fn reconciliation(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     for (name, problem) in [("root-finder, critical", critical), ("root-finder, friction", friction)] {
         problem.root_finder()?;
         group.bench_function(name, |b| b.iter(|| black_box(&problem).root_finder()));
+    }
+    group.finish();
+    Ok(())
+}
+
+fn motion(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
+    let (chassis, ground, start) = spin_out()?;
+    let (steer, control) = (Steer::straight(), centimetre());
+    let forward = |start: &State| to_rest(&chassis, steer, &ground, start, &control, |_| {});
+    let rest = forward(&start)?;
+    let mut group = criterion.benchmark_group("motion");
+    group.bench_function("to rest, 1 cm", |b| b.iter(|| forward(black_box(&start))));
+    for (name, turns_known) in [("back from rest", true), ("back from rest, every turn", false)] {
+        let target = Target { position: rest.position, heading: rest.heading, turns_known, via: None };
+        let backward = |target: &Target| {
+            to_start(&chassis, steer, &ground, start.position, start.heading, target, &control)
+        };
+        backward(&target)?;
+        group.bench_function(name, |b| b.iter(|| backward(black_box(&target))));
     }
     group.finish();
     Ok(())

@@ -7,7 +7,7 @@
 //!
 //! Both measure the same operations: an impact under each tangential condition, the same with the geometry of
 //! the contact included, a crush energy, a reconciliation in closed form and by the root-finder, the reading
-//! of a case file. The sampling of 31 uncertain inputs is timed only.
+//! of a case file, a motion to rest and back. The sampling of 31 uncertain inputs is timed only.
 //!
 //! # Time
 //!
@@ -35,6 +35,7 @@
 use crash3::{CrushError, Profile, Stiffness, crush_energy};
 use pim_core::{Body, Contact, InvalidInput, Law, Motion, Participant, Tangential};
 use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
+use trajectory::{Axles, Chassis, Control, Ground, State, Vector2};
 
 /// (m) one inch.
 const INCH: f64 = 0.0254;
@@ -52,6 +53,28 @@ const JIMMY_SPEED: f64 = 75.0 * FOOT;
 
 /// Name and text of the paper's example as a case file.
 pub const CASE_FILE: (&str, &str) = ("sae-980025.toml", include_str!("../../fixtures/sae-980025.toml"));
+
+/// A vehicle on its ground and its motion after an impact: RICSAC 6.2 (Vossou & Koulocheris 2018) with twice
+/// the velocity and on wet asphalt, so that it spins and rolls for about six seconds.
+///
+/// # Errors
+/// Never: its numbers are possible.
+pub fn spin_out() -> Result<(Chassis, Ground<'static>, State), Refused> {
+    let axles = Axles { cg_to_front: 1.176, cg_to_rear: 1.273, track: 1.387 };
+    let chassis = Chassis::new(Body::new(1190.0, 2263.0)?, axles, [0.062; 4])?;
+    let start = State {
+        position: Vector2::new(0.0, 0.0),
+        heading: 60_f64.to_radians(),
+        motion: Motion { velocity: Vector2::new(-2.56, 10.98), yaw_rate: -3.14 },
+    };
+    Ok((chassis, Ground::level(0.6), start))
+}
+
+/// An integration to 1 cm and 0.1° at rest.
+#[must_use]
+pub fn centimetre() -> Control {
+    Control { tolerance: 5e-4, ..Control::default() }
+}
 
 /// The example does not pass a constructor's checks.
 #[derive(Debug, thiserror::Error)]

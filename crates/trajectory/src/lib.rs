@@ -18,6 +18,58 @@
 //! assert!(((rest.heading - start.heading).to_degrees() + 123.0).abs() < 5.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! The types: a [`Body`] on its [`Axles`], with the drag of each [`Wheel`], is a [`Chassis`]. It stands on a
+//! [`Ground`], which may have [`Zone`]s and a grade, with a [`Steer`] angle of its front wheels. [`to_rest`]
+//! follows it from a [`State`] to its [`Rest`] and hands out a [`Sample`] after each step; [`to_start`] finds
+//! every motion that leads to a [`Target`], as [`Starts`]. The closed forms are in [`closed`].
+//!
+//! Frames and signs are those of `pim_core`: y to the left of x, angles and yaw rates counter-clockwise.
+//! Wheels come as front left, front right, rear left, rear right. The equations are in theory, section 11.
+//!
+//! | code | symbol | meaning | unit |
+//! |---|---|---|---|
+//! | `cg_to_front`, `cg_to_rear` | a, b | from the CG to the axles | m |
+//! | `load` | F_z/W | share of the weight on a wheel | – |
+//! | `drag` | d | share of its load that resists rolling; at the friction and above, the wheel is locked | – |
+//! | `friction` | μ | of tyres on the ground | – |
+//! | `grade` | G = tan θ | rise per horizontal length | – |
+//! | `heading`, `turn` | ψ, Δψ | counted on through full turns | rad |
+//!
+//! # Which drag, which friction?
+//!
+//! As shares of the friction (EDCRASH's manual; so times μ for `drag`): a tyre that rolls 0.01/μ, one partly
+//! flat 0.013/μ, a damaged wheel 0 to 1, an engine in high gear 0.15/μ to 0.20/μ, in low gear 0.2/μ to 0.4/μ,
+//! on the driven wheels. The vehicles of the staged RICSAC collisions 3 and 6 came to rest where they did
+//! with 0.047 to 0.091 on all wheels. Dry travelled asphalt has 0.60 to 0.80 below 30 mph and 0.55 to 0.70
+//! above, wet 0.50 to 0.80 and 0.45 to 0.75, loose gravel 0.40 to 0.70, packed snow 0.30 to 0.55, smooth ice
+//! 0.10 to 0.25.
+//!
+//! # Guarantees
+//!
+//! - Straight slides, free rolling and spins about the centre agree with their closed forms to 1e-9, on a grade
+//!   and over changing ground too.
+//! - With the default [`Control`] the rest is exact to 3 mm and 0.02° in 95 of 100 random spin-outs, to 2 cm
+//!   and 0.1° in all of 300. Seven times the steps make it 400 times better. [`EnergyBalance::remainder`]
+//!   tells the error of each run.
+//! - [`to_start`] found a start for each of 1000 random rests.
+//! - Nothing is allocated, and the numbers may carry derivatives: the moments at which wheels cross borders
+//!   carry theirs.
+//!
+//! `examples/rest.rs` follows a vehicle to rest and back.
+//!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `std`, on by default | nothing of its own. Without it the crate is `no_std`; results have the same bits |
+//! | `serde` | plain inputs, states and rests can be written and read, a chassis and errors cannot |
+//!
+//! # What it does not do
+//!
+//! No roll, pitch or load transfer, no curbs, poles or second impacts, no trailers, no driver. A region of
+//! ground that a wheel crosses in less than 0.25 m may be overlooked. [`to_start`] looks for one start to
+//! each turn of the vehicle; where two motions with the same turn lead to one rest, it finds either.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

@@ -11,7 +11,7 @@ fn control(tolerance: f64) -> Control {
 fn run(chassis: &Chassis, ground: &Ground<'_>, start: &State, tolerance: f64) -> (Rest, Vec<Sample>) {
     let mut samples = Vec::new();
     let rest = to_rest(chassis, Steer::straight(), ground, start, &control(tolerance), |sample| {
-        samples.push(*sample)
+        samples.push(*sample);
     });
     (rest.unwrap(), samples)
 }
