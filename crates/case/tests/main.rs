@@ -6,4 +6,5 @@ mod estimates;
 mod guide;
 mod invalid;
 mod large;
+mod motion;
 mod schema;

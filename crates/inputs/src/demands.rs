@@ -1,5 +1,7 @@
 //! Turns a case into the types of the engines, and reports what each purpose needs and does not find.
 
+mod motion;
+
 use std::fmt::{self, Display};
 
 use crash3::{
@@ -538,7 +540,16 @@ impl<'a, T: Real> Demand<'a, T> {
         }
     }
 
-    fn finish<V>(self, value: Option<V>) -> Result<V, Faults> {
+    fn finish<V>(mut self, value: Option<V>) -> Result<V, Faults> {
+        // Impact and motion may lack the same.
+        let mut told: Vec<(String, FaultKind)> = Vec::new();
+        self.faults.retain(|fault| {
+            let is_new = !told.iter().any(|(key, kind)| *key == fault.key && *kind == fault.kind);
+            if is_new {
+                told.push((fault.key.clone(), fault.kind.clone()));
+            }
+            is_new
+        });
         Faults::none_of(self.faults)?;
         // A missing value has been reported above, so there is one here.
         value.ok_or_else(|| {

@@ -48,6 +48,7 @@ mod estimate;
 mod fault;
 mod impact;
 mod inertia;
+mod motion;
 mod purpose;
 mod quantity;
 mod range;
@@ -74,6 +75,10 @@ pub use estimate::{
 pub use fault::{Fault, FaultKind, Faults};
 pub use impact::{BrachTangential, GivenImpact, ImpactLaw, LawName, Restitution};
 pub use inertia::{Mass, YawInertia};
+pub use motion::{
+    MotionInput, RegionData, RestData, RestHeadingData, SkidData, SteerData, SurfaceData, TwoSpeedInput,
+    VehicleMotion, ZoneData,
+};
 pub use purpose::Purpose;
 pub use quantity::{InvalidQuantity, Quantity, format_number};
 pub use range::{Amount, Bounds, Range, Spread};

@@ -1,0 +1,469 @@
+//! What the motion after the impact needs of a case, and what both speeds need.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use pim_core::{Body, Real, Vector2, VehicleId};
+use real::elementary;
+use reconcile::{COLLINEAR, Departure};
+use trajectory::{Axles, Chassis, GREATEST_DRAG};
+
+use super::{Demand, VehicleData, table};
+use crate::after::{After, RestHeading, Steer, WheelDrag};
+use crate::axes::Axes;
+use crate::case::{Case, Find};
+use crate::fault::{Fault, FaultKind, Faults};
+use crate::motion::{
+    MotionInput, RegionData, RestData, RestHeadingData, SkidData, SteerData, SurfaceData, TwoSpeedInput,
+    VehicleMotion, ZoneData,
+};
+use crate::purpose::Purpose;
+use crate::quantity::Quantity;
+use crate::scene::{EdgeSide, Place, SurfaceRegion};
+use crate::vehicle::{GivenVehicle, Kind};
+
+/// (m) a vehicle that came to rest no farther than this from its place at the impact has no path from which
+/// a speed could follow: no survey is more exact.
+const LEAST_PATH: f64 = 0.01;
+
+/// What must be known of how a vehicle left the impact.
+#[derive(Clone, Copy, PartialEq)]
+enum Departed {
+    /// Nothing: the impact tells it.
+    ByImpact,
+    /// All of its motion, or its rest.
+    Wholly,
+}
+
+impl<T: Real> Case<T> {
+    /// Everything that the motion after the impact needs, from velocities after the impact or from rests.
+    ///
+    /// # Errors
+    /// Every value that is missing or contradicts another, each with its key.
+    pub fn motion(&self) -> Result<MotionInput<T>, Faults> {
+        let mut demand = Demand::new(self, Purpose::Motion);
+        let told = VehicleId::ALL.map(|id| self.vehicles[id.index()].after.is_some());
+        if told == [false, false] {
+            demand.missing(
+                "vehicle1.after",
+                "a table [vehicle1.after] with `drag`, and with `rest` or `speed`, `direction` and `yaw_rate`",
+            );
+        }
+        let vehicles = VehicleId::ALL.map(|id| {
+            let subject = if told[id.index()] { demand.subject(id) } else { None };
+            demand.vehicle_motion(id, subject.as_ref(), Departed::Wholly)
+        });
+        let surface = demand.surface();
+        demand.finish(surface.map(|surface| MotionInput { surface, vehicles }))
+    }
+
+    /// What carries on from the impact to the rest: `None` where the case gives no friction of the ground or
+    /// no drag. Vehicles without drag are left out.
+    ///
+    /// # Errors
+    /// Every value that is missing or contradicts another, each with its key.
+    #[must_use]
+    pub fn run_out(&self) -> Option<Result<MotionInput<T>, Faults>> {
+        let has_drag =
+            |vehicle: &GivenVehicle<T>| vehicle.after.as_ref().is_some_and(|after| after.drag.is_some());
+        if self.surface.is_none() || !self.vehicles.iter().any(has_drag) {
+            return None;
+        }
+        let mut demand = Demand::new(self, Purpose::Motion);
+        let vehicles = VehicleId::ALL.map(|id| {
+            if !has_drag(&self.vehicles[id.index()]) {
+                return None;
+            }
+            let subject = demand.subject(id);
+            demand.vehicle_motion(id, subject.as_ref(), Departed::ByImpact)
+        });
+        let surface = demand.surface();
+        Some(demand.finish(surface.map(|surface| MotionInput { surface, vehicles })))
+    }
+
+    /// The skid marks of each vehicle before the impact, where their friction is known too.
+    #[must_use]
+    pub fn skids(&self) -> [Option<SkidData<T>>; 2] {
+        let ground = self.surface.as_ref().map(|surface| surface.friction);
+        self.vehicles.each_ref().map(|vehicle| {
+            let skid = vehicle.before.as_ref()?.skid;
+            Some(SkidData { length: skid.length.si(), friction: skid.friction.or(ground)? })
+        })
+    }
+
+    /// Everything that finding both speeds needs.
+    ///
+    /// # Errors
+    /// Every value that is missing or contradicts another, each with its key.
+    pub fn two_speeds(&self) -> Result<TwoSpeedInput<T>, Faults> {
+        let mut demand = Demand::new(self, Purpose::Reconstruct);
+        if self.reconstruct.is_none_or(|reconstruct| reconstruct.find != Find::Both) {
+            let example = "`find = [\"vehicle1.speed\", \"vehicle2.speed\"]` in a table [reconstruct]";
+            demand.missing("reconstruct.find", example);
+        }
+        let collision = demand.collision(|_| false);
+        let departures = VehicleId::ALL.map(|id| demand.departure(id));
+        let mut vehicles = [None, None];
+        for id in VehicleId::ALL {
+            let vehicle = &self.vehicles[id.index()];
+            if vehicle.fixed || vehicle.is_absent() {
+                continue;
+            }
+            let after = vehicle.after.as_ref();
+            let has_rest = after.is_some_and(|after| after.rest.is_some());
+            if departures[id.index()].is_none() && !has_rest {
+                demand.missing_departure(id);
+            }
+            // A vehicle of which only the velocity is known need not be followed.
+            let has_drag = after.is_some_and(|after| after.drag.is_some());
+            if has_rest || (has_drag && self.surface.is_some()) {
+                let subject = demand.subject(id);
+                vehicles[id.index()] = demand.vehicle_motion(id, subject.as_ref(), Departed::ByImpact);
+            }
+        }
+        let is_followed = self.surface.is_some()
+            || self.vehicles.iter().any(|v| v.after.as_ref().is_some_and(|after| after.rest.is_some()));
+        let surface = if is_followed { demand.surface() } else { None };
+        let movers = || self.vehicles.iter().filter(|vehicle| !vehicle.fixed && !vehicle.is_absent());
+        let has_crush = movers().all(GivenVehicle::has_damage_data);
+        demand.crush_of_collinear();
+        let skids = demand.skids();
+        demand.finish(collision.map(|collision| TwoSpeedInput {
+            collision,
+            departures,
+            motion: surface.map(|surface| MotionInput { surface, vehicles }),
+            basis: self.energy_basis(),
+            has_crush,
+            skids,
+        }))
+    }
+}
+
+impl<T: Real> Demand<'_, T> {
+    fn refuse(&mut self, key: String, reason: String, advice: &str) {
+        let kind = FaultKind::Refused { reason };
+        self.faults.push(Fault { key, kind, advice: Some(advice.to_owned()) });
+    }
+
+    /// (m) a place in the axes of the engine.
+    fn place(&self, place: &Place<T>) -> Vector2<T> {
+        Vector2::new(place.x.si(), self.lateral(&place.y))
+    }
+
+    fn surface(&mut self) -> Option<SurfaceData<T>> {
+        let Some(surface) = &self.case.surface else {
+            self.missing(
+                "surface.friction",
+                "the friction between tyres and ground, on which the vehicles came to rest: `friction = 0.7` in a table [surface]",
+            );
+            return None;
+        };
+        let grade = surface.grade.as_ref().map_or(Vector2::new(T::ZERO, T::ZERO), |grade| {
+            let (sin, cos) = self.lateral(&grade.uphill).sin_cos();
+            // i = s (cos φ, sin φ)
+            Vector2::new(grade.slope * cos, grade.slope * sin)
+        });
+        let axes = self.case.axes;
+        let zones = surface.zones.iter().map(|zone| ZoneData {
+            name: zone.name.clone(),
+            friction: zone.friction,
+            region: region(axes, &zone.region),
+        });
+        let data = SurfaceData { friction: surface.friction, grade, zones: zones.collect() };
+        let ground = trajectory::Ground { friction: data.friction, zones: &[], grade };
+        self.accepted("surface", ground.check())?;
+        for (index, zone) in data.zones().iter().enumerate() {
+            let ground = trajectory::Ground { friction: zone.friction, zones: &[*zone], grade };
+            self.accepted(format_args!("surface.zone[{}].friction", index + 1), ground.check())?;
+        }
+        Some(data)
+    }
+
+    /// Speed and direction after the impact; the case file gives no speed without a direction.
+    fn departure(&self, id: VehicleId) -> Option<Departure<T>> {
+        let after = self.case.vehicles[id.index()].after.as_ref()?;
+        let (speed, direction) = (after.speed.as_ref()?, after.direction.as_ref()?);
+        let (sin, cos) = self.lateral(direction).sin_cos();
+        Some(Departure {
+            // V = |V| (cos φ, sin φ)
+            velocity: Vector2::new(speed.si() * cos, speed.si() * sin),
+            yaw_rate: after.yaw_rate.as_ref().map(|rate| self.lateral(rate)),
+        })
+    }
+
+    fn missing_departure(&mut self, id: VehicleId) {
+        let table = table(id);
+        self.missing(
+            format_args!("{table}.after.rest"),
+            &format!(
+                "how vehicle {id} left the impact, in a table [{table}.after]: `rest = {{ x = \"31.2 m\", y = \"9.8 m\", heading = \"140 deg\" }}` \
+                 with `drag`, or `speed` and `direction` just after the impact"
+            ),
+        );
+    }
+
+    /// A vehicle that moves and has a table `after`.
+    fn vehicle_motion(
+        &mut self,
+        id: VehicleId,
+        subject: Option<&VehicleData<T>>,
+        departed: Departed,
+    ) -> Option<VehicleMotion<T>> {
+        let table = table(id);
+        let vehicle = &self.case.vehicles[id.index()];
+        let after = vehicle.after.as_ref()?;
+        let velocity = self.departure(id);
+        if departed == Departed::Wholly && after.rest.is_none() {
+            match &velocity {
+                None => self.missing_departure(id),
+                Some(Departure { yaw_rate: None, .. }) => self.missing(
+                    format_args!("{table}.after.yaw_rate"),
+                    "the yaw rate just after the impact, `yaw_rate = \"90 deg/s\"`, which is \"0 deg/s\" where the vehicle did not turn",
+                ),
+                Some(_) => {}
+            }
+        }
+        let heading = self.case.headings()[id.index()];
+        let heading = self.given(heading, format_args!("{table}.heading"), "`heading = \"180 deg\"`");
+        let position = self.position_at_impact(id, subject, after);
+        let axles = self.axles(id, vehicle);
+        let drag = self.drag(id, after);
+        let rest = after.rest.as_ref().map(|rest| RestData {
+            position: self.place(&rest.place),
+            heading: match &rest.heading {
+                RestHeading::Heading(heading) => RestHeadingData::Heading(self.lateral(heading)),
+                RestHeading::Turned(turned) => RestHeadingData::Turned(self.lateral(turned)),
+            },
+        });
+        let points: Vec<Vector2<T>> = after.points.iter().map(|point| self.place(point)).collect();
+        let steer = self.steer(after);
+        let inertia = subject.and_then(|subject| subject.inertia);
+        let yaw_inertia = inertia.and_then(|inertia| {
+            self.given(
+                inertia.yaw_inertia,
+                format_args!("{table}.yaw_inertia"),
+                "`yaw_inertia = \"2437 lb ft s^2\"`, the radius of gyration, `yaw_radius = \"1.40 m\"`, or CRASH3's size class, `class = 3`",
+            )
+        });
+        let (position, inertia) = (position?, inertia?);
+        self.path(id, position, rest.as_ref().map(|rest| rest.position), &points);
+        let body = self.accepted(table, Body::new(inertia.mass, yaw_inertia?))?;
+        let (axles, drag) = (axles?, drag?);
+        let chassis = self.accepted(format_args!("{table}.after.drag"), Chassis::new(body, axles, drag))?;
+        Some(VehicleMotion {
+            chassis,
+            axles,
+            drag,
+            steer,
+            position,
+            heading: heading?,
+            velocity,
+            rest,
+            points,
+        })
+    }
+
+    /// The place of the CG at the impact.
+    fn position_at_impact(
+        &mut self,
+        id: VehicleId,
+        subject: Option<&VehicleData<T>>,
+        after: &After<T>,
+    ) -> Option<Vector2<T>> {
+        let table = table(id);
+        let has_places = after.rest.is_some() || !after.points.is_empty();
+        let has_zones = self.case.surface.as_ref().is_some_and(|surface| !surface.zones.is_empty());
+        let Some(place) = &self.case.scene_contact else {
+            if !has_places && !has_zones {
+                return Some(Vector2::new(T::ZERO, T::ZERO));
+            }
+            self.missing(
+                "scene.contact",
+                "the place of the impact, from which the path begins: `contact = { x = \"12.4 m\", y = \"3.1 m\" }` in a table [scene], in the \
+                 same coordinates as the rest",
+            );
+            return None;
+        };
+        // Without a subject, what it lacks has been told.
+        let arm = self.given(
+            subject?.contact,
+            format_args!("{table}.contact"),
+            "`contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }` or `contact = { x = \"1.78 m\", y = \"-0.73 m\" }`",
+        );
+        let ([forward, left], heading) = (arm?, self.case.headings()[id.index()]?);
+        let (sin, cos) = heading.sin_cos();
+        let c = self.place(place);
+        // x = x_C − (f cos θ − l sin θ), y = y_C − (f sin θ + l cos θ)
+        Some(Vector2::new(c.x - (forward * cos - left * sin), c.y - (forward * sin + left * cos)))
+    }
+
+    /// What is given takes precedence over the class.
+    fn axles(&mut self, id: VehicleId, vehicle: &GivenVehicle<T>) -> Option<Axles<T>> {
+        let table = table(id);
+        let of_class =
+            if vehicle.kind.unwrap_or_default() == Kind::Car { self.class(id, vehicle) } else { None };
+        let class = of_class.map(|(_, class)| class);
+        let given = |quantity: &Option<Quantity<T>>| quantity.as_ref().map(Quantity::si);
+        let or_class = if vehicle.kind.unwrap_or_default() == Kind::Car {
+            ", or CRASH3's size class, `class = 3`"
+        } else {
+            ""
+        };
+        let wheelbase = given(&vehicle.wheelbase).or(class.map(|class| T::from(class.wheelbase)));
+        let wheelbase = self.given(
+            wheelbase,
+            format_args!("{table}.wheelbase"),
+            &format!("`wheelbase = \"2.62 m\"`{or_class}"),
+        );
+        let track = given(&vehicle.track).or(class.map(|class| T::from(class.track)));
+        let track =
+            self.given(track, format_args!("{table}.track"), &format!("`track = \"1.50 m\"`{or_class}"));
+        // a = l · a_c/l_c of the class
+        let share = class.map(|class| class.cg_to_front_axle / class.wheelbase);
+        let of_class = share.zip(wheelbase).map(|(share, wheelbase)| wheelbase * share);
+        let cg_to_front = self.given(
+            given(&vehicle.cg_to_front_axle).or(of_class),
+            format_args!("{table}.cg_to_front_axle"),
+            &format!("`cg_to_front_axle = \"1.10 m\"`{or_class}"),
+        );
+        let (wheelbase, track, cg_to_front) = (wheelbase?, track?, cg_to_front?);
+        if cg_to_front.value() >= wheelbase.value() {
+            self.refuse(
+                format!("{table}.cg_to_front_axle"),
+                format!(
+                    "the front axle lies {:.2} m ahead of the CG, but the wheelbase is only {:.2} m",
+                    cg_to_front.value(),
+                    wheelbase.value()
+                ),
+                "measure both from the front axle: the CG lies between the axles",
+            );
+            return None;
+        }
+        Some(Axles { cg_to_front, cg_to_rear: wheelbase - cg_to_front, track })
+    }
+
+    fn drag(&mut self, id: VehicleId, after: &After<T>) -> Option<[T; 4]> {
+        let drag = self.given(
+            after.drag,
+            format_args!("{}.after.drag", table(id)),
+            "what slowed the wheels: `drag = 0.01` where all rolled freely, `drag = \"locked\"` where none turned, or, front left, front right, \
+             rear left, rear right, `drag = [0.01, \"locked\", 0.01, 0.01]`",
+        )?;
+        Some(drag.wheels().map(|wheel| match wheel {
+            WheelDrag::Locked => T::from(GREATEST_DRAG),
+            WheelDrag::Share(share) => share,
+        }))
+    }
+
+    fn steer(&self, after: &After<T>) -> SteerData<T> {
+        match &after.steer {
+            None => SteerData::Held(T::ZERO),
+            Some(Steer::Held(angle)) => SteerData::Held(self.lateral(angle)),
+            Some(Steer::Over(points)) => SteerData::Over(
+                points.iter().map(|point| (point.time.si(), self.lateral(&point.angle))).collect(),
+            ),
+        }
+    }
+
+    /// Whether the places lie one after the other, as those of a path do.
+    fn path(&mut self, id: VehicleId, from: Vector2<T>, rest: Option<Vector2<T>>, points: &[Vector2<T>]) {
+        let table = table(id);
+        let last = points.len();
+        let key = |index: usize| {
+            if index == last {
+                format!("{table}.after.rest")
+            } else {
+                format!("{table}.after.points[{}]", index + 1)
+            }
+        };
+        let at = |place: &Vector2<T>| [place.x.value(), place.y.value()];
+        let mut before = at(&from);
+        let mut leg_before: Option<[f64; 2]> = None;
+        for (index, place) in points.iter().chain(&rest).enumerate() {
+            let place = at(place);
+            let leg = [place[0] - before[0], place[1] - before[1]];
+            let distance = (leg[0] * leg[0] + leg[1] * leg[1]).sqrt();
+            if distance.is_nan() || distance < LEAST_PATH {
+                let of = if index == 0 { "the place of its CG at the impact" } else { "the point before it" };
+                self.refuse(
+                    key(index),
+                    format!("this place is {:.1} mm from {of}, so there is no path", 1000.0 * distance),
+                    "give the places of the CG in the coordinates of [scene] contact; a vehicle that did not move has no speed to be found \
+                     from its rest",
+                );
+                return;
+            }
+            // cos ψ of the angle between the legs: negative beyond 90°
+            let turn = leg_before.map(|other| {
+                let cross = other[0] * leg[1] - other[1] * leg[0];
+                elementary::atan2(cross, other[0] * leg[0] + other[1] * leg[1])
+            });
+            if let Some(turn) = turn.filter(|turn| turn.abs() > FRAC_PI_2) {
+                self.refuse(
+                    key(index),
+                    format!(
+                        "the path turns back: to get here it turns by {:.0}° at the place before",
+                        turn.abs().to_degrees()
+                    ),
+                    "list the points in the order in which the CG passed them, from the impact to the rest; a second impact or a rebound ends \
+                     the path before it",
+                );
+                return;
+            }
+            (before, leg_before) = (place, Some(leg));
+        }
+    }
+
+    /// Where the approaches are collinear, momentum gives one equation for two speeds.
+    fn crush_of_collinear(&mut self) {
+        let [Some(one), Some(two)] = self.case.headings() else { return };
+        let angle = real::principal_angle(one.value() - two.value()).abs();
+        if angle > COLLINEAR && angle < PI - COLLINEAR {
+            return;
+        }
+        for (id, vehicle) in VehicleId::ALL.into_iter().zip(&self.case.vehicles) {
+            if !vehicle.fixed && !vehicle.is_absent() && !vehicle.has_damage_data() {
+                let degrees = angle.to_degrees();
+                self.missing(
+                    format_args!("{}.crush", table(id)),
+                    &format!(
+                        "the damage of both vehicles: their headings are {degrees:.0}° apart, within 10° of one line, and along one line \
+                         momentum alone does not tell one speed from the other; a table with side, width, depths and stiffness, `ees`, or \
+                         `crush = \"none\"` in [{}]",
+                        table(id)
+                    ),
+                );
+            }
+        }
+    }
+
+    fn skids(&mut self) -> [Option<SkidData<T>>; 2] {
+        let skids = self.case.skids();
+        for (id, vehicle) in VehicleId::ALL.into_iter().zip(&self.case.vehicles) {
+            if vehicle.before.is_some() && skids[id.index()].is_none() {
+                self.missing(
+                    format_args!("{}.before.skid.friction", table(id)),
+                    "the friction on which the wheels skidded: `skid = { length = \"18 m\", friction = 0.7 }`, or `friction` in a table [surface]",
+                );
+            }
+        }
+        skids
+    }
+}
+
+/// A region in the axes of the engine.
+fn region(axes: Axes, region: &SurfaceRegion) -> RegionData {
+    let at = |place: &Place| Vector2::new(place.x.si(), axes.lateral(place.y.si()));
+    match region {
+        SurfaceRegion::Polygon(corners) => RegionData::Polygon(corners.iter().map(at).collect()),
+        SurfaceRegion::Beside { edge: [from, to], side } => {
+            let (from, to) = (at(from), at(to));
+            let along = elementary::atan2(to.y - from.y, to.x - from.x);
+            // Left and right are those seen from above, in any axes.
+            let into = match side {
+                EdgeSide::Left => along + FRAC_PI_2,
+                EdgeSide::Right => along - FRAC_PI_2,
+            };
+            RegionData::HalfPlane { point: from, into }
+        }
+    }
+}

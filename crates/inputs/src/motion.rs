@@ -1,0 +1,165 @@
+//! What the motion after the impact needs of a case, in the types of its engine.
+
+use pim_core::{Real, Vector2};
+use reconcile::{Departure, EnergyBasis};
+use trajectory::{Axles, Chassis, Region, Steer, Zone};
+
+use crate::demands::Collision;
+use crate::text::Text;
+
+/// The vehicles after the impact, and the ground on which they move.
+#[derive(Clone, Debug)]
+pub struct MotionInput<T = f64> {
+    /// The ground.
+    pub surface: SurfaceData<T>,
+    /// Each vehicle; `None` for one that is fixed or absent, or of which the case does not tell enough to
+    /// follow it.
+    pub vehicles: [Option<VehicleMotion<T>>; 2],
+}
+
+/// The ground, in the axes of the engine.
+#[derive(Clone, Debug)]
+pub struct SurfaceData<T = f64> {
+    /// (–) coefficient of friction outside of all zones.
+    pub friction: T,
+    /// (–) rise per horizontal length along x and along y.
+    pub grade: Vector2<T>,
+    /// Parts with a friction of their own; where two overlap, the later one counts.
+    pub zones: Vec<ZoneData<T>>,
+}
+
+impl<T: Copy> SurfaceData<T> {
+    /// The zones as the engine takes them, for the field of a [`trajectory::Ground`].
+    #[must_use]
+    pub fn zones(&self) -> Vec<Zone<'_, T>> {
+        self.zones.iter().map(|zone| Zone { region: zone.region.region(), friction: zone.friction }).collect()
+    }
+}
+
+/// A part of the ground.
+#[derive(Clone, Debug)]
+pub struct ZoneData<T = f64> {
+    /// Its name.
+    pub name: Option<Text>,
+    /// (–) its coefficient of friction.
+    pub friction: T,
+    /// Where it lies.
+    pub region: RegionData,
+}
+
+/// Where a part of the ground lies, in the axes of the engine.
+#[derive(Clone, Debug)]
+pub enum RegionData {
+    /// All on one side of a straight line.
+    HalfPlane {
+        /// (m) a point of the line.
+        point: Vector2<f64>,
+        /// (rad) direction at right angles to the line, into the region.
+        into: f64,
+    },
+    /// (m) the inside of a closed line through these corners.
+    Polygon(Vec<Vector2<f64>>),
+}
+
+impl RegionData {
+    /// As the engine takes it.
+    #[must_use]
+    pub fn region(&self) -> Region<'_> {
+        match self {
+            Self::HalfPlane { point, into } => Region::HalfPlane { point: *point, into: *into },
+            Self::Polygon(corners) => Region::Polygon(corners),
+        }
+    }
+}
+
+/// A vehicle after the impact, in the axes of the engine.
+#[derive(Clone, Debug)]
+pub struct VehicleMotion<T = f64> {
+    /// The body on its wheels.
+    pub chassis: Chassis<T>,
+    /// Where its axles are.
+    pub axles: Axles<T>,
+    /// (–) drag of each wheel: front left, front right, rear left, rear right.
+    /// [`trajectory::GREATEST_DRAG`] where it is locked.
+    pub drag: [T; 4],
+    /// How its front wheels are steered.
+    pub steer: SteerData<T>,
+    /// (m) place of the CG at the impact: from that of C, or the origin where the case neither gives C nor
+    /// any place of this vehicle.
+    pub position: Vector2<T>,
+    /// (rad) heading at the impact.
+    pub heading: T,
+    /// How it left the impact, where the case tells speed and direction.
+    pub velocity: Option<Departure<T>>,
+    /// Where it came to rest.
+    pub rest: Option<RestData<T>>,
+    /// (m) places that the CG passed, from the impact to the rest.
+    pub points: Vec<Vector2<T>>,
+}
+
+/// How the front wheels are steered.
+#[derive(Clone, Debug)]
+pub enum SteerData<T = f64> {
+    /// (rad) the same angle all the time.
+    Held(T),
+    /// Times (s) and angles (rad).
+    Over(Vec<(T, T)>),
+}
+
+impl<T: Real> SteerData<T> {
+    /// As the engine takes it.
+    #[must_use]
+    pub fn steer(&self) -> Steer<'_, T> {
+        match self {
+            Self::Held(angle) => Steer::Held(*angle),
+            Self::Over(points) => Steer::Over(points),
+        }
+    }
+}
+
+/// Where a vehicle came to rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RestData<T = f64> {
+    /// (m) place of the CG.
+    pub position: Vector2<T>,
+    /// How it stands there.
+    pub heading: RestHeadingData<T>,
+}
+
+/// How a vehicle stands at rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RestHeadingData<T = f64> {
+    /// (rad) its heading; any number of full turns may lie before it.
+    Heading(T),
+    /// (rad) by how much it turned since the impact, full turns included.
+    Turned(T),
+}
+
+/// Skid marks before the impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SkidData<T = f64> {
+    /// (m) their length.
+    pub length: T,
+    /// (–) coefficient of friction there.
+    pub friction: T,
+}
+
+/// A collision of which neither speed is known.
+#[derive(Clone, Debug)]
+pub struct TwoSpeedInput<T = f64> {
+    /// The collision; the vehicles are at rest in it but for their yaw rates.
+    pub collision: Collision<T>,
+    /// The velocity after the impact of each vehicle of which the case gives it. Of every other one that
+    /// moves, `motion` has the rest.
+    pub departures: [Option<Departure<T>>; 2],
+    /// The motion after the impact, of the vehicles that can be followed; `None` where no rest is given and
+    /// the ground is not known.
+    pub motion: Option<MotionInput<T>>,
+    /// The energy basis.
+    pub basis: EnergyBasis,
+    /// Whether the crush energy of every vehicle that moves is known. It is where the approaches are
+    /// collinear.
+    pub has_crush: bool,
+    /// Skid marks of each vehicle before the impact.
+    pub skids: [Option<SkidData<T>>; 2],
+}
