@@ -104,7 +104,7 @@ fn a_search_for_both_speeds_allocates_nothing() {
             let speeds = momentum.speeds().unwrap();
             momentum.implied(speeds).unwrap();
             let axis = momentum.common_axis();
-            let search = MomentumAndCrush::new(momentum, axis, scene.law().into(), energy, basis);
+            let search = MomentumAndCrush::new(momentum, axis, scene.law().into(), energy, basis, 0.0);
             search.unwrap().solve().unwrap();
         });
         assert_eq!(info.count_total, 0, "{law:?}");

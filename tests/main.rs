@@ -61,6 +61,8 @@ mod scenes;
 #[cfg(test)]
 mod structures;
 #[cfg(test)]
+mod tangential_share;
+#[cfg(test)]
 mod turns;
 #[cfg(test)]
 mod twins;

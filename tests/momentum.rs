@@ -281,12 +281,12 @@ fn momentum_along_an_axis_and_crush_undo_an_impact() {
             return false;
         }
         let pair = |v1: f64| [v1, (along - weights[0] * v1) / weights[1]];
-        let solver = match MomentumAndCrush::new(m, axis, scene.law().into(), energy, EnergyBasis::Dissipated)
-        {
-            Ok(solver) => solver,
-            Err(MomentumError::AlongCrushPlane { .. }) => return false,
-            Err(error) => panic!("{error}"),
-        };
+        let solver =
+            match MomentumAndCrush::new(m, axis, scene.law().into(), energy, EnergyBasis::Dissipated, 0.0) {
+                Ok(solver) => solver,
+                Err(MomentumError::AlongCrushPlane { .. }) => return false,
+                Err(error) => panic!("{error}"),
+            };
         let found: Vec<[f64; 2]> = solver.speeds().collect();
         let answer = solver.solve().unwrap();
         assert_eq!(answer.speeds, found[0]);
@@ -363,7 +363,7 @@ fn rear_end_and_head_on_by_hand() {
                 for law in [Tangential::Critical, Tangential::Friction(0.5)] {
                     let law = Law::new(e, law).unwrap();
                     let solver =
-                        MomentumAndCrush::new(m, m.common_axis(), law.into(), energy, basis).unwrap();
+                        MomentumAndCrush::new(m, m.common_axis(), law.into(), energy, basis, 0.0).unwrap();
                     let answer = solver.solve().unwrap();
                     assert_close("v_1", answer.speeds[0], before[0], 1e-9);
                     assert_close("v_2", answer.speeds[1], before[1], 1e-9);
@@ -384,7 +384,7 @@ fn rear_end_and_head_on_by_hand() {
     let law = Law::new(0.0, Tangential::Critical).unwrap();
     let energy = 0.5 * 720.0 * 17.0 * 17.0;
     let solver =
-        MomentumAndCrush::new(m, m.common_axis(), law.into(), energy, EnergyBasis::Dissipated).unwrap();
+        MomentumAndCrush::new(m, m.common_axis(), law.into(), energy, EnergyBasis::Dissipated, 0.0).unwrap();
     let [v1, v2] = solver.solve().unwrap().speeds;
     assert_close("v_1", v1, 12.0, 1e-12);
     assert_close("v_2", v2, 5.0, 1e-12);
@@ -405,7 +405,7 @@ fn what_has_no_answer_says_why() {
     let fixed = MomentumError::Fixed { vehicle: VehicleId::Two };
     assert_eq!(barrier.speeds(), Err(fixed));
     assert_eq!(barrier.implied([1.0, 0.0]), Err(fixed));
-    assert_eq!(MomentumAndCrush::new(barrier, barrier.common_axis(), law(), 1e4, basis), Err(fixed));
+    assert_eq!(MomentumAndCrush::new(barrier, barrier.common_axis(), law(), 1e4, basis, 0.0), Err(fixed));
     let nan = Departure { velocity: Vector2::new(1.0, f64::NAN), yaw_rate: None };
     for after in [[nan, m.after[1]], [m.after[0], nan]] {
         let refused = Momentum { after, ..m }.speeds();
@@ -424,7 +424,7 @@ fn what_has_no_answer_says_why() {
     let along = in_line(0.0, 0.0, [6.0, 6.0], false);
     let refused = |axis: Vector2<f64>, energy: f64, e: f64| {
         let law = Law::new(e, Tangential::Critical).unwrap().into();
-        MomentumAndCrush::new(along, axis, law, energy, basis).map(|_| ())
+        MomentumAndCrush::new(along, axis, law, energy, basis, 0.0).map(|_| ())
     };
     let x = Vector2::new(1.0, 0.0);
     assert_eq!(refused(x, 1e4, 0.1), Ok(()));
@@ -442,7 +442,7 @@ fn what_has_no_answer_says_why() {
     };
     let axis = sideswipe.common_axis();
     assert!(matches!(
-        MomentumAndCrush::new(sideswipe, axis, law(), 1e4, basis),
+        MomentumAndCrush::new(sideswipe, axis, law(), 1e4, basis, 0.0),
         Err(MomentumError::AlongCrushPlane { .. })
     ));
     // A text names what to change.
@@ -474,7 +474,8 @@ fn chain<T: Real>([m1, m2, heading, vx, vy, yaw, energy, axis, e]: [T; 9]) -> Ve
     let (sin, cos) = axis.sin_cos();
     let law = Law::new(e, Tangential::Critical).unwrap().into();
     let solver =
-        MomentumAndCrush::new(m, Vector2::new(cos, sin), law, energy, EnergyBasis::Absorbed).unwrap();
+        MomentumAndCrush::new(m, Vector2::new(cos, sin), law, energy, EnergyBasis::Absorbed, T::ZERO)
+            .unwrap();
     let answer = solver.closed_form().unwrap().unwrap();
     vec![
         speeds[0],
@@ -524,7 +525,7 @@ fn derivatives_under_a_friction_limit() {
     let solver = |energy: f64| {
         let m = in_line(0.3, 0.05, [5.5, 6.5], false);
         let law = Law::new(0.1, Tangential::Friction(0.01)).unwrap();
-        MomentumAndCrush::new(m, m.common_axis(), law.into(), energy, EnergyBasis::Dissipated).unwrap()
+        MomentumAndCrush::new(m, m.common_axis(), law.into(), energy, EnergyBasis::Dissipated, 0.0).unwrap()
     };
     let energy = 6e4;
     let speeds = |energy: f64| solver(energy).solve().unwrap().speeds;

@@ -23,7 +23,8 @@ pub(crate) fn posed<T: Real>(
     crush_energy: T,
     basis: EnergyBasis,
 ) -> Result<Problem<T>, ReconcileError> {
-    let problem = Problem { contact, law: law.into(), motions, unknown, crush_energy, basis };
+    let (law, tangential_share) = (law.into(), T::ZERO);
+    let problem = Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share };
     problem.check().map(|()| problem)
 }
 

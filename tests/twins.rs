@@ -166,8 +166,15 @@ fn problems_without_an_answer() {
         let law = Law::new(e, Tangential::Critical).unwrap();
         let basis = EnergyBasis::Dissipated;
         let problem = posed(contact, law, [rest; 2], unknown, energy, basis);
-        let flagged =
-            Problem { contact, law: law.into(), motions: [rest; 2], unknown, crush_energy: energy, basis };
+        let flagged = Problem {
+            contact,
+            law: law.into(),
+            motions: [rest; 2],
+            unknown,
+            crush_energy: energy,
+            basis,
+            tangential_share: 0.0,
+        };
         let (.., possible) = flagged.solve_with_validity();
         assert_eq!(possible, problem.is_ok(), "{unknown:?} {e} {energy}");
     }

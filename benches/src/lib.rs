@@ -157,6 +157,7 @@ impl Example {
                 .map(|(profile, stiffness)| crush_energy(profile, stiffness))
                 .sum(),
             basis: EnergyBasis::Dissipated,
+            tangential_share: 0.0,
         })
     }
 }

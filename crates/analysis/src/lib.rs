@@ -281,7 +281,15 @@ pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     // The uncorrected energies do not depend on the impact; a force balance takes its directions from the
     // file.
     let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
-    let problem = Problem { contact, law, motions, unknown: input.unknown, crush_energy, basis: input.basis };
+    let problem = Problem {
+        contact,
+        law,
+        motions,
+        unknown: input.unknown,
+        crush_energy,
+        basis: input.basis,
+        tangential_share: 0.0,
+    };
     let answer = problem.solve().map_err(|refusal| refused(&problem, refusal).in_axes(case.axes))?;
     let found = Found {
         unknown: input.unknown,

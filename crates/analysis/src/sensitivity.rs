@@ -336,7 +336,15 @@ pub(crate) fn at<T: Real, R>(
     let input = case.reconstruction()?;
     let Collision { contact, law, motions, vehicles } = input.collision;
     let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
-    let problem = Problem { contact, law, motions, unknown: input.unknown, crush_energy, basis: input.basis };
+    let problem = Problem {
+        contact,
+        law,
+        motions,
+        unknown: input.unknown,
+        crush_energy,
+        basis: input.basis,
+        tangential_share: Real::ZERO,
+    };
     problem.check()?;
     evaluate(&problem)
 }

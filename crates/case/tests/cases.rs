@@ -635,7 +635,8 @@ fn the_fixtures_of_the_laws_can_be_reconstructed() {
         });
         let crush_energy: f64 = crush.iter().sum();
         let (unknown, basis) = (input.unknown, input.basis);
-        let problem = reconcile::Problem { contact, law, motions, unknown, crush_energy, basis };
+        let problem =
+            reconcile::Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share: 0.0 };
         let answer = problem.solve().unwrap_or_else(|error| panic!("{name}: {error}"));
         // The paper's crush energy, 1.41e5 N·m.
         let work = answer.outcome.energy.normal_work;

@@ -204,7 +204,8 @@ pub enum ObliqueCorrection<T = f64> {
     /// its correction: this is the form in which it is cited, with the tangential force no greater than the
     /// one that tan α asks for.
     Friction(T),
-    /// 1/cos α: the work of the oblique force along its own line, as in SAE 2006-01-0908.
+    /// 1/cos α: the work of the oblique force along its own line, after Fonda (SAE 1999-01-0106) and SAE
+    /// 2006-01-0908.
     Secant,
 }
 

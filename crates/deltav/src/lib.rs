@@ -30,7 +30,9 @@
 //! let law = Law::new(0.3, Tangential::Critical)?;
 //! let crush_energy = 1.02e5 + 3.87e4;
 //! let (law, basis) = (law.into(), EnergyBasis::Dissipated);
-//! let answer = Problem { contact, law, motions, unknown: Unknown::Speed1, crush_energy, basis }.solve()?;
+//! let (unknown, tangential_share) = (Unknown::Speed1, 0.0);
+//! let problem = Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share };
+//! let answer = problem.solve()?;
 //! assert!((answer.speed - 22.9).abs() < 0.05); // the paper: 22.9 m/s
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

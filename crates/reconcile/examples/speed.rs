@@ -19,8 +19,15 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let mut speeds = Vec::new();
     for basis in [EnergyBasis::Dissipated, EnergyBasis::Absorbed] {
         let law = law.into();
-        let problem =
-            Problem { contact, law, motions, unknown: Unknown::Speed1, crush_energy: 1.41e5, basis };
+        let problem = Problem {
+            contact,
+            law,
+            motions,
+            unknown: Unknown::Speed1,
+            crush_energy: 1.41e5,
+            basis,
+            tangential_share: 0.0,
+        };
         let answer = problem.solve()?;
         println!("{basis:?}: {:.2} m/s, of {} admissible", answer.speed, answer.admissible);
         // What was sought is what the impact does.

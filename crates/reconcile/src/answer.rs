@@ -31,7 +31,7 @@ pub struct Reconciliation<T = f64> {
     pub law: Law<T>,
     /// The impact at the speed found.
     pub outcome: Outcome<T>,
-    /// (J) the normal work that was sought: the crush energy on the basis `dissipated`.
+    /// (J) the work that was sought, W_n + λ W_t: the crush energy on the basis `dissipated`.
     pub normal_work: T,
     /// How the speed was found.
     pub method: SolutionMethod,
@@ -57,7 +57,7 @@ pub enum SolutionMethod {
 pub struct Iteration {
     /// (m/s) speed tried.
     pub speed: f64,
-    /// (J) W_n at that speed.
+    /// (J) W_n + λ W_t at that speed.
     pub normal_work: f64,
 }
 

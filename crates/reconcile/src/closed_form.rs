@@ -1,6 +1,6 @@
 //! The speed in closed form, where W_n is quadratic in it.
 
-use pim_core::{ImpactError, Outcome, Real, Tangential};
+use pim_core::{ImpactError, LawImpulse, Outcome, Real, Tangential};
 
 use crate::answer::{Reconciliation, Search, SolutionMethod, is_too_fast};
 use crate::error::ReconcileError;
@@ -90,13 +90,32 @@ impl<T: Real> Posed<'_, T> {
         let alpha = push(T::ONE) - beta;
         // c = 2 W_n/(1−e)
         let c = problem.sought(&law) * 2.0 / (T::ONE - law.restitution());
-        Quadratic { alpha, beta, c }
+        if problem.tangential_share == T::ZERO {
+            return Quadratic { alpha, beta, c };
+        }
+        let impulse = |x: T| law.impulse(&k, line.at(x));
+        let sliding = |x: T| {
+            let (approach, LawImpulse { linear, moment, .. }) = (line.at(x), impulse(x));
+            approach.velocity.tangential + k.separation(approach, linear, moment).velocity.tangential
+        };
+        // P_t = p₀ + p₁ x,  u_t + U_t = s₀ + s₁ x
+        let (p0, s0) = (impulse(T::ZERO).linear.tangential, sliding(T::ZERO));
+        let (p1, s1) = (impulse(T::ONE).linear.tangential - p0, sliding(T::ONE) - s0);
+        // 2 λ W_t/(1−e) = −λ/(1−e) (p₀ + p₁ x)(s₀ + s₁ x)
+        let share = -(problem.tangential_share / (T::ONE - law.restitution()));
+        Quadratic {
+            alpha: alpha + share * (p1 * s1),
+            beta: beta + share * (p0 * s1 + p1 * s0),
+            c: c - share * (p0 * s0),
+        }
     }
 }
 
 /// The condition on the approach speed x = −u_n where P_n is affine in it, P_n = α x + β.
 ///
-/// With W_n = ½ (1−e) x P_n it is α x² + β x = c.
+/// With W_n = ½ (1−e) x P_n it is α x² + β x = c. Where the crush takes a share λ of the tangential work,
+/// P_t = p₀ + p₁ x and u_t + U_t = s₀ + s₁ x add −λ/(1−e) (p₀ + p₁ x)(s₀ + s₁ x) to the left side; the
+/// coefficients below have that in them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quadratic<T = f64> {
@@ -112,7 +131,7 @@ impl<T: Real> Quadratic<T> {
     #[inline(always)]
     fn approaches(&self) -> Approaches<T> {
         let Self { alpha, beta, c } = *self;
-        // α x² + β x − c = 0; since c > 0, x > 0 means P_n > 0
+        // α x² + β x − c = 0; without a tangential share c > 0, so that x > 0 means P_n > 0
         // q = −½ (β ± √…) with the sign that does not cancel; the roots are q/α and −c/q.
         let root = (beta * beta + alpha * c * 4.0).sqrt();
         let q = -(if beta < T::ZERO { beta - root } else { beta + root }) * 0.5;

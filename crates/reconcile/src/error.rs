@@ -1,5 +1,6 @@
 //! Why no speed reconciles the crush energy with the impact.
 
+use crash3::EnergyBasis;
 use pim_core::{ImpactError, InvalidInput, VehicleId};
 
 /// Why a reconciliation has no answer.
@@ -24,6 +25,17 @@ pub enum ReconcileError {
     NoRestitutionLoss {
         /// e.
         restitution: f64,
+    },
+    /// The crush cannot take that share of the tangential work.
+    #[error(
+        "the tangential share is {share}, but must lie between 0 and 1, and be 0 on the basis `absorbed`; \
+         it is the share of the tangential work that the crush takes"
+    )]
+    TangentialShare {
+        /// λ.
+        share: f64,
+        /// The basis.
+        basis: EnergyBasis,
     },
     /// The vehicle whose speed is sought is a barrier.
     #[error("vehicle {vehicle} is fixed and has no speed to find; find the other vehicle's speed")]

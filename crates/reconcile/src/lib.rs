@@ -19,6 +19,7 @@
 //!     unknown: Unknown::Speed1,
 //!     crush_energy: 1.41e5,
 //!     basis: EnergyBasis::Dissipated,
+//!     tangential_share: 0.0,
 //! };
 //! let answer = problem.solve()?;
 //! assert!((answer.speed - 22.9).abs() < 0.05); // the paper: 22.9 m/s
@@ -44,6 +45,7 @@
 //! | `tangential_at_zero_approach` | u_t0 | u_t at x = 0 | m/s |
 //! | `alpha`, `beta` | α, β | P_n = α x + β in a [`Quadratic`] | kg, N·s |
 //! | `c` | c | 2 W_n/(1−e) | J |
+//! | `tangential_share` | λ | share of the tangential work that the crush takes | – |
 //! | `axis` | â | unit vector along which momentum is kept | – |
 //! | `relative` | σ | relative speed of the CGs along the line of speeds that the momentum allows | m/s |
 //!

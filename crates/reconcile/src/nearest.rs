@@ -2,7 +2,7 @@
 
 use core::iter::{once, successors};
 
-use pim_core::ImpactError;
+use pim_core::{ImpactError, Outcome};
 
 use crate::answer::Iteration;
 use crate::posed::Posed;
@@ -19,6 +19,16 @@ const SCAN_SAMPLES: usize = 641;
 const TURN_STEPS: usize = 44;
 
 impl Problem {
+    /// (J) W_n + λ W_t of an impact.
+    fn held_against_crush(&self, outcome: &Outcome) -> f64 {
+        let tangential = if self.tangential_share == 0.0 {
+            0.0
+        } else {
+            self.tangential_share * outcome.energy.tangential_work
+        };
+        outcome.energy.normal_work + tangential
+    }
+
     /// How near a problem without an answer comes to one, to tell beside
     /// [`NotReached`](crate::ReconcileError::NotReached): of all impacts that can happen, that whose normal
     /// work is nearest to the one sought, by a scan of the approach speed.
@@ -30,7 +40,7 @@ impl Problem {
         let frictionless = posed.frictionless_approach_speed();
         // As a share, so that under a curve of restitution each speed is held against what is sought there.
         let miss = |x: f64| match self.impact(posed.line.speed(x)) {
-            Ok((law, outcome)) => (outcome.energy.normal_work / self.sought(&law) - 1.0).abs(),
+            Ok((law, outcome)) => (self.held_against_crush(&outcome) / self.sought(&law) - 1.0).abs(),
             Err(_) => f64::INFINITY,
         };
         let scan = successors(Some(frictionless * SCAN_START), |x| Some(x * SCAN_RATIO));
@@ -48,7 +58,8 @@ impl Problem {
             }
         }
         let speed = posed.line.speed(if miss(low) < miss(best) { low } else { best });
-        self.impact(speed).map(|(_, outcome)| Iteration { speed, normal_work: outcome.energy.normal_work })
+        self.impact(speed)
+            .map(|(_, outcome)| Iteration { speed, normal_work: self.held_against_crush(&outcome) })
     }
 }
 

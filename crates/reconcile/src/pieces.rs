@@ -12,6 +12,9 @@
 //! | fraction of μ_c | c_n (1+e) x / d | 3 | 6 |
 //! | fraction of μ_c with a moment impulse | see [`Posed::fraction_of_critical`] | 4 | 8 |
 //!
+//! Where the crush takes a share λ of the tangential work, W_n + λ W_t has the denominator squared, and the
+//! degrees of the numerator are 2 and 4, 4 and 8, 6 and 12.
+//!
 //! The extrema of the numerator part each piece so that each part has at most one root (Rolle), which Brent's
 //! method finds on the law's own W_n. A jump of W_n from one piece to the next is no change of sign within a
 //! piece, so it is never taken for a root.
@@ -170,8 +173,10 @@ impl<'a> Posed<'a> {
             })
             .filter(|stretch| {
                 let [from, to] = stretch.range;
-                // With e = 1 throughout no work is done.
-                from < to && !stretch.laws.iter().all(|law| law.restitution() == 1.0)
+                // With e = 1 throughout the push does no work.
+                let works = self.problem.tangential_share != 0.0
+                    || !stretch.laws.iter().all(|law| law.restitution() == 1.0);
+                from < to && works
             })
     }
 
@@ -291,53 +296,85 @@ impl<'a> Posed<'a> {
             })
     }
 
-    /// (J) the numerator of W_n less the value sought, as a crush energy on the basis.
+    /// (J) the numerator of W_n + λ W_t less the value sought, as a crush energy on the basis.
     fn excess(self, stretch: &Stretch, branch: Branch) -> Polynomial {
-        let (push, divisor) = match (branch, self.problem.law.nominal().tangential()) {
-            (Branch::Own, Tangential::FractionOfCritical(f)) => self.fraction_of_critical(stretch, f),
+        let share = self.problem.tangential_share;
+        let (push, divisor, tangential) = match (branch, self.problem.law.nominal().tangential()) {
+            (Branch::Own, Tangential::FractionOfCritical(f)) => {
+                let Fraction { push, divisor, slide, moment } = self.fraction_of_critical(stretch, f);
+                let tangential = (share != 0.0).then(|| {
+                    let k = self.problem.contact.inverse_mass();
+                    let u_t = stretch.polynomial(|_, x| self.line.at(x).velocity.tangential);
+                    // u_t + U_t = 2 u_t + k_nt P_n + k_tt P_t + k_tm M
+                    let sliding = 2.0 * (u_t * divisor) + k.nt * push + k.tt * slide + k.tm * moment;
+                    slide * sliding
+                });
+                (push, divisor, tangential)
+            }
             _ => {
-                let push = stretch.polynomial(|law, x| self.impulse(&branch.law(law), x).linear.normal);
-                (push, Polynomial::new([1.0]))
+                let part = |value: &dyn Fn(LawImpulse, f64) -> f64| {
+                    stretch.polynomial(|law, x| value(self.impulse(&branch.law(law), x), x))
+                };
+                let tangential = (share != 0.0).then(|| {
+                    let k = self.problem.contact.inverse_mass();
+                    let sliding = part(&|p, x| {
+                        let approach = self.line.at(x);
+                        approach.velocity.tangential
+                            + k.separation(approach, p.linear, p.moment).velocity.tangential
+                    });
+                    part(&|p, _| p.linear.tangential) * sliding
+                });
+                (part(&|p, _| p.linear.normal), Polynomial::new([1.0]), tangential)
             }
         };
         let work = 0.5 * (stretch.x() * push);
         let sought = -self.problem.crush_energy * divisor;
-        match self.problem.basis {
+        match (self.problem.basis, tangential) {
             // ½ (1−e) x P_n − E
-            EnergyBasis::Dissipated => stretch.one_plus(-1.0) * work + sought,
+            (EnergyBasis::Dissipated, None) => stretch.one_plus(-1.0) * work + sought,
+            // ½ (1−e) x P_n − ½ λ P_t (u_t + U_t) − E, of which the second has the divisor squared
+            (EnergyBasis::Dissipated, Some(tangential)) => {
+                (stretch.one_plus(-1.0) * work + sought) * divisor + -0.5 * share * tangential
+            }
             // ½ x P_n/(1+e) − E
-            EnergyBasis::Absorbed => work + stretch.one_plus(1.0) * sought,
+            (EnergyBasis::Absorbed, _) => work + stretch.one_plus(1.0) * sought,
         }
     }
 
-    /// Numerator and denominator of P_n under a fraction of μ_c, with the critical impulse c, μ = f c_t/c_n,
-    /// d = k_nn c_n + f k_nt c_t and n = k_nm c_n + f k_tm c_t:
+    /// P_n, P_t = μ P_n and M under a fraction of μ_c as numerators over one denominator, with the critical
+    /// impulse c, μ = f c_t/c_n, d = k_nn c_n + f k_nt c_t and n = k_nm c_n + f k_tm c_t:
     ///
     /// - P_n = c_n (1+e) x / d without a moment impulse,
     /// - P_n = c_n [(1+e) x g + (1+e_m) k_nm (s d + (1+e) x n)] / (d g) with one, where s = ω₁ − ω₂ and g =
     ///   k_mm d − k_nm n,
-    /// - P_n = c_n [(1+e) x k_mm + k_nm s] / g with a common yaw rate, e_m = 0, where d cancels.
-    fn fraction_of_critical(self, stretch: &Stretch, f: f64) -> (Polynomial, Polynomial) {
+    /// - P_n = c_n [(1+e) x k_mm + k_nm s] / g with a common yaw rate, e_m = 0, where d cancels;
+    /// - M = −(1+e_m) (s d + (1+e) x n) / g.
+    fn fraction_of_critical(self, stretch: &Stretch, f: f64) -> Fraction {
         let k = self.problem.contact.inverse_mass();
         let critical = self.critical(stretch);
         let d = self.normal_jam(&critical, f);
         // (1+e) x = −(1+e) u_n
         let change = stretch.one_plus(1.0) * stretch.x();
+        let fraction = |share: Polynomial, divisor: Polynomial, moment: Polynomial| Fraction {
+            push: critical.normal * share,
+            slide: f * (critical.tangential * share),
+            divisor,
+            moment,
+        };
         if !self.problem.law.nominal().has_moment() {
-            return (critical.normal * change, d);
+            return fraction(change, d, Polynomial::new([0.0]));
         }
         let g = self.moment_jam(&critical, f);
-        let moment = self.problem.law.nominal().moment_restitution();
-        if moment == 0.0 {
-            return (
-                critical.normal * (k.mm * change + Polynomial::new([k.nm * self.line.relative_yaw_rate])),
-                g,
-            );
-        }
+        let e_m = self.problem.law.nominal().moment_restitution();
         let n = k.nm * critical.normal + (f * k.tm) * critical.tangential;
+        // s d + (1+e) x n
         let turning = self.line.relative_yaw_rate * d + change * n;
-        let share = (1.0 + moment) * k.nm;
-        (critical.normal * (change * g + share * turning), d * g)
+        if e_m == 0.0 {
+            let share = k.mm * change + Polynomial::new([k.nm * self.line.relative_yaw_rate]);
+            return fraction(share, g, -1.0 * turning);
+        }
+        let share = (1.0 + e_m) * k.nm;
+        fraction(change * g + share * turning, d * g, -(1.0 + e_m) * (turning * d))
     }
 
     /// The critical impulse c, up to a factor.
@@ -368,15 +405,15 @@ impl<'a> Posed<'a> {
         law.impulse(&self.problem.contact.inverse_mass(), self.line.at(x))
     }
 
-    /// (J) W_n at the approach speed x less the value sought, as a crush energy on the basis.
+    /// (J) W_n + λ W_t at the approach speed x less the value sought, as a crush energy on the basis.
     fn missing(self, branch: Branch, x: f64) -> f64 {
         let law = branch.law(&self.problem.law.at(x));
-        // Where the vehicles just touch no work is done, whatever the quotient of two zeros.
-        let work = if x == 0.0 {
+        // Where the vehicles just touch the push does no work, whatever the quotient of two zeros.
+        let work = if x == 0.0 && self.problem.tangential_share == 0.0 {
             0.0
         } else {
             match self.problem.basis {
-                EnergyBasis::Dissipated => self.problem.work_at(&law, self.line.at(x)),
+                EnergyBasis::Dissipated => self.problem.crush_work_at(&law, self.line.at(x)),
                 // W_n/(1−e²) = ½ x P_n/(1+e), which is finite where e = 1
                 EnergyBasis::Absorbed => {
                     0.5 * x * self.impulse(&law, x).linear.normal / (1.0 + law.restitution())
@@ -411,6 +448,14 @@ impl<'a> Posed<'a> {
             }
         }
     }
+}
+
+/// Numerators of P_n, P_t and M, and the denominator that they share.
+struct Fraction {
+    push: Polynomial,
+    slide: Polynomial,
+    moment: Polynomial,
+    divisor: Polynomial,
 }
 
 /// The critical impulse of a law.

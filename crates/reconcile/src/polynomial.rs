@@ -3,9 +3,9 @@
 use crate::brent::{RootError, brent, narrowed};
 
 /// The highest degree that a [`Polynomial`] can have.
-pub(crate) const DEGREE: usize = 8;
+pub(crate) const DEGREE: usize = 12;
 
-/// c₀ + c₁ t + … + c₈ t⁸.
+/// c₀ + c₁ t + … + c₁₂ t¹².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Polynomial {
     coefficients: [f64; DEGREE + 1],

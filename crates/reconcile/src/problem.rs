@@ -2,8 +2,8 @@
 
 use crash3::EnergyBasis;
 use pim_core::{
-    Approach, Contact, ImpactError, Law, Motion, NormalTangential, Outcome, Real, VaryingLaw, Vector2,
-    VehicleId, normal_work,
+    Approach, Contact, ImpactError, Law, LawImpulse, Motion, NormalTangential, Outcome, Real, VaryingLaw,
+    Vector2, VehicleId, normal_work,
 };
 
 use crate::error::ReconcileError;
@@ -87,6 +87,10 @@ pub struct Problem<T = f64> {
     pub crush_energy: T,
     /// What the crush energy stands for.
     pub basis: EnergyBasis,
+    /// (–) λ, from 0 to 1: the share of the tangential work W_t that the crush takes beside the normal work,
+    /// so that W_n + λ W_t equals the crush energy. 0 is the method of SAE 980025, and the only one on the
+    /// basis `absorbed`.
+    pub tangential_share: T,
 }
 
 impl<T: Real> Problem<T> {
@@ -106,7 +110,19 @@ impl<T: Real> Problem<T> {
             & (self.crush_energy > T::ZERO)
             & self.crush_energy.is_finite()
             & !self.law.is_elastic()
+            & self.has_tangential_share()
             & (slope.normal.abs() >= T::from(LEAST_COSINE))
+    }
+
+    /// Whether λ is one that the basis can have.
+    #[inline(always)]
+    fn has_tangential_share(&self) -> bool {
+        let share = self.tangential_share;
+        let most = match self.basis {
+            EnergyBasis::Dissipated => T::ONE,
+            EnergyBasis::Absorbed => T::ZERO,
+        };
+        (share >= T::ZERO) & (share <= most) & share.is_finite()
     }
 
     /// Why a problem makes no sense.
@@ -119,6 +135,8 @@ impl<T: Real> Problem<T> {
             ReconcileError::NoCrushEnergy { energy: self.crush_energy.value() }
         } else if self.law.is_elastic() {
             ReconcileError::NoRestitutionLoss { restitution: self.law.nominal().restitution().value() }
+        } else if !self.has_tangential_share() {
+            ReconcileError::TangentialShare { share: self.tangential_share.value(), basis: self.basis }
         } else {
             let forward = self.unknown.of(*self.contact.participants()).forward();
             let cosine = self.contact.resolve(forward).normal.value();
@@ -147,13 +165,14 @@ impl<T: Real> Problem<T> {
         self.line().speed(T::ZERO)
     }
 
-    /// (J) the normal work sought; under a curve of restitution, that for its first point.
+    /// (J) the normal work sought, of which λ W_t may be a part; under a curve of restitution, that for its
+    /// first point.
     #[must_use]
     pub fn normal_work_sought(&self) -> T {
         self.sought(&self.law.nominal())
     }
 
-    /// (J) the normal work sought under a law.
+    /// (J) the same under a law.
     #[inline(always)]
     pub(crate) fn sought(&self, law: &Law<T>) -> T {
         self.basis.dissipated(self.crush_energy, law.restitution())
@@ -176,7 +195,7 @@ impl<T: Real> Problem<T> {
         self.work_at(&self.law.at(-approach.velocity.normal), approach)
     }
 
-    /// (J) what the normal work at the given speed (m/s) is above the one sought there: zero at every root.
+    /// (J) what W_n + λ W_t at the given speed (m/s) is above the work sought there: zero at every root.
     /// Its derivatives by an input p and by the speed are those of the root, ds/dp = −(∂/∂p)/(∂/∂s), whatever
     /// method found it.
     #[inline(always)]
@@ -184,7 +203,7 @@ impl<T: Real> Problem<T> {
     pub fn residual(&self, speed: T) -> T {
         let approach = self.contact.approach(&self.motions_at(speed));
         let law = self.law.at(-approach.velocity.normal);
-        self.work_at(&law, approach) - self.sought(&law)
+        self.crush_work_at(&law, approach) - self.sought(&law)
     }
 
     /// The impact at the given speed (m/s), and the law there.
@@ -196,6 +215,21 @@ impl<T: Real> Problem<T> {
         let motions = self.motions_at(speed);
         let law = self.law.at(-self.contact.approach(&motions).velocity.normal);
         self.contact.impact(motions, &law).map(|outcome| (law, outcome))
+    }
+
+    /// (J) W_n + λ W_t under a law: what is held against the crush energy.
+    #[inline(always)]
+    pub(crate) fn crush_work_at(&self, law: &Law<T>, approach: Approach<T>) -> T {
+        let normal = self.work_at(law, approach);
+        if self.tangential_share == T::ZERO {
+            return normal;
+        }
+        let k = self.contact.inverse_mass();
+        let LawImpulse { linear: impulse, moment, .. } = law.impulse(&k, approach);
+        let sliding =
+            approach.velocity.tangential + k.separation(approach, impulse, moment).velocity.tangential;
+        // W_n + λ W_t,  W_t = −½ P_t (u_t + U_t)
+        normal - self.tangential_share * (impulse.tangential * sliding) * 0.5
     }
 
     #[inline(always)]

@@ -158,6 +158,7 @@ impl Staged {
             unknown: Unknown::Speed1,
             crush_energy,
             basis: EnergyBasis::Dissipated,
+            tangential_share: 0.0,
         };
         problem
             .solve()

@@ -2,3 +2,4 @@
 
 mod claims;
 mod momentum;
+mod tangential_share;

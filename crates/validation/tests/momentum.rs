@@ -31,14 +31,15 @@ const AFTER: [(u8, [[f64; 3]; 2]); 11] = [
     (12, [[4.28, -0.49, 1.57], [1.93, -2.94, 1.05]]),
 ];
 
-struct Test {
-    analysis: Analysis,
+/// A staged collision with its velocities after impact.
+pub(crate) struct Test {
+    pub(crate) analysis: Analysis,
     momentum: Momentum,
-    /// (m/s)
-    true_speeds: [f64; 2],
+    /// (m/s) both speeds before impact.
+    pub(crate) true_speeds: [f64; 2],
 }
 
-fn test(number: u8) -> Test {
+pub(crate) fn test(number: u8) -> Test {
     let data = Data::built_in();
     let (_, text) = data.cases.iter().find(|(test, _)| *test == number).unwrap();
     let file = CaseFile::parse("ricsac", text).unwrap();
@@ -111,6 +112,7 @@ fn collinear_collisions_from_momentum_and_crush() {
             law.into(),
             energy,
             EnergyBasis::Dissipated,
+            0.0,
         );
         let answer = solver.unwrap().solve().unwrap();
         assert_eq!(answer.admissible, 1);

@@ -166,6 +166,7 @@ impl Block {
                 unknown: self.unknown,
                 crush_energy: crush_energy[lane],
                 basis: self.basis,
+                tangential_share: 0.0,
             };
             let (speed, outcome, is_answer) = problem.solve_with_validity();
             answered[lane] = is_law & is_1 & is_2 & is_contact & is_answer;

@@ -68,7 +68,8 @@ pub struct BothSpeeds<T = f64> {
 
 impl<T: Real> MomentumAndCrush<T> {
     /// Both speeds shall give the momentum its part along `axis`, a unit vector of the scene, and the normal
-    /// impulse the work that the crush energy (J) of both vehicles stands for on `basis`. For collinear
+    /// impulse, with the share λ of the tangential one, the work that the crush energy (J) of both vehicles
+    /// stands for on `basis`. For collinear
     /// approaches the axis is [`Momentum::common_axis`].
     ///
     /// # Errors
@@ -80,6 +81,7 @@ impl<T: Real> MomentumAndCrush<T> {
         law: VaryingLaw<T>,
         crush_energy: T,
         basis: EnergyBasis,
+        tangential_share: T,
     ) -> Result<Self, MomentumError> {
         momentum.check()?;
         let length = dot(axis, axis).sqrt();
@@ -117,6 +119,7 @@ impl<T: Real> MomentumAndCrush<T> {
             unknown: Unknown::Speed1,
             crush_energy,
             basis,
+            tangential_share,
         };
         let solver = Self { momentum, base, slope, problem };
         solver.problem.check().map_err(|error| solver.refusal(error))?;
@@ -179,6 +182,9 @@ impl<T: Real> MomentumAndCrush<T> {
             ReconcileError::NoCrushEnergy { energy } => MomentumError::NoCrushEnergy { energy },
             ReconcileError::NoRestitutionLoss { restitution } => {
                 MomentumError::NoRestitutionLoss { restitution }
+            }
+            ReconcileError::TangentialShare { share, basis } => {
+                MomentumError::TangentialShare { share, basis }
             }
             ReconcileError::SpeedWithoutEffect { cosine, .. } => MomentumError::AlongCrushPlane { cosine },
             ReconcileError::NotReached { energy, .. } => MomentumError::NotReached { energy },

@@ -1,5 +1,6 @@
 //! Why both speeds have no answer.
 
+use crash3::EnergyBasis;
 use pim_core::{ImpactError, InvalidInput, VehicleId};
 
 /// Why momentum, with the crush energy or without, does not give both speeds.
@@ -69,6 +70,17 @@ pub enum MomentumError {
     NoRestitutionLoss {
         /// e.
         restitution: f64,
+    },
+    /// The crush cannot take that share of the tangential work.
+    #[error(
+        "the tangential share is {share}, but must lie between 0 and 1, and be 0 on the basis `absorbed`; \
+         it is the share of the tangential work that the crush takes"
+    )]
+    TangentialShare {
+        /// λ.
+        share: f64,
+        /// The basis.
+        basis: EnergyBasis,
     },
     /// W_n stays away from the crush energy at all speeds that the momentum allows.
     #[error(
