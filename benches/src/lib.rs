@@ -65,7 +65,7 @@ pub fn spin_out() -> Result<(Chassis, Ground<'static>, State), Refused> {
     let start = State {
         position: Vector2::new(0.0, 0.0),
         heading: 60_f64.to_radians(),
-        motion: Motion { velocity: Vector2::new(-2.56, 10.98), yaw_rate: -3.14 },
+        motion: Motion { velocity: Vector2::new(-2.56, 10.98), yaw_rate: -180_f64.to_radians() },
     };
     Ok((chassis, Ground::level(0.6), start))
 }

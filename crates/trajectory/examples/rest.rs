@@ -15,7 +15,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let start = State {
         position: Vector2::new(0.0, 0.0),
         heading: 60_f64.to_radians(),
-        motion: Motion { velocity: Vector2::new(-1.28, 5.49), yaw_rate: -3.14 },
+        motion: Motion { velocity: Vector2::new(-1.28, 5.49), yaw_rate: -180_f64.to_radians() },
     };
     let (ground, control) = (Ground::level(0.87), Control::default());
     let rest = to_rest(&rabbit, Steer::straight(), &ground, &start, &control, |sample| {
@@ -47,6 +47,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         );
     }
     let likeliest = starts.first().ok_or("a rest that was reached has a start")?;
-    assert!((likeliest.motion.velocity - start.motion.velocity).norm() < 0.01);
+    // A rest that is known to 1 mm tells the velocity to some cm/s.
+    assert!((likeliest.motion.velocity - start.motion.velocity).norm() < 0.05);
     Ok(())
 }
