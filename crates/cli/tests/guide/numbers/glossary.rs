@@ -21,6 +21,7 @@ pub(super) fn facts(ledger: &mut Ledger) {
     damage(ledger);
     impact(ledger);
     answer(ledger);
+    motion(ledger);
     ranges(ledger);
     warnings(ledger);
 }
@@ -47,6 +48,21 @@ fn frames(ledger: &mut Ledger) {
     ledger.made(format!("θ_1 − PDOF_1 … θ_2 − PDOF_2 … differ … {straight_angle}°"));
     ledger.made(format!("|α| < {right_angle}°"));
     ledger.made(format!("makes … {right_angle}°"));
+}
+
+fn motion(ledger: &mut Ledger) {
+    let edcrash = "the tables of the EDCRASH manual, chapter 4";
+    ledger.cited("asphalt … 0.55 … 0.80", edcrash);
+    ledger.cited("free wheel … 0.01", edcrash);
+    ledger.cited("flat tyre … 0.013", edcrash);
+    ledger.cited("high gear … 0.15 … 0.20", edcrash);
+    ledger.cited("low gear … 0.2 … 0.4", edcrash);
+    let (friction, grade) = (0.7, 0.03);
+    ledger.made(format!("distance: {grade} is a grade of {:.0} %", 100.0 * grade));
+    // S = v²/(2 g (μ ± s)): longer or shorter by the share s/μ.
+    let share = number(100.0 * grade / friction, 0);
+    ledger.made(format!("friction of {friction}, a grade of {:.0} % … {share} %", 100.0 * grade));
+    ledger.cited("outline (SAE 870045", "the number of the paper");
 }
 
 /// (m) k of CRASH3's classes, and by how much of these that of Burg's estimate is below.
