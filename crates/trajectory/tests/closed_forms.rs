@@ -26,6 +26,8 @@ fn a_straight_slide_with_locked_wheels() {
         assert!((rest.position.y - way * f64::sin(direction)).abs() < 1e-9);
         assert!((rest.time - v / (0.7 * GRAVITY)).abs() < 1e-9 && (rest.distance - way).abs() < 1e-9);
         assert_eq!(rest.heading, heading);
+        let energy = rest.energy;
+        assert!((energy.friction - 0.5 * 1500.0 * v * v).abs() < 1e-6 && energy.remainder.abs() < 1e-6);
     }
 }
 
@@ -72,6 +74,8 @@ fn uphill_and_downhill() {
         let slide = Slide { friction: 0.7, drag_share: 1.0, grade, distance: way };
         assert!((slide.speed_at_start(0.0).unwrap() - v).abs() < 1e-9);
         assert!((rest.energy.grade + 1500.0 * GRAVITY * f64::sin(angle) * way).abs() < 1e-6);
+        let slid = 1500.0 * GRAVITY * 0.7 * f64::cos(angle) * way;
+        assert!((rest.energy.friction - slid).abs() < 1e-6, "{:?}, {slid}", rest.energy);
     }
 }
 
@@ -116,6 +120,7 @@ fn ground_that_changes() {
         let ground = Ground { zones: std::slice::from_ref(zone), ..Ground::level(0.8) };
         let rest = rest(&car([1.0; 4]), &ground, &start(0.0, [v, 0.0], 0.0));
         assert!((rest.distance - way).abs() < 1e-9, "{rest:?}, {way}");
+        assert!(rest.energy.remainder.abs() < 1e-6, "{:?}", rest.energy);
     }
 }
 
