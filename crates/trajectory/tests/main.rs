@@ -12,3 +12,5 @@ mod integration;
 mod ricsac;
 #[cfg(test)]
 mod scenes;
+#[cfg(test)]
+mod steering;
