@@ -4,10 +4,14 @@
 use std::f64::consts::PI;
 
 use crash3::principal_angle;
+use inputs::Axes;
 use pim_core::{Real, VehicleId};
 
-use crate::thresholds::{ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
-use crate::{Impact, Vehicle};
+use crate::thresholds::{
+    ARM_DIFFERENCE, ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION,
+    MOMENTUM_ENERGY_DIFFERENCE, PDOF_DIFFERENCE, RATIO_BEYOND, RESTITUTION_DIFFERENCE,
+};
+use crate::{BothFound, BothMethod, Impact, Vehicle};
 
 /// (rad) what the sums of a few angles within a turn or two are rounded by, and more.
 const ANGLE_ROUNDING: f64 = 1e-12;
@@ -48,6 +52,46 @@ pub enum CheckedQuantity {
         /// Which vehicle.
         vehicle: VehicleId,
     },
+    /// |W_n − E|/E with the W_n that both speeds and the velocities after the impact imply.
+    MomentumEnergy {
+        /// (J) W_n.
+        normal_work: f64,
+        /// (J) E, on the case's basis.
+        crush_energy: f64,
+    },
+    /// The difference between the restitution that they imply and that of the case.
+    MomentumRestitution {
+        /// (–) as implied.
+        implied: f64,
+        /// (–) of the case, at this closing speed.
+        given: f64,
+    },
+    /// How far the impulse ratio that they imply lies outside of 0 to μ_c.
+    MomentumRatio {
+        /// (–) as implied.
+        implied: f64,
+        /// (–) μ_c.
+        critical: f64,
+    },
+    /// (rad/s) the difference between the yaw rate after the impact that the impulse at C gives and the one
+    /// that the rest or the case tells.
+    MomentumYawRate {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (rad/s) by the impulse at C.
+        implied: f64,
+        /// (rad/s) by the rest, or as given.
+        told: f64,
+    },
+    /// (rad) the difference between the PDOF that they imply and that of the case.
+    MomentumPdof {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (rad) as implied.
+        implied: f64,
+        /// (rad) of the case.
+        given: f64,
+    },
 }
 
 impl Check {
@@ -71,8 +115,108 @@ impl Check {
             CheckedQuantity::DamageEnergy { .. } => "damage-energy",
             CheckedQuantity::Restitution => "restitution",
             CheckedQuantity::Rotation { .. } => "rotation",
+            CheckedQuantity::MomentumEnergy { .. } => "momentum-energy",
+            CheckedQuantity::MomentumRestitution { .. } => "momentum-restitution",
+            CheckedQuantity::MomentumRatio { .. } => "momentum-ratio",
+            CheckedQuantity::MomentumYawRate { .. } => "momentum-yaw-rate",
+            CheckedQuantity::MomentumPdof { .. } => "momentum-pdof",
         }
     }
+
+    /// The check with its numbers in the given axes.
+    pub(crate) fn in_axes(self, axes: Axes) -> Self {
+        let turned = |value: f64| axes.lateral(value);
+        let quantity = match self.quantity {
+            CheckedQuantity::MomentumRatio { implied, critical } => {
+                CheckedQuantity::MomentumRatio { implied: turned(implied), critical: turned(critical) }
+            }
+            CheckedQuantity::MomentumYawRate { vehicle, implied, told } => {
+                CheckedQuantity::MomentumYawRate { vehicle, implied: turned(implied), told: turned(told) }
+            }
+            other => other,
+        };
+        Self { quantity, ..self }
+    }
+
+    /// The vehicle that it is about; none for one of the collision.
+    #[must_use]
+    pub fn vehicle(&self) -> Option<VehicleId> {
+        match self.quantity {
+            CheckedQuantity::Rotation { vehicle }
+            | CheckedQuantity::MomentumYawRate { vehicle, .. }
+            | CheckedQuantity::MomentumPdof { vehicle, .. } => Some(vehicle),
+            CheckedQuantity::ForceBalance
+            | CheckedQuantity::PdofsOpposite
+            | CheckedQuantity::DamageEnergy { .. }
+            | CheckedQuantity::Restitution
+            | CheckedQuantity::MomentumEnergy { .. }
+            | CheckedQuantity::MomentumRestitution { .. }
+            | CheckedQuantity::MomentumRatio { .. } => None,
+        }
+    }
+
+    /// Whether it holds momentum against other evidence.
+    #[must_use]
+    pub fn is_of_momentum(&self) -> bool {
+        matches!(
+            self.quantity,
+            CheckedQuantity::MomentumEnergy { .. }
+                | CheckedQuantity::MomentumRestitution { .. }
+                | CheckedQuantity::MomentumRatio { .. }
+                | CheckedQuantity::MomentumYawRate { .. }
+                | CheckedQuantity::MomentumPdof { .. }
+        )
+    }
+}
+
+/// What both speeds and the velocities after the impact imply, against all else that is known of it. The
+/// crush energy (J) is on the basis of W_n.
+pub(crate) fn of_momentum(
+    both: &BothFound,
+    impact: &Impact,
+    vehicles: &[Vehicle; 2],
+    crush_energy: Option<f64>,
+) -> Vec<Check> {
+    let implied = &both.implied;
+    let mut checks = Vec::new();
+    let is_used = matches!(both.method, BothMethod::MomentumAndCrush { .. });
+    if let Some(crush_energy) = crush_energy.filter(|energy| *energy > 0.0 && !is_used) {
+        let normal_work = implied.normal_work;
+        // |W_n − E|/E
+        let value = (normal_work - crush_energy).abs() / crush_energy;
+        let quantity = CheckedQuantity::MomentumEnergy { normal_work, crush_energy };
+        checks.push(Check { quantity, value, limit: MOMENTUM_ENERGY_DIFFERENCE });
+    }
+    if let Some(e) = implied.restitution {
+        let given = impact.law.restitution();
+        let quantity = CheckedQuantity::MomentumRestitution { implied: e, given };
+        checks.push(Check { quantity, value: (e - given).abs(), limit: RESTITUTION_DIFFERENCE });
+    }
+    if let (Some(mu), Some(critical)) = (implied.impulse_ratio, implied.critical_impulse_ratio) {
+        // How far beyond μ_c, or on the other side of 0.
+        let along = mu * critical.signum();
+        let value = (along - critical.abs()).max(-along).max(0.0);
+        let quantity = CheckedQuantity::MomentumRatio { implied: mu, critical };
+        checks.push(Check { quantity, value, limit: RATIO_BEYOND });
+    }
+    let size = implied.impulse_vector.norm();
+    for (i, vehicle) in VehicleId::ALL.into_iter().enumerate() {
+        let body = impact.contact.participants()[i].body();
+        if let Some(told) = both.momentum.after[i].yaw_rate {
+            let computed = implied.yaw_rates[i];
+            // |ΔΩ| = |P| Δh/I
+            let limit = size * ARM_DIFFERENCE * body.inverse_yaw_inertia();
+            let quantity = CheckedQuantity::MomentumYawRate { vehicle, implied: computed, told };
+            checks.push(Check { quantity, value: (computed - told).abs(), limit });
+        }
+        if let Some(given) = vehicles[i].given_pdof() {
+            let computed = implied.pdof[i];
+            let quantity = CheckedQuantity::MomentumPdof { vehicle, implied: computed, given };
+            let value = principal_angle(computed - given).abs();
+            checks.push(Check { quantity, value, limit: vehicles[i].half_hour().max(PDOF_DIFFERENCE) });
+        }
+    }
+    checks
 }
 
 /// All checks that there are values for: headings (rad) and the crush energy (J) on the basis of W_n, as far

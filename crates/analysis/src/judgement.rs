@@ -3,8 +3,8 @@
 
 use crash3::{EnergyBasis, Side, SideStiffness, VehicleClass};
 use inputs::{
-    Axes, Case, Crush, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Kind, Purpose, StiffnessForm,
-    StiffnessLine, VehicleData, Velocity, YawSource,
+    Axes, Case, Crush, Faults, Find, Fit, GivenVehicle, ImpactLaw, InferredWidth, Kind, Purpose,
+    StiffnessForm, StiffnessLine, VehicleData, Velocity, YawSource,
 };
 use pim_core::VehicleId;
 
@@ -204,12 +204,17 @@ pub fn nearest_class(vehicle: &VehicleData) -> Option<(u8, VehicleClass)> {
 #[must_use]
 pub fn judge(case: &Case) -> Judgement {
     let seeks = case.reconstruct.is_some();
-    let reconstruction = case.reconstruction();
+    let is_both = case.reconstruct.is_some_and(|reconstruct| reconstruct.find == Find::Both);
+    let reconstruction = if is_both {
+        case.two_speeds().map(|input| input.collision)
+    } else {
+        case.reconstruction().map(|input| input.collision)
+    };
     let impact = case.collision();
     let subjects = case.subjects();
     let mut warnings = Vec::new();
     let collision = match (&reconstruction, &impact) {
-        (Ok(input), _) => Some(&input.collision),
+        (Ok(collision), _) => Some(collision),
         (_, Ok(input)) => Some(&input.collision),
         _ => None,
     };
@@ -226,7 +231,7 @@ pub fn judge(case: &Case) -> Judgement {
     of_vehicles(case, subjects.map(|subject| subject.unwrap_or(NOTHING)), speeds, &mut warnings);
     let unpropagated = uncertainty::inputs(case)
         .err()
-        .or_else(|| if seeks { case.reconstruction().err() } else { case.collision().err() });
+        .or_else(|| if seeks { reconstruction.clone().err() } else { case.collision().err() });
     let lacking = [
         (Purpose::Reconstruct, reconstruction.err()),
         (Purpose::Impact, impact.err()),
@@ -253,7 +258,7 @@ pub fn judge(case: &Case) -> Judgement {
 }
 
 /// A vehicle of which something needed is missing.
-const NOTHING: VehicleData = VehicleData {
+pub(crate) const NOTHING: VehicleData = VehicleData {
     kind: None,
     inertia: None,
     contact: None,

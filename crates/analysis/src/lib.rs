@@ -33,6 +33,7 @@
 //! It adds no equation: those are in `pim-core`, `crash3` and `reconcile`. It reads no file (`case` does) and
 //! writes no text (`report` does), so a case can also be built in code from the types of `inputs`.
 
+mod both;
 mod checks;
 mod compare;
 mod curve;
@@ -42,10 +43,12 @@ mod quantities;
 mod seen;
 mod sensitivity;
 mod thresholds;
+mod travel;
 mod uncertainty;
 mod usual;
 mod warning;
 
+pub use both::{BothFound, BothMethod};
 pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, first_push, work_curve};
@@ -56,6 +59,7 @@ pub use seen::{Seen, SeenWarning};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, sensitivity};
 use thresholds::HALF_HOUR;
 pub use thresholds::{FAST_CLOSING, HIGH_RESTITUTION};
+pub use travel::{ClosedForm, Origin as TravelOrigin, Skid, Travel};
 pub use uncertainty::{
     Doubt, Doubtful, ExactValue, Plan, REASONS, Reason, Stage, TakenAsExact, UncertainInput, UncertainOutput,
     Uncertainty, is_uncertain, uncertainty,
@@ -63,9 +67,12 @@ pub use uncertainty::{
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 
 use crash3::{CrushError, EnergyBasis, SideStiffness};
-use inputs::{Case, Collision, Evidence, Faults, Purpose, VehicleData};
-use pim_core::{Contact, ImpactError, Law, Outcome, Real, VaryingLaw, VehicleId};
-use reconcile::{ApproachLine, Iteration, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown};
+use inputs::{Case, Collision, Evidence, Faults, Find, Purpose, SurfaceData, VehicleData};
+use pim_core::{Contact, ImpactError, Law, Motion, Outcome, Real, VaryingLaw, VehicleId};
+use reconcile::{
+    ApproachLine, Iteration, MomentumError, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown,
+};
+use trajectory::{NoRest, Unreached};
 
 /// A finished analysis in the axes of the engine: y to the left, counter-clockwise positive.
 /// [`Analysis::seen`] converts it to those of a reader.
@@ -76,8 +83,16 @@ pub struct Analysis {
     pub basis: EnergyBasis,
     /// The speed found, in a reconstruction.
     pub found: Option<Found>,
-    /// The impact; `None` in an analysis of the damage alone.
+    /// Both speeds, in a reconstruction that seeks them.
+    pub both: Option<BothFound>,
+    /// The impact; `None` in an analysis of the damage alone, or of the motion alone.
     pub impact: Option<Impact>,
+    /// The way of each vehicle from the impact to rest, where the case has the ground and the drag for it.
+    pub travel: [Option<Travel>; 2],
+    /// The skid marks of each vehicle before the impact.
+    pub skids: [Option<Skid>; 2],
+    /// The ground on which they are followed.
+    pub surface: Option<SurfaceData>,
     /// Both vehicles.
     pub vehicles: [Vehicle; 2],
     /// CRASH3's answer, where the damage of all vehicles is known.
@@ -100,6 +115,14 @@ impl Analysis {
     #[must_use]
     pub fn speed(&self, vehicle: VehicleId) -> f64 {
         self.impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle))
+    }
+
+    /// With the ways to rest, and the warnings about them.
+    fn with_travel(mut self, travel: [Option<Travel>; 2], surface: Option<SurfaceData>) -> Self {
+        warning::of_travel(&travel, &mut self.warnings);
+        self.travel = travel;
+        self.surface = surface;
+        self
     }
 }
 
@@ -266,16 +289,40 @@ pub enum Failure {
     /// The damage has no answer.
     #[error(transparent)]
     Crush(#[from] CrushError),
+    /// Momentum does not give both speeds.
+    #[error(transparent)]
+    Momentum(#[from] MomentumError),
+    /// A vehicle does not come to rest after the impact.
+    #[error("vehicle {vehicle} does not come to rest: {reason}")]
+    NoRest {
+        /// Which.
+        vehicle: VehicleId,
+        /// Why.
+        reason: NoRest,
+    },
+    /// No motion after the impact leads to where a vehicle was found.
+    #[error("no motion after the impact brings vehicle {vehicle} to its rest: {reason}")]
+    NoStart {
+        /// Which.
+        vehicle: VehicleId,
+        /// Why.
+        reason: Unreached,
+    },
     /// Nothing is uncertain, or the requested samples make no sense.
     #[error(transparent)]
     Ranges(#[from] ::uncertainty::InvalidRequest),
 }
 
-/// Finds the speed that makes the work of the normal impulse equal the crush energy.
+/// Finds the speed that makes the work of the normal impulse equal the crush energy; or both speeds, where the
+/// case seeks them, from how the vehicles left the impact. Where the case has the ground and the drag for it,
+/// the vehicles are followed to rest.
 ///
 /// # Errors
 /// [`Failure`].
 pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
+    if case.reconstruct.is_some_and(|reconstruct| reconstruct.find == Find::Both) {
+        return both::reconstruct(case).map_err(|failure| failure.in_axes(case.axes));
+    }
     let input = case.reconstruction()?;
     let Collision { contact, law, motions, vehicles } = input.collision;
     // The uncorrected energies do not depend on the impact; a force balance takes its directions from the
@@ -307,7 +354,10 @@ pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let warnings = warning::of_found(&found, input.given_speed);
     let impact = Impact::new(contact, problem.law, answer.law, answer.outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
-    judged(case, vehicles, input.basis, Some(impact.law.restitution()), (Some(found), Some(impact)), warnings)
+    let (travel, surface) = run_out(case, impact.outcome.after)?;
+    let restitution = Some(impact.law.restitution());
+    let analysis = judged(case, vehicles, input.basis, restitution, (Some(found), Some(impact)), warnings)?;
+    Ok(analysis.with_travel(travel, surface))
 }
 
 /// Why a problem has no answer, with the impact that comes nearest to one.
@@ -320,7 +370,8 @@ pub(crate) fn refused(problem: &Problem, refusal: ReconcileError) -> Failure {
     }
 }
 
-/// Solves the impact of a case that gives both speeds.
+/// Solves the impact of a case that gives both speeds, and follows the vehicles to rest where the case has the
+/// ground and the drag for it.
 ///
 /// # Errors
 /// [`Failure`].
@@ -331,7 +382,10 @@ pub fn impact(case: &Case) -> Result<Analysis, Failure> {
     let Collision { contact, law: given_law, vehicles, .. } = input.collision;
     let impact = Impact::new(contact, given_law, law, outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
-    judged(case, vehicles, input.basis, Some(impact.law.restitution()), (None, Some(impact)), Vec::new())
+    let (travel, surface) = run_out(case, impact.outcome.after)?;
+    let restitution = Some(impact.law.restitution());
+    let analysis = judged(case, vehicles, input.basis, restitution, (None, Some(impact)), Vec::new())?;
+    Ok(analysis.with_travel(travel, surface))
 }
 
 /// The impact of a fully known collision, and the law at its closing speed.
@@ -343,6 +397,46 @@ fn collide<T: Real>(collision: &Collision<T>) -> Result<(Law<T>, Outcome<T>), Im
 /// (m/s) along the normal at C, negative if the vehicles move apart.
 fn closing_speed<T: Real>(collision: &Collision<T>) -> T {
     -collision.contact.approach(&collision.motions).velocity.normal
+}
+
+/// The motion after the impact alone: to rest where the case gives how a vehicle left the impact, and back from
+/// the rest where it gives that.
+///
+/// # Errors
+/// [`Failure`].
+pub fn motion(case: &Case) -> Result<Analysis, Failure> {
+    let input = case.motion()?;
+    let travel = travel::of_case(&input).map_err(|failure| failure.in_axes(case.axes))?;
+    let bare = |subject: Option<VehicleData>| Vehicle {
+        subject: VehicleData { damage: None, energy: None, ..subject.unwrap_or(judgement::NOTHING) },
+        damage: None,
+        energy: None,
+    };
+    let vehicles = case.subjects().map(bare);
+    let basis = EnergyBasis::default();
+    let mut warnings = Vec::new();
+    warning::of_travel(&travel, &mut warnings);
+    Ok(Analysis {
+        basis,
+        found: None,
+        both: None,
+        impact: None,
+        travel,
+        skids: [None; 2],
+        surface: Some(input.surface),
+        vehicles,
+        crash3: None,
+        checks: Vec::new(),
+        warnings,
+    })
+}
+
+/// The ways to rest after an impact, where the case has the ground and the drag for them.
+fn run_out(case: &Case, after: [Motion; 2]) -> Result<([Option<Travel>; 2], Option<SurfaceData>), Failure> {
+    let Some(input) = case.run_out() else { return Ok(([None, None], None)) };
+    let input = input?;
+    let travel = travel::after_impact(&input, after).map_err(|failure| failure.in_axes(case.axes))?;
+    Ok((travel, Some(input.surface)))
 }
 
 /// CRASH3 alone: energies and velocity changes from the damage and the PDOF that the file gives.
@@ -410,6 +504,20 @@ fn judged(
             warning::of_delta_v(impact, crash3, &vehicles, &mut warnings);
         }
     }
+    let marks = case.skids();
+    let skids = [0, 1].map(|i| travel::skid(marks[i]?, speeds?[i]));
     warning::of_checks(&checks, &vehicles, impact.as_ref(), basis, &mut warnings);
-    Ok(Analysis { basis, found, impact, vehicles, crash3, checks, warnings })
+    Ok(Analysis {
+        basis,
+        found,
+        both: None,
+        impact,
+        travel: [None, None],
+        skids,
+        surface: None,
+        vehicles,
+        crash3,
+        checks,
+        warnings,
+    })
 }

@@ -5,7 +5,9 @@
 
 use pim_core::{Energy, Outcome, VehicleId};
 
-use crate::{Crash3, Damage, Oblique, Seen};
+use reconcile::Implied;
+
+use crate::{Crash3, Damage, Oblique, Seen, Travel};
 
 /// A number that a finished analysis gives.
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +53,8 @@ pub enum Kind {
     MomentImpulse,
     /// N
     Force,
+    /// s
+    Time,
 }
 
 /// What a quantity belongs to, with the function that reads it from an analysis, or returns `None` if it is
@@ -147,6 +151,15 @@ fn crash3(analysis: &Seen) -> Option<&Crash3> {
 /// CRASH3's answer, for a vehicle that can move.
 fn moved(analysis: &Seen, id: VehicleId) -> Option<&Crash3> {
     crash3(analysis).filter(|_| analysis.moves(id))
+}
+
+/// What follows from both speeds and the motions after the impact.
+fn implied(analysis: &Seen) -> Option<&Implied> {
+    Some(&analysis.both.as_ref()?.implied)
+}
+
+fn travel(analysis: &Seen, id: VehicleId) -> Option<&Travel> {
+    analysis.travel[id.index()].as_ref()
 }
 
 /// A row whose number is the collision's.
@@ -322,6 +335,76 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         ["normal of the crush plane in the scene", "normal n in the scene", "n", "theory 1"],
         Kind::Ratio,
         Of::Collision(|a| Some(a.impact.as_ref()?.contact.normal().y)),
+    ),
+    row(
+        "momentum.approach_angle",
+        "/momentum/approach_angle",
+        ["angle between the approaches", "angle between the headings", "", "theory 10"],
+        Kind::Angle,
+        Of::Collision(|a| Some(a.both.as_ref()?.momentum.angle())),
+    ),
+    row(
+        "momentum.impulse.x",
+        "/momentum/impulse/0",
+        ["impulse on vehicle 1 by momentum", "impulse by momentum, P", "P_x", "theory 10"],
+        Kind::Impulse,
+        Of::Collision(|a| Some(implied(a)?.impulse_vector.x)),
+    ),
+    row(
+        "momentum.impulse.y",
+        "/momentum/impulse/1",
+        ["impulse on vehicle 1 by momentum", "impulse by momentum, P", "P_y", "theory 10"],
+        Kind::Impulse,
+        Of::Collision(|a| Some(implied(a)?.impulse_vector.y)),
+    ),
+    row(
+        "momentum.disagreement",
+        "/momentum/disagreement",
+        ["difference of the two impulses", "difference of the two impulses", "", "theory 10"],
+        Kind::Impulse,
+        Of::Collision(|a| Some(implied(a)?.disagreement())),
+    ),
+    row(
+        "momentum.restitution",
+        "/momentum/restitution",
+        ["restitution by momentum", "restitution by momentum, e", "e", "theory 10"],
+        Kind::Ratio,
+        Of::Collision(|a| implied(a)?.restitution),
+    ),
+    row(
+        "momentum.impulse_ratio",
+        "/momentum/impulse_ratio",
+        ["impulse ratio by momentum", "impulse ratio by momentum, μ", "μ", "theory 10"],
+        Kind::Ratio,
+        Of::Collision(|a| implied(a)?.impulse_ratio),
+    ),
+    row(
+        "momentum.critical_impulse_ratio",
+        "/momentum/critical_impulse_ratio",
+        ["critical impulse ratio by momentum", "μ_c with this U_n", "μ_c", "theory 10"],
+        Kind::Ratio,
+        Of::Collision(|a| implied(a)?.critical_impulse_ratio),
+    ),
+    row(
+        "momentum.energy_loss",
+        "/momentum/energy_loss",
+        ["energy loss by momentum", "energy loss by momentum, E_L", "E_L", "theory 10"],
+        Kind::Energy,
+        Of::Collision(|a| Some(implied(a)?.energy_loss)),
+    ),
+    row(
+        "momentum.normal_work",
+        "/momentum/normal_work",
+        ["normal work by momentum", "normal work by momentum, W_n", "W_n", "theory 10"],
+        Kind::Energy,
+        Of::Collision(|a| Some(implied(a)?.normal_work)),
+    ),
+    row(
+        "momentum.tangential_work",
+        "/momentum/tangential_work",
+        ["tangential work by momentum", "tangential work by momentum", "W_t", "theory 10"],
+        Kind::Energy,
+        Of::Collision(|a| Some(implied(a)?.tangential_work)),
     ),
     row(
         "crash3.crush_energy",
@@ -504,6 +587,90 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         ["no-damage speed", "no-damage speed b_0", "b_0", "theory 5"],
         Kind::Speed,
         Of::Vehicle(|a, id| a.vehicles[id.index()].no_damage_speed()),
+    ),
+    row(
+        "momentum.delta_v",
+        "/momentum/delta_v/%",
+        ["ΔV by momentum", "ΔV by momentum, |V − v|", "ΔV", "theory 10"],
+        Kind::Speed,
+        Of::Vehicle(|a, id| Some(implied(a)?.delta_v[id.index()].norm())),
+    ),
+    row(
+        "momentum.pdof",
+        "/momentum/pdof/%",
+        ["PDOF by momentum", "PDOF by momentum", "PDOF", "theory 10"],
+        Kind::Angle,
+        Of::Vehicle(|a, id| Some(implied(a)?.pdof[id.index()])),
+    ),
+    row(
+        "momentum.final_yaw_rate",
+        "/momentum/final_yaw_rate/%",
+        ["yaw rate after by momentum", "yaw rate after, from P at C", "Ω", "theory 10"],
+        Kind::YawRate,
+        Of::Vehicle(|a, id| Some(implied(a)?.yaw_rates[id.index()])),
+    ),
+    row(
+        "skid.speed",
+        "/vehicle#/skid/speed",
+        ["speed where the skid marks begin", "speed where the skid begins", "", "theory 11"],
+        Kind::Speed,
+        Of::Vehicle(|a, id| Some(a.skids[id.index()]?.speed)),
+    ),
+    row(
+        "start.speed",
+        "/vehicle#/start/speed",
+        ["speed at the start of the way to rest", "speed at the start", "V", "theory 11"],
+        Kind::Speed,
+        Of::Vehicle(|a, id| Some(travel(a, id)?.start.motion.velocity.norm())),
+    ),
+    row(
+        "start.direction",
+        "/vehicle#/start/direction",
+        ["direction at the start of the way to rest", "direction at the start", "", "theory 11"],
+        Kind::Angle,
+        Of::Vehicle(|a, id| Some(travel(a, id)?.direction())),
+    ),
+    row(
+        "start.yaw_rate",
+        "/vehicle#/start/yaw_rate",
+        ["yaw rate at the start of the way to rest", "yaw rate at the start", "Ω", "theory 11"],
+        Kind::YawRate,
+        Of::Vehicle(|a, id| Some(travel(a, id)?.start.motion.yaw_rate)),
+    ),
+    row(
+        "rest.x",
+        "/vehicle#/rest/x",
+        ["place of rest", "place of rest, CG", "", "theory 11"],
+        Kind::Length,
+        Of::Vehicle(|a, id| Some(travel(a, id)?.rest.position.x)),
+    ),
+    row(
+        "rest.y",
+        "/vehicle#/rest/y",
+        ["place of rest", "place of rest, CG", "", "theory 11"],
+        Kind::Length,
+        Of::Vehicle(|a, id| Some(travel(a, id)?.rest.position.y)),
+    ),
+    row(
+        "rest.heading",
+        "/vehicle#/rest/heading",
+        ["heading at rest", "heading at rest", "θ", "theory 11"],
+        Kind::Angle,
+        Of::Vehicle(|a, id| Some(travel(a, id)?.rest.heading)),
+    ),
+    row(
+        "rest.time",
+        "/vehicle#/rest/time",
+        ["time to rest", "time to rest", "", "theory 11"],
+        Kind::Time,
+        Of::Vehicle(|a, id| Some(travel(a, id)?.rest.time)),
+    ),
+    row(
+        "rest.distance",
+        "/vehicle#/rest/distance",
+        ["length of the way to rest", "length of the way to rest", "S", "theory 11"],
+        Kind::Length,
+        Of::Vehicle(|a, id| Some(travel(a, id)?.rest.distance)),
     ),
     row(
         "crash3.moment_arm",

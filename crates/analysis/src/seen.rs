@@ -1,10 +1,13 @@
 //! A finished analysis in the axes of a reader.
 
 use crash3::EnergyBasis;
-use inputs::Axes;
+use inputs::{Axes, SurfaceData};
 use pim_core::{ImpactError, Switch, VehicleId};
 
-use crate::{Analysis, Check, Crash3, Drive, Failure, Found, Impact, JumpSide, Vehicle, Warning};
+use crate::{
+    Analysis, BothFound, Check, Crash3, Drive, Failure, Found, Impact, JumpSide, Skid, Travel, Vehicle,
+    Warning,
+};
 
 /// A finished analysis as a reader sees it: in the axes of the case, where an [`Analysis`] is in those of the
 /// engine. What is written for people or programs takes this type, so that no number can be written in the
@@ -18,8 +21,16 @@ pub struct Seen {
     pub basis: EnergyBasis,
     /// As [`Analysis::found`].
     pub found: Option<Found>,
+    /// As [`Analysis::both`].
+    pub both: Option<BothFound>,
     /// As [`Analysis::impact`].
     pub impact: Option<Impact>,
+    /// As [`Analysis::travel`].
+    pub travel: [Option<Travel>; 2],
+    /// As [`Analysis::skids`].
+    pub skids: [Option<Skid>; 2],
+    /// As [`Analysis::surface`], in the axes of the engine.
+    pub surface: Option<SurfaceData>,
     /// As [`Analysis::vehicles`].
     pub vehicles: [Vehicle; 2],
     /// As [`Analysis::crash3`].
@@ -66,18 +77,33 @@ impl SeenWarning {
 }
 
 impl Analysis {
-    /// The analysis with its impact, approach line, contact points, centroids and warnings in the axes of a
-    /// reader. A [`DamagedFace`](crash3::DamagedFace) stays as it is.
+    /// The analysis with its impact, approach line, contact points, centroids, ways to rest and warnings in the axes
+    /// of a reader. A [`DamagedFace`](crash3::DamagedFace) and a chassis stay as they are.
     #[must_use]
     pub fn seen(&self, axes: Axes) -> Seen {
         // Without `..`: a new field does not compile before somebody has decided what becomes of it.
-        let Self { basis, mut found, mut impact, mut vehicles, crash3, checks, warnings } = self.clone();
+        let Self {
+            basis,
+            mut found,
+            mut both,
+            mut impact,
+            mut travel,
+            skids,
+            surface,
+            mut vehicles,
+            crash3,
+            checks,
+            warnings,
+        } = self.clone();
         let warnings = warnings.iter().map(|warning| warning.seen(axes)).collect();
+        let checks = checks.into_iter().map(|check| check.in_axes(axes)).collect();
         if axes == Axes::ZDown {
             impact = impact.map(|impact| impact.mirrored());
             if let Some(found) = &mut found {
                 found.line = found.line.mirrored();
             }
+            both = both.map(|both| both.mirrored());
+            travel = travel.map(|travel| travel.map(|travel| travel.mirrored()));
             for vehicle in &mut vehicles {
                 let centroid = vehicle.damage.as_mut().and_then(|damage| damage.centroid.as_mut());
                 for [_, y] in vehicle.subject.contact.as_mut().into_iter().chain(centroid) {
@@ -85,7 +111,7 @@ impl Analysis {
                 }
             }
         }
-        Seen { axes, basis, found, impact, vehicles, crash3, checks, warnings }
+        Seen { axes, basis, found, both, impact, travel, skids, surface, vehicles, crash3, checks, warnings }
     }
 }
 
@@ -99,6 +125,16 @@ impl Warning {
         | Self::RotationOpposes { turned: lateral, .. } = &mut seen
         {
             *lateral = axes.lateral(*lateral);
+        }
+        if let Self::MomentumDiffers { checks } = &mut seen {
+            for check in checks {
+                *check = check.in_axes(axes);
+            }
+        }
+        if let Self::SeveralStarts { used, others, .. } = &mut seen {
+            for [_, yaw_rate] in std::iter::once(used).chain(others) {
+                *yaw_rate = axes.lateral(*yaw_rate);
+            }
         }
         if let Self::LargeImpulseRatio { impulse_ratio, .. } = &mut seen {
             *impulse_ratio = axes.lateral(*impulse_ratio);

@@ -16,3 +16,15 @@ pub const HIGH_RESTITUTION: f64 = 0.3;
 pub const FAST_CLOSING: f64 = 15.0;
 /// How far the work of the normal impulse may be from the crush energy.
 pub(crate) const ENERGY_DIFFERENCE: f64 = 0.1;
+/// How far the crush energy may be from the normal work that momentum implies, as a share: on the RICSAC
+/// collisions the two differ by half in the rms of the logarithm.
+pub(crate) const MOMENTUM_ENERGY_DIFFERENCE: f64 = 0.5;
+/// How far the restitution that momentum implies may be from the one of the case: an error of 5° in the
+/// direction of one velocity after the impact moves it by as much.
+pub(crate) const RESTITUTION_DIFFERENCE: f64 = 0.2;
+/// How far the impulse ratio that momentum implies may lie outside of 0 to μ_c: an error of 5° in the
+/// direction of the impulse.
+pub(crate) const RATIO_BEYOND: f64 = 0.1;
+/// (m) how far the line of action of the impulse may be from the contact point: the place of C on a damage a
+/// metre wide is not known better.
+pub(crate) const ARM_DIFFERENCE: f64 = 0.2;

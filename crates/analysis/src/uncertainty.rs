@@ -18,7 +18,7 @@ use inputs::{
 };
 use pim_core::{ImpactError, Outcome, VehicleId};
 use real::Gradient;
-use reconcile::ReconcileError;
+use reconcile::{MomentumError, ReconcileError};
 
 pub use doubts::{Doubt, Doubtful};
 pub use exact::{ExactValue, TakenAsExact};
@@ -147,12 +147,16 @@ pub enum Reason {
     NoDamageSpeed,
     /// The force per width is limited to less than A, with which it begins.
     LimitBelowStart,
+    /// No motion after the impact leads to a rest, or from it.
+    NoRest,
+    /// Momentum and crush energy give no speeds.
+    NoSpeeds,
     /// Something else.
     Other,
 }
 
 /// All reasons.
-pub const REASONS: [Reason; 8] = [
+pub const REASONS: [Reason; 10] = [
     Reason::NotApproaching,
     Reason::NoRoot,
     Reason::EnergyCreated,
@@ -160,6 +164,8 @@ pub const REASONS: [Reason; 8] = [
     Reason::Pulling,
     Reason::NoDamageSpeed,
     Reason::LimitBelowStart,
+    Reason::NoRest,
+    Reason::NoSpeeds,
     Reason::Other,
 ];
 
@@ -176,6 +182,8 @@ impl Reason {
             Self::Other => 6,
             Self::NoDamageSpeed => 7,
             Self::LimitBelowStart => 8,
+            Self::NoRest => 9,
+            Self::NoSpeeds => 10,
         }
     }
 
@@ -198,6 +206,11 @@ impl Reason {
                 | ReconcileError::NoRestitutionLoss { .. }
                 | ReconcileError::SpeedWithoutEffect { .. },
             ) => Self::NoRoot,
+            Failure::NoRest { .. } | Failure::NoStart { .. } => Self::NoRest,
+            Failure::Momentum(
+                MomentumError::Impact(error) | MomentumError::Inadmissible { reason: error, .. },
+            ) => Self::of_impact(error),
+            Failure::Momentum(_) => Self::NoSpeeds,
             Failure::Reconcile(_) | Failure::Case(_) | Failure::Crush(_) | Failure::Ranges(_) => Self::Other,
         }
     }

@@ -13,8 +13,10 @@ use crate::checks::{Check, CheckedQuantity};
 use crate::damage::Crash3;
 use crate::thresholds::{FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
 use crate::usual::Usual;
-use crate::{Damage, Found, Impact, Vehicle};
+use crate::{Damage, Found, Impact, Travel, Vehicle};
 
+/// (rad) 300°: another motion that turns a vehicle by more than this, where less does, need not be told.
+const UNLIKELY_TURN: f64 = 5.0 / 6.0 * TAU;
 /// How far CRASH3's ΔV may be from that of the impact.
 const DELTA_V_DIFFERENCE: f64 = 0.1;
 /// (m) how far the contact point may be outside of the outline: the roundness of a bumper.
@@ -89,6 +91,20 @@ pub enum Warning {
         computed: f64,
         /// (rad) how far apart they may be.
         limit: f64,
+    },
+    /// What momentum implies differs from other evidence.
+    MomentumDiffers {
+        /// The checks that are not passed.
+        checks: Vec<Check>,
+    },
+    /// Several motions after the impact lead to the rest of a vehicle.
+    SeveralStarts {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (m/s, rad/s) speed and yaw rate of the one that is used.
+        used: [f64; 2],
+        /// (m/s, rad/s) those of the others.
+        others: Vec<[f64; 2]>,
     },
     /// α was limited to 45°.
     AngleCapped {
@@ -415,12 +431,14 @@ pub enum Magnitude {
 
 impl Warning {
     /// Every warning code.
-    pub const CODES: [&'static str; 33] = [
+    pub const CODES: [&'static str; 35] = [
         "crush-plane",
         "contact-outside",
         "high-restitution",
         "force-balance",
         "pdof-differs",
+        "momentum-differs",
+        "several-starts",
         "angle-capped",
         "side-not-pushed",
         "delta-v-differs",
@@ -460,6 +478,8 @@ impl Warning {
             Self::HighRestitution { .. } => "high-restitution",
             Self::ForceBalance { .. } => "force-balance",
             Self::PdofDiffers { .. } => "pdof-differs",
+            Self::MomentumDiffers { .. } => "momentum-differs",
+            Self::SeveralStarts { .. } => "several-starts",
             Self::AngleCapped { .. } => "angle-capped",
             Self::SideNotPushed { .. } => "side-not-pushed",
             Self::DeltaVDiffers { .. } => "delta-v-differs",
@@ -497,6 +517,7 @@ impl Warning {
         match self {
             Self::ContactOutside { vehicle, .. }
             | Self::PdofDiffers { vehicle, .. }
+            | Self::SeveralStarts { vehicle, .. }
             | Self::AngleCapped { vehicle, .. }
             | Self::SideNotPushed { vehicle, .. }
             | Self::MovesBackward { vehicle, .. }
@@ -518,6 +539,7 @@ impl Warning {
             Self::PlaneDoesNotSeparate
             | Self::HighRestitution { .. }
             | Self::ForceBalance { .. }
+            | Self::MomentumDiffers { .. }
             | Self::DeltaVDiffers { .. }
             | Self::SeveralSpeeds { .. }
             | Self::PdofsNotOpposite { .. }
@@ -999,6 +1021,32 @@ pub(crate) fn of_checks(
                 }
             }
             _ => {}
+        }
+    }
+}
+
+/// Where momentum and other evidence do not agree.
+pub(crate) fn of_momentum(checks: &[Check], warnings: &mut Vec<Warning>) {
+    let checks: Vec<Check> = checks.iter().filter(|check| !check.passed()).copied().collect();
+    if !checks.is_empty() {
+        warnings.push(Warning::MomentumDiffers { checks });
+    }
+}
+
+/// Where a rest does not tell one motion alone.
+pub(crate) fn of_travel(travel: &[Option<Travel>; 2], warnings: &mut Vec<Warning>) {
+    for (vehicle, travel) in VehicleId::ALL.into_iter().zip(travel) {
+        let Some(travel) = travel else { continue };
+        let told = |motion: Motion| [motion.velocity.norm(), motion.yaw_rate];
+        // A vehicle that stands as it stood did not turn once around.
+        let others: Vec<[f64; 2]> = travel
+            .others
+            .iter()
+            .filter(|other| other.turn.abs() < UNLIKELY_TURN)
+            .map(|other| told(other.motion))
+            .collect();
+        if !others.is_empty() {
+            warnings.push(Warning::SeveralStarts { vehicle, used: told(travel.start.motion), others });
         }
     }
 }

@@ -38,7 +38,9 @@ pub(crate) enum Command {
         long_about = "Find the speed at which impact and crush agree, and print the whole reconstruction.\n\n\
             The program varies the speed that [reconstruct] names until the work of the normal impulse \
             equals the crush energy of both vehicles or, with energy_basis = \"absorbed\", the share 1 − e² \
-            of it.\n\n\
+            of it. With find = [\"vehicle1.speed\", \"vehicle2.speed\"] it finds both speeds: from momentum \
+            and how the vehicles left the impact, which their rest positions tell, and from the crush energy \
+            as well where the approaches lie within 10° of one line.\n\n\
             Several files give one row each, in the order of the command line: use --format csv for a \
             spreadsheet, --format jsonl for a program. If a file has no answer, its row holds the error, \
             and the other files are still processed.\n\n\
@@ -78,6 +80,23 @@ pub(crate) enum Command {
             Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
     )]
     Impact(CasesArguments),
+    /// Follow each vehicle from the impact to rest, or find how it left from where it came to rest
+    #[command(
+        long_about = "Follow each vehicle from the impact to rest, or find how it left from where it came to rest.\n\n\
+            Each vehicle is one rigid body on four wheels that roll, skid or slide on the ground. \
+            [vehicleN.after] with speed, direction and yaw_rate is followed forward to rest; with rest, the \
+            program searches for the velocity and yaw rate after the impact that lead there, and names \
+            every other motion that does so too. [surface] has the friction, [vehicleN.after] the drag of \
+            the wheels, and [scene] contact the place of the impact.\n\n\
+            `deltav impact` and `deltav reconstruct` carry on to rest by themselves where the case has \
+            friction and drag.\n\n\
+            Several files give one row each, as with `deltav reconstruct`; the columns for the impact are empty.",
+        after_help = "Examples:\n  deltav motion fixtures/ricsac-6-motion.toml\n  \
+            deltav new --template intersection -o case.toml && deltav motion case.toml\n  \
+            deltav draw case.toml --what motion -o motion.svg\n\n\
+            Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
+    )]
+    Motion(CasesArguments),
     /// Compute crush energy and ΔV from damage and PDOF alone (CRASH3)
     #[command(
         long_about = "Compute crush energy and ΔV from damage and PDOF alone (CRASH3).\n\n\
@@ -148,10 +167,10 @@ pub(crate) enum Command {
             Ctrl-C ends the sampling and prints the results so far."
     )]
     Uncertainty(UncertaintyArguments),
-    /// Draw the scene, the damage, the reconciliation or the energy, as SVG, PNG or PDF
+    /// Draw the scene, the motion, the damage, the reconciliation or the energy, as SVG, PNG or PDF
     #[command(
-        long_about = "Draw the scene, the damage, the reconciliation or the energy, as SVG, PNG or PDF.\n\n\
-            A case with [reconstruct] is reconstructed first; a case with both speeds is computed forward; for a case without [impact], only the damage can be drawn. Scene and damage are to scale. The damaged body is filled, and its shape before the damage is dashed. A vehicle that has neither class nor length, width and cg_to_front is drawn with the outline of the CRASH3 size class whose radius of gyration is nearest to its own, and the legend notes this. If its radius of gyration or its contact point does not fit a car of that class, the scene shows its centre of gravity and its arrows, and no body.\n\n--plain draws the scene for readers who are no engineers: the vehicles by name and their speeds before and after the impact, without symbols, axes or forces.\n\nStandard error says how many warnings the case has. The letters of PNG and PDF are those of DejaVu Sans. If a text has other letters, standard error names them, and the picture has ? in their place; an SVG uses the fonts of its reader.",
+        long_about = "Draw the scene, the motion, the damage, the reconciliation or the energy, as SVG, PNG or PDF.\n\n\
+            A case with [reconstruct] is reconstructed first; a case with both speeds is computed forward; for a case without [impact], the damage and the motion after the impact can be drawn. Scene, motion and damage are to scale. The damaged body is filled, and its shape before the damage is dashed. A vehicle that has neither class nor length, width and cg_to_front is drawn with the outline of the CRASH3 size class whose radius of gyration is nearest to its own, and the legend notes this. If its radius of gyration or its contact point does not fit a car of that class, the scene shows its centre of gravity and its arrows, and no body.\n\n--plain draws the scene or the motion for readers who are no engineers: the vehicles by name and their speeds before and after the impact, without symbols, axes or forces.\n\nStandard error says how many warnings the case has. The letters of PNG and PDF are those of DejaVu Sans. If a text has other letters, standard error names them, and the picture has ? in their place; an SVG uses the fonts of its reader.",
         after_help = "Examples:\n  deltav draw fixtures/sae-980025.toml --what scene -o scene.svg\n  \
             deltav draw fixtures/sae-980025.toml --what scene --plain -o exhibit.pdf\n  \
             deltav draw fixtures/sae-980025.toml --what energy -o energy.png"
@@ -422,7 +441,7 @@ pub(crate) struct DrawArguments {
     #[arg(long, value_enum)]
     pub(crate) units: Option<UnitSystem>,
 
-    /// Draw the scene in plain words: vehicle names, and speeds before and after the impact
+    /// Draw the scene or the motion in plain words, without symbols and axes
     #[arg(long)]
     pub(crate) plain: bool,
 
@@ -441,6 +460,10 @@ pub(crate) enum What {
     Reconciliation,
     /// Where the initial kinetic energy went
     Energy,
+    /// Plan view from the approach over the impact to rest, with the marks of the wheels
+    Motion,
+    /// Speed, yaw rate and heading over the time from the impact to rest
+    MotionCurves,
 }
 
 #[derive(Debug, Args)]

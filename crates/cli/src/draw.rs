@@ -11,8 +11,8 @@ use crate::arguments::{DrawArguments, What};
 pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     let path = arguments.output.file();
     let format = format_of(path)?;
-    if arguments.plain && arguments.what != What::Scene {
-        bail!("--plain is a form of the scene alone: give --what scene, or leave out --plain");
+    if arguments.plain && !matches!(arguments.what, What::Scene | What::Motion) {
+        bail!("--plain is a form of the scene and of the motion: give --what scene, or leave out --plain");
     }
     let file = crate::case_file(&arguments.case)?;
     let subject = match arguments.what {
@@ -20,13 +20,22 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         What::Damage => Subject::Damage,
         What::Reconciliation => Subject::Reconciliation,
         What::Energy => Subject::Energy,
+        What::Motion => Subject::Motion,
+        What::MotionCurves => Subject::MotionCurves,
     };
     let units = crate::units(arguments.units, &file);
-    let analysis = crate::answered(analysis::furthest(&file.case), &file, units)?;
-    let drawing = if arguments.plain {
-        report::plain_scene(&file, &analysis, units)?
-    } else {
-        report::drawing(&file, &analysis, units, subject)?
+    let is_motion = matches!(subject, Subject::Motion | Subject::MotionCurves);
+    // What a case lacks for an impact does not keep its motion after the impact from being drawn.
+    let analysis = match analysis::furthest(&file.case) {
+        Ok(analysis) if !is_motion || analysis.travel.iter().any(Option::is_some) => Ok(analysis),
+        Err(failure) if !is_motion => Err(failure),
+        _ => analysis::motion(&file.case),
+    };
+    let analysis = crate::answered(analysis, &file, units)?;
+    let drawing = match subject {
+        Subject::Scene if arguments.plain => report::plain_scene(&file, &analysis, units)?,
+        Subject::Motion => report::motion_on(&file, &analysis, units, arguments.plain, None)?,
+        _ => report::drawing(&file, &analysis, units, subject)?,
     };
     // A drawing has no room for sentences, and standard output may be the drawing.
     let warnings = match analysis.warnings.len() {
@@ -37,7 +46,9 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     if let Some(warnings) = warnings {
         let command = match (&analysis.found, &analysis.impact) {
             (Some(_), _) => "reconstruct",
+            (None, Some(_)) if analysis.both.is_some() => "reconstruct",
             (None, Some(_)) => "impact",
+            (None, None) if is_motion => "motion",
             (None, None) => "crush",
         };
         let case = crate::named(&arguments.case);

@@ -90,6 +90,7 @@ fn run(command: Command) -> Result<()> {
         Command::New(arguments) => new::new(&arguments),
         Command::Reconstruct(arguments) => report_or_rows(arguments, analysis::reconstruct),
         Command::Impact(arguments) => report_or_rows(arguments, analysis::impact),
+        Command::Motion(arguments) => report_or_rows(arguments, analysis::motion),
         Command::Crush(arguments) => report_or_rows(arguments, analysis::crush),
         Command::Check(arguments) => report_judgement(&arguments),
         Command::Compare(arguments) => report_comparison(arguments),

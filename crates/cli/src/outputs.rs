@@ -131,6 +131,7 @@ fn files(command: &Command) -> Files<'_> {
         Command::New(_) => Files::default(),
         Command::Reconstruct(arguments)
         | Command::Impact(arguments)
+        | Command::Motion(arguments)
         | Command::Crush(arguments)
         | Command::Compare(arguments) => of_cases(arguments),
         Command::Check(arguments) => of_arguments(arguments),

@@ -633,7 +633,7 @@ impl<'a, T: Real> Demand<'a, T> {
         if let Some(reconstruct) = &self.case.reconstruct {
             let unknown = reconstruct.find.unknown();
             if unknown.is_none() {
-                let reason = "`reconstruct.find` asks for both speeds, which is not possible in this version";
+                let reason = "`reconstruct.find` asks for both speeds, where one is to be found";
                 self.faults.push(Fault {
                     key: "reconstruct.find".to_owned(),
                     kind: FaultKind::Refused { reason: reason.to_owned() },

@@ -11,6 +11,7 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
     let mut table = Table::of_two("Consistency checks", ["found", "limit", "verdict"]);
     let percent = |share: f64| format!("{} %", number(100.0 * share, 1));
     let angle = |si: f64| units.format(Measure::Angle, si);
+    let energy = |si: f64| units.format(Measure::Energy, si);
     for check in &analysis.checks {
         let (label, found, limit) = match check.quantity {
             CheckedQuantity::ForceBalance => {
@@ -43,6 +44,35 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
                 let of = if is_given { "of the PDOF as given" } else { "of the impulse at C" };
                 (format!("rotation of vehicle {vehicle}"), found.to_owned(), of.to_owned())
             }
+            CheckedQuantity::MomentumEnergy { normal_work, crush_energy } => (
+                "momentum: W_n and crush energy".to_owned(),
+                format!("{} and {}: {}", energy(normal_work), energy(crush_energy), percent(check.value)),
+                percent(check.limit),
+            ),
+            CheckedQuantity::MomentumRestitution { implied, given } => (
+                "momentum: restitution".to_owned(),
+                format!("{}, the case has {}", number(implied, 2), number(given, 2)),
+                format!("{} apart", number(check.limit, 1)),
+            ),
+            CheckedQuantity::MomentumRatio { implied, critical } => (
+                "momentum: impulse ratio".to_owned(),
+                number(implied, 2),
+                format!("0 to {}, ±{}", number(critical, 2), number(check.limit, 1)),
+            ),
+            CheckedQuantity::MomentumYawRate { vehicle, implied, told } => {
+                let degrees = |si: f64| units.format(Measure::YawRateDegrees, si);
+                let plain = |si: f64| units.plain(Measure::YawRateDegrees, si);
+                (
+                    format!("momentum: Ω of vehicle {vehicle}"),
+                    format!("{}, and {} as told", plain(implied), degrees(told)),
+                    format!("{} apart", degrees(check.limit)),
+                )
+            }
+            CheckedQuantity::MomentumPdof { vehicle, implied, given } => (
+                format!("momentum: PDOF of vehicle {vehicle}"),
+                format!("{}, the case has {}", angle(implied), angle(given)),
+                format!("{} apart", angle(check.limit)),
+            ),
         };
         let verdict = if check.passed() { "passed" } else { "see below" };
         table.row([label, found, limit, verdict.to_owned()]);

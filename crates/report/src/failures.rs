@@ -3,7 +3,8 @@
 use analysis::Failure;
 use crash3::CrushError;
 use pim_core::{ImpactError, VehicleId};
-use reconcile::ReconcileError;
+use reconcile::{MomentumError, ReconcileError};
+use trajectory::{NoRest, State, Unreached};
 
 use crate::units::{Measure, Units, number};
 
@@ -16,6 +17,9 @@ pub fn no_answer(failure: &Failure, units: Units) -> String {
         Failure::Impact(refusal) => of_impact(refusal, units),
         Failure::Crush(refusal) => of_crush(refusal, units),
         Failure::Reconcile(refusal) => of_reconciliation(refusal, units),
+        Failure::Momentum(refusal) => of_momentum(refusal, units),
+        Failure::NoRest { vehicle, reason } => no_rest(*vehicle, reason, units),
+        Failure::NoStart { vehicle, reason } => no_start(*vehicle, reason, units),
         Failure::NotReached { vehicle, energy, nearest: Ok(nearest) }
             if nearest.speed.abs() > reconcile::FASTEST =>
         {
@@ -88,6 +92,78 @@ fn not_reached(vehicle: VehicleId, energy: f64, nearest: &str, units: Units) -> 
 /// It is a judgement, and has no decimals.
 fn fastest(units: Units) -> String {
     format!("{} {}", number(units.value(Measure::Speed, reconcile::FASTEST), 0), units.name(Measure::Speed))
+}
+
+fn of_momentum(refusal: &MomentumError, units: Units) -> String {
+    let speeds =
+        |[v1, v2]: [f64; 2]| format!("{} of vehicle 1 and {} of vehicle 2", units.speed(v1), units.speed(v2));
+    match refusal {
+        MomentumError::NoCrushEnergy { energy } => format!(
+            "the crush energy is {}, but must be greater than zero, because momentum alone does not tell both \
+             speeds where the headings lie within 10° of one line; give the damage of both vehicles",
+            units.format(Measure::Energy, *energy)
+        ),
+        MomentumError::NotReached { energy } => format!(
+            "no speeds with the momentum after the impact make the work of the normal impulse equal to {} while \
+             the vehicles approach and push; check the rest positions, the drag, the crush energy, the crush \
+             plane and the restitution",
+            units.format(Measure::Energy, *energy)
+        ),
+        MomentumError::Inadmissible { speeds: found, reason } => format!(
+            "{} would give the momentum and the crush energy, but: {}",
+            speeds(*found),
+            of_impact(reason, units)
+        ),
+        MomentumError::NotConverged { speeds: found, residual } => format!(
+            "the search for the speeds did not converge: {} still miss the crush energy by {}; check the input \
+             for extreme values",
+            speeds(*found),
+            units.format(Measure::Energy, *residual)
+        ),
+        MomentumError::Impact(reason) => of_impact(reason, units),
+        // Without a quantity.
+        _ => refusal.to_string(),
+    }
+}
+
+fn no_rest(vehicle: VehicleId, reason: &NoRest, units: Units) -> String {
+    let speed = |state: &State| units.speed(state.motion.velocity.norm());
+    let time = |si: f64| units.format(Measure::Time, si);
+    match reason {
+        NoRest::StillMoving { time: after, state } => format!(
+            "vehicle {vehicle} does not come to rest: after {} it still moves at {}; check the drag of its \
+             wheels, the friction and the grade",
+            time(*after),
+            speed(state)
+        ),
+        NoRest::TooManySteps { time: after, state, .. } => format!(
+            "the way of vehicle {vehicle} to rest takes too many steps: at {} it still moves at {}; check the \
+             drag of its wheels, the friction, the zones of the ground and the steer angle",
+            time(*after),
+            speed(state)
+        ),
+        // Without a quantity that has other units.
+        _ => format!("vehicle {vehicle} does not come to rest: {reason}"),
+    }
+}
+
+fn no_start(vehicle: VehicleId, reason: &Unreached, units: Units) -> String {
+    match reason {
+        Unreached::NoWay => format!(
+            "vehicle {vehicle} rests where the impact was, so there is no motion after the impact to find; check \
+             `rest` and `contact` of [scene], or give its speed after the impact as 0"
+        ),
+        Unreached::Missed { motion, miss, .. } => format!(
+            "no motion after the impact brings vehicle {vehicle} to its rest: the nearest, {} and {}, comes to \
+             rest {} from it; check the rest, the place of the impact, the drag of the wheels and the friction",
+            units.speed(motion.velocity.norm()),
+            units.yaw_rate(motion.yaw_rate),
+            units.format(Measure::Length, *miss)
+        ),
+        Unreached::NeverRests(reason) => no_rest(vehicle, reason, units),
+        // Without a quantity.
+        _ => format!("no motion after the impact brings vehicle {vehicle} to its rest: {reason}"),
+    }
 }
 
 fn of_impact(refusal: &ImpactError, units: Units) -> String {

@@ -73,7 +73,7 @@ mod words;
 mod worth;
 mod writers;
 
-pub use ::drawing::{Drawing, PictureFormat};
+pub use ::drawing::{Drawing, PictureFormat, PlanPlace, SitePlan, SitePlanError};
 pub use data::comparison::comparison_json;
 pub use data::csv::{Answer, Csv, CsvStyle, Refused, Row, RowError, Table, jsonl_row};
 pub use data::json::json;
@@ -87,8 +87,8 @@ pub use document::Document;
 pub use failures::no_answer;
 pub use glossary::{Topic, UnknownTopic, topic, topics};
 pub use pictures::{
-    DrawingError, Subject, computed_against_measured, drawing, histogram, plain_scene, reconstructed_speed,
-    tornado,
+    DrawingError, Subject, computed_against_measured, drawing, histogram, motion_on, plain_scene,
+    reconstructed_speed, tornado,
 };
 pub use sections::comparison::comparison;
 pub use sections::handover::{Supplements, handover};

@@ -18,6 +18,8 @@ pub(crate) fn reason_name(reason: Reason) -> &'static str {
         Reason::Pulling => "pulling",
         Reason::NoDamageSpeed => "no_damage_speed",
         Reason::LimitBelowStart => "limit_below_start",
+        Reason::NoRest => "no_rest",
+        Reason::NoSpeeds => "no_speeds",
         Reason::Other => "other",
     }
 }
@@ -81,6 +83,7 @@ pub(crate) fn printed(kind: Kind) -> Option<Measure> {
         Kind::Impulse => Some(Measure::Impulse),
         Kind::MomentImpulse => Some(Measure::MomentImpulse),
         Kind::Force => Some(Measure::Force),
+        Kind::Time => Some(Measure::Time),
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod damage;
 mod energy;
+mod motion;
 mod reconciliation;
 mod scene;
 mod spread;
@@ -12,7 +13,7 @@ pub use spread::{histogram, tornado};
 pub use staged::{computed_against_measured, reconstructed_speed};
 
 use ::drawing::Drawing;
-use ::drawing::ScaleUnit;
+use ::drawing::{ScaleUnit, SitePlan};
 use analysis::{Analysis, Failure};
 use case::CaseFile;
 use pim_core::VehicleId;
@@ -32,11 +33,16 @@ pub enum Subject {
     Reconciliation,
     /// Where the initial kinetic energy went.
     Energy,
+    /// Plan view of both vehicles from the approach over the impact to rest.
+    Motion,
+    /// Speed, yaw rate and heading of both vehicles over the time from the impact to rest.
+    MotionCurves,
 }
 
 impl Subject {
     /// All of them, in the order of a report.
-    pub const ALL: [Self; 4] = [Self::Scene, Self::Damage, Self::Reconciliation, Self::Energy];
+    pub const ALL: [Self; 6] =
+        [Self::Scene, Self::Motion, Self::MotionCurves, Self::Damage, Self::Reconciliation, Self::Energy];
 
     /// Its name on the command line, which is [`Drawing::name`] too.
     #[must_use]
@@ -46,6 +52,8 @@ impl Subject {
             Self::Damage => "damage",
             Self::Reconciliation => "reconciliation",
             Self::Energy => "energy",
+            Self::Motion => "motion",
+            Self::MotionCurves => "motion-curves",
         }
     }
 }
@@ -73,6 +81,15 @@ pub enum DrawingError {
     /// No speed was sought.
     #[error("there is no reconciliation to draw: the case has no [reconstruct] table")]
     NoReconciliation,
+    /// No vehicle is followed to rest.
+    #[error(
+        "there is no {} to draw: the case says nothing of the way to rest; give it [surface] friction and [vehicle1.after] with drag, and \
+         with rest or with speed, direction and yaw_rate", subject.name()
+    )]
+    NoMotion {
+        /// What was asked for.
+        subject: Subject,
+    },
     /// The curve of the reconciliation could not be computed.
     #[error(transparent)]
     Analysis(#[from] Failure),
@@ -93,6 +110,8 @@ pub fn drawing(
         Subject::Damage => Ok(damage::picture(&file.case, analysis, units)?.draw()),
         Subject::Reconciliation => Ok(reconciliation::picture(file, analysis, units)?.draw()),
         Subject::Energy => Ok(energy::picture(&file.case, analysis, units)?.draw()),
+        Subject::Motion => Ok(motion::picture(&file.case, analysis, units, false, None)?.draw()),
+        Subject::MotionCurves => Ok(motion::curves(&file.case, analysis, units)?.draw()),
     }
 }
 
@@ -103,6 +122,20 @@ pub fn drawing(
 /// [`DrawingError`]: the analysis has no impact.
 pub fn plain_scene(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Drawing, DrawingError> {
     Ok(scene::plain(&file.case, analysis, units)?.draw())
+}
+
+/// Draws the motion on a site plan, for engineers or, if `is_plain`, for readers who are none.
+///
+/// # Errors
+/// [`DrawingError`]: the analysis follows no vehicle to rest.
+pub fn motion_on(
+    file: &CaseFile,
+    analysis: &Analysis,
+    units: Units,
+    is_plain: bool,
+    site_plan: Option<SitePlan>,
+) -> Result<Drawing, DrawingError> {
+    Ok(motion::picture(&file.case, analysis, units, is_plain, site_plan)?.draw())
 }
 
 /// A unit of the reader, for a scale bar.

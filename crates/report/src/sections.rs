@@ -4,6 +4,7 @@ mod chosen;
 pub(crate) mod comparison;
 pub(crate) mod handover;
 pub(crate) mod judgement;
+pub(crate) mod motion;
 pub(crate) mod results;
 pub(crate) mod sensitivity;
 pub(crate) mod topics;

@@ -64,6 +64,8 @@ pub enum Measure {
     MomentImpulse,
     /// N
     Force,
+    /// s
+    Time,
     /// N/m
     StiffnessA,
     /// N/m²
@@ -107,6 +109,7 @@ impl Units {
             (Measure::MomentImpulse, Self::Us) => unit("ft·lb·s", FOOT * POUND_FORCE, 0),
             (Measure::Force, Self::Si) => unit("kN", 1000.0, 1),
             (Measure::Force, Self::Us) => unit("lb", POUND_FORCE, 0),
+            (Measure::Time, _) => unit("s", 1.0, 2),
             (Measure::StiffnessA, Self::Si) => unit("N/cm", 100.0, 1),
             (Measure::StiffnessA, Self::Us) => unit("lb/in", POUND_FORCE / INCH, 1),
             (Measure::StiffnessB, Self::Si) => unit("N/cm²", 10_000.0, 2),

@@ -1,6 +1,6 @@
 //! The sentence of each warning.
 
-use analysis::{Analysis, Drive, JumpSide, Magnitude, SeenWarning, Warning};
+use analysis::{Analysis, Check, CheckedQuantity, Drive, JumpSide, Magnitude, SeenWarning, Warning};
 use case::{Case, ContactSpread, Kind, StiffnessSource};
 use crash3::{EnergyBasis, Side};
 use pim_core::{Switch, VehicleId};
@@ -61,6 +61,43 @@ fn spread_of_contact([along, across]: [ContactSpread; 2], units: Units) -> Strin
     format!("`uncertainty` moves it along the face {} and across it {}", by(along), by(across))
 }
 
+/// A check that momentum does not pass.
+fn momentum_differs(check: &Check, units: Units) -> String {
+    let angle = |si: f64| units.format(Measure::Angle, si);
+    let energy = |si: f64| units.format(Measure::Energy, si);
+    let rate = |si: f64| units.format(Measure::YawRateDegrees, si);
+    match check.quantity {
+        CheckedQuantity::MomentumEnergy { normal_work, crush_energy } => format!(
+            "the normal work would be {}, and the crush energy is {}",
+            energy(normal_work),
+            energy(crush_energy)
+        ),
+        CheckedQuantity::MomentumRestitution { implied, given } => {
+            format!("the restitution would be {}, and the case has {}", number(implied, 2), number(given, 2))
+        }
+        CheckedQuantity::MomentumRatio { implied, critical } => format!(
+            "the impulse ratio would be {}, and friction allows 0 to {}",
+            number(implied, 2),
+            number(critical, 2)
+        ),
+        CheckedQuantity::MomentumYawRate { vehicle, implied, told } => format!(
+            "the impulse at C would leave vehicle {vehicle} turning at {}, and its yaw rate was {}",
+            rate(implied),
+            rate(told)
+        ),
+        CheckedQuantity::MomentumPdof { vehicle, implied, given } => format!(
+            "the PDOF of vehicle {vehicle} would be {}, and the case has {}",
+            angle(implied),
+            angle(given)
+        ),
+        CheckedQuantity::ForceBalance
+        | CheckedQuantity::PdofsOpposite
+        | CheckedQuantity::DamageEnergy { .. }
+        | CheckedQuantity::Restitution
+        | CheckedQuantity::Rotation { .. } => String::new(),
+    }
+}
+
 /// What the warning says, in the units of the reader.
 #[must_use]
 pub fn message(seen: &SeenWarning, units: Units) -> String {
@@ -104,6 +141,27 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             angle(*computed),
             limit.to_degrees()
         ),
+        Warning::MomentumDiffers { checks } => {
+            let said: Vec<String> = checks.iter().map(|check| momentum_differs(check, units)).collect();
+            format!(
+                "what the velocities after the impact imply does not agree with the rest of the evidence: {}; \
+                 check the rest positions, the drag and the friction, and then the damage, the contact \
+                 points and the crush plane",
+                said.join("; ")
+            )
+        }
+        Warning::SeveralStarts { vehicle, used, others } => {
+            let told = |[v, rate]: [f64; 2]| {
+                format!("{} at {}", speed(v), units.format(Measure::YawRateDegrees, rate))
+            };
+            let others: Vec<String> = others.iter().map(|&start| told(start)).collect();
+            format!(
+                "several motions after the impact bring vehicle {vehicle} to its rest: {} is used, and {} \
+                 would do as well; give a point of its path, or by how much it turned",
+                told(*used),
+                others.join(", ")
+            )
+        }
         Warning::AngleCapped { vehicle, oblique_angle } => format!(
             "the force meets the damaged side of vehicle {vehicle} at {} to its normal; CRASH3 limits that to 45°, \
              a correction factor of 2",

@@ -94,11 +94,14 @@ fn each_row_has_the_number_of_the_json() {
 }
 
 /// Numbers of the JSON that are no quantity of the collision, by the start of their place.
-const EXCEPTIONS: [(&str, &str); 6] = [
+const EXCEPTIONS: [(&str, &str); 9] = [
     ("/checks/", "a list of what was compared, with its limits"),
     ("/warnings/", "a list, in which a number is that of a vehicle"),
     ("/found/admissible_roots", "a count"),
     ("/found/roots/", "a list of any length, whose first is found.value"),
+    ("/found/0/", "of vehicle 1, where both speeds are found: vehicle1.speed"),
+    ("/found/1/", "of vehicle 2: vehicle2.speed"),
+    ("/vehicle", "moments of the way to rest, of any number"),
     ("/found/iterations/", "the way of the root-finder, of any length"),
     ("/crash3/corrections/", "a list, a row for each correction"),
 ];

@@ -284,12 +284,13 @@ fn unit(kind: Kind) -> &'static str {
         Kind::Impulse => " (N s)",
         Kind::MomentImpulse => " (N m s)",
         Kind::Force => " (N)",
+        Kind::Time => " (s)",
     }
 }
 
 /// What the names of columns end in, in SI and in US units, and what it is the unit of. There is one column
 /// for a speed: mph.
-const UNITS: [(&str, &str, Measure); 8] = [
+const UNITS: [(&str, &str, Measure); 9] = [
     ("(m/s)", "(mph)", Measure::RoadSpeed),
     ("(m)", "(ft)", Measure::Length),
     ("(rad)", "(deg)", Measure::Angle),
@@ -298,6 +299,7 @@ const UNITS: [(&str, &str, Measure); 8] = [
     ("(N s)", "(lb s)", Measure::Impulse),
     ("(N m s)", "(ft lb s)", Measure::MomentImpulse),
     ("(N)", "(lb)", Measure::Force),
+    ("(s)", "(s)", Measure::Time),
 ];
 
 /// Where the values of a column are converted: its name without the unit, the unit, and what it is of.

@@ -1,9 +1,11 @@
 //! A finished analysis as JSON, in SI units and radians.
 
-use analysis::{Analysis, CheckedQuantity, Impact, Seen, SeenWarning};
+use analysis::{Analysis, BothFound, BothMethod, Impact, Seen, SeenWarning, Travel, TravelOrigin};
 use case::{Case, CaseFile};
 use pim_core::VehicleId;
-use serde::Serialize;
+use reconcile::Unknown;
+use serde::{Serialize, Serializer};
+use trajectory::Sample;
 
 use super::{identified, pretty, title};
 use crate::Units;
@@ -20,7 +22,9 @@ struct Document<'a> {
     warnings: Vec<WarningBlock>,
     checks: Vec<CheckBlock>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    found: Option<FoundBlock>,
+    found: Option<Found>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    momentum: Option<MomentumBlock>,
     #[serde(skip_serializing_if = "Option::is_none")]
     impact: Option<ImpactBlock>,
     vehicle1: VehicleBlock,
@@ -59,6 +63,79 @@ impl WarningBlock {
         let seen = analysis.seen(case.axes);
         seen.warnings.iter().map(Self::new).collect()
     }
+}
+
+/// One speed, or a list of both: as `reconstruct.find` of the case.
+enum Found {
+    One(FoundBlock),
+    Both([FoundBlock; 2]),
+}
+
+impl Serialize for Found {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::One(found) => found.serialize(serializer),
+            Self::Both(found) => found.serialize(serializer),
+        }
+    }
+}
+
+/// What both speeds and the velocities after the impact imply, without an impact law.
+#[derive(Serialize)]
+struct MomentumBlock {
+    /// From the heading of vehicle 1 to that of vehicle 2.
+    approach_angle: f64,
+    impulse: [f64; 2],
+    /// How far the impulses that the two vehicles tell lie apart.
+    disagreement: f64,
+    restitution: Option<f64>,
+    impulse_ratio: Option<f64>,
+    critical_impulse_ratio: Option<f64>,
+    energy_loss: f64,
+    normal_work: f64,
+    tangential_work: f64,
+    delta_v: [f64; 2],
+    pdof: [f64; 2],
+    final_yaw_rate: [f64; 2],
+}
+
+/// Skid marks before the impact.
+#[derive(Serialize)]
+struct SkidBlock {
+    /// Where they begin.
+    speed: f64,
+}
+
+#[derive(Serialize)]
+struct StartBlock {
+    /// `impact`, `given` or `rest`: what it comes from.
+    source: &'static str,
+    speed: f64,
+    direction: f64,
+    yaw_rate: f64,
+}
+
+#[derive(Serialize)]
+struct RestBlock {
+    x: f64,
+    y: f64,
+    /// Counted on from the heading at the impact through full turns.
+    heading: f64,
+    time: f64,
+    distance: f64,
+}
+
+/// A moment of the way to rest.
+#[derive(Serialize)]
+struct PathBlock {
+    time: f64,
+    x: f64,
+    y: f64,
+    heading: f64,
+    velocity: [f64; 2],
+    yaw_rate: f64,
+    /// Front left, front right, rear left, rear right.
+    sliding: [bool; 4],
 }
 
 #[derive(Serialize)]
@@ -156,6 +233,14 @@ struct VehicleBlock {
     peak_force: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     no_damage_speed: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    skid: Option<SkidBlock>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    start: Option<StartBlock>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rest: Option<RestBlock>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    path: Option<Vec<PathBlock>>,
 }
 
 #[derive(Serialize)]
@@ -207,28 +292,14 @@ pub(crate) fn document<'a>(case: &'a Case, analysis: &Analysis) -> impl Serializ
             .iter()
             .map(|check| CheckBlock {
                 code: check.code(),
-                vehicle: match check.quantity {
-                    CheckedQuantity::Rotation { vehicle } => Some(vehicle.number()),
-                    _ => None,
-                },
+                vehicle: check.vehicle().map(VehicleId::number),
                 value: plain(check.value),
                 limit: check.limit,
                 passed: check.passed(),
             })
             .collect(),
-        found: analysis.found.as_ref().map(|found| FoundBlock {
-            quantity: words::unknown_name(found.unknown),
-            value: plain(found.speed),
-            admissible_roots: found.admissible.len(),
-            roots: found.admissible.iter().copied().map(plain).collect(),
-            method: if found.iterations.is_some() { "root finder" } else { "closed form" },
-            iterations: found
-                .iterations
-                .iter()
-                .flatten()
-                .map(|step| IterationBlock { speed: plain(step.speed), normal_work: plain(step.normal_work) })
-                .collect(),
-        }),
+        found: found(analysis),
+        momentum: analysis.both.as_ref().map(momentum),
         impact: analysis.impact.as_ref().map(|of| impact(case, of)),
         vehicle1,
         vehicle2,
@@ -253,6 +324,75 @@ pub(crate) fn document<'a>(case: &'a Case, analysis: &Analysis) -> impl Serializ
                 .collect(),
         }),
     }
+}
+
+fn found(analysis: &Seen) -> Option<Found> {
+    if let Some(found) = &analysis.found {
+        return Some(Found::One(FoundBlock {
+            quantity: words::unknown_name(found.unknown),
+            value: plain(found.speed),
+            admissible_roots: found.admissible.len(),
+            roots: found.admissible.iter().copied().map(plain).collect(),
+            method: if found.iterations.is_some() { "root finder" } else { "closed form" },
+            iterations: found
+                .iterations
+                .iter()
+                .flatten()
+                .map(|step| IterationBlock { speed: plain(step.speed), normal_work: plain(step.normal_work) })
+                .collect(),
+        }));
+    }
+    let both = analysis.both.as_ref()?;
+    let of = |unknown: Unknown| {
+        let value = plain(both.speeds[unknown.index()]);
+        let (method, roots) = match &both.method {
+            BothMethod::Momentum => ("momentum", vec![value]),
+            BothMethod::MomentumAndCrush { admissible, .. } => (
+                "momentum and crush energy",
+                admissible.iter().map(|speeds| plain(speeds[unknown.index()])).collect(),
+            ),
+        };
+        FoundBlock {
+            quantity: words::unknown_name(unknown),
+            value,
+            admissible_roots: roots.len(),
+            roots,
+            method,
+            iterations: Vec::new(),
+        }
+    };
+    Some(Found::Both([of(Unknown::Speed1), of(Unknown::Speed2)]))
+}
+
+fn momentum(both: &BothFound) -> MomentumBlock {
+    let implied = &both.implied;
+    MomentumBlock {
+        approach_angle: plain(both.momentum.angle()),
+        impulse: plain_pair(implied.impulse_vector.into()),
+        disagreement: implied.disagreement(),
+        restitution: implied.restitution.map(plain),
+        impulse_ratio: implied.impulse_ratio.map(plain),
+        critical_impulse_ratio: implied.critical_impulse_ratio.map(plain),
+        energy_loss: plain(implied.energy_loss),
+        normal_work: plain(implied.normal_work),
+        tangential_work: plain(implied.tangential_work),
+        delta_v: implied.delta_v.map(|change| change.norm()),
+        pdof: plain_pair(implied.pdof),
+        final_yaw_rate: plain_pair(implied.yaw_rates),
+    }
+}
+
+fn path(travel: &Travel) -> Vec<PathBlock> {
+    let moment = |sample: &Sample| PathBlock {
+        time: sample.time,
+        x: plain(sample.state.position.x),
+        y: plain(sample.state.position.y),
+        heading: plain(sample.state.heading),
+        velocity: plain_pair(sample.state.motion.velocity.into()),
+        yaw_rate: plain(sample.state.motion.yaw_rate),
+        sliding: sample.sliding,
+    };
+    travel.samples.iter().map(moment).collect()
 }
 
 fn impact(case: &Case, impact: &Impact) -> ImpactBlock {
@@ -291,6 +431,7 @@ fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
     let oblique = damage.and_then(|damage| damage.oblique);
     let of = &analysis.vehicles[i];
     let given_pdof = of.crash3_pdof();
+    let travel = analysis.travel[i].as_ref();
     VehicleBlock {
         name: case.vehicles[i].name.as_ref().map(|name| name.as_given().to_owned()),
         fixed: fixed.then_some(true),
@@ -321,6 +462,25 @@ fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
         ees: of.ees(),
         peak_force: oblique.map(|oblique| oblique.peak_force),
         no_damage_speed: analysis.vehicles[i].no_damage_speed(),
+        skid: analysis.skids[i].map(|skid| SkidBlock { speed: skid.speed }),
+        start: travel.map(|travel| StartBlock {
+            source: match travel.origin {
+                TravelOrigin::Impact => "impact",
+                TravelOrigin::Given => "given",
+                TravelOrigin::Rest => "rest",
+            },
+            speed: travel.start.motion.velocity.norm(),
+            direction: plain(travel.direction()),
+            yaw_rate: plain(travel.start.motion.yaw_rate),
+        }),
+        rest: travel.map(|travel| RestBlock {
+            x: plain(travel.rest.position.x),
+            y: plain(travel.rest.position.y),
+            heading: plain(travel.rest.heading),
+            time: travel.rest.time,
+            distance: travel.rest.distance,
+        }),
+        path: travel.map(path),
     }
 }
 

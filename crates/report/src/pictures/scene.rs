@@ -93,7 +93,12 @@ fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, id: VehicleId, uni
 }
 
 /// With its crush where that was measured.
-fn scene_body(case: &Case, vehicle: &analysis::Vehicle, body: Option<Body>, i: usize) -> SceneBody {
+pub(super) fn scene_body(
+    case: &Case,
+    vehicle: &analysis::Vehicle,
+    body: Option<Body>,
+    i: usize,
+) -> SceneBody {
     let given = &case.vehicles[i];
     if let Some(diameter) = &given.diameter {
         return SceneBody::Pole { diameter: diameter.si() };

@@ -10,6 +10,7 @@ use pim_core::VehicleId;
 use validation::Validation;
 
 use super::chosen::Chosen;
+use super::motion;
 use super::results::search;
 use crate::data::sha256;
 use crate::document::{Block, Document, Table};
@@ -54,6 +55,14 @@ pub fn handover(
     page.blocks.extend(warnings::notice(&seen.warnings, Some(WARNINGS)));
     page.push(Block::Facts { title: "Identification", facts: identification(file, analysis) });
     page.push(results(seen, units));
+    if let Some(both) = &seen.both {
+        for table in motion::momentum(seen, both, units) {
+            page.push(table);
+        }
+    }
+    for table in motion::tables(seen, units) {
+        page.push(table);
+    }
     if let Some(uncertainty) = uncertainty {
         page.part(UNCERTAINTY, super::uncertainty::uncertainty(case, uncertainty, units));
     }
@@ -67,7 +76,7 @@ pub fn handover(
     }
     page.blocks.extend(drawings.into_iter().map(|drawing| Block::Drawing(Box::new(drawing))));
     page.heading("Method");
-    page.blocks.extend(method(analysis, case.axes).into_iter().map(Block::Paragraph));
+    page.blocks.extend(method(analysis, case.axes, units).into_iter().map(Block::Paragraph));
     page.heading("Inputs");
     page.paragraph(
         "Every number of the case file in its own unit and in the SI unit that the program uses; what the \
@@ -132,7 +141,8 @@ fn drawings(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec<Dr
                 DrawingError::NoImpact { .. }
                 | DrawingError::NoDamage
                 | DrawingError::NoOutline { .. }
-                | DrawingError::NoReconciliation,
+                | DrawingError::NoReconciliation
+                | DrawingError::NoMotion { .. },
             ) => {}
             Err(error) => return Err(error),
         }
@@ -143,6 +153,10 @@ fn drawings(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec<Dr
 fn identification(file: &CaseFile, analysis: &Analysis) -> Vec<(&'static str, String)> {
     let kind = match (&analysis.found, &analysis.impact) {
         (Some(_), _) => "reconstruction: a speed from the damage of both vehicles",
+        (None, Some(_)) if analysis.both.is_some() => {
+            "reconstruction: both speeds from how the vehicles left the impact"
+        }
+        (None, None) if analysis.travel.iter().any(Option::is_some) => "motion after the impact alone",
         (None, Some(_)) => "impact, computed forward from both speeds",
         (None, None) => "damage alone (CRASH3)",
     };
@@ -195,7 +209,21 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
         let speed = said(Output::Speed { vehicle }, answer.speed);
         found.push(format!("Speed of vehicle {vehicle} before impact: {speed}."));
     }
+    if let Some(both) = &analysis.both {
+        for vehicle in VehicleId::ALL {
+            let speed = said(Output::Speed { vehicle }, both.speeds[vehicle.index()]);
+            found.push(format!("Speed of vehicle {vehicle} before impact: {speed}."));
+        }
+    }
+    let is_motion = analysis.impact.is_none() && analysis.travel.iter().any(Option::is_some);
     match (&analysis.impact, &analysis.crash3) {
+        _ if is_motion => {
+            let ways = VehicleId::ALL.into_iter().zip(&analysis.travel);
+            found.extend(
+                ways.filter_map(|(id, way)| Some(format!("{}.", motion::answer(id, way.as_ref()?, units)))),
+            );
+        }
+        (Some(_), _) if let Some(both) = &analysis.both => found.extend(changes(both.delta_v)),
         (Some(impact), _) => found.extend(changes(impact.outcome.delta_v_magnitude())),
         (None, Some(crash3)) => found.extend(changes(crash3.delta_v)),
         (None, None) => found.push("The damage gives the crush energies below.".to_owned()),
@@ -247,7 +275,7 @@ fn error_rate(analysis: &Analysis, validation: &Validation, units: Units) -> Vec
     own.collect()
 }
 
-fn method(analysis: &Analysis, axes: Axes) -> Vec<String> {
+fn method(analysis: &Analysis, axes: Axes, units: Units) -> Vec<String> {
     let mut paragraphs = Vec::new();
     if let Some(found) = &analysis.found {
         let (agreement, basis) = match analysis.basis {
@@ -273,12 +301,18 @@ fn method(analysis: &Analysis, axes: Axes) -> Vec<String> {
              for any speed of vehicle {}. The speed at which that work {agreement} was found {way}; {roots}. {basis}",
             found.unknown.vehicle()
         ));
+    } else if let Some(both) = &analysis.both {
+        let seen = analysis.seen(axes);
+        paragraphs.push(motion::how(both, &seen, units));
+        paragraphs.push(motion::method(&seen, units));
     } else if analysis.impact.is_some() {
         paragraphs.push(
             "Planar impact mechanics gives the motion after the impact from that before it: one condition along the normal of the crush plane and one along \
              the plane determine the impulse, and the impulse all the rest."
                 .to_owned(),
         );
+    } else if analysis.travel.iter().any(Option::is_some) {
+        paragraphs.push(motion::method(&analysis.seen(axes), units));
     } else if analysis.crash3.is_some() {
         paragraphs.push(
             "The CRASH3 algorithm gives the crush energy from damage and stiffness, and the velocity changes from the energy of both vehicles and the principal \
@@ -310,6 +344,7 @@ fn results(analysis: &Seen, units: Units) -> Table {
     let chosen = Chosen { analysis, units };
     let mut table = of_vehicles("Results at a glance");
     if analysis.impact.is_some() {
+        chosen.pair(&mut table, "skid.speed");
         chosen.pair(&mut table, "speed");
         chosen.pair(&mut table, "final_speed");
         chosen.vectors(&mut table, "final_velocity");

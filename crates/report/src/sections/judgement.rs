@@ -128,6 +128,9 @@ fn good_for(case: &Case, purpose: Purpose, on: Purpose) -> String {
                 .filter(|subject| match subject {
                     Subject::Scene | Subject::Energy => on != Purpose::Crush,
                     Subject::Damage => is_damaged,
+                    Subject::Motion | Subject::MotionCurves => {
+                        case.motion().is_ok() || case.run_out().is_some_and(|input| input.is_ok())
+                    }
                     Subject::Reconciliation => on == Purpose::Reconstruct,
                 })
                 .map(Subject::name)

@@ -1,11 +1,12 @@
 //! A finished analysis as text for the terminal and the file.
 
-use analysis::{Analysis, Crash3, Damage, Found, Impact, Seen};
+use analysis::{Analysis, BothFound, BothMethod, Crash3, Damage, Found, Impact, Seen};
 use case::{Axes, Case, Pdof, Text, Velocity, YawSource};
 use crash3::{EnergyBasis, SideStiffness, Stiffness};
 use pim_core::{Outcome, Regime, VehicleId};
 
 use super::chosen::{Chosen, label};
+use super::motion;
 use crate::document::{Block, Document, Table};
 use crate::units::{Measure, Units};
 use crate::{axes, checks, energy, law, warnings, words};
@@ -21,14 +22,24 @@ pub fn results(case: &Case, analysis: &Analysis, units: Units) -> Document {
     if let Some(found) = &analysis.found {
         page.found(found, analysis);
     }
+    if let Some(both) = &analysis.both {
+        page.both(both, analysis);
+    }
+    if analysis.found.is_none() && analysis.both.is_none() && analysis.impact.is_none() {
+        page.rests(analysis);
+    }
     // Many read no further than the first screen.
     page.document.blocks.extend(warnings::notice(&analysis.warnings, None));
     page.inputs(case, analysis);
+    if let Some(both) = &analysis.both {
+        page.momentum(analysis, both);
+    }
     if let Some(impact) = &analysis.impact {
         page.impact(analysis, impact);
         page.motion(analysis);
         page.energy(analysis, &impact.outcome);
     }
+    page.travel(analysis);
     page.damage(analysis);
     if let Some(crash3) = &analysis.crash3 {
         page.crash3(case, analysis, crash3);
@@ -85,6 +96,40 @@ impl Page {
                 "At this speed the work of the normal impulse {work}. {roots}, found {method} (theory 6)."
             ),
         });
+    }
+
+    /// Both speeds, and how they were found.
+    fn both(&mut self, both: &BothFound, analysis: &Seen) {
+        let units = self.units;
+        let of = |id: VehicleId| format!("Speed of vehicle {id}: {}", units.speed(both.speeds[id.index()]));
+        let change = |id: VehicleId| format!("ΔV of vehicle {id}: {}", units.speed(both.delta_v[id.index()]));
+        let found = VehicleId::ALL.into_iter().map(of).chain(VehicleId::ALL.into_iter().map(change));
+        self.document.push(Block::Answer { found: found.collect(), how: motion::how(both, analysis, units) });
+    }
+
+    /// Where the vehicles come to rest, or how they left the impact: the answer of a motion alone.
+    fn rests(&mut self, analysis: &Seen) {
+        let units = self.units;
+        let of = |id: VehicleId| {
+            let travel = analysis.travel[id.index()].as_ref()?;
+            Some(motion::answer(id, travel, units))
+        };
+        let found: Vec<String> = VehicleId::ALL.into_iter().filter_map(of).collect();
+        if !found.is_empty() {
+            self.document.push(Block::Answer { found, how: motion::method(analysis, units) });
+        }
+    }
+
+    fn momentum(&mut self, analysis: &Seen, both: &BothFound) {
+        for table in motion::momentum(analysis, both, self.units) {
+            self.document.push(table);
+        }
+    }
+
+    fn travel(&mut self, analysis: &Seen) {
+        for table in motion::tables(analysis, self.units) {
+            self.document.push(table);
+        }
     }
 
     fn inputs(&mut self, case: &Case, analysis: &Seen) {
@@ -342,6 +387,7 @@ impl Page {
     fn motion(&mut self, analysis: &Seen) {
         let chosen = Chosen { analysis, units: self.units };
         let mut table = Table::of_two("Motion", SOURCED);
+        chosen.pair(&mut table, "skid.speed");
         chosen.pair(&mut table, "speed");
         chosen.vectors(&mut table, "velocity");
         chosen.pair(&mut table, "final_speed");
@@ -425,11 +471,13 @@ impl Page {
         self.document.push(table);
         let mut table = Table::of_two("CRASH3 by vehicle", SOURCED);
         if analysis.impact.is_some() {
-            table.notes.push(
-                "The ΔV of this reconstruction is that of the impact, above. CRASH3's formulas are for \
-                 comparison."
-                    .to_owned(),
-            );
+            let of = match &analysis.both {
+                Some(BothFound { method: BothMethod::Momentum, .. }) => "that of momentum",
+                _ => "that of the impact",
+            };
+            table.notes.push(format!(
+                "The ΔV of this reconstruction is {of}, above. CRASH3's formulas are for comparison."
+            ));
         }
         // A fixed object has no arm and no ΔV.
         let pair = |values: [String; 2]| {

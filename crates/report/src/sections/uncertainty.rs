@@ -640,6 +640,8 @@ fn in_words(reason: Reason) -> &'static str {
         Reason::Pulling => "the vehicles would have to pull on each other",
         Reason::NoDamageSpeed => "the speed without damage is not below that of the barrier test",
         Reason::LimitBelowStart => "the limit of the force per width is below A, at which crush begins",
+        Reason::NoRest => "no motion after the impact leads to the rest, or from it",
+        Reason::NoSpeeds => "momentum and crush energy give no speeds",
         Reason::Other => "the numbers are impossible for another reason",
     }
 }

@@ -1,0 +1,276 @@
+//! The motion: both vehicles from their approach over the impact to rest, seen from above; and its speeds over
+//! time.
+
+use ::drawing::{
+    Axis, GroundShape, GroundZone, MeasuredPoint, MotionCurves, MotionCurvesPicture, MotionPicture,
+    MotionPoint, MotionRest, MotionVehicle, SceneArrow, SceneBody, SitePlan,
+};
+use analysis::{Analysis, Travel};
+use case::{Axes, Case, RegionData, RestHeadingData, SurfaceData};
+use pim_core::{Real, Vector2, VehicleId};
+use trajectory::State;
+
+use super::scene::scene_body;
+use super::vehicle::{Body, DrawnOutline};
+use super::{DrawingError, Subject, scale_unit, title};
+use crate::Units;
+use crate::units::{Measure, number};
+
+/// Of each step of the integration, so many parts are drawn: a step may be a second long.
+const PARTS: u32 = 12;
+
+pub(super) fn picture(
+    case: &Case,
+    analysis: &Analysis,
+    units: Units,
+    is_plain: bool,
+    site_plan: Option<SitePlan>,
+) -> Result<MotionPicture, DrawingError> {
+    if analysis.travel.iter().all(Option::is_none) {
+        return Err(DrawingError::NoMotion { subject: Subject::Motion });
+    }
+    let surface = analysis.surface.as_ref();
+    Ok(MotionPicture {
+        title: title(case),
+        description: description(analysis, units),
+        is_z_down: case.axes == Axes::ZDown,
+        is_plain,
+        vehicles: VehicleId::ALL.map(|id| vehicle(case, analysis, id, units, is_plain)),
+        impact: Some(place_of_impact(case)),
+        normal: analysis.impact.as_ref().map(|impact| impact.contact.normal().into()),
+        ground: surface.map_or_else(Vec::new, zones),
+        uphill: surface.and_then(uphill),
+        site_plan,
+        length: scale_unit(units, Measure::Length),
+        time: scale_unit(units, Measure::Time),
+    })
+}
+
+/// (m) in the axes of the engine; the origin where the case does not place it.
+fn place_of_impact(case: &Case) -> [f64; 2] {
+    case.scene_contact.as_ref().map_or([0.0; 2], |place| [place.x.si(), case.axes.lateral(place.y.si())])
+}
+
+fn zones(surface: &SurfaceData) -> Vec<GroundZone> {
+    let zone = |zone: &case::ZoneData| GroundZone {
+        shape: match &zone.region {
+            RegionData::HalfPlane { point, into } => {
+                let (sin, cos) = Real::sin_cos(*into);
+                GroundShape::HalfPlane { edge: (*point).into(), into: [cos, sin] }
+            }
+            RegionData::Polygon(corners) => {
+                GroundShape::Polygon(corners.iter().map(|&corner| corner.into()).collect())
+            }
+        },
+        label: match &zone.name {
+            Some(name) => format!("{name}, μ {}", number(zone.friction, 2)),
+            None => format!("μ {}", number(zone.friction, 2)),
+        },
+    };
+    surface.zones.iter().map(zone).collect()
+}
+
+fn uphill(surface: &SurfaceData) -> Option<SceneArrow> {
+    let grade = surface.grade;
+    let steep = grade.norm();
+    (steep > 0.0).then(|| SceneArrow {
+        vector: grade.into(),
+        label: format!("uphill, {} %", number(100.0 * steep, 1)),
+    })
+}
+
+fn vehicle(
+    case: &Case,
+    analysis: &Analysis,
+    id: VehicleId,
+    units: Units,
+    is_plain: bool,
+) -> Option<MotionVehicle> {
+    let i = id.index();
+    let (given, travel) = (&case.vehicles[i], analysis.travel[i].as_ref());
+    let body = Body::of(given, &analysis.vehicles[i]);
+    let name = match (given.name.as_ref(), given.fixed) {
+        (Some(name), _) if is_plain => name.to_string(),
+        (Some(name), _) => format!("{id} · {name}"),
+        (None, true) => format!("{id} · fixed object"),
+        (None, false) => format!("vehicle {id}"),
+    };
+    let body_drawn = scene_body(case, &analysis.vehicles[i], body, i);
+    let (start, forward) = match (travel, &analysis.impact) {
+        (Some(travel), _) => (travel.start.position.into(), direction(travel.start.heading)),
+        (None, Some(impact)) => {
+            let participant = &impact.contact.participants()[i];
+            let [x, y] = place_of_impact(case);
+            let cg = Vector2::new(x, y) - participant.arm();
+            (cg.into(), participant.forward().into())
+        }
+        (None, None) => return None,
+    };
+    let legend = match body.map(|body| body.outline) {
+        Some(DrawnOutline::OfClass(class)) if !is_plain => {
+            Some(format!("outline {id}: CRASH3 class {class}"))
+        }
+        Some(DrawnOutline::Nearest(class)) if !is_plain => {
+            Some(format!("outline {id}: CRASH3 class {class}, assumed"))
+        }
+        _ => None,
+    };
+    let before =
+        analysis.impact.as_ref().filter(|_| !given.fixed).map(|impact| impact.outcome.before[i].velocity);
+    let approach = before.filter(|velocity| velocity.norm() > 0.0).map(|velocity| SceneArrow {
+        vector: velocity.into(),
+        label: format!("before: {}", units.format(Measure::RoadSpeed, velocity.norm())),
+    });
+    let states = travel.map_or_else(Vec::new, dense);
+    Some(MotionVehicle {
+        name,
+        legend,
+        body: if matches!(body_drawn, SceneBody::Wall) && !given.fixed {
+            SceneBody::Unknown
+        } else {
+            body_drawn
+        },
+        cg: start,
+        forward,
+        approach,
+        path: states
+            .iter()
+            .map(|(time, state, _)| MotionPoint {
+                time: *time,
+                cg: state.position.into(),
+                forward: direction(state.heading),
+            })
+            .collect(),
+        rest: travel.map(|travel| MotionRest {
+            cg: travel.rest.position.into(),
+            forward: Some(direction(travel.rest.heading)),
+            label: format!("rest {id}"),
+        }),
+        measured_rest: travel.and_then(|travel| {
+            let measured = travel.measured?;
+            let heading = match measured.heading {
+                RestHeadingData::Heading(heading) => heading,
+                RestHeadingData::Turned(turn) => travel.start.heading + turn,
+            };
+            Some(MotionRest {
+                cg: measured.position.into(),
+                forward: Some(direction(heading)),
+                label: format!("rest {id}, measured"),
+            })
+        }),
+        measured_points: travel.map_or_else(Vec::new, |travel| {
+            let point = |(n, at): (usize, &Vector2<f64>)| MeasuredPoint {
+                at: (*at).into(),
+                label: format!("point {}", n + 1),
+            };
+            travel.points.iter().enumerate().map(point).collect()
+        }),
+        marks: travel.map_or_else(Vec::new, |travel| marks(travel, &states)),
+    })
+}
+
+fn direction(heading: f64) -> [f64; 2] {
+    let (sin, cos) = Real::sin_cos(heading);
+    [cos, sin]
+}
+
+/// A time (s), the state then, and which wheels slide.
+type Moment = (f64, State, [bool; 4]);
+
+/// The way at more moments than the integration chose.
+fn dense(travel: &Travel) -> Vec<Moment> {
+    let mut moments = Vec::new();
+    for pair in travel.samples.windows(2) {
+        let [from, to] = pair else { continue };
+        for part in 0..PARTS {
+            let time = from.time + (to.time - from.time) * f64::from(part) / f64::from(PARTS);
+            moments.push((time, from.between(to, time), from.sliding));
+        }
+    }
+    moments.extend(travel.samples.last().map(|last| (last.time, last.state, last.sliding)));
+    moments
+}
+
+/// A line for each stretch on which a wheel slides.
+fn marks(travel: &Travel, moments: &[Moment]) -> Vec<Vec<[f64; 2]>> {
+    let mut marks = Vec::new();
+    for wheel in 0..4 {
+        let mut mark = Vec::new();
+        for (_, state, sliding) in moments {
+            let places = travel.chassis.wheel_positions(state.position, state.heading);
+            if let (Some(true), Some(&at)) = (sliding.get(wheel), places.get(wheel)) {
+                mark.push(at.into());
+            } else if mark.len() > 1 {
+                marks.push(std::mem::take(&mut mark));
+            } else {
+                mark.clear();
+            }
+        }
+        if mark.len() > 1 {
+            marks.push(mark);
+        }
+    }
+    marks
+}
+
+fn description(analysis: &Analysis, units: Units) -> String {
+    let mut sentences =
+        vec!["Both vehicles from above, from the approach over the impact to rest, to scale.".to_owned()];
+    for (id, travel) in VehicleId::ALL.into_iter().zip(&analysis.travel) {
+        let Some(travel) = travel else { continue };
+        sentences.push(format!(
+            "Vehicle {id} leaves the impact at {} and comes to rest after {}, turned by {}.",
+            units.road_speed(travel.start.motion.velocity.norm()),
+            units.format(Measure::Length, travel.rest.distance),
+            units.format(Measure::Angle, (travel.rest.heading - travel.start.heading).abs()),
+        ));
+    }
+    sentences.join(" ")
+}
+
+/// Speed, yaw rate and heading over time.
+pub(super) fn curves(
+    case: &Case,
+    analysis: &Analysis,
+    units: Units,
+) -> Result<MotionCurvesPicture, DrawingError> {
+    if analysis.travel.iter().all(Option::is_none) {
+        return Err(DrawingError::NoMotion { subject: Subject::MotionCurves });
+    }
+    let over = |of: &dyn Fn(&State) -> f64| {
+        analysis.travel.each_ref().map(|travel| {
+            let states = travel.as_ref().map_or_else(Vec::new, dense);
+            states.iter().map(|(time, state, _)| [*time, of(state)]).collect()
+        })
+    };
+    let axis = |label: &str, measure: Measure| Axis {
+        title: format!("{label}, {}", units.name(measure)),
+        unit: units.size(measure),
+    };
+    let lateral = |value: f64| case.axes.lateral(value);
+    Ok(MotionCurvesPicture {
+        title: title(case),
+        subtitle: "From the impact to rest".to_owned(),
+        description: description(analysis, units),
+        time: axis("time since the impact", Measure::Time),
+        panels: vec![
+            MotionCurves {
+                upward: axis("speed", Measure::RoadSpeed),
+                curves: over(&|state| state.motion.velocity.norm()),
+            },
+            MotionCurves {
+                upward: axis("yaw rate", Measure::YawRateDegrees),
+                curves: over(&|state| lateral(state.motion.yaw_rate)),
+            },
+            MotionCurves {
+                upward: axis("heading", Measure::Angle),
+                curves: over(&|state| lateral(state.heading)),
+            },
+        ],
+        legend: VehicleId::ALL.map(|id| {
+            analysis.travel[id.index()].as_ref()?;
+            let name = case.vehicles[id.index()].name.as_ref();
+            Some(name.map_or_else(|| format!("vehicle {id}"), |name| format!("{id} · {name}")))
+        }),
+    })
+}

@@ -1,0 +1,187 @@
+//! The motion after the impact in words and tables.
+
+use analysis::{BothFound, BothMethod, ClosedForm, Seen, Travel, TravelOrigin};
+use case::RestHeadingData;
+use pim_core::VehicleId;
+
+use super::chosen::Chosen;
+use crate::document::Table;
+use crate::units::{Measure, Units, number};
+
+/// How both speeds were found.
+pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
+    let evidence = match origins(analysis)[..] {
+        [TravelOrigin::Rest, TravelOrigin::Rest] => "the rest positions of both vehicles tell",
+        [TravelOrigin::Given, TravelOrigin::Given] | [] => "the case gives",
+        _ => "the case gives, or the rest position tells,",
+    };
+    let left = format!("how the vehicles left the impact, which {evidence}");
+    let angle = units.format(Measure::Angle, both.momentum.angle().abs());
+    match &both.method {
+        BothMethod::Momentum => format!(
+            "The speeds follow from momentum alone and {left}; the headings differ by {angle} (theory 10). The \
+             crush energy, where the case has it, is a check."
+        ),
+        BothMethod::MomentumAndCrush { crush_energy, admissible, .. } => {
+            let pairs = match admissible.len() {
+                1 => "One admissible pair of speeds".to_owned(),
+                several => format!("{several} admissible pairs of speeds"),
+            };
+            format!(
+                "The headings differ by {angle}, within 10° of one line, where momentum alone does not tell both \
+                 speeds. They follow from momentum along that line and {left}, and from the crush energy, {} \
+                 (theory 10). {pairs}.",
+                units.format(Measure::Energy, *crush_energy)
+            )
+        }
+    }
+}
+
+fn origins(analysis: &Seen) -> Vec<TravelOrigin> {
+    analysis.travel.iter().flatten().map(|travel| travel.origin).collect()
+}
+
+/// The line that a motion alone leads with.
+pub(crate) fn answer(id: VehicleId, travel: &Travel, units: Units) -> String {
+    let length = |si: f64| units.format(Measure::Length, si);
+    let turn = units.format(Measure::Angle, travel.rest.heading - travel.start.heading);
+    let time = units.format(Measure::Time, travel.rest.time);
+    let speed = units.speed(travel.start.motion.velocity.norm());
+    match travel.origin {
+        TravelOrigin::Rest => format!(
+            "Vehicle {id} left the impact at {speed}, turning at {}",
+            units.yaw_rate(travel.start.motion.yaw_rate)
+        ),
+        TravelOrigin::Given | TravelOrigin::Impact => format!(
+            "Vehicle {id} comes to rest after {} and {time}, turned by {turn}",
+            length(travel.rest.distance)
+        ),
+    }
+}
+
+/// What a motion alone rests on.
+pub(crate) fn method(analysis: &Seen, units: Units) -> String {
+    let mut how = "Each vehicle is one rigid body on four wheels, which roll, skid or slide on the ground \
+                   (theory 11)."
+        .to_owned();
+    for (id, travel) in VehicleId::ALL.into_iter().zip(&analysis.travel) {
+        let Some(travel) = travel.as_ref().filter(|travel| travel.origin == TravelOrigin::Rest) else {
+            continue;
+        };
+        let others = match travel.others.len() {
+            0 => "No other motion was found that leads there".to_owned(),
+            1 => "One other motion leads there as well".to_owned(),
+            several => format!("{several} other motions lead there as well"),
+        };
+        let miss = travel.miss().map_or(0.0, |(apart, _)| apart);
+        how.push_str(&format!(
+            " The start of vehicle {id} was found as the one that leads to its rest, to within {}. {others}.",
+            units.format(Measure::Length, miss)
+        ));
+    }
+    how
+}
+
+/// What both speeds and the velocities after the impact imply.
+pub(crate) fn momentum(analysis: &Seen, both: &BothFound, units: Units) -> [Table; 2] {
+    let chosen = Chosen { analysis, units };
+    let mut whole = Table::of_two("Momentum", ["", "", "source"]);
+    for key in ["momentum.approach_angle", "momentum.restitution", "momentum.impulse_ratio"] {
+        chosen.shared(&mut whole, key);
+    }
+    chosen.shared(&mut whole, "momentum.critical_impulse_ratio");
+    chosen.shared_vector(&mut whole, "momentum.impulse");
+    if matches!(both.method, BothMethod::MomentumAndCrush { .. }) {
+        chosen.shared(&mut whole, "momentum.disagreement");
+    }
+    for key in ["momentum.energy_loss", "momentum.normal_work", "momentum.tangential_work"] {
+        chosen.shared(&mut whole, key);
+    }
+    let mut of_vehicles = Table::of_two("Momentum by vehicle", ["vehicle 1", "vehicle 2", "source"]);
+    for key in ["momentum.delta_v", "momentum.pdof", "momentum.final_yaw_rate"] {
+        chosen.pair(&mut of_vehicles, key);
+    }
+    of_vehicles.notes.push(
+        "These figures follow from the speeds found and the velocities after the impact alone. The tables of \
+         the impact follow from the same speeds by the impact law of the case."
+            .to_owned(),
+    );
+    [whole, of_vehicles]
+}
+
+/// The way to rest of both vehicles; nothing where none is followed.
+pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
+    if analysis.travel.iter().all(Option::is_none) {
+        return Vec::new();
+    }
+    let chosen = Chosen { analysis, units };
+    let each = |f: &dyn Fn(&Travel) -> Option<String>| [0, 1].map(|i| f(analysis.travel[i].as_ref()?));
+    let mut way = Table::of_two("From the impact to rest", ["vehicle 1", "vehicle 2", "source"]);
+    let origin = |travel: &Travel| {
+        Some(match travel.origin {
+            TravelOrigin::Impact => "the impact".to_owned(),
+            TravelOrigin::Given => "the case".to_owned(),
+            TravelOrigin::Rest => "the rest".to_owned(),
+        })
+    };
+    way.pair("start from", each(&origin), "");
+    for key in ["start.speed", "start.direction", "start.yaw_rate", "rest.distance", "rest.time"] {
+        chosen.pair(&mut way, key);
+    }
+    let turn =
+        |travel: &Travel| Some(units.format(Measure::Angle, travel.rest.heading - travel.start.heading));
+    way.pair("turn on the way", each(&turn), "theory 11");
+    chosen.vectors(&mut way, "rest");
+    chosen.pair(&mut way, "rest.heading");
+    let measured = |travel: &Travel| {
+        let position = travel.measured.as_ref()?.position;
+        Some(units.format_vector(Measure::Length, position.into()))
+    };
+    way.pair("place of rest as measured", each(&measured), "");
+    let heading = |travel: &Travel| {
+        Some(match travel.measured.as_ref()?.heading {
+            RestHeadingData::Heading(heading) => units.format(Measure::Angle, heading),
+            RestHeadingData::Turned(turn) => format!("turned by {}", units.format(Measure::Angle, turn)),
+        })
+    };
+    way.pair("heading at rest as measured", each(&heading), "");
+    let miss = |travel: &Travel| {
+        let (apart, turn) = travel.miss()?;
+        Some(format!("{}, {}", units.format(Measure::Length, apart), units.format(Measure::Angle, turn)))
+    };
+    way.pair("found and measured apart", each(&miss), "");
+    let form = |travel: &Travel| {
+        Some(match travel.closed? {
+            ClosedForm::Straight { .. } => "straight".to_owned(),
+            ClosedForm::Spin(_) => "spin, by Marquard".to_owned(),
+        })
+    };
+    way.pair("closed form that applies", each(&form), "theory 11");
+    let speed = |travel: &Travel| {
+        Some(match travel.closed? {
+            ClosedForm::Straight { speed, .. } => units.speed(speed),
+            ClosedForm::Spin(start) => units.speed(start.speed),
+        })
+    };
+    way.pair("  speed at the start by it", each(&speed), "theory 11");
+    let yaw_rate = |travel: &Travel| match travel.closed? {
+        ClosedForm::Straight { .. } => None,
+        ClosedForm::Spin(start) => Some(units.yaw_rate(start.yaw_rate)),
+    };
+    way.pair("  yaw rate at the start by it", each(&yaw_rate), "theory 11");
+
+    let mut energy = Table::of_two("Energy on the way to rest", ["vehicle 1", "vehicle 2", "source"]);
+    let joules =
+        |f: fn(&Travel) -> f64| move |travel: &Travel| Some(units.format(Measure::Energy, f(travel)));
+    energy.pair("kinetic energy at the start", each(&joules(|t| t.rest.energy.start)), "theory 11");
+    energy.pair("taken by the tyres", each(&joules(|t| t.rest.energy.friction)), "theory 11");
+    if analysis.travel.iter().flatten().any(|travel| travel.rest.energy.grade != 0.0) {
+        energy.pair("given by the grade", each(&joules(|t| t.rest.energy.grade)), "theory 11");
+    }
+    let remainder = |travel: &Travel| {
+        let share = travel.rest.energy.remainder / travel.rest.energy.start;
+        share.is_finite().then(|| format!("{} %", number(100.0 * share, 4)))
+    };
+    energy.pair("error of the integration", each(&remainder), "theory 11");
+    vec![way, energy]
+}
