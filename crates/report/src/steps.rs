@@ -11,6 +11,7 @@ mod collision;
 mod crash3;
 mod damage;
 mod inertia;
+mod momentum;
 mod numbers;
 
 use analysis::Analysis;
@@ -118,7 +119,9 @@ pub fn steps(case: &Case, analysis: &Analysis, units: Units) -> Vec<StepGroup> {
     let analysis = &analysis.seen(case.axes);
     let mut groups = inertia::groups(case, analysis);
     groups.extend(damage::groups(case, analysis));
+    groups.extend(momentum::both(case, analysis));
     groups.extend(collision::groups(case, analysis));
+    groups.extend(momentum::ways(analysis));
     groups.extend(crash3::groups(case, analysis));
     groups.retain(|group| !group.steps.is_empty());
     for group in &mut groups {

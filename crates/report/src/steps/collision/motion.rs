@@ -22,7 +22,9 @@ impl Collision<'_> {
     /// The motion of a vehicle before the impact.
     fn before(&self, k: VehicleId) -> Vec<Step> {
         let before = self.impact.outcome.before[k.index()];
+        let both = self.analysis.both.as_ref().map(|both| both.speeds[k.index()]);
         let speed = match (self.analysis.found.as_ref(), &self.case.vehicles[k.index()].motion) {
+            _ if both.is_some() => both,
             (Some(found), _) if found.unknown.vehicle() == k => Some(found.speed),
             (_, Some(Velocity::Speed(speed))) => Some(speed.si()),
             _ => None,
