@@ -3,6 +3,7 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
+use case::{Dimension, Quantity, read_quantity};
 use clap::builder::{
     MapValueParser, PathBufValueParser, PossibleValue, StringValueParser, TypedValueParser,
     ValueParserFactory,
@@ -173,7 +174,8 @@ pub(crate) enum Command {
             A case with [reconstruct] is reconstructed first; a case with both speeds is computed forward; for a case without [impact], the damage and the motion after the impact can be drawn. Scene, motion and damage are to scale. The damaged body is filled, and its shape before the damage is dashed. A vehicle that has neither class nor length, width and cg_to_front is drawn with the outline of the CRASH3 size class whose radius of gyration is nearest to its own, and the legend notes this. If its radius of gyration or its contact point does not fit a car of that class, the scene shows its centre of gravity and its arrows, and no body.\n\n--plain draws the scene or the motion for readers who are no engineers: the vehicles by name and their speeds before and after the impact, without symbols, axes or forces.\n\nStandard error says how many warnings the case has. The letters of PNG and PDF are those of DejaVu Sans. If a text has other letters, standard error names them, and the picture has ? in their place; an SVG uses the fonts of its reader.",
         after_help = "Examples:\n  deltav draw fixtures/sae-980025.toml --what scene -o scene.svg\n  \
             deltav draw fixtures/sae-980025.toml --what scene --plain -o exhibit.pdf\n  \
-            deltav draw fixtures/sae-980025.toml --what energy -o energy.png"
+            deltav draw fixtures/sae-980025.toml --what energy -o energy.png\n  \
+            deltav draw case.toml --what motion --site-plan aerial.jpg --plan-corner \"-20 m, -15 m\" --plan-width \"60 m\" -o motion.pdf"
     )]
     Draw(DrawArguments),
     /// Measure the program's error rate on built-in staged collisions
@@ -445,6 +447,22 @@ pub(crate) struct DrawArguments {
     #[arg(long)]
     pub(crate) plain: bool,
 
+    /// Draw the motion on this site plan or aerial picture, a PNG or a JPEG
+    #[arg(long, value_name = "FILE", requires_all = ["plan_corner", "plan_width"])]
+    pub(crate) site_plan: Option<PathBuf>,
+
+    /// Where the lower left corner of the site plan lies in the scene, such as "-20 m, -15 m"
+    #[arg(long, value_name = "X, Y", value_parser = place, requires = "site_plan", allow_hyphen_values = true)]
+    pub(crate) plan_corner: Option<[Quantity; 2]>,
+
+    /// How wide the site plan is, such as "60 m"
+    #[arg(long, value_name = "LENGTH", value_parser = length, requires = "site_plan")]
+    pub(crate) plan_width: Option<Quantity>,
+
+    /// Angle from the scene's x axis to the lower edge of the site plan, such as "15 deg"
+    #[arg(long, value_name = "ANGLE", value_parser = angle, requires = "site_plan", allow_hyphen_values = true)]
+    pub(crate) plan_angle: Option<Quantity>,
+
     /// Write to FILE, which must end in .svg, .png or .pdf; without this option, SVG goes to standard output
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
     pub(crate) output: Destination,
@@ -478,6 +496,25 @@ pub(crate) struct SensitivityArguments {
     /// Number of steps to each side of the nominal direction
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(0..=180))]
     pub(crate) pdof_steps: u32,
+}
+
+fn length(text: &str) -> Result<Quantity, String> {
+    quantity(text, Dimension::Length)
+}
+
+fn angle(text: &str) -> Result<Quantity, String> {
+    quantity(text, Dimension::Angle)
+}
+
+/// Two lengths with a comma between.
+fn place(text: &str) -> Result<[Quantity; 2], String> {
+    let (x, y) =
+        text.split_once(',').ok_or("give two lengths with a comma between, such as \"-20 m, -15 m\"")?;
+    Ok([length(x.trim())?, length(y.trim())?])
+}
+
+fn quantity(text: &str, dimension: Dimension) -> Result<Quantity, String> {
+    read_quantity(text, dimension).map_err(|error| format!("{error}; {}", error.help()))
 }
 
 /// Samples where the command line does not say: enough for three digits, in a blink.

@@ -1,10 +1,12 @@
 //! `deltav draw`.
 
+use std::fs;
 use std::io::{self, Write as _};
 use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
-use report::{Drawing, PictureFormat, Subject};
+use case::{Axes, Quantity};
+use report::{Drawing, PictureFormat, SitePlan, Subject};
 
 use crate::arguments::{DrawArguments, What};
 
@@ -14,7 +16,11 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     if arguments.plain && !matches!(arguments.what, What::Scene | What::Motion) {
         bail!("--plain is a form of the scene and of the motion: give --what scene, or leave out --plain");
     }
+    if arguments.site_plan.is_some() && arguments.what != What::Motion {
+        bail!("--site-plan lies behind the motion: give --what motion, or leave it out");
+    }
     let file = crate::case_file(&arguments.case)?;
+    let site_plan = site_plan(arguments, file.case.axes)?;
     let subject = match arguments.what {
         What::Scene => Subject::Scene,
         What::Damage => Subject::Damage,
@@ -34,7 +40,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     let analysis = crate::answered(analysis, &file, units)?;
     let drawing = match subject {
         Subject::Scene if arguments.plain => report::plain_scene(&file, &analysis, units)?,
-        Subject::Motion => report::motion_on(&file, &analysis, units, arguments.plain, None)?,
+        Subject::Motion => report::motion_on(&file, &analysis, units, arguments.plain, site_plan)?,
         _ => report::drawing(&file, &analysis, units, subject)?,
     };
     // A drawing has no room for sentences, and standard output may be the drawing.
@@ -56,6 +62,20 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
             .context("cannot write to standard error")?;
     }
     write_picture(path, &drawing, format)
+}
+
+/// The picture to draw on, with its place.
+fn site_plan(arguments: &DrawArguments, axes: Axes) -> Result<Option<SitePlan>> {
+    let (Some(path), Some([x, y]), Some(width)) =
+        (&arguments.site_plan, &arguments.plan_corner, &arguments.plan_width)
+    else {
+        return Ok(None);
+    };
+    let name = crate::named(path);
+    let bytes = fs::read(path).with_context(|| format!("cannot read the site plan {name}"))?;
+    let angle = arguments.plan_angle.as_ref().map_or(0.0, Quantity::si);
+    let plan = report::site_plan(bytes, axes, [x.si(), y.si()], angle, width.si());
+    Ok(Some(plan.with_context(|| format!("--site-plan {name}"))?))
 }
 
 /// Writes a drawing, and says on standard error which of its letters it could not draw.

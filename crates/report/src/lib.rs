@@ -73,7 +73,7 @@ mod words;
 mod worth;
 mod writers;
 
-pub use ::drawing::{Drawing, PictureFormat, PlanPlace, SitePlan, SitePlanError};
+pub use ::drawing::{Drawing, PictureFormat, SitePlan, SitePlanError};
 pub use data::comparison::comparison_json;
 pub use data::csv::{Answer, Csv, CsvStyle, Refused, Row, RowError, Table, jsonl_row};
 pub use data::json::json;
@@ -88,7 +88,7 @@ pub use failures::no_answer;
 pub use glossary::{Topic, UnknownTopic, topic, topics};
 pub use pictures::{
     DrawingError, Subject, computed_against_measured, drawing, histogram, motion_on, plain_scene,
-    reconstructed_speed, tornado,
+    reconstructed_speed, site_plan, tornado,
 };
 pub use sections::comparison::comparison;
 pub use sections::handover::{Supplements, handover};

@@ -13,10 +13,10 @@ pub use spread::{histogram, tornado};
 pub use staged::{computed_against_measured, reconstructed_speed};
 
 use ::drawing::Drawing;
-use ::drawing::{ScaleUnit, SitePlan};
+use ::drawing::{PlanPlace, ScaleUnit, SitePlan, SitePlanError};
 use analysis::{Analysis, Failure};
-use case::CaseFile;
-use pim_core::VehicleId;
+use case::{Axes, CaseFile};
+use pim_core::{Real, VehicleId};
 
 use crate::Units;
 use crate::units::Measure;
@@ -136,6 +136,22 @@ pub fn motion_on(
     site_plan: Option<SitePlan>,
 ) -> Result<Drawing, DrawingError> {
     Ok(motion::picture(&file.case, analysis, units, is_plain, site_plan)?.draw())
+}
+
+/// A site plan, a PNG or a JPEG, in its place: its lower left corner (m) and the angle (rad) from the scene's x
+/// axis to its lower edge are in the axes of the case; the lower edge is `width` (m) long.
+///
+/// # Errors
+/// [`SitePlanError`].
+pub fn site_plan(
+    picture: Vec<u8>,
+    axes: Axes,
+    [x, y]: [f64; 2],
+    angle: f64,
+    width: f64,
+) -> Result<SitePlan, SitePlanError> {
+    let (sin, cos) = Real::sin_cos(axes.lateral(angle));
+    SitePlan::new(picture, PlanPlace { corner: [x, axes.lateral(y)], along: [cos, sin], width })
 }
 
 /// A unit of the reader, for a scale bar.
