@@ -9,6 +9,8 @@ pub struct Data {
     pub example: &'static str,
     /// What the papers print.
     pub published: &'static str,
+    /// What is published of the motion after the impact.
+    pub motion: &'static str,
 }
 
 macro_rules! ricsac {
@@ -29,6 +31,7 @@ impl Data {
             ],
             example: case::EXAMPLE,
             published: include_str!("../ricsac/published.toml"),
+            motion: include_str!("../ricsac/motion/published.toml"),
         }
     }
 }

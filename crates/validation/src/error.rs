@@ -3,9 +3,10 @@
 use analysis::Failure;
 use case::Diagnostics;
 use crash3::CrushError;
-use pim_core::InvalidInput;
-use reconcile::ReconcileError;
+use pim_core::{InvalidInput, VehicleId};
+use reconcile::{MomentumError, ReconcileError};
 use thiserror::Error;
+use trajectory::{NoRest, Unreached};
 
 /// The data are not such that they can be compared. The program's own are.
 #[derive(Debug, Error)]
@@ -63,7 +64,7 @@ pub enum ValidationError {
         /// Why.
         source: ReconcileError,
     },
-    /// A law is not one.
+    /// A law or a vehicle is not one.
     #[error(transparent)]
     Law(#[from] InvalidInput),
     /// CRASH3 has no answer.
@@ -73,5 +74,33 @@ pub enum ValidationError {
         test: u8,
         /// Why.
         source: CrushError,
+    },
+    /// A vehicle does not come to rest.
+    #[error("test {test}, vehicle {vehicle}: {source}")]
+    Motion {
+        /// Of which.
+        test: u8,
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// Why.
+        source: NoRest,
+    },
+    /// No motion leads to a vehicle's rest.
+    #[error("test {test}, vehicle {vehicle}: {source}")]
+    Unreached {
+        /// Of which.
+        test: u8,
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// Why.
+        source: Unreached,
+    },
+    /// Momentum does not give both speeds.
+    #[error("test {test}: {source}")]
+    Momentum {
+        /// Of which.
+        test: u8,
+        /// Why.
+        source: MomentumError,
     },
 }

@@ -25,23 +25,28 @@
 //!
 //! # What it does not do
 //!
-//! It adds no equation of mechanics: every result comes from `analysis`, `crash3`, `pim-core` and
-//! `reconcile`. It writes no text (`report`).
+//! It adds no equation of mechanics: every result comes from `analysis`, `crash3`, `pim-core`, `reconcile` and
+//! `trajectory`. It writes no text (`report`).
 
 mod appendix;
+mod both_speeds;
 mod claim;
 mod data;
 mod error;
+mod motion;
 mod published;
 mod reconstruction;
+mod scene;
 mod staged;
 mod statistics;
 mod tables;
 
 pub use appendix::AppendixFigure;
+pub use both_speeds::{BothSpeedErrors, BothSpeedsRow, Evidence, FromRestRow, RestMethod, speed_error};
 pub use claim::{Cell, Claim, Erratum};
 pub use data::Data;
 pub use error::ValidationError;
+pub use motion::{FoundStart, MotionRow, ReturnRow, Simulation};
 pub use published::{DEGREE, FOOT_PER_SECOND, FOOT_POUND, Unit};
 pub use reconstruction::{Choices, Reconstruction, SpeedErrors, TurnedPdof};
 pub use statistics::ErrorRate;
@@ -49,6 +54,7 @@ pub use tables::{DeltaVErrors, EnergyRow, Method, Row, Table1Row, Table2Row, Tab
 
 use pim_core::VehicleId;
 use published::Published;
+use scene::Scene;
 use staged::Staged;
 
 /// Everything compared.
@@ -72,6 +78,18 @@ pub struct Validation {
     pub delta_v_errors: DeltaVErrors,
     /// Reconstructed speeds against true ones.
     pub speed_errors: SpeedErrors,
+    /// From the published velocities after the impact to rest.
+    pub motions: Vec<MotionRow>,
+    /// From rest back to them.
+    pub returns: Vec<ReturnRow>,
+    /// What simulations of whole collisions reach.
+    pub simulations: Vec<Simulation>,
+    /// Both speeds from the published velocities after the impact.
+    pub both_speeds: Vec<BothSpeedsRow>,
+    /// Their errors.
+    pub both_speed_errors: BothSpeedErrors,
+    /// Both speeds from the published rest.
+    pub from_rest: Vec<FromRestRow>,
 }
 
 /// Runs all collisions and compares.
@@ -80,6 +98,7 @@ pub struct Validation {
 /// Where the data cannot be run or do not fit together, which those built in can.
 pub fn validate(data: &Data) -> Result<Validation, ValidationError> {
     let published = Published::read(data)?;
+    let scene = Scene::read(data)?;
     let staged = published
         .collision
         .iter()
@@ -94,6 +113,8 @@ pub fn validate(data: &Data) -> Result<Validation, ValidationError> {
     let table2 = gather(&staged, tables::table2)?;
     let table3 = gather(&staged, tables::table3)?;
     let reconstructions = staged.iter().map(reconstruction::reconstruction).collect::<Result<Vec<_>, _>>()?;
+    let (motions, returns) = motion::motions(&scene, &staged)?;
+    let both_speeds = both_speeds::both_speeds(&scene, &staged)?;
     Ok(Validation {
         table1: tables::table1(&published, &table2),
         table3_rms: tables::table3_rms(&published, &table3),
@@ -101,6 +122,12 @@ pub fn validate(data: &Data) -> Result<Validation, ValidationError> {
         appendix: appendix::appendix(data, &published)?,
         delta_v_errors: tables::delta_v_errors(&table2),
         speed_errors: reconstruction::speed_errors(&reconstructions),
+        simulations: motion::simulations(&scene),
+        both_speed_errors: both_speeds::both_speed_errors(&both_speeds),
+        from_rest: both_speeds::from_rest(&scene, &staged)?,
+        motions,
+        returns,
+        both_speeds,
         table2,
         table3,
         reconstructions,
@@ -151,6 +178,20 @@ impl Validation {
         }
         for row in &self.reconstructions {
             cells.push((format!("reconstruction, test {}, round trip", row.test), &row.round_trip));
+        }
+        for row in &self.motions {
+            let place = |what| format!("motion to rest, test {}, vehicle {}, {what}", row.test, row.vehicle);
+            cells.push((place("distance"), &row.distance));
+            cells.push((place("turn"), &row.turn));
+        }
+        for row in &self.returns {
+            let place = |what| format!("back from rest, test {}, vehicle {}, {what}", row.test, row.vehicle);
+            cells.push((place("round trip"), &row.round_trip));
+            if let Some(found) = &row.from_rest {
+                cells.push((place("speed"), &found.speed));
+                cells.push((place("direction"), &found.direction));
+                cells.push((place("yaw rate"), &found.yaw_rate));
+            }
         }
         cells
     }

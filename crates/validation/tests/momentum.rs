@@ -17,7 +17,7 @@ use validation::Data;
 /// Vossou & Koulocheris (2018): test; V_x and V_y (m/s) and Ω (rad/s) of vehicle 1 and of vehicle 2 after
 /// impact. ERRATUM: V_y of vehicle 2 in test 10 is printed as 11.44; 11.14 gives the velocity change of their
 /// own Table 7.
-const AFTER: [(u8, [[f64; 3]; 2]); 11] = [
+pub(crate) const AFTER: [(u8, [[f64; 3]; 2]); 11] = [
     (1, [[-3.76, 2.41, -1.57], [-2.07, 5.17, 0.0]]),
     (3, [[-5.34, -0.32, -0.42], [-6.73, 1.14, -0.42]]),
     (4, [[-8.94, -0.44, -0.65], [-9.92, 0.42, -0.52]]),
@@ -30,6 +30,21 @@ const AFTER: [(u8, [[f64; 3]; 2]); 11] = [
     (11, [[1.77, 0.62, 0.52], [1.96, -1.26, 0.0]]),
     (12, [[4.28, -0.49, 1.57], [1.93, -2.94, 1.05]]),
 ];
+
+/// The errors (%) of both speeds from momentum alone: tests of 60° and 90°.
+pub(crate) const CROSSING: [(u8, [f64; 2]); 6] = [
+    (1, [-3.7, 14.5]),
+    (6, [-5.0, -8.5]),
+    (7, [5.2, -4.7]),
+    (8, [-25.1, -1.9]),
+    (9, [-21.7, -0.2]),
+    (10, [-28.6, 3.0]),
+];
+
+/// The errors (%) of both speeds from momentum and crush: tests of 10°. In tests 3 to 5 vehicle 2 stood: its
+/// speed is in m/s.
+pub(crate) const COLLINEAR: [(u8, [f64; 2]); 5] =
+    [(3, [-5.6, 1.057]), (4, [-1.2, -2.840]), (5, [4.0, -3.136]), (11, [-12.6, -10.7]), (12, [-36.2, -18.9])];
 
 /// A staged collision with its velocities after impact.
 pub(crate) struct Test {
@@ -73,14 +88,7 @@ fn assert_printed(number: u8, actual: [f64; 2], expected: [f64; 2], half_digit: 
 /// vehicle 2 disagree by.
 #[test]
 fn crossing_collisions_from_momentum() {
-    for (number, expected) in [
-        (1, [-3.7, 14.5]),
-        (6, [-5.0, -8.5]),
-        (7, [5.2, -4.7]),
-        (8, [-25.1, -1.9]),
-        (9, [-21.7, -0.2]),
-        (10, [-28.6, 3.0]),
-    ] {
+    for (number, expected) in CROSSING {
         let test = test(number);
         let found = test.momentum.speeds().unwrap();
         assert_printed(number, errors(found, test.true_speeds), expected, 0.051);
@@ -91,17 +99,10 @@ fn crossing_collisions_from_momentum() {
 }
 
 /// 10°: on EDCRASH's border, where momentum alone is refused. It would miss the speeds of tests 11 and 12 by
-/// 34 to 67 %. With momentum along the common axis and the crush energy the stiffness adds its own error. In
-/// tests 3 to 5 vehicle 2 stood: its speed is in m/s.
+/// 34 to 67 %. With momentum along the common axis and the crush energy the stiffness adds its own error.
 #[test]
 fn collinear_collisions_from_momentum_and_crush() {
-    for (number, expected) in [
-        (3, [-5.6, 1.057]),
-        (4, [-1.2, -2.840]),
-        (5, [4.0, -3.136]),
-        (11, [-12.6, -10.7]),
-        (12, [-36.2, -18.9]),
-    ] {
+    for (number, expected) in COLLINEAR {
         let Test { analysis, momentum, true_speeds } = test(number);
         assert!(matches!(momentum.speeds(), Err(MomentumError::Collinear { .. })));
         let energy: f64 = analysis.vehicles.iter().map(|vehicle| vehicle.crush_energy().unwrap()).sum();
