@@ -542,7 +542,7 @@ mod tests {
         let error = show(&validation, &arguments).unwrap_err();
         assert_eq!(
             error.to_string(),
-            "1 of 231 numbers that are claimed to reproduce do not; the first: SAE 871993, Table 1, test 5, normal loss"
+            "1 of 240 numbers that are claimed to reproduce do not; the first: SAE 871993, Table 1, test 5, normal loss"
         );
         assert_eq!(lead_and_status(&error), ("error: ", NO_ANSWER));
         assert!(fs::read_to_string(&page).unwrap().contains("Failing: SAE 871993, Table 1, test 5, normal"));

@@ -97,7 +97,7 @@ pub use sections::results::results;
 pub use sections::sensitivity::sensitivity;
 pub use sections::topics::{explanation, list_of_topics};
 pub use sections::uncertainty::uncertainty;
-pub use sections::validation::{validation, validation_headline};
+pub use sections::validation::{both_speeds_headline, validation, validation_headline};
 pub use steps::{Step, StepGroup, steps};
 pub use units::Units;
 pub use warnings::{message, warnings};

@@ -137,6 +137,41 @@ fn the_readme_has_the_error_rate() {
 }
 
 #[test]
+fn the_readme_has_the_error_rate_of_both_speeds() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let headline = report::both_speeds_headline(&built_in(), report::Units::Si);
+    assert!(words(&readme).contains(&words(&headline)), "the README has to say:\n{headline}");
+}
+
+/// n, bias, range and rms of the 22 speeds, in km/h and mph, from the rows.
+#[test]
+fn the_second_headline_is_that_of_both_speeds() {
+    let validation = built_in();
+    let errors: Vec<f64> = validation
+        .both_speeds
+        .iter()
+        .flat_map(|row| [0, 1].map(|i| row.found[i] - row.true_speeds[i]))
+        .collect();
+    assert_eq!(errors.len(), 22);
+    let mean = errors.iter().sum::<f64>() / 22.0;
+    let rms = (errors.iter().map(|error| error * error).sum::<f64>() / 22.0).sqrt();
+    let [least, most] =
+        [errors.iter().copied().fold(0.0, f64::min), errors.iter().copied().fold(0.0, f64::max)];
+    for (units, name, size) in
+        [(report::Units::Si, "km/h", 1.0 / 3.6), (report::Units::Us, "mph", 1609.344 / 3600.0)]
+    {
+        let headline = report::both_speeds_headline(&validation, units);
+        let [mean, rms, least, most] = [mean, rms, least, most].map(|error| error / size);
+        assert!(headline.contains("the 22 speeds of the same 11 collisions"), "{headline}");
+        assert!(headline.contains(&format!("they are {:.0} {name} (", mean.abs())), "{headline}");
+        assert!(mean < 0.0 && headline.contains("too low"), "{headline}");
+        assert!(headline.contains(&format!("by {least:+.0} to {most:+.0} {name}")), "{headline}");
+        assert!(headline.contains(&format!("rms error of {rms:.0} {name}")), "{headline}");
+        assert!(headline.contains("of the 19 that were not zero"), "{headline}");
+    }
+}
+
+#[test]
 fn the_headline_is_that_of_the_speeds() {
     let validation = built_in();
     let errors: Vec<f64> =
@@ -169,7 +204,7 @@ fn a_failure_is_shouted() {
     let place = "Table 2, test 1, PimCrush, vehicle 2";
     for page in [report::validation(&validation).text(), report::validation(&validation).markdown()] {
         let page = words(&page);
-        assert!(page.contains("1 of the 231 numbers that are claimed to reproduce FAIL."), "{page}");
+        assert!(page.contains("1 of the 240 numbers that are claimed to reproduce FAIL."), "{page}");
         assert!(page.contains(&format!("Failing: {place}.")), "{page}");
     }
     let text = words(&report::validation(&validation).text());

@@ -1,7 +1,9 @@
 //! The comparison as JSON, in SI units and radians.
 
 use serde::Serialize;
-use validation::{Cell, Claim, ErrorRate, Method, Row, TurnedPdof, Validation};
+use validation::{
+    Cell, Claim, Erratum, ErrorRate, Evidence, Method, RestMethod, Row, TurnedPdof, Validation,
+};
 
 use super::pretty;
 
@@ -17,6 +19,11 @@ struct Document {
     appendix: Vec<FigureBlock>,
     reconstruction: Vec<ReconstructionBlock>,
     choices: Vec<ChoicesBlock>,
+    motion: Vec<MotionBlock>,
+    back_from_rest: Vec<ReturnBlock>,
+    simulations: Vec<SimulationBlock>,
+    both_speeds: Vec<BothSpeedsBlock>,
+    both_speeds_from_rest: Vec<FromRestBlock>,
     error_rate: ErrorRates,
 }
 
@@ -126,9 +133,98 @@ struct TurnBlock {
 }
 
 #[derive(Serialize)]
+struct CellBlock {
+    ours: f64,
+    paper: f64,
+    claim: ClaimBlock,
+}
+
+impl From<&Cell> for CellBlock {
+    fn from(cell: &Cell) -> Self {
+        Self { ours: cell.ours, paper: cell.paper, claim: claim(cell) }
+    }
+}
+
+#[derive(Serialize)]
+struct MotionBlock {
+    test: u8,
+    vehicle: u8,
+    drag: f64,
+    distance: CellBlock,
+    distance_within: f64,
+    path: f64,
+    time: f64,
+    turn: CellBlock,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rest_missed: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct ReturnBlock {
+    test: u8,
+    vehicle: u8,
+    drag: f64,
+    round_trip: CellBlock,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    from_rest: Option<StartBlock>,
+}
+
+#[derive(Serialize)]
+struct StartBlock {
+    speed: CellBlock,
+    direction: CellBlock,
+    yaw_rate: CellBlock,
+    speed_of_turned_way: [f64; 2],
+}
+
+/// Shares of the path.
+#[derive(Serialize)]
+struct SimulationBlock {
+    name: String,
+    mean_errors: [f64; 2],
+}
+
+#[derive(Serialize)]
+struct BothSpeedsBlock {
+    test: u8,
+    evidence: &'static str,
+    #[serde(rename = "true")]
+    true_speeds: [f64; 2],
+    found: [f64; 2],
+    error: [f64; 2],
+    impulse_disagreement: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    erratum: Option<ErratumBlock>,
+}
+
+#[derive(Serialize)]
+struct FromRestBlock {
+    test: u8,
+    method: &'static str,
+    evidence: &'static str,
+    drag: f64,
+    after: [f64; 2],
+    #[serde(rename = "true")]
+    true_speeds: [f64; 2],
+    found: [f64; 2],
+    error: [f64; 2],
+}
+
+#[derive(Serialize)]
 struct ErrorRates {
     delta_v: DeltaVRates,
     speed: SpeedRates,
+    both_speeds: BothSpeedsRates,
+}
+
+#[derive(Serialize)]
+struct BothSpeedsRates {
+    all: RateBlock,
+    all_relative: RateBlock,
+    momentum: RateBlock,
+    momentum_relative: RateBlock,
+    momentum_and_crush: RateBlock,
+    momentum_and_crush_relative: RateBlock,
 }
 
 #[derive(Serialize)]
@@ -192,11 +288,25 @@ fn claim(cell: &Cell) -> ClaimBlock {
         reproduces: cell.is_claimed().then(|| !cell.fails()),
         tolerance,
         known_difference,
-        erratum: cell
-            .erratum
-            .as_ref()
-            .map(|erratum| ErratumBlock { printed: erratum.printed.clone(), reason: erratum.reason.clone() }),
+        erratum: cell.erratum.as_ref().map(ErratumBlock::from),
     }
+}
+
+impl From<&Erratum> for ErratumBlock {
+    fn from(Erratum { printed, reason }: &Erratum) -> Self {
+        Self { printed: printed.clone(), reason: reason.clone() }
+    }
+}
+
+fn evidence(evidence: Evidence) -> &'static str {
+    match evidence {
+        Evidence::Momentum => "momentum",
+        Evidence::MomentumAndCrush => "momentum_and_crush",
+    }
+}
+
+fn errors(found: [f64; 2], true_speeds: [f64; 2]) -> [f64; 2] {
+    [found[0] - true_speeds[0], found[1] - true_speeds[1]]
 }
 
 fn pair<T>(cells: &[Cell; 2], of: impl Fn(&Cell) -> T) -> [T; 2] {
@@ -221,6 +331,7 @@ fn row_name(row: Row) -> &'static str {
 pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Error> {
     let dv = &validation.delta_v_errors;
     let speed = &validation.speed_errors;
+    let both = &validation.both_speed_errors;
     let turn = |pdof: TurnedPdof| TurnBlock { turn: pdof.turn, corrected_delta_v: pdof.delta_v };
     let document = Document {
         claimed: validation.claimed(),
@@ -346,7 +457,82 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
                 pdof: line.choices.pdof.map(turn),
             })
             .collect(),
+        motion: validation
+            .motions
+            .iter()
+            .map(|line| MotionBlock {
+                test: line.test,
+                vehicle: line.vehicle.number(),
+                drag: line.drag,
+                distance: (&line.distance).into(),
+                distance_within: line.within,
+                path: line.path,
+                time: line.time,
+                turn: (&line.turn).into(),
+                rest_missed: line.miss,
+            })
+            .collect(),
+        back_from_rest: validation
+            .returns
+            .iter()
+            .map(|line| ReturnBlock {
+                test: line.test,
+                vehicle: line.vehicle.number(),
+                drag: line.drag,
+                round_trip: (&line.round_trip).into(),
+                from_rest: line.from_rest.as_ref().map(|found| StartBlock {
+                    speed: (&found.speed).into(),
+                    direction: (&found.direction).into(),
+                    yaw_rate: (&found.yaw_rate).into(),
+                    speed_of_turned_way: found.turned,
+                }),
+            })
+            .collect(),
+        simulations: validation
+            .simulations
+            .iter()
+            .map(|other| SimulationBlock { name: other.name.clone(), mean_errors: other.errors })
+            .collect(),
+        both_speeds: validation
+            .both_speeds
+            .iter()
+            .map(|line| BothSpeedsBlock {
+                test: line.test,
+                evidence: evidence(line.evidence),
+                true_speeds: line.true_speeds,
+                found: line.found,
+                error: errors(line.found, line.true_speeds),
+                impulse_disagreement: line.disagreement,
+                erratum: line.erratum.as_ref().map(ErratumBlock::from),
+            })
+            .collect(),
+        both_speeds_from_rest: validation
+            .from_rest
+            .iter()
+            .map(|line| FromRestBlock {
+                test: line.test,
+                method: match line.method {
+                    RestMethod::Motion => "motion",
+                    RestMethod::MotionDirected => "motion_directed",
+                    RestMethod::Slide => "slide",
+                },
+                evidence: evidence(line.evidence),
+                drag: line.drag,
+                after: line.after,
+                true_speeds: line.true_speeds,
+                found: line.found,
+                error: errors(line.found, line.true_speeds),
+            })
+            .collect(),
         error_rate: ErrorRates {
+            both_speeds: BothSpeedsRates {
+                all: both.all.into(),
+                all_relative: both.all_relative.into(),
+                momentum: both.momentum.into(),
+                momentum_relative: both.momentum_relative.into(),
+                momentum_and_crush: both.momentum_and_crush.into(),
+                momentum_and_crush_relative: both.momentum_and_crush_relative.into(),
+            },
             delta_v: DeltaVRates {
                 pim: dv.pim.into(),
                 pim_paper: dv.pim_paper.into(),

@@ -143,12 +143,10 @@ fn readme(ledger: &mut Ledger) {
         both(FOOT, 2, [of("/crash3/delta_v/0"), of("/crash3/delta_v/1")])
     ));
     let validation = validation::validate(&validation::Data::built_in()).unwrap();
-    ledger.made(
-        report::validation_headline(&validation, report::Units::Si)
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" "),
-    );
+    for headline in [report::validation_headline, report::both_speeds_headline] {
+        let words = headline(&validation, report::Units::Si);
+        ledger.made(words.split_whitespace().collect::<Vec<_>>().join(" "));
+    }
 }
 
 fn conventions(ledger: &mut Ledger) {
