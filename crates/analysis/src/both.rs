@@ -35,6 +35,8 @@ pub enum BothMethod {
         crush_energy: f64,
         /// (J) the normal work sought.
         normal_work: f64,
+        /// (m/s) the relative speed that was found, from which both follow.
+        relative_speed: f64,
         /// (m/s) all admissible pairs of speeds, from the slowest approach to the fastest.
         admissible: Vec<[f64; 2]>,
     },
@@ -59,8 +61,12 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         let search = MomentumAndCrush::new(momentum, axis, law.clone(), crush_energy, basis, 0.0)?;
         let answer = search.solve()?;
         let admissible = search.speeds().collect();
-        let method =
-            BothMethod::MomentumAndCrush { crush_energy, normal_work: answer.normal_work, admissible };
+        let method = BothMethod::MomentumAndCrush {
+            crush_energy,
+            normal_work: answer.normal_work,
+            relative_speed: answer.relative,
+            admissible,
+        };
         (answer.speeds, method)
     } else {
         (momentum.speeds()?, BothMethod::Momentum)

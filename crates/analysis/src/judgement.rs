@@ -3,11 +3,12 @@
 
 use crash3::{EnergyBasis, Side, SideStiffness, VehicleClass};
 use inputs::{
-    Axes, Case, Crush, Faults, Find, Fit, GivenVehicle, ImpactLaw, InferredWidth, Kind, Purpose,
-    StiffnessForm, StiffnessLine, VehicleData, Velocity, YawSource,
+    Axes, Case, Crush, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Kind, Purpose, StiffnessForm,
+    StiffnessLine, VehicleData, Velocity, YawSource,
 };
 use pim_core::VehicleId;
 
+use crate::goal::Goal;
 use crate::warning::{self, Warning};
 use crate::{Vehicle, checks, closing_speed, damage, uncertainty};
 
@@ -16,7 +17,7 @@ use crate::{Vehicle, checks, closing_speed, damage, uncertainty};
 pub struct Judgement {
     /// What it can be used for: `reconstruct`, `impact`, `crush`, `uncertainty`, `compare`, `sensitivity` and
     /// `draw`.
-    pub abilities: [Ability; 7],
+    pub abilities: Vec<Ability>,
     /// The assumptions for values that the case does not give, in the order of its keys.
     pub assumptions: Vec<Assumption>,
     /// The warnings that need no answer, in the axes of the engine; [`Warning::seen`] converts them to
@@ -204,7 +205,8 @@ pub fn nearest_class(vehicle: &VehicleData) -> Option<(u8, VehicleClass)> {
 #[must_use]
 pub fn judge(case: &Case) -> Judgement {
     let seeks = case.reconstruct.is_some();
-    let is_both = case.reconstruct.is_some_and(|reconstruct| reconstruct.find == Find::Both);
+    let goal = Goal::of(case);
+    let is_both = goal == Goal::BothSpeeds;
     let reconstruction = if is_both {
         case.two_speeds().map(|input| input.collision)
     } else {
@@ -229,13 +231,12 @@ pub fn judge(case: &Case) -> Judgement {
     let assumptions = assumed(case, &subjects);
     let speeds = collision.map(|collision| collision.motions.map(|motion| motion.velocity.norm()));
     of_vehicles(case, subjects.map(|subject| subject.unwrap_or(NOTHING)), speeds, &mut warnings);
-    let unpropagated = uncertainty::inputs(case)
-        .err()
-        .or_else(|| if seeks { reconstruction.clone().err() } else { case.collision().err() });
+    let unpropagated = uncertainty::inputs(case).err().or_else(|| goal.obstacle(case));
     let lacking = [
         (Purpose::Reconstruct, reconstruction.err()),
         (Purpose::Impact, impact.err()),
         (Purpose::Crush, case.damage().err()),
+        (Purpose::Motion, case.motion().err()),
     ];
     let of = |purpose, on| {
         let obstacle =
@@ -245,15 +246,26 @@ pub fn judge(case: &Case) -> Judgement {
     let solved = if seeks { Purpose::Reconstruct } else { Purpose::Impact };
     let (furthest, _) = crate::furthest_solver(case);
     let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
-    let abilities = [
+    let mut abilities = vec![
         of(Purpose::Reconstruct, Purpose::Reconstruct),
         of(Purpose::Impact, Purpose::Impact),
         of(Purpose::Crush, Purpose::Crush),
-        Ability { purpose: Purpose::Uncertainty, on: solved, obstacle: unpropagated },
-        of(Purpose::Compare, solved),
-        of(Purpose::Sensitivity, if alone { Purpose::Impact } else { furthest }),
-        of(Purpose::Draw, furthest),
     ];
+    // A case that says nothing of the time after the impact is not asked for it.
+    if case.vehicles.iter().any(|vehicle| vehicle.after.is_some()) {
+        abilities.push(of(Purpose::Motion, Purpose::Motion));
+    }
+    let differentiated = match goal {
+        Goal::Motion => Purpose::Motion,
+        _ if alone => Purpose::Impact,
+        _ => furthest,
+    };
+    abilities.extend([
+        Ability { purpose: Purpose::Uncertainty, on: goal.purpose(), obstacle: unpropagated },
+        of(Purpose::Compare, solved),
+        of(Purpose::Sensitivity, differentiated),
+        of(Purpose::Draw, furthest),
+    ]);
     Judgement { abilities, assumptions, warnings }
 }
 

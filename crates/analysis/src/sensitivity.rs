@@ -2,12 +2,14 @@
 
 use crash3::{ObliqueCorrection, principal_angle};
 use inputs::{Axes, Case, Collision, Dimension, Estimate, GivenVehicle, Input, Origin};
-use pim_core::{ImpactError, Outcome, Real, VehicleId};
-use real::{Gradient, Traced};
+use pim_core::{ImpactError, Motion, Outcome, Real, VehicleId};
+use real::Gradient;
 use reconcile::Problem;
 
 use crate::damage::{self, Crash3};
-use crate::{Analysis, Failure, collide, furthest};
+use crate::goal::{self, Answer, Goal, Known, Way, length};
+use crate::travel::Origin as WayOrigin;
+use crate::{Analysis, Failure, furthest};
 
 /// (rad) 1°.
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -19,8 +21,8 @@ const CENTIMETRE: f64 = 0.01;
 pub struct Sensitivity {
     /// The answer itself.
     pub nominal: Analysis,
-    /// The derivatives of a reconstruction, for each output from the most to the least influential input;
-    /// empty for a case without `[reconstruct]`.
+    /// The derivatives of a reconstruction and of the ways to rest, for each output from the most to the least
+    /// influential input; empty for a case without `[reconstruct]` whose vehicles are not followed to rest.
     pub derivatives: Vec<Derivative>,
     /// CRASH3's answer for rotated directions of force, in ascending order; empty if the damage or the PDOF
     /// of a vehicle is unknown.
@@ -65,31 +67,140 @@ pub enum Output {
     NormalWork,
     /// (J) work of the tangential impulse.
     TangentialWork,
+    /// A number of the way from the impact to rest.
+    Way {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// Which number.
+        number: WayNumber,
+        /// The axes of the case.
+        axes: Axes,
+    },
+}
+
+/// A number of the way of a vehicle from the impact to rest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WayNumber {
+    /// (m/s) speed at the start.
+    StartSpeed,
+    /// (rad) direction of the velocity at the start.
+    StartDirection,
+    /// (rad/s) yaw rate at the start.
+    StartYawRate,
+    /// (m) place of rest, along x.
+    RestX,
+    /// (m) place of rest, along y.
+    RestY,
+    /// (rad) heading at rest, full turns since the impact included.
+    RestHeading,
+    /// (m) length of the way.
+    RestDistance,
+    /// (s) time to rest.
+    RestTime,
+}
+
+impl WayNumber {
+    /// All of them.
+    pub const ALL: [Self; 8] = [
+        Self::StartSpeed,
+        Self::StartDirection,
+        Self::StartYawRate,
+        Self::RestX,
+        Self::RestY,
+        Self::RestHeading,
+        Self::RestDistance,
+        Self::RestTime,
+    ];
+
+    /// Whether it is a result of a way: neither a start that the case gives, nor a rest that was measured.
+    fn results_from(self, origin: WayOrigin) -> bool {
+        let is_start = matches!(self, Self::StartSpeed | Self::StartDirection | Self::StartYawRate);
+        let is_end = matches!(self, Self::RestX | Self::RestY | Self::RestHeading);
+        match origin {
+            WayOrigin::Impact => true,
+            WayOrigin::Given => !is_start,
+            WayOrigin::Rest => !is_end,
+        }
+    }
+
+    fn key(self) -> &'static str {
+        match self {
+            Self::StartSpeed => "start.speed",
+            Self::StartDirection => "start.direction",
+            Self::StartYawRate => "start.yaw_rate",
+            Self::RestX => "rest.x",
+            Self::RestY => "rest.y",
+            Self::RestHeading => "rest.heading",
+            Self::RestDistance => "rest.distance",
+            Self::RestTime => "rest.time",
+        }
+    }
+
+    fn value<T: Real>(self, way: &Way<T>, axes: Axes) -> T {
+        let Way { start: Motion { velocity, yaw_rate }, rest } = way;
+        match self {
+            Self::StartSpeed => length(*velocity),
+            // A vehicle that stays where it is has no direction.
+            Self::StartDirection if velocity.x == T::ZERO && velocity.y == T::ZERO => T::ZERO,
+            Self::StartDirection => axes.lateral(velocity.y.atan2(velocity.x)),
+            Self::StartYawRate => axes.lateral(*yaw_rate),
+            Self::RestX => rest.position.x,
+            Self::RestY => axes.lateral(rest.position.y),
+            Self::RestHeading => axes.lateral(rest.heading),
+            Self::RestDistance => rest.distance,
+            Self::RestTime => rest.time,
+        }
+    }
 }
 
 impl Output {
-    /// The outputs of an analysis with an impact: the speed found, if there is one; no ΔV and PDOF of a fixed
-    /// object.
+    /// The outputs of an analysis: the speeds found, if there are any; no ΔV and PDOF of a fixed object; and
+    /// those of the ways to rest.
     pub(crate) fn of(analysis: &Analysis, axes: Axes) -> Vec<Self> {
-        let found = analysis.found.as_ref().map(|found| found.unknown.vehicle());
-        let mut outputs = Self::of_two_vehicles(found.unwrap_or(VehicleId::One), axes).to_vec();
-        outputs.retain(|output| match output {
-            Self::Speed { .. } => found.is_some(),
-            Self::DeltaV { vehicle }
-            | Self::DeltaVLongitudinal { vehicle }
-            | Self::DeltaVLateral { vehicle, .. }
-            | Self::Pdof { vehicle } => analysis.moves(*vehicle),
-            Self::ClosingSpeed | Self::EnergyLoss | Self::NormalWork | Self::TangentialWork => true,
-        });
+        let mut outputs = if analysis.both.is_some() {
+            Self::OF_BOTH_SPEEDS.to_vec()
+        } else if analysis.impact.is_some() {
+            let found = analysis.found.as_ref().map(|found| found.unknown.vehicle());
+            let mut outputs = Self::of_two_vehicles(found.unwrap_or(VehicleId::One), axes).to_vec();
+            outputs.retain(|output| match output {
+                Self::Speed { .. } => found.is_some(),
+                output => output.vehicle().is_none_or(|vehicle| analysis.moves(vehicle)),
+            });
+            outputs
+        } else {
+            Vec::new()
+        };
+        for vehicle in VehicleId::ALL {
+            let Some(travel) = &analysis.travel[vehicle.index()] else { continue };
+            let numbers = WayNumber::ALL.into_iter().filter(|number| number.results_from(travel.origin));
+            outputs.extend(numbers.map(|number| Self::Way { vehicle, number, axes }));
+        }
         outputs
     }
 
     /// All that there are, for the speed of either vehicle.
     #[must_use]
     pub fn all() -> Vec<Self> {
-        let [speed, others @ ..] = Self::of_two_vehicles(VehicleId::One, Axes::default());
-        [speed, Self::Speed { vehicle: VehicleId::Two }].into_iter().chain(others).collect()
+        let axes = Axes::default();
+        let [speed, others @ ..] = Self::of_two_vehicles(VehicleId::One, axes);
+        let ways = VehicleId::ALL.into_iter().flat_map(|vehicle| {
+            WayNumber::ALL.into_iter().map(move |number| Self::Way { vehicle, number, axes })
+        });
+        [speed, Self::Speed { vehicle: VehicleId::Two }].into_iter().chain(others).chain(ways).collect()
     }
+
+    /// Those of a reconstruction of both speeds, without the ways. ΔV has no components and no PDOF: by
+    /// momentum they are not those of the impact, which the keys name.
+    const OF_BOTH_SPEEDS: [Self; 8] = [
+        Self::Speed { vehicle: VehicleId::One },
+        Self::Speed { vehicle: VehicleId::Two },
+        Self::DeltaV { vehicle: VehicleId::One },
+        Self::DeltaV { vehicle: VehicleId::Two },
+        Self::ClosingSpeed,
+        Self::EnergyLoss,
+        Self::NormalWork,
+        Self::TangentialWork,
+    ];
 
     /// Those of a reconstruction of two vehicles, `found` the one whose speed is sought.
     pub(crate) const fn of_two_vehicles(found: VehicleId, axes: Axes) -> [Self; 13] {
@@ -110,7 +221,21 @@ impl Output {
         ]
     }
 
-    /// Its value in an impact; `found` is the speed found.
+    /// Its value in the answer of a case; not a number where that has none.
+    pub(crate) fn of_answer<T: Real>(self, answer: &Answer<T>) -> T {
+        let none = T::from(f64::NAN);
+        match (self, &answer.delta_v, &answer.outcome) {
+            (Self::Speed { vehicle }, ..) => answer.speeds[vehicle.index()].unwrap_or(none),
+            (Self::Way { vehicle, number, axes }, ..) => {
+                answer.ways[vehicle.index()].as_ref().map_or(none, |way| number.value(way, axes))
+            }
+            (Self::DeltaV { vehicle }, Some(delta_v), _) => delta_v[vehicle.index()],
+            (output, _, Some(outcome)) => output.value(none, outcome),
+            (_, _, None) => none,
+        }
+    }
+
+    /// Its value in an impact, which tells nothing of the way after it; `found` is the speed found.
     #[inline(always)]
     pub(crate) fn value<T: Real>(self, found: T, outcome: &Outcome<T>) -> T {
         match self {
@@ -125,6 +250,7 @@ impl Output {
             Self::EnergyLoss => outcome.energy.loss,
             Self::NormalWork => outcome.energy.normal_work,
             Self::TangentialWork => outcome.energy.tangential_work,
+            Self::Way { .. } => T::from(f64::NAN),
         }
     }
 
@@ -136,7 +262,8 @@ impl Output {
             | Self::DeltaV { vehicle }
             | Self::DeltaVLongitudinal { vehicle }
             | Self::DeltaVLateral { vehicle, .. }
-            | Self::Pdof { vehicle } => Some(vehicle),
+            | Self::Pdof { vehicle }
+            | Self::Way { vehicle, .. } => Some(vehicle),
             Self::ClosingSpeed | Self::EnergyLoss | Self::NormalWork | Self::TangentialWork => None,
         }
     }
@@ -154,6 +281,7 @@ impl Output {
             Self::EnergyLoss => "impact.energy_loss",
             Self::NormalWork => "impact.normal_work",
             Self::TangentialWork => "impact.tangential_work",
+            Self::Way { number, .. } => number.key(),
         }
     }
 
@@ -230,20 +358,29 @@ pub struct Sweep {
     pub steps: u32,
 }
 
-/// Differentiates a case with `[reconstruct]` and sweeps the direction of force of any case whose damage is
-/// known.
+/// Differentiates a case with `[reconstruct]` or with a motion to rest, and sweeps the direction of force of
+/// any case whose damage is known.
 ///
 /// The derivatives are exact: the same equations are evaluated on numbers that carry their derivative. The
 /// speed found is a root s of the residual R(s, p) = W_n − E, so its derivative by an input p is
-/// −(∂R/∂p)/(∂R/∂s), whichever method found it.
+/// −(∂R/∂p)/(∂R/∂s), whichever method found it. Of several unknowns x, such as the velocity and the yaw rate
+/// of each vehicle that lead to its rest, dx/dp = −(∂R/∂x)⁻¹ ∂R/∂p (implicit function theorem).
+///
+/// The way to rest is differentiated over the steps that its integration took.
 ///
 /// # Errors
 /// [`Failure`] if the case has no answer.
 pub fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Failure> {
     // One vehicle alone has neither a speed nor a force to vary: the impact says what is missing.
     let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
-    let nominal = if alone { crate::impact(case)? } else { furthest(case)? };
-    let derivatives = if nominal.found.is_some() { derivatives(case, &nominal)? } else { Vec::new() };
+    let nominal = match Goal::of(case) {
+        Goal::Motion => crate::motion(case)?,
+        _ if alone => crate::impact(case)?,
+        _ => furthest(case)?,
+    };
+    let has_ways = nominal.travel.iter().any(Option::is_some);
+    let is_differentiated = nominal.found.is_some() || nominal.both.is_some() || has_ways;
+    let derivatives = if is_differentiated { derivatives(case, &nominal)? } else { Vec::new() };
     let pdof_sweep = pdof_sweep(&nominal, sweep, case.axes)?;
     Ok(Sensitivity { nominal, derivatives, pdof_sweep })
 }
@@ -251,7 +388,7 @@ pub fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Failure> {
 fn derivatives(case: &Case, nominal: &Analysis) -> Result<Vec<Derivative>, Failure> {
     let outputs: Vec<Output> = Output::of(nominal, case.axes)
         .into_iter()
-        .filter(|output| matches!(output, Output::Speed { .. } | Output::DeltaV { .. }))
+        .filter(|output| matches!(output, Output::Speed { .. } | Output::DeltaV { .. } | Output::Way { .. }))
         .collect();
     let gradients = gradients(case, nominal, &outputs)?;
     let mut derivatives = Vec::new();
@@ -281,38 +418,26 @@ pub(crate) fn gradients(
 ) -> Result<Vec<Gradient>, Failure> {
     let inputs = case.variables();
     let mut numbers: Vec<f64> = inputs.iter().map(|input| input.number).collect();
-    // The speed found is an input too: the last.
-    numbers.extend(nominal.found.as_ref().map(|found| found.speed));
+    // What equations were solved for are inputs too: the last.
+    numbers.extend(goal::unknowns(nominal));
     let mut gradients = real::gradients(&numbers, |numbers| {
-        let all = |found: Traced, outcome: &Outcome<Traced>| -> Vec<Traced> {
-            outputs.iter().map(|output| output.value(found, outcome)).collect()
-        };
-        let (numbers, found) = numbers.split_at(inputs.len());
+        let (numbers, unknowns) = numbers.split_at(inputs.len());
         let case = case.with_numbers(numbers.to_vec());
-        match found.first().copied() {
-            Some(found) => at(&case, |problem| {
-                let (_, outcome) = problem.impact(found)?;
-                let mut results = all(found, &outcome);
-                results.push(problem.residual(found));
-                Ok(results)
-            }),
-            None => {
-                let (_, outcome) = collide(&case.collision()?.collision)?;
-                Ok::<_, Failure>(all(Traced::ZERO, &outcome))
-            }
-        }
+        let mut known = Known::new(unknowns);
+        let answer = goal::answer(Goal::of(&case), &case, &mut known)?;
+        let results = outputs.iter().map(|output| output.of_answer(&answer));
+        Ok::<_, Failure>(results.chain(known.residuals).collect())
     })?;
-    if nominal.found.is_some()
-        && let Some(residual) = gradients.pop()
-        && let Some((&by_speed, by_inputs)) = residual.by.split_last()
-    {
+    let residuals = gradients.split_off(outputs.len());
+    if !residuals.is_empty() {
+        let unknowns_by_inputs = unknowns_by_inputs(residuals, inputs.len());
         for gradient in &mut gradients {
-            let through_speed = gradient.by.pop().unwrap_or_default();
-            for (by, residual_by_input) in gradient.by.iter_mut().zip(by_inputs) {
-                // ds/dp = −(∂R/∂p)/(∂R/∂s)
-                let speed_by_input = -(residual_by_input / by_speed);
-                // dy/dp = ∂y/∂p + (∂y/∂s) ds/dp
-                *by += through_speed * speed_by_input;
+            let through = gradient.by.split_off(inputs.len());
+            for (through, by_inputs) in through.iter().zip(&unknowns_by_inputs) {
+                for (by, unknown_by_input) in gradient.by.iter_mut().zip(by_inputs) {
+                    // dy/dp = ∂y/∂p + Σ (∂y/∂x) dx/dp
+                    *by += through * unknown_by_input;
+                }
             }
         }
     }
@@ -326,6 +451,57 @@ pub(crate) fn gradients(
         }
     }
     Ok(gradients)
+}
+
+/// How the unknowns x that make residuals R(x, p) zero follow the inputs p, dx/dp = −(∂R/∂x)⁻¹ ∂R/∂p: a row
+/// for each unknown.
+///
+/// Gauss's elimination with scaled partial pivoting: some residuals are lengths, and some are energies. What
+/// cannot be solved is not finite.
+fn unknowns_by_inputs(residuals: Vec<Gradient>, inputs: usize) -> Vec<Vec<f64>> {
+    // Of each residual, its derivatives by the unknowns and by the inputs.
+    let mut rows: Vec<(Vec<f64>, Vec<f64>)> = residuals
+        .into_iter()
+        .map(|Gradient { mut by, .. }| {
+            let by_unknowns = by.split_off(inputs);
+            (by_unknowns, by)
+        })
+        .collect();
+    let count = rows.len();
+    for column in 0..count {
+        let size = |(row, _): &(Vec<f64>, Vec<f64>)| {
+            let largest = row.iter().skip(column).fold(0.0, |largest: f64, by| largest.max(by.abs()));
+            if largest > 0.0 { row[column].abs() / largest } else { 0.0 }
+        };
+        let pivot = (column..count).max_by(|a, b| size(&rows[*a]).total_cmp(&size(&rows[*b])));
+        rows.swap(column, pivot.unwrap_or(column));
+        let (above, below) = rows.split_at_mut(column + 1);
+        let (pivot, right) = &above[column];
+        for (row, row_right) in below {
+            let factor = row[column] / pivot[column];
+            if factor != 0.0 {
+                for (by, pivot) in row.iter_mut().zip(pivot).chain(row_right.iter_mut().zip(right)) {
+                    *by -= factor * pivot;
+                }
+            }
+        }
+    }
+    // dx/dp, the last row first.
+    let mut solved: Vec<Vec<f64>> = Vec::new();
+    for (place, (row, mut right)) in rows.into_iter().enumerate().rev() {
+        for (later, solution) in row[place + 1..].iter().zip(solved.iter().rev()) {
+            for (right, solution) in right.iter_mut().zip(solution) {
+                *right += later * solution;
+            }
+        }
+        for right in &mut right {
+            // dx_i/dp = −(∂R_i/∂p + Σ (∂R_i/∂x_j) dx_j/dp)/(∂R_i/∂x_i), j > i
+            *right = -(*right / row[place]);
+        }
+        solved.push(right);
+    }
+    solved.reverse();
+    solved
 }
 
 /// The problem that a case poses, with other numbers.

@@ -1,7 +1,7 @@
 //! The motion after the impact: from there to rest, or back from the rest to how the vehicle left the impact.
 
 use inputs::{MotionInput, RestData, RestHeadingData, SkidData, SurfaceData, VehicleMotion};
-use pim_core::{Motion, Vector2, VehicleId};
+use pim_core::{Motion, Real, Vector2, VehicleId};
 use reconcile::Departure;
 use trajectory::closed::{Slide, Spin, SpinStart, spins};
 use trajectory::{
@@ -64,9 +64,9 @@ pub enum ClosedForm {
 }
 
 /// The ground of a case.
-pub(crate) struct Scene<'a> {
-    surface: &'a SurfaceData,
-    zones: Vec<Zone<'a>>,
+pub(crate) struct Scene<'a, T = f64> {
+    surface: &'a SurfaceData<T>,
+    zones: Vec<Zone<'a, T>>,
 }
 
 /// How a vehicle left the impact.
@@ -79,17 +79,37 @@ pub(crate) struct Left {
     pub(crate) others: Vec<Start>,
 }
 
-impl<'a> Scene<'a> {
-    pub(crate) fn new(surface: &'a SurfaceData) -> Self {
+impl<'a, T: Real> Scene<'a, T> {
+    pub(crate) fn new(surface: &'a SurfaceData<T>) -> Self {
         Self { surface, zones: surface.zones() }
     }
 
-    fn ground(&self) -> Ground<'_> {
+    pub(crate) fn ground(&self) -> Ground<'_, T> {
         Ground { friction: self.surface.friction, zones: &self.zones, grade: self.surface.grade }
     }
 
+    /// Where a vehicle that leaves the impact with this motion comes to rest.
+    pub(crate) fn to_rest(
+        &self,
+        vehicle: VehicleId,
+        way: &VehicleMotion<T>,
+        motion: Motion<T>,
+        control: &Control,
+    ) -> Result<Rest<T>, Failure> {
+        let start = State { position: way.position, heading: way.heading, motion };
+        to_rest(&way.chassis, way.steer.steer(), &self.ground(), &start, control, |_| {})
+            .map_err(|reason| Failure::NoRest { vehicle, reason })
+    }
+}
+
+impl Scene<'_> {
     /// The motion that leads to the rest of a vehicle.
-    fn back(&self, vehicle: VehicleId, way: &VehicleMotion, rest: &RestData) -> Result<Left, Failure> {
+    pub(crate) fn back(
+        &self,
+        vehicle: VehicleId,
+        way: &VehicleMotion,
+        rest: &RestData,
+    ) -> Result<Left, Failure> {
         let starts = to_start(
             &way.chassis,
             way.steer.steer(),
@@ -133,7 +153,7 @@ impl Left {
     }
 }
 
-fn target(input: &VehicleMotion, rest: &RestData) -> Target {
+pub(crate) fn target(input: &VehicleMotion, rest: &RestData) -> Target {
     let (heading, turns_known) = match rest.heading {
         RestHeadingData::Heading(heading) => (heading, false),
         RestHeadingData::Turned(turn) => (input.heading + turn, true),
@@ -181,7 +201,7 @@ fn closed_form(
     }
     let (distance, turn) = (rest.distance, rest.heading - start.heading);
     let Motion { velocity, .. } = start.motion;
-    let direction = real::Real::atan2(velocity.y, velocity.x);
+    let direction = Real::atan2(velocity.y, velocity.x);
     let sideslip = real::principal_angle(direction - start.heading);
     let (wheelbase, friction) = (input.chassis.wheelbase(), surface.friction);
     let body = input.chassis.body();
@@ -225,7 +245,7 @@ impl Travel {
     #[must_use]
     pub fn direction(&self) -> f64 {
         let velocity = self.start.motion.velocity;
-        real::Real::atan2(velocity.y, velocity.x)
+        Real::atan2(velocity.y, velocity.x)
     }
 
     /// The same in axes of the other handedness; the chassis stays as it is.

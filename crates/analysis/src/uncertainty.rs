@@ -24,8 +24,9 @@ pub use doubts::{Doubt, Doubtful};
 pub use exact::{ExactValue, TakenAsExact};
 use lanes::{Block, Number};
 
-use crate::sensitivity::{Output, at, gradients};
-use crate::{Analysis, Failure, collide, impact, reconstruct, refused};
+use crate::goal::{self, Answer, Goal, Search};
+use crate::sensitivity::{Output, WayNumber, at, gradients};
+use crate::{Analysis, BothMethod, Failure};
 
 /// The requested samples and indices.
 #[derive(Clone, Copy, Debug)]
@@ -126,6 +127,14 @@ fn scale(output: Output, nominal: &Analysis) -> f64 {
         | Output::ClosingSpeed => outcome.map_or(0.0, |outcome| outcome.approach.normal.abs()),
         Output::EnergyLoss | Output::NormalWork | Output::TangentialWork => {
             outcome.map_or(0.0, |outcome| outcome.energy.before)
+        }
+        Output::Way { vehicle, number, .. } => {
+            nominal.travel[vehicle.index()].as_ref().map_or(0.0, |travel| match number {
+                WayNumber::StartSpeed => travel.start.motion.velocity.norm(),
+                WayNumber::StartDirection | WayNumber::StartYawRate | WayNumber::RestHeading => 1.0,
+                WayNumber::RestX | WayNumber::RestY | WayNumber::RestDistance => travel.rest.distance,
+                WayNumber::RestTime => travel.rest.time,
+            })
         }
     }
 }
@@ -262,11 +271,13 @@ pub enum Stage {
 }
 
 /// Propagates the ranges of a case through `reconstruct` or, if the case gives both speeds and asks for none,
-/// through `impact`.
+/// through `impact`, or through `motion` if it has no impact.
 ///
 /// Every sample goes through the functions that the central values go through. A range of A or B moves G,
 /// where the file does not give that: G = A²/2B of each sample. PDOFs are counted on beyond ±180°, so that
-/// they lie about the central one. `progress` is told what is done of how much, and may end the run.
+/// they lie about the central one. The start of a way that leads to a rest is sought from that at the central
+/// values, and with a turn by as much: where several starts lead there, one the short way and one the long
+/// way round, all samples take the same. `progress` is told what is done of how much, and may end the run.
 ///
 /// # Errors
 /// [`Failure`] where the case has no answer at its central values, where nothing is a range, and where a
@@ -277,14 +288,15 @@ pub fn uncertainty(
     progress: &mut (dyn FnMut(Stage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Uncertainty, Failure> {
     let inputs = inputs(case)?;
-    let nominal = if case.reconstruct.is_some() { reconstruct(case)? } else { impact(case)? };
+    let goal = Goal::of(case);
+    let nominal = goal.solve(case)?;
     let outputs = Output::of(&nominal, case.axes);
     let central = central(&nominal, &outputs);
     let gradients = gradients(case, &nominal, &outputs)?;
     let first_order = first_order(case, &gradients, &inputs)?;
     let taken_as_exact = exact::taken_as_exact(case, &inputs, &gradients);
 
-    let model = Sample::new(case, &inputs, &outputs, &central);
+    let model = Sample::new(case, &nominal, &inputs, &outputs, &central);
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
     let numbers: Vec<f64> = inputs.iter().map(|input| input.input.number).collect();
     let tornado = ::uncertainty::tornado(&model, &distributions, &numbers, TORNADO_PROBABILITIES)?;
@@ -457,10 +469,8 @@ fn within(
 
 /// (SI) the outputs at the central values.
 fn central(nominal: &Analysis, outputs: &[Output]) -> Vec<f64> {
-    let found = nominal.found.as_ref().map_or(0.0, |found| found.speed);
-    let outcome = nominal.impact.as_ref().map(|impact| &impact.outcome);
-    outcome
-        .map_or_else(Vec::new, |outcome| outputs.iter().map(|output| output.value(found, outcome)).collect())
+    let answer = Answer::of(nominal);
+    outputs.iter().map(|output| output.of_answer(&answer)).collect()
 }
 
 fn first_order(
@@ -486,7 +496,11 @@ fn first_order(
 
 /// What turns the uncertain numbers of a sample into its outputs.
 struct Sample<'a> {
-    is_reconstruction: bool,
+    goal: Goal,
+    /// Whether the crush energy gives the speeds.
+    is_by_crush: bool,
+    /// Where the search for the starts of ways begins.
+    search: Search,
     outputs: &'a [Output],
     /// (SI) at the central values.
     central: &'a [f64],
@@ -501,7 +515,13 @@ struct Sample<'a> {
 }
 
 impl<'a> Sample<'a> {
-    fn new(case: &Case, inputs: &[UncertainInput], outputs: &'a [Output], central: &'a [f64]) -> Self {
+    fn new(
+        case: &Case,
+        nominal: &Analysis,
+        inputs: &[UncertainInput],
+        outputs: &'a [Output],
+        central: &'a [f64],
+    ) -> Self {
         let effects = SharedEffects::of(case);
         let numbers = || case.variables().into_iter().map(|input| input.number).collect();
         let shared = (!effects.is_empty()).then(|| (effects, numbers()));
@@ -524,7 +544,10 @@ impl<'a> Sample<'a> {
             vehicle.name = None;
         }
         Self {
-            is_reconstruction: case.reconstruct.is_some(),
+            goal: Goal::of(&case),
+            is_by_crush: nominal.found.is_some()
+                || nominal.both.as_ref().is_some_and(|both| both.method != BothMethod::Momentum),
+            search: Search::near(nominal),
             outputs,
             central,
             is_uncertain,
@@ -589,32 +612,39 @@ impl<'a> Sample<'a> {
     }
 
     fn solve(&self, case: &Case, results: &mut [f64]) -> Result<(), Failure> {
-        if self.is_reconstruction {
-            at(case, |problem| {
-                let answer = problem.solve().map_err(|refusal| refused(problem, refusal))?;
-                self.write(answer.speed, &answer.outcome, results);
-                Ok(())
-            })
-        } else {
-            let (_, outcome) = collide(&case.collision()?.collision)?;
-            self.write(0.0, &outcome, results);
-            Ok(())
+        let answer = goal::answer(self.goal, case, &mut { self.search })?;
+        for ((output, central), result) in self.outputs.iter().zip(self.central).zip(results) {
+            *result = as_beside(*output, *central, output.of_answer(&answer));
         }
+        Ok(())
     }
 
-    fn write(&self, found: f64, outcome: &Outcome, results: &mut [f64]) {
-        for ((output, central), result) in self.outputs.iter().zip(self.central).zip(results) {
-            *result = value(*output, *central, found, outcome);
+    /// Whether the speeds of a sample are not the only ones that agree with its crush energy.
+    fn has_several_speeds(&self, numbers: &[f64]) -> bool {
+        let case = self.case_of(numbers);
+        match self.goal {
+            Goal::Speed => at(&case, |problem| Ok(problem.speeds().take(2).count() > 1)).unwrap_or(false),
+            Goal::BothSpeeds => {
+                let mut search = self.search;
+                search.several = Some(false);
+                goal::answer(self.goal, &case, &mut search).is_ok() && search.several == Some(true)
+            }
+            Goal::Impact | Goal::Motion => false,
         }
     }
 }
 
-/// (SI) an output; a direction within half a turn of its `central` value.
+/// (SI) an output of an impact.
 #[inline(always)]
 fn value(output: Output, central: f64, found: f64, outcome: &Outcome) -> f64 {
-    let value = output.value(found, outcome);
+    as_beside(output, central, output.value(found, outcome))
+}
+
+/// (SI) the value of an output; a direction within half a turn of its `central` value.
+#[inline(always)]
+fn as_beside(output: Output, central: f64, value: f64) -> f64 {
     match output {
-        Output::Pdof { .. } => beside(value, central),
+        Output::Pdof { .. } | Output::Way { number: WayNumber::StartDirection, .. } => beside(value, central),
         _ => value,
     }
 }

@@ -125,7 +125,8 @@ fn what_runs_runs_and_what_does_not_lacks_something() {
                 Purpose::Compare => analysis::compare(&file).err(),
                 Purpose::Sensitivity => analysis::sensitivity(&file, sweep).err(),
                 Purpose::Draw => analysis::furthest(&file).err(),
-                Purpose::Uncertainty | Purpose::Motion => continue,
+                Purpose::Motion => analysis::motion(&file).err(),
+                Purpose::Uncertainty => continue,
             };
             assert_eq!(obstacle.is_none(), failure.is_none(), "{purpose}: {failure:?}");
         }

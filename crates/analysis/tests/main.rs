@@ -9,5 +9,6 @@ mod inputs;
 mod judgement;
 mod plausibility;
 mod sensitivity;
+mod to_rest;
 mod uncertainty;
 mod warnings;

@@ -218,7 +218,11 @@ where
 
 /// The report to hand over, with what the uncertain inputs make of the answer.
 fn handover(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Document> {
-    let is_uncertain = analysis.impact.is_some() && analysis::is_uncertain(&file.case);
+    // A motion alone is propagated only of a case that has nothing else to find.
+    let is_motion = analysis.travel.iter().any(Option::is_some)
+        && file.case.impact.is_none()
+        && file.case.reconstruct.is_none();
+    let is_uncertain = (analysis.impact.is_some() || is_motion) && analysis::is_uncertain(&file.case);
     let uncertainty = is_uncertain.then(|| {
         let samples = report_samples(file.case.inputs().len());
         let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None };
@@ -226,7 +230,8 @@ fn handover(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Docume
         answered(uncertainty, file, units)
     });
     let uncertainty = uncertainty.transpose()?;
-    let sensitivity = (is_uncertain && analysis.found.is_some()).then(|| {
+    let is_differentiated = analysis.found.is_some() || analysis.both.is_some() || is_motion;
+    let sensitivity = (is_uncertain && is_differentiated).then(|| {
         let sensitivity = analysis::sensitivity(&file.case, Sweep { step: 5_f64.to_radians(), steps: 2 });
         answered(sensitivity, file, units)
     });

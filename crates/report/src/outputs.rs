@@ -2,7 +2,7 @@
 //! samples fall into which class.
 
 use ::uncertainty::{SamplingMethod, Summary};
-use analysis::{Kind, Output, Reason, quantity};
+use analysis::{Kind, Output, Reason, WayNumber, quantity};
 
 use case::{Estimate, FaceAxis, Input, Origin, YawSource};
 
@@ -93,7 +93,12 @@ pub(crate) fn output_name(output: Output) -> String {
     let mut letters = name.chars();
     let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
     let of = output.vehicle().map_or_else(String::new, |vehicle| format!(" of vehicle {vehicle}"));
-    format!("{first}{}{of}", letters.as_str())
+    let along = match output {
+        Output::Way { number: WayNumber::RestX, .. } => " along x",
+        Output::Way { number: WayNumber::RestY, .. } => " along y",
+        _ => "",
+    };
+    format!("{first}{}{of}{along}", letters.as_str())
 }
 
 /// What an output is printed in, a speed in the unit of the equations.

@@ -9,6 +9,7 @@ pub(crate) struct Worth {
 }
 
 pub(crate) const SMITH_NOGA: &str = "Smith and Noga (1982), 34 pairs of measurements";
+const STAGED_MOTION: &str = "simulated motions of the RICSAC tests 3 and 6 against the measured ones";
 pub(crate) const BARRIER_TESTS: &str = "698 full-width frontal barrier tests of NHTSA";
 
 /// Of the key of a number, or of a list of numbers.
@@ -36,6 +37,17 @@ pub(crate) fn worth(key: &str) -> Option<Worth> {
             "0.10, std. dev. 0.08, above 10 m/s (22 mph)",
             "ranges of Brach, Smith and Tsongas, Rose, SAE 931842",
         ),
+        "surface.friction" => ("±10 %, where it was not measured with such a vehicle", STAGED_MOTION),
+        "after.drag" => {
+            ("std. dev. 0.3 of its logarithm, as damage and brakes are rarely known", STAGED_MOTION)
+        }
+        "after.rest.x" | "after.rest.y" => {
+            ("as good as a simulation reaches it: 10 % of the path and 0.5 m", STAGED_MOTION)
+        }
+        "after.rest.heading" | "after.rest.turned" => {
+            ("as good as a simulation reaches it: 15°, where it turned by more than 60°", STAGED_MOTION)
+        }
+        "after.direction" => ("std. dev. 5° to 10°", "diagrams of the RICSAC tests"),
         _ => return None,
     };
     Some(Worth { error, source })

@@ -183,26 +183,38 @@ pub fn to_start(
     target: &Target,
     control: &Control,
 ) -> Result<Starts, Unreached> {
-    check::finite("position along x at separation", position.x)?;
-    check::finite("position along y at separation", position.y)?;
-    check::angle("heading at separation", heading)?;
-    check::finite("rest position along x", target.position.x)?;
-    check::finite("rest position along y", target.position.y)?;
-    check::angle("heading at rest", target.heading)?;
-    steer.check()?;
-    ground.check()?;
-    let search = Search {
-        chassis,
-        dual: chassis.constant(),
-        steer,
-        ground,
-        position,
-        heading,
-        target,
-        control,
-        coarse: Control { tolerance: Real::max(control.tolerance, 3e-3), ..*control },
-    };
-    search.run()
+    Search::new(chassis, steer, ground, position, heading, target, control)?.run()
+}
+
+/// Finds one motion that leads to the rest of `target`, the one near to a `guess`: for a rest that differs
+/// little from one whose start is known, as in samples of uncertain inputs. It takes one run of Newton's
+/// method from the guess; only where that fails it searches as [`to_start`] does, and takes the likeliest.
+///
+/// The heading of the target should count full turns, so that the motion turns by as much as the guess does.
+///
+/// # Errors
+/// [`Unreached::Missed`] where none is found, with the nearest.
+#[expect(clippy::too_many_arguments, reason = "those of `to_start`, and the guess")]
+pub fn to_start_near(
+    chassis: &Chassis,
+    steer: Steer<'_, f64>,
+    ground: &Ground<'_, f64>,
+    position: Vector2<f64>,
+    heading: f64,
+    target: &Target,
+    control: &Control,
+    guess: &Motion<f64>,
+) -> Result<Departure, Unreached> {
+    let search = Search::new(chassis, steer, ground, position, heading, target, control)?;
+    check::finite("velocity along x of the guess", guess.velocity.x)?;
+    check::finite("velocity along y of the guess", guess.velocity.y)?;
+    check::finite("yaw rate of the guess", guess.yaw_rate)?;
+    let turn = target.heading - heading;
+    let turn = if target.turns_known { turn } else { principal_angle(turn) };
+    match search.newton([guess.velocity.x, guess.velocity.y, guess.yaw_rate], turn) {
+        Ok(found) if found.size() <= REACHED * control.tolerance => Ok(search.departure(&found)),
+        _ => search.run()?.first().copied().ok_or(Unreached::NoWay),
+    }
 }
 
 struct Search<'a> {
@@ -233,7 +245,38 @@ impl Try {
     }
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    fn new(
+        chassis: &'a Chassis,
+        steer: Steer<'a, f64>,
+        ground: &'a Ground<'a, f64>,
+        position: Vector2<f64>,
+        heading: f64,
+        target: &'a Target,
+        control: &'a Control,
+    ) -> Result<Self, InvalidInput> {
+        check::finite("position along x at separation", position.x)?;
+        check::finite("position along y at separation", position.y)?;
+        check::angle("heading at separation", heading)?;
+        check::finite("rest position along x", target.position.x)?;
+        check::finite("rest position along y", target.position.y)?;
+        check::angle("heading at rest", target.heading)?;
+        steer.check()?;
+        ground.check()?;
+        let coarse = Control { tolerance: Real::max(control.tolerance, 3e-3), ..*control };
+        Ok(Self {
+            chassis,
+            dual: chassis.constant(),
+            steer,
+            ground,
+            position,
+            heading,
+            target,
+            control,
+            coarse,
+        })
+    }
+
     fn run(&self) -> Result<Starts, Unreached> {
         let turn = self.target.heading - self.heading;
         let least = principal_angle(turn);

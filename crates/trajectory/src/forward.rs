@@ -169,7 +169,7 @@ impl<T: Real + From<G>, G: Real> Run<'_, T, G> {
         let short = Real::max(way, turn * lever) < 0.3;
         let straight = miss <= rounding || (short && miss <= self.control.tolerance / 4.0);
         let negligible = Real::max(way, turn * lever) < self.control.tolerance / 10.0;
-        ((straight || negligible) && self.stays(time)).then_some(time)
+        (((straight && self.control.closed_end) || negligible) && self.stays(time)).then_some(time)
     }
 
     /// (m) how far from the CG a turn shows.

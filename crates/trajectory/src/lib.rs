@@ -86,7 +86,7 @@ mod steer;
 mod step;
 mod tyre;
 
-pub use backward::{Departure, MOST_STARTS, REACHED, Starts, Target, Unreached, to_start};
+pub use backward::{Departure, MOST_STARTS, REACHED, Starts, Target, Unreached, to_start, to_start_near};
 pub use chassis::{Axles, Chassis, GREATEST_DRAG, Wheel};
 pub use error::NoRest;
 pub use field::GRAVITY;

@@ -126,11 +126,15 @@ pub struct Control {
     pub longest_step: f64,
     /// Steps after which a motion is given up.
     pub most_steps: u32,
+    /// Whether the last part, in which the motion only fades, is taken in one step with the closed form. Its
+    /// derivatives are those of motions that fade in the same way: a straight roll has none of that across
+    /// it, where the tyres would act. So exact derivatives need steps down to the rest.
+    pub closed_end: bool,
 }
 
 impl Default for Control {
     /// About 1 mm at rest, and a minute at most.
     fn default() -> Self {
-        Self { tolerance: 1e-4, longest_time: 60.0, longest_step: 1.0, most_steps: 20_000 }
+        Self { tolerance: 1e-4, longest_time: 60.0, longest_step: 1.0, most_steps: 20_000, closed_end: true }
     }
 }

@@ -4,7 +4,7 @@ use ::uncertainty::{Distribution, InvalidRequest, LANES, Lanes, Propagation, SUC
 use pim_core::VehicleId;
 
 use super::{Sample, UncertainInput};
-use crate::sensitivity::{Output, at};
+use crate::sensitivity::Output;
 use crate::thresholds::{FAST_CLOSING, HIGH_RESTITUTION};
 use crate::usual::Usual;
 
@@ -151,7 +151,7 @@ pub(super) fn doubtful(
         tell(Doubt::HighRestitution, high_restitution, of);
     }
 
-    if sample.is_reconstruction {
+    if sample.is_by_crush {
         let (mut several, mut searched) = (0, 0);
         let mut numbers = vec![0.0; inputs.len()];
         for (number, reasons) in (0..).zip(propagation.reasons().chunks(LANES)).take(SEARCHED / LANES) {
@@ -161,8 +161,7 @@ pub(super) fn doubtful(
                     *number = column[lane];
                 }
                 searched += 1;
-                let speeds = at(&sample.case_of(&numbers), |problem| Ok(problem.speeds().take(2).count()));
-                several += usize::from(speeds.is_ok_and(|count| count > 1));
+                several += usize::from(sample.has_several_speeds(&numbers));
             }
         }
         tell(Doubt::SeveralSpeeds, several, searched);

@@ -80,9 +80,9 @@ impl Block {
             source: _,
             report: _,
             axes,
-            // They tell the motion after the impact, which the reconstruction of one speed does not use.
+            // It places the motion after the impact, which the reconstruction of one speed does not use.
             scene_contact: _,
-            surface: _,
+            surface,
             vehicles: [one, two],
             impact,
             reconstruct,
@@ -95,6 +95,12 @@ impl Block {
         let Reconstruct { find: Find::One(unknown), energy_basis: basis } = reconstruct.as_ref()? else {
             return None;
         };
+        // Vehicles that are followed to rest have outputs that a block does not compute.
+        let has_drag =
+            |vehicle: &GivenVehicle<Number>| vehicle.after.as_ref().is_some_and(|after| after.drag.is_some());
+        if surface.is_some() && (has_drag(one) || has_drag(two)) {
+            return None;
+        }
         let GivenImpact { crush_plane, law } = impact.as_ref()?;
         let (restitution, tangential_restitution) = match law {
             ImpactLaw::Brach {

@@ -1,8 +1,8 @@
 use std::collections::BTreeSet;
 
 use super::{REASONS, Reason, Sample, UncertainInput, beside, central, inputs};
-use crate::reconstruct;
 use crate::sensitivity::Output;
+use crate::{Analysis, reconstruct};
 use ::uncertainty::{
     Distribution, Instructions, LANES, Lanes, Model, Sampler, SamplingMethod, Settings, propagate,
 };
@@ -35,6 +35,7 @@ struct Sampled {
     inputs: Vec<UncertainInput>,
     outputs: Vec<Output>,
     central: Vec<f64>,
+    nominal: Analysis,
 }
 
 impl Sampled {
@@ -45,11 +46,12 @@ impl Sampled {
     fn of(case: Case) -> Self {
         let nominal = reconstruct(&case).unwrap_or_else(|failure| panic!("{failure}\n{}", to_toml(&case)));
         let outputs = Output::of(&nominal, case.axes);
-        Self { inputs: inputs(&case).unwrap(), central: central(&nominal, &outputs), outputs, case }
+        let central = central(&nominal, &outputs);
+        Self { inputs: inputs(&case).unwrap(), central, outputs, case, nominal }
     }
 
     fn sample(&self) -> Sample<'_> {
-        Sample::new(&self.case, &self.inputs, &self.outputs, &self.central)
+        Sample::new(&self.case, &self.nominal, &self.inputs, &self.outputs, &self.central)
     }
 
     fn distributions(&self) -> Vec<Distribution> {

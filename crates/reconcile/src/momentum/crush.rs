@@ -54,6 +54,8 @@ pub struct BothSpeeds<T = f64> {
     /// (m/s) the speeds found, along the headings. Of several admissible pairs, the one with the slowest
     /// approach.
     pub speeds: [T; 2],
+    /// (m/s) σ, the relative speed that goes with them.
+    pub relative: T,
     /// How many pairs are admissible: [`MomentumAndCrush::speeds`] lists them.
     pub admissible: usize,
     /// The law at the speeds found.
@@ -169,7 +171,7 @@ impl<T: Real> MomentumAndCrush<T> {
             .contact
             .impact(self.momentum.motions_at(speeds), &law)
             .map_err(|reason| MomentumError::Inadmissible { speeds: speeds.map(Real::value), reason })?;
-        Ok(BothSpeeds { speeds, admissible, law, outcome, normal_work, method })
+        Ok(BothSpeeds { speeds, relative, admissible, law, outcome, normal_work, method })
     }
 
     /// The refusal of the search, in terms of both speeds.

@@ -58,9 +58,13 @@ pub fn uncertainty(case: &Case, uncertainty: &Uncertainty, units: Units) -> Docu
     page.results();
     page.intervals();
     page.histogram();
-    page.histograms_of_delta_v();
-    page.tornado();
-    page.indices();
+    page.more_histograms();
+    for place in page.answers() {
+        page.tornado(place);
+    }
+    for place in page.answers() {
+        page.indices(place);
+    }
     page.inputs();
     page.default_spreads();
     page.taken_as_exact();
@@ -349,10 +353,18 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// Where there are pictures: of both vehicles, besides that of the first output.
-    fn histograms_of_delta_v(&mut self) {
+    /// The places of the outputs whose drivers are shown: the first, and both speeds where both are found.
+    fn answers(&self) -> Vec<usize> {
+        let is_speed = |output: &UncertainOutput| matches!(output.output, Output::Speed { .. });
+        let outputs = self.uncertainty.outputs.iter().enumerate();
+        outputs.filter(|(place, output)| *place == 0 || is_speed(output)).map(|(place, _)| place).collect()
+    }
+
+    /// Where there are pictures: of the speed of the other vehicle and of both ΔV, besides that of the first
+    /// output.
+    fn more_histograms(&mut self) {
         for (place, (output, _)) in self.rows().into_iter().enumerate().skip(1) {
-            if output.output.key() == "delta_v"
+            if matches!(output.output, Output::Speed { .. } | Output::DeltaV { .. })
                 && let Some(drawing) = pictures::histogram(self.case, self.uncertainty, place, self.units)
             {
                 self.chart(place, drawing, None);
@@ -365,20 +377,19 @@ impl<'a> Page<'a> {
         self.document.push(Block::Chart { name, drawing: Box::new(drawing), instead });
     }
 
-    /// Of the first output.
-    fn tornado(&mut self) {
-        let Some(&(output, _)) = self.rows().first() else { return };
-        if let Some(drawing) = pictures::tornado(self.case, self.uncertainty, 0, self.units) {
-            self.chart(0, drawing, None);
+    fn tornado(&mut self, place: usize) {
+        let Some(&(output, _)) = self.rows().get(place) else { return };
+        if let Some(drawing) = pictures::tornado(self.case, self.uncertainty, place, self.units) {
+            self.chart(place, drawing, None);
         }
         let title = format!("Main drivers: {}", output_name(output.output));
         let alone = quantity(output.output);
         let unit = self.units.name(alone);
-        let bars = self.uncertainty.tornado.ranked(0);
+        let bars = self.uncertainty.tornado.ranked(place);
         let longest = bars
             .iter()
             .flat_map(|bar| [&bar.low, &bar.high])
-            .filter_map(value)
+            .filter_map(|end| value(end, place))
             .fold(0.0_f64, |longest, value| longest.max((value - output.central).abs()));
         let mut table = Table::new(
             title,
@@ -392,15 +403,21 @@ impl<'a> Page<'a> {
         );
         for bar in bars.iter().take(BARS) {
             let [low, high] = [&bar.low, &bar.high].map(|end| match &end.outputs {
-                Ok(outputs) => self.units.plain(alone, outputs.first().copied().unwrap_or(f64::NAN)),
+                Ok(outputs) => self.units.plain(alone, outputs.get(place).copied().unwrap_or(f64::NAN)),
                 Err(_) => "none".to_owned(),
             });
             let path = input_name(&self.uncertainty.inputs[bar.input].input);
             let share = number(100.0 * output.first_order.shares[bar.input], 1);
-            table.row([path, low, high, both_sides(bar, output.central, longest), format!("{share} %")]);
+            table.row([
+                path,
+                low,
+                high,
+                both_sides(bar, place, output.central, longest),
+                format!("{share} %"),
+            ]);
         }
         let rest = bars.len().saturating_sub(BARS);
-        if let Some(next) = bars.get(BARS).and_then(|bar| bar.swing(0)) {
+        if let Some(next) = bars.get(BARS).and_then(|bar| bar.swing(place)) {
             let next = self.units.format(alone, next.abs());
             table.notes.push(format!("{rest} more, each with an effect of at most {next}"));
         }
@@ -412,12 +429,11 @@ impl<'a> Page<'a> {
         );
     }
 
-    /// Of the first output.
-    fn indices(&mut self) {
+    fn indices(&mut self, place: usize) {
         let Some(indices) = &self.uncertainty.indices else { return };
-        let Some(&(output, _)) = self.rows().first() else { return };
+        let Some(&(output, _)) = self.rows().get(place) else { return };
         let title = format!("Sobol' indices: {}", output_name(output.output));
-        let Some(Some(all)) = indices.indices().first() else {
+        let Some(Some(all)) = indices.indices().get(place) else {
             self.document.heading(title);
             self.document.paragraph("Too few rows have an answer, or the result does not vary.");
             return;
@@ -672,8 +688,8 @@ fn with_unit(input: &UncertainInput, number: &str) -> String {
     }
 }
 
-fn value(end: &End) -> Option<f64> {
-    end.outputs.as_ref().ok().and_then(|outputs| outputs.first().copied())
+fn value(end: &End, place: usize) -> Option<f64> {
+    end.outputs.as_ref().ok().and_then(|outputs| outputs.get(place).copied())
 }
 
 /// The decimals that two significant digits of a number need.
@@ -710,11 +726,11 @@ fn bar(count: usize, most: usize) -> String {
 }
 
 /// Both ends of a bar beside the central value, on [`SIDE`] columns to each side.
-fn both_sides(bar: &Bar, central: f64, longest: f64) -> String {
+fn both_sides(bar: &Bar, place: usize, central: f64, longest: f64) -> String {
     let mut left = [' '; SIDE];
     let mut right = [' '; SIDE];
     for (end, fill) in [(&bar.low, '░'), (&bar.high, '█')] {
-        let Some(value) = value(end) else { continue };
+        let Some(value) = value(end, place) else { continue };
         let share = if longest > 0.0 { (value - central) / longest } else { 0.0 };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to SIDE")]
         #[expect(clippy::cast_precision_loss, reason = "a small number")]

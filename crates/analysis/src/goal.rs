@@ -1,0 +1,424 @@
+//! What a case asks for, and the numbers that answer it, on plain numbers and on those with derivatives.
+
+use std::f64::consts::TAU;
+
+use inputs::{Case, Collision, Faults, Find, MotionInput, Purpose, RestData, RestHeadingData, VehicleMotion};
+use pim_core::{Motion, Outcome, Real, Vector2, VehicleId};
+use real::Traced;
+use reconcile::{Departure, Momentum, MomentumAndCrush, MomentumError, Problem};
+use trajectory::{Control, Rest, Target, to_start_near};
+
+use crate::both::BothMethod;
+use crate::sensitivity::at;
+use crate::travel::{Origin, Scene, target};
+use crate::{Analysis, Failure, collide, damage, impact, motion, reconstruct, refused};
+
+/// What a case asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Goal {
+    /// One speed, by the crush energy.
+    Speed,
+    /// Both speeds, by how the vehicles left the impact.
+    BothSpeeds,
+    /// What the impact does; both speeds are given.
+    Impact,
+    /// The motion after the impact, alone.
+    Motion,
+}
+
+impl Goal {
+    /// A case with `[reconstruct]` asks for what that finds, one with something after the impact and without
+    /// `[impact]` for the motion, and every other one for the impact.
+    pub(crate) fn of<T>(case: &Case<T>) -> Self {
+        match case.reconstruct.map(|reconstruct| reconstruct.find) {
+            Some(Find::One(_)) => Self::Speed,
+            Some(Find::Both) => Self::BothSpeeds,
+            None if case.impact.is_none() && case.vehicles.iter().any(|vehicle| vehicle.after.is_some()) => {
+                Self::Motion
+            }
+            None => Self::Impact,
+        }
+    }
+
+    /// The analysis that answers it.
+    pub(crate) fn purpose(self) -> Purpose {
+        match self {
+            Self::Speed | Self::BothSpeeds => Purpose::Reconstruct,
+            Self::Impact => Purpose::Impact,
+            Self::Motion => Purpose::Motion,
+        }
+    }
+
+    /// That analysis.
+    pub(crate) fn solve(self, case: &Case) -> Result<Analysis, Failure> {
+        match self {
+            Self::Speed | Self::BothSpeeds => reconstruct(case),
+            Self::Impact => impact(case),
+            Self::Motion => motion(case),
+        }
+    }
+
+    /// What a case lacks for it.
+    pub(crate) fn obstacle(self, case: &Case) -> Option<Faults> {
+        match self {
+            Self::Speed => case.reconstruction().err(),
+            Self::BothSpeeds => case.two_speeds().err(),
+            Self::Impact => case.collision().err(),
+            Self::Motion => case.motion().err(),
+        }
+    }
+}
+
+/// What the outputs of a case are read from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Answer<T = f64> {
+    /// (m/s) the speeds found.
+    pub(crate) speeds: [Option<T>; 2],
+    /// The impact.
+    pub(crate) outcome: Option<Outcome<T>>,
+    /// (m/s) the ΔV of both vehicles, where they are not those of the impact.
+    pub(crate) delta_v: Option<[T; 2]>,
+    /// The way of each vehicle from the impact to rest.
+    pub(crate) ways: [Option<Way<T>>; 2],
+}
+
+/// A way from the impact to rest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way<T = f64> {
+    /// How the vehicle moved at its start.
+    pub(crate) start: Motion<T>,
+    /// Its end.
+    pub(crate) rest: Rest<T>,
+}
+
+impl Answer {
+    /// That of a finished analysis.
+    pub(crate) fn of(analysis: &Analysis) -> Self {
+        let mut speeds = [None; 2];
+        if let Some(found) = &analysis.found {
+            speeds[found.unknown.index()] = Some(found.speed);
+        }
+        if let Some(both) = &analysis.both {
+            speeds = both.speeds.map(Some);
+        }
+        let way = |id: VehicleId| {
+            let travel = analysis.travel[id.index()].as_ref()?;
+            Some(Way { start: travel.start.motion, rest: travel.rest })
+        };
+        Self {
+            speeds,
+            outcome: analysis.impact.as_ref().map(|impact| impact.outcome),
+            delta_v: analysis.both.as_ref().map(|both| both.delta_v),
+            ways: VehicleId::ALL.map(way),
+        }
+    }
+}
+
+/// Where the numbers come from that an equation has to be solved for.
+pub(crate) trait Solver<T: Real> {
+    /// The speed of a problem, and the impact at it.
+    fn speed(&mut self, problem: &Problem<T>) -> Result<(T, Outcome<T>), Failure>;
+
+    /// (m/s) both speeds, by momentum along a line and the crush energy.
+    fn speeds(&mut self, search: &MomentumAndCrush<T>) -> Result<[T; 2], Failure>;
+
+    /// The way that leads to the rest of a vehicle.
+    fn back(
+        &mut self,
+        vehicle: VehicleId,
+        scene: &Scene<'_, T>,
+        way: &VehicleMotion<T>,
+        rest: &RestData<T>,
+    ) -> Result<Way<T>, Failure>;
+
+    /// How closely a vehicle is followed.
+    fn control(&self) -> Control;
+}
+
+/// Answers a case.
+///
+/// Plain numbers and those with derivatives take the same way. Only what an equation has to be solved for
+/// differs: [`Search`] solves it, [`Known`] takes the solution and hands out how well the equation holds.
+pub(crate) fn answer<T: Real>(
+    goal: Goal,
+    case: &Case<T>,
+    solver: &mut impl Solver<T>,
+) -> Result<Answer<T>, Failure> {
+    match goal {
+        Goal::Speed => at(case, |problem| {
+            let (speed, outcome) = solver.speed(problem)?;
+            let mut speeds = [None; 2];
+            speeds[problem.unknown.index()] = Some(speed);
+            Ok(Answer { speeds, ..carried_on(case, outcome, solver)? })
+        }),
+        Goal::Impact => {
+            let (_, outcome) = collide(&case.collision()?.collision)?;
+            carried_on(case, outcome, solver)
+        }
+        Goal::BothSpeeds => both(case, solver),
+        Goal::Motion => {
+            let input = case.motion()?;
+            let given = input.vehicles.each_ref().map(|way| way.as_ref().and_then(|way| way.velocity));
+            let [(_, one), (_, two)] = departures(Some(&input), given, solver)?;
+            Ok(Answer { speeds: [None; 2], outcome: None, delta_v: None, ways: [one, two] })
+        }
+    }
+}
+
+/// An impact, and the ways to rest after it.
+fn carried_on<T: Real>(
+    case: &Case<T>,
+    outcome: Outcome<T>,
+    solver: &impl Solver<T>,
+) -> Result<Answer<T>, Failure> {
+    let mut ways = [None, None];
+    if let Some(input) = case.run_out() {
+        let MotionInput { surface, vehicles } = input?;
+        let scene = Scene::new(&surface);
+        for id in VehicleId::ALL {
+            if let Some(way) = &vehicles[id.index()] {
+                let start = outcome.after[id.index()];
+                let rest = scene.to_rest(id, way, start, &solver.control())?;
+                ways[id.index()] = Some(Way { start, rest });
+            }
+        }
+    }
+    Ok(Answer { speeds: [None; 2], outcome: Some(outcome), delta_v: None, ways })
+}
+
+fn both<T: Real>(case: &Case<T>, solver: &mut impl Solver<T>) -> Result<Answer<T>, Failure> {
+    let input = case.two_speeds()?;
+    let [(one, way_1), (two, way_2)] = departures(input.motion.as_ref(), input.departures, solver)?;
+    let (Some(one), Some(two)) = (one, two) else {
+        let vehicle = if one.is_none() { VehicleId::One } else { VehicleId::Two };
+        return Err(MomentumError::Fixed { vehicle }.into());
+    };
+    let Collision { contact, law, motions, vehicles } = input.collision;
+    let yaw_rates = motions.map(|motion| motion.yaw_rate);
+    let momentum = Momentum { contact, yaw_rates, after: [one, two] };
+    let (speeds, by_crush) = if momentum.is_collinear() {
+        let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
+        let axis = momentum.common_axis();
+        let search = MomentumAndCrush::new(momentum, axis, law.clone(), crush_energy, input.basis, T::ZERO)?;
+        (solver.speeds(&search)?, true)
+    } else {
+        (momentum.speeds()?, false)
+    };
+    let before = momentum.motions_at(speeds);
+    let outcome = contact.impact(before, &law.at(-contact.approach(&before).velocity.normal))?;
+    let delta_v = if by_crush {
+        outcome.delta_v_magnitude()
+    } else {
+        // ΔV = |V − v|
+        momentum.implied(speeds)?.delta_v.map(|change| length(change))
+    };
+    let ways = [way_1, way_2];
+    Ok(Answer { speeds: speeds.map(Some), outcome: Some(outcome), delta_v: Some(delta_v), ways })
+}
+
+/// How a vehicle left the impact, where that is known, and its way from there, where it can be followed.
+type Left<T> = (Option<Departure<T>>, Option<Way<T>>);
+
+/// How both vehicles left the impact: as `given`, or as their rests tell.
+fn departures<T: Real>(
+    motion: Option<&MotionInput<T>>,
+    given: [Option<Departure<T>>; 2],
+    solver: &mut impl Solver<T>,
+) -> Result<[Left<T>; 2], Failure> {
+    let scene = motion.map(|motion| Scene::new(&motion.surface));
+    let mut of = |id: VehicleId| {
+        let given = given[id.index()];
+        let way = motion.and_then(|motion| motion.vehicles[id.index()].as_ref());
+        let Some((scene, way)) = scene.as_ref().zip(way) else { return Ok((given, None)) };
+        let left: Left<T> = match (given, &way.rest) {
+            (Some(Departure { velocity, yaw_rate: Some(yaw_rate) }), _) => {
+                let start = Motion { velocity, yaw_rate };
+                let rest = scene.to_rest(id, way, start, &solver.control())?;
+                (given, Some(Way { start, rest }))
+            }
+            // A velocity that is given without a yaw rate does not lead to a rest.
+            (Some(_), _) | (None, None) => (given, None),
+            (None, Some(rest)) => {
+                let found = solver.back(id, scene, way, rest)?;
+                let Motion { velocity, yaw_rate } = found.start;
+                (Some(Departure { velocity, yaw_rate: Some(yaw_rate) }), Some(found))
+            }
+        };
+        Ok::<_, Failure>(left)
+    };
+    Ok([of(VehicleId::One)?, of(VehicleId::Two)?])
+}
+
+/// Length of a vector, zero with zero derivatives where it vanishes.
+pub(crate) fn length<T: Real>(vector: Vector2<T>) -> T {
+    let square = vector.x * vector.x + vector.y * vector.y;
+    if square > T::ZERO { square.sqrt() } else { T::ZERO }
+}
+
+/// Solves each equation, near to the solution at the central values.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Search {
+    /// What leads to the rests of the vehicles at the central values.
+    near: [Option<Near>; 2],
+    /// Whether more than one pair of speeds has the momentum and the crush energy; sought only where it is
+    /// asked for, as all speeds take longer than one.
+    pub(crate) several: Option<bool>,
+}
+
+/// A start that leads to a rest.
+#[derive(Clone, Copy, Debug)]
+struct Near {
+    motion: Motion,
+    /// (rad) heading at rest, full turns included.
+    heading: f64,
+}
+
+impl Search {
+    /// Beside the solutions of an analysis.
+    pub(crate) fn near(analysis: &Analysis) -> Self {
+        let near = |id: VehicleId| {
+            let travel = analysis.travel[id.index()].as_ref()?;
+            let is_found = travel.origin == Origin::Rest;
+            is_found.then_some(Near { motion: travel.start.motion, heading: travel.rest.heading })
+        };
+        Self { near: VehicleId::ALL.map(near), several: None }
+    }
+}
+
+impl Solver<f64> for Search {
+    fn speed(&mut self, problem: &Problem) -> Result<(f64, Outcome), Failure> {
+        let answer = problem.solve().map_err(|refusal| refused(problem, refusal))?;
+        Ok((answer.speed, answer.outcome))
+    }
+
+    fn speeds(&mut self, search: &MomentumAndCrush) -> Result<[f64; 2], Failure> {
+        if self.several.is_some() {
+            self.several = Some(search.speeds().take(2).count() > 1);
+        }
+        Ok(search.solve()?.speeds)
+    }
+
+    /// By the turn that the solution at the central values has: of two starts that lead to the same rest, one
+    /// the short way and one the long way round, a sample that is only a little different has the same.
+    fn back(
+        &mut self,
+        vehicle: VehicleId,
+        scene: &Scene<'_>,
+        way: &VehicleMotion,
+        rest: &RestData,
+    ) -> Result<Way, Failure> {
+        let Some(near) = &self.near[vehicle.index()] else {
+            let start = scene.back(vehicle, way, rest)?.motion;
+            return Ok(Way { start, rest: scene.to_rest(vehicle, way, start, &self.control())? });
+        };
+        let target = Target {
+            heading: heading_at_rest(way, rest, near.heading),
+            turns_known: true,
+            via: None,
+            ..target(way, rest)
+        };
+        let (steer, control) = (way.steer.steer(), self.control());
+        to_start_near(
+            &way.chassis,
+            steer,
+            &scene.ground(),
+            way.position,
+            way.heading,
+            &target,
+            &control,
+            &near.motion,
+        )
+        .map(|found| Way { start: found.motion, rest: found.rest })
+        .map_err(|reason| Failure::NoStart { vehicle, reason })
+    }
+
+    fn control(&self) -> Control {
+        Control::default()
+    }
+}
+
+/// (rad) the heading at rest with its full turns: where the case does not tell these, those of another that
+/// is not half a turn off.
+fn heading_at_rest<T: Real>(way: &VehicleMotion<T>, rest: &RestData<T>, beside: f64) -> T {
+    match rest.heading {
+        RestHeadingData::Heading(heading) => {
+            // θ + 2π n
+            let turns = ((beside - heading.value()) / TAU).round();
+            heading + T::from(TAU * turns)
+        }
+        RestHeadingData::Turned(turn) => way.heading + turn,
+    }
+}
+
+/// (SI) what the equations of an analysis were solved for, in the order in which [`Known`] needs it.
+pub(crate) fn unknowns(analysis: &Analysis) -> Vec<f64> {
+    let mut unknowns = Vec::new();
+    let found = analysis.travel.iter().flatten().filter(|travel| travel.origin == Origin::Rest);
+    for Motion { velocity, yaw_rate } in found.map(|travel| travel.start.motion) {
+        unknowns.extend([velocity.x, velocity.y, yaw_rate]);
+    }
+    unknowns.extend(analysis.found.as_ref().map(|found| found.speed));
+    if let Some(BothMethod::MomentumAndCrush { relative_speed, .. }) =
+        analysis.both.as_ref().map(|both| &both.method)
+    {
+        unknowns.push(*relative_speed);
+    }
+    unknowns
+}
+
+/// Takes the solutions, and notes by how much each equation is not met.
+#[derive(Debug)]
+pub(crate) struct Known<'a> {
+    unknowns: std::slice::Iter<'a, Traced>,
+    /// As many as there are unknowns, each zero at the solution.
+    pub(crate) residuals: Vec<Traced>,
+}
+
+impl<'a> Known<'a> {
+    pub(crate) fn new(unknowns: &'a [Traced]) -> Self {
+        Self { unknowns: unknowns.iter(), residuals: Vec::new() }
+    }
+
+    fn next(&mut self) -> Traced {
+        self.unknowns.next().copied().unwrap_or(Traced::from(f64::NAN))
+    }
+}
+
+impl Solver<Traced> for Known<'_> {
+    fn speed(&mut self, problem: &Problem<Traced>) -> Result<(Traced, Outcome<Traced>), Failure> {
+        let speed = self.next();
+        let (_, outcome) = problem.impact(speed)?;
+        self.residuals.push(problem.residual(speed));
+        Ok((speed, outcome))
+    }
+
+    fn speeds(&mut self, search: &MomentumAndCrush<Traced>) -> Result<[Traced; 2], Failure> {
+        let relative = self.next();
+        self.residuals.push(search.problem().residual(relative));
+        Ok(search.speeds_at(relative))
+    }
+
+    fn back(
+        &mut self,
+        vehicle: VehicleId,
+        scene: &Scene<'_, Traced>,
+        way: &VehicleMotion<Traced>,
+        rest: &RestData<Traced>,
+    ) -> Result<Way<Traced>, Failure> {
+        let velocity = Vector2::new(self.next(), self.next());
+        let start = Motion { velocity, yaw_rate: self.next() };
+        let found = scene.to_rest(vehicle, way, start, &self.control())?;
+        let heading = heading_at_rest(way, rest, found.heading.value());
+        self.residuals.extend([
+            found.position.x - rest.position.x,
+            found.position.y - rest.position.y,
+            found.heading - heading,
+        ]);
+        Ok(Way { start, rest: found })
+    }
+
+    /// In steps down to the rest, whose derivatives are exact.
+    fn control(&self) -> Control {
+        Control { closed_end: false, longest_step: 0.05, ..Control::default() }
+    }
+}
