@@ -10,7 +10,7 @@ use trajectory::{Control, Rest, Target, to_start_near};
 
 use crate::both::BothMethod;
 use crate::sensitivity::at;
-use crate::travel::{Origin, Scene, target};
+use crate::travel::{Origin, Scene, leaves_straight, target};
 use crate::{Analysis, Failure, collide, damage, impact, motion, reconstruct, refused};
 
 /// What a case asks for.
@@ -260,6 +260,8 @@ pub(crate) fn length<T: Real>(vector: Vector2<T>) -> T {
 pub(crate) struct Search {
     /// What leads to the rests of the vehicles at the central values.
     near: [Option<Near>; 2],
+    /// Whether they left straight towards their rests there.
+    straight: [bool; 2],
     /// Whether more than one pair of speeds has the momentum and the crush energy; sought only where it is
     /// asked for, as all speeds take longer than one.
     pub(crate) several: Option<bool>,
@@ -281,7 +283,11 @@ impl Search {
             let is_found = travel.origin == Origin::Rest;
             is_found.then_some(Near { motion: travel.start.motion, heading: travel.rest.heading })
         };
-        Self { near: VehicleId::ALL.map(near), several: None }
+        let is_straight = |id: VehicleId| {
+            let travel = analysis.travel[id.index()].as_ref();
+            travel.is_some_and(|travel| travel.origin == Origin::StraightRest)
+        };
+        Self { near: VehicleId::ALL.map(near), straight: VehicleId::ALL.map(is_straight), several: None }
     }
 }
 
@@ -307,6 +313,10 @@ impl Solver<f64> for Search {
         way: &VehicleMotion,
         rest: &RestData,
     ) -> Result<Way, Failure> {
+        if self.straight[vehicle.index()] {
+            let start = scene.straight(vehicle, way, rest)?;
+            return Ok(Way { start, rest: scene.to_rest(vehicle, way, start, &self.control())? });
+        }
         let Some(near) = &self.near[vehicle.index()] else {
             let start = scene.back(vehicle, way, rest)?.motion;
             return Ok(Way { start, rest: scene.to_rest(vehicle, way, start, &self.control())? });
@@ -353,7 +363,7 @@ fn heading_at_rest<T: Real>(way: &VehicleMotion<T>, rest: &RestData<T>, beside: 
 /// (SI) what the equations of an analysis were solved for, in the order in which [`Known`] needs it.
 pub(crate) fn unknowns(analysis: &Analysis) -> Vec<f64> {
     let mut unknowns = Vec::new();
-    let found = analysis.travel.iter().flatten().filter(|travel| travel.origin == Origin::Rest);
+    let found = analysis.travel.iter().flatten().filter(|travel| travel.origin.is_by_rest());
     for Motion { velocity, yaw_rate } in found.map(|travel| travel.start.motion) {
         unknowns.extend([velocity.x, velocity.y, yaw_rate]);
     }
@@ -408,6 +418,16 @@ impl Solver<Traced> for Known<'_> {
         let velocity = Vector2::new(self.next(), self.next());
         let start = Motion { velocity, yaw_rate: self.next() };
         let found = scene.to_rest(vehicle, way, start, &self.control())?;
+        if leaves_straight(way, rest) {
+            // V along the line to the rest, no yaw, and a way as long as the measured one
+            let apart = rest.position - way.position;
+            self.residuals.extend([
+                velocity.x * apart.y - velocity.y * apart.x,
+                start.yaw_rate,
+                length(found.position - way.position) - length(apart),
+            ]);
+            return Ok(Way { start, rest: found });
+        }
         let heading = heading_at_rest(way, rest, found.heading.value());
         self.residuals.extend([
             found.position.x - rest.position.x,

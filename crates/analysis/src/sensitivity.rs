@@ -119,7 +119,7 @@ impl WayNumber {
         match origin {
             WayOrigin::Impact => true,
             WayOrigin::Given => !is_start,
-            WayOrigin::Rest => !is_end,
+            WayOrigin::Rest | WayOrigin::StraightRest => !is_end,
         }
     }
 

@@ -1,6 +1,8 @@
 //! The motion after the impact: from there to rest, or back from the rest to how the vehicle left the impact.
 
-use inputs::{MotionInput, RestData, RestHeadingData, SkidData, SurfaceData, VehicleMotion};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use inputs::{MotionInput, RestData, RestHeadingData, SkidData, SteerData, SurfaceData, VehicleMotion};
 use pim_core::{Motion, Real, Vector2, VehicleId};
 use reconcile::Departure;
 use trajectory::closed::{Slide, Spin, SpinStart, spins};
@@ -47,7 +49,46 @@ pub enum Origin {
     Given,
     /// It was found as the one that leads to the measured rest.
     Rest,
+    /// The vehicle did not spin: it is taken to have left straight towards its rest, and the length of that
+    /// way tells its speed.
+    StraightRest,
 }
+
+impl Origin {
+    /// Whether the rest of the vehicle tells it.
+    #[must_use]
+    pub fn is_by_rest(self) -> bool {
+        matches!(self, Self::Rest | Self::StraightRest)
+    }
+}
+
+/// Whether a vehicle went to its rest without a spin, by EDCRASH's rule, with its front wheels straight.
+///
+/// Where it lies to the side of its heading, and how it stands there, then hardly depend on how it left the
+/// impact: rolling wheels soon turn the way along the heading. A search for the one motion that leads to the
+/// measured place would make a sideways velocity of every error of the survey.
+pub(crate) fn leaves_straight<T: Real>(way: &VehicleMotion<T>, rest: &RestData<T>) -> bool {
+    let SteerData::Held(steer) = way.steer else { return false };
+    let (heading, apart) = (way.heading.value(), rest.position - way.position);
+    let turn = match rest.heading {
+        RestHeadingData::Heading(at_rest) => real::principal_angle(at_rest.value() - heading),
+        RestHeadingData::Turned(turn) => turn.value(),
+    };
+    let direction = Real::atan2(apart.y.value(), apart.x.value());
+    // A vehicle may roll backward too.
+    let ahead = real::principal_angle(direction - heading);
+    let sideslip = if ahead.abs() > FRAC_PI_2 { real::principal_angle(ahead - PI) } else { ahead };
+    let distance = (apart.x * apart.x + apart.y * apart.y).sqrt().value();
+    let wheelbase = way.chassis.wheelbase().value();
+    steer.value() == 0.0 && distance > 0.0 && spins(sideslip, turn, distance, wheelbase, 0.0) == Ok(false)
+}
+
+/// (m) how closely the length of a straight way is met.
+const STRAIGHT_WAY: f64 = 1e-9;
+/// Steps of that search: on one ground the first is exact.
+const STRAIGHT_STEPS: usize = 60;
+/// (m/s) where it begins, as far as it does not matter.
+const STRAIGHT_BEGIN: f64 = 10.0;
 
 /// The start of the way by a closed form: the one that EDCRASH's rule chooses.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -110,6 +151,10 @@ impl Scene<'_> {
         way: &VehicleMotion,
         rest: &RestData,
     ) -> Result<Left, Failure> {
+        if leaves_straight(way, rest) {
+            let motion = self.straight(vehicle, way, rest)?;
+            return Ok(Left { origin: Origin::StraightRest, motion, others: Vec::new() });
+        }
         let starts = to_start(
             &way.chassis,
             way.steer.steer(),
@@ -123,6 +168,42 @@ impl Scene<'_> {
         let mut starts = starts.iter().copied();
         let first = starts.next().ok_or(Failure::NoStart { vehicle, reason: Unreached::NoWay })?;
         Ok(Left { origin: Origin::Rest, motion: first.motion, others: starts.collect() })
+    }
+}
+
+impl Scene<'_> {
+    /// The motion straight towards the rest, without yaw, whose way is as long as the measured one.
+    pub(crate) fn straight(
+        &self,
+        vehicle: VehicleId,
+        way: &VehicleMotion,
+        rest: &RestData,
+    ) -> Result<Motion, Failure> {
+        let apart = rest.position - way.position;
+        let length = apart.norm();
+        let along = |speed: f64| Motion { velocity: apart * (speed / length), yaw_rate: 0.0 };
+        let reach = |speed: f64| {
+            let rest = self.to_rest(vehicle, way, along(speed), &Control::default())?;
+            Ok::<_, Failure>((rest.position - way.position).norm())
+        };
+        // The way grows with the speed: between one that is too short and one that is too long.
+        let (mut low, mut high) = (0.0, f64::INFINITY);
+        let mut speed = STRAIGHT_BEGIN;
+        for _ in 0..STRAIGHT_STEPS {
+            let reached = reach(speed)?;
+            if (reached - length).abs() <= STRAIGHT_WAY {
+                break;
+            }
+            if reached < length {
+                low = speed;
+            } else {
+                high = speed;
+            }
+            // S ∝ V² on one ground, where this is exact.
+            let next = speed * (length / reached).sqrt();
+            speed = if next > low && next < high { next } else { 0.5 * (low + high.min(2.0 * speed)) };
+        }
+        Ok(along(speed))
     }
 }
 

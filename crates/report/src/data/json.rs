@@ -468,6 +468,7 @@ fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
                 TravelOrigin::Impact => "impact",
                 TravelOrigin::Given => "given",
                 TravelOrigin::Rest => "rest",
+                TravelOrigin::StraightRest => "straight rest",
             },
             speed: travel.start.motion.velocity.norm(),
             direction: plain(travel.direction()),

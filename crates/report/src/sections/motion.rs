@@ -11,7 +11,7 @@ use crate::units::{Measure, Units, number};
 /// How both speeds were found.
 pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
     let evidence = match origins(analysis)[..] {
-        [TravelOrigin::Rest, TravelOrigin::Rest] => "the rest positions of both vehicles tell",
+        [one, two] if one.is_by_rest() && two.is_by_rest() => "the rest positions of both vehicles tell",
         [TravelOrigin::Given, TravelOrigin::Given] | [] => "the case gives",
         _ => "the case gives, or the rest position tells,",
     };
@@ -48,7 +48,7 @@ pub(crate) fn answer(id: VehicleId, travel: &Travel, units: Units) -> String {
     let time = units.format(Measure::Time, travel.rest.time);
     let speed = units.speed(travel.start.motion.velocity.norm());
     match travel.origin {
-        TravelOrigin::Rest => format!(
+        TravelOrigin::Rest | TravelOrigin::StraightRest => format!(
             "Vehicle {id} left the impact at {speed}, turning at {}",
             units.yaw_rate(travel.start.motion.yaw_rate)
         ),
@@ -65,7 +65,7 @@ pub(crate) fn method(analysis: &Seen, units: Units) -> String {
                    (theory 11)."
         .to_owned();
     for (id, travel) in VehicleId::ALL.into_iter().zip(&analysis.travel) {
-        let Some(travel) = travel.as_ref().filter(|travel| travel.origin == TravelOrigin::Rest) else {
+        let Some(travel) = travel.as_ref().filter(|travel| travel.origin.is_by_rest()) else {
             continue;
         };
         let others = match travel.others.len() {
@@ -122,6 +122,7 @@ pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
             TravelOrigin::Impact => "the impact".to_owned(),
             TravelOrigin::Given => "the case".to_owned(),
             TravelOrigin::Rest => "the rest".to_owned(),
+            TravelOrigin::StraightRest => "the rest, straight".to_owned(),
         })
     };
     way.pair("start from", each(&origin), "");

@@ -1,6 +1,6 @@
 //! Both speeds from momentum, the closed forms of the ways to rest, and skid marks.
 
-use analysis::{BothFound, BothMethod, ClosedForm, Seen, Travel, TravelOrigin};
+use analysis::{BothFound, BothMethod, ClosedForm, Seen, Travel};
 use case::{Case, STANDARD_GRAVITY};
 use pim_core::{Real, VehicleId};
 
@@ -38,7 +38,7 @@ impl Momentum<'_> {
         for k in VehicleId::ALL {
             let velocity = self.both.momentum.after[k.index()].velocity;
             let travel = self.analysis.travel[k.index()].as_ref();
-            let is_found = travel.is_some_and(|travel| travel.origin == TravelOrigin::Rest);
+            let is_found = travel.is_some_and(|travel| travel.origin.is_by_rest());
             let after = self.case.vehicles[k.index()].after.as_ref();
             let told = after.and_then(|after| after.speed.zip(after.direction)).filter(|_| !is_found);
             for (axis, function, value) in [("x", "cos", velocity.x), ("y", "sin", velocity.y)] {

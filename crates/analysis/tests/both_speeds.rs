@@ -1,0 +1,149 @@
+//! Both speeds from rests and velocities after the impact, against hand calculations and the impact itself.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+#![allow(
+    clippy::disallowed_methods,
+    reason = "the library's own functions would not be an independent check"
+)]
+
+use analysis::{Analysis, BothMethod, TravelOrigin, impact, motion, reconstruct};
+use case::{Case, CaseFile};
+
+const REAR_END: &str = include_str!("../../../fixtures/rear-end-rest.toml");
+const G: f64 = 9.80665;
+
+fn read(text: &str) -> Case {
+    CaseFile::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}\n{text}")).case
+}
+
+fn speeds(analysis: &Analysis) -> [f64; 2] {
+    analysis.both.as_ref().unwrap().speeds
+}
+
+fn assert_near(found: f64, expected: f64, tolerance: f64) {
+    assert!((found - expected).abs() <= tolerance, "{found} is not {expected}");
+}
+
+/// Neither car spun, so each left straight towards its rest: V = √(2 μ g f S). The contact points are 2.05 m
+/// ahead of the one centre of gravity and 2 m behind the other.
+#[test]
+fn a_rear_end_collision_follows_from_slides_momentum_and_crush() {
+    let analysis = reconstruct(&read(REAR_END)).unwrap();
+    let ways: [[f64; 2]; 2] = [[2.6 + 2.05, 0.1], [19.0 - 2.0, 0.3]];
+    let decelerations = [0.7 * G, 0.25 * G];
+    let left: Vec<f64> = (0..2)
+        .map(|i| (2.0 * decelerations[i] * (ways[i][0] * ways[i][0] + ways[i][1] * ways[i][1]).sqrt()).sqrt())
+        .collect();
+    for (i, travel) in analysis.travel.iter().enumerate() {
+        let travel = travel.as_ref().unwrap();
+        assert_eq!(travel.origin, TravelOrigin::StraightRest);
+        // The rolling car turns a little on its way, so that it rests some millimetres off its straight line.
+        assert_near(travel.start.motion.velocity.norm(), left[i], 0.005 * left[i]);
+    }
+    // Momentum along the road, by the velocities that were found.
+    let [v1, v2] = speeds(&analysis);
+    let along = |i: usize| analysis.travel[i].as_ref().unwrap().start.motion.velocity.x;
+    assert_near(1500.0 * v1 + 1300.0 * v2, 1500.0 * along(0) + 1300.0 * along(1), 1e-6);
+    // W_n of two masses on one line with e = 0.1, the plane 2° off: the crush energy.
+    let reduced = 1500.0 * 1300.0 / 2800.0;
+    let energy: f64 = analysis.vehicles.iter().map(|vehicle| vehicle.crush_energy().unwrap()).sum();
+    let closing = (2.0 * energy / (reduced * (1.0 - 0.01))).sqrt();
+    assert_near(v1 - v2, closing, 0.01 * closing);
+    assert!(matches!(analysis.both.unwrap().method, BothMethod::MomentumAndCrush { .. }));
+    // A skid of 8 m before the impact: v² + 2 μ g S.
+    let skid = analysis.skids[0].unwrap();
+    assert_near(skid.speed, (v1 * v1 + 2.0 * 0.7 * G * 8.0).sqrt(), 1e-9);
+}
+
+/// A turn of more than 10°, and the rest follows from the motion itself.
+#[test]
+fn a_vehicle_that_turned_by_more_than_ten_degrees_is_followed_back() {
+    for (heading, origin) in [
+        ("9.9 deg", TravelOrigin::StraightRest),
+        ("-9.9 deg", TravelOrigin::StraightRest),
+        ("10.1 deg", TravelOrigin::Rest),
+        ("-10.1 deg", TravelOrigin::Rest),
+    ] {
+        let text = REAR_END.replace("heading = \"-3 deg\"", &format!("heading = \"{heading}\""));
+        assert_ne!(text, REAR_END);
+        let analysis = motion(&read(&text)).unwrap();
+        assert_eq!(analysis.travel[1].as_ref().unwrap().origin, origin, "{heading}");
+    }
+}
+
+/// An intersection: both speeds are chosen, the impact throws the cars out, and they spin to rest.
+const CROSSING: &str = r#"
+[scene]
+contact = { x = "3 m", y = "-1 m" }
+[surface]
+friction = 0.7
+[vehicle1]
+mass = "1500 kg"
+class = 3
+heading = "0 deg"
+speed = "15 m/s"
+contact = { x = "2.0 m", y = "0.1 m" }
+[vehicle1.after]
+drag = 0.15
+[vehicle2]
+mass = "1300 kg"
+class = 2
+heading = "90 deg"
+speed = "12 m/s"
+contact = { x = "0.9 m", y = "0.75 m" }
+[vehicle2.after]
+drag = 0.15
+[impact]
+crush_plane = "180 deg"
+restitution = 0.1
+tangential = { friction = 0.6 }
+"#;
+
+/// The rests of the forward run lead back to the speeds that were chosen. The turns are told: a heading alone
+/// fits several motions.
+#[test]
+fn rests_of_an_impact_lead_back_to_its_speeds() {
+    let forward = impact(&read(CROSSING)).unwrap();
+    let mut text = CROSSING.replace("speed = \"15 m/s\"\n", "").replace("speed = \"12 m/s\"\n", "");
+    for (i, travel) in forward.travel.iter().enumerate() {
+        let travel = travel.as_ref().unwrap();
+        assert_eq!(travel.origin, TravelOrigin::Impact);
+        let (at, turned) = (travel.rest.position, travel.rest.heading - travel.start.heading);
+        assert!(turned.abs() > 1.0, "{turned}");
+        let rest = format!(
+            "[vehicle{n}.after]\nrest = {{ x = \"{x} m\", y = \"{y} m\", turned = \"{turned} rad\" }}\n",
+            n = i + 1,
+            x = at.x,
+            y = at.y,
+        );
+        text = text.replace(&format!("[vehicle{}.after]\n", i + 1), &rest);
+    }
+    text.push_str("[reconstruct]\nfind = [\"vehicle1.speed\", \"vehicle2.speed\"]\n");
+    let back = reconstruct(&read(&text)).unwrap();
+    assert_eq!(back.both.as_ref().unwrap().method, BothMethod::Momentum);
+    let [v1, v2] = speeds(&back);
+    assert_near(v1, 15.0, 0.02);
+    assert_near(v2, 12.0, 0.02);
+    assert!(back.checks.iter().filter(|check| check.is_of_momentum()).all(analysis::Check::passed));
+}
+
+/// m₁ v₁ = (p × ê₂)/(ê₁ × ê₂) with velocities that the case gives, where no ground is needed: headings 0° and
+/// 90°, so that each speed takes one component.
+#[test]
+fn given_velocities_need_no_ground() {
+    let text = CROSSING
+        .replace("[surface]\nfriction = 0.7\n", "")
+        .replace("speed = \"15 m/s\"\n", "")
+        .replace("speed = \"12 m/s\"\n", "")
+        .replacen("drag = 0.15", "speed = \"9 m/s\"\ndirection = \"21 deg\"", 1)
+        .replacen("drag = 0.15", "speed = \"11 m/s\"\ndirection = \"47 deg\"", 1)
+        + "[reconstruct]\nfind = [\"vehicle1.speed\", \"vehicle2.speed\"]\n";
+    let analysis = reconstruct(&read(&text)).unwrap();
+    let [a, b] = [21_f64, 47.0].map(f64::to_radians);
+    let px = 1500.0 * 9.0 * a.cos() + 1300.0 * 11.0 * b.cos();
+    let py = 1500.0 * 9.0 * a.sin() + 1300.0 * 11.0 * b.sin();
+    let [v1, v2] = speeds(&analysis);
+    assert_near(v1, px / 1500.0, 1e-12 * v1);
+    assert_near(v2, py / 1300.0, 1e-12 * v2);
+    assert!(analysis.travel.iter().all(Option::is_none));
+}
