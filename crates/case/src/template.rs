@@ -19,6 +19,10 @@ pub enum Template {
     HeadOn,
     /// A front against the rear of a stationary vehicle.
     RearEnd,
+    /// A front against the rear of a waiting vehicle, both rest positions known and neither speed.
+    RearEndRest,
+    /// Two vehicles that cross, both rest positions known and neither speed.
+    Intersection,
     /// A vehicle against a fixed object.
     Barrier,
     /// Two vehicles that scrape along each other.
@@ -33,10 +37,12 @@ pub enum Template {
 
 impl Template {
     /// All templates.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 10] = [
         Self::FrontSide,
         Self::HeadOn,
         Self::RearEnd,
+        Self::RearEndRest,
+        Self::Intersection,
         Self::Barrier,
         Self::Sideswipe,
         Self::Ees,
@@ -51,6 +57,8 @@ impl Template {
             Self::FrontSide => "front-side",
             Self::HeadOn => "head-on",
             Self::RearEnd => "rear-end",
+            Self::RearEndRest => "rear-end-rest",
+            Self::Intersection => "intersection",
             Self::Barrier => "barrier",
             Self::Sideswipe => "sideswipe",
             Self::Ees => "ees",
@@ -67,6 +75,10 @@ impl Template {
             (Self::FrontSide, UnitSystem::Si) => include_str!("../templates/si/front-side.toml"),
             (Self::HeadOn, UnitSystem::Si) => include_str!("../templates/si/head-on.toml"),
             (Self::RearEnd, UnitSystem::Si) => include_str!("../templates/si/rear-end.toml"),
+            (Self::RearEndRest, UnitSystem::Si) => {
+                include_str!("../templates/si/rear-end-rest.toml")
+            }
+            (Self::Intersection, UnitSystem::Si) => include_str!("../templates/si/intersection.toml"),
             (Self::Barrier, UnitSystem::Si) => include_str!("../templates/si/barrier.toml"),
             (Self::Sideswipe, UnitSystem::Si) => include_str!("../templates/si/sideswipe.toml"),
             (Self::Ees, UnitSystem::Si) => include_str!("../templates/si/ees.toml"),
@@ -75,6 +87,10 @@ impl Template {
             (Self::FrontSide, UnitSystem::Us) => include_str!("../templates/us/front-side.toml"),
             (Self::HeadOn, UnitSystem::Us) => include_str!("../templates/us/head-on.toml"),
             (Self::RearEnd, UnitSystem::Us) => include_str!("../templates/us/rear-end.toml"),
+            (Self::RearEndRest, UnitSystem::Us) => {
+                include_str!("../templates/us/rear-end-rest.toml")
+            }
+            (Self::Intersection, UnitSystem::Us) => include_str!("../templates/us/intersection.toml"),
             (Self::Barrier, UnitSystem::Us) => include_str!("../templates/us/barrier.toml"),
             (Self::Sideswipe, UnitSystem::Us) => include_str!("../templates/us/sideswipe.toml"),
             (Self::Ees, UnitSystem::Us) => include_str!("../templates/us/ees.toml"),

@@ -396,6 +396,10 @@ pub(crate) enum Template {
     HeadOn,
     /// A front against the rear of a waiting vehicle
     RearEnd,
+    /// A front against the rear of a waiting vehicle: both came to rest, neither speed is known
+    RearEndRest,
+    /// Two vehicles that cross: both came to rest, neither speed is known
+    Intersection,
     /// A vehicle against a wall
     Barrier,
     /// A vehicle that scrapes along the side of another

@@ -12,6 +12,8 @@ pub(crate) fn new(arguments: &NewArguments) -> Result<()> {
         Template::FrontSide => case::Template::FrontSide,
         Template::HeadOn => case::Template::HeadOn,
         Template::RearEnd => case::Template::RearEnd,
+        Template::RearEndRest => case::Template::RearEndRest,
+        Template::Intersection => case::Template::Intersection,
         Template::Barrier => case::Template::Barrier,
         Template::Sideswipe => case::Template::Sideswipe,
         Template::Ees => case::Template::Ees,
