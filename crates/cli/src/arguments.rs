@@ -92,8 +92,9 @@ pub(crate) enum Command {
             `deltav impact` and `deltav reconstruct` carry on to rest by themselves where the case has \
             friction and drag.\n\n\
             Several files give one row each, as with `deltav reconstruct`; the columns for the impact are empty.",
-        after_help = "Examples:\n  deltav motion fixtures/ricsac-6-motion.toml\n  \
-            deltav new --template intersection -o case.toml && deltav motion case.toml\n  \
+        after_help = "Examples:\n  deltav motion fixtures/rear-end-rest.toml\n  \
+            deltav new --template intersection -o case.toml\n  \
+            deltav motion case.toml\n  \
             deltav draw case.toml --what motion -o motion.svg\n\n\
             Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
     )]

@@ -23,6 +23,7 @@ fn meant(word: &str) -> Vec<&str> {
             "new",
             "reconstruct",
             "impact",
+            "motion",
             "crush",
             "check",
             "compare",

@@ -21,6 +21,7 @@ pub(super) fn facts() -> Vec<Fact> {
     crush(&mut ledger);
     how_do_i(&mut ledger);
     impact(&mut ledger);
+    motion(&mut ledger);
     reconciliation(&mut ledger);
     sensitivity(&mut ledger);
     tutorial(&mut ledger);
@@ -299,6 +300,35 @@ fn impact(ledger: &mut Ledger) {
 fn statuses() -> [i32; 2] {
     ["reconstruct fixtures/no-answer/no-crush.toml", "reconstruct fixtures/invalid/bare-number.toml"]
         .map(|run| deltav(run).1)
+}
+
+fn motion(ledger: &mut Ledger) {
+    ledger.page("docs/guide/motion.md");
+    let theory = page("docs/theory.md");
+    let collinear = "Approaches within 10° of each other";
+    ledger.quoted("cross … more than 10°", &theory, collinear);
+    ledger.quoted("one line … within 10°", &theory, collinear);
+    ledger.quoted("impulse ratio … 0 to μ_c", &theory, "is to lie between 0 and μ_c");
+    let edcrash = "the tables of the EDCRASH manual, chapter 4";
+    for pattern in [
+        "EDCRASH manual, chapter 4",
+        "rolls freely | 0.01",
+        "partly flat | 0.013",
+        "high gear | 0.15 to 0.20",
+        "low gear | 0.2 to 0.4",
+        "below 30 mph | above 30 mph",
+        "new asphalt, dry | 0.80 to 1.20 | 0.65 to 1.00",
+        "travelled asphalt, dry | 0.60 to 0.80 | 0.55 to 0.70",
+        "polished asphalt, dry | 0.55 to 0.75 | 0.45 to 0.65",
+        "new concrete, dry | 0.80 to 1.20 | 0.70 to 1.00",
+        "travelled concrete, dry | 0.60 to 0.80 | 0.60 to 0.75",
+        "travelled asphalt, wet | 0.50 to 0.80 | 0.45 to 0.75",
+        "smooth ice | 0.10 to 0.25 | 0.07 to 0.20",
+        "gravel … 0.40 to 0.70",
+        "snow … 0.30 to 0.55",
+    ] {
+        ledger.cited(pattern, edcrash);
+    }
 }
 
 fn reconciliation(ledger: &mut Ledger) {

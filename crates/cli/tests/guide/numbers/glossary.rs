@@ -51,6 +51,8 @@ fn frames(ledger: &mut Ledger) {
 }
 
 fn motion(ledger: &mut Ledger) {
+    let theory = page("docs/theory.md");
+    ledger.quoted("Within 10° of one line", &theory, "Approaches within 10° of each other");
     let edcrash = "the tables of the EDCRASH manual, chapter 4";
     ledger.cited("asphalt … 0.55 … 0.80", edcrash);
     ledger.cited("free wheel … 0.01", edcrash);
