@@ -5,7 +5,7 @@ use case::{CaseFile, CaseProblem, Dimension};
 use crate::guide::prose::{Page, page, pages, root};
 
 /// Where a piece of a case file can stand.
-const TABLES: [&str; 8] = [
+const TABLES: [&str; 11] = [
     "[scene]",
     "[vehicle1]",
     "[vehicle1.contact]",
@@ -14,6 +14,9 @@ const TABLES: [&str; 8] = [
     "[vehicle1.crush.stiffness.test]",
     "[impact]",
     "[reconstruct]",
+    "[surface]",
+    "[vehicle1.before]",
+    "[vehicle1.after]",
 ];
 
 /// Keys whose value can be a table, each in its own table.
@@ -31,7 +34,7 @@ const BEFORE_A_TABLE: [&str; 9] = [
 
 /// What is no word of the case file, and is meant otherwise: how a console block begins, where it is
 /// shortened and how it shows an exit status, the comment that names a schema, the mark of a misprint, a lint
-/// of clippy.
+/// of clippy, a field of the library.
 const OTHER: [&str; 7] =
     ["$", "...", "? 2", "#:schema", "ERRATUM", "incompatible_msrv", "Problem::tangential_share"];
 
