@@ -55,6 +55,7 @@ fn motion(ledger: &mut Ledger) {
     ledger.quoted("Within 10° of one line", &theory, "Approaches within 10° of each other");
     let edcrash = "the tables of the EDCRASH manual, chapter 4";
     ledger.cited("asphalt … 0.55 … 0.80", edcrash);
+    ledger.cited("did not spin … 10°", edcrash);
     ledger.cited("free wheel … 0.01", edcrash);
     ledger.cited("flat tyre … 0.013", edcrash);
     ledger.cited("high gear … 0.15 … 0.20", edcrash);
