@@ -74,7 +74,12 @@ pub(crate) fn follow<T: Real + From<G>, G: Real>(
     while run.steps < control.most_steps {
         let acceleration = run.acceleration();
         record(&run.sample(acceleration.sliding));
-        if let Some(time) = run.fading(&acceleration) {
+        // A vehicle that hardly anything holds back fades for hours.
+        let fading = run.fading(&acceleration);
+        if fading.is_some_and(|time| (run.time + time).value() > control.longest_time) {
+            return Err(NoRest::StillMoving { time: run.time.value(), state: run.state().values() });
+        }
+        if let Some(time) = fading {
             run.fade(&acceleration, time);
             run.holds()?;
             record(&run.sample([false; 4]));

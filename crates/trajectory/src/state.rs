@@ -133,8 +133,9 @@ pub struct Control {
 }
 
 impl Default for Control {
-    /// About 1 mm at rest, and a minute at most.
+    /// About 1 mm at rest, and five minutes at most: as long as a wheel that nothing holds takes to stop from
+    /// 30 m/s.
     fn default() -> Self {
-        Self { tolerance: 1e-4, longest_time: 60.0, longest_step: 1.0, most_steps: 20_000, closed_end: true }
+        Self { tolerance: 1e-4, longest_time: 300.0, longest_step: 1.0, most_steps: 20_000, closed_end: true }
     }
 }

@@ -31,6 +31,19 @@ fn a_straight_slide_with_locked_wheels() {
     }
 }
 
+/// What hardly anything holds back rolls on for hours, which is no rest.
+#[test]
+fn a_vehicle_without_drag_does_not_come_to_rest() {
+    let start = start(0.3, [8.0, 2.0], 0.1);
+    let ground = Ground::level(0.7);
+    for drag in [0.0, 1e-4] {
+        let rest = to_rest(&car([drag; 4]), Steer::straight(), &ground, &start, &Control::default(), |_| {});
+        assert!(matches!(rest, Err(NoRest::StillMoving { .. })), "{drag}: {rest:?}");
+    }
+    // 8.2 m/s and 0.01: 84 s.
+    assert!((rest(&car([0.01; 4]), &ground, &start).time - 84.0).abs() < 3.0);
+}
+
 /// S = v²/(2 g Σ d_i F_i/W): forward and backward.
 #[test]
 fn free_rolling() {

@@ -16,6 +16,9 @@ use super::{DrawingError, Subject, scale_unit, title};
 use crate::Units;
 use crate::units::{Measure, number};
 
+/// (m/s) a speed found that is no more, 1 km/h, is that of a vehicle that stood.
+const STANDING: f64 = 1.0 / 3.6;
+
 /// Of each step of the integration, so many parts are drawn: a step may be a second long.
 const PARTS: u32 = 12;
 
@@ -117,7 +120,7 @@ fn vehicle(
     };
     let before =
         analysis.impact.as_ref().filter(|_| !given.fixed).map(|impact| impact.outcome.before[i].velocity);
-    let approach = before.filter(|velocity| velocity.norm() > 0.0).map(|velocity| SceneArrow {
+    let approach = before.filter(|velocity| velocity.norm() > STANDING).map(|velocity| SceneArrow {
         vector: velocity.into(),
         label: format!("before: {}", units.format(Measure::RoadSpeed, velocity.norm())),
     });

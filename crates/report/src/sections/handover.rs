@@ -228,13 +228,18 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
         (None, Some(crash3)) => found.extend(changes(crash3.delta_v)),
         (None, None) => found.push("The damage gives the crush energies below.".to_owned()),
     }
-    let mut how = match uncertainty {
+    // Inputs that move none of these figures leave them without one.
+    let has_interval = found.iter().any(|line| line.contains("% interval)"));
+    let mut how = match uncertainty.filter(|_| has_interval) {
         Some(Uncertainty { inputs, taken_as_exact, .. }) => format!(
             "The intervals contain the errors of {} inputs, but not those of the {} that are taken as exact: \
              \"{UNCERTAINTY}\" lists both.",
             inputs.len(),
             taken_as_exact.len()
         ),
+        None if uncertainty.is_some() => {
+            "None of the inputs that have a range moves these figures, so they have no interval.".to_owned()
+        }
         None => "The inputs are taken as exact, so these figures have no interval.".to_owned(),
     };
     if supplements.validation.is_some() {
