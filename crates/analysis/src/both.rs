@@ -15,8 +15,8 @@ pub struct BothFound {
     pub speeds: [f64; 2],
     /// What gave them.
     pub method: BothMethod,
-    /// (m/s) the ΔV that go with the speeds: by momentum, |V − v|; where the crush energy was needed, those of
-    /// the impact that it makes.
+    /// (m/s) the ΔV that go with the speeds: by momentum, |V − v|; where the crush energy was needed, those
+    /// of the impact that it makes.
     pub delta_v: [f64; 2],
     /// How the vehicles left the impact.
     pub momentum: Momentum,

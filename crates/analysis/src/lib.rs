@@ -314,9 +314,9 @@ pub enum Failure {
     Ranges(#[from] ::uncertainty::InvalidRequest),
 }
 
-/// Finds the speed that makes the work of the normal impulse equal the crush energy; or both speeds, where the
-/// case seeks them, from how the vehicles left the impact. Where the case has the ground and the drag for it,
-/// the vehicles are followed to rest.
+/// Finds the speed that makes the work of the normal impulse equal the crush energy; or both speeds, where
+/// the case seeks them, from how the vehicles left the impact. Where the case has the ground and the drag for
+/// it, the vehicles are followed to rest.
 ///
 /// # Errors
 /// [`Failure`].
@@ -371,8 +371,8 @@ pub(crate) fn refused(problem: &Problem, refusal: ReconcileError) -> Failure {
     }
 }
 
-/// Solves the impact of a case that gives both speeds, and follows the vehicles to rest where the case has the
-/// ground and the drag for it.
+/// Solves the impact of a case that gives both speeds, and follows the vehicles to rest where the case has
+/// the ground and the drag for it.
 ///
 /// # Errors
 /// [`Failure`].
@@ -400,8 +400,8 @@ fn closing_speed<T: Real>(collision: &Collision<T>) -> T {
     -collision.contact.approach(&collision.motions).velocity.normal
 }
 
-/// The motion after the impact alone: to rest where the case gives how a vehicle left the impact, and back from
-/// the rest where it gives that.
+/// The motion after the impact alone: to rest where the case gives how a vehicle left the impact, and back
+/// from the rest where it gives that.
 ///
 /// # Errors
 /// [`Failure`].

@@ -77,8 +77,8 @@ impl SeenWarning {
 }
 
 impl Analysis {
-    /// The analysis with its impact, approach line, contact points, centroids, ways to rest and warnings in the axes
-    /// of a reader. A [`DamagedFace`](crash3::DamagedFace) and a chassis stay as they are.
+    /// The analysis with its impact, approach line, contact points, centroids, ways to rest and warnings in
+    /// the axes of a reader. A [`DamagedFace`](crash3::DamagedFace) and a chassis stay as they are.
     #[must_use]
     pub fn seen(&self, axes: Axes) -> Seen {
         // Without `..`: a new field does not compile before somebody has decided what becomes of it.

@@ -21,8 +21,9 @@ const CENTIMETRE: f64 = 0.01;
 pub struct Sensitivity {
     /// The answer itself.
     pub nominal: Analysis,
-    /// The derivatives of a reconstruction and of the ways to rest, for each output from the most to the least
-    /// influential input; empty for a case without `[reconstruct]` whose vehicles are not followed to rest.
+    /// The derivatives of a reconstruction and of the ways to rest, for each output from the most to the
+    /// least influential input; empty for a case without `[reconstruct]` whose vehicles are not followed to
+    /// rest.
     pub derivatives: Vec<Derivative>,
     /// CRASH3's answer for rotated directions of force, in ascending order; empty if the damage or the PDOF
     /// of a vehicle is unknown.

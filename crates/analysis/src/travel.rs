@@ -409,8 +409,8 @@ pub struct Skid {
     pub speed: f64,
 }
 
-/// What the skid marks of a vehicle say, which reached the impact with `speed` (m/s); `None` where the numbers
-/// make no skid.
+/// What the skid marks of a vehicle say, which reached the impact with `speed` (m/s); `None` where the
+/// numbers make no skid.
 pub(crate) fn skid(given: SkidData, speed: f64) -> Option<Skid> {
     let SkidData { length, friction } = given;
     let slide = Slide { friction, drag_share: 1.0, grade: 0.0, distance: length };

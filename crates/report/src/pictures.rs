@@ -138,8 +138,8 @@ pub fn motion_on(
     Ok(motion::picture(&file.case, analysis, units, is_plain, site_plan)?.draw())
 }
 
-/// A site plan, a PNG or a JPEG, in its place: its lower left corner (m) and the angle (rad) from the scene's x
-/// axis to its lower edge are in the axes of the case; the lower edge is `width` (m) long.
+/// A site plan, a PNG or a JPEG, in its place: its lower left corner (m) and the angle (rad) from the scene's
+/// x axis to its lower edge are in the axes of the case; the lower edge is `width` (m) long.
 ///
 /// # Errors
 /// [`SitePlanError`].

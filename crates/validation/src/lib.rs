@@ -25,8 +25,8 @@
 //!
 //! # What it does not do
 //!
-//! It adds no equation of mechanics: every result comes from `analysis`, `crash3`, `pim-core`, `reconcile` and
-//! `trajectory`. It writes no text (`report`).
+//! It adds no equation of mechanics: every result comes from `analysis`, `crash3`, `pim-core`, `reconcile`
+//! and `trajectory`. It writes no text (`report`).
 
 mod appendix;
 mod both_speeds;

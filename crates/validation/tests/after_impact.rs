@@ -222,7 +222,8 @@ fn the_impulses_of_the_vehicles_disagree() {
         let apart = f64::hypot(one[0] - two[0], one[1] - two[1]);
         let mean = f64::hypot(one[0] + two[0], one[1] + two[1]) / 2.0;
         let row = validation.both_speeds.iter().find(|row| row.test == test).unwrap();
-        // Vossou 2018 has (4.66, 8.32) for vehicle 2 of test 6; the impulses are those along its heading, 60°.
+        // Vossou 2018 has (4.66, 8.32) for vehicle 2 of test 6; the impulses are those along its heading,
+        // 60°.
         assert!((row.disagreement - apart / mean).abs() < 0.001, "{row:?}: {}", apart / mean);
     }
     let all = validation.both_speeds.iter().map(|row| row.disagreement);

@@ -15,7 +15,7 @@ fn assert_points(points: Points, expected: &[f64], tolerance: f64) {
 
 #[test]
 fn the_roots_of_a_product_are_those_of_its_factors() {
-    let roots = [-0.9, -0.5, -0.49, 0.01, 0.3, 0.31, 0.8, 1.7];
+    let roots = [-0.9, -0.5, -0.49, 0.01, 0.3, 0.31, 0.8, 1.1, 1.3, 1.5, 1.7, 1.9];
     for count in 1..=DEGREE {
         let polynomial = with_roots(&roots[..count]);
         assert_points(polynomial.roots([-1.0, 2.0]), &roots[..count], 1e-9);

@@ -1,5 +1,5 @@
-//! The motion: both vehicles from their approach over the impact to rest, seen from above; and its speeds over
-//! time.
+//! The motion: both vehicles from their approach over the impact to rest, seen from above; and its speeds
+//! over time.
 
 use ::drawing::{
     Axis, GroundShape, GroundZone, MeasuredPoint, MotionCurves, MotionCurvesPicture, MotionPicture,
