@@ -113,7 +113,7 @@ fn all_speeds_are_found_under_a_curve() {
     });
 }
 
-/// Neades' factor in the frame of the crush plane, 1 + tan α tan β (1−e_t)/(1−e_n), is W/W_n: λ = 1. α is the
+/// Neades' factor in the frame of the crush plane, 1 + tan α tan β (1−e_t)/(1−e_n), is W/W_n. α is the
 /// angle of the impulse to the normal, β that of the closing velocity.
 #[test]
 fn neades_factor_is_the_whole_work_over_the_normal_work() {
