@@ -689,7 +689,9 @@ fn curves_go_through_their_numbers() {
     }
     let constant =
         MotionCurves { curves: [vec![[0.0, 0.0], [1.0, 0.0]], Vec::new()], ..whole.panels[0].clone() };
-    for panels in [vec![constant], Vec::new()] {
+    let rounding =
+        MotionCurves { curves: [vec![[0.0, 3e-17], [1.0, 0.0]], Vec::new()], ..whole.panels[0].clone() };
+    for panels in [vec![constant], vec![rounding], Vec::new()] {
         let svg = MotionCurvesPicture { panels, legend: [None, None], ..whole.clone() }.draw().svg();
         Reader::new().readable("no curves", &svg);
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
