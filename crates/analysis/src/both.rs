@@ -1,10 +1,10 @@
 //! Both speeds, from how the vehicles left the impact.
 
 use inputs::{Case, Collision, TwoSpeedInput};
-use pim_core::{Motion, Vector2, VehicleId};
+use pim_core::{Law, Outcome, Real, VaryingLaw, Vector2, VehicleId};
 use reconcile::{Departure, Implied, Momentum, MomentumAndCrush, MomentumError};
 
-use crate::travel::{self, Left, Scene, Travel};
+use crate::travel::{Origin, Record, Way, Ways, departures};
 use crate::{Analysis, Failure, Impact, checks, damage, judged, warning};
 
 /// Both speeds, and what they rest on.
@@ -42,40 +42,79 @@ pub enum BothMethod {
     },
 }
 
+/// Both speeds, as an equation.
+pub(crate) struct Posed<T = f64> {
+    /// Momentum, and how the vehicles left the impact.
+    pub(crate) momentum: Momentum<T>,
+    /// The crush energy, where momentum alone does not tell one speed from the other.
+    pub(crate) by_crush: Option<ByCrush<T>>,
+    /// The ways that tell how the vehicles left the impact, or follow from it.
+    pub(crate) ways: [Option<Way<T>>; 2],
+    law: VaryingLaw<T>,
+}
+
+/// What momentum along one line lacks.
+pub(crate) struct ByCrush<T = f64> {
+    pub(crate) search: MomentumAndCrush<T>,
+    /// (J) of both vehicles.
+    crush_energy: T,
+}
+
+impl<T: Real> Posed<T> {
+    /// The impact at both speeds (m/s), and the law at its closing speed.
+    pub(crate) fn impact(&self, speeds: [T; 2]) -> Result<(Law<T>, Outcome<T>), Failure> {
+        let (contact, before) = (self.momentum.contact, self.momentum.motions_at(speeds));
+        let law = self.law.at(-contact.approach(&before).velocity.normal);
+        let outcome = contact.impact(before, &law)?;
+        Ok((law, outcome))
+    }
+}
+
+/// Poses the equation for both speeds.
+pub(crate) fn pose<T: Real>(input: TwoSpeedInput<T>, ways: &mut impl Ways<T>) -> Result<Posed<T>, Failure> {
+    let [(one, way_1), (two, way_2)] = departures(input.motion.as_ref(), input.departures, ways)?;
+    let (Some(one), Some(two)) = (one, two) else {
+        let vehicle = if one.is_none() { VehicleId::One } else { VehicleId::Two };
+        return Err(MomentumError::Fixed { vehicle }.into());
+    };
+    let Collision { contact, law, motions, vehicles } = input.collision;
+    let yaw_rates = motions.map(|motion| motion.yaw_rate);
+    let momentum = Momentum { contact, yaw_rates, after: [one, two] };
+    let by_crush = if momentum.is_collinear() {
+        let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
+        let (axis, law) = (momentum.common_axis(), law.clone());
+        let search = MomentumAndCrush::new(momentum, axis, law, crush_energy, input.basis, T::ZERO)?;
+        Some(ByCrush { search, crush_energy })
+    } else {
+        None
+    };
+    Ok(Posed { momentum, by_crush, ways: [way_1, way_2], law })
+}
+
 /// Finds both speeds.
 pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let input = case.two_speeds()?;
-    let (after, travel) = departures(&input)?;
-    let TwoSpeedInput {
-        collision: Collision { contact, law, motions, vehicles },
-        basis,
-        has_crush,
-        motion,
-        ..
-    } = input;
-    let momentum = Momentum { contact, yaw_rates: motions.map(|motion| motion.yaw_rate), after };
-    let assessed = damage::assess(vehicles.clone(), [None, None])?;
-    let (speeds, method) = if momentum.is_collinear() {
-        let crush_energy = damage::crush_energy(&assessed);
-        let axis = momentum.common_axis();
-        let search = MomentumAndCrush::new(momentum, axis, law.clone(), crush_energy, basis, 0.0)?;
-        let answer = search.solve()?;
-        let admissible = search.speeds().collect();
-        let method = BothMethod::MomentumAndCrush {
-            crush_energy,
-            normal_work: answer.normal_work,
-            relative_speed: answer.relative,
-            admissible,
-        };
-        (answer.speeds, method)
-    } else {
-        (momentum.speeds()?, BothMethod::Momentum)
+    let (basis, has_crush, vehicles) = (input.basis, input.has_crush, input.collision.vehicles.clone());
+    let surface = input.motion.as_ref().map(|motion| motion.surface.clone());
+    let mut record = Record::of(Origin::Given);
+    let posed = pose(input, &mut record)?;
+    let (speeds, method) = match &posed.by_crush {
+        Some(ByCrush { search, crush_energy }) => {
+            let answer = search.solve()?;
+            let method = BothMethod::MomentumAndCrush {
+                crush_energy: *crush_energy,
+                normal_work: answer.normal_work,
+                relative_speed: answer.relative,
+                admissible: search.speeds().collect(),
+            };
+            (answer.speeds, method)
+        }
+        None => (posed.momentum.speeds()?, BothMethod::Momentum),
     };
-    let implied = momentum.implied(speeds)?;
-    let before = momentum.motions_at(speeds);
-    let law_here = law.at(-contact.approach(&before).velocity.normal);
-    let outcome = contact.impact(before, &law_here)?;
-    let impact = Impact::new(contact, law, law_here, outcome);
+    let implied = posed.momentum.implied(speeds)?;
+    let (law_here, outcome) = posed.impact(speeds)?;
+    let Posed { momentum, law, .. } = posed;
+    let impact = Impact::new(momentum.contact, law, law_here, outcome);
     let vehicles = damage::assess(vehicles, implied.pdof.map(Some))?;
     let restitution = impact.law.restitution();
     let delta_v = match method {
@@ -93,28 +132,7 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         analysis.checks.extend(checks);
     }
     analysis.both = Some(both);
-    Ok(analysis.with_travel(travel, motion.map(|motion| motion.surface)))
-}
-
-/// How both vehicles left the impact, and the ways that tell it or follow from it.
-fn departures(input: &TwoSpeedInput) -> Result<([Departure; 2], [Option<Travel>; 2]), Failure> {
-    let scene = input.motion.as_ref().map(|motion| Scene::new(&motion.surface));
-    let of = |vehicle: VehicleId| {
-        let given = input.departures[vehicle.index()].as_ref();
-        let way = input.motion.as_ref().and_then(|motion| motion.vehicles[vehicle.index()].as_ref());
-        let (left, travel) = match (scene.as_ref().zip(way), given) {
-            (Some((scene, way)), _) => {
-                travel::left(scene, vehicle, way, given)?.ok_or(MomentumError::Fixed { vehicle })?
-            }
-            (None, Some(given)) => (Left::given(given), None),
-            (None, None) => return Err(MomentumError::Fixed { vehicle }.into()),
-        };
-        let Motion { velocity, yaw_rate } = left.motion;
-        let yaw_rate = given.map_or(Some(yaw_rate), |given| given.yaw_rate);
-        Ok::<_, Failure>((Departure { velocity, yaw_rate }, travel))
-    };
-    let ((d1, t1), (d2, t2)) = (of(VehicleId::One)?, of(VehicleId::Two)?);
-    Ok(([d1, d2], [t1, t2]))
+    Ok(analysis.with_travel(record.travel, surface))
 }
 
 impl BothFound {

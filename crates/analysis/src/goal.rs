@@ -2,16 +2,16 @@
 
 use std::f64::consts::TAU;
 
-use inputs::{Case, Collision, Faults, Find, MotionInput, Purpose, RestData, RestHeadingData, VehicleMotion};
+use inputs::{Case, Faults, Find, Purpose, RestData, VehicleMotion};
 use pim_core::{Motion, Outcome, Real, Vector2, VehicleId};
 use real::Traced;
-use reconcile::{Departure, Momentum, MomentumAndCrush, MomentumError, Problem};
-use trajectory::{Control, Rest, Target, to_start_near};
+use reconcile::{MomentumAndCrush, Problem};
+use trajectory::{Control, Target, to_start_near};
 
-use crate::both::BothMethod;
+use crate::both::{BothMethod, pose};
 use crate::sensitivity::at;
-use crate::travel::{Origin, Scene, leaves_straight, target};
-use crate::{Analysis, Failure, collide, damage, impact, motion, reconstruct, refused};
+use crate::travel::{Origin, Record, Scene, Way, Ways, after_impact, departures, leaves_straight, target};
+use crate::{Analysis, Failure, collide, impact, motion, reconstruct, refused};
 
 /// What a case asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,15 +82,6 @@ pub(crate) struct Answer<T = f64> {
     pub(crate) ways: [Option<Way<T>>; 2],
 }
 
-/// A way from the impact to rest.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Way<T = f64> {
-    /// How the vehicle moved at its start.
-    pub(crate) start: Motion<T>,
-    /// Its end.
-    pub(crate) rest: Rest<T>,
-}
-
 impl Answer {
     /// That of a finished analysis.
     pub(crate) fn of(analysis: &Analysis) -> Self {
@@ -115,24 +106,12 @@ impl Answer {
 }
 
 /// Where the numbers come from that an equation has to be solved for.
-pub(crate) trait Solver<T: Real> {
+pub(crate) trait Solver<T: Real>: Ways<T> {
     /// The speed of a problem, and the impact at it.
     fn speed(&mut self, problem: &Problem<T>) -> Result<(T, Outcome<T>), Failure>;
 
     /// (m/s) both speeds, by momentum along a line and the crush energy.
     fn speeds(&mut self, search: &MomentumAndCrush<T>) -> Result<[T; 2], Failure>;
-
-    /// The way that leads to the rest of a vehicle.
-    fn back(
-        &mut self,
-        vehicle: VehicleId,
-        scene: &Scene<'_, T>,
-        way: &VehicleMotion<T>,
-        rest: &RestData<T>,
-    ) -> Result<Way<T>, Failure>;
-
-    /// How closely a vehicle is followed.
-    fn control(&self) -> Control;
 }
 
 /// Answers a case.
@@ -169,84 +148,28 @@ pub(crate) fn answer<T: Real>(
 fn carried_on<T: Real>(
     case: &Case<T>,
     outcome: Outcome<T>,
-    solver: &impl Solver<T>,
+    solver: &mut impl Solver<T>,
 ) -> Result<Answer<T>, Failure> {
-    let mut ways = [None, None];
-    if let Some(input) = case.run_out() {
-        let MotionInput { surface, vehicles } = input?;
-        let scene = Scene::new(&surface);
-        for id in VehicleId::ALL {
-            if let Some(way) = &vehicles[id.index()] {
-                let start = outcome.after[id.index()];
-                let rest = scene.to_rest(id, way, start, &solver.control())?;
-                ways[id.index()] = Some(Way { start, rest });
-            }
-        }
-    }
+    let ways = match case.run_out() {
+        Some(input) => after_impact(&input?, outcome.after, solver)?,
+        None => [None, None],
+    };
     Ok(Answer { speeds: [None; 2], outcome: Some(outcome), delta_v: None, ways })
 }
 
 fn both<T: Real>(case: &Case<T>, solver: &mut impl Solver<T>) -> Result<Answer<T>, Failure> {
-    let input = case.two_speeds()?;
-    let [(one, way_1), (two, way_2)] = departures(input.motion.as_ref(), input.departures, solver)?;
-    let (Some(one), Some(two)) = (one, two) else {
-        let vehicle = if one.is_none() { VehicleId::One } else { VehicleId::Two };
-        return Err(MomentumError::Fixed { vehicle }.into());
+    let posed = pose(case.two_speeds()?, solver)?;
+    let speeds = match &posed.by_crush {
+        Some(by_crush) => solver.speeds(&by_crush.search)?,
+        None => posed.momentum.speeds()?,
     };
-    let Collision { contact, law, motions, vehicles } = input.collision;
-    let yaw_rates = motions.map(|motion| motion.yaw_rate);
-    let momentum = Momentum { contact, yaw_rates, after: [one, two] };
-    let (speeds, by_crush) = if momentum.is_collinear() {
-        let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
-        let axis = momentum.common_axis();
-        let search = MomentumAndCrush::new(momentum, axis, law.clone(), crush_energy, input.basis, T::ZERO)?;
-        (solver.speeds(&search)?, true)
-    } else {
-        (momentum.speeds()?, false)
-    };
-    let before = momentum.motions_at(speeds);
-    let outcome = contact.impact(before, &law.at(-contact.approach(&before).velocity.normal))?;
-    let delta_v = if by_crush {
-        outcome.delta_v_magnitude()
-    } else {
+    let (_, outcome) = posed.impact(speeds)?;
+    let delta_v = match &posed.by_crush {
+        Some(_) => outcome.delta_v_magnitude(),
         // ΔV = |V − v|
-        momentum.implied(speeds)?.delta_v.map(|change| length(change))
+        None => posed.momentum.implied(speeds)?.delta_v.map(length),
     };
-    let ways = [way_1, way_2];
-    Ok(Answer { speeds: speeds.map(Some), outcome: Some(outcome), delta_v: Some(delta_v), ways })
-}
-
-/// How a vehicle left the impact, where that is known, and its way from there, where it can be followed.
-type Left<T> = (Option<Departure<T>>, Option<Way<T>>);
-
-/// How both vehicles left the impact: as `given`, or as their rests tell.
-fn departures<T: Real>(
-    motion: Option<&MotionInput<T>>,
-    given: [Option<Departure<T>>; 2],
-    solver: &mut impl Solver<T>,
-) -> Result<[Left<T>; 2], Failure> {
-    let scene = motion.map(|motion| Scene::new(&motion.surface));
-    let mut of = |id: VehicleId| {
-        let given = given[id.index()];
-        let way = motion.and_then(|motion| motion.vehicles[id.index()].as_ref());
-        let Some((scene, way)) = scene.as_ref().zip(way) else { return Ok((given, None)) };
-        let left: Left<T> = match (given, &way.rest) {
-            (Some(Departure { velocity, yaw_rate: Some(yaw_rate) }), _) => {
-                let start = Motion { velocity, yaw_rate };
-                let rest = scene.to_rest(id, way, start, &solver.control())?;
-                (given, Some(Way { start, rest }))
-            }
-            // A velocity that is given without a yaw rate does not lead to a rest.
-            (Some(_), _) | (None, None) => (given, None),
-            (None, Some(rest)) => {
-                let found = solver.back(id, scene, way, rest)?;
-                let Motion { velocity, yaw_rate } = found.start;
-                (Some(Departure { velocity, yaw_rate: Some(yaw_rate) }), Some(found))
-            }
-        };
-        Ok::<_, Failure>(left)
-    };
-    Ok([of(VehicleId::One)?, of(VehicleId::Two)?])
+    Ok(Answer { speeds: speeds.map(Some), outcome: Some(outcome), delta_v: Some(delta_v), ways: posed.ways })
 }
 
 /// Length of a vector, zero with zero derivatives where it vanishes.
@@ -303,6 +226,18 @@ impl Solver<f64> for Search {
         }
         Ok(search.solve()?.speeds)
     }
+}
+
+impl Ways<f64> for Search {
+    fn follow(
+        &mut self,
+        vehicle: VehicleId,
+        scene: &Scene<'_>,
+        way: &VehicleMotion,
+        start: Motion,
+    ) -> Result<Way, Failure> {
+        scene.to_rest(vehicle, way, start, &Control::default(), |_| {})
+    }
 
     /// By the turn that the solution at the central values has: of two starts that lead to the same rest, one
     /// the short way and one the long way round, a sample that is only a little different has the same.
@@ -314,12 +249,10 @@ impl Solver<f64> for Search {
         rest: &RestData,
     ) -> Result<Way, Failure> {
         if self.straight[vehicle.index()] {
-            let start = scene.straight(vehicle, way, rest)?;
-            return Ok(Way { start, rest: scene.to_rest(vehicle, way, start, &self.control())? });
+            return scene.straight(vehicle, way, rest);
         }
         let Some(near) = &self.near[vehicle.index()] else {
-            let start = scene.back(vehicle, way, rest)?.motion;
-            return Ok(Way { start, rest: scene.to_rest(vehicle, way, start, &self.control())? });
+            return Record::of(Origin::Rest).back(vehicle, scene, way, rest);
         };
         let target = Target {
             heading: heading_at_rest(way, rest, near.heading),
@@ -327,7 +260,7 @@ impl Solver<f64> for Search {
             via: None,
             ..target(way, rest)
         };
-        let (steer, control) = (way.steer.steer(), self.control());
+        let (steer, control) = (way.steer.steer(), Control::default());
         to_start_near(
             &way.chassis,
             steer,
@@ -341,23 +274,18 @@ impl Solver<f64> for Search {
         .map(|found| Way { start: found.motion, rest: found.rest })
         .map_err(|reason| Failure::NoStart { vehicle, reason })
     }
-
-    fn control(&self) -> Control {
-        Control::default()
-    }
 }
 
 /// (rad) the heading at rest with its full turns: where the case does not tell these, those of another that
 /// is not half a turn off.
 fn heading_at_rest<T: Real>(way: &VehicleMotion<T>, rest: &RestData<T>, beside: f64) -> T {
-    match rest.heading {
-        RestHeadingData::Heading(heading) => {
-            // θ + 2π n
-            let turns = ((beside - heading.value()) / TAU).round();
-            heading + T::from(TAU * turns)
-        }
-        RestHeadingData::Turned(turn) => way.heading + turn,
+    let heading = rest.heading.heading(way.heading);
+    if rest.heading.turns_are_known() {
+        return heading;
     }
+    // θ + 2π n
+    let turns = ((beside - heading.value()) / TAU).round();
+    heading + T::from(TAU * turns)
 }
 
 /// (SI) what the equations of an analysis were solved for, in the order in which [`Known`] needs it.
@@ -407,6 +335,20 @@ impl Solver<Traced> for Known<'_> {
         self.residuals.push(search.problem().residual(relative));
         Ok(search.speeds_at(relative))
     }
+}
+
+impl Ways<Traced> for Known<'_> {
+    fn follow(
+        &mut self,
+        vehicle: VehicleId,
+        scene: &Scene<'_, Traced>,
+        way: &VehicleMotion<Traced>,
+        start: Motion<Traced>,
+    ) -> Result<Way<Traced>, Failure> {
+        // Steps down to the rest, whose derivatives are exact.
+        let control = Control { closed_end: false, longest_step: 0.05, ..Control::default() };
+        scene.to_rest(vehicle, way, start, &control, |_| {})
+    }
 
     fn back(
         &mut self,
@@ -417,7 +359,7 @@ impl Solver<Traced> for Known<'_> {
     ) -> Result<Way<Traced>, Failure> {
         let velocity = Vector2::new(self.next(), self.next());
         let start = Motion { velocity, yaw_rate: self.next() };
-        let found = scene.to_rest(vehicle, way, start, &self.control())?;
+        let found = self.follow(vehicle, scene, way, start)?.rest;
         if leaves_straight(way, rest) {
             // V along the line to the rest, no yaw, and a way as long as the measured one
             let apart = rest.position - way.position;
@@ -435,10 +377,5 @@ impl Solver<Traced> for Known<'_> {
             found.heading - heading,
         ]);
         Ok(Way { start, rest: found })
-    }
-
-    /// In steps down to the rest, whose derivatives are exact.
-    fn control(&self) -> Control {
-        Control { closed_end: false, longest_step: 0.05, ..Control::default() }
     }
 }

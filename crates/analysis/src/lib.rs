@@ -61,6 +61,7 @@ pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, WayNumbe
 use thresholds::HALF_HOUR;
 pub use thresholds::{FAST_CLOSING, HIGH_RESTITUTION};
 pub use travel::{ClosedForm, Origin as TravelOrigin, Skid, Travel};
+use travel::{Record, after_impact, departures};
 pub use uncertainty::{
     Doubt, Doubtful, ExactValue, Plan, REASONS, Reason, Stage, TakenAsExact, UncertainInput, UncertainOutput,
     Uncertainty, is_uncertain, uncertainty,
@@ -407,7 +408,11 @@ fn closing_speed<T: Real>(collision: &Collision<T>) -> T {
 /// [`Failure`].
 pub fn motion(case: &Case) -> Result<Analysis, Failure> {
     let input = case.motion()?;
-    let travel = travel::of_case(&input).map_err(|failure| failure.in_axes(case.axes))?;
+    let mut record = Record::of(TravelOrigin::Given);
+    let given =
+        input.vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.velocity));
+    departures(Some(&input), given, &mut record).map_err(|failure| failure.in_axes(case.axes))?;
+    let travel = record.travel;
     let bare = |subject: Option<VehicleData>| Vehicle {
         subject: VehicleData { damage: None, energy: None, ..subject.unwrap_or(judgement::NOTHING) },
         damage: None,
@@ -436,8 +441,9 @@ pub fn motion(case: &Case) -> Result<Analysis, Failure> {
 fn run_out(case: &Case, after: [Motion; 2]) -> Result<([Option<Travel>; 2], Option<SurfaceData>), Failure> {
     let Some(input) = case.run_out() else { return Ok(([None, None], None)) };
     let input = input?;
-    let travel = travel::after_impact(&input, after).map_err(|failure| failure.in_axes(case.axes))?;
-    Ok((travel, Some(input.surface)))
+    let mut record = Record::of(TravelOrigin::Impact);
+    after_impact(&input, after, &mut record).map_err(|failure| failure.in_axes(case.axes))?;
+    Ok((record.travel, Some(input.surface)))
 }
 
 /// CRASH3 alone: energies and velocity changes from the damage and the PDOF that the file gives.

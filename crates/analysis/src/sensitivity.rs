@@ -7,8 +7,8 @@ use real::Gradient;
 use reconcile::Problem;
 
 use crate::damage::{self, Crash3};
-use crate::goal::{self, Answer, Goal, Known, Way, length};
-use crate::travel::Origin as WayOrigin;
+use crate::goal::{self, Answer, Goal, Known, length};
+use crate::travel::{Origin as WayOrigin, Way};
 use crate::{Analysis, Failure, furthest};
 
 /// (rad) 1°.

@@ -70,10 +70,8 @@ impl Origin {
 pub(crate) fn leaves_straight<T: Real>(way: &VehicleMotion<T>, rest: &RestData<T>) -> bool {
     let SteerData::Held(steer) = way.steer else { return false };
     let (heading, apart) = (way.heading.value(), rest.position - way.position);
-    let turn = match rest.heading {
-        RestHeadingData::Heading(at_rest) => real::principal_angle(at_rest.value() - heading),
-        RestHeadingData::Turned(turn) => turn.value(),
-    };
+    let turn = rest.heading.heading(way.heading).value() - heading;
+    let turn = if rest.heading.turns_are_known() { turn } else { real::principal_angle(turn) };
     let direction = Real::atan2(apart.y.value(), apart.x.value());
     // A vehicle may roll backward too.
     let ahead = real::principal_angle(direction - heading);
@@ -110,14 +108,23 @@ pub(crate) struct Scene<'a, T = f64> {
     zones: Vec<Zone<'a, T>>,
 }
 
+/// A way from the impact to rest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way<T = f64> {
+    /// How the vehicle moved at its start.
+    pub(crate) start: Motion<T>,
+    /// Its end.
+    pub(crate) rest: Rest<T>,
+}
+
 /// How a vehicle left the impact.
-pub(crate) struct Left {
+struct Left {
     /// Where it is known from.
-    pub(crate) origin: Origin,
+    origin: Origin,
     /// Its velocity and yaw rate.
-    pub(crate) motion: Motion,
+    motion: Motion,
     /// Other motions that lead to the same rest.
-    pub(crate) others: Vec<Start>,
+    others: Vec<Start>,
 }
 
 impl<'a, T: Real> Scene<'a, T> {
@@ -129,30 +136,27 @@ impl<'a, T: Real> Scene<'a, T> {
         Ground { friction: self.surface.friction, zones: &self.zones, grade: self.surface.grade }
     }
 
-    /// Where a vehicle that leaves the impact with this motion comes to rest.
+    /// The way of a vehicle that leaves the impact with the motion `start`; `record` gets its samples.
     pub(crate) fn to_rest(
         &self,
         vehicle: VehicleId,
         way: &VehicleMotion<T>,
-        motion: Motion<T>,
+        start: Motion<T>,
         control: &Control,
-    ) -> Result<Rest<T>, Failure> {
-        let start = State { position: way.position, heading: way.heading, motion };
-        to_rest(&way.chassis, way.steer.steer(), &self.ground(), &start, control, |_| {})
+        record: impl FnMut(&Sample<T>),
+    ) -> Result<Way<T>, Failure> {
+        let state = State { position: way.position, heading: way.heading, motion: start };
+        to_rest(&way.chassis, way.steer.steer(), &self.ground(), &state, control, record)
+            .map(|rest| Way { start, rest })
             .map_err(|reason| Failure::NoRest { vehicle, reason })
     }
 }
 
 impl Scene<'_> {
     /// The motion that leads to the rest of a vehicle.
-    pub(crate) fn back(
-        &self,
-        vehicle: VehicleId,
-        way: &VehicleMotion,
-        rest: &RestData,
-    ) -> Result<Left, Failure> {
+    fn back(&self, vehicle: VehicleId, way: &VehicleMotion, rest: &RestData) -> Result<Left, Failure> {
         if leaves_straight(way, rest) {
-            let motion = self.straight(vehicle, way, rest)?;
+            let motion = self.straight(vehicle, way, rest)?.start;
             return Ok(Left { origin: Origin::StraightRest, motion, others: Vec::new() });
         }
         let starts = to_start(
@@ -169,30 +173,28 @@ impl Scene<'_> {
         let first = starts.next().ok_or(Failure::NoStart { vehicle, reason: Unreached::NoWay })?;
         Ok(Left { origin: Origin::Rest, motion: first.motion, others: starts.collect() })
     }
-}
 
-impl Scene<'_> {
-    /// The motion straight towards the rest, without yaw, whose way is as long as the measured one.
+    /// The way that begins straight towards the rest, without yaw, and is as long as the measured one.
     pub(crate) fn straight(
         &self,
         vehicle: VehicleId,
         way: &VehicleMotion,
         rest: &RestData,
-    ) -> Result<Motion, Failure> {
+    ) -> Result<Way, Failure> {
         let apart = rest.position - way.position;
         let length = apart.norm();
-        let along = |speed: f64| Motion { velocity: apart * (speed / length), yaw_rate: 0.0 };
         let reach = |speed: f64| {
-            let rest = self.to_rest(vehicle, way, along(speed), &Control::default())?;
-            Ok::<_, Failure>((rest.position - way.position).norm())
+            let start = Motion { velocity: apart * (speed / length), yaw_rate: 0.0 };
+            let reached = self.to_rest(vehicle, way, start, &Control::default(), |_| {})?;
+            Ok::<_, Failure>((reached, (reached.rest.position - way.position).norm()))
         };
         // The way grows with the speed: between one that is too short and one that is too long.
         let (mut low, mut high) = (0.0, f64::INFINITY);
         let mut speed = STRAIGHT_BEGIN;
+        let (mut found, mut reached) = reach(speed)?;
         for _ in 0..STRAIGHT_STEPS {
-            let reached = reach(speed)?;
             if (reached - length).abs() <= STRAIGHT_WAY {
-                break;
+                return Ok(found);
             }
             if reached < length {
                 low = speed;
@@ -202,72 +204,155 @@ impl Scene<'_> {
             // S ∝ V² on one ground, where this is exact.
             let next = speed * (length / reached).sqrt();
             speed = if next > low && next < high { next } else { 0.5 * (low + high.min(2.0 * speed)) };
+            (found, reached) = reach(speed)?;
         }
-        Ok(along(speed))
+        let Way { start, rest } = found;
+        let miss = (reached - length).abs();
+        let reason =
+            Unreached::Missed { motion: start, position: rest.position, heading: rest.heading, miss };
+        Err(Failure::NoStart { vehicle, reason })
     }
 }
 
-/// How a vehicle left the impact, and its way from there: as the case gives it, or as its rest tells; `None`
-/// where the case tells neither.
-pub(crate) fn left(
-    scene: &Scene<'_>,
-    vehicle: VehicleId,
-    input: &VehicleMotion,
-    given: Option<&Departure>,
-) -> Result<Option<(Left, Option<Travel>)>, Failure> {
-    let left = match (given, &input.rest) {
-        (Some(given), _) => Left::given(given),
-        (None, Some(rest)) => scene.back(vehicle, input, rest)?,
-        (None, None) => return Ok(None),
+/// Where the ways of the vehicles come from.
+pub(crate) trait Ways<T: Real> {
+    /// The way of a vehicle that left the impact with the motion `start`.
+    fn follow(
+        &mut self,
+        vehicle: VehicleId,
+        scene: &Scene<'_, T>,
+        way: &VehicleMotion<T>,
+        start: Motion<T>,
+    ) -> Result<Way<T>, Failure>;
+
+    /// The way that leads to the rest of a vehicle.
+    fn back(
+        &mut self,
+        vehicle: VehicleId,
+        scene: &Scene<'_, T>,
+        way: &VehicleMotion<T>,
+        rest: &RestData<T>,
+    ) -> Result<Way<T>, Failure>;
+}
+
+/// How a vehicle left the impact, where that is known, and its way from there, where it can be followed.
+type Leaving<T> = (Option<Departure<T>>, Option<Way<T>>);
+
+/// How both vehicles left the impact: as `given`, or as their rests tell.
+pub(crate) fn departures<T: Real>(
+    motion: Option<&MotionInput<T>>,
+    given: [Option<Departure<T>>; 2],
+    ways: &mut impl Ways<T>,
+) -> Result<[Leaving<T>; 2], Failure> {
+    let scene = motion.map(|motion| Scene::new(&motion.surface));
+    let mut of = |id: VehicleId| {
+        let given = given[id.index()];
+        let way = motion.and_then(|motion| motion.vehicles[id.index()].as_ref());
+        let Some((scene, way)) = scene.as_ref().zip(way) else { return Ok((given, None)) };
+        let leaving: Leaving<T> = match (given, &way.rest) {
+            (Some(Departure { velocity, yaw_rate: Some(yaw_rate) }), _) => {
+                (given, Some(ways.follow(id, scene, way, Motion { velocity, yaw_rate })?))
+            }
+            // A velocity that is given without a yaw rate does not lead to a rest.
+            (Some(_), _) | (None, None) => (given, None),
+            (None, Some(rest)) => {
+                let found = ways.back(id, scene, way, rest)?;
+                let Motion { velocity, yaw_rate } = found.start;
+                (Some(Departure { velocity, yaw_rate: Some(yaw_rate) }), Some(found))
+            }
+        };
+        Ok::<_, Failure>(leaving)
     };
-    // A velocity that is given without a yaw rate does not lead to a rest.
-    let is_whole = given.is_none_or(|given| given.yaw_rate.is_some());
-    let travel = if is_whole { Some(follow(scene, vehicle, input, &left)?) } else { None };
-    Ok(Some((left, travel)))
+    Ok([of(VehicleId::One)?, of(VehicleId::Two)?])
 }
 
-impl Left {
-    /// As the case gives it.
-    pub(crate) fn given(given: &Departure) -> Self {
-        let motion = Motion { velocity: given.velocity, yaw_rate: given.yaw_rate.unwrap_or_default() };
-        Self { origin: Origin::Given, motion, others: Vec::new() }
+/// The ways of both vehicles after an impact.
+pub(crate) fn after_impact<T: Real>(
+    input: &MotionInput<T>,
+    after: [Motion<T>; 2],
+    ways: &mut impl Ways<T>,
+) -> Result<[Option<Way<T>>; 2], Failure> {
+    let scene = Scene::new(&input.surface);
+    let mut of = |id: VehicleId| {
+        let way = input.vehicles[id.index()].as_ref();
+        way.map(|way| ways.follow(id, &scene, way, after[id.index()])).transpose()
+    };
+    Ok([of(VehicleId::One)?, of(VehicleId::Two)?])
+}
+
+/// Finds the ways of an analysis and keeps all of them.
+pub(crate) struct Record {
+    /// Where a motion that is followed comes from.
+    origin: Origin,
+    /// What was followed.
+    pub(crate) travel: [Option<Travel>; 2],
+}
+
+impl Record {
+    /// Of motions that come from there where no rest tells them.
+    pub(crate) fn of(origin: Origin) -> Self {
+        Self { origin, travel: [None, None] }
+    }
+
+    fn keep(
+        &mut self,
+        vehicle: VehicleId,
+        scene: &Scene<'_>,
+        input: &VehicleMotion,
+        left: Left,
+    ) -> Result<Way, Failure> {
+        let start = State { position: input.position, heading: input.heading, motion: left.motion };
+        let mut samples = Vec::new();
+        let way = scene
+            .to_rest(vehicle, input, left.motion, &Control::default(), |sample| samples.push(*sample))?;
+        self.travel[vehicle.index()] = Some(Travel {
+            origin: left.origin,
+            chassis: input.chassis,
+            steer: input.steer.steer().at(0.0),
+            start,
+            samples,
+            rest: way.rest,
+            measured: input.rest,
+            points: input.points.clone(),
+            others: left.others,
+            closed: closed_form(scene.surface, input, &start, &way.rest),
+        });
+        Ok(way)
     }
 }
 
+impl Ways<f64> for Record {
+    fn follow(
+        &mut self,
+        vehicle: VehicleId,
+        scene: &Scene<'_>,
+        way: &VehicleMotion,
+        start: Motion,
+    ) -> Result<Way, Failure> {
+        let left = Left { origin: self.origin, motion: start, others: Vec::new() };
+        self.keep(vehicle, scene, way, left)
+    }
+
+    fn back(
+        &mut self,
+        vehicle: VehicleId,
+        scene: &Scene<'_>,
+        way: &VehicleMotion,
+        rest: &RestData,
+    ) -> Result<Way, Failure> {
+        let left = scene.back(vehicle, way, rest)?;
+        self.keep(vehicle, scene, way, left)
+    }
+}
+
+/// What the motion that leads to a rest is sought for.
 pub(crate) fn target(input: &VehicleMotion, rest: &RestData) -> Target {
-    let (heading, turns_known) = match rest.heading {
-        RestHeadingData::Heading(heading) => (heading, false),
-        RestHeadingData::Turned(turn) => (input.heading + turn, true),
-    };
-    Target { position: rest.position, heading, turns_known, via: input.points.first().copied() }
-}
-
-/// Follows a vehicle from its start to rest.
-pub(crate) fn follow(
-    scene: &Scene<'_>,
-    vehicle: VehicleId,
-    input: &VehicleMotion,
-    left: &Left,
-) -> Result<Travel, Failure> {
-    let start = State { position: input.position, heading: input.heading, motion: left.motion };
-    let mut samples = Vec::new();
-    let steer = input.steer.steer();
-    let rest = to_rest(&input.chassis, steer, &scene.ground(), &start, &Control::default(), |sample| {
-        samples.push(*sample);
-    })
-    .map_err(|reason| Failure::NoRest { vehicle, reason })?;
-    Ok(Travel {
-        origin: left.origin,
-        chassis: input.chassis,
-        steer: steer.at(0.0),
-        start,
-        samples,
-        rest,
-        measured: input.rest,
-        points: input.points.clone(),
-        others: left.others.clone(),
-        closed: closed_form(scene.surface, input, &start, &rest),
-    })
+    Target {
+        position: rest.position,
+        heading: rest.heading.heading(input.heading),
+        turns_known: rest.heading.turns_are_known(),
+        via: input.points.first().copied(),
+    }
 }
 
 /// What a closed form says of the way that was followed, or measured where it was.
@@ -297,28 +382,6 @@ fn closed_form(
     let drag_share = input.chassis.wheels().iter().map(held).sum::<f64>() / friction;
     let slide = Slide { friction, drag_share, grade: 0.0, distance };
     slide.speed_at_start(0.0).ok().map(|speed| ClosedForm::Straight { drag_share, speed })
-}
-
-/// The motion of both vehicles to rest, as far as the case tells how they left the impact.
-pub(crate) fn of_case(input: &MotionInput) -> Result<[Option<Travel>; 2], Failure> {
-    let scene = Scene::new(&input.surface);
-    let of = |id: VehicleId| {
-        let Some(vehicle) = &input.vehicles[id.index()] else { return Ok(None) };
-        let left = left(&scene, id, vehicle, vehicle.velocity.as_ref())?;
-        Ok::<_, Failure>(left.and_then(|(_, travel)| travel))
-    };
-    Ok([of(VehicleId::One)?, of(VehicleId::Two)?])
-}
-
-/// The motion of both vehicles to rest after an impact.
-pub(crate) fn after_impact(input: &MotionInput, after: [Motion; 2]) -> Result<[Option<Travel>; 2], Failure> {
-    let scene = Scene::new(&input.surface);
-    let of = |id: VehicleId| {
-        let Some(vehicle) = &input.vehicles[id.index()] else { return Ok(None) };
-        let left = Left { origin: Origin::Impact, motion: after[id.index()], others: Vec::new() };
-        follow(&scene, id, vehicle, &left).map(Some)
-    };
-    Ok([of(VehicleId::One)?, of(VehicleId::Two)?])
 }
 
 impl Travel {
@@ -389,10 +452,8 @@ impl Travel {
     pub fn miss(&self) -> Option<(f64, f64)> {
         let measured = self.measured.as_ref()?;
         let apart = measured.position - self.rest.position;
-        let turned = match measured.heading {
-            RestHeadingData::Heading(heading) => real::principal_angle(heading - self.rest.heading),
-            RestHeadingData::Turned(turned) => self.start.heading + turned - self.rest.heading,
-        };
+        let turned = measured.heading.heading(self.start.heading) - self.rest.heading;
+        let turned = if measured.heading.turns_are_known() { turned } else { real::principal_angle(turned) };
         Some((apart.norm(), turned))
     }
 }

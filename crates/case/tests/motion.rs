@@ -5,7 +5,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use case::{Case, CaseFile, Faults};
-use inputs::{RegionData, RestHeadingData, SteerData};
+use inputs::{RegionData, RestHeadingData, SteerData, VehicleMotion};
 use pim_core::Real;
 use proptest::prelude::*;
 
@@ -64,6 +64,12 @@ fn told(faults: &Faults) -> (Vec<&str>, String) {
     (faults.list().iter().map(|fault| fault.key.as_str()).collect(), faults.to_string())
 }
 
+/// (m) from the CG to the front axle and to the rear one, and the track.
+fn axles(vehicle: &VehicleMotion) -> [f64; 3] {
+    let [front_left, front_right, rear_left, _] = vehicle.chassis.wheels();
+    [front_left.forward, -rear_left.forward, front_left.left - front_right.left]
+}
+
 #[test]
 fn the_engine_gets_what_the_case_says() {
     let motion = read(CROSSING).motion().unwrap();
@@ -73,13 +79,15 @@ fn the_engine_gets_what_the_case_says() {
     assert!(close(two.position.x, 10.8) && close(two.position.y, 20.0), "{}", two.position);
     assert!(close(two.heading, FRAC_PI_2));
     // SAE 870045, Table 2, class 3: a = 51.3 in, b = 53.5 in, track 58.9 in.
-    assert!(close(one.axles.cg_to_front, 51.3 * 0.0254) && close(one.axles.cg_to_rear, 53.5 * 0.0254));
-    assert!(close(one.axles.track, 58.9 * 0.0254));
-    assert!(close(two.axles.cg_to_front, 1.1) && close(two.axles.cg_to_rear, 1.4));
+    let [a, b, track] = axles(&one);
+    assert!(close(a, 51.3 * 0.0254) && close(b, 53.5 * 0.0254) && close(track, 58.9 * 0.0254));
+    let [a, b, track] = axles(&two);
+    assert!(close(a, 1.1) && close(b, 1.4) && close(track, 1.4));
     assert!(close(two.chassis.body().mass(), 1200.0));
-    assert_eq!(one.drag, [0.02; 4]);
+    let drag = |vehicle: &VehicleMotion| vehicle.chassis.wheels().map(|wheel| wheel.drag);
+    assert_eq!(drag(&one), [0.02; 4]);
     // A locked wheel resists more than any ground can.
-    assert_eq!(two.drag, [0.01, 2.0, 0.3, 0.02]);
+    assert_eq!(drag(&two), [0.01, 2.0, 0.3, 0.02]);
     let rest = one.rest.unwrap();
     assert!(close(rest.position.x, 20.0) && close(rest.position.y, 25.0));
     assert!(matches!(rest.heading, RestHeadingData::Heading(angle) if close(angle, 40.0_f64.to_radians())));
@@ -93,9 +101,9 @@ fn the_engine_gets_what_the_case_says() {
 #[test]
 fn a_wheelbase_of_ones_own_keeps_the_share_of_the_class() {
     let motion = with("class = 3", "class = 3\nwheelbase = \"3 m\"").motion().unwrap();
-    let axles = motion.vehicles[0].as_ref().unwrap().axles;
+    let [a, b, _] = axles(motion.vehicles[0].as_ref().unwrap());
     // 51.3/(51.3 + 53.5) of 3 m
-    assert!(close(axles.cg_to_front, 3.0 * 51.3 / 104.8) && close(axles.cg_to_front + axles.cg_to_rear, 3.0));
+    assert!(close(a, 3.0 * 51.3 / 104.8) && close(a + b, 3.0));
 }
 
 #[test]
@@ -216,6 +224,34 @@ fn after_an_impact_neither_velocity_nor_rest_is_needed() {
     // Without a drag, a vehicle is not followed.
     let case = with("drag = [0.01, \"locked\", 0.3, 0.02]", "");
     assert!(case.run_out().unwrap().unwrap().vehicles[1].is_none());
+}
+
+#[test]
+fn without_a_survey_the_impact_is_the_origin() {
+    let bare = CROSSING
+        .replace("[scene]\ncontact = { x = \"10 m\", y = \"20 m\" }\n", "")
+        .replace("rest = { x = \"20 m\", y = \"25 m\", heading = \"40 deg\" }", "");
+    let [one, two] = read(&bare).run_out().unwrap().unwrap().vehicles.map(Option::unwrap);
+    // C lies 1.5 m ahead of vehicle 1, which points along x, and 0.8 m to the left of vehicle 2, along y.
+    assert!(close(one.position.x, -1.5) && close(one.position.y, 0.0), "{}", one.position);
+    assert!(close(two.position.x, 0.8) && close(two.position.y, 0.0), "{}", two.position);
+}
+
+#[test]
+fn skid_marks_need_their_friction_in_every_analysis() {
+    let skids = CROSSING
+        .replace("[surface]\nfriction = 0.7\n", "")
+        .replace("[vehicle1.after]", "[vehicle1.before]\nskid = { length = \"9 m\" }\n[vehicle1.after]");
+    let both = read(&skids);
+    let impact =
+        read(&skids.replace("find = [\"vehicle1.speed\", \"vehicle2.speed\"]", "find = \"vehicle1.speed\""));
+    for faults in [
+        both.two_speeds().unwrap_err(),
+        impact.reconstruction().unwrap_err(),
+        impact.collision().unwrap_err(),
+    ] {
+        assert!(told(&faults).0.contains(&"vehicle1.before.skid.friction"), "{faults}");
+    }
 }
 
 #[test]

@@ -674,6 +674,7 @@ impl<'a, T: Real> Demand<'a, T> {
         let participants = VehicleId::ALL.map(|id| self.participant(id, vehicles[id.index()].as_ref()));
         let motions = VehicleId::ALL.map(|id| self.motion(id, needs_speed(id)));
         let law = self.law();
+        self.skids();
         let ([v1, v2], [p1, p2], [m1, m2]) = (vehicles, participants, motions);
         let contact = self.contact([p1?, p2?])?;
         let law = law?;

@@ -2,7 +2,7 @@
 
 use pim_core::{Real, Vector2};
 use reconcile::{Departure, EnergyBasis};
-use trajectory::{Axles, Chassis, Region, Steer, Zone};
+use trajectory::{Chassis, Region, Steer, Zone};
 
 use crate::demands::Collision;
 use crate::text::Text;
@@ -77,15 +77,10 @@ impl RegionData {
 pub struct VehicleMotion<T = f64> {
     /// The body on its wheels.
     pub chassis: Chassis<T>,
-    /// Where its axles are.
-    pub axles: Axles<T>,
-    /// (–) drag of each wheel: front left, front right, rear left, rear right.
-    /// [`trajectory::GREATEST_DRAG`] where it is locked.
-    pub drag: [T; 4],
     /// How its front wheels are steered.
     pub steer: SteerData<T>,
-    /// (m) place of the CG at the impact: from that of C, or the origin where the case neither gives C nor
-    /// any place of this vehicle.
+    /// (m) place of the CG at the impact, from that of C. Where the case gives neither C nor any place of
+    /// this vehicle, C is the origin; where it does not tell either how the CG lies to C, the CG is.
     pub position: Vector2<T>,
     /// (rad) heading at the impact.
     pub heading: T,
@@ -135,6 +130,24 @@ pub enum RestHeadingData<T = f64> {
     Turned(T),
 }
 
+impl<T: Real> RestHeadingData<T> {
+    /// (rad) the heading at rest of a vehicle that had the heading `at_impact` (rad); where only the heading
+    /// is known, without the full turns before it.
+    #[must_use]
+    pub fn heading(self, at_impact: T) -> T {
+        match self {
+            Self::Heading(heading) => heading,
+            Self::Turned(turn) => at_impact + turn,
+        }
+    }
+
+    /// Whether the full turns before the rest are known.
+    #[must_use]
+    pub fn turns_are_known(self) -> bool {
+        matches!(self, Self::Turned(_))
+    }
+}
+
 /// Skid marks before the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SkidData<T = f64> {
@@ -160,6 +173,4 @@ pub struct TwoSpeedInput<T = f64> {
     /// Whether the crush energy of every vehicle that moves is known. It is where the approaches are
     /// collinear.
     pub has_crush: bool,
-    /// Skid marks of each vehicle before the impact.
-    pub skids: [Option<SkidData<T>>; 2],
 }

@@ -126,14 +126,12 @@ impl<T: Real> Case<T> {
         let movers = || self.vehicles.iter().filter(|vehicle| !vehicle.fixed && !vehicle.is_absent());
         let has_crush = movers().all(GivenVehicle::has_damage_data);
         demand.crush_of_collinear();
-        let skids = demand.skids();
         demand.finish(collision.map(|collision| TwoSpeedInput {
             collision,
             departures,
             motion: surface.map(|surface| MotionInput { surface, vehicles }),
             basis: self.energy_basis(),
             has_crush,
-            skids,
         }))
     }
 }
@@ -249,17 +247,7 @@ impl<T: Real> Demand<'_, T> {
         let body = self.accepted(table, Body::new(inertia.mass, yaw_inertia?))?;
         let (axles, drag) = (axles?, drag?);
         let chassis = self.accepted(format_args!("{table}.after.drag"), Chassis::new(body, axles, drag))?;
-        Some(VehicleMotion {
-            chassis,
-            axles,
-            drag,
-            steer,
-            position,
-            heading: heading?,
-            velocity,
-            rest,
-            points,
-        })
+        Some(VehicleMotion { chassis, steer, position, heading: heading?, velocity, rest, points })
     }
 
     /// The place of the CG at the impact.
@@ -272,9 +260,18 @@ impl<T: Real> Demand<'_, T> {
         let table = table(id);
         let has_places = after.rest.is_some() || !after.points.is_empty();
         let has_zones = self.case.surface.as_ref().is_some_and(|surface| !surface.zones.is_empty());
+        // From C to the CG: −(f cos θ − l sin θ, f sin θ + l cos θ)
+        let from_contact = |[forward, left]: [T; 2], heading: T| {
+            let (sin, cos) = heading.sin_cos();
+            Vector2::new(left * sin - forward * cos, -(forward * sin + left * cos))
+        };
+        let heading = self.case.headings()[id.index()];
         let Some(place) = &self.case.scene_contact else {
             if !has_places && !has_zones {
-                return Some(Vector2::new(T::ZERO, T::ZERO));
+                let arm = subject.and_then(|subject| subject.contact).zip(heading);
+                return Some(
+                    arm.map_or(Vector2::new(T::ZERO, T::ZERO), |(arm, heading)| from_contact(arm, heading)),
+                );
             }
             self.missing(
                 "scene.contact",
@@ -289,11 +286,7 @@ impl<T: Real> Demand<'_, T> {
             format_args!("{table}.contact"),
             "`contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }` or `contact = { x = \"1.78 m\", y = \"-0.73 m\" }`",
         );
-        let ([forward, left], heading) = (arm?, self.case.headings()[id.index()]?);
-        let (sin, cos) = heading.sin_cos();
-        let c = self.place(place);
-        // x = x_C − (f cos θ − l sin θ), y = y_C − (f sin θ + l cos θ)
-        Some(Vector2::new(c.x - (forward * cos - left * sin), c.y - (forward * sin + left * cos)))
+        Some(self.place(place) + from_contact(arm?, heading?))
     }
 
     /// What is given takes precedence over the class.
@@ -436,7 +429,8 @@ impl<T: Real> Demand<'_, T> {
         }
     }
 
-    fn skids(&mut self) -> [Option<SkidData<T>>; 2] {
+    /// Refuses skid marks whose friction is not known.
+    pub(super) fn skids(&mut self) {
         let skids = self.case.skids();
         for (id, vehicle) in VehicleId::ALL.into_iter().zip(&self.case.vehicles) {
             if vehicle.before.is_some() && skids[id.index()].is_none() {
@@ -446,7 +440,6 @@ impl<T: Real> Demand<'_, T> {
                 );
             }
         }
-        skids
     }
 }
 

@@ -6,7 +6,7 @@ use ::drawing::{
     MotionPoint, MotionRest, MotionVehicle, SceneArrow, SceneBody, SitePlan,
 };
 use analysis::{Analysis, Travel};
-use case::{Axes, Case, RegionData, RestHeadingData, SurfaceData};
+use case::{Axes, Case, RegionData, SurfaceData};
 use pim_core::{Real, Vector2, VehicleId};
 use trajectory::State;
 
@@ -151,10 +151,7 @@ fn vehicle(
         }),
         measured_rest: travel.and_then(|travel| {
             let measured = travel.measured?;
-            let heading = match measured.heading {
-                RestHeadingData::Heading(heading) => heading,
-                RestHeadingData::Turned(turn) => travel.start.heading + turn,
-            };
+            let heading = measured.heading.heading(travel.start.heading);
             Some(MotionRest {
                 cg: measured.position.into(),
                 forward: Some(direction(heading)),

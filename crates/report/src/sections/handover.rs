@@ -229,8 +229,12 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
         (None, None) => found.push("The damage gives the crush energies below.".to_owned()),
     }
     // Inputs that move none of these figures leave them without one.
-    let has_interval = found.iter().any(|line| line.contains("% interval)"));
-    let mut how = match uncertainty.filter(|_| has_interval) {
+    let has_interval = |uncertainty: &&Uncertainty| {
+        let of = |vehicle| [Output::Speed { vehicle }, Output::DeltaV { vehicle }];
+        let mut outputs = VehicleId::ALL.into_iter().flat_map(of);
+        outputs.any(|output| interval(uncertainty, output, units).is_some())
+    };
+    let mut how = match uncertainty.filter(has_interval) {
         Some(Uncertainty { inputs, taken_as_exact, .. }) => format!(
             "The intervals contain the errors of {} inputs, but not those of the {} that are taken as exact: \
              \"{UNCERTAINTY}\" lists both.",
