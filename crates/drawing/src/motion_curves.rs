@@ -19,7 +19,7 @@ const NEXT: f64 = 262.0;
 const MOST: [u8; 2] = [10, 5];
 /// How far a chart reaches beyond its numbers, as a share of what they span.
 const BEYOND: f64 = 0.06;
-/// What spans less than this share of its unit is rounding about zero: a yaw rate of 1e-16 rad/s.
+/// What is smaller than this share of its unit is rounding about zero: a yaw rate of 1e-16 rad/s.
 const ROUNDING: f64 = 1e-6;
 
 /// Numbers of both vehicles over the time since the impact.
@@ -91,9 +91,10 @@ impl MotionCurves {
     /// From zero or below it to zero or above it.
     fn range(&self) -> [f64; 2] {
         let values = self.curves.iter().flatten().map(|[_, value]| *value);
+        let values = values.filter(|value| value.abs() >= ROUNDING * self.upward.unit);
         let [low, high] = values.fold([0.0_f64; 2], |[low, high], value| [low.min(value), high.max(value)]);
         let span = high - low;
-        if span < ROUNDING * self.upward.unit {
+        if span == 0.0 {
             return [0.0, self.upward.unit];
         }
         let beyond = |end: f64| if end == 0.0 { 0.0 } else { BEYOND * span };

@@ -696,4 +696,11 @@ fn curves_go_through_their_numbers() {
         Reader::new().readable("no curves", &svg);
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
     }
+    // Rounding below zero does not lower the axis: its zero is the lower end of the chart.
+    let falling = |last: f64| {
+        let curves = [vec![[0.0, 10.0], [1.0, last]], Vec::new()];
+        let panels = vec![MotionCurves { curves, ..whole.panels[0].clone() }];
+        MotionCurvesPicture { panels, ..whole.clone() }.draw().svg()
+    };
+    assert_eq!(falling(-3e-17), falling(0.0));
 }
