@@ -121,6 +121,35 @@ fn momentum_undoes_an_impact() {
     });
 }
 
+/// Where one speed is known, the other follows at any angle, along one line too.
+#[test]
+fn momentum_beside_a_known_speed_undoes_an_impact() {
+    for_all(10_000, 0.5, crash(-PI..PI), |(scene, speeds)| {
+        let Some(crash) = Crash::of(scene, speeds) else { return false };
+        let m = crash.momentum();
+        for (id, i) in [(VehicleId::One, 0), (VehicleId::Two, 1)] {
+            let found = m.speed_beside(id, crash.speeds[1 - i]).unwrap();
+            assert_close("speed", found, crash.speeds[i], 1e-12 * (crash.scale()[i] + found.abs()));
+        }
+        assert!(m.speed_beside(VehicleId::One, f64::NAN).is_err());
+        true
+    });
+}
+
+/// By hand: 1500 kg and 1000 kg leave together at 12 m/s along x, but 1000 kg also at 3 m/s across. The part
+/// across is not taken for speed.
+#[test]
+fn momentum_across_the_heading_is_not_taken_for_speed() {
+    let one = Participant::new(Body::new(1500.0, 2500.0).unwrap(), 0.0, 2.0, 0.0).unwrap();
+    let two = Participant::new(Body::new(1000.0, 1500.0).unwrap(), 0.0, -2.0, 0.0).unwrap();
+    let after = |y: f64| Departure { velocity: Vector2::new(12.0, y), yaw_rate: None };
+    let contact = Contact::new([one, two], PI).unwrap();
+    let m = Momentum { contact, yaw_rates: [0.0; 2], after: [after(0.0), after(3.0)] };
+    // (2500·12 − 1000·3)/1500, and (2500·12 − 1500·16)/1000
+    assert_close("v_1", m.speed_beside(VehicleId::One, 3.0).unwrap(), 18.0, 1e-12);
+    assert_close("v_2", m.speed_beside(VehicleId::Two, 16.0).unwrap(), 6.0, 1e-12);
+}
+
 /// EDCRASH's border, at every orientation of the scene.
 #[test]
 fn approaches_within_ten_degrees_of_a_line_are_collinear() {

@@ -1,8 +1,9 @@
-//! Compares the answers of all impact laws for one case.
+//! Compares the answers of all impact laws for one case, and those of all evidence.
 
 use inputs::{BrachTangential, Case, Dimension, ImpactLaw, Quantity, Restitution};
 
 use crate::damage::ASSUMED_FRICTION;
+use crate::evidence::{ByEvidence, by_evidence};
 use crate::{Analysis, Failure, impact, reconstruct};
 
 /// The assumed tangential restitution: interlocking surfaces do not rebound along each other.
@@ -15,6 +16,8 @@ pub struct Comparison {
     pub own: Analysis,
     /// One row for each other law.
     pub laws: Vec<LawRow>,
+    /// What the damage, the momentum and both together say, where the case has all of them.
+    pub evidence: Option<ByEvidence>,
 }
 
 /// One law's answer.
@@ -30,7 +33,8 @@ pub struct LawRow {
 
 /// Solves the case with its own law and with every other. It uses the coefficients of the case where they
 /// apply, and states an assumption where they do not. It reconstructs a case with a `[reconstruct]` table,
-/// and solves the impact of one with both speeds.
+/// and solves the impact of one with both speeds. A case with `[reconstruct]` whose file has both the damage
+/// and how the vehicles left the impact is also solved from either alone.
 ///
 /// # Errors
 /// [`Failure`] if the case has no answer with its own law.
@@ -46,7 +50,8 @@ pub fn compare(case: &Case) -> Result<Comparison, Failure> {
             LawRow { law, assumed, answer: solve(&other) }
         })
         .collect();
-    Ok(Comparison { own, laws })
+    let evidence = by_evidence(case, &own);
+    Ok(Comparison { own, laws, evidence })
 }
 
 fn solve(case: &Case) -> Result<Analysis, Failure> {

@@ -11,7 +11,8 @@
 //! # }
 //! ```
 //!
-//! [`compare`] puts the answers of all impact laws and of CRASH3 side by side. [`sensitivity`] shows how
+//! [`compare`] puts the answers of all impact laws and of CRASH3 side by side, and those of the damage, of
+//! the momentum after the impact and of both. [`sensitivity`] shows how
 //! sensitive the answer is to each input, and [`uncertainty()`] propagates input ranges to the results.
 //! [`work_curve`] gives the work of the normal impulse over the speed, for a drawing.
 //!
@@ -38,6 +39,7 @@ mod checks;
 mod compare;
 mod curve;
 mod damage;
+mod evidence;
 mod goal;
 mod judgement;
 mod quantities;
@@ -54,6 +56,7 @@ pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, first_push, work_curve};
 pub use damage::{Correction, Crash3, Damage, EnergyAlone, Inferred, Oblique};
+pub use evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
 pub use judgement::{Ability, Assumption, Judgement, assumptions, judge, nearest_class};
 pub use quantities::{Kind, Of, OutputQuantity, QUANTITIES, Values, quantity};
 pub use seen::{Seen, SeenWarning};

@@ -5,6 +5,7 @@ mod checks;
 mod contact;
 mod energies;
 mod estimates;
+mod evidence;
 mod friction;
 mod inputs;
 mod judgement;

@@ -116,16 +116,20 @@ pub(crate) enum Command {
             Exit status: 0 the file is valid, with or without warnings; 2 it is not."
     )]
     Check(Arguments),
-    /// Compare the answers of every impact law and of CRASH3
+    /// Compare the answers of every impact law and of CRASH3, and those of damage and momentum
     #[command(
-        long_about = "Compare the answers of every impact law and of CRASH3.\n\n\
+        long_about = "Compare the answers of every impact law and of CRASH3, and those of damage and momentum.\n\n\
             Shows how much the answer depends on the choice of impact law. The case is solved under its own \
             law and under Brach's, Woolley's, Ishikawa's and Kudlich–Slibar's, with its own coefficients \
             where they apply and stated assumptions elsewhere. A case with [reconstruct] is reconstructed \
             under each law; a case with both speeds is computed forward.\n\n\
+            Where a case with [reconstruct] has both the damage and how the vehicles left the impact, a first \
+            table puts side by side what the damage says alone, what momentum says alone, and what both say \
+            together.\n\n\
             Several files give one row for each law of each case with --format csv, and one line for each \
             case with --format jsonl.",
-        after_help = "Example:\n  deltav compare fixtures/sae-980025.toml"
+        after_help = "Examples:\n  deltav compare fixtures/sae-980025.toml\n  \
+            deltav compare fixtures/rear-end-rest.toml"
     )]
     Compare(CasesArguments),
     /// Show how sensitive the answer is to each input

@@ -110,6 +110,38 @@ fn a_line_of_jsonl_is_the_document_with_its_file() {
     }
 }
 
+/// What each kind of evidence says is in every row of its case, as the document has it; a case that does not
+/// have both has nothing there.
+#[test]
+fn rows_of_a_comparison_have_the_answers_by_evidence() {
+    const REST: &str = "fixtures/rear-end-rest.toml";
+    let one: Value = serde_json::from_str(&out(&format!("compare {REST} --format json"))).unwrap();
+    let text = out(&format!("compare {REST} fixtures/sae-980025.toml --format csv"));
+    let rows = table(&text, b',');
+    let of = |file: &str| rows.iter().filter(|row| cell(row, "file").ends_with(file)).collect::<Vec<_>>();
+    assert!(of(REST).len() > 1);
+    for row in of(REST) {
+        let same = |column: &str, pointer: &str| {
+            assert_eq!(number(row, column), one["evidence"].pointer(pointer).unwrap().as_f64().unwrap());
+        };
+        same("evidence.crush_energy (J)", "/crush_energy");
+        same("evidence.damage.closing_speed (m/s)", "/damage/closing_speed");
+        same("evidence.damage.vehicle2.delta_v (m/s)", "/damage/delta_v/1");
+        same("evidence.momentum_and_damage.vehicle1.speed (m/s)", "/momentum_and_damage/speeds/0");
+        same("evidence.momentum_and_damage.energy_loss (J)", "/momentum_and_damage/energy_loss");
+        assert_eq!(cell(row, "evidence.damage.vehicle1.speed (m/s)"), "");
+        let reason = one["evidence"]["momentum"]["error"].as_str().unwrap();
+        assert_eq!(cell(row, "evidence.momentum.error"), reason);
+    }
+    // Both speeds of the case are those of the first law, its own.
+    let found = one["rows"][0]["speeds"].clone();
+    assert_eq!(found, one["evidence"]["momentum_and_damage"]["speeds"]);
+    assert_eq!(number(of(REST)[0], "vehicle2.speed (m/s)"), found[1].as_f64().unwrap());
+    for row in of("sae-980025.toml") {
+        assert!(row.iter().all(|(name, value)| !name.starts_with("evidence.") || value.is_empty()));
+    }
+}
+
 #[test]
 fn a_row_of_a_comparison_is_a_law() {
     let one: Value = serde_json::from_str(&out("compare fixtures/sae-980025.toml --format json")).unwrap();

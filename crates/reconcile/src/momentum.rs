@@ -166,6 +166,20 @@ impl<T: Real> Momentum<T> {
         Ok([cross(p, e2) / (m1 * self.sine()), cross(e1, p) / (m2 * self.sine())])
     }
 
+    /// (m/s) the speed of one vehicle along its heading, from the momentum along this heading and the `known`
+    /// speed (m/s) of the other: whatever the angle between the headings. Momentum across is left as a check.
+    ///
+    /// # Errors
+    /// Where [`check`](Self::check) finds one or the speed is not finite.
+    pub fn speed_beside(&self, unknown: VehicleId, known: T) -> Result<T, MomentumError> {
+        self.check()?;
+        finite("speed of the other vehicle", known)?;
+        let (i, j) = (unknown.index(), unknown.other().index());
+        let (m, e) = (self.masses(), self.headings());
+        // v_i = (p − m_j v_j ê_j)·ê_i/m_i
+        Ok(dot(self.total() - e[j] * (m[j] * known), e[i]) / m[i])
+    }
+
     /// The motions before impact at these speeds (m/s).
     #[inline(always)]
     #[must_use]

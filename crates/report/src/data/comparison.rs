@@ -1,6 +1,8 @@
 //! The answers of several laws side by side, as JSON.
 
-use analysis::{Comparison, Correction, Seen, quantity};
+use analysis::{
+    ByEvidence, Comparison, Correction, EvidenceAnswer, EvidenceMethod, NoEvidence, Seen, quantity,
+};
 use case::{Case, CaseFile};
 use crash3::ObliqueCorrection;
 use serde::Serialize;
@@ -9,7 +11,7 @@ use super::json::WarningBlock;
 use super::{identified, pretty, title};
 use crate::failures::no_answer;
 use crate::law;
-use crate::units::Units;
+use crate::units::{Measure, Units};
 use crate::words::regime_name;
 
 /// One row of the table, in SI units and radians. What a row cannot have is left out.
@@ -27,6 +29,9 @@ pub(crate) struct Row {
     pub(crate) values: Values,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) found_difference: Option<f64>,
+    /// Of both speeds, where both are sought.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) speeds_difference: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) delta_v_difference: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -37,6 +42,9 @@ pub(crate) struct Row {
 pub(crate) struct Values {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) found: Option<f64>,
+    /// Both, where both are sought.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) speeds: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) regime: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -61,8 +69,125 @@ struct Document<'a> {
     /// Those of the yaw rates and the signed coefficients.
     axes: &'static str,
     rows: Vec<Row>,
+    /// What the damage, the momentum and both together say.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    evidence: Option<EvidenceBlock>,
     /// Of the case as it stands.
     warnings: Vec<WarningBlock>,
+}
+
+/// The answers by evidence.
+#[derive(Serialize)]
+pub(crate) struct EvidenceBlock {
+    /// (J) as measured.
+    pub(crate) crush_energy: f64,
+    pub(crate) damage: EvidenceRow,
+    pub(crate) momentum: EvidenceRow,
+    pub(crate) momentum_and_damage: EvidenceRow,
+}
+
+/// What one kind of evidence says, in SI units, or why it does not.
+#[derive(Default, Serialize)]
+pub(crate) struct EvidenceRow {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) speeds: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) delta_v: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) closing_speed: Option<f64>,
+    /// (J) that the impact would need.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) crush_energy_needed: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) energy_loss: Option<f64>,
+    /// How it was found, in words.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub(crate) how: String,
+    /// Why there is no answer, in words.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub(crate) error: String,
+}
+
+/// The answers by evidence, in the units of the reader where they are in words.
+pub(crate) fn evidence(by: &ByEvidence, units: Units) -> EvidenceBlock {
+    let row = |answer: &Result<EvidenceAnswer, NoEvidence>| match answer {
+        Ok(answer) => EvidenceRow {
+            speeds: answer.speeds,
+            delta_v: Some(answer.delta_v),
+            closing_speed: answer.closing_speed,
+            crush_energy_needed: answer.crush_energy,
+            energy_loss: answer.energy_loss,
+            how: method(answer.by),
+            error: String::new(),
+        },
+        Err(reason) => EvidenceRow { error: no_evidence(reason, units), ..EvidenceRow::default() },
+    };
+    EvidenceBlock {
+        crush_energy: by.crush_energy,
+        damage: row(&by.damage),
+        momentum: row(&by.momentum),
+        momentum_and_damage: row(&by.together),
+    }
+}
+
+/// How an answer was found.
+fn method(by: EvidenceMethod) -> String {
+    match by {
+        EvidenceMethod::DamageAndSpeed { given } => {
+            format!("from the crush energy and the given speed of vehicle {given} (theory 6)")
+        }
+        EvidenceMethod::DamageAlongLine => "from the crush energy alone (theory 6): along one line it gives the \
+             closing speed and both ΔV, but not how much of the closing speed each vehicle had"
+            .to_owned(),
+        EvidenceMethod::Crash3 { pdof_is_given } => {
+            let pdof = if pdof_is_given {
+                "the direction of force that the file gives"
+            } else {
+                "the direction of force that the momentum gives, because the file gives no `pdof`"
+            };
+            format!(
+                "CRASH3's corrected ΔV, from the crush energy and {pdof} (Eq 6, 7, 8). The approaches cross, so that \
+                 for a speed the damage needs that of the other vehicle"
+            )
+        }
+        EvidenceMethod::Momentum => {
+            "from momentum and how the vehicles left the impact (theory 10). Neither the crush energy enters, nor a \
+             speed that the file may give"
+                .to_owned()
+        }
+        EvidenceMethod::MomentumAndSpeed { given } => format!(
+            "from momentum along the heading of vehicle {}, and the given speed of vehicle {given} (theory 10)",
+            given.other()
+        ),
+        EvidenceMethod::MomentumAndDamage => {
+            "from momentum along the line of the headings and the crush energy (theory 10). A speed that \
+             the file may give does not enter"
+                .to_owned()
+        }
+    }
+}
+
+/// Why a kind of evidence has no answer.
+fn no_evidence(reason: &NoEvidence, units: Units) -> String {
+    let angle = |si: f64| units.format(Measure::Angle, si);
+    match reason {
+        NoEvidence::NeedsSpeedOrPdof => {
+            "no answer: the approaches cross, so that for a speed the damage needs that of the \
+             other vehicle, and the force does not push on the damaged sides, as CRASH3's ΔV needs"
+                .to_owned()
+        }
+        NoEvidence::NeedsSpeed { angle: si } => format!(
+            "no answer: the headings differ by {}, within 10° of one line, where momentum alone does not tell one speed \
+             from the other. With the speed of one vehicle it gives that of the other",
+            angle(*si)
+        ),
+        NoEvidence::NothingLeft { angle: si } => format!(
+            "no answer of its own: the headings differ by {}, so that momentum alone gives both speeds. The crush energy \
+             is then a check: compare what the impact needs with what was measured",
+            angle(*si)
+        ),
+        NoEvidence::Failed(failure) => format!("no answer: {}", no_answer(failure, units)),
+    }
 }
 
 /// The case's own law first.
@@ -84,8 +209,11 @@ pub(crate) fn rows(case: &Case, comparison: &Comparison, units: Units) -> Vec<Ro
     let mut rows: Vec<Row> = laws.chain(corrections.map(crash3_row)).collect();
     for row in &mut rows {
         row.found_difference = row.values.found.zip(own.values.found).map(|(found, own)| found - own);
-        row.delta_v_difference =
-            row.values.delta_v.zip(own.values.delta_v).map(|(dv, own)| [dv[0] - own[0], dv[1] - own[1]]);
+        let apart = |pair: Option<[f64; 2]>, own: Option<[f64; 2]>| {
+            pair.zip(own).map(|(pair, own)| [pair[0] - own[0], pair[1] - own[1]])
+        };
+        row.speeds_difference = apart(row.values.speeds, own.values.speeds);
+        row.delta_v_difference = apart(row.values.delta_v, own.values.delta_v);
     }
     rows.insert(0, own);
     rows
@@ -101,6 +229,7 @@ fn values(analysis: &Seen) -> Values {
     let share = |key: &str| Some(of_collision(key)? / of_collision("impact.initial_energy")? + 0.0);
     Values {
         found: of_collision("found.value"),
+        speeds: analysis.both.as_ref().map(|both| both.speeds),
         regime: outcome.regime.map(regime_name),
         // Those of a fixed object are zero.
         delta_v: Some(outcome.delta_v_magnitude()),
@@ -129,8 +258,8 @@ fn crash3_row(row: &Correction) -> Row {
 }
 
 /// The comparison as indented JSON, ending in a line break: `{"title": …, "rows": [{"law": …, "found": …,
-/// "delta_v": […], …}]}`. The first row is the case's own law, and the differences are to it. Shares are of
-/// the initial kinetic energy.
+/// "delta_v": […], …}], "evidence": {"damage": {…}, "momentum": {…}, "momentum_and_damage": {…}}}`. The first
+/// row is the case's own law, and the differences are to it. Shares are of the initial kinetic energy.
 ///
 /// # Errors
 /// Where serialisation fails, which no comparison causes.
@@ -144,6 +273,7 @@ pub(crate) fn document<'a>(case: &'a Case, comparison: &Comparison) -> impl Seri
         title: title(case),
         axes: case.axes.name(),
         rows: rows(case, comparison, Units::Si),
+        evidence: comparison.evidence.as_ref().map(|by| evidence(by, Units::Si)),
         warnings: WarningBlock::all(&comparison.own, case),
     }
 }

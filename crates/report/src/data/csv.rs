@@ -207,13 +207,17 @@ fn of_analyses() -> Vec<(String, Column)> {
 }
 
 /// The columns that each row of a comparison fills, with their places in it.
-const COMPARISON: [(&str, &str); 20] = [
+const COMPARISON: [(&str, &str); 24] = [
     ("law", "law"),
     ("coefficients", "coefficients"),
     ("assumed", "assumed"),
     ("regime", "regime"),
     ("found (m/s)", "found"),
     ("found_difference (m/s)", "found_difference"),
+    ("vehicle1.speed (m/s)", "speeds/0"),
+    ("vehicle2.speed (m/s)", "speeds/1"),
+    ("vehicle1.speed_difference (m/s)", "speeds_difference/0"),
+    ("vehicle2.speed_difference (m/s)", "speeds_difference/1"),
     ("vehicle1.delta_v (m/s)", "delta_v/0"),
     ("vehicle2.delta_v (m/s)", "delta_v/1"),
     ("vehicle1.delta_v_difference (m/s)", "delta_v_difference/0"),
@@ -230,6 +234,21 @@ const COMPARISON: [(&str, &str); 20] = [
     ("vehicle2.friction", "friction/1"),
 ];
 
+/// What each kind of evidence says: the same in all rows of a case.
+const EVIDENCE: [&str; 3] = ["damage", "momentum", "momentum_and_damage"];
+
+/// The columns of each, with their places in it.
+const BY_EVIDENCE: [(&str, &str); 8] = [
+    ("vehicle1.speed (m/s)", "speeds/0"),
+    ("vehicle2.speed (m/s)", "speeds/1"),
+    ("vehicle1.delta_v (m/s)", "delta_v/0"),
+    ("vehicle2.delta_v (m/s)", "delta_v/1"),
+    ("closing_speed (m/s)", "closing_speed"),
+    ("crush_energy_needed (J)", "crush_energy_needed"),
+    ("energy_loss (J)", "energy_loss"),
+    ("error", "error"),
+];
+
 /// The places have `#` for the number of the row.
 fn of_comparisons() -> Vec<(String, Column)> {
     let place = |name: &str, place: &str| (name.to_owned(), Column::Place(place.to_owned()));
@@ -244,6 +263,13 @@ fn of_comparisons() -> Vec<(String, Column)> {
     columns.extend(
         COMPARISON.map(|(name, place)| (name.to_owned(), Column::Number(format!("/rows/#/{place}")))),
     );
+    let measured = Column::Number("/evidence/crush_energy".to_owned());
+    columns.push(("evidence.crush_energy (J)".to_owned(), measured));
+    for evidence in EVIDENCE {
+        columns.extend(BY_EVIDENCE.map(|(name, place)| {
+            (format!("evidence.{evidence}.{name}"), Column::Number(format!("/evidence/{evidence}/{place}")))
+        }));
+    }
     columns
 }
 

@@ -3,7 +3,7 @@
 use analysis::{Comparison, quantity};
 use case::Case;
 
-use crate::data::comparison::{Row, rows};
+use crate::data::comparison::{EvidenceBlock, EvidenceRow, Row, evidence, rows};
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::units::{Measure, Units, number};
 use crate::{axes, warnings};
@@ -12,7 +12,11 @@ use crate::{axes, warnings};
 const NAME: usize = 34;
 const COLUMN: usize = 7;
 
-/// The comparison as tables, the coefficients behind them, and the warnings of the case as it stands.
+/// (columns) of the names of what evidence says.
+const SAID: usize = 26;
+
+/// The comparison as tables: what each kind of evidence says, where the case has more than one; then the
+/// answers of all laws, the coefficients behind them, and the warnings of the case as it stands.
 #[must_use]
 pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Document {
     let rows = rows(case, comparison, units);
@@ -24,30 +28,38 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
     let mut page = Document::new();
     page.title(case);
 
+    if let Some(by) = &comparison.evidence {
+        by_evidence(&mut page, &evidence(by, units), units);
+    }
+    let seeks_both = comparison.own.both.is_some();
     for quantity in [Measure::RoadSpeed, Measure::Speed] {
+        let value = |si: Option<f64>| plain(quantity, si);
+        let change = |si: Option<f64>| si.map(|si| units.signed(quantity, si));
+        let pair = |values: Option<[f64; 2]>, changes: Option<[f64; 2]>| {
+            [0, 1].map(|i| [value(of(values, i)), change(of(changes, i))]).concat()
+        };
+        let speed_of = |vehicle: u8| format!("speed {vehicle}");
         let speed = name(quantity);
-        let columns = [
-            ("speed".to_owned(), speed),
-            (String::new(), "change"),
-            (of_vehicle("delta_v", 1), speed),
-            (String::new(), "change"),
-            (of_vehicle("delta_v", 2), speed),
-            (String::new(), "change"),
-        ];
+        let with_change = |names: &[String]| -> Vec<(String, &str)> {
+            names.iter().flat_map(|name| [(name.clone(), speed), (String::new(), "change")]).collect()
+        };
+        let delta_v = [1, 2].map(|vehicle| of_vehicle("delta_v", vehicle));
+        if seeks_both {
+            // CRASH3 knows no speeds.
+            let speeds = answered().filter(|row| row.values.speeds.is_some());
+            page.push(table(
+                &with_change(&[1, 2].map(speed_of)),
+                speeds.map(|row| (row.law, pair(row.values.speeds, row.speeds_difference))),
+            ));
+        }
+        let found = if seeks_both { Vec::new() } else { vec!["speed".to_owned()] };
         page.push(table(
-            &columns,
+            &with_change(&[found, delta_v.to_vec()].concat()),
             answered().map(|row| {
-                let value = |si: Option<f64>| plain(quantity, si);
-                let change = |si: Option<f64>| si.map(|si| units.signed(quantity, si));
-                let (dv, dv_change) = (row.values.delta_v, row.delta_v_difference);
-                let cells = vec![
-                    value(row.values.found),
-                    change(row.found_difference),
-                    value(of(dv, 0)),
-                    change(of(dv_change, 0)),
-                    value(of(dv, 1)),
-                    change(of(dv_change, 1)),
-                ];
+                let mut cells = pair(row.values.delta_v, row.delta_v_difference);
+                if !seeks_both {
+                    cells.splice(0..0, [value(row.values.found), change(row.found_difference)]);
+                }
                 (row.law, cells)
             }),
         ));
@@ -104,6 +116,39 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
     ));
     page.blocks.extend(warnings::of_analysis(&comparison.own, case, units));
     page
+}
+
+/// What the damage, the momentum and both together say, and how, or why they do not.
+fn by_evidence(page: &mut Document, by: &EvidenceBlock, units: Units) {
+    let columns: [(&str, &EvidenceRow); 3] = [
+        ("damage only", &by.damage),
+        ("momentum only", &by.momentum),
+        ("momentum and damage", &by.momentum_and_damage),
+    ];
+    let mut table = Table::new(
+        "By evidence",
+        std::iter::once(Column::words("", Width::Fixed(SAID)))
+            .chain(columns.map(|(name, _)| Column::words(name, Width::Share)))
+            .collect::<Vec<_>>(),
+    );
+    let mut row = |label: &str, value: &dyn Fn(&EvidenceRow) -> Option<String>| {
+        let cells = columns.map(|(_, said)| value(said).unwrap_or_else(|| NONE.to_owned()));
+        table.cells(std::iter::once(label.to_owned()).chain(cells));
+    };
+    for i in [0, 1] {
+        row(&format!("speed of vehicle {}", i + 1), &|said| said.speeds.map(|v| units.speed(v[i])));
+    }
+    for i in [0, 1] {
+        row(&format!("ΔV of vehicle {}", i + 1), &|said| said.delta_v.map(|dv| units.speed(dv[i])));
+    }
+    let energy = |si: f64| units.format(Measure::Energy, si);
+    row("closing speed −u_n", &|said| said.closing_speed.map(|speed| units.speed(speed)));
+    row("crush energy needed", &|said| said.crush_energy_needed.map(energy));
+    row("crush energy measured", &|_| Some(energy(by.crush_energy)));
+    row("energy loss E_L", &|said| said.energy_loss.map(energy));
+    page.push(table);
+    let says = |said: &EvidenceRow| if said.error.is_empty() { &said.how } else { &said.error }.clone();
+    page.push(Block::Entries(columns.map(|(name, said)| (name.to_owned(), says(said))).to_vec()));
 }
 
 fn coefficients(row: &Row) -> String {

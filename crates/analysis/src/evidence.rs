@@ -1,0 +1,303 @@
+//! What the damage, the momentum and both together say of one collision.
+
+use std::f64::consts::PI;
+
+use crash3::EnergyBasis;
+use inputs::{Axes, Case, Dimension, Find, GivenVehicle, Quantity, Reconstruct, Velocity};
+use pim_core::{Real, VehicleId};
+use reconcile::{COLLINEAR, Unknown};
+
+use crate::both::{Posed, pose};
+use crate::travel::{Origin, Record};
+use crate::{Analysis, Failure, crush, damage, reconstruct};
+
+/// The answers of the damage, of the momentum and of both together, for a case that has the evidence for
+/// each.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct ByEvidence {
+    /// (J) crush energy of both vehicles, as measured.
+    pub crush_energy: f64,
+    /// The damage, without anything after the impact.
+    pub damage: Result<EvidenceAnswer, NoEvidence>,
+    /// The momentum after the impact, without the crush energy.
+    pub momentum: Result<EvidenceAnswer, NoEvidence>,
+    /// Momentum along the common line of the approaches, and the crush energy.
+    pub together: Result<EvidenceAnswer, NoEvidence>,
+}
+
+/// What one kind of evidence says, as far as it does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct EvidenceAnswer {
+    /// How it was found.
+    pub by: EvidenceMethod,
+    /// (m/s) the speeds along the headings.
+    pub speeds: Option<[f64; 2]>,
+    /// (m/s) ΔV of both vehicles.
+    pub delta_v: [f64; 2],
+    /// (m/s) −u_n, with which the vehicles approach each other along the normal at C.
+    pub closing_speed: Option<f64>,
+    /// (J) the crush energy that the impact would need, on the case's basis.
+    pub crush_energy: Option<f64>,
+    /// (J) E_L.
+    pub energy_loss: Option<f64>,
+}
+
+/// How an answer was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EvidenceMethod {
+    /// From the crush energy and the speed that the case gives for this vehicle.
+    DamageAndSpeed {
+        /// Whose speed is given.
+        given: VehicleId,
+    },
+    /// From the crush energy: the vehicles approach along one line, so that it tells how fast, but not which
+    /// part of that each had.
+    DamageAlongLine,
+    /// CRASH3, from the crush energy and a direction of force.
+    Crash3 {
+        /// Whether the case gives the direction; else it is that of the momentum.
+        pdof_is_given: bool,
+    },
+    /// From momentum: the approaches cross.
+    Momentum,
+    /// From momentum along the heading of one vehicle, and the speed that the case gives for this other.
+    MomentumAndSpeed {
+        /// Whose speed is given.
+        given: VehicleId,
+    },
+    /// From momentum along the line that the approaches share, and the crush energy.
+    MomentumAndDamage,
+}
+
+/// Why a kind of evidence has no answer.
+#[derive(Debug)]
+pub enum NoEvidence {
+    /// The approaches cross, so that the damage tells neither speed without the other, and the force does not
+    /// push on the damaged sides, so that CRASH3 has no ΔV.
+    NeedsSpeedOrPdof,
+    /// The approaches lie within 10° of one line, and no speed or both are given: momentum alone does not
+    /// tell one speed from the other.
+    NeedsSpeed {
+        /// (rad) the angle between the headings.
+        angle: f64,
+    },
+    /// The approaches cross: momentum alone gives both speeds, so that nothing is left for the crush energy
+    /// to tell.
+    NothingLeft {
+        /// (rad) the angle between the headings.
+        angle: f64,
+    },
+    /// It has no answer.
+    Failed(Failure),
+}
+
+impl From<Failure> for NoEvidence {
+    fn from(failure: Failure) -> Self {
+        Self::Failed(failure)
+    }
+}
+
+/// The answers by evidence, where a case that seeks a speed has both the damage of its vehicles and how they
+/// left the impact. `own` is its answer as it stands.
+pub(crate) fn by_evidence(case: &Case, own: &Analysis) -> Option<ByEvidence> {
+    case.reconstruct.as_ref()?;
+    if !case.vehicles.iter().all(has_both) {
+        return None;
+    }
+    let [one, two] = case.subjects();
+    let vehicles = damage::assess([one?, two?], [None, None]).ok()?;
+    let crush_energy = damage::crush_energy(&vehicles);
+    let fails = |no: NoEvidence| no.in_axes(case.axes);
+    Some(ByEvidence {
+        crush_energy,
+        damage: by_damage(case, own).map_err(fails),
+        momentum: by_momentum(case).map_err(fails),
+        together: by_both(case).map_err(fails),
+    })
+}
+
+/// Whether a vehicle can move, its damage is known, and how it left the impact.
+fn has_both(vehicle: &GivenVehicle) -> bool {
+    let is_told = vehicle
+        .after
+        .as_ref()
+        .is_some_and(|after| after.rest.is_some() || (after.speed.is_some() && after.direction.is_some()));
+    !vehicle.fixed && !vehicle.is_absent() && vehicle.has_damage_data() && is_told
+}
+
+/// The case with another speed to find.
+fn seeking(case: &Case, find: Find) -> Case {
+    let reconstruct = case.reconstruct.map(|reconstruct| Reconstruct { find, ..reconstruct });
+    Case { reconstruct, ..case.clone() }
+}
+
+/// The vehicle whose speed is known, where the other is sought; of a case that seeks both, the only one with
+/// a speed.
+fn given_speed(case: &Case) -> Option<VehicleId> {
+    match case.reconstruct?.find {
+        Find::One(unknown) => Some(unknown.vehicle().other()),
+        Find::Both => {
+            let given = case.vehicles.each_ref().map(|vehicle| vehicle.motion.is_some());
+            match given {
+                [true, false] => Some(VehicleId::One),
+                [false, true] => Some(VehicleId::Two),
+                _ => None,
+            }
+        }
+    }
+}
+
+/// (rad) between the headings.
+fn angle(case: &Case) -> Option<f64> {
+    let [Some(one), Some(two)] = case.headings() else { return None };
+    Some(real::principal_angle(two - one).abs())
+}
+
+fn is_along_line(angle: f64) -> bool {
+    angle <= COLLINEAR || angle >= PI - COLLINEAR
+}
+
+/// From the damage, as if nothing were known of the time after the impact.
+fn by_damage(case: &Case, own: &Analysis) -> Result<EvidenceAnswer, NoEvidence> {
+    let mut bare = case.clone();
+    for vehicle in &mut bare.vehicles {
+        vehicle.after = None;
+    }
+    let found = |case: &Case, given: VehicleId| {
+        let unknown = match given {
+            VehicleId::One => Unknown::Speed2,
+            VehicleId::Two => Unknown::Speed1,
+        };
+        reconstruct(&seeking(case, Find::One(unknown)))
+    };
+    if let Some(given) = given_speed(case) {
+        let analysis = found(&bare, given)?;
+        let by = EvidenceMethod::DamageAndSpeed { given };
+        return of_impact(&analysis, by).ok_or(NoEvidence::NeedsSpeedOrPdof);
+    }
+    if angle(case).is_some_and(is_along_line) {
+        // An impact depends on the relative velocity alone: any speed of vehicle 2 gives the same one.
+        bare.vehicles[1].motion = Quantity::from_si(0.0, Dimension::Speed).ok().map(Velocity::Speed);
+        let analysis = found(&bare, VehicleId::Two)?;
+        let answer = of_impact(&analysis, EvidenceMethod::DamageAlongLine);
+        return answer
+            .map(|answer| EvidenceAnswer { speeds: None, ..answer })
+            .ok_or(NoEvidence::NeedsSpeedOrPdof);
+    }
+    let (alone, pdof_is_given) = match crush(&bare) {
+        Ok(analysis) => (analysis.crash3, true),
+        Err(Failure::Case(_)) => (own.crash3.clone(), false),
+        Err(failure) => return Err(failure.into()),
+    };
+    let crash3 = alone.ok_or(NoEvidence::NeedsSpeedOrPdof)?;
+    let corrected = crash3.corrected.ok_or(NoEvidence::NeedsSpeedOrPdof)?;
+    Ok(EvidenceAnswer {
+        by: EvidenceMethod::Crash3 { pdof_is_given },
+        speeds: None,
+        delta_v: corrected.delta_v,
+        closing_speed: None,
+        crush_energy: Some(crash3.crush_energy),
+        energy_loss: Some(corrected.crush_energy),
+    })
+}
+
+/// Momentum after the impact, and what it lacks where the approaches do not cross.
+fn posed(case: &Case) -> Result<(Posed, EnergyBasis), Failure> {
+    let input = seeking(case, Find::Both).two_speeds()?;
+    let basis = input.basis;
+    Ok((pose(input, &mut Record::of(Origin::Given))?, basis))
+}
+
+/// From the momentum after the impact, without the crush energy.
+fn by_momentum(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
+    let (posed, basis) = posed(case)?;
+    let momentum = &posed.momentum;
+    let (speeds, by) = if posed.by_crush.is_none() {
+        (momentum.speeds().map_err(Failure::from)?, EvidenceMethod::Momentum)
+    } else {
+        let angle = momentum.angle().abs();
+        let given = given_speed(case).ok_or(NoEvidence::NeedsSpeed { angle })?;
+        let known = speed_along_heading(case, given).ok_or(NoEvidence::NeedsSpeed { angle })?;
+        let found = momentum.speed_beside(given.other(), known).map_err(Failure::from)?;
+        let speeds = match given {
+            VehicleId::One => [known, found],
+            VehicleId::Two => [found, known],
+        };
+        (speeds, EvidenceMethod::MomentumAndSpeed { given })
+    };
+    let implied = momentum.implied(speeds).map_err(Failure::from)?;
+    let (law, _) = posed.impact(speeds)?;
+    Ok(EvidenceAnswer {
+        by,
+        speeds: Some(speeds),
+        delta_v: implied.delta_v.map(|change| change.norm()),
+        closing_speed: Some(-implied.approach.normal),
+        crush_energy: needed(basis, implied.normal_work, law.restitution()),
+        energy_loss: Some(implied.energy_loss),
+    })
+}
+
+/// From momentum along the line of the approaches and the crush energy.
+fn by_both(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
+    let (posed, basis) = posed(case)?;
+    let Some(by_crush) = &posed.by_crush else {
+        return Err(NoEvidence::NothingLeft { angle: posed.momentum.angle().abs() });
+    };
+    let speeds = by_crush.search.solve().map_err(Failure::from)?.speeds;
+    let (law, outcome) = posed.impact(speeds)?;
+    Ok(EvidenceAnswer {
+        by: EvidenceMethod::MomentumAndDamage,
+        speeds: Some(speeds),
+        delta_v: outcome.delta_v_magnitude(),
+        closing_speed: Some(outcome.closing_speed()),
+        crush_energy: needed(basis, outcome.energy.normal_work, law.restitution()),
+        energy_loss: Some(outcome.energy.loss),
+    })
+}
+
+/// The answer of a reconstruction from the damage.
+fn of_impact(analysis: &Analysis, by: EvidenceMethod) -> Option<EvidenceAnswer> {
+    let impact = analysis.impact.as_ref()?;
+    let outcome = &impact.outcome;
+    Some(EvidenceAnswer {
+        by,
+        speeds: Some(VehicleId::ALL.map(|id| analysis.speed(id))),
+        delta_v: outcome.delta_v_magnitude(),
+        closing_speed: Some(outcome.closing_speed()),
+        crush_energy: needed(analysis.basis, outcome.energy.normal_work, impact.law.restitution()),
+        energy_loss: Some(outcome.energy.loss),
+    })
+}
+
+/// (J) the crush energy of which an impact with this normal work (J) takes its part; `None` where the
+/// restitution e lets it take none.
+fn needed(basis: EnergyBasis, normal_work: f64, restitution: f64) -> Option<f64> {
+    // E = W_n/(1 − e²) if it is what was absorbed, else W_n
+    let energy = normal_work / basis.dissipated(1.0, restitution);
+    energy.is_finite().then_some(energy)
+}
+
+/// (m/s) the speed of a vehicle along its heading, as the case gives it.
+fn speed_along_heading(case: &Case, vehicle: VehicleId) -> Option<f64> {
+    let given = &case.vehicles[vehicle.index()];
+    Some(match given.motion? {
+        Velocity::Speed(speed) => speed.si(),
+        Velocity::Vector { x, y } => {
+            let (sin, cos) = Real::sin_cos(given.heading?.si());
+            // v·ê, in which two changes of the axes cancel
+            x.si() * cos + y.si() * sin
+        }
+    })
+}
+
+impl NoEvidence {
+    /// The same, its numbers in the given axes.
+    fn in_axes(self, axes: Axes) -> Self {
+        match self {
+            Self::Failed(failure) => Self::Failed(failure.in_axes(axes)),
+            other => other,
+        }
+    }
+}
