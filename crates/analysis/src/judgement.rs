@@ -42,6 +42,10 @@ pub struct Ability {
 pub enum Assumption {
     /// The axes are z-up.
     ZUp,
+    /// Places after the impact are counted from the one where the impulse acted.
+    ImpactAtOrigin,
+    /// The ground is level.
+    LevelGround,
     /// A, B and G are those of CRASH3's stiffness category.
     CategoryStiffness {
         /// Of whose damage.
@@ -87,6 +91,29 @@ pub enum Assumption {
         vehicle: VehicleId,
         /// The class whose radius of gyration is nearest, 1 to 6.
         class: u8,
+    },
+    /// A measure of the axles is that of CRASH3's size class.
+    Axle {
+        /// Of which vehicle.
+        vehicle: VehicleId,
+        /// The class, 1 to 6.
+        class: u8,
+        /// What is measured.
+        measure: AxleMeasure,
+        /// (m) the value.
+        value: f64,
+    },
+    /// The front wheels stay straight after the impact.
+    StraightWheels {
+        /// Of which vehicle.
+        vehicle: VehicleId,
+    },
+    /// The wheels skidded before the impact on the friction of the ground.
+    SkidFriction {
+        /// Of which vehicle.
+        vehicle: VehicleId,
+        /// (–) that friction.
+        friction: f64,
     },
     /// The file gives a speed for the vehicle whose speed is to be found; it is not used.
     SpeedUnused {
@@ -145,12 +172,40 @@ pub enum Assumption {
     Dissipated,
 }
 
+/// A measure that says where the axles of a vehicle are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AxleMeasure {
+    /// Between the axles.
+    Wheelbase,
+    /// Between the wheels of an axle.
+    Track,
+    /// From the CG forward to the front axle; at the share of the wheelbase that it has in the class.
+    CgToFrontAxle,
+}
+
+impl AxleMeasure {
+    /// Its key in the table of the vehicle.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Wheelbase => "wheelbase",
+            Self::Track => "track",
+            Self::CgToFrontAxle => "cg_to_front_axle",
+        }
+    }
+}
+
 impl Assumption {
     /// The key of the case that would replace the assumption.
     #[must_use]
     pub fn key(&self) -> String {
         let (vehicle, key) = match self {
             Self::ZUp => return "scene.axes".to_owned(),
+            Self::ImpactAtOrigin => return "scene.contact".to_owned(),
+            Self::LevelGround => return "surface.grade".to_owned(),
+            Self::Axle { vehicle, measure, .. } => (vehicle, measure.key()),
+            Self::StraightWheels { vehicle } => (vehicle, "after.steer"),
+            Self::SkidFriction { vehicle, .. } => (vehicle, "before.skid.friction"),
             Self::YawRate { vehicle } => (vehicle, "yaw_rate"),
             Self::ClassInertia { vehicle, .. } | Self::BurgInertia { vehicle, .. } => {
                 (vehicle, "yaw_inertia")
@@ -328,6 +383,14 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
     if case.left_out.axes && case.axes == Axes::default() {
         assumptions.push(Assumption::ZUp);
     }
+    if case.vehicles.iter().any(|vehicle| is_followed(case, vehicle)) {
+        if case.scene_contact.is_none() {
+            assumptions.push(Assumption::ImpactAtOrigin);
+        }
+        if case.surface.as_ref().is_some_and(|surface| surface.grade.is_none()) {
+            assumptions.push(Assumption::LevelGround);
+        }
+    }
     for (id, (vehicle, subject)) in VehicleId::ALL.into_iter().zip(case.vehicles.iter().zip(subjects)) {
         if vehicle.fixed {
             continue;
@@ -349,6 +412,9 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
         {
             assumptions.push(Assumption::Outline { vehicle: id, class });
         }
+        if is_followed(case, vehicle) {
+            of_axles(id, vehicle, &mut assumptions);
+        }
         let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(id));
         if let Some(motion) = vehicle.motion.filter(|_| sought) {
             let given = match motion {
@@ -369,6 +435,13 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
             && (energy.pdof.is_none() || energy.pdof_follows)
         {
             assumptions.push(Assumption::Pdof { vehicle: id, opposite: energy.pdof });
+        }
+        let takes_friction = vehicle.before.as_ref().is_some_and(|before| before.skid.friction.is_none());
+        if let Some(surface) = case.surface.as_ref().filter(|_| takes_friction) {
+            assumptions.push(Assumption::SkidFriction { vehicle: id, friction: surface.friction });
+        }
+        if is_followed(case, vehicle) && vehicle.after.as_ref().is_some_and(|after| after.steer.is_none()) {
+            assumptions.push(Assumption::StraightWheels { vehicle: id });
         }
     }
     if case.vehicles.iter().any(GivenVehicle::is_absent) {
@@ -397,6 +470,33 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
         assumptions.push(Assumption::Dissipated);
     }
     assumptions
+}
+
+/// Whether a vehicle is followed from the impact to rest, or back from there.
+fn is_followed(case: &Case, vehicle: &GivenVehicle) -> bool {
+    let can_be = !vehicle.fixed && !vehicle.is_absent() && case.surface.is_some();
+    can_be && vehicle.after.as_ref().is_some_and(|after| after.drag.is_some())
+}
+
+/// What the class says of the axles where the vehicle does not.
+fn of_axles(id: VehicleId, vehicle: &GivenVehicle, assumptions: &mut Vec<Assumption>) {
+    let is_car = vehicle.kind.unwrap_or_default() == Kind::Car;
+    let class = vehicle.class.filter(|_| is_car);
+    let Some((class, known)) = class.and_then(|class| Some((class, VehicleClass::new(class).ok()?))) else {
+        return;
+    };
+    let wheelbase = vehicle.wheelbase.map_or(known.wheelbase, |wheelbase| wheelbase.si());
+    // a = l · a_c/l_c of the class
+    let ahead = wheelbase * known.cg_to_front_axle / known.wheelbase;
+    for (measure, given, value) in [
+        (AxleMeasure::Wheelbase, &vehicle.wheelbase, known.wheelbase),
+        (AxleMeasure::Track, &vehicle.track, known.track),
+        (AxleMeasure::CgToFrontAxle, &vehicle.cg_to_front_axle, ahead),
+    ] {
+        if given.is_none() {
+            assumptions.push(Assumption::Axle { vehicle: id, class, measure, value });
+        }
+    }
 }
 
 fn of_crush(

@@ -57,7 +57,7 @@ pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, first_push, work_curve};
 pub use damage::{Correction, Crash3, Damage, EnergyAlone, Inferred, Oblique};
 pub use evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
-pub use judgement::{Ability, Assumption, Judgement, assumptions, judge, nearest_class};
+pub use judgement::{Ability, Assumption, AxleMeasure, Judgement, assumptions, judge, nearest_class};
 pub use quantities::{Kind, Of, OutputQuantity, QUANTITIES, Values, quantity};
 pub use seen::{Seen, SeenWarning};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, WayNumber, sensitivity};

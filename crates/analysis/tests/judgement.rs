@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use analysis::{Ability, Assumption, Judgement, Sweep, Warning, judge};
+use analysis::{Ability, Assumption, AxleMeasure, Judgement, Sweep, Warning, judge};
 use case::CaseFile;
 use inputs::{Case, Purpose};
 use pim_core::VehicleId;
@@ -245,6 +245,53 @@ fn what_is_assumed_is_listed_and_what_is_written_is_not() {
     assert!(says(&still, &Assumption::YawRate { vehicle: VehicleId::Two }));
     let fast = PAPER.replace("[vehicle1]\n", "[vehicle1]\nspeed = \"10 m/s\"\n");
     assert!(says(&fast, &Assumption::SpeedUnused { vehicle: VehicleId::One, given: 10.0 }));
+}
+
+#[test]
+fn what_the_motion_after_the_impact_assumes_is_listed() {
+    let text = include_str!("../../../fixtures/rear-end-rest.toml");
+    let of = |text: &str| judge(&parsed(text)).assumptions;
+    let assumptions = of(text);
+    let class = crash3::VehicleClass::new(3).unwrap();
+    let vehicle = VehicleId::One;
+    let axle = |measure, value| Assumption::Axle { vehicle, class: 3, measure, value };
+    for assumed in [
+        Assumption::LevelGround,
+        Assumption::StraightWheels { vehicle: VehicleId::One },
+        Assumption::StraightWheels { vehicle: VehicleId::Two },
+        Assumption::SkidFriction { vehicle: VehicleId::One, friction: 0.7 },
+        axle(AxleMeasure::Wheelbase, class.wheelbase),
+        axle(AxleMeasure::Track, class.track),
+        axle(AxleMeasure::CgToFrontAxle, class.cg_to_front_axle),
+    ] {
+        assert!(assumptions.contains(&assumed), "{assumed:?}");
+    }
+    assert!(!assumptions.contains(&Assumption::ImpactAtOrigin), "the file says it");
+    for (from, to, key) in [
+        ("[surface]", "[surface]\ngrade = { slope = 0.02, uphill = \"0 deg\" }", "surface.grade"),
+        ("length = \"8 m\"", "length = \"8 m\", friction = 0.6", "vehicle1.before.skid.friction"),
+        ("drag = \"locked\"", "drag = \"locked\"\nsteer = \"0 deg\"", "vehicle1.after.steer"),
+        ("[vehicle2]\n", "[vehicle2]\ntrack = \"1.5 m\"\n", "vehicle2.track"),
+    ] {
+        let said = text.replace(from, to);
+        assert_ne!(said, text);
+        let lists = |text: &str| of(text).iter().any(|one| one.key() == key);
+        assert!(lists(text) && !lists(&said), "{key}");
+    }
+    // With a wheelbase of its own, the CG lies at the same share of it.
+    let longer =
+        text.replace("[vehicle1]\n", &format!("[vehicle1]\nwheelbase = \"{} m\"\n", 2.0 * class.wheelbase));
+    assert!(of(&longer).contains(&axle(AxleMeasure::CgToFrontAxle, 2.0 * class.cg_to_front_axle)));
+    // Without friction of the ground nothing is followed; from the impact to rest, no survey is needed.
+    let places = ["rest = { x = \"2.6 m\"", "rest = { x = \"19.0 m\"", "contact = { x = \"0 m\""];
+    let bare: String = text
+        .lines()
+        .filter(|line| !places.iter().any(|place| line.starts_with(place)) && !line.starts_with("[scene]"))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    assert!(of(&bare).contains(&Assumption::ImpactAtOrigin));
+    let nowhere = bare.replace("[surface]\nfriction = 0.7\n", "");
+    assert!(!of(&nowhere).iter().any(|one| one.key().contains("after.") || one.key().starts_with("surface")));
 }
 
 #[test]

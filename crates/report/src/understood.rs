@@ -1,7 +1,7 @@
 //! What was understood of a case, in words: ranges, units, choices, and what is assumed where the file says
 //! nothing.
 
-use analysis::Assumption;
+use analysis::{Assumption, AxleMeasure};
 use case::{
     BrachTangential, Case, Dimension, Fit, ImpactLaw, Input, KnownEnergy, Pdof, Range, Spread, StiffnessForm,
     UNDAMAGED, Unit, UnitSystem, word,
@@ -183,6 +183,25 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
             "neither this nor `width`, `cg_to_front` or `class` is given: drawings use the outline of \
              CRASH3's size class {class}, which has the nearest radius of gyration"
         ),
+        Assumption::ImpactAtOrigin => {
+            "x = 0, y = 0: the way to rest is counted from the place where the impulse acted".to_owned()
+        }
+        Assumption::LevelGround => {
+            "level: no slope speeds a vehicle up or slows it down on its way to rest".to_owned()
+        }
+        Assumption::Axle { class, measure, value, .. } => format!(
+            "{}, {}",
+            units.format(Measure::Length, *value),
+            match measure {
+                AxleMeasure::Wheelbase | AxleMeasure::Track => format!("that of CRASH3's size class {class}"),
+                AxleMeasure::CgToFrontAxle =>
+                    format!("at the same share of the wheelbase as in CRASH3's size class {class}"),
+            }
+        ),
+        Assumption::StraightWheels { .. } => "0: the front wheels stay straight after the impact".to_owned(),
+        Assumption::SkidFriction { friction, .. } => {
+            format!("{friction}, that of the ground: the wheels were locked and skidded on level ground")
+        }
         Assumption::SpeedUnused { given, .. } => format!(
             "unknown: this is the speed to find; the {} that the file gives is not used",
             units.format(Measure::Speed, *given)

@@ -31,11 +31,16 @@ pub(super) fn tables(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<
     tables
 }
 
-/// Whether the analysis rests on the assumption: one of damage alone has no impact, and a forward one seeks
-/// no speed.
+/// Whether the analysis rests on the assumption: one of damage alone has no impact, a forward one seeks no
+/// speed, and not every vehicle is followed to rest.
 fn is_of(assumption: &Assumption, analysis: &Analysis) -> bool {
     match assumption {
-        Assumption::SpeedUnused { .. } => analysis.found.is_some(),
+        Assumption::SpeedUnused { .. } => analysis.found.is_some() || analysis.both.is_some(),
+        Assumption::ImpactAtOrigin | Assumption::LevelGround => analysis.travel.iter().any(Option::is_some),
+        Assumption::Axle { vehicle, .. } | Assumption::StraightWheels { vehicle } => {
+            analysis.travel[vehicle.index()].is_some()
+        }
+        Assumption::SkidFriction { vehicle, .. } => analysis.skids[vehicle.index()].is_some(),
         Assumption::YawRate { .. }
         | Assumption::ContactPlaced { .. }
         | Assumption::BrachLaw
