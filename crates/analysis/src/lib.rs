@@ -67,7 +67,7 @@ pub use travel::{ClosedForm, Origin as TravelOrigin, Skid, Travel};
 use travel::{Record, after_impact, departures};
 pub use uncertainty::{
     Doubt, Doubtful, ExactValue, Plan, REASONS, Reason, Stage, TakenAsExact, UncertainInput, UncertainOutput,
-    Uncertainty, is_uncertain, uncertainty,
+    Uncertainty, is_searched_back, is_uncertain, uncertainty,
 };
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 

@@ -19,8 +19,8 @@ pub(crate) const ENERGY_DIFFERENCE: f64 = 0.1;
 /// How far the crush energy may be from the normal work that momentum implies, as a share: on the RICSAC
 /// collisions the two differ by half in the rms of the logarithm.
 pub(crate) const MOMENTUM_ENERGY_DIFFERENCE: f64 = 0.5;
-/// How far the restitution that momentum implies may be from the one of the case: an error of 5° in the
-/// direction of one velocity after the impact moves it by as much.
+/// How far the restitution that momentum implies may be from the one of the case. A choice: no source gives a
+/// limit.
 pub(crate) const RESTITUTION_DIFFERENCE: f64 = 0.2;
 /// How far the impulse ratio that momentum implies may lie outside of 0 to μ_c: an error of 5° in the
 /// direction of the impulse.

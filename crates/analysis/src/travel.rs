@@ -1,6 +1,6 @@
 //! The motion after the impact: from there to rest, or back from the rest to how the vehicle left the impact.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use inputs::{MotionInput, RestData, RestHeadingData, SkidData, SteerData, SurfaceData, VehicleMotion};
 use pim_core::{Motion, Real, Vector2, VehicleId};
@@ -384,7 +384,16 @@ fn closed_form(
     slide.speed_at_start(0.0).ok().map(|speed| ClosedForm::Straight { drag_share, speed })
 }
 
+/// (rad) 300°: another motion that turns a vehicle by more than this, where less does, need not be told.
+const UNLIKELY_TURN: f64 = 5.0 / 6.0 * TAU;
+
 impl Travel {
+    /// The other starts that lead to the same rest, without those that turn the vehicle about once around: one
+    /// that stands as it stood did not do that.
+    pub fn likely_others(&self) -> impl Iterator<Item = &Start> {
+        self.others.iter().filter(|other| other.turn.abs() < UNLIKELY_TURN)
+    }
+
     /// (rad) of the velocity at the start.
     #[must_use]
     pub fn direction(&self) -> f64 {

@@ -13,8 +13,9 @@ use ::uncertainty::{
 };
 use crash3::CrushError;
 use inputs::{
-    Bounds, Case, ContactSpread, Estimate, Fault, FaultKind, Faults, GivenUncertainty, Input, Origin, Range,
-    STIFFNESS_LN_SD_A, SharedEffects, SharedError, Spread, Unit, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+    Bounds, Case, ContactSpread, Estimate, Fault, FaultKind, Faults, GivenUncertainty, GivenVehicle, Input,
+    Origin, Range, STIFFNESS_LN_SD_A, SharedEffects, SharedError, Spread, Unit, YAW_RADIUS_CONFIDENCE,
+    YAW_RADIUS_WITHIN,
 };
 use pim_core::{ImpactError, Outcome, VehicleId};
 use real::Gradient;
@@ -340,6 +341,17 @@ pub fn is_uncertain(case: &Case) -> bool {
         Ok(_) => true,
         Err(faults) => faults.list().iter().any(|fault| fault.kind != FaultKind::NothingUncertain),
     }
+}
+
+/// Whether each sample of [`uncertainty()`] is searched back from the place where a vehicle came to rest, which
+/// takes a thousand times as long as to solve an impact.
+#[must_use]
+pub fn is_searched_back(case: &Case) -> bool {
+    let seeks = matches!(Goal::of(case), Goal::BothSpeeds | Goal::Motion);
+    let has_rest_alone = |vehicle: &GivenVehicle| {
+        vehicle.after.as_ref().is_some_and(|after| after.rest.is_some() && after.speed.is_none())
+    };
+    seeks && case.vehicles.iter().any(has_rest_alone)
 }
 
 /// The ranges of the case and the spreads of its estimates, as the engine takes them: at least one.

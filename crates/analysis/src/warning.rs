@@ -15,8 +15,6 @@ use crate::thresholds::{FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFER
 use crate::usual::Usual;
 use crate::{Damage, Found, Impact, Travel, Vehicle};
 
-/// (rad) 300°: another motion that turns a vehicle by more than this, where less does, need not be told.
-const UNLIKELY_TURN: f64 = 5.0 / 6.0 * TAU;
 /// How far CRASH3's ΔV may be from that of the impact.
 const DELTA_V_DIFFERENCE: f64 = 0.1;
 /// (m) how far the contact point may be outside of the outline: the roundness of a bumper.
@@ -1038,13 +1036,7 @@ pub(crate) fn of_travel(travel: &[Option<Travel>; 2], warnings: &mut Vec<Warning
     for (vehicle, travel) in VehicleId::ALL.into_iter().zip(travel) {
         let Some(travel) = travel else { continue };
         let told = |motion: Motion| [motion.velocity.norm(), motion.yaw_rate];
-        // A vehicle that stands as it stood did not turn once around.
-        let others: Vec<[f64; 2]> = travel
-            .others
-            .iter()
-            .filter(|other| other.turn.abs() < UNLIKELY_TURN)
-            .map(|other| told(other.motion))
-            .collect();
+        let others: Vec<[f64; 2]> = travel.likely_others().map(|other| told(other.motion)).collect();
         if !others.is_empty() {
             warnings.push(Warning::SeveralStarts { vehicle, used: told(travel.start.motion), others });
         }

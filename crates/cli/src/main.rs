@@ -41,9 +41,6 @@ type Analyse = fn(&Case) -> Result<Analysis, Failure>;
 /// are; on any other case they are as many as `deltav uncertainty` takes.
 const LEAST_REPORT_SAMPLES: usize = 500;
 const REPORT_NUMBERS: usize = 100_000_000;
-/// Samples behind a report on a case whose vehicles are followed to rest: each takes some milliseconds. Their
-/// 95 % interval is known to some per cent of its width.
-const FOLLOWED_SAMPLES: usize = 1_000;
 
 /// The files that `deltav validate --plots` writes, without their endings.
 const VALIDATION_PLOTS: [&str; 2] = ["computed-against-measured", "reconstructed-speed"];
@@ -228,7 +225,8 @@ fn handover(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Docume
     let is_uncertain = (analysis.impact.is_some() || is_motion) && analysis::is_uncertain(&file.case);
     let uncertainty = is_uncertain.then(|| {
         let is_followed = analysis.travel.iter().any(Option::is_some);
-        let samples = if is_followed { FOLLOWED_SAMPLES } else { report_samples(file.case.inputs().len()) };
+        let samples =
+            if is_followed { arguments::BACKWARD_SAMPLES } else { report_samples(file.case.inputs().len()) };
         let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None };
         let uncertainty = analysis::uncertainty(&file.case, &plan, &mut |_, _, _| ControlFlow::Continue(()));
         answered(uncertainty, file, units)
@@ -308,7 +306,13 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
         arguments::Method::LatinHypercube => SamplingMethod::LatinHypercube,
         arguments::Method::Sobol => SamplingMethod::Sobol,
     };
-    let plan = Plan { settings: Settings::new(method, samples, seed), index_rows: sobol };
+    let plan = |case: &Case| {
+        let usual = || match analysis::is_searched_back(case) {
+            true => arguments::BACKWARD_SAMPLES,
+            false => arguments::SAMPLES,
+        };
+        Plan { settings: Settings::new(method, samples.unwrap_or_else(usual), seed), index_rows: sobol }
+    };
     if of_case.format.of_one().is_err() && (samples_out.is_some() || plots.is_some()) {
         anyhow::bail!(
             "--samples-out and --plots are for the report on one case: leave them out, or --format"
@@ -316,13 +320,13 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
     }
     let (threads, csv_style) = (of_case.threads, of_case.csv_style);
     let answer = |case: &Case| {
-        let uncertainty = analysis::uncertainty(case, &plan, &mut |_, _, _| ControlFlow::Continue(()));
+        let uncertainty = analysis::uncertainty(case, &plan(case), &mut |_, _, _| ControlFlow::Continue(()));
         uncertainty.map(|answer| Answer::Uncertainty(Box::new(answer)))
     };
     let Some(arguments) = of_cases(of_case, Table::Uncertainties, &answer)? else { return Ok(()) };
     let file = case_file(&arguments.case)?;
     let units = units(arguments.units, &file);
-    let uncertainty = answered(propagate(&file.case, &plan, &pool(threads)?)?, &file, units)?;
+    let uncertainty = answered(propagate(&file.case, &plan(&file.case), &pool(threads)?)?, &file, units)?;
     if let Some(path) = &samples_out {
         let cannot = || format!("cannot write the samples to {}", named(path));
         let mut out = BufWriter::new(Sink::open(Some(path)).with_context(cannot)?);

@@ -40,8 +40,7 @@ const UPHILL: f64 = 34.0;
 const AT_TIME: f64 = 2.4;
 const CENTRE: [f64; 2] = [2.0, 4.0];
 const IMPACT: f64 = 6.0;
-/// Outlines on the longest path, and how far apart they are in the mean, in lengths of the vehicle. More are
-/// a tangle.
+/// Outlines on the longest path, and their average distance, in lengths of the vehicle. More are a tangle.
 const MOST_OUTLINES: f64 = 9.0;
 const APART: f64 = 0.6;
 /// (px) across a vehicle that has room for its windscreen.

@@ -143,6 +143,36 @@ fn the_readme_has_the_error_rate_of_both_speeds() {
     assert!(words(&readme).contains(&words(&headline)), "the README has to say:\n{headline}");
 }
 
+/// A report has the error rate of what it finds; one that finds nothing of a collision has none.
+#[test]
+fn a_report_has_the_error_rate_of_its_own_answer() {
+    let validation = built_in();
+    let page = |case: &str, solve: fn(&case::Case) -> Result<analysis::Analysis, analysis::Failure>| {
+        let text = fs::read_to_string(root().join("fixtures").join(case)).unwrap();
+        let file = case::CaseFile::parse(case, &text).unwrap();
+        let supplements = report::Supplements { validation: Some(&validation), ..Default::default() };
+        let analysis = solve(&file.case).unwrap();
+        let page = report::handover(&file, &analysis, supplements, report::Units::Si).unwrap();
+        words(&page.markdown())
+    };
+    let [one, both] = [report::validation_headline, report::both_speeds_headline]
+        .map(|headline| words(&headline(&validation, report::Units::Si)));
+    let of_one = page("sae-980025.toml", analysis::reconstruct);
+    assert!(of_one.contains(&one) && !of_one.contains(&both));
+    let of_both = page("rear-end-rest.toml", analysis::reconstruct);
+    assert!(of_both.contains(&both) && !of_both.contains(&one));
+    assert!(!of_both.contains("reconstructs no speed"));
+    // What the two vehicles were taken to have done.
+    for vehicle in ["Vehicle 1", "Vehicle 2"] {
+        assert!(of_both.contains(&format!("{vehicle} did not spin, by EDCRASH's rule")), "{of_both}");
+    }
+    let forward = page("sae-980025-impact.toml", analysis::impact);
+    assert!(forward.contains("reconstructs no speed") && forward.contains(&one));
+    for alone in [page("one-vehicle.toml", analysis::crush), page("motion/ricsac-6.toml", analysis::motion)] {
+        assert!(!alone.contains("error rate") && !alone.contains("how far the method is off"), "{alone}");
+    }
+}
+
 /// n, bias, range and rms of the 22 speeds, in km/h and mph, from the rows.
 #[test]
 fn the_second_headline_is_that_of_both_speeds() {
@@ -162,7 +192,7 @@ fn the_second_headline_is_that_of_both_speeds() {
     {
         let headline = report::both_speeds_headline(&validation, units);
         let [mean, rms, least, most] = [mean, rms, least, most].map(|error| error / size);
-        assert!(headline.contains("the 22 speeds of the same 11 collisions"), "{headline}");
+        assert!(headline.contains("the 22 speeds of 11 staged collisions"), "{headline}");
         assert!(headline.contains(&format!("they are {:.0} {name} (", mean.abs())), "{headline}");
         assert!(mean < 0.0 && headline.contains("too low"), "{headline}");
         assert!(headline.contains(&format!("by {least:+.0} to {most:+.0} {name}")), "{headline}");

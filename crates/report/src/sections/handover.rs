@@ -48,6 +48,10 @@ pub fn handover(
 ) -> Result<Document, DrawingError> {
     let case = &file.case;
     let seen = &analysis.seen(case.axes);
+    // One vehicle alone, or a motion alone, has nothing to do with the staged collisions.
+    let is_collision = analysis.impact.is_some() || analysis.crash3.is_some();
+    let supplements =
+        Supplements { validation: supplements.validation.filter(|_| is_collision), ..supplements };
     let Supplements { uncertainty, sensitivity, validation } = supplements;
     let mut page = Document::new();
     page.title(case);
@@ -270,13 +274,19 @@ const LEAD: f64 = 0.95;
 
 /// What the comparison with staged collisions says of the program, for this analysis.
 fn error_rate(analysis: &Analysis, validation: &Validation, units: Units) -> Vec<String> {
-    let of_speeds = analysis.found.is_none().then(|| {
+    let is_found = analysis.found.is_some() || analysis.both.is_some();
+    let of_speeds = (!is_found).then(|| {
         "This report reconstructs no speed; the error rate below is that of speeds which the program \
          reconstructs from damage."
             .to_owned()
     });
+    let headline = if analysis.both.is_some() {
+        super::validation::both_speeds_headline(validation, units)
+    } else {
+        super::validation::validation_headline(validation, units)
+    };
     let own = of_speeds.into_iter().chain([
-        super::validation::validation_headline(validation, units),
+        headline,
         "`deltav validate` repeats the comparison and prints its data, case by case: the RICSAC collisions of \
          SAE 871993 and SAE 980025. Intervals of a report do not contain this error."
             .to_owned(),

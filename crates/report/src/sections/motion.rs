@@ -65,19 +65,32 @@ pub(crate) fn method(analysis: &Seen, units: Units) -> String {
                    (theory 11)."
         .to_owned();
     for (id, travel) in VehicleId::ALL.into_iter().zip(&analysis.travel) {
-        let Some(travel) = travel.as_ref().filter(|travel| travel.origin.is_by_rest()) else {
-            continue;
-        };
-        let others = match travel.others.len() {
-            0 => "No other motion was found that leads there".to_owned(),
-            1 => "One other motion leads there as well".to_owned(),
-            several => format!("{several} other motions lead there as well"),
-        };
-        let miss = travel.miss().map_or(0.0, |(apart, _)| apart);
-        how.push_str(&format!(
-            " The start of vehicle {id} was found as the one that leads to its rest, to within {}. {others}.",
-            units.format(Measure::Length, miss)
-        ));
+        let Some(travel) = travel else { continue };
+        let apart = |si: f64| units.format(Measure::Length, si);
+        match travel.origin {
+            TravelOrigin::Impact | TravelOrigin::Given => {}
+            TravelOrigin::Rest => {
+                let others = match travel.likely_others().count() {
+                    0 => "No other likely motion was found that leads there".to_owned(),
+                    1 => "One other motion leads there as well".to_owned(),
+                    several => format!("{several} other motions lead there as well"),
+                };
+                let miss = travel.miss().map_or(0.0, |(miss, _)| miss);
+                how.push_str(&format!(
+                    " The start of vehicle {id} was found as the one that leads to its rest, to within {}. {others}.",
+                    apart(miss)
+                ));
+            }
+            TravelOrigin::StraightRest => {
+                let measured = travel.measured.map(|rest| rest.position - travel.start.position);
+                let length = measured.map_or(travel.rest.distance, |way| way.norm());
+                how.push_str(&format!(
+                    " Vehicle {id} did not spin, by EDCRASH's rule: it is taken to have left straight towards its \
+                     rest, without yaw, at the speed that takes it {} far, as far as it was found.",
+                    apart(length)
+                ));
+            }
+        }
     }
     how
 }

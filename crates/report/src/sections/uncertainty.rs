@@ -104,6 +104,13 @@ impl<'a> Page<'a> {
                 grouped(propagation.requested())
             ));
         }
+        if analysis::is_searched_back(self.case) {
+            lines.push(
+                "Each sample is searched back from where the vehicles came to rest, so they are fewer than usual: \
+                 `deltav uncertainty --samples N` draws N."
+                    .to_owned(),
+            );
+        }
         lines.extend(self.failures());
         lines.extend(self.doubts());
         self.document.push(Block::List(lines));

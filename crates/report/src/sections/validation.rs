@@ -157,11 +157,12 @@ pub fn both_speeds_headline(validation: &Validation, units: Units) -> String {
     let direction = if rate.mean < 0.0 { "low" } else { "high" };
     let [narrow, wide] = spread(validation.both_speeds.iter().map(|row| row.disagreement));
     format!(
-        "With neither speed given, the {} speeds of the same {} collisions were found from the published velocities after \
+        "With neither speed given, the {} speeds of {} staged collisions were found from the published velocities after \
          the impact: by momentum where the approaches cross, and by momentum with the crush energy where they lie within \
          10° of one line. On average they are {} {unit} ({} %) too {direction}; single speeds are off by {least} to {most} {unit} ({} to \
-         {} of the {} that were not zero), with an rms error of {} {unit}. The velocities after the impact, which \
-         are integrated accelerations, have a large part in this: the impulses that the two vehicles of a collision tell differ by {} to {} %.",
+         {} of the {} that were not zero), with an rms error of {} {unit}. Much of this \
+         error is in the velocities after the impact, which were obtained by integrating the accelerations of each vehicle: the impulses on \
+         the two vehicles of a collision that follow from them should be equal, but differ by {} to {} %.",
         rate.count,
         validation.both_speeds.len(),
         size(rate.mean),

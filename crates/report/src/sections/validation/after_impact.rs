@@ -59,7 +59,7 @@ pub(super) fn motions(validation: &Validation, notes: &mut Notes) -> Vec<Block> 
         .iter()
         .map(|other| {
             let [least, most] = other.errors.map(|share| number(100.0 * share, 0));
-            format!("{} by {least} to {most} %", other.name)
+            format!("{least} to {most} % with {}", other.name)
         })
         .collect();
     vec![
@@ -91,11 +91,11 @@ pub(super) fn motions(validation: &Validation, notes: &mut Notes) -> Vec<Block> 
             "The distance from the impact to rest is not printed: it follows from two columns of SAE 2004-01-1207, Table 8, and has their rounding. \
              The places of the impacts are not published, so the rest is missed by the distance to the point at \
              the published distance in the published direction (Neades, Table 5.9), which has no sign and can be used in tests 2 and 6 alone. The direction may \
-             itself be off by 5°; the rest positions and contact points of test 6 put it 4° to 5° further round. For comparison, over \
-             five tests SIMON and EDSMAC4 miss the path in the mean: {} (SAE 2004-01-1207, Table 8). They start before the impact, with the speeds of \
-             the test and without a fitted drag, so they have the harder task. Vehicle 2 of test 10 was stopped by an object, and of test 2 no \
+             itself be off by 5°; the rest positions and contact points of test 6 put it 4° to 5° further round. For comparison, \
+             the mean error of the path over the vehicles of a test was, in five tests, {} (SAE 2004-01-1207, Table 8). Those simulations start before the \
+             impact, with the speeds of the test and without a fitted drag, so they have the harder task. Vehicle 2 of test 10 was stopped by an object, and of test 2 no \
              velocities after impact are published.",
-            simulations.join(", ")
+            simulations.join(" and ")
         )),
     ]
 }
@@ -172,9 +172,9 @@ pub(super) fn both_speeds(validation: &Validation, notes: &mut Notes) -> Vec<Blo
             "Neither speed is given. Where the approaches cross, momentum alone gives both from the velocities after the impact (Vossou & \
              Koulocheris 2018). Where they lie within 10° of one line, momentum along this line and the crush energy of the \
              published profiles do, with e and μ of SAE 871993. The headings are those of the test. Nothing is fitted here, and the errors are \
-             those of the evidence: the velocities after the impact are integrated \
-             accelerations of each vehicle alone, and the last column but one is by how many % the impulses that \
-             the two vehicles tell at the true speeds lie apart. In tests 3 to 5 vehicle 2 stood.",
+             those of the evidence: the velocities after the impact were obtained by integrating the \
+             accelerations of each vehicle, and the last column but one shows by how many % the impulses on the two vehicles, \
+             which should be equal, differ at the true speeds. In tests 3 to 5 vehicle 2 stood.",
         ),
         table(
             2,
