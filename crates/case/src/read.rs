@@ -132,6 +132,7 @@ impl<'t> Reader<'t> {
         let scene = self.child(&top, "scene", &SCENE);
         let axes = scene.as_ref().and_then(|scene| self.axes(scene)).unwrap_or_default();
         let scene_contact = scene.as_ref().map_or(Some(None), |scene| self.scene_contact(scene));
+        let site_plan = scene.as_ref().map_or(Some(None), |scene| self.site_plan(scene));
         let surface = self.child(&top, "surface", &SURFACE).map(|table| self.surface(&table));
         // Its keys are looked up in what all other tables give.
         let uncertainty = self.child(&top, "uncertainty", &UNCERTAINTY);
@@ -148,7 +149,7 @@ impl<'t> Reader<'t> {
             self.report_path(&fault.key, problem);
         }
         let (impact, reconstruct) = (optional(impact)?, optional(reconstruct)?);
-        let (scene_contact, surface) = (scene_contact?, optional(surface)?);
+        let (scene_contact, site_plan, surface) = (scene_contact?, site_plan?, optional(surface)?);
         let left_out = LeftOut {
             axes: !self.says("scene.axes"),
             law: impact.is_some() && !self.says("impact.law"),
@@ -164,6 +165,7 @@ impl<'t> Reader<'t> {
             report,
             axes,
             scene_contact,
+            site_plan,
             surface,
             vehicles,
             impact,

@@ -253,8 +253,60 @@ pub(crate) static SCENE: Schema = Schema {
             "Axes of the file. `\"z-up\"` (the default): y points to the left of x; angles and yaw rates are positive counter-clockwise, seen from above. `\"z-down\"`, as in SAE J670: y points to the right; clockwise is positive.",
         ),
         table("contact", "contact = { x = \"12.4 m\", y = \"3.1 m\" }", &SCENE_CONTACT),
+        table(
+            "site_plan",
+            "site_plan = { file = \"aerial.jpg\", corner = { x = \"-20 m\", y = \"-15 m\" }, width = \"60 m\" }",
+            &SITE_PLAN,
+        ),
     ],
     rules: &[],
+};
+
+pub(crate) static SITE_PLAN: Schema = Schema {
+    place: "site_plan = { … } of [scene]",
+    text: "A picture of the scene from above. `deltav draw --what motion` and the report as HTML draw the motion on it. No result depends on it.",
+    keys: &[
+        key(
+            "file",
+            "file = \"aerial.jpg\"",
+            Form::Text,
+            "Name of the picture, a PNG or a JPEG. It is looked for in the folder of the case file, or in a folder within that: `\"pictures/aerial.jpg\"`.",
+        ),
+        table("corner", "corner = { x = \"-20 m\", y = \"-15 m\" }", &PLAN_CORNER),
+        key(
+            "width",
+            "width = \"60 m\"",
+            Form::Exact(Dimension::Length, POSITIVE),
+            "How long the lower edge of the picture is in the scene. Its pixels are square, so this is its scale.",
+        ),
+        key(
+            "angle",
+            "angle = \"15 deg\"",
+            Form::Exact(Dimension::Angle, ANY),
+            "Angle from the x axis of the scene to the lower edge of the picture, 0 if left out. Seen from above; positive counter-clockwise, or clockwise with `axes = \"z-down\"`.",
+        ),
+    ],
+    rules: &[Rule::Needs(&["file", "corner", "width"])],
+};
+
+pub(crate) static PLAN_CORNER: Schema = Schema {
+    place: "corner = { … } of site_plan",
+    text: "Where the lower left corner of the picture lies. It is exact: no range is possible.",
+    keys: &[
+        key(
+            "x",
+            "x = \"-20 m\"",
+            Form::Exact(Dimension::Length, ANY),
+            "Coordinate along the x axis of the scene.",
+        ),
+        key(
+            "y",
+            "y = \"-15 m\"",
+            Form::Exact(Dimension::Length, ANY),
+            "Coordinate along the y axis of the scene.",
+        ),
+    ],
+    rules: &[Rule::Needs(&["x", "y"])],
 };
 
 // The keys of a place in the scene.

@@ -277,6 +277,27 @@ fn both_speeds_need_the_departure_of_both() {
     assert!(errors.contains("[vehicle2], which is fixed"), "{errors}");
 }
 
+/// A site plan is kept as it is written, and no number of it varies.
+#[test]
+fn a_site_plan_is_read_and_written() {
+    let bare = read(CROSSING);
+    let text = CROSSING.replacen(
+        "[scene]\n",
+        "[scene]\nsite_plan = { file = \"plans/aerial.jpg\", corner = { x = \"-20 m\", y = \"-50 ft\" }, width = \"60 m\", angle = \"15 deg\" }\n",
+        1,
+    );
+    let case = read(&text);
+    let plan = case.site_plan.clone().unwrap();
+    assert_eq!(plan.file.as_given(), "plans/aerial.jpg");
+    let [x, y, width, angle] =
+        [plan.corner.x.si(), plan.corner.y.si(), plan.width.si(), plan.angle.unwrap().si().to_degrees()];
+    assert_eq!((x, width), (-20.0, 60.0));
+    assert!((y + 15.24).abs() < 1e-12 && (angle - 15.0).abs() < 1e-12);
+    assert_eq!(case.variables(), bare.variables());
+    assert_eq!(read(&case::to_toml(&case)), case);
+    assert_eq!(bare.site_plan, None);
+}
+
 /// EDCRASH's rule: within 10° of one line, the damage has to give the second equation.
 #[test]
 fn collinear_approaches_need_the_damage() {

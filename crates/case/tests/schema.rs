@@ -162,6 +162,7 @@ const BEYOND: &[(&str, &[&str])] = &[
         &["both-fixed", "find-both-fixed", "find-fixed", "force-balance-alone", "force-balance-both"],
     ),
     ("one table that depends on another", &["force-balance-zones", "stiffness-zero-b"]),
+    ("names of files", &["site-plan-elsewhere"]),
     ("tables that are of cars alone", &["kind-category", "kind-class"]),
     ("mechanics", &["stiffness-limit", "stiffness-limit-root", "test-no-crush", "test-no-damage-speed"]),
     ("TOML says the same number in several ways", &["restitution-hexadecimal"]),

@@ -456,7 +456,7 @@ pub(crate) struct DrawArguments {
     #[arg(long)]
     pub(crate) plain: bool,
 
-    /// Draw the motion on this site plan or aerial picture, a PNG or a JPEG
+    /// Draw the motion on this site plan or aerial picture, a PNG or a JPEG, in place of that of [scene]
     #[arg(long, value_name = "FILE", requires_all = ["plan_corner", "plan_width"])]
     pub(crate) site_plan: Option<PathBuf>,
 

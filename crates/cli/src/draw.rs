@@ -5,7 +5,7 @@ use std::io::{self, Write as _};
 use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
-use case::{Axes, Quantity};
+use case::{Axes, CaseFile, Fault, FaultKind, Faults, Quantity};
 use report::{Drawing, PictureFormat, SitePlan, Subject};
 
 use crate::arguments::{DrawArguments, What};
@@ -20,7 +20,10 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         bail!("--site-plan lies behind the motion: give --what motion, or leave it out");
     }
     let file = crate::case_file(&arguments.case)?;
-    let site_plan = site_plan(arguments, file.case.axes)?;
+    let site_plan = match site_plan(arguments, file.case.axes)? {
+        None if arguments.what == What::Motion => plan_of_case(&arguments.case, &file)?,
+        given => given,
+    };
     let subject = match arguments.what {
         What::Scene => Subject::Scene,
         What::Damage => Subject::Damage,
@@ -76,6 +79,26 @@ fn site_plan(arguments: &DrawArguments, axes: Axes) -> Result<Option<SitePlan>> 
     let angle = arguments.plan_angle.as_ref().map_or(0.0, Quantity::si);
     let plan = report::site_plan(bytes, axes, [x.si(), y.si()], angle, width.si());
     Ok(Some(plan.with_context(|| format!("--site-plan {name}"))?))
+}
+
+/// The picture that `site_plan` of `[scene]` names, counted from the folder of the case file.
+pub(crate) fn plan_of_case(case: &Path, file: &CaseFile) -> Result<Option<SitePlan>> {
+    let Some(plan) = &file.case.site_plan else { return Ok(None) };
+    let refused = |reason: String, advice: &str| {
+        let kind = FaultKind::Refused { reason };
+        let fault = Fault { key: "scene.site_plan.file".to_owned(), kind, advice: Some(advice.to_owned()) };
+        file.diagnostics(&Faults::from(fault), &report::PROGRAM)
+    };
+    let folder = case.parent().unwrap_or(Path::new(""));
+    let bytes = fs::read(folder.join(plan.file.as_given())).map_err(|error| {
+        refused(
+            format!("cannot read the site plan {}: {error}", plan.file),
+            "put the picture beside the case file, or leave out site_plan",
+        )
+    })?;
+    let plan = report::site_plan_of(&file.case, bytes);
+    Ok(plan
+        .map_err(|error| refused(error.to_string(), "save it as a PNG or a JPEG, or leave out site_plan"))?)
 }
 
 /// Writes a drawing, and says on standard error which of its letters it could not draw.

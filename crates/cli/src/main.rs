@@ -181,7 +181,7 @@ fn report_analysis(arguments: &Arguments, analyse: Analyse) -> Result<()> {
     let document = match arguments.format {
         // In a terminal the results; the report to hand over has all steps and the case file besides.
         Format::Text | Format::Json => report::results(&file.case, &analysis, units),
-        Format::Html | Format::Markdown => handover(&file, &analysis, units)?,
+        Format::Html | Format::Markdown => handover(&arguments.case, &file, &analysis, units)?,
     };
     present(&document, arguments, || report::json(&file, &analysis))
 }
@@ -217,7 +217,7 @@ where
 }
 
 /// The report to hand over, with what the uncertain inputs make of the answer.
-fn handover(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Document> {
+fn handover(path: &Path, file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Document> {
     // A motion alone is propagated only of a case that has nothing else to find.
     let is_motion = analysis.travel.iter().any(Option::is_some)
         && file.case.impact.is_none()
@@ -238,11 +238,14 @@ fn handover(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Docume
         answered(sensitivity, file, units)
     });
     let sensitivity = sensitivity.transpose()?;
+    let is_followed = analysis.travel.iter().any(Option::is_some);
+    let site_plan = if is_followed { draw::plan_of_case(path, file)? } else { None };
     let validation = validation::validate(&Data::built_in())?;
     let supplements = Supplements {
         uncertainty: uncertainty.as_ref(),
         sensitivity: sensitivity.as_ref(),
         validation: Some(&validation),
+        site_plan: site_plan.as_ref(),
     };
     Ok(report::handover(file, analysis, supplements, units)?)
 }

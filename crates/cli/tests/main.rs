@@ -9,5 +9,6 @@ mod hostile;
 mod json;
 mod outputs;
 mod rows;
+mod site_plan;
 mod start;
 mod writing;

@@ -12,7 +12,7 @@ use crate::estimate::Departures;
 use crate::impact::GivenImpact;
 use crate::quantity::Quantity;
 use crate::range::Range;
-use crate::scene::{Place, Surface};
+use crate::scene::{GivenSitePlan, Place, Surface};
 use crate::text::Text;
 use crate::uncertain::GivenUncertainty;
 use crate::units::{Unit, UnitSystem};
@@ -34,6 +34,8 @@ pub struct Case<T = f64> {
     pub axes: Axes,
     /// `contact` of `[scene]`: where the impulse of the impact acted, in the coordinates of the survey.
     pub scene_contact: Option<Place<T>>,
+    /// `site_plan` of `[scene]`: what lies behind the motion in drawings.
+    pub site_plan: Option<GivenSitePlan>,
     /// `[surface]`.
     pub surface: Option<Surface<T>>,
     /// `[vehicle1]` and `[vehicle2]`.
@@ -189,6 +191,7 @@ impl Case {
             },
             axes: walk.default(&"scene.axes", &Axes::WORDS, self.axes, axes_out),
             scene_contact: self.scene_contact.as_ref().map(|place| walk.place(&"scene.contact", place)),
+            site_plan: self.site_plan.as_ref().map(|plan| walk.site_plan(plan)),
             surface: self.surface.as_ref().map(|surface| walk.surface(surface)),
             vehicles: [walk.vehicle(&"vehicle1", v1, fit1_out), walk.vehicle(&"vehicle2", v2, fit2_out)],
             impact: self.impact.as_ref().map(|impact| walk.impact(impact, law_out)),

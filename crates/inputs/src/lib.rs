@@ -82,7 +82,7 @@ pub use motion::{
 pub use purpose::Purpose;
 pub use quantity::{InvalidQuantity, Quantity, format_number};
 pub use range::{Amount, Bounds, Range, Spread};
-pub use scene::{EdgeSide, Grade, Place, Surface, SurfaceRegion, SurfaceZone};
+pub use scene::{EdgeSide, GivenSitePlan, Grade, Place, Surface, SurfaceRegion, SurfaceZone};
 pub use text::{Text, acts, shown, shown_lines, sign};
 pub use uncertain::{GivenUncertainty, SharedEffects, SharedError};
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};

@@ -16,6 +16,19 @@ pub struct Place<T = f64> {
     pub y: Quantity<T>,
 }
 
+/// A picture of the scene from above, to scale: what `site_plan` of `[scene]` holds. Its numbers are exact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenSitePlan {
+    /// Of a PNG or a JPEG, counted from the folder of the case file.
+    pub file: Text,
+    /// Where its lower left corner lies.
+    pub corner: Place,
+    /// (m) length of its lower edge.
+    pub width: Quantity,
+    /// (rad) from the scene's x axis to its lower edge, in the sense of the axes; 0 where absent.
+    pub angle: Option<Quantity>,
+}
+
 /// The ground: what the table `[surface]` holds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface<T = f64> {
@@ -84,6 +97,17 @@ impl EdgeSide {
 impl<U> Walk<'_, U> {
     pub(crate) fn place(&mut self, path: &dyn Display, place: &Place) -> Place<U> {
         Place { x: self.quantity(&Key(path, "x"), &place.x), y: self.quantity(&Key(path, "y"), &place.y) }
+    }
+
+    pub(crate) fn site_plan(&mut self, plan: &GivenSitePlan) -> GivenSitePlan {
+        self.text(&"scene.site_plan.file", Some(&plan.file));
+        self.exact(&"scene.site_plan.corner.x", &plan.corner.x);
+        self.exact(&"scene.site_plan.corner.y", &plan.corner.y);
+        self.exact(&"scene.site_plan.width", &plan.width);
+        if let Some(angle) = &plan.angle {
+            self.exact(&"scene.site_plan.angle", angle);
+        }
+        plan.clone()
     }
 
     pub(crate) fn surface(&mut self, surface: &Surface) -> Surface<U> {

@@ -88,7 +88,7 @@ pub use failures::no_answer;
 pub use glossary::{Topic, UnknownTopic, topic, topics};
 pub use pictures::{
     DrawingError, Subject, computed_against_measured, drawing, histogram, motion_on, plain_scene,
-    reconstructed_speed, site_plan, tornado,
+    reconstructed_speed, site_plan, site_plan_of, tornado,
 };
 pub use sections::comparison::comparison;
 pub use sections::handover::{Supplements, handover};

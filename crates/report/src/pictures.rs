@@ -15,7 +15,7 @@ pub use staged::{computed_against_measured, reconstructed_speed};
 use ::drawing::Drawing;
 use ::drawing::{PlanPlace, ScaleUnit, SitePlan, SitePlanError};
 use analysis::{Analysis, Failure};
-use case::{Axes, CaseFile};
+use case::{Axes, Case, CaseFile, Quantity};
 use pim_core::{Real, VehicleId};
 
 use crate::Units;
@@ -152,6 +152,17 @@ pub fn site_plan(
 ) -> Result<SitePlan, SitePlanError> {
     let (sin, cos) = Real::sin_cos(axes.lateral(angle));
     SitePlan::new(picture, PlanPlace { corner: [x, axes.lateral(y)], along: [cos, sin], width })
+}
+
+/// The site plan that a case names, of which the caller has read the file; `None` where it names none.
+///
+/// # Errors
+/// [`SitePlanError`].
+pub fn site_plan_of(case: &Case, picture: Vec<u8>) -> Result<Option<SitePlan>, SitePlanError> {
+    let Some(plan) = &case.site_plan else { return Ok(None) };
+    let corner = [plan.corner.x.si(), plan.corner.y.si()];
+    let angle = plan.angle.as_ref().map_or(0.0, Quantity::si);
+    site_plan(picture, case.axes, corner, angle, plan.width.si()).map(Some)
 }
 
 /// A unit of the reader, for a scale bar.

@@ -76,6 +76,9 @@ pub(crate) fn shown((value, unit): (f64, Option<&'static Unit>)) -> String {
 /// What the file says in words and whole numbers, key by key.
 pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
     let mut choices = vec![("scene.axes".to_owned(), case.axes.name().to_owned())];
+    if let Some(plan) = &case.site_plan {
+        choices.push(("scene.site_plan.file".to_owned(), plan.file.to_string()));
+    }
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
         let mut say = |key: &str, value: String| choices.push((format!("vehicle{id}.{key}"), value));
         if let Some(name) = &vehicle.name {

@@ -1,7 +1,8 @@
 //! Impact speeds of the RICSAC collisions from their velocities after impact.
 //!
-//! The data limit what can be expected: the velocities were obtained by integrating the accelerations of each vehicle,
-//! and the impulses that the two vehicles of a test tell differ by 9 to 39 %. The errors listed here are
+//! The data limit what can be expected: the velocities were obtained by integrating the accelerations of each
+//! vehicle, and the impulses on the two vehicles of a test, which should be equal, differ by 9 to 39 %. The
+//! errors listed here are
 //! those of an independent calculation in plain arithmetic, and say how much such velocities are worth.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]

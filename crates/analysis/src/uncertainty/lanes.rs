@@ -82,6 +82,7 @@ impl Block {
             axes,
             // It places the motion after the impact, which the reconstruction of one speed does not use.
             scene_contact: _,
+            site_plan: _,
             surface,
             vehicles: [one, two],
             impact,

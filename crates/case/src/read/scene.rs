@@ -1,10 +1,18 @@
 //! `[scene]` and `[surface]`: the axes, the place of the impact, and the ground.
 
+use std::path::{Component, Path};
+
 use super::tree::{Reader, Table};
 use super::values::Place as Position;
 use crate::case_problem::CaseProblem;
-use crate::schema::{CORNER, GRADE, MOST_ZONES, SCENE_CONTACT, SURFACE_ZONE, Schema};
-use inputs::{Axes, EdgeSide, Grade, Place, Quantity, Surface, SurfaceRegion, SurfaceZone, shown};
+use crate::schema::{CORNER, GRADE, MOST_ZONES, PLAN_CORNER, SCENE_CONTACT, SITE_PLAN, SURFACE_ZONE, Schema};
+use inputs::{
+    Axes, EdgeSide, GivenSitePlan, Grade, Place, Quantity, Surface, SurfaceRegion, SurfaceZone, shown,
+};
+
+/// What is said of a range where none may be.
+const EXACT_CORNER: &str = "a string with a number and a unit, because the corners of a zone are exact";
+const EXACT_PLAN: &str = "a string with a number and a unit, because the place of a site plan is exact";
 
 impl<'t> Reader<'t> {
     pub(super) fn axes(&mut self, scene: &Table<'t>) -> Option<Axes> {
@@ -20,6 +28,40 @@ impl<'t> Reader<'t> {
             return Some(None);
         }
         self.place_of(scene, "contact", &SCENE_CONTACT, FORMS).map(Some)
+    }
+
+    /// `site_plan` of `[scene]`; the outer option is `None` where it is there and wrong.
+    pub(super) fn site_plan(&mut self, scene: &Table<'t>) -> Option<Option<GivenSitePlan>> {
+        const FORMS: &str = "site_plan = { file = \"aerial.jpg\", corner = { x = \"-20 m\", y = \"-15 m\" }, width = \"60 m\" }";
+        const CORNER_FORMS: &str = "corner = { x = \"-20 m\", y = \"-15 m\" }";
+        if !scene.has("site_plan") {
+            return Some(None);
+        }
+        let table = self.inline(scene, "site_plan", &SITE_PLAN, "a table in braces", FORMS)?;
+        self.require(&table, &["file", "corner", "width"]);
+        let file = self.text(&table, "file");
+        let corner = self.inline(&table, "corner", &PLAN_CORNER, "a table in braces", CORNER_FORMS).and_then(
+            |corner| {
+                self.require(&corner, &["x", "y"]);
+                let [x, y] = ["x", "y"].map(|key| self.exact_quantity(&corner, key, EXACT_PLAN));
+                Some(Place { x: x?, y: y? })
+            },
+        );
+        let width = self.exact_quantity(&table, "width", EXACT_PLAN);
+        let has_angle = table.has("angle");
+        let angle = self.exact_quantity(&table, "angle", EXACT_PLAN);
+        let (file, corner, width) = (file?, corner?, width?);
+        if has_angle && angle.is_none() {
+            return None;
+        }
+        // A case from somebody else does not choose what is read of the rest of the computer.
+        let is_within = |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
+        if !Path::new(file.as_given()).components().all(is_within) {
+            let message = format!("\"{}\" is not in the folder of the case file", table.path_of("file"));
+            let help = "put the picture beside the case file, or into a folder there, and write its name: file = \"aerial.jpg\"";
+            return self.refuse_at(&table, "file", message, help);
+        }
+        Some(Some(GivenSitePlan { file, corner, width, angle }))
     }
 
     fn place_of(
@@ -94,17 +136,21 @@ impl<'t> Reader<'t> {
             .iter()
             .map(|table| {
                 self.require(table, &["x", "y"]);
-                let [x, y] = ["x", "y"].map(|key| self.exact_quantity(table, key));
+                let [x, y] = ["x", "y"].map(|key| self.exact_quantity(table, key, EXACT_CORNER));
                 Some(Place { x: x?, y: y? })
             })
             .collect();
         corners.into_iter().collect()
     }
 
-    fn exact_quantity(&mut self, table: &Table<'t>, key: &'static str) -> Option<Quantity> {
+    fn exact_quantity(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        wanted: &'static str,
+    ) -> Option<Quantity> {
         let (value, measure) = (table.get(key)?, table.measure(key)?);
         let place = Position::of_key(table, key);
-        let wanted = "a string with a number and a unit, because the corners of a zone are exact";
         self.certain_quantity(&place, value, measure, wanted)
     }
 
@@ -119,7 +165,7 @@ impl<'t> Reader<'t> {
             _ => format!("\"{}\" has {} places, but an edge needs two", zone.path_of("edge"), edge.len()),
         };
         let help = "give two different places on the edge of the zone, far apart; for a zone with corners, write polygon";
-        self.refuse_zone(zone, "edge", message, help)
+        self.refuse_at(zone, "edge", message, help)
     }
 
     /// The corners, if they enclose a part of the ground.
@@ -130,14 +176,14 @@ impl<'t> Reader<'t> {
         if count < 3 {
             let message = format!("\"{path}\" has {count} corners, but a zone needs three or more");
             let help = "give all corners, in their order along the outline; for a zone with one straight edge, write edge and side";
-            return self.refuse_zone(zone, "polygon", message, help);
+            return self.refuse_at(zone, "polygon", message, help);
         }
         let side = |index: usize| [places[index], places[(index + 1) % count]];
         if let Some(index) = (0..count).find(|index| side(*index)[0] == side(*index)[1]) {
             let message =
                 format!("corners {} and {} of \"{path}\" are the same", index + 1, (index + 1) % count + 1);
             let help = "give each corner once; the outline closes by itself";
-            return self.refuse_zone(zone, "polygon", message, help);
+            return self.refuse_at(zone, "polygon", message, help);
         }
         let crossing = (0..count)
             .flat_map(|first| (first + 2..count).map(move |second| (first, second)))
@@ -151,12 +197,12 @@ impl<'t> Reader<'t> {
                 second + 1
             );
             let help = "list the corners in their order along the outline";
-            return self.refuse_zone(zone, "polygon", message, help);
+            return self.refuse_at(zone, "polygon", message, help);
         }
         Some(corners)
     }
 
-    fn refuse_zone<T>(
+    fn refuse_at<T>(
         &mut self,
         zone: &Table<'t>,
         key: &'static str,

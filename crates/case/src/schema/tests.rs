@@ -117,6 +117,8 @@ fn documentation() -> String {
         &REPORT,
         &SCENE,
         &SCENE_CONTACT,
+        &SITE_PLAN,
+        &PLAN_CORNER,
         &SURFACE,
         &GRADE,
         &SURFACE_ZONE,

@@ -2,7 +2,7 @@
 
 mod inputs;
 
-use ::drawing::Drawing;
+use ::drawing::{Drawing, SitePlan};
 use analysis::{Analysis, Impact, Output, Seen, Sensitivity, UncertainInput, Uncertainty};
 use case::{Axes, CaseFile, Estimate, Origin, ReportHead};
 use crash3::EnergyBasis;
@@ -14,7 +14,7 @@ use super::motion;
 use super::results::search;
 use crate::data::sha256;
 use crate::document::{Block, Document, Table};
-use crate::pictures::{DrawingError, Subject, drawing};
+use crate::pictures::{DrawingError, Subject, drawing, motion_on};
 use crate::steps::steps;
 use crate::units::{Measure, number};
 use crate::{Units, axes, checks, energy, law, warnings, words};
@@ -28,6 +28,8 @@ pub struct Supplements<'a> {
     pub sensitivity: Option<&'a Sensitivity>,
     /// How far the program is off where the truth is known.
     pub validation: Option<&'a Validation>,
+    /// What the motion is drawn on.
+    pub site_plan: Option<&'a SitePlan>,
 }
 
 /// Over the warnings and what the analysis rests on.
@@ -52,7 +54,7 @@ pub fn handover(
     let is_collision = analysis.impact.is_some() || analysis.crash3.is_some();
     let supplements =
         Supplements { validation: supplements.validation.filter(|_| is_collision), ..supplements };
-    let Supplements { uncertainty, sensitivity, validation } = supplements;
+    let Supplements { uncertainty, sensitivity, validation, site_plan } = supplements;
     let mut page = Document::new();
     page.title(case);
     page.push(answer(analysis, supplements, units));
@@ -74,7 +76,7 @@ pub fn handover(
         page.heading(ERROR_RATE);
         page.blocks.extend(error_rate(analysis, validation, units).into_iter().map(Block::Paragraph));
     }
-    let drawings = drawings(file, analysis, units)?;
+    let drawings = drawings(file, analysis, site_plan, units)?;
     if !drawings.is_empty() {
         page.heading("Drawings");
     }
@@ -136,10 +138,19 @@ pub fn handover(
 
 /// All that the analysis has something for: one of damage alone has no scene, a forward one no
 /// reconciliation.
-fn drawings(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Vec<Drawing>, DrawingError> {
+fn drawings(
+    file: &CaseFile,
+    analysis: &Analysis,
+    site_plan: Option<&SitePlan>,
+    units: Units,
+) -> Result<Vec<Drawing>, DrawingError> {
     let mut drawings = Vec::new();
     for subject in Subject::ALL {
-        match drawing(file, analysis, units, subject) {
+        let drawn = match subject {
+            Subject::Motion => motion_on(file, analysis, units, false, site_plan.cloned()),
+            _ => drawing(file, analysis, units, subject),
+        };
+        match drawn {
             Ok(drawing) => drawings.push(drawing),
             Err(
                 DrawingError::NoImpact { .. }
