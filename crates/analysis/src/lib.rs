@@ -63,7 +63,7 @@ pub use seen::{Seen, SeenWarning};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, WayNumber, sensitivity};
 use thresholds::HALF_HOUR;
 pub use thresholds::{FAST_CLOSING, HIGH_RESTITUTION};
-pub use travel::{ClosedForm, Origin as TravelOrigin, Skid, Travel};
+pub use travel::{ClosedForm, Origin as TravelOrigin, Pass, Skid, Travel};
 use travel::{Record, after_impact, departures};
 pub use uncertainty::{
     Doubt, Doubtful, ExactValue, Plan, REASONS, Reason, Stage, TakenAsExact, UncertainInput, UncertainOutput,

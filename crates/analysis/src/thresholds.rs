@@ -25,6 +25,9 @@ pub(crate) const RESTITUTION_DIFFERENCE: f64 = 0.2;
 /// How far the impulse ratio that momentum implies may lie outside of 0 to μ_c: an error of 5° in the
 /// direction of the impulse.
 pub(crate) const RATIO_BEYOND: f64 = 0.1;
+/// How far a way may pass from a point on it, as a share of the way: EDCRASH's limit for a point on the curve
+/// and the end of rotation (its manual).
+pub(crate) const POINT_MISSED: f64 = 0.15;
 /// (m) how far the line of action of the impulse may be from the contact point: the place of C on a damage a
 /// metre wide is not known better.
 pub(crate) const ARM_DIFFERENCE: f64 = 0.2;

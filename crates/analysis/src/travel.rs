@@ -2,7 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use inputs::{MotionInput, RestData, RestHeadingData, SkidData, SteerData, SurfaceData, VehicleMotion};
+use inputs::{
+    MotionInput, PointData, RestData, RestHeadingData, SkidData, SteerData, SurfaceData, VehicleMotion,
+};
 use pim_core::{Motion, Real, Vector2, VehicleId};
 use reconcile::Departure;
 use trajectory::closed::{Slide, Spin, SpinStart, spins};
@@ -12,6 +14,7 @@ use trajectory::{
 };
 
 use crate::Failure;
+use crate::thresholds::POINT_MISSED;
 
 /// The way of one vehicle from the impact to rest.
 #[derive(Clone, Debug)]
@@ -31,13 +34,25 @@ pub struct Travel {
     pub rest: Rest,
     /// Where it was found at rest.
     pub measured: Option<RestData>,
-    /// (m) where its CG passed.
-    pub points: Vec<Vector2<f64>>,
-    /// Other starts that lead to the same rest.
+    /// Where its CG passed, as measured.
+    pub points: Vec<PointData>,
+    /// How the way passes each of them.
+    pub passes: Vec<Pass>,
+    /// Other starts that lead to the same rest; where points are given, without those that pass them too far
+    /// off to be meant.
     pub others: Vec<Start>,
     /// What the closed forms say of the start; `None` on ground with zones or a grade, which they do not
     /// know.
     pub closed: Option<ClosedForm>,
+}
+
+/// How a way passes a point that was measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pass {
+    /// (m) from the way to the point, where they are nearest.
+    pub miss: f64,
+    /// (rad) from the heading there to the measured one, in (−π, π].
+    pub turned: Option<f64>,
 }
 
 /// Where the motion at the start of a way comes from.
@@ -169,9 +184,41 @@ impl Scene<'_> {
             &Control::default(),
         )
         .map_err(|reason| Failure::NoStart { vehicle, reason })?;
-        let mut starts = starts.iter().copied();
-        let first = starts.next().ok_or(Failure::NoStart { vehicle, reason: Unreached::NoWay })?;
-        Ok(Left { origin: Origin::Rest, motion: first.motion, others: starts.collect() })
+        let mut starts: Vec<(f64, Start)> = starts
+            .iter()
+            .map(|start| Ok((self.off(vehicle, way, start)?, *start)))
+            .collect::<Result<_, Failure>>()?;
+        // Where the points do not tell them apart, the order of `to_start` stays: the least turn first.
+        starts.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        let mut starts = starts.into_iter();
+        let (off, first) = starts.next().ok_or(Failure::NoStart { vehicle, reason: Unreached::NoWay })?;
+        let is_told_apart = |other: f64| off <= POINT_MISSED && other > POINT_MISSED;
+        let others = starts.filter(|(other, _)| !is_told_apart(*other)).map(|(_, start)| start).collect();
+        Ok(Left { origin: Origin::Rest, motion: first.motion, others })
+    }
+
+    /// (–) the most by which the way of a start misses a point, in place or by the turn of the wheelbase, as
+    /// a share of the way; zero where there are no points.
+    fn off(&self, vehicle: VehicleId, way: &VehicleMotion, start: &Start) -> Result<f64, Failure> {
+        let wheelbase = way.chassis.wheelbase();
+        let passes = self.passes(vehicle, way, start.motion)?;
+        let miss = |pass: &Pass| pass.miss.max(wheelbase * pass.turned.unwrap_or_default().abs());
+        let most = passes.iter().map(miss).fold(0.0, f64::max);
+        Ok(if most > 0.0 { most / start.rest.distance } else { 0.0 })
+    }
+
+    /// How the way of a vehicle that leaves the impact with the motion `start` passes its points.
+    fn passes(&self, vehicle: VehicleId, way: &VehicleMotion, start: Motion) -> Result<Vec<Pass>, Failure> {
+        if way.points.is_empty() {
+            return Ok(Vec::new());
+        }
+        let control = Control { longest_step: BETWEEN_PLACES, ..Control::default() };
+        let mut places = Vec::new();
+        let end = self.to_rest(vehicle, way, start, &control, |sample| {
+            places.push((sample.state.position, sample.state.heading));
+        })?;
+        places.push((end.rest.position, end.rest.heading));
+        Ok(way.points.iter().map(|point| pass(&places, point)).collect())
     }
 
     /// The way that begins straight towards the rest, without yaw, and is as long as the measured one.
@@ -212,6 +259,27 @@ impl Scene<'_> {
             Unreached::Missed { motion: start, position: rest.position, heading: rest.heading, miss };
         Err(Failure::NoStart { vehicle, reason })
     }
+}
+
+/// (s) between the places of a way, which is taken as straight between them.
+const BETWEEN_PLACES: f64 = 0.02;
+
+/// How a way through these places (m), with these headings (rad), passes a point.
+fn pass(places: &[(Vector2<f64>, f64)], point: &PointData) -> Pass {
+    let mut nearest = Pass { miss: f64::INFINITY, turned: None };
+    for pair in places.windows(2) {
+        let [(from, heading), (to, later)] = pair else { continue };
+        let (side, off) = (to - from, point.position - from);
+        let square = side.dot(&side);
+        let share = if square > 0.0 { (off.dot(&side) / square).clamp(0.0, 1.0) } else { 0.0 };
+        let miss = (off - side * share).norm();
+        if miss < nearest.miss {
+            let there = heading + (later - heading) * share;
+            let turned = point.heading.map(|measured| real::principal_angle(measured - there));
+            nearest = Pass { miss, turned };
+        }
+    }
+    nearest
 }
 
 /// Where the ways of the vehicles come from.
@@ -305,6 +373,7 @@ impl Record {
         let mut samples = Vec::new();
         let way = scene
             .to_rest(vehicle, input, left.motion, &Control::default(), |sample| samples.push(*sample))?;
+        let passes = scene.passes(vehicle, input, left.motion)?;
         self.travel[vehicle.index()] = Some(Travel {
             origin: left.origin,
             chassis: input.chassis,
@@ -314,6 +383,7 @@ impl Record {
             rest: way.rest,
             measured: input.rest,
             points: input.points.clone(),
+            passes,
             others: left.others,
             closed: closed_form(scene.surface, input, &start, &way.rest),
         });
@@ -351,7 +421,7 @@ pub(crate) fn target(input: &VehicleMotion, rest: &RestData) -> Target {
         position: rest.position,
         heading: rest.heading.heading(input.heading),
         turns_known: rest.heading.turns_are_known(),
-        via: input.points.first().copied(),
+        via: input.points.first().map(|point| point.position),
     }
 }
 
@@ -388,8 +458,8 @@ fn closed_form(
 const UNLIKELY_TURN: f64 = 5.0 / 6.0 * TAU;
 
 impl Travel {
-    /// The other starts that lead to the same rest, without those that turn the vehicle about once around: one
-    /// that stands as it stood did not do that.
+    /// The other starts that lead to the same rest, without those that turn the vehicle about once around:
+    /// one that stands as it stood did not do that.
     pub fn likely_others(&self) -> impl Iterator<Item = &Start> {
         self.others.iter().filter(|other| other.turn.abs() < UNLIKELY_TURN)
     }
@@ -431,7 +501,19 @@ impl Travel {
                     RestHeadingData::Turned(turn) => RestHeadingData::Turned(0.0 - turn),
                 },
             }),
-            points: self.points.into_iter().map(across).collect(),
+            points: self
+                .points
+                .into_iter()
+                .map(|point| PointData {
+                    position: across(point.position),
+                    heading: point.heading.map(|heading| 0.0 - heading),
+                })
+                .collect(),
+            passes: self
+                .passes
+                .into_iter()
+                .map(|pass| Pass { turned: pass.turned.map(|turned| 0.0 - turned), ..pass })
+                .collect(),
             others: self
                 .others
                 .into_iter()

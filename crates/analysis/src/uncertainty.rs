@@ -343,8 +343,8 @@ pub fn is_uncertain(case: &Case) -> bool {
     }
 }
 
-/// Whether each sample of [`uncertainty()`] is searched back from the place where a vehicle came to rest, which
-/// takes a thousand times as long as to solve an impact.
+/// Whether each sample of [`uncertainty()`] is searched back from the place where a vehicle came to rest,
+/// which takes a thousand times as long as to solve an impact.
 #[must_use]
 pub fn is_searched_back(case: &Case) -> bool {
     let seeks = matches!(Goal::of(case), Goal::BothSpeeds | Goal::Motion);

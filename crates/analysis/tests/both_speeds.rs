@@ -127,6 +127,58 @@ fn rests_of_an_impact_lead_back_to_its_speeds() {
     assert!(back.checks.iter().filter(|check| check.is_of_momentum()).all(analysis::Check::passed));
 }
 
+/// Several motions lead to one rest of which only the heading is known. A place on the way of any of them,
+/// with the heading there, picks out this one; a heading that is off is told by how much.
+#[test]
+fn a_point_with_a_heading_tells_which_motion_led_to_a_rest() {
+    let forward = impact(&read(CROSSING)).unwrap();
+    let rest = forward.travel[0].as_ref().unwrap().rest;
+    let one = CROSSING.split_once("[vehicle2]").unwrap().0.replace("speed = \"15 m/s\"\n", "");
+    let with = |after: &str| format!("{one}{after}\n");
+    let [x, y, heading] = [rest.position.x, rest.position.y, rest.heading];
+    let at_rest = format!("rest = {{ x = \"{x} m\", y = \"{y} m\", heading = \"{heading} rad\" }}");
+    let bare = motion(&read(&with(&at_rest))).unwrap().travel[0].clone().unwrap();
+    assert!(bare.passes.is_empty() && !bare.others.is_empty());
+    let starts: Vec<_> =
+        std::iter::once(bare.start.motion).chain(bare.others.iter().map(|other| other.motion)).collect();
+    for start in &starts {
+        let [vx, vy] = [start.velocity.x, start.velocity.y];
+        let given = format!(
+            "speed = \"{} m/s\"\ndirection = \"{} rad\"\nyaw_rate = \"{} rad/s\"",
+            vx.hypot(vy),
+            vy.atan2(vx),
+            start.yaw_rate
+        );
+        let way = motion(&read(&with(&given))).unwrap().travel[0].clone().unwrap();
+        // Where it has turned by half of its whole turn.
+        let turn = way.rest.heading - way.start.heading;
+        let half = |state: &trajectory::State| (state.heading - way.start.heading) / turn >= 0.5;
+        let middle = way.samples.iter().map(|sample| sample.state).find(half).unwrap();
+        let point = |off: f64| {
+            format!(
+                "{at_rest}\npoints = [{{ x = \"{} m\", y = \"{} m\", heading = \"{} rad\" }}]",
+                middle.position.x,
+                middle.position.y,
+                middle.heading + off
+            )
+        };
+        let back = motion(&read(&with(&point(0.0)))).unwrap().travel[0].clone().unwrap();
+        let found = back.start.motion;
+        assert_near(found.velocity.x, vx, 1e-3);
+        assert_near(found.velocity.y, vy, 1e-3);
+        assert_near(found.yaw_rate, start.yaw_rate, 1e-3);
+        let [pass] = back.passes[..] else { panic!("{:?}", back.passes) };
+        assert!(pass.miss < 0.01 && pass.turned.unwrap().abs() < 0.01, "{pass:?}");
+        // By 0.2 rad on, and full turns do not count.
+        for off in [0.2, 0.2 - std::f64::consts::TAU] {
+            let off = motion(&read(&with(&point(off)))).unwrap().travel[0].clone().unwrap();
+            assert_near(off.passes[0].turned.unwrap(), 0.2, 0.01);
+        }
+        let seen = motion(&read(&with(&point(0.2)))).unwrap().seen(inputs::Axes::ZDown);
+        assert_near(seen.travel[0].as_ref().unwrap().passes[0].turned.unwrap(), -0.2, 0.01);
+    }
+}
+
 /// m₁ v₁ = (p × ê₂)/(ê₁ × ê₂) with velocities that the case gives, where no ground is needed: headings 0° and
 /// 90°, so that each speed takes one component.
 #[test]

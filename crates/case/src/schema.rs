@@ -669,7 +669,16 @@ pub(crate) static REST: Schema = Schema {
 pub(crate) static POINT: Schema = Schema {
     place: "a point of the path",
     text: "A place where the CG passed.",
-    keys: &[PLACE_X, PLACE_Y],
+    keys: &[
+        PLACE_X,
+        PLACE_Y,
+        key(
+            "heading",
+            "heading = \"140 deg\"",
+            Form::Quantity(Dimension::Angle, ANY),
+            "Heading there, where marks tell it. At the end of rotation, from which the vehicle went on without yaw, it is that of the rest.",
+        ),
+    ],
     rules: &[Rule::Needs(&["x", "y"])],
 };
 

@@ -13,10 +13,10 @@ use std::path::Path;
 use case::{
     After, Amount, Axes, Before, Bounds, Case, CaseFile, CaseProblem, Collision, ContactPoint, Crush,
     Diagnostics, Dimension, Drag, EdgeSide, Evidence, Faults, Find, Fit, GivenEes, GivenImpact, GivenTest,
-    GivenVehicle, Grade, ImpactLaw, Kind, KnownEnergy, LeftOut, Mass, Outline, Pdof, Place, Program,
-    Quantity, Reconstruct, ReportHead, Rest, RestHeading, Restitution, Skid, Spread, Steer, SteerPoint,
-    StiffnessForm, StiffnessLine, Surface, SurfaceRegion, SurfaceZone, Text, Unit, UnitSystem, Velocity,
-    WheelDrag, YawInertia, read_quantity, to_toml,
+    GivenVehicle, Grade, ImpactLaw, Kind, KnownEnergy, LeftOut, Mass, Outline, PathPoint, Pdof, Place,
+    Program, Quantity, Reconstruct, ReportHead, Rest, RestHeading, Restitution, Skid, Spread, Steer,
+    SteerPoint, StiffnessForm, StiffnessLine, Surface, SurfaceRegion, SurfaceZone, Text, Unit, UnitSystem,
+    Velocity, WheelDrag, YawInertia, read_quantity, to_toml,
 };
 use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
@@ -1385,7 +1385,8 @@ fn any_after() -> impl Strategy<Value = After> {
         option::of(angle()),
         option::of(any_quantity(Dimension::YawRate, Signs::Any)),
     );
-    (option::of(drag), option::of(steer), option::of(rest), vec(any_place(), 0..3), velocity).prop_map(
+    let point = (any_place(), option::of(angle())).prop_map(|(place, heading)| PathPoint { place, heading });
+    (option::of(drag), option::of(steer), option::of(rest), vec(point, 0..3), velocity).prop_map(
         |(drag, steer, rest, points, (speed, direction, yaw_rate))| After {
             drag,
             steer,

@@ -17,7 +17,7 @@ pub struct After<T = f64> {
     /// Where it came to rest.
     pub rest: Option<Rest<T>>,
     /// Where its centre of gravity passed, from the impact to the rest.
-    pub points: Vec<Place<T>>,
+    pub points: Vec<PathPoint<T>>,
     /// (m/s) speed of the centre of gravity after the impact.
     pub speed: Option<Quantity<T>>,
     /// (rad) scene angle of its velocity after the impact, in the sense of the axes.
@@ -87,6 +87,16 @@ pub struct Rest<T = f64> {
     pub heading: RestHeading<T>,
 }
 
+/// Where the centre of gravity of a vehicle passed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathPoint<T = f64> {
+    /// The place.
+    pub place: Place<T>,
+    /// (rad) scene angle of its forward axis there, in the sense of the axes, where marks tell it: at the end
+    /// of its rotation, that of the rest.
+    pub heading: Option<Quantity<T>>,
+}
+
 /// How a vehicle stands at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RestHeading<T = f64> {
@@ -125,7 +135,13 @@ impl<U> Walk<'_, U> {
                 .points
                 .iter()
                 .enumerate()
-                .map(|(i, point)| self.place(&Element(&points, i), point))
+                .map(|(i, point)| {
+                    let table = Element(&points, i);
+                    PathPoint {
+                        place: self.place(&table, &point.place),
+                        heading: self.maybe(&Key(&table, "heading"), point.heading.as_ref()),
+                    }
+                })
                 .collect(),
             speed: self.maybe(&at("speed"), after.speed.as_ref()),
             direction: self.maybe(&at("direction"), after.direction.as_ref()),

@@ -60,7 +60,7 @@ mod vehicle;
 mod walk;
 mod words;
 
-pub use after::{After, Before, Drag, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag};
+pub use after::{After, Before, Drag, PathPoint, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag};
 pub use axes::Axes;
 pub use case::{Case, Find, LeftOut, Reconstruct, ReportHead};
 pub use crush::{Crush, Fit, GivenEes, GivenTest, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
@@ -76,8 +76,8 @@ pub use fault::{Fault, FaultKind, Faults};
 pub use impact::{BrachTangential, GivenImpact, ImpactLaw, LawName, Restitution};
 pub use inertia::{Mass, YawInertia};
 pub use motion::{
-    MotionInput, RegionData, RestData, RestHeadingData, SkidData, SteerData, SurfaceData, TwoSpeedInput,
-    VehicleMotion, ZoneData,
+    MotionInput, PointData, RegionData, RestData, RestHeadingData, SkidData, SteerData, SurfaceData,
+    TwoSpeedInput, VehicleMotion, ZoneData,
 };
 pub use purpose::Purpose;
 pub use quantity::{InvalidQuantity, Quantity, format_number};

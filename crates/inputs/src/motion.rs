@@ -72,6 +72,15 @@ impl RegionData {
     }
 }
 
+/// Where the CG of a vehicle passed, in the axes of the engine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointData<T = f64> {
+    /// (m) the place.
+    pub position: Vector2<T>,
+    /// (rad) its heading there, where that is known, without full turns.
+    pub heading: Option<T>,
+}
+
 /// A vehicle after the impact, in the axes of the engine.
 #[derive(Clone, Debug)]
 pub struct VehicleMotion<T = f64> {
@@ -89,7 +98,7 @@ pub struct VehicleMotion<T = f64> {
     /// Where it came to rest.
     pub rest: Option<RestData<T>>,
     /// (m) places that the CG passed, from the impact to the rest.
-    pub points: Vec<Vector2<T>>,
+    pub points: Vec<PointData<T>>,
 }
 
 /// How the front wheels are steered.

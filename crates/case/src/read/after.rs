@@ -9,7 +9,7 @@ use crate::case_problem::CaseProblem;
 use crate::nearest::nearest;
 use crate::quantity::shorten;
 use crate::schema::{AFTER, BEFORE, MOST_ZONES, POINT, REST, SKID, STEER, WHEELS};
-use inputs::{After, Before, Drag, Place, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag};
+use inputs::{After, Before, Drag, PathPoint, Place, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag};
 
 const DRAGS: &str = "drag = 0.02, drag = \"locked\" or, front left, front right, rear left, rear right, \
                      drag = [0.02, \"locked\", 0.02, 0.02]";
@@ -148,9 +148,15 @@ impl<'t> Reader<'t> {
         Some(Rest { place: Place { x: x?, y: y? }, heading })
     }
 
-    fn points(&mut self, after: &Table<'t>) -> Vec<Place> {
+    fn points(&mut self, after: &Table<'t>) -> Vec<PathPoint> {
         const FORMS: &str = "points = [{ x = \"18.0 m\", y = \"5.5 m\" }, { x = \"25.1 m\", y = \"8.3 m\" }]";
         let tables = self.tables(after, "points", &POINT, FORMS, MOST_ZONES).unwrap_or_default();
-        tables.iter().filter_map(|table| self.place(table)).collect()
+        tables
+            .iter()
+            .filter_map(|table| {
+                let (place, heading) = (self.place(table), self.quantity(table, "heading"));
+                Some(PathPoint { place: place?, heading })
+            })
+            .collect()
     }
 }

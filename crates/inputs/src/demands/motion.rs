@@ -13,8 +13,8 @@ use crate::axes::Axes;
 use crate::case::{Case, Find};
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::motion::{
-    MotionInput, RegionData, RestData, RestHeadingData, SkidData, SteerData, SurfaceData, TwoSpeedInput,
-    VehicleMotion, ZoneData,
+    MotionInput, PointData, RegionData, RestData, RestHeadingData, SkidData, SteerData, SurfaceData,
+    TwoSpeedInput, VehicleMotion, ZoneData,
 };
 use crate::purpose::Purpose;
 use crate::quantity::Quantity;
@@ -232,7 +232,14 @@ impl<T: Real> Demand<'_, T> {
                 RestHeading::Turned(turned) => RestHeadingData::Turned(self.lateral(turned)),
             },
         });
-        let points: Vec<Vector2<T>> = after.points.iter().map(|point| self.place(point)).collect();
+        let points: Vec<PointData<T>> = after
+            .points
+            .iter()
+            .map(|point| PointData {
+                position: self.place(&point.place),
+                heading: point.heading.as_ref().map(|heading| self.lateral(heading)),
+            })
+            .collect();
         let steer = self.steer(after);
         let inertia = subject.and_then(|subject| subject.inertia);
         let yaw_inertia = inertia.and_then(|inertia| {
@@ -358,7 +365,7 @@ impl<T: Real> Demand<'_, T> {
     }
 
     /// Whether the places lie one after the other, as those of a path do.
-    fn path(&mut self, id: VehicleId, from: Vector2<T>, rest: Option<Vector2<T>>, points: &[Vector2<T>]) {
+    fn path(&mut self, id: VehicleId, from: Vector2<T>, rest: Option<Vector2<T>>, points: &[PointData<T>]) {
         let table = table(id);
         let last = points.len();
         let key = |index: usize| {
@@ -371,7 +378,8 @@ impl<T: Real> Demand<'_, T> {
         let at = |place: &Vector2<T>| [place.x.value(), place.y.value()];
         let mut before = at(&from);
         let mut leg_before: Option<[f64; 2]> = None;
-        for (index, place) in points.iter().chain(&rest).enumerate() {
+        let places = points.iter().map(|point| &point.position);
+        for (index, place) in places.chain(&rest).enumerate() {
             let place = at(place);
             let leg = [place[0] - before[0], place[1] - before[1]];
             let distance = (leg[0] * leg[0] + leg[1] * leg[1]).sqrt();

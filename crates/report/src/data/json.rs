@@ -1,6 +1,6 @@
 //! A finished analysis as JSON, in SI units and radians.
 
-use analysis::{Analysis, BothFound, BothMethod, Impact, Seen, SeenWarning, Travel, TravelOrigin};
+use analysis::{Analysis, BothFound, BothMethod, Impact, Pass, Seen, SeenWarning, Travel, TravelOrigin};
 use case::{Case, CaseFile};
 use pim_core::VehicleId;
 use reconcile::Unknown;
@@ -241,6 +241,16 @@ struct VehicleBlock {
     rest: Option<RestBlock>,
     #[serde(skip_serializing_if = "Option::is_none")]
     path: Option<Vec<PathBlock>>,
+    /// How the way passes the points of the case.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    points: Vec<PointBlock>,
+}
+
+#[derive(Serialize)]
+struct PointBlock {
+    miss: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    turned: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -395,6 +405,11 @@ fn path(travel: &Travel) -> Vec<PathBlock> {
     travel.samples.iter().map(moment).collect()
 }
 
+fn points(travel: &Travel) -> Vec<PointBlock> {
+    let point = |pass: &Pass| PointBlock { miss: pass.miss, turned: pass.turned.map(plain) };
+    travel.passes.iter().map(point).collect()
+}
+
 fn impact(case: &Case, impact: &Impact) -> ImpactBlock {
     let outcome = &impact.outcome;
     let has_moment = impact.law.has_moment();
@@ -482,6 +497,7 @@ fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
             distance: travel.rest.distance,
         }),
         path: travel.map(path),
+        points: travel.map_or_else(Vec::new, points),
     }
 }
 

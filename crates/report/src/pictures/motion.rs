@@ -6,7 +6,7 @@ use ::drawing::{
     MotionPoint, MotionRest, MotionVehicle, SceneArrow, SceneBody, SitePlan,
 };
 use analysis::{Analysis, Travel};
-use case::{Axes, Case, RegionData, SurfaceData};
+use case::{Axes, Case, PointData, RegionData, SurfaceData};
 use pim_core::{Real, Vector2, VehicleId};
 use trajectory::State;
 
@@ -159,8 +159,8 @@ fn vehicle(
             })
         }),
         measured_points: travel.map_or_else(Vec::new, |travel| {
-            let point = |(n, at): (usize, &Vector2<f64>)| MeasuredPoint {
-                at: (*at).into(),
+            let point = |(n, point): (usize, &PointData)| MeasuredPoint {
+                at: point.position.into(),
                 label: format!("point {}", n + 1),
             };
             travel.points.iter().enumerate().map(point).collect()

@@ -164,6 +164,16 @@ pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
         Some(format!("{}, {}", units.format(Measure::Length, apart), units.format(Measure::Angle, turn)))
     };
     way.pair("found and measured apart", each(&miss), "");
+    let most = analysis.travel.iter().flatten().map(|travel| travel.passes.len()).max().unwrap_or(0);
+    for i in 0..most {
+        let pass = |travel: &Travel| {
+            let pass = travel.passes.get(i)?;
+            let miss = units.format(Measure::Length, pass.miss);
+            let turned = pass.turned.map(|turned| format!(", {}", units.format(Measure::Angle, turned)));
+            Some(format!("{miss}{}", turned.unwrap_or_default()))
+        };
+        way.pair(&format!("way and point {} apart", i + 1), each(&pass), "");
+    }
     let form = |travel: &Travel| {
         Some(match travel.closed? {
             ClosedForm::Straight { .. } => "straight".to_owned(),

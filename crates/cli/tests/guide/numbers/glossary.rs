@@ -56,6 +56,10 @@ fn motion(ledger: &mut Ledger) {
     let edcrash = "the tables of the EDCRASH manual, chapter 4";
     ledger.cited("asphalt … 0.55 … 0.80", edcrash);
     ledger.cited("did not spin … 10°", edcrash);
+    ledger.cited(
+        "miss one by more than 15 % of the way",
+        "the limit of the EDCRASH manual for a point on the curve",
+    );
     ledger.cited("free wheel … 0.01", edcrash);
     ledger.cited("flat tyre … 0.013", edcrash);
     ledger.cited("high gear … 0.15 … 0.20", edcrash);
