@@ -8,6 +8,7 @@ use case::CaseFile;
 use crash3::crush_energy;
 use criterion::{Criterion, Throughput};
 use deltav_benches::{CASE_FILE, Example, FRICTION, TANGENTIAL_CONDITIONS, centimetre, spin_out};
+use estimate::{Evidence, Independent, Settings as Budget, sample_quietly};
 use pim_core::{Contact, Tangential};
 use trajectory::{State, Steer, Target, to_rest, to_start};
 use uncertainty::{Distribution, LANES, Lanes, Model, SamplingMethod, Settings, propagate};
@@ -21,6 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     motion(&mut criterion)?;
     case_file(&mut criterion)?;
     sampling(&mut criterion)?;
+    estimate(&mut criterion)?;
     criterion.final_summary();
     Ok(())
 }
@@ -140,6 +142,44 @@ fn sampling(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
         };
         run()?;
         group.bench_function(name, |b| b.iter(run));
+    }
+    group.finish();
+    Ok(())
+}
+
+/// Each value measured once, to a tenth of what the prior leaves open: next to no cost, so that what is
+/// measured is the sampler's own.
+struct Measured {
+    values: usize,
+}
+
+impl Evidence for Measured {
+    fn terms_count(&self) -> usize {
+        self.values
+    }
+
+    #[inline(always)]
+    fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], _reasons: &mut [u8; LANES]) {
+        for (term, value) in terms.iter_mut().zip(values) {
+            for (term, value) in term.iter_mut().zip(value) {
+                let z = (value - 0.5) * 10.0;
+                *term = -0.5 * z * z;
+            }
+        }
+    }
+}
+
+/// 16 islands of 256 particles, 4096 draws. The throughput is that of evaluations of the likelihood.
+fn estimate(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
+    let mut group = criterion.benchmark_group("estimate");
+    for values in [5, 20] {
+        let prior = Independent(vec![Distribution::normal(0.0, 1.0)?; values]);
+        let (evidence, budget) = (Measured { values }, Budget::new(256, 1));
+        let run = || one.install(|| sample_quietly(black_box(&prior), &evidence, &budget));
+        group.throughput(Throughput::Elements(run()?.diagnosis().evaluations as u64));
+        group.sample_size(10);
+        group.bench_function(format!("{values} values, one thread"), |b| b.iter(run));
     }
     group.finish();
     Ok(())

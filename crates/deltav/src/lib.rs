@@ -48,6 +48,7 @@
 //! | [`trajectory`] | the motion of a vehicle from the impact to rest |
 //! | [`reconcile`] | the speed that makes the two agree |
 //! | [`uncertainty`] | propagates input ranges to the results of any function |
+//! | [`estimate`] | draws from what evidence makes of a prior, and says whether they can be relied on |
 //! | [`inputs`] | what is known of a collision: numbers with units and ranges; what an analysis needs of them |
 //! | [`case`] | the case file: TOML, its reader and writer, diagnostics |
 //! | [`analysis`] | from these inputs to a finished analysis, with its warnings |
@@ -56,7 +57,7 @@
 //! | [`validation`] | staged collisions beside what the papers print of them |
 //! | [`real`] | the number that the equations run on, with derivatives |
 //!
-//! With the feature `parallel`, [`uncertainty`] runs on all cores. The results have the same bits with and
+//! With the feature `parallel`, [`uncertainty`] and [`estimate`] run on all cores. The results have the same bits with and
 //! without it.
 //!
 //! # What it does not do
@@ -64,8 +65,8 @@
 //! It adds nothing to these crates. No rollover, no occupant loads.
 
 pub use {
-    analysis, case, crash3, drawing, inputs, pim_core, real, reconcile, report, trajectory, uncertainty,
-    validation,
+    analysis, case, crash3, drawing, estimate, inputs, pim_core, real, reconcile, report, trajectory,
+    uncertainty, validation,
 };
 
 /// What most reconstructions need: `use deltav::prelude::*;`.

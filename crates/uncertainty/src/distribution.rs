@@ -205,6 +205,32 @@ impl Distribution {
         lanes[0]
     }
 
+    /// Standard normal numbers become values: each the quantile at the number's share, (unit of the input).
+    ///
+    /// A normal or log-normal distribution takes them as they are, so that it has no end; the others see
+    /// nothing beyond 8.2 standard deviations.
+    #[inline(always)]
+    pub fn from_standard_normals<const N: usize>(&self, lanes: &mut [f64; N]) {
+        match self.transform {
+            Transform::Normal { centre, scale, .. } if self.truncation.is_none() => {
+                for lane in lanes {
+                    // x = μ + σ z
+                    *lane = centre + scale * *lane;
+                }
+            }
+            Transform::LogNormal { median, scale } => {
+                for lane in lanes {
+                    // x = m exp(s z)
+                    *lane = median * exp(scale * *lane);
+                }
+            }
+            _ => {
+                normal::shares(lanes);
+                self.transform(lanes);
+            }
+        }
+    }
+
     /// (unit of the input) mean, after truncation.
     #[must_use]
     pub fn mean(&self) -> f64 {

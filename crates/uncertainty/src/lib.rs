@@ -41,6 +41,7 @@
 //! | [`tornado`] → [`Tornado`] | one input at a time, from low to high |
 //! | [`FirstOrder`] | propagation by derivatives, and whether it differs from the samples |
 //! | [`Sampler`] | the inputs of the samples, generated again |
+//! | [`random`], [`normal`], [`in_order`], [`for_each`] | what it is made of, for other engines: random bits by index, standard normal numbers, work shared among threads |
 //!
 //! # Guarantees
 //!
@@ -74,10 +75,10 @@ mod error;
 mod first_order;
 mod limits;
 mod model;
-mod normal;
+pub mod normal;
 mod points;
 mod propagate;
-mod random;
+pub mod random;
 mod run;
 mod sampler;
 mod sensitivity;
@@ -91,7 +92,7 @@ pub use limits::{MAX_SAMPLES, MIN_SAMPLES, REPLICATES};
 pub use model::{Failures, Function, LANES, Lanes, Model, NOT_FINITE, SUCCEEDED};
 pub use points::{MAX_SOBOL_INPUTS, SamplingMethod};
 pub use propagate::{Propagation, propagate};
-pub use run::{Instructions, Progress};
+pub use run::{Instructions, Progress, Span, for_each, in_order};
 pub use sampler::{Sampler, Settings};
 pub use sensitivity::{Index, Indices, SobolIndices, sensitivity};
 pub use summary::{Estimate, Interval, LEVELS, Summary};

@@ -10,7 +10,8 @@ const GAMMA: u64 = 0x9E37_79B9_7F4A_7C15;
 
 /// The number at `index` of the SplitMix64 sequence that starts at `key`.
 #[inline(always)]
-pub(crate) fn bits(key: u64, index: u64) -> u64 {
+#[must_use]
+pub fn bits(key: u64, index: u64) -> u64 {
     let z = key.wrapping_add(GAMMA.wrapping_mul(index.wrapping_add(1)));
     let z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
@@ -18,7 +19,8 @@ pub(crate) fn bits(key: u64, index: u64) -> u64 {
 }
 
 /// A sequence's key, from the seed and what the sequence is for.
-pub(crate) fn key(seed: u64, path: &[u64]) -> u64 {
+#[must_use]
+pub fn key(seed: u64, path: &[u64]) -> u64 {
     path.iter().fold(bits(seed, 0), |key, &step| bits(key, step))
 }
 
@@ -27,7 +29,8 @@ pub(crate) fn key(seed: u64, path: &[u64]) -> u64 {
 /// Never 0 or 1, and 1 − u is exact. The least is 2⁻⁵³, where a normal quantile is 8.2 standard deviations
 /// below the mean.
 #[inline(always)]
-pub(crate) fn unit(bits: u64) -> f64 {
+#[must_use]
+pub fn unit(bits: u64) -> f64 {
     // 2⁻⁵³
     const HALF_CELL: f64 = f64::EPSILON / 2.0;
     // u = k·2⁻⁵² + 2⁻⁵³; the mantissa of 1 + k·2⁻⁵² is k.

@@ -33,9 +33,10 @@ impl Instructions {
         others.into_iter().flatten().map(Self).collect()
     }
 
-    /// For `dispatch!`. What it is given must be one call of a function that is `#[inline(always)]`: a
-    /// closure of ours would be compiled once, for the least of the instructions.
-    pub(crate) fn level(self) -> Level {
+    /// For `fearless_simd::dispatch!`. What it is given must be one call of a function that is
+    /// `#[inline(always)]`: a closure would be compiled once, for the least of the instructions.
+    #[must_use]
+    pub fn level(self) -> Level {
         self.0
     }
 }
@@ -52,9 +53,12 @@ impl Default for Instructions {
 pub type Progress<'a> = dyn FnMut(usize, usize) -> ControlFlow<()> + Send + 'a;
 
 /// A span of work, and how many samples it holds.
-pub(crate) struct Span<S> {
-    pub(crate) samples: usize,
-    pub(crate) work: S,
+#[derive(Clone, Copy, Debug)]
+pub struct Span<S> {
+    /// Number of samples.
+    pub samples: usize,
+    /// What is to be done.
+    pub work: S,
 }
 
 /// What the workers share.
@@ -67,7 +71,7 @@ struct Queue<'a, I> {
 /// Does the spans in their order until `progress` breaks, and returns their results in order.
 ///
 /// A span that is begun is finished. So what comes back belongs to the first spans, without a gap.
-pub(crate) fn in_order<S: Send, T: Send>(
+pub fn in_order<S: Send, T: Send>(
     spans: Vec<Span<S>>,
     work: impl Fn(S) -> T + Sync,
     progress: &mut Progress<'_>,
@@ -103,7 +107,7 @@ pub(crate) fn in_order<S: Send, T: Send>(
 }
 
 /// The results of `work` for each item, in order.
-pub(crate) fn for_each<S: Sync, T: Send>(items: &[S], work: impl Fn(&S) -> T + Sync) -> Vec<T> {
+pub fn for_each<S: Sync, T: Send>(items: &[S], work: impl Fn(&S) -> T + Sync) -> Vec<T> {
     let spans = items.iter().map(|item| Span { samples: 0, work: item }).collect();
     in_order(spans, work, &mut |_, _| ControlFlow::Continue(()))
 }

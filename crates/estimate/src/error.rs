@@ -1,0 +1,194 @@
+//! Why there is no answer.
+
+use std::fmt;
+
+use uncertainty::Failures;
+
+use crate::settings::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
+
+/// Why there are no draws.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Failure {
+    /// Nothing is unknown.
+    #[error("there is no unknown value; give at least one value a prior")]
+    NothingUnknown,
+    /// A number of particles that cannot be dealt in two halves of whole blocks.
+    #[error(
+        "the number of particles of an island must be a multiple of {PARTICLES_STEP} up to \
+         {MOST_PARTICLES}, but is {particles}"
+    )]
+    Particles {
+        /// Number of particles.
+        particles: usize,
+    },
+    /// Too few islands for their differences to tell anything.
+    #[error("there must be at least {LEAST_ISLANDS} islands, but there are {islands}")]
+    Islands {
+        /// Number of islands.
+        islands: usize,
+    },
+    /// A piece of evidence that does not exist.
+    #[error("there are {terms} pieces of evidence, counted from 0, but number {term} was asked for")]
+    NoSuchTerm {
+        /// The number asked for.
+        term: usize,
+        /// Number of pieces.
+        terms: usize,
+    },
+    /// A log-likelihood that is NaN or +∞.
+    #[error("the log-likelihood of evidence {term} is {value} at the values {values:?}")]
+    NotALikelihood {
+        /// Number of the piece of evidence.
+        term: usize,
+        /// What stands in place of its log-likelihood.
+        value: f64,
+        /// (units of the values) where it does.
+        values: Vec<f64>,
+    },
+    /// An output that is infinite or NaN.
+    #[error("output {output} is {value} at the values {values:?}")]
+    NotFinite {
+        /// Number of the output.
+        output: usize,
+        /// What stands in place of it.
+        value: f64,
+        /// (units of the values) where it does.
+        values: Vec<f64>,
+    },
+    /// No draw of the prior, or hardly any, agrees with all evidence.
+    #[error("the evidence excludes what the prior allows: {0}")]
+    Impossible(Exclusion),
+    /// The caller ended the run.
+    #[error("the run was ended after {finished} of {islands} islands")]
+    Ended {
+        /// Number of islands finished.
+        finished: usize,
+        /// Number of islands.
+        islands: usize,
+    },
+}
+
+/// What excluded the draws of the prior.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Exclusion {
+    /// Number of draws of the prior.
+    pub drawn: usize,
+    /// Number of those with a likelihood above zero.
+    pub possible: usize,
+    /// Number of those of which the model makes nothing, by its reason.
+    pub failures: Failures,
+    /// Number of the other draws that each piece of evidence excludes.
+    pub by_term: Vec<usize>,
+    /// Number of the other draws that both of two pieces exclude, `[a][b]` for b < a.
+    pub by_both: Vec<Vec<usize>>,
+}
+
+/// The least that excludes every draw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Culprit {
+    /// The model makes nothing of any draw.
+    Model,
+    /// One piece of evidence alone.
+    Term(usize),
+    /// Two pieces, which are possible alone but not together.
+    Pair(usize, usize),
+    /// It takes three pieces or more.
+    Together,
+    /// Nothing: some draws are possible, but too few to go on from.
+    None,
+}
+
+impl Exclusion {
+    pub(crate) fn new(terms: usize) -> Self {
+        let by_both = (0..terms).map(|term| vec![0; term]).collect();
+        Self { by_term: vec![0; terms], by_both, ..Self::default() }
+    }
+
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.drawn += other.drawn;
+        self.possible += other.possible;
+        for (reason, count) in &other.failures {
+            *self.failures.entry(*reason).or_default() += count;
+        }
+        for (sum, count) in self.by_term.iter_mut().zip(&other.by_term) {
+            *sum += count;
+        }
+        let others = other.by_both.iter().flatten();
+        for (sum, count) in self.by_both.iter_mut().flatten().zip(others) {
+            *sum += count;
+        }
+    }
+
+    /// The least that excludes every draw; of several that do, the first.
+    #[must_use]
+    pub fn culprit(&self) -> Culprit {
+        if self.possible > 0 {
+            return Culprit::None;
+        }
+        let judged = self.drawn - self.failures.values().sum::<usize>();
+        if judged == 0 {
+            return Culprit::Model;
+        }
+        if let Some(term) = self.by_term.iter().position(|&excluded| excluded == judged) {
+            return Culprit::Term(term);
+        }
+        for (second, row) in self.by_both.iter().enumerate() {
+            for (first, &both) in row.iter().enumerate() {
+                // |A ∪ B| = |A| + |B| − |A ∩ B|
+                if self.by_term[first] + self.by_term[second] - both == judged {
+                    return Culprit::Pair(first, second);
+                }
+            }
+        }
+        Culprit::Together
+    }
+}
+
+impl fmt::Display for Exclusion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let drawn = self.drawn;
+        match self.culprit() {
+            Culprit::Model => write!(f, "the model fails for all of {drawn} draws of the prior"),
+            Culprit::Term(term) => {
+                write!(f, "evidence {term} alone excludes all of {drawn} draws of the prior")
+            }
+            Culprit::Pair(first, second) => write!(
+                f,
+                "evidence {first} and evidence {second} are possible alone, but together they exclude all of \
+                 {drawn} draws of the prior"
+            ),
+            Culprit::Together => {
+                write!(f, "three pieces or more together exclude all of {drawn} draws of the prior")
+            }
+            Culprit::None => write!(f, "only {} of {drawn} draws of the prior are possible", self.possible),
+        }
+    }
+}
+
+/// Why a piece of evidence cannot be judged.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CannotReweight {
+    /// A piece of evidence that does not exist.
+    #[error("there are {terms} pieces of evidence, counted from 0, but number {term} was asked for")]
+    NoSuchTerm {
+        /// The number asked for.
+        term: usize,
+        /// Number of pieces.
+        terms: usize,
+    },
+    /// A piece that excludes values: without it there would be draws where now there are none.
+    #[error("evidence {term} excludes values, so that no weights can bring them back; run again without it")]
+    Excludes {
+        /// Number of the piece of evidence.
+        term: usize,
+    },
+    /// A piece without a residual.
+    #[error("evidence {term} has no residual, so that it cannot be compared with a prediction")]
+    NoResidual {
+        /// Number of the piece of evidence.
+        term: usize,
+    },
+}

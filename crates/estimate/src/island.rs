@@ -1,0 +1,609 @@
+//! One population on its way from the prior to the posterior.
+//!
+//! # References
+//!
+//! P. Del Moral, A. Doucet and A. Jasra, *Sequential Monte Carlo samplers*, JRSS B 68 (2006). R. M. Neal,
+//! *Annealed importance sampling*, Statistics and Computing 11 (2001). Y. Zhou, A. M. Johansen and J. A. D.
+//! Aston, *Toward automatic model comparison*, JCGS 25 (2016): temperatures by the conditional effective
+//! sample size.
+
+use fearless_simd::dispatch;
+use real::elementary::{exp, ln};
+use uncertainty::random::{bits, key, unit};
+use uncertainty::{LANES, Lanes};
+
+use crate::error::{Exclusion, Failure};
+use crate::gaussian::{Gaussian, product, sum};
+use crate::model::{Evidence, Prior};
+use crate::moves::{KINDS, Kind, Proposal, Tuning, choose, normals};
+use crate::target::{Evaluation, Target};
+
+/// (–) conditional effective sample size, of the particles, that a step in temperature keeps.
+const KEPT: f64 = 0.5;
+
+/// Draws of the prior, for each particle, after which one that is possible is given up.
+const MOST_DRAWS: usize = 256;
+
+/// More steps in temperature than any evidence needs.
+const MOST_STAGES: usize = 1000;
+
+/// When particles have moved enough.
+#[derive(Clone, Copy, Debug)]
+struct Enough {
+    /// Fewest rounds of moves, and most.
+    rounds: (usize, usize),
+    /// (–) correlation of every coordinate with where it was.
+    correlation: f64,
+}
+
+/// On the way the next moves go on where these end.
+const ON_THE_WAY: Enough = Enough { rounds: (3, 60), correlation: 0.1 };
+
+/// The last particles are the draws.
+const AT_THE_END: Enough = Enough { rounds: (9, 240), correlation: 0.1 };
+
+/// Rounds after which a mean correlation that has hardly fallen will not fall: modes do not mix.
+const PATIENCE: usize = 12;
+
+/// How far the particles still are from forgetting where they were.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Memory {
+    /// (–) greatest correlation of a coordinate with where it was.
+    pub(crate) greatest: f64,
+    /// (–) mean over the coordinates.
+    pub(crate) mean: f64,
+    /// (–) share of the particles that have not moved at all.
+    pub(crate) unmoved: f64,
+}
+
+/// Particles with equal weights.
+#[derive(Clone, Debug)]
+pub(crate) struct Population {
+    dimensions: usize,
+    /// Columns of the first block, of the second, and so on.
+    standard: Vec<Lanes>,
+    log_likelihood: Vec<Lanes>,
+    /// For each particle the draw that it descends from, by resampling and by moves that begin where it was.
+    lineage: Vec<[u32; LANES]>,
+}
+
+impl Population {
+    pub(crate) fn blocks(&self) -> usize {
+        self.log_likelihood.len()
+    }
+
+    pub(crate) fn block(&self, block: usize) -> &[Lanes] {
+        &self.standard[block * self.dimensions..][..self.dimensions]
+    }
+
+    pub(crate) fn lineage(&self, block: usize) -> &[u32; LANES] {
+        &self.lineage[block]
+    }
+
+    fn particles(&self) -> usize {
+        self.blocks() * LANES
+    }
+
+    /// The blocks of one half, 0 or 1.
+    fn half(&self, half: usize) -> Vec<&[Lanes]> {
+        (half..self.blocks()).step_by(2).map(|block| self.block(block)).collect()
+    }
+
+    /// Mean and variance of each coordinate.
+    fn variances(&self) -> Vec<f64> {
+        let count = self.particles() as f64;
+        let blocks = || (0..self.blocks()).map(|block| self.block(block));
+        let of = |coordinate: usize| {
+            let mean = blocks().map(|block| sum(&block[coordinate])).sum::<f64>() / count;
+            let square = |block: &[Lanes]| {
+                let deviations = block[coordinate].map(|value| value - mean);
+                product(&deviations, &deviations)
+            };
+            blocks().map(square).sum::<f64>() / count
+        };
+        (0..self.dimensions).map(of).collect()
+    }
+
+    /// How much the particles remember of where they were.
+    fn memory(&self, before: &Self, variances: &[f64]) -> Memory {
+        let count = self.particles() as f64;
+        let now = self.variances();
+        let mut greatest: f64 = 0.0;
+        let mut total = 0.0;
+        for (coordinate, (first, second)) in variances.iter().zip(&now).enumerate() {
+            let square = |block: usize| {
+                let mut difference = self.block(block)[coordinate];
+                for (value, old) in difference.iter_mut().zip(&before.block(block)[coordinate]) {
+                    *value -= old;
+                }
+                product(&difference, &difference)
+            };
+            let squares: f64 = (0..self.blocks()).map(square).sum();
+            // ρ = 1 − ⟨(z − z₀)²⟩/(σ² + σ₀²)
+            let scale = first + second;
+            let correlation = if scale > 0.0 { 1.0 - squares / count / scale } else { 1.0 };
+            greatest = greatest.max(correlation);
+            total += correlation;
+        }
+        let unmoved = (0..self.blocks()).map(|block| {
+            let (now, before) = (self.block(block), before.block(block));
+            (0..LANES).filter(|&lane| now.iter().zip(before).all(|(now, old)| now[lane] == old[lane])).count()
+        });
+        let unmoved = unmoved.sum::<usize>() as f64 / count;
+        Memory { greatest, mean: total / variances.len() as f64, unmoved }
+    }
+
+    /// Systematic resampling with weights whose mean is 1. Particle i of the result goes to another block
+    /// than i + 1, so that the copies of one are dealt to both halves.
+    fn resample(&mut self, weights: &[Lanes], share: f64) {
+        let old = self.clone();
+        let blocks = self.blocks();
+        let mut source = sources(weights, share, self.particles());
+        for lane in 0..LANES {
+            for block in 0..blocks {
+                let (from, from_lane) = source.next().unwrap_or((blocks - 1, LANES - 1));
+                for coordinate in 0..self.dimensions {
+                    self.standard[block * self.dimensions + coordinate][lane] =
+                        old.standard[from * self.dimensions + coordinate][from_lane];
+                }
+                self.log_likelihood[block][lane] = old.log_likelihood[from][from_lane];
+                self.lineage[block][lane] = old.lineage[from][from_lane];
+            }
+        }
+    }
+}
+
+/// The particles, as block and lane, that systematic resampling takes: `count` of them at (i + share)·W/count
+/// along the weights laid end to end, W their sum.
+fn sources(weights: &[Lanes], share: f64, count: usize) -> impl Iterator<Item = (usize, usize)> {
+    let total: f64 = weights.iter().map(sum).sum();
+    let mut particles = (0..weights.len()).flat_map(|block| (0..LANES).map(move |lane| (block, lane)));
+    let mut current = particles.next();
+    let mut reached = current.map_or(0.0, |(block, lane)| weights[block][lane]);
+    let weights: Vec<Lanes> = weights.to_vec();
+    let mut last = current;
+    (0..count).map_while(move |draw| {
+        let place = (draw as f64 + share) * total / count as f64;
+        while reached <= place
+            && let Some(particle) = current
+        {
+            // The last particle with a weight stands in where rounding leads beyond the end.
+            if weights[particle.0][particle.1] > 0.0 {
+                last = current;
+            }
+            current = particles.next();
+            reached += current.map_or(0.0, |(block, lane)| weights[block][lane]);
+        }
+        current.or(last)
+    })
+}
+
+/// What became of an island.
+#[derive(Clone, Debug)]
+pub(crate) struct Island {
+    /// None where no draw of the prior was possible.
+    pub(crate) population: Option<Population>,
+    pub(crate) log_evidence: f64,
+    pub(crate) exclusion: Exclusion,
+    /// For each piece of evidence, whether it excluded a particle.
+    pub(crate) excludes: Vec<bool>,
+    pub(crate) stages: usize,
+    pub(crate) evaluations: usize,
+    /// (–) the evidence's share that was reached: 1 unless it took too many steps.
+    pub(crate) temperature: f64,
+    /// (–) of the kind of move that accepts most, at the end.
+    pub(crate) acceptance: f64,
+    pub(crate) memory: Memory,
+}
+
+/// Runs an island.
+pub(crate) fn run<P: Prior, E: Evidence>(
+    target: &Target<'_, P, E>,
+    particles: usize,
+    seed: u64,
+    index: u64,
+) -> Result<Island, Failure> {
+    let mut traveller = Traveller::new(target, key(seed, &[index]));
+    let population = traveller.draw_prior(particles)?;
+    let mut island = Island {
+        population: None,
+        log_evidence: f64::NEG_INFINITY,
+        exclusion: Exclusion::default(),
+        excludes: Vec::new(),
+        stages: 0,
+        evaluations: 0,
+        temperature: 0.0,
+        acceptance: 0.0,
+        memory: Memory::default(),
+    };
+    if let Some(mut population) = population {
+        // Z₀ = share of the prior that is possible
+        let exclusion = &traveller.exclusion;
+        island.log_evidence = ln(exclusion.possible as f64 / exclusion.drawn as f64);
+        while island.temperature < 1.0 && island.stages < MOST_STAGES {
+            let stage = island.stages as u64;
+            let step = step_in_temperature(&population, 1.0 - island.temperature);
+            island.temperature = if step.is_last { 1.0 } else { island.temperature + step.size };
+            island.log_evidence += step.log_mean;
+            population.resample(&step.weights, unit(bits(key(traveller.key, &[1]), stage)));
+            let enough = if step.is_last { AT_THE_END } else { ON_THE_WAY };
+            let sequence = key(traveller.key, &[2, stage]);
+            island.memory = traveller.travel(&mut population, island.temperature, enough, sequence)?;
+            island.stages += 1;
+        }
+        let acceptance = traveller.tunings.iter().map(|tuning| tuning.acceptance);
+        island.acceptance = acceptance.fold(0.0, f64::max);
+        island.population = Some(population);
+    }
+    island.exclusion = traveller.exclusion;
+    island.excludes = traveller.excludes;
+    island.evaluations = traveller.evaluations;
+    Ok(island)
+}
+
+/// A step from one temperature to the next.
+struct Step {
+    size: f64,
+    is_last: bool,
+    /// Weights with the mean 1.
+    weights: Vec<Lanes>,
+    /// ln of their mean before that: what the evidence gains.
+    log_mean: f64,
+}
+
+/// The longest step, up to `rest`, that keeps [`KEPT`] of the effective sample size.
+fn step_in_temperature(population: &Population, rest: f64) -> Step {
+    let best = population.log_likelihood.iter().flatten().fold(f64::NEG_INFINITY, |best, l| best.max(*l));
+    let count = population.particles() as f64;
+    // Σ w and Σ w², w = exp(δ (l − l_max))
+    let sums = |size: f64| {
+        let mut sums = [0.0, 0.0];
+        for block in &population.log_likelihood {
+            let weights = block.map(|l| exp(size * (l - best)));
+            sums[0] += sum(&weights);
+            sums[1] += product(&weights, &weights);
+        }
+        sums
+    };
+    // With equal weights before, the conditional effective sample size is (Σ w)²/Σ w².
+    let is_kept = |size: f64| {
+        let [first, second] = sums(size);
+        first * first >= KEPT * count * second
+    };
+    let is_last = is_kept(rest);
+    let mut size = rest;
+    if !is_last {
+        let (mut low, mut high) = (0.0, rest);
+        // By halves until the share of the particles is known to a tenth of a percent. A step may be as small
+        // as a likelihood is steep; then it is the exponent that is searched.
+        for _ in 0..200 {
+            let middle = if low > 0.0 { 0.5 * (low + high) } else { high * 0.125 };
+            if is_kept(middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+            if high - low <= 1e-3 * low {
+                break;
+            }
+        }
+        // Where even the smallest step keeps too little, the likelihood is all but a limit; some step must
+        // be taken.
+        size = if low > 0.0 { low } else { high };
+    }
+    let mean = sums(size)[0] / count;
+    let weights = population.log_likelihood.iter().map(|block| block.map(|l| exp(size * (l - best)) / mean));
+    Step { size, is_last, weights: weights.collect(), log_mean: ln(mean) + size * best }
+}
+
+/// What an island moves its particles with.
+struct Traveller<'a, 'b, P, E> {
+    target: &'a Target<'b, P, E>,
+    key: u64,
+    evaluation: Evaluation,
+    proposal: Proposal,
+    tunings: [Tuning; KINDS.len()],
+    exclusion: Exclusion,
+    excludes: Vec<bool>,
+    evaluations: usize,
+    newest: u32,
+}
+
+impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
+    fn new(target: &'a Target<'b, P, E>, key: u64) -> Self {
+        let terms = target.used.len();
+        Self {
+            target,
+            key,
+            evaluation: target.evaluation(),
+            proposal: Proposal::new(target.dimensions()),
+            tunings: [Tuning::new(); KINDS.len()],
+            exclusion: Exclusion::new(terms),
+            excludes: vec![false; terms],
+            evaluations: 0,
+            newest: 0,
+        }
+    }
+
+    /// Draws of the prior that are possible; none if there is none among many.
+    fn draw_prior(&mut self, particles: usize) -> Result<Option<Population>, Failure> {
+        let dimensions = self.target.dimensions();
+        let blocks = particles / LANES;
+        let mut population = Population {
+            dimensions,
+            standard: vec![[0.0; LANES]; blocks * dimensions],
+            log_likelihood: vec![[0.0; LANES]; blocks],
+            lineage: vec![[0; LANES]; blocks],
+        };
+        let sequence = key(self.key, &[0]);
+        let mut found = 0;
+        let mut draws = vec![[0.0; LANES]; dimensions];
+        for block in 0..(blocks * MOST_DRAWS) as u64 {
+            if found >= particles {
+                break;
+            }
+            normals(sequence, block * LANES as u64, &mut draws);
+            self.target.evaluate(&draws, &mut self.evaluation)?;
+            self.evaluations += LANES;
+            self.count_draws();
+            for lane in 0..LANES {
+                let log_likelihood = self.evaluation.log_likelihood[lane];
+                if log_likelihood == f64::NEG_INFINITY {
+                    continue;
+                }
+                self.exclusion.possible += 1;
+                if found < particles {
+                    let (place, into) = (found / LANES, found % LANES);
+                    for (coordinate, column) in draws.iter().enumerate() {
+                        population.standard[place * dimensions + coordinate][into] = column[lane];
+                    }
+                    population.log_likelihood[place][into] = log_likelihood;
+                    population.lineage[place][into] = self.newest;
+                    self.newest += 1;
+                    found += 1;
+                }
+            }
+        }
+        if found == 0 {
+            return Ok(None);
+        }
+        // Too few are repeated; their lineage shows it.
+        for index in found..particles {
+            let (place, into) = (index / LANES, index % LANES);
+            let (old, from) = (index % found / LANES, index % found % LANES);
+            for coordinate in 0..dimensions {
+                population.standard[place * dimensions + coordinate][into] =
+                    population.standard[old * dimensions + coordinate][from];
+            }
+            population.log_likelihood[place][into] = population.log_likelihood[old][from];
+            population.lineage[place][into] = population.lineage[old][from];
+        }
+        Ok(Some(population))
+    }
+
+    /// Counts what excluded the draws of the prior of this block.
+    fn count_draws(&mut self) {
+        self.exclusion.drawn += LANES;
+        for lane in 0..LANES {
+            if self.evaluation.log_likelihood[lane] > f64::NEG_INFINITY {
+                continue;
+            }
+            let reason = self.evaluation.reasons[lane];
+            if reason != 0 {
+                *self.exclusion.failures.entry(reason).or_default() += 1;
+                continue;
+            }
+            for term in 0..self.target.used.len() {
+                if !self.is_excluded_by(term, lane) {
+                    continue;
+                }
+                self.excludes[term] = true;
+                self.exclusion.by_term[term] += 1;
+                for other in 0..term {
+                    let both = self.is_excluded_by(other, lane);
+                    self.exclusion.by_both[term][other] += usize::from(both);
+                }
+            }
+        }
+    }
+
+    fn is_excluded_by(&self, term: usize, lane: usize) -> bool {
+        self.target.used[term] && self.evaluation.terms[term][lane] == f64::NEG_INFINITY
+    }
+
+    /// Moves until the particles have forgotten where they were, or will not.
+    fn travel(
+        &mut self,
+        population: &mut Population,
+        temperature: f64,
+        enough: Enough,
+        sequence: u64,
+    ) -> Result<Memory, Failure> {
+        let before = population.clone();
+        let variances = population.variances();
+        let mut means = Vec::new();
+        let mut memory = Memory { greatest: 1.0, mean: 1.0, unmoved: 1.0 };
+        for round in 0..enough.rounds.1 {
+            let sequence = key(sequence, &[round as u64]);
+            let place = choose(&self.tunings, unit(bits(sequence, 0)));
+            self.round(population, temperature, &variances, place, sequence)?;
+            if round + 1 < enough.rounds.0 {
+                continue;
+            }
+            memory = population.memory(&before, &variances);
+            let has_stopped = means.len() >= PATIENCE
+                && means.get(means.len() - PATIENCE).is_some_and(|earlier| earlier - memory.mean < 0.02);
+            means.push(memory.mean);
+            // The correlation of independent particles is not zero but 1/√N, to either side.
+            let noise = 2.0 / (population.particles() as f64).sqrt();
+            if memory.greatest < enough.correlation + noise || has_stopped {
+                break;
+            }
+        }
+        Ok(memory)
+    }
+
+    /// One move of each particle.
+    fn round(
+        &mut self,
+        population: &mut Population,
+        temperature: f64,
+        variances: &[f64],
+        place: usize,
+        sequence: u64,
+    ) -> Result<(), Failure> {
+        let kind = KINDS[place];
+        let scale = self.tunings[place].scale();
+        let (mut accepted, mut gain) = (0.0, 0.0);
+        for half in 0..2 {
+            let others = population.half(1 - half);
+            let reference = (kind == Kind::Reference).then(|| Gaussian::of(&others, population.dimensions));
+            let mut moved = Vec::with_capacity(population.blocks() / 2);
+            for block in (half..population.blocks()).step_by(2) {
+                let from = population.block(block);
+                let first = (block * LANES) as u64;
+                let moves =
+                    Moves { from, others: &others, reference: reference.as_ref(), scale, kind, first };
+                let level = self.target.instructions.level();
+                let proposal = &mut self.proposal;
+                dispatch!(level, _simd => propose(proposal, &moves, key(sequence, &[1])));
+                self.target.evaluate(&self.proposal.standard, &mut self.evaluation)?;
+                self.evaluations += LANES;
+                self.note_exclusions();
+                let log_likelihood = &population.log_likelihood[block];
+                let chosen = self.accept(log_likelihood, temperature, key(sequence, &[2]), first);
+                let mut after = from.to_vec();
+                for ((after, proposed), variance) in
+                    after.iter_mut().zip(&self.proposal.standard).zip(variances)
+                {
+                    let weight = if *variance > 0.0 { variance.recip() } else { 0.0 };
+                    for ((value, proposed), chosen) in after.iter_mut().zip(proposed).zip(&chosen) {
+                        let step = if *chosen { proposed - *value } else { 0.0 };
+                        gain += step * step * weight;
+                        *value = if *chosen { *proposed } else { *value };
+                    }
+                }
+                moved.push((block, after, self.evaluation.log_likelihood, chosen));
+            }
+            for (block, standard, log_likelihood, chosen) in moved {
+                let dimensions = population.dimensions;
+                population.standard[block * dimensions..][..dimensions].copy_from_slice(&standard);
+                for lane in 0..LANES {
+                    if !chosen[lane] {
+                        continue;
+                    }
+                    accepted += 1.0;
+                    population.log_likelihood[block][lane] = log_likelihood[lane];
+                    // An independent draw descends from nobody.
+                    if kind == Kind::Reference && scale >= 1.0 {
+                        population.lineage[block][lane] = self.newest;
+                        self.newest = self.newest.wrapping_add(1);
+                    }
+                }
+            }
+        }
+        let count = population.particles() as f64;
+        let gain = gain / (count * population.dimensions as f64);
+        self.tunings[place].learn(kind, accepted / count, gain);
+        Ok(())
+    }
+
+    fn note_exclusions(&mut self) {
+        for lane in 0..LANES {
+            if self.evaluation.log_likelihood[lane] == f64::NEG_INFINITY && self.evaluation.reasons[lane] == 0
+            {
+                for term in 0..self.excludes.len() {
+                    self.excludes[term] |= self.is_excluded_by(term, lane);
+                }
+            }
+        }
+    }
+
+    /// Which proposals are taken (Metropolis and Hastings).
+    fn accept(&self, before: &Lanes, temperature: f64, sequence: u64, first: u64) -> [bool; LANES] {
+        let mut chosen = [false; LANES];
+        let proposed = self.evaluation.log_likelihood.iter().zip(&self.proposal.log_ratio);
+        for (((chosen, old), (new, ratio)), lane) in chosen.iter_mut().zip(before).zip(proposed).zip(first..)
+        {
+            // ln α = β (l′ − l) + ln of the ratio of priors and proposals
+            let log_ratio = temperature * (new - old) + ratio;
+            *chosen = ln(unit(bits(sequence, lane))) < log_ratio;
+        }
+        chosen
+    }
+}
+
+/// What a block is moved by.
+struct Moves<'a> {
+    from: &'a [Lanes],
+    others: &'a [&'a [Lanes]],
+    reference: Option<&'a Gaussian>,
+    scale: f64,
+    kind: Kind,
+    first: u64,
+}
+
+#[inline(always)]
+fn propose(proposal: &mut Proposal, moves: &Moves<'_>, sequence: u64) {
+    let Moves { from, others, reference, scale, kind, first } = moves;
+    match reference {
+        Some(reference) => proposal.by_reference(from, reference, *scale, sequence, *first),
+        None => proposal.by_difference(from, others, *scale, *kind, sequence, *first),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Population, sources, step_in_temperature};
+    use uncertainty::{LANES, Lanes};
+
+    fn population(log_likelihood: Vec<Lanes>) -> Population {
+        let blocks = log_likelihood.len();
+        Population {
+            dimensions: 1,
+            standard: vec![[0.0; LANES]; blocks],
+            log_likelihood,
+            lineage: vec![[0; LANES]; blocks],
+        }
+    }
+
+    /// A particle of weight w is taken ⌊w⌋ or ⌈w⌉ times.
+    #[test]
+    fn systematic_resampling_takes_each_as_often_as_it_weighs() {
+        let raw: [Lanes; 2] =
+            std::array::from_fn(|block| std::array::from_fn(|lane| ((block * 64 + lane) * 37 % 11) as f64));
+        let total: f64 = raw.iter().flatten().sum();
+        let weights = raw.map(|block| block.map(|w| w * 128.0 / total));
+        for share in [1e-9, 0.25, 0.5, 1.0 - 1e-9] {
+            let mut counts = [0.0; 128];
+            for (block, lane) in sources(&weights, share, 128) {
+                counts[block * 64 + lane] += 1.0;
+            }
+            assert_eq!(counts.iter().sum::<f64>(), 128.0);
+            for (count, weight) in counts.iter().zip(weights.iter().flatten()) {
+                assert!((count - weight).abs() < 1.0, "{weight} taken {count} times");
+            }
+        }
+        // Equal weights: each once, in order.
+        let all: Vec<_> = sources(&[[1.0; LANES]; 2], 0.5, 128).collect();
+        assert!(all.iter().enumerate().all(|(i, place)| *place == (i / 64, i % 64)));
+    }
+
+    /// A quarter of the particles with a likelihood of 1, the others with next to none.
+    #[test]
+    fn a_step_keeps_half_of_the_sample_size() {
+        let halves: Lanes = std::array::from_fn(|lane| if lane % 4 == 0 { 0.0 } else { -1e6 });
+        let step = step_in_temperature(&population(vec![halves; 2]), 1.0);
+        assert!(!step.is_last);
+        // w = exp(−1e6 δ): (¼ + ¾w)² = ½(¼ + ¾w²), so 3w² + 6w − 1 = 0.
+        let w = 2.0 / 3.0_f64.sqrt() - 1.0;
+        assert!((step.size * 1e6 / -real::elementary::ln(w) - 1.0).abs() < 2e-3, "{}", step.size);
+        let mean = 0.25 + 0.75 * w;
+        assert!((step.log_mean - real::elementary::ln(mean)).abs() < 2e-3);
+
+        let step = step_in_temperature(&population(vec![[-7.0; LANES]; 2]), 0.75);
+        assert!(step.is_last && step.size == 0.75);
+        assert_eq!(step.weights, [[1.0; LANES]; 2]);
+        assert_eq!(step.log_mean, -5.25);
+    }
+}

@@ -1,0 +1,145 @@
+//! What is known before the evidence, and what the evidence says.
+
+use uncertainty::{Distribution, LANES, Lanes};
+
+/// What is known before the evidence: how independent standard normal numbers become the unknown values.
+///
+/// [`Independent`] does this for values that are independent of each other. A prior of one's own may let a
+/// value depend on those before it.
+///
+/// Mark [`values`](Self::values) `#[inline(always)]`, as [`uncertainty::Model`] says.
+pub trait Prior: Sync {
+    /// Number of unknown values, and of the standard normal numbers that they are made of.
+    fn values_count(&self) -> usize;
+
+    /// Turns a block of standard normal numbers into values, a column for each.
+    fn values(&self, standard: &[Lanes], values: &mut [Lanes]);
+}
+
+/// Unknown values that are independent of each other.
+#[derive(Clone, Debug)]
+pub struct Independent(pub Vec<Distribution>);
+
+impl Prior for Independent {
+    fn values_count(&self) -> usize {
+        self.0.len()
+    }
+
+    #[inline(always)]
+    fn values(&self, standard: &[Lanes], values: &mut [Lanes]) {
+        for ((value, number), distribution) in values.iter_mut().zip(standard).zip(&self.0) {
+            *value = *number;
+            distribution.from_standard_normals(value);
+        }
+    }
+}
+
+/// What the evidence says of unknown values: a log-likelihood in terms, one for each piece of evidence, for
+/// [`LANES`] particles at once.
+///
+/// Each lane must depend only on its own values; then a run has the same bits for any number of threads. If
+/// [`log_likelihood`](Self::log_likelihood) and all functions that it calls are marked `#[inline(always)]`
+/// and cannot panic, its loops over the lanes are vectorised. [`Function`] makes evidence of a function of
+/// one particle.
+pub trait Evidence: Sync {
+    /// Number of pieces of evidence.
+    fn terms_count(&self) -> usize;
+
+    /// Writes the logarithm of the likelihood of each piece of evidence, a column for each: −∞ where the
+    /// piece excludes the particle. The constant that makes it a density belongs in it where the log evidence is to
+    /// mean something.
+    ///
+    /// A particle of which the model makes nothing at all gets a reason from 1 to 254 in `reasons`, which are
+    /// 0 at the start; it is then impossible, whatever its terms.
+    ///
+    /// Neither NaN nor +∞ is a log-likelihood: they end the run with an error.
+    fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], reasons: &mut [u8; LANES]);
+
+    /// Number of further quantities that are wanted of each draw.
+    fn outputs_count(&self) -> usize {
+        0
+    }
+
+    /// What is wanted of each draw beside its values. It is called once for the particles at the end, all of
+    /// which are possible.
+    ///
+    /// `outputs` has a column for each output, which must become finite. `residuals` has one for each piece
+    /// of evidence, NaN at the start, for the normal score of what was observed: the standard normal number z
+    /// for which Φ(z) is the probability that the piece, were it observed anew with these values, would turn
+    /// out below what was observed. For a normal error this is (observed − predicted)/σ. A piece that is no
+    /// measurement, such as a limit, has none.
+    fn describe(&self, values: &[Lanes], outputs: &mut [Lanes], residuals: &mut [Lanes]) {
+        let _ = (values, outputs, residuals);
+    }
+}
+
+/// Evidence made of a function of one particle.
+#[derive(Clone, Debug)]
+pub struct Function<F> {
+    terms: usize,
+    function: F,
+}
+
+impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Function<F> {
+    /// The function reads the values of a particle and writes its terms, or fails with a reason from 1 to
+    /// 254.
+    pub fn new(terms: usize, function: F) -> Self {
+        Self { terms, function }
+    }
+}
+
+impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Evidence for Function<F> {
+    fn terms_count(&self) -> usize {
+        self.terms
+    }
+
+    fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], reasons: &mut [u8; LANES]) {
+        let mut particle = vec![0.0; values.len()];
+        let mut of_particle = vec![0.0; terms.len()];
+        for (lane, reason) in reasons.iter_mut().enumerate() {
+            for (value, column) in particle.iter_mut().zip(values) {
+                *value = column[lane];
+            }
+            match (self.function)(&particle, &mut of_particle) {
+                Ok(()) => {
+                    for (term, column) in of_particle.iter().zip(terms.iter_mut()) {
+                        column[lane] = *term;
+                    }
+                }
+                Err(code) => *reason = code,
+            }
+        }
+    }
+}
+
+/// Which pieces of evidence are used.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Selection {
+    /// All.
+    #[default]
+    All,
+    /// All but these.
+    Without(Vec<usize>),
+    /// These alone.
+    Only(Vec<usize>),
+}
+
+impl Selection {
+    /// For each of `terms` pieces, whether it is used.
+    pub(crate) fn flags(&self, terms: usize) -> Vec<bool> {
+        let is_used = |term| match self {
+            Self::All => true,
+            Self::Without(left_out) => !left_out.contains(&term),
+            Self::Only(kept) => kept.contains(&term),
+        };
+        (0..terms).map(is_used).collect()
+    }
+
+    /// The pieces that it names.
+    pub(crate) fn named(&self) -> &[usize] {
+        match self {
+            Self::All => &[],
+            Self::Without(named) | Self::Only(named) => named,
+        }
+    }
+}

@@ -1,0 +1,411 @@
+//! All islands, and what they say together.
+
+use std::ops::{ControlFlow, Range};
+
+use real::elementary::{exp, ln};
+use uncertainty::normal::shares;
+use uncertainty::random::{bits, key, unit};
+use uncertainty::{Estimate, LANES, Lanes, Progress, Span, for_each, in_order};
+
+use crate::diagnosis::{Diagnosis, Quantity, Verdict, mixing, modes};
+use crate::error::{CannotReweight, Exclusion, Failure};
+use crate::island::{Island, Population, run};
+use crate::model::{Evidence, Prior};
+use crate::reweight::Weights;
+use crate::settings::Settings;
+use crate::summary::{Draws, Summary};
+use crate::target::Target;
+
+/// Draws of the posterior, all with the same weight, and what is known of them.
+#[derive(Clone, Debug)]
+pub struct Posterior {
+    columns: Columns,
+    islands: Vec<Range<usize>>,
+    log_evidence: Estimate,
+    diagnosis: Diagnosis,
+    used: Vec<bool>,
+    excludes: Vec<bool>,
+}
+
+/// Columns of draws.
+#[derive(Clone, Debug)]
+struct Columns {
+    values: Vec<Vec<f64>>,
+    outputs: Vec<Vec<f64>>,
+    terms: Vec<Vec<f64>>,
+    residuals: Vec<Vec<f64>>,
+}
+
+/// What a piece of evidence looks like to the rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Check {
+    /// (–) probability that the piece, were it observed anew, would turn out below what was observed, by all
+    /// other evidence that is used.
+    pub below: Estimate,
+    /// (–) probability of an observation at least as far out, to either side: 2 min(below, 1 − below).
+    pub p_value: Estimate,
+    /// The weights that take the piece out of the draws; none where it is not in them.
+    pub weights: Option<Weights>,
+}
+
+impl Check {
+    /// Whether the weights can be relied on. If not, run without the piece and check it again.
+    #[must_use]
+    pub fn is_reliable(&self) -> bool {
+        self.weights.as_ref().is_none_or(Weights::are_reliable)
+    }
+}
+
+/// Draws from the posterior.
+///
+/// `progress` receives the number of finished particles and of all particles whenever an island begins, and
+/// may end the run.
+///
+/// # Errors
+/// If the settings cannot be used, if a log-likelihood is NaN or +∞, if the evidence excludes all that the
+/// prior allows, or if `progress` ended the run.
+pub fn sample<P: Prior, E: Evidence>(
+    prior: &P,
+    evidence: &E,
+    settings: &Settings,
+    progress: &mut Progress<'_>,
+) -> Result<Posterior, Failure> {
+    let terms = evidence.terms_count();
+    settings.check(terms)?;
+    if prior.values_count() == 0 {
+        return Err(Failure::NothingUnknown);
+    }
+    let used = settings.terms.flags(terms);
+    let target = Target { prior, evidence, used, instructions: settings.instructions };
+    let particles = settings.particles;
+    let spans = (0..settings.islands as u64).map(|work| Span { samples: particles, work }).collect();
+    let islands = in_order(spans, |index| run(&target, particles, settings.seed, index), progress);
+    let islands: Vec<Island> = islands.into_iter().collect::<Result<_, _>>()?;
+    if islands.len() < settings.islands {
+        return Err(Failure::Ended { finished: islands.len(), islands: settings.islands });
+    }
+    combine(&target, settings, &islands)
+}
+
+/// [`sample`] without progress.
+///
+/// # Errors
+/// As [`sample`].
+pub fn sample_quietly<P: Prior, E: Evidence>(
+    prior: &P,
+    evidence: &E,
+    settings: &Settings,
+) -> Result<Posterior, Failure> {
+    sample(prior, evidence, settings, &mut |_, _| ControlFlow::Continue(()))
+}
+
+fn combine<P: Prior, E: Evidence>(
+    target: &Target<'_, P, E>,
+    settings: &Settings,
+    islands: &[Island],
+) -> Result<Posterior, Failure> {
+    let mut exclusion = Exclusion::new(target.used.len());
+    for island in islands {
+        exclusion.add(&island.exclusion);
+    }
+    let populations: Option<Vec<&Population>> =
+        islands.iter().map(|island| island.population.as_ref()).collect();
+    let Some(populations) = populations else { return Err(Failure::Impossible(exclusion)) };
+
+    let described = for_each(&populations, |population| describe(target, population));
+    let described: Vec<Vec<Described>> = described.into_iter().collect::<Result<_, _>>()?;
+    let blocks: Vec<&Described> = described.iter().flatten().collect();
+    let all = Columns::gather(&blocks, (0..blocks.len() * LANES).collect::<Vec<_>>().as_slice());
+
+    let evidence = Together::of(islands);
+    let share = unit(bits(key(settings.seed, &[u64::MAX]), 0));
+    let picked = evidence.pick(settings.particles, share);
+    let columns = Columns::gather(&blocks, &picked);
+    let mut ranges = Vec::new();
+    let mut first = 0;
+    for island in 1..=islands.len() {
+        let end = picked.partition_point(|place| *place < island * settings.particles);
+        ranges.push(first..end);
+        first = end;
+    }
+
+    let lines: Vec<u64> = populations
+        .iter()
+        .zip(0_u64..)
+        .flat_map(|(population, island)| {
+            let of_block = move |block| population.lineage(block).map(|line| island << 32 | u64::from(line));
+            (0..population.blocks()).flat_map(of_block)
+        })
+        .collect();
+    let lines: Vec<u64> = picked.iter().map(|&place| lines[place]).collect();
+    let quantities: Vec<Quantity> = (0..all.values.len())
+        .map(Quantity::Value)
+        .chain((0..all.outputs.len()).map(Quantity::Output))
+        .collect();
+    let judged = for_each(&quantities, |&quantity| {
+        let mixing = mixing(quantity, all.column(quantity), settings.particles);
+        (mixing, modes(quantity, columns.column(quantity), &lines))
+    });
+    let (mixing, modes): (Vec<_>, Vec<_>) = judged.into_iter().unzip();
+
+    let greatest = |of: fn(&Island) -> f64| islands.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+    let least = |of: fn(&Island) -> f64| islands.iter().map(of).fold(f64::INFINITY, f64::min);
+    let mut diagnosis = Diagnosis {
+        mixing,
+        evidence_sd: evidence.sd,
+        modes: modes.into_iter().flatten().collect(),
+        stages: islands.iter().map(|island| island.stages).max().unwrap_or_default(),
+        evaluations: islands.iter().map(|island| island.evaluations).sum(),
+        acceptance: least(|island| island.acceptance),
+        unmoved: greatest(|island| island.memory.unmoved),
+        memory: greatest(|island| island.memory.mean),
+        prior_draws: [exclusion.drawn, exclusion.possible],
+        temperature: least(|island| island.temperature),
+        doubts: Vec::new(),
+    };
+    diagnosis.doubt(settings.particles * islands.len());
+    let excludes = (0..target.used.len()).map(|term| islands.iter().any(|island| island.excludes[term]));
+    Ok(Posterior {
+        columns,
+        islands: ranges,
+        log_evidence: evidence.log,
+        diagnosis,
+        used: target.used.clone(),
+        excludes: excludes.collect(),
+    })
+}
+
+/// What the islands' evidence is together, and what each counts for.
+struct Together {
+    log: Estimate,
+    /// (–) of ln Z.
+    sd: f64,
+    /// (–) Z_i/Σ Z.
+    shares: Vec<f64>,
+}
+
+impl Together {
+    fn of(islands: &[Island]) -> Self {
+        let count = islands.len() as f64;
+        let logs: Vec<f64> = islands.iter().map(|island| island.log_evidence).collect();
+        let best = logs.iter().fold(f64::NEG_INFINITY, |best, log| best.max(*log));
+        let evidences: Vec<f64> = logs.iter().map(|log| exp(log - best)).collect();
+        // Z is estimated without bias, ln Z is not: so the mean is that of Z.
+        let mean = evidences.iter().sum::<f64>() / count;
+        let variance = |of: &[f64], mean: f64| {
+            of.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / (count - 1.0)
+        };
+        let error = (variance(&evidences, mean) / count).sqrt() / mean;
+        let mean_log = logs.iter().sum::<f64>() / count;
+        Self {
+            log: Estimate { value: best + ln(mean), standard_error: Some(error) },
+            sd: variance(&logs, mean_log).sqrt(),
+            shares: evidences.iter().map(|evidence| evidence / (mean * count)).collect(),
+        }
+    }
+
+    /// As many particles as there are, in their order, those of an island as often as its evidence demands:
+    /// systematic resampling.
+    fn pick(&self, particles: usize, share: f64) -> Vec<usize> {
+        let islands = self.shares.len();
+        let count = particles * islands;
+        let mut picked = Vec::with_capacity(count);
+        // Each particle's part of the draws.
+        let parts = self.shares.iter().map(|share| share * islands as f64);
+        let mut reached = 0.0;
+        for (island, part) in parts.enumerate() {
+            for place in island * particles..(island + 1) * particles {
+                reached += part;
+                while picked.len() < count && picked.len() as f64 + share < reached {
+                    picked.push(place);
+                }
+            }
+        }
+        while picked.len() < count {
+            picked.push(count - 1);
+        }
+        picked
+    }
+}
+
+/// What is known of a block of draws.
+struct Described {
+    values: Vec<Lanes>,
+    outputs: Vec<Lanes>,
+    terms: Vec<Lanes>,
+    residuals: Vec<Lanes>,
+}
+
+fn describe<P: Prior, E: Evidence>(
+    target: &Target<'_, P, E>,
+    population: &Population,
+) -> Result<Vec<Described>, Failure> {
+    let mut evaluation = target.evaluation();
+    let mut described = Vec::with_capacity(population.blocks());
+    for block in 0..population.blocks() {
+        target.evaluate(population.block(block), &mut evaluation)?;
+        let mut outputs = vec![[0.0; LANES]; target.evidence.outputs_count()];
+        let mut residuals = vec![[f64::NAN; LANES]; target.used.len()];
+        target.evidence.describe(&evaluation.values, &mut outputs, &mut residuals);
+        for (output, column) in outputs.iter().enumerate() {
+            if let Some(lane) = column.iter().position(|value| !value.is_finite()) {
+                let values = evaluation.values.iter().map(|column| column[lane]).collect();
+                return Err(Failure::NotFinite { output, value: column[lane], values });
+            }
+        }
+        let (values, terms) = (evaluation.values.clone(), evaluation.terms.clone());
+        described.push(Described { values, outputs, terms, residuals });
+    }
+    Ok(described)
+}
+
+impl Columns {
+    fn gather(blocks: &[&Described], places: &[usize]) -> Self {
+        let columns = |of: fn(&Described) -> &[Lanes]| {
+            let count = blocks.first().map_or(0, |block| of(block).len());
+            let column = |column: usize| {
+                places.iter().map(|place| of(blocks[place / LANES])[column][place % LANES]).collect()
+            };
+            (0..count).map(column).collect()
+        };
+        Self {
+            values: columns(|block| &block.values),
+            outputs: columns(|block| &block.outputs),
+            terms: columns(|block| &block.terms),
+            residuals: columns(|block| &block.residuals),
+        }
+    }
+
+    fn column(&self, quantity: Quantity) -> &[f64] {
+        match quantity {
+            Quantity::Value(place) => &self.values[place],
+            Quantity::Output(place) => &self.outputs[place],
+        }
+    }
+}
+
+impl Posterior {
+    /// Number of draws.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.islands.last().map_or(0, |island| island.end)
+    }
+
+    /// (units of the values) the draws, a column for each unknown value.
+    #[must_use]
+    pub fn values(&self) -> &[Vec<f64>] {
+        &self.columns.values
+    }
+
+    /// (units of the outputs) a column for each output.
+    #[must_use]
+    pub fn outputs(&self) -> &[Vec<f64>] {
+        &self.columns.outputs
+    }
+
+    /// The log-likelihood of each piece of evidence, also of those that are not used, a column for each.
+    #[must_use]
+    pub fn terms(&self) -> &[Vec<f64>] {
+        &self.columns.terms
+    }
+
+    /// The residual of each piece of evidence, NaN where it has none, a column for each.
+    #[must_use]
+    pub fn residuals(&self) -> &[Vec<f64>] {
+        &self.columns.residuals
+    }
+
+    /// For each piece of evidence, whether it is used.
+    #[must_use]
+    pub fn used(&self) -> &[bool] {
+        &self.used
+    }
+
+    /// ln Z, Z the probability density of the evidence that is used, by the prior.
+    #[must_use]
+    pub fn log_evidence(&self) -> Estimate {
+        self.log_evidence
+    }
+
+    /// What is known of the run.
+    #[must_use]
+    pub fn diagnosis(&self) -> &Diagnosis {
+        &self.diagnosis
+    }
+
+    /// Whether the run has converged. If not, what the draws say is not an answer.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict<'_> {
+        self.diagnosis.verdict()
+    }
+
+    /// The draws, for statistics of any column.
+    #[must_use]
+    pub fn draws(&self) -> Draws<'_> {
+        Draws::new(&self.islands, None)
+    }
+
+    /// The draws with other weights, for statistics of any column.
+    #[must_use]
+    pub fn weighted<'a>(&'a self, weights: &'a Weights) -> Draws<'a> {
+        Draws::new(&self.islands, Some(&weights.weights))
+    }
+
+    /// Statistics of a value or an output.
+    #[must_use]
+    pub fn summary(&self, quantity: Quantity) -> Summary {
+        self.draws().summary(self.columns.column(quantity))
+    }
+
+    /// Weights under which the draws are those of the posterior without some pieces of evidence. Where they
+    /// are not [reliable](Weights::are_reliable), run again with [`crate::Selection::Without`].
+    ///
+    /// # Errors
+    /// Where there is no such piece, or where it excludes values.
+    pub fn without(&self, terms: &[usize]) -> Result<Weights, CannotReweight> {
+        let mut logarithms = vec![0.0; self.count()];
+        for &term in terms {
+            let column = self.columns.terms.get(term);
+            let column =
+                column.ok_or(CannotReweight::NoSuchTerm { term, terms: self.columns.terms.len() })?;
+            if !self.used[term] {
+                continue;
+            }
+            if self.excludes[term] {
+                return Err(CannotReweight::Excludes { term });
+            }
+            for (logarithm, term) in logarithms.iter_mut().zip(column) {
+                *logarithm -= term;
+            }
+        }
+        Ok(Weights::smoothed(&logarithms))
+    }
+
+    /// What a piece of evidence looks like to the rest: its place in what the rest predicts.
+    ///
+    /// # Errors
+    /// Where there is no such piece, where it has no residual, or where it excludes values.
+    pub fn check(&self, term: usize) -> Result<Check, CannotReweight> {
+        let weights = self.without(&[term])?;
+        let weights = self.used[term].then_some(weights);
+        let residuals = &self.columns.residuals[term];
+        if residuals.iter().any(|residual| residual.is_nan()) {
+            return Err(CannotReweight::NoResidual { term });
+        }
+        let draws = weights.as_ref().map_or_else(|| self.draws(), |weights| self.weighted(weights));
+        let share = |residual: f64| {
+            let mut lane = [residual];
+            shares(&mut lane);
+            lane[0]
+        };
+        let below = draws.mean(|draw| share(residuals[draw]));
+        // On its own, since 1 − Φ has no digits left far out.
+        let above = draws.mean(|draw| share(-residuals[draw]));
+        let least = if below.value < above.value { below } else { above };
+        let p_value = Estimate {
+            value: (2.0 * least.value).min(1.0),
+            standard_error: least.standard_error.map(|error| 2.0 * error),
+        };
+        Ok(Check { below, p_value, weights })
+    }
+}

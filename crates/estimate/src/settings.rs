@@ -1,0 +1,57 @@
+//! How to sample, and what a run has to show.
+
+use uncertainty::Instructions;
+
+use crate::error::Failure;
+use crate::model::Selection;
+
+/// The number of particles of an island is a multiple of this: two halves of whole blocks.
+pub const PARTICLES_STEP: usize = 2 * uncertainty::LANES;
+
+/// The most particles of an island.
+pub const MOST_PARTICLES: usize = 1 << 24;
+
+/// The fewest islands: between fewer the spread says nearly nothing.
+pub const LEAST_ISLANDS: usize = 4;
+
+/// The islands of [`Settings::new`], as many as `uncertainty` has replicates.
+pub const ISLANDS: usize = 16;
+
+/// How to sample.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// Number of particles of each island, a multiple of [`PARTICLES_STEP`].
+    pub particles: usize,
+    /// Number of islands: populations that know nothing of each other. All together have `islands` ×
+    /// `particles` draws.
+    pub islands: usize,
+    /// The random seed: the same seed gives the same results.
+    pub seed: u64,
+    /// The pieces of evidence that are used.
+    pub terms: Selection,
+    /// The instruction set, which does not change the results.
+    pub instructions: Instructions,
+}
+
+impl Settings {
+    /// [`ISLANDS`] islands, all evidence, the best instruction set of this CPU.
+    #[must_use]
+    pub fn new(particles: usize, seed: u64) -> Self {
+        let instructions = Instructions::best();
+        Self { particles, islands: ISLANDS, seed, terms: Selection::All, instructions }
+    }
+
+    pub(crate) fn check(&self, terms: usize) -> Result<(), Failure> {
+        let particles = self.particles;
+        if particles == 0 || particles > MOST_PARTICLES || !particles.is_multiple_of(PARTICLES_STEP) {
+            return Err(Failure::Particles { particles });
+        }
+        if self.islands < LEAST_ISLANDS {
+            return Err(Failure::Islands { islands: self.islands });
+        }
+        match self.terms.named().iter().find(|&&term| term >= terms) {
+            Some(&term) => Err(Failure::NoSuchTerm { term, terms }),
+            None => Ok(()),
+        }
+    }
+}

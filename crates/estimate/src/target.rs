@@ -1,0 +1,86 @@
+//! Evaluating prior and evidence for a block of particles.
+
+use fearless_simd::dispatch;
+use uncertainty::{Instructions, LANES, Lanes};
+
+use crate::error::Failure;
+use crate::model::{Evidence, Prior};
+
+/// Prior and evidence, and which of the evidence is used.
+#[derive(Clone, Debug)]
+pub(crate) struct Target<'a, P, E> {
+    pub(crate) prior: &'a P,
+    pub(crate) evidence: &'a E,
+    pub(crate) used: Vec<bool>,
+    pub(crate) instructions: Instructions,
+}
+
+/// What is computed of one block.
+#[derive(Clone, Debug)]
+pub(crate) struct Evaluation {
+    pub(crate) values: Vec<Lanes>,
+    pub(crate) terms: Vec<Lanes>,
+    pub(crate) reasons: [u8; LANES],
+    /// Sum of the terms that are used; −∞ where the particle is impossible.
+    pub(crate) log_likelihood: Lanes,
+}
+
+impl<P: Prior, E: Evidence> Target<'_, P, E> {
+    pub(crate) fn dimensions(&self) -> usize {
+        self.prior.values_count()
+    }
+
+    pub(crate) fn evaluation(&self) -> Evaluation {
+        Evaluation {
+            values: vec![[0.0; LANES]; self.dimensions()],
+            terms: vec![[0.0; LANES]; self.used.len()],
+            reasons: [0; LANES],
+            log_likelihood: [0.0; LANES],
+        }
+    }
+
+    /// Evaluates a block of standard normal numbers.
+    #[inline(never)]
+    pub(crate) fn evaluate(&self, standard: &[Lanes], into: &mut Evaluation) -> Result<(), Failure> {
+        dispatch!(self.instructions.level(), _simd => evaluate_with(self, standard, into));
+        // A sum with NaN or +∞ in it is one of these, −∞ + ∞ included.
+        let is_likelihood = |sum: &f64| *sum < f64::INFINITY;
+        if into.log_likelihood.iter().all(is_likelihood) { Ok(()) } else { Err(self.not_a_likelihood(into)) }
+    }
+
+    #[cold]
+    fn not_a_likelihood(&self, of: &Evaluation) -> Failure {
+        let lane = of.log_likelihood.iter().position(|sum| sum.is_nan() || *sum == f64::INFINITY);
+        let lane = lane.unwrap_or_default();
+        let used = of.terms.iter().zip(&self.used).enumerate().filter(|(_, (_, used))| **used);
+        let culprit = used
+            .map(|(term, (column, _))| (term, column[lane]))
+            .find(|(_, value)| value.is_nan() || *value == f64::INFINITY);
+        // Where each term is finite, their sum has overflown.
+        let (term, value) = culprit.unwrap_or((0, of.log_likelihood[lane]));
+        let values = of.values.iter().map(|column| column[lane]).collect();
+        Failure::NotALikelihood { term, value, values }
+    }
+}
+
+#[inline(always)]
+fn evaluate_with<P: Prior, E: Evidence>(
+    target: &Target<'_, P, E>,
+    standard: &[Lanes],
+    into: &mut Evaluation,
+) {
+    into.reasons = [0; LANES];
+    target.prior.values(standard, &mut into.values);
+    target.evidence.log_likelihood(&into.values, &mut into.terms, &mut into.reasons);
+    into.log_likelihood = [0.0; LANES];
+    for (term, used) in into.terms.iter().zip(&target.used) {
+        if *used {
+            for (sum, term) in into.log_likelihood.iter_mut().zip(term) {
+                *sum += term;
+            }
+        }
+    }
+    for (sum, reason) in into.log_likelihood.iter_mut().zip(&into.reasons) {
+        *sum = if *reason == 0 { *sum } else { f64::NEG_INFINITY };
+    }
+}

@@ -1,0 +1,54 @@
+//! The same bits for any number of threads and any instructions.
+
+use estimate::{Function, Posterior, Selection, Settings, sample_quietly};
+use uncertainty::Instructions;
+
+use super::{ln_normal, standard};
+
+fn run(settings: &Settings) -> Posterior {
+    let evidence = Function::new(2, |x: &[f64], terms: &mut [f64]| {
+        terms[0] = ln_normal(x[0] * x[1], 0.6, 0.05);
+        terms[1] = if x[2] > 2.0 { f64::NEG_INFINITY } else { ln_normal(x[2], x[0], 0.4) };
+        if x[1] < -2.5 { Err(1) } else { Ok(()) }
+    });
+    sample_quietly(&standard(4), &evidence, settings).unwrap()
+}
+
+/// Everything that a run says, with all its digits.
+fn bits(posterior: &Posterior) -> (Vec<u64>, String) {
+    let numbers = posterior.values().iter().chain(posterior.terms()).flatten().map(|x| x.to_bits());
+    (numbers.collect(), format!("{:?} {:?}", posterior.log_evidence(), posterior.diagnosis()))
+}
+
+#[test]
+fn one_two_and_three_threads_give_the_same_bits() {
+    let settings = Settings::new(128, 5);
+    let expected = bits(&run(&settings));
+    for threads in [1, 2, 3] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        assert!(pool.install(|| bits(&run(&settings))) == expected, "{threads} threads");
+    }
+    assert!(bits(&run(&Settings::new(128, 6))).0 != expected.0);
+}
+
+#[test]
+fn all_instructions_give_the_same_bits() {
+    let settings = Settings::new(128, 5);
+    let expected = bits(&run(&settings));
+    for instructions in Instructions::available() {
+        assert!(bits(&run(&Settings { instructions, ..settings.clone() })) == expected, "{instructions:?}");
+    }
+}
+
+/// Evidence that is not used changes nothing but what is told of it.
+#[test]
+fn evidence_that_is_not_used_leaves_the_draws_alone() {
+    let settings = Settings { terms: Selection::Only(vec![0]), ..Settings::new(128, 5) };
+    let only = run(&settings);
+    let evidence = Function::new(1, |x: &[f64], terms: &mut [f64]| {
+        terms[0] = ln_normal(x[0] * x[1], 0.6, 0.05);
+        if x[1] < -2.5 { Err(1) } else { Ok(()) }
+    });
+    let alone = sample_quietly(&standard(4), &evidence, &Settings::new(128, 5)).unwrap();
+    assert_eq!(only.values(), alone.values());
+}

@@ -1,0 +1,134 @@
+//! Where there is no answer.
+
+use std::ops::ControlFlow;
+
+use estimate::{
+    CannotReweight, Culprit, Exclusion, Failure, Function, Independent, PARTICLES_STEP, Selection, Settings,
+    sample, sample_quietly,
+};
+
+use super::{ln_normal, posterior, standard};
+
+fn refusal<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync>(terms: usize, function: F) -> Failure {
+    let evidence = Function::new(terms, function);
+    sample_quietly(&standard(2), &evidence, &Settings::new(PARTICLES_STEP, 1)).unwrap_err()
+}
+
+#[track_caller]
+fn exclusion(failure: Failure) -> Exclusion {
+    let Failure::Impossible(exclusion) = failure else { panic!("{failure:?}") };
+    exclusion
+}
+
+fn limit(holds: bool) -> f64 {
+    if holds { 0.0 } else { f64::NEG_INFINITY }
+}
+
+#[test]
+fn impossible_evidence_is_refused_with_what_excludes_what() {
+    let alone = refusal(3, |x, terms| {
+        terms.copy_from_slice(&[limit(x[0] > 0.0), limit(x[1] > 100.0), 0.0]);
+        Ok(())
+    });
+    assert!(alone.to_string().contains("evidence 1 alone excludes all of"), "{alone}");
+    assert_eq!(exclusion(alone).culprit(), Culprit::Term(1));
+
+    let pair = refusal(3, |x, terms| {
+        terms.copy_from_slice(&[limit(x[0] > 0.5), 0.0, limit(x[0] < 0.4)]);
+        Ok(())
+    });
+    let told = pair.to_string();
+    assert!(told.contains("evidence 0 and evidence 2 are possible alone, but together"), "{told}");
+    let found = exclusion(pair);
+    assert_eq!(found.culprit(), Culprit::Pair(0, 2));
+    // Φ(−0.5) and Φ(0.4) of the draws are possible.
+    let share = |term: usize| 1.0 - found.by_term[term] as f64 / found.drawn as f64;
+    assert!((share(0) - 0.308_54).abs() < 0.003 && (share(2) - 0.655_42).abs() < 0.003, "{found:?}");
+
+    // Each pair agrees somewhere, all three nowhere.
+    let three = refusal(3, |x, terms| {
+        let place = if x[0] < -0.4 { 0 } else { usize::from(x[0] > 0.4) + 1 };
+        for (term, excluded) in terms.iter_mut().zip(0..) {
+            *term = limit(place != excluded);
+        }
+        Ok(())
+    });
+    assert_eq!(exclusion(three).culprit(), Culprit::Together);
+
+    let model = refusal(1, |_, _| Err(7));
+    let found = exclusion(model);
+    assert_eq!(found.culprit(), Culprit::Model);
+    assert_eq!(found.failures[&7], found.drawn);
+}
+
+/// A model that fails for some values is not asked for them again.
+#[test]
+fn values_of_which_the_model_makes_nothing_are_impossible() {
+    let evidence = Function::new(1, |x: &[f64], terms: &mut [f64]| {
+        terms[0] = ln_normal(x[0], 0.5, 0.5);
+        if x[1] < 0.0 { Err(3) } else { Ok(()) }
+    });
+    let found = sample_quietly(&standard(2), &evidence, &Settings::new(256, 1)).unwrap();
+    assert!(found.values()[1].iter().all(|value| *value >= 0.0));
+    let [drawn, possible] = found.diagnosis().prior_draws;
+    assert!((possible as f64 / drawn as f64 - 0.5).abs() < 0.03);
+}
+
+#[test]
+fn nan_is_an_error_with_its_values_and_not_a_draw() {
+    let failure = refusal(2, |x, terms| {
+        terms[0] = 0.0;
+        terms[1] = if x[0] > 1.0 { f64::NAN } else { 0.0 };
+        Ok(())
+    });
+    let Failure::NotALikelihood { term: 1, value, ref values } = failure else { panic!("{failure:?}") };
+    assert!(value.is_nan() && values.len() == 2 && values[0] > 1.0);
+    assert!(failure.to_string().starts_with("the log-likelihood of evidence 1 is NaN at the values ["));
+    // +∞ is none either, not even beside −∞.
+    let failure = refusal(2, |x, terms| {
+        terms.copy_from_slice(&[limit(x[1] < 0.0), f64::INFINITY]);
+        Ok(())
+    });
+    assert!(matches!(failure, Failure::NotALikelihood { term: 1, .. }), "{failure:?}");
+}
+
+#[test]
+fn settings_that_cannot_be_used_are_refused() {
+    let evidence = Function::new(1, |_: &[f64], terms: &mut [f64]| {
+        terms[0] = 0.0;
+        Ok(())
+    });
+    let with = |settings: &Settings| sample_quietly(&standard(1), &evidence, settings).unwrap_err();
+    for particles in [0, 100, PARTICLES_STEP + 64] {
+        assert_eq!(with(&Settings::new(particles, 1)), Failure::Particles { particles });
+    }
+    assert_eq!(with(&Settings { islands: 3, ..Settings::new(128, 1) }), Failure::Islands { islands: 3 });
+    let terms = Selection::Only(vec![0, 1]);
+    assert_eq!(with(&Settings { terms, ..Settings::new(128, 1) }), Failure::NoSuchTerm { term: 1, terms: 1 });
+    let nothing = sample_quietly(&Independent(Vec::new()), &evidence, &Settings::new(128, 1));
+    assert_eq!(nothing.unwrap_err(), Failure::NothingUnknown);
+}
+
+#[test]
+fn the_caller_may_end_a_run() {
+    let evidence = Function::new(1, |_: &[f64], terms: &mut [f64]| {
+        terms[0] = 0.0;
+        Ok(())
+    });
+    let mut calls = 0;
+    let ended = sample(&standard(1), &evidence, &Settings::new(128, 1), &mut |_, total| {
+        assert_eq!(total, 16 * 128);
+        calls += 1;
+        if calls > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    assert_eq!(ended.unwrap_err(), Failure::Ended { finished: 3, islands: 16 });
+}
+
+#[test]
+fn a_limit_cannot_be_weighed_away_and_has_no_residual() {
+    let found = posterior(&standard(1), 128, |x| limit(x[0] > 0.0));
+    assert_eq!(found.without(&[0]).unwrap_err(), CannotReweight::Excludes { term: 0 });
+    assert_eq!(found.without(&[1]).unwrap_err(), CannotReweight::NoSuchTerm { term: 1, terms: 1 });
+    let soft = posterior(&standard(1), 128, |x| ln_normal(x[0], 0.0, 1.0));
+    assert_eq!(soft.check(0).unwrap_err(), CannotReweight::NoResidual { term: 0 });
+}
