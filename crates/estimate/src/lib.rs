@@ -1,7 +1,8 @@
 //! Draws from a posterior, and its evidence: what evidence makes of what was known before.
 //!
 //! Tempered sequential Monte Carlo: particles drawn from the prior are led to the posterior in steps, and
-//! weighed, resampled and moved at each. It needs no derivatives, finds several modes, takes a block of particles at a
+//! weighed, resampled and moved at each. It needs no derivatives, finds several modes, takes a block of
+//! particles at a
 //! time, and says when it has not converged.
 //!
 //! ```
@@ -60,7 +61,8 @@
 //! # What it does not do
 //!
 //! It does not see a mode that no particle has met: of a mode that has 1e-5 of the prior, where the way there
-//! does not rise, most runs of ten thousand particles know nothing, and their verdict neither. Nor does it see
+//! does not rise, most runs of ten thousand particles know nothing, and their verdict neither. Nor does it
+//! see
 //! that all islands are wrong alike, as where moves at the end have only begun to lead into a mode that no
 //! draw of the prior had met. Take more particles, or a prior that is nearer.
 //!

@@ -46,7 +46,8 @@ pub trait Evidence: Sync {
     fn terms_count(&self) -> usize;
 
     /// Writes the logarithm of the likelihood of each piece of evidence, a column for each: −∞ where the
-    /// piece excludes the particle. The constant that makes it a density belongs in it where the log evidence is to
+    /// piece excludes the particle. The constant that makes it a density belongs in it where the log
+    /// evidence is to
     /// mean something.
     ///
     /// A particle of which the model makes nothing at all gets a reason from 1 to 254 in `reasons`, which are
