@@ -33,7 +33,7 @@ pub enum BothMethod {
     MomentumAndCrush {
         /// (J) crush energy of both vehicles.
         crush_energy: f64,
-        /// (J) the normal work sought.
+        /// (J) the work sought, W_n + λ W_t, of which the basis gives λ.
         normal_work: f64,
         /// (m/s) the relative speed that was found, from which both follow.
         relative_speed: f64,
@@ -83,7 +83,8 @@ pub(crate) fn pose<T: Real>(input: TwoSpeedInput<T>, ways: &mut impl Ways<T>) ->
     let by_crush = if momentum.is_collinear() {
         let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
         let (axis, law) = (momentum.common_axis(), law.clone());
-        let search = MomentumAndCrush::new(momentum, axis, law, crush_energy, input.basis, T::ZERO)?;
+        let (basis, share) = (input.basis.energy(), input.basis.tangential_share());
+        let search = MomentumAndCrush::new(momentum, axis, law, crush_energy, basis, share)?;
         Some(ByCrush { search, crush_energy })
     } else {
         None
@@ -123,9 +124,9 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     };
     let both = BothFound { speeds, method, delta_v, momentum, implied };
     let mut analysis = judged(case, vehicles, basis, Some(restitution), (None, Some(impact)), Vec::new())?;
-    // The part of the crush energy that the normal impulse dissipates, on the case's basis.
-    let crush_energy =
-        has_crush.then(|| basis.dissipated(damage::crush_energy(&analysis.vehicles), restitution));
+    // The part of the crush energy that the impact dissipates, on the case's basis.
+    let dissipated = || basis.energy().dissipated(damage::crush_energy(&analysis.vehicles), restitution);
+    let crush_energy = has_crush.then(|| (dissipated(), basis));
     if let Some(impact) = &analysis.impact {
         let checks = checks::of_momentum(&both, impact, &analysis.vehicles, crush_energy);
         warning::of_momentum(&checks, &mut analysis.warnings);

@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use crash3::principal_angle;
-use inputs::Axes;
+use inputs::{Axes, Basis};
 use pim_core::{Real, VehicleId};
 
 use crate::thresholds::{
@@ -34,11 +34,11 @@ pub enum CheckedQuantity {
     ForceBalance,
     /// (rad) how far the two directions of force that the file gives are from opposite.
     PdofsOpposite,
-    /// |W_n − E|/E.
+    /// |W_n + λ W_t − E|/E.
     DamageEnergy {
-        /// (J) W_n.
+        /// (J) W_n + λ W_t, of which the case's basis gives λ: 0 unless it is a share of the tangential work.
         normal_work: f64,
-        /// (J) E, the share of the crush energy that the normal impulse dissipates on the case's basis.
+        /// (J) E, the share of the crush energy that the impact dissipates on the case's basis.
         crush_energy: f64,
     },
     /// e above 15 m/s of closing speed: at most 0.3. Below that speed every possible e is acceptable, so
@@ -170,19 +170,19 @@ impl Check {
 }
 
 /// What both speeds and the velocities after the impact imply, against all else that is known of it. The
-/// crush energy (J) is on the basis of W_n.
+/// crush energy (J) is the part that the impact dissipates on its basis.
 pub(crate) fn of_momentum(
     both: &BothFound,
     impact: &Impact,
     vehicles: &[Vehicle; 2],
-    crush_energy: Option<f64>,
+    crush_energy: Option<(f64, Basis)>,
 ) -> Vec<Check> {
     let implied = &both.implied;
     let mut checks = Vec::new();
     let is_used = matches!(both.method, BothMethod::MomentumAndCrush { .. });
-    if let Some(crush_energy) = crush_energy.filter(|energy| *energy > 0.0 && !is_used) {
-        let normal_work = implied.normal_work;
-        // |W_n − E|/E
+    if let Some((crush_energy, basis)) = crush_energy.filter(|(energy, _)| *energy > 0.0 && !is_used) {
+        let normal_work = basis.taken_by_crush(implied.normal_work, implied.tangential_work);
+        // |W_n + λ W_t − E|/E
         let value = (normal_work - crush_energy).abs() / crush_energy;
         let quantity = CheckedQuantity::MomentumEnergy { normal_work, crush_energy };
         checks.push(Check { quantity, value, limit: MOMENTUM_ENERGY_DIFFERENCE });
@@ -219,12 +219,12 @@ pub(crate) fn of_momentum(
     checks
 }
 
-/// All checks that there are values for: headings (rad) and the crush energy (J) on the basis of W_n, as far
-/// as they are known.
+/// All checks that there are values for: headings (rad) and the part of the crush energy (J) that the impact
+/// dissipates on its basis, as far as they are known.
 pub(crate) fn checks(
     vehicles: &[Vehicle; 2],
     headings: [Option<f64>; 2],
-    crush_energy: Option<f64>,
+    crush_energy: Option<(f64, Basis)>,
     impact: Option<&Impact>,
 ) -> Vec<Check> {
     let mut checks = Vec::new();
@@ -248,9 +248,10 @@ pub(crate) fn checks(
         let limit = if half_hours > 0.0 { half_hours } else { PDOF_DIFFERENCE };
         checks.push(Check { quantity: CheckedQuantity::PdofsOpposite, value, limit });
     }
-    if let (Some(impact), Some(crush_energy)) = (impact, crush_energy) {
-        let normal_work = impact.outcome.energy.normal_work;
-        // |W_n − E|/E
+    if let (Some(impact), Some((crush_energy, basis))) = (impact, crush_energy) {
+        let energy = &impact.outcome.energy;
+        let normal_work = basis.taken_by_crush(energy.normal_work, energy.tangential_work);
+        // |W_n + λ W_t − E|/E
         let value = (normal_work - crush_energy).abs() / crush_energy;
         if value.is_finite() {
             let quantity = CheckedQuantity::DamageEnergy { normal_work, crush_energy };

@@ -1,4 +1,5 @@
-//! The work of the normal impulse over the speed sought. The answer is a root of this curve.
+//! The work that is held against the crush energy, over the speed sought. The answer is where it is the work
+//! sought.
 
 use inputs::Case;
 
@@ -12,7 +13,10 @@ pub struct WorkPoint {
     pub speed: f64,
     /// (J) W_n at that speed; negative or not a number where no impact can happen.
     pub normal_work: f64,
-    /// (J) the normal work sought at that speed. It depends on the speed only for a restitution curve with
+    /// (J) W_n + λ W_t at that speed, of which the basis gives λ: W_n alone unless it is a share of the
+    /// tangential work.
+    pub crush_work: f64,
+    /// (J) the work sought at that speed. It depends on the speed only for a restitution curve with
     /// the basis `absorbed`.
     pub sought: f64,
 }
@@ -20,7 +24,7 @@ pub struct WorkPoint {
 /// How far beyond the fastest speed of interest the curve goes, as a share of the way to it.
 const BEYOND: f64 = 0.2;
 
-/// W_n at `samples` equal steps of speed, from the one at which the vehicles just touch (u_n = 0) to beyond
+/// W_n, and W_n + λ W_t, at `samples` equal steps of speed, from the one at which the vehicles just touch (u_n = 0) to beyond
 /// every admissible speed and every step of the root-finder.
 ///
 /// # Errors
@@ -39,7 +43,9 @@ pub fn work_curve(case: &Case, found: &Found, samples: usize) -> Result<Vec<Work
             .map(|i| {
                 let speed = touch + reach * share(i);
                 let normal_work = problem.normal_work(speed);
-                WorkPoint { speed, normal_work, sought: normal_work - problem.residual(speed) }
+                let crush_work = problem.crush_work(speed);
+                let sought = crush_work - problem.residual(speed);
+                WorkPoint { speed, normal_work, crush_work, sought }
             })
             .collect())
     })

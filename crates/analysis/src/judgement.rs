@@ -1,9 +1,9 @@
 //! Checks a case without solving it: which analyses it allows, what is assumed, and the warnings that need no
 //! answer.
 
-use crash3::{EnergyBasis, Side, SideStiffness, VehicleClass};
+use crash3::{Side, SideStiffness, VehicleClass};
 use inputs::{
-    Axes, Case, Crush, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Kind, Purpose, StiffnessForm,
+    Axes, Basis, Case, Crush, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Kind, Purpose, StiffnessForm,
     StiffnessLine, VehicleData, Velocity, YawSource,
 };
 use pim_core::VehicleId;
@@ -368,7 +368,7 @@ fn of_vehicles(
     }
     warning::of_damage(&vehicles, warnings);
     let checks = checks::checks(&vehicles, case.headings(), None, None);
-    warning::of_checks(&checks, &vehicles, None, EnergyBasis::default(), warnings);
+    warning::of_checks(&checks, &vehicles, None, Basis::default(), warnings);
 }
 
 /// The values that are assumed where the case gives none, in the order of its keys, for any analysis that
@@ -463,9 +463,9 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
     }
     // It counts where a crush energy meets an impact.
     let has_crush = case.vehicles.iter().any(GivenVehicle::has_damage_data);
-    let is_default = case.reconstruct.is_none_or(|reconstruct| {
-        case.left_out.energy_basis && reconstruct.energy_basis == EnergyBasis::default()
-    });
+    let is_default = case
+        .reconstruct
+        .is_none_or(|reconstruct| case.left_out.energy_basis && reconstruct.energy_basis == Basis::default());
     if case.impact.is_some() && has_crush && is_default {
         assumptions.push(Assumption::Dissipated);
     }

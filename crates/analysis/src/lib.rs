@@ -71,8 +71,8 @@ pub use uncertainty::{
 };
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 
-use crash3::{CrushError, EnergyBasis, SideStiffness};
-use inputs::{Case, Collision, Evidence, Faults, Find, Purpose, SurfaceData, VehicleData};
+use crash3::{CrushError, SideStiffness};
+use inputs::{Basis, Case, Collision, Evidence, Faults, Find, Purpose, SurfaceData, VehicleData};
 use pim_core::{Contact, ImpactError, Law, Motion, Outcome, Real, VaryingLaw, VehicleId};
 use reconcile::{
     ApproachLine, Iteration, MomentumError, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown,
@@ -84,8 +84,8 @@ use trajectory::{NoRest, Unreached};
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Analysis {
-    /// What the crush energy stands for.
-    pub basis: EnergyBasis,
+    /// What the crush energy is held equal to.
+    pub basis: Basis,
     /// The speed found, in a reconstruction.
     pub found: Option<Found>,
     /// Both speeds, in a reconstruction that seeks them.
@@ -143,8 +143,8 @@ pub struct Found {
     pub admissible: Vec<f64>,
     /// (J) crush energy of both vehicles.
     pub crush_energy: f64,
-    /// (J) normal work sought: the crush energy, less the energy that restitution returns if the basis is
-    /// absorbed energy.
+    /// (J) work sought, W_n + λ W_t: the crush energy, less the energy that restitution returns if the basis
+    /// is absorbed energy. λ is 0 unless the basis is a share of the tangential work.
     pub normal_work: f64,
     /// How the relative velocity at C depends on the speed.
     pub line: ApproachLine,
@@ -339,8 +339,8 @@ pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         motions,
         unknown: input.unknown,
         crush_energy,
-        basis: input.basis,
-        tangential_share: 0.0,
+        basis: input.basis.energy(),
+        tangential_share: input.basis.tangential_share(),
     };
     let answer = problem.solve().map_err(|refusal| refused(&problem, refusal).in_axes(case.axes))?;
     let found = Found {
@@ -422,7 +422,7 @@ pub fn motion(case: &Case) -> Result<Analysis, Failure> {
         energy: None,
     };
     let vehicles = case.subjects().map(bare);
-    let basis = EnergyBasis::default();
+    let basis = Basis::default();
     let mut warnings = Vec::new();
     warning::of_travel(&travel, &mut warnings);
     Ok(Analysis {
@@ -485,19 +485,20 @@ fn furthest_solver(case: &Case) -> (Purpose, Solve) {
 fn judged(
     case: &Case,
     vehicles: [Vehicle; 2],
-    basis: EnergyBasis,
+    basis: Basis,
     restitution: Option<f64>,
     (found, impact): (Option<Found>, Option<Impact>),
     mut warnings: Vec<Warning>,
 ) -> Result<Analysis, Failure> {
     let alone = case.vehicles.iter().any(inputs::GivenVehicle::is_absent);
-    let crash3 = if alone { None } else { damage::crash3(&vehicles, basis, restitution)? };
+    let crash3 = if alone { None } else { damage::crash3(&vehicles, basis.energy(), restitution)? };
     // Of a speed that was found from the crush energy it would say nothing that the normal work equals it.
     let energy = crash3
         .as_ref()
         .filter(|_| found.is_none())
-        .map(|crash3| basis.dissipated(crash3.crush_energy, restitution.unwrap_or_default()));
-    let checks = checks::checks(&vehicles, case.headings(), energy, impact.as_ref());
+        .map(|crash3| basis.energy().dissipated(crash3.crush_energy, restitution.unwrap_or_default()));
+    let checks =
+        checks::checks(&vehicles, case.headings(), energy.map(|energy| (energy, basis)), impact.as_ref());
     if let Some(impact) = &impact {
         warning::of_impact(impact, &mut warnings);
     }

@@ -1,7 +1,6 @@
 //! A finished analysis in the axes of a reader.
 
-use crash3::EnergyBasis;
-use inputs::{Axes, SurfaceData};
+use inputs::{Axes, Basis, SurfaceData};
 use pim_core::{ImpactError, Switch, VehicleId};
 
 use crate::{
@@ -18,7 +17,7 @@ pub struct Seen {
     /// Those of all its numbers.
     pub axes: Axes,
     /// As [`Analysis::basis`].
-    pub basis: EnergyBasis,
+    pub basis: Basis,
     /// As [`Analysis::found`].
     pub found: Option<Found>,
     /// As [`Analysis::both`].

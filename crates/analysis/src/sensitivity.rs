@@ -519,8 +519,8 @@ pub(crate) fn at<T: Real, R>(
         motions,
         unknown: input.unknown,
         crush_energy,
-        basis: input.basis,
-        tangential_share: Real::ZERO,
+        basis: input.basis.energy(),
+        tangential_share: input.basis.tangential_share(),
     };
     problem.check()?;
     evaluate(&problem)
@@ -564,7 +564,7 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepR
         let oblique_angle = vehicles
             .each_ref()
             .map(|vehicle| vehicle.damage.as_ref().and_then(|damage| damage.oblique_angle));
-        if let Some(crash3) = damage::crash3(&vehicles, nominal.basis, restitution)? {
+        if let Some(crash3) = damage::crash3(&vehicles, nominal.basis.energy(), restitution)? {
             rows.push(SweepRow { change, pdof, oblique_angle, crash3 });
         }
     }

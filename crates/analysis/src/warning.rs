@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use crash3::{EnergyBasis, Side, principal_angle};
 use inputs::{
-    Case, ContactSpread, Dimension, FaceAxis, Kind, Quantity, StiffnessForm, StiffnessSource, Velocity,
-    YawSource,
+    Basis, Case, ContactSpread, Dimension, FaceAxis, Kind, Quantity, StiffnessForm, StiffnessSource,
+    Velocity, YawSource,
 };
 use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential, VehicleId};
 
@@ -200,13 +200,14 @@ pub enum Warning {
     },
     /// The work of the normal impulse is not the crush energy.
     DamageEnergyDiffers {
-        /// (J) W_n.
+        /// (J) W_n or, where the basis of the case is a share λ of the tangential work, W_n + λ W_t.
         normal_work: f64,
         /// (J) the crush energy on the basis of the case.
         crush_energy: f64,
         /// That basis.
-        basis: EnergyBasis,
-        /// (J) the crush energy on the other basis, which differs only if there is restitution.
+        basis: Basis,
+        /// (J) the crush energy on the other of `dissipated` and `absorbed`, which differs only if there is
+        /// restitution; `None` beside a share of the tangential work.
         on_other_basis: Option<f64>,
     },
     /// The line of action passes the CG on the side from which it would turn the vehicle the other way than
@@ -988,7 +989,7 @@ pub(crate) fn of_checks(
     checks: &[Check],
     vehicles: &[Vehicle; 2],
     impact: Option<&Impact>,
-    basis: EnergyBasis,
+    basis: Basis,
     warnings: &mut Vec<Warning>,
 ) {
     for check in checks.iter().filter(|check| !check.passed()) {
@@ -1000,10 +1001,12 @@ pub(crate) fn of_checks(
                 let restitution = impact.law.restitution();
                 // 1 − e²
                 let dissipated = EnergyBasis::Absorbed.dissipated(1.0, restitution);
-                let on_other_basis = (restitution > 0.0).then(|| match basis {
-                    EnergyBasis::Dissipated => crush_energy * dissipated,
-                    EnergyBasis::Absorbed => crush_energy / dissipated,
-                });
+                let on_other_basis = match basis {
+                    Basis::Dissipated => Some(crush_energy * dissipated),
+                    Basis::Absorbed => Some(crush_energy / dissipated),
+                    Basis::TangentialShare(_) => None,
+                };
+                let on_other_basis = on_other_basis.filter(|_| restitution > 0.0);
                 warnings.push(Warning::DamageEnergyDiffers {
                     normal_work,
                     crush_energy,

@@ -5,8 +5,7 @@
 
 use analysis::{Analysis, Check, CheckedQuantity, Failure, Warning, crush, impact, reconstruct};
 use case::CaseFile;
-use crash3::EnergyBasis;
-use inputs::Case;
+use inputs::{Basis, Case};
 use pim_core::VehicleId;
 
 const PAPER: &str = include_str!("../../../fixtures/sae-980025.toml");
@@ -118,7 +117,7 @@ fn the_normal_work_has_to_be_the_crush_energy() {
     }
     // Twice the speed with e = 0.2: E on one basis is E (1 − e²) or E/(1 − e²) on the other.
     for (basis, of_basis, on_other) in
-        [("dissipated", EnergyBasis::Dissipated, energy * 0.96), ("absorbed", EnergyBasis::Absorbed, energy)]
+        [("dissipated", Basis::Dissipated, energy * 0.96), ("absorbed", Basis::Absorbed, energy)]
     {
         let text = head_on([0.0, 0.0], 20.0, 0.2)
             + &format!("[reconstruct]\nfind = \"vehicle1.speed\"\nenergy_basis = \"{basis}\"\n");

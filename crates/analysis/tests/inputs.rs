@@ -5,9 +5,9 @@
 
 use analysis::{Failure, crush, impact, reconstruct};
 use case::{CaseFile, Program};
-use crash3::{EnergyBasis, Side};
+use crash3::Side;
 use inputs::{
-    BrachTangential, Case, ContactPoint, Crush, Dimension, Faults, Find, GivenImpact, GivenVehicle,
+    Basis, BrachTangential, Case, ContactPoint, Crush, Dimension, Faults, Find, GivenImpact, GivenVehicle,
     ImpactLaw, LeftOut, Mass, Purpose, Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine,
     Velocity, YawInertia,
 };
@@ -82,10 +82,7 @@ fn built() -> Case {
                 moment_restitution: None,
             },
         }),
-        reconstruct: Some(Reconstruct {
-            find: Find::One(Unknown::Speed1),
-            energy_basis: EnergyBasis::Dissipated,
-        }),
+        reconstruct: Some(Reconstruct { find: Find::One(Unknown::Speed1), energy_basis: Basis::Dissipated }),
         ..Case::default()
     }
 }

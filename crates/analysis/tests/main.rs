@@ -12,5 +12,6 @@ mod judgement;
 mod plausibility;
 mod sensitivity;
 mod to_rest;
+mod tangential_share;
 mod uncertainty;
 mod warnings;

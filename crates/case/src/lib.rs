@@ -56,7 +56,7 @@
 //! | … Woolley | nothing more or, for a sideswipe, `tangential_velocity_change` |
 //! | … Ishikawa | `restitution`; `tangential_restitution`, −1 to 1 |
 //! | … Kudlich–Slibar | `restitution`; `friction`, zero or more |
-//! | `[reconstruct]` | `find`: `"vehicle1.speed"`, `"vehicle2.speed"`, or the list of both; `energy_basis`: `"dissipated"` (the default), `"absorbed"` |
+//! | `[reconstruct]` | `find`: `"vehicle1.speed"`, `"vehicle2.speed"`, or the list of both; `energy_basis`: `"dissipated"` (the default), `"absorbed"`, `{ tangential_share }` |
 //!
 //! A `restitution` is a number from 0 to 1 or, if it depends on the closing speed, `{ speeds = "2 5 10 20
 //! m/s", values = [0.3, 0.2, 0.12, 0.05] }`: speeds ascend from zero or more, and are listed like depths. A
@@ -198,7 +198,7 @@ pub use units::read_unit;
 
 // What a case file holds is of the crate `inputs`, and is here too for whoever reads files.
 pub use inputs::{
-    After, Amount, Axes, Before, Bounds, BrachTangential, Case, Collision, ContactPoint, ContactSpread,
+    After, Amount, Axes, Basis, Before, Bounds, BrachTangential, Case, Collision, ContactPoint, ContactSpread,
     Crush, CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD, DamageData, Departures, Dimension, Dimensions, Drag,
     ENERGY_BASES, EdgeSide, EnergyData, Estimate, Evidence, FaceAxis, Fault, FaultKind, Faults, Find, Fit,
     GivenEes, GivenImpact, GivenSitePlan, GivenTest, GivenVehicle, Grade, ImpactInput, ImpactLaw,

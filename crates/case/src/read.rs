@@ -15,10 +15,12 @@ use crate::case_problem::CaseProblem;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::other_files;
 use crate::program::Program;
-use crate::schema::{IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, SURFACE, TOP, UNCERTAINTY};
+use crate::schema::{
+    ENERGY_BASIS, IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, SURFACE, TOP, UNCERTAINTY,
+};
 use crate::source::{Source, Spans};
 use inputs::{
-    Case, Departures, ENERGY_BASES, FaultKind, Faults, Find, GivenUncertainty, LeftOut, Reconstruct,
+    Basis, Case, Departures, ENERGY_BASES, FaultKind, Faults, Find, GivenUncertainty, LeftOut, Reconstruct,
     ReportHead, UNKNOWNS, contradictions,
 };
 use tree::{Reader, Table};
@@ -195,8 +197,25 @@ impl<'t> Reader<'t> {
     fn reconstruct(&mut self, table: &Table<'t>) -> Option<Reconstruct> {
         self.require(table, &["find"]);
         let find = self.find(table);
-        let energy_basis = self.choice(table, "energy_basis", &ENERGY_BASES);
+        let energy_basis = self.energy_basis(table);
         Some(Reconstruct { find: find?, energy_basis: energy_basis.unwrap_or_default() })
+    }
+
+    /// A word, or the share of the tangential work; the default where neither is there.
+    fn energy_basis(&mut self, table: &Table<'t>) -> Option<Basis> {
+        const FORMS: &str = "energy_basis = \"dissipated\", \"absorbed\" or { tangential_share = 0.5 }";
+        if !table.has("energy_basis") {
+            return Some(Basis::default());
+        }
+        if table.is_string("energy_basis") {
+            return self.choice_among(table, "energy_basis", &ENERGY_BASES, FORMS);
+        }
+        let share =
+            self.inline(table, "energy_basis", &ENERGY_BASIS, "a word or a table in braces", FORMS)?;
+        match share.given(&["tangential_share"])[..] {
+            [_] => self.number(&share, "tangential_share").map(Basis::TangentialShare),
+            _ => self.no_form(&share, FORMS),
+        }
     }
 
     /// One speed, or a list of both.

@@ -905,11 +905,23 @@ pub(crate) static RECONSTRUCT: Schema = Schema {
         key(
             "energy_basis",
             "energy_basis = \"dissipated\"",
-            Form::Words(&words_of(&ENERGY_BASES)),
-            "What the crush energy stands for. `\"dissipated\"` (the default): the energy that stays in the deformed structure after rebound, as in SAE 980025; `\"absorbed\"`: the energy taken up at maximum engagement, as given by stiffness that was derived from the impact speeds of barrier tests.",
+            Form::WordsOrTable(&words_of(&ENERGY_BASES), &ENERGY_BASIS),
+            "What the crush energy stands for. `\"dissipated\"` (the default): the energy that stays in the deformed structure after rebound, as in SAE 980025; `\"absorbed\"`: the energy taken up at maximum engagement, as given by stiffness that was derived from the impact speeds of barrier tests; `{ tangential_share = … }`: as `\"dissipated\"`, but the damage also shows a share of the work of the tangential impulse.",
         ),
     ],
     rules: &[Rule::Needs(&["find"])],
+};
+
+pub(crate) static ENERGY_BASIS: Schema = Schema {
+    place: "energy_basis = { … } of [reconstruct]",
+    text: "A share of the work of sliding in the crush energy. The crush energy equals the work of the normal impulse and this share of that of the tangential impulse.",
+    keys: &[key(
+        "tangential_share",
+        "tangential_share = 0.5",
+        Form::Number(Bounds::Share),
+        "Share λ of the work of the tangential impulse that the crush takes, 0 to 1. 0 is the method of SAE 980025.",
+    )],
+    rules: &[Rule::Needs(&["tangential_share"])],
 };
 
 /// What is estimated from a table or a formula where the file does not give it.
@@ -1297,7 +1309,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
 };
 
-static ALL: [&Schema; 16] = [
+static ALL: [&Schema; 17] = [
     &TOP,
     &REPORT,
     &SCENE,
@@ -1305,6 +1317,7 @@ static ALL: [&Schema; 16] = [
     &CRUSH,
     &IMPACT,
     &RECONSTRUCT,
+    &ENERGY_BASIS,
     &UNCERTAINTY,
     &CONTACT,
     &VELOCITY,

@@ -18,10 +18,9 @@ use case::{
     SteerPoint, StiffnessForm, StiffnessLine, Surface, SurfaceRegion, SurfaceZone, Text, Unit, UnitSystem,
     Velocity, WheelDrag, YawInertia, read_quantity, to_toml,
 };
-use crash3::EnergyBasis;
 use crash3::ObliqueCorrection;
 use crash3::Side;
-use inputs::{BrachTangential, Fault, FaultKind};
+use inputs::{Basis, BrachTangential, Fault, FaultKind};
 use pim_core::{Law, Tangential};
 use proptest::collection::vec;
 use proptest::option;
@@ -117,7 +116,7 @@ fn the_papers_example_is_read() {
     };
     assert_eq!(impact.law, law);
     assert!((impact.crush_plane.si() + 23.0 * std::f64::consts::PI / 180.0).abs() < 1e-15);
-    let wanted = Reconstruct { find: Find::One(Unknown::Speed1), energy_basis: EnergyBasis::Dissipated };
+    let wanted = Reconstruct { find: Find::One(Unknown::Speed1), energy_basis: Basis::Dissipated };
     assert_eq!(case.reconstruct, Some(wanted));
     assert_eq!(case.unit_system(), UnitSystem::Us);
 }
@@ -224,10 +223,7 @@ fn the_other_forms_are_read() {
                 moment_restitution: None,
             },
         }),
-        reconstruct: Some(Reconstruct {
-            find: Find::One(Unknown::Speed1),
-            energy_basis: EnergyBasis::Absorbed,
-        }),
+        reconstruct: Some(Reconstruct { find: Find::One(Unknown::Speed1), energy_basis: Basis::Absorbed }),
         ranges: Vec::new(),
         left_out: LeftOut { axes: true, law: true, energy_basis: false, fit: [false; 2] },
         ..Case::default()
@@ -634,9 +630,10 @@ fn the_fixtures_of_the_laws_can_be_reconstructed() {
             structure.crush_energy(&profile).unwrap()
         });
         let crush_energy: f64 = crush.iter().sum();
-        let (unknown, basis) = (input.unknown, input.basis);
+        let (unknown, basis, tangential_share) =
+            (input.unknown, input.basis.energy(), input.basis.tangential_share());
         let problem =
-            reconcile::Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share: 0.0 };
+            reconcile::Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share };
         let answer = problem.solve().unwrap_or_else(|error| panic!("{name}: {error}"));
         // The paper's crush energy, 1.41e5 N·m.
         let work = answer.outcome.energy.normal_work;
@@ -1518,13 +1515,19 @@ fn any_law() -> impl Strategy<Value = ImpactLaw> {
     ]
 }
 
+fn any_basis() -> impl Strategy<Value = Basis> {
+    prop_oneof![
+        select(vec![Basis::Dissipated, Basis::Absorbed]),
+        (0.0..=1.0_f64).prop_map(Basis::TangentialShare),
+    ]
+}
+
 fn any_case() -> impl Strategy<Value = Case> {
     let impact = (any_quantity(Dimension::Angle, Signs::Any), any_law())
         .prop_map(|(crush_plane, law)| GivenImpact { crush_plane, law });
-    let bases = vec![EnergyBasis::Dissipated, EnergyBasis::Absorbed];
     let finds = vec![Find::One(Unknown::Speed1), Find::One(Unknown::Speed2), Find::Both];
     let reconstruct =
-        (select(finds), select(bases)).prop_map(|(find, energy_basis)| Reconstruct { find, energy_basis });
+        (select(finds), any_basis()).prop_map(|(find, energy_basis)| Reconstruct { find, energy_basis });
     let ground = (option::of(any_place()), option::of(any_surface().boxed()));
     // Boxed, because the strategies are too large for the stack of a test.
     let vehicles = [any_vehicle().boxed(), any_vehicle().boxed()];
@@ -1576,7 +1579,7 @@ fn any_case() -> impl Strategy<Value = Case> {
                 axes: axes_out && axes == Axes::ZUp,
                 law: law_out && impact.as_ref().is_some_and(|impact| impact.law.name() == "brach"),
                 energy_basis: basis_out
-                    && reconstruct.is_some_and(|table| table.energy_basis == EnergyBasis::Dissipated),
+                    && reconstruct.is_some_and(|table| table.energy_basis == Basis::Dissipated),
                 fit: [0, 1].map(|i| fits_out[i] && has_exact_fit(&vehicles[i])),
             };
             let [title, source, analyst, date, file_number, exhibit] = texts.map(|text| text.map(Text::from));

@@ -1,4 +1,4 @@
-//! The reconciliation: work of the normal impulse over the speed sought.
+//! The reconciliation: the work that is held against the crush energy, over the speed sought.
 
 use kurbo::{BezPath, Point, Rect};
 
@@ -21,7 +21,7 @@ const MOST: [u8; 2] = [10, 6];
 /// The root itself.
 const ROOT: Pen = Pen { colour: BLACK, width: 2.0, dashes: "" };
 
-/// The work of the normal impulse over the speed sought, with the work that is sought and the speed at which
+/// The work that is held against the crush energy over the speed sought, with the work that is sought and the speed at which
 /// both are the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReconciliationPicture {
@@ -45,8 +45,8 @@ pub struct ReconciliationPicture {
     pub others: Vec<(f64, String)>,
     /// (m/s, J) of the root-finder, where there was one.
     pub steps: Vec<[f64; 2]>,
-    /// The work sought, as the legend says it.
-    pub sought: String,
+    /// The curve and the work sought, as the legend says them.
+    pub legend: [String; 2],
 }
 
 /// A speed of the curve.
@@ -54,7 +54,7 @@ pub struct ReconciliationPicture {
 pub struct CurvePoint {
     /// (m/s)
     pub speed: f64,
-    /// (J) work of the normal impulse.
+    /// (J) work that is held against the crush energy.
     pub work: f64,
     /// (J) work that is sought.
     pub sought: f64,
@@ -89,8 +89,8 @@ impl ReconciliationPicture {
         canvas.place_labels(PLOT.inset(-2.0));
 
         let mut entries = vec![
-            (Sample::Line(CURVE), "Wₙ: work of the normal impulse".to_owned()),
-            (Sample::Line(LEVEL), format!("Wₙ sought: {}", self.sought)),
+            (Sample::Line(CURVE), self.legend[0].clone()),
+            (Sample::Line(LEVEL), self.legend[1].clone()),
             (Sample::Dot(None, BLACK), format!("the speed found: {}", self.found_label)),
         ];
         if !self.steps.is_empty() {
@@ -106,7 +106,7 @@ impl ReconciliationPicture {
         let across = self.curve.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| {
             [low.min(point.speed), high.max(point.speed)]
         });
-        // Where W_n runs away, at a pole, the page does not follow.
+        // Where the work runs away, at a pole, the page does not follow.
         let most = ABOVE * self.curve.iter().map(|point| point.sought).fold(self.found[1], f64::max);
         Chart { area: PLOT, left: EDGE, across, upward: [0.0, most] }
     }

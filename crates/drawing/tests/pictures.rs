@@ -182,7 +182,7 @@ fn reconciliation() -> ReconciliationPicture {
         found_label: text("28.5 km/h"),
         others: vec![(12.0, text("also 43.2 km/h"))],
         steps: vec![[7.0, 39_200.0], [7.9, 49_928.0]],
-        sought: text("50,000 J"),
+        legend: [text("Wₙ: work of the normal impulse"), text("Wₙ sought: 50,000 J")],
     }
 }
 

@@ -3,11 +3,11 @@
 use std::cell::RefCell;
 use std::fmt::Display;
 
-use crash3::EnergyBasis;
 use pim_core::{Real, VehicleId};
 use reconcile::Unknown;
 
 use crate::axes::Axes;
+use crate::basis::Basis;
 use crate::estimate::Departures;
 use crate::impact::GivenImpact;
 use crate::quantity::Quantity;
@@ -18,7 +18,7 @@ use crate::uncertain::GivenUncertainty;
 use crate::units::{Unit, UnitSystem};
 use crate::vehicle::GivenVehicle;
 use crate::walk::{Element, Input, Origin, Others, Replace, Value, Walk};
-use crate::words::{ENERGY_BASES, UNKNOWNS};
+use crate::words::UNKNOWNS;
 
 /// A whole case: two vehicles, and what is known of the impact. The crate `case` reads it from a file and
 /// writes it.
@@ -43,7 +43,7 @@ pub struct Case<T = f64> {
     /// `[impact]`.
     pub impact: Option<GivenImpact<T>>,
     /// `[reconstruct]`.
-    pub reconstruct: Option<Reconstruct>,
+    pub reconstruct: Option<Reconstruct<T>>,
     /// Which of the numbers are not known exactly, in the order of [`inputs`](Case::inputs). The numbers
     /// themselves are the central values.
     pub ranges: Vec<Range>,
@@ -83,12 +83,12 @@ pub struct LeftOut {
 }
 
 /// Which speed to find.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Reconstruct {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reconstruct<T = f64> {
     /// What is unknown.
     pub find: Find,
-    /// The energy that the crush energy is compared with.
-    pub energy_basis: EnergyBasis,
+    /// What the crush energy is held equal to.
+    pub energy_basis: Basis<T>,
 }
 
 /// The speeds that a reconstruction is to find.
@@ -205,12 +205,7 @@ impl Case {
                         Find::Both
                     }
                 },
-                energy_basis: walk.default(
-                    &"reconstruct.energy_basis",
-                    &ENERGY_BASES,
-                    energy_basis,
-                    basis_out,
-                ),
+                energy_basis: walk.basis(energy_basis, basis_out),
             }),
             ranges: Vec::new(),
             departures: walk.departures(self),

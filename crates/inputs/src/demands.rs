@@ -4,9 +4,7 @@ mod motion;
 
 use std::fmt::{self, Display};
 
-use crash3::{
-    DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, VehicleClass,
-};
+use crash3::{DamagedFace, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, VehicleClass};
 use pim_core::{
     Body, Contact, Law, Motion, Participant, Real, RestitutionCurve, Tangential, VaryingLaw, Vector2,
     VehicleId,
@@ -14,6 +12,7 @@ use pim_core::{
 use reconcile::Unknown;
 
 use crate::axes::Axes;
+use crate::basis::Basis;
 use crate::case::{Case, Find};
 use crate::crush::{Crush, Fit, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
 use crate::estimate::{FaceAxis, scaled};
@@ -237,7 +236,7 @@ pub struct ReconstructionInput<T = f64> {
     /// The unknown speed.
     pub unknown: Unknown,
     /// The energy basis.
-    pub basis: EnergyBasis,
+    pub basis: Basis<T>,
     /// (m/s) the speed that the case gives for the unknown anyway; it is not used.
     pub given_speed: Option<T>,
 }
@@ -248,7 +247,7 @@ pub struct ImpactInput<T = f64> {
     /// The collision, in which both speeds are known.
     pub collision: Collision<T>,
     /// The energy basis, for the CRASH3 result.
-    pub basis: EnergyBasis,
+    pub basis: Basis<T>,
 }
 
 /// The input of a CRASH3 analysis from the damage alone.
@@ -258,7 +257,7 @@ pub struct CrushOnly<T = f64> {
     /// arm, unless it is the only vehicle of the case.
     pub vehicles: [VehicleData<T>; 2],
     /// The energy basis.
-    pub basis: EnergyBasis,
+    pub basis: Basis,
     /// e, if it does not depend on the closing speed; 0 for Woolley's law.
     pub restitution: Option<T>,
 }
@@ -303,8 +302,8 @@ impl<T: Real> Case<T> {
         demand.finish(collision.map(|collision| ImpactInput { collision, basis: self.energy_basis() }))
     }
 
-    fn energy_basis(&self) -> EnergyBasis {
-        self.reconstruct.as_ref().map_or(EnergyBasis::Dissipated, |reconstruct| reconstruct.energy_basis)
+    fn energy_basis(&self) -> Basis<T> {
+        self.reconstruct.as_ref().map_or(Basis::Dissipated, |reconstruct| reconstruct.energy_basis)
     }
 }
 
@@ -492,7 +491,7 @@ struct Demand<'a, T> {
 
 impl<'a, T: Real> Demand<'a, T> {
     fn new(case: &'a Case<T>, purpose: Purpose) -> Self {
-        let find = case.reconstruct.map(|reconstruct| reconstruct.find);
+        let find = case.reconstruct.as_ref().map(|reconstruct| reconstruct.find);
         Self { case, purpose, faults: contradictions(&case.vehicles, find) }
     }
 

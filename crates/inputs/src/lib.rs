@@ -41,6 +41,7 @@
 
 mod after;
 mod axes;
+mod basis;
 mod case;
 mod crush;
 mod demands;
@@ -62,6 +63,7 @@ mod words;
 
 pub use after::{After, Before, Drag, PathPoint, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag};
 pub use axes::Axes;
+pub use basis::Basis;
 pub use case::{Case, Find, LeftOut, Reconstruct, ReportHead};
 pub use crush::{Crush, Fit, GivenEes, GivenTest, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
 pub use demands::{

@@ -1,9 +1,10 @@
 //! What the motion after the impact needs of a case, in the types of its engine.
 
 use pim_core::{Real, Vector2};
-use reconcile::{Departure, EnergyBasis};
+use reconcile::Departure;
 use trajectory::{Chassis, Region, Steer, Zone};
 
+use crate::basis::Basis;
 use crate::demands::Collision;
 use crate::text::Text;
 
@@ -178,7 +179,7 @@ pub struct TwoSpeedInput<T = f64> {
     /// the ground is not known.
     pub motion: Option<MotionInput<T>>,
     /// The energy basis.
-    pub basis: EnergyBasis,
+    pub basis: Basis<T>,
     /// Whether the crush energy of every vehicle that moves is known. It is where the approaches are
     /// collinear.
     pub has_crush: bool,

@@ -1,8 +1,10 @@
 //! The words of each choice, in one table that readers, writers and lists share. Enums of this crate have
 //! theirs as `WORDS`.
 
-use crash3::{EnergyBasis, ObliqueCorrection, Side};
+use crash3::{ObliqueCorrection, Side};
 use reconcile::Unknown;
+
+use crate::basis::Basis;
 
 /// `crush.side`.
 pub const SIDES: [(&str, Side); 4] =
@@ -23,9 +25,9 @@ pub const OBLIQUE_CORRECTIONS: [(&str, ObliqueCorrection); 4] = [
 pub const UNKNOWNS: [(&str, Unknown); 2] =
     [("vehicle1.speed", Unknown::Speed1), ("vehicle2.speed", Unknown::Speed2)];
 
-/// `reconstruct.energy_basis`.
-pub const ENERGY_BASES: [(&str, EnergyBasis); 2] =
-    [("dissipated", EnergyBasis::Dissipated), ("absorbed", EnergyBasis::Absorbed)];
+/// `reconstruct.energy_basis`, except a share of the tangential work, which has a number.
+pub const ENERGY_BASES: [(&str, Basis); 2] =
+    [("dissipated", Basis::Dissipated), ("absorbed", Basis::Absorbed)];
 
 /// The words of a table alone.
 #[must_use]
@@ -54,11 +56,12 @@ pub fn word<T: PartialEq>(table: &[(&'static str, T)], choice: &T) -> &'static s
 
 #[cfg(test)]
 mod tests {
-    use crash3::{EnergyBasis, Side};
+    use crash3::Side;
     use reconcile::Unknown;
 
     use super::{ENERGY_BASES, SIDES, UNKNOWNS, word};
     use crate::axes::Axes;
+    use crate::basis::Basis;
     use crate::crush::Fit;
     use crate::impact::LawName;
     use crate::vehicle::Kind;
@@ -81,11 +84,21 @@ mod tests {
 
     places!(Side: Front, Rear, Left, Right);
     places!(Unknown: Speed1, Speed2);
-    places!(EnergyBasis: Dissipated, Absorbed);
     places!(Axes: ZUp, ZDown);
     places!(Fit: Exact, Mean);
     places!(Kind: Car, HeavyTruck, Trailer, Motorcycle);
     places!(LawName: Brach, Woolley, Ishikawa, KudlichSlibar);
+
+    impl Place for Basis {
+        fn place(self) -> usize {
+            match self {
+                Self::Dissipated => 0,
+                Self::Absorbed => 1,
+                // It has a number and no word.
+                Self::TangentialShare(_) => usize::MAX,
+            }
+        }
+    }
 
     fn assert_complete<T: Place + PartialEq + Copy>(table: &[(&'static str, T)]) {
         for (index, (name, choice)) in table.iter().enumerate() {

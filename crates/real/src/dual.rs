@@ -152,6 +152,11 @@ impl Real for Dual {
     fn is_finite(self) -> bool {
         self.value.is_finite() && self.derivative.is_finite()
     }
+
+    #[inline(always)]
+    fn is_constant_zero(self) -> bool {
+        self.value == 0.0 && self.derivative == 0.0
+    }
 }
 
 #[cfg(test)]

@@ -247,6 +247,11 @@ impl Real for Traced {
     fn is_finite(self) -> bool {
         self.value.is_finite()
     }
+
+    #[inline]
+    fn is_constant_zero(self) -> bool {
+        self.value == 0.0 && self.place == CONSTANT
+    }
 }
 
 #[cfg(test)]

@@ -90,7 +90,7 @@ impl<T: Real> Posed<'_, T> {
         let alpha = push(T::ONE) - beta;
         // c = 2 W_n/(1−e)
         let c = problem.sought(&law) * 2.0 / (T::ONE - law.restitution());
-        if problem.tangential_share == T::ZERO {
+        if problem.tangential_share.is_constant_zero() {
             return Quadratic { alpha, beta, c };
         }
         let impulse = |x: T| law.impulse(&k, line.at(x));

@@ -195,6 +195,14 @@ impl<T: Real> Problem<T> {
         self.work_at(&self.law.at(-approach.velocity.normal), approach)
     }
 
+    /// (J) W_n + λ W_t at the given speed (m/s), in the same way: what is held against the crush energy.
+    #[inline(always)]
+    #[must_use]
+    pub fn crush_work(&self, speed: T) -> T {
+        let approach = self.contact.approach(&self.motions_at(speed));
+        self.crush_work_at(&self.law.at(-approach.velocity.normal), approach)
+    }
+
     /// (J) what W_n + λ W_t at the given speed (m/s) is above the work sought there: zero at every root.
     /// Its derivatives by an input p and by the speed are those of the root, ds/dp = −(∂/∂p)/(∂/∂s), whatever
     /// method found it.
@@ -221,7 +229,7 @@ impl<T: Real> Problem<T> {
     #[inline(always)]
     pub(crate) fn crush_work_at(&self, law: &Law<T>, approach: Approach<T>) -> T {
         let normal = self.work_at(law, approach);
-        if self.tangential_share == T::ZERO {
+        if self.tangential_share.is_constant_zero() {
             return normal;
         }
         let k = self.contact.inverse_mass();

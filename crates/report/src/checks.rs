@@ -1,8 +1,9 @@
 //! The consistency checks in words, for the text and for the page.
 
 use analysis::{CheckedQuantity, FAST_CLOSING, Seen};
-use crash3::EnergyBasis;
+use case::Basis;
 
+use crate::basis;
 use crate::document::Table;
 use crate::units::{Measure, Units, number};
 
@@ -23,10 +24,13 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
             CheckedQuantity::DamageEnergy { .. } => {
                 // As much of the crush energy as W_n should be.
                 let label = match analysis.basis {
-                    EnergyBasis::Dissipated => "normal work and crush energy",
-                    EnergyBasis::Absorbed => "normal work and (1 − e²) E",
+                    Basis::Dissipated => "normal work and crush energy".to_owned(),
+                    Basis::Absorbed => "normal work and (1 − e²) E".to_owned(),
+                    Basis::TangentialShare(_) => {
+                        format!("{} and crush energy", basis::symbol(analysis.basis, ["W_n", "W_t"]))
+                    }
                 };
-                (label.to_owned(), percent(check.value), percent(check.limit))
+                (label, percent(check.value), percent(check.limit))
             }
             CheckedQuantity::Restitution => {
                 // Where they close slowly there is no limit, and no check.

@@ -55,6 +55,7 @@
 //! for programs. No arrow points back.
 
 mod axes;
+mod basis;
 mod checks;
 mod data;
 mod document;

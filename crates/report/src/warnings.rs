@@ -1,13 +1,13 @@
 //! The sentence of each warning.
 
 use analysis::{Analysis, Check, CheckedQuantity, Drive, JumpSide, Magnitude, SeenWarning, Warning};
-use case::{Case, ContactSpread, Kind, StiffnessSource};
-use crash3::{EnergyBasis, Side};
+use case::{Basis, Case, ContactSpread, Kind, StiffnessSource};
+use crash3::Side;
 use pim_core::{Switch, VehicleId};
 
 use crate::document::{Block, Document};
 use crate::units::{Measure, Units, number};
-use crate::{axes, words};
+use crate::{axes, basis, words};
 
 /// Where more is said of a warning.
 const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to check; the code is in \
@@ -278,8 +278,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::DamageEnergyDiffers { normal_work, crush_energy, basis, on_other_basis } => {
             let energy = |si: f64| units.format(Measure::Energy, si);
             let (is, other) = match basis {
-                EnergyBasis::Dissipated => ("dissipated", "absorbed"),
-                EnergyBasis::Absorbed => ("absorbed", "dissipated"),
+                Basis::Dissipated | Basis::TangentialShare(_) => ("dissipated", "absorbed"),
+                Basis::Absorbed => ("absorbed", "dissipated"),
             };
             let (bases, check) = match on_other_basis {
                 Some(on_other) => (
@@ -289,9 +289,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 None => (String::new(), ""),
             };
             format!(
-                "the work of the normal impulse, {}, differs by more than 10 % from the value that follows \
-                 from the crush energy, {}{bases}: the speeds and the damage are inconsistent with each \
-                 other{check}",
+                "{}, {}, differs by more than 10 % from the value that follows from the crush energy, \
+                 {}{bases}: the speeds and the damage are inconsistent with each other{check}",
+                basis::work(*basis).trim_end_matches(','),
                 energy(*normal_work),
                 energy(*crush_energy)
             )

@@ -5,8 +5,8 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use analysis::Vehicle;
-use case::{Case, ENERGY_BASES, Find, Fit, Kind, Program, SIDES, StiffnessSource, Text, UNKNOWNS, word};
-use crash3::{EnergyBasis, Side};
+use case::{Case, Find, Fit, Kind, Program, SIDES, StiffnessSource, Text, UNKNOWNS, word};
+use crash3::Side;
 use pim_core::Regime;
 use reconcile::Unknown;
 
@@ -27,10 +27,6 @@ pub(crate) fn title(case: &Case) -> String {
 pub(crate) fn file_name(name: &Text) -> Text {
     let last = Path::new(name.as_given()).file_name().and_then(OsStr::to_str);
     last.map_or_else(|| name.clone(), Text::from)
-}
-
-pub(crate) fn basis_name(basis: EnergyBasis) -> &'static str {
-    word(&ENERGY_BASES, &basis)
 }
 
 pub(crate) fn unknown_name(unknown: Unknown) -> &'static str {

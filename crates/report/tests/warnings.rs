@@ -1,8 +1,9 @@
 //! The sentences of the warnings: what they tell the reader to do, in the reader's units and axes.
 
 use analysis::{Drive, JumpSide, Magnitude, Warning};
+use case::Basis;
 use case::{Axes, Kind, StiffnessSource};
-use crash3::{EnergyBasis, Side};
+use crash3::Side;
 use pim_core::{Switch, VehicleId};
 use report::{Supplements, Units, message};
 
@@ -323,13 +324,13 @@ fn a_wall_has_no_delta_v_and_each_cause_its_own_words() {
         basis,
         on_other_basis,
     };
-    let bases = &energy(EnergyBasis::Dissipated, Some(4_067.453_844));
+    let bases = &energy(Basis::Dissipated, Some(4_067.453_844));
     says(
         bases,
         Axes::ZUp,
         &["1,000 ft·lb", "2,000 ft·lb on the energy basis `dissipated` (3,000 ft·lb on `absorbed`)"],
     );
-    let bases = &energy(EnergyBasis::Absorbed, Some(4_067.453_844));
+    let bases = &energy(Basis::Absorbed, Some(4_067.453_844));
     says(bases, Axes::ZUp, &["2,000 ft·lb on the energy basis `absorbed` (3,000 ft·lb on `dissipated`)"]);
-    assert!(!message(&energy(EnergyBasis::Dissipated, None).seen(Axes::ZUp), Units::Us).contains("basis"));
+    assert!(!message(&energy(Basis::Dissipated, None).seen(Axes::ZUp), Units::Us).contains("basis"));
 }

@@ -9,8 +9,8 @@
 use ::uncertainty::{LANES, Lanes};
 use crash3::{EnergyBasis, Stiffness, Zone, equal_spacing, zone_energy};
 use inputs::{
-    Axes, BrachTangential, Case, ContactPoint, Crush, Find, GivenImpact, GivenVehicle, ImpactLaw, Mass,
-    Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Velocity, YawInertia,
+    Axes, Basis, BrachTangential, Case, ContactPoint, Crush, Find, GivenImpact, GivenVehicle, ImpactLaw,
+    Mass, Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Velocity, YawInertia,
 };
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2, VehicleId};
 use reconcile::{Problem, Unknown};
@@ -93,7 +93,7 @@ impl Block {
             departures: _,
             left_out: _,
         } = case;
-        let Reconstruct { find: Find::One(unknown), energy_basis: basis } = reconstruct.as_ref()? else {
+        let Reconstruct { find: Find::One(unknown), energy_basis } = reconstruct.as_ref()? else {
             return None;
         };
         // Vehicles that are followed to rest have outputs that a block does not compute.
@@ -102,6 +102,10 @@ impl Block {
         if surface.is_some() && (has_drag(one) || has_drag(two)) {
             return None;
         }
+        let basis = match energy_basis {
+            Basis::Dissipated | Basis::Absorbed => energy_basis.energy(),
+            Basis::TangentialShare(_) => return None,
+        };
         let GivenImpact { crush_plane, law } = impact.as_ref()?;
         let (restitution, tangential_restitution) = match law {
             ImpactLaw::Brach {
@@ -118,7 +122,7 @@ impl Block {
         let block = Self {
             axes: *axes,
             unknown: *unknown,
-            basis: *basis,
+            basis,
             vehicles: [
                 Vehicle::new(one, *unknown == Unknown::Speed1)?,
                 Vehicle::new(two, *unknown == Unknown::Speed2)?,

@@ -141,6 +141,7 @@ fn documentation() -> String {
         &TANGENTIAL,
         &RESTITUTION,
         &RECONSTRUCT,
+        &ENERGY_BASIS,
         &UNCERTAINTY,
         &SHARED,
         &RANGE,

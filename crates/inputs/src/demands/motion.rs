@@ -96,7 +96,7 @@ impl<T: Real> Case<T> {
     /// Every value that is missing or contradicts another, each with its key.
     pub fn two_speeds(&self) -> Result<TwoSpeedInput<T>, Faults> {
         let mut demand = Demand::new(self, Purpose::Reconstruct);
-        if self.reconstruct.is_none_or(|reconstruct| reconstruct.find != Find::Both) {
+        if self.reconstruct.as_ref().is_none_or(|reconstruct| reconstruct.find != Find::Both) {
             let example = "`find = [\"vehicle1.speed\", \"vehicle2.speed\"]` in a table [reconstruct]";
             demand.missing("reconstruct.find", example);
         }

@@ -1,7 +1,7 @@
 //! A finished analysis as JSON, in SI units and radians.
 
 use analysis::{Analysis, BothFound, BothMethod, Impact, Pass, Seen, SeenWarning, Travel, TravelOrigin};
-use case::{Case, CaseFile};
+use case::{Basis, Case, CaseFile};
 use pim_core::VehicleId;
 use reconcile::Unknown;
 use serde::{Serialize, Serializer};
@@ -19,6 +19,9 @@ struct Document<'a> {
     /// Those of all signed values: `z-up` or `z-down`.
     axes: &'static str,
     energy_basis: &'static str,
+    /// Where the basis is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tangential_share: Option<f64>,
     warnings: Vec<WarningBlock>,
     checks: Vec<CheckBlock>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -151,7 +154,11 @@ struct FoundBlock {
 #[derive(Serialize)]
 struct IterationBlock {
     speed: f64,
-    normal_work: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    normal_work: Option<f64>,
+    /// W_n + λ W_t, where the basis is a share of the tangential work.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    crush_work: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -292,10 +299,15 @@ pub fn json(file: &CaseFile, analysis: &Analysis) -> Result<String, serde_json::
 pub(crate) fn document<'a>(case: &'a Case, analysis: &Analysis) -> impl Serialize + use<'a> {
     let analysis = &analysis.seen(case.axes);
     let [vehicle1, vehicle2] = VehicleId::ALL.map(|id| vehicle(case, analysis, id));
+    let share = match analysis.basis {
+        Basis::TangentialShare(share) => Some(share),
+        Basis::Dissipated | Basis::Absorbed => None,
+    };
     Document {
         title: title(case),
         axes: case.axes.name(),
-        energy_basis: words::basis_name(analysis.basis),
+        energy_basis: analysis.basis.name(),
+        tangential_share: share,
         warnings: analysis.warnings.iter().map(WarningBlock::new).collect(),
         checks: analysis
             .checks
@@ -348,7 +360,15 @@ fn found(analysis: &Seen) -> Option<Found> {
                 .iterations
                 .iter()
                 .flatten()
-                .map(|step| IterationBlock { speed: plain(step.speed), normal_work: plain(step.normal_work) })
+                .map(|step| {
+                    let work = Some(plain(step.normal_work));
+                    let has_share = matches!(analysis.basis, Basis::TangentialShare(_));
+                    IterationBlock {
+                        speed: plain(step.speed),
+                        normal_work: work.filter(|_| !has_share),
+                        crush_work: work.filter(|_| has_share),
+                    }
+                })
                 .collect(),
         }));
     }

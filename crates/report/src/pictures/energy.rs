@@ -2,11 +2,12 @@
 
 use ::drawing::{EnergyBar, EnergyPicture, Loss, number};
 use analysis::Analysis;
-use case::Case;
+use case::{Basis, Case};
 use pim_core::VehicleId;
 
 use super::{DrawingError, Subject, title};
 use crate::Units;
+use crate::basis;
 use crate::units::Measure;
 
 pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<EnergyPicture, DrawingError> {
@@ -66,8 +67,12 @@ fn note(analysis: &Analysis, crush: f64, normal_work: f64, units: Units) -> Stri
     if crush > 0.0 && !is_crush(crush, normal_work) {
         let energy = |si: f64| units.format(Measure::Energy, si);
         let why = match (&analysis.found, analysis.basis) {
-            (Some(_), crash3::EnergyBasis::Absorbed) => "restitution gives the rest back",
-            _ => "the damage and the impact do not agree",
+            (Some(_), Basis::Absorbed) => "restitution gives the rest back".to_owned(),
+            (Some(_), Basis::TangentialShare(_)) => {
+                let share = basis::share(analysis.basis).unwrap_or_default();
+                format!("the crush takes {share} too")
+            }
+            _ => "the damage and the impact do not agree".to_owned(),
         };
         note.push_str(&format!(
             " The crush energy is {}, the normal work {}: {why}. The bars share the normal work as the crush energies do.",

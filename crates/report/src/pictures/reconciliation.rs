@@ -1,12 +1,12 @@
-//! The reconciliation: work of the normal impulse over the speed sought.
+//! The reconciliation: the work that is held against the crush energy, over the speed sought.
 
 use ::drawing::{Axis, CurvePoint, ReconciliationPicture};
 use analysis::{Analysis, first_push, work_curve};
-use case::CaseFile;
-use crash3::EnergyBasis;
+use case::{Basis, CaseFile};
 
 use super::{DrawingError, title};
 use crate::Units;
+use crate::basis;
 use crate::units::Measure;
 
 /// Steps of the curve.
@@ -32,39 +32,60 @@ pub(super) fn picture(
     let speed = |si: f64| units.format(Measure::RoadSpeed, si);
     let touch = speed(curve.first().map_or(0.0, |point| point.speed));
     // An interval whose ends look the same is none to the reader.
-    let begins = match first_push(&file.case, &curve)?.filter(|&begins| speed(begins) != touch) {
-        None => format!("It is zero where the vehicles just touch, at {touch},"),
-        Some(begins) => format!(
+    let begins = first_push(&file.case, &curve)?.filter(|&begins| speed(begins) != touch);
+    let begins = match (begins, analysis.basis) {
+        // There P_n is a push, but sliding works too.
+        (begins, Basis::TangentialShare(_)) => format!(
+            "It begins at {}, {},",
+            begins.map_or_else(|| touch.clone(), speed),
+            match begins {
+                None => "where the vehicles just touch".to_owned(),
+                Some(_) => format!(
+                    "where the normal impulse becomes a push (Pₙ > 0), and not at {touch}, where the \
+                     vehicles just touch"
+                ),
+            }
+        ),
+        (None, _) => format!("It is zero where the vehicles just touch, at {touch},"),
+        (Some(begins), _) => format!(
             "It begins at {}, where the normal impulse becomes a push (Pₙ > 0); from {touch}, where the vehicles just touch, up to there they would have to \
              pull on each other. It rises from zero",
             speed(begins)
         ),
     };
     let crush = match analysis.basis {
-        EnergyBasis::Dissipated => format!("the crush energy, {energy},"),
-        EnergyBasis::Absorbed => format!(
+        Basis::Dissipated | Basis::TangentialShare(_) => format!("the crush energy, {energy},"),
+        Basis::Absorbed => format!(
             "{energy}, which is (1 − e²) times the crush energy of {},",
             units.format(Measure::Energy, found.crush_energy)
         ),
     };
+    let (work, symbol) = (basis::work(analysis.basis), basis::symbol(analysis.basis, ["Wₙ", "Wₜ"]));
+    let work = work.trim_start_matches("the ").trim_end_matches(',');
+    let what = work.replacen('w', "W", 1);
     let description = format!(
-        "Work of the normal impulse over the speed of vehicle {vehicle}. {begins} and reaches {crush} at {answer}. Admissible speeds: {}.",
+        "{what} over the speed of vehicle {vehicle}. {begins} and reaches {crush} at {answer}. Admissible speeds: {}.",
         found.admissible.iter().map(|&si| speed(si)).collect::<Vec<_>>().join(", "),
     );
     Ok(ReconciliationPicture {
         title: title(&file.case),
-        subtitle: format!("Reconciliation: work of the normal impulse over the speed of vehicle {vehicle}"),
+        subtitle: format!("Reconciliation: {work} over the speed of vehicle {vehicle}"),
         description,
         speed: axis(&format!("speed of vehicle {vehicle}"), Measure::RoadSpeed),
-        work: axis("Wₙ", Measure::Energy),
+        work: axis(&symbol, Measure::Energy),
+        legend: [format!("{symbol}: {work}"), format!("{symbol} sought: {energy}{there}")],
         curve: curve
             .iter()
-            .map(|point| CurvePoint { speed: point.speed, work: point.normal_work, sought: point.sought })
+            .map(|point| CurvePoint {
+                speed: point.speed,
+                // Where the normal impulse would be a pull, no impact can happen, whatever the sliding works.
+                work: if point.normal_work < 0.0 { point.normal_work } else { point.crush_work },
+                sought: point.sought,
+            })
             .collect(),
         found: [found.speed, found.normal_work],
         others: found.admissible.iter().skip(1).map(|&si| (si, format!("also {}", speed(si)))).collect(),
         steps: found.iterations.iter().flatten().map(|step| [step.speed, step.normal_work]).collect(),
-        sought: format!("{energy}{there}"),
         found_label: answer,
     })
 }

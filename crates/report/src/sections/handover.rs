@@ -4,8 +4,7 @@ mod inputs;
 
 use ::drawing::{Drawing, SitePlan};
 use analysis::{Analysis, Impact, Output, Seen, Sensitivity, UncertainInput, Uncertainty};
-use case::{Axes, CaseFile, Estimate, Origin, ReportHead};
-use crash3::EnergyBasis;
+use case::{Axes, Basis, CaseFile, Estimate, Origin, ReportHead};
 use pim_core::VehicleId;
 use validation::Validation;
 
@@ -17,7 +16,7 @@ use crate::document::{Block, Document, Table};
 use crate::pictures::{DrawingError, Subject, drawing, motion_on};
 use crate::steps::steps;
 use crate::units::{Measure, number};
-use crate::{Units, axes, checks, energy, law, warnings, words};
+use crate::{Units, axes, basis, checks, energy, law, warnings, words};
 
 /// What a report shows besides the analysis itself.
 #[derive(Clone, Copy, Debug, Default)]
@@ -309,14 +308,19 @@ fn method(analysis: &Analysis, axes: Axes, units: Units) -> Vec<String> {
     let mut paragraphs = Vec::new();
     if let Some(found) = &analysis.found {
         let (agreement, basis) = match analysis.basis {
-            EnergyBasis::Dissipated => (
+            Basis::Dissipated => (
                 "equals the crush energy",
                 "The crush energy is the energy that the normal impulse dissipates, as the paper assumes.",
             ),
-            EnergyBasis::Absorbed => (
+            Basis::Absorbed => (
                 "is (1 − e²) times the crush energy",
                 "The crush energy is the energy absorbed at maximum engagement, of which restitution \
                  returns the share e².",
+            ),
+            Basis::TangentialShare(_) => (
+                "equals the crush energy",
+                "That share is the analyst's choice: the method of the paper takes nothing of the tangential \
+                 work for crush.",
             ),
         };
         let way = search(found);
@@ -327,8 +331,9 @@ fn method(analysis: &Analysis, axes: Axes, units: Units) -> Vec<String> {
             ),
         };
         paragraphs.push(format!(
-            "The crush energy of both vehicles follows from their damage by the CRASH3 algorithm. Planar impact mechanics gives the work of the normal impulse \
+            "The crush energy of both vehicles follows from their damage by the CRASH3 algorithm. Planar impact mechanics gives {} \
              for any speed of vehicle {}. The speed at which that work {agreement} was found {way}; {roots}. {basis}",
+            basis::work(analysis.basis),
             found.unknown.vehicle()
         ));
     } else if let Some(both) = &analysis.both {

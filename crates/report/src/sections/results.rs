@@ -1,15 +1,15 @@
 //! A finished analysis as text for the terminal and the file.
 
 use analysis::{Analysis, BothFound, BothMethod, Crash3, Damage, Found, Impact, Seen};
-use case::{Axes, Case, Pdof, Text, Velocity, YawSource};
-use crash3::{EnergyBasis, SideStiffness, Stiffness};
+use case::{Axes, Basis, Case, Pdof, Text, Velocity, YawSource};
+use crash3::{SideStiffness, Stiffness};
 use pim_core::{Outcome, Regime, VehicleId};
 
 use super::chosen::{Chosen, label};
 use super::motion;
 use crate::document::{Block, Document, Table};
 use crate::units::{Measure, Units};
-use crate::{axes, checks, energy, law, warnings, words};
+use crate::{axes, basis, checks, energy, law, warnings, words};
 
 /// The analysis for the terminal and the file: what was found, all inputs and results with their equations,
 /// and the warnings.
@@ -67,11 +67,12 @@ impl Page {
         let units = self.units;
         let energy = |si: f64| units.format(Measure::Energy, si);
         let work = match analysis.basis {
-            EnergyBasis::Dissipated => format!(
+            Basis::TangentialShare(_) => format!("equals the crush energy, {}", energy(found.crush_energy)),
+            Basis::Dissipated => format!(
                 "equals the crush energy, {}, which the normal impulse dissipates",
                 energy(found.crush_energy)
             ),
-            EnergyBasis::Absorbed => format!(
+            Basis::Absorbed => format!(
                 "is W_n = {} = (1 − e²) E, where the crush energy E = {} is what the vehicles absorb up to maximum engagement, and restitution gives \
                  the share e² back",
                 energy(found.normal_work),
@@ -93,7 +94,8 @@ impl Page {
                 .chain(delta_v)
                 .collect(),
             how: format!(
-                "At this speed the work of the normal impulse {work}. {roots}, found {method} (theory 6)."
+                "At this speed {} {work}. {roots}, found {method} (theory 6).",
+                basis::work(analysis.basis)
             ),
         });
     }
@@ -466,7 +468,7 @@ impl Page {
         chosen.shared(&mut table, "crash3.corrected_crush_energy");
         chosen.shared_with(&mut table, "crash3.restitution_factor", |factor| {
             let assumed = if case.reconstruct.is_none() { ", assumed" } else { "" };
-            format!("{factor} (energy basis: {}{assumed})", words::basis_name(basis))
+            format!("{factor} (energy basis: {}{assumed})", basis::named(basis))
         });
         self.document.push(table);
         let mut table = Table::of_two("CRASH3 by vehicle", SOURCED);

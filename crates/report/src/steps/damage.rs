@@ -8,12 +8,12 @@ mod stiffness;
 pub(super) use profile::share_below;
 
 use analysis::{Damage, Seen, Vehicle};
-use case::{Case, Crush, Evidence};
-use crash3::{EnergyBasis, Profile, SideStiffness, Yielding};
+use case::{Basis, Case, Crush, Evidence};
+use crash3::{Profile, SideStiffness, Yielding};
 use pim_core::VehicleId;
 
 use super::{Step, StepGroup, given, group, n, p, step};
-use crate::words;
+use crate::basis;
 
 pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     let mut groups = Vec::new();
@@ -146,12 +146,14 @@ fn sought(analysis: &Seen) -> Vec<Step> {
     let Some(found) = &analysis.found else { return Vec::new() };
     let both = total(analysis, found.crush_energy, "Eq 4, 5");
     let e = analysis.impact.as_ref().map_or(0.0, |impact| impact.law.restitution());
-    let normal_work = match analysis.basis {
-        EnergyBasis::Dissipated => ("E", n(found.crush_energy, "J")),
-        EnergyBasis::Absorbed => {
-            ("E (1 − e²)", format!("{} · (1 − {}²)", n(found.crush_energy, "J"), p(e, "")))
-        }
+    let work = match analysis.basis {
+        Basis::Dissipated | Basis::TangentialShare(_) => ("E", n(found.crush_energy, "J")),
+        Basis::Absorbed => ("E (1 − e²)", format!("{} · (1 − {}²)", n(found.crush_energy, "J"), p(e, ""))),
     };
-    let name = format!("normal work sought, basis {}", words::basis_name(analysis.basis));
-    vec![both, step(name, "W_n", normal_work.0, normal_work.1, found.normal_work, "J", "theory 6")]
+    let (kind, symbol) = match analysis.basis {
+        Basis::Dissipated | Basis::Absorbed => ("normal work", "W_n"),
+        Basis::TangentialShare(_) => ("work", "W_n + λ W_t"),
+    };
+    let name = format!("{kind} sought, basis {}", basis::named(analysis.basis));
+    vec![both, step(name, symbol, work.0, work.1, found.normal_work, "J", "theory 6")]
 }

@@ -141,7 +141,7 @@ fn changes(crash3: &Crash3, vehicles: &[Movable], energy: Energy) -> Vec<Step> {
 fn with_restitution(analysis: &Seen, crash3: &Crash3, vehicles: &[Movable], delta_v: [f64; 2]) -> Vec<Step> {
     let e = analysis.impact.as_ref().map(|impact| n(impact.law.restitution(), ""));
     let (Some(factor), Some(e)) = (crash3.restitution_factor, e) else { return Vec::new() };
-    let (formula, numbers) = match analysis.basis {
+    let (formula, numbers) = match analysis.basis.energy() {
         EnergyBasis::Dissipated => ("√((1 + e)/(1 − e))", format!("√((1 + {e}) / (1 − {e}))")),
         EnergyBasis::Absorbed => ("1 + e", format!("1 + {e}")),
     };
