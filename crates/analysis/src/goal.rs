@@ -30,7 +30,7 @@ impl Goal {
     /// A case with `[reconstruct]` asks for what that finds, one with something after the impact and without
     /// `[impact]` for the motion, and every other one for the impact.
     pub(crate) fn of<T>(case: &Case<T>) -> Self {
-        match case.reconstruct.map(|reconstruct| reconstruct.find) {
+        match case.reconstruct.as_ref().map(|reconstruct| reconstruct.find) {
             Some(Find::One(_)) => Self::Speed,
             Some(Find::Both) => Self::BothSpeeds,
             None if case.impact.is_none() && case.vehicles.iter().any(|vehicle| vehicle.after.is_some()) => {

@@ -11,7 +11,7 @@ mod inputs;
 mod judgement;
 mod plausibility;
 mod sensitivity;
-mod to_rest;
 mod tangential_share;
+mod to_rest;
 mod uncertainty;
 mod warnings;
