@@ -478,7 +478,11 @@ fn what_has_no_answer_says_why() {
     for (error, part) in [
         (fixed, "vehicle 2 is fixed"),
         (MomentumError::Collinear { angle: 3.0_f64.to_radians() }, "3.00°"),
-        (MomentumError::NotReached { energy: 1.0 }, "1.0 J"),
+        (MomentumError::NotReached { energy: 1.0, tangential_share: 0.0 }, "normal impulse equal to 1.0 J"),
+        (
+            MomentumError::NotReached { energy: 1.0, tangential_share: 0.5 },
+            "normal impulse plus 0.5 of that of the tangential impulse equal to 1.0 J",
+        ),
     ] {
         assert!(error.to_string().contains(part), "{error}");
     }

@@ -547,7 +547,8 @@ fn a_common_velocity_may_have_two_speeds_or_none() {
     assert_eq!(near.solve().unwrap().admissible, 2);
     assert_eq!(near.root_finder().unwrap().admissible, 2);
     let beyond = against_a_wall(Tangential::Critical, 5.0, 25.0 / 6.0 + 1e-3).unwrap();
-    let expected = ReconcileError::NotReached { vehicle: VehicleId::One, energy: 25.0 / 6.0 + 1e-3 };
+    let energy = 25.0 / 6.0 + 1e-3;
+    let expected = ReconcileError::NotReached { vehicle: VehicleId::One, energy, tangential_share: 0.0 };
     assert_eq!(beyond.solve().unwrap_err(), expected);
     assert_eq!(beyond.root_finder().unwrap_err(), expected);
     let text = expected.to_string();

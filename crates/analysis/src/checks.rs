@@ -52,12 +52,14 @@ pub enum CheckedQuantity {
         /// Which vehicle.
         vehicle: VehicleId,
     },
-    /// |W_n − E|/E with the W_n that both speeds and the velocities after the impact imply.
+    /// |W_n + λ W_t − E|/E with the works that both speeds and the velocities after the impact imply.
     MomentumEnergy {
-        /// (J) W_n.
+        /// (J) W_n + λ W_t.
         normal_work: f64,
         /// (J) E, on the case's basis.
         crush_energy: f64,
+        /// (–) λ.
+        tangential_share: f64,
     },
     /// The difference between the restitution that they imply and that of the case.
     MomentumRestitution {
@@ -184,7 +186,8 @@ pub(crate) fn of_momentum(
         let normal_work = basis.taken_by_crush(implied.normal_work, implied.tangential_work);
         // |W_n + λ W_t − E|/E
         let value = (normal_work - crush_energy).abs() / crush_energy;
-        let quantity = CheckedQuantity::MomentumEnergy { normal_work, crush_energy };
+        let tangential_share = basis.tangential_share();
+        let quantity = CheckedQuantity::MomentumEnergy { normal_work, crush_energy, tangential_share };
         checks.push(Check { quantity, value, limit: MOMENTUM_ENERGY_DIFFERENCE });
     }
     if let Some(e) = implied.restitution {

@@ -3,8 +3,8 @@
 
 use crash3::{Side, SideStiffness, VehicleClass};
 use inputs::{
-    Axes, Basis, Case, Crush, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Kind, Purpose, StiffnessForm,
-    StiffnessLine, VehicleData, Velocity, YawSource,
+    Axes, Basis, Case, Crush, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Kind, Purpose,
+    StiffnessForm, StiffnessLine, VehicleData, Velocity, YawSource,
 };
 use pim_core::VehicleId;
 

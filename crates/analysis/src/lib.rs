@@ -75,7 +75,8 @@ use crash3::{CrushError, SideStiffness};
 use inputs::{Basis, Case, Collision, Evidence, Faults, Find, Purpose, SurfaceData, VehicleData};
 use pim_core::{Contact, ImpactError, Law, Motion, Outcome, Real, VaryingLaw, VehicleId};
 use reconcile::{
-    ApproachLine, Iteration, MomentumError, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown,
+    AffineImpact, ApproachLine, Iteration, MomentumError, Problem, Quadratic, ReconcileError, SolutionMethod,
+    Unknown,
 };
 use trajectory::{NoRest, Unreached};
 
@@ -150,6 +151,8 @@ pub struct Found {
     pub line: ApproachLine,
     /// What the closed form was solved from; `None` where the root-finder gave the answer.
     pub quadratic: Option<Quadratic>,
+    /// Impulse and sliding over the approach speed, where there is one.
+    pub affine_impact: Option<AffineImpact>,
     /// The steps of the root-finder; `None` where a closed form gave the answer.
     pub iterations: Option<Vec<Iteration>>,
 }
@@ -279,12 +282,21 @@ pub enum Failure {
     #[error(transparent)]
     Reconcile(#[from] ReconcileError),
     /// No speed gives the crush energy, [`ReconcileError::NotReached`].
-    #[error("{}", ReconcileError::NotReached { vehicle: *.vehicle, energy: *.energy })]
+    #[error(
+        "{}",
+        ReconcileError::NotReached {
+            vehicle: *.vehicle,
+            energy: *.energy,
+            tangential_share: *.tangential_share
+        }
+    )]
     NotReached {
         /// Whose speed.
         vehicle: VehicleId,
-        /// (J) the normal work sought.
+        /// (J) the work sought, W_n + λ W_t.
         energy: f64,
+        /// (–) λ.
+        tangential_share: f64,
         /// The impact that comes nearest, or why none can happen.
         nearest: Result<Iteration, ImpactError>,
     },
@@ -351,6 +363,7 @@ pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         normal_work: answer.normal_work,
         line: problem.line(),
         quadratic: problem.quadratic(),
+        affine_impact: problem.affine_impact(),
         iterations: match &answer.method {
             SolutionMethod::ClosedForm => None,
             SolutionMethod::RootFinder(iterations) => Some(iterations.as_slice().to_vec()),
@@ -368,8 +381,8 @@ pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
 /// Why a problem has no answer, with the impact that comes nearest to one.
 pub(crate) fn refused(problem: &Problem, refusal: ReconcileError) -> Failure {
     match refusal {
-        ReconcileError::NotReached { vehicle, energy } => {
-            Failure::NotReached { vehicle, energy, nearest: problem.nearest() }
+        ReconcileError::NotReached { vehicle, energy, tangential_share } => {
+            Failure::NotReached { vehicle, energy, tangential_share, nearest: problem.nearest() }
         }
         refusal => refusal.into(),
     }

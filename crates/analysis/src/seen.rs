@@ -100,6 +100,7 @@ impl Analysis {
             impact = impact.map(|impact| impact.mirrored());
             if let Some(found) = &mut found {
                 found.line = found.line.mirrored();
+                found.affine_impact = found.affine_impact.map(|affine| affine.mirrored());
             }
             both = both.map(|both| both.mirrored());
             travel = travel.map(|travel| travel.map(|travel| travel.mirrored()));
@@ -196,8 +197,9 @@ impl Failure {
         match (axes, self) {
             (Axes::ZDown, Self::Reconcile(refusal)) => Self::Reconcile(refusal.mirrored()),
             (Axes::ZDown, Self::Impact(refusal)) => Self::Impact(refusal.mirrored()),
-            (Axes::ZDown, Self::NotReached { vehicle, energy, nearest }) => {
-                Self::NotReached { vehicle, energy, nearest: nearest.map_err(ImpactError::mirrored) }
+            (Axes::ZDown, Self::NotReached { vehicle, energy, tangential_share, nearest }) => {
+                let nearest = nearest.map_err(ImpactError::mirrored);
+                Self::NotReached { vehicle, energy, tangential_share, nearest }
             }
             (_, failure) => failure,
         }

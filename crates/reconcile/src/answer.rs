@@ -184,6 +184,7 @@ impl<'a, T: Real> Search<'a, T> {
             None => Err(self.refused.unwrap_or(ReconcileError::NotReached {
                 vehicle: problem.unknown.vehicle(),
                 energy: problem.normal_work_sought().value(),
+                tangential_share: problem.tangential_share.value(),
             })),
         }
     }

@@ -25,6 +25,13 @@ impl<T: Real> Problem<T> {
         self.has_closed_form().then(|| Posed { problem: self, line: self.line() }.quadratic())
     }
 
+    /// Impulse and sliding over the approach speed, or `None` under a law that has no closed form: what a
+    /// share of the tangential work adds to that quadratic.
+    #[must_use]
+    pub fn affine_impact(&self) -> Option<AffineImpact<T>> {
+        self.has_closed_form().then(|| Posed { problem: self, line: self.line() }.affine_impact())
+    }
+
     /// Like [`solve`](Problem::solve), but in place of an error it returns a validity flag, so that loops
     /// over many samples vectorise: the speed with the slowest approach that the closed form gives, its
     /// impact, and whether a collision can be so. Where the flag is set, the answer has the same bits. It is
@@ -85,7 +92,7 @@ impl<T: Real> Posed<'_, T> {
         let Self { problem, line } = self;
         let (k, law) = (problem.contact.inverse_mass(), problem.law.nominal());
         let push = |x: T| law.impulse(&k, line.at(x)).linear.normal;
-        // P_n(x) = α x + β
+        // P_n(x) = α_n x + β_n
         let beta = push(T::ZERO);
         let alpha = push(T::ONE) - beta;
         // c = 2 W_n/(1−e)
@@ -93,29 +100,61 @@ impl<T: Real> Posed<'_, T> {
         if problem.tangential_share.is_constant_zero() {
             return Quadratic { alpha, beta, c };
         }
-        let impulse = |x: T| law.impulse(&k, line.at(x));
-        let sliding = |x: T| {
-            let (approach, LawImpulse { linear, moment, .. }) = (line.at(x), impulse(x));
-            approach.velocity.tangential + k.separation(approach, linear, moment).velocity.tangential
-        };
-        // P_t = p₀ + p₁ x,  u_t + U_t = s₀ + s₁ x
-        let (p0, s0) = (impulse(T::ZERO).linear.tangential, sliding(T::ZERO));
-        let (p1, s1) = (impulse(T::ONE).linear.tangential - p0, sliding(T::ONE) - s0);
-        // 2 λ W_t/(1−e) = −λ/(1−e) (p₀ + p₁ x)(s₀ + s₁ x)
+        let AffineImpact { tangential: [b_t, a_t], sliding: [zeta, eta], .. } = self.affine_impact();
+        // 2 λ W_t/(1−e) = −λ/(1−e) (α_t x + β_t)(η x + ζ)
         let share = -(problem.tangential_share / (T::ONE - law.restitution()));
         Quadratic {
-            alpha: alpha + share * (p1 * s1),
-            beta: beta + share * (p0 * s1 + p1 * s0),
-            c: c - share * (p0 * s0),
+            alpha: alpha + share * (a_t * eta),
+            beta: beta + share * (b_t * eta + a_t * zeta),
+            c: c - share * (b_t * zeta),
         }
+    }
+
+    #[inline(always)]
+    fn affine_impact(self) -> AffineImpact<T> {
+        let Self { problem, line } = self;
+        let (k, law) = (problem.contact.inverse_mass(), problem.law.nominal());
+        let at = |x: T| {
+            let approach = line.at(x);
+            let LawImpulse { linear, moment, .. } = law.impulse(&k, approach);
+            let sliding =
+                approach.velocity.tangential + k.separation(approach, linear, moment).velocity.tangential;
+            [linear.normal, linear.tangential, sliding]
+        };
+        let (touch, one) = (at(T::ZERO), at(T::ONE));
+        let [normal, tangential, sliding] = [0, 1, 2].map(|i| [touch[i], one[i] - touch[i]]);
+        AffineImpact { normal, tangential, sliding }
+    }
+}
+
+/// Impulse and sliding under a law without a limit, at the approach speed x = −u_n in which both are affine.
+/// Of each, the value where the vehicles just touch and the growth with x.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct AffineImpact<T = f64> {
+    /// (N·s, kg) β_n and α_n of P_n = α_n x + β_n.
+    pub normal: [T; 2],
+    /// (N·s, kg) β_t and α_t of P_t = α_t x + β_t.
+    pub tangential: [T; 2],
+    /// (m/s, –) ζ and η of u_t + U_t = η x + ζ.
+    pub sliding: [T; 2],
+}
+
+impl<T: Real> AffineImpact<T> {
+    /// The same in axes of the other handedness.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        // Subtracted from zero, because −0 would be printed as "-0".
+        let negated = |pair: [T; 2]| pair.map(|value| T::ZERO - value);
+        Self { normal: self.normal, tangential: negated(self.tangential), sliding: negated(self.sliding) }
     }
 }
 
 /// The condition on the approach speed x = −u_n where P_n is affine in it, P_n = α x + β.
 ///
 /// With W_n = ½ (1−e) x P_n it is α x² + β x = c. Where the crush takes a share λ of the tangential work,
-/// P_t = p₀ + p₁ x and u_t + U_t = s₀ + s₁ x add −λ/(1−e) (p₀ + p₁ x)(s₀ + s₁ x) to the left side; the
-/// coefficients below have that in them.
+/// 2 λ W_t/(1−e) = −λ/(1−e) (α_t x + β_t)(η x + ζ) is added to the left side, with the numbers of an
+/// [`AffineImpact`]; the coefficients below have that in them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quadratic<T = f64> {

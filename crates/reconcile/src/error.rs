@@ -1,5 +1,7 @@
 //! Why no speed reconciles the crush energy with the impact.
 
+use core::fmt::{self, Display};
+
 use crash3::EnergyBasis;
 use pim_core::{ImpactError, InvalidInput, VehicleId};
 
@@ -56,18 +58,21 @@ pub enum ReconcileError {
         /// Cosine of the angle between heading and normal.
         cosine: f64,
     },
-    /// W_n stays away from the crush energy at every speed of a vehicle (at most 1000 m/s) at which the
-    /// vehicles approach.
+    /// W_n + λ W_t stays away from the crush energy at every speed of a vehicle (at most 1000 m/s) at which
+    /// the vehicles approach.
     #[error(
-        "no speed of vehicle {vehicle} up to 1000 m/s makes the work of the normal impulse equal to {energy:.1} J while \
+        "no speed of vehicle {vehicle} up to 1000 m/s makes {} equal to {energy:.1} J while \
          the vehicles approach and push; check the contact points, the crush plane, the headings, the yaw rates, the \
-         restitution and the crush energy, or give a friction limit as the tangential condition"
+         restitution and the crush energy, or give a friction limit as the tangential condition",
+        WorkSought(*.tangential_share)
     )]
     NotReached {
         /// Which vehicle.
         vehicle: VehicleId,
-        /// (J) the normal work sought.
+        /// (J) the work sought.
         energy: f64,
+        /// (–) λ.
+        tangential_share: f64,
     },
     /// A speed gives the energy, but no impact can happen like this.
     #[error("at {speed:.4} m/s vehicle {vehicle} would give the crush energy, but: {reason}")]
@@ -94,6 +99,19 @@ pub enum ReconcileError {
         /// (J) what is missing there.
         residual: f64,
     },
+}
+
+/// W_n + λ W_t in words, of the share λ.
+pub(crate) struct WorkSought(pub(crate) f64);
+
+impl Display for WorkSought {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the work of the normal impulse")?;
+        if self.0 == 0.0 {
+            return Ok(());
+        }
+        write!(f, " plus {} of that of the tangential impulse", self.0)
+    }
 }
 
 impl ReconcileError {

@@ -30,7 +30,7 @@
 //! The types: a [`Problem`] is a collision with one [`Unknown`] speed; solving it gives a [`Reconciliation`],
 //! which holds the speed, the impact at that speed, and the [`SolutionMethod`] that found it.
 //! [`Problem::speeds`] lists all admissible speeds. The numbers on the way to a closed form are
-//! [`Problem::line`] and [`Problem::quadratic`].
+//! [`Problem::line`], [`Problem::quadratic`] and [`Problem::affine_impact`].
 //!
 //! Where neither speed is known, but both velocities after impact are, a [`Momentum`] gives both speeds if
 //! the approaches cross, and a [`MomentumAndCrush`] if they are collinear. [`Implied`] is what is then known
@@ -45,6 +45,9 @@
 //! | `tangential_at_zero_approach` | u_t0 | u_t at x = 0 | m/s |
 //! | `alpha`, `beta` | α, β | P_n = α x + β in a [`Quadratic`] | kg, N·s |
 //! | `c` | c | 2 W_n/(1−e) | J |
+//! | `normal` | α_n, β_n | P_n = α_n x + β_n in an [`AffineImpact`] | kg, N·s |
+//! | `tangential` | α_t, β_t | P_t = α_t x + β_t | kg, N·s |
+//! | `sliding` | η, ζ | u_t + U_t = η x + ζ | –, m/s |
 //! | `tangential_share` | λ | share of the tangential work that the crush takes | – |
 //! | `axis` | â | unit vector along which momentum is kept | – |
 //! | `relative` | σ | relative speed of the CGs along the line of speeds that the momentum allows | m/s |
@@ -91,7 +94,7 @@ mod problem;
 
 pub use answer::{FASTEST, Iteration, Iterations, Reconciliation, SolutionMethod};
 pub use brent::{MAX_STEPS, RootError, brent};
-pub use closed_form::Quadratic;
+pub use closed_form::{AffineImpact, Quadratic};
 pub use crash3::EnergyBasis;
 pub use error::ReconcileError;
 pub use line::ApproachLine;

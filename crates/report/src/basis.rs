@@ -4,10 +4,9 @@ use case::Basis;
 
 use crate::units::number;
 
-/// `50 %`, of the work of the tangential impulse; `None` where that has no part in the crush.
-fn percent(basis: Basis) -> Option<String> {
-    let Basis::TangentialShare(share) = basis else { return None };
-    Some(format!("{} %", short(100.0 * share, 2)))
+/// `50 %`, of a share of 0.5.
+fn percent(share: f64) -> String {
+    format!("{} %", short(100.0 * share, 2))
 }
 
 /// Rounded, without the zeros at its end.
@@ -17,25 +16,36 @@ fn short(value: f64, decimals: usize) -> String {
 
 /// The basis and, of a share of the tangential work, how large that is: `tangential-share, 50 %`.
 pub(crate) fn named(basis: Basis) -> String {
-    match percent(basis) {
-        Some(percent) => format!("{}, {percent}", basis.name()),
-        None => basis.name().to_owned(),
+    match basis {
+        Basis::TangentialShare(share) => format!("{}, {}", basis.name(), percent(share)),
+        Basis::Dissipated | Basis::Absorbed => basis.name().to_owned(),
     }
 }
 
-/// The work that is held against the crush energy, as the subject of a sentence.
+/// The work that is held against the crush energy.
 pub(crate) fn work(basis: Basis) -> String {
-    match percent(basis) {
-        Some(percent) => {
-            format!("the work of the normal impulse, with {percent} of that of the tangential impulse,")
+    match basis {
+        Basis::TangentialShare(share) => {
+            format!(
+                "the work of the normal impulse plus {} of that of the tangential impulse",
+                percent(share)
+            )
         }
-        None => "the work of the normal impulse".to_owned(),
+        Basis::Dissipated | Basis::Absorbed => "the work of the normal impulse".to_owned(),
     }
+}
+
+/// The same of the share λ alone.
+pub(crate) fn work_of_share(share: f64) -> String {
+    work(if share == 0.0 { Basis::Dissipated } else { Basis::TangentialShare(share) })
 }
 
 /// What the crush takes of the tangential work: `50 % of the tangential work`.
 pub(crate) fn share(basis: Basis) -> Option<String> {
-    percent(basis).map(|percent| format!("{percent} of the tangential work"))
+    match basis {
+        Basis::TangentialShare(share) => Some(format!("{} of the tangential work", percent(share))),
+        Basis::Dissipated | Basis::Absorbed => None,
+    }
 }
 
 /// The symbol of that work, as `W_n + λ W_t` with the number of λ, and subscripts as the caller writes them.

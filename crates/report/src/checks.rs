@@ -48,8 +48,8 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
                 let of = if is_given { "of the PDOF as given" } else { "of the impulse at C" };
                 (format!("rotation of vehicle {vehicle}"), found.to_owned(), of.to_owned())
             }
-            CheckedQuantity::MomentumEnergy { normal_work, crush_energy } => (
-                "momentum: W_n and crush energy".to_owned(),
+            CheckedQuantity::MomentumEnergy { normal_work, crush_energy, tangential_share: _ } => (
+                format!("momentum: {} and crush energy", basis::symbol(analysis.basis, ["W_n", "W_t"])),
                 format!("{} and {}: {}", energy(normal_work), energy(crush_energy), percent(check.value)),
                 percent(check.limit),
             ),

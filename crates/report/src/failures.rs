@@ -6,6 +6,7 @@ use pim_core::{ImpactError, VehicleId};
 use reconcile::{MomentumError, ReconcileError};
 use trajectory::{NoRest, State, Unreached};
 
+use crate::basis;
 use crate::units::{Measure, Units, number};
 
 /// Why there is no analysis, and what to check, in the units of the reader. The numbers are in the axes of
@@ -20,27 +21,28 @@ pub fn no_answer(failure: &Failure, units: Units) -> String {
         Failure::Momentum(refusal) => of_momentum(refusal, units),
         Failure::NoRest { vehicle, reason } => no_rest(*vehicle, reason, units),
         Failure::NoStart { vehicle, reason } => no_start(*vehicle, reason, units),
-        Failure::NotReached { vehicle, energy, nearest: Ok(nearest) }
+        Failure::NotReached { vehicle, energy, tangential_share, nearest: Ok(nearest) }
             if nearest.speed.abs() > reconcile::FASTEST =>
         {
             format!(
-                "no speed of vehicle {vehicle} up to {} makes the work of the normal impulse equal to {}; \
+                "no speed of vehicle {vehicle} up to {} makes {} equal to {}; \
                  it would take {}, which gives {}; either the heading lies nearly along the crush plane, or \
                  the crush energy is far too large; check `crush_plane`, the angle of the normal, the \
                  headings, and the units of depths, widths and stiffness",
                 fastest(units),
+                basis::work_of_share(*tangential_share),
                 units.format(Measure::Energy, *energy),
                 units.speed(nearest.speed),
                 units.format(Measure::Energy, nearest.normal_work)
             )
         }
-        Failure::NotReached { vehicle, energy, nearest: Ok(nearest) } => {
+        Failure::NotReached { vehicle, energy, tangential_share, nearest: Ok(nearest) } => {
             let nearest = format!(
                 "; the closest is {}, at {}",
                 units.format(Measure::Energy, nearest.normal_work),
                 units.speed(nearest.speed)
             );
-            not_reached(*vehicle, *energy, &nearest, units)
+            not_reached(*vehicle, [*energy, *tangential_share], &nearest, units)
         }
         Failure::NotReached { vehicle, nearest: Err(reason), .. } => {
             format!("no speed of vehicle {vehicle} makes a collision: {}", of_impact(reason, units))
@@ -51,7 +53,9 @@ pub fn no_answer(failure: &Failure, units: Units) -> String {
 fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
     match refusal {
         ReconcileError::Impact(reason) => of_impact(reason, units),
-        ReconcileError::NotReached { vehicle, energy } => not_reached(*vehicle, *energy, "", units),
+        ReconcileError::NotReached { vehicle, energy, tangential_share } => {
+            not_reached(*vehicle, [*energy, *tangential_share], "", units)
+        }
         ReconcileError::NoCrushEnergy { energy } => format!(
             "the crush energy is {}, but must be greater than zero, because without crush there is no speed \
              to find; check the depths and the stiffness \
@@ -80,11 +84,12 @@ fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
     }
 }
 
-fn not_reached(vehicle: VehicleId, energy: f64, nearest: &str, units: Units) -> String {
+fn not_reached(vehicle: VehicleId, [energy, share]: [f64; 2], nearest: &str, units: Units) -> String {
     format!(
-        "no speed of vehicle {vehicle} up to {} makes the work of the normal impulse equal to {} while the vehicles approach and push{nearest}; \
+        "no speed of vehicle {vehicle} up to {} makes {} equal to {} while the vehicles approach and push{nearest}; \
          check the contact points, the crush plane, the headings, the yaw rates, the restitution and the crush energy",
         fastest(units),
+        basis::work_of_share(share),
         units.format(Measure::Energy, energy)
     )
 }
@@ -103,10 +108,11 @@ fn of_momentum(refusal: &MomentumError, units: Units) -> String {
              speeds where the headings lie within 10° of one line; give the damage of both vehicles",
             units.format(Measure::Energy, *energy)
         ),
-        MomentumError::NotReached { energy } => format!(
-            "no speeds with the momentum after the impact make the work of the normal impulse equal to {} while \
+        MomentumError::NotReached { energy, tangential_share } => format!(
+            "no speeds with the momentum after the impact make {} equal to {} while \
              the vehicles approach and push; check the rest positions, the drag, the crush energy, the crush \
              plane and the restitution",
+            basis::work_of_share(*tangential_share),
             units.format(Measure::Energy, *energy)
         ),
         MomentumError::Inadmissible { speeds: found, reason } => format!(

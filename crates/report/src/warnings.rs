@@ -67,8 +67,12 @@ fn momentum_differs(check: &Check, units: Units) -> String {
     let energy = |si: f64| units.format(Measure::Energy, si);
     let rate = |si: f64| units.format(Measure::YawRateDegrees, si);
     match check.quantity {
-        CheckedQuantity::MomentumEnergy { normal_work, crush_energy } => format!(
-            "the normal work would be {}, and the crush energy is {}",
+        CheckedQuantity::MomentumEnergy { normal_work, crush_energy, tangential_share } => format!(
+            "{} would be {}, and the crush energy is {}",
+            match tangential_share {
+                0.0 => "the normal work".to_owned(),
+                share => basis::work_of_share(share),
+            },
             energy(normal_work),
             energy(crush_energy)
         ),
@@ -291,7 +295,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             format!(
                 "{}, {}, differs by more than 10 % from the value that follows from the crush energy, \
                  {}{bases}: the speeds and the damage are inconsistent with each other{check}",
-                basis::work(*basis).trim_end_matches(','),
+                basis::work(*basis),
                 energy(*normal_work),
                 energy(*crush_energy)
             )

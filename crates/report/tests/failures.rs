@@ -2,12 +2,13 @@
 
 use analysis::Failure;
 use pim_core::{ImpactError, VehicleId};
-use reconcile::{Iteration, ReconcileError};
+use reconcile::{Iteration, MomentumError, ReconcileError};
 use report::{Units, no_answer};
 
 const BEYOND: Failure = Failure::NotReached {
     vehicle: VehicleId::One,
     energy: 135_581.795,
+    tangential_share: 0.0,
     nearest: Ok(Iteration { speed: 44.704, normal_work: 13_558.179_5 }),
 };
 
@@ -17,8 +18,16 @@ fn a_refusal_speaks_the_units_of_the_reader() {
     let too_fast = Failure::NotReached {
         vehicle: VehicleId::Two,
         energy: 135_581.795,
+        tangential_share: 0.0,
         nearest: Ok(Iteration { speed: 4_470.4, normal_work: 135_581.795 }),
     };
+    let with_share = Failure::NotReached {
+        vehicle: VehicleId::One,
+        energy: 135_581.795,
+        tangential_share: 0.355,
+        nearest: Ok(Iteration { speed: 44.704, normal_work: 13_558.179_5 }),
+    };
+    let both = Failure::Momentum(MomentumError::NotReached { energy: 135_581.795, tangential_share: 0.25 });
     let jam = Failure::Impact(ImpactError::Jam { impulse_ratio: -2.5, k_nn: 2.0, k_nt: 1.0 });
     let not_approaching = Failure::Impact(ImpactError::NotApproaching { u_n: 3.048 });
     let pulling = Failure::Impact(ImpactError::Pulling { normal_impulse: -4_448.221_615 });
@@ -49,6 +58,16 @@ fn a_refusal_speaks_the_units_of_the_reader() {
             &too_fast,
             "up to 1,000 m/s makes the work of the normal impulse equal to 135,582 J; it would take 16,093.4 km/h (4,470.40 m/s), which gives 135,582 J;",
             "up to 3,281 ft/s makes the work of the normal impulse equal to 100,000 ft·lb; it would take 10,000.00 mph (14,666.67 ft/s), which gives 100,000 ft·lb;",
+        ),
+        (
+            &with_share,
+            "makes the work of the normal impulse plus 35.5 % of that of the tangential impulse equal to 135,582 J while",
+            "the tangential impulse equal to 100,000 ft·lb while",
+        ),
+        (
+            &both,
+            "make the work of the normal impulse plus 25 % of that of the tangential impulse equal to 135,582 J while",
+            "the tangential impulse equal to 100,000 ft·lb while",
         ),
         (&jam, "needs μ above -2.0000:", "needs μ above -2.0000:"),
         (&not_approaching, "u_n is 3.05 m/s, but", "u_n is 10.00 ft/s, but"),

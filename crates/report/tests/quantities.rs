@@ -94,7 +94,7 @@ fn each_row_has_the_number_of_the_json() {
 }
 
 /// Numbers of the JSON that are no quantity of the collision, by the start of their place.
-const EXCEPTIONS: [(&str, &str); 9] = [
+const EXCEPTIONS: [(&str, &str); 10] = [
     ("/checks/", "a list of what was compared, with its limits"),
     ("/warnings/", "a list, in which a number is that of a vehicle"),
     ("/found/admissible_roots", "a count"),
@@ -103,6 +103,7 @@ const EXCEPTIONS: [(&str, &str); 9] = [
     ("/found/1/", "of vehicle 2: vehicle2.speed"),
     ("/vehicle", "moments of the way to rest, of any number"),
     ("/found/iterations/", "the way of the root-finder, of any length"),
+    ("/tangential_share", "an input: reconstruct.energy_basis.tangential_share"),
     ("/crash3/corrections/", "a list, a row for each correction"),
 ];
 

@@ -62,7 +62,7 @@ pub struct BothSpeeds<T = f64> {
     pub law: Law<T>,
     /// The impact at the speeds found.
     pub outcome: Outcome<T>,
-    /// (J) the normal work that was sought.
+    /// (J) the work that was sought, W_n + λ W_t.
     pub normal_work: T,
     /// How the speeds were found. The speed of a step is the relative speed σ.
     pub method: SolutionMethod,
@@ -189,7 +189,9 @@ impl<T: Real> MomentumAndCrush<T> {
                 MomentumError::TangentialShare { share, basis }
             }
             ReconcileError::SpeedWithoutEffect { cosine, .. } => MomentumError::AlongCrushPlane { cosine },
-            ReconcileError::NotReached { energy, .. } => MomentumError::NotReached { energy },
+            ReconcileError::NotReached { energy, tangential_share, .. } => {
+                MomentumError::NotReached { energy, tangential_share }
+            }
             ReconcileError::Inadmissible { speed, reason, .. } => {
                 MomentumError::Inadmissible { speeds: speeds(speed), reason }
             }

@@ -3,6 +3,8 @@
 use crash3::EnergyBasis;
 use pim_core::{ImpactError, InvalidInput, VehicleId};
 
+use crate::error::WorkSought;
+
 /// Why momentum, with the crush energy or without, does not give both speeds.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -82,15 +84,18 @@ pub enum MomentumError {
         /// The basis.
         basis: EnergyBasis,
     },
-    /// W_n stays away from the crush energy at all speeds that the momentum allows.
+    /// W_n + λ W_t stays away from the crush energy at all speeds that the momentum allows.
     #[error(
-        "no speeds with this momentum make the work of the normal impulse equal to {energy:.1} J while the \
+        "no speeds with this momentum make {} equal to {energy:.1} J while the \
          vehicles approach and push; check the velocities after impact, the crush energy, the crush plane and \
-         the restitution"
+         the restitution",
+        WorkSought(*.tangential_share)
     )]
     NotReached {
-        /// (J) the normal work sought.
+        /// (J) the work sought.
         energy: f64,
+        /// (–) λ.
+        tangential_share: f64,
     },
     /// Speeds give momentum and energy, but no impact can happen like this.
     #[error(

@@ -61,7 +61,7 @@ pub(super) fn picture(
         ),
     };
     let (work, symbol) = (basis::work(analysis.basis), basis::symbol(analysis.basis, ["Wₙ", "Wₜ"]));
-    let work = work.trim_start_matches("the ").trim_end_matches(',');
+    let work = work.trim_start_matches("the ");
     let what = work.replacen('w', "W", 1);
     let description = format!(
         "{what} over the speed of vehicle {vehicle}. {begins} and reaches {crush} at {answer}. Admissible speeds: {}.",

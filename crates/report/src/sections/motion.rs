@@ -1,10 +1,11 @@
 //! The motion after the impact in words and tables.
 
 use analysis::{BothFound, BothMethod, ClosedForm, Seen, Travel, TravelOrigin};
-use case::RestHeadingData;
+use case::{Basis, RestHeadingData};
 use pim_core::VehicleId;
 
 use super::chosen::Chosen;
+use crate::basis;
 use crate::document::Table;
 use crate::units::{Measure, Units, number};
 
@@ -27,11 +28,16 @@ pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
                 1 => "One admissible pair of speeds".to_owned(),
                 several => format!("{several} admissible pairs of speeds"),
             };
+            let energy = units.format(Measure::Energy, *crush_energy);
+            let stands_for = match analysis.basis {
+                Basis::Dissipated => String::new(),
+                Basis::Absorbed => ", which the vehicles absorb up to maximum engagement,".to_owned(),
+                Basis::TangentialShare(_) => format!(", which equals {},", basis::work(analysis.basis)),
+            };
             format!(
                 "The headings differ by {angle}, within 10° of one line, where momentum alone does not tell both \
-                 speeds. They follow from momentum along that line and {left}, and from the crush energy, {} \
-                 (theory 10). {pairs}.",
-                units.format(Measure::Energy, *crush_energy)
+                 speeds. They follow from momentum along that line and {left}, and from the crush energy, \
+                 {energy}{stands_for} (theory 10). {pairs}."
             )
         }
     }

@@ -155,5 +155,14 @@ fn sought(analysis: &Seen) -> Vec<Step> {
         Basis::TangentialShare(_) => ("work", "W_n + λ W_t"),
     };
     let name = format!("{kind} sought, basis {}", basis::named(analysis.basis));
-    vec![both, step(name, symbol, work.0, work.1, found.normal_work, "J", "theory 6")]
+    let mut steps = vec![both];
+    steps.extend(share(analysis));
+    steps.push(step(name, symbol, work.0, work.1, found.normal_work, "J", "theory 6"));
+    steps
+}
+
+/// λ, where the case gives one.
+pub(super) fn share(analysis: &Seen) -> Vec<Step> {
+    let Basis::TangentialShare(share) = analysis.basis else { return Vec::new() };
+    vec![given("share of the tangential work in the crush energy", "λ", share, "", "theory 6")]
 }

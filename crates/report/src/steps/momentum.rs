@@ -1,9 +1,10 @@
 //! Both speeds from momentum, the closed forms of the ways to rest, and skid marks.
 
 use analysis::{BothFound, BothMethod, ClosedForm, Seen, Travel};
-use case::{Case, STANDARD_GRAVITY};
+use case::{Basis, Case, STANDARD_GRAVITY};
 use pim_core::{Real, VehicleId};
 
+use super::damage::share;
 use super::{Step, StepGroup, angle, given, group, n, p, step};
 
 /// Both speeds.
@@ -155,7 +156,17 @@ impl Momentum<'_> {
         let along = total.x * axis.x + total.y * axis.y;
         let [v1, v2] = self.both.speeds;
         let [c1, c2] = VehicleId::ALL.map(|k| angle(self.heading(k) - direction));
-        vec![
+        let condition = match self.analysis.basis {
+            Basis::Dissipated => "W_n = E",
+            Basis::Absorbed => "W_n = (1 − e²) E",
+            Basis::TangentialShare(_) => "W_n + λ W_t = E",
+        };
+        let found = |k: VehicleId, speed: f64| {
+            let name = format!("speed of vehicle {k}, found with {condition}");
+            given(name, format!("v_{k}"), speed, "m/s", "theory 10")
+        };
+        let mut steps = share(self.analysis);
+        steps.extend([
             step(
                 "momentum along the shared line, at the angle a",
                 "p_a",
@@ -171,8 +182,8 @@ impl Momentum<'_> {
                 "N·s",
                 "theory 10",
             ),
-            given("speed of vehicle 1, found with W_n = E", "v_1", v1, "m/s", "theory 10"),
-            given("speed of vehicle 2, found with W_n = E", "v_2", v2, "m/s", "theory 10"),
+            found(VehicleId::One, v1),
+            found(VehicleId::Two, v2),
             step(
                 "momentum of these speeds along the line",
                 "p_a",
@@ -188,7 +199,8 @@ impl Momentum<'_> {
                 "N·s",
                 "theory 10",
             ),
-        ]
+        ]);
+        steps
     }
 }
 

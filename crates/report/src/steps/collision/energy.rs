@@ -1,5 +1,6 @@
 //! Where the energy went.
 
+use case::Basis;
 use pim_core::Motion;
 
 use super::super::{Step, n, p, step};
@@ -21,12 +22,31 @@ impl Collision<'_> {
                 energy.tangential_work,
             ),
         ];
+        steps.extend(self.taken_by_crush());
         let has_moment = outcome.moment_impulse != 0.0;
         if has_moment {
             steps.push(self.moment_work());
         }
         steps.extend(self.loss(has_moment));
         steps
+    }
+
+    /// What the crush takes of both works, where it was sought.
+    fn taken_by_crush(&self) -> Option<Step> {
+        let Basis::TangentialShare(share) = self.analysis.basis else { return None };
+        let found = self.analysis.found.as_ref()?;
+        let energy = self.impact.outcome.energy;
+        let numbers =
+            format!("{} + {} · {}", n(energy.normal_work, "J"), n(share, ""), p(energy.tangential_work, "J"));
+        Some(step(
+            "crush energy, from the works",
+            "E",
+            "W_n + λ W_t",
+            numbers,
+            found.normal_work,
+            "J",
+            "theory 6",
+        ))
     }
 
     fn kinetic(

@@ -1,17 +1,30 @@
 //! The speed found.
 
 use analysis::Found;
+use case::Basis;
 use pim_core::{Tangential, Vector2, VehicleId};
-use reconcile::{ApproachLine, Quadratic};
+use reconcile::{AffineImpact, ApproachLine, Quadratic};
 
 use super::super::{Step, angle, n, p, step};
 use super::Collision;
 
-/// The normal impulse P_n = α x + β over the approach speed, each coefficient in symbols and in numbers.
+/// A coefficient in symbols and in numbers.
+type Written = (&'static str, String);
+
+/// The normal impulse P_n = α x + β over the approach speed.
 struct Push {
-    alpha: (&'static str, String),
+    alpha: Written,
     /// `None` where β is zero whatever the approach.
-    beta: Option<(&'static str, String)>,
+    beta: Option<Written>,
+}
+
+/// What a share of the tangential work needs beside that: P_t = α_t x + β_t and u_t + U_t = η x + ζ.
+struct Slide {
+    alpha: Written,
+    /// `None` where β_t is zero whatever the approach.
+    beta: Option<Written>,
+    eta: Written,
+    zeta: Written,
 }
 
 impl Collision<'_> {
@@ -20,18 +33,31 @@ impl Collision<'_> {
     pub(super) fn speed(&self, found: &Found) -> Vec<Step> {
         let unsolved = || vec![self.solved(found, "", String::new())];
         let Some(quadratic) = &found.quadratic else { return unsolved() };
-        // Of two approaches that give the energy, the paper's is the one that this sign gives: α > 0.
-        if found.admissible.len() != 1 || quadratic.alpha <= 0.0 {
+        // With α > 0 and c > 0, only the approach that the sign below gives is positive.
+        if found.admissible.len() != 1 || quadratic.alpha <= 0.0 || quadratic.c <= 0.0 {
             return unsolved();
         }
         let line = &found.line;
         let Some(push) = self.push(line) else { return unsolved() };
+        let share = match self.analysis.basis {
+            Basis::TangentialShare(share) if share != 0.0 => Some(share),
+            Basis::TangentialShare(_) | Basis::Dissipated | Basis::Absorbed => None,
+        };
         let mut steps = self.slopes(found).to_vec();
         steps.push(self.at_rest(found, "n", "u_n0", line.at_rest.normal));
-        if push.beta.is_some() {
+        if push.beta.is_some() || share.is_some() {
             steps.extend(self.tangential(found));
         }
-        steps.extend(self.approach_speed(found, quadratic, push));
+        match share {
+            None => steps.extend(self.normal_alone(found, quadratic, push)),
+            Some(share) => {
+                let Some(affine) = &found.affine_impact else { return unsolved() };
+                let Some(slide) = self.slide(line, affine) else { return unsolved() };
+                steps.extend(both_impulses(affine, push, slide));
+                steps.extend(self.with_share(found, quadratic, affine, share));
+            }
+        }
+        steps.push(self.approach_speed(quadratic));
         let x = -self.impact.outcome.approach.normal;
         let numbers =
             format!("−({} + {}) / {}", n(x, "m/s"), n(line.at_rest.normal, "m/s"), n(line.slope.normal, ""));
@@ -91,6 +117,52 @@ impl Collision<'_> {
         Some(Push {
             alpha: ("[k_tt (1 + e) + k_nt (1 + e_t) τ]/det K", alpha),
             beta: Some(("k_nt (1 + e_t) u_t0/det K", beta)),
+        })
+    }
+
+    /// `None` under a law whose closed form is not written out.
+    fn slide(&self, line: &ApproachLine, affine: &AffineImpact) -> Option<Slide> {
+        let (law, k) = (self.impact.law, self.impact.contact.inverse_mass());
+        let e = law.restitution();
+        let (tau, at_touch) = (n(line.tangential_slope(), ""), n(line.tangential_at_zero_approach(), "m/s"));
+        // U_t = −e_t u_t
+        let e_t = match law.tangential() {
+            Tangential::Critical => 0.0,
+            Tangential::Restitution(e_t) => e_t,
+            Tangential::Ratio(mu) => {
+                let (mu, normal) = (n(mu, ""), n(affine.normal[1], "kg"));
+                return Some(Slide {
+                    alpha: ("μ α_n", format!("{mu} · {normal}")),
+                    beta: None,
+                    eta: (
+                        "2 τ + (k_nt + μ k_tt) α_n",
+                        format!("2 · {tau} + ({} + {mu} · {}) · {normal}", n(k.nt, "1/kg"), n(k.tt, "1/kg")),
+                    ),
+                    zeta: ("2 u_t0", format!("2 · {at_touch}")),
+                });
+            }
+            Tangential::FractionOfCritical(_)
+            | Tangential::Friction(_)
+            | Tangential::VelocityChange(_)
+            | Tangential::FullOrSliding(_) => return None,
+        };
+        let det = n(k.determinant(), "1/kg²");
+        let (e, e_t) = (n(e, ""), n(e_t, ""));
+        Some(Slide {
+            alpha: (
+                "−[k_nn (1 + e_t) τ + k_nt (1 + e)]/det K",
+                format!(
+                    "(−1) · ({} · (1 + {e_t}) · {tau} + {} · (1 + {e})) / {det}",
+                    n(k.nn, "1/kg"),
+                    n(k.nt, "1/kg")
+                ),
+            ),
+            beta: Some((
+                "−k_nn (1 + e_t) u_t0/det K",
+                format!("(−1) · {} · (1 + {e_t}) · {at_touch} / {det}", n(k.nn, "1/kg")),
+            )),
+            eta: ("(1 − e_t) τ", format!("(1 − {e_t}) · {tau}")),
+            zeta: ("(1 − e_t) u_t0", format!("(1 − {e_t}) · {at_touch}")),
         })
     }
 
@@ -156,15 +228,12 @@ impl Collision<'_> {
         ]
     }
 
-    /// α, β and c, and the approach speed that solves their quadratic.
-    fn approach_speed(&self, found: &Found, quadratic: &Quadratic, push: Push) -> Vec<Step> {
+    /// α, β and c.
+    fn normal_alone(&self, found: &Found, quadratic: &Quadratic, push: Push) -> Vec<Step> {
         let Quadratic { alpha, beta, c } = *quadratic;
-        let coefficient =
-            |symbol: &str, (formula, numbers): (&str, String), value: f64, unit: &'static str| {
-                step("P_n = α x + β", symbol, formula, numbers, value, unit, "theory 6")
-            };
-        let mut steps = vec![coefficient("α", push.alpha, alpha, "kg")];
-        steps.extend(push.beta.map(|written| coefficient("β", written, beta, "N·s")));
+        let name = "P_n = α x + β";
+        let mut steps = vec![coefficient(name, "α", push.alpha, alpha, "kg")];
+        steps.extend(push.beta.map(|written| coefficient(name, "β", written, beta, "N·s")));
         let e = self.impact.law.restitution();
         steps.push(step(
             "W_n = ½ (1 − e) x P_n, so α x² + β x = c",
@@ -175,8 +244,60 @@ impl Collision<'_> {
             "J",
             "theory 6",
         ));
+        steps
+    }
+
+    /// α, β and c, with the share λ of the tangential work.
+    fn with_share(
+        &self,
+        found: &Found,
+        quadratic: &Quadratic,
+        affine: &AffineImpact,
+        share: f64,
+    ) -> [Step; 3] {
+        let Quadratic { alpha, beta, c } = *quadratic;
+        let e = self.impact.law.restitution();
+        let AffineImpact { normal: [b_n, a_n], tangential: [b_t, a_t], sliding: [zeta, eta] } = *affine;
+        let (lambda, rest) = (n(share, ""), format!("(1 − {})", n(e, "")));
+        let (a_n, b_n, a_t, b_t) = (n(a_n, "kg"), n(b_n, "N·s"), n(a_t, "kg"), n(b_t, "N·s"));
+        let (eta, zeta) = (n(eta, ""), n(zeta, "m/s"));
+        let name = "W_n + λ W_t = ½ (1 − e) x P_n − ½ λ P_t (u_t + U_t), so α x² + β x = c";
+        [
+            coefficient(
+                name,
+                "α",
+                ("α_n − λ α_t η/(1 − e)", format!("{a_n} − {lambda} · {a_t} · {eta} / {rest}")),
+                alpha,
+                "kg",
+            ),
+            coefficient(
+                name,
+                "β",
+                (
+                    "β_n − λ (α_t ζ + β_t η)/(1 − e)",
+                    format!("{b_n} − {lambda} · ({a_t} · {zeta} + {b_t} · {eta}) / {rest}"),
+                ),
+                beta,
+                "N·s",
+            ),
+            coefficient(
+                name,
+                "c",
+                (
+                    "[2 (W_n + λ W_t) + λ β_t ζ]/(1 − e)",
+                    format!("(2 · {} + {lambda} · {b_t} · {zeta}) / {rest}", n(found.normal_work, "J")),
+                ),
+                c,
+                "J",
+            ),
+        ]
+    }
+
+    /// The approach speed that solves the quadratic.
+    fn approach_speed(&self, quadratic: &Quadratic) -> Step {
+        let Quadratic { alpha, beta, c } = *quadratic;
         let (beta, alpha, c) = (p(beta, "N·s"), n(alpha, "kg"), n(c, "J"));
-        steps.push(step(
+        step(
             "approach speed",
             "x",
             "[−β + √(β² + 4 α c)]/(2 α)",
@@ -184,7 +305,32 @@ impl Collision<'_> {
             -self.impact.outcome.approach.normal,
             "m/s",
             "theory 6",
-        ));
-        steps
+        )
     }
+}
+
+fn coefficient(
+    name: &str,
+    symbol: &str,
+    (formula, numbers): Written,
+    value: f64,
+    unit: &'static str,
+) -> Step {
+    step(name, symbol, formula, numbers, value, unit, "theory 6")
+}
+
+/// The impulse and the sliding over the approach speed.
+fn both_impulses(affine: &AffineImpact, push: Push, slide: Slide) -> Vec<Step> {
+    let AffineImpact { normal: [b_n, a_n], tangential: [b_t, a_t], sliding: [zeta, eta] } = *affine;
+    let mut steps = Vec::new();
+    let name = "P_n = α_n x + β_n";
+    steps.push(coefficient(name, "α_n", push.alpha, a_n, "kg"));
+    steps.extend(push.beta.map(|written| coefficient(name, "β_n", written, b_n, "N·s")));
+    let name = "P_t = α_t x + β_t";
+    steps.push(coefficient(name, "α_t", slide.alpha, a_t, "kg"));
+    steps.extend(slide.beta.map(|written| coefficient(name, "β_t", written, b_t, "N·s")));
+    let name = "u_t + U_t = η x + ζ";
+    steps.push(coefficient(name, "η", slide.eta, eta, ""));
+    steps.push(coefficient(name, "ζ", slide.zeta, zeta, "m/s"));
+    steps
 }
