@@ -5,7 +5,8 @@
 use std::ops::ControlFlow;
 
 use analysis::{
-    Analysis, CheckedQuantity, Output, Plan, Sweep, impact, reconstruct, sensitivity, uncertainty, work_curve,
+    Analysis, CheckedQuantity, Derivative, Output, Plan, Sweep, impact, reconstruct, sensitivity,
+    uncertainty, work_curve,
 };
 use case::CaseFile;
 use inputs::Case;
@@ -55,7 +56,7 @@ fn the_derivative_by_a_share_of_zero_is_that_of_the_speeds_above_it() {
     let expected = (4.0 * f1 - 3.0 * f0 - f2) / (2.0 * step);
     let sweep = Sweep { step: 0.1, steps: 0 };
     let found = sensitivity(&with_share(0.0), sweep).unwrap();
-    let of_speed = |row: &&analysis::Derivative| {
+    let of_speed = |row: &&Derivative| {
         row.output == Output::Speed { vehicle: VehicleId::One } && row.input.path == SHARE
     };
     let derivative = found.derivatives.iter().find(of_speed).unwrap().value;
@@ -113,4 +114,145 @@ fn a_check_holds_the_share_too() {
     assert!(share < 1e-12, "{share}");
     let without = both("\"dissipated\"");
     assert!(without > 0.1, "{without}");
+}
+
+/// Labels exchanged, and in the axes of SAE J670: the same speed and the same derivative.
+#[test]
+fn neither_labels_nor_axes_change_the_answer() {
+    let derivative = |text: &str, vehicle: VehicleId| {
+        let found = sensitivity(&read(text), Sweep { step: 0.1, steps: 0 }).unwrap();
+        let of_share = |row: &&Derivative| row.output == Output::Speed { vehicle } && row.input.path == SHARE;
+        found.derivatives.iter().find(of_share).unwrap().value
+    };
+    let text = with_basis("{ tangential_share = 0.4 }");
+    let exchanged =
+        text.replace("vehicle1", "vehicle0").replace("vehicle2", "vehicle1").replace("vehicle0", "vehicle2");
+    let mut down = text.replacen("[vehicle1]", "[scene]\naxes = \"z-down\"\n[vehicle1]", 1);
+    for (up, turned) in [
+        ("\"180 deg\"", "\"-180 deg\""),
+        ("\"67 deg\"", "\"-67 deg\""),
+        ("\"-22.4 deg\"", "\"22.4 deg\""),
+        ("\"-39 deg\"", "\"39 deg\""),
+        ("\"-23 deg\"", "\"23 deg\""),
+    ] {
+        assert!(down.contains(up), "{up}");
+        down = down.replace(up, turned);
+    }
+    let expected = (speed(&reconstruct(&read(&text)).unwrap()), derivative(&text, VehicleId::One));
+    for (other, vehicle) in [(exchanged, VehicleId::Two), (down, VehicleId::One)] {
+        let found = speed(&reconstruct(&read(&other)).unwrap());
+        assert!((found / expected.0 - 1.0).abs() < 1e-12, "{found} is not {}", expected.0);
+        let found = derivative(&other, vehicle);
+        assert!((found / expected.1 - 1.0).abs() < 1e-9, "{found} is not {}", expected.1);
+    }
+}
+
+/// Central differences of the speed by the share.
+#[test]
+fn the_derivative_by_the_share_is_the_difference_in_the_limit() {
+    let step = 1e-5;
+    for share in [0.1, 0.5, 0.9] {
+        let [low, high] =
+            [share - step, share + step].map(|share| speed(&reconstruct(&with_share(share)).unwrap()));
+        let found = sensitivity(&with_share(share), Sweep { step: 0.1, steps: 0 }).unwrap();
+        let of_share = |row: &&Derivative| {
+            row.output == Output::Speed { vehicle: VehicleId::One } && row.input.path == SHARE
+        };
+        let derivative = found.derivatives.iter().find(of_share).unwrap().value;
+        let expected = (high - low) / (2.0 * step);
+        assert!((derivative / expected - 1.0).abs() < 1e-8, "{derivative} is not {expected}");
+    }
+}
+
+/// A car that slides along a wall at 35° to its way, with the root-finder of the friction law: the speed is
+/// lower the more of the sliding shows in the damage.
+#[test]
+fn a_wall_takes_its_share_too() {
+    let text = include_str!("../../../fixtures/barrier.toml")
+        .replace("crush_plane = \"0 deg\"", "crush_plane = \"35 deg\"");
+    let mut before = f64::INFINITY;
+    for share in [0.0, 0.3, 1.0] {
+        let basis = format!("{{ tangential_share = {share:?} }}");
+        let analysis = reconstruct(&read(&text.replace("\"absorbed\"", &basis))).unwrap();
+        let energy = analysis.impact.as_ref().unwrap().outcome.energy;
+        let taken = energy.normal_work + share * energy.tangential_work;
+        assert!((taken / analysis.found.as_ref().unwrap().crush_energy - 1.0).abs() < 1e-9, "{share}");
+        assert!(energy.tangential_work > 0.1 * energy.normal_work, "{share}");
+        let found = speed(&analysis);
+        assert!(found < before, "{share}: {found} is not below {before}");
+        before = found;
+    }
+}
+
+/// Two cars on one line that meet at an angle of the plane: neither speed is known, both velocities after the
+/// impact are.
+fn both_speeds(basis: &str) -> String {
+    let rests = include_str!("../../../fixtures/rear-end-rest.toml");
+    let text = rests
+        .replace("[surface]\nfriction = 0.7\n", "")
+        .replace("[vehicle1.before]\nskid = { length = \"8 m\" }\n", "")
+        .replace("crush_plane = \"178 deg\"", "crush_plane = \"155 deg\"")
+        .replace(
+            "drag = \"locked\"\nrest = { x = \"2.6 m\", y = \"0.1 m\", heading = \"2 deg\" }",
+            "speed = \"8 m/s\"\ndirection = \"3 deg\"",
+        )
+        .replace(
+            "drag = 0.25\nrest = { x = \"19.0 m\", y = \"0.3 m\", heading = \"-3 deg\" }",
+            "speed = \"9 m/s\"\ndirection = \"-2 deg\"",
+        );
+    assert!(!text.contains("rest = ") && !text.contains("178"));
+    format!("{text}energy_basis = {basis}\n")
+}
+
+#[test]
+fn both_speeds_are_found_with_the_share() {
+    let at = |share: f64| {
+        let analysis =
+            reconstruct(&read(&both_speeds(&format!("{{ tangential_share = {share:?} }}")))).unwrap();
+        let energy = analysis.impact.as_ref().unwrap().outcome.energy;
+        let crush: f64 = analysis.vehicles.iter().map(|vehicle| vehicle.crush_energy().unwrap()).sum();
+        let taken = energy.normal_work + share * energy.tangential_work;
+        assert!((taken / crush - 1.0).abs() < 1e-9, "{share}: {taken} of {crush}");
+        assert!(energy.tangential_work > 0.05 * energy.normal_work);
+        analysis.both.unwrap().speeds
+    };
+    let plain = reconstruct(&read(&both_speeds("\"dissipated\""))).unwrap().both.unwrap().speeds;
+    assert_eq!(at(0.0), plain);
+    let step = 1e-5;
+    let [low, high] = [0.5 - step, 0.5 + step].map(at);
+    let case = read(&both_speeds("{ tangential_share = { value = 0.5, sd = 0.1 } }"));
+    let found = sensitivity(&case, Sweep { step: 0.1, steps: 0 }).unwrap();
+    for (i, vehicle) in VehicleId::ALL.into_iter().enumerate() {
+        let of_share = |row: &&Derivative| row.output == Output::Speed { vehicle } && row.input.path == SHARE;
+        let derivative = found.derivatives.iter().find(of_share).unwrap().value;
+        let expected = (high[i] - low[i]) / (2.0 * step);
+        assert!((derivative / expected - 1.0).abs() < 1e-6, "{derivative} is not {expected}");
+    }
+    let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, 256, 1), index_rows: None };
+    let result = uncertainty(&case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
+    assert!(result.inputs.iter().any(|input| input.input.path == SHARE));
+}
+
+/// Where the approaches cross, the crush energy is a check of momentum, and held against the same sum.
+#[test]
+fn the_check_of_momentum_holds_the_share_too() {
+    let check = |basis: &str| {
+        // The second car comes from the right at 60°, and both leave between their ways.
+        let text = both_speeds(basis).replace("\"3 deg\"", "\"18 deg\"").replace("\"-2 deg\"", "\"30 deg\"");
+        let (one, two) = text.split_once("[vehicle2]").unwrap();
+        let text =
+            format!("{one}[vehicle2]{}", two.replacen("heading = \"0 deg\"", "heading = \"60 deg\"", 1));
+        let analysis = reconstruct(&read(&text)).unwrap();
+        let implied = analysis.both.as_ref().unwrap().implied;
+        let found = analysis.checks.iter().find_map(|check| match check.quantity {
+            CheckedQuantity::MomentumEnergy { normal_work, .. } => Some(normal_work),
+            _ => None,
+        });
+        (found.unwrap(), implied.normal_work, implied.tangential_work)
+    };
+    let (held, normal, tangential) = check("{ tangential_share = 0.5 }");
+    assert!((held - (normal + 0.5 * tangential)).abs() < 1e-9 * held.abs());
+    assert!(tangential.abs() > 0.01 * normal.abs());
+    let (held, normal, _) = check("\"dissipated\"");
+    assert_eq!(held, normal);
 }
