@@ -117,6 +117,9 @@ pub enum CaseProblem {
     /// A word that is not one of the choices.
     #[error("\"{path}\" cannot be \"{word}\"")]
     UnknownChoice { path: String, word: String, nearest: Option<&'static str>, choices: String },
+    /// Neades' factor as an energy basis, under any spelling.
+    #[error("\"{path}\" cannot be \"{word}\": Neades' factor leads to the condition of \"dissipated\"")]
+    NeadesBasis { path: String, word: String },
     /// Two keys of which only one may be given.
     #[error("{table} gives both \"{first}\" and \"{second}\"")]
     Both { table: String, first: &'static str, second: &'static str },
@@ -336,6 +339,10 @@ impl CaseProblem {
                 format!("write {choices}; did you mean \"{nearest}\"?")
             }
             Self::UnknownChoice { choices, .. } => format!("write {choices}"),
+            Self::NeadesBasis { .. } => "write energy_basis = \"dissipated\": he multiplies the crush energy by (W_n + W_t)/W_n and takes the product for the \
+                 whole loss W_n + W_t, which says that the crush energy is W_n; if the damage shows a part of W_t as well, write energy_basis = { \
+                 tangential_share = 0.5 }"
+                .to_owned(),
             Self::Both { first, second, .. } => format!("keep only one of the two: {first} or {second}"),
             Self::NoForm { path, forms, .. } => format!("write {}", suited(path, forms)),
             Self::FixedHas { key, .. } => {

@@ -15,6 +15,7 @@ use crate::case_problem::CaseProblem;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::other_files;
 use crate::program::Program;
+use crate::quantity::shorten;
 use crate::schema::{
     ENERGY_BASIS, IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, SURFACE, TOP, UNCERTAINTY,
 };
@@ -208,6 +209,12 @@ impl<'t> Reader<'t> {
             return Some(Basis::default());
         }
         if table.is_string("energy_basis") {
+            let value = table.get("energy_basis")?;
+            if let Some(word) = value.get_ref().as_str().filter(|word| is_neades(word)) {
+                let path = table.path_of("energy_basis");
+                self.report(value.span(), CaseProblem::NeadesBasis { path, word: shorten(word) });
+                return None;
+            }
             return self.choice_among(table, "energy_basis", &ENERGY_BASES, FORMS);
         }
         let share =
@@ -239,6 +246,11 @@ impl<'t> Reader<'t> {
         );
         None
     }
+}
+
+/// Whether a word asks for Neades' factor.
+fn is_neades(word: &str) -> bool {
+    word.to_ascii_lowercase().contains("neades")
 }
 
 /// A part that is present must be valid; an absent part is not a fault.

@@ -775,7 +775,7 @@ pub(crate) static CRUSH: Schema = Schema {
             "oblique",
             "oblique = \"capped\"",
             Form::WordsOrTable(&words_of(&OBLIQUE_CORRECTIONS), &OBLIQUE),
-            "Correction of the crush energy for an oblique force. `\"capped\"` (the default): 1 + tan²α with α limited to 45°, as in CRASH3; `\"uncapped\"`: without that limit; `\"secant\"`: 1/cos α; `\"none\"`: no correction; `{ friction = 0.5 }`: limited by friction.",
+            "Correction of the crush energy for an oblique force. `\"capped\"` (the default): 1 + tan²α with α limited to 45°, as in CRASH3; `\"uncapped\"`: without that limit; `\"secant\"`: 1/cos α, after Fonda (SAE 1999-01-0106); `\"none\"`: no correction; `{ friction = 0.5 }`: limited by friction.",
         ),
     ],
     rules: &[

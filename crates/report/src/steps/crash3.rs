@@ -70,15 +70,19 @@ fn oblique(
     }
     let (formula, numbers) =
         factor(alpha, correction.map(|(correction, _)| correction), oblique.factor.capped, i);
-    let capped = if oblique.factor.capped { ", at CRASH3's limit of 45°" } else { "" };
+    let (of, source) = match correction {
+        Some((ObliqueCorrection::Secant, _)) => (" after Fonda (SAE 1999-01-0106)", "theory 5"),
+        _ if oblique.factor.capped => (", at CRASH3's limit of 45°", "Eq 8"),
+        _ => ("", "Eq 8"),
+    };
     steps.push(step(
-        format!("factor of the oblique correction{capped}, vehicle {i}"),
+        format!("factor of the oblique correction{of}, vehicle {i}"),
         format!("f_{i}"),
         formula,
         numbers,
         oblique.factor.factor,
         "",
-        "Eq 8",
+        source,
     ));
     steps.push(step(
         format!("corrected crush energy, vehicle {i}"),
