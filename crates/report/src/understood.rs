@@ -3,8 +3,8 @@
 
 use analysis::{Assumption, AxleMeasure};
 use case::{
-    Basis, BrachTangential, Case, Dimension, Fit, ImpactLaw, Input, KnownEnergy, Pdof, Range, Spread,
-    StiffnessForm, UNDAMAGED, Unit, UnitSystem, word,
+    BrachTangential, Case, Dimension, Fit, ImpactLaw, Input, KnownEnergy, Pdof, Range, Spread, StiffnessForm,
+    UNDAMAGED, Unit, UnitSystem, word,
 };
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
@@ -135,13 +135,8 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
     }
     if let Some(reconstruct) = &case.reconstruct {
         choices.push(("reconstruct.find".to_owned(), words::find_names(reconstruct.find)));
-        match reconstruct.energy_basis {
-            // Its number stands among the numbers.
-            Basis::TangentialShare(_) => {}
-            basis @ (Basis::Dissipated | Basis::Absorbed) => {
-                choices.push(("reconstruct.energy_basis".to_owned(), basis.name().to_owned()));
-            }
-        }
+        // The number of a share stands among the numbers.
+        choices.push(("reconstruct.energy_basis".to_owned(), reconstruct.energy_basis.name().to_owned()));
     }
     choices
 }

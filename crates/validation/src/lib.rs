@@ -37,6 +37,7 @@ mod motion;
 mod published;
 mod reconstruction;
 mod scene;
+mod shares;
 mod staged;
 mod statistics;
 mod tables;
@@ -49,6 +50,7 @@ pub use error::ValidationError;
 pub use motion::{FoundStart, MotionRow, ReturnRow, Simulation};
 pub use published::{DEGREE, FOOT_PER_SECOND, FOOT_POUND, Unit};
 pub use reconstruction::{Choices, Reconstruction, SpeedErrors, TurnedPdof};
+pub use shares::{SHARES, ShareRow};
 pub use statistics::ErrorRate;
 pub use tables::{DeltaVErrors, EnergyRow, Method, Row, Table1Row, Table2Row, Table3Rms, Table3Row};
 
@@ -78,6 +80,10 @@ pub struct Validation {
     pub delta_v_errors: DeltaVErrors,
     /// Reconstructed speeds against true ones.
     pub speed_errors: SpeedErrors,
+    /// The speed of vehicle 1 by the share of the tangential work that the crush takes.
+    pub by_share: Vec<ShareRow>,
+    /// Their relative errors, by share.
+    pub share_errors: [ErrorRate; SHARES.len()],
     /// From the published velocities after the impact to rest.
     pub motions: Vec<MotionRow>,
     /// From rest back to them.
@@ -115,6 +121,7 @@ pub fn validate(data: &Data) -> Result<Validation, ValidationError> {
     let reconstructions = staged.iter().map(reconstruction::reconstruction).collect::<Result<Vec<_>, _>>()?;
     let (motions, returns) = motion::motions(&scene, &staged)?;
     let both_speeds = both_speeds::both_speeds(&scene, &staged)?;
+    let by_share = shares::by_share(&staged)?;
     Ok(Validation {
         table1: tables::table1(&published, &table2),
         table3_rms: tables::table3_rms(&published, &table3),
@@ -122,6 +129,8 @@ pub fn validate(data: &Data) -> Result<Validation, ValidationError> {
         appendix: appendix::appendix(data, &published)?,
         delta_v_errors: tables::delta_v_errors(&table2),
         speed_errors: reconstruction::speed_errors(&reconstructions),
+        share_errors: shares::share_errors(&by_share),
+        by_share,
         simulations: motion::simulations(&scene),
         both_speed_errors: both_speeds::both_speed_errors(&both_speeds),
         from_rest: both_speeds::from_rest(&scene, &staged)?,

@@ -149,6 +149,16 @@ impl Staged {
     /// (m/s) the speed of vehicle 1 at which the normal impulse takes this energy (J), under the law of the
     /// case or another.
     pub(crate) fn speed(&self, crush_energy: f64, law: Option<Law>) -> Result<f64, ValidationError> {
+        self.speed_with_share(crush_energy, law, 0.0)
+    }
+
+    /// (m/s) the same where the crush takes a share λ of the tangential work.
+    pub(crate) fn speed_with_share(
+        &self,
+        crush_energy: f64,
+        law: Option<Law>,
+        tangential_share: f64,
+    ) -> Result<f64, ValidationError> {
         let impact = self.collision()?;
         let law = law.unwrap_or(impact.law);
         let problem = Problem {
@@ -158,7 +168,7 @@ impl Staged {
             unknown: Unknown::Speed1,
             crush_energy,
             basis: EnergyBasis::Dissipated,
-            tangential_share: 0.0,
+            tangential_share,
         };
         problem
             .solve()

@@ -1,10 +1,6 @@
 //! The speed of vehicle 1 in the RICSAC collisions, with a share λ of the tangential work in the crush.
 
-use crash3::EnergyBasis;
-use pim_core::{Law, Tangential};
-use reconcile::{Problem, ReconcileError, Unknown};
-
-use crate::momentum::{Test, test};
+use validation::{Data, SHARES, Validation, validate};
 
 const TESTS: [u8; 11] = [1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12];
 
@@ -20,40 +16,20 @@ const ERRORS: [(f64, [f64; 11], f64); 5] = [
 
 #[test]
 fn a_share_of_the_tangential_work_halves_the_largest_errors() {
-    for (share, expected, rms) in ERRORS {
-        let mut squares = 0.0;
-        for (number, expected) in TESTS.into_iter().zip(expected) {
-            let Test { analysis, true_speeds, .. } = test(number);
-            let impact = analysis.impact.as_ref().unwrap();
-            let problem = Problem {
-                contact: impact.contact,
-                law: Law::new(impact.law.restitution(), Tangential::Critical).unwrap().into(),
-                motions: impact.outcome.before,
-                unknown: Unknown::Speed1,
-                crush_energy: analysis.vehicles.iter().map(|vehicle| vehicle.crush_energy().unwrap()).sum(),
-                basis: EnergyBasis::Dissipated,
-                tangential_share: share,
-            };
-            if expected.is_nan() {
-                let refused = problem.solve().map(|answer| answer.speed);
-                assert!(
-                    matches!(
-                        refused,
-                        Err(ReconcileError::NotReached { .. } | ReconcileError::Inadmissible { .. })
-                    ),
-                    "{refused:?}"
-                );
-                continue;
-            }
-            let found = problem.solve().unwrap().speed;
-            let error = 100.0 * (found / true_speeds[0] - 1.0);
+    let Validation { by_share, share_errors, .. } = validate(&Data::built_in()).unwrap();
+    assert_eq!(by_share.iter().map(|row| row.test).collect::<Vec<_>>(), TESTS);
+    for (i, (share, expected, rms)) in ERRORS.into_iter().enumerate() {
+        assert_eq!(SHARES[i], share);
+        for (row, expected) in by_share.iter().zip(expected) {
+            let error = row.errors()[i].map_or(f64::NAN, |error| 100.0 * error);
             assert!(
-                (error - expected).abs() <= 0.051,
-                "test {number}, λ = {share}: {error} is not {expected}"
+                error.is_nan() && expected.is_nan() || (error - expected).abs() <= 0.051,
+                "test {}, λ = {share}: {error} is not {expected}",
+                row.test
             );
-            squares += error * error;
         }
-        let found = (squares / 11.0).sqrt();
+        let found = 100.0 * share_errors[i].rms;
         assert!(rms.is_nan() || (found - rms).abs() <= 0.051, "λ = {share}: {found} is not {rms}");
     }
+    assert_eq!(share_errors.map(|rate| rate.count), [11, 11, 11, 11, 10]);
 }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use validation::{
-    Cell, Claim, Erratum, ErrorRate, Evidence, Method, RestMethod, Row, TurnedPdof, Validation,
+    Cell, Claim, Erratum, ErrorRate, Evidence, Method, RestMethod, Row, SHARES, TurnedPdof, Validation,
 };
 
 use super::pretty;
@@ -19,6 +19,7 @@ struct Document {
     appendix: Vec<FigureBlock>,
     reconstruction: Vec<ReconstructionBlock>,
     choices: Vec<ChoicesBlock>,
+    by_share: Vec<ShareBlock>,
     motion: Vec<MotionBlock>,
     back_from_rest: Vec<ReturnBlock>,
     simulations: Vec<SimulationBlock>,
@@ -124,6 +125,15 @@ struct ChoicesBlock {
     critical: f64,
     critical_plastic: f64,
     pdof: [TurnBlock; 3],
+}
+
+/// The speed by the share of the tangential work.
+#[derive(Serialize)]
+struct ShareBlock {
+    tangential_share: f64,
+    /// In the order of the tests of `reconstruction`; `null` where there is no answer.
+    found: Vec<Option<f64>>,
+    relative_error: RateBlock,
 }
 
 #[derive(Serialize)]
@@ -455,6 +465,16 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
                 critical: line.choices.critical,
                 critical_plastic: line.choices.critical_plastic,
                 pdof: line.choices.pdof.map(turn),
+            })
+            .collect(),
+        by_share: SHARES
+            .iter()
+            .zip(validation.share_errors)
+            .enumerate()
+            .map(|(i, (&tangential_share, rate))| ShareBlock {
+                tangential_share,
+                found: validation.by_share.iter().map(|row| row.found[i]).collect(),
+                relative_error: rate.into(),
             })
             .collect(),
         motion: validation
