@@ -10,7 +10,7 @@ use reconcile::{
 };
 
 use crate::compare::{assert_close, assert_direction, assert_relative};
-use crate::oracle::{Effects, Verdict, approach, verdict};
+use crate::oracle::{Effects, Verdict, approach, scanned, verdict};
 use crate::scenes::{Car, Scene, for_all, scene, tangential};
 
 /// A collision in which both vehicles move along their headings, and its impact.
@@ -252,34 +252,6 @@ fn work(scene: &Scene, speeds: [f64; 2]) -> Option<f64> {
     }
 }
 
-/// All pairs on the line of speeds with this momentum at which the normal work is the one sought, by a scan
-/// of 4000 speeds of vehicle 1 up to 200 m/s and bisection.
-fn scanned(scene: &Scene, pair: &dyn Fn(f64) -> [f64; 2], energy: f64) -> Vec<[f64; 2]> {
-    let missing = |v1: f64| work(scene, pair(v1)).map(|work| work - energy);
-    let mut found = Vec::new();
-    let speed = |step: i32| f64::from(step) * 0.1 + 0.037;
-    for step in -2000..2000 {
-        let (mut low, mut high) = (speed(step), speed(step + 1));
-        let (Some(a), Some(b)) = (missing(low), missing(high)) else { continue };
-        if (a < 0.0) == (b < 0.0) {
-            continue;
-        }
-        for _ in 0..80 {
-            let middle = 0.5 * (low + high);
-            match missing(middle) {
-                Some(value) if (value < 0.0) == (a < 0.0) => low = middle,
-                Some(_) => high = middle,
-                None => break,
-            }
-        }
-        // A jump of the work is no root.
-        if missing(low).is_some_and(|left| left.abs() < 1e-6 * energy) {
-            found.push(pair(low));
-        }
-    }
-    found
-}
-
 #[test]
 fn momentum_along_an_axis_and_crush_undo_an_impact() {
     let near = prop_oneof![
@@ -344,7 +316,8 @@ fn momentum_along_an_axis_and_crush_undo_an_impact() {
             found.iter().map(|pair| (pair[0] - wanted[0]).abs()).fold(f64::INFINITY, f64::min)
         };
         let scale = crash.scale()[0] + crash.speeds[0].abs() + crash.speeds[1].abs();
-        for wanted in scanned(&scene, &pair, energy) {
+        for v1 in scanned(&|v1| work(&scene, pair(v1)), energy, 200) {
+            let wanted = pair(v1);
             let off = nearest(wanted);
             assert!(off <= 1e-6 * scale || !steep(wanted[0]), "{off} {wanted:?} {found:?}");
         }

@@ -142,6 +142,35 @@ pub(crate) enum Verdict {
     EnergyCreated(Effects),
 }
 
+/// (m/s) the speeds at which a work (J), `None` where there is no impact, is the energy (J): a scan in steps
+/// of 0.1 m/s up to `fastest` (m/s) either way, and bisection.
+pub(crate) fn scanned(work: &dyn Fn(f64) -> Option<f64>, energy: f64, fastest: i32) -> Vec<f64> {
+    let missing = |speed: f64| work(speed).map(|work| work - energy);
+    // No step falls on a speed that a scene is likely to have.
+    let speed = |step: i32| f64::from(step) * 0.1 + 0.0137;
+    let mut found = Vec::new();
+    for step in -10 * fastest..10 * fastest {
+        let (mut low, mut high) = (speed(step), speed(step + 1));
+        let (Some(a), Some(b)) = (missing(low), missing(high)) else { continue };
+        if (a < 0.0) == (b < 0.0) {
+            continue;
+        }
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            match missing(middle) {
+                Some(value) if (value < 0.0) == (a < 0.0) => low = middle,
+                Some(_) => high = middle,
+                None => break,
+            }
+        }
+        // A jump of the work is no root.
+        if missing(low).is_some_and(|left| left.abs() < 1e-6 * energy) {
+            found.push(low);
+        }
+    }
+    found
+}
+
 /// Solves a·x = b by elimination with partial pivoting on rows scaled to 1.
 fn eliminate<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> [f64; N] {
     for i in 0..N {

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use reconcile::{EnergyBasis, Problem, ReconcileError, SolutionMethod};
 
 use crate::compare::{assert_close, assert_relative};
-use crate::oracle::{Effects, Verdict, approach, verdict};
+use crate::oracle::{Effects, Verdict, approach, scanned, verdict};
 use crate::reconciliation::{Case, all_laws, case, with_curve};
 use crate::scenes::{Scene, for_all};
 
@@ -21,33 +21,6 @@ fn problem(case: &Case, share: f64, energy: f64) -> Problem {
 
 fn share() -> impl Strategy<Value = f64> {
     prop_oneof![1 => Just(1.0), 6 => 0.0..1.0]
-}
-
-/// Every speed of a scan of 2400 speeds up to 120 m/s at which the oracle takes the energy.
-fn scanned(work: &dyn Fn(f64) -> Option<f64>, energy: f64) -> Vec<f64> {
-    let missing = |speed: f64| work(speed).map(|work| work - energy);
-    let speed = |step: i32| f64::from(step) * 0.1 + 0.0137;
-    let mut found = Vec::new();
-    for step in -1200..1200 {
-        let (mut low, mut high) = (speed(step), speed(step + 1));
-        let (Some(a), Some(b)) = (missing(low), missing(high)) else { continue };
-        if (a < 0.0) == (b < 0.0) {
-            continue;
-        }
-        for _ in 0..80 {
-            let middle = 0.5 * (low + high);
-            match missing(middle) {
-                Some(value) if (value < 0.0) == (a < 0.0) => low = middle,
-                Some(_) => high = middle,
-                None => break,
-            }
-        }
-        // A jump of the work is no root.
-        if missing(low).is_some_and(|left| left.abs() < 1e-6 * energy) {
-            found.push(low);
-        }
-    }
-    found
 }
 
 /// The search finds what the oracle finds, under the restitution that `at` gives a scene.
@@ -84,7 +57,7 @@ fn undoes(case: &Case, share: f64, curve: Option<&RestitutionCurve>) -> bool {
         assert!(problem.residual(speed).abs() <= 1e-6 * energy);
     }
     let scale = 1.0 + case.speed_scale();
-    for wanted in scanned(&work, energy).into_iter().chain([case.speed]) {
+    for wanted in scanned(&work, energy, 120).into_iter().chain([case.speed]) {
         let off = found.iter().map(|speed| (speed - wanted).abs()).fold(f64::INFINITY, f64::min);
         assert!(off <= 1e-6 * scale || !steep(wanted), "{off} {wanted} {found:?}");
     }

@@ -24,8 +24,8 @@ pub struct WorkPoint {
 /// How far beyond the fastest speed of interest the curve goes, as a share of the way to it.
 const BEYOND: f64 = 0.2;
 
-/// W_n, and W_n + λ W_t, at `samples` equal steps of speed, from the one at which the vehicles just touch (u_n = 0) to beyond
-/// every admissible speed and every step of the root-finder.
+/// W_n, and W_n + λ W_t, at `samples` equal steps of speed, from the one at which the vehicles just touch
+/// (u_n = 0) to beyond every admissible speed and every step of the root-finder.
 ///
 /// # Errors
 /// [`Failure`], as for [`reconstruct`](crate::reconstruct).

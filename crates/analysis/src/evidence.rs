@@ -2,9 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crash3::EnergyBasis;
-use inputs::{Axes, Case, Dimension, Find, GivenVehicle, Quantity, Reconstruct, Velocity};
-use pim_core::{Real, VehicleId};
+use inputs::{Axes, Basis, Case, Dimension, Find, GivenVehicle, Quantity, Reconstruct, Velocity};
+use pim_core::{Outcome, Real, VehicleId};
 use reconcile::{COLLINEAR, Unknown};
 
 use crate::both::{Posed, pose};
@@ -204,7 +203,7 @@ fn by_damage(case: &Case, own: &Analysis) -> Result<EvidenceAnswer, NoEvidence> 
 }
 
 /// Momentum after the impact, and what it lacks where the approaches do not cross.
-fn posed(case: &Case) -> Result<(Posed, EnergyBasis), Failure> {
+fn posed(case: &Case) -> Result<(Posed, Basis), Failure> {
     let input = seeking(case, Find::Both).two_speeds()?;
     let basis = input.basis;
     Ok((pose(input, &mut Record::of(Origin::Given))?, basis))
@@ -234,7 +233,7 @@ fn by_momentum(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
         speeds: Some(speeds),
         delta_v: implied.delta_v.map(|change| change.norm()),
         closing_speed: Some(-implied.approach.normal),
-        crush_energy: needed(basis, implied.normal_work, law.restitution()),
+        crush_energy: needed(basis, [implied.normal_work, implied.tangential_work], law.restitution()),
         energy_loss: Some(implied.energy_loss),
     })
 }
@@ -252,7 +251,7 @@ fn by_both(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
         speeds: Some(speeds),
         delta_v: outcome.delta_v_magnitude(),
         closing_speed: Some(outcome.closing_speed()),
-        crush_energy: needed(basis, outcome.energy.normal_work, law.restitution()),
+        crush_energy: needed(basis, works(&outcome), law.restitution()),
         energy_loss: Some(outcome.energy.loss),
     })
 }
@@ -266,16 +265,22 @@ fn of_impact(analysis: &Analysis, by: EvidenceMethod) -> Option<EvidenceAnswer> 
         speeds: Some(VehicleId::ALL.map(|id| analysis.speed(id))),
         delta_v: outcome.delta_v_magnitude(),
         closing_speed: Some(outcome.closing_speed()),
-        crush_energy: needed(analysis.basis, outcome.energy.normal_work, impact.law.restitution()),
+        crush_energy: needed(analysis.basis, works(outcome), impact.law.restitution()),
         energy_loss: Some(outcome.energy.loss),
     })
 }
 
-/// (J) the crush energy of which an impact with this normal work (J) takes its part; `None` where the
-/// restitution e lets it take none.
-fn needed(basis: EnergyBasis, normal_work: f64, restitution: f64) -> Option<f64> {
-    // E = W_n/(1 − e²) if it is what was absorbed, else W_n
-    let energy = normal_work / basis.dissipated(1.0, restitution);
+/// (J) those of the normal and of the tangential impulse.
+fn works(outcome: &Outcome) -> [f64; 2] {
+    [outcome.energy.normal_work, outcome.energy.tangential_work]
+}
+
+/// (J) the crush energy of which an impact with these works (J) of the normal and the tangential impulse
+/// takes its part; `None` where the restitution e lets it take none.
+fn needed(basis: Basis, [normal_work, tangential_work]: [f64; 2], restitution: f64) -> Option<f64> {
+    // E = W_n/(1 − e²) if it is what was absorbed, else W_n + λ W_t
+    let work = basis.taken_by_crush(normal_work, tangential_work);
+    let energy = work / basis.energy().dissipated(1.0, restitution);
     energy.is_finite().then_some(energy)
 }
 

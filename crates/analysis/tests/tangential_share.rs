@@ -5,7 +5,7 @@
 use std::ops::ControlFlow;
 
 use analysis::{
-    Analysis, CheckedQuantity, Derivative, Output, Plan, Sweep, impact, reconstruct, sensitivity,
+    Analysis, CheckedQuantity, Derivative, Output, Plan, Sweep, compare, impact, reconstruct, sensitivity,
     uncertainty, work_curve,
 };
 use case::CaseFile;
@@ -207,13 +207,17 @@ fn both_speeds(basis: &str) -> String {
 #[test]
 fn both_speeds_are_found_with_the_share() {
     let at = |share: f64| {
-        let analysis =
-            reconstruct(&read(&both_speeds(&format!("{{ tangential_share = {share:?} }}")))).unwrap();
+        let case = read(&both_speeds(&format!("{{ tangential_share = {share:?} }}")));
+        let analysis = reconstruct(&case).unwrap();
         let energy = analysis.impact.as_ref().unwrap().outcome.energy;
         let crush: f64 = analysis.vehicles.iter().map(|vehicle| vehicle.crush_energy().unwrap()).sum();
         let taken = energy.normal_work + share * energy.tangential_work;
         assert!((taken / crush - 1.0).abs() < 1e-9, "{share}: {taken} of {crush}");
         assert!(energy.tangential_work > 0.05 * energy.normal_work);
+        // What `compare` says the speeds need is what was measured.
+        let by = compare(&case).unwrap().evidence.unwrap();
+        let needed = by.together.unwrap().crush_energy.unwrap();
+        assert!((needed / by.crush_energy - 1.0).abs() < 1e-9, "{share}: {needed} of {}", by.crush_energy);
         analysis.both.unwrap().speeds
     };
     let plain = reconstruct(&read(&both_speeds("\"dissipated\""))).unwrap().both.unwrap().speeds;

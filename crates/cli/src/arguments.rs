@@ -39,8 +39,9 @@ pub(crate) enum Command {
         long_about = "Find the speed at which impact and crush agree, and print the whole reconstruction.\n\n\
             The program varies the speed that [reconstruct] names until the work of the normal impulse \
             equals the crush energy of both vehicles or, with energy_basis = \"absorbed\", the share 1 − e² \
-            of it. With find = [\"vehicle1.speed\", \"vehicle2.speed\"] it finds both speeds: from momentum \
-            and how the vehicles left the impact, which their rest positions tell, and from the crush energy \
+            of it. With energy_basis = { tangential_share = 0.5 }, half the work of the tangential impulse \
+            counts as well. With find = [\"vehicle1.speed\", \"vehicle2.speed\"] it finds both speeds: from \
+            momentum and how the vehicles left the impact, which their rest positions tell, and from the crush energy \
             as well where the approaches lie within 10° of one line.\n\n\
             Several files give one row each, in the order of the command line: use --format csv for a \
             spreadsheet, --format jsonl for a program. If a file has no answer, its row holds the error, \

@@ -21,8 +21,8 @@ const MOST: [u8; 2] = [10, 6];
 /// The root itself.
 const ROOT: Pen = Pen { colour: BLACK, width: 2.0, dashes: "" };
 
-/// The work that is held against the crush energy over the speed sought, with the work that is sought and the speed at which
-/// both are the same.
+/// The work that is held against the crush energy over the speed sought, with the work that is sought and the
+/// speed at which both are the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReconciliationPicture {
     /// Of the case.

@@ -147,8 +147,8 @@ pub trait Real:
     /// Neither infinite nor NaN, in anything it carries.
     fn is_finite(self) -> bool;
 
-    /// Whether it is 0 in everything it carries. Where it is, a term that it multiplies can be left out; where
-    /// it merely equals 0, that would drop the derivative of the term.
+    /// Whether it is 0 in everything it carries. Where it is, a term that it multiplies can be left out;
+    /// where it merely equals 0, that would drop the derivative of the term.
     fn is_constant_zero(self) -> bool;
 }
 

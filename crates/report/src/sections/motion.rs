@@ -31,13 +31,13 @@ pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
             let energy = units.format(Measure::Energy, *crush_energy);
             let stands_for = match analysis.basis {
                 Basis::Dissipated => String::new(),
-                Basis::Absorbed => ", which the vehicles absorb up to maximum engagement,".to_owned(),
-                Basis::TangentialShare(_) => format!(", which equals {},", basis::work(analysis.basis)),
+                Basis::Absorbed => ", which the vehicles absorb up to maximum engagement".to_owned(),
+                Basis::TangentialShare(_) => format!(", which equals {}", basis::work(analysis.basis)),
             };
             format!(
                 "The headings differ by {angle}, within 10° of one line, where momentum alone does not tell both \
                  speeds. They follow from momentum along that line and {left}, and from the crush energy, \
-                 {energy}{stands_for} (theory 10). {pairs}."
+                 {energy} (theory 10){stands_for}. {pairs}."
             )
         }
     }

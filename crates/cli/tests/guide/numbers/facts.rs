@@ -216,7 +216,8 @@ fn crush(ledger: &mut Ledger) {
     ledger.made(format!("factor … {} in", number((0.3048_f64 / 0.0254).powi(2), 0)));
     // What rebounds of the energy is e².
     ledger.quoted("A²/2B … unless", &page("docs/theory.md"), "G = A²/2B");
-    ledger.quoted("(1/cos α)", &page("docs/theory.md"), "1/cos α comes");
+    ledger.quoted("Fonda's 1/cos α", &page("docs/theory.md"), "1/cos α comes");
+    ledger.quoted("SAE 1999-01-0106", &page("docs/theory.md"), "SAE 1999-01-0106");
     let rebound = |e: f64| number(100.0 * e * e, 0);
     ledger.made(format!("e = 0.1 … differ … {} % in … = 0.3 … {} %", rebound(0.1), rebound(0.3)));
     let capped = |angle: f64| ObliqueCorrection::Capped.factor(angle).unwrap().capped;
@@ -336,6 +337,9 @@ fn reconciliation(ledger: &mut Ledger) {
     let theory = page("docs/theory.md");
     ledger.quoted("(1 − e²)(E_1 + E_2) … absorbed", &theory, "(absorbed basis: (1−e²)(E_1 + E_2))");
     ledger.made(format!("heading … {}°", degrees(PI)));
+    let [least, most] = bounds("tangential_share");
+    ledger.made(format!("how much, from {least} to {most}: the"));
+    ledger.cited("method, 0, stays", "the definition of λ");
     let [no_answer, wrong] = statuses();
     ledger.made(format!("status … {no_answer}"));
     ledger.made(format!("status … {wrong}"));

@@ -191,6 +191,12 @@ fn answer(ledger: &mut Ledger) {
     ledger.quoted("W_n = (1 − e²) … absorbed", &theory, "(absorbed basis: (1−e²)(E_1 + E_2))");
     ledger.quoted("W_n = (1 − e²)", &theory, "(absorbed basis: (1−e²)(E_1 + E_2))");
     ledger.quoted("zero … e = 1", &theory, "With e = 1, W_n is zero at every speed");
+    let [least, most] = bounds("tangential_share");
+    ledger.made(format!("damage shows, from {least} to {most}: with"));
+    ledger.cited("W_n + 0.5 W_t = E. 0 is", "the definition of λ");
+    let factor = "1 + tan α tan β (1 − e_t)/(1 − e_n)";
+    ledger.quoted(factor, &theory, factor);
+    ledger.quoted("not a share of 1", &theory, "is not λ = 1");
     let energy = number(100.0 * limit("damage-energy"), 0);
     ledger.made(format!("check … {energy} %"));
     ledger.made(format!("given … ({energy} %)"));
