@@ -198,15 +198,16 @@ pub use units::read_unit;
 
 // What a case file holds is of the crate `inputs`, and is here too for whoever reads files.
 pub use inputs::{
-    After, Amount, Axes, Basis, Before, Bounds, BrachTangential, Case, Collision, ContactPoint, ContactSpread,
-    Crush, CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD, DamageData, Departures, Dimension, Dimensions, Drag,
-    ENERGY_BASES, EdgeSide, EnergyData, Estimate, Evidence, FaceAxis, Fault, FaultKind, Faults, Find, Fit,
-    GivenEes, GivenImpact, GivenSitePlan, GivenTest, GivenVehicle, Grade, ImpactInput, ImpactLaw,
-    InertiaData, InferredWidth, Input, Kind, KnownEnergy, LawName, LeftOut, Mass, OBLIQUE_CORRECTIONS,
-    OFFSET_SD, Origin, Outline, PathPoint, Pdof, Place, PointData, Purpose, Quantity, Range, Reconstruct,
-    ReconstructionInput, RegionData, ReportHead, Rest, RestHeading, RestHeadingData, Restitution, SIDES,
-    STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, Skid, Spread, Steer, SteerPoint, StiffnessForm,
-    StiffnessLine, StiffnessSource, Surface, SurfaceData, SurfaceRegion, SurfaceZone, Text, UNDAMAGED,
-    UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity, WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
-    YawInertia, YawSource, ZoneData, acts, shown, shown_lines, word,
+    After, Amount, Axes, Basis, Before, Bounds, BrachTangential, Case, Collision, ContactPoint,
+    ContactSpread, Crush, CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD, DamageData, Departures, Dimension,
+    Dimensions, Drag, ENERGY_BASES, EdgeSide, EnergyData, Estimate, Evidence, FaceAxis, Fault, FaultKind,
+    Faults, Find, Fit, GivenEes, GivenImpact, GivenSitePlan, GivenTest, GivenVehicle, Grade, ImpactInput,
+    ImpactLaw, InertiaData, InferredWidth, Input, Kind, KnownEnergy, LawName, LeftOut, Mass,
+    OBLIQUE_CORRECTIONS, OFFSET_SD, Origin, Outline, PathPoint, Pdof, Place, PointData, Purpose, Quantity,
+    Range, Reconstruct, ReconstructionInput, RegionData, ReportHead, Rest, RestHeading, RestHeadingData,
+    Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, Skid, Spread, Steer,
+    SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, Surface, SurfaceData, SurfaceRegion,
+    SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity, WheelDrag,
+    YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, ZoneData, acts, shown, shown_lines,
+    word,
 };
