@@ -2,11 +2,12 @@
 
 use std::fs;
 use std::io::{self, Write as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
-use case::{Axes, CaseFile, Fault, FaultKind, Faults, Quantity};
+use case::{Axes, CaseFile, Fault, FaultKind, Faults, GivenSitePlan, Quantity};
 use report::{Drawing, PictureFormat, SitePlan, Subject};
+use same_file::is_same_file;
 
 use crate::arguments::{DrawArguments, What};
 
@@ -20,6 +21,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         bail!("--site-plan lies behind the motion: give --what motion, or leave it out");
     }
     let file = crate::case_file(&arguments.case)?;
+    keep_site_plan(arguments, &file)?;
     let site_plan = match site_plan(arguments, file.case.axes)? {
         None if arguments.what == What::Motion => plan_of_case(&arguments.case, &file)?,
         given => given,
@@ -81,6 +83,25 @@ fn site_plan(arguments: &DrawArguments, axes: Axes) -> Result<Option<SitePlan>> 
     Ok(Some(plan.with_context(|| format!("--site-plan {name}"))?))
 }
 
+/// Refuses to write the drawing over the picture that it is drawn on.
+fn keep_site_plan(arguments: &DrawArguments, file: &CaseFile) -> Result<()> {
+    let of_case = file.case.site_plan.as_ref().map(|plan| plan_path(&arguments.case, plan));
+    let plans = arguments.site_plan.iter().chain(&of_case);
+    let Some(path) = arguments.output.file() else { return Ok(()) };
+    for plan in plans {
+        // Where one of them is not there yet, they are not the same.
+        if is_same_file(path, plan).unwrap_or(false) {
+            bail!("{} is the site plan: give the drawing another name", crate::named(path));
+        }
+    }
+    Ok(())
+}
+
+/// Where the picture of a case lies.
+fn plan_path(case: &Path, plan: &GivenSitePlan) -> PathBuf {
+    case.parent().unwrap_or(Path::new("")).join(plan.file.as_given())
+}
+
 /// The picture that `site_plan` of `[scene]` names, counted from the folder of the case file.
 pub(crate) fn plan_of_case(case: &Path, file: &CaseFile) -> Result<Option<SitePlan>> {
     let Some(plan) = &file.case.site_plan else { return Ok(None) };
@@ -89,8 +110,7 @@ pub(crate) fn plan_of_case(case: &Path, file: &CaseFile) -> Result<Option<SitePl
         let fault = Fault { key: "scene.site_plan.file".to_owned(), kind, advice: Some(advice.to_owned()) };
         file.diagnostics(&Faults::from(fault), &report::PROGRAM)
     };
-    let folder = case.parent().unwrap_or(Path::new(""));
-    let bytes = fs::read(folder.join(plan.file.as_given())).map_err(|error| {
+    let bytes = fs::read(plan_path(case, plan)).map_err(|error| {
         refused(
             format!("cannot read the site plan {}: {error}", plan.file),
             "put the picture beside the case file, or leave out site_plan",

@@ -56,6 +56,24 @@ fn reports_and_drawings_show_the_plan_of_the_case() {
     assert!(other.contains("data:image/jpeg;base64,") && other != by_key);
 }
 
+/// A survey is not replaced by a drawing of it, by either name.
+#[test]
+fn a_drawing_is_not_written_over_its_plan() {
+    let folder = folder("kept", true);
+    fs::rename(folder.join("plan.jpg"), folder.join("plan.png")).unwrap();
+    let text = fs::read_to_string(folder.join("case.toml")).unwrap().replace("plan.jpg", "plan.png");
+    fs::write(folder.join("case.toml"), text).unwrap();
+    let before = fs::read(folder.join("plan.png")).unwrap();
+    let options = ["--site-plan", "plan.png", "--plan-corner", "0 m, 0 m", "--plan-width", "40 m"];
+    for (case, options) in [("case.toml", &[][..]), ("bare.toml", &options[..])] {
+        let draw = ["draw", case, "--what", "motion", "-o", "./plan.png"];
+        let (status, _, errors) = run(&folder, &[&draw[..], options].concat());
+        assert_eq!(status, Some(2), "{errors}");
+        assert!(errors.contains("plan.png is the site plan"), "{errors}");
+        assert_eq!(fs::read(folder.join("plan.png")).unwrap(), before);
+    }
+}
+
 /// Where the picture is not needed, it need not be there; where it is, the error has its place in the file.
 #[test]
 fn a_plan_that_cannot_be_drawn_is_told_with_its_place() {
