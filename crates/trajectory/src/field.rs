@@ -4,7 +4,8 @@ use real::Real;
 
 use crate::chassis::Chassis;
 use crate::ground::Ground;
-use crate::tyre::{self, FADING};
+use crate::number::{Direction, Number, three};
+use crate::tyre::{self, FADING, Tyre};
 
 /// (m/s²) standard gravity (ISO 80000-3).
 pub const GRAVITY: f64 = 9.806_65;
@@ -17,9 +18,7 @@ struct Footing<T> {
     left: T,
     /// (m/s²) what its load would accelerate the vehicle with.
     load: T,
-    /// (–)
-    drag: T,
-    friction: T,
+    tyre: Tyre<T>,
     steered: bool,
 }
 
@@ -37,12 +36,14 @@ pub(crate) struct Field<T> {
 
 /// What the forces do at one moment.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Acceleration<T> {
+pub(crate) struct Acceleration<T: Number> {
     /// (m/s², m/s², rad/s²) rates of (v_x, v_y, ω).
     pub(crate) rates: [T; 3],
     /// (W/kg) power of the tyres' forces, negative.
     pub(crate) power: T,
-    pub(crate) sliding: [bool; 4],
+    /// (1/s) how fast the forces change with the motion, at most about.
+    pub(crate) stiffness: T::Plain,
+    pub(crate) sliding: [T::Mask; 4],
 }
 
 impl<T: Real> Field<T> {
@@ -60,8 +61,7 @@ impl<T: Real> Field<T> {
             forward: wheel.forward,
             left: wheel.left,
             load: wheel.load * normal,
-            drag: wheel.drag,
-            friction: ground.friction.into(),
+            tyre: Tyre::new(ground.friction.into(), wheel.drag),
             steered: wheel.steered,
         });
         let body = chassis.body();
@@ -79,22 +79,45 @@ impl<T: Real> Field<T> {
         T: From<G>,
     {
         for (wheel, zone) in self.wheels.iter_mut().zip(zones) {
-            wheel.friction = ground.friction_in(zone).into();
+            wheel.tyre = Tyre::new(ground.friction_in(zone).into(), wheel.tyre.drag);
         }
     }
 
     /// (–) friction under each wheel.
     pub(crate) fn friction(&self) -> [T; 4] {
-        self.wheels.map(|wheel| wheel.friction)
+        self.wheels.map(|wheel| wheel.tyre.friction)
     }
 
     /// (m/s²) what the wheels hold at rest against a pull along the vehicle's axis, and against one in any
     /// direction.
     pub(crate) fn hold(&self) -> [f64; 2] {
         self.wheels.iter().fold([0.0; 2], |[rolling, sliding], wheel| {
-            let (load, friction) = (wheel.load.value(), wheel.friction.value());
-            [rolling + load * Real::min(wheel.drag.value(), friction), sliding + load * friction]
+            let (load, friction) = (wheel.load.value(), wheel.tyre.friction.value());
+            [rolling + load * Real::min(wheel.tyre.drag.value(), friction), sliding + load * friction]
         })
+    }
+}
+
+impl<T: Number> Field<T> {
+    /// Without derivatives.
+    #[inline(always)]
+    pub(crate) fn plain(&self) -> Field<T::Plain> {
+        Field {
+            wheels: self.wheels.map(|Footing { forward, left, load, tyre, steered }| Footing {
+                forward: forward.plain(),
+                left: left.plain(),
+                load: load.plain(),
+                tyre: Tyre {
+                    friction: tyre.friction.plain(),
+                    drag: tyre.drag.plain(),
+                    most: tyre.most.plain(),
+                },
+                steered,
+            }),
+            gravity: self.gravity.map(T::plain),
+            inverse_radius_squared: self.inverse_radius_squared.plain(),
+            radius_squared: self.radius_squared.plain(),
+        }
     }
 
     /// (m²/s²) twice the kinetic energy by the mass.
@@ -110,32 +133,37 @@ impl<T: Real> Field<T> {
         a[0] * b[0] + a[1] * b[1] + self.radius_squared * a[2] * b[2]
     }
 
-    /// The accelerations at a heading, given as its (sin, cos), with the motion `w` = (v_x, v_y, ω) and the
-    /// steer angle, given as its (sin, cos).
+    /// (m²/s²) square of the slip below which a wheel's friction fades.
     #[inline(always)]
-    pub(crate) fn acceleration(&self, heading: (T, T), w: [T; 3], steer: (T, T)) -> Acceleration<T> {
-        let (sin, cos) = heading;
+    fn fading_squared(&self, w: [T; 3]) -> T {
+        // ε² V² = ε² (v² + k² ω²); above zero, so that a vehicle at rest feels no force
+        self.energy(w) * (FADING * FADING) + f64::MIN_POSITIVE
+    }
+
+    /// The accelerations at a heading with the motion `w` = (v_x, v_y, ω) and the steer angle.
+    #[inline(always)]
+    pub(crate) fn acceleration(
+        &self,
+        heading: Direction<T>,
+        w: [T; 3],
+        steer: Direction<T>,
+    ) -> Acceleration<T> {
+        let Direction { sin, cos } = heading;
         let [vx, vy, omega] = w;
         // The motion in the vehicle's own axes.
         let (u, v) = (vx * cos + vy * sin, vy * cos - vx * sin);
-        // V² = v² + k² ω²
-        let fading_speed = self.energy(w).sqrt() * FADING;
-        let (mut forward, mut left, mut moment) = (T::ZERO, T::ZERO, T::ZERO);
-        let mut sliding = [false; 4];
-        for (wheel, sliding) in self.wheels.iter().zip(&mut sliding) {
-            // v_w = v + ω × r
-            let (u, v) = (u - omega * wheel.left, v + omega * wheel.forward);
-            let (sin, cos) = if wheel.steered { steer } else { (T::ZERO, T::ONE) };
-            let grip =
-                tyre::grip(u * cos + v * sin, v * cos - u * sin, wheel.friction, wheel.drag, fading_speed);
-            let fx = (grip.forward * cos - grip.left * sin) * wheel.load;
-            let fy = (grip.forward * sin + grip.left * cos) * wheel.load;
-            forward += fx;
-            left += fy;
-            // M = r × F
-            moment += fy * wheel.forward - fx * wheel.left;
-            *sliding = grip.sliding;
-        }
+        let fading_squared = self.fading_squared(w);
+        let [front_left, front_right, rear_left, rear_right] = &self.wheels;
+        let push = [
+            front_left.push(u, v, omega, steer, fading_squared),
+            front_right.push(u, v, omega, steer, fading_squared),
+            rear_left.push(u, v, omega, steer, fading_squared),
+            rear_right.push(u, v, omega, steer, fading_squared),
+        ];
+        let sum = |[a, b, c, d]: [T; 4]| (a + b) + (c + d);
+        let forward = sum([push[0].forward, push[1].forward, push[2].forward, push[3].forward]);
+        let left = sum([push[0].left, push[1].left, push[2].left, push[3].left]);
+        let moment = sum([push[0].moment, push[1].moment, push[2].moment, push[3].moment]);
         // P = F·v + M ω
         let power = forward * u + left * v + moment * omega;
         let rates = [
@@ -143,36 +171,38 @@ impl<T: Real> Field<T> {
             forward * sin + left * cos + self.gravity[1],
             moment * self.inverse_radius_squared,
         ];
-        Acceleration { rates, power, sliding }
+        let stiffness =
+            (push[0].stiffness + push[1].stiffness) + (push[2].stiffness + push[3].stiffness);
+        let sliding = [push[0].sliding, push[1].sliding, push[2].sliding, push[3].sliding];
+        Acceleration { rates, power, stiffness, sliding }
     }
 
-    /// How the accelerations change with (v_x, v_y, ω): a matrix of plain numbers, roughly.
+    /// How the accelerations change with (v_x, v_y, ω), roughly.
     #[inline(always)]
-    pub(crate) fn slope(&self, heading: (T, T), w: [T; 3], steer: (T, T)) -> Matrix {
-        let (sin, cos) = (heading.0.value(), heading.1.value());
-        let [vx, vy, omega] = w.map(Real::value);
+    pub(crate) fn slope(&self, heading: Direction<T>, w: [T; 3], steer: Direction<T>) -> Matrix<T> {
+        let Direction { sin, cos } = heading;
+        let [vx, vy, omega] = w;
+        let zero = omega.constant(0.0);
         let (u, v) = (vx * cos + vy * sin, vy * cos - vx * sin);
-        let fading_speed = Real::sqrt(self.energy(w).value()) * FADING;
-        let inverse_radius_squared = self.inverse_radius_squared.value();
-        let mut body = [[0.0; 3]; 3];
+        let fading_squared = self.fading_squared(w);
+        let mut body = [[zero; 3]; 3];
         for wheel in &self.wheels {
-            let (ahead, aside) = (wheel.forward.value(), wheel.left.value());
-            let (u, v) = (u - omega * aside, v + omega * ahead);
-            let (s, c) = if wheel.steered { (steer.0.value(), steer.1.value()) } else { (0.0, 1.0) };
-            let [[uu, uv], [vu, vv]] = tyre::slope(
-                u * c + v * s,
-                v * c - u * s,
-                wheel.friction.value(),
-                wheel.drag.value(),
-                fading_speed,
-            );
+            let (ahead, aside) = (wheel.forward, wheel.left);
+            let (along, across) = wheel.aligned(u - omega * aside, v + omega * ahead, steer);
+            let [[uu, uv], [vu, vv]] = tyre::slope(along, across, &wheel.tyre, fading_squared).rows;
             // From the wheel's axes to the vehicle's: R D Rᵀ.
-            let load = wheel.load.value();
-            let (across, turned) = (uv + vu, uu - vv);
-            let xx = load * (uu * c * c + vv * s * s - across * s * c);
-            let yy = load * (uu * s * s + vv * c * c + across * s * c);
-            let xy = load * (uv * c * c - vu * s * s + turned * s * c);
-            let yx = load * (vu * c * c - uv * s * s + turned * s * c);
+            let [[xx, xy], [yx, yy]] = if wheel.steered {
+                let Direction { sin: s, cos: c } = steer;
+                let (sum, difference) = ((uv + vu) * (s * c), (uu - vv) * (s * c));
+                [
+                    [uu * (c * c) + vv * (s * s) - sum, uv * (c * c) - vu * (s * s) + difference],
+                    [vu * (c * c) - uv * (s * s) + difference, uu * (s * s) + vv * (c * c) + sum],
+                ]
+            } else {
+                [[uu, uv], [vu, vv]]
+            };
+            let load = wheel.load;
+            let (xx, xy, yx, yy) = (load * xx, load * xy, load * yx, load * yy);
             // ∂u_w/∂ω = −l, ∂v_w/∂ω = f
             let (x_omega, y_omega) = (xy * ahead - xx * aside, yy * ahead - yx * aside);
             body[0][0] += xx;
@@ -181,45 +211,92 @@ impl<T: Real> Field<T> {
             body[1][0] += yx;
             body[1][1] += yy;
             body[1][2] += y_omega;
-            body[2][0] += (yx * ahead - xx * aside) * inverse_radius_squared;
-            body[2][1] += (yy * ahead - xy * aside) * inverse_radius_squared;
-            body[2][2] += (y_omega * ahead - x_omega * aside) * inverse_radius_squared;
+            body[2][0] += (yx * ahead - xx * aside) * self.inverse_radius_squared;
+            body[2][1] += (yy * ahead - xy * aside) * self.inverse_radius_squared;
+            body[2][2] += (y_omega * ahead - x_omega * aside) * self.inverse_radius_squared;
         }
         turned(body, sin, cos)
     }
 }
 
+/// What a wheel does to the vehicle, by its mass.
+#[derive(Clone, Copy, Debug)]
+struct Push<T: Number> {
+    /// (m/s²) along the vehicle's axes.
+    forward: T,
+    left: T,
+    /// (m²/s²) about the CG.
+    moment: T,
+    /// (1/s)
+    stiffness: T::Plain,
+    sliding: T::Mask,
+}
+
+impl<T: Number> Footing<T> {
+    /// The force where the vehicle moves with (`u`, `v`) (m/s) forward and left and turns with `omega`
+    /// (rad/s).
+    #[inline(always)]
+    fn push(&self, u: T, v: T, omega: T, steer: Direction<T>, fading_squared: T) -> Push<T> {
+        // v_w = v + ω × r
+        let (along, across) = self.aligned(u - omega * self.left, v + omega * self.forward, steer);
+        let grip = tyre::grip(along, across, &self.tyre, fading_squared);
+        let (x, y) = self.turned(grip.forward, grip.left, steer);
+        let (forward, left) = (x * self.load, y * self.load);
+        Push {
+            forward,
+            left,
+            // M = r × F
+            moment: left * self.forward - forward * self.left,
+            stiffness: grip.stiffness * self.load.plain(),
+            sliding: grip.sliding,
+        }
+    }
+
+    /// What the vehicle's axes have as (x, y), in those of the wheel.
+    #[inline(always)]
+    fn aligned(&self, x: T, y: T, steer: Direction<T>) -> (T, T) {
+        let Direction { sin, cos } = steer;
+        if self.steered { (x * cos + y * sin, y * cos - x * sin) } else { (x, y) }
+    }
+
+    /// What the wheel's axes have as (x, y), in those of the vehicle.
+    #[inline(always)]
+    fn turned(&self, x: T, y: T, steer: Direction<T>) -> (T, T) {
+        let Direction { sin, cos } = steer;
+        if self.steered { (x * cos - y * sin, x * sin + y * cos) } else { (x, y) }
+    }
+}
+
 /// Rows of a matrix that acts on (v_x, v_y, ω).
-pub(crate) type Matrix = [[f64; 3]; 3];
+pub(crate) type Matrix<T> = [[T; 3]; 3];
 
 /// A matrix that acts on a motion in the vehicle's axes, as one that acts on it in those of the scene: R A
 /// Rᵀ.
 #[inline(always)]
-fn turned(a: Matrix, sin: f64, cos: f64) -> Matrix {
+fn turned<T: Number>(a: Matrix<T>, sin: T, cos: T) -> Matrix<T> {
     let rows = [
-        [0, 1, 2].map(|j| cos * a[0][j] - sin * a[1][j]),
-        [0, 1, 2].map(|j| sin * a[0][j] + cos * a[1][j]),
+        three(|j| cos * a[0][j] - sin * a[1][j]),
+        three(|j| sin * a[0][j] + cos * a[1][j]),
         a[2],
     ];
-    rows.map(|[x, y, omega]| [cos * x - sin * y, sin * x + cos * y, omega])
+    three(|i| {
+        let [x, y, omega] = rows[i];
+        [cos * x - sin * y, sin * x + cos * y, omega]
+    })
 }
 
-/// (1 − γh A)⁻¹, or the unit matrix where there is none.
+/// (1 − γh A)⁻¹, of the `step` γh; not finite where there is none.
 #[inline(always)]
-pub(crate) fn resolvent(a: Matrix, step: f64) -> Matrix {
-    let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| f64::from(u8::from(i == j)) - step * a[i][j]));
+pub(crate) fn resolvent<T: Number>(a: Matrix<T>, step: T) -> Matrix<T> {
+    let m = three(|i| three(|j| -(step * a[i][j]) + f64::from(u8::from(i == j))));
     // Cofactors by cyclic indices.
     let cofactor = |i: usize, j: usize| {
         let (i1, i2, j1, j2) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
         m[i1][j1] * m[i2][j2] - m[i1][j2] * m[i2][j1]
     };
     let determinant = m[0][0] * cofactor(0, 0) + m[0][1] * cofactor(0, 1) + m[0][2] * cofactor(0, 2);
-    let inverse = 1.0 / determinant;
-    if inverse.is_finite() {
-        [0, 1, 2].map(|i| [0, 1, 2].map(|j| cofactor(j, i) * inverse))
-    } else {
-        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-    }
+    let inverse = step.constant(1.0) / determinant;
+    three(|i| three(|j| cofactor(j, i) * inverse))
 }
 
 /// √ of a plain number, with the same bits everywhere.

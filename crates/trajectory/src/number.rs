@@ -1,0 +1,244 @@
+//! What tyres, field and steps compute with: any [`Real`].
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+use real::Real;
+
+/// What the equations of the motion ask of a number. They choose by masks, never by branches.
+pub(crate) trait Number:
+    Copy
+    + Debug
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + AddAssign
+{
+    /// The number without derivatives.
+    type Plain: Number<Plain = Self::Plain, Mask = Self::Mask>;
+    /// The answer to a comparison.
+    type Mask: Copy + Debug;
+
+    fn plain(self) -> Self::Plain;
+
+    /// The product with a number without derivatives.
+    fn scaled(self, by: Self::Plain) -> Self;
+
+    /// The constant `x`.
+    fn constant(self, x: f64) -> Self;
+
+    fn sqrt(self) -> Self;
+
+    fn abs(self) -> Self;
+
+    fn sin_cos(self) -> (Self, Self);
+
+    /// `self` < `other`; false for NaN.
+    fn below(self, other: Self) -> Self::Mask;
+
+    /// `self` ≥ `other`; false for NaN.
+    fn at_least(self, other: Self) -> Self::Mask;
+
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    fn select_mask(mask: Self::Mask, yes: Self::Mask, no: Self::Mask) -> Self::Mask;
+
+    /// Whether both hold.
+    #[inline(always)]
+    fn both(one: Self::Mask, other: Self::Mask) -> Self::Mask {
+        Self::select_mask(one, other, one)
+    }
+
+    /// Whether at least one of two holds.
+    #[inline(always)]
+    fn one_of(one: Self::Mask, other: Self::Mask) -> Self::Mask {
+        Self::select_mask(one, one, other)
+    }
+
+    /// √ of √ … of a number above zero, as often as `halvings` says, without derivatives. It may be off by
+    /// some percent.
+    fn rough_root(self, halvings: u32) -> Self;
+
+    /// 1/x.
+    #[inline(always)]
+    fn reciprocal(self) -> Self {
+        self.constant(1.0) / self
+    }
+
+    /// `yes` where the mask holds, `no` elsewhere. What nobody takes is not computed.
+    fn choose<R: Choice<Self>>(mask: Self::Mask, yes: impl FnOnce() -> R, no: impl FnOnce() -> R) -> R;
+}
+
+/// What can be chosen by a mask.
+pub(crate) trait Choice<T: Number> {
+    #[expect(dead_code, reason = "lanes choose by it, single numbers branch")]
+    fn select(mask: T::Mask, yes: Self, no: Self) -> Self;
+}
+
+impl<T: Number> Choice<T> for T {
+    #[inline(always)]
+    fn select(mask: T::Mask, yes: T, no: T) -> T {
+        <T as Number>::select(mask, yes, no)
+    }
+}
+
+impl<T: Real> Number for T {
+    type Plain = f64;
+    type Mask = bool;
+
+    #[inline(always)]
+    fn plain(self) -> f64 {
+        self.value()
+    }
+
+    #[inline(always)]
+    fn scaled(self, by: f64) -> Self {
+        self * by
+    }
+
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        Self::from(x)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Real::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Real::abs(self)
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        Real::sin_cos(self)
+    }
+
+    #[inline(always)]
+    fn below(self, other: Self) -> bool {
+        self.value() < other.value()
+    }
+
+    #[inline(always)]
+    fn at_least(self, other: Self) -> bool {
+        self.value() >= other.value()
+    }
+
+    #[inline(always)]
+    fn rough_root(self, halvings: u32) -> Self {
+        Self::from(rough_root(self.value(), halvings))
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+
+    #[inline(always)]
+    fn select_mask(mask: bool, yes: bool, no: bool) -> bool {
+        if mask { yes } else { no }
+    }
+
+    #[inline(always)]
+    fn choose<R: Choice<Self>>(mask: bool, yes: impl FnOnce() -> R, no: impl FnOnce() -> R) -> R {
+        if mask { yes() } else { no() }
+    }
+}
+
+/// √ of √ of … of x. The bits of a number count nearly as its logarithm does.
+#[inline(always)]
+pub(crate) fn rough_root(x: f64, halvings: u32) -> f64 {
+    let one = 1.0_f64.to_bits();
+    f64::from_bits((x.to_bits() >> halvings) + (one - (one >> halvings)))
+}
+
+/// Sine and cosine of an angle (rad), by their series where it is small.
+#[inline(always)]
+pub(crate) fn direction_of_turn<T: Number>(x: T) -> Direction<T> {
+    T::choose(
+        x.abs().plain().below(x.plain().constant(SMALL_TURN)),
+        || {
+            let z = x * x;
+            let square = z * z;
+            // sin x = x − x³/3! + x⁵/5! − …, cos x = 1 − x²/2! + x⁴/4! − …, in pairs of terms
+            let sin = (z * INVERSE_FACTORIALS[5] - INVERSE_FACTORIALS[3])
+                + square
+                    * ((z * INVERSE_FACTORIALS[9] - INVERSE_FACTORIALS[7])
+                        + square * (z * INVERSE_FACTORIALS[13] - INVERSE_FACTORIALS[11]));
+            let cos = (z * INVERSE_FACTORIALS[4] - INVERSE_FACTORIALS[2])
+                + square
+                    * ((z * INVERSE_FACTORIALS[8] - INVERSE_FACTORIALS[6])
+                        + square * (z * INVERSE_FACTORIALS[12] - INVERSE_FACTORIALS[10]));
+            Direction { sin: x + x * (z * sin), cos: z * cos + 1.0 }
+        },
+        || {
+            let (sin, cos) = x.sin_cos();
+            Direction { sin, cos }
+        },
+    )
+}
+
+/// Sine and cosine of an angle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Direction<T> {
+    pub(crate) sin: T,
+    pub(crate) cos: T,
+}
+
+impl<T: Number> Direction<T> {
+    #[inline(always)]
+    pub(crate) fn of(angle: T) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Self { sin, cos }
+    }
+
+    #[inline(always)]
+    pub(crate) fn plain(self) -> Direction<T::Plain> {
+        Direction { sin: self.sin.plain(), cos: self.cos.plain() }
+    }
+
+    /// That of the sum of two angles.
+    #[inline(always)]
+    pub(crate) fn turned(self, by: Self) -> Self {
+        Self { sin: self.sin * by.cos + self.cos * by.sin, cos: self.cos * by.cos - self.sin * by.sin }
+    }
+}
+
+impl<T: Number> Choice<T> for Direction<T> {
+    #[inline(always)]
+    fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Self {
+            sin: <T as Number>::select(mask, yes.sin, no.sin),
+            cos: <T as Number>::select(mask, yes.cos, no.cos),
+        }
+    }
+}
+
+/// (rad) up to here the terms that the series leave out, x¹⁵/15! and x¹⁴/14!, are below the rounding of 1.
+const SMALL_TURN: f64 = 0.5;
+
+const INVERSE_FACTORIALS: [f64; 14] = {
+    let mut inverse = [1.0; 14];
+    let (mut n, mut factorial) = (1, 1.0);
+    while n < 14 {
+        #[expect(clippy::cast_precision_loss, reason = "n is at most 13")]
+        let by = n as f64;
+        factorial *= by;
+        inverse[n] = 1.0 / factorial;
+        n += 1;
+    }
+    inverse
+};
+
+/// The values for 0, 1 and 2; unlike `map` of an array it is always inlined.
+#[inline(always)]
+pub(crate) fn three<R>(value: impl Fn(usize) -> R) -> [R; 3] {
+    [value(0), value(1), value(2)]
+}

@@ -1,0 +1,220 @@
+//! How far a motion has come, how far it is to rest, and how long its next step may be.
+
+use crate::field::{Acceleration, Field, GRAVITY};
+use crate::number::{Number, three};
+use crate::state::Control;
+use crate::step::{Phase, Step};
+
+/// A step longer than this by the stiffness of the tyres is left to the implicit method. The explicit one is
+/// stable up to 2.5.
+const STIFF: f64 = 2.0;
+
+/// As many steps in a row have to be stiff: a wheel that only changes the direction of its slip is so for a
+/// moment.
+const STIFF_STEPS: f64 = 2.0;
+
+/// Share of the time to rest, if the forces stayed as they are, that a step may take.
+const SHARE_OF_THE_REST: f64 = 0.8;
+
+/// (m) a last way below this is straight if what turns the motion now turns it by little.
+const SHORT: f64 = 0.3;
+
+/// Rounding of an acceleration by its size.
+const ROUNDING: f64 = 1e-13;
+
+/// (m/s²) what turns a motion that is straight but for rounding is surely less.
+const NEARLY_STRAIGHT: f64 = 1e-10;
+
+/// Squares of errors by the tolerance below these count as much, of this step and of the one before.
+const LEAST_SQUARE: f64 = 1e-16;
+const LEAST_SQUARE_BEFORE: f64 = 1e-8;
+
+/// A motion under way.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Progress<T> {
+    pub(crate) phase: Phase<T>,
+    /// (s)
+    pub(crate) time: T,
+    /// (m)
+    pub(crate) distance: T,
+    /// (J/kg) work of the tyres' forces so far, negative.
+    pub(crate) work: T,
+}
+
+impl<T: Number> Progress<T> {
+    /// After a step of the length `h` (s).
+    #[inline(always)]
+    pub(crate) fn after(&self, step: &Step<T>, h: T) -> Self {
+        let ([x0, y0, _], [x1, y1, _]) = (self.phase.q, step.end.q);
+        let ([u0, v0, _], [u1, v1, _]) = (self.phase.w, step.end.w);
+        // Simpson's rule with the velocity in the middle of the cubic: S = (h|v₀| + |6Δ − h(v₀ + v₁)| +
+        // h|v₁|)/6
+        let middle = [(x1 - x0) * 6.0 - h * (u0 + u1), (y1 - y0) * 6.0 - h * (v0 + v1)];
+        let ways = h * length([u0, v0]) + length(middle) + h * length([u1, v1]);
+        Self {
+            phase: step.end,
+            time: self.time + h,
+            distance: self.distance + ways * (1.0 / 6.0),
+            work: self.work + step.work,
+        }
+    }
+
+    /// At rest, after the last way in closed form, which takes `time` (s).
+    #[inline(always)]
+    pub(crate) fn faded(&self, acceleration: &Acceleration<T>, time: T) -> Self {
+        let Phase { q, w } = self.phase;
+        let half = time * 0.5;
+        let rest = half.constant(0.0);
+        Self {
+            // q + w t/2
+            phase: Phase { q: three(|i| q[i] + w[i] * half), w: [rest; 3] },
+            time: self.time + time,
+            distance: self.distance + length([w[0], w[1]]) * half,
+            // The forces keep their directions while the motion shortens, so their power falls as it does.
+            work: self.work + acceleration.power * half,
+        }
+    }
+}
+
+/// Length of a vector, zero with zero derivatives where it vanishes.
+#[inline(always)]
+fn length<T: Number>([x, y]: [T; 2]) -> T {
+    let square = x * x + y * y;
+    let zero = square.constant(0.0);
+    T::choose(zero.below(square), || square.sqrt(), || zero)
+}
+
+/// What lies ahead of a motion, if the forces only shorten it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Outlook<P: Number> {
+    /// (s) how long the vehicle then needs to rest; infinite where it does not lose speed.
+    pub(crate) to_rest: P,
+    /// Whether that is so, as far as it can be told.
+    pub(crate) fades: P::Mask,
+}
+
+impl<P: Number<Plain = P>> Outlook<P> {
+    /// For a motion `w` with its `rates` of change; `lever` (m) is how far from the CG a turn shows.
+    #[inline(always)]
+    pub(crate) fn new(field: &Field<P>, w: [P; 3], rates: [P; 3], lever: P, control: &Control) -> Self {
+        let (energy, power) = (field.energy(w), field.product(rates, w));
+        let zero = energy.constant(0.0);
+        let (rests, slows) = (zero.at_least(energy), power.below(zero));
+        // t = 2T/|P|
+        let t = P::select(slows, -(energy / power), zero.constant(f64::INFINITY));
+        let t = P::select(rests, zero, t);
+        let half = t * 0.5;
+        let speed_squared = w[0] * w[0] + w[1] * w[1];
+        let (way_squared, turn) = (speed_squared * (half * half), w[2].abs() * half);
+        let swing = turn * lever;
+        let size_squared = greater(way_squared, swing * swing);
+        let most = |size: f64| zero.constant(size * size);
+        let negligible = size_squared.below(most(control.tolerance / 10.0));
+        let closed = if control.closed_end { SHORT } else { 0.0 };
+        let short = size_squared.below(most(closed));
+        // What turns the motion: a⊥ = a − (a·w/w²) w
+        let along = power / energy;
+        let [ax, ay, alpha] = three(|i| rates[i] - along * w[i]);
+        let across_squared = ax * ax + ay * ay;
+        // Longer ways have to be straight but for rounding; most are far from it.
+        let nearly = if control.closed_end { NEARLY_STRAIGHT } else { 0.0 };
+        let straight = across_squared.below(most(nearly));
+        let excess = P::choose(
+            P::one_of(short, straight),
+            || {
+                let strength = (rates[0] * rates[0] + rates[1] * rates[1]).sqrt();
+                // The forces turn with the vehicle, which a pure spin has none to feel.
+                let carried = P::select(zero.below(way_squared), strength * turn, zero);
+                let miss = greater(across_squared.sqrt() + carried, alpha.abs() * lever) * (t * half);
+                let rounding = (strength + GRAVITY) * (t * t) * ROUNDING;
+                let allowed = P::select(short, zero + control.tolerance / 4.0, rounding);
+                miss - greater(allowed, rounding)
+            },
+            || zero + 1.0,
+        );
+        let fades = P::one_of(negligible, zero.at_least(excess));
+        Self { to_rest: t, fades: P::one_of(rests, P::both(slows, fades)) }
+    }
+}
+
+/// How long a step may be, and by which method it goes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pace<P> {
+    /// (s) length to try next.
+    pub(crate) length: P,
+    /// Square of the error of the last step by the tolerance.
+    before: P,
+    /// Steps in a row that were stiff; from [`STIFF_STEPS`] on the method is the implicit one for good.
+    stiff: P,
+}
+
+impl<P: Number<Plain = P>> Pace<P> {
+    /// That of the first step, in numbers like `one`.
+    #[inline(always)]
+    pub(crate) fn new(one: P) -> Self {
+        // A first guess, which the first error corrects.
+        Self { length: one.constant(0.05), before: one.constant(1.0), stiff: one.constant(0.0) }
+    }
+
+    #[inline(always)]
+    pub(crate) fn is_implicit(&self) -> P::Mask {
+        self.stiff.at_least(self.stiff.constant(STIFF_STEPS))
+    }
+
+    /// (s) length of the next step, where the vehicle may go on for `to_rest` and `left` (s).
+    #[inline(always)]
+    pub(crate) fn next(&self, to_rest: P, left: P, control: &Control) -> P {
+        let most = lesser(to_rest * SHARE_OF_THE_REST, left);
+        lesser(lesser(self.length, most), most.constant(control.longest_step))
+    }
+
+    /// After a step of the length `h` (s) with the square of its error by the tolerance; `again` where a
+    /// longer one was tried before.
+    #[inline(always)]
+    pub(crate) fn accept(&mut self, h: P, error_squared: P, again: P::Mask) {
+        let now = greater(error_squared, h.constant(LEAST_SQUARE));
+        // h ← 0.9 h e^−¼ e₋₁^⅛: a PI controller for order 3 (Gustafsson, ACM TOMS 17 (1991) 533, has e^−0.7/3
+        // and e₋₁^0.4/3)
+        let grow = now.rough_root(3).reciprocal() * self.before.rough_root(4) * 0.9;
+        let most = P::select(again, h.constant(1.0), h.constant(5.0));
+        self.length = h * greater(lesser(grow, most), h.constant(0.2));
+        self.before = greater(now, h.constant(LEAST_SQUARE_BEFORE));
+    }
+
+    /// The length (s) to try instead of `h`, with which the square of the error was so much.
+    #[inline(always)]
+    pub(crate) fn shorter(h: P, error_squared: P) -> P {
+        // Where the forces bend, the error falls as h² only.
+        let shrink = error_squared.rough_root(2).reciprocal() * 0.9;
+        h * greater(lesser(shrink, h.constant(0.9)), h.constant(0.1))
+    }
+
+    /// Counts the step as stiff or not, by the stiffness (1/s) where it ended.
+    #[inline(always)]
+    pub(crate) fn count(&mut self, stiffness: P) {
+        let is_stiff = (stiffness * self.length).at_least(stiffness.constant(STIFF));
+        let counted = P::select(is_stiff, self.stiff + 1.0, self.stiff.constant(0.0));
+        self.stiff = P::select(self.is_implicit(), self.stiff, counted);
+    }
+}
+
+/// Square of what a step adds to the error at rest (m), where the vehicle goes on for about `to_rest` (s).
+#[inline(always)]
+pub(crate) fn error_squared<T: Number>(step: &Step<T>, to_rest: T::Plain, lever: T::Plain) -> T::Plain {
+    let left = lesser(to_rest, to_rest.constant(1.0)) * 0.5;
+    let [x, y, heading] = three(|i| step.error_q[i] + step.error_w[i] * left);
+    let swing = heading * lever;
+    greater(x * x + y * y, swing * swing)
+}
+
+/// The second where either is not a number.
+#[inline(always)]
+fn lesser<P: Number>(a: P, b: P) -> P {
+    P::select(a.below(b), a, b)
+}
+
+/// The first where either is not a number.
+#[inline(always)]
+fn greater<P: Number>(a: P, b: P) -> P {
+    P::select(a.below(b), b, a)
+}
