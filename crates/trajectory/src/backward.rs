@@ -34,6 +34,9 @@ const SAME: f64 = 1e-4;
 /// Rounds of Newton's method, of which a good seed needs five to ten.
 const MOST_ROUNDS: usize = 15;
 
+/// Full steps near the rest, each of which may end beyond a jump.
+const MOST_JUMPS: usize = 12;
+
 /// Where the search begins: shares of Marquard's speed and yaw rate, and an angle (rad) from the direct way.
 ///
 /// A vehicle that rolls out was slower than in his two phases, and went off to the side where its wheels
@@ -418,7 +421,35 @@ impl<'a> Search<'a> {
         if control.tolerance > self.control.tolerance {
             here = self.attempt(here.w, turn, self.control)?;
         }
-        Ok(here)
+        Ok(if here.size() > FINE { self.across_jumps(here, turn) } else { here })
+    }
+
+    /// The nearest of some full steps from a motion that is nearly there. Where the integration chooses other
+    /// steps, the rest jumps by some tolerances, and the way to the motion sought may lead over a greater
+    /// miss.
+    fn across_jumps(&self, from: Try, turn: f64) -> Try {
+        let near = 10.0 * REACHED * self.control.tolerance;
+        let (mut here, mut best) = (from, from);
+        let mut columns = None;
+        for round in 0..MOST_JUMPS {
+            if here.size() > near {
+                break;
+            }
+            if round % 4 == 0 {
+                columns = self.derivatives(here.w, turn, self.control).ok();
+            }
+            let Some(step) = columns.and_then(|columns| solve(columns, here.miss)) else { break };
+            let w = [0, 1, 2].map(|i| here.w[i] + step[i]);
+            let Ok(next) = self.attempt(w, turn, self.control) else { break };
+            here = next;
+            if here.size() < best.size() {
+                best = here;
+            }
+            if best.size() <= FINE {
+                break;
+            }
+        }
+        best
     }
 
     /// A step that changes the motion by half of itself at most.

@@ -35,7 +35,7 @@ pub(crate) struct Field<T> {
 }
 
 /// What the forces do at one moment.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Acceleration<T: Number> {
     /// (m/s², m/s², rad/s²) rates of (v_x, v_y, ω).
     pub(crate) rates: [T; 3],
@@ -95,6 +95,51 @@ impl<T: Real> Field<T> {
             let (load, friction) = (wheel.load.value(), wheel.tyre.friction.value());
             [rolling + load * Real::min(wheel.tyre.drag.value(), friction), sliding + load * friction]
         })
+    }
+}
+
+/// Numbers of a [`Field`].
+#[cfg(feature = "std")]
+pub(crate) const FIELD_NUMBERS: usize = 28;
+
+#[cfg(feature = "std")]
+impl<T: Number> Field<T> {
+    /// All of it, but for which wheels are steered: the first two.
+    pub(crate) fn numbers(&self) -> [T; FIELD_NUMBERS] {
+        let [a, b, c, d] = self.wheels.each_ref().map(|wheel| {
+            let Footing { forward, left, load, tyre: Tyre { friction, drag, most }, steered: _ } = *wheel;
+            [forward, left, load, friction, drag, most]
+        });
+        let Self { wheels: _, gravity: [x, y], inverse_radius_squared, radius_squared } = *self;
+        let rest = [x, y, inverse_radius_squared, radius_squared];
+        let mut numbers = [x; FIELD_NUMBERS];
+        let all = a.into_iter().chain(b).chain(c).chain(d).chain(rest);
+        for (number, value) in numbers.iter_mut().zip(all) {
+            *number = value;
+        }
+        numbers
+    }
+
+    /// Of these numbers.
+    #[inline(always)]
+    pub(crate) fn of(numbers: [T; FIELD_NUMBERS]) -> Self {
+        let wheel = |first: usize, steered: bool| Footing {
+            forward: numbers[first],
+            left: numbers[first + 1],
+            load: numbers[first + 2],
+            tyre: Tyre {
+                friction: numbers[first + 3],
+                drag: numbers[first + 4],
+                most: numbers[first + 5],
+            },
+            steered,
+        };
+        Self {
+            wheels: [wheel(0, true), wheel(6, true), wheel(12, false), wheel(18, false)],
+            gravity: [numbers[24], numbers[25]],
+            inverse_radius_squared: numbers[26],
+            radius_squared: numbers[27],
+        }
     }
 }
 
@@ -220,7 +265,7 @@ impl<T: Number> Field<T> {
 }
 
 /// What a wheel does to the vehicle, by its mass.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 struct Push<T: Number> {
     /// (m/s²) along the vehicle's axes.
     forward: T,

@@ -45,32 +45,8 @@ pub(crate) fn follow<T: Real + From<G>, G: Real>(
     control: &Control,
     mut record: impl FnMut(&Sample<T>),
 ) -> Result<Rest<T>, NoRest> {
-    check_start(start, control)?;
-    steer.check()?;
-    ground.check()?;
-    let Motion { velocity, yaw_rate } = start.motion;
-    let mut run = Run {
-        chassis,
-        ground,
-        steer,
-        steering: Steering::new(steer),
-        control,
-        field: Field::new(chassis, ground),
-        zones: [0; 4],
-        now: Progress {
-            phase: Phase {
-                q: [start.position.x, start.position.y, start.heading],
-                w: [velocity.x, velocity.y, yaw_rate],
-            },
-            time: T::ZERO,
-            distance: T::ZERO,
-            work: T::ZERO,
-        },
-        steps: 0,
-        pace: Pace::new(1.0),
-    };
-    run.find_zones();
-    let energy = run.field.energy(run.now.phase.w);
+    let mut run = Run::new(chassis, steer, ground, start, control)?;
+    let energy = run.energy();
     let mut moment = run.moment();
     while run.steps < control.most_steps {
         record(&run.sample(moment.acceleration.sliding));
@@ -106,36 +82,73 @@ fn check_start<T: Real>(start: &State<T>, control: &Control) -> Result<(), Inval
 }
 
 /// A motion under way.
-struct Run<'a, T, G> {
+pub(crate) struct Run<'a, T, G> {
     chassis: &'a Chassis<T>,
     ground: &'a Ground<'a, G>,
     steer: Steer<'a, G>,
-    steering: Steering<'a, T, G>,
+    pub(crate) steering: Steering<'a, T, G>,
     control: &'a Control,
-    field: Field<T>,
+    pub(crate) field: Field<T>,
     /// The zone under each wheel.
     zones: [usize; 4],
-    now: Progress<T>,
-    steps: u32,
-    pace: Pace<f64>,
+    pub(crate) now: Progress<T>,
+    pub(crate) steps: u32,
+    pub(crate) pace: Pace<f64>,
 }
 
 /// Direction and acceleration where a motion is.
-#[derive(Clone, Copy, Debug)]
-struct Moment<T: Real> {
-    direction: Direction<T>,
-    acceleration: Acceleration<T>,
+#[derive(Clone, Copy)]
+pub(crate) struct Moment<T: Real> {
+    pub(crate) direction: Direction<T>,
+    pub(crate) acceleration: Acceleration<T>,
 }
 
-impl<T: Real + From<G>, G: Real> Run<'_, T, G> {
-    fn moment(&self) -> Moment<T> {
+impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
+    /// A motion at its start.
+    pub(crate) fn new(
+        chassis: &'a Chassis<T>,
+        steer: Steer<'a, G>,
+        ground: &'a Ground<'a, G>,
+        start: &State<T>,
+        control: &'a Control,
+    ) -> Result<Self, InvalidInput> {
+        check_start(start, control)?;
+        steer.check()?;
+        ground.check()?;
+        let Motion { velocity, yaw_rate } = start.motion;
+        let phase = Phase {
+            q: [start.position.x, start.position.y, start.heading],
+            w: [velocity.x, velocity.y, yaw_rate],
+        };
+        let mut run = Self {
+            chassis,
+            ground,
+            steer,
+            steering: Steering::new(steer),
+            control,
+            field: Field::new(chassis, ground),
+            zones: [0; 4],
+            now: Progress { phase, time: T::ZERO, distance: T::ZERO, work: T::ZERO },
+            steps: 0,
+            pace: Pace::new(1.0),
+        };
+        run.find_zones();
+        Ok(run)
+    }
+
+    /// (m²/s²) twice the kinetic energy by the mass.
+    pub(crate) fn energy(&self) -> T {
+        self.field.energy(self.now.phase.w)
+    }
+
+    pub(crate) fn moment(&self) -> Moment<T> {
         let Phase { q, w } = self.now.phase;
         let direction = Direction::of(q[2]);
         let steer = self.steering.at(self.now.time);
         Moment { direction, acceleration: self.field.acceleration(direction, w, steer) }
     }
 
-    fn outlook(&self, acceleration: &Acceleration<T>) -> Outlook<f64> {
+    pub(crate) fn outlook(&self, acceleration: &Acceleration<T>) -> Outlook<f64> {
         let w = self.now.phase.w.map(Real::value);
         let rates = acceleration.rates.map(Real::value);
         Outlook::new(&self.field.plain(), w, rates, self.lever(), self.control)
@@ -158,7 +171,7 @@ impl<T: Real + From<G>, G: Real> Run<'_, T, G> {
     }
 
     /// (m) how far from the CG a turn shows.
-    fn lever(&self) -> f64 {
+    pub(crate) fn lever(&self) -> f64 {
         self.chassis.wheelbase().value()
     }
 
@@ -177,7 +190,7 @@ impl<T: Real + From<G>, G: Real> Run<'_, T, G> {
     }
 
     /// The last way, in closed form.
-    fn fade(&mut self, acceleration: &Acceleration<T>) {
+    pub(crate) fn fade(&mut self, acceleration: &Acceleration<T>) {
         let w = self.now.phase.w;
         let energy = self.field.energy(w);
         // t = 2T/|P|
@@ -191,7 +204,7 @@ impl<T: Real + From<G>, G: Real> Run<'_, T, G> {
     }
 
     /// Whether the vehicle, at rest, stays there.
-    fn holds(&self) -> Result<(), NoRest> {
+    pub(crate) fn holds(&self) -> Result<(), NoRest> {
         let [gx, gy] = self.field.gravity.map(Real::value);
         let (sin, cos) = elementary::sin_cos(self.now.phase.q[2].value());
         let [rolling, sliding] = self.field.hold();
@@ -207,7 +220,7 @@ impl<T: Real + From<G>, G: Real> Run<'_, T, G> {
         }
     }
 
-    fn rest(&self, start: &State<T>, energy: T) -> Rest<T> {
+    pub(crate) fn rest(&self, start: &State<T>, energy: T) -> Rest<T> {
         let mass = self.chassis.body().mass();
         let [gx, gy] = self.field.gravity;
         let [x, y, heading] = self.now.phase.q;
@@ -236,7 +249,6 @@ impl<T: Real + From<G>, G: Real> Run<'_, T, G> {
         let mut again = false;
         // A step ends where the steering changes its rate.
         let change = self.steer.next_change(time.value()).map(|change| T::from(change) - time);
-        let most = self.control.tolerance * self.control.tolerance;
         loop {
             self.steps += 1;
             let length = match change {
@@ -245,7 +257,7 @@ impl<T: Real + From<G>, G: Real> Run<'_, T, G> {
             };
             h = length.value();
             let trial = start.step(&self.field, |time| self.steering.at(time), length);
-            let error = error_squared(&trial, to_rest, self.lever()) / most;
+            let error = error_squared(&trial, to_rest, self.lever(), self.control);
             let reverses = self.field.product(trial.end.w, phase.w).value() < 0.0;
             // An error that is not a number is none that is small.
             let close = error <= 1.0 && trial.end.q.iter().all(|x| x.is_finite());
@@ -372,7 +384,7 @@ impl<T: Real + From<G>, G: Real> Run<'_, T, G> {
 const AHEAD: f64 = 1e-9;
 
 /// (s) a step as short as this is taken whatever its error.
-const SHORTEST: f64 = 1e-9;
+pub(crate) const SHORTEST: f64 = 1e-9;
 
 /// Rounds of Newton's method to a border; two suffice where the path is smooth.
 const MOST_ROUNDS: u32 = 8;

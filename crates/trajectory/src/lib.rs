@@ -75,6 +75,8 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod backward;
+#[cfg(feature = "std")]
+mod block;
 mod chassis;
 mod check;
 pub mod closed;
@@ -82,6 +84,8 @@ mod error;
 mod field;
 mod forward;
 mod ground;
+#[cfg(feature = "std")]
+mod lanes;
 mod number;
 mod progress;
 mod state;
@@ -90,6 +94,8 @@ mod step;
 mod tyre;
 
 pub use backward::{Departure, MOST_STARTS, REACHED, Starts, Target, Unreached, to_start, to_start_near};
+#[cfg(feature = "std")]
+pub use block::{Outset, to_rests};
 pub use chassis::{Axles, Chassis, GREATEST_DRAG, Wheel};
 pub use error::NoRest;
 pub use field::GRAVITY;

@@ -1,6 +1,5 @@
 //! What tyres, field and steps compute with: any [`Real`].
 
-use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use real::Real;
@@ -8,7 +7,6 @@ use real::Real;
 /// What the equations of the motion ask of a number. They choose by masks, never by branches.
 pub(crate) trait Number:
     Copy
-    + Debug
     + Neg<Output = Self>
     + Add<Output = Self>
     + Sub<Output = Self>
@@ -22,7 +20,7 @@ pub(crate) trait Number:
     /// The number without derivatives.
     type Plain: Number<Plain = Self::Plain, Mask = Self::Mask>;
     /// The answer to a comparison.
-    type Mask: Copy + Debug;
+    type Mask: Copy;
 
     fn plain(self) -> Self::Plain;
 
@@ -70,13 +68,50 @@ pub(crate) trait Number:
         self.constant(1.0) / self
     }
 
-    /// `yes` where the mask holds, `no` elsewhere. What nobody takes is not computed.
-    fn choose<R: Choice<Self>>(mask: Self::Mask, yes: impl FnOnce() -> R, no: impl FnOnce() -> R) -> R;
+    /// What the mask says of a single number; nothing of lanes.
+    fn certain(mask: Self::Mask) -> Option<bool>;
+
+    /// Whether the mask holds for any.
+    fn any(mask: Self::Mask) -> bool;
 }
+
+/// The second where the mask holds, the third elsewhere. A single number computes but one of them. A macro, as
+/// closures would not be inlined for certain, and lanes have to be.
+macro_rules! choose {
+    ($T:ty, $mask:expr, $yes:expr, $no:expr $(,)?) => {{
+        let mask = $mask;
+        match <$T as $crate::number::Number>::certain(mask) {
+            Some(true) => $yes,
+            Some(false) => $no,
+            None => $crate::number::Choice::<$T>::select(mask, $yes, $no),
+        }
+    }};
+}
+pub(crate) use choose;
+
+/// The same where the mask holds for hardly any: lanes compute the second only where one needs it.
+macro_rules! rarely {
+    ($T:ty, $mask:expr, $rare:expr, $usual:expr $(,)?) => {{
+        let mask = $mask;
+        match <$T as $crate::number::Number>::certain(mask) {
+            Some(true) => $rare,
+            Some(false) => $usual,
+            None => {
+                let usual = $usual;
+                if <$T as $crate::number::Number>::any(mask) {
+                    $crate::number::Choice::<$T>::select(mask, $rare, usual)
+                } else {
+                    usual
+                }
+            }
+        }
+    }};
+}
+pub(crate) use rarely;
 
 /// What can be chosen by a mask.
 pub(crate) trait Choice<T: Number> {
-    #[expect(dead_code, reason = "lanes choose by it, single numbers branch")]
+    #[cfg_attr(not(feature = "std"), expect(dead_code, reason = "lanes select, single numbers branch"))]
     fn select(mask: T::Mask, yes: Self, no: Self) -> Self;
 }
 
@@ -147,8 +182,13 @@ impl<T: Real> Number for T {
     }
 
     #[inline(always)]
-    fn choose<R: Choice<Self>>(mask: bool, yes: impl FnOnce() -> R, no: impl FnOnce() -> R) -> R {
-        if mask { yes() } else { no() }
+    fn certain(mask: bool) -> Option<bool> {
+        Some(mask)
+    }
+
+    #[inline(always)]
+    fn any(mask: bool) -> bool {
+        mask
     }
 }
 
@@ -162,9 +202,10 @@ pub(crate) fn rough_root(x: f64, halvings: u32) -> f64 {
 /// Sine and cosine of an angle (rad), by their series where it is small.
 #[inline(always)]
 pub(crate) fn direction_of_turn<T: Number>(x: T) -> Direction<T> {
-    T::choose(
-        x.abs().plain().below(x.plain().constant(SMALL_TURN)),
-        || {
+    rarely!(T, 
+        x.abs().plain().at_least(x.plain().constant(SMALL_TURN)),
+        Direction::of(x),
+        {
             let z = x * x;
             let square = z * z;
             // sin x = x − x³/3! + x⁵/5! − …, cos x = 1 − x²/2! + x⁴/4! − …, in pairs of terms
@@ -177,10 +218,6 @@ pub(crate) fn direction_of_turn<T: Number>(x: T) -> Direction<T> {
                     * ((z * INVERSE_FACTORIALS[8] - INVERSE_FACTORIALS[6])
                         + square * (z * INVERSE_FACTORIALS[12] - INVERSE_FACTORIALS[10]));
             Direction { sin: x + x * (z * sin), cos: z * cos + 1.0 }
-        },
-        || {
-            let (sin, cos) = x.sin_cos();
-            Direction { sin, cos }
         },
     )
 }

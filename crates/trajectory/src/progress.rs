@@ -1,7 +1,7 @@
 //! How far a motion has come, how far it is to rest, and how long its next step may be.
 
 use crate::field::{Acceleration, Field, GRAVITY};
-use crate::number::{Number, three};
+use crate::number::{Number, choose, rarely, three};
 use crate::state::Control;
 use crate::step::{Phase, Step};
 
@@ -81,11 +81,11 @@ impl<T: Number> Progress<T> {
 fn length<T: Number>([x, y]: [T; 2]) -> T {
     let square = x * x + y * y;
     let zero = square.constant(0.0);
-    T::choose(zero.below(square), || square.sqrt(), || zero)
+    choose!(T, zero.below(square), square.sqrt(), zero)
 }
 
 /// What lies ahead of a motion, if the forces only shorten it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Outlook<P: Number> {
     /// (s) how long the vehicle then needs to rest; infinite where it does not lose speed.
     pub(crate) to_rest: P,
@@ -119,9 +119,9 @@ impl<P: Number<Plain = P>> Outlook<P> {
         // Longer ways have to be straight but for rounding; most are far from it.
         let nearly = if control.closed_end { NEARLY_STRAIGHT } else { 0.0 };
         let straight = across_squared.below(most(nearly));
-        let excess = P::choose(
+        let excess = rarely!(P, 
             P::one_of(short, straight),
-            || {
+            {
                 let strength = (rates[0] * rates[0] + rates[1] * rates[1]).sqrt();
                 // The forces turn with the vehicle, which a pure spin has none to feel.
                 let carried = P::select(zero.below(way_squared), strength * turn, zero);
@@ -130,7 +130,7 @@ impl<P: Number<Plain = P>> Outlook<P> {
                 let allowed = P::select(short, zero + control.tolerance / 4.0, rounding);
                 miss - greater(allowed, rounding)
             },
-            || zero + 1.0,
+            zero + 1.0,
         );
         let fades = P::one_of(negligible, zero.at_least(excess));
         Self { to_rest: t, fades: P::one_of(rests, P::both(slows, fades)) }
@@ -154,6 +154,19 @@ impl<P: Number<Plain = P>> Pace<P> {
     pub(crate) fn new(one: P) -> Self {
         // A first guess, which the first error corrects.
         Self { length: one.constant(0.05), before: one.constant(1.0), stiff: one.constant(0.0) }
+    }
+
+    /// All of it, for [`of`](Self::of).
+    #[cfg(feature = "std")]
+    #[inline(always)]
+    pub(crate) fn numbers(&self) -> [P; 3] {
+        [self.length, self.before, self.stiff]
+    }
+
+    #[cfg(feature = "std")]
+    #[inline(always)]
+    pub(crate) fn of([length, before, stiff]: [P; 3]) -> Self {
+        Self { length, before, stiff }
     }
 
     #[inline(always)]
@@ -198,13 +211,19 @@ impl<P: Number<Plain = P>> Pace<P> {
     }
 }
 
-/// Square of what a step adds to the error at rest (m), where the vehicle goes on for about `to_rest` (s).
+/// Square of what a step adds to the error at rest by the tolerance, where the vehicle goes on for about
+/// `to_rest` (s).
 #[inline(always)]
-pub(crate) fn error_squared<T: Number>(step: &Step<T>, to_rest: T::Plain, lever: T::Plain) -> T::Plain {
+pub(crate) fn error_squared<T: Number>(
+    step: &Step<T>,
+    to_rest: T::Plain,
+    lever: T::Plain,
+    control: &Control,
+) -> T::Plain {
     let left = lesser(to_rest, to_rest.constant(1.0)) * 0.5;
     let [x, y, heading] = three(|i| step.error_q[i] + step.error_w[i] * left);
     let swing = heading * lever;
-    greater(x * x + y * y, swing * swing)
+    greater(x * x + y * y, swing * swing) * (1.0 / (control.tolerance * control.tolerance))
 }
 
 /// The second where either is not a number.

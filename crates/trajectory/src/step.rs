@@ -50,7 +50,7 @@ pub(crate) struct Phase<T> {
 }
 
 /// Where a step leads.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Step<T: Number> {
     pub(crate) end: Phase<T>,
     /// The direction of the heading and the acceleration there, where the method has them.
@@ -89,7 +89,7 @@ impl<'a, T: Real + From<G>, G: Real> Steering<'a, T, G> {
 }
 
 /// Where a step begins.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Start<T: Number> {
     pub(crate) time: T,
     pub(crate) phase: Phase<T>,

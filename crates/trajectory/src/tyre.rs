@@ -1,6 +1,6 @@
 //! The force of one tyre on the ground.
 
-use crate::number::{Choice, Number};
+use crate::number::{Choice, Number, choose, rarely};
 
 /// (1/rad) cornering stiffness of a tyre by its load: 9 F_z per radian (EDSMAC4's tables have 8 to 11).
 pub const CORNERING_STIFFNESS: f64 = 9.0;
@@ -29,13 +29,13 @@ impl<T: Number> Tyre<T> {
         // F_y,max² = (μ F_z)² − (d F_z)²
         let square = friction * friction - drag * drag;
         let zero = square.constant(0.0);
-        let most = T::choose(zero.below(square), || square.sqrt(), || zero);
+        let most = choose!(T, zero.below(square), square.sqrt(), zero);
         Self { friction, drag, most }
     }
 }
 
 /// A tyre's force by its load, in the wheel's own axes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Grip<T: Number> {
     /// (–) along the wheel.
     pub(crate) forward: T,
@@ -68,21 +68,21 @@ impl<T: Number> Choice<T> for Grip<T> {
 #[inline(always)]
 pub(crate) fn grip<T: Number>(u: T, v: T, tyre: &Tyre<T>, fading_squared: T) -> Grip<T> {
     let slip_squared = u * u + v * v;
-    T::choose(
+    rarely!(T, 
         slip_squared.below(fading_squared),
-        || {
+        {
             let by_slip = faded(tyre, slip_squared, fading_squared);
             let faded = Tyre::new(by_slip * root(slip_squared), tyre.drag);
             // d ≥ (μ′/S) |u|
             let locked = tyre.drag.at_least(by_slip * u.abs());
-            T::choose(locked, || dragged(u, v, by_slip, locked), || rolling(u, v, &faded))
+            choose!(T, locked, dragged(u, v, by_slip, locked), rolling(u, v, &faded))
         },
-        || {
+        {
             let locked = is_locked(u, tyre, slip_squared);
-            T::choose(
+            choose!(T, 
                 locked,
-                || dragged(u, v, tyre.friction / slip_squared.sqrt(), locked),
-                || rolling(u, v, tyre),
+                dragged(u, v, tyre.friction / slip_squared.sqrt(), locked),
+                rolling(u, v, tyre),
             )
         },
     )
@@ -99,7 +99,7 @@ fn faded<T: Number>(tyre: &Tyre<T>, slip_squared: T, fading_squared: T) -> T {
 #[inline(always)]
 fn root<T: Number>(x: T) -> T {
     let zero = x.constant(0.0);
-    T::choose(zero.below(x), || x.sqrt(), || zero)
+    choose!(T, zero.below(x), x.sqrt(), zero)
 }
 
 #[inline(always)]
@@ -124,13 +124,13 @@ fn rolling<T: Number>(u: T, v: T, tyre: &Tyre<T>) -> Grip<T> {
     // q = C_α tan α/(3 F_y,max), at most ±1
     let reach = tyre.most * ahead * (3.0 / CORNERING_STIFFNESS);
     let sliding = lateral.at_least(reach);
-    T::choose(
+    choose!(T, 
         sliding,
-        || {
+        {
             let left = <T as Number>::select(v.below(zero), tyre.most, -tyre.most);
             Grip { forward, left, stiffness: zero.plain(), sliding }
         },
-        || {
+        {
             let q = v / reach;
             // F_y = −F_y,max (3q − 3q|q| + q³)
             let left = -(tyre.most * q * (q * q - q.abs() * 3.0 + 3.0));
@@ -163,27 +163,27 @@ impl<T: Number> Choice<T> for Slope<T> {
 pub(crate) fn slope<T: Number>(u: T, v: T, tyre: &Tyre<T>, fading_squared: T) -> Slope<T> {
     let zero = u.constant(0.0);
     let slip_squared = u * u + v * v;
-    T::choose(
+    rarely!(T, 
         slip_squared.below(fading_squared),
-        || {
+        {
             let slope = -faded(tyre, slip_squared, fading_squared);
             Slope { rows: [[slope, zero], [zero, slope]] }
         },
-        || {
-            T::choose(
+        {
+            choose!(T, 
                 is_locked(u, tyre, slip_squared),
-                || {
+                {
                     // ∂F/∂S = −μ/|S| (1 − s sᵀ), s the direction of the slip
                     let slope = -tyre.friction / (slip_squared * slip_squared.sqrt());
                     let across = -(slope * u * v);
                     Slope { rows: [[slope * v * v, across], [across, slope * u * u]] }
                 },
-                || {
+                {
                     let reach = tyre.most * u.abs() * (3.0 / CORNERING_STIFFNESS);
-                    T::choose(
+                    choose!(T, 
                         v.abs().at_least(reach),
-                        || Slope { rows: [[zero; 2]; 2] },
-                        || {
+                        Slope { rows: [[zero; 2]; 2] },
+                        {
                             let left = (zero + 1.0) - v.abs() / reach;
                             // ∂F_y/∂v = −C_α (1 − |q|)²/|u|, ∂F_y/∂u = −(v/u) ∂F_y/∂v
                             let by_v = -(left * left * CORNERING_STIFFNESS) / u.abs();

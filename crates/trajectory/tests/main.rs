@@ -4,6 +4,7 @@
 
 #[cfg(test)]
 mod backward;
+mod block;
 #[cfg(test)]
 mod closed_forms;
 #[cfg(test)]

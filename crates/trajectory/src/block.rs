@@ -1,0 +1,399 @@
+//! Many motions at once.
+
+use fearless_simd::{Level, Simd, dispatch};
+use pim_core::InvalidInput;
+
+use crate::chassis::Chassis;
+use crate::error::NoRest;
+use crate::field::{Acceleration, FIELD_NUMBERS, Field};
+use crate::forward::{Run, SHORTEST, to_rest};
+use crate::ground::Ground;
+use crate::lanes::{LANES, Lanes, Mask};
+use crate::number::{Direction, Number};
+use crate::progress::{Outlook, Pace, Progress, error_squared};
+use crate::state::{Control, Rest, State};
+use crate::steer::Steer;
+use crate::step::{Phase, Start};
+
+/// Motions whose state is kept on the stack at once.
+const CHUNK: usize = 32;
+
+/// What a vehicle sets out with to its rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outset<'a> {
+    /// The vehicle.
+    pub chassis: Chassis,
+    /// (rad) angle of its front wheels.
+    pub steer: Steer<'a>,
+    /// What it stands on.
+    pub ground: Ground<'a>,
+    /// Where it starts, and how it moves there.
+    pub start: State,
+}
+
+impl Outset<'_> {
+    fn to_rest(&self, control: &Control) -> Result<Rest, NoRest> {
+        to_rest(&self.chassis, self.steer, &self.ground, &self.start, control, |_| {})
+    }
+
+    fn run<'b>(&'b self, control: &'b Control) -> Result<Run<'b, f64, f64>, InvalidInput> {
+        Run::new(&self.chassis, self.steer, &self.ground, &self.start, control)
+    }
+
+    /// Whether a lane can follow it.
+    fn fits(&self) -> bool {
+        self.ground.zones.is_empty() && matches!(self.steer, Steer::Held(_))
+    }
+}
+
+/// Follows many vehicles to rest, and hands the number of each and its rest to `take`, in any order: a rest
+/// has the bits that [`to_rest`] gives, whatever the other motions are.
+///
+/// Eight motions at a time go through the vector instructions that the processor has, each with steps of its
+/// own; where one is at rest, the next takes its place. Over ground with zones, with a steer angle that
+/// changes, and where there is no rest, they are followed one by one.
+pub fn to_rests(
+    outsets: &[Outset<'_>],
+    control: &Control,
+    mut take: impl FnMut(usize, Result<Rest, NoRest>),
+) {
+    let level = Level::new();
+    for (number, chunk) in outsets.chunks(CHUNK).enumerate() {
+        let mut parked: [Parked; CHUNK] = [Parked::ALONE; CHUNK];
+        for (parked, outset) in parked.iter_mut().zip(chunk) {
+            *parked = Parked::new(outset, control).unwrap_or(Parked::ALONE);
+        }
+        dispatch!(level, simd => follow(simd, chunk, control, &mut parked, false));
+        dispatch!(level, simd => follow(simd, chunk, control, &mut parked, true));
+        for (i, (outset, parked)) in chunk.iter().zip(&parked).enumerate() {
+            take(number * CHUNK + i, parked.rest(outset, control));
+        }
+    }
+}
+
+/// What is to be done with a motion.
+#[derive(Clone, Copy, PartialEq)]
+enum Task {
+    /// Steps of the explicit method, or of the implicit one.
+    Step { implicit: bool },
+    /// The last way.
+    Fade,
+    /// A run of its own.
+    Alone,
+}
+
+/// A motion that is followed, or one in each lane.
+#[derive(Clone, Copy)]
+struct Course<T: Number> {
+    now: Progress<T>,
+    direction: Direction<T>,
+    acceleration: Acceleration<T>,
+    pace: Pace<T>,
+    /// (s) as the outlook tells.
+    to_rest: T,
+    /// (s) length of the step to try.
+    length: T,
+    /// 1 where a longer step was tried in vain, else 0.
+    again: T,
+    /// Steps tried.
+    steps: T,
+}
+
+/// Numbers of a [`Course`].
+const NUMBERS: usize = 23;
+
+impl<T: Number<Plain = T>> Course<T> {
+    #[inline(always)]
+    fn numbers(&self) -> [T; NUMBERS] {
+        let Progress { phase: Phase { q: [x, y, heading], w: [vx, vy, omega] }, time, distance, work } =
+            self.now;
+        let Direction { sin, cos } = self.direction;
+        let Acceleration { rates: [ax, ay, alpha], power, stiffness, sliding: _ } = self.acceleration;
+        let [paced, before, stiff] = self.pace.numbers();
+        let Self { to_rest, length, again, steps, .. } = *self;
+        [
+            x, y, heading, vx, vy, omega, time, distance, work, sin, cos, ax, ay, alpha, power, stiffness,
+            paced, before, stiff, to_rest, length, again, steps,
+        ]
+    }
+
+    #[inline(always)]
+    fn of(numbers: [T; NUMBERS]) -> Self {
+        let [
+            x, y, heading, vx, vy, omega, time, distance, work, sin, cos, ax, ay, alpha, power, stiffness,
+            paced, before, stiff, to_rest, length, again, steps,
+        ] = numbers;
+        let phase = Phase { q: [x, y, heading], w: [vx, vy, omega] };
+        // Which tyres slide is for the record, which nobody keeps here.
+        let sliding = [x.below(x); 4];
+        Self {
+            now: Progress { phase, time, distance, work },
+            direction: Direction { sin, cos },
+            acceleration: Acceleration { rates: [ax, ay, alpha], power, stiffness, sliding },
+            pace: Pace::of([paced, before, stiff]),
+            to_rest,
+            length,
+            again,
+            steps,
+        }
+    }
+}
+
+/// A motion that no lane follows at the moment.
+#[derive(Clone, Copy)]
+struct Parked {
+    task: Task,
+    course: [f64; NUMBERS],
+}
+
+impl Parked {
+    const ALONE: Self = Self { task: Task::Alone, course: [0.0; NUMBERS] };
+
+    fn new(outset: &Outset<'_>, control: &Control) -> Result<Self, InvalidInput> {
+        if !outset.fits() {
+            return Ok(Self::ALONE);
+        }
+        let run = outset.run(control)?;
+        let moment = run.moment();
+        let outlook = run.outlook(&moment.acceleration);
+        let course = Course {
+            now: run.now,
+            direction: moment.direction,
+            acceleration: moment.acceleration,
+            pace: run.pace,
+            to_rest: outlook.to_rest,
+            length: run.pace.next(outlook.to_rest, control.longest_time, control),
+            again: 0.0,
+            steps: 0.0,
+        };
+        let task = if outlook.fades { Task::Fade } else { Task::Step { implicit: false } };
+        Ok(Self { task, course: course.numbers() })
+    }
+
+    fn rest(&self, outset: &Outset<'_>, control: &Control) -> Result<Rest, NoRest> {
+        let course = Course::of(self.course);
+        let late = course.now.time + course.to_rest > control.longest_time;
+        if self.task != Task::Fade || late || course.steps >= f64::from(control.most_steps) {
+            return outset.to_rest(control);
+        }
+        let mut run = outset.run(control)?;
+        let energy = run.energy();
+        run.now = course.now;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it counts steps")]
+        let steps = course.steps as u32;
+        run.steps = steps;
+        run.fade(&course.acceleration);
+        run.holds()?;
+        Ok(run.rest(&outset.start, energy))
+    }
+}
+
+/// What does not change on the way.
+#[derive(Clone, Copy)]
+struct Given<T> {
+    field: Field<T>,
+    steer: Direction<T>,
+    /// (m)
+    lever: T,
+}
+
+/// Numbers of a [`Given`].
+const GIVEN_NUMBERS: usize = FIELD_NUMBERS + 3;
+
+impl<T: Number<Plain = T>> Given<T> {
+    #[inline(always)]
+    fn of(numbers: [T; GIVEN_NUMBERS]) -> Self {
+        let [sin, cos, lever, field @ ..] = numbers;
+        Self { field: Field::of(field), steer: Direction { sin, cos }, lever }
+    }
+}
+
+impl Given<f64> {
+    fn of_run(run: &Run<'_, f64, f64>) -> Self {
+        Self { field: run.field, steer: run.steering.at(0.0), lever: run.lever() }
+    }
+
+    fn numbers(&self) -> [f64; GIVEN_NUMBERS] {
+        let mut numbers = [0.0; GIVEN_NUMBERS];
+        let first = [self.steer.sin, self.steer.cos, self.lever];
+        for (number, value) in numbers.iter_mut().zip(first.into_iter().chain(self.field.numbers())) {
+            *number = value;
+        }
+        numbers
+    }
+}
+
+impl<S: Simd> Course<Lanes<S>> {
+    /// Tries a step in each lane. Where only the last way is left after it.
+    #[inline(always)]
+    fn step(&mut self, given: &Given<Lanes<S>>, control: &Control, implicit: bool) -> Mask<S> {
+        let Given { field, steer, lever } = given;
+        let Self { now, direction, acceleration, to_rest, length: h, .. } = *self;
+        let Progress { phase, time, .. } = now;
+        let slope = if implicit { Some(field.slope(direction, phase.w, *steer)) } else { None };
+        let start = Start { time, phase, direction, acceleration, slope };
+        let trial = start.step(field, |_| *steer, h);
+        let error = error_squared(&trial, to_rest, *lever, control);
+        let (zero, one, infinity) = (h.constant(0.0), h.constant(1.0), h.constant(f64::INFINITY));
+        let [x, y, heading] = trial.end.q;
+        let [x, y, heading] =
+            [x.abs().below(infinity), y.abs().below(infinity), heading.abs().below(infinity)];
+        let finite = Lanes::both(Lanes::both(x, y), heading);
+        let forward = field.product(trial.end.w, phase.w).at_least(zero);
+        let accepted = Lanes::both(Lanes::both(one.at_least(error), finite), forward);
+        // Where the step is taken.
+        let mut pace = self.pace;
+        pace.accept(h, error, self.again.at_least(one));
+        let then = now.after(&trial, h);
+        let (direction, acceleration) = match trial.there {
+            Some((direction, acceleration)) => {
+                pace.count(acceleration.stiffness);
+                (direction, acceleration)
+            }
+            None => {
+                let direction = Direction::of(then.phase.q[2]);
+                (direction, field.acceleration(direction, then.phase.w, *steer))
+            }
+        };
+        let outlook = Outlook::new(field, then.phase.w, acceleration.rates, *lever, control);
+        let left = h.constant(control.longest_time) - then.time;
+        let steps = self.steps + 1.0;
+        let taken = Self {
+            now: then,
+            direction,
+            acceleration,
+            pace,
+            to_rest: outlook.to_rest,
+            length: pace.next(outlook.to_rest, left, control),
+            again: zero,
+            steps,
+        };
+        // Where it is tried again.
+        let shorter = Lanes::select(error.below(infinity), Pace::shorter(h, error), h * 0.1);
+        let again = Self { length: shorter, again: one, steps, ..*self };
+        let mut numbers = again.numbers();
+        for (number, taken) in numbers.iter_mut().zip(taken.numbers()) {
+            *number = Lanes::select(accepted, taken, *number);
+        }
+        *self = Self::of(numbers);
+        Lanes::both(accepted, outlook.fades)
+    }
+}
+
+/// Lets lanes take the steps of one method, until no motion needs another.
+#[inline(always)]
+fn follow<S: Simd>(
+    simd: S,
+    outsets: &[Outset<'_>],
+    control: &Control,
+    parked: &mut [Parked; CHUNK],
+    implicit: bool,
+) {
+    let task = Task::Step { implicit };
+    let mut board = Board {
+        outsets,
+        parked,
+        task,
+        control,
+        next: 0,
+        follows: [None; LANES],
+        given: [[0.0; LANES]; GIVEN_NUMBERS],
+        courses: [[0.0; LANES]; NUMBERS],
+    };
+    for lane in 0..LANES {
+        board.load(lane);
+    }
+    let most_steps = f64::from(control.most_steps);
+    while board.fill() {
+        let mut course = Course::of(board.courses.map(|lanes| Lanes::new(simd, lanes)));
+        let given = Given::of(board.given.map(|lanes| Lanes::new(simd, lanes)));
+        let (steps, time) = (course.steps.constant(most_steps), course.steps.constant(control.longest_time));
+        let shortest = course.steps.constant(SHORTEST);
+        // Until a lane has done what it can, they need not be looked at one by one.
+        let (fades, stiff, done) = loop {
+            let fades = course.step(&given, control, implicit);
+            let stiff = course.pace.is_implicit();
+            let ended = Lanes::one_of(course.now.time.at_least(time), course.steps.at_least(steps));
+            let done = Lanes::one_of(Lanes::one_of(ended, course.length.below(shortest)), fades);
+            let done = if implicit { done } else { Lanes::one_of(done, stiff) };
+            if done.any() {
+                break (fades.bits(), stiff.bits(), done.bits());
+            }
+        };
+        for (cells, lanes) in board.courses.iter_mut().zip(course.numbers()) {
+            *cells = lanes.lanes();
+        }
+        for lane in 0..LANES {
+            let has = |bits: u64| bits >> lane & 1 == 1;
+            if has(done) {
+                board.park(
+                    lane,
+                    match (has(fades), has(stiff)) {
+                        (true, _) => Task::Fade,
+                        (false, true) if !implicit => Task::Step { implicit: true },
+                        _ => Task::Alone,
+                    },
+                );
+            }
+        }
+    }
+}
+
+/// Which motion each lane follows, and with which numbers.
+struct Board<'a, 'b> {
+    outsets: &'a [Outset<'b>],
+    parked: &'a mut [Parked; CHUNK],
+    /// What the lanes do.
+    task: Task,
+    control: &'a Control,
+    /// The next motion to look at.
+    next: usize,
+    follows: [Option<usize>; LANES],
+    given: [[f64; LANES]; GIVEN_NUMBERS],
+    courses: [[f64; LANES]; NUMBERS],
+}
+
+impl Board<'_, '_> {
+    /// Gives a lane the next motion that has the task.
+    fn load(&mut self, lane: usize) {
+        self.follows[lane] = None;
+        while let Some(outset) = self.outsets.get(self.next) {
+            let number = self.next;
+            self.next += 1;
+            let Parked { task, course } = self.parked[number];
+            let Ok(run) = outset.run(self.control) else { continue };
+            if task != self.task {
+                continue;
+            }
+            self.follows[lane] = Some(number);
+            for (cells, number) in self.given.iter_mut().zip(Given::of_run(&run).numbers()) {
+                cells[lane] = number;
+            }
+            for (cells, number) in self.courses.iter_mut().zip(course) {
+                cells[lane] = number;
+            }
+            return;
+        }
+    }
+
+    /// Lets lanes without a motion double one that has a motion. Whether there is one.
+    fn fill(&mut self) -> bool {
+        let Some(busy) = self.follows.iter().position(Option::is_some) else { return false };
+        for lane in 0..LANES {
+            if self.follows[lane].is_none() {
+                for cells in self.given.iter_mut().chain(&mut self.courses) {
+                    cells[lane] = cells[busy];
+                }
+            }
+        }
+        true
+    }
+
+    /// Puts away the motion of a lane, and gives it another.
+    fn park(&mut self, lane: usize, task: Task) {
+        if let Some(number) = self.follows[lane] {
+            self.parked[number] = Parked { task, course: self.courses.map(|cells| cells[lane]) };
+            self.load(lane);
+        }
+    }
+}

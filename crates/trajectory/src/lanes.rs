@@ -1,0 +1,169 @@
+//! A number for each of eight motions.
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+use fearless_simd::{ExtractToken, Select, Simd, SimdBase, SimdFloat, SimdFrom, SimdMask, f64x8, mask64x8};
+use real::elementary;
+
+use crate::number::{Number, rough_root};
+
+/// Motions that are followed at once.
+pub(crate) const LANES: usize = 8;
+
+/// A number of each lane. Each has the bits of the same operation on a plain number.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lanes<S: Simd>(f64x8<S>);
+
+/// A bit of each lane.
+#[derive(Clone, Copy)]
+pub(crate) struct Mask<S: Simd>(mask64x8<S>);
+
+impl<S: Simd> Lanes<S> {
+    #[inline(always)]
+    pub(crate) fn new(simd: S, lanes: [f64; LANES]) -> Self {
+        Self(f64x8::simd_from(simd, lanes))
+    }
+
+    #[inline(always)]
+    pub(crate) fn lanes(self) -> [f64; LANES] {
+        self.0.into()
+    }
+}
+
+impl<S: Simd> Mask<S> {
+    #[inline(always)]
+    pub(crate) fn any(self) -> bool {
+        self.0.any_true()
+    }
+
+    #[inline(always)]
+    pub(crate) fn not(self) -> Self {
+        Self(!self.0)
+    }
+
+    /// A bit of each lane, the first lane in the lowest.
+    #[inline(always)]
+    pub(crate) fn bits(self) -> u64 {
+        self.0.to_bitmask()
+    }
+}
+
+macro_rules! operator {
+    ($($Op:ident $op:ident)*) => {$(
+        impl<S: Simd> $Op for Lanes<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $op(self, other: Self) -> Self {
+                Self(self.0.$op(other.0))
+            }
+        }
+
+        impl<S: Simd> $Op<f64> for Lanes<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $op(self, other: f64) -> Self {
+                Self(self.0.$op(other))
+            }
+        }
+    )*};
+}
+
+operator!(Add add Sub sub Mul mul Div div);
+
+impl<S: Simd> Neg for Lanes<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl<S: Simd> AddAssign for Lanes<S> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<S: Simd> Number for Lanes<S> {
+    type Plain = Self;
+    type Mask = Mask<S>;
+
+    #[inline(always)]
+    fn plain(self) -> Self {
+        self
+    }
+
+    #[inline(always)]
+    fn scaled(self, by: Self) -> Self {
+        self * by
+    }
+
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        Self(f64x8::splat(self.0.token(), x))
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let angles = self.lanes();
+        let (mut sin, mut cos) = ([0.0; LANES], [0.0; LANES]);
+        for lane in 0..LANES {
+            (sin[lane], cos[lane]) = elementary::sin_cos(angles[lane]);
+        }
+        (Self::new(self.0.token(), sin), Self::new(self.0.token(), cos))
+    }
+
+    #[inline(always)]
+    fn rough_root(self, halvings: u32) -> Self {
+        let mut lanes = self.lanes();
+        for lane in &mut lanes {
+            *lane = rough_root(*lane, halvings);
+        }
+        Self::new(self.0.token(), lanes)
+    }
+
+    #[inline(always)]
+    fn below(self, other: Self) -> Mask<S> {
+        Mask(self.0.simd_lt(other.0))
+    }
+
+    #[inline(always)]
+    fn at_least(self, other: Self) -> Mask<S> {
+        Mask(self.0.simd_ge(other.0))
+    }
+
+    #[inline(always)]
+    fn select(mask: Mask<S>, yes: Self, no: Self) -> Self {
+        Self(mask.0.select(yes.0, no.0))
+    }
+
+    #[inline(always)]
+    fn select_mask(mask: Mask<S>, yes: Mask<S>, no: Mask<S>) -> Mask<S> {
+        Mask((mask.0 & yes.0) | (!mask.0 & no.0))
+    }
+
+    #[inline(always)]
+    fn certain(_: Mask<S>) -> Option<bool> {
+        None
+    }
+
+    #[inline(always)]
+    fn any(mask: Mask<S>) -> bool {
+        mask.any()
+    }
+}

@@ -1,0 +1,90 @@
+//! Many motions at once.
+
+use trajectory::{
+    Control, Ground, NoRest, Outset, Region, Rest, State, Steer, Vector2, Zone, to_rest, to_rests,
+};
+
+use crate::scenes::{car, random, start, turned_car};
+
+fn one_by_one(outsets: &[Outset<'_>], control: &Control) -> Vec<Result<Rest, NoRest>> {
+    let alone = |outset: &Outset<'_>| {
+        to_rest(&outset.chassis, outset.steer, &outset.ground, &outset.start, control, |_| {})
+    };
+    outsets.iter().map(alone).collect()
+}
+
+fn at_once(outsets: &[Outset<'_>], control: &Control) -> Vec<Result<Rest, NoRest>> {
+    let mut rests = vec![None; outsets.len()];
+    to_rests(outsets, control, |number, rest| {
+        assert!(rests[number].replace(rest).is_none(), "{number} comes twice");
+    });
+    rests.into_iter().map(Option::unwrap).collect()
+}
+
+/// Spin-outs on level ground and on grades, with wheels straight and turned.
+fn outsets(count: usize) -> Vec<Outset<'static>> {
+    let mut random = random(31);
+    let mut outset = || {
+        let (chassis, start, ground) = turned_car(&mut random);
+        let grade = Vector2::new(0.02 * random() - 0.01, 0.02 * random() - 0.01);
+        let steer = if random() < 0.5 { Steer::straight() } else { Steer::Held(0.6 * random() - 0.3) };
+        Outset { chassis, steer, ground: Ground { grade, ..ground }, start }
+    };
+    (0..count).map(|_| outset()).collect()
+}
+
+#[test]
+fn each_motion_has_the_bits_of_a_run_alone() {
+    let outsets = outsets(200);
+    for control in [
+        Control::default(),
+        Control { tolerance: 5e-4, ..Control::default() },
+        Control { closed_end: false, ..Control::default() },
+        // Some have no rest then.
+        Control { longest_time: 2.0, ..Control::default() },
+        Control { most_steps: 60, ..Control::default() },
+    ] {
+        assert!(at_once(&outsets, &control) == one_by_one(&outsets, &control), "{control:?}");
+    }
+}
+
+/// Whatever the number of motions, and their order.
+#[test]
+fn a_motion_does_not_depend_on_its_neighbours() {
+    let (outsets, control) = (outsets(70), Control::default());
+    let all = at_once(&outsets, &control);
+    for count in [0, 1, 7, 8, 9, 33] {
+        assert!(at_once(&outsets[..count], &control) == all[..count], "{count}");
+    }
+    let turned: Vec<Outset<'_>> = outsets.iter().rev().copied().collect();
+    assert!(at_once(&turned, &control).iter().rev().eq(&all));
+}
+
+/// What lanes do not follow stands among what they do.
+#[test]
+fn zones_steering_and_errors_go_alone() {
+    let zones = [Zone {
+        region: Region::HalfPlane { point: Vector2::new(4.0, 0.0), into: 0.3 },
+        friction: 0.35,
+    }];
+    let steering = [(0.0, 0.0), (1.0, 0.3)];
+    let mut outsets = outsets(20);
+    outsets[3].ground = Ground { zones: &zones, ..Ground::level(0.8) };
+    outsets[7].steer = Steer::Over(&steering);
+    outsets[11].start.motion.yaw_rate = f64::NAN;
+    outsets[13].ground.friction = 0.0;
+    outsets[15] = Outset {
+        chassis: car([0.0; 4]),
+        start: start(0.0, [10.0, 0.0], 0.0),
+        steer: Steer::straight(),
+        ground: Ground::level(0.7),
+    };
+    outsets[17].start = State { motion: start(0.0, [0.0, 0.0], 0.0).motion, ..outsets[17].start };
+    let (control, rests) = (Control::default(), at_once(&outsets, &Control::default()));
+    assert!(matches!(rests[11], Err(NoRest::Invalid(_))) && matches!(rests[13], Err(NoRest::Invalid(_))));
+    assert!(matches!(rests[15], Err(NoRest::StillMoving { .. })));
+    for (number, (rest, alone)) in rests.iter().zip(one_by_one(&outsets, &control)).enumerate() {
+        // The text, as NaN is not equal to itself.
+        assert_eq!(format!("{rest:?}"), format!("{alone:?}"), "{number}");
+    }
+}
