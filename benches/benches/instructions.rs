@@ -9,14 +9,17 @@ use case::{CaseFile, Diagnostics};
 use crash3::{Profile, Stiffness, crush_energy};
 use deltav_benches::{
     CASE_FILE, Example, FRACTION, FRICTION, FULL_OR_SLIDING, RATIO, RESTITUTION, Refused, VELOCITY_CHANGE,
-    centimetre, spin_out,
+    centimetre, spin_out, spin_outs,
 };
 use gungraun::{library_benchmark, library_benchmark_group, main};
 use pim_core::{
     Contact, ImpactError, InvalidInput, Law, Motion, Outcome, Participant, RestitutionCurve, Tangential,
 };
 use reconcile::{Problem, ReconcileError, Reconciliation};
-use trajectory::{Chassis, Ground, NoRest, Rest, Starts, State, Steer, Target, Unreached, to_rest, to_start};
+use trajectory::{
+    Chassis, Ground, NoRest, Outset, Rest, Starts, State, Steer, Target, Unreached, to_rest, to_rests,
+    to_start,
+};
 
 type Impact = ([Motion; 2], Law, Contact);
 type Meeting = ([Participant; 2], f64, [Motion; 2], Law);
@@ -130,6 +133,18 @@ fn forward((chassis, ground, start): &'static Way) -> Result<Rest, NoRest> {
     to_rest(chassis, Steer::straight(), ground, start, &centimetre(), |_| {})
 }
 
+fn ways_input() -> &'static [Outset<'static>] {
+    kept::<Vec<_>>(spin_outs(64))
+}
+
+#[library_benchmark(setup = ways_input)]
+#[bench::spin_outs()]
+fn forward_block(outsets: &'static [Outset<'static>]) -> f64 {
+    let mut time = 0.0;
+    to_rests(outsets, &centimetre(), |_, rest| time += accepted(rest).time);
+    time
+}
+
 /// With the turn that is known.
 fn target_input() -> &'static (Way, Target) {
     kept(spin_out().map(|(chassis, ground, start)| {
@@ -147,7 +162,17 @@ fn backward(((chassis, ground, start), target): &'static (Way, Target)) -> Resul
 
 library_benchmark_group!(
     name = deltav,
-    benchmarks = [impact, contact_and_impact, crush, closed_form, root_finder, parse, forward, backward]
+    benchmarks = [
+        impact,
+        contact_and_impact,
+        crush,
+        closed_form,
+        root_finder,
+        parse,
+        forward,
+        forward_block,
+        backward
+    ]
 );
 
 main!(library_benchmark_groups = deltav);

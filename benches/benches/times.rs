@@ -7,11 +7,14 @@ use std::ops::ControlFlow;
 use case::CaseFile;
 use crash3::crush_energy;
 use criterion::{Criterion, Throughput};
-use deltav_benches::{CASE_FILE, Example, FRICTION, TANGENTIAL_CONDITIONS, centimetre, spin_out};
+use deltav_benches::{CASE_FILE, Example, FRICTION, TANGENTIAL_CONDITIONS, centimetre, spin_out, spin_outs};
 use estimate::{Evidence, Independent, Settings as Budget, sample_quietly};
 use pim_core::{Contact, Tangential};
-use trajectory::{State, Steer, Target, to_rest, to_start};
+use trajectory::{State, Steer, Target, to_rest, to_rests, to_start};
 use uncertainty::{Distribution, LANES, Lanes, Model, SamplingMethod, Settings, propagate};
+
+/// Samples of a spin-out.
+const SPIN_OUTS: u32 = 256;
 
 // Not criterion's own macros: an input that is refused ends the run with its reason.
 fn main() -> Result<(), Box<dyn Error>> {
@@ -87,6 +90,11 @@ fn motion(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
         backward(&target)?;
         group.bench_function(name, |b| b.iter(|| backward(black_box(&target))));
     }
+    let outsets = spin_outs(SPIN_OUTS)?;
+    group.throughput(Throughput::Elements(u64::from(SPIN_OUTS)));
+    group.bench_function("to rest, 1 cm, in blocks", |b| {
+        b.iter(|| to_rests(black_box(&outsets), &control, |_, rest| _ = black_box(rest)));
+    });
     group.finish();
     Ok(())
 }

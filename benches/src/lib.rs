@@ -7,7 +7,8 @@
 //!
 //! Both measure the same operations: an impact under each tangential condition, the same with the geometry of
 //! the contact included, a crush energy, a reconciliation in closed form and by the root-finder, the reading
-//! of a case file, a motion to rest and back. The sampling of 31 uncertain inputs is timed only.
+//! of a case file, a motion to rest and back, many motions to rest at once. The sampling of 31 uncertain
+//! inputs is timed only.
 //!
 //! # Time
 //!
@@ -35,7 +36,7 @@
 use crash3::{CrushError, Profile, Stiffness, crush_energy};
 use pim_core::{Body, Contact, InvalidInput, Law, Motion, Participant, Tangential};
 use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
-use trajectory::{Axles, Chassis, Control, Ground, State, Vector2};
+use trajectory::{Axles, Chassis, Control, Ground, Outset, State, Steer, Vector2};
 
 /// (m) one inch.
 const INCH: f64 = 0.0254;
@@ -68,6 +69,28 @@ pub fn spin_out() -> Result<(Chassis, Ground<'static>, State), Refused> {
         motion: Motion { velocity: Vector2::new(-2.56, 10.98), yaw_rate: -180_f64.to_radians() },
     };
     Ok((chassis, Ground::level(0.6), start))
+}
+
+/// Samples of a spin-out like [`spin_out`], with other speeds, drags and friction: between five and seven
+/// seconds to rest.
+///
+/// # Errors
+/// None, as long as the numbers here pass the constructors' checks.
+pub fn spin_outs(count: u32) -> Result<Vec<Outset<'static>>, Refused> {
+    let (_, _, start) = spin_out()?;
+    let axles = Axles { cg_to_front: 1.176, cg_to_rear: 1.273, track: 1.387 };
+    let sample = |number: u32| {
+        // Shares from −½ to ½ that fill their cube evenly (Kronecker's sequence).
+        let share = |step: f64| (f64::from(number) * step) % 1.0 - 0.5;
+        let (a, b, c) =
+            (share(0.819_172_513_396_164_5), share(0.671_043_606_703_789_3), share(0.549_700_477_901_960_4));
+        let chassis = Chassis::new(Body::new(1190.0, 2263.0)?, axles, [0.062 + 0.01 * a; 4])?;
+        let Motion { velocity, yaw_rate } = start.motion;
+        let motion = Motion { velocity: velocity * (1.0 + 0.1 * b), yaw_rate: yaw_rate * (1.0 + 0.3 * a) };
+        let (steer, ground) = (Steer::straight(), Ground::level(0.6 + 0.1 * c));
+        Ok(Outset { chassis, steer, ground, start: State { motion, ..start } })
+    };
+    (0..count).map(sample).collect()
 }
 
 /// An integration to 1 cm and 0.1° at rest, which 95 of 100 spin-outs of six seconds hold.

@@ -16,7 +16,7 @@ use crate::steer::Steer;
 use crate::step::{Phase, Start};
 
 /// Motions whose state is kept on the stack at once.
-const CHUNK: usize = 32;
+const CHUNK: usize = 128;
 
 /// What a vehicle sets out with to its rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ pub struct Outset<'a> {
 }
 
 impl Outset<'_> {
-    fn to_rest(&self, control: &Control) -> Result<Rest, NoRest> {
+    fn alone(&self, control: &Control) -> Result<Rest, NoRest> {
         to_rest(&self.chassis, self.steer, &self.ground, &self.start, control, |_| {})
     }
 
@@ -120,8 +120,29 @@ impl<T: Number<Plain = T>> Course<T> {
     #[inline(always)]
     fn of(numbers: [T; NUMBERS]) -> Self {
         let [
-            x, y, heading, vx, vy, omega, time, distance, work, sin, cos, ax, ay, alpha, power, stiffness,
-            paced, before, stiff, to_rest, length, again, steps,
+            x,
+            y,
+            heading,
+            vx,
+            vy,
+            omega,
+            time,
+            distance,
+            work,
+            sin,
+            cos,
+            ax,
+            ay,
+            alpha,
+            power,
+            stiffness,
+            paced,
+            before,
+            stiff,
+            to_rest,
+            length,
+            again,
+            steps,
         ] = numbers;
         let phase = Phase { q: [x, y, heading], w: [vx, vy, omega] };
         // Which tyres slide is for the record, which nobody keeps here.
@@ -174,7 +195,7 @@ impl Parked {
         let course = Course::of(self.course);
         let late = course.now.time + course.to_rest > control.longest_time;
         if self.task != Task::Fade || late || course.steps >= f64::from(control.most_steps) {
-            return outset.to_rest(control);
+            return outset.alone(control);
         }
         let mut run = outset.run(control)?;
         let energy = run.energy();

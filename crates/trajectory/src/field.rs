@@ -127,11 +127,7 @@ impl<T: Number> Field<T> {
             forward: numbers[first],
             left: numbers[first + 1],
             load: numbers[first + 2],
-            tyre: Tyre {
-                friction: numbers[first + 3],
-                drag: numbers[first + 4],
-                most: numbers[first + 5],
-            },
+            tyre: Tyre { friction: numbers[first + 3], drag: numbers[first + 4], most: numbers[first + 5] },
             steered,
         };
         Self {
@@ -216,8 +212,7 @@ impl<T: Number> Field<T> {
             forward * sin + left * cos + self.gravity[1],
             moment * self.inverse_radius_squared,
         ];
-        let stiffness =
-            (push[0].stiffness + push[1].stiffness) + (push[2].stiffness + push[3].stiffness);
+        let stiffness = (push[0].stiffness + push[1].stiffness) + (push[2].stiffness + push[3].stiffness);
         let sliding = [push[0].sliding, push[1].sliding, push[2].sliding, push[3].sliding];
         Acceleration { rates, power, stiffness, sliding }
     }
@@ -319,11 +314,7 @@ pub(crate) type Matrix<T> = [[T; 3]; 3];
 /// Rᵀ.
 #[inline(always)]
 fn turned<T: Number>(a: Matrix<T>, sin: T, cos: T) -> Matrix<T> {
-    let rows = [
-        three(|j| cos * a[0][j] - sin * a[1][j]),
-        three(|j| sin * a[0][j] + cos * a[1][j]),
-        a[2],
-    ];
+    let rows = [three(|j| cos * a[0][j] - sin * a[1][j]), three(|j| sin * a[0][j] + cos * a[1][j]), a[2]];
     three(|i| {
         let [x, y, omega] = rows[i];
         [cos * x - sin * y, sin * x + cos * y, omega]

@@ -37,11 +37,6 @@ impl<S: Simd> Mask<S> {
         self.0.any_true()
     }
 
-    #[inline(always)]
-    pub(crate) fn not(self) -> Self {
-        Self(!self.0)
-    }
-
     /// A bit of each lane, the first lane in the lowest.
     #[inline(always)]
     pub(crate) fn bits(self) -> u64 {

@@ -22,7 +22,8 @@
 //! The types: a [`Body`] on its [`Axles`], with the drag of each [`Wheel`], is a [`Chassis`]. It stands on a
 //! [`Ground`], which may have [`Zone`]s and a grade, with a [`Steer`] angle of its front wheels. [`to_rest`]
 //! follows it from a [`State`] to its [`Rest`] and hands out a [`Sample`] after each step; [`to_start`] finds
-//! every motion that leads to a [`Target`], as [`Starts`]. The closed forms are in [`closed`].
+//! every motion that leads to a [`Target`], as [`Starts`]. `to_rests` follows many, each an `Outset`, eight
+//! at a time. The closed forms are in [`closed`].
 //!
 //! Frames and signs are those of `pim_core`: y to the left of x, angles and yaw rates counter-clockwise.
 //! Wheels come as front left, front right, rear left, rear right. The equations are in theory, section 11.
@@ -53,7 +54,9 @@
 //!   seconds, and to 3 cm and 0.1° in all of 2000. A tolerance of 5e-4 is exact to 1 cm and 0.1° in 95 of 100
 //!   of them, with two thirds of the steps. Four times the steps make it 100 times better.
 //!   [`EnergyBalance::remainder`] tells the error of each run.
-//! - [`to_start`] found a start for each of 1000 random rests.
+//! - [`to_start`] found a start for each of 1000 random rests: for 642 the one that had led there, to 1e-6,
+//!   for the others some that come to rest within 1 mm.
+//! - A motion followed among others has the bits of one followed alone.
 //! - Nothing is allocated, and the numbers may carry derivatives: the moments at which wheels cross borders
 //!   carry theirs.
 //!
@@ -63,7 +66,7 @@
 //!
 //! | feature | adds |
 //! |---|---|
-//! | `std`, on by default | nothing of its own. Without it the crate is `no_std`; results have the same bits |
+//! | `std`, on by default | `to_rests`. Without it the crate is `no_std`; results have the same bits |
 //! | `serde` | plain inputs, states and rests can be written and read, a chassis and errors cannot |
 //!
 //! # What it does not do

@@ -75,8 +75,8 @@ pub(crate) trait Number:
     fn any(mask: Self::Mask) -> bool;
 }
 
-/// The second where the mask holds, the third elsewhere. A single number computes but one of them. A macro, as
-/// closures would not be inlined for certain, and lanes have to be.
+/// The second where the mask holds, the third elsewhere. A single number computes but one of them. It is a
+/// macro because closures are not inlined for certain, and what lanes compute has to be.
 macro_rules! choose {
     ($T:ty, $mask:expr, $yes:expr, $no:expr $(,)?) => {{
         let mask = $mask;
@@ -202,24 +202,20 @@ pub(crate) fn rough_root(x: f64, halvings: u32) -> f64 {
 /// Sine and cosine of an angle (rad), by their series where it is small.
 #[inline(always)]
 pub(crate) fn direction_of_turn<T: Number>(x: T) -> Direction<T> {
-    rarely!(T, 
-        x.abs().plain().at_least(x.plain().constant(SMALL_TURN)),
-        Direction::of(x),
-        {
-            let z = x * x;
-            let square = z * z;
-            // sin x = x − x³/3! + x⁵/5! − …, cos x = 1 − x²/2! + x⁴/4! − …, in pairs of terms
-            let sin = (z * INVERSE_FACTORIALS[5] - INVERSE_FACTORIALS[3])
-                + square
-                    * ((z * INVERSE_FACTORIALS[9] - INVERSE_FACTORIALS[7])
-                        + square * (z * INVERSE_FACTORIALS[13] - INVERSE_FACTORIALS[11]));
-            let cos = (z * INVERSE_FACTORIALS[4] - INVERSE_FACTORIALS[2])
-                + square
-                    * ((z * INVERSE_FACTORIALS[8] - INVERSE_FACTORIALS[6])
-                        + square * (z * INVERSE_FACTORIALS[12] - INVERSE_FACTORIALS[10]));
-            Direction { sin: x + x * (z * sin), cos: z * cos + 1.0 }
-        },
-    )
+    rarely!(T, x.abs().plain().at_least(x.plain().constant(SMALL_TURN)), Direction::of(x), {
+        let z = x * x;
+        let square = z * z;
+        // sin x = x − x³/3! + x⁵/5! − …, cos x = 1 − x²/2! + x⁴/4! − …, in pairs of terms
+        let sin = (z * INVERSE_FACTORIALS[5] - INVERSE_FACTORIALS[3])
+            + square
+                * ((z * INVERSE_FACTORIALS[9] - INVERSE_FACTORIALS[7])
+                    + square * (z * INVERSE_FACTORIALS[13] - INVERSE_FACTORIALS[11]));
+        let cos = (z * INVERSE_FACTORIALS[4] - INVERSE_FACTORIALS[2])
+            + square
+                * ((z * INVERSE_FACTORIALS[8] - INVERSE_FACTORIALS[6])
+                    + square * (z * INVERSE_FACTORIALS[12] - INVERSE_FACTORIALS[10]));
+        Direction { sin: x + x * (z * sin), cos: z * cos + 1.0 }
+    },)
 }
 
 /// Sine and cosine of an angle.

@@ -119,7 +119,8 @@ impl<P: Number<Plain = P>> Outlook<P> {
         // Longer ways have to be straight but for rounding; most are far from it.
         let nearly = if control.closed_end { NEARLY_STRAIGHT } else { 0.0 };
         let straight = across_squared.below(most(nearly));
-        let excess = rarely!(P, 
+        let excess = rarely!(
+            P,
             P::one_of(short, straight),
             {
                 let strength = (rates[0] * rates[0] + rates[1] * rates[1]).sqrt();

@@ -33,12 +33,8 @@ const WEIGHTS: [f64; 4] =
 const EMBEDDED: [f64; 4] = [0.378_109_031_458_193_7, -0.096_042_292_212_423_18, 0.5, 0.217_933_260_754_229_5];
 
 /// What b_i differ by from b̂_i.
-const IMPLICIT_ERROR: [f64; 4] = [
-    WEIGHTS[0] - EMBEDDED[0],
-    WEIGHTS[1] - EMBEDDED[1],
-    WEIGHTS[2] - EMBEDDED[2],
-    WEIGHTS[3] - EMBEDDED[3],
-];
+const IMPLICIT_ERROR: [f64; 4] =
+    [WEIGHTS[0] - EMBEDDED[0], WEIGHTS[1] - EMBEDDED[1], WEIGHTS[2] - EMBEDDED[2], WEIGHTS[3] - EMBEDDED[3]];
 
 /// Place and motion as the integration has them.
 #[derive(Clone, Copy, Debug)]
@@ -169,8 +165,7 @@ impl<T: Number> Start<T> {
         steer: impl Fn(T) -> Direction<T>,
         h: T,
         slope: Matrix<T::Plain>,
-    ) -> Step<T>
-    {
+    ) -> Step<T> {
         let matrix = resolvent(slope, h.plain() * GAMMA);
         let Phase { q, w } = self.phase;
         let zero = h.constant(0.0);
@@ -194,9 +189,8 @@ impl<T: Number> Start<T> {
             power[stage] = acceleration.power;
             let gamma = if stage == 0 { &[0.0; 3] } else { &GAMMAS[stage - 1] };
             // g_i = Σ_{j<i} γ_ij k_j/γ
-            let carried = three(|i| {
-                (kw[0][i] * gamma[0] + kw[1][i] * gamma[1] + kw[2][i] * gamma[2]) * (1.0 / GAMMA)
-            });
+            let carried =
+                three(|i| (kw[0][i] * gamma[0] + kw[1][i] * gamma[1] + kw[2][i] * gamma[2]) * (1.0 / GAMMA));
             // k_i = (1 − γhJ)⁻¹ (f(Y_i) + g_i) − g_i
             let [a, b, c] = three(|i| acceleration.rates[i] + carried[i]);
             kw[stage] = three(|i| {

@@ -68,7 +68,8 @@ impl<T: Number> Choice<T> for Grip<T> {
 #[inline(always)]
 pub(crate) fn grip<T: Number>(u: T, v: T, tyre: &Tyre<T>, fading_squared: T) -> Grip<T> {
     let slip_squared = u * u + v * v;
-    rarely!(T, 
+    rarely!(
+        T,
         slip_squared.below(fading_squared),
         {
             let by_slip = faded(tyre, slip_squared, fading_squared);
@@ -79,7 +80,8 @@ pub(crate) fn grip<T: Number>(u: T, v: T, tyre: &Tyre<T>, fading_squared: T) -> 
         },
         {
             let locked = is_locked(u, tyre, slip_squared);
-            choose!(T, 
+            choose!(
+                T,
                 locked,
                 dragged(u, v, tyre.friction / slip_squared.sqrt(), locked),
                 rolling(u, v, tyre),
@@ -124,7 +126,8 @@ fn rolling<T: Number>(u: T, v: T, tyre: &Tyre<T>) -> Grip<T> {
     // q = C_α tan α/(3 F_y,max), at most ±1
     let reach = tyre.most * ahead * (3.0 / CORNERING_STIFFNESS);
     let sliding = lateral.at_least(reach);
-    choose!(T, 
+    choose!(
+        T,
         sliding,
         {
             let left = <T as Number>::select(v.below(zero), tyre.most, -tyre.most);
@@ -163,14 +166,16 @@ impl<T: Number> Choice<T> for Slope<T> {
 pub(crate) fn slope<T: Number>(u: T, v: T, tyre: &Tyre<T>, fading_squared: T) -> Slope<T> {
     let zero = u.constant(0.0);
     let slip_squared = u * u + v * v;
-    rarely!(T, 
+    rarely!(
+        T,
         slip_squared.below(fading_squared),
         {
             let slope = -faded(tyre, slip_squared, fading_squared);
             Slope { rows: [[slope, zero], [zero, slope]] }
         },
         {
-            choose!(T, 
+            choose!(
+                T,
                 is_locked(u, tyre, slip_squared),
                 {
                     // ∂F/∂S = −μ/|S| (1 − s sᵀ), s the direction of the slip
@@ -180,16 +185,12 @@ pub(crate) fn slope<T: Number>(u: T, v: T, tyre: &Tyre<T>, fading_squared: T) ->
                 },
                 {
                     let reach = tyre.most * u.abs() * (3.0 / CORNERING_STIFFNESS);
-                    choose!(T, 
-                        v.abs().at_least(reach),
-                        Slope { rows: [[zero; 2]; 2] },
-                        {
-                            let left = (zero + 1.0) - v.abs() / reach;
-                            // ∂F_y/∂v = −C_α (1 − |q|)²/|u|, ∂F_y/∂u = −(v/u) ∂F_y/∂v
-                            let by_v = -(left * left * CORNERING_STIFFNESS) / u.abs();
-                            Slope { rows: [[zero, zero], [-(by_v * v) / u, by_v]] }
-                        },
-                    )
+                    choose!(T, v.abs().at_least(reach), Slope { rows: [[zero; 2]; 2] }, {
+                        let left = (zero + 1.0) - v.abs() / reach;
+                        // ∂F_y/∂v = −C_α (1 − |q|)²/|u|, ∂F_y/∂u = −(v/u) ∂F_y/∂v
+                        let by_v = -(left * left * CORNERING_STIFFNESS) / u.abs();
+                        Slope { rows: [[zero, zero], [-(by_v * v) / u, by_v]] }
+                    },)
                 },
             )
         },
