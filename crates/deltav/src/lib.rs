@@ -57,8 +57,8 @@
 //! | [`validation`] | staged collisions beside what the papers print of them |
 //! | [`real`] | the number that the equations run on, with derivatives |
 //!
-//! With the feature `parallel`, [`uncertainty`] and [`estimate`] run on all cores. The results have the same bits with and
-//! without it.
+//! With the feature `parallel`, [`uncertainty`] and [`estimate`] run on all cores. The results have the same
+//! bits with and without it.
 //!
 //! # What it does not do
 //!
