@@ -462,7 +462,31 @@ impl std::fmt::Display for NotReproduced {
 impl std::error::Error for NotReproduced {}
 
 fn validate(arguments: &ValidateArguments) -> Result<()> {
+    if let Some(path) = &arguments.field {
+        return validate_field(path, arguments);
+    }
     show(&validation::validate(&Data::built_in())?, arguments)
+}
+
+/// Particles of an island, of which a pair has sixteen: the intervals of 350 vehicles need no more.
+const PARTICLES_OF_PAIR: usize = 128;
+
+fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
+    let name = path.display().to_string();
+    let text = fs::read_to_string(path).with_context(|| format!("cannot read {name}"))?;
+    let pairs = field::read(&text).with_context(|| name.clone())?;
+    let options =
+        field::Options { particles: PARTICLES_OF_PAIR, seed: arguments.seed, other: arguments.other };
+    let mut progress = progress::Progress::new()?;
+    let judged = pool(arguments.threads)?.install(|| {
+        field::judge(&pairs, &evidence::FITTED, &options, &mut |done, total| {
+            progress.at("pairs", done, total)
+        })
+    });
+    let judged = judged.with_context(|| name.clone())?;
+    present_as(&report::field(&judged, &name), arguments.format, arguments.output.file(), || {
+        report::field_json(&judged)
+    })
 }
 
 /// Writes everything first: what fails is to be seen in full.
@@ -550,8 +574,16 @@ mod tests {
     fn a_claim_that_fails_ends_with_status_1_after_the_page_is_written() {
         let page = std::env::temp_dir().join(format!("deltav-failing-{}.txt", std::process::id()));
         let output = page.clone().into();
-        let arguments =
-            ValidateArguments { format: Format::Text, output, plots: None, plots_format: PlotsFormat::Svg };
+        let arguments = ValidateArguments {
+            format: Format::Text,
+            output,
+            field: None,
+            other: false,
+            seed: 1,
+            threads: None,
+            plots: None,
+            plots_format: PlotsFormat::Svg,
+        };
         let mut validation = validation::validate(&validation::Data::built_in()).unwrap();
         assert!(show(&validation, &arguments).is_ok());
         validation.energies[3].normal.ours *= 1.02;

@@ -49,12 +49,14 @@
 //! | [`reconcile`] | the speed that makes the two agree |
 //! | [`uncertainty`] | propagates input ranges to the results of any function |
 //! | [`estimate`] | draws from what evidence makes of a prior, and says whether they can be relied on |
+//! | [`evidence`] | what crush, PDOF, velocities after impact and recorders say of both speeds |
 //! | [`inputs`] | what is known of a collision: numbers with units and ranges; what an analysis needs of them |
 //! | [`case`] | the case file: TOML, its reader and writer, diagnostics |
 //! | [`analysis`] | from these inputs to a finished analysis, with its warnings |
 //! | [`report`] | a finished analysis as text, JSON, HTML, Markdown and drawings |
 //! | [`drawing`] | pictures of a collision and of its numbers, as SVG, PNG and PDF |
 //! | [`validation`] | staged collisions beside what the papers print of them |
+//! | [`field`] | intervals of ΔV, judged by the recorders of real crashes |
 //! | [`real`] | the number that the equations run on, with derivatives |
 //!
 //! With the feature `parallel`, [`uncertainty`] and [`estimate`] run on all cores. The results have the same
@@ -65,8 +67,8 @@
 //! It adds nothing to these crates. No rollover, no occupant loads.
 
 pub use {
-    analysis, case, crash3, drawing, estimate, inputs, pim_core, real, reconcile, report, trajectory,
-    uncertainty, validation,
+    analysis, case, crash3, drawing, estimate, evidence, field, inputs, pim_core, real, reconcile, report,
+    trajectory, uncertainty, validation,
 };
 
 /// What most reconstructions need: `use deltav::prelude::*;`.

@@ -77,6 +77,7 @@ mod writers;
 pub use ::drawing::{Drawing, PictureFormat, SitePlan, SitePlanError};
 pub use data::comparison::comparison_json;
 pub use data::csv::{Answer, Csv, CsvStyle, Refused, Row, RowError, Table, jsonl_row};
+pub use data::field::field_json;
 pub use data::json::json;
 pub use data::judgement::judgement_json;
 pub use data::samples::write_samples;
@@ -92,6 +93,7 @@ pub use pictures::{
     reconstructed_speed, site_plan, site_plan_of, tornado,
 };
 pub use sections::comparison::comparison;
+pub use sections::field::field;
 pub use sections::handover::{Supplements, handover};
 pub use sections::judgement::judgement;
 pub use sections::results::results;

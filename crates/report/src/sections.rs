@@ -2,6 +2,7 @@
 
 mod chosen;
 pub(crate) mod comparison;
+pub(crate) mod field;
 pub(crate) mod handover;
 pub(crate) mod judgement;
 pub(crate) mod motion;

@@ -1,0 +1,197 @@
+//! A collision of which some numbers are unknown.
+
+use crate::density::Freedom;
+use crate::number::Number;
+
+/// Two vehicles that collide, with what is known of them before the evidence and the evidence itself.
+///
+/// Headings, velocities and the crush plane are those of a scene with y to the left of x, counter-clockwise
+/// positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Collision<N = Number> {
+    /// The vehicles.
+    pub vehicles: [Vehicle<N>; 2],
+    /// How fast they were.
+    pub speeds: Speeds<N>,
+    /// (rad) Γ, direction of the line at right angles to the crush plane.
+    pub crush_plane: N,
+    /// e.
+    pub restitution: Restitution<N>,
+    /// (–) μ_max: greatest ratio of the impulses along the crush plane and across it. The sliding ends before
+    /// where less ends it.
+    pub friction: N,
+    /// (–) λ, share of the tangential work that went into crush: E = W_n + λ W_t.
+    pub tangential_share: N,
+    /// How severe such collisions are; `None` where nothing is assumed of it.
+    pub severity: Option<Severity>,
+    /// How well crush energy and impact agree; `None` where the crush is no evidence.
+    pub crush: Option<CrushMisfit>,
+}
+
+/// One vehicle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vehicle<N = Number> {
+    /// Its body; `None` for a fixed object, which has no evidence.
+    pub body: Option<BodyNumbers<N>>,
+    /// (rad) heading in the scene.
+    pub heading: N,
+    /// (m) contact point C ahead of the CG, and to its left.
+    pub contact: [N; 2],
+    /// (rad/s) yaw rate before impact.
+    pub yaw_rate: N,
+    /// The crush energy.
+    pub crush: Option<Crush<N>>,
+    /// PDOF as it was coded.
+    pub pdof: Option<CodedPdof>,
+    /// How it left the impact.
+    pub after: After,
+    /// What its recorder stored.
+    pub recorder: Recorder,
+    /// What is certain of its speed.
+    pub limits: Limits,
+}
+
+/// What resists the impulse.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyNumbers<N = Number> {
+    /// (kg) mass.
+    pub mass: N,
+    /// (m) k, radius of gyration about the vertical axis: I = m k².
+    pub yaw_radius: N,
+}
+
+/// How fast the vehicles were along their headings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Speeds<N = Number> {
+    /// (m/s) each by itself.
+    Each([N; 2]),
+    /// Neither is known, but that none moved backward.
+    Together {
+        /// (–) ln c, c = |v₁ − v₂| (m/s) the relative speed of the CGs.
+        ln_relative: N,
+        /// (rad) φ between 0 and π/2: v₂/v₁ = tan φ.
+        split: N,
+    },
+}
+
+/// Coefficient of restitution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Restitution<N = Number> {
+    /// (–) the same at any speed.
+    Constant(N),
+    /// Falls with the closing speed: e = [`low` + `rise` exp(u_n/`fade`)] · `factor`, at most `most`.
+    ByClosingSpeed {
+        /// (–) at high speeds.
+        low: f64,
+        /// (–) what is added at a standstill.
+        rise: f64,
+        /// (m/s) closing speed at which e of that is left.
+        fade: f64,
+        /// (–) what this collision has of the mean.
+        factor: N,
+        /// (–) no collision has more.
+        most: f64,
+    },
+}
+
+/// Crush of one vehicle: E = L (G₀ β² + A₀ C̄ κ β + ½ B₀ C²̄ κ²), the integral over its profile with the
+/// stiffness A = A₀ κ β, B = B₀ κ², G = A²/2B of the vehicle itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crush<N = Number> {
+    /// (J) part of the energy without depth, L G₀.
+    pub constant: f64,
+    /// (J) part that grows with the depth, L A₀ C̄.
+    pub linear: f64,
+    /// (J) part that grows with its square, ½ L B₀ C²̄.
+    pub square: f64,
+    /// (–) κ, slope of force over depth of this vehicle by that of its kind.
+    pub slope: N,
+    /// (–) β, no-damage speed of this vehicle by that of its kind.
+    pub no_damage_speed: N,
+}
+
+/// ln(E₁ + E₂) = ln(W_n + λ W_t) + b + error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CrushMisfit {
+    /// (–) b: how much the crush energy is above what the impact took.
+    pub bias: f64,
+    /// (–) standard deviation of the error, which both vehicles share.
+    pub ln_sd: f64,
+}
+
+/// ln √(ΔV₁ ΔV₂) is normally distributed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Severity {
+    /// (m/s) half of the collisions have a smaller mean ΔV.
+    pub median: f64,
+    /// (–) standard deviation of the logarithm.
+    pub ln_sd: f64,
+    /// (m/s) speeds above some times this are rare: weight exp(−(v₁² + v₂²)/2s²).
+    pub speed: f64,
+}
+
+/// PDOF as an investigator saw it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CodedPdof {
+    /// (rad) clockwise from the heading, where the force came from.
+    pub pdof: f64,
+    /// (rad) scale of its error, Student's t with 2 degrees of freedom.
+    pub scale: f64,
+}
+
+/// A measurement with a normal error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// What was measured.
+    pub value: f64,
+    /// Standard deviation of its error.
+    pub sd: f64,
+}
+
+/// How a vehicle left the impact.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct After {
+    /// (m/s; – of its logarithm) speed of the CG.
+    pub speed: Option<Measured>,
+    /// (rad) direction of its velocity in the scene.
+    pub direction: Option<Measured>,
+    /// (rad/s) yaw rate.
+    pub yaw_rate: Option<Measured>,
+}
+
+/// What a recorder stored.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Recorder {
+    /// ΔV.
+    pub delta_v: Option<RecordedDeltaV>,
+    /// (m/s; – of its logarithm) speed before impact.
+    pub speed: Option<Measured>,
+}
+
+/// ΔV that a recorder stored; its logarithm has an error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RecordedDeltaV {
+    /// (m/s) size of what it stored.
+    pub size: f64,
+    /// Whether it stored the longitudinal part alone.
+    pub is_longitudinal: bool,
+    /// (–) scale of the error of the logarithm, Student's t.
+    pub ln_scale: f64,
+    /// Its degrees of freedom.
+    pub freedom: Freedom,
+}
+
+/// What holds for certain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// (m/s) the speed is not below.
+    pub least: f64,
+    /// (m/s) the speed is not above.
+    pub most: f64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { least: f64::NEG_INFINITY, most: f64::INFINITY }
+    }
+}

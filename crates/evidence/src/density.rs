@@ -1,0 +1,55 @@
+//! Logarithms of probability densities, and the normal scores of what was observed.
+
+use core::f64::consts::{FRAC_2_PI, PI, SQRT_2};
+
+use real::Real;
+use real::elementary::{atan2, ln};
+
+/// ln √(2π).
+const LN_ROOT_TAU: f64 = 0.918_938_533_204_672_8;
+
+/// Of an error `x` of a normal distribution about zero.
+#[inline(always)]
+pub(crate) fn normal(x: f64, sd: f64) -> f64 {
+    // ln φ(x/σ)/σ = −x²/2σ² − ln σ√(2π)
+    let z = x / sd;
+    -0.5 * z * z - ln(sd) - LN_ROOT_TAU
+}
+
+/// Degrees of freedom of a Student's t distribution: few, for errors that are now and then far larger than
+/// usual.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Freedom {
+    /// ν = 2.
+    Two,
+    /// ν = 3.
+    Three,
+}
+
+/// Of an error `x` of a Student's t distribution about zero.
+#[inline(always)]
+pub(crate) fn student(x: f64, scale: f64, freedom: Freedom) -> f64 {
+    let z = x / scale;
+    match freedom {
+        // f(z) = (1 + z²/2)^(−3/2)/(2√2)
+        Freedom::Two => -1.5 * ln(1.0 + 0.5 * z * z) - ln(2.0 * SQRT_2 * scale),
+        // f(z) = 2 (1 + z²/3)⁻²/(π√3)
+        Freedom::Three => -2.0 * ln(1.0 + z * z / 3.0) - ln(scale * Real::sqrt(3.0) / FRAC_2_PI),
+    }
+}
+
+impl Freedom {
+    /// (–) share of the distribution below `z` (–), of scale 1 about zero.
+    #[must_use]
+    pub fn share_below(self, z: f64) -> f64 {
+        match self {
+            // F(z) = 1/2 + z/(2√(2 + z²))
+            Self::Two => 0.5 + 0.5 * z / Real::sqrt(2.0 + z * z),
+            // F(z) = 1/2 + [w/(1 + w²) + atan w]/π, w = z/√3
+            Self::Three => {
+                let w = z / Real::sqrt(3.0);
+                0.5 + (w / (1.0 + w * w) + atan2(w, 1.0)) / PI
+            }
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Priors and misfits, with their sources.
+
+use crate::collision::{Crush, CrushMisfit, Severity};
+use crate::density::Freedom;
+
+/// Where a vehicle was hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Damage {
+    /// Its front.
+    Front,
+    /// Its rear.
+    Rear,
+    /// One of its sides.
+    Side,
+}
+
+/// What is assumed of a collision of passenger vehicles, and how well the model of it holds.
+///
+/// docs/calibration.md has the source of each figure, and how the misfits and the stiffnesses were fitted on
+/// real crashes with a recorder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fitted {
+    /// How severe collisions are of which a vehicle was towed: its ΔV then has a median of 23 km/h and a
+    /// spread of the logarithm of 0.48, as in the field.
+    pub severity: Severity,
+    /// (–) how many times as severe those of two fronts are.
+    pub front_to_front: f64,
+    /// How well crush energy and impact agree.
+    pub crush: CrushMisfit,
+    /// (1/s) b₁ by damage: front, rear, side.
+    pub slope: [f64; 3],
+    /// (–) spread of its logarithm over the vehicles of a fleet: half of that of B.
+    pub slope_ln_sd: f64,
+    /// (m/s) b₀ by damage: front, rear, side.
+    pub no_damage_speed: [f64; 3],
+    /// (–) spread of its logarithm.
+    pub no_damage_speed_ln_sd: f64,
+    /// (–) scale of the error of the logarithm of a recorder's ΔV, with its mass.
+    pub recorder_ln_scale: f64,
+    /// Its degrees of freedom.
+    pub recorder_freedom: Freedom,
+    /// (–) median and spread of the logarithm of the greatest impulse ratio.
+    pub friction: [f64; 2],
+    /// (–) mean and spread of λ, before it is cut to 0 to 1.
+    pub tangential_share: [f64; 2],
+    /// (–) e at high speeds, what is added at a standstill; (m/s) the closing speed at which 1/e of that is
+    /// left; (–) spread of the logarithm of a single collision.
+    pub restitution: [f64; 4],
+    /// (–) greatest e.
+    pub most_restitution: f64,
+    /// (rad) spread of the crush plane.
+    pub crush_plane_sd: f64,
+    /// (m) spread of the contact point along the damaged face.
+    pub contact_sd: f64,
+    /// (rad) spread of a heading.
+    pub heading_sd: f64,
+    /// (–) spread of the logarithm of a mass.
+    pub mass_ln_sd: f64,
+    /// (rad) scale of the error of a coded PDOF, Student's t with 2 degrees of freedom.
+    pub pdof_scale: f64,
+    /// (–) how many times as wide it is for damage to a side.
+    pub pdof_side_factor: f64,
+}
+
+/// The figures fitted on crashes of 2017 (Crash Investigation Sampling System, NHTSA), in November 2026.
+pub const FITTED: Fitted = Fitted {
+    severity: Severity { median: 7.36, ln_sd: 0.47, speed: 25.0 },
+    front_to_front: 1.42,
+    crush: CrushMisfit { bias: -0.404, ln_sd: 0.366 },
+    slope: [27.7, 20.3, 34.6],
+    slope_ln_sd: 0.16,
+    no_damage_speed: [2.50, 2.50, 1.57],
+    no_damage_speed_ln_sd: 0.38,
+    recorder_ln_scale: 0.155,
+    recorder_freedom: Freedom::Three,
+    friction: [1.0, 0.4],
+    tangential_share: [0.5, 0.35],
+    restitution: [0.05, 0.32, 5.0, 0.6],
+    most_restitution: 0.7,
+    crush_plane_sd: 0.174_532_925_199_432_95,
+    contact_sd: 0.25,
+    heading_sd: 0.174_532_925_199_432_95,
+    mass_ln_sd: 0.03,
+    pdof_scale: 0.104_719_755_119_659_77,
+    pdof_side_factor: 1.5,
+};
+
+/// (kg, m) mass and width to which the stiffness of the fleet refers.
+const REFERENCE: [f64; 2] = [1600.0, 1.6];
+
+impl Fitted {
+    /// The crush of a vehicle of which no stiffness is known: `width` (m) of the damage, mean depth (m) and
+    /// mean square depth (m²). `slope` and `no_damage_speed` are left at 1.
+    #[must_use]
+    pub fn crush_of<N: From<f64>>(
+        &self,
+        damage: Damage,
+        width: f64,
+        mean: f64,
+        mean_square: f64,
+    ) -> Crush<N> {
+        let (b0, b1) = (self.no_damage_speed[damage as usize], self.slope[damage as usize]);
+        let [mass, reference_width] = REFERENCE;
+        // A = m b₀ b₁/w, B = m b₁²/w, G = m b₀²/2w
+        let per_width = mass / reference_width;
+        Crush {
+            constant: 0.5 * per_width * width * b0 * b0,
+            linear: per_width * width * b0 * b1 * mean,
+            square: 0.5 * per_width * width * b1 * b1 * mean_square,
+            slope: 1.0.into(),
+            no_damage_speed: 1.0.into(),
+        }
+    }
+}

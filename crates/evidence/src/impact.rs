@@ -1,0 +1,102 @@
+//! The impact of one particle.
+
+use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2};
+use real::Real;
+use real::elementary::exp;
+use uncertainty::Lanes;
+
+use crate::collision::{Collision, Crush, Restitution, Speeds, Vehicle};
+use crate::number::Slot;
+
+/// (m/s) slower than this along the normal, nothing is crushed.
+const LEAST_APPROACH: f64 = 0.3;
+
+/// An impact with the numbers of one particle.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct Impacted {
+    /// (m/s) speeds along the headings before impact.
+    pub speeds: [f64; 2],
+    /// The impact.
+    pub outcome: Outcome,
+    /// (J) what the impulses took that should be found in the crush, W_n + λ W_t.
+    pub taken: f64,
+    /// (J) crush energies.
+    pub crush_energies: [f64; 2],
+    /// Whether such an impact is possible.
+    pub is_possible: bool,
+}
+
+impl Collision<Slot> {
+    #[inline(always)]
+    pub(crate) fn impact(&self, values: &[Lanes], lane: usize) -> Impacted {
+        let of = |slot: Slot| slot.of(values, lane);
+        let [one, two] = &self.vehicles;
+        let headings = [of(one.heading), of(two.heading)];
+        let forward = headings.map(|heading| {
+            let (sin, cos) = real::elementary::sin_cos(heading);
+            Vector2::new(cos, sin)
+        });
+        let speeds = match self.speeds {
+            Speeds::Each(speeds) => speeds.map(of),
+            Speeds::Together { ln_relative, split } => {
+                let (sin, cos) = real::elementary::sin_cos(of(split));
+                // c = s |cos φ f₁ − sin φ f₂|
+                let apart = forward[0] * cos - forward[1] * sin;
+                let scale = exp(of(ln_relative)) / Real::sqrt(apart.x * apart.x + apart.y * apart.y);
+                [scale * cos, scale * sin]
+            }
+        };
+        let motions = [0, 1]
+            .map(|i| Motion { velocity: forward[i] * speeds[i], yaw_rate: of(self.vehicles[i].yaw_rate) });
+        let (p1, is_1) = one.participant(headings[0], values, lane);
+        let (p2, is_2) = two.participant(headings[1], values, lane);
+        let (contact, is_contact) = Contact::new_with_validity([p1, p2], of(self.crush_plane));
+        let closing = -contact.approach(&motions).velocity.normal;
+        let e = match self.restitution {
+            Restitution::Constant(e) => of(e),
+            Restitution::ByClosingSpeed { low, rise, fade, factor, most } => {
+                // e = min[(e₀ + e₁ exp(u_n/u_e)) ε, e_max]
+                Real::min((low + rise * exp(-closing / fade)) * of(factor), most)
+            }
+        };
+        let (law, is_law) = Law::new_with_validity(e, Tangential::Friction(of(self.friction)));
+        let (outcome, is_impact) = contact.impact_with_validity(motions, &law);
+        // E = W_n + λ W_t
+        let taken = outcome.energy.normal_work + of(self.tangential_share) * outcome.energy.tangential_work;
+        let crush_energy =
+            |vehicle: &Vehicle<Slot>| vehicle.crush.as_ref().map_or(0.0, |crush| crush.energy(values, lane));
+        let crush_energies = [crush_energy(one), crush_energy(two)];
+        let is_possible =
+            is_1 & is_2 & is_contact & is_law & is_impact & (closing > LEAST_APPROACH) & (taken > 0.0);
+        Impacted { speeds, outcome, taken, crush_energies, is_possible }
+    }
+}
+
+impl Vehicle<Slot> {
+    #[inline(always)]
+    fn participant(&self, heading: f64, values: &[Lanes], lane: usize) -> (Participant, bool) {
+        let of = |slot: Slot| slot.of(values, lane);
+        let (body, is_body) = match self.body {
+            None => (Body::fixed(), true),
+            Some(body) => {
+                let (mass, radius) = (of(body.mass), of(body.yaw_radius));
+                // I = m k²
+                Body::new_with_validity(mass, mass * radius * radius)
+            }
+        };
+        let [ahead, left] = self.contact.map(of);
+        let (participant, is_placed) = Participant::new_with_validity(body, heading, ahead, left);
+        (participant, is_body & is_placed)
+    }
+}
+
+impl Crush<Slot> {
+    /// (J)
+    #[inline(always)]
+    fn energy(&self, values: &[Lanes], lane: usize) -> f64 {
+        let (slope, no_damage) = (self.slope.of(values, lane), self.no_damage_speed.of(values, lane));
+        // E = L (G₀ β² + A₀ C̄ κ β + ½ B₀ C²̄ κ²)
+        self.constant * no_damage * no_damage + self.linear * slope * no_damage + self.square * slope * slope
+    }
+}

@@ -1,0 +1,377 @@
+//! The posterior of a collision: prior, and a term for each piece of evidence.
+
+use estimate::{Evidence, Prior};
+use pim_core::{Vector2, VehicleId};
+use real::elementary::{atan2, ln};
+use real::{Real, principal_angle};
+use uncertainty::{Distribution, LANES, Lanes};
+
+use crate::collision::{
+    BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Measured, RecordedDeltaV, Restitution, Speeds,
+    Vehicle,
+};
+use crate::density::{Freedom, normal, student};
+use crate::impact::Impacted;
+use crate::number::{Number, Slot};
+
+/// A particle whose vehicles do not approach, or of which no impact law makes an impact.
+pub const NO_IMPACT: u8 = 1;
+
+/// A piece of evidence, or a part of the prior that is no distribution of one number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Piece {
+    /// How severe such collisions are: a part of the prior.
+    Severity,
+    /// The crush energy of both vehicles.
+    Crush,
+    /// PDOF as coded. Those of both vehicles are seen by one investigator, who makes them opposite: only that
+    /// of the smaller error counts.
+    Pdof(VehicleId),
+    /// Speed after the impact.
+    SpeedAfter(VehicleId),
+    /// Direction of the velocity after the impact.
+    DirectionAfter(VehicleId),
+    /// Yaw rate after the impact.
+    YawRateAfter(VehicleId),
+    /// The recorder's ΔV.
+    RecordedDeltaV(VehicleId),
+    /// The recorder's speed before impact.
+    RecordedSpeed(VehicleId),
+    /// What is certain of the speed.
+    Limits(VehicleId),
+}
+
+/// A quantity of each draw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// (m/s) speed before impact along the heading.
+    Speed(VehicleId),
+    /// (m/s) |ΔV|.
+    DeltaV(VehicleId),
+    /// (m/s) part of ΔV along the heading.
+    LongitudinalDeltaV(VehicleId),
+    /// (m/s) part of ΔV to the left of the heading.
+    LateralDeltaV(VehicleId),
+    /// (m/s) −u_n.
+    ClosingSpeed,
+    /// (J) E_L.
+    EnergyLoss,
+    /// (–) e.
+    Restitution,
+    /// (J) crush energy of both vehicles, with the stiffness of the draw.
+    CrushEnergy,
+}
+
+impl Output {
+    /// All, in the order of the columns.
+    pub const ALL: [Self; 12] = {
+        use VehicleId::{One, Two};
+        [
+            Self::Speed(One),
+            Self::Speed(Two),
+            Self::DeltaV(One),
+            Self::DeltaV(Two),
+            Self::LongitudinalDeltaV(One),
+            Self::LongitudinalDeltaV(Two),
+            Self::LateralDeltaV(One),
+            Self::LateralDeltaV(Two),
+            Self::ClosingSpeed,
+            Self::EnergyLoss,
+            Self::Restitution,
+            Self::CrushEnergy,
+        ]
+    };
+
+    #[inline(always)]
+    fn of(self, impacted: &Impacted) -> f64 {
+        let outcome = &impacted.outcome;
+        match self {
+            Self::Speed(id) => impacted.speeds[id.index()],
+            Self::DeltaV(id) => outcome.delta_v_magnitude()[id.index()],
+            Self::LongitudinalDeltaV(id) => outcome.delta_v_components()[id.index()][0],
+            Self::LateralDeltaV(id) => outcome.delta_v_components()[id.index()][1],
+            Self::ClosingSpeed => outcome.closing_speed(),
+            Self::EnergyLoss => outcome.energy.loss,
+            // e = −U_n/u_n
+            Self::Restitution => -outcome.separation.normal / outcome.approach.normal,
+            Self::CrushEnergy => impacted.crush_energies[0] + impacted.crush_energies[1],
+        }
+    }
+}
+
+/// A collision as prior and evidence of [`estimate::sample`].
+#[derive(Clone, Debug)]
+pub struct Model {
+    collision: Collision<Slot>,
+    unknown: Vec<Distribution>,
+    pieces: Vec<Piece>,
+}
+
+impl Model {
+    /// With all evidence that the collision has.
+    #[must_use]
+    pub fn new(collision: &Collision) -> Self {
+        let mut unknown = Vec::new();
+        let collision = collision.placed(&mut unknown);
+        let mut pieces = Vec::new();
+        pieces.extend(collision.severity.map(|_| Piece::Severity));
+        let has_crush = collision.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
+        pieces.extend(collision.crush.filter(|_| has_crush).map(|_| Piece::Crush));
+        let coded = |id: VehicleId| collision.vehicles[id.index()].pdof.map(|coded| (coded.scale, id));
+        let pdof = VehicleId::ALL.into_iter().filter_map(coded).min_by(|a, b| a.0.total_cmp(&b.0));
+        pieces.extend(pdof.map(|(_, id)| Piece::Pdof(id)));
+        for (id, vehicle) in VehicleId::ALL.into_iter().zip(&collision.vehicles) {
+            let Vehicle { after, recorder, limits, .. } = vehicle;
+            pieces.extend(after.speed.map(|_| Piece::SpeedAfter(id)));
+            pieces.extend(after.direction.map(|_| Piece::DirectionAfter(id)));
+            pieces.extend(after.yaw_rate.map(|_| Piece::YawRateAfter(id)));
+            pieces.extend(recorder.delta_v.map(|_| Piece::RecordedDeltaV(id)));
+            pieces.extend(recorder.speed.map(|_| Piece::RecordedSpeed(id)));
+            let is_limited = limits.least > f64::NEG_INFINITY || limits.most < f64::INFINITY;
+            pieces.extend(is_limited.then_some(Piece::Limits(id)));
+        }
+        Self { collision, unknown, pieces }
+    }
+
+    /// The terms of the likelihood, in their order.
+    #[must_use]
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// The impact of each of a block of particles.
+    #[inline(always)]
+    fn impacts(&self, values: &[Lanes]) -> [Impacted; LANES] {
+        core::array::from_fn(|lane| self.collision.impact(values, lane))
+    }
+
+    /// The error of what was observed, in what a particle predicts.
+    #[inline(always)]
+    fn error(&self, piece: Piece, impacted: &Impacted) -> Error {
+        let vehicle = |id: VehicleId| &self.collision.vehicles[id.index()];
+        let after = |id: VehicleId| impacted.outcome.after[id.index()];
+        match piece {
+            Piece::Severity => {
+                let Some(severity) = self.collision.severity else { return Error::NONE };
+                let [dv1, dv2] = impacted.outcome.delta_v_magnitude();
+                let [v1, v2] = impacted.speeds;
+                let often = -0.5 * (v1 * v1 + v2 * v2) / (severity.speed * severity.speed);
+                Error {
+                    potential: often,
+                    ..Error::normal(0.5 * ln(dv1 * dv2 / (severity.median * severity.median)), severity.ln_sd)
+                }
+            }
+            Piece::Crush => {
+                let Some(CrushMisfit { bias, ln_sd }) = self.collision.crush else { return Error::NONE };
+                let [e1, e2] = impacted.crush_energies;
+                Error::normal(ln((e1 + e2) / impacted.taken) - bias, ln_sd)
+            }
+            Piece::Pdof(id) => {
+                let Some(CodedPdof { pdof, scale }) = vehicle(id).pdof else { return Error::NONE };
+                let apart = principal_angle(pdof - impacted.outcome.pdof()[id.index()]);
+                Error::student(apart, scale, Freedom::Two)
+            }
+            Piece::SpeedAfter(id) => match vehicle(id).after.speed {
+                Some(Measured { value, sd }) => Error::normal(ln(value / length(after(id).velocity)), sd),
+                None => Error::NONE,
+            },
+            Piece::DirectionAfter(id) => match vehicle(id).after.direction {
+                Some(Measured { value, sd }) => {
+                    let velocity = after(id).velocity;
+                    Error::normal(principal_angle(value - atan2(velocity.y, velocity.x)), sd)
+                }
+                None => Error::NONE,
+            },
+            Piece::YawRateAfter(id) => match vehicle(id).after.yaw_rate {
+                Some(Measured { value, sd }) => Error::normal(value - after(id).yaw_rate, sd),
+                None => Error::NONE,
+            },
+            Piece::RecordedDeltaV(id) => match vehicle(id).recorder.delta_v {
+                Some(RecordedDeltaV { size, is_longitudinal, ln_scale, freedom }) => {
+                    let outcome = &impacted.outcome;
+                    let whole = outcome.delta_v_magnitude()[id.index()];
+                    let along = outcome.delta_v_components()[id.index()][0].abs();
+                    // A recorder that stores the part along the car has some of the other part as well.
+                    let shown = if is_longitudinal { Real::max(along, LEAST_SHARE * whole) } else { whole };
+                    Error::student(ln(size / shown), ln_scale, freedom)
+                }
+                None => Error::NONE,
+            },
+            Piece::RecordedSpeed(id) => match vehicle(id).recorder.speed {
+                Some(Measured { value, sd }) => Error::normal(ln(value / impacted.speeds[id.index()]), sd),
+                None => Error::NONE,
+            },
+            Piece::Limits(id) => {
+                let (limits, speed) = (vehicle(id).limits, impacted.speeds[id.index()]);
+                let holds = (limits.least <= speed) & (speed <= limits.most);
+                Error { potential: if holds { 0.0 } else { f64::NEG_INFINITY }, ..Error::NONE }
+            }
+        }
+    }
+}
+
+/// (–) no ΔV has a smaller part along the vehicle for a recorder.
+const LEAST_SHARE: f64 = 0.05;
+
+/// The error of an observation, with its distribution.
+#[derive(Clone, Copy, Debug)]
+struct Error {
+    error: f64,
+    scale: f64,
+    /// Of Student's t; `None` for a normal error.
+    freedom: Option<Freedom>,
+    /// Whether it is an observation at all.
+    is_observed: bool,
+    /// Logarithm of what multiplies the likelihood beside it.
+    potential: f64,
+}
+
+impl Error {
+    const NONE: Self = Self { error: 0.0, scale: 1.0, freedom: None, is_observed: false, potential: 0.0 };
+
+    #[inline(always)]
+    fn normal(error: f64, scale: f64) -> Self {
+        Self { error, scale, freedom: None, is_observed: true, potential: 0.0 }
+    }
+
+    #[inline(always)]
+    fn student(error: f64, scale: f64, freedom: Freedom) -> Self {
+        Self { freedom: Some(freedom), ..Self::normal(error, scale) }
+    }
+
+    #[inline(always)]
+    fn log_likelihood(self) -> f64 {
+        let density = match (self.is_observed, self.freedom) {
+            (false, _) => 0.0,
+            (true, None) => normal(self.error, self.scale),
+            (true, Some(freedom)) => student(self.error, self.scale, freedom),
+        };
+        density + self.potential
+    }
+
+    /// Its normal score.
+    fn score(self) -> f64 {
+        match (self.is_observed, self.freedom) {
+            (false, _) => f64::NAN,
+            (true, None) => self.error / self.scale,
+            (true, Some(freedom)) => {
+                let mut share = [freedom.share_below(self.error / self.scale)];
+                uncertainty::normal::quantiles(&mut share);
+                share[0]
+            }
+        }
+    }
+}
+
+fn length(vector: Vector2<f64>) -> f64 {
+    Real::sqrt(vector.x * vector.x + vector.y * vector.y)
+}
+
+impl Prior for Model {
+    fn values_count(&self) -> usize {
+        self.unknown.len()
+    }
+
+    #[inline(always)]
+    fn values(&self, standard: &[Lanes], values: &mut [Lanes]) {
+        for ((value, number), distribution) in values.iter_mut().zip(standard).zip(&self.unknown) {
+            *value = *number;
+            distribution.from_standard_normals(value);
+        }
+    }
+}
+
+impl Evidence for Model {
+    fn terms_count(&self) -> usize {
+        self.pieces.len()
+    }
+
+    #[inline(always)]
+    fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], reasons: &mut [u8; LANES]) {
+        let impacts = self.impacts(values);
+        for (reason, impacted) in reasons.iter_mut().zip(&impacts) {
+            if !impacted.is_possible {
+                *reason = NO_IMPACT;
+            }
+        }
+        for (term, &piece) in terms.iter_mut().zip(&self.pieces) {
+            for (term, impacted) in term.iter_mut().zip(&impacts) {
+                let likelihood = self.error(piece, impacted).log_likelihood();
+                *term = if impacted.is_possible { likelihood } else { f64::NEG_INFINITY };
+            }
+        }
+    }
+
+    fn outputs_count(&self) -> usize {
+        Output::ALL.len()
+    }
+
+    fn describe(&self, values: &[Lanes], outputs: &mut [Lanes], residuals: &mut [Lanes]) {
+        let impacts = self.impacts(values);
+        for (column, output) in outputs.iter_mut().zip(Output::ALL) {
+            for (number, impacted) in column.iter_mut().zip(&impacts) {
+                *number = output.of(impacted);
+            }
+        }
+        for (column, &piece) in residuals.iter_mut().zip(&self.pieces) {
+            for (score, impacted) in column.iter_mut().zip(&impacts) {
+                // The severity is no observation.
+                let error = self.error(piece, impacted);
+                *score = if piece == Piece::Severity { f64::NAN } else { error.score() };
+            }
+        }
+    }
+}
+
+impl Collision {
+    /// The collision with the place of each unknown number, and these numbers.
+    fn placed(&self, unknown: &mut Vec<Distribution>) -> Collision<Slot> {
+        let mut place = |number: Number| match number {
+            Number::Exact(number) => Slot::Exact(number),
+            Number::Unknown(distribution) => {
+                unknown.push(distribution);
+                Slot::At(unknown.len() - 1)
+            }
+        };
+        let Self { vehicles, speeds, crush_plane, restitution, friction, tangential_share, severity, crush } =
+            *self;
+        let speeds = match speeds {
+            Speeds::Each(speeds) => Speeds::Each(speeds.map(&mut place)),
+            Speeds::Together { ln_relative, split } => {
+                Speeds::Together { ln_relative: place(ln_relative), split: place(split) }
+            }
+        };
+        let restitution = match restitution {
+            Restitution::Constant(e) => Restitution::Constant(place(e)),
+            Restitution::ByClosingSpeed { low, rise, fade, factor, most } => {
+                Restitution::ByClosingSpeed { low, rise, fade, factor: place(factor), most }
+            }
+        };
+        let (crush_plane, friction, tangential_share) =
+            (place(crush_plane), place(friction), place(tangential_share));
+        let vehicles = vehicles.map(|vehicle| {
+            let Vehicle { body, heading, contact, yaw_rate, crush, pdof, after, recorder, limits } = vehicle;
+            Vehicle {
+                body: body.map(|BodyNumbers { mass, yaw_radius }| BodyNumbers {
+                    mass: place(mass),
+                    yaw_radius: place(yaw_radius),
+                }),
+                heading: place(heading),
+                contact: contact.map(&mut place),
+                yaw_rate: place(yaw_rate),
+                crush: crush.map(|Crush { constant, linear, square, slope, no_damage_speed }| Crush {
+                    constant,
+                    linear,
+                    square,
+                    slope: place(slope),
+                    no_damage_speed: place(no_damage_speed),
+                }),
+                pdof,
+                after,
+                recorder,
+                limits,
+            }
+        });
+        Collision { vehicles, speeds, crush_plane, restitution, friction, tangential_share, severity, crush }
+    }
+}

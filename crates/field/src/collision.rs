@@ -1,0 +1,206 @@
+//! From what an investigator recorded to a collision with unknown speeds.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use evidence::{
+    After, BodyNumbers, CodedPdof, Collision, Damage, Fitted, Limits, Number, RecordedDeltaV, Recorder,
+    Restitution, Severity, Speeds, Vehicle as Subject,
+};
+use pim_core::VehicleId;
+use real::Real;
+use real::elementary::{atan2, exp, ln, sin_cos};
+use uncertainty::{Distribution, InvalidDistribution};
+
+use crate::pair::{Pair, Plane, Vehicle};
+
+/// (kg) of the occupants.
+const OCCUPANTS: f64 = 75.0;
+/// (kg) no passenger vehicle carries more; NHTSA's codes for unknown loads are larger.
+const MOST_CARGO: f64 = 1000.0;
+/// (kg, m, m) mass, length and width of a car in the middle of the fleet: where no size is known, lengths
+/// grow with the cube root of the mass and widths with its sixth root.
+const CAR: [f64; 3] = [1650.0, 4.7, 1.8];
+/// (–) radius of gyration by length.
+const YAW_RADIUS: f64 = 0.295;
+/// (–) from the CG to the front, by length.
+const TO_FRONT: f64 = 0.46;
+/// (m) width of the damage where side meets side.
+const SIDE_WIDTH: f64 = 1.8;
+/// (m/s) slowest and fastest relative speed that is thought of.
+const RELATIVE_SPEED: [f64; 2] = [0.3, 120.0];
+
+/// What is computed from a vehicle's own data.
+struct Shape {
+    mass: f64,
+    yaw_radius: f64,
+    /// (m) contact point ahead of the CG and to its left.
+    contact: [f64; 2],
+    /// (m) width of its own damage.
+    width: f64,
+    /// (m, m²) mean and mean square depth.
+    depths: [f64; 2],
+}
+
+impl Shape {
+    fn of(vehicle: &Vehicle) -> Self {
+        let mass = vehicle.curb_mass + vehicle.cargo.map_or(0.0, |cargo| cargo.min(MOST_CARGO)) + OCCUPANTS;
+        let [car, length, width] = CAR;
+        let scale = exp(ln(mass / car) / 3.0);
+        let (length, width) = (length * scale, width * Real::sqrt(scale));
+        // C̄ and C²̄ of straight lines between the stations
+        let spans = || vehicle.depths.windows(2);
+        let mean = spans().map(|ends| 0.5 * (ends[0] + ends[1])).sum::<f64>() / 5.0;
+        let square = |a: f64, b: f64| (a * a + a * b + b * b) / 3.0;
+        let mean_square = spans().map(|ends| square(ends[0], ends[1])).sum::<f64>() / 5.0;
+        let depth = if mean > 0.0 { 0.5 * mean_square / mean } else { 0.0 };
+        let offset = vehicle.direct_offset.unwrap_or(0.0);
+        let contact = match vehicle.plane {
+            Plane::Front => [TO_FRONT * length - depth, -offset],
+            Plane::Rear => [depth - (1.0 - TO_FRONT) * length, -offset],
+            Plane::Left => [offset, 0.5 * width - depth],
+            Plane::Right => [offset, depth - 0.5 * width],
+        };
+        let damage = [vehicle.field_length, vehicle.direct_length].into_iter().flatten().fold(0.0, f64::max);
+        Self { mass, yaw_radius: YAW_RADIUS * length, contact, width: damage, depths: [mean, mean_square] }
+    }
+}
+
+/// (rad) from the heading, counter-clockwise, to the normal that points out of the plane.
+fn outward(plane: Plane) -> f64 {
+    match plane {
+        Plane::Front => 0.0,
+        Plane::Rear => PI,
+        Plane::Left => FRAC_PI_2,
+        Plane::Right => -FRAC_PI_2,
+    }
+}
+
+/// Whose plane the crush plane is: that of a side before a rear, and of a rear before a front.
+fn rank(plane: Plane) -> u8 {
+    match plane {
+        Plane::Front => 0,
+        Plane::Rear => 1,
+        Plane::Left | Plane::Right => 2,
+    }
+}
+
+impl Pair {
+    /// The collision with both speeds unknown. The recorder of the vehicle `given` is evidence, no other is.
+    ///
+    /// # Errors
+    /// Where a figure of `fitted` or of the pair makes no distribution.
+    pub fn collision(
+        &self,
+        fitted: &Fitted,
+        given: Option<VehicleId>,
+    ) -> Result<Collision, InvalidDistribution> {
+        let [one, two] = &self.vehicles;
+        let shapes = self.vehicles.each_ref().map(Shape::of);
+        // Compass angles are clockwise.
+        let pdof = self.vehicles.each_ref().map(|vehicle| -vehicle.pdof);
+        let headings = match (one.heading, two.heading) {
+            (Some(one), Some(two)) => [-one, -two],
+            // The forces are opposite: θ₁ + p₁ = θ₂ + p₂ + π
+            (one, _) => {
+                let one = one.map_or(0.0, |one| -one);
+                [one, one + pdof[0] - pdof[1] + PI]
+            }
+        };
+        let [first, second] = [rank(one.plane), rank(two.plane)];
+        let [w1, w2] = [f64::from(u8::from(first >= second)), f64::from(u8::from(second >= first))];
+        let normals = [0, 1].map(|i| sin_cos(headings[i] + outward(self.vehicles[i].plane)));
+        let [(s1, c1), (s2, c2)] = normals;
+        // n points from 2 to 1.
+        let crush_plane = atan2(w2 * s2 - w1 * s1, w2 * c2 - w1 * c1);
+        // The scene may be turned, so that the vehicle whose plane it is has no error of its own.
+        let (plane, heading) = (fitted.crush_plane_sd, fitted.heading_sd);
+        let (heading_sds, plane_sd) = if first == second {
+            // The plane is turned by the mean of both errors.
+            ([heading; 2], Real::sqrt(Real::max(plane * plane - 0.5 * heading * heading, 0.0)))
+        } else {
+            let relative = heading * std::f64::consts::SQRT_2;
+            (if first > second { [0.0, relative] } else { [relative, 0.0] }, plane)
+        };
+        let normal = |mean: f64, sd: f64| {
+            if sd > 0.0 {
+                Distribution::normal(mean, sd).map(Number::Unknown)
+            } else {
+                Ok(Number::Exact(mean))
+            }
+        };
+        let factor = |ln_sd| Distribution::log_normal(1.0, ln_sd).map(Number::Unknown);
+        let subject = |id: VehicleId| {
+            let (i, o) = (id.index(), 1 - id.index());
+            let (vehicle, shape) = (&self.vehicles[i], &shapes[i]);
+            let damage = match vehicle.plane {
+                Plane::Front => Damage::Front,
+                Plane::Rear => Damage::Rear,
+                Plane::Left | Plane::Right => Damage::Side,
+            };
+            // A side is pushed in over the width of what pushed it.
+            let width = match (vehicle.plane.is_side(), self.vehicles[o].plane.is_side()) {
+                (false, _) => shape.width,
+                (true, false) => shapes[o].width,
+                (true, true) => SIDE_WIDTH,
+            };
+            let [mean, mean_square] = shape.depths;
+            let mut crush = fitted.crush_of(damage, width, mean, mean_square);
+            crush.slope = factor(fitted.slope_ln_sd)?;
+            crush.no_damage_speed = factor(fitted.no_damage_speed_ln_sd)?;
+            let [ahead, left] = shape.contact;
+            let contact = if vehicle.plane.is_side() {
+                [normal(ahead, fitted.contact_sd)?, left.into()]
+            } else {
+                [ahead.into(), normal(left, fitted.contact_sd)?]
+            };
+            let recorded = vehicle.truth().filter(|_| given == Some(id));
+            let side_factor = if vehicle.plane.is_side() { fitted.pdof_side_factor } else { 1.0 };
+            Ok::<_, InvalidDistribution>(Subject {
+                body: Some(BodyNumbers {
+                    mass: Distribution::log_normal(shape.mass, fitted.mass_ln_sd)?.into(),
+                    yaw_radius: shape.yaw_radius.into(),
+                }),
+                heading: normal(headings[i], heading_sds[i])?,
+                contact,
+                yaw_rate: 0.0.into(),
+                crush: Some(crush),
+                pdof: Some(CodedPdof { pdof: vehicle.pdof, scale: fitted.pdof_scale * side_factor }),
+                after: After::default(),
+                recorder: Recorder {
+                    delta_v: recorded.map(|truth| RecordedDeltaV {
+                        size: truth.delta_v,
+                        is_longitudinal: truth.is_longitudinal,
+                        ln_scale: fitted.recorder_ln_scale,
+                        freedom: fitted.recorder_freedom,
+                    }),
+                    speed: None,
+                },
+                limits: Limits::default(),
+            })
+        };
+        let is_front = |vehicle: &Vehicle| vehicle.plane == Plane::Front;
+        let fronts = if self.vehicles.iter().all(is_front) { fitted.front_to_front } else { 1.0 };
+        let [low, rise, fade, ln_sd] = fitted.restitution;
+        let ([slowest, fastest], [mean, sd]) = (RELATIVE_SPEED, fitted.tangential_share);
+        let [friction, friction_ln_sd] = fitted.friction;
+        Ok(Collision {
+            vehicles: [subject(VehicleId::One)?, subject(VehicleId::Two)?],
+            speeds: Speeds::Together {
+                ln_relative: Distribution::uniform(ln(slowest), ln(fastest))?.into(),
+                split: Distribution::uniform(0.0, FRAC_PI_2)?.into(),
+            },
+            crush_plane: normal(crush_plane, plane_sd)?,
+            restitution: Restitution::ByClosingSpeed {
+                low,
+                rise,
+                fade,
+                factor: factor(ln_sd)?,
+                most: fitted.most_restitution,
+            },
+            friction: Distribution::log_normal(friction, friction_ln_sd)?.into(),
+            tangential_share: Distribution::truncated_normal(mean, sd, 0.0, 1.0)?.into(),
+            severity: Some(Severity { median: fitted.severity.median * fronts, ..fitted.severity }),
+            crush: Some(fitted.crush),
+        })
+    }
+}

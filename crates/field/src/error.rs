@@ -1,0 +1,56 @@
+//! What can be wrong with a table of crashes.
+
+/// Why crashes cannot be judged.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FieldError {
+    /// The file is no table.
+    #[error("the file is not a table of comma-separated values with a header: {0}")]
+    Table(#[from] csv::Error),
+    /// A column is missing.
+    #[error(
+        "there is no column {column}; the file needs CASEID and, with _1 and _2 for the vehicles, CURBWT, CARGOWT, \
+         CDCPLANE, PDOF, HEADINGANG, FIELDL, DIRECTL, DIRECTD, C1 to C6, DVTOTAL, DVLONG, MAXDVLONG and MAXDVLAT"
+    )]
+    NoColumn {
+        /// Its name.
+        column: String,
+    },
+    /// A cell is not what it should be.
+    #[error("line {line}, column {column}: {} is not {wanted}", quoted(.text))]
+    Cell {
+        /// Counted from 1, the header.
+        line: usize,
+        /// Its name.
+        column: String,
+        /// What it holds.
+        text: String,
+        /// What it should hold.
+        wanted: &'static str,
+    },
+    /// The file has a header alone.
+    #[error("the file has no pair of vehicles")]
+    NoPairs,
+    /// No recorder can be judged.
+    #[error(
+        "no vehicle of the file can be judged: that takes MAXDVLONG and MAXDVLAT, or MAXDVLONG and damage to front or \
+         rear, of 8 km/h or more{}",
+        if *.both { ", and for --other those of both vehicles of a pair" } else { "" }
+    )]
+    NothingToJudge {
+        /// Whether both vehicles need a recorder.
+        both: bool,
+    },
+    /// A pair has no estimate.
+    #[error("crash {case}: {reason}")]
+    Estimate {
+        /// Number of the crash.
+        case: String,
+        /// Why.
+        reason: String,
+    },
+}
+
+fn quoted(text: &str) -> String {
+    if text.is_empty() { "the empty cell".to_owned() } else { format!("\"{text}\"") }
+}

@@ -1,0 +1,393 @@
+//! Estimates against recorders.
+
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+
+use estimate::{Settings, Verdict, sample_quietly};
+use evidence::{Fitted, Model, Output};
+use pim_core::VehicleId;
+use real::Real;
+use real::elementary::{exp, ln};
+
+use crate::error::FieldError;
+use crate::pair::{Pair, Plane, Truth};
+
+/// Levels of the intervals that are judged.
+pub const LEVELS: [f64; 3] = [0.5, 0.8, 0.95];
+
+/// How to judge.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Number of particles of each island, as in [`Settings`].
+    pub particles: usize,
+    /// The random seed, of every pair.
+    pub seed: u64,
+    /// Whether the recorder of one vehicle is given, and the other vehicle is judged.
+    pub other: bool,
+}
+
+/// What met what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// Two fronts.
+    FrontFront,
+    /// A front and a side.
+    FrontSide,
+    /// A front and a rear.
+    FrontRear,
+    /// Anything else.
+    Other,
+}
+
+impl Kind {
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::FrontFront => "front-front",
+            Self::FrontSide => "front-side",
+            Self::FrontRear => "front-rear",
+            Self::Other => "other",
+        }
+    }
+
+    fn of(pair: &Pair) -> Self {
+        let [one, two] = pair.vehicles.each_ref().map(|vehicle| vehicle.plane);
+        match (one, two) {
+            (Plane::Front, Plane::Front) => Self::FrontFront,
+            (Plane::Front, side) | (side, Plane::Front) if side.is_side() => Self::FrontSide,
+            (Plane::Front, Plane::Rear) | (Plane::Rear, Plane::Front) => Self::FrontRear,
+            _ => Self::Other,
+        }
+    }
+}
+
+/// One vehicle, estimated without its recorder.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judged {
+    /// Number of the crash.
+    pub case: String,
+    /// The vehicle.
+    pub vehicle: VehicleId,
+    /// What met what.
+    pub kind: Kind,
+    /// What its recorder stored.
+    pub truth: Truth,
+    /// (m/s) half of what the estimate expects the recorder to store lies below.
+    pub median: f64,
+    /// (m/s) ends of the intervals of the [`LEVELS`].
+    pub intervals: [[f64; 2]; 3],
+    /// (–) share of what it expects below the truth.
+    pub below: f64,
+    /// (m/s) continuous ranked probability score: ∫ (F − 1{x ≥ truth})² dx.
+    pub crps: f64,
+    /// Whether the run converged.
+    pub converged: bool,
+    /// (m/s) WinSMASH's value.
+    pub winsmash: Option<f64>,
+}
+
+/// Figures of a group, with their standard errors, by collision.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figures {
+    /// Number of vehicles.
+    pub n: usize,
+    /// Number of collisions.
+    pub collisions: usize,
+    /// (–) mean of ln(median/truth).
+    pub bias: [f64; 2],
+    /// (–) root mean square of the same.
+    pub rms: [f64; 2],
+    /// (–) share of the truths inside the intervals of the [`LEVELS`]; `None` for a method without intervals.
+    pub coverage: Option<[[f64; 2]; 3]>,
+    /// (–) median of the width of the 95 % interval, by the median.
+    pub width95: Option<f64>,
+    /// (m/s) mean continuous ranked probability score: without intervals, the mean absolute error.
+    pub crps: f64,
+    /// Numbers of vehicles by tenths of the share below the truth.
+    pub pit: Option<[usize; 10]>,
+}
+
+/// A group of collisions, by both methods.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// `all`, or the name of a kind.
+    pub name: &'static str,
+    /// Ours.
+    pub ours: Figures,
+    /// WinSMASH's, of the vehicles of which it has a value.
+    pub winsmash: Option<Figures>,
+    /// Ours, of the same vehicles.
+    pub ours_of_these: Option<Figures>,
+}
+
+/// All vehicles that were judged.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// Whether the other vehicle's recorder was given.
+    pub other: bool,
+    /// Number of pairs of the file.
+    pub pairs: usize,
+    /// Each vehicle.
+    pub judged: Vec<Judged>,
+    /// All, and by kind of collision.
+    pub groups: Vec<Group>,
+}
+
+/// Estimates each vehicle with a recorder from everything but that recorder. `progress` gets the number of
+/// finished pairs and of all, and may end the run, which then judges those that are finished.
+///
+/// # Errors
+/// [`FieldError::NothingToJudge`], and [`FieldError::Estimate`] where a pair has no estimate.
+pub fn judge(
+    pairs: &[Pair],
+    fitted: &Fitted,
+    options: &Options,
+    progress: &mut (dyn FnMut(usize, usize) -> ControlFlow<()> + Send),
+) -> Result<Field, FieldError> {
+    let mut judged = Vec::new();
+    for (done, pair) in pairs.iter().enumerate() {
+        if progress(done, pairs.len()).is_break() {
+            break;
+        }
+        let truths = pair.vehicles.each_ref().map(crate::pair::Vehicle::truth);
+        if options.other {
+            if let [Some(one), Some(two)] = truths {
+                judged.push(one_vehicle(pair, fitted, options, VehicleId::One, one)?);
+                judged.push(one_vehicle(pair, fitted, options, VehicleId::Two, two)?);
+            }
+            continue;
+        }
+        let mut wanted = VehicleId::ALL.into_iter().zip(truths).filter_map(|(id, truth)| Some((id, truth?)));
+        if let Some((id, truth)) = wanted.next() {
+            let all: Vec<_> = std::iter::once((id, truth)).chain(wanted).collect();
+            judged.extend(vehicles(pair, fitted, options, None, &all)?);
+        }
+    }
+    if judged.is_empty() {
+        return Err(FieldError::NothingToJudge { both: options.other });
+    }
+    let kinds = [Kind::FrontFront, Kind::FrontSide, Kind::FrontRear, Kind::Other];
+    let group = |name, of: &dyn Fn(&Judged) -> bool| {
+        let all: Vec<&Judged> = judged.iter().filter(|judged| of(judged)).collect();
+        Group::of(name, &all)
+    };
+    let mut groups: Vec<Group> = group("all", &|_| true).into_iter().collect();
+    groups.extend(kinds.iter().filter_map(|kind| group(kind.name(), &|judged| judged.kind == *kind)));
+    Ok(Field { other: options.other, pairs: pairs.len(), judged, groups })
+}
+
+/// The vehicle, with the other one's recorder given.
+fn one_vehicle(
+    pair: &Pair,
+    fitted: &Fitted,
+    options: &Options,
+    id: VehicleId,
+    truth: Truth,
+) -> Result<Judged, FieldError> {
+    let given = if id == VehicleId::One { VehicleId::Two } else { VehicleId::One };
+    let mut all = vehicles(pair, fitted, options, Some(given), &[(id, truth)])?;
+    all.pop().ok_or(FieldError::NothingToJudge { both: true })
+}
+
+/// Vehicles of one estimate.
+fn vehicles(
+    pair: &Pair,
+    fitted: &Fitted,
+    options: &Options,
+    given: Option<VehicleId>,
+    wanted: &[(VehicleId, Truth)],
+) -> Result<Vec<Judged>, FieldError> {
+    let refused = |reason: String| FieldError::Estimate { case: pair.case.clone(), reason };
+    let collision = pair.collision(fitted, given).map_err(|error| refused(error.to_string()))?;
+    let model = Model::new(&collision);
+    let settings = Settings::new(options.particles, options.seed);
+    let posterior =
+        sample_quietly(&model, &model, &settings).map_err(|failure| refused(failure.to_string()))?;
+    let converged = matches!(posterior.verdict(), Verdict::Converged);
+    let column = |output: Output| {
+        let place = Output::ALL.iter().position(|other| *other == output);
+        place.and_then(|place| posterior.outputs().get(place)).map_or(&[][..], Vec::as_slice)
+    };
+    Ok(wanted
+        .iter()
+        .map(|&(vehicle, truth)| {
+            let whole = column(Output::DeltaV(vehicle));
+            let along = column(Output::LongitudinalDeltaV(vehicle));
+            let shown = whole.iter().zip(along).map(|(&whole, &along)| {
+                ln(if truth.is_longitudinal { Real::max(along.abs(), LEAST_SHARE * whole) } else { whole })
+            });
+            let predictive = Predictive::of(&shown.collect::<Vec<_>>(), fitted);
+            Judged {
+                case: pair.case.clone(),
+                vehicle,
+                kind: Kind::of(pair),
+                truth,
+                median: predictive.quantile(0.5),
+                intervals: LEVELS.map(|level| {
+                    [0.5 * (1.0 - level), 0.5 * (1.0 + level)].map(|share| predictive.quantile(share))
+                }),
+                below: predictive.below(truth.delta_v),
+                crps: predictive.crps(truth.delta_v),
+                converged,
+                winsmash: pair.vehicles[vehicle.index()].by_winsmash(&truth),
+            }
+        })
+        .collect())
+}
+
+/// (–) of a ΔV, the least part along the vehicle, as in the evidence.
+const LEAST_SHARE: f64 = 0.05;
+
+/// What a recorder is expected to store: the draws, with the recorder's own error.
+struct Predictive {
+    /// F at equal steps of ln ΔV.
+    cumulative: Vec<f64>,
+}
+
+/// (–) ln of the least and greatest ΔV (m/s) of the steps.
+const ENDS: [f64; 2] = [-4.0, 5.0];
+/// Number of steps, of 0.9 %.
+const STEPS: usize = 1000;
+
+impl Predictive {
+    fn of(draws: &[f64], fitted: &Fitted) -> Self {
+        let weight = 1.0 / count(draws.len());
+        let cumulative = (0..=STEPS).map(|step| {
+            let x = Self::at(count(step));
+            let below = draws
+                .iter()
+                .map(|draw| fitted.recorder_freedom.share_below((x - draw) / fitted.recorder_ln_scale));
+            below.sum::<f64>() * weight
+        });
+        Self { cumulative: cumulative.collect() }
+    }
+
+    /// (–) ln ΔV at a step.
+    fn at(step: f64) -> f64 {
+        ENDS[0] + (ENDS[1] - ENDS[0]) * step / count(STEPS)
+    }
+
+    /// (m/s)
+    fn quantile(&self, share: f64) -> f64 {
+        let after = self.cumulative.partition_point(|below| *below < share).clamp(1, STEPS);
+        let [low, high] = [after - 1, after].map(|step| self.cumulative[step]);
+        exp(Self::at(count(after - 1) + (share - low) / (high - low)))
+    }
+
+    /// (–) share below a ΔV (m/s).
+    fn below(&self, delta_v: f64) -> f64 {
+        let step = (ln(delta_v) - ENDS[0]) / (ENDS[1] - ENDS[0]) * count(STEPS);
+        let before = (0..STEPS).rev().find(|before| count(*before) <= step).unwrap_or(0);
+        let [low, high] = [before, before + 1].map(|step| self.cumulative[step]);
+        low + (high - low) * (step - count(before))
+    }
+
+    /// (m/s)
+    fn crps(&self, truth: f64) -> f64 {
+        let ends = self.cumulative.windows(2).enumerate();
+        let parts = ends.map(|(step, ends)| {
+            let (from, to) = (exp(Self::at(count(step))), exp(Self::at(count(step + 1))));
+            let below = 0.5 * (ends[0] + ends[1]);
+            let square = |indicator: f64| (below - indicator) * (below - indicator);
+            // The step of the truth has a part on each side.
+            let split = truth.clamp(from, to);
+            (split - from) * square(0.0) + (to - split) * square(1.0)
+        });
+        parts.sum()
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "counts of draws and steps are far below 2⁵³")]
+fn count(number: usize) -> f64 {
+    number as f64
+}
+
+impl Group {
+    fn of(name: &'static str, judged: &[&Judged]) -> Option<Self> {
+        let ours = Figures::of_intervals(judged)?;
+        let both: Vec<&Judged> = judged.iter().copied().filter(|judged| judged.winsmash.is_some()).collect();
+        Some(Self {
+            name,
+            ours,
+            winsmash: Figures::of_points(&both),
+            ours_of_these: Figures::of_intervals(&both),
+        })
+    }
+}
+
+impl Figures {
+    fn of_intervals(judged: &[&Judged]) -> Option<Self> {
+        let errors: Vec<f64> = judged.iter().map(|judged| ln(judged.median / judged.truth.delta_v)).collect();
+        let mut figures = Self::of(judged, &errors)?;
+        let inside = |level: usize| {
+            let is_inside = judged.iter().map(|judged| {
+                let [low, high] = judged.intervals[level];
+                f64::from(u8::from((low..=high).contains(&judged.truth.delta_v)))
+            });
+            mean(judged, &is_inside.collect::<Vec<_>>())
+        };
+        figures.coverage = Some([0, 1, 2].map(inside));
+        let mut widths: Vec<f64> = judged
+            .iter()
+            .map(|judged| (judged.intervals[2][1] - judged.intervals[2][0]) / judged.median)
+            .collect();
+        widths.sort_by(f64::total_cmp);
+        figures.width95 = widths.get(widths.len() / 2).copied();
+        figures.crps = judged.iter().map(|judged| judged.crps).sum::<f64>() / count(judged.len());
+        let mut pit = [0; 10];
+        for judged in judged {
+            let tenth = (1..10).filter(|tenth| judged.below >= count(*tenth) / 10.0).count();
+            pit[tenth] += 1;
+        }
+        figures.pit = Some(pit);
+        Some(figures)
+    }
+
+    fn of_points(judged: &[&Judged]) -> Option<Self> {
+        let values = || judged.iter().filter_map(|judged| Some((judged.winsmash?, judged.truth.delta_v)));
+        let errors: Vec<f64> = values().map(|(ours, truth)| ln(ours / truth)).collect();
+        let mut figures = Self::of(judged, &errors)?;
+        figures.crps = values().map(|(ours, truth)| (ours - truth).abs()).sum::<f64>() / count(errors.len());
+        Some(figures)
+    }
+
+    fn of(judged: &[&Judged], errors: &[f64]) -> Option<Self> {
+        if judged.is_empty() {
+            return None;
+        }
+        let squares: Vec<f64> = errors.iter().map(|error| error * error).collect();
+        let [square, deviation] = mean(judged, &squares);
+        let rms = Real::sqrt(square);
+        Some(Self {
+            n: judged.len(),
+            collisions: judged
+                .iter()
+                .map(|judged| &judged.case)
+                .collect::<std::collections::BTreeSet<_>>()
+                .len(),
+            bias: mean(judged, errors),
+            // d√x = dx/2√x
+            rms: [rms, if rms > 0.0 { 0.5 * deviation / rms } else { 0.0 }],
+            coverage: None,
+            width95: None,
+            crps: 0.0,
+            pit: None,
+        })
+    }
+}
+
+/// The mean, and its standard error where the vehicles of a collision err together.
+fn mean(judged: &[&Judged], values: &[f64]) -> [f64; 2] {
+    let n = count(values.len());
+    let mean = values.iter().sum::<f64>() / n;
+    let mut collisions: BTreeMap<&str, f64> = BTreeMap::new();
+    for (judged, value) in judged.iter().zip(values) {
+        *collisions.entry(&judged.case).or_default() += value - mean;
+    }
+    let square: f64 = collisions.values().map(|sum| sum * sum).sum();
+    [mean, Real::sqrt(square) / n]
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,191 @@
+//! Two vehicles of a crash, as an investigator recorded them.
+
+use std::collections::HashMap;
+
+use crate::error::FieldError;
+
+/// Two vehicles that collided.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pair {
+    /// Number of the crash.
+    pub case: String,
+    /// The vehicles.
+    pub vehicles: [Vehicle; 2],
+}
+
+/// The plane of a vehicle's damage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Plane {
+    /// F, its front.
+    Front,
+    /// B, its rear.
+    Rear,
+    /// L, its left side.
+    Left,
+    /// R, its right side.
+    Right,
+}
+
+impl Plane {
+    /// Whether it is a side.
+    #[must_use]
+    pub fn is_side(self) -> bool {
+        matches!(self, Self::Left | Self::Right)
+    }
+}
+
+/// One vehicle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vehicle {
+    /// (kg) mass without occupants and load.
+    pub curb_mass: f64,
+    /// (kg) load.
+    pub cargo: Option<f64>,
+    /// Where it was hit.
+    pub plane: Plane,
+    /// (rad) clockwise from its heading, where the force came from.
+    pub pdof: f64,
+    /// (rad) heading at impact, clockwise from north.
+    pub heading: Option<f64>,
+    /// (m) length of the whole damage.
+    pub field_length: Option<f64>,
+    /// (m) length of the direct damage.
+    pub direct_length: Option<f64>,
+    /// (m) from the middle of the face to that of the direct damage: to the right, on sides forward.
+    pub direct_offset: Option<f64>,
+    /// (m) depths at equal steps, from left to right, on sides from rear to front.
+    pub depths: [f64; 6],
+    /// (m/s) ΔV by WinSMASH: its size, and its longitudinal part.
+    pub winsmash: [Option<f64>; 2],
+    /// (m/s) largest ΔV that the recorder stored, along the vehicle and across it.
+    pub recorder: [Option<f64>; 2],
+}
+
+/// (m/s) recorders do not trigger reliably below.
+const LEAST_DELTA_V: f64 = 8.0 / 3.6;
+
+/// What a recorder stored, as far as it can be judged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Truth {
+    /// (m/s) its size.
+    pub delta_v: f64,
+    /// Whether it is the part along the vehicle alone.
+    pub is_longitudinal: bool,
+}
+
+impl Vehicle {
+    /// What its recorder stored: the size of both parts or, for damage to its front or rear, the part along
+    /// it; `None` below 8 km/h.
+    #[must_use]
+    pub fn truth(&self) -> Option<Truth> {
+        let truth = match self.recorder {
+            [Some(along), Some(across)] => {
+                let delta_v = (along * along + across * across).sqrt();
+                Truth { delta_v, is_longitudinal: false }
+            }
+            [Some(along), None] if !self.plane.is_side() => {
+                Truth { delta_v: along.abs(), is_longitudinal: true }
+            }
+            _ => return None,
+        };
+        (truth.delta_v >= LEAST_DELTA_V).then_some(truth)
+    }
+
+    /// (m/s) what WinSMASH says of that.
+    #[must_use]
+    pub fn by_winsmash(&self, truth: &Truth) -> Option<f64> {
+        let [whole, along] = self.winsmash;
+        let delta_v = if truth.is_longitudinal { along? } else { whole? }.abs();
+        (delta_v > 0.0).then_some(delta_v)
+    }
+}
+
+/// Reads pairs of vehicles, a line each, with the columns of CISS.
+///
+/// # Errors
+/// Where the file is no table of this form, with the line and the column.
+pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let mut pairs = Vec::new();
+    for (index, line) in reader.deserialize().enumerate() {
+        let columns: HashMap<String, String> = line?;
+        let cells = Cells { line: index + 2, columns: &columns };
+        let case = columns.get("CASEID").ok_or(FieldError::NoColumn { column: "CASEID".to_owned() })?;
+        pairs.push(Pair { case: case.clone(), vehicles: [cells.vehicle(1)?, cells.vehicle(2)?] });
+    }
+    if pairs.is_empty() { Err(FieldError::NoPairs) } else { Ok(pairs) }
+}
+
+struct Cells<'a> {
+    line: usize,
+    columns: &'a HashMap<String, String>,
+}
+
+impl Cells<'_> {
+    fn text(&self, column: &str, vehicle: u8) -> Result<&str, FieldError> {
+        let column = format!("{column}_{vehicle}");
+        match self.columns.get(&column) {
+            Some(text) => Ok(text.trim()),
+            None => Err(FieldError::NoColumn { column }),
+        }
+    }
+
+    fn maybe(&self, column: &str, vehicle: u8) -> Result<Option<f64>, FieldError> {
+        let text = self.text(column, vehicle)?;
+        if text.is_empty() {
+            return Ok(None);
+        }
+        match text.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(Some(number)),
+            _ => Err(self.refusal(column, vehicle, text, "a number, or nothing where it is missing")),
+        }
+    }
+
+    fn number(&self, column: &str, vehicle: u8) -> Result<f64, FieldError> {
+        let wanted = "a number: without it the pair cannot be judged, so leave its line out";
+        self.maybe(column, vehicle)?.ok_or_else(|| self.refusal(column, vehicle, "", wanted))
+    }
+
+    fn refusal(&self, column: &str, vehicle: u8, text: &str, wanted: &'static str) -> FieldError {
+        let (line, column, text) = (self.line, format!("{column}_{vehicle}"), text.to_owned());
+        FieldError::Cell { line, column, text, wanted }
+    }
+
+    fn vehicle(&self, vehicle: u8) -> Result<Vehicle, FieldError> {
+        let plane = match self.text("CDCPLANE", vehicle)? {
+            "F" => Plane::Front,
+            "B" => Plane::Rear,
+            "L" => Plane::Left,
+            "R" => Plane::Right,
+            other => {
+                let wanted = "F, B, L or R: front, rear, left or right; leave lines of other planes out";
+                return Err(self.refusal("CDCPLANE", vehicle, other, wanted));
+            }
+        };
+        let curb_mass = self.number("CURBWT", vehicle)?;
+        if curb_mass <= 0.0 {
+            return Err(self.refusal("CURBWT", vehicle, &curb_mass.to_string(), "a mass above 0 kg"));
+        }
+        let centimetres = |column| Ok::<_, FieldError>(self.maybe(column, vehicle)?.map(|cm| cm / 100.0));
+        let kmh = |column| Ok::<_, FieldError>(self.maybe(column, vehicle)?.map(|kmh| kmh / 3.6));
+        let mut depths = [0.0; 6];
+        for (depth, column) in depths.iter_mut().zip(["C1", "C2", "C3", "C4", "C5", "C6"]) {
+            // Outward bulges are no crush.
+            *depth = (self.number(column, vehicle)? / 100.0).max(0.0);
+        }
+        Ok(Vehicle {
+            curb_mass,
+            cargo: self.maybe("CARGOWT", vehicle)?,
+            plane,
+            pdof: self.number("PDOF", vehicle)?.to_radians(),
+            // NHTSA's codes for missing headings are above 360.
+            heading: self.maybe("HEADINGANG", vehicle)?.filter(|h| *h <= 360.0).map(f64::to_radians),
+            field_length: centimetres("FIELDL")?,
+            direct_length: centimetres("DIRECTL")?,
+            direct_offset: centimetres("DIRECTD")?,
+            depths,
+            winsmash: [kmh("DVTOTAL")?, kmh("DVLONG")?],
+            recorder: [kmh("MAXDVLONG")?, kmh("MAXDVLAT")?],
+        })
+    }
+}

@@ -1,0 +1,121 @@
+//! Reading a table of pairs, and what becomes of a pair.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
+use std::f64::consts::PI;
+use std::ops::ControlFlow;
+
+use estimate::Evidence;
+use evidence::{FITTED, Model, Number};
+use field::{Kind, Options, Plane, judge, read};
+use pim_core::VehicleId;
+
+/// A front against a side at right angles; made up. Vehicle 1 drives north, vehicle 2 west.
+const HEADER: &str = "CASEID,CURBWT_1,CARGOWT_1,CDCPLANE_1,PDOF_1,HEADINGANG_1,FIELDL_1,DIRECTL_1,DIRECTD_1,C1_1,C2_1,C3_1,C4_1,C5_1,C6_1,DVTOTAL_1,DVLONG_1,MAXDVLONG_1,MAXDVLAT_1,CURBWT_2,CARGOWT_2,CDCPLANE_2,PDOF_2,HEADINGANG_2,FIELDL_2,DIRECTL_2,DIRECTD_2,C1_2,C2_2,C3_2,C4_2,C5_2,C6_2,DVTOTAL_2,DVLONG_2,MAXDVLONG_2,MAXDVLAT_2";
+const LINE: &str = "17,1500,,F,20,0,120,150,10,20,22,24,26,28,30,18,-17,-24,7,1400,0,L,290,270,200,180,30,10,20,30,30,20,10,20,,,";
+
+fn table(line: &str) -> String {
+    format!("{HEADER}\n{line}\n")
+}
+
+#[test]
+fn a_line_is_read_in_si() {
+    let pairs = read(&table(LINE)).unwrap();
+    let [one, two] = pairs[0].vehicles;
+    assert_eq!((pairs[0].case.as_str(), one.plane, two.plane), ("17", Plane::Front, Plane::Left));
+    assert_eq!((one.curb_mass, one.cargo, two.cargo), (1500.0, None, Some(0.0)));
+    assert!((one.pdof - PI / 9.0).abs() < 1e-12 && (two.heading.unwrap() - 1.5 * PI).abs() < 1e-12);
+    assert_eq!((one.depths[5], one.direct_length, one.direct_offset), (0.30, Some(1.5), Some(0.10)));
+    // √(24² + 7²) = 25 km/h
+    let truth = one.truth().unwrap();
+    assert!((truth.delta_v - 25.0 / 3.6).abs() < 1e-12 && !truth.is_longitudinal);
+    assert!((one.by_winsmash(&truth).unwrap() - 5.0).abs() < 1e-12);
+    assert!(two.truth().is_none());
+}
+
+#[test]
+fn what_cannot_be_read_is_named() {
+    for (from, to, said) in [
+        ("17,1500,", "17,heavy,", "line 2, column CURBWT_1: \"heavy\" is not a number"),
+        ("17,1500,", "17,,", "line 2, column CURBWT_1: the empty cell is not a number: without it"),
+        ("17,1500,", "17,-5,", "line 2, column CURBWT_1: \"-5\" is not a mass above 0 kg"),
+        ("1400,0,L", "1400,0,T", "line 2, column CDCPLANE_2: \"T\" is not F, B, L or R"),
+    ] {
+        assert_eq!(LINE.matches(from).count(), 1);
+        let error = read(&table(&LINE.replace(from, to))).unwrap_err().to_string();
+        assert!(error.contains(said), "{error}");
+    }
+    assert_eq!(read(&format!("{HEADER}\n")).unwrap_err().to_string(), "the file has no pair of vehicles");
+    let error = read("CASEID,CURBWT_1\n1,2\n").unwrap_err().to_string();
+    assert!(error.starts_with("there is no column CDCPLANE_1; the file needs CASEID and"), "{error}");
+}
+
+#[test]
+fn recorders_count_only_where_they_can_be_judged() {
+    for (recorder, expected) in
+        [("-24,7", Some(25.0)), ("-24,", Some(24.0)), (",7", None), ("-6,4", None), ("-7.9,", None)]
+    {
+        let pairs = read(&table(&LINE.replace("-24,7", recorder))).unwrap();
+        let truth = pairs[0].vehicles[0].truth();
+        assert_eq!(truth.map(|truth| (3.6 * truth.delta_v).round()), expected, "{recorder}");
+        // The same on the struck side: the part along the vehicle tells nothing of the push across it.
+        let sides =
+            read(&table(&LINE.replace("-24,7", ",").replace("20,,,", &format!("20,,{recorder}")))).unwrap();
+        let both = recorder == "-24,7";
+        assert_eq!(sides[0].vehicles[1].truth().is_some(), both, "{recorder}");
+    }
+}
+
+#[test]
+fn the_collision_has_the_geometry_of_the_damage() {
+    let pair = read(&table(LINE)).unwrap().remove(0);
+    let collision = pair.collision(&FITTED, None).unwrap();
+    let exact = |number: Number| match number {
+        Number::Exact(number) => number,
+        Number::Unknown(distribution) => distribution.quantile(0.5),
+    };
+    let [one, two] = collision.vehicles;
+    // North is along x, so west is counter-clockwise from it: headings 0 and 90° (−270°).
+    assert!(exact(one.heading).abs() < 1e-12);
+    assert!((exact(two.heading) + 1.5 * PI).abs() < 1e-12);
+    // The left side of vehicle 2 faces south: n, from 2 to 1, points along −x.
+    assert!((exact(collision.crush_plane).abs() - PI).abs() < 1e-9);
+    // 10 cm to the right on the front, 30 cm forward on the side.
+    assert!((exact(one.contact[1]) + 0.10).abs() < 1e-12 && (exact(two.contact[0]) - 0.30).abs() < 1e-12);
+    // 1500 + 75 kg and 1400 + 75 kg; the width of the side is that of the front, 150 cm.
+    assert!((exact(one.body.unwrap().mass) - 1575.0).abs() < 1e-9);
+    let (front, side) = (one.crush.unwrap(), two.crush.unwrap());
+    // G₀ L = ½ m₀/w₀ b₀² L
+    let constant = |b0: f64| 0.5 * 1000.0 * b0 * b0 * 1.5;
+    assert!((front.constant - constant(2.50)).abs() < 1e-9 && (side.constant - constant(1.57)).abs() < 1e-9);
+    // A₀ C̄ L with C̄ = (20/2 + 22 + 24 + 26 + 28 + 30/2)/5 = 25 cm
+    assert!((front.linear - 1000.0 * 2.50 * 27.7 * 0.25 * 1.5).abs() < 1e-6);
+    // The recorder is no evidence, unless it is given.
+    assert!(one.recorder.delta_v.is_none());
+    let given = pair.collision(&FITTED, Some(VehicleId::One)).unwrap();
+    assert!((given.vehicles[0].recorder.delta_v.unwrap().size - 25.0 / 3.6).abs() < 1e-12);
+    assert_eq!(Model::new(&collision).terms_count() + 1, Model::new(&given).terms_count());
+}
+
+#[test]
+fn a_pair_is_judged_without_its_recorder() {
+    let options = |other| Options { particles: 128, seed: 1, other };
+    let mut progress = |_, _| ControlFlow::Continue(());
+    let run =
+        |line: &str, other| judge(&read(&table(line)).unwrap(), &FITTED, &options(other), &mut progress);
+    let mut run = run;
+    let field = run(LINE, false).unwrap();
+    let [judged] = &field.judged[..] else { panic!() };
+    assert_eq!((judged.vehicle, judged.kind), (VehicleId::One, Kind::FrontSide));
+    // Another truth changes the judgement, and not the estimate.
+    let other = run(&LINE.replace("-24,7", "-48,14"), false).unwrap();
+    assert_eq!((other.judged[0].median, other.judged[0].intervals), (judged.median, judged.intervals));
+    assert!(other.judged[0].below > judged.below);
+    // The other vehicle's recorder does.
+    let both = LINE.replace("20,,,", "20,,3,-26");
+    let given = run(&both, true).unwrap();
+    assert_eq!(given.judged.len(), 2);
+    assert_ne!(given.judged[0].median, judged.median);
+    let refusal = run(LINE, true).unwrap_err().to_string();
+    assert!(refusal.contains("for --other those of both vehicles"), "{refusal}");
+}

@@ -1,0 +1,129 @@
+//! How the intervals of ΔV fare against recorders.
+
+use field::{Field, Figures, Group, Judged, LEVELS};
+
+use crate::document::{Cells, Column, Document, NONE, Table, Width};
+use crate::units::number;
+
+/// Intervals of ΔV, estimated without the recorder, against what it stored.
+#[must_use]
+pub fn field(field: &Field, file: &str) -> Document {
+    let mut document = Document::new();
+    document.push(crate::document::Block::Title {
+        title: "ΔV by estimate against ΔV by recorder".to_owned(),
+        source: Some(file.to_owned()),
+    });
+    let all = field.groups.first();
+    let (n, collisions) = all.map_or((0, 0), |group| (group.ours.n, group.ours.collisions));
+    let evidence = if field.other {
+        "the damage, the headings, the PDOF, the masses, and the recorder of the other vehicle"
+    } else {
+        "the damage, the headings, the PDOF and the masses"
+    };
+    document.paragraph(format!(
+        "The program estimated the ΔV of {n} vehicles in {collisions} collisions, of {} pairs in the file, from \
+         {evidence}. The recorder of the judged vehicle is no evidence. Both speeds are unknown. The intervals \
+         are those of what the recorder should store, with its own error.",
+        field.pairs
+    ));
+    document.push(coverage(field));
+    document.push(errors(field));
+    document.push(tenths(field));
+    let unconverged: Vec<&Judged> = field.judged.iter().filter(|judged| !judged.converged).collect();
+    if let Some(first) = unconverged.first() {
+        document.paragraph(format!(
+            "Of {} vehicles the run did not converge; the first is vehicle {} of crash {}. More particles help.",
+            unconverged.len(),
+            first.vehicle,
+            first.case
+        ));
+    }
+    document.paragraph(
+        "bias: mean of ln(median/recorder). rms: root mean square of the same. ± is a standard error that counts \
+         collisions, not vehicles. CRPS: continuous ranked probability score; for a single value it is the mean \
+         absolute error. WinSMASH is NHTSA's program; its values come from the file and are no input.",
+    );
+    document
+}
+
+fn percent([value, error]: [f64; 2]) -> String {
+    format!("{} ± {}", number(100.0 * value, 1), number(100.0 * error, 1))
+}
+
+fn coverage(field: &Field) -> Table {
+    let mut columns = vec![
+        Column::words("Recorders inside the intervals", Width::Fixed(32)),
+        Column { cells: Cells::Numbers, ..Column::numbers("vehicles", Width::Fit(8)) },
+    ];
+    columns.extend(
+        LEVELS.map(|level| {
+            Column::numbers(format!("{} %", number(100.0 * level, 0)), Width::Fit(11)).unit("%")
+        }),
+    );
+    columns.push(Column::numbers("width of 95 %", Width::Fit(13)).unit("of the median"));
+    let mut table = Table::new("", columns);
+    for Group { name, ours, .. } in &field.groups {
+        let mut cells = vec![(*name).to_owned(), ours.n.to_string()];
+        match &ours.coverage {
+            Some(coverage) => cells.extend(coverage.iter().copied().map(percent)),
+            None => cells.extend([NONE; 3].map(str::to_owned)),
+        }
+        cells.push(ours.width95.map_or(NONE.to_owned(), |width| format!("{} %", number(100.0 * width, 0))));
+        table.cells(cells);
+    }
+    table
+}
+
+fn errors(field: &Field) -> Table {
+    let mut table = Table::new(
+        "",
+        [
+            Column::words("Median against recorder", Width::Fixed(32)),
+            Column::numbers("vehicles", Width::Fit(8)),
+            Column::numbers("bias of ln", Width::Fit(16)),
+            Column::numbers("rms of ln", Width::Fit(16)),
+            Column::numbers("CRPS", Width::Fit(6)).unit("km/h"),
+        ],
+    );
+    let mut row = |name: String, figures: &Figures| {
+        let with = |[value, error]: [f64; 2]| format!("{} ± {}", number(value, 3), number(error, 3));
+        table.row([
+            name,
+            figures.n.to_string(),
+            with(figures.bias),
+            with(figures.rms),
+            number(3.6 * figures.crps, 2),
+        ]);
+    };
+    for Group { name, ours, winsmash, ours_of_these } in &field.groups {
+        row((*name).to_owned(), ours);
+        if let (Some(winsmash), Some(ours)) = (winsmash, ours_of_these) {
+            row("  WinSMASH".to_owned(), winsmash);
+            row("  ours, the same vehicles".to_owned(), ours);
+        }
+    }
+    table
+}
+
+/// Letters of the longest bar.
+const LONGEST: usize = 40;
+
+fn tenths(field: &Field) -> Table {
+    let mut table = Table::new(
+        "",
+        [
+            Column::words("Share expected below recorder", Width::Fixed(32)),
+            Column::numbers("vehicles", Width::Fit(8)),
+            Column::bars("", Width::Share),
+        ],
+    );
+    if let Some(pit) = field.groups.first().and_then(|group| group.ours.pit) {
+        let most = pit.iter().copied().max().unwrap_or(1).max(1);
+        for (tenth, count) in pit.iter().enumerate() {
+            let bar = "█".repeat(count * LONGEST / most);
+            table.row([format!("{} to {} %", 10 * tenth, 10 * (tenth + 1)), count.to_string(), bar]);
+        }
+    }
+    table.notes.push("All bars are as long where the intervals are right as often as they say.".to_owned());
+    table
+}
