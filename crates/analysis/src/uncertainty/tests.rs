@@ -281,6 +281,7 @@ fn cases_of_all_keys() -> Vec<String> {
             ("restitution", ""),
             ("tangential", "law = \"woolley\"\ntangential_velocity_change = \"-2 m/s\""),
         ]),
+        with_lines(&[("energy_basis", "energy_basis = { tangential_share = 0.5 }")]),
     ]
 }
 

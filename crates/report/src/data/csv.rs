@@ -182,7 +182,7 @@ fn columns(table: Table) -> Vec<(String, Column)> {
     columns.push(place("program.version", "/program/version"));
     columns.push(place("case.sha256", "/case/sha256"));
     if table == Table::Analyses {
-        columns.push(place("energy_basis.tangential_share", "/tangential_share"));
+        columns.push(place("tangential_share", "/tangential_share"));
     }
     columns
 }
