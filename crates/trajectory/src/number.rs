@@ -111,7 +111,6 @@ pub(crate) use rarely;
 
 /// What can be chosen by a mask.
 pub(crate) trait Choice<T: Number> {
-    #[cfg_attr(not(feature = "std"), expect(dead_code, reason = "lanes select, single numbers branch"))]
     fn select(mask: T::Mask, yes: Self, no: Self) -> Self;
 }
 
