@@ -473,7 +473,9 @@ const PARTICLES_OF_PAIR: usize = 128;
 
 fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
     let name = path.display().to_string();
-    let text = fs::read_to_string(path).with_context(|| format!("cannot read {name}"))?;
+    let bytes = fs::read(path).with_context(|| format!("cannot read {name}"))?;
+    let text = String::from_utf8(bytes)
+        .with_context(|| format!("{name} is no text in UTF-8: save the table as CSV, encoded in UTF-8"))?;
     let pairs = field::read(&text).with_context(|| name.clone())?;
     let options =
         field::Options { particles: PARTICLES_OF_PAIR, seed: arguments.seed, other: arguments.other };

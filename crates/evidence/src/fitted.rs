@@ -92,13 +92,7 @@ impl Fitted {
     /// The crush of a vehicle of which no stiffness is known: `width` (m) of the damage, mean depth (m) and
     /// mean square depth (m²). `slope` and `no_damage_speed` are left at 1.
     #[must_use]
-    pub fn crush_of<N: From<f64>>(
-        &self,
-        damage: Damage,
-        width: f64,
-        mean: f64,
-        mean_square: f64,
-    ) -> Crush<N> {
+    pub fn crush_of(&self, damage: Damage, width: f64, mean: f64, mean_square: f64) -> Crush {
         let (b0, b1) = (self.no_damage_speed[damage as usize], self.slope[damage as usize]);
         let [mass, reference_width] = REFERENCE;
         // A = m b₀ b₁/w, B = m b₁²/w, G = m b₀²/2w

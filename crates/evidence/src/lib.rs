@@ -15,5 +15,5 @@ pub use collision::{
 pub use density::Freedom;
 pub use fitted::{Damage, FITTED, Fitted};
 pub use impact::Impacted;
-pub use model::{Model, NO_IMPACT, Output, Piece};
+pub use model::{Model, NO_IMPACT, Output, Piece, shown_delta_v};
 pub use number::Number;

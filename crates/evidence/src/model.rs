@@ -1,6 +1,6 @@
 //! The posterior of a collision: prior, and a term for each piece of evidence.
 
-use estimate::{Evidence, Prior};
+use estimate::{Evidence, Independent, Prior};
 use pim_core::{Vector2, VehicleId};
 use real::elementary::{atan2, ln};
 use real::{Real, principal_angle};
@@ -82,6 +82,12 @@ impl Output {
         ]
     };
 
+    /// Its place among the columns.
+    #[must_use]
+    pub fn column(self) -> usize {
+        Self::ALL.iter().position(|other| *other == self).unwrap_or(Self::ALL.len())
+    }
+
     #[inline(always)]
     fn of(self, impacted: &Impacted) -> f64 {
         let outcome = &impacted.outcome;
@@ -103,7 +109,7 @@ impl Output {
 #[derive(Clone, Debug)]
 pub struct Model {
     collision: Collision<Slot>,
-    unknown: Vec<Distribution>,
+    unknown: Independent,
     pieces: Vec<Piece>,
 }
 
@@ -130,7 +136,7 @@ impl Model {
             let is_limited = limits.least > f64::NEG_INFINITY || limits.most < f64::INFINITY;
             pieces.extend(is_limited.then_some(Piece::Limits(id)));
         }
-        Self { collision, unknown, pieces }
+        Self { collision, unknown: Independent(unknown), pieces }
     }
 
     /// The terms of the likelihood, in their order.
@@ -190,10 +196,8 @@ impl Model {
                 Some(RecordedDeltaV { size, is_longitudinal, ln_scale, freedom }) => {
                     let outcome = &impacted.outcome;
                     let whole = outcome.delta_v_magnitude()[id.index()];
-                    let along = outcome.delta_v_components()[id.index()][0].abs();
-                    // A recorder that stores the part along the car has some of the other part as well.
-                    let shown = if is_longitudinal { Real::max(along, LEAST_SHARE * whole) } else { whole };
-                    Error::student(ln(size / shown), ln_scale, freedom)
+                    let along = outcome.delta_v_components()[id.index()][0];
+                    Error::student(ln(size / shown_delta_v(whole, along, is_longitudinal)), ln_scale, freedom)
                 }
                 None => Error::NONE,
             },
@@ -212,6 +216,16 @@ impl Model {
 
 /// (–) no ΔV has a smaller part along the vehicle for a recorder.
 const LEAST_SHARE: f64 = 0.05;
+
+/// (m/s) what a recorder without an error stores of a ΔV of which `whole` (m/s) is the size and `along` (m/s)
+/// the part along the vehicle.
+///
+/// A recorder that stores the part along the vehicle alone has some of the other part as well.
+#[inline(always)]
+#[must_use]
+pub fn shown_delta_v(whole: f64, along: f64, is_longitudinal: bool) -> f64 {
+    if is_longitudinal { Real::max(along.abs(), LEAST_SHARE * whole) } else { whole }
+}
 
 /// The error of an observation, with its distribution.
 #[derive(Clone, Copy, Debug)]
@@ -269,15 +283,12 @@ fn length(vector: Vector2<f64>) -> f64 {
 
 impl Prior for Model {
     fn values_count(&self) -> usize {
-        self.unknown.len()
+        self.unknown.values_count()
     }
 
     #[inline(always)]
     fn values(&self, standard: &[Lanes], values: &mut [Lanes]) {
-        for ((value, number), distribution) in values.iter_mut().zip(standard).zip(&self.unknown) {
-            *value = *number;
-            distribution.from_standard_normals(value);
-        }
+        self.unknown.values(standard, values);
     }
 }
 

@@ -5,12 +5,13 @@
 #[non_exhaustive]
 pub enum FieldError {
     /// The file is no table.
-    #[error("the file is not a table of comma-separated values with a header: {0}")]
+    #[error("the file is not a table of comma-separated values with a header")]
     Table(#[from] csv::Error),
     /// A column is missing.
     #[error(
         "there is no column {column}; the file needs CASEID and, with _1 and _2 for the vehicles, CURBWT, CARGOWT, \
-         CDCPLANE, PDOF, HEADINGANG, FIELDL, DIRECTL, DIRECTD, C1 to C6, DVTOTAL, DVLONG, MAXDVLONG and MAXDVLAT"
+         CDCPLANE, PDOF, HEADINGANG, FIELDL, DIRECTL, DIRECTD, C1 to C6, DVTOTAL, DVLONG, MAXDVLONG and MAXDVLAT, \
+         with commas between the columns"
     )]
     NoColumn {
         /// Its name.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use estimate::{Settings, Verdict, sample_quietly};
-use evidence::{Fitted, Model, Output};
+use evidence::{Fitted, Model, Output, shown_delta_v};
 use pim_core::VehicleId;
 use real::Real;
 use real::elementary::{exp, ln};
@@ -150,18 +150,15 @@ pub fn judge(
         if progress(done, pairs.len()).is_break() {
             break;
         }
-        let truths = pair.vehicles.each_ref().map(crate::pair::Vehicle::truth);
-        if options.other {
-            if let [Some(one), Some(two)] = truths {
-                judged.push(one_vehicle(pair, fitted, options, VehicleId::One, one)?);
-                judged.push(one_vehicle(pair, fitted, options, VehicleId::Two, two)?);
+        let truths = VehicleId::ALL.into_iter().zip(&pair.vehicles);
+        let wanted: Vec<_> = truths.filter_map(|(id, vehicle)| Some((id, vehicle.truth()?))).collect();
+        match (options.other, &wanted[..]) {
+            (true, [one, two]) => {
+                judged.extend(vehicles(pair, fitted, options, Some(two.0), &[*one])?);
+                judged.extend(vehicles(pair, fitted, options, Some(one.0), &[*two])?);
             }
-            continue;
-        }
-        let mut wanted = VehicleId::ALL.into_iter().zip(truths).filter_map(|(id, truth)| Some((id, truth?)));
-        if let Some((id, truth)) = wanted.next() {
-            let all: Vec<_> = std::iter::once((id, truth)).chain(wanted).collect();
-            judged.extend(vehicles(pair, fitted, options, None, &all)?);
+            (true, _) | (false, []) => {}
+            (false, all) => judged.extend(vehicles(pair, fitted, options, None, all)?),
         }
     }
     if judged.is_empty() {
@@ -175,19 +172,6 @@ pub fn judge(
     let mut groups: Vec<Group> = group("all", &|_| true).into_iter().collect();
     groups.extend(kinds.iter().filter_map(|kind| group(kind.name(), &|judged| judged.kind == *kind)));
     Ok(Field { other: options.other, pairs: pairs.len(), judged, groups })
-}
-
-/// The vehicle, with the other one's recorder given.
-fn one_vehicle(
-    pair: &Pair,
-    fitted: &Fitted,
-    options: &Options,
-    id: VehicleId,
-    truth: Truth,
-) -> Result<Judged, FieldError> {
-    let given = if id == VehicleId::One { VehicleId::Two } else { VehicleId::One };
-    let mut all = vehicles(pair, fitted, options, Some(given), &[(id, truth)])?;
-    all.pop().ok_or(FieldError::NothingToJudge { both: true })
 }
 
 /// Vehicles of one estimate.
@@ -205,18 +189,13 @@ fn vehicles(
     let posterior =
         sample_quietly(&model, &model, &settings).map_err(|failure| refused(failure.to_string()))?;
     let converged = matches!(posterior.verdict(), Verdict::Converged);
-    let column = |output: Output| {
-        let place = Output::ALL.iter().position(|other| *other == output);
-        place.and_then(|place| posterior.outputs().get(place)).map_or(&[][..], Vec::as_slice)
-    };
+    let column = |output: Output| posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice);
     Ok(wanted
         .iter()
         .map(|&(vehicle, truth)| {
-            let whole = column(Output::DeltaV(vehicle));
-            let along = column(Output::LongitudinalDeltaV(vehicle));
-            let shown = whole.iter().zip(along).map(|(&whole, &along)| {
-                ln(if truth.is_longitudinal { Real::max(along.abs(), LEAST_SHARE * whole) } else { whole })
-            });
+            let draws =
+                column(Output::DeltaV(vehicle)).iter().zip(column(Output::LongitudinalDeltaV(vehicle)));
+            let shown = draws.map(|(&whole, &along)| ln(shown_delta_v(whole, along, truth.is_longitudinal)));
             let predictive = Predictive::of(&shown.collect::<Vec<_>>(), fitted);
             Judged {
                 case: pair.case.clone(),
@@ -235,9 +214,6 @@ fn vehicles(
         })
         .collect())
 }
-
-/// (–) of a ΔV, the least part along the vehicle, as in the evidence.
-const LEAST_SHARE: f64 = 0.05;
 
 /// What a recorder is expected to store: the draws, with the recorder's own error.
 struct Predictive {

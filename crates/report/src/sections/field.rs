@@ -2,7 +2,7 @@
 
 use field::{Field, Figures, Group, Judged, LEVELS};
 
-use crate::document::{Cells, Column, Document, NONE, Table, Width};
+use crate::document::{Column, Document, NONE, Table, Width};
 use crate::units::number;
 
 /// Intervals of ΔV, estimated without the recorder, against what it stored.
@@ -53,7 +53,7 @@ fn percent([value, error]: [f64; 2]) -> String {
 fn coverage(field: &Field) -> Table {
     let mut columns = vec![
         Column::words("Recorders inside the intervals", Width::Fixed(32)),
-        Column { cells: Cells::Numbers, ..Column::numbers("vehicles", Width::Fit(8)) },
+        Column::numbers("vehicles", Width::Fit(8)),
     ];
     columns.extend(
         LEVELS.map(|level| {
@@ -124,6 +124,8 @@ fn tenths(field: &Field) -> Table {
             table.row([format!("{} to {} %", 10 * tenth, 10 * (tenth + 1)), count.to_string(), bar]);
         }
     }
-    table.notes.push("All bars are as long where the intervals are right as often as they say.".to_owned());
+    table
+        .notes
+        .push("If the intervals are right as often as they say, all bars are about equally long.".to_owned());
     table
 }
