@@ -1,13 +1,15 @@
 //! A collision of which some numbers are unknown.
 
+use pim_core::Vector2;
+
 use crate::density::Freedom;
 use crate::number::Number;
 
-/// Two vehicles that collide, with what is known of them before the evidence and the evidence itself.
+/// Two vehicles that collide: what is known of them before the evidence, and what was observed.
 ///
 /// Headings, velocities and the crush plane are those of a scene with y to the left of x, counter-clockwise
 /// positive.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Collision<N = Number> {
     /// The vehicles.
     pub vehicles: [Vehicle<N>; 2],
@@ -22,16 +24,14 @@ pub struct Collision<N = Number> {
     pub friction: N,
     /// (–) λ, share of the tangential work that went into crush: E = W_n + λ W_t.
     pub tangential_share: N,
-    /// How severe such collisions are; `None` where nothing is assumed of it.
-    pub severity: Option<Severity>,
-    /// How well crush energy and impact agree; `None` where the crush is no evidence.
-    pub crush: Option<CrushMisfit>,
+    /// What is held against the impact.
+    pub observed: Observed,
 }
 
 /// One vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vehicle<N = Number> {
-    /// Its body; `None` for a fixed object, which has no evidence.
+    /// Its body; `None` for a fixed object.
     pub body: Option<BodyNumbers<N>>,
     /// (rad) heading in the scene.
     pub heading: N,
@@ -41,14 +41,49 @@ pub struct Vehicle<N = Number> {
     pub yaw_rate: N,
     /// The crush energy.
     pub crush: Option<Crush<N>>,
+}
+
+/// What is held against the impact of a particle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Observed {
+    /// Of each vehicle.
+    pub vehicles: [ObservedVehicle; 2],
+    /// How severe such collisions are; `None` where nothing is assumed of it.
+    pub severity: Option<Severity>,
+    /// How well crush energy and impact agree; `None` where the crush is no evidence.
+    pub crush: Option<CrushMisfit>,
+}
+
+/// What was observed of a vehicle.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ObservedVehicle {
     /// PDOF as it was coded.
     pub pdof: Option<CodedPdof>,
     /// How it left the impact.
     pub after: After,
+    /// Where it came to rest.
+    pub rest: Option<MeasuredRest>,
+    /// (m) standard deviation of the error of each point that its CG passed, in the order of the points.
+    pub points: Vec<f64>,
     /// What its recorder stored.
     pub recorder: Recorder,
     /// What is certain of its speed.
     pub limits: Limits,
+}
+
+/// Where a vehicle came to rest, with the errors of the survey and of the model of its motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeasuredRest {
+    /// (m) place of the CG in the scene.
+    pub position: Vector2<f64>,
+    /// (m) standard deviation of its error, in each direction.
+    pub position_sd: f64,
+    /// (rad) heading.
+    pub heading: f64,
+    /// Whether full turns are counted in it.
+    pub turns_are_known: bool,
+    /// (rad) standard deviation of its error.
+    pub heading_sd: f64,
 }
 
 /// What resists the impulse.
@@ -166,6 +201,8 @@ pub struct Recorder {
     pub delta_v: Option<RecordedDeltaV>,
     /// (m/s; – of its logarithm) speed before impact.
     pub speed: Option<Measured>,
+    /// (rad/s) yaw rate after the impact.
+    pub yaw_rate: Option<Measured>,
 }
 
 /// ΔV that a recorder stored; its logarithm has an error.

@@ -1,19 +1,28 @@
 //! The impact of one particle.
 
+use estimate::Independent;
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2};
 use real::Real;
 use real::elementary::exp;
-use uncertainty::Lanes;
+use uncertainty::{LANES, Lanes};
 
 use crate::collision::{Collision, Crush, Restitution, Speeds, Vehicle};
 use crate::number::Slot;
 
 /// (m/s) slower than this along the normal, nothing is crushed.
-const LEAST_APPROACH: f64 = 0.3;
+pub const LEAST_APPROACH: f64 = 0.3;
+
+/// What the unknown numbers of a collision lead to.
+pub trait Impacts: Sync {
+    /// The unknown numbers.
+    fn unknown(&self) -> &Independent;
+
+    /// The impact of each of a block of particles.
+    fn impacts(&self, values: &[Lanes]) -> [Impacted; LANES];
+}
 
 /// An impact with the numbers of one particle.
-#[derive(Clone, Copy, Debug)]
-#[non_exhaustive]
+#[derive(Clone, Debug)]
 pub struct Impacted {
     /// (m/s) speeds along the headings before impact.
     pub speeds: [f64; 2],
@@ -23,8 +32,21 @@ pub struct Impacted {
     pub taken: f64,
     /// (J) crush energies.
     pub crush_energies: [f64; 2],
+    /// The way of each vehicle to rest, where it is followed.
+    pub ways: [Option<Way>; 2],
     /// Whether such an impact is possible.
     pub is_possible: bool,
+}
+
+/// The way of a vehicle from the impact to rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Way {
+    /// (m) place of the CG at rest, in the scene.
+    pub position: Vector2<f64>,
+    /// (rad) heading at rest, with full turns.
+    pub heading: f64,
+    /// (m) from each point that was observed to the way, where they are nearest.
+    pub misses: Vec<f64>,
 }
 
 impl Collision<Slot> {
@@ -69,7 +91,7 @@ impl Collision<Slot> {
         let crush_energies = [crush_energy(one), crush_energy(two)];
         let is_possible =
             is_1 & is_2 & is_contact & is_law & is_impact & (closing > LEAST_APPROACH) & (taken > 0.0);
-        Impacted { speeds, outcome, taken, crush_energies, is_possible }
+        Impacted { speeds, outcome, taken, crush_energies, ways: [None, None], is_possible }
     }
 }
 

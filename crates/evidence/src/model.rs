@@ -7,11 +7,11 @@ use real::{Real, principal_angle};
 use uncertainty::{Distribution, LANES, Lanes};
 
 use crate::collision::{
-    BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Measured, RecordedDeltaV, Restitution, Speeds,
-    Vehicle,
+    BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Measured, MeasuredRest, Observed, ObservedVehicle,
+    RecordedDeltaV, Restitution, Speeds, Vehicle,
 };
 use crate::density::{Freedom, normal, student};
-use crate::impact::Impacted;
+use crate::impact::{Impacted, Impacts};
 use crate::number::{Number, Slot};
 
 /// A particle whose vehicles do not approach, or of which no impact law makes an impact.
@@ -35,8 +35,14 @@ pub enum Piece {
     YawRateAfter(VehicleId),
     /// The recorder's ΔV.
     RecordedDeltaV(VehicleId),
+    /// Where it came to rest.
+    Rest(VehicleId),
+    /// The points that its CG passed.
+    Points(VehicleId),
     /// The recorder's speed before impact.
     RecordedSpeed(VehicleId),
+    /// The recorder's yaw rate after the impact.
+    RecordedYawRate(VehicleId),
     /// What is certain of the speed.
     Limits(VehicleId),
 }
@@ -107,10 +113,28 @@ impl Output {
 
 /// A collision as prior and evidence of [`estimate::sample`].
 #[derive(Clone, Debug)]
-pub struct Model {
+pub struct Model<I = Placed> {
+    impacts: I,
+    observed: Observed,
+    pieces: Vec<Piece>,
+}
+
+/// A collision with the place of each unknown number.
+#[derive(Clone, Debug)]
+pub struct Placed {
     collision: Collision<Slot>,
     unknown: Independent,
-    pieces: Vec<Piece>,
+}
+
+impl Impacts for Placed {
+    fn unknown(&self) -> &Independent {
+        &self.unknown
+    }
+
+    #[inline(always)]
+    fn impacts(&self, values: &[Lanes]) -> [Impacted; LANES] {
+        core::array::from_fn(|lane| self.collision.impact(values, lane))
+    }
 }
 
 impl Model {
@@ -118,25 +142,37 @@ impl Model {
     #[must_use]
     pub fn new(collision: &Collision) -> Self {
         let mut unknown = Vec::new();
-        let collision = collision.placed(&mut unknown);
+        let placed = collision.placed(&mut unknown);
+        let has_crush = placed.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
+        let mut observed = collision.observed.clone();
+        observed.crush = observed.crush.filter(|_| has_crush);
+        Self::of(Placed { collision: placed, unknown: Independent(unknown) }, observed)
+    }
+}
+
+impl<I: Impacts> Model<I> {
+    /// What was observed of a collision, against what its unknown numbers lead to.
+    pub fn of(impacts: I, observed: Observed) -> Self {
         let mut pieces = Vec::new();
-        pieces.extend(collision.severity.map(|_| Piece::Severity));
-        let has_crush = collision.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
-        pieces.extend(collision.crush.filter(|_| has_crush).map(|_| Piece::Crush));
-        let coded = |id: VehicleId| collision.vehicles[id.index()].pdof.map(|coded| (coded.scale, id));
+        pieces.extend(observed.severity.map(|_| Piece::Severity));
+        pieces.extend(observed.crush.map(|_| Piece::Crush));
+        let coded = |id: VehicleId| observed.vehicles[id.index()].pdof.map(|coded| (coded.scale, id));
         let pdof = VehicleId::ALL.into_iter().filter_map(coded).min_by(|a, b| a.0.total_cmp(&b.0));
         pieces.extend(pdof.map(|(_, id)| Piece::Pdof(id)));
-        for (id, vehicle) in VehicleId::ALL.into_iter().zip(&collision.vehicles) {
-            let Vehicle { after, recorder, limits, .. } = vehicle;
+        for (id, vehicle) in VehicleId::ALL.into_iter().zip(&observed.vehicles) {
+            let ObservedVehicle { pdof: _, after, rest, points, recorder, limits } = vehicle;
             pieces.extend(after.speed.map(|_| Piece::SpeedAfter(id)));
             pieces.extend(after.direction.map(|_| Piece::DirectionAfter(id)));
             pieces.extend(after.yaw_rate.map(|_| Piece::YawRateAfter(id)));
+            pieces.extend(rest.map(|_| Piece::Rest(id)));
+            pieces.extend((!points.is_empty()).then_some(Piece::Points(id)));
             pieces.extend(recorder.delta_v.map(|_| Piece::RecordedDeltaV(id)));
             pieces.extend(recorder.speed.map(|_| Piece::RecordedSpeed(id)));
+            pieces.extend(recorder.yaw_rate.map(|_| Piece::RecordedYawRate(id)));
             let is_limited = limits.least > f64::NEG_INFINITY || limits.most < f64::INFINITY;
             pieces.extend(is_limited.then_some(Piece::Limits(id)));
         }
-        Self { collision, unknown: Independent(unknown), pieces }
+        Self { impacts, observed, pieces }
     }
 
     /// The terms of the likelihood, in their order.
@@ -145,20 +181,20 @@ impl Model {
         &self.pieces
     }
 
-    /// The impact of each of a block of particles.
-    #[inline(always)]
-    fn impacts(&self, values: &[Lanes]) -> [Impacted; LANES] {
-        core::array::from_fn(|lane| self.collision.impact(values, lane))
+    /// What the unknown numbers lead to.
+    #[must_use]
+    pub fn leads(&self) -> &I {
+        &self.impacts
     }
 
     /// The error of what was observed, in what a particle predicts.
     #[inline(always)]
     fn error(&self, piece: Piece, impacted: &Impacted) -> Error {
-        let vehicle = |id: VehicleId| &self.collision.vehicles[id.index()];
+        let vehicle = |id: VehicleId| &self.observed.vehicles[id.index()];
         let after = |id: VehicleId| impacted.outcome.after[id.index()];
         match piece {
             Piece::Severity => {
-                let Some(severity) = self.collision.severity else { return Error::NONE };
+                let Some(severity) = self.observed.severity else { return Error::NONE };
                 let [dv1, dv2] = impacted.outcome.delta_v_magnitude();
                 let [v1, v2] = impacted.speeds;
                 let often = -0.5 * (v1 * v1 + v2 * v2) / (severity.speed * severity.speed);
@@ -168,7 +204,7 @@ impl Model {
                 }
             }
             Piece::Crush => {
-                let Some(CrushMisfit { bias, ln_sd }) = self.collision.crush else { return Error::NONE };
+                let Some(CrushMisfit { bias, ln_sd }) = self.observed.crush else { return Error::NONE };
                 let [e1, e2] = impacted.crush_energies;
                 Error::normal(ln((e1 + e2) / impacted.taken) - bias, ln_sd)
             }
@@ -199,6 +235,30 @@ impl Model {
                     let along = outcome.delta_v_components()[id.index()][0];
                     Error::student(ln(size / shown_delta_v(whole, along, is_longitudinal)), ln_scale, freedom)
                 }
+                None => Error::NONE,
+            },
+            Piece::Rest(id) => match (vehicle(id).rest, &impacted.ways[id.index()]) {
+                (Some(measured), Some(way)) => {
+                    let MeasuredRest { position, position_sd, heading, turns_are_known, heading_sd } = measured;
+                    let apart = position - way.position;
+                    let turned = heading - way.heading;
+                    let turned = if turns_are_known { turned } else { principal_angle(turned) };
+                    // The place has two errors, of which the score tells the one along x.
+                    let other = normal(apart.y, position_sd) + normal(turned, heading_sd);
+                    Error { potential: other, ..Error::normal(apart.x, position_sd) }
+                }
+                _ => Error::NONE,
+            },
+            Piece::Points(id) => match &impacted.ways[id.index()] {
+                Some(way) => {
+                    let errors = vehicle(id).points.iter().zip(&way.misses);
+                    let potential = errors.map(|(sd, miss)| normal(*miss, *sd)).sum();
+                    Error { potential, ..Error::NONE }
+                }
+                None => Error::NONE,
+            },
+            Piece::RecordedYawRate(id) => match vehicle(id).recorder.yaw_rate {
+                Some(Measured { value, sd }) => Error::normal(value - after(id).yaw_rate, sd),
                 None => Error::NONE,
             },
             Piece::RecordedSpeed(id) => match vehicle(id).recorder.speed {
@@ -281,25 +341,25 @@ fn length(vector: Vector2<f64>) -> f64 {
     Real::sqrt(vector.x * vector.x + vector.y * vector.y)
 }
 
-impl Prior for Model {
+impl<I: Impacts> Prior for Model<I> {
     fn values_count(&self) -> usize {
-        self.unknown.values_count()
+        self.impacts.unknown().values_count()
     }
 
     #[inline(always)]
     fn values(&self, standard: &[Lanes], values: &mut [Lanes]) {
-        self.unknown.values(standard, values);
+        self.impacts.unknown().values(standard, values);
     }
 }
 
-impl Evidence for Model {
+impl<I: Impacts> Evidence for Model<I> {
     fn terms_count(&self) -> usize {
         self.pieces.len()
     }
 
     #[inline(always)]
     fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], reasons: &mut [u8; LANES]) {
-        let impacts = self.impacts(values);
+        let impacts = self.impacts.impacts(values);
         for (reason, impacted) in reasons.iter_mut().zip(&impacts) {
             if !impacted.is_possible {
                 *reason = NO_IMPACT;
@@ -318,7 +378,7 @@ impl Evidence for Model {
     }
 
     fn describe(&self, values: &[Lanes], outputs: &mut [Lanes], residuals: &mut [Lanes]) {
-        let impacts = self.impacts(values);
+        let impacts = self.impacts.impacts(values);
         for (column, output) in outputs.iter_mut().zip(Output::ALL) {
             for (number, impacted) in column.iter_mut().zip(&impacts) {
                 *number = output.of(impacted);
@@ -326,7 +386,7 @@ impl Evidence for Model {
         }
         for (column, &piece) in residuals.iter_mut().zip(&self.pieces) {
             for (score, impacted) in column.iter_mut().zip(&impacts) {
-                // The severity is no observation.
+                // The severity is no observation, and points are several.
                 let error = self.error(piece, impacted);
                 *score = if piece == Piece::Severity { f64::NAN } else { error.score() };
             }
@@ -344,24 +404,23 @@ impl Collision {
                 Slot::At(unknown.len() - 1)
             }
         };
-        let Self { vehicles, speeds, crush_plane, restitution, friction, tangential_share, severity, crush } =
-            *self;
-        let speeds = match speeds {
+        let Self { vehicles, speeds, crush_plane, restitution, friction, tangential_share, observed } = self;
+        let speeds = match *speeds {
             Speeds::Each(speeds) => Speeds::Each(speeds.map(&mut place)),
             Speeds::Together { ln_relative, split } => {
                 Speeds::Together { ln_relative: place(ln_relative), split: place(split) }
             }
         };
-        let restitution = match restitution {
+        let restitution = match *restitution {
             Restitution::Constant(e) => Restitution::Constant(place(e)),
             Restitution::ByClosingSpeed { low, rise, fade, factor, most } => {
                 Restitution::ByClosingSpeed { low, rise, fade, factor: place(factor), most }
             }
         };
         let (crush_plane, friction, tangential_share) =
-            (place(crush_plane), place(friction), place(tangential_share));
+            (place(*crush_plane), place(*friction), place(*tangential_share));
         let vehicles = vehicles.map(|vehicle| {
-            let Vehicle { body, heading, contact, yaw_rate, crush, pdof, after, recorder, limits } = vehicle;
+            let Vehicle { body, heading, contact, yaw_rate, crush } = vehicle;
             Vehicle {
                 body: body.map(|BodyNumbers { mass, yaw_radius }| BodyNumbers {
                     mass: place(mass),
@@ -377,12 +436,9 @@ impl Collision {
                     slope: place(slope),
                     no_damage_speed: place(no_damage_speed),
                 }),
-                pdof,
-                after,
-                recorder,
-                limits,
             }
         });
-        Collision { vehicles, speeds, crush_plane, restitution, friction, tangential_share, severity, crush }
+        let observed = observed.clone();
+        Collision { vehicles, speeds, crush_plane, restitution, friction, tangential_share, observed }
     }
 }

@@ -2,13 +2,14 @@
 
 use std::f64::consts::PI;
 
-use estimate::Evidence;
+use estimate::{Evidence, Independent};
 use evidence::{
-    After, BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Freedom, Limits, Measured, Model, Number,
-    Piece, RecordedDeltaV, Recorder, Restitution, Severity, Speeds, Vehicle,
+    After, BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Freedom, Impacted, Impacts, Limits, Measured, MeasuredRest, Model, Number, Observed, ObservedVehicle,
+    Piece, RecordedDeltaV, Recorder, Restitution, Severity, Speeds, Vehicle, Way,
 };
+use pim_core::Vector2;
 use pim_core::VehicleId::{One, Two};
-use uncertainty::LANES;
+use uncertainty::{LANES, Lanes};
 
 pub(crate) fn vehicle(mass: f64, ahead: f64) -> Vehicle {
     Vehicle {
@@ -17,10 +18,6 @@ pub(crate) fn vehicle(mass: f64, ahead: f64) -> Vehicle {
         contact: [ahead.into(), 0.0.into()],
         yaw_rate: 0.0.into(),
         crush: None,
-        pdof: None,
-        after: After::default(),
-        recorder: Recorder::default(),
-        limits: Limits::default(),
     }
 }
 
@@ -36,8 +33,7 @@ pub(crate) fn rear_end() -> Collision {
         restitution: Restitution::Constant(0.1.into()),
         friction: 0.7.into(),
         tangential_share: 0.5.into(),
-        severity: None,
-        crush: None,
+        observed: Observed::default(),
     }
 }
 
@@ -72,7 +68,7 @@ fn the_crush_energy_is_that_of_the_normal_work() {
     };
     collision.vehicles[0].crush = Some(crush(1.0, 1.0));
     collision.vehicles[1].crush = Some(crush(1.1, 0.9));
-    collision.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 });
+    collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 });
     let [(Piece::Crush, term)] = terms(&collision)[..] else { panic!() };
     let energy = 45e3 + 8.1e3 + 19.8e3 + 18.15e3;
     close(term, normal(((energy / 66_825.0_f64).ln() + 0.2) / 0.4, 0.4));
@@ -81,7 +77,7 @@ fn the_crush_energy_is_that_of_the_normal_work() {
 #[test]
 fn velocities_after_the_impact_have_normal_errors() {
     let mut collision = rear_end();
-    collision.vehicles[1].after = After {
+    collision.observed.vehicles[1].after = After {
         speed: Some(Measured { value: 11.0, sd: 0.12 }),
         direction: Some(Measured { value: 2.0 * PI - 0.1, sd: 0.14 }),
         yaw_rate: Some(Measured { value: 0.3, sd: 0.2 }),
@@ -99,10 +95,10 @@ fn a_recorder_and_a_pdof_have_heavy_tails() {
     let mut collision = rear_end();
     let (ln_scale, freedom) = (0.16, Freedom::Three);
     let delta_v = Some(RecordedDeltaV { size: 6.0, is_longitudinal: true, ln_scale, freedom });
-    collision.vehicles[0].recorder = Recorder { delta_v, speed: Some(Measured { value: 16.0, sd: 0.05 }) };
-    collision.vehicles[0].pdof = Some(CodedPdof { pdof: 0.2, scale: 0.1 });
+    collision.observed.vehicles[0].recorder = Recorder { delta_v, speed: Some(Measured { value: 16.0, sd: 0.05 }), yaw_rate: None };
+    collision.observed.vehicles[0].pdof = Some(CodedPdof { pdof: 0.2, scale: 0.1 });
     // The wider of two PDOFs does not count: both are one observation.
-    collision.vehicles[1].pdof = Some(CodedPdof { pdof: PI, scale: 0.15 });
+    collision.observed.vehicles[1].pdof = Some(CodedPdof { pdof: PI, scale: 0.15 });
     let terms = terms(&collision);
     let pieces: Vec<Piece> = terms.iter().map(|(piece, _)| *piece).collect();
     assert_eq!(pieces, [Piece::Pdof(One), Piece::RecordedDeltaV(One), Piece::RecordedSpeed(One)]);
@@ -122,7 +118,7 @@ fn limits_hold() {
         (Limits { least: 0.0, most: 14.5 }, f64::NEG_INFINITY),
     ] {
         let mut collision = rear_end();
-        collision.vehicles[0].limits = limits;
+        collision.observed.vehicles[0].limits = limits;
         assert_eq!(terms(&collision), [(Piece::Limits(One), term)]);
     }
 }
@@ -130,7 +126,7 @@ fn limits_hold() {
 #[test]
 fn severity_is_that_of_the_mean_delta_v() {
     let mut collision = rear_end();
-    collision.severity = Some(Severity { median: 7.0, ln_sd: 0.5, speed: 25.0 });
+    collision.observed.severity = Some(Severity { median: 7.0, ln_sd: 0.5, speed: 25.0 });
     let z = ((6.6_f64 * 9.9).sqrt() / 7.0).ln() / 0.5;
     assert_eq!(terms(&collision).len(), 1);
     close(terms(&collision)[0].1, normal(z, 0.5) - 0.5 * (15.0_f64 / 25.0).powi(2));
@@ -143,7 +139,7 @@ fn restitution_falls_with_the_closing_speed() {
     collision.restitution =
         Restitution::ByClosingSpeed { low: 0.08, rise: 0.32, fade: 5.0, factor, most: 0.7 };
     let e = 0.5 * (0.08 + 0.32 * (-3.0_f64).exp());
-    collision.vehicles[0].after.speed = Some(Measured { value: 9.0 - 6.0 * e, sd: 0.01 });
+    collision.observed.vehicles[0].after.speed = Some(Measured { value: 9.0 - 6.0 * e, sd: 0.01 });
     // V₁ = (m₁ − e m₂) v/(m₁ + m₂)
     close(terms(&collision)[0].1, normal(0.0, 0.01));
 }
@@ -159,7 +155,7 @@ fn together_the_speeds_have_their_relative_speed_and_split() {
         split: Number::Exact((12.0_f64 / 5.0).atan()),
     };
     for (k, speed) in [(0, 5.0), (1, 12.0)] {
-        collision.vehicles[k].recorder.speed = Some(Measured { value: speed, sd: 0.01 });
+        collision.observed.vehicles[k].recorder.speed = Some(Measured { value: speed, sd: 0.01 });
     }
     for (_, term) in terms(&collision) {
         close(term, normal(0.0, 0.01));
@@ -174,4 +170,64 @@ fn vehicles_that_do_not_meet_have_no_impact() {
     let mut reasons = [0; LANES];
     model.log_likelihood(&[], &mut [], &mut reasons);
     assert_eq!(reasons, [1; LANES]);
+}
+
+/// The impact of a collision, with ways that are given.
+struct Followed {
+    model: Model,
+    ways: [Option<Way>; 2],
+}
+
+impl Impacts for Followed {
+    fn unknown(&self) -> &Independent {
+        self.model.leads().unknown()
+    }
+
+    fn impacts(&self, values: &[Lanes]) -> [Impacted; LANES] {
+        self.model.leads().impacts(values).map(|impacted| Impacted { ways: self.ways.clone(), ..impacted })
+    }
+}
+
+#[test]
+fn rests_and_points_have_normal_errors() {
+    let way = Way { position: Vector2::new(10.0, 3.0), heading: 7.0, misses: vec![0.4, -0.1] };
+    let rest = |heading, turns_are_known| MeasuredRest {
+        position: Vector2::new(11.0, 2.5),
+        position_sd: 0.8,
+        heading,
+        turns_are_known,
+        heading_sd: 0.3,
+    };
+    // x − x̂ = 1 m, y − ŷ = −0.5 m, and 0.2 rad with and without the full turn.
+    let place = normal(1.0 / 0.8, 0.8) + normal(-0.5 / 0.8, 0.8);
+    for (heading, turns_are_known, turned) in [(7.2, true, 0.2), (7.2 - 2.0 * PI, false, 0.2), (0.5, true, -6.5)] {
+        let observed = Observed {
+            vehicles: [
+                ObservedVehicle::default(),
+                ObservedVehicle {
+                    rest: Some(rest(heading, turns_are_known)),
+                    points: vec![0.5, 0.25],
+                    ..ObservedVehicle::default()
+                },
+            ],
+            ..Observed::default()
+        };
+        let followed = Followed { model: Model::new(&rear_end()), ways: [None, Some(way.clone())] };
+        let model = Model::of(followed, observed);
+        assert_eq!(model.pieces(), [Piece::Rest(Two), Piece::Points(Two)]);
+        let mut terms = [[0.0; LANES]; 2];
+        model.log_likelihood(&[], &mut terms, &mut [0; LANES]);
+        let expected = [place + normal(turned / 0.3, 0.3), normal(0.4 / 0.5, 0.5) + normal(0.1 / 0.25, 0.25)];
+        for (column, expected) in terms.iter().zip(expected) {
+            assert!((column[3] - expected).abs() < 1e-9, "{} {expected}", column[3]);
+        }
+    }
+}
+
+#[test]
+fn a_recorded_yaw_rate_is_that_after_the_impact() {
+    let mut collision = rear_end();
+    // A central impact turns nothing.
+    collision.observed.vehicles[1].recorder.yaw_rate = Some(Measured { value: 0.3, sd: 0.2 });
+    assert_eq!(terms(&collision), [(Piece::RecordedYawRate(Two), normal(0.3 / 0.2, 0.2))]);
 }

@@ -36,8 +36,8 @@ fn both_speeds_are_those_of_a_grid() {
     };
     collision.vehicles[0].crush = Some(crush(30e3));
     collision.vehicles[1].crush = Some(crush(40e3));
-    collision.crush = Some(CrushMisfit { bias: 0.1, ln_sd: 0.3 });
-    collision.vehicles[1].after.speed = Some(Measured { value: 11.0, sd: 0.1 });
+    collision.observed.crush = Some(CrushMisfit { bias: 0.1, ln_sd: 0.3 });
+    collision.observed.vehicles[1].after.speed = Some(Measured { value: 11.0, sd: 0.1 });
 
     let mut marginals: [Vec<(f64, f64)>; 2] = [Vec::new(), Vec::new()];
     let steps = 600;
@@ -87,7 +87,7 @@ fn both_speeds_are_those_of_a_grid() {
 fn outputs_are_those_of_one_impact() {
     let mut collision = rear_end();
     collision.speeds = Speeds::Each([Number::Unknown(Distribution::uniform(5.0, 25.0).unwrap()), 0.0.into()]);
-    collision.vehicles[0].pdof = Some(CodedPdof { pdof: 0.0, scale: 0.1 });
+    collision.observed.vehicles[0].pdof = Some(CodedPdof { pdof: 0.0, scale: 0.1 });
     let model = Model::new(&collision);
     let posterior = sample_quietly(&model, &model, &Settings::new(128, 3)).unwrap();
     let column = |output: Output| &posterior.outputs()[output.column()];

@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use evidence::{
-    After, BodyNumbers, CodedPdof, Collision, Damage, Fitted, Limits, Number, RecordedDeltaV, Recorder,
-    Restitution, Severity, Speeds, Vehicle as Subject,
+    BodyNumbers, CodedPdof, Collision, Damage, Fitted, Number, Observed, ObservedVehicle, RecordedDeltaV,
+    Recorder, Restitution, Severity, Speeds, Vehicle as Subject,
 };
 use pim_core::VehicleId;
 use real::Real;
@@ -153,8 +153,6 @@ impl Pair {
             } else {
                 [ahead.into(), normal(left, fitted.contact_sd)?]
             };
-            let recorded = vehicle.truth().filter(|_| given == Some(id));
-            let side_factor = if vehicle.plane.is_side() { fitted.pdof_side_factor } else { 1.0 };
             Ok::<_, InvalidDistribution>(Subject {
                 body: Some(BodyNumbers {
                     mass: Distribution::log_normal(shape.mass, fitted.mass_ln_sd)?.into(),
@@ -164,8 +162,14 @@ impl Pair {
                 contact,
                 yaw_rate: 0.0.into(),
                 crush: Some(crush),
+            })
+        };
+        let observed = |id: VehicleId| {
+            let vehicle = &self.vehicles[id.index()];
+            let recorded = vehicle.truth().filter(|_| given == Some(id));
+            let side_factor = if vehicle.plane.is_side() { fitted.pdof_side_factor } else { 1.0 };
+            ObservedVehicle {
                 pdof: Some(CodedPdof { pdof: vehicle.pdof, scale: fitted.pdof_scale * side_factor }),
-                after: After::default(),
                 recorder: Recorder {
                     delta_v: recorded.map(|truth| RecordedDeltaV {
                         size: truth.delta_v,
@@ -173,10 +177,10 @@ impl Pair {
                         ln_scale: fitted.recorder_ln_scale,
                         freedom: fitted.recorder_freedom,
                     }),
-                    speed: None,
+                    ..Recorder::default()
                 },
-                limits: Limits::default(),
-            })
+                ..ObservedVehicle::default()
+            }
         };
         let is_front = |vehicle: &Vehicle| vehicle.plane == Plane::Front;
         let fronts = if self.vehicles.iter().all(is_front) { fitted.front_to_front } else { 1.0 };
@@ -199,8 +203,11 @@ impl Pair {
             },
             friction: Distribution::log_normal(friction, friction_ln_sd)?.into(),
             tangential_share: Distribution::truncated_normal(mean, sd, 0.0, 1.0)?.into(),
-            severity: Some(Severity { median: fitted.severity.median * fronts, ..fitted.severity }),
-            crush: Some(fitted.crush),
+            observed: Observed {
+                vehicles: VehicleId::ALL.map(observed),
+                severity: Some(Severity { median: fitted.severity.median * fronts, ..fitted.severity }),
+                crush: Some(fitted.crush),
+            },
         })
     }
 }

@@ -91,9 +91,9 @@ fn the_collision_has_the_geometry_of_the_damage() {
     // A₀ C̄ L with C̄ = (20/2 + 22 + 24 + 26 + 28 + 30/2)/5 = 25 cm
     assert!((front.linear - 1000.0 * 2.50 * 27.7 * 0.25 * 1.5).abs() < 1e-6);
     // The recorder is no evidence, unless it is given.
-    assert!(one.recorder.delta_v.is_none());
+    assert!(collision.observed.vehicles[0].recorder.delta_v.is_none());
     let given = pair.collision(&FITTED, Some(VehicleId::One)).unwrap();
-    assert!((given.vehicles[0].recorder.delta_v.unwrap().size - 25.0 / 3.6).abs() < 1e-12);
+    assert!((given.observed.vehicles[0].recorder.delta_v.unwrap().size - 25.0 / 3.6).abs() < 1e-12);
     assert_eq!(Model::new(&collision).terms_count() + 1, Model::new(&given).terms_count());
 }
 
