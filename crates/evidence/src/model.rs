@@ -239,7 +239,8 @@ impl<I: Impacts> Model<I> {
             },
             Piece::Rest(id) => match (vehicle(id).rest, &impacted.ways[id.index()]) {
                 (Some(measured), Some(way)) => {
-                    let MeasuredRest { position, position_sd, heading, turns_are_known, heading_sd } = measured;
+                    let MeasuredRest { position, position_sd, heading, turns_are_known, heading_sd } =
+                        measured;
                     let apart = position - way.position;
                     let turned = heading - way.heading;
                     let turned = if turns_are_known { turned } else { principal_angle(turned) };

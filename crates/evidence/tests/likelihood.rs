@@ -4,8 +4,9 @@ use std::f64::consts::PI;
 
 use estimate::{Evidence, Independent};
 use evidence::{
-    After, BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Freedom, Impacted, Impacts, Limits, Measured, MeasuredRest, Model, Number, Observed, ObservedVehicle,
-    Piece, RecordedDeltaV, Recorder, Restitution, Severity, Speeds, Vehicle, Way,
+    After, BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Freedom, Impacted, Impacts, Limits,
+    Measured, MeasuredRest, Model, Number, Observed, ObservedVehicle, Piece, RecordedDeltaV, Recorder,
+    Restitution, Severity, Speeds, Vehicle, Way,
 };
 use pim_core::Vector2;
 use pim_core::VehicleId::{One, Two};
@@ -95,7 +96,8 @@ fn a_recorder_and_a_pdof_have_heavy_tails() {
     let mut collision = rear_end();
     let (ln_scale, freedom) = (0.16, Freedom::Three);
     let delta_v = Some(RecordedDeltaV { size: 6.0, is_longitudinal: true, ln_scale, freedom });
-    collision.observed.vehicles[0].recorder = Recorder { delta_v, speed: Some(Measured { value: 16.0, sd: 0.05 }), yaw_rate: None };
+    collision.observed.vehicles[0].recorder =
+        Recorder { delta_v, speed: Some(Measured { value: 16.0, sd: 0.05 }), yaw_rate: None };
     collision.observed.vehicles[0].pdof = Some(CodedPdof { pdof: 0.2, scale: 0.1 });
     // The wider of two PDOFs does not count: both are one observation.
     collision.observed.vehicles[1].pdof = Some(CodedPdof { pdof: PI, scale: 0.15 });
@@ -200,7 +202,9 @@ fn rests_and_points_have_normal_errors() {
     };
     // x − x̂ = 1 m, y − ŷ = −0.5 m, and 0.2 rad with and without the full turn.
     let place = normal(1.0 / 0.8, 0.8) + normal(-0.5 / 0.8, 0.8);
-    for (heading, turns_are_known, turned) in [(7.2, true, 0.2), (7.2 - 2.0 * PI, false, 0.2), (0.5, true, -6.5)] {
+    for (heading, turns_are_known, turned) in
+        [(7.2, true, 0.2), (7.2 - 2.0 * PI, false, 0.2), (0.5, true, -6.5)]
+    {
         let observed = Observed {
             vehicles: [
                 ObservedVehicle::default(),
