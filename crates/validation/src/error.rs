@@ -1,12 +1,13 @@
 //! Why there is no validation: faults of the data, never of a comparison.
 
-use analysis::Failure;
 use case::Diagnostics;
 use crash3::CrushError;
+use estimate::Failure;
 use pim_core::{InvalidInput, VehicleId};
 use reconcile::{MomentumError, ReconcileError};
 use thiserror::Error;
 use trajectory::{NoRest, Unreached};
+use uncertainty::InvalidDistribution;
 
 /// The data are not such that they can be compared. The program's own are.
 #[derive(Debug, Error)]
@@ -55,7 +56,7 @@ pub enum ValidationError {
     Case(#[from] Diagnostics),
     /// A case has no answer.
     #[error(transparent)]
-    Analysis(#[from] Failure),
+    Analysis(#[from] analysis::Failure),
     /// No speed reconciles crush and impact.
     #[error("test {test}: {source}")]
     Reconcile {
@@ -94,6 +95,22 @@ pub enum ValidationError {
         vehicle: VehicleId,
         /// Why.
         source: Unreached,
+    },
+    /// An error of what is known makes no distribution.
+    #[error("test {test}: {source}")]
+    Prior {
+        /// Of which.
+        test: u8,
+        /// Why.
+        source: InvalidDistribution,
+    },
+    /// There are no draws of the posterior.
+    #[error("test {test}: {source}")]
+    Estimate {
+        /// Of which.
+        test: u8,
+        /// Why.
+        source: Box<Failure>,
     },
     /// Momentum does not give both speeds.
     #[error("test {test}: {source}")]

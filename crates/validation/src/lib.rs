@@ -25,14 +25,15 @@
 //!
 //! # What it does not do
 //!
-//! It adds no equation of mechanics: every result comes from `analysis`, `crash3`, `pim-core`, `reconcile`
-//! and `trajectory`. It writes no text (`report`).
+//! It adds no equation of mechanics: every result comes from `analysis`, `crash3`, `evidence`, `pim-core`,
+//! `reconcile` and `trajectory`. It writes no text (`report`).
 
 mod appendix;
 mod both_speeds;
 mod claim;
 mod data;
 mod error;
+mod judged;
 mod motion;
 mod published;
 mod reconstruction;
@@ -47,6 +48,7 @@ pub use both_speeds::{BothSpeedErrors, BothSpeedsRow, Evidence, FromRestRow, Res
 pub use claim::{Cell, Claim, Erratum};
 pub use data::Data;
 pub use error::ValidationError;
+pub use judged::{AfterImpact, JudgedSpeed, JudgedTest, Judgement, judge_speeds};
 pub use motion::{FoundStart, MotionRow, ReturnRow, Simulation};
 pub use published::{DEGREE, FOOT_PER_SECOND, FOOT_POUND, Unit};
 pub use reconstruction::{Choices, Reconstruction, SpeedErrors, TurnedPdof};

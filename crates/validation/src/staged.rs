@@ -4,7 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use analysis::{Analysis, Impact};
 use case::CaseFile;
-use crash3::{CrushError, EnergyBasis, Side, StruckVehicle};
+use crash3::{CrushError, EnergyBasis, Profile, Side, SideStiffness, StruckVehicle};
+use evidence::Crush;
 use pim_core::{Law, Tangential};
 use reconcile::{Problem, Unknown};
 
@@ -78,6 +79,38 @@ impl Staged {
     /// The impact at the true speeds.
     pub(crate) fn collision(&self) -> Result<&Impact, ValidationError> {
         self.analysis.impact.as_ref().ok_or_else(|| self.incomplete("impact"))
+    }
+
+    /// (m/s) true speeds along the headings.
+    pub(crate) fn true_speeds(&self) -> Result<[f64; 2], ValidationError> {
+        let outcome = &self.collision()?.outcome;
+        Ok([0, 1].map(|i| outcome.before[i].velocity.dot(&outcome.forward[i])))
+    }
+
+    /// Whether both vehicles were hit at their fronts.
+    pub(crate) fn are_fronts(&self) -> Result<bool, ValidationError> {
+        Ok(self.struck()?.iter().all(|vehicle| vehicle.side == Side::Front))
+    }
+
+    /// The crush of both vehicles as their profiles and the stiffness of the case have it.
+    pub(crate) fn crushes(&self) -> Result<[Crush; 2], ValidationError> {
+        let crush = |i: usize| {
+            let damage = self.analysis.vehicles[i].damage.as_ref().ok_or_else(|| self.incomplete("crush"))?;
+            let SideStiffness::Uniform(stiffness) = &damage.structure else {
+                return Err(self.incomplete("one stiffness of a side"));
+            };
+            let sums =
+                Profile::equally_spaced(damage.depths.clone(), damage.width).map_err(self.crushed())?.sums();
+            // E = G L + A S₁ + B S₂
+            Ok(Crush {
+                constant: stiffness.g() * sums.width,
+                linear: stiffness.a() * sums.area,
+                square: stiffness.b() * sums.second_moment,
+                slope: 1.0.into(),
+                no_damage_speed: 1.0.into(),
+            })
+        };
+        Ok([crush(0)?, crush(1)?])
     }
 
     fn struck(&self) -> Result<[Struck; 2], ValidationError> {

@@ -2,5 +2,6 @@
 
 mod after_impact;
 mod claims;
+mod judged;
 mod momentum;
 mod tangential_share;
