@@ -1,6 +1,11 @@
 //! The posterior of a collision against independent calculations.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "helpers of tests fail by panicking, slow tests print"
+)]
 #![allow(
     clippy::disallowed_methods,
     reason = "expected values by other functions than the crate's; no bits are compared"
@@ -8,3 +13,4 @@
 
 mod likelihood;
 mod posterior;
+mod reference;
