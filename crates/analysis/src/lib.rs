@@ -39,6 +39,7 @@ mod checks;
 mod compare;
 mod curve;
 mod damage;
+mod estimate;
 mod evidence;
 mod goal;
 mod judgement;
@@ -51,12 +52,16 @@ mod uncertainty;
 mod usual;
 mod warning;
 
+pub use self::estimate::{
+    Assumed, EstimateOutput, EstimatePlan, EstimateStage, Estimated, EstimatedOutput, Impossible, PieceFound,
+    SameTwice, UnknownNumber, Unused, UnusedReason, estimate,
+};
+pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
 pub use both::{BothFound, BothMethod};
 pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, first_push, work_curve};
 pub use damage::{Correction, Crash3, Damage, EnergyAlone, Inferred, Oblique};
-pub use evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
 pub use judgement::{Ability, Assumption, AxleMeasure, Judgement, assumptions, judge, nearest_class};
 pub use quantities::{Kind, Of, OutputQuantity, QUANTITIES, Values, quantity};
 pub use seen::{Seen, SeenWarning};
@@ -325,6 +330,12 @@ pub enum Failure {
         /// Why.
         reason: Unreached,
     },
+    /// The evidence excludes every collision.
+    #[error("{0}")]
+    Excluded(Box<Impossible>),
+    /// The estimate has no draws.
+    #[error(transparent)]
+    Estimate(::estimate::Failure),
     /// Nothing is uncertain, or the requested samples make no sense.
     #[error(transparent)]
     Ranges(#[from] ::uncertainty::InvalidRequest),

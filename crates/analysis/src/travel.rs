@@ -208,7 +208,12 @@ impl Scene<'_> {
     }
 
     /// How the way of a vehicle that leaves the impact with the motion `start` passes its points.
-    fn passes(&self, vehicle: VehicleId, way: &VehicleMotion, start: Motion) -> Result<Vec<Pass>, Failure> {
+    pub(crate) fn passes(
+        &self,
+        vehicle: VehicleId,
+        way: &VehicleMotion,
+        start: Motion,
+    ) -> Result<Vec<Pass>, Failure> {
         if way.points.is_empty() {
             return Ok(Vec::new());
         }

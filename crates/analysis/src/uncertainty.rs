@@ -221,7 +221,12 @@ impl Reason {
                 MomentumError::Impact(error) | MomentumError::Inadmissible { reason: error, .. },
             ) => Self::of_impact(error),
             Failure::Momentum(_) => Self::NoSpeeds,
-            Failure::Reconcile(_) | Failure::Case(_) | Failure::Crush(_) | Failure::Ranges(_) => Self::Other,
+            Failure::Reconcile(_)
+            | Failure::Case(_)
+            | Failure::Crush(_)
+            | Failure::Ranges(_)
+            | Failure::Excluded(_)
+            | Failure::Estimate(_) => Self::Other,
         }
     }
 
@@ -680,7 +685,7 @@ impl Model for Sample<'_> {
 
 /// (rad) the same direction within half a turn of another.
 #[inline(always)]
-fn beside(angle: f64, other: f64) -> f64 {
+pub(crate) fn beside(angle: f64, other: f64) -> f64 {
     if angle - other > PI {
         angle - TAU
     } else if angle - other < -PI {

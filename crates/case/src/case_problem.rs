@@ -412,8 +412,12 @@ impl CaseProblem {
                 "replace sd with within = \"{text}\" and confidence, the probability that the value lies within that percentage: \
                  for example 0.95, or 0.683 for one standard deviation"
             ),
-            Self::NotPercent { .. } => {
+            Self::NotPercent { path, .. } if path.ends_with("within\"") => {
                 "write a number and a percent sign, as in within = \"10 %\"; for a deviation with a unit, write sd = …".to_owned()
+            }
+            Self::NotPercent { path, .. } => {
+                let key = path.trim_matches('"').rsplit('.').next().unwrap_or_default();
+                format!("write a number and a percent sign, as in {key} = \"10 %\"")
             }
             Self::Fault { help, .. } => return help.clone(),
         };

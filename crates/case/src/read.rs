@@ -3,6 +3,7 @@
 mod after;
 mod impact;
 mod range;
+mod recorder;
 mod scene;
 mod tree;
 mod uncertainty;
@@ -17,7 +18,7 @@ use crate::other_files;
 use crate::program::Program;
 use crate::quantity::shorten;
 use crate::schema::{
-    ENERGY_BASIS, IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, SURFACE, TOP, UNCERTAINTY,
+    ENERGY_BASIS, ESTIMATE, IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, SURFACE, TOP, UNCERTAINTY,
 };
 use crate::source::{Source, Spans};
 use inputs::{
@@ -144,6 +145,8 @@ impl<'t> Reader<'t> {
         let impact = self.child(&top, "impact", &IMPACT).map(|table| self.impact(&table));
         let reconstruct = self.child(&top, "reconstruct", &RECONSTRUCT).map(|table| self.reconstruct(&table));
 
+        let estimate = self.child(&top, "estimate", &ESTIMATE).map(|table| self.estimate(&table));
+
         let vehicles = [first?, second?];
         let find = reconstruct.flatten().map(|reconstruct| reconstruct.find);
         for fault in contradictions(&vehicles, find) {
@@ -173,6 +176,7 @@ impl<'t> Reader<'t> {
             vehicles,
             impact,
             reconstruct,
+            estimate,
             ranges: Vec::new(),
             departures: Departures::default(),
             uncertainty: GivenUncertainty::default(),

@@ -4,7 +4,7 @@ use crate::nearest::join;
 use crate::units::read_unit;
 use inputs::{
     Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, EdgeSide, Fit, Kind, LawName,
-    OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED, UNKNOWNS, WheelDrag, words_of,
+    OBLIQUE_CORRECTIONS, Prior, SIDES, UNDAMAGED, UNKNOWNS, WheelDrag, words_of,
 };
 
 /// The largest number of stations: far more than any scan of a vehicle gives.
@@ -220,6 +220,7 @@ pub(crate) static TOP: Schema = Schema {
         key("vehicle2", "[vehicle2]", Form::Vehicle, "Second vehicle, or a fixed object."),
         table("impact", "[impact]", &IMPACT),
         table("reconstruct", "[reconstruct]", &RECONSTRUCT),
+        table("estimate", "[estimate]", &ESTIMATE),
         table("uncertainty", "[uncertainty]", &UNCERTAINTY),
     ],
     rules: &[Rule::Needs(&["vehicle1"])],
@@ -539,6 +540,12 @@ pub(crate) static VEHICLE: Schema = Schema {
         ),
         table("before", "[vehicle1.before]", &BEFORE),
         table("after", "[vehicle1.after]", &AFTER),
+        table("recorder", "[vehicle1.recorder]", &RECORDER),
+        table(
+            "certain_speed",
+            "certain_speed = { at_least = \"0 km/h\", at_most = \"60 km/h\" }",
+            &CERTAIN_SPEED,
+        ),
     ],
     rules: &[
         Rule::NeverIf(True("fixed"), &NEVER_FIXED),
@@ -554,7 +561,7 @@ pub(crate) static VEHICLE: Schema = Schema {
 };
 
 /// What moves or is damaged, and a fixed object is neither.
-pub(crate) static NEVER_FIXED: [&str; 15] = [
+pub(crate) static NEVER_FIXED: [&str; 17] = [
     "kind",
     "mass",
     "weight",
@@ -570,7 +577,99 @@ pub(crate) static NEVER_FIXED: [&str; 15] = [
     "crush",
     "before",
     "after",
+    "recorder",
+    "certain_speed",
 ];
+
+pub(crate) static RECORDER: Schema = Schema {
+    place: "[vehicle1.recorder] or [vehicle2.recorder]",
+    text: "What the event data recorder of the vehicle stored. `deltav estimate` holds it against the impact; no other command uses it.",
+    keys: &[
+        key(
+            "delta_v_longitudinal",
+            "delta_v_longitudinal = \"-24 km/h\"",
+            Form::Exact(Dimension::Speed, ANY),
+            "Largest ΔV along the vehicle. Negative where the vehicle was slowed down.",
+        ),
+        key(
+            "delta_v_lateral",
+            "delta_v_lateral = \"7 km/h\"",
+            Form::Exact(Dimension::Speed, ANY),
+            "Largest ΔV across the vehicle. Positive to the left, or to the right with `axes = \"z-down\"`. Only its size is used.",
+        ),
+        key(
+            "delta_v_error",
+            "delta_v_error = \"8 %\"",
+            Form::Percent,
+            "Error of the recorded ΔV, as a standard deviation in per cent. 8 % if left out.",
+        ),
+        key(
+            "speed",
+            "speed = \"55 km/h\"",
+            Form::Exact(Dimension::Speed, POSITIVE),
+            "Speed just before the impact.",
+        ),
+        key(
+            "speed_error",
+            "speed_error = \"4 %\"",
+            Form::Percent,
+            "Error of the recorded speed, as a standard deviation in per cent. 4 % if left out; wheels that lock or spin make it larger.",
+        ),
+        key(
+            "yaw_rate",
+            "yaw_rate = \"90 deg/s\"",
+            Form::Exact(Dimension::YawRate, ANY),
+            "Yaw rate just after the impact. Positive counter-clockwise, seen from above, or clockwise with `axes = \"z-down\"`.",
+        ),
+    ],
+    rules: &[Rule::NeedsIf(&[Has("delta_v_lateral")], &["delta_v_longitudinal"])],
+};
+
+pub(crate) static CERTAIN_SPEED: Schema = Schema {
+    place: "certain_speed = { … } of a vehicle",
+    text: "What is certain of the speed before the impact. `deltav estimate` excludes every other speed.",
+    keys: &[
+        key(
+            "at_least",
+            "at_least = \"0 km/h\"",
+            Form::Exact(Dimension::Speed, ANY),
+            "The vehicle was not slower.",
+        ),
+        key(
+            "at_most",
+            "at_most = \"60 km/h\"",
+            Form::Exact(Dimension::Speed, ANY),
+            "The vehicle was not faster.",
+        ),
+    ],
+    rules: &[Rule::OneOf(&[form(&["at_least"], &["at_most"]), form(&["at_most"], &[])])],
+};
+
+pub(crate) static ESTIMATE: Schema = Schema {
+    place: "[estimate]",
+    text: "What `deltav estimate` assumes before it looks at the evidence. Every key has a default that was fitted on real crashes.",
+    keys: &[
+        key(
+            "prior",
+            "prior = \"field\"",
+            Form::Words(&words_of(&Prior::WORDS)),
+            "How severe the collision may have been. `\"field\"` (the default): as collisions of which a vehicle was towed; `\"flat\"`: every speed is as likely as any other.",
+        ),
+        key(
+            "delta_v_median",
+            "delta_v_median = \"26 km/h\"",
+            Form::Exact(Dimension::Speed, POSITIVE),
+            "Median ΔV before the evidence. Half of such collisions are less severe: it is that of the geometric mean of both ΔV.",
+        ),
+        key(
+            "crush_error",
+            "crush_error = \"40 %\"",
+            Form::Percent,
+            "Error of crush energies. How far that of both vehicles may be from what the impact took, as a standard deviation in per cent.",
+        ),
+    ],
+    rules: &[],
+};
 
 pub(crate) static BEFORE: Schema = Schema {
     place: "[vehicle1.before] or [vehicle2.before]",
@@ -1309,7 +1408,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
 };
 
-static ALL: [&Schema; 17] = [
+static ALL: [&Schema; 20] = [
     &TOP,
     &REPORT,
     &SCENE,
@@ -1327,6 +1426,9 @@ static ALL: [&Schema; 17] = [
     &SURFACE,
     &BEFORE,
     &AFTER,
+    &RECORDER,
+    &CERTAIN_SPEED,
+    &ESTIMATE,
 ];
 
 /// The path of every key of a case file, tables included: `scene`, `scene.axes`, `vehicle1`, …,

@@ -20,7 +20,7 @@ use case::{
 };
 use crash3::ObliqueCorrection;
 use crash3::Side;
-use inputs::{Basis, BrachTangential, Fault, FaultKind};
+use inputs::{Basis, BrachTangential, CertainSpeed, Fault, FaultKind, GivenEstimate, Prior, Recorder};
 use pim_core::{Law, Tangential};
 use proptest::collection::vec;
 use proptest::option;
@@ -207,6 +207,8 @@ fn the_other_forms_are_read() {
         }),
         before: None,
         after: None,
+        recorder: None,
+        certain_speed: None,
     };
     let wall = GivenVehicle { fixed: true, heading: Some(angle("90 deg")), ..GivenVehicle::default() };
     let expected = Case {
@@ -1397,6 +1399,46 @@ fn any_after() -> impl Strategy<Value = After> {
     )
 }
 
+fn any_recorder() -> impl Strategy<Value = Recorder> {
+    let speed = || option::of(any_quantity(Dimension::Speed, Signs::Any));
+    let error = || option::of(1e-3..1e3_f64);
+    let delta_v = (speed(), speed(), error());
+    let of_speed = (option::of(any_quantity(Dimension::Speed, Signs::Positive)), error());
+    let yaw_rate = option::of(any_quantity(Dimension::YawRate, Signs::Any));
+    (delta_v, of_speed, yaw_rate).prop_map(
+        |((along, across, delta_v_error), (speed, speed_error), yaw_rate)| {
+            // One part across the vehicle has one along it.
+            let delta_v_lateral = across.filter(|_| along.is_some());
+            Recorder {
+                delta_v_longitudinal: along,
+                delta_v_lateral,
+                delta_v_error,
+                speed,
+                speed_error,
+                yaw_rate,
+            }
+        },
+    )
+}
+
+fn any_certain_speed() -> impl Strategy<Value = CertainSpeed> {
+    let speed = || option::of(any_quantity(Dimension::Speed, Signs::Any));
+    (speed(), speed()).prop_filter_map("a limit, and the lower one first", |(at_least, at_most)| {
+        match (&at_least, &at_most) {
+            (None, None) => None,
+            (Some(low), Some(high)) if low.si() >= high.si() => None,
+            _ => Some(CertainSpeed { at_least, at_most }),
+        }
+    })
+}
+
+fn any_estimate() -> impl Strategy<Value = GivenEstimate> {
+    let median = option::of(any_quantity(Dimension::Speed, Signs::Positive));
+    let prior = select(Prior::WORDS.map(|(_, prior)| prior).to_vec());
+    (prior, median, option::of(1e-3..1e3_f64))
+        .prop_map(|(prior, delta_v_median, crush_error)| GivenEstimate { prior, delta_v_median, crush_error })
+}
+
 fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
     use Signs::{Any, NotNegative, Positive};
     let length = |range| any_quantity(Dimension::Length, range);
@@ -1423,6 +1465,7 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
     let kind = option::of(select(Kind::WORDS.map(|(_, kind)| kind).to_vec()));
     let typical = (kind, option::of(1..=6_u8), [(); 4].map(|()| option::of(length(Positive))));
     let moving = (option::of(any_before()), option::of(any_after().boxed()));
+    let told = (option::of(any_recorder()), option::of(any_certain_speed()));
     let of_both = (option::of(words()), option::of(angle()), option::of(contact), option::of(outline));
     let yaw_rate = any_quantity(Dimension::YawRate, Any);
     let of_vehicles = (
@@ -1432,12 +1475,13 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
         option::of(yaw_rate),
         (option::of(any_crush()), option::of(any_energy())),
     );
-    (of_both, of_vehicles, typical, moving).prop_map(
+    (of_both, of_vehicles, typical, moving, told).prop_map(
         |(
             (name, heading, contact, outline),
             (mass, yaw, motion, yaw_rate, (crush, energy)),
             (kind, class, [wheelbase, track, cg_to_front_axle, length]),
             (before, after),
+            (recorder, certain_speed),
         )| {
             // Tables of cars are for cars.
             let is_of_table = |crush: &Crush| matches!(crush.stiffness, StiffnessForm::Category(_));
@@ -1465,6 +1509,8 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
                 before,
                 // A table without a key says nothing.
                 after: after.filter(|after| *after != After::default()),
+                recorder: recorder.filter(|recorder| *recorder != Recorder::default()),
+                certain_speed,
             }
         },
     )
@@ -1533,9 +1579,10 @@ fn any_case() -> impl Strategy<Value = Case> {
     let vehicles = [any_vehicle().boxed(), any_vehicle().boxed()];
     let texts = [(); 6].map(|()| option::of(words()));
     let barrier = option::of(0..2_usize);
+    let reconstruct = (option::of(reconstruct), option::of(any_estimate()));
     let axes = select(vec![Axes::ZUp, Axes::ZDown]);
     let axes = (axes, any::<[bool; 5]>());
-    (texts, axes, ground, vehicles, barrier, option::of(impact), option::of(reconstruct)).prop_map(
+    (texts, axes, ground, vehicles, barrier, option::of(impact), reconstruct).prop_map(
         |(
             texts,
             (axes, leaves_out),
@@ -1543,7 +1590,7 @@ fn any_case() -> impl Strategy<Value = Case> {
             mut vehicles,
             barrier,
             impact,
-            mut reconstruct,
+            (mut reconstruct, estimate),
         )| {
             if let Some(index) = barrier {
                 let GivenVehicle { name, heading, contact, outline, .. } = vehicles[index].clone();
@@ -1594,6 +1641,7 @@ fn any_case() -> impl Strategy<Value = Case> {
                 vehicles,
                 impact,
                 reconstruct,
+                estimate,
                 ranges: Vec::new(),
                 left_out,
                 ..Case::default()

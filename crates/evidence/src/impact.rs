@@ -4,7 +4,7 @@ use estimate::Independent;
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2};
 use real::Real;
 use real::elementary::exp;
-use uncertainty::{LANES, Lanes};
+use uncertainty::Lanes;
 
 use crate::collision::{Collision, Crush, Restitution, Speeds, Vehicle};
 use crate::number::Slot;
@@ -17,8 +17,8 @@ pub trait Impacts: Sync {
     /// The unknown numbers.
     fn unknown(&self) -> &Independent;
 
-    /// The impact of each of a block of particles.
-    fn impacts(&self, values: &[Lanes]) -> [Impacted; LANES];
+    /// The impact of each of a block of particles, as many as [`uncertainty::LANES`].
+    fn impacts(&self, values: &[Lanes]) -> Vec<Impacted>;
 }
 
 /// An impact with the numbers of one particle.

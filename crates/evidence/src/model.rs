@@ -132,8 +132,8 @@ impl Impacts for Placed {
     }
 
     #[inline(always)]
-    fn impacts(&self, values: &[Lanes]) -> [Impacted; LANES] {
-        core::array::from_fn(|lane| self.collision.impact(values, lane))
+    fn impacts(&self, values: &[Lanes]) -> Vec<Impacted> {
+        (0..LANES).map(|lane| self.collision.impact(values, lane)).collect()
     }
 }
 
@@ -181,6 +181,17 @@ impl<I: Impacts> Model<I> {
         &self.pieces
     }
 
+    /// Writes the normal score of each piece, a column for each: NaN for the severity, which is no observation,
+    /// and for points, which are several.
+    pub fn score(&self, impacts: &[Impacted], residuals: &mut [Lanes]) {
+        for (column, &piece) in residuals.iter_mut().zip(&self.pieces) {
+            for (score, impacted) in column.iter_mut().zip(impacts) {
+                let error = self.error(piece, impacted);
+                *score = if piece == Piece::Severity { f64::NAN } else { error.score() };
+            }
+        }
+    }
+
     /// What the unknown numbers lead to.
     #[must_use]
     pub fn leads(&self) -> &I {
@@ -195,7 +206,11 @@ impl<I: Impacts> Model<I> {
         match piece {
             Piece::Severity => {
                 let Some(severity) = self.observed.severity else { return Error::NONE };
-                let [dv1, dv2] = impacted.outcome.delta_v_magnitude();
+                let [dv1, dv2] = match impacted.outcome.delta_v_magnitude() {
+                    // A fixed object has none.
+                    [dv, 0.0] | [0.0, dv] => [dv, dv],
+                    both => both,
+                };
                 let [v1, v2] = impacted.speeds;
                 let often = -0.5 * (v1 * v1 + v2 * v2) / (severity.speed * severity.speed);
                 Error {
@@ -385,13 +400,7 @@ impl<I: Impacts> Evidence for Model<I> {
                 *number = output.of(impacted);
             }
         }
-        for (column, &piece) in residuals.iter_mut().zip(&self.pieces) {
-            for (score, impacted) in column.iter_mut().zip(&impacts) {
-                // The severity is no observation, and points are several.
-                let error = self.error(piece, impacted);
-                *score = if piece == Piece::Severity { f64::NAN } else { error.score() };
-            }
-        }
+        self.score(&impacts, residuals);
     }
 }
 

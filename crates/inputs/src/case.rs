@@ -12,6 +12,7 @@ use crate::estimate::Departures;
 use crate::impact::GivenImpact;
 use crate::quantity::Quantity;
 use crate::range::Range;
+use crate::recorder::GivenEstimate;
 use crate::scene::{GivenSitePlan, Place, Surface};
 use crate::text::Text;
 use crate::uncertain::GivenUncertainty;
@@ -44,6 +45,8 @@ pub struct Case<T = f64> {
     pub impact: Option<GivenImpact<T>>,
     /// `[reconstruct]`.
     pub reconstruct: Option<Reconstruct<T>>,
+    /// `[estimate]`.
+    pub estimate: Option<GivenEstimate>,
     /// Which of the numbers are not known exactly, in the order of [`inputs`](Case::inputs). The numbers
     /// themselves are the central values.
     pub ranges: Vec<Range>,
@@ -207,6 +210,7 @@ impl Case {
                 },
                 energy_basis: walk.basis(energy_basis, basis_out),
             }),
+            estimate: self.estimate.as_ref().map(|estimate| walk.estimate(estimate)),
             ranges: Vec::new(),
             departures: walk.departures(self),
             uncertainty: walk.uncertainty(&self.uncertainty),

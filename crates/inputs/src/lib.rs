@@ -53,6 +53,7 @@ mod motion;
 mod purpose;
 mod quantity;
 mod range;
+mod recorder;
 mod scene;
 mod text;
 mod uncertain;
@@ -84,6 +85,7 @@ pub use motion::{
 pub use purpose::Purpose;
 pub use quantity::{InvalidQuantity, Quantity, format_number};
 pub use range::{Amount, Bounds, Range, Spread};
+pub use recorder::{CertainSpeed, GivenEstimate, Prior, Recorder};
 pub use scene::{EdgeSide, GivenSitePlan, Grade, Place, Surface, SurfaceRegion, SurfaceZone};
 pub use text::{Text, acts, shown, shown_lines, sign};
 pub use uncertain::{GivenUncertainty, SharedEffects, SharedError};

@@ -8,6 +8,7 @@ use crate::after::{After, Before};
 use crate::crush::{Crush, KnownEnergy};
 use crate::inertia::{Mass, YawInertia};
 use crate::quantity::Quantity;
+use crate::recorder::{CertainSpeed, Recorder};
 use crate::text::Text;
 use crate::walk::{Key, Walk};
 use crate::words::word;
@@ -87,6 +88,10 @@ pub struct GivenVehicle<T = f64> {
     pub before: Option<Before<T>>,
     /// `[vehicleN.after]`.
     pub after: Option<After<T>>,
+    /// `[vehicleN.recorder]`.
+    pub recorder: Option<Recorder>,
+    /// `certain_speed`.
+    pub certain_speed: Option<CertainSpeed>,
 }
 
 impl<T> GivenVehicle<T> {
@@ -137,6 +142,8 @@ impl<T> GivenVehicle<T> {
             energy,
             before,
             after,
+            recorder,
+            certain_speed,
         } = self;
         !(*fixed
             || name.is_some()
@@ -153,7 +160,9 @@ impl<T> GivenVehicle<T> {
             || crush.is_some()
             || energy.is_some()
             || before.is_some()
-            || after.is_some())
+            || after.is_some()
+            || recorder.is_some()
+            || certain_speed.is_some())
     }
 }
 
@@ -268,6 +277,11 @@ impl<U> Walk<'_, U> {
             energy: vehicle.energy.as_ref().map(|known| self.known_energy(&at("crush"), known)),
             before: vehicle.before.as_ref().map(|before| self.before(&at("before"), before)),
             after: vehicle.after.as_ref().map(|after| self.after(&at("after"), after)),
+            recorder: vehicle.recorder.as_ref().map(|recorder| self.recorder(&at("recorder"), recorder)),
+            certain_speed: vehicle
+                .certain_speed
+                .as_ref()
+                .map(|certain| self.certain_speed(&at("certain_speed"), certain)),
         }
     }
 }

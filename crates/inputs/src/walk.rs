@@ -193,7 +193,7 @@ impl<'a, U> Walk<'a, U> {
         self.other(path, || Value::Number { number: quantity.number(), unit: Some(quantity.unit()) });
     }
 
-    fn other(&mut self, path: &dyn Display, value: impl FnOnce() -> Value) {
+    pub(crate) fn other(&mut self, path: &dyn Display, value: impl FnOnce() -> Value) {
         if let Some(others) = &mut self.others {
             others(path, value());
         }

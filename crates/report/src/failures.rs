@@ -14,7 +14,9 @@ use crate::units::{Measure, Units, number};
 #[must_use]
 pub fn no_answer(failure: &Failure, units: Units) -> String {
     match failure {
-        Failure::Case(_) | Failure::Ranges(_) => failure.to_string(),
+        Failure::Case(_) | Failure::Ranges(_) | Failure::Excluded(_) | Failure::Estimate(_) => {
+            failure.to_string()
+        }
         Failure::Impact(refusal) => of_impact(refusal, units),
         Failure::Crush(refusal) => of_crush(refusal, units),
         Failure::Reconcile(refusal) => of_reconciliation(refusal, units),

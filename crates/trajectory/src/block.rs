@@ -57,18 +57,25 @@ pub fn to_rests(
     control: &Control,
     mut take: impl FnMut(usize, Result<Rest, NoRest>),
 ) {
-    let level = Level::new();
     for (number, chunk) in outsets.chunks(CHUNK).enumerate() {
         let mut parked: [Parked; CHUNK] = [Parked::ALONE; CHUNK];
         for (parked, outset) in parked.iter_mut().zip(chunk) {
             *parked = Parked::new(outset, control).unwrap_or(Parked::ALONE);
         }
-        dispatch!(level, simd => follow(simd, chunk, control, &mut parked, false));
-        dispatch!(level, simd => follow(simd, chunk, control, &mut parked, true));
+        follow_all(chunk, control, &mut parked);
         for (i, (outset, parked)) in chunk.iter().zip(&parked).enumerate() {
             take(number * CHUNK + i, parked.rest(outset, control));
         }
     }
+}
+
+/// Follows the motions of a chunk with the vector instructions that the processor has.
+///
+/// Apart from [`to_rests`], which is compiled in every crate that calls it: this takes minutes.
+fn follow_all(chunk: &[Outset<'_>], control: &Control, parked: &mut [Parked; CHUNK]) {
+    let level = Level::new();
+    dispatch!(level, simd => follow(simd, chunk, control, parked, false));
+    dispatch!(level, simd => follow(simd, chunk, control, parked, true));
 }
 
 /// What is to be done with a motion.

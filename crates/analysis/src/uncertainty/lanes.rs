@@ -87,6 +87,8 @@ impl Block {
             vehicles: [one, two],
             impact,
             reconstruct,
+            // It is for estimates alone, as what was recorded is.
+            estimate: _,
             ranges: _,
             // A block reads neither shared errors nor estimates.
             uncertainty: _,
@@ -271,6 +273,8 @@ impl Vehicle {
             // The motion before and after the impact is not used by the reconstruction of one speed.
             before: _,
             after: _,
+            recorder: _,
+            certain_speed: _,
         } = vehicle;
         let Crush {
             from_force_balance,

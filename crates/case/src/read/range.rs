@@ -290,7 +290,7 @@ impl<'t> Reader<'t> {
             Kind::Number(_) => Kind::Number(Bounds::Positive),
         };
         let sd = self.standard_deviation(table, deviation).map(|sd| Spread::Normal { sd });
-        let percent = self.percent(table);
+        let percent = self.percent(table, "within");
         let confidence = table.get("confidence").and_then(|value| {
             let place = Place::of_key(table, "confidence");
             let inside = |number: f64| 0.0 < number && number < 1.0;
@@ -312,9 +312,10 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn percent(&mut self, table: &Table<'t>) -> Option<f64> {
-        let value = table.get("within")?;
-        let (path, example) = (table.path_of("within"), table.schema.example("within"));
+    /// (%) a percentage greater than zero.
+    pub(super) fn percent(&mut self, table: &Table<'t>, key: &'static str) -> Option<f64> {
+        let value = table.get(key)?;
+        let (path, example) = (table.path_of(key), table.schema.example(key));
         let problem = match value.get_ref() {
             DeValue::String(text) => match split_number(text.trim()) {
                 (Some(number), rest) if rest.trim() == "%" && number.is_finite() => {

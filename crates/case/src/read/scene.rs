@@ -143,7 +143,7 @@ impl<'t> Reader<'t> {
         corners.into_iter().collect()
     }
 
-    fn exact_quantity(
+    pub(super) fn exact_quantity(
         &mut self,
         table: &Table<'t>,
         key: &'static str,

@@ -58,6 +58,8 @@ impl<'t> Reader<'t> {
             energy,
             before: self.before(&table),
             after: self.after(&table),
+            recorder: self.recorder(&table),
+            certain_speed: self.certain_speed(&table),
         };
         if vehicle.outline.is_none() && length_alone(&table) {
             vehicle.length = self.quantity(&table, "length");

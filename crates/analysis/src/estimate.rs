@@ -1,0 +1,296 @@
+//! Both speeds, and all else, from all the evidence of a case.
+
+mod impacts;
+mod outputs;
+mod pieces;
+mod setup;
+
+use std::ops::ControlFlow;
+
+use ::estimate::{Culprit, Doubt, Exclusion, Posterior, Selection, Settings, Summary, Verdict, sample};
+use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
+use evidence::{Model, Observed, Piece};
+use inputs::{Case, Unit};
+use pim_core::VehicleId;
+
+use crate::Failure;
+pub use outputs::EstimateOutput;
+use outputs::Told;
+pub use pieces::{PieceFound, SameTwice};
+pub use setup::{Assumed, Unused, UnusedReason};
+
+/// How to estimate.
+#[derive(Clone, Copy, Debug)]
+pub struct EstimatePlan {
+    /// Number of particles of each of 16 islands; doubled as often as four times where a run does not
+    /// converge.
+    pub particles: usize,
+    /// The random seed: the same seed gives the same results.
+    pub seed: u64,
+    /// In place of the `prior` of the case.
+    pub prior: Option<inputs::Prior>,
+    /// Whether each piece of evidence is judged on its own and the answer found without it, which takes a run
+    /// for each.
+    pub pieces: bool,
+}
+
+/// What all the evidence says.
+#[derive(Debug)]
+pub struct Estimated {
+    /// The prior of the severity.
+    pub prior: inputs::Prior,
+    /// What was observed, each with its error (SI).
+    pub observed: Observed,
+    /// The keys of errors that the case does not give.
+    pub default_errors: Vec<String>,
+    /// The unknown numbers.
+    pub unknown: Vec<UnknownNumber>,
+    /// What is known of the results before and after the evidence.
+    pub outputs: Vec<EstimatedOutput>,
+    /// The pieces of evidence.
+    pub pieces: Vec<PieceFound>,
+    /// Pieces that say the same thing twice.
+    pub same_twice: Vec<SameTwice>,
+    /// What the case gives and the estimate does not use.
+    pub unused: Vec<Unused>,
+    /// The draws: a column for each of the unknown numbers, and one for each output.
+    pub posterior: Posterior,
+}
+
+/// A number that is unknown.
+#[derive(Clone, Debug)]
+pub struct UnknownNumber {
+    /// Its key, or that of the number that it multiplies.
+    pub key: String,
+    /// The unit of the case; `None` of a plain number.
+    pub unit: Option<&'static Unit>,
+    /// What is known of it before the evidence, in that unit.
+    pub prior: Distribution,
+    /// Why that, where the case does not give it.
+    pub assumed: Option<Assumed>,
+    /// The same after the evidence.
+    pub posterior: Summary,
+}
+
+/// A result.
+#[derive(Clone, Debug)]
+pub struct EstimatedOutput {
+    /// Which.
+    pub output: EstimateOutput,
+    /// (SI) before the evidence; `None` where that run did not converge.
+    pub prior: Option<Summary>,
+    /// (SI) after it.
+    pub posterior: Summary,
+}
+
+/// The stage that [`estimate()`] has reached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EstimateStage {
+    /// All evidence.
+    All,
+    /// Before the evidence.
+    Prior,
+    /// A piece of evidence on its own, or the rest without it.
+    Piece,
+}
+
+impl Estimated {
+    /// What is doubtful of the run. If anything is, what the draws say is not an answer.
+    #[must_use]
+    pub fn doubts(&self) -> &[Doubt] {
+        match self.posterior.verdict() {
+            Verdict::Converged => &[],
+            Verdict::NotConverged(doubts) => doubts,
+        }
+    }
+
+    /// The least effective sample size of all numbers.
+    #[must_use]
+    pub fn ess(&self) -> f64 {
+        self.posterior.diagnosis().ess()
+    }
+
+    /// (SI) the draws of a result.
+    #[must_use]
+    pub fn draws(&self, output: EstimateOutput) -> Option<&[f64]> {
+        let place = self.outputs.iter().position(|found| found.output == output)?;
+        self.posterior.outputs().get(place).map(Vec::as_slice)
+    }
+
+    /// The probability that a result is above a limit (SI), with its error from sampling.
+    #[must_use]
+    pub fn probability_above(&self, output: EstimateOutput, limit: f64) -> Option<Estimate> {
+        Some(self.posterior.draws().probability_above(self.draws(output)?, limit))
+    }
+}
+
+/// What excludes every collision that is possible before the evidence.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Impossible {
+    /// The least that excludes all: no piece where no draw makes an impact, and two where both are possible
+    /// alone but not together.
+    pub culprits: Vec<Piece>,
+    /// Whether it takes more than two pieces.
+    pub together: bool,
+    /// What excluded how many.
+    pub exclusion: Exclusion,
+}
+
+/// How often the particles are doubled where a run does not converge.
+const DOUBLINGS: u32 = 2;
+/// Particles of an island for what is shown beside the answer, as a share of those of the answer.
+const BESIDE_SHARE: usize = 4;
+/// The fewest.
+const BESIDE_LEAST: usize = 128;
+
+/// Estimates what the evidence of a case says.
+///
+/// `progress` receives the stage, what is done of it and of how much, and may end the run.
+///
+/// # Errors
+/// [`Failure`] where the case lacks something, where a distribution makes no sense, and where the evidence
+/// excludes every collision.
+pub fn estimate(
+    case: &Case,
+    plan: &EstimatePlan,
+    progress: &mut (dyn FnMut(EstimateStage, usize, usize) -> ControlFlow<()> + Send),
+) -> Result<Estimated, Failure> {
+    let setup = setup::of(case, plan.prior)?;
+    let (observed, default_errors, unused) = (setup.observed.clone(), setup.default_errors, setup.unused);
+    let model = Model::of(setup.impacts, setup.observed);
+    let told = Told::new(&model, case.axes, setup.reference);
+    let run = |terms: Selection, particles: usize, report: &mut ::uncertainty::Progress<'_>| {
+        let settings = Settings { terms, ..Settings::new(particles, plan.seed) };
+        sample(&told, &told, &settings, report).map_err(|failure| refused(failure, model.pieces()))
+    };
+
+    let mut particles = plan.particles;
+    let mut posterior =
+        run(Selection::All, particles, &mut |done, total| progress(EstimateStage::All, done, total))?;
+    for _ in 0..DOUBLINGS {
+        if posterior.verdict() == Verdict::Converged {
+            break;
+        }
+        particles *= 2;
+        posterior =
+            run(Selection::All, particles, &mut |done, total| progress(EstimateStage::All, done, total))?;
+    }
+
+    // What holds of every run: how severe such collisions are, and what is certain.
+    let always = |piece: &Piece| matches!(piece, Piece::Severity | Piece::Limits(_));
+    let places = |wanted: &dyn Fn(&Piece) -> bool| -> Vec<usize> {
+        let pieces = model.pieces().iter().enumerate();
+        pieces.filter(|(_, piece)| wanted(piece)).map(|(place, _)| place).collect()
+    };
+    let beside = (plan.particles / BESIDE_SHARE).max(BESIDE_LEAST);
+    let prior = run(Selection::Only(places(&always)), beside, &mut |done, total| {
+        progress(EstimateStage::Prior, done, total)
+    })?;
+    let prior = (prior.verdict() == Verdict::Converged).then_some(prior);
+
+    let outputs = told
+        .outputs()
+        .iter()
+        .enumerate()
+        .map(|(place, output)| EstimatedOutput {
+            output: *output,
+            prior: prior.as_ref().map(|prior| prior.summary(::estimate::Quantity::Output(place))),
+            posterior: posterior.summary(::estimate::Quantity::Output(place)),
+        })
+        .collect();
+    let unknown = setup
+        .unknown
+        .into_iter()
+        .enumerate()
+        .map(|(place, unknown)| UnknownNumber {
+            key: unknown.key,
+            unit: unknown.unit,
+            prior: unknown.prior,
+            assumed: unknown.assumed,
+            posterior: posterior.summary(::estimate::Quantity::Value(place)),
+        })
+        .collect();
+    let judged: Vec<usize> = places(&|piece| !always(piece));
+    let mut pieces = Vec::new();
+    for (done, &term) in judged.iter().enumerate() {
+        if progress(EstimateStage::Piece, done, judged.len()).is_break() {
+            break;
+        }
+        let mut quietly = |_: usize, _: usize| ControlFlow::Continue(());
+        let mut alone = None;
+        let mut without = None;
+        if plan.pieces && judged.len() > 1 {
+            let mut only = places(&always);
+            only.push(term);
+            alone = run(Selection::Only(only), beside, &mut quietly).ok();
+            without = run(Selection::Without(vec![term]), beside, &mut quietly).ok();
+        }
+        pieces.push(pieces::found(model.pieces()[term], term, &told, &posterior, alone, without));
+    }
+    let same_twice = pieces::same_twice(model.pieces());
+    Ok(Estimated {
+        prior: setup.prior,
+        observed,
+        default_errors,
+        unknown,
+        outputs,
+        pieces,
+        same_twice,
+        unused,
+        posterior,
+    })
+}
+
+fn refused(failure: ::estimate::Failure, pieces: &[Piece]) -> Failure {
+    let ::estimate::Failure::Impossible(exclusion) = failure else { return Failure::Estimate(failure) };
+    let piece = |place: usize| pieces.get(place).copied();
+    let (culprits, together) = match exclusion.culprit() {
+        Culprit::Term(term) => (vec![piece(term)], false),
+        Culprit::Pair(one, two) => (vec![piece(one), piece(two)], false),
+        Culprit::Together => (Vec::new(), true),
+        _ => (Vec::new(), false),
+    };
+    let culprits = culprits.into_iter().flatten().collect();
+    Failure::Excluded(Box::new(Impossible { culprits, together, exclusion }))
+}
+
+impl std::fmt::Display for Impossible {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let named = |piece: &Piece| format!("`{}`", pieces::key(*piece));
+        match self.culprits.as_slice() {
+            [one] => write!(f, "{} excludes every collision that is possible otherwise", named(one)),
+            [one, two] => {
+                write!(f, "{} and {} exclude each other: either alone is possible", named(one), named(two))
+            }
+            _ if self.together => f.write_str("the evidence excludes every collision, though no two pieces of it do"),
+            _ if self.exclusion.possible > 0 => write!(
+                f,
+                "the evidence excludes nearly every collision: {} of {} that were tried are possible",
+                self.exclusion.possible, self.exclusion.drawn
+            ),
+            _ => f.write_str(
+                "no speeds bring the vehicles together: with the headings, contact points and crush plane of the case they do not approach each other",
+            ),
+        }
+    }
+}
+
+/// A fault of the case where a distribution makes no sense.
+fn of_number(key: &str, result: Result<Distribution, InvalidDistribution>) -> Result<Distribution, Failure> {
+    result.map_err(|error| {
+        let kind = inputs::FaultKind::Refused { reason: error.to_string() };
+        Failure::Case(inputs::Fault { key: key.to_owned(), kind, advice: None }.into())
+    })
+}
+
+/// The key of a table of a vehicle.
+fn table(id: VehicleId) -> &'static str {
+    match id {
+        VehicleId::One => "vehicle1",
+        VehicleId::Two => "vehicle2",
+    }
+}
+
+#[cfg(test)]
+mod tests;

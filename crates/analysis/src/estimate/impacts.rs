@@ -1,0 +1,266 @@
+//! The impact of each particle, from the case with the particle's numbers.
+
+use ::estimate::Independent;
+use ::uncertainty::{LANES, Lanes};
+use evidence::{Impacted, Impacts, LEAST_APPROACH, Speeds, Way};
+use inputs::{Basis, Case, Collision, Dimension, MotionInput, Quantity, SharedEffects, Velocity};
+use pim_core::{Law, Motion, Outcome, Tangential, Vector2, VehicleId};
+use real::Real;
+use real::elementary::{exp, sin_cos};
+use trajectory::{Control, Ground, Outset, State, Zone, to_rests};
+
+use crate::damage::{assess, crush_energy};
+use crate::travel::Scene;
+
+/// What becomes of a number of the case.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Slot {
+    /// The same in every particle.
+    Given,
+    /// One of the unknown values, by its place.
+    Value(usize),
+    /// The number of the case times one of the unknown values.
+    Factor(usize),
+}
+
+/// e of a particle, where the case leaves it open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct OpenRestitution {
+    /// The place of the factor on the mean at the closing speed.
+    pub(super) factor: usize,
+    /// (–) e at high speeds, what is added at a standstill, and the greatest; (m/s) the closing speed at
+    /// which 1/e of that is left.
+    pub(super) low: f64,
+    pub(super) rise: f64,
+    pub(super) most: f64,
+    pub(super) fade: f64,
+}
+
+/// How a particle has the speeds that are unknown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum OpenSpeeds {
+    /// Both are in the case.
+    None,
+    /// That of one vehicle, by the place of its value.
+    One(VehicleId, usize),
+    /// Both, each by itself or together.
+    Both(Speeds<usize>),
+}
+
+/// A case with unknown numbers.
+#[derive(Debug)]
+pub(super) struct CaseImpacts {
+    /// The case without its texts.
+    pub(super) case: Case,
+    /// (units of the case) its numbers.
+    pub(super) central: Vec<f64>,
+    /// What becomes of each.
+    pub(super) slots: Vec<Slot>,
+    /// What the errors that numbers share do.
+    pub(super) shared: Option<SharedEffects>,
+    pub(super) speeds: OpenSpeeds,
+    pub(super) restitution: Option<OpenRestitution>,
+    /// The place of the greatest impulse ratio, where the case leaves it open.
+    pub(super) friction: Option<usize>,
+    /// The place of λ, where the case leaves it open.
+    pub(super) tangential_share: Option<usize>,
+    /// What stands in place of an impact that there is not.
+    pub(super) placeholder: Outcome,
+    /// Whether each vehicle is followed to rest.
+    pub(super) followed: [bool; 2],
+    pub(super) unknown: Independent,
+}
+
+/// A particle up to its impact.
+struct Particle {
+    impacted: Impacted,
+    motion: Option<MotionInput>,
+}
+
+impl Impacts for CaseImpacts {
+    fn unknown(&self) -> &Independent {
+        &self.unknown
+    }
+
+    fn impacts(&self, values: &[Lanes]) -> Vec<Impacted> {
+        let mut particles: Vec<Particle> = (0..LANES).map(|lane| self.particle(values, lane)).collect();
+        if self.followed != [false, false] {
+            self.follow(&mut particles);
+        }
+        particles.into_iter().map(|particle| particle.impacted).collect()
+    }
+}
+
+impl CaseImpacts {
+    /// A particle that leads to no impact.
+    fn impossible(outcome: Outcome) -> Impacted {
+        Impacted {
+            speeds: [0.0; 2],
+            outcome,
+            taken: 0.0,
+            crush_energies: [0.0; 2],
+            ways: [None, None],
+            is_possible: false,
+        }
+    }
+
+    /// Compiled once: what turns a case into the types of the engine gains nothing from a copy for each
+    /// instruction set.
+    #[inline(never)]
+    fn particle(&self, values: &[Lanes], lane: usize) -> Particle {
+        let case = self.case_of(values, lane);
+        self.impact_of(&case, values, lane)
+            .unwrap_or_else(|| Particle { impacted: Self::impossible(self.placeholder), motion: None })
+    }
+
+    /// The case with the numbers of a particle.
+    fn case_of(&self, values: &[Lanes], lane: usize) -> Case {
+        let of = |place: usize| values.get(place).map_or(f64::NAN, |column| column[lane]);
+        let mut numbers = self.central.clone();
+        for (number, slot) in numbers.iter_mut().zip(&self.slots) {
+            match *slot {
+                Slot::Given => {}
+                Slot::Value(place) => *number = of(place),
+                Slot::Factor(place) => *number *= of(place),
+            }
+        }
+        if let Some(shared) = &self.shared {
+            shared.apply(&mut numbers);
+        }
+        let mut numbers = numbers.into_iter();
+        let mut case = self.case.map_numbers(|central| numbers.next().unwrap_or(central));
+        let speeds = match self.speeds {
+            OpenSpeeds::None => [None, None],
+            OpenSpeeds::One(VehicleId::One, place) => [Some(of(place)), None],
+            OpenSpeeds::One(VehicleId::Two, place) => [None, Some(of(place))],
+            OpenSpeeds::Both(Speeds::Each(places)) => places.map(|place| Some(of(place))),
+            OpenSpeeds::Both(Speeds::Together { ln_relative, split }) => {
+                let headings = case.headings().map(Option::unwrap_or_default);
+                let forward = headings.map(|heading| {
+                    let (sin, cos) = sin_cos(heading);
+                    Vector2::new(cos, sin)
+                });
+                let (sin, cos) = sin_cos(of(split));
+                // c = s |cos φ f₁ − sin φ f₂|
+                let apart = forward[0] * cos - forward[1] * sin;
+                let scale = exp(of(ln_relative)) / Real::sqrt(apart.x * apart.x + apart.y * apart.y);
+                [Some(scale * cos), Some(scale * sin)]
+            }
+        };
+        for (vehicle, speed) in case.vehicles.iter_mut().zip(speeds) {
+            if let Some(speed) = speed {
+                vehicle.motion = Quantity::from_si(speed, Dimension::Speed).ok().map(Velocity::Speed);
+            }
+        }
+        case
+    }
+
+    fn impact_of(&self, case: &Case, values: &[Lanes], lane: usize) -> Option<Particle> {
+        let of = |place: usize| values.get(place).map_or(f64::NAN, |column| column[lane]);
+        let input = case.collision().ok()?;
+        let Collision { contact, law, motions, vehicles } = input.collision;
+        let closing = -contact.approach(&motions).velocity.normal;
+        if closing <= LEAST_APPROACH {
+            return None;
+        }
+        let given = law.at(closing);
+        let law = if self.restitution.is_none() && self.friction.is_none() {
+            given
+        } else {
+            let e = self.restitution.map_or(given.restitution(), |open| {
+                // e = min[(e₀ + e₁ exp(u_n/u_e)) ε, e_max]
+                Real::min((open.low + open.rise * exp(-closing / open.fade)) * of(open.factor), open.most)
+            });
+            let tangential =
+                self.friction.map_or_else(|| given.tangential(), |place| Tangential::Friction(of(place)));
+            Law::new(e, tangential).ok()?
+        };
+        let outcome = contact.impact(motions, &law).ok()?;
+        let speeds = VehicleId::ALL.map(|id| {
+            let forward = contact.participants()[id.index()].forward();
+            let velocity = motions[id.index()].velocity;
+            velocity.x * forward.x + velocity.y * forward.y
+        });
+        let crush_energies = match assess(vehicles, [None, None]) {
+            Ok(vehicles) => {
+                let whole = crush_energy(&vehicles);
+                let first = vehicles[0].crush_energy().unwrap_or_default();
+                [first, whole - first]
+            }
+            Err(_) => return None,
+        };
+        let energy = &outcome.energy;
+        let basis = match self.tangential_share {
+            Some(place) => Basis::TangentialShare(of(place)),
+            None => input.basis,
+        };
+        let work = basis.taken_by_crush(energy.normal_work, energy.tangential_work);
+        // E = W_n/(1 − e²) if it is what was absorbed, else W_n + λ W_t
+        let taken = work / basis.energy().dissipated(1.0, law.restitution());
+        let motion = match self.followed {
+            [false, false] => None,
+            _ => Some(case.run_out()?.ok()?),
+        };
+        let is_possible = taken > 0.0 && taken.is_finite();
+        let impacted = Impacted { speeds, outcome, taken, crush_energies, ways: [None, None], is_possible };
+        Some(Particle { impacted, motion })
+    }
+
+    /// Follows the vehicles of all particles to rest.
+    #[inline(never)]
+    fn follow(&self, particles: &mut [Particle]) {
+        for id in VehicleId::ALL.into_iter().filter(|id| self.followed[id.index()]) {
+            let zones: Vec<Vec<Zone<'_>>> = particles
+                .iter()
+                .map(|particle| {
+                    particle.motion.as_ref().map_or_else(Vec::new, |motion| motion.surface.zones())
+                })
+                .collect();
+            let mut lanes = Vec::with_capacity(LANES);
+            let mut outsets = Vec::with_capacity(LANES);
+            for (lane, (particle, zones)) in particles.iter().zip(&zones).enumerate() {
+                let Some(input) = particle.motion.as_ref().filter(|_| particle.impacted.is_possible) else {
+                    continue;
+                };
+                let Some(way) = &input.vehicles[id.index()] else { continue };
+                let motion = particle.impacted.outcome.after[id.index()];
+                lanes.push(lane);
+                outsets.push(Outset {
+                    chassis: way.chassis,
+                    steer: way.steer.steer(),
+                    ground: Ground { friction: input.surface.friction, zones, grade: input.surface.grade },
+                    start: State { position: way.position, heading: way.heading, motion },
+                });
+            }
+            let control = Control { tolerance: WAY_TOLERANCE, ..Control::default() };
+            let mut rests = vec![None; outsets.len()];
+            to_rests(&outsets, &control, |place, rest| rests[place] = rest.ok());
+            let ways: Vec<Option<Way>> = lanes
+                .iter()
+                .zip(rests)
+                .map(|(&lane, rest)| {
+                    let (rest, particle) = (rest?, &particles[lane]);
+                    let motion = particle.impacted.outcome.after[id.index()];
+                    let misses = misses(particle.motion.as_ref()?, id, motion);
+                    Some(Way { position: rest.position, heading: rest.heading, misses })
+                })
+                .collect();
+            for (lane, way) in lanes.into_iter().zip(ways) {
+                let impacted = &mut particles[lane].impacted;
+                // A vehicle that does not come to rest within minutes does not lie where it was found.
+                impacted.is_possible &= way.is_some();
+                impacted.ways[id.index()] = way;
+            }
+        }
+    }
+}
+
+/// (m) a step of the way to rest may err by this: 1 cm and 0.1° at its end.
+const WAY_TOLERANCE: f64 = 5e-4;
+
+/// (m) from each point that was observed to the way.
+fn misses(input: &MotionInput, id: VehicleId, start: Motion) -> Vec<f64> {
+    let scene = Scene::new(&input.surface);
+    let passes = input.vehicles[id.index()].as_ref().and_then(|way| scene.passes(id, way, start).ok());
+    passes.unwrap_or_default().iter().map(|pass| pass.miss).collect()
+}

@@ -1,0 +1,677 @@
+//! From a case to its unknown numbers and its evidence.
+
+use std::f64::consts::FRAC_PI_2;
+
+use ::estimate::Independent;
+use ::uncertainty::Distribution;
+use evidence::{
+    CodedPdof, CrushMisfit, FITTED, Freedom, Limits, Measured, MeasuredRest, Observed, ObservedVehicle,
+    RecordedDeltaV, Recorder, Severity, Speeds,
+};
+use inputs::{
+    BrachTangential, Case, Collision, Dimension, FaultKind, Find, GivenVehicle, ImpactLaw, Input,
+    MotionInput, Origin, Prior, Quantity, Reconstruct, Restitution, SharedEffects, Unit, VehicleData,
+    Velocity,
+};
+use pim_core::VehicleId;
+use real::Real;
+use real::elementary::ln;
+use reconcile::Unknown;
+
+use super::impacts::{CaseImpacts, OpenRestitution, OpenSpeeds, Slot};
+use super::{of_number, table};
+use crate::Failure;
+use crate::uncertainty::{UncertainInput, inputs};
+use crash3::Side;
+
+/// Why a number has the distribution that it has, where the case does not give it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Assumed {
+    /// A heading as it is usually known.
+    Heading,
+    /// A crush plane, likewise.
+    CrushPlane,
+    /// A contact point, likewise.
+    Contact,
+    /// A mass, likewise: Smith and Noga 1982.
+    Mass,
+    /// What a table or a formula gives, as `uncertainty` varies it.
+    Estimate,
+    /// Speeds without evidence.
+    Speed,
+    /// e of collisions of passenger vehicles at that closing speed.
+    Restitution,
+    /// The greatest impulse ratio.
+    Friction,
+    /// λ.
+    TangentialShare,
+    /// The friction of the ground, as it is usually known.
+    Ground,
+    /// The drag of wheels, likewise.
+    Drag,
+}
+
+/// What the case gives and the estimate does not use.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unused {
+    /// Its key.
+    pub key: String,
+    /// Why.
+    pub reason: UnusedReason,
+}
+
+/// Why a value is not used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum UnusedReason {
+    /// A coefficient of the impact without a range: what it may be is assumed instead.
+    NoRange,
+    /// The speed that is sought.
+    Sought,
+    /// The crush of one vehicle, where that of the other is not known.
+    OtherCrushUnknown,
+    /// A crush that was not measured.
+    Inferred,
+    /// A PDOF that follows from that of the other vehicle: both are one observation.
+    OtherPdof,
+    /// A rest or points of a vehicle that cannot be followed there: friction or drag is missing.
+    NotFollowed,
+}
+
+/// (rad) standard deviation of a heading without a range: 2°.
+const HEADING_SD: f64 = 2.0 * DEGREE;
+/// (rad) of a crush plane without a range: 5°.
+const CRUSH_PLANE_SD: f64 = 5.0 * DEGREE;
+/// (m) of a contact point without a range, in each direction.
+const CONTACT_SD: f64 = 0.10;
+/// (kg) of a mass without a range: 65 lb, Smith and Noga, SAE 821169 (1982).
+const MASS_SD: f64 = 65.0 * 0.453_592_37;
+/// (–) of the logarithm of the friction of the ground.
+const GROUND_LN_SD: f64 = 0.10;
+/// (–) of that of the drag of a vehicle's wheels.
+const DRAG_LN_SD: f64 = 0.30;
+/// (m/s) no vehicle is thought to have been faster.
+const FASTEST: f64 = 70.0;
+/// (m/s) slowest and fastest relative speed that is thought of.
+const RELATIVE_SPEED: [f64; 2] = [0.3, 120.0];
+/// (–) error of the speed after the impact, of its logarithm; (rad) of its direction: 8°.
+const AFTER_SPEED_LN_SD: f64 = 0.12;
+const AFTER_DIRECTION_SD: f64 = 8.0 * DEGREE;
+/// (–; rad/s) error of a yaw rate after the impact: a share of it, and at least that of a slow turn.
+const YAW_RATE_SHARE: f64 = 0.2;
+const YAW_RATE_LEAST: f64 = 10.0 * DEGREE;
+/// (–; m) error of the simulated rest: a share of the way, and what it has at least.
+const REST_SHARE: f64 = 0.10;
+const REST_LEAST: f64 = 0.5;
+/// (rad) error of the heading at rest: a quarter of the turn, between 5° and 15°.
+const REST_HEADING: [f64; 2] = [5.0 * DEGREE, 15.0 * DEGREE];
+const REST_TURN_SHARE: f64 = 0.25;
+/// (–) error of a recorder's ΔV, of its logarithm, and of its speed.
+const RECORDER_DELTA_V: f64 = 0.08;
+const RECORDER_SPEED: f64 = 0.04;
+/// (–) standard error of the mean of the crush misfit, which is part of the error of a single case.
+const CRUSH_BIAS_ERROR: f64 = 0.15;
+/// (rad) half of the hour of a clock as a standard deviation, 30°/√12.
+const HOUR_SD: f64 = 30.0 * DEGREE / 3.464_101_615_137_754_6;
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// A number that is unknown, before the evidence.
+pub(super) struct Before {
+    pub(super) key: String,
+    pub(super) unit: Option<&'static Unit>,
+    pub(super) prior: Distribution,
+    pub(super) assumed: Option<Assumed>,
+}
+
+/// What an estimate begins with.
+pub(super) struct Setup {
+    pub(super) prior: Prior,
+    pub(super) impacts: CaseImpacts,
+    pub(super) observed: Observed,
+    pub(super) unknown: Vec<Before>,
+    pub(super) default_errors: Vec<String>,
+    pub(super) unused: Vec<Unused>,
+    /// (rad) PDOF of both vehicles if the force were normal to the crush plane.
+    pub(super) reference: [f64; 2],
+}
+
+/// The unknown numbers as they are found.
+#[derive(Default)]
+struct Unknowns(Vec<Before>);
+
+impl Unknowns {
+    fn push(
+        &mut self,
+        key: &str,
+        unit: Option<&'static Unit>,
+        prior: Distribution,
+        assumed: Option<Assumed>,
+    ) -> usize {
+        self.0.push(Before { key: key.to_owned(), unit, prior, assumed });
+        self.0.len() - 1
+    }
+
+    fn assumed(
+        &mut self,
+        key: &str,
+        prior: Result<Distribution, ::uncertainty::InvalidDistribution>,
+        assumed: Assumed,
+    ) -> Result<usize, Failure> {
+        Ok(self.push(key, None, of_number(key, prior)?, Some(assumed)))
+    }
+}
+
+pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
+    let given = case.estimate.unwrap_or_default();
+    let prior = prior.unwrap_or(given.prior);
+    let (mut case, sought, mut unused) = with_all_speeds(case);
+    let nominal = case.collision()?.collision;
+    let motion = case.run_out().transpose()?;
+    let ranges = match inputs(&case) {
+        Ok(ranges) => ranges,
+        Err(faults) if faults.list().iter().all(|fault| fault.kind == FaultKind::NothingUncertain) => {
+            Vec::new()
+        }
+        Err(faults) => return Err(faults.into()),
+    };
+
+    let mut unknowns = Unknowns::default();
+    let followed = followed(&case, motion.as_ref(), &mut unused);
+    let open = Open::of(&case, &ranges, &mut unused);
+    let slots = slots(&case, &ranges, &nominal, followed, &mut unknowns)?;
+    let speeds = speeds(sought, prior, &case, &mut unknowns)?;
+    let [low, rise, fade, restitution_ln_sd] = FITTED.restitution;
+    let restitution = match open.restitution {
+        false => None,
+        true => Some(OpenRestitution {
+            factor: unknowns.assumed(
+                "impact.restitution",
+                Distribution::log_normal(1.0, restitution_ln_sd),
+                Assumed::Restitution,
+            )?,
+            low,
+            rise,
+            most: FITTED.most_restitution,
+            fade,
+        }),
+    };
+    let [friction, friction_ln_sd] = FITTED.friction;
+    let friction = match open.friction {
+        false => None,
+        true => Some(unknowns.assumed(
+            "impact.tangential.friction",
+            Distribution::log_normal(friction, friction_ln_sd),
+            Assumed::Friction,
+        )?),
+    };
+    let [share, share_sd] = FITTED.tangential_share;
+    let tangential_share = match open.tangential_share {
+        false => None,
+        true => Some(unknowns.assumed(
+            "reconstruct.energy_basis.tangential_share",
+            Distribution::truncated_normal(share, share_sd, 0.0, 1.0),
+            Assumed::TangentialShare,
+        )?),
+    };
+    let mut default_errors = Vec::new();
+    let observed =
+        observe(&case, prior, &ranges, &nominal, motion.as_ref(), followed, &mut default_errors, &mut unused);
+
+    let law = nominal.law.at(1.0);
+    let (placeholder, _) = nominal.contact.impact_with_validity(nominal.motions, &law);
+    let reference = reference(&nominal);
+    let shared = SharedEffects::of(&case);
+    let central = case.variables().iter().map(|input| input.number).collect();
+    case.uncertainty = Default::default();
+    case.title = None;
+    case.source = None;
+    case.report = Default::default();
+    for vehicle in &mut case.vehicles {
+        vehicle.name = None;
+    }
+    let impacts = CaseImpacts {
+        case,
+        central,
+        slots,
+        shared: (!shared.is_empty()).then_some(shared),
+        speeds,
+        restitution,
+        friction,
+        tangential_share,
+        placeholder,
+        followed,
+        unknown: Independent(unknowns.0.iter().map(|unknown| unknown.prior).collect()),
+    };
+    Ok(Setup { prior, impacts, observed, unknown: unknowns.0, default_errors, unused, reference })
+}
+
+/// The case with a speed for every vehicle, and whose speed is sought.
+fn with_all_speeds(case: &Case) -> (Case, [bool; 2], Vec<Unused>) {
+    let mut case = case.clone();
+    let mut unused = Vec::new();
+    let find = case.reconstruct.map(|reconstruct| reconstruct.find);
+    let mut sought = [false; 2];
+    for id in VehicleId::ALL {
+        let vehicle = &mut case.vehicles[id.index()];
+        if vehicle.fixed || vehicle.is_absent() {
+            continue;
+        }
+        let is_sought = find.is_some_and(|find| find.seeks(id));
+        if is_sought && vehicle.motion.is_some() {
+            unused.push(Unused { key: format!("{}.speed", table(id)), reason: UnusedReason::Sought });
+        }
+        if is_sought || vehicle.motion.is_none() {
+            sought[id.index()] = true;
+            vehicle.motion = Quantity::from_si(0.0, Dimension::Speed).ok().map(Velocity::Speed);
+        }
+    }
+    let find = match sought {
+        [true, true] => Some(Find::Both),
+        [true, false] => Some(Find::One(Unknown::Speed1)),
+        [false, true] => Some(Find::One(Unknown::Speed2)),
+        [false, false] => None,
+    };
+    if let Some(find) = find {
+        let energy_basis = case.reconstruct.map(|reconstruct| reconstruct.energy_basis);
+        case.left_out.energy_basis |= energy_basis.is_none();
+        case.reconstruct = Some(Reconstruct { find, energy_basis: energy_basis.unwrap_or_default() });
+    }
+    (case, sought, unused)
+}
+
+/// Whether a number is held against the impact, and does not enter it.
+fn is_observed(path: &str) -> bool {
+    let of_vehicle = path.strip_prefix("vehicle1.").or_else(|| path.strip_prefix("vehicle2."));
+    of_vehicle.is_some_and(|key| {
+        [
+            "after.rest",
+            "after.points",
+            "after.speed",
+            "after.direction",
+            "after.yaw_rate",
+            "crush.pdof",
+            "before.",
+        ]
+        .iter()
+        .any(|observed| key.starts_with(observed))
+    })
+}
+
+/// What becomes of each number of the case: those with a range are unknown, and some others are known as well
+/// as they usually are.
+fn slots(
+    case: &Case,
+    ranges: &[UncertainInput],
+    nominal: &Collision,
+    followed: [bool; 2],
+    unknowns: &mut Unknowns,
+) -> Result<Vec<Slot>, Failure> {
+    let mut ranges = ranges.iter().peekable();
+    let has_ground_range = case.ranges.iter().any(|range| is_ground(&range.path));
+    let mut ground = None;
+    let mut drags = [None; 2];
+    let mut slots = Vec::new();
+    for input in case.variables() {
+        let range = ranges.next_if(|range| range.input.path == input.path);
+        if is_observed(&input.path) {
+            slots.push(Slot::Given);
+            continue;
+        }
+        if let Some(range) = range {
+            let assumed = matches!(input.origin, Origin::Estimate(_)).then_some(Assumed::Estimate);
+            let place = unknowns.push(&input.path, input.unit, range.distribution, assumed);
+            slots.push(Slot::Value(place));
+            continue;
+        }
+        if let Some((sd, assumed)) = usual_sd(&input, case, nominal) {
+            let prior = of_number(&input.path, Distribution::normal(input.number, sd / input.factor()))?;
+            slots.push(Slot::Value(unknowns.push(&input.path, input.unit, prior, Some(assumed))));
+            continue;
+        }
+        if is_ground(&input.path) && followed != [false, false] && !has_ground_range {
+            let place = match ground {
+                Some(place) => place,
+                None => {
+                    let factor = Distribution::log_normal(1.0, GROUND_LN_SD);
+                    unknowns.assumed("surface.friction", factor, Assumed::Ground)?
+                }
+            };
+            ground = Some(place);
+            slots.push(Slot::Factor(place));
+            continue;
+        }
+        let dragged = VehicleId::ALL
+            .into_iter()
+            .find(|id| followed[id.index()] && input.path.starts_with(&format!("{}.after.drag", table(*id))));
+        if let Some(id) = dragged {
+            let place = match drags[id.index()] {
+                Some(place) => place,
+                None => {
+                    let factor = Distribution::log_normal(1.0, DRAG_LN_SD);
+                    unknowns.assumed(&format!("{}.after.drag", table(id)), factor, Assumed::Drag)?
+                }
+            };
+            drags[id.index()] = Some(place);
+            slots.push(Slot::Factor(place));
+            continue;
+        }
+        slots.push(Slot::Given);
+    }
+    Ok(slots)
+}
+
+fn is_ground(path: &str) -> bool {
+    path.starts_with("surface.") && path.ends_with("friction")
+}
+
+/// (SI) how well a number without a range is usually known, where that matters.
+fn usual_sd(input: &Input, case: &Case, nominal: &Collision) -> Option<(f64, Assumed)> {
+    if input.origin != Origin::Given {
+        return None;
+    }
+    if input.path == "impact.crush_plane" {
+        return Some((CRUSH_PLANE_SD, Assumed::CrushPlane));
+    }
+    let id = VehicleId::ALL.into_iter().find(|id| input.path.starts_with(table(*id)))?;
+    let fixed = case.vehicles[id.index()].fixed;
+    match input.path.split_once('.')?.1 {
+        // A wall stands as the crush plane does.
+        "heading" if !fixed => Some((HEADING_SD, Assumed::Heading)),
+        "mass" => Some((MASS_SD, Assumed::Mass)),
+        "weight" => Some((MASS_SD * inputs::STANDARD_GRAVITY, Assumed::Mass)),
+        "contact.x" | "contact.y" | "contact.distance" if !fixed => Some((CONTACT_SD, Assumed::Contact)),
+        "contact.angle" if !fixed => {
+            let [ahead, left] = nominal.vehicles[id.index()].contact?;
+            let distance = Real::sqrt(ahead * ahead + left * left);
+            // δφ = δs/d, at most a right angle
+            Some((Real::min(CONTACT_SD / distance, FRAC_PI_2), Assumed::Contact))
+        }
+        _ => None,
+    }
+}
+
+/// Which vehicles are followed to the rest or the points that were measured.
+fn followed(case: &Case, motion: Option<&MotionInput>, unused: &mut Vec<Unused>) -> [bool; 2] {
+    VehicleId::ALL.map(|id| {
+        let Some(after) = &case.vehicles[id.index()].after else { return false };
+        let has_places = after.rest.is_some() || !after.points.is_empty();
+        let is_followed = motion.is_some_and(|motion| motion.vehicles[id.index()].is_some());
+        if has_places && !is_followed {
+            unused
+                .push(Unused { key: format!("{}.after.rest", table(id)), reason: UnusedReason::NotFollowed });
+        }
+        has_places && is_followed
+    })
+}
+
+/// What the case leaves open of the impact.
+struct Open {
+    restitution: bool,
+    friction: bool,
+    tangential_share: bool,
+}
+
+impl Open {
+    /// A coefficient without a range is not known exactly: it is what a case without an estimate computes
+    /// with. Laws other than Brach's are meant as they stand.
+    fn of(case: &Case, ranges: &[UncertainInput], unused: &mut Vec<Unused>) -> Self {
+        let has_range = |key: &str| ranges.iter().any(|range| range.input.path.starts_with(key));
+        let mut open = Self { restitution: false, friction: false, tangential_share: false };
+        let law = case.impact.as_ref().map(|impact| &impact.law);
+        let mut leave =
+            |key: &str| unused.push(Unused { key: key.to_owned(), reason: UnusedReason::NoRange });
+        if let Some(ImpactLaw::Brach { restitution, tangential, moment_restitution: None }) = law {
+            open.restitution =
+                matches!(restitution, Restitution::Constant(_)) && !has_range("impact.restitution");
+            open.friction = !has_range("impact.tangential");
+            if open.restitution {
+                leave("impact.restitution");
+            }
+            if open.friction && *tangential != BrachTangential::Critical {
+                leave("impact.tangential");
+            }
+        }
+        let is_said = case.reconstruct.is_some() && !case.left_out.energy_basis;
+        open.tangential_share = !is_said;
+        open
+    }
+}
+
+fn speeds(
+    sought: [bool; 2],
+    prior: Prior,
+    case: &Case,
+    unknowns: &mut Unknowns,
+) -> Result<OpenSpeeds, Failure> {
+    let key = |id: VehicleId| format!("{}.speed", table(id));
+    let limits = |id: VehicleId| {
+        let certain = case.vehicles[id.index()].certain_speed.unwrap_or_default();
+        let si = |limit: Option<Quantity>| limit.as_ref().map(Quantity::si);
+        let least = si(certain.at_least).unwrap_or(0.0);
+        let most = si(certain.at_most).unwrap_or(FASTEST);
+        // A limit below a standstill says that the vehicle may have moved backward.
+        [if most <= least { most - FASTEST } else { least }, most]
+    };
+    let mut alone = |id: VehicleId| {
+        let [least, most] = limits(id);
+        unknowns.assumed(&key(id), Distribution::uniform(least, most), Assumed::Speed)
+    };
+    Ok(match sought {
+        [false, false] => OpenSpeeds::None,
+        [true, false] => OpenSpeeds::One(VehicleId::One, alone(VehicleId::One)?),
+        [false, true] => OpenSpeeds::One(VehicleId::Two, alone(VehicleId::Two)?),
+        [true, true] => {
+            let backward = VehicleId::ALL.into_iter().any(|id| limits(id)[0] < 0.0);
+            if prior == Prior::Flat || backward {
+                OpenSpeeds::Both(Speeds::Each([alone(VehicleId::One)?, alone(VehicleId::Two)?]))
+            } else {
+                let ([slowest, fastest], key) = (RELATIVE_SPEED, "relative_speed");
+                let ln_relative = Distribution::uniform(ln(slowest), ln(fastest));
+                OpenSpeeds::Both(Speeds::Together {
+                    ln_relative: unknowns.assumed(key, ln_relative, Assumed::Speed)?,
+                    split: unknowns.assumed(
+                        "speed_split",
+                        Distribution::uniform(0.0, FRAC_PI_2),
+                        Assumed::Speed,
+                    )?,
+                })
+            }
+        }
+    })
+}
+
+/// (rad) PDOF of both vehicles if the force were normal to the crush plane.
+fn reference(nominal: &Collision) -> [f64; 2] {
+    let normal = nominal.contact.normal();
+    // The force on vehicle 1 acts along n, that on vehicle 2 against it.
+    let from = |id: VehicleId, sign: f64| {
+        let forward = nominal.contact.participants()[id.index()].forward();
+        let along = -sign * (normal.x * forward.x + normal.y * forward.y);
+        let left = -sign * (normal.y * forward.x - normal.x * forward.y);
+        // Clockwise from the heading.
+        real::principal_angle(-real::elementary::atan2(left, along))
+    };
+    [from(VehicleId::One, 1.0), from(VehicleId::Two, -1.0)]
+}
+
+#[expect(clippy::too_many_arguments, reason = "a step of `of`, which has them all")]
+fn observe(
+    case: &Case,
+    prior: Prior,
+    ranges: &[UncertainInput],
+    nominal: &Collision,
+    motion: Option<&MotionInput>,
+    followed: [bool; 2],
+    default_errors: &mut Vec<String>,
+    unused: &mut Vec<Unused>,
+) -> Observed {
+    let given = case.estimate.unwrap_or_default();
+    // (SI)
+    let sd_of = |key: &str| {
+        let range = ranges.iter().find(|range| range.input.path == key)?;
+        Some(range.distribution.sd() * range.input.factor())
+    };
+    let mut vehicles = [ObservedVehicle::default(), ObservedVehicle::default()];
+    for id in VehicleId::ALL {
+        let vehicle = &case.vehicles[id.index()];
+        let data = &nominal.vehicles[id.index()];
+        let key = |of: &str| format!("{}.{of}", table(id));
+        let mut or_default = |key: String, default: f64| {
+            sd_of(&key).unwrap_or_else(|| {
+                default_errors.push(key);
+                default
+            })
+        };
+        let observed = &mut vehicles[id.index()];
+        if let Some(after) = &vehicle.after {
+            let lateral = |quantity: &Quantity| case.axes.lateral(quantity.si());
+            observed.after.speed = after.speed.as_ref().map(|speed| {
+                let value = speed.si();
+                let sd = or_default(key("after.speed"), AFTER_SPEED_LN_SD * value) / value;
+                Measured { value, sd }
+            });
+            observed.after.direction = after.direction.as_ref().map(|direction| {
+                let sd = or_default(key("after.direction"), AFTER_DIRECTION_SD);
+                Measured { value: lateral(direction), sd }
+            });
+            observed.after.yaw_rate = after.yaw_rate.as_ref().map(|rate| {
+                let value = lateral(rate);
+                let default = Real::max(YAW_RATE_SHARE * value.abs(), YAW_RATE_LEAST);
+                Measured { value, sd: or_default(key("after.yaw_rate"), default) }
+            });
+        }
+        if let Some(way) =
+            motion.filter(|_| followed[id.index()]).and_then(|motion| motion.vehicles[id.index()].as_ref())
+        {
+            let far = |place: pim_core::Vector2<f64>| REST_LEAST + REST_SHARE * (place - way.position).norm();
+            observed.rest = way.rest.as_ref().map(|rest| {
+                let surveyed = ["after.rest.x", "after.rest.y"].map(|of| sd_of(&key(of)).unwrap_or_default());
+                let model = far(rest.position);
+                let heading = rest.heading.heading(way.heading);
+                let turns_are_known = rest.heading.turns_are_known();
+                let turned = heading - way.heading;
+                let turned = if turns_are_known { turned } else { real::principal_angle(turned) };
+                let [least, most] = REST_HEADING;
+                let model_heading = Real::min(Real::max(REST_TURN_SHARE * turned.abs(), least), most);
+                let own = [key("after.rest.heading"), key("after.rest.turned")]
+                    .iter()
+                    .find_map(|key| sd_of(key))
+                    .unwrap_or_default();
+                let [x, y] = surveyed;
+                MeasuredRest {
+                    position: rest.position,
+                    position_sd: Real::sqrt(model * model + 0.5 * (x * x + y * y)),
+                    heading,
+                    turns_are_known,
+                    heading_sd: Real::sqrt(model_heading * model_heading + own * own),
+                }
+            });
+            observed.points = way.points.iter().map(|point| far(point.position)).collect();
+        }
+        observed.pdof = coded_pdof(data, vehicle).map(|coded| match sd_of(&key("crush.pdof")) {
+            Some(scale) => CodedPdof { scale, ..coded },
+            None => {
+                default_errors.push(key("crush.pdof"));
+                coded
+            }
+        });
+        if let Some(recorder) = &vehicle.recorder {
+            observed.recorder = recorded(recorder, case, &key, default_errors);
+        }
+        if let Some(certain) = &vehicle.certain_speed {
+            let si = |limit: &Option<Quantity>, none: f64| limit.as_ref().map_or(none, Quantity::si);
+            observed.limits = Limits {
+                least: si(&certain.at_least, f64::NEG_INFINITY),
+                most: si(&certain.at_most, f64::INFINITY),
+            };
+        }
+    }
+    if let [Some(one), Some(two)] = vehicles.each_ref().map(|vehicle| vehicle.pdof) {
+        let id = if one.scale <= two.scale { VehicleId::Two } else { VehicleId::One };
+        let key = format!("{}.crush.pdof", table(id));
+        default_errors.retain(|defaulted| *defaulted != key);
+        unused.push(Unused { key, reason: UnusedReason::OtherPdof });
+    }
+    let is_front = |data: &VehicleData| data.damage.as_ref().is_some_and(|damage| damage.side == Side::Front);
+    let fronts = if nominal.vehicles.iter().all(is_front) { FITTED.front_to_front } else { 1.0 };
+    let median = given.delta_v_median.as_ref().map(Quantity::si);
+    let severity = Severity { median: median.unwrap_or(FITTED.severity.median * fronts), ..FITTED.severity };
+    let crush = has_crush(case, nominal, unused).then(|| {
+        let usual = Real::sqrt(FITTED.crush.ln_sd * FITTED.crush.ln_sd + CRUSH_BIAS_ERROR * CRUSH_BIAS_ERROR);
+        if given.crush_error.is_none() {
+            default_errors.push("estimate.crush_error".to_owned());
+        }
+        CrushMisfit { ln_sd: given.crush_error.map_or(usual, |percent| percent / 100.0), ..FITTED.crush }
+    });
+    Observed { vehicles, severity: (prior == Prior::Field).then_some(severity), crush }
+}
+
+/// The PDOF that the case gives for a vehicle itself.
+fn coded_pdof(data: &VehicleData, vehicle: &GivenVehicle) -> Option<CodedPdof> {
+    let pdof = data.pdof().filter(|_| !data.pdof_follows())?;
+    let of_crush = vehicle.crush.as_ref().map(|crush| crush.side);
+    let side = of_crush.or_else(|| data.energy.and_then(|energy| energy.side));
+    let is_side = matches!(side, Some(Side::Left | Side::Right));
+    let scale = FITTED.pdof_scale * if is_side { FITTED.pdof_side_factor } else { 1.0 };
+    let hour = if data.pdof_is_hour() { HOUR_SD } else { 0.0 };
+    Some(CodedPdof { pdof, scale: Real::sqrt(scale * scale + hour * hour) })
+}
+
+fn recorded(
+    recorder: &inputs::Recorder,
+    case: &Case,
+    key: &dyn Fn(&str) -> String,
+    default_errors: &mut Vec<String>,
+) -> Recorder {
+    let mut or_default = |of: &str, given: Option<f64>, default: f64| {
+        if given.is_none() {
+            default_errors.push(key(of));
+        }
+        given.map_or(default, |percent| percent / 100.0)
+    };
+    let delta_v = recorder.delta_v_longitudinal.as_ref().map(|longitudinal| {
+        let (along, across) = (longitudinal.si(), recorder.delta_v_lateral.as_ref().map(Quantity::si));
+        let across_size = across.unwrap_or_default();
+        RecordedDeltaV {
+            size: Real::sqrt(along * along + across_size * across_size),
+            is_longitudinal: across.is_none(),
+            ln_scale: or_default("recorder.delta_v_error", recorder.delta_v_error, RECORDER_DELTA_V),
+            freedom: Freedom::Three,
+        }
+    });
+    let speed = recorder.speed.as_ref().map(|speed| Measured {
+        value: speed.si(),
+        sd: or_default("recorder.speed_error", recorder.speed_error, RECORDER_SPEED),
+    });
+    let yaw_rate = recorder.yaw_rate.as_ref().map(|rate| {
+        let value = case.axes.lateral(rate.si());
+        Measured { value, sd: Real::max(YAW_RATE_SHARE * value.abs(), YAW_RATE_LEAST) }
+    });
+    Recorder { delta_v, speed, yaw_rate }
+}
+
+/// Whether the crush energies of all vehicles that move are known, and are more than nothing.
+fn has_crush(case: &Case, nominal: &Collision, unused: &mut Vec<Unused>) -> bool {
+    let movers = || VehicleId::ALL.into_iter().filter(|id| !case.vehicles[id.index()].fixed);
+    let is_inferred = |id: VehicleId| {
+        case.vehicles[id.index()].crush.as_ref().is_some_and(|crush| crush.from_force_balance)
+    };
+    let mut leave = |id: VehicleId, reason| {
+        unused.push(Unused { key: format!("{}.crush", table(id)), reason });
+    };
+    if let Some(id) = movers().find(|id| is_inferred(*id)) {
+        leave(id, UnusedReason::Inferred);
+        leave(id.other(), UnusedReason::OtherCrushUnknown);
+        return false;
+    }
+    let has_data = |id: VehicleId| case.vehicles[id.index()].has_damage_data();
+    if !movers().all(has_data) {
+        for id in movers().filter(|id| has_data(*id)) {
+            leave(id, UnusedReason::OtherCrushUnknown);
+        }
+        return false;
+    }
+    let assessed = crate::damage::assess(nominal.vehicles.clone(), [None, None]);
+    assessed.is_ok_and(|vehicles| crate::damage::crush_energy(&vehicles) > 0.0)
+}

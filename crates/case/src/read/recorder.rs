@@ -1,0 +1,61 @@
+//! `[vehicleN.recorder]`, `certain_speed` of a vehicle, and `[estimate]`.
+
+use super::tree::{Reader, Table};
+use crate::case_problem::CaseProblem;
+use crate::schema::{CERTAIN_SPEED, RECORDER};
+use inputs::{CertainSpeed, GivenEstimate, Prior, Quantity, Recorder};
+
+const EXACT: &str =
+    "a string with a number and a unit: its error stands beside it, as delta_v_error or speed_error";
+const CERTAIN: &str =
+    "a string with a number and a unit: a speed that is not certain is `speed` of the vehicle, as a range";
+
+impl<'t> Reader<'t> {
+    /// A table without a key says nothing.
+    pub(super) fn recorder(&mut self, vehicle: &Table<'t>) -> Option<Recorder> {
+        let table = self.child(vehicle, "recorder", &RECORDER)?;
+        let [delta_v_longitudinal, delta_v_lateral, speed, yaw_rate] =
+            ["delta_v_longitudinal", "delta_v_lateral", "speed", "yaw_rate"]
+                .map(|key| self.exact_quantity(&table, key, EXACT));
+        let [delta_v_error, speed_error] =
+            ["delta_v_error", "speed_error"].map(|key| self.percent(&table, key));
+        if table.has("delta_v_lateral") && !table.has("delta_v_longitudinal") {
+            self.missing(&table, "delta_v_longitudinal");
+        }
+        let recorder =
+            Recorder { delta_v_longitudinal, delta_v_lateral, delta_v_error, speed, speed_error, yaw_rate };
+        (recorder != Recorder::default()).then_some(recorder)
+    }
+
+    pub(super) fn certain_speed(&mut self, vehicle: &Table<'t>) -> Option<CertainSpeed> {
+        const FORMS: &str =
+            "certain_speed = { at_least = \"0 km/h\", at_most = \"60 km/h\" }, or one of these alone";
+        let table = self.inline(vehicle, "certain_speed", &CERTAIN_SPEED, "a table in braces", FORMS)?;
+        let [at_least, at_most] =
+            ["at_least", "at_most"].map(|key| self.exact_quantity(&table, key, CERTAIN));
+        if table.given(&["at_least", "at_most"]).is_empty() {
+            return self.no_form(&table, FORMS);
+        }
+        let [low, high] = [&at_least, &at_most].map(|limit| limit.as_ref().map(Quantity::si));
+        if let (Some(low), Some(high)) = (low, high)
+            && low >= high
+        {
+            let path = table.path_of("at_least");
+            let message = format!("\"{path}\" is not below `at_most`");
+            let help = Some("a speed that is known exactly is `speed` of the vehicle".to_owned());
+            self.report_path(&path, CaseProblem::Fault { message, help });
+            return None;
+        }
+        Some(CertainSpeed { at_least, at_most })
+    }
+
+    pub(super) fn estimate(&mut self, table: &Table<'t>) -> GivenEstimate {
+        const EXACT_PRIOR: &str =
+            "a string with a number and a unit: the spread about it is that of the field";
+        GivenEstimate {
+            prior: self.choice(table, "prior", &Prior::WORDS).unwrap_or_default(),
+            delta_v_median: self.exact_quantity(table, "delta_v_median", EXACT_PRIOR),
+            crush_error: self.percent(table, "crush_error"),
+        }
+    }
+}

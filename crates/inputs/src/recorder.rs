@@ -1,0 +1,106 @@
+//! What a recorder stored, what is certain of a speed, and what an estimate assumes: `[vehicleN.recorder]`,
+//! `certain_speed` and `[estimate]`. These numbers are held against the impact and do not enter it, so no
+//! other analysis varies them.
+
+use std::fmt::Display;
+
+use crate::quantity::{Quantity, format_number};
+use crate::walk::{Key, Value, Walk};
+use crate::words::word;
+
+/// What the event data recorder of a vehicle stored.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Recorder {
+    /// (m/s) largest part of ΔV along the vehicle, positive forward.
+    pub delta_v_longitudinal: Option<Quantity>,
+    /// (m/s) largest part of ΔV across the vehicle, positive in the sense of the axes.
+    pub delta_v_lateral: Option<Quantity>,
+    /// (%) standard deviation of the error of ΔV.
+    pub delta_v_error: Option<f64>,
+    /// (m/s) speed before the impact.
+    pub speed: Option<Quantity>,
+    /// (%) standard deviation of its error.
+    pub speed_error: Option<f64>,
+    /// (rad/s) yaw rate after the impact, in the sense of the axes.
+    pub yaw_rate: Option<Quantity>,
+}
+
+/// What is certain of the speed of a vehicle before the impact.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CertainSpeed {
+    /// (m/s) it was not slower.
+    pub at_least: Option<Quantity>,
+    /// (m/s) it was not faster.
+    pub at_most: Option<Quantity>,
+}
+
+/// What an estimate assumes before the evidence.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct GivenEstimate {
+    /// How severe the collision may have been.
+    pub prior: Prior,
+    /// (m/s) median of √(ΔV₁ ΔV₂) before the evidence, in place of that of the field.
+    pub delta_v_median: Option<Quantity>,
+    /// (%) standard deviation of the error of crush energies against what the impact took, in place of that
+    /// of the field.
+    pub crush_error: Option<f64>,
+}
+
+/// How severe a collision may have been, before the evidence.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Prior {
+    /// `"field"`: as those of which a vehicle was towed.
+    #[default]
+    Field,
+    /// `"flat"`: any speed is as likely as any other.
+    Flat,
+}
+
+impl Prior {
+    /// Each under its word.
+    pub const WORDS: [(&str, Self); 2] = [("field", Self::Field), ("flat", Self::Flat)];
+
+    /// Its word.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        word(&Self::WORDS, &self)
+    }
+}
+
+impl<U> Walk<'_, U> {
+    fn exact_if(&mut self, path: &dyn Display, quantity: Option<&Quantity>) {
+        if let Some(quantity) = quantity {
+            self.exact(path, quantity);
+        }
+    }
+
+    fn percent_if(&mut self, path: &dyn Display, percent: Option<f64>) {
+        if let Some(percent) = percent {
+            self.other(path, || Value::Text(format!("{} %", format_number(percent))));
+        }
+    }
+
+    pub(crate) fn recorder(&mut self, table: &dyn Display, recorder: &Recorder) -> Recorder {
+        let at = |key| Key(table, key);
+        self.exact_if(&at("delta_v_longitudinal"), recorder.delta_v_longitudinal.as_ref());
+        self.exact_if(&at("delta_v_lateral"), recorder.delta_v_lateral.as_ref());
+        self.percent_if(&at("delta_v_error"), recorder.delta_v_error);
+        self.exact_if(&at("speed"), recorder.speed.as_ref());
+        self.percent_if(&at("speed_error"), recorder.speed_error);
+        self.exact_if(&at("yaw_rate"), recorder.yaw_rate.as_ref());
+        *recorder
+    }
+
+    pub(crate) fn certain_speed(&mut self, table: &dyn Display, certain: &CertainSpeed) -> CertainSpeed {
+        self.exact_if(&Key(table, "at_least"), certain.at_least.as_ref());
+        self.exact_if(&Key(table, "at_most"), certain.at_most.as_ref());
+        *certain
+    }
+
+    pub(crate) fn estimate(&mut self, estimate: &GivenEstimate) -> GivenEstimate {
+        self.choice(&"estimate.prior", &Prior::WORDS, estimate.prior);
+        self.exact_if(&"estimate.delta_v_median", estimate.delta_v_median.as_ref());
+        self.percent_if(&"estimate.crush_error", estimate.crush_error);
+        *estimate
+    }
+}
