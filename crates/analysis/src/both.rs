@@ -50,7 +50,7 @@ pub(crate) struct Posed<T = f64> {
     pub(crate) by_crush: Option<ByCrush<T>>,
     /// The ways that tell how the vehicles left the impact, or follow from it.
     pub(crate) ways: [Option<Way<T>>; 2],
-    law: VaryingLaw<T>,
+    pub(crate) law: VaryingLaw<T>,
 }
 
 /// What momentum along one line lacks.

@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 
 use inputs::{Axes, Basis, Case, Dimension, Find, GivenVehicle, Quantity, Reconstruct, Velocity};
 use pim_core::{Outcome, Real, VehicleId};
-use reconcile::{COLLINEAR, Unknown};
+use reconcile::{COLLINEAR, EvidenceErrors, MomentumBesideCrush, Unknown};
 
 use crate::both::{Posed, pose};
+use crate::thresholds::{CRUSH_ENERGY_ERROR, DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
 use crate::travel::{Origin, Record};
 use crate::{Analysis, Failure, crush, damage, reconstruct};
 
@@ -21,7 +22,8 @@ pub struct ByEvidence {
     pub damage: Result<EvidenceAnswer, NoEvidence>,
     /// The momentum after the impact, without the crush energy.
     pub momentum: Result<EvidenceAnswer, NoEvidence>,
-    /// Momentum along the common line of the approaches, and the crush energy.
+    /// Momentum and the crush energy: of approaches along one line the momentum along it, and of those that
+    /// cross all of it, weighed against the crush energy.
     pub together: Result<EvidenceAnswer, NoEvidence>,
 }
 
@@ -44,7 +46,7 @@ pub struct EvidenceAnswer {
 }
 
 /// How an answer was found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EvidenceMethod {
     /// From the crush energy and the speed that the case gives for this vehicle.
     DamageAndSpeed {
@@ -68,6 +70,13 @@ pub enum EvidenceMethod {
     },
     /// From momentum along the line that the approaches share, and the crush energy.
     MomentumAndDamage,
+    /// From momentum and the crush energy, weighed by their errors: the approaches cross.
+    Weighed {
+        /// The errors.
+        errors: EvidenceErrors,
+        /// (–) how many standard deviations momentum and crush energy lie apart.
+        apart: f64,
+    },
 }
 
 /// Why a kind of evidence has no answer.
@@ -79,12 +88,6 @@ pub enum NoEvidence {
     /// The approaches lie within 10° of one line, and no speed or both are given: momentum alone does not
     /// tell one speed from the other.
     NeedsSpeed {
-        /// (rad) the angle between the headings.
-        angle: f64,
-    },
-    /// The approaches cross: momentum alone gives both speeds, so that nothing is left for the crush energy
-    /// to tell.
-    NothingLeft {
         /// (rad) the angle between the headings.
         angle: f64,
     },
@@ -113,7 +116,7 @@ pub(crate) fn by_evidence(case: &Case, own: &Analysis) -> Option<ByEvidence> {
         crush_energy,
         damage: by_damage(case, own).map_err(fails),
         momentum: by_momentum(case).map_err(fails),
-        together: by_both(case).map_err(fails),
+        together: by_both(case, crush_energy).map_err(fails),
     })
 }
 
@@ -238,16 +241,29 @@ fn by_momentum(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
     })
 }
 
-/// From momentum along the line of the approaches and the crush energy.
-fn by_both(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
+/// What is taken for the errors of the evidence where momentum and the crush energy are weighed.
+const ERRORS: EvidenceErrors = EvidenceErrors {
+    speed: SPEED_AFTER_ERROR,
+    direction: DIRECTION_AFTER_ERROR,
+    crush_ln: CRUSH_ENERGY_ERROR,
+};
+
+/// From momentum and the crush energy (J).
+fn by_both(case: &Case, crush_energy: f64) -> Result<EvidenceAnswer, NoEvidence> {
     let (posed, basis) = posed(case)?;
-    let Some(by_crush) = &posed.by_crush else {
-        return Err(NoEvidence::NothingLeft { angle: posed.momentum.angle().abs() });
+    let (speeds, by) = if let Some(by_crush) = &posed.by_crush {
+        (by_crush.search.solve().map_err(Failure::from)?.speeds, EvidenceMethod::MomentumAndDamage)
+    } else {
+        let (momentum, law) = (posed.momentum, posed.law.clone());
+        let on = (basis.energy(), basis.tangential_share());
+        let found = MomentumBesideCrush::new(momentum, law, crush_energy, on, ERRORS)
+            .and_then(|weighed| weighed.solve())
+            .map_err(Failure::from)?;
+        (found.speeds, EvidenceMethod::Weighed { errors: ERRORS, apart: found.apart })
     };
-    let speeds = by_crush.search.solve().map_err(Failure::from)?.speeds;
     let (law, outcome) = posed.impact(speeds)?;
     Ok(EvidenceAnswer {
-        by: EvidenceMethod::MomentumAndDamage,
+        by,
         speeds: Some(speeds),
         delta_v: outcome.delta_v_magnitude(),
         closing_speed: Some(outcome.closing_speed()),

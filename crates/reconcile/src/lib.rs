@@ -34,7 +34,7 @@
 //!
 //! Where neither speed is known, but both velocities after impact are, a [`Momentum`] gives both speeds if
 //! the approaches cross, and a [`MomentumAndCrush`] if they are collinear. [`Implied`] is what is then known
-//! twice.
+//! twice. A [`MomentumBesideCrush`] weighs momentum that gives both speeds against the crush energy.
 //!
 //! | code | symbol | meaning | unit |
 //! |---|---|---|---|
@@ -98,5 +98,8 @@ pub use closed_form::{AffineImpact, Quadratic};
 pub use crash3::EnergyBasis;
 pub use error::ReconcileError;
 pub use line::ApproachLine;
-pub use momentum::{BothSpeeds, COLLINEAR, Departure, Implied, Momentum, MomentumAndCrush, MomentumError};
+pub use momentum::{
+    BothSpeeds, COLLINEAR, Departure, EvidenceErrors, Implied, Momentum, MomentumAndCrush,
+    MomentumBesideCrush, MomentumError, WeighedSpeeds,
+};
 pub use problem::{Problem, Unknown};

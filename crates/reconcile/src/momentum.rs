@@ -3,12 +3,14 @@
 mod crush;
 mod error;
 mod implied;
+mod weighed;
 
 use pim_core::{Contact, InvalidInput, Motion, Real, Vector2, VehicleId};
 
 pub use crush::{BothSpeeds, MomentumAndCrush};
 pub use error::MomentumError;
 pub use implied::Implied;
+pub use weighed::{EvidenceErrors, MomentumBesideCrush, WeighedSpeeds};
 
 /// (rad) 10°. Approaches whose directions, or those of one and the opposite of the other, differ by no more
 /// are collinear: EDCRASH's rule (its manual, chapter 2). At this angle an error of the momentum across the
@@ -159,11 +161,15 @@ impl<T: Real> Momentum<T> {
         if self.is_collinear() {
             return Err(MomentumError::Collinear { angle: self.angle().value() });
         }
+        Ok(self.speeds_with(self.total()))
+    }
+
+    /// (m/s) the speeds that have the momentum p (kg·m/s).
+    fn speeds_with(&self, p: Vector2<T>) -> [T; 2] {
         let [m1, m2] = self.masses();
         let [e1, e2] = self.headings();
-        let p = self.total();
         // v₁ = (p × ê₂)/(m₁ ê₁ × ê₂),  v₂ = (ê₁ × p)/(m₂ ê₁ × ê₂)
-        Ok([cross(p, e2) / (m1 * self.sine()), cross(e1, p) / (m2 * self.sine())])
+        [cross(p, e2) / (m1 * self.sine()), cross(e1, p) / (m2 * self.sine())]
     }
 
     /// (m/s) the speed of one vehicle along its heading, from the momentum along this heading and the `known`

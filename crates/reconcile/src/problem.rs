@@ -116,7 +116,7 @@ impl<T: Real> Problem<T> {
 
     /// Whether λ is one that the basis can have.
     #[inline(always)]
-    fn has_tangential_share(&self) -> bool {
+    pub(crate) fn has_tangential_share(&self) -> bool {
         let share = self.tangential_share;
         let most = match self.basis {
             EnergyBasis::Dissipated => T::ONE,

@@ -1,17 +1,20 @@
 //! The answers of several laws side by side, as JSON.
 
+use std::f64::consts::E;
+
 use analysis::{
     ByEvidence, Comparison, Correction, EvidenceAnswer, EvidenceMethod, NoEvidence, Seen, quantity,
 };
 use case::{Case, CaseFile};
 use crash3::ObliqueCorrection;
+use pim_core::Real;
 use serde::Serialize;
 
 use super::json::WarningBlock;
 use super::{identified, pretty, title};
 use crate::failures::no_answer;
 use crate::law;
-use crate::units::{Measure, Units};
+use crate::units::{Measure, Units, number};
 use crate::words::regime_name;
 
 /// One row of the table, in SI units and radians. What a row cannot have is left out.
@@ -100,6 +103,9 @@ pub(crate) struct EvidenceRow {
     pub(crate) crush_energy_needed: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) energy_loss: Option<f64>,
+    /// (–) how many standard deviations momentum and crush energy lie apart, where both were weighed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) standard_deviations_apart: Option<f64>,
     /// How it was found, in words.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub(crate) how: String,
@@ -117,7 +123,11 @@ pub(crate) fn evidence(by: &ByEvidence, units: Units) -> EvidenceBlock {
             closing_speed: answer.closing_speed,
             crush_energy_needed: answer.crush_energy,
             energy_loss: answer.energy_loss,
-            how: method(answer.by),
+            standard_deviations_apart: match answer.by {
+                EvidenceMethod::Weighed { apart, .. } => Some(apart),
+                _ => None,
+            },
+            how: method(answer.by, units),
             error: String::new(),
         },
         Err(reason) => EvidenceRow { error: no_evidence(reason, units), ..EvidenceRow::default() },
@@ -131,7 +141,7 @@ pub(crate) fn evidence(by: &ByEvidence, units: Units) -> EvidenceBlock {
 }
 
 /// How an answer was found.
-fn method(by: EvidenceMethod) -> String {
+fn method(by: EvidenceMethod, units: Units) -> String {
     match by {
         EvidenceMethod::DamageAndSpeed { given } => {
             format!("from the crush energy and the given speed of vehicle {given} (theory 6)")
@@ -164,6 +174,15 @@ fn method(by: EvidenceMethod) -> String {
              the file may give does not enter"
                 .to_owned()
         }
+        EvidenceMethod::Weighed { errors, apart } => format!(
+            "from momentum and the crush energy, each weighed by its error (theory 10): {} % and {} of the \
+             velocities after the impact, a factor of {} of the crush energy, one standard deviation each. With \
+             these the two lie {} standard deviations apart. A speed that the file may give does not enter",
+            number(100.0 * errors.speed, 0),
+            units.format(Measure::Angle, errors.direction),
+            number(E.power(errors.crush_ln), 2),
+            number(apart, 1),
+        ),
     }
 }
 
@@ -179,11 +198,6 @@ fn no_evidence(reason: &NoEvidence, units: Units) -> String {
         NoEvidence::NeedsSpeed { angle: si } => format!(
             "no answer: the headings differ by {}, within 10° of one line, where momentum alone does not tell one speed \
              from the other. With the speed of one vehicle it gives that of the other",
-            angle(*si)
-        ),
-        NoEvidence::NothingLeft { angle: si } => format!(
-            "no answer of its own: the headings differ by {}, so that momentum alone gives both speeds. The crush energy \
-             is then a check: compare what the impact needs with what was measured",
             angle(*si)
         ),
         NoEvidence::Failed(failure) => format!("no answer: {}", no_answer(failure, units)),

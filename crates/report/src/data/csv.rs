@@ -273,6 +273,10 @@ fn of_comparisons() -> Vec<(String, Column)> {
             (format!("evidence.{evidence}.{name}"), Column::Number(format!("/evidence/{evidence}/{place}")))
         }));
     }
+    columns.push((
+        "evidence.momentum_and_damage.standard_deviations_apart".to_owned(),
+        Column::Number("/evidence/momentum_and_damage/standard_deviations_apart".to_owned()),
+    ));
     columns
 }
 
