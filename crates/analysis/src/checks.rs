@@ -9,9 +9,9 @@ use pim_core::{Real, VehicleId};
 
 use crate::thresholds::{
     ARM_DIFFERENCE, ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION,
-    MOMENTUM_ENERGY_DIFFERENCE, PDOF_DIFFERENCE, RATIO_BEYOND, RESTITUTION_DIFFERENCE,
+    MOMENTUM_ENERGY_DIFFERENCE, PDOF_DIFFERENCE, POINT_MISSED, RATIO_BEYOND, RESTITUTION_DIFFERENCE,
 };
-use crate::{BothFound, BothMethod, Impact, Vehicle};
+use crate::{BothFound, BothMethod, Impact, Pass, Travel, Vehicle};
 
 /// (rad) what the sums of a few angles within a turn or two are rounded by, and more.
 const ANGLE_ROUNDING: f64 = 1e-12;
@@ -94,6 +94,16 @@ pub enum CheckedQuantity {
         /// (rad) of the case.
         given: f64,
     },
+    /// By how much the way to rest misses a point of the path, in place or by the turn of the wheelbase if
+    /// that is more, as a share of the way.
+    PointMissed {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// Which of its points, counted from 1.
+        point: usize,
+        /// How the way passes it.
+        pass: Pass,
+    },
 }
 
 impl Check {
@@ -122,6 +132,7 @@ impl Check {
             CheckedQuantity::MomentumRatio { .. } => "momentum-ratio",
             CheckedQuantity::MomentumYawRate { .. } => "momentum-yaw-rate",
             CheckedQuantity::MomentumPdof { .. } => "momentum-pdof",
+            CheckedQuantity::PointMissed { .. } => "point-missed",
         }
     }
 
@@ -135,6 +146,9 @@ impl Check {
             CheckedQuantity::MomentumYawRate { vehicle, implied, told } => {
                 CheckedQuantity::MomentumYawRate { vehicle, implied: turned(implied), told: turned(told) }
             }
+            CheckedQuantity::PointMissed { vehicle, point, pass } => {
+                CheckedQuantity::PointMissed { vehicle, point, pass: pass.in_axes(axes) }
+            }
             other => other,
         };
         Self { quantity, ..self }
@@ -146,7 +160,8 @@ impl Check {
         match self.quantity {
             CheckedQuantity::Rotation { vehicle }
             | CheckedQuantity::MomentumYawRate { vehicle, .. }
-            | CheckedQuantity::MomentumPdof { vehicle, .. } => Some(vehicle),
+            | CheckedQuantity::MomentumPdof { vehicle, .. }
+            | CheckedQuantity::PointMissed { vehicle, .. } => Some(vehicle),
             CheckedQuantity::ForceBalance
             | CheckedQuantity::PdofsOpposite
             | CheckedQuantity::DamageEnergy { .. }
@@ -217,6 +232,22 @@ pub(crate) fn of_momentum(
             let quantity = CheckedQuantity::MomentumPdof { vehicle, implied: computed, given };
             let value = principal_angle(computed - given).abs();
             checks.push(Check { quantity, value, limit: vehicles[i].half_hour().max(PDOF_DIFFERENCE) });
+        }
+    }
+    checks
+}
+
+/// How the ways to rest pass the points of the paths.
+pub(crate) fn of_travel(travel: &[Option<Travel>; 2]) -> Vec<Check> {
+    let mut checks = Vec::new();
+    for (vehicle, travel) in VehicleId::ALL.into_iter().zip(travel) {
+        let Some(travel) = travel else { continue };
+        for (i, (pass, value)) in travel.passes.iter().zip(travel.shares_missed()).enumerate() {
+            // A vehicle that does not move has no way that a length could be a share of.
+            if value.is_finite() {
+                let quantity = CheckedQuantity::PointMissed { vehicle, point: i + 1, pass: *pass };
+                checks.push(Check { quantity, value, limit: POINT_MISSED });
+            }
         }
     }
     checks

@@ -128,9 +128,11 @@ impl Analysis {
         self.impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle))
     }
 
-    /// With the ways to rest, and the warnings about them.
+    /// With the ways to rest, and the checks and warnings about them.
     fn with_travel(mut self, travel: [Option<Travel>; 2], surface: Option<SurfaceData>) -> Self {
-        warning::of_travel(&travel, &mut self.warnings);
+        let checks = checks::of_travel(&travel);
+        warning::of_travel(&travel, &checks, &mut self.warnings);
+        self.checks.extend(checks);
         self.travel = travel;
         self.surface = surface;
         self
@@ -447,21 +449,20 @@ pub fn motion(case: &Case) -> Result<Analysis, Failure> {
     };
     let vehicles = case.subjects().map(bare);
     let basis = Basis::default();
-    let mut warnings = Vec::new();
-    warning::of_travel(&travel, &mut warnings);
-    Ok(Analysis {
+    let analysis = Analysis {
         basis,
         found: None,
         both: None,
         impact: None,
-        travel,
+        travel: [None, None],
         skids: [None; 2],
-        surface: Some(input.surface),
+        surface: None,
         vehicles,
         crash3: None,
         checks: Vec::new(),
-        warnings,
-    })
+        warnings: Vec::new(),
+    };
+    Ok(analysis.with_travel(travel, Some(input.surface)))
 }
 
 /// The ways to rest after an impact, where the case has the ground and the drag for them.

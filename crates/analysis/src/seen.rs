@@ -136,6 +136,9 @@ impl Warning {
                 *yaw_rate = axes.lateral(*yaw_rate);
             }
         }
+        if let Self::PointMissed { pass, .. } = &mut seen {
+            *pass = pass.in_axes(axes);
+        }
         if let Self::LargeImpulseRatio { impulse_ratio, .. } = &mut seen {
             *impulse_ratio = axes.lateral(*impulse_ratio);
         }

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use inputs::{
-    MotionInput, PointData, RestData, RestHeadingData, SkidData, SteerData, SurfaceData, VehicleMotion,
+    Axes, MotionInput, PointData, RestData, RestHeadingData, SkidData, SteerData, SurfaceData, VehicleMotion,
 };
 use pim_core::{Motion, Real, Vector2, VehicleId};
 use reconcile::Departure;
@@ -53,6 +53,20 @@ pub struct Pass {
     pub miss: f64,
     /// (rad) from the heading there to the measured one, in (−π, π].
     pub turned: Option<f64>,
+}
+
+impl Pass {
+    /// (–) the miss in place, or by the turn of the wheelbase (m) if that is more, as a share of the length
+    /// of the way (m).
+    fn share(&self, wheelbase: f64, distance: f64) -> f64 {
+        let miss = self.miss.max(wheelbase * self.turned.unwrap_or_default().abs());
+        if miss > 0.0 { miss / distance } else { 0.0 }
+    }
+
+    /// The same in the given axes.
+    pub(crate) fn in_axes(self, axes: Axes) -> Self {
+        Self { turned: self.turned.map(|turned| axes.lateral(turned)), ..self }
+    }
 }
 
 /// Where the motion at the start of a way comes from.
@@ -200,11 +214,9 @@ impl Scene<'_> {
     /// (–) the most by which the way of a start misses a point, in place or by the turn of the wheelbase, as
     /// a share of the way; zero where there are no points.
     fn off(&self, vehicle: VehicleId, way: &VehicleMotion, start: &Start) -> Result<f64, Failure> {
-        let wheelbase = way.chassis.wheelbase();
         let passes = self.passes(vehicle, way, start.motion)?;
-        let miss = |pass: &Pass| pass.miss.max(wheelbase * pass.turned.unwrap_or_default().abs());
-        let most = passes.iter().map(miss).fold(0.0, f64::max);
-        Ok(if most > 0.0 { most / start.rest.distance } else { 0.0 })
+        let share = |pass: &Pass| pass.share(way.chassis.wheelbase(), start.rest.distance);
+        Ok(passes.iter().map(share).fold(0.0, f64::max))
     }
 
     /// How the way of a vehicle that leaves the impact with the motion `start` passes its points.
@@ -514,11 +526,7 @@ impl Travel {
                     heading: point.heading.map(|heading| 0.0 - heading),
                 })
                 .collect(),
-            passes: self
-                .passes
-                .into_iter()
-                .map(|pass| Pass { turned: pass.turned.map(|turned| 0.0 - turned), ..pass })
-                .collect(),
+            passes: self.passes.into_iter().map(|pass| pass.in_axes(Axes::ZDown)).collect(),
             others: self
                 .others
                 .into_iter()
@@ -541,6 +549,12 @@ impl Travel {
             }),
             ..self
         }
+    }
+
+    /// (–) by how much the way misses each point, in place or by the turn of the wheelbase if that is more, as
+    /// a share of its length.
+    pub fn shares_missed(&self) -> impl Iterator<Item = f64> {
+        self.passes.iter().map(|pass| pass.share(self.chassis.wheelbase(), self.rest.distance))
     }
 
     /// (m) from the rest found to the one measured, and (rad) from its heading to that.

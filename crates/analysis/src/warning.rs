@@ -13,7 +13,7 @@ use crate::checks::{Check, CheckedQuantity};
 use crate::damage::Crash3;
 use crate::thresholds::{FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
 use crate::usual::Usual;
-use crate::{Damage, Found, Impact, Travel, Vehicle};
+use crate::{Damage, Found, Impact, Pass, Travel, Vehicle};
 
 /// How far CRASH3's ΔV may be from that of the impact.
 const DELTA_V_DIFFERENCE: f64 = 0.1;
@@ -103,6 +103,15 @@ pub enum Warning {
         used: [f64; 2],
         /// (m/s, rad/s) those of the others.
         others: Vec<[f64; 2]>,
+    },
+    /// The way of a vehicle to its rest misses a point of its path.
+    PointMissed {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// Which of its points, counted from 1.
+        point: usize,
+        /// How the way passes it.
+        pass: Pass,
     },
     /// α was limited to 45°.
     AngleCapped {
@@ -430,7 +439,7 @@ pub enum Magnitude {
 
 impl Warning {
     /// Every warning code.
-    pub const CODES: [&'static str; 35] = [
+    pub const CODES: [&'static str; 36] = [
         "crush-plane",
         "contact-outside",
         "high-restitution",
@@ -438,6 +447,7 @@ impl Warning {
         "pdof-differs",
         "momentum-differs",
         "several-starts",
+        "point-missed",
         "angle-capped",
         "side-not-pushed",
         "delta-v-differs",
@@ -479,6 +489,7 @@ impl Warning {
             Self::PdofDiffers { .. } => "pdof-differs",
             Self::MomentumDiffers { .. } => "momentum-differs",
             Self::SeveralStarts { .. } => "several-starts",
+            Self::PointMissed { .. } => "point-missed",
             Self::AngleCapped { .. } => "angle-capped",
             Self::SideNotPushed { .. } => "side-not-pushed",
             Self::DeltaVDiffers { .. } => "delta-v-differs",
@@ -517,6 +528,7 @@ impl Warning {
             Self::ContactOutside { vehicle, .. }
             | Self::PdofDiffers { vehicle, .. }
             | Self::SeveralStarts { vehicle, .. }
+            | Self::PointMissed { vehicle, .. }
             | Self::AngleCapped { vehicle, .. }
             | Self::SideNotPushed { vehicle, .. }
             | Self::MovesBackward { vehicle, .. }
@@ -1034,14 +1046,19 @@ pub(crate) fn of_momentum(checks: &[Check], warnings: &mut Vec<Warning>) {
     }
 }
 
-/// Where a rest does not tell one motion alone.
-pub(crate) fn of_travel(travel: &[Option<Travel>; 2], warnings: &mut Vec<Warning>) {
+/// Where a rest does not tell one motion alone, or the motion misses a point of the path.
+pub(crate) fn of_travel(travel: &[Option<Travel>; 2], checks: &[Check], warnings: &mut Vec<Warning>) {
     for (vehicle, travel) in VehicleId::ALL.into_iter().zip(travel) {
         let Some(travel) = travel else { continue };
         let told = |motion: Motion| [motion.velocity.norm(), motion.yaw_rate];
         let others: Vec<[f64; 2]> = travel.likely_others().map(|other| told(other.motion)).collect();
         if !others.is_empty() {
             warnings.push(Warning::SeveralStarts { vehicle, used: told(travel.start.motion), others });
+        }
+    }
+    for check in checks.iter().filter(|check| !check.passed()) {
+        if let CheckedQuantity::PointMissed { vehicle, point, pass } = check.quantity {
+            warnings.push(Warning::PointMissed { vehicle, point, pass });
         }
     }
 }

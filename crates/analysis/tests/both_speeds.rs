@@ -6,8 +6,9 @@
     reason = "the library's own functions would not be an independent check"
 )]
 
-use analysis::{Analysis, BothMethod, TravelOrigin, impact, motion, reconstruct};
+use analysis::{Analysis, BothMethod, CheckedQuantity, TravelOrigin, impact, motion, reconstruct};
 use case::{Case, CaseFile};
+use pim_core::VehicleId;
 
 const REAR_END: &str = include_str!("../../../fixtures/rear-end-rest.toml");
 const G: f64 = 9.80665;
@@ -174,8 +175,57 @@ fn a_point_with_a_heading_tells_which_motion_led_to_a_rest() {
             let off = motion(&read(&with(&point(off)))).unwrap().travel[0].clone().unwrap();
             assert_near(off.passes[0].turned.unwrap(), 0.2, 0.01);
         }
-        let seen = motion(&read(&with(&point(0.2)))).unwrap().seen(inputs::Axes::ZDown);
+        let off = motion(&read(&with(&point(0.2)))).unwrap();
+        let seen = off.seen(inputs::Axes::ZDown);
         assert_near(seen.travel[0].as_ref().unwrap().passes[0].turned.unwrap(), -0.2, 0.01);
+        let [check] = seen.checks[..] else { panic!("{:?}", seen.checks) };
+        let CheckedQuantity::PointMissed { vehicle: VehicleId::One, point: 1, pass } = check.quantity else {
+            panic!("{check:?}")
+        };
+        assert_near(pass.turned.unwrap(), -0.2, 0.01);
+    }
+}
+
+/// A car with locked wheels slides 10²/(2·0.7 g) = 7.284 m along x, so that a point 15 % of that to the side,
+/// or where the heading would make 15 % of it on the wheelbase, is just one of its path.
+#[test]
+fn a_point_that_the_way_misses_is_told() {
+    let slid = 100.0 / (2.0 * 0.7 * G);
+    let told = |off: f64, turned: f64| {
+        let text = format!(
+            r#"
+[scene]
+contact = {{ x = "3 m", y = "-1 m" }}
+[surface]
+friction = 0.7
+[vehicle1]
+mass = "1500 kg"
+class = 3
+wheelbase = "2.8 m"
+heading = "0 deg"
+contact = {{ x = "2.0 m", y = "0.1 m" }}
+[vehicle1.after]
+drag = "locked"
+speed = "10 m/s"
+direction = "0 deg"
+yaw_rate = "0 deg/s"
+points = [{{ x = "2 m", y = "-1.1 m" }}, {{ x = "4 m", y = "{} m", heading = "{turned} rad" }}]
+"#,
+            -1.1 + off
+        );
+        motion(&read(&text)).unwrap()
+    };
+    for (off, turned) in [(slid, 0.0), (0.01, slid / 2.8), (-slid, -0.01), (0.0, -slid / 2.8)] {
+        for (share, passes) in [(0.149, true), (0.151, false)] {
+            let analysis = told(off * share, turned * share);
+            let [first, second] = analysis.checks[..] else { panic!("{:?}", analysis.checks) };
+            assert!(first.passed() && first.value < 1e-9, "{first:?}");
+            assert_near(second.value, share, 1e-6);
+            assert_eq!((second.passed(), second.code()), (passes, "point-missed"));
+            assert_eq!(second.vehicle(), Some(VehicleId::One));
+            let warned = analysis.warnings.iter().filter(|warning| warning.code() == "point-missed");
+            assert_eq!(warned.count(), usize::from(!passes));
+        }
     }
 }
 

@@ -3,9 +3,9 @@
 use analysis::{CheckedQuantity, FAST_CLOSING, Seen};
 use case::Basis;
 
-use crate::basis;
 use crate::document::Table;
 use crate::units::{Measure, Units, number};
+use crate::{basis, words};
 
 /// All checks of the analysis, where it has any. Where one is not passed, a warning below them says more.
 pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
@@ -76,6 +76,11 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
                 format!("momentum: PDOF of vehicle {vehicle}"),
                 format!("{}, the case has {}", angle(implied), angle(given)),
                 format!("{} apart", angle(check.limit)),
+            ),
+            CheckedQuantity::PointMissed { vehicle, point, pass } => (
+                format!("way past point {point} of vehicle {vehicle}"),
+                format!("{}: {}", words::pass(&pass, units), percent(check.value)),
+                format!("{} of the way", percent(check.limit)),
             ),
         };
         let verdict = if check.passed() { "passed" } else { "see below" };

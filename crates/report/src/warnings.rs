@@ -98,7 +98,8 @@ fn momentum_differs(check: &Check, units: Units) -> String {
         | CheckedQuantity::PdofsOpposite
         | CheckedQuantity::DamageEnergy { .. }
         | CheckedQuantity::Restitution
-        | CheckedQuantity::Rotation { .. } => String::new(),
+        | CheckedQuantity::Rotation { .. }
+        | CheckedQuantity::PointMissed { .. } => String::new(),
     }
 }
 
@@ -166,6 +167,12 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 others.join(", ")
             )
         }
+        Warning::PointMissed { vehicle, point, pass } => format!(
+            "the way of vehicle {vehicle} to its rest misses point {point} of its path by {}, more than 15 % of \
+             the way; check the point, the rest, the drag, the friction and the steer, and whether the vehicle \
+             was struck again",
+            words::pass(pass, units)
+        ),
         Warning::AngleCapped { vehicle, oblique_angle } => format!(
             "the force meets the damaged side of vehicle {vehicle} at {} to its normal; CRASH3 limits that to 45°, \
              a correction factor of 2",

@@ -4,11 +4,13 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
-use analysis::Vehicle;
+use analysis::{Pass, Vehicle};
 use case::{Case, Find, Fit, Kind, Program, SIDES, StiffnessSource, Text, UNKNOWNS, word};
 use crash3::Side;
 use pim_core::Regime;
 use reconcile::Unknown;
+
+use crate::units::{Measure, Units};
 
 /// The commands of the program `deltav`, for errors that point to them.
 pub static PROGRAM: Program = Program {
@@ -21,6 +23,13 @@ pub static PROGRAM: Program = Program {
 /// What every document and drawing is headed with.
 pub(crate) fn title(case: &Case) -> String {
     case.title.as_ref().map_or_else(|| "Untitled case".to_owned(), Text::to_string)
+}
+
+/// How far a way passes from a point, and from the heading there.
+pub(crate) fn pass(pass: &Pass, units: Units) -> String {
+    let miss = units.format(Measure::Length, pass.miss);
+    let turned = pass.turned.map(|turned| format!(", {}", units.format(Measure::Angle, turned)));
+    format!("{miss}{}", turned.unwrap_or_default())
 }
 
 /// The name of a case file without its folders, which are of no concern to whom it is handed to.

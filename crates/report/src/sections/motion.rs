@@ -8,6 +8,7 @@ use super::chosen::Chosen;
 use crate::basis;
 use crate::document::Table;
 use crate::units::{Measure, Units, number};
+use crate::words;
 
 /// How both speeds were found.
 pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
@@ -172,12 +173,7 @@ pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
     way.pair("found and measured apart", each(&miss), "");
     let most = analysis.travel.iter().flatten().map(|travel| travel.passes.len()).max().unwrap_or(0);
     for i in 0..most {
-        let pass = |travel: &Travel| {
-            let pass = travel.passes.get(i)?;
-            let miss = units.format(Measure::Length, pass.miss);
-            let turned = pass.turned.map(|turned| format!(", {}", units.format(Measure::Angle, turned)));
-            Some(format!("{miss}{}", turned.unwrap_or_default()))
-        };
+        let pass = |travel: &Travel| Some(words::pass(travel.passes.get(i)?, units));
         way.pair(&format!("way and point {} apart", i + 1), each(&pass), "");
     }
     let form = |travel: &Travel| {

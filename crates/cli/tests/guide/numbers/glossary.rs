@@ -60,6 +60,10 @@ fn motion(ledger: &mut Ledger) {
         "miss one by more than 15 % of the way",
         "the limit of the EDCRASH manual for a point on the curve",
     );
+    ledger.cited(
+        "too far away: by more than 15 % of the way",
+        "the limit of the EDCRASH manual for a point on the curve",
+    );
     ledger.cited("free wheel … 0.01", edcrash);
     ledger.cited("flat tyre … 0.013", edcrash);
     ledger.cited("high gear … 0.15 … 0.20", edcrash);
