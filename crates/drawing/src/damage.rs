@@ -31,19 +31,18 @@ const ROW: f64 = 18.0;
 pub struct DamagePicture {
     /// Of the case.
     pub title: String,
-    /// A sentence below the title.
-    pub remark: Option<String>,
     /// Vehicles 1 and 2, where they are damaged.
     pub vehicles: [Option<DamagedVehicle>; 2],
     /// Of the scale bar.
     pub length: ScaleUnit,
 }
 
-/// A damaged vehicle, in its own axes: x forward, y left of the CG (m).
+/// A damaged vehicle, in its own axes: x forward, y left of the CG (m), or of any place where its outline is
+/// not known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DamagedVehicle {
-    /// Its outline.
-    pub footprint: Footprint,
+    /// Its outline; without one the profile is drawn alone.
+    pub footprint: Option<Footprint>,
     /// Its damaged face.
     pub crush: CrushProfile,
     /// The crush was measured at the stations: they are marked and named C1, C2 …, and the undamaged outline
@@ -81,9 +80,8 @@ impl DamagePicture {
         let mut canvas = Canvas::new(NAME, WIDTH, bottom + 118.0);
         canvas.define_stripes("crushed", GREY, WHITE, 45, 6.0);
 
-        let below = "Damage: crush profiles in place, to scale, forward is up".to_owned();
-        let below = self.remark.iter().fold(below, |below, remark| format!("{below}\n{remark}"));
-        legend::header(&mut canvas, &self.title, &below);
+        let below = "Damage: crush profiles in place, to scale, forward is up";
+        legend::header(&mut canvas, &self.title, below);
         let room = Rect::new(EDGE, HEADER, WIDTH - EDGE, HEADER + ROOM);
         for (k, (panel, caption)) in panels.iter().zip(&captions).enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "there are two panels at most")]
@@ -103,21 +101,24 @@ impl DamagePicture {
         let mut entries = vec![
             (Sample::Box(CRUSHED, fill), "crushed area of the side".to_owned()),
             (Sample::Line(CRUSHED), "profile through the stations C1, C2 …".to_owned()),
-            (Sample::CentreOfGravity, "CG: centre of gravity".to_owned()),
         ];
-        if panels.iter().any(|panel| panel.vehicle.footprint.shape == Shape::Car) {
+        let bodies = || panels.iter().filter_map(|panel| panel.vehicle.footprint.as_ref());
+        if bodies().next().is_some() {
+            entries.push((Sample::CentreOfGravity, "CG: centre of gravity".to_owned()));
+        }
+        if bodies().any(|footprint| footprint.shape == Shape::Car) {
             entries.push(legend::windscreen());
         }
-        if let Some(panel) = panels.iter().find(|panel| panel.vehicle.has_stations) {
+        let has_both = |panel: &&Panel| panel.vehicle.has_stations && panel.vehicle.footprint.is_some();
+        if let Some(panel) = panels.iter().find(has_both) {
             entries.push((Sample::Line(undamaged(panel.i)), "shape before the damage".to_owned()));
         }
         legend::legend(&mut canvas, bottom + 36.0, 3, &entries);
-        let captions = captions.iter().map(|lines| lines.join(" ")).chain(self.remark.clone());
-        let description = captions.collect::<Vec<_>>().join(" ");
+        let description = captions.iter().map(|lines| lines.join(" ")).collect::<Vec<_>>().join(" ");
         Drawing::new(
             NAME,
             format!("{}: damage", self.title),
-            format!("Outline of each damaged vehicle from above, with its crush profile. {description}"),
+            format!("Each damaged vehicle from above, with its crush profile. {description}"),
             canvas,
         )
     }
@@ -131,9 +132,10 @@ impl Panel<'_> {
     /// (m) of outline and damage: x to the right, y downwards.
     fn extent(&self) -> Rect {
         let there = self.there(Point::ZERO, 1.0);
-        let footprint = &self.vehicle.footprint;
-        let points = footprint.corners().into_iter().chain(points(&self.vehicle.crush.face));
-        let start = there * footprint.middle();
+        let CrushProfile { face, crushed, .. } = &self.vehicle.crush;
+        let corners = self.vehicle.footprint.iter().flat_map(Footprint::corners);
+        let mut points = corners.chain(points(face)).chain(points(crushed));
+        let start = there * points.next().unwrap_or_default();
         points.fold(Rect::from_points(start, start), |rect, point| rect.union_pt(there * point))
     }
 
@@ -148,20 +150,22 @@ impl Panel<'_> {
         let extent = self.extent();
         let cg = middle - extent.center().to_vec2() * scale;
         let there = self.there(cg, scale);
-        let outline = there * vehicle.footprint.outline();
-        let crush = vehicle.has_stations.then_some(&vehicle.crush);
-        let id = format!("outline-{number}");
-        match crush {
-            None => canvas.path(&id, &outline, Some(OUTLINE[i]), FILL[i]),
-            Some(crush) => {
-                let damaged = there * vehicle.footprint.damaged(crush);
-                canvas.path(&format!("damaged-{number}"), &damaged, Some(OUTLINE[i]), FILL[i]);
-                canvas.path(&id, &outline, Some(undamaged(i)), "none");
+        if let Some(footprint) = &vehicle.footprint {
+            let outline = there * footprint.outline();
+            let crush = vehicle.has_stations.then_some(&vehicle.crush);
+            let id = format!("outline-{number}");
+            match crush {
+                None => canvas.path(&id, &outline, Some(OUTLINE[i]), FILL[i]),
+                Some(crush) => {
+                    let damaged = there * footprint.damaged(crush);
+                    canvas.path(&format!("damaged-{number}"), &damaged, Some(OUTLINE[i]), FILL[i]);
+                    canvas.path(&id, &outline, Some(undamaged(i)), "none");
+                }
             }
-        }
-        if let Some(detail) = vehicle.footprint.detail(crush) {
-            let fill = if vehicle.footprint.shape == Shape::Car { WHITE } else { "none" };
-            canvas.path(&format!("front-{number}"), &(there * detail), Some(THIN), fill);
+            if let Some(detail) = footprint.detail(crush) {
+                let fill = if footprint.shape == Shape::Car { WHITE } else { "none" };
+                canvas.path(&format!("front-{number}"), &(there * detail), Some(THIN), fill);
+            }
         }
         let face: Vec<Point> = points(&vehicle.crush.face).map(|at| there * at).collect();
         let crushed: Vec<Point> = points(&vehicle.crush.crushed).map(|at| there * at).collect();
@@ -172,8 +176,10 @@ impl Panel<'_> {
         area.close_path();
         let fill = canvas.pattern("crushed");
         canvas.path(&format!("crush-{number}"), &area, Some(CRUSHED), &fill);
-        canvas.centre_of_gravity(&format!("cg-{number}"), cg);
-        canvas.label(cg, "CG", BLACK);
+        if vehicle.footprint.is_some() {
+            canvas.centre_of_gravity(&format!("cg-{number}"), cg);
+            canvas.label(cg, "CG", BLACK);
+        }
         if vehicle.has_stations {
             self.stations(canvas, &face, &crushed);
         }

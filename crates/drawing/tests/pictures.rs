@@ -131,7 +131,7 @@ fn scene() -> ScenePicture {
 
 fn damage() -> DamagePicture {
     let front = DamagedVehicle {
-        footprint: CAR,
+        footprint: Some(CAR),
         crush: CrushProfile {
             face: vec![[2.0, 0.7], [2.0, 0.0], [2.0, -0.7]],
             crushed: vec![[1.8, 0.7], [1.6, 0.0], [1.9, -0.7]],
@@ -142,7 +142,7 @@ fn damage() -> DamagePicture {
         caption: vec![text("Damage: front, 140 cm wide."), text("Crush energy 50,000 J.")],
     };
     let length = ScaleUnit { name: text("m"), size: 1.0 };
-    DamagePicture { title: text("Wall"), remark: None, vehicles: [Some(front), None], length }
+    DamagePicture { title: text("Wall"), vehicles: [Some(front), None], length }
 }
 
 fn energy() -> EnergyPicture {

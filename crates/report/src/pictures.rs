@@ -16,7 +16,7 @@ use ::drawing::Drawing;
 use ::drawing::{PlanPlace, ScaleUnit, SitePlan, SitePlanError};
 use analysis::{Analysis, Failure};
 use case::{Axes, Case, CaseFile, Quantity};
-use pim_core::{Real, VehicleId};
+use pim_core::Real;
 
 use crate::Units;
 use crate::units::Measure;
@@ -70,14 +70,6 @@ pub enum DrawingError {
     /// Nothing is damaged.
     #[error("there is no damage to draw: no vehicle of the case has a crush profile")]
     NoDamage,
-    /// What is damaged has no body to draw the damage on.
-    #[error(
-        "there is no damage to draw: the outline of vehicle {vehicle} is not known; give its length, width and cg_to_front"
-    )]
-    NoOutline {
-        /// The first of them.
-        vehicle: VehicleId,
-    },
     /// No speed was sought.
     #[error("there is no reconciliation to draw: the case has no [reconstruct] table")]
     NoReconciliation,

@@ -21,35 +21,27 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
         let i = id.index();
         let vehicle = &analysis.vehicles[i];
         let damage = vehicle.damage.as_ref()?;
-        let body = Body::of(&case.vehicles[i], vehicle)?;
-        let profile = profile(case, vehicle, &body, damage, i)?;
+        let body = Body::of(&case.vehicles[i], vehicle);
+        let from_cg = |side| body.as_ref().map_or(0.0, |body| body.dimensions.face(side));
+        let profile = profile(case, vehicle, from_cg, damage, i)?;
         let name = case.vehicles[i].name.as_ref().map(|name| format!(" · {name}")).unwrap_or_default();
         Some(DamagedVehicle {
             name: format!("Vehicle {id}{name}"),
-            caption: caption(&case.vehicles[i], &body, &profile, damage, units),
-            footprint: body.footprint(),
+            caption: caption(&case.vehicles[i], body.as_ref(), &profile, damage, units),
+            footprint: body.map(|body| body.footprint()),
             crush: profile,
             has_stations: damage.inferred.is_none(),
         })
     });
-    let bodiless = |id: &VehicleId| {
-        let vehicle = &analysis.vehicles[id.index()];
-        vehicle.damage.is_some() && Body::of(&case.vehicles[id.index()], vehicle).is_none()
-    };
-    let bodiless: Vec<VehicleId> = VehicleId::ALL.into_iter().filter(bodiless).collect();
     if vehicles.iter().all(Option::is_none) {
-        let Some(&vehicle) = bodiless.first() else { return Err(DrawingError::NoDamage) };
-        return Err(DrawingError::NoOutline { vehicle });
+        return Err(DrawingError::NoDamage);
     }
-    let remark = bodiless.first().map(|id| {
-        format!("Vehicle {id} is damaged too, but its outline is not known: give its length, width and cg_to_front.")
-    });
-    Ok(DamagePicture { title: title(case), remark, vehicles, length: scale_unit(units, Measure::Length) })
+    Ok(DamagePicture { title: title(case), vehicles, length: scale_unit(units, Measure::Length) })
 }
 
 fn caption(
     vehicle: &case::GivenVehicle,
-    body: &Body,
+    body: Option<&Body>,
     profile: &CrushProfile,
     damage: &Damage,
     units: Units,
@@ -79,6 +71,12 @@ fn caption(
     };
     let energy = units.format(Measure::Energy, damage.crush_energy);
     let mut sentences = vec![format!("Damage: {crush}."), format!("Crush energy {energy}.")];
+    let Some(body) = body else {
+        let alone = "The outline is not known, and the profile is drawn alone: length, width and cg_to_front \
+                     put it in its place.";
+        sentences.push(alone.to_owned());
+        return sentences;
+    };
     if let Some(crush) = vehicle.crush.as_ref().filter(|crush| crush.offset.is_none()) {
         let middle = words::undisplaced(crush.side);
         sentences.push(format!("No offset is given: drawn {middle}."));

@@ -109,7 +109,8 @@ pub(super) fn scene_body(
     let measured = vehicle.damage.as_ref().filter(|damage| damage.inferred.is_none());
     SceneBody::Outline {
         footprint: body.footprint(),
-        crush: measured.and_then(|damage| profile(case, vehicle, &body, damage, i)),
+        crush: measured
+            .and_then(|damage| profile(case, vehicle, |side| body.dimensions.face(side), damage, i)),
     }
 }
 

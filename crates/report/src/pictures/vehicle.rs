@@ -72,11 +72,12 @@ impl Body {
     }
 }
 
-/// Where the crush of vehicle `i` lies on its body.
+/// Where the crush of vehicle `i` lies, whose damaged face is `face` (m) from its CG, or from any place where
+/// its outline is not known.
 pub(super) fn profile(
     case: &Case,
     vehicle: &Vehicle,
-    body: &Body,
+    face: impl FnOnce(Side) -> f64,
     damage: &Damage,
     i: usize,
 ) -> Option<CrushProfile> {
@@ -108,7 +109,7 @@ pub(super) fn profile(
         Side::Front | Side::Rear => (Vector2::new(0.0, -1.0), Vector2::new(0.0, offset)),
         Side::Left | Side::Right => (Vector2::new(1.0, 0.0), Vector2::new(offset, 0.0)),
     };
-    let start = start + outward * body.dimensions.face(side) - along * (damage.width / 2.0);
+    let start = start + outward * face(side) - along * (damage.width / 2.0);
     let mut face = Vec::new();
     let mut done = 0.0;
     for j in 0..depths.len() {

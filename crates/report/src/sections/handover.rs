@@ -154,7 +154,6 @@ fn drawings(
             Err(
                 DrawingError::NoImpact { .. }
                 | DrawingError::NoDamage
-                | DrawingError::NoOutline { .. }
                 | DrawingError::NoReconciliation
                 | DrawingError::NoMotion { .. },
             ) => {}
