@@ -86,12 +86,22 @@ impl Collision<Slot> {
         let (outcome, is_impact) = contact.impact_with_validity(motions, &law);
         // E = W_n + λ W_t
         let taken = outcome.energy.normal_work + of(self.tangential_share) * outcome.energy.tangential_work;
-        let crush_energy =
-            |vehicle: &Vehicle<Slot>| vehicle.crush.as_ref().map_or(0.0, |crush| crush.energy(values, lane));
-        let crush_energies = [crush_energy(one), crush_energy(two)];
+        let factors = self.crush_factors(values, lane);
+        let energy = |i: usize| self.vehicles[i].crush.as_ref().map_or(0.0, |crush| crush.energy(factors[i]));
+        let crush_energies = [energy(0), energy(1)];
         let is_possible =
             is_1 & is_2 & is_contact & is_law & is_impact & (closing > LEAST_APPROACH) & (taken > 0.0);
         Impacted { speeds, outcome, taken, crush_energies, ways: [None, None], is_possible }
+    }
+
+    /// (–) κ and β of each vehicle, as in [`Crush`]; 1 where it has none.
+    #[inline(always)]
+    pub(crate) fn crush_factors(&self, values: &[Lanes], lane: usize) -> [[f64; 2]; 2] {
+        let factors = |vehicle: &Vehicle<Slot>| match &vehicle.crush {
+            Some(crush) => [crush.slope.of(values, lane), crush.no_damage_speed.of(values, lane)],
+            None => [1.0; 2],
+        };
+        [factors(&self.vehicles[0]), factors(&self.vehicles[1])]
     }
 }
 
@@ -113,11 +123,11 @@ impl Vehicle<Slot> {
     }
 }
 
-impl Crush<Slot> {
-    /// (J)
+impl<N> Crush<N> {
+    /// (J) energy where κ and β are these.
     #[inline(always)]
-    fn energy(&self, values: &[Lanes], lane: usize) -> f64 {
-        let (slope, no_damage) = (self.slope.of(values, lane), self.no_damage_speed.of(values, lane));
+    #[must_use]
+    pub fn energy(&self, [slope, no_damage]: [f64; 2]) -> f64 {
         // E = L (G₀ β² + A₀ C̄ κ β + ½ B₀ C²̄ κ²)
         self.constant * no_damage * no_damage + self.linear * slope * no_damage + self.square * slope * slope
     }

@@ -137,6 +137,14 @@ impl Impacts for Placed {
     }
 }
 
+impl Placed {
+    /// (–) κ and β of each vehicle, as in [`Crush`], of a block of particles; 1 where it has no crush.
+    #[must_use]
+    pub fn crush_factors(&self, values: &[Lanes]) -> [[[f64; 2]; 2]; LANES] {
+        core::array::from_fn(|lane| self.collision.crush_factors(values, lane))
+    }
+}
+
 impl Model {
     /// With all evidence that the collision has.
     #[must_use]
@@ -219,9 +227,8 @@ impl<I: Impacts> Model<I> {
                 }
             }
             Piece::Crush => {
-                let Some(CrushMisfit { bias, ln_sd }) = self.observed.crush else { return Error::NONE };
-                let [e1, e2] = impacted.crush_energies;
-                Error::normal(ln((e1 + e2) / impacted.taken) - bias, ln_sd)
+                let Some(misfit) = self.observed.crush else { return Error::NONE };
+                misfit.error(impacted.crush_energies, impacted.taken)
             }
             Piece::Pdof(id) => {
                 let Some(CodedPdof { pdof, scale }) = vehicle(id).pdof else { return Error::NONE };
@@ -244,11 +251,11 @@ impl<I: Impacts> Model<I> {
                 None => Error::NONE,
             },
             Piece::RecordedDeltaV(id) => match vehicle(id).recorder.delta_v {
-                Some(RecordedDeltaV { size, is_longitudinal, ln_scale, freedom }) => {
+                Some(recorded) => {
                     let outcome = &impacted.outcome;
                     let whole = outcome.delta_v_magnitude()[id.index()];
                     let along = outcome.delta_v_components()[id.index()][0];
-                    Error::student(ln(size / shown_delta_v(whole, along, is_longitudinal)), ln_scale, freedom)
+                    recorded.error(shown_delta_v(whole, along, recorded.is_longitudinal))
                 }
                 None => Error::NONE,
             },
@@ -301,6 +308,36 @@ const LEAST_SHARE: f64 = 0.05;
 #[must_use]
 pub fn shown_delta_v(whole: f64, along: f64, is_longitudinal: bool) -> f64 {
     if is_longitudinal { Real::max(along.abs(), LEAST_SHARE * whole) } else { whole }
+}
+
+impl CrushMisfit {
+    #[inline(always)]
+    fn error(&self, [e1, e2]: [f64; 2], taken: f64) -> Error {
+        // ε = ln[(E₁ + E₂)/(W_n + λ W_t)] − b
+        Error::normal(ln((e1 + e2) / taken) - self.bias, self.ln_sd)
+    }
+
+    /// (–) logarithm of the likelihood of crush `energies` (J) where the impulses took `taken` (J).
+    #[inline(always)]
+    #[must_use]
+    pub fn log_likelihood(&self, energies: [f64; 2], taken: f64) -> f64 {
+        self.error(energies, taken).log_likelihood()
+    }
+}
+
+impl RecordedDeltaV {
+    #[inline(always)]
+    fn error(&self, shown: f64) -> Error {
+        Error::student(ln(self.size / shown), self.ln_scale, self.freedom)
+    }
+
+    /// (–) logarithm of its likelihood where a recorder without an error stores `shown` (m/s), as
+    /// [`shown_delta_v`] gives it.
+    #[inline(always)]
+    #[must_use]
+    pub fn log_likelihood(&self, shown: f64) -> f64 {
+        self.error(shown).log_likelihood()
+    }
 }
 
 /// The error of an observation, with its distribution.

@@ -85,15 +85,12 @@ fn rank(plane: Plane) -> u8 {
 }
 
 impl Pair {
-    /// The collision with both speeds unknown. The recorder of the vehicle `given` is evidence, no other is.
+    /// The collision with both speeds unknown. The recorders of the vehicles `given` are evidence, no other
+    /// is.
     ///
     /// # Errors
     /// Where a figure of `fitted` or of the pair makes no distribution.
-    pub fn collision(
-        &self,
-        fitted: &Fitted,
-        given: Option<VehicleId>,
-    ) -> Result<Collision, InvalidDistribution> {
+    pub fn collision(&self, fitted: &Fitted, given: &[VehicleId]) -> Result<Collision, InvalidDistribution> {
         let [one, two] = &self.vehicles;
         let shapes = self.vehicles.each_ref().map(Shape::of);
         // Compass angles are clockwise.
@@ -166,7 +163,7 @@ impl Pair {
         };
         let observed = |id: VehicleId| {
             let vehicle = &self.vehicles[id.index()];
-            let recorded = vehicle.truth().filter(|_| given == Some(id));
+            let recorded = vehicle.truth().filter(|_| given.contains(&id));
             let side_factor = if vehicle.plane.is_side() { fitted.pdof_side_factor } else { 1.0 };
             ObservedVehicle {
                 pdof: Some(CodedPdof { pdof: vehicle.pdof, scale: fitted.pdof_scale * side_factor }),

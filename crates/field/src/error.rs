@@ -50,6 +50,14 @@ pub enum FieldError {
         /// Why.
         reason: String,
     },
+    /// The fit finds no figures.
+    #[error(
+        "the likelihood of the recorders has no maximum that the fit finds: more pairs or more particles help"
+    )]
+    NoMaximum,
+    /// The run was ended before there were figures.
+    #[error("the fit was ended")]
+    Ended,
 }
 
 fn quoted(text: &str) -> String {

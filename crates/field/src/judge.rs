@@ -145,20 +145,32 @@ pub fn judge(
     options: &Options,
     progress: &mut (dyn FnMut(usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Field, FieldError> {
+    judge_by(pairs, &|_| *fitted, options, progress)
+}
+
+/// [`judge`], each pair by figures of its own: such as those that have not seen its crash.
+///
+/// # Errors
+/// As [`judge`].
+pub fn judge_by(
+    pairs: &[Pair],
+    fitted: &dyn Fn(&Pair) -> Fitted,
+    options: &Options,
+    progress: &mut (dyn FnMut(usize, usize) -> ControlFlow<()> + Send),
+) -> Result<Field, FieldError> {
     let mut judged = Vec::new();
     for (done, pair) in pairs.iter().enumerate() {
         if progress(done, pairs.len()).is_break() {
             break;
         }
-        let truths = VehicleId::ALL.into_iter().zip(&pair.vehicles);
-        let wanted: Vec<_> = truths.filter_map(|(id, vehicle)| Some((id, vehicle.truth()?))).collect();
-        match (options.other, &wanted[..]) {
+        let fitted = &fitted(pair);
+        match (options.other, &pair.truths()[..]) {
             (true, [one, two]) => {
-                judged.extend(vehicles(pair, fitted, options, Some(two.0), &[*one])?);
-                judged.extend(vehicles(pair, fitted, options, Some(one.0), &[*two])?);
+                judged.extend(vehicles(pair, fitted, options, &[two.0], &[*one])?);
+                judged.extend(vehicles(pair, fitted, options, &[one.0], &[*two])?);
             }
             (true, _) | (false, []) => {}
-            (false, all) => judged.extend(vehicles(pair, fitted, options, None, all)?),
+            (false, all) => judged.extend(vehicles(pair, fitted, options, &[], all)?),
         }
     }
     if judged.is_empty() {
@@ -179,7 +191,7 @@ fn vehicles(
     pair: &Pair,
     fitted: &Fitted,
     options: &Options,
-    given: Option<VehicleId>,
+    given: &[VehicleId],
     wanted: &[(VehicleId, Truth)],
 ) -> Result<Vec<Judged>, FieldError> {
     let refused = |reason: String| FieldError::Estimate { case: pair.case.clone(), reason };

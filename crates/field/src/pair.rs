@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use pim_core::VehicleId;
+
 use crate::error::FieldError;
 
 /// Two vehicles that collided.
@@ -97,6 +99,15 @@ impl Vehicle {
         let [whole, along] = self.winsmash;
         let delta_v = if truth.is_longitudinal { along? } else { whole? }.abs();
         (delta_v > 0.0).then_some(delta_v)
+    }
+}
+
+impl Pair {
+    /// The vehicles of which a recorder can be judged, with what it stored.
+    #[must_use]
+    pub fn truths(&self) -> Vec<(VehicleId, Truth)> {
+        let vehicles = VehicleId::ALL.into_iter().zip(&self.vehicles);
+        vehicles.filter_map(|(id, vehicle)| Some((id, vehicle.truth()?))).collect()
     }
 }
 

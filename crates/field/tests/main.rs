@@ -69,7 +69,7 @@ fn recorders_count_only_where_they_can_be_judged() {
 #[test]
 fn the_collision_has_the_geometry_of_the_damage() {
     let pair = read(&table(LINE)).unwrap().remove(0);
-    let collision = pair.collision(&FITTED, None).unwrap();
+    let collision = pair.collision(&FITTED, &[]).unwrap();
     let exact = |number: Number| match number {
         Number::Exact(number) => number,
         Number::Unknown(distribution) => distribution.quantile(0.5),
@@ -92,7 +92,7 @@ fn the_collision_has_the_geometry_of_the_damage() {
     assert!((front.linear - 1000.0 * 2.50 * 27.7 * 0.25 * 1.5).abs() < 1e-6);
     // The recorder is no evidence, unless it is given.
     assert!(collision.observed.vehicles[0].recorder.delta_v.is_none());
-    let given = pair.collision(&FITTED, Some(VehicleId::One)).unwrap();
+    let given = pair.collision(&FITTED, &[VehicleId::One]).unwrap();
     assert!((given.observed.vehicles[0].recorder.delta_v.unwrap().size - 25.0 / 3.6).abs() < 1e-12);
     assert_eq!(Model::new(&collision).terms_count() + 1, Model::new(&given).terms_count());
 }

@@ -1,0 +1,76 @@
+//! The misfits of the model, fitted on a file of pairs, with their standard errors:
+//! `cargo run --release -p deltav-field --example fit -- PAIRS.csv`.
+//! With `--folds 5` the figures fitted without each fifth stand beside them, and each crash is then judged
+//! with those that have not seen it: five minutes for 300 pairs on two cores.
+
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "an example prints")]
+
+use std::ops::ControlFlow;
+
+use evidence::{FITTED, Fitted};
+use field::{Field, Figure, FitOptions, Options, fit, fit_folds, judge_by, read};
+
+/// Particles of each island: of the draws behind the fit, and of those behind each judgement.
+const PARTICLES: [usize; 2] = [256, 128];
+const SEED: u64 = 1;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let (path, folds) = match &arguments[..] {
+        [path] => (path, None),
+        [path, option, folds] if option == "--folds" => (path, Some(folds.parse()?)),
+        _ => return Err("give a file of pairs with the columns of CISS, and --folds 5 if wanted".into()),
+    };
+    let pairs = read(&std::fs::read_to_string(path)?)?;
+    let mut progress = |done: usize, all: usize| {
+        if done.is_multiple_of(100) {
+            eprintln!("{done} of {all} pairs");
+        }
+        ControlFlow::Continue(())
+    };
+    let options = FitOptions { particles: PARTICLES[0], seed: SEED };
+    let (fit, folds) = match folds {
+        None => (fit(&pairs, &FITTED, &options, &mut progress)?, None),
+        Some(folds) => {
+            let (fit, folds) = fit_folds(&pairs, &FITTED, folds, &options, &mut progress)?;
+            (fit, Some(folds))
+        }
+    };
+    println!("{} recorders in {} pairs, ln p {:.2}", fit.recorders, fit.pairs, fit.log_likelihood);
+    println!("Draws of a pair are worth {:.0} independent ones or more.\n", fit.least_draws);
+    for (figure, error) in Figure::ALL.into_iter().zip(fit.errors) {
+        print!("{:<56}{:>7.3} ± {:.3}", figure.name(), figure.of(&fit.fitted), error);
+        for fitted in folds.iter().flat_map(|folds| folds.fitted()) {
+            print!("{:>8.3}", figure.of(fitted));
+        }
+        println!();
+    }
+    let Fitted { crush, slope, slope_ln_sd, no_damage_speed, recorder_ln_scale, .. } = fit.fitted;
+    println!("\ncrush: CrushMisfit {{ bias: {:.3}, ln_sd: {:.3} }},", crush.bias, crush.ln_sd);
+    println!("slope: {slope:.1?},\nslope_ln_sd: {slope_ln_sd:.2},");
+    println!("no_damage_speed: {no_damage_speed:.2?},\nrecorder_ln_scale: {recorder_ln_scale:.3},");
+    if let Some(folds) = folds {
+        for other in [false, true] {
+            let options = Options { particles: PARTICLES[1], seed: SEED, other };
+            let of = |pair: &_| folds.of(pair).unwrap_or(fit.fitted);
+            print(&judge_by(&pairs, &of, &options, &mut progress)?);
+        }
+    }
+    Ok(())
+}
+
+fn print(field: &Field) {
+    let given = if field.other { "the other vehicle's recorder given" } else { "no recorder given" };
+    println!("\nheld out, {given}");
+    println!(
+        "               vehicles          50 %          80 %          95 %    bias             rms  CRPS, km/h"
+    );
+    for group in &field.groups {
+        print!("{:<14}{:>9}", group.name, group.ours.n);
+        for [inside, error] in group.ours.coverage.iter().flatten() {
+            print!("{:>7.1} ± {:>4.1}", 100.0 * inside, 100.0 * error);
+        }
+        let ([bias, _], [rms, error]) = (group.ours.bias, group.ours.rms);
+        println!("{bias:>+8.3}{rms:>8.3} ± {error:.3}{:>12.2}", 3.6 * group.ours.crps);
+    }
+}

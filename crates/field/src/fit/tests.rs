@@ -1,0 +1,196 @@
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "tests fail by panicking; the slow one prints what it finds"
+)]
+#![allow(
+    clippy::disallowed_methods,
+    reason = "expected values by other functions than the crate's; no bits are compared"
+)]
+
+use std::ops::ControlFlow;
+
+use estimate::{Evidence, Settings, sample_quietly};
+use evidence::{FITTED, Fitted, Impacts, Model, Output, Piece, shown_delta_v};
+use pim_core::VehicleId;
+use uncertainty::random::{bits, key, unit};
+use uncertainty::{LANES, Sampler, SamplingMethod};
+
+use super::{Drawn, Figure, FitOptions, Guess, Likelihood, fit, point, step};
+use crate::pair::{Pair, Plane, Vehicle};
+
+/// Made-up damage of two cars, with what their recorders stored (m/s).
+fn pair(case: &str, planes: [Plane; 2], depth: f64, recorders: [Option<f64>; 2]) -> Pair {
+    // (°) heading, and PDOF, which are opposite forces.
+    let angles = match planes {
+        [Plane::Front, Plane::Rear] => [[0.0, 0.0], [0.0, 180.0]],
+        [Plane::Front, Plane::Left] => [[0.0, 20.0], [270.0, 290.0]],
+        _ => [[0.0, 10.0], [190.0, 0.0]],
+    };
+    let vehicle = |i: usize| Vehicle {
+        curb_mass: [1400.0, 1700.0][i],
+        cargo: None,
+        plane: planes[i],
+        pdof: f64::to_radians(angles[i][1]),
+        heading: Some(f64::to_radians(angles[i][0])),
+        field_length: Some(1.3),
+        direct_length: Some(1.1),
+        direct_offset: Some([0.1, -0.2][i]),
+        depths: [0.8, 1.0, 1.2, 1.2, 1.0, 0.8].map(|factor| factor * depth),
+        winsmash: [None; 2],
+        recorder: [recorders[i], Some(0.0)],
+    };
+    Pair { case: case.to_owned(), vehicles: [vehicle(0), vehicle(1)] }
+}
+
+fn figures(bias: f64, slope_ln_sd: f64, recorder_ln_scale: f64) -> Fitted {
+    let mut fitted = Fitted { slope_ln_sd, recorder_ln_scale, ..FITTED };
+    fitted.crush.bias = bias;
+    fitted
+}
+
+/// ln p(recorders | all else) by draws of the prior, each with all of its terms.
+fn by_the_prior(pair: &Pair, fitted: &Fitted) -> f64 {
+    let model = Model::new(&pair.collision(fitted, &VehicleId::ALL).unwrap());
+    let inputs = &model.leads().unknown().0;
+    let samples = 1 << 18;
+    let sampler =
+        Sampler::new(inputs, &uncertainty::Settings::new(SamplingMethod::Sobol, samples, 1)).unwrap();
+    let mut values = vec![[0.0; LANES]; inputs.len()];
+    let mut sums = [0.0; 2];
+    for block in 0..(samples / LANES) as u64 {
+        sampler.fill(block, &mut values);
+        let mut terms = vec![[0.0; LANES]; model.terms_count()];
+        model.log_likelihood(&values, &mut terms, &mut [0; LANES]);
+        for lane in 0..LANES {
+            let sum = |is_wanted: fn(Piece) -> bool| {
+                let terms = terms.iter().zip(model.pieces()).filter(|(_, piece)| is_wanted(**piece));
+                terms.map(|(term, _)| term[lane]).sum::<f64>().exp()
+            };
+            sums[0] += sum(|_| true);
+            sums[1] += sum(|piece| !matches!(piece, Piece::RecordedDeltaV(_)));
+        }
+    }
+    (sums[0] / sums[1]).ln()
+}
+
+#[test]
+fn the_likelihood_is_that_of_the_recorders_given_all_else() {
+    let drawn_by = figures(-0.2, 0.3, 0.13);
+    let options = FitOptions { particles: 512, seed: 1 };
+    for (planes, recorders) in
+        [([Plane::Front, Plane::Left], [6.0, 5.0]), ([Plane::Front, Plane::Rear], [4.0, 5.0])]
+    {
+        let pair = pair("1", planes, 0.25, recorders.map(Some));
+        let drawn = Drawn::new(&pair, &drawn_by, &options).unwrap();
+        for fitted in [drawn_by, figures(-0.5, 0.15, 0.2)] {
+            let ours = drawn.log_likelihood(&fitted).unwrap().0;
+            let exact = by_the_prior(&pair, &fitted);
+            assert!((ours - exact).abs() < 0.06, "{planes:?} {ours} {exact}");
+        }
+    }
+}
+
+/// The derivatives at a point against those over three times the step.
+#[test]
+fn the_expansion_has_the_derivatives() {
+    let pairs = [pair("1", [Plane::Front, Plane::Left], 0.25, [Some(6.0), Some(5.0)])];
+    let options = FitOptions { particles: 128, seed: 1 };
+    let likelihood =
+        Likelihood::new(&pairs, &FITTED, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
+    let at = point(&FITTED);
+    let expansion = likelihood.expansion(&at, &|_| true);
+    let value = |point| likelihood.at(&[point], &|_| true)[0];
+    for k in 0..8 {
+        for l in 0..8 {
+            let (a, b) = (step(k) * 3.0, step(l) * 3.0);
+            let second =
+                (value(at + a + b) - value(at + a - b) - value(at - a + b) + value(at - a - b)) / 0.0036;
+            assert!((expansion.curvature[(k, l)] + second).abs() < 0.03 * (1.0 + second.abs()), "{k} {l}");
+        }
+        let slope = (value(at + step(k) * 3.0) - value(at - step(k) * 3.0)) / 0.06;
+        assert!((expansion.gradient[k] - slope).abs() < 0.02 * (1.0 + slope.abs()), "{k}");
+    }
+}
+
+/// What a single pair tells is little: the figures stay where they were thought to be, nearly as unsure.
+/// Where it has no vehicle of a kind, it tells nothing of that.
+#[test]
+fn a_single_pair_hardly_changes_the_guesses() {
+    let pairs = [pair("1", [Plane::Front, Plane::Left], 0.25, [Some(6.0), Some(5.0)])];
+    let options = FitOptions { particles: 128, seed: 1 };
+    let fit = fit(&pairs, &FITTED, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
+    assert_eq!((fit.pairs, fit.recorders), (1, 2));
+    for (figure, error) in Figure::ALL.into_iter().zip(fit.errors) {
+        let value = figure.of(&fit.fitted);
+        let (moved, error, sd) = match figure.guess() {
+            Guess::Normal { mean, sd } => (value - mean, error, sd),
+            Guess::LogNormal { median, ln_sd } => ((value / median).ln(), error / value, ln_sd),
+        };
+        assert!(moved.abs() < sd && error < 1.02 * sd && error > 0.5 * sd, "{figure:?} {moved} {error}");
+        if figure == Figure::SlopeOfRears {
+            assert!(moved.abs() < 1e-3 && (error - sd).abs() < 1e-3);
+        }
+    }
+}
+
+/// Independent standard normal numbers, by Box and Muller.
+fn normals(stream: u64, index: u64) -> [f64; 4] {
+    let u = |k: u64| unit(bits(key(stream, &[index]), k));
+    let two = |k| {
+        let (radius, turn) = ((-2.0 * u(k).ln()).sqrt(), std::f64::consts::TAU * u(k + 1));
+        [radius * turn.cos(), radius * turn.sin()]
+    };
+    let ([a, b], [c, d]) = (two(0), two(2));
+    [a, b, c, d]
+}
+
+/// Crashes of which the recorders are drawn from the model: a draw of the collision from all other evidence,
+/// and an error by Student's t.
+fn simulated(truth: &Fitted, count: u64) -> Vec<Pair> {
+    let made = |number: u64| {
+        let other = [Plane::Left, Plane::Rear, Plane::Front, Plane::Left][(number % 4) as usize];
+        let [a, ..] = normals(1, number);
+        let depth = 0.2 * (0.5 * a).exp();
+        let pair_of = |recorders| pair(&number.to_string(), [Plane::Front, other], depth, recorders);
+        let model = Model::new(&pair_of([None; 2]).collision(truth, &[]).unwrap());
+        let posterior = sample_quietly(&model, &model, &Settings::new(128, number + 1)).unwrap();
+        let draw = usize::try_from(bits(2, number) % posterior.count() as u64).unwrap();
+        let recorders = VehicleId::ALL.map(|id| {
+            let column = |output: Output| posterior.outputs()[output.column()][draw];
+            let (whole, along) = (column(Output::DeltaV(id)), column(Output::LongitudinalDeltaV(id)));
+            let [z, a, b, c] = normals(3 + id.index() as u64, number);
+            // t₃ = z/√(χ²₃/3)
+            let t = z / ((a * a + b * b + c * c) / 3.0).sqrt();
+            Some(shown_delta_v(whole, along, false) * (truth.recorder_ln_scale * t).exp())
+        });
+        pair_of(recorders)
+    };
+    (0..count).map(made).collect()
+}
+
+/// `cargo test --release -p deltav-field simulated -- --ignored --nocapture`, some minutes.
+#[test]
+#[ignore = "takes some minutes"]
+fn simulated_crashes_give_the_figures_that_they_were_drawn_with() {
+    let mut truth = FITTED;
+    truth.crush.bias = 0.3;
+    truth.crush.ln_sd = 0.3;
+    truth.slope = [27.7, 35.0, 22.0];
+    truth.slope_ln_sd = 0.25;
+    truth.no_damage_speed = [3.0, 3.0, 2.0];
+    truth.recorder_ln_scale = 0.08;
+    let pairs = simulated(&truth, 300);
+    let options = FitOptions { particles: 128, seed: 7 };
+    let fit = fit(&pairs, &FITTED, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
+    let mut squares = 0.0;
+    for (figure, error) in Figure::ALL.into_iter().zip(fit.errors) {
+        let (ours, exact) = (figure.of(&fit.fitted), figure.of(&truth));
+        println!("{:<56} {exact:>6.3} {ours:>7.3} ± {error:.3}", figure.name());
+        assert!((ours - exact).abs() < 3.0 * error, "{figure:?}");
+        squares += ((ours - exact) / error).powi(2);
+    }
+    // χ² of 8: 99.9 % are below 26.1.
+    assert!(squares < 26.1, "{squares}");
+}
