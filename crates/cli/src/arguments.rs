@@ -638,7 +638,7 @@ pub(crate) struct ValidateArguments {
 
     /// Judge intervals of ΔV by the recorders of the real crashes in FILE (CSV) in place of the staged
     /// collisions
-    #[arg(long, value_name = "FILE", conflicts_with = "plots")]
+    #[arg(long, value_name = "FILE")]
     pub(crate) field: Option<PathBuf>,
 
     /// Give the recorder of one vehicle, and judge the other vehicle
@@ -654,7 +654,7 @@ pub(crate) struct ValidateArguments {
     pub(crate) threads: Option<u16>,
 
     /// Also write the plots computed-against-measured.svg and reconstructed-speed.svg into DIR, which is
-    /// created if needed
+    /// created if needed; with --field estimated-against-recorded.svg and ranks-of-recorders.svg
     #[arg(long, value_name = "DIR")]
     pub(crate) plots: Option<PathBuf>,
 

@@ -45,6 +45,9 @@ const REPORT_NUMBERS: usize = 100_000_000;
 /// The files that `deltav validate --plots` writes, without their endings.
 const VALIDATION_PLOTS: [&str; 2] = ["computed-against-measured", "reconstructed-speed"];
 
+/// Those of `deltav validate --field --plots`.
+const FIELD_PLOTS: [&str; 2] = ["estimated-against-recorded", "ranks-of-recorders"];
+
 /// The case is well formed, but no answer exists; or a claim of the validation fails.
 const NO_ANSWER: u8 = 1;
 /// The case file or the command line is wrong.
@@ -488,7 +491,21 @@ fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
     let judged = judged.with_context(|| name.clone())?;
     present_as(&report::field(&judged, &name), arguments.format, arguments.output.file(), || {
         report::field_json(&judged)
-    })
+    })?;
+    let plots = [report::estimated_against_recorded(&judged), report::ranks_of_recorders(&judged)];
+    write_plots(FIELD_PLOTS, plots, arguments)
+}
+
+fn write_plots<const N: usize>(
+    names: [&str; N],
+    plots: [Drawing; N],
+    arguments: &ValidateArguments,
+) -> Result<()> {
+    let Some(folder) = &arguments.plots else { return Ok(()) };
+    for (name, plot) in names.into_iter().zip(plots) {
+        write_plot(folder, name, &plot, arguments.plots_format)?;
+    }
+    Ok(())
 }
 
 /// Writes everything first: what fails is to be seen in full.
@@ -496,12 +513,8 @@ fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
     present_as(&report::validation(validation), arguments.format, arguments.output.file(), || {
         report::validation_json(validation)
     })?;
-    if let Some(folder) = &arguments.plots {
-        let plots = [report::computed_against_measured(validation), report::reconstructed_speed(validation)];
-        for (name, plot) in VALIDATION_PLOTS.into_iter().zip(plots) {
-            write_plot(folder, name, &plot, arguments.plots_format)?;
-        }
-    }
+    let plots = [report::computed_against_measured(validation), report::reconstructed_speed(validation)];
+    write_plots(VALIDATION_PLOTS, plots, arguments)?;
     let failures = validation.failures();
     match failures.first() {
         None => Ok(()),

@@ -158,8 +158,10 @@ fn files(command: &Command) -> Files<'_> {
             folder: arguments.plots.as_deref().map(|path| Folder {
                 option: "--plots",
                 path,
-                is_name: |name| {
-                    without_ending(name).is_some_and(|name| crate::VALIDATION_PLOTS.contains(&name))
+                is_name: if arguments.field.is_some() {
+                    |name| without_ending(name).is_some_and(|name| crate::FIELD_PLOTS.contains(&name))
+                } else {
+                    |name| without_ending(name).is_some_and(|name| crate::VALIDATION_PLOTS.contains(&name))
                 },
             }),
         },

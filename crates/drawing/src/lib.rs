@@ -38,6 +38,7 @@
 //! | [`HistogramPicture`] | how a result is distributed, with its interval and its central value |
 //! | [`TornadoPicture`] | what each input alone does to a result |
 //! | [`ScatterPicture`] | points of one number over another, with the line where both are equal |
+//! | [`RanksPicture`] | how many fell into classes that are expected to hold equally many |
 //!
 //! # Conventions of all pictures
 //!
@@ -76,6 +77,7 @@ mod number;
 mod pdf;
 mod pens;
 mod plan;
+mod ranks;
 mod raster;
 mod reconciliation;
 mod scatter;
@@ -97,6 +99,7 @@ pub use legend::ScaleUnit;
 pub use motion::{MeasuredPoint, MotionPicture, MotionPoint, MotionRest, MotionVehicle};
 pub use motion_curves::{MotionCurves, MotionCurvesPicture};
 pub use number::{number, significant};
+pub use ranks::RanksPicture;
 pub use raster::RenderError;
 pub use reconciliation::{CurvePoint, ReconciliationPicture};
 pub use scatter::{ScatterPanel, ScatterPicture, ScatterPoint};

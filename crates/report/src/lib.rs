@@ -40,7 +40,8 @@
 //! energy. A [`Drawing`] is SVG, PNG or PDF; the crate `drawing` makes all of them.
 //!
 //! [`histogram`] and [`tornado`] plot an uncertainty, [`computed_against_measured`] and
-//! [`reconstructed_speed`] the validation.
+//! [`reconstructed_speed`] the validation, [`estimated_against_recorded`] and [`ranks_of_recorders`] the
+//! judgement by recorders.
 //!
 //! `examples/text_and_drawing.rs` goes from a file to a text and a drawing.
 //!
@@ -89,8 +90,8 @@ pub use document::Document;
 pub use failures::no_answer;
 pub use glossary::{Topic, UnknownTopic, topic, topics};
 pub use pictures::{
-    DrawingError, Subject, computed_against_measured, drawing, histogram, motion_on, plain_scene,
-    reconstructed_speed, site_plan, site_plan_of, tornado,
+    DrawingError, Subject, computed_against_measured, drawing, estimated_against_recorded, histogram,
+    motion_on, plain_scene, ranks_of_recorders, reconstructed_speed, site_plan, site_plan_of, tornado,
 };
 pub use sections::comparison::comparison;
 pub use sections::field::field;

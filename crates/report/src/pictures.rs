@@ -2,6 +2,7 @@
 
 mod damage;
 mod energy;
+mod field;
 mod motion;
 mod reconciliation;
 mod scene;
@@ -9,6 +10,7 @@ mod spread;
 mod staged;
 mod vehicle;
 
+pub use field::{estimated_against_recorded, ranks_of_recorders};
 pub use spread::{histogram, tornado};
 pub use staged::{computed_against_measured, reconstructed_speed};
 

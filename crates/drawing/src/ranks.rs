@@ -1,0 +1,79 @@
+//! How many fell into each of some classes that are expected to hold equally many.
+
+use kurbo::Rect;
+
+use crate::canvas::Canvas;
+use crate::chart::{Axis, Chart};
+use crate::finished::Drawing;
+use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
+use crate::pens::{AXIS, BOUND, FILL, OUTLINE, Pen};
+
+/// (px) of the plot.
+const PLOT: Rect = Rect::new(EDGE + 48.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 334.0);
+/// (px) from the plot to the legend.
+const BELOW: f64 = 58.0;
+/// Numbers below the plot, and beside it.
+const MOST: [u8; 2] = [11, 6];
+/// How far the upward axis reaches beyond the highest bar.
+const BEYOND: f64 = 1.1;
+const CLASS: Pen = Pen { width: 1.0, ..OUTLINE[0] };
+
+/// A bar for each class, from 0 to 1 across, and what is expected of all.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RanksPicture {
+    /// The first part of the `id`s in its SVG.
+    pub name: &'static str,
+    /// What is counted.
+    pub title: String,
+    /// The lines below it.
+    pub subtitle: String,
+    /// What a reader who cannot see it has to be told.
+    pub description: String,
+    /// Across, from 0 to 1.
+    pub across: Axis,
+    /// Upward, of the numbers.
+    pub upward: Axis,
+    /// What each class holds; one class at least.
+    pub counts: Vec<f64>,
+    /// What each is expected to hold.
+    pub expected: f64,
+    /// Where most numbers lie if that is so.
+    pub band: [f64; 2],
+    /// What the legend says of a class, of the line and of the band.
+    pub legend: [String; 3],
+}
+
+impl RanksPicture {
+    /// Draws it.
+    #[must_use]
+    pub fn draw(&self) -> Drawing {
+        let most = self.counts.iter().copied().fold(self.band[1], f64::max) * BEYOND;
+        let chart = Chart { area: PLOT, left: EDGE, across: [0.0, 1.0], upward: [0.0, most] };
+        let mut canvas = Canvas::new(self.name, WIDTH, PLOT.y1 + BELOW + legend::height(3, 3) + 6.0);
+        legend::header(&mut canvas, &self.title, &self.subtitle);
+        chart.draw(&mut canvas, &self.across, &self.upward, MOST);
+        #[expect(clippy::cast_precision_loss, reason = "there are few classes")]
+        let width = 1.0 / self.counts.len().max(1) as f64;
+        let (mut left, mut class) = (0.0, 0);
+        for &count in &self.counts {
+            class += 1;
+            let area = Rect::from_points(chart.at(left, 0.0), chart.at(left + width, count));
+            canvas.rect(&format!("class-{class}"), area, Some(CLASS), FILL[0]);
+            left += width;
+        }
+        let [low, high] = self.band;
+        for (id, level, pen) in
+            [("low", low, BOUND), ("high", high, BOUND), ("expected", self.expected, AXIS)]
+        {
+            canvas.line(id, chart.at(0.0, level), chart.at(1.0, level), pen);
+        }
+        let [classes, expected, band] = self.legend.clone();
+        let entries = [
+            (Sample::Box(CLASS, FILL[0].to_owned()), classes),
+            (Sample::Line(AXIS), expected),
+            (Sample::Line(BOUND), band),
+        ];
+        legend::legend(&mut canvas, PLOT.y1 + BELOW, 3, &entries);
+        Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
+    }
+}
