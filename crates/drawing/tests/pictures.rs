@@ -2,7 +2,7 @@
 
 use drawing::{
     Axis, CrushProfile, CurvePoint, DamagePicture, DamagedVehicle, Drawing, EnergyBar, EnergyPicture,
-    Footprint, HistogramMark, HistogramPicture, Loss, Marker, ReconciliationPicture, ScaleUnit, ScatterPanel,
+    Footprint, HistogramMark, HistogramPicture, Loss, Marker, RanksPicture, ReconciliationPicture, ScaleUnit, ScatterPanel,
     ScatterPicture, ScatterPoint, SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle, Shape,
     Symbol, TornadoBar, TornadoPicture,
 };
@@ -37,6 +37,21 @@ fn histogram(central: f64) -> HistogramPicture {
         interval: [mark(20.4, "2.5 %:"), mark(24.8, "97.5 %:")],
         central: mark(central, "central:"),
         legend: ["samples", "interval", "central value"].map(text),
+    }
+}
+
+fn ranks() -> RanksPicture {
+    RanksPicture {
+        name: "ranks",
+        title: text("Where speeds lie"),
+        subtitle: text("60 speeds"),
+        description: text("4, 9, 20, 27."),
+        across: axis("share below, %", 0.01),
+        upward: axis("speeds", 1.0),
+        counts: vec![4.0, 9.0, 20.0, 27.0],
+        expected: 15.0,
+        band: [8.3, 21.7],
+        legend: ["speeds", "expected", "band"].map(text),
     }
 }
 
@@ -195,6 +210,7 @@ pub(crate) fn all() -> Vec<Drawing> {
         histogram(22.5).draw(),
         tornado(4.0).draw(),
         scatter().draw(),
+        ranks().draw(),
     ];
     others.into_iter().chain(crate::motion::all()).collect()
 }
@@ -278,6 +294,32 @@ fn classes_and_lines_of_a_histogram_stand_at_their_values() {
         assert!(drawing.description().starts_with("The speed is distributed. "));
         let dashes = |id: &str| attribute(&svg, &format!("histogram-{id}"), "stroke-dasharray");
         assert!(dashes("low").is_some() && dashes("high").is_some() && dashes("central").is_none());
+    }
+}
+
+#[test]
+fn classes_and_levels_of_ranks_stand_at_their_values() {
+    let reader = Reader::new();
+    let svg = ranks().draw().svg();
+    let tree = reader.tree(&svg);
+    let [across, upward] = scales(&svg, 0.0, 960.0);
+    for (k, count) in (0_u8..).zip([4.0, 9.0, 20.0, 27.0]) {
+        let class = area(&tree, &format!("ranks-class-{}", k + 1));
+        let left = 25.0 * f64::from(k);
+        for (pixel, value) in [(class.left(), left), (class.right(), left + 25.0)] {
+            let drawn = across.value(f64::from(pixel));
+            assert!((drawn - value).abs() < 2.0 * PIXEL * across.pixel(), "class {k}: {drawn}, {value}");
+        }
+        for (pixel, value) in [(class.bottom(), 0.0), (class.top(), count)] {
+            let drawn = upward.value(f64::from(pixel));
+            assert!((drawn - value).abs() < 2.0 * PIXEL * upward.pixel(), "class {k}: {drawn}, {value}");
+        }
+    }
+    for (id, level) in [("low", 8.3), ("expected", 15.0), ("high", 21.7)] {
+        let id = format!("ranks-{id}");
+        let drawn = upward.value(number(&svg, &id, "y1"));
+        assert!((drawn - level).abs() < 2.0 * PIXEL * upward.pixel(), "{id}: {drawn}");
+        assert_eq!(attribute(&svg, &id, "stroke-dasharray").is_none(), id == "ranks-expected");
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod explain;
 mod failures;
+mod field;
 mod fixtures;
 mod large;
 mod quantities;
