@@ -13,10 +13,10 @@ use crate::number::{Direction, Number};
 use crate::progress::{Outlook, Pace, Progress, error_squared};
 use crate::state::{Control, Rest, State};
 use crate::steer::Steer;
-use crate::step::{Phase, Start};
+use crate::step::{Phase, Start, Steering};
 
 /// Motions whose state is kept on the stack at once.
-const CHUNK: usize = 128;
+const CHUNK: usize = 256;
 
 /// What a vehicle sets out with to its rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,10 +34,6 @@ pub struct Outset<'a> {
 impl Outset<'_> {
     fn alone(&self, control: &Control) -> Result<Rest, NoRest> {
         to_rest(&self.chassis, self.steer, &self.ground, &self.start, control, |_| {})
-    }
-
-    fn run<'b>(&'b self, control: &'b Control) -> Result<Run<'b, f64, f64>, InvalidInput> {
-        Run::new(&self.chassis, self.steer, &self.ground, &self.start, control)
     }
 
     /// Whether a lane can follow it.
@@ -62,8 +58,9 @@ pub fn to_rests(
         for (parked, outset) in parked.iter_mut().zip(chunk) {
             *parked = Parked::new(outset, control).unwrap_or(Parked::ALONE);
         }
-        follow_all(chunk, control, &mut parked);
-        for (i, (outset, parked)) in chunk.iter().zip(&parked).enumerate() {
+        let parked = &mut parked[..chunk.len()];
+        follow_all(control, parked);
+        for (i, (outset, parked)) in chunk.iter().zip(parked).enumerate() {
             take(number * CHUNK + i, parked.rest(outset, control));
         }
     }
@@ -72,10 +69,10 @@ pub fn to_rests(
 /// Follows the motions of a chunk with the vector instructions that the processor has.
 ///
 /// Apart from [`to_rests`], which is compiled in every crate that calls it: this takes minutes.
-fn follow_all(chunk: &[Outset<'_>], control: &Control, parked: &mut [Parked; CHUNK]) {
+fn follow_all(control: &Control, parked: &mut [Parked]) {
     let level = Level::new();
-    dispatch!(level, simd => follow(simd, chunk, control, parked, false));
-    dispatch!(level, simd => follow(simd, chunk, control, parked, true));
+    dispatch!(level, simd => follow(simd, control, parked, false));
+    dispatch!(level, simd => follow(simd, control, parked, true));
 }
 
 /// What is to be done with a motion.
@@ -107,20 +104,20 @@ struct Course<T: Number> {
 }
 
 /// Numbers of a [`Course`].
-const NUMBERS: usize = 23;
+const NUMBERS: usize = 25;
 
 impl<T: Number<Plain = T>> Course<T> {
     #[inline(always)]
     fn numbers(&self) -> [T; NUMBERS] {
-        let Progress { phase: Phase { q: [x, y, heading], w: [vx, vy, omega] }, time, distance, work } =
-            self.now;
+        let Progress { phase, time, distance, work, speed } = self.now;
+        let Phase { q: [x, y, heading], w: [vx, vy, omega] } = phase;
         let Direction { sin, cos } = self.direction;
-        let Acceleration { rates: [ax, ay, alpha], power, stiffness, sliding: _ } = self.acceleration;
+        let Acceleration { rates: [ax, ay, alpha], power, stiffness, sliding: _, locked } = self.acceleration;
         let [paced, before, stiff] = self.pace.numbers();
         let Self { to_rest, length, again, steps, .. } = *self;
         [
-            x, y, heading, vx, vy, omega, time, distance, work, sin, cos, ax, ay, alpha, power, stiffness,
-            paced, before, stiff, to_rest, length, again, steps,
+            x, y, heading, vx, vy, omega, time, distance, work, speed, sin, cos, ax, ay, alpha, power,
+            stiffness, locked, paced, before, stiff, to_rest, length, again, steps,
         ]
     }
 
@@ -136,6 +133,7 @@ impl<T: Number<Plain = T>> Course<T> {
             time,
             distance,
             work,
+            speed,
             sin,
             cos,
             ax,
@@ -143,6 +141,7 @@ impl<T: Number<Plain = T>> Course<T> {
             alpha,
             power,
             stiffness,
+            locked,
             paced,
             before,
             stiff,
@@ -155,9 +154,9 @@ impl<T: Number<Plain = T>> Course<T> {
         // Which tyres slide is for the record, which nobody keeps here.
         let sliding = [x.below(x); 4];
         Self {
-            now: Progress { phase, time, distance, work },
+            now: Progress { phase, time, distance, work, speed },
             direction: Direction { sin, cos },
-            acceleration: Acceleration { rates: [ax, ay, alpha], power, stiffness, sliding },
+            acceleration: Acceleration { rates: [ax, ay, alpha], power, stiffness, sliding, locked },
             pace: Pace::of([paced, before, stiff]),
             to_rest,
             length,
@@ -171,17 +170,18 @@ impl<T: Number<Plain = T>> Course<T> {
 #[derive(Clone, Copy)]
 struct Parked {
     task: Task,
+    given: [f64; GIVEN_NUMBERS],
     course: [f64; NUMBERS],
 }
 
 impl Parked {
-    const ALONE: Self = Self { task: Task::Alone, course: [0.0; NUMBERS] };
+    const ALONE: Self = Self { task: Task::Alone, given: [0.0; GIVEN_NUMBERS], course: [0.0; NUMBERS] };
 
     fn new(outset: &Outset<'_>, control: &Control) -> Result<Self, InvalidInput> {
         if !outset.fits() {
             return Ok(Self::ALONE);
         }
-        let run = outset.run(control)?;
+        let run = Run::new(&outset.chassis, outset.steer, &outset.ground, &outset.start, control)?;
         let moment = run.moment();
         let outlook = run.outlook(&moment.acceleration);
         let course = Course {
@@ -195,7 +195,8 @@ impl Parked {
             steps: 0.0,
         };
         let task = if outlook.fades { Task::Fade } else { Task::Step { implicit: false } };
-        Ok(Self { task, course: course.numbers() })
+        let given = Given { field: run.field, steer: run.steering.at(0.0), lever: run.lever() };
+        Ok(Self { task, given: given.numbers(), course: course.numbers() })
     }
 
     fn rest(&self, outset: &Outset<'_>, control: &Control) -> Result<Rest, NoRest> {
@@ -204,7 +205,10 @@ impl Parked {
         if self.task != Task::Fade || late || course.steps >= f64::from(control.most_steps) {
             return outset.alone(control);
         }
-        let mut run = outset.run(control)?;
+        let Outset { chassis, steer, ground, start } = outset;
+        let given = Given::of(self.given);
+        let steering = Steering::Held(given.steer);
+        let mut run = Run::on(chassis, *steer, ground, start, control, steering, given.field);
         let energy = run.energy();
         run.now = course.now;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it counts steps")]
@@ -212,7 +216,7 @@ impl Parked {
         run.steps = steps;
         run.fade(&course.acceleration);
         run.holds()?;
-        Ok(run.rest(&outset.start, energy))
+        Ok(run.rest(start, energy))
     }
 }
 
@@ -237,16 +241,11 @@ impl<T: Number<Plain = T>> Given<T> {
 }
 
 impl Given<f64> {
-    fn of_run(run: &Run<'_, f64, f64>) -> Self {
-        Self { field: run.field, steer: run.steering.at(0.0), lever: run.lever() }
-    }
-
     fn numbers(&self) -> [f64; GIVEN_NUMBERS] {
         let mut numbers = [0.0; GIVEN_NUMBERS];
-        let first = [self.steer.sin, self.steer.cos, self.lever];
-        for (number, value) in numbers.iter_mut().zip(first.into_iter().chain(self.field.numbers())) {
-            *number = value;
-        }
+        let (first, field) = numbers.split_at_mut(3);
+        first.copy_from_slice(&[self.steer.sin, self.steer.cos, self.lever]);
+        field.copy_from_slice(&self.field.numbers());
         numbers
     }
 }
@@ -263,26 +262,14 @@ impl<S: Simd> Course<Lanes<S>> {
         let trial = start.step(field, |_| *steer, h);
         let error = error_squared(&trial, to_rest, *lever, control);
         let (zero, one, infinity) = (h.constant(0.0), h.constant(1.0), h.constant(f64::INFINITY));
-        let [x, y, heading] = trial.end.q;
-        let [x, y, heading] =
-            [x.abs().below(infinity), y.abs().below(infinity), heading.abs().below(infinity)];
-        let finite = Lanes::both(Lanes::both(x, y), heading);
         let forward = field.product(trial.end.w, phase.w).at_least(zero);
-        let accepted = Lanes::both(Lanes::both(one.at_least(error), finite), forward);
+        let accepted = Lanes::both(Lanes::both(one.at_least(error), trial.is_finite()), forward);
         // Where the step is taken.
         let mut pace = self.pace;
         pace.accept(h, error, self.again.at_least(one));
         let then = now.after(&trial, h);
-        let (direction, acceleration) = match trial.there {
-            Some((direction, acceleration)) => {
-                pace.count(acceleration.stiffness);
-                (direction, acceleration)
-            }
-            None => {
-                let direction = Direction::of(then.phase.q[2]);
-                (direction, field.acceleration(direction, then.phase.w, *steer))
-            }
-        };
+        let (direction, acceleration) = trial.there;
+        pace.count(acceleration.stiffness);
         let outlook = Outlook::new(field, then.phase.w, acceleration.rates, *lever, control);
         let left = h.constant(control.longest_time) - then.time;
         let steps = self.steps + 1.0;
@@ -310,118 +297,130 @@ impl<S: Simd> Course<Lanes<S>> {
 
 /// Lets lanes take the steps of one method, until no motion needs another.
 #[inline(always)]
-fn follow<S: Simd>(
-    simd: S,
-    outsets: &[Outset<'_>],
-    control: &Control,
-    parked: &mut [Parked; CHUNK],
-    implicit: bool,
-) {
+fn follow<S: Simd>(simd: S, control: &Control, parked: &mut [Parked], implicit: bool) {
     let task = Task::Step { implicit };
+    let zero = Lanes::splat(simd, 0.0);
     let mut board = Board {
-        outsets,
         parked,
         task,
-        control,
         next: 0,
         follows: [None; LANES],
-        given: [[0.0; LANES]; GIVEN_NUMBERS],
-        courses: [[0.0; LANES]; NUMBERS],
+        given: [zero; GIVEN_NUMBERS],
+        courses: [zero; NUMBERS],
     };
-    for lane in 0..LANES {
-        board.load(lane);
-    }
     let most_steps = f64::from(control.most_steps);
     while board.fill() {
-        let mut course = Course::of(board.courses.map(|lanes| Lanes::new(simd, lanes)));
-        let given = Given::of(board.given.map(|lanes| Lanes::new(simd, lanes)));
+        let mut course = Course::of(board.courses);
+        let given = Given::of(board.given);
         let (steps, time) = (course.steps.constant(most_steps), course.steps.constant(control.longest_time));
         let shortest = course.steps.constant(SHORTEST);
-        // Until a lane has done what it can, they need not be looked at one by one.
-        let (fades, stiff, done) = loop {
-            let fades = course.step(&given, control, implicit);
-            let stiff = course.pace.is_implicit();
-            let ended = Lanes::one_of(course.now.time.at_least(time), course.steps.at_least(steps));
-            let done = Lanes::one_of(Lanes::one_of(ended, course.length.below(shortest)), fades);
-            let done = if implicit { done } else { Lanes::one_of(done, stiff) };
-            if done.any() {
-                break (fades.bits(), stiff.bits(), done.bits());
-            }
-        };
-        for (cells, lanes) in board.courses.iter_mut().zip(course.numbers()) {
-            *cells = lanes.lanes();
-        }
-        for lane in 0..LANES {
-            let has = |bits: u64| bits >> lane & 1 == 1;
-            if has(done) {
-                board.park(
-                    lane,
-                    match (has(fades), has(stiff)) {
-                        (true, _) => Task::Fade,
-                        (false, true) if !implicit => Task::Step { implicit: true },
-                        _ => Task::Alone,
-                    },
-                );
+        while !board.wants_more() {
+            let busy = board.busy();
+            // Until a lane has done what it can, they need not be looked at one by one.
+            let (fades, stiff, done) = loop {
+                let fades = course.step(&given, control, implicit);
+                let stiff = course.pace.is_implicit();
+                let ended = Lanes::one_of(course.now.time.at_least(time), course.steps.at_least(steps));
+                let done = Lanes::one_of(Lanes::one_of(ended, course.length.below(shortest)), fades);
+                let done = if implicit { done } else { Lanes::one_of(done, stiff) };
+                let done = done.bits() & busy;
+                if done != 0 {
+                    break (fades.bits(), stiff.bits(), done);
+                }
+            };
+            board.courses = course.numbers();
+            for lane in 0..LANES {
+                let has = |bits: u64| bits >> lane & 1 == 1;
+                if has(done) {
+                    board.park(
+                        lane,
+                        match (has(fades), has(stiff)) {
+                            (true, _) => Task::Fade,
+                            (false, true) if !implicit => Task::Step { implicit: true },
+                            _ => Task::Alone,
+                        },
+                    );
+                }
             }
         }
     }
 }
 
 /// Which motion each lane follows, and with which numbers.
-struct Board<'a, 'b> {
-    outsets: &'a [Outset<'b>],
-    parked: &'a mut [Parked; CHUNK],
+struct Board<'a, S: Simd> {
+    parked: &'a mut [Parked],
     /// What the lanes do.
     task: Task,
-    control: &'a Control,
     /// The next motion to look at.
     next: usize,
     follows: [Option<usize>; LANES],
-    given: [[f64; LANES]; GIVEN_NUMBERS],
-    courses: [[f64; LANES]; NUMBERS],
+    given: [Lanes<S>; GIVEN_NUMBERS],
+    courses: [Lanes<S>; NUMBERS],
 }
 
-impl Board<'_, '_> {
+impl<S: Simd> Board<'_, S> {
+    /// A bit of each lane that follows a motion.
+    #[inline(always)]
+    fn busy(&self) -> u64 {
+        (0..LANES).fold(0, |bits, lane| bits | u64::from(self.follows[lane].is_some()) << lane)
+    }
+
+    /// Whether no lane follows a motion, or one does not while there are more.
+    #[inline(always)]
+    fn wants_more(&self) -> bool {
+        let busy = self.busy();
+        busy == 0 || (busy != (1 << LANES) - 1 && self.next < self.parked.len())
+    }
+
     /// Gives a lane the next motion that has the task.
+    #[inline(always)]
     fn load(&mut self, lane: usize) {
-        self.follows[lane] = None;
-        while let Some(outset) = self.outsets.get(self.next) {
+        while let Some(parked) = self.parked.get(self.next) {
             let number = self.next;
             self.next += 1;
-            let Parked { task, course } = self.parked[number];
-            let Ok(run) = outset.run(self.control) else { continue };
-            if task != self.task {
+            if parked.task != self.task {
                 continue;
             }
             self.follows[lane] = Some(number);
-            for (cells, number) in self.given.iter_mut().zip(Given::of_run(&run).numbers()) {
-                cells[lane] = number;
+            for (cells, number) in self.given.iter_mut().zip(parked.given) {
+                cells.put(lane, number);
             }
-            for (cells, number) in self.courses.iter_mut().zip(course) {
-                cells[lane] = number;
+            for (cells, number) in self.courses.iter_mut().zip(parked.course) {
+                cells.put(lane, number);
             }
             return;
         }
     }
 
-    /// Lets lanes without a motion double one that has a motion. Whether there is one.
+    /// Gives lanes without a motion the next ones, and where there is none lets them double one that has a
+    /// motion. Whether there is one.
+    #[inline(always)]
     fn fill(&mut self) -> bool {
+        for lane in 0..LANES {
+            if self.follows[lane].is_none() {
+                self.load(lane);
+            }
+        }
         let Some(busy) = self.follows.iter().position(Option::is_some) else { return false };
         for lane in 0..LANES {
             if self.follows[lane].is_none() {
                 for cells in self.given.iter_mut().chain(&mut self.courses) {
-                    cells[lane] = cells[busy];
+                    cells.put(lane, cells.get(busy));
                 }
             }
         }
         true
     }
 
-    /// Puts away the motion of a lane, and gives it another.
+    /// Puts away the motion of a lane.
+    #[inline(always)]
     fn park(&mut self, lane: usize, task: Task) {
-        if let Some(number) = self.follows[lane] {
-            self.parked[number] = Parked { task, course: self.courses.map(|cells| cells[lane]) };
-            self.load(lane);
+        if let Some(number) = self.follows[lane].take() {
+            let parked = &mut self.parked[number];
+            parked.task = task;
+            for (number, cells) in parked.course.iter_mut().zip(&self.courses) {
+                *number = cells.get(lane);
+            }
         }
     }
 }

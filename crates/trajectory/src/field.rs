@@ -5,27 +5,30 @@ use real::Real;
 use crate::chassis::Chassis;
 use crate::ground::Ground;
 use crate::number::{Direction, Number, three};
-use crate::tyre::{self, FADING, Tyre};
+#[cfg(feature = "std")]
+use crate::tyre::TYRE_NUMBERS;
+use crate::tyre::{self, CORNERING_STIFFNESS, FADING, Slip, Slope, Tyre};
 
 /// (m/s²) standard gravity (ISO 80000-3).
 pub const GRAVITY: f64 = 9.806_65;
 
-/// A wheel on its ground.
+/// Two wheels on their ground.
 #[derive(Clone, Copy, Debug)]
-struct Footing<T> {
+struct Axle<T> {
     /// (m) from the CG.
     forward: T,
-    left: T,
-    /// (m/s²) what its load would accelerate the vehicle with.
-    load: T,
-    tyre: Tyre<T>,
-    steered: bool,
+    left: Tyre<T>,
+    right: Tyre<T>,
 }
 
 /// A vehicle on its ground, by its mass.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Field<T> {
-    wheels: [Footing<T>; 4],
+    /// With the wheels that are steered.
+    front: Axle<T>,
+    rear: Axle<T>,
+    /// (m) from the middle to the wheels on either side.
+    half_track: T,
     /// (m/s²) along the plane, downhill.
     pub(crate) gravity: [T; 2],
     /// (1/m²) m/I.
@@ -44,12 +47,13 @@ pub(crate) struct Acceleration<T: Number> {
     /// (1/s) how fast the forces change with the motion, at most about.
     pub(crate) stiffness: T::Plain,
     pub(crate) sliding: [T::Mask; 4],
+    /// Which wheels are locked: the sum of 1, 2, 4 and 8 for them.
+    pub(crate) locked: T::Plain,
 }
 
 impl<T: Real> Field<T> {
-    /// The wheels on level ground without friction, until [`stand`](Self::stand) says on which zones they
-    /// are.
-    pub(crate) fn new<G: Real>(chassis: &Chassis<T>, ground: &Ground<'_, G>) -> Self
+    /// With each wheel on the zone of this number.
+    pub(crate) fn new<G: Real>(chassis: &Chassis<T>, ground: &Ground<'_, G>, zones: [usize; 4]) -> Self
     where
         T: From<G>,
     {
@@ -57,85 +61,103 @@ impl<T: Real> Field<T> {
         // cos θ = 1/√(1 + |G|²), and the pull along the plane is g sin θ = g |G| cos θ
         let cos = T::ONE / (grade[0] * grade[0] + grade[1] * grade[1] + 1.0).sqrt();
         let normal = cos * GRAVITY;
-        let wheels = chassis.wheels().map(|wheel| Footing {
-            forward: wheel.forward,
-            left: wheel.left,
-            load: wheel.load * normal,
-            tyre: Tyre::new(ground.friction.into(), wheel.drag),
-            steered: wheel.steered,
-        });
+        let wheels = chassis.wheels();
+        let tyre = |i: usize| {
+            let (load, friction) = (wheels[i].load * normal, T::from(ground.friction_in(zones[i])));
+            Tyre::new(load * friction, load * wheels[i].drag, load * CORNERING_STIFFNESS)
+        };
         let body = chassis.body();
         Self {
-            wheels,
+            front: Axle { forward: wheels[0].forward, left: tyre(0), right: tyre(1) },
+            rear: Axle { forward: wheels[2].forward, left: tyre(2), right: tyre(3) },
+            half_track: wheels[0].left,
             gravity: [-(grade[0] * normal), -(grade[1] * normal)],
             inverse_radius_squared: body.mass() * body.inverse_yaw_inertia(),
             radius_squared: body.yaw_inertia() * body.inverse_mass(),
         }
     }
 
-    /// Puts each wheel on the zone of this number.
-    pub(crate) fn stand<G: Real>(&mut self, ground: &Ground<'_, G>, zones: [usize; 4])
-    where
-        T: From<G>,
-    {
-        for (wheel, zone) in self.wheels.iter_mut().zip(zones) {
-            wheel.tyre = Tyre::new(ground.friction_in(zone).into(), wheel.tyre.drag);
-        }
-    }
-
-    /// (–) friction under each wheel.
-    pub(crate) fn friction(&self) -> [T; 4] {
-        self.wheels.map(|wheel| wheel.tyre.friction)
-    }
-
     /// (m/s²) what the wheels hold at rest against a pull along the vehicle's axis, and against one in any
     /// direction.
     pub(crate) fn hold(&self) -> [f64; 2] {
-        self.wheels.iter().fold([0.0; 2], |[rolling, sliding], wheel| {
-            let (load, friction) = (wheel.load.value(), wheel.tyre.friction.value());
-            [rolling + load * Real::min(wheel.tyre.drag.value(), friction), sliding + load * friction]
+        let tyres = [&self.front.left, &self.front.right, &self.rear.left, &self.rear.right];
+        tyres.into_iter().fold([0.0; 2], |[rolling, sliding], tyre| {
+            let (friction, drag) = (tyre.friction.value(), tyre.drag.value());
+            [rolling + Real::min(drag, friction), sliding + friction]
         })
     }
 }
 
 /// Numbers of a [`Field`].
 #[cfg(feature = "std")]
-pub(crate) const FIELD_NUMBERS: usize = 28;
+pub(crate) const FIELD_NUMBERS: usize = 2 * AXLE_NUMBERS + 5;
+#[cfg(feature = "std")]
+const AXLE_NUMBERS: usize = 2 * TYRE_NUMBERS + 1;
+
+#[cfg(feature = "std")]
+impl<T: Number> Axle<T> {
+    fn numbers(&self) -> [T; AXLE_NUMBERS] {
+        let mut numbers = [self.forward; AXLE_NUMBERS];
+        numbers[1..=TYRE_NUMBERS].copy_from_slice(&self.left.numbers());
+        numbers[TYRE_NUMBERS + 1..].copy_from_slice(&self.right.numbers());
+        numbers
+    }
+
+    #[inline(always)]
+    fn of(numbers: [T; AXLE_NUMBERS]) -> Self {
+        let tyre = |first: usize| {
+            let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5];
+            Tyre::of([
+                numbers[first + a],
+                numbers[first + b],
+                numbers[first + c],
+                numbers[first + d],
+                numbers[first + e],
+                numbers[first + f],
+            ])
+        };
+        Self { forward: numbers[0], left: tyre(1), right: tyre(1 + TYRE_NUMBERS) }
+    }
+}
 
 #[cfg(feature = "std")]
 impl<T: Number> Field<T> {
-    /// All of it, but for which wheels are steered: the first two.
     pub(crate) fn numbers(&self) -> [T; FIELD_NUMBERS] {
-        let [a, b, c, d] = self.wheels.each_ref().map(|wheel| {
-            let Footing { forward, left, load, tyre: Tyre { friction, drag, most }, steered: _ } = *wheel;
-            [forward, left, load, friction, drag, most]
-        });
-        let Self { wheels: _, gravity: [x, y], inverse_radius_squared, radius_squared } = *self;
-        let rest = [x, y, inverse_radius_squared, radius_squared];
-        let mut numbers = [x; FIELD_NUMBERS];
-        let all = a.into_iter().chain(b).chain(c).chain(d).chain(rest);
-        for (number, value) in numbers.iter_mut().zip(all) {
-            *number = value;
-        }
+        let Self { front, rear, half_track, gravity: [x, y], inverse_radius_squared, radius_squared } = self;
+        let mut numbers = [*half_track; FIELD_NUMBERS];
+        numbers[..AXLE_NUMBERS].copy_from_slice(&front.numbers());
+        numbers[AXLE_NUMBERS..2 * AXLE_NUMBERS].copy_from_slice(&rear.numbers());
+        numbers[2 * AXLE_NUMBERS + 1..].copy_from_slice(&[*x, *y, *inverse_radius_squared, *radius_squared]);
         numbers
     }
 
     /// Of these numbers.
     #[inline(always)]
     pub(crate) fn of(numbers: [T; FIELD_NUMBERS]) -> Self {
-        let wheel = |first: usize, steered: bool| Footing {
-            forward: numbers[first],
-            left: numbers[first + 1],
-            load: numbers[first + 2],
-            tyre: Tyre { friction: numbers[first + 3], drag: numbers[first + 4], most: numbers[first + 5] },
-            steered,
-        };
-        Self {
-            wheels: [wheel(0, true), wheel(6, true), wheel(12, false), wheel(18, false)],
-            gravity: [numbers[24], numbers[25]],
-            inverse_radius_squared: numbers[26],
-            radius_squared: numbers[27],
+        let mut front = [numbers[0]; AXLE_NUMBERS];
+        let mut rear = front;
+        let mut i = 0;
+        while i < AXLE_NUMBERS {
+            front[i] = numbers[i];
+            rear[i] = numbers[AXLE_NUMBERS + i];
+            i += 1;
         }
+        let rest = 2 * AXLE_NUMBERS;
+        Self {
+            front: Axle::of(front),
+            rear: Axle::of(rear),
+            half_track: numbers[rest],
+            gravity: [numbers[rest + 1], numbers[rest + 2]],
+            inverse_radius_squared: numbers[rest + 3],
+            radius_squared: numbers[rest + 4],
+        }
+    }
+}
+
+impl<T: Number> Axle<T> {
+    #[inline(always)]
+    fn plain(&self) -> Axle<T::Plain> {
+        Axle { forward: self.forward.plain(), left: self.left.plain(), right: self.right.plain() }
     }
 }
 
@@ -144,18 +166,10 @@ impl<T: Number> Field<T> {
     #[inline(always)]
     pub(crate) fn plain(&self) -> Field<T::Plain> {
         Field {
-            wheels: self.wheels.map(|Footing { forward, left, load, tyre, steered }| Footing {
-                forward: forward.plain(),
-                left: left.plain(),
-                load: load.plain(),
-                tyre: Tyre {
-                    friction: tyre.friction.plain(),
-                    drag: tyre.drag.plain(),
-                    most: tyre.most.plain(),
-                },
-                steered,
-            }),
-            gravity: self.gravity.map(T::plain),
+            front: self.front.plain(),
+            rear: self.rear.plain(),
+            half_track: self.half_track.plain(),
+            gravity: [self.gravity[0].plain(), self.gravity[1].plain()],
             inverse_radius_squared: self.inverse_radius_squared.plain(),
             radius_squared: self.radius_squared.plain(),
         }
@@ -193,28 +207,40 @@ impl<T: Number> Field<T> {
         let [vx, vy, omega] = w;
         // The motion in the vehicle's own axes.
         let (u, v) = (vx * cos + vy * sin, vy * cos - vx * sin);
-        let fading_squared = self.fading_squared(w);
-        let [front_left, front_right, rear_left, rear_right] = &self.wheels;
-        let push = [
-            front_left.push(u, v, omega, steer, fading_squared),
-            front_right.push(u, v, omega, steer, fading_squared),
-            rear_left.push(u, v, omega, steer, fading_squared),
-            rear_right.push(u, v, omega, steer, fading_squared),
-        ];
-        let sum = |[a, b, c, d]: [T; 4]| (a + b) + (c + d);
-        let forward = sum([push[0].forward, push[1].forward, push[2].forward, push[3].forward]);
-        let left = sum([push[0].left, push[1].left, push[2].left, push[3].left]);
-        let moment = sum([push[0].moment, push[1].moment, push[2].moment, push[3].moment]);
+        let Self { front, rear, .. } = self;
+        let [front_left, front_right, rear_left, rear_right] =
+            tyre::grips(self.slips([u, v, omega], steer), self.fading_squared(w));
+        // The forces of an axle, and by how much the left one is more, from its wheels' axes to the
+        // vehicle's.
+        let [front_forward, front_left_force, front_more] = {
+            let Direction { sin, cos } = steer;
+            let (x, y) = (front_left.forward + front_right.forward, front_left.left + front_right.left);
+            let (more_x, more_y) =
+                (front_left.forward - front_right.forward, front_left.left - front_right.left);
+            [x * cos - y * sin, x * sin + y * cos, more_x * cos - more_y * sin]
+        };
+        let rear_left_force = rear_left.left + rear_right.left;
+        let forward = front_forward + (rear_left.forward + rear_right.forward);
+        let left = front_left_force + rear_left_force;
+        // M = Σ r × F
+        let more = front_more + (rear_left.forward - rear_right.forward);
+        let moment =
+            (front_left_force * front.forward + rear_left_force * rear.forward) - more * self.half_track;
         // P = F·v + M ω
-        let power = forward * u + left * v + moment * omega;
+        let power = -(forward * u + left * v + moment * omega);
         let rates = [
-            forward * cos - left * sin + self.gravity[0],
-            forward * sin + left * cos + self.gravity[1],
-            moment * self.inverse_radius_squared,
+            self.gravity[0] - (forward * cos - left * sin),
+            self.gravity[1] - (forward * sin + left * cos),
+            -(moment * self.inverse_radius_squared),
         ];
-        let stiffness = (push[0].stiffness + push[1].stiffness) + (push[2].stiffness + push[3].stiffness);
-        let sliding = [push[0].sliding, push[1].sliding, push[2].sliding, push[3].sliding];
-        Acceleration { rates, power, stiffness, sliding }
+        let stiffness =
+            (front_left.stiffness + front_right.stiffness) + (rear_left.stiffness + rear_right.stiffness);
+        let sliding = [front_left.sliding, front_right.sliding, rear_left.sliding, rear_right.sliding];
+        let zero = omega.plain().constant(0.0);
+        let bit = |mask: T::Mask, bit: f64| <T::Plain as Number>::select(mask, zero.constant(bit), zero);
+        let locked = (bit(front_left.locked, 1.0) + bit(front_right.locked, 2.0))
+            + (bit(rear_left.locked, 4.0) + bit(rear_right.locked, 8.0));
+        Acceleration { rates, power, stiffness, sliding, locked }
     }
 
     /// How the accelerations change with (v_x, v_y, ω), roughly.
@@ -224,86 +250,56 @@ impl<T: Number> Field<T> {
         let [vx, vy, omega] = w;
         let zero = omega.constant(0.0);
         let (u, v) = (vx * cos + vy * sin, vy * cos - vx * sin);
-        let fading_squared = self.fading_squared(w);
-        let mut body = [[zero; 3]; 3];
-        for wheel in &self.wheels {
-            let (ahead, aside) = (wheel.forward, wheel.left);
-            let (along, across) = wheel.aligned(u - omega * aside, v + omega * ahead, steer);
-            let [[uu, uv], [vu, vv]] = tyre::slope(along, across, &wheel.tyre, fading_squared).rows;
-            // From the wheel's axes to the vehicle's: R D Rᵀ.
-            let [[xx, xy], [yx, yy]] = if wheel.steered {
-                let Direction { sin: s, cos: c } = steer;
-                let (sum, difference) = ((uv + vu) * (s * c), (uu - vv) * (s * c));
-                [
-                    [uu * (c * c) + vv * (s * s) - sum, uv * (c * c) - vu * (s * s) + difference],
-                    [vu * (c * c) - uv * (s * s) + difference, uu * (s * s) + vv * (c * c) + sum],
-                ]
-            } else {
-                [[uu, uv], [vu, vv]]
-            };
-            let load = wheel.load;
-            let (xx, xy, yx, yy) = (load * xx, load * xy, load * yx, load * yy);
-            // ∂u_w/∂ω = −l, ∂v_w/∂ω = f
-            let (x_omega, y_omega) = (xy * ahead - xx * aside, yy * ahead - yx * aside);
-            body[0][0] += xx;
-            body[0][1] += xy;
-            body[0][2] += x_omega;
-            body[1][0] += yx;
-            body[1][1] += yy;
-            body[1][2] += y_omega;
-            body[2][0] += (yx * ahead - xx * aside) * self.inverse_radius_squared;
-            body[2][1] += (yy * ahead - xy * aside) * self.inverse_radius_squared;
-            body[2][2] += (y_omega * ahead - x_omega * aside) * self.inverse_radius_squared;
-        }
+        let [front_left, front_right, rear_left, rear_right] =
+            tyre::slopes(self.slips([u, v, omega], steer), self.fading_squared(w));
+        let straight = Direction { sin: zero, cos: zero.constant(1.0) };
+        let (half, by_inertia) = (self.half_track, self.inverse_radius_squared);
+        let [a, b, c, d] = [
+            front_left.in_vehicle([self.front.forward, half], steer, by_inertia),
+            front_right.in_vehicle([self.front.forward, -half], steer, by_inertia),
+            rear_left.in_vehicle([self.rear.forward, half], straight, by_inertia),
+            rear_right.in_vehicle([self.rear.forward, -half], straight, by_inertia),
+        ];
+        let body = three(|i| three(|j| (a[i][j] + b[i][j]) + (c[i][j] + d[i][j])));
         turned(body, sin, cos)
     }
-}
 
-/// What a wheel does to the vehicle, by its mass.
-#[derive(Clone, Copy)]
-struct Push<T: Number> {
-    /// (m/s²) along the vehicle's axes.
-    forward: T,
-    left: T,
-    /// (m²/s²) about the CG.
-    moment: T,
-    /// (1/s)
-    stiffness: T::Plain,
-    sliding: T::Mask,
-}
-
-impl<T: Number> Footing<T> {
-    /// The force where the vehicle moves with (`u`, `v`) (m/s) forward and left and turns with `omega`
+    /// How the wheels slip where the vehicle moves with (u, v) (m/s) forward and left and turns with ω
     /// (rad/s).
     #[inline(always)]
-    fn push(&self, u: T, v: T, omega: T, steer: Direction<T>, fading_squared: T) -> Push<T> {
-        // v_w = v + ω × r
-        let (along, across) = self.aligned(u - omega * self.left, v + omega * self.forward, steer);
-        let grip = tyre::grip(along, across, &self.tyre, fading_squared);
-        let (x, y) = self.turned(grip.forward, grip.left, steer);
-        let (forward, left) = (x * self.load, y * self.load);
-        Push {
-            forward,
-            left,
-            // M = r × F
-            moment: left * self.forward - forward * self.left,
-            stiffness: grip.stiffness * self.load.plain(),
-            sliding: grip.sliding,
-        }
-    }
-
-    /// What the vehicle's axes have as (x, y), in those of the wheel.
-    #[inline(always)]
-    fn aligned(&self, x: T, y: T, steer: Direction<T>) -> (T, T) {
+    fn slips(&self, [u, v, omega]: [T; 3], steer: Direction<T>) -> [Slip<'_, T>; 4] {
+        let Self { front, rear, half_track, .. } = self;
+        // v_w = v + ω × r: at the middle of an axle, and what a wheel has beyond it
+        let swing = omega * *half_track;
         let Direction { sin, cos } = steer;
-        if self.steered { (x * cos + y * sin, y * cos - x * sin) } else { (x, y) }
+        let across = v + omega * front.forward;
+        let (along, across) = (u * cos + across * sin, across * cos - u * sin);
+        let (ahead, aside) = (swing * cos, swing * sin);
+        let behind = v + omega * rear.forward;
+        [
+            Slip { u: along - ahead, v: across + aside, tyre: &front.left },
+            Slip { u: along + ahead, v: across - aside, tyre: &front.right },
+            Slip { u: u - swing, v: behind, tyre: &rear.left },
+            Slip { u: u + swing, v: behind, tyre: &rear.right },
+        ]
     }
+}
 
-    /// What the wheel's axes have as (x, y), in those of the vehicle.
+impl<T: Number> Slope<T> {
+    /// What the wheel at `place` (m), forward and left of the CG, has of the accelerations by (u, v, ω), in the
+    /// vehicle's axes.
     #[inline(always)]
-    fn turned(&self, x: T, y: T, steer: Direction<T>) -> (T, T) {
-        let Direction { sin, cos } = steer;
-        if self.steered { (x * cos - y * sin, x * sin + y * cos) } else { (x, y) }
+    fn in_vehicle(&self, [ahead, aside]: [T; 2], steer: Direction<T>, by_inertia: T) -> Matrix<T> {
+        let [[uu, uv], [vu, vv]] = self.rows;
+        let Direction { sin: s, cos: c } = steer;
+        // From the wheel's axes to the vehicle's: R D Rᵀ.
+        let (sum, difference) = ((uv + vu) * (s * c), (uu - vv) * (s * c));
+        let (xx, yy) = (uu * (c * c) + vv * (s * s) - sum, uu * (s * s) + vv * (c * c) + sum);
+        let (xy, yx) = (uv * (c * c) - vu * (s * s) + difference, vu * (c * c) - uv * (s * s) + difference);
+        // ∂u_w/∂ω = −l, ∂v_w/∂ω = f
+        let (x_omega, y_omega) = (xy * ahead - xx * aside, yy * ahead - yx * aside);
+        let moment = |x: T, y: T| (y * ahead - x * aside) * by_inertia;
+        [[xx, xy, x_omega], [yx, yy, y_omega], [moment(xx, yx), moment(xy, yy), moment(x_omega, y_omega)]]
     }
 }
 

@@ -115,25 +115,39 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         check_start(start, control)?;
         steer.check()?;
         ground.check()?;
+        let field = Field::new(chassis, ground, [0; 4]);
+        let mut run = Self::on(chassis, steer, ground, start, control, Steering::new(steer), field);
+        run.find_zones();
+        Ok(run)
+    }
+
+    /// The same, of checked inputs, with what [`new`](Self::new) makes of them.
+    pub(crate) fn on(
+        chassis: &'a Chassis<T>,
+        steer: Steer<'a, G>,
+        ground: &'a Ground<'a, G>,
+        start: &State<T>,
+        control: &'a Control,
+        steering: Steering<'a, T, G>,
+        field: Field<T>,
+    ) -> Self {
         let Motion { velocity, yaw_rate } = start.motion;
         let phase = Phase {
             q: [start.position.x, start.position.y, start.heading],
             w: [velocity.x, velocity.y, yaw_rate],
         };
-        let mut run = Self {
+        Self {
             chassis,
             ground,
             steer,
-            steering: Steering::new(steer),
+            steering,
             control,
-            field: Field::new(chassis, ground),
+            field,
             zones: [0; 4],
-            now: Progress { phase, time: T::ZERO, distance: T::ZERO, work: T::ZERO },
+            now: Progress::new(phase),
             steps: 0,
             pace: Pace::new(1.0),
-        };
-        run.find_zones();
-        Ok(run)
+        }
     }
 
     /// (m²/s²) twice the kinetic energy by the mass.
@@ -166,7 +180,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
             distance: self.now.distance,
             state: self.state(),
             sliding,
-            friction: self.field.friction(),
+            friction: self.zones.map(|zone| T::from(self.ground.friction_in(zone))),
         }
     }
 
@@ -206,6 +220,9 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
     /// Whether the vehicle, at rest, stays there.
     pub(crate) fn holds(&self) -> Result<(), NoRest> {
         let [gx, gy] = self.field.gravity.map(Real::value);
+        if gx == 0.0 && gy == 0.0 {
+            return Ok(());
+        }
         let (sin, cos) = elementary::sin_cos(self.now.phase.q[2].value());
         let [rolling, sliding] = self.field.hold();
         let (along, all) = ((gx * cos + gy * sin).abs(), root(gx * gx + gy * gy));
@@ -260,7 +277,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
             let error = error_squared(&trial, to_rest, self.lever(), self.control);
             let reverses = self.field.product(trial.end.w, phase.w).value() < 0.0;
             // An error that is not a number is none that is small.
-            let close = error <= 1.0 && trial.end.q.iter().all(|x| x.is_finite());
+            let close = error <= 1.0 && trial.is_finite();
             let last_try = h < SHORTEST || self.steps >= self.control.most_steps;
             if (reverses || !close) && !last_try {
                 h = if error.is_finite() { Pace::shorter(h, error) } else { h * 0.1 };
@@ -274,13 +291,9 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
                 return self.moment();
             }
             self.now = self.now.after(&trial, length);
-            return match trial.there {
-                Some((direction, acceleration)) => {
-                    self.pace.count(acceleration.stiffness);
-                    Moment { direction, acceleration }
-                }
-                None => self.moment(),
-            };
+            let (direction, acceleration) = trial.there;
+            self.pace.count(acceleration.stiffness);
+            return Moment { direction, acceleration };
         }
     }
 
@@ -294,7 +307,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         let ahead = if energy > 0.0 { AHEAD / root(energy) } else { 0.0 };
         let q = [0, 1, 2].map(|i| now.q[i] + now.w[i] * ahead);
         self.zones = self.zones_at(q);
-        self.field.stand(self.ground, self.zones);
+        self.field = Field::new(self.chassis, self.ground, self.zones);
     }
 
     fn places(&self, q: [f64; 3]) -> [[f64; 2]; 4] {

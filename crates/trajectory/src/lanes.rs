@@ -3,10 +3,12 @@
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-use fearless_simd::{ExtractToken, Select, Simd, SimdBase, SimdFloat, SimdFrom, SimdMask, f64x8, mask64x8};
+use fearless_simd::{
+    Bytes, ExtractToken, Select, Simd, SimdBase, SimdFloat, SimdFrom, SimdMask, f64x8, mask64x8, u64x8,
+};
 use real::elementary;
 
-use crate::number::{Number, rough_root};
+use crate::number::{Number, of_inverse_root, of_root};
 
 /// Motions that are followed at once.
 pub(crate) const LANES: usize = 8;
@@ -21,13 +23,25 @@ pub(crate) struct Mask<S: Simd>(mask64x8<S>);
 
 impl<S: Simd> Lanes<S> {
     #[inline(always)]
-    pub(crate) fn new(simd: S, lanes: [f64; LANES]) -> Self {
-        Self(f64x8::simd_from(simd, lanes))
+    pub(crate) fn splat(simd: S, number: f64) -> Self {
+        Self(f64x8::splat(simd, number))
+    }
+
+    /// Puts a number into one lane.
+    #[inline(always)]
+    pub(crate) fn put(&mut self, lane: usize, number: f64) {
+        self.0[lane] = number;
+    }
+
+    /// The number of one lane.
+    #[inline(always)]
+    pub(crate) fn get(&self, lane: usize) -> f64 {
+        self.0[lane]
     }
 
     #[inline(always)]
-    pub(crate) fn lanes(self) -> [f64; LANES] {
-        self.0.into()
+    fn bits(self) -> u64x8<S> {
+        self.0.bitcast()
     }
 }
 
@@ -100,7 +114,7 @@ impl<S: Simd> Number for Lanes<S> {
 
     #[inline(always)]
     fn constant(self, x: f64) -> Self {
-        Self(f64x8::splat(self.0.token(), x))
+        Self::splat(self.0.token(), x)
     }
 
     #[inline(always)]
@@ -115,21 +129,40 @@ impl<S: Simd> Number for Lanes<S> {
 
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        let angles = self.lanes();
+        let angles: [f64; LANES] = self.0.into();
         let (mut sin, mut cos) = ([0.0; LANES], [0.0; LANES]);
         for lane in 0..LANES {
             (sin[lane], cos[lane]) = elementary::sin_cos(angles[lane]);
         }
-        (Self::new(self.0.token(), sin), Self::new(self.0.token(), cos))
+        let token = self.0.token();
+        (Self(f64x8::simd_from(token, sin)), Self(f64x8::simd_from(token, cos)))
+    }
+
+    #[inline(always)]
+    fn with_sign_of(self, other: Self) -> Self {
+        Self(self.0.copysign(other.0))
+    }
+
+    #[inline(always)]
+    fn lesser(self, other: Self) -> Self {
+        Self(self.0.min(other.0))
+    }
+
+    #[inline(always)]
+    fn greater(self, other: Self) -> Self {
+        Self(self.0.max(other.0))
     }
 
     #[inline(always)]
     fn rough_root(self, halvings: u32) -> Self {
-        let mut lanes = self.lanes();
-        for lane in &mut lanes {
-            *lane = rough_root(*lane, halvings);
-        }
-        Self::new(self.0.token(), lanes)
+        let bits = self.bits() >> halvings;
+        Self((bits + u64x8::splat(bits.token(), of_root(halvings))).bitcast())
+    }
+
+    #[inline(always)]
+    fn rough_inverse_root(self, halvings: u32) -> Self {
+        let bits = self.bits() >> halvings;
+        Self((u64x8::splat(bits.token(), of_inverse_root(halvings)) - bits).bitcast())
     }
 
     #[inline(always)]
@@ -150,6 +183,16 @@ impl<S: Simd> Number for Lanes<S> {
     #[inline(always)]
     fn select_mask(mask: Mask<S>, yes: Mask<S>, no: Mask<S>) -> Mask<S> {
         Mask((mask.0 & yes.0) | (!mask.0 & no.0))
+    }
+
+    #[inline(always)]
+    fn both(one: Mask<S>, other: Mask<S>) -> Mask<S> {
+        Mask(one.0 & other.0)
+    }
+
+    #[inline(always)]
+    fn one_of(one: Mask<S>, other: Mask<S>) -> Mask<S> {
+        Mask(one.0 | other.0)
     }
 
     #[inline(always)]

@@ -62,6 +62,18 @@ pub(crate) trait Number:
     /// some percent.
     fn rough_root(self, halvings: u32) -> Self;
 
+    /// 1 by that root, as roughly.
+    fn rough_inverse_root(self, halvings: u32) -> Self;
+
+    /// The number, which is not negative, with the sign of `other`.
+    fn with_sign_of(self, other: Self) -> Self;
+
+    /// The second where either is not a number.
+    fn lesser(self, other: Self) -> Self;
+
+    /// The second where either is not a number.
+    fn greater(self, other: Self) -> Self;
+
     /// 1/x.
     #[inline(always)]
     fn reciprocal(self) -> Self {
@@ -166,8 +178,30 @@ impl<T: Real> Number for T {
     }
 
     #[inline(always)]
+    fn with_sign_of(self, other: Self) -> Self {
+        if other.value().is_sign_negative() { -self } else { self }
+    }
+
+    #[inline(always)]
+    fn lesser(self, other: Self) -> Self {
+        if self.value() < other.value() { self } else { other }
+    }
+
+    #[inline(always)]
+    fn greater(self, other: Self) -> Self {
+        if self.value() > other.value() { self } else { other }
+    }
+
+    #[inline(always)]
     fn rough_root(self, halvings: u32) -> Self {
-        Self::from(rough_root(self.value(), halvings))
+        let bits = (self.value().to_bits() >> halvings) + of_root(halvings);
+        Self::from(f64::from_bits(bits))
+    }
+
+    #[inline(always)]
+    fn rough_inverse_root(self, halvings: u32) -> Self {
+        let bits = of_inverse_root(halvings) - (self.value().to_bits() >> halvings);
+        Self::from(f64::from_bits(bits))
     }
 
     #[inline(always)]
@@ -191,11 +225,33 @@ impl<T: Real> Number for T {
     }
 }
 
-/// √ of √ of … of x. The bits of a number count nearly as its logarithm does.
+/// The bits of a number count nearly as its logarithm does: those of a root of x are those of x, shifted, and
+/// these.
 #[inline(always)]
-pub(crate) fn rough_root(x: f64, halvings: u32) -> f64 {
-    let one = 1.0_f64.to_bits();
-    f64::from_bits((x.to_bits() >> halvings) + (one - (one >> halvings)))
+pub(crate) const fn of_root(halvings: u32) -> u64 {
+    ONE - (ONE >> halvings)
+}
+
+/// The bits of 1 by such a root, and those of x, shifted, together.
+#[inline(always)]
+pub(crate) const fn of_inverse_root(halvings: u32) -> u64 {
+    ONE + (ONE >> halvings)
+}
+
+const ONE: u64 = 1.0_f64.to_bits();
+
+/// Sine and cosine of an angle (rad) within a step, where the terms that are left out, x⁹/9! and x⁸/8!, are far
+/// below the error of the step.
+#[inline(always)]
+pub(crate) fn direction_within_step<T: Number>(x: T) -> Direction<T> {
+    rarely!(T, x.abs().plain().at_least(x.plain().constant(SMALL_TURN)), Direction::of(x), {
+        let z = x * x;
+        // sin x = x − x³/3! + x⁵/5! − x⁷/7!, cos x = 1 − x²/2! + x⁴/4! − x⁶/6!
+        let sin = z * (z * INVERSE_FACTORIALS[7] - INVERSE_FACTORIALS[5]) + INVERSE_FACTORIALS[3];
+        let cos = z * (z * INVERSE_FACTORIALS[6] - INVERSE_FACTORIALS[4]) + INVERSE_FACTORIALS[2];
+        let one = x.constant(1.0);
+        Direction { sin: x * (one - z * sin), cos: one - z * cos }
+    },)
 }
 
 /// Sine and cosine of an angle (rad), by their series where it is small.
@@ -268,6 +324,12 @@ const INVERSE_FACTORIALS: [f64; 14] = {
     }
     inverse
 };
+
+/// The values for 0 to 3, as [`three`].
+#[inline(always)]
+pub(crate) fn four<R>(value: impl Fn(usize) -> R) -> [R; 4] {
+    [value(0), value(1), value(2), value(3)]
+}
 
 /// The values for 0, 1 and 2; unlike `map` of an array it is always inlined.
 #[inline(always)]

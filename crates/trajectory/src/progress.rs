@@ -16,6 +16,10 @@ const STIFF_STEPS: f64 = 2.0;
 /// Share of the time to rest, if the forces stayed as they are, that a step may take.
 const SHARE_OF_THE_REST: f64 = 0.8;
 
+/// Share of its estimate by which a step errs in which no wheel begins or ceases to be locked. The estimate is
+/// of order 2, the step of order 3; where the forces bend, it errs by all of it.
+const SMOOTH: f64 = 0.5;
+
 /// (m) a last way below this is straight if what turns the motion now turns it by little.
 const SHORT: f64 = 0.3;
 
@@ -39,9 +43,19 @@ pub(crate) struct Progress<T> {
     pub(crate) distance: T,
     /// (J/kg) work of the tyres' forces so far, negative.
     pub(crate) work: T,
+    /// (m/s) of the CG.
+    pub(crate) speed: T,
 }
 
 impl<T: Number> Progress<T> {
+    /// At the start.
+    #[inline(always)]
+    pub(crate) fn new(phase: Phase<T>) -> Self {
+        let [u, v, _] = phase.w;
+        let zero = u.constant(0.0);
+        Self { phase, time: zero, distance: zero, work: zero, speed: length([u, v]) }
+    }
+
     /// After a step of the length `h` (s).
     #[inline(always)]
     pub(crate) fn after(&self, step: &Step<T>, h: T) -> Self {
@@ -50,12 +64,14 @@ impl<T: Number> Progress<T> {
         // Simpson's rule with the velocity in the middle of the cubic: S = (h|v₀| + |6Δ − h(v₀ + v₁)| +
         // h|v₁|)/6
         let middle = [(x1 - x0) * 6.0 - h * (u0 + u1), (y1 - y0) * 6.0 - h * (v0 + v1)];
-        let ways = h * length([u0, v0]) + length(middle) + h * length([u1, v1]);
+        let speed = length([u1, v1]);
+        let ways = h * (self.speed + speed) + length(middle);
         Self {
             phase: step.end,
             time: self.time + h,
             distance: self.distance + ways * (1.0 / 6.0),
             work: self.work + step.work,
+            speed,
         }
     }
 
@@ -69,9 +85,10 @@ impl<T: Number> Progress<T> {
             // q + w t/2
             phase: Phase { q: three(|i| q[i] + w[i] * half), w: [rest; 3] },
             time: self.time + time,
-            distance: self.distance + length([w[0], w[1]]) * half,
+            distance: self.distance + self.speed * half,
             // The forces keep their directions while the motion shortens, so their power falls as it does.
             work: self.work + acceleration.power * half,
+            speed: rest,
         }
     }
 }
@@ -107,18 +124,17 @@ impl<P: Number<Plain = P>> Outlook<P> {
         let speed_squared = w[0] * w[0] + w[1] * w[1];
         let (way_squared, turn) = (speed_squared * (half * half), w[2].abs() * half);
         let swing = turn * lever;
-        let size_squared = greater(way_squared, swing * swing);
+        let size_squared = P::greater(way_squared, swing * swing);
         let most = |size: f64| zero.constant(size * size);
         let negligible = size_squared.below(most(control.tolerance / 10.0));
         let closed = if control.closed_end { SHORT } else { 0.0 };
         let short = size_squared.below(most(closed));
-        // What turns the motion: a⊥ = a − (a·w/w²) w
-        let along = power / energy;
-        let [ax, ay, alpha] = three(|i| rates[i] - along * w[i]);
+        // What turns the motion: a⊥ = a − (a·w/w²) w, here times w²
+        let [ax, ay, alpha] = three(|i| energy * rates[i] - power * w[i]);
         let across_squared = ax * ax + ay * ay;
         // Longer ways have to be straight but for rounding; most are far from it.
         let nearly = if control.closed_end { NEARLY_STRAIGHT } else { 0.0 };
-        let straight = across_squared.below(most(nearly));
+        let straight = across_squared.below(most(nearly) * (energy * energy));
         let excess = rarely!(
             P,
             P::one_of(short, straight),
@@ -126,10 +142,11 @@ impl<P: Number<Plain = P>> Outlook<P> {
                 let strength = (rates[0] * rates[0] + rates[1] * rates[1]).sqrt();
                 // The forces turn with the vehicle, which a pure spin has none to feel.
                 let carried = P::select(zero.below(way_squared), strength * turn, zero);
-                let miss = greater(across_squared.sqrt() + carried, alpha.abs() * lever) * (t * half);
+                let (across, alpha) = (across_squared.sqrt() / energy, alpha.abs() / energy);
+                let miss = P::greater(across + carried, alpha * lever) * (t * half);
                 let rounding = (strength + GRAVITY) * (t * t) * ROUNDING;
                 let allowed = P::select(short, zero + control.tolerance / 4.0, rounding);
-                miss - greater(allowed, rounding)
+                miss - P::greater(allowed, rounding)
             },
             zero + 1.0,
         );
@@ -178,29 +195,29 @@ impl<P: Number<Plain = P>> Pace<P> {
     /// (s) length of the next step, where the vehicle may go on for `to_rest` and `left` (s).
     #[inline(always)]
     pub(crate) fn next(&self, to_rest: P, left: P, control: &Control) -> P {
-        let most = lesser(to_rest * SHARE_OF_THE_REST, left);
-        lesser(lesser(self.length, most), most.constant(control.longest_step))
+        let most = P::lesser(to_rest * SHARE_OF_THE_REST, left);
+        P::lesser(P::lesser(self.length, most), most.constant(control.longest_step))
     }
 
     /// After a step of the length `h` (s) with the square of its error by the tolerance; `again` where a
     /// longer one was tried before.
     #[inline(always)]
     pub(crate) fn accept(&mut self, h: P, error_squared: P, again: P::Mask) {
-        let now = greater(error_squared, h.constant(LEAST_SQUARE));
+        let now = P::greater(error_squared, h.constant(LEAST_SQUARE));
         // h ← 0.9 h e^−¼ e₋₁^⅛: a PI controller for order 3 (Gustafsson, ACM TOMS 17 (1991) 533, has e^−0.7/3
         // and e₋₁^0.4/3)
-        let grow = now.rough_root(3).reciprocal() * self.before.rough_root(4) * 0.9;
+        let grow = now.rough_inverse_root(3) * self.before.rough_root(4) * 0.85;
         let most = P::select(again, h.constant(1.0), h.constant(5.0));
-        self.length = h * greater(lesser(grow, most), h.constant(0.2));
-        self.before = greater(now, h.constant(LEAST_SQUARE_BEFORE));
+        self.length = h * P::greater(P::lesser(grow, most), h.constant(0.2));
+        self.before = P::greater(now, h.constant(LEAST_SQUARE_BEFORE));
     }
 
     /// The length (s) to try instead of `h`, with which the square of the error was so much.
     #[inline(always)]
     pub(crate) fn shorter(h: P, error_squared: P) -> P {
         // Where the forces bend, the error falls as h² only.
-        let shrink = error_squared.rough_root(2).reciprocal() * 0.9;
-        h * greater(lesser(shrink, h.constant(0.9)), h.constant(0.1))
+        let shrink = error_squared.rough_inverse_root(2) * 0.85;
+        h * P::greater(P::lesser(shrink, h.constant(0.9)), h.constant(0.1))
     }
 
     /// Counts the step as stiff or not, by the stiffness (1/s) where it ended.
@@ -221,20 +238,10 @@ pub(crate) fn error_squared<T: Number>(
     lever: T::Plain,
     control: &Control,
 ) -> T::Plain {
-    let left = lesser(to_rest, to_rest.constant(1.0)) * 0.5;
+    let left = T::Plain::lesser(to_rest, to_rest.constant(1.0)) * 0.5;
     let [x, y, heading] = three(|i| step.error_q[i] + step.error_w[i] * left);
     let swing = heading * lever;
-    greater(x * x + y * y, swing * swing) * (1.0 / (control.tolerance * control.tolerance))
-}
-
-/// The second where either is not a number.
-#[inline(always)]
-fn lesser<P: Number>(a: P, b: P) -> P {
-    P::select(a.below(b), a, b)
-}
-
-/// The first where either is not a number.
-#[inline(always)]
-fn greater<P: Number>(a: P, b: P) -> P {
-    P::select(a.below(b), b, a)
+    let square = T::Plain::greater(x * x + y * y, swing * swing);
+    let counts = <T::Plain as Number>::select(step.smooth, square * (SMOOTH * SMOOTH), square);
+    counts * (1.0 / (control.tolerance * control.tolerance))
 }

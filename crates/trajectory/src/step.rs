@@ -9,7 +9,7 @@
 use real::Real;
 
 use crate::field::{Acceleration, Field, Matrix, resolvent};
-use crate::number::{Direction, Number, direction_of_turn, three};
+use crate::number::{Direction, Number, direction_of_turn, direction_within_step, three};
 use crate::steer::Steer;
 
 /// γ of ROS34PW2 (Rang & Angermann, BIT 45 (2005) 761), the middle root of 6γ³ − 18γ² + 9γ − 1.
@@ -49,8 +49,10 @@ pub(crate) struct Phase<T> {
 #[derive(Clone, Copy)]
 pub(crate) struct Step<T: Number> {
     pub(crate) end: Phase<T>,
-    /// The direction of the heading and the acceleration there, where the method has them.
-    pub(crate) there: Option<(Direction<T>, Acceleration<T>)>,
+    /// The direction of the heading and the acceleration there.
+    pub(crate) there: (Direction<T>, Acceleration<T>),
+    /// Whether the same wheels are locked at the end as at the start.
+    pub(crate) smooth: T::Mask,
     /// (J/kg) work of the tyres' forces, negative.
     pub(crate) work: T,
     /// (m, m, rad) estimated error of x, y, ψ.
@@ -96,6 +98,16 @@ pub(crate) struct Start<T: Number> {
     pub(crate) slope: Option<Matrix<T::Plain>>,
 }
 
+impl<T: Number> Step<T> {
+    /// Whether place and heading are numbers.
+    #[inline(always)]
+    pub(crate) fn is_finite(&self) -> T::Mask {
+        let [x, y, heading] = self.end.q;
+        let sum = (x + y + heading).abs();
+        sum.below(sum.constant(f64::INFINITY))
+    }
+}
+
 impl<T: Number> Start<T> {
     /// A step of the length `h` (s), by the implicit method where there is a slope.
     #[inline(always)]
@@ -106,8 +118,15 @@ impl<T: Number> Start<T> {
         }
     }
 
-    /// The acceleration `elapsed` (s) into the step, where the motion has become `w`, and the heading has
-    /// turned by `turn` (rad).
+    /// Whether the same wheels are locked at the end.
+    #[inline(always)]
+    fn is_smooth(&self, end: &Acceleration<T>) -> T::Mask {
+        let difference = (end.locked - self.acceleration.locked).abs();
+        difference.below(difference.constant(0.5))
+    }
+
+    /// The acceleration `elapsed` (s) into the step, where the heading has turned by `turn` (rad) and the motion
+    /// has become `w`.
     #[inline(always)]
     fn stage(
         &self,
@@ -116,9 +135,20 @@ impl<T: Number> Start<T> {
         elapsed: T,
         turn: T,
         w: [T; 3],
-    ) -> (Direction<T>, Acceleration<T>) {
-        let heading = self.direction.turned(direction_of_turn(turn));
-        (heading, field.acceleration(heading, w, steer(self.time + elapsed)))
+    ) -> Acceleration<T> {
+        field.acceleration(self.heading(turn), w, steer(self.time + elapsed))
+    }
+
+    /// The direction of the heading at a stage of the step, where it has turned by `turn` (rad).
+    #[inline(always)]
+    fn heading(&self, turn: T) -> Direction<T> {
+        self.direction.turned(direction_within_step(turn))
+    }
+
+    /// The same at the end of the step, as exactly as numbers are.
+    #[inline(always)]
+    fn last_heading(&self, turn: T) -> Direction<T> {
+        self.direction.turned(direction_of_turn(turn))
     }
 
     /// Bogacki & Shampine, Appl. Math. Lett. 2 (1989) 321. Its last stage is the first of the next step.
@@ -126,35 +156,39 @@ impl<T: Number> Start<T> {
     fn explicit(&self, field: &Field<T>, steer: impl Fn(T) -> Direction<T>, h: T) -> Step<T> {
         let Phase { q, w: w1 } = self.phase;
         let (a1, p1) = (self.acceleration.rates, self.acceleration.power);
+        // Headings need no forces of their own stage: computed before, they do not wait for them.
         // w₂ = w₁ + h a₁/2
-        let part = h * 0.5;
-        let w2 = three(|i| w1[i] + part * a1[i]);
-        let (_, second) = self.stage(field, &steer, part, part * w1[2], w2);
+        let (half, most) = (h * 0.5, h * 0.75);
+        let w2 = three(|i| w1[i] + half * a1[i]);
+        let heading = self.heading(half * w1[2]);
+        let next_heading = self.heading(most * w2[2]);
+        let second = field.acceleration(heading, w2, steer(self.time + half));
         let (a2, p2) = (second.rates, second.power);
         // w₃ = w₁ + 3h a₂/4
-        let part = h * 0.75;
-        let w3 = three(|i| w1[i] + part * a2[i]);
-        let (_, third) = self.stage(field, &steer, part, part * w2[2], w3);
-        let (a3, p3) = (third.rates, third.power);
+        let w3 = three(|i| w1[i] + most * a2[i]);
         // Δ = h (2k₁ + 3k₂ + 4k₃)/9
         let ninth = h * (1.0 / 9.0);
         let sum = |k1: T, k2: T, k3: T| ninth * (k1 * 2.0 + k2 * 3.0 + k3 * 4.0);
         let way = three(|i| sum(w1[i], w2[i], w3[i]));
-        let w4 = three(|i| w1[i] + sum(a1[i], a2[i], a3[i]));
-        let there = self.stage(field, &steer, h, way[2], w4);
+        let last_heading = self.last_heading(way[2]);
+        let third = field.acceleration(next_heading, w3, steer(self.time + most));
+        let (a3, p3) = (third.rates, third.power);
+        let gain = three(|i| sum(a1[i], a2[i], a3[i]));
+        let w4 = three(|i| w1[i] + gain[i]);
+        let there = (last_heading, field.acceleration(last_heading, w4, steer(self.time + h)));
         let a4 = there.1.rates;
-        // The weights of order 2 are 7/24, 1/4, 1/3 and 1/8: e = h (−5k₁ + 6k₂ + 8k₃ − 9k₄)/72.
-        let part = h.plain() * (1.0 / 72.0);
-        let off = |k1: T, k2: T, k3: T, k4: T| {
-            let sum = (k2.plain() * 6.0 - k1.plain() * 5.0) + (k3.plain() * 8.0 - k4.plain() * 9.0);
-            (part * sum).abs()
-        };
+        // The weights of order 2 are 7/24, 1/4, 1/3 and 1/8: e = h (−5k₁ + 6k₂ + 8k₃ − 9k₄)/72
+        //                                                     = (Δ − h (k₁ + k₄)/2)/4.
+        let half = h.plain() * 0.5;
+        let off =
+            |change: T, k1: T, k4: T| ((change.plain() - half * (k1.plain() + k4.plain())) * 0.25).abs();
         Step {
             end: Phase { q: three(|i| q[i] + way[i]), w: w4 },
-            there: Some(there),
+            there,
+            smooth: self.is_smooth(&there.1),
             work: sum(p1, p2, p3),
-            error_q: three(|i| off(w1[i], w2[i], w3[i], w4[i])),
-            error_w: three(|i| off(a1[i], a2[i], a3[i], a4[i])),
+            error_q: three(|i| off(way[i], w1[i], w4[i])),
+            error_w: three(|i| off(gain[i], a1[i], a4[i])),
         }
     }
 
@@ -166,59 +200,78 @@ impl<T: Number> Start<T> {
         h: T,
         slope: Matrix<T::Plain>,
     ) -> Step<T> {
-        let matrix = resolvent(slope, h.plain() * GAMMA);
         let Phase { q, w } = self.phase;
+        let solver = Solver { matrix: resolvent(slope, h.plain() * GAMMA), h };
         let zero = h.constant(0.0);
-        // Slopes of the stages.
-        let mut kq = [[zero; 3]; 4];
-        let mut kw = [[zero; 3]; 4];
-        let mut power = [zero; 4];
-        for stage in 0..4 {
-            let (here, acceleration) = if stage == 0 {
-                (w, self.acceleration)
-            } else {
-                let alpha = &ALPHA[stage - 1];
-                // Y_i = y + h Σ α_ij k_j
-                let sum = |k: &[[T; 3]; 4], i: usize| {
-                    h * (k[0][i] * alpha[0] + k[1][i] * alpha[1] + k[2][i] * alpha[2])
-                };
-                let at = three(|i| w[i] + sum(&kw, i));
-                let elapsed = h * (alpha[0] + alpha[1] + alpha[2]);
-                (at, self.stage(field, &steer, elapsed, sum(&kq, 2), at).1)
-            };
-            power[stage] = acceleration.power;
-            let gamma = if stage == 0 { &[0.0; 3] } else { &GAMMAS[stage - 1] };
-            // g_i = Σ_{j<i} γ_ij k_j/γ
-            let carried =
-                three(|i| (kw[0][i] * gamma[0] + kw[1][i] * gamma[1] + kw[2][i] * gamma[2]) * (1.0 / GAMMA));
-            // k_i = (1 − γhJ)⁻¹ (f(Y_i) + g_i) − g_i
-            let [a, b, c] = three(|i| acceleration.rates[i] + carried[i]);
-            kw[stage] = three(|i| {
-                a.scaled(matrix[i][0]) + b.scaled(matrix[i][1]) + c.scaled(matrix[i][2]) - carried[i]
-            });
-            // For the places J is exactly 1: k_i = w_i + h Σ γ_ij k_j of the motion
-            kq[stage] = three(|i| here[i] + h * (carried[i] + kw[stage][i]) * GAMMA);
-        }
-        let combine = |k: &[[T; 3]; 4], by: &[f64; 4], i: usize| {
-            h * (k[0][i] * by[0] + k[1][i] * by[1] + k[2][i] * by[2] + k[3][i] * by[3])
+        // Y_i = y + h Σ α_ij k_j, g_i = Σ_{j<i} γ_ij k_j/γ
+        let first = solver.slopes(w, self.acceleration.rates, [zero; 3]);
+        let [[a, ..], [b, c, _], _] = ALPHA;
+        let [[d, ..], [e, f, _], [l, m, n]] = GAMMAS.map(|row| row.map(|gamma| gamma / GAMMA));
+        let w2 = three(|i| w[i] + h * (first.w[i] * a));
+        let second = self.stage(field, &steer, h * a, h * (first.q[2] * a), w2);
+        let p2 = second.power;
+        let second = solver.slopes(w2, second.rates, three(|i| first.w[i] * d));
+        let w3 = three(|i| w[i] + h * (first.w[i] * b + second.w[i] * c));
+        let turn = h * (first.q[2] * b + second.q[2] * c);
+        let third = self.stage(field, &steer, h * (b + c), turn, w3);
+        let p3 = third.power;
+        let third = solver.slopes(w3, third.rates, three(|i| first.w[i] * e + second.w[i] * f));
+        let w4 = three(|i| w[i] + h * third.w[i]);
+        let fourth = self.stage(field, &steer, h, h * third.q[2], w4);
+        let p4 = fourth.power;
+        let carried = three(|i| first.w[i] * l + second.w[i] * m + third.w[i] * n);
+        let fourth = solver.slopes(w4, fourth.rates, carried);
+        let kq = three(|i| [first.q[i], second.q[i], third.q[i], fourth.q[i]]);
+        let kw = three(|i| [first.w[i], second.w[i], third.w[i], fourth.w[i]]);
+        let way = three(|i| combined(h, kq[i], &WEIGHTS));
+        let end = Phase { q: three(|i| q[i] + way[i]), w: three(|i| w[i] + combined(h, kw[i], &WEIGHTS)) };
+        let heading = self.last_heading(way[2]);
+        let work = combined(h, [self.acceleration.power, p2, p3, p4], &WEIGHTS);
+        let error_of = |k: [T; 4]| {
+            combined(h.plain(), [k[0].plain(), k[1].plain(), k[2].plain(), k[3].plain()], &IMPLICIT_ERROR)
+                .abs()
         };
-        let off = IMPLICIT_ERROR;
-        let end = Phase {
-            q: three(|i| q[i] + combine(&kq, &WEIGHTS, i)),
-            w: three(|i| w[i] + combine(&kw, &WEIGHTS, i)),
-        };
-        let [p1, p2, p3, p4] = power;
-        let work = h * (p1 * WEIGHTS[0] + p2 * WEIGHTS[1] + p3 * WEIGHTS[2] + p4 * WEIGHTS[3]);
-        let error_of = |k: &[[T; 3]; 4], i: usize| {
-            let [k1, k2, k3, k4] = [k[0][i].plain(), k[1][i].plain(), k[2][i].plain(), k[3][i].plain()];
-            (h.plain() * (k1 * off[0] + k2 * off[1] + k3 * off[2] + k4 * off[3])).abs()
-        };
+        let there = (heading, field.acceleration(heading, end.w, steer(self.time + h)));
         Step {
             end,
-            there: None,
+            there,
+            smooth: self.is_smooth(&there.1),
             work,
-            error_q: three(|i| error_of(&kq, i)),
-            error_w: three(|i| error_of(&kw, i)),
+            error_q: three(|i| error_of(kq[i])),
+            error_w: three(|i| error_of(kw[i])),
         }
+    }
+}
+
+/// h Σ b_i k_i
+#[inline(always)]
+fn combined<T: Number>(h: T, k: [T; 4], by: &[f64; 4]) -> T {
+    h * ((k[0] * by[0] + k[1] * by[1]) + (k[2] * by[2] + k[3] * by[3]))
+}
+
+/// What the stages of the implicit method share.
+struct Solver<T: Number> {
+    /// (1 − γhJ)⁻¹
+    matrix: Matrix<T::Plain>,
+    h: T,
+}
+
+/// k_i of the places and of the motion.
+struct Slopes<T> {
+    q: [T; 3],
+    w: [T; 3],
+}
+
+impl<T: Number> Solver<T> {
+    /// Those of a stage with the motion `at` and its `rates`, to which the stages before have `carried` g_i.
+    #[inline(always)]
+    fn slopes(&self, at: [T; 3], rates: [T; 3], carried: [T; 3]) -> Slopes<T> {
+        // k_i = (1 − γhJ)⁻¹ (f(Y_i) + g_i) − g_i
+        let [a, b, c] = three(|i| rates[i] + carried[i]);
+        let m = &self.matrix;
+        let sum = three(|i| a.scaled(m[i][0]) + b.scaled(m[i][1]) + c.scaled(m[i][2]));
+        // For the places J is exactly 1: k_i = w_i + h Σ γ_ij k_j of the motion
+        let q = three(|i| at[i] + self.h * (sum[i] * GAMMA));
+        Slopes { q, w: three(|i| sum[i] - carried[i]) }
     }
 }

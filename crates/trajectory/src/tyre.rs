@@ -1,6 +1,6 @@
 //! The force of one tyre on the ground.
 
-use crate::number::{Choice, Number, choose, rarely};
+use crate::number::{Choice, Number, choose, four, rarely};
 
 /// (1/rad) cornering stiffness of a tyre by its load: 9 F_z per radian (EDSMAC4's tables have 8 to 11).
 pub const CORNERING_STIFFNESS: f64 = 9.0;
@@ -12,39 +12,80 @@ pub const CORNERING_STIFFNESS: f64 = 9.0;
 /// once. A share, and not a speed, leaves the forces independent of the size of the motion.
 pub(crate) const FADING: f64 = 0.01;
 
-/// What a tyre can do on its ground, by its load.
+/// What a tyre can do on its ground. Its forces are by the mass of the vehicle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tyre<T> {
-    /// (–) μ.
+    /// (m/s²) μ F_z
     pub(crate) friction: T,
-    /// (–) d.
+    /// (m/s²) d F_z
     pub(crate) drag: T,
-    /// (–) F_y,max, zero where the wheel is locked.
+    /// (m/s²) F_y,max, zero where the wheel is locked.
     pub(crate) most: T,
+    /// (m/s²) C_α
+    pub(crate) cornering: T,
+    /// (–) q by the tangent of the slip angle, C_α/(3 F_y,max); infinite where the wheel is locked.
+    pub(crate) bend: T,
+    /// (–) (d/μ)²: where u²/S² is not more, the wheel is locked.
+    pub(crate) locking: T,
 }
+
+/// Numbers of a [`Tyre`].
+#[cfg(feature = "std")]
+pub(crate) const TYRE_NUMBERS: usize = 6;
 
 impl<T: Number> Tyre<T> {
     #[inline(always)]
-    pub(crate) fn new(friction: T, drag: T) -> Self {
+    pub(crate) fn new(friction: T, drag: T, cornering: T) -> Self {
         // F_y,max² = (μ F_z)² − (d F_z)²
         let square = friction * friction - drag * drag;
-        let zero = square.constant(0.0);
-        let most = choose!(T, zero.below(square), square.sqrt(), zero);
-        Self { friction, drag, most }
+        let most = root(square);
+        let bend = cornering / (most * 3.0);
+        let share = drag / friction;
+        Self { friction, drag, most, cornering, bend, locking: share * share }
+    }
+
+    /// Without derivatives.
+    #[inline(always)]
+    pub(crate) fn plain(&self) -> Tyre<T::Plain> {
+        let Self { friction, drag, most, cornering, bend, locking } = *self;
+        Tyre {
+            friction: friction.plain(),
+            drag: drag.plain(),
+            most: most.plain(),
+            cornering: cornering.plain(),
+            bend: bend.plain(),
+            locking: locking.plain(),
+        }
+    }
+
+    #[cfg(feature = "std")]
+    #[inline(always)]
+    pub(crate) fn numbers(&self) -> [T; TYRE_NUMBERS] {
+        let Self { friction, drag, most, cornering, bend, locking } = *self;
+        [friction, drag, most, cornering, bend, locking]
+    }
+
+    #[cfg(feature = "std")]
+    #[inline(always)]
+    pub(crate) fn of([friction, drag, most, cornering, bend, locking]: [T; TYRE_NUMBERS]) -> Self {
+        Self { friction, drag, most, cornering, bend, locking }
     }
 }
 
-/// A tyre's force by its load, in the wheel's own axes.
+/// A tyre's force on the ground by the mass of the vehicle, in the wheel's own axes: with the way of the wheel,
+/// so that the ground pushes against it.
 #[derive(Clone, Copy)]
 pub(crate) struct Grip<T: Number> {
-    /// (–) along the wheel.
+    /// (m/s²) along the wheel.
     pub(crate) forward: T,
-    /// (–) to its left.
+    /// (m/s²) to its left.
     pub(crate) left: T,
-    /// (1/(m/s)) how fast the force changes with the motion of the wheel.
+    /// (1/s) how fast the force changes with the motion of the wheel.
     pub(crate) stiffness: T::Plain,
     /// Whether all of the tread slides: it leaves a mark.
     pub(crate) sliding: T::Mask,
+    /// Whether the wheel is locked.
+    pub(crate) locked: T::Mask,
 }
 
 impl<T: Number> Choice<T> for Grip<T> {
@@ -55,97 +96,158 @@ impl<T: Number> Choice<T> for Grip<T> {
             left: <T as Number>::select(mask, yes.left, no.left),
             stiffness: <T::Plain as Number>::select(mask, yes.stiffness, no.stiffness),
             sliding: T::select_mask(mask, yes.sliding, no.sliding),
+            locked: T::select_mask(mask, yes.locked, no.locked),
         }
     }
 }
 
-/// The force of a tyre whose wheel moves with (`u`, `v`) (m/s) forward and left, by its load, where friction
-/// fades below a slip whose square is `fading_squared` ((m/s)²).
-///
-/// A brake holds a wheel no faster than the ground drags it: a wheel is locked where its drag is more than
-/// friction against the slip would give along it. Slipping sideways, every wheel is then as good as locked,
-/// and the force is continuous where u changes its sign. EDSMAC4's −sgn(u) d F_z jumps there.
-#[inline(always)]
-pub(crate) fn grip<T: Number>(u: T, v: T, tyre: &Tyre<T>, fading_squared: T) -> Grip<T> {
-    let slip_squared = u * u + v * v;
-    rarely!(
-        T,
-        slip_squared.below(fading_squared),
-        {
-            let by_slip = faded(tyre, slip_squared, fading_squared);
-            let faded = Tyre::new(by_slip * root(slip_squared), tyre.drag);
-            // d ≥ (μ′/S) |u|
-            let locked = tyre.drag.at_least(by_slip * u.abs());
-            choose!(T, locked, dragged(u, v, by_slip, locked), rolling(u, v, &faded))
-        },
-        {
-            let locked = is_locked(u, tyre, slip_squared);
-            choose!(
-                T,
-                locked,
-                dragged(u, v, tyre.friction / slip_squared.sqrt(), locked),
-                rolling(u, v, tyre),
-            )
-        },
-    )
+/// A wheel moving with (`u`, `v`) (m/s) forward and left.
+#[derive(Clone, Copy)]
+pub(crate) struct Slip<'a, T> {
+    pub(crate) u: T,
+    pub(crate) v: T,
+    pub(crate) tyre: &'a Tyre<T>,
 }
 
-/// (1/(m/s)) friction by slip where it fades.
+impl<T: Number> Slip<'_, T> {
+    #[inline(always)]
+    fn squared(&self) -> T {
+        self.u * self.u + self.v * self.v
+    }
+
+    /// Whether the wheel is locked, above the slip below which friction fades.
+    ///
+    /// A brake holds a wheel no faster than the ground drags it: a wheel is locked where its drag is more
+    /// than friction against the slip would give along it. Slipping sideways, every wheel is then as good as
+    /// locked, and the force is continuous where u changes its sign. EDSMAC4's −sgn(u) d F_z jumps there.
+    #[inline(always)]
+    fn is_locked(&self, squared: T) -> T::Mask {
+        // (d/μ)² S² ≥ u²
+        (self.tyre.locking * squared).at_least(self.u * self.u)
+    }
+
+    /// The force above that slip; `by_speed` (s/m) is 1/S of a locked wheel and 1/|u| of another.
+    #[inline(always)]
+    fn grip(&self, locked: T::Mask, by_speed: T) -> Grip<T> {
+        choose!(
+            T,
+            locked,
+            dragged(self.u, self.v, self.tyre.friction * by_speed, locked),
+            rolling(self.u, self.v, by_speed, self.tyre, locked),
+        )
+    }
+
+    /// The force below that slip, whose square is `fading_squared` ((m/s)²).
+    #[inline(always)]
+    fn faded(&self, squared: T, fading_squared: T) -> Grip<T> {
+        let Self { u, v, tyre } = *self;
+        let by_slip = faded(tyre, squared, fading_squared);
+        let faded = Tyre::new(by_slip * root(squared), tyre.drag, tyre.cornering);
+        // d ≥ (μ′/S) |u|
+        let locked = tyre.drag.at_least(by_slip * u.abs());
+        choose!(
+            T,
+            locked,
+            dragged(u, v, by_slip, locked),
+            rolling(u, v, u.abs().reciprocal(), &faded, locked),
+        )
+    }
+}
+
+/// The forces of four tyres, where friction fades below a slip whose square is `fading_squared` ((m/s)²).
+///
+/// Four at once, so that lanes look only once whether any of them needs what few need.
+#[inline(always)]
+pub(crate) fn grips<T: Number>(slips: [Slip<'_, T>; 4], fading_squared: T) -> [Grip<T>; 4] {
+    let squared = four(|i| slips[i].squared());
+    let locked = four(|i| slips[i].is_locked(squared[i]));
+    let by_speed = inverse_speeds(&slips, squared, locked);
+    let grips = four(|i| slips[i].grip(locked[i], by_speed[i]));
+    let fades = four(|i| squared[i].below(fading_squared));
+    if T::any(T::one_of(T::one_of(fades[0], fades[1]), T::one_of(fades[2], fades[3]))) {
+        four(|i| rarely!(T, fades[i], slips[i].faded(squared[i], fading_squared), grips[i]))
+    } else {
+        grips
+    }
+}
+
+/// (m/s) least speed that anything is divided by; a wheel as slow as this is dealt with otherwise.
+const LEAST_SPEED: f64 = 1e-150;
+
+/// (s/m) 1/S of the locked wheels and 1/|u| of the others.
+#[inline(always)]
+fn inverse_speeds<T: Number>(slips: &[Slip<'_, T>; 4], squared: [T; 4], locked: [T::Mask; 4]) -> [T; 4] {
+    let speeds = speeds(slips, squared, locked);
+    let speeds = four(|i| speeds[i].greater(speeds[i].constant(LEAST_SPEED)));
+    // One division for two wheels: 1/a = b/(a b)
+    let (front, rear) = ((speeds[0] * speeds[1]).reciprocal(), (speeds[2] * speeds[3]).reciprocal());
+    [front * speeds[1], front * speeds[0], rear * speeds[3], rear * speeds[2]]
+}
+
+/// (m/s) S of the locked wheels and |u| of the others.
+#[inline(always)]
+fn speeds<T: Number>(slips: &[Slip<'_, T>; 4], squared: [T; 4], locked: [T::Mask; 4]) -> [T; 4] {
+    let [a, b, c, d] = locked;
+    let (one_in_front, one_of_three) = (T::one_of(a, b), T::one_of(T::one_of(a, b), c));
+    if !T::any(T::one_of(one_of_three, d)) {
+        return four(|i| slips[i].u.abs());
+    }
+    let two = T::one_of(T::one_of(T::both(a, b), T::both(one_in_front, c)), T::both(one_of_three, d));
+    if T::certain(a).is_some() || T::any(two) {
+        return four(|i| choose!(T, locked[i], squared[i].sqrt(), slips[i].u.abs()));
+    }
+    // Where no lane has two of them, one root serves all wheels.
+    let select = |mask: T::Mask, yes: T, no: T| <T as Number>::select(mask, yes, no);
+    let square = select(a, squared[0], select(b, squared[1], select(c, squared[2], squared[3])));
+    let root = square.sqrt();
+    four(|i| select(locked[i], root, slips[i].u.abs()))
+}
+
+/// (1/s) friction by slip where it fades.
 #[inline(always)]
 fn faded<T: Number>(tyre: &Tyre<T>, slip_squared: T, fading_squared: T) -> T {
     // μ′/S = 2μ εV/(S² + ε²V²), so that μ′ goes over into μ without a bend at S = εV
     tyre.friction * (fading_squared.sqrt() * 2.0) / (slip_squared + fading_squared)
 }
 
-/// √x, with zero derivatives at zero.
+/// √x, zero below zero, with zero derivatives there and at zero.
 #[inline(always)]
 fn root<T: Number>(x: T) -> T {
     let zero = x.constant(0.0);
     choose!(T, zero.below(x), x.sqrt(), zero)
 }
 
+/// The force of a locked wheel: `by_slip` (1/s) times the slip.
 #[inline(always)]
-fn is_locked<T: Number>(u: T, tyre: &Tyre<T>, slip_squared: T) -> T::Mask {
-    // d² S² ≥ μ² u²
-    (tyre.drag * tyre.drag * slip_squared).at_least(tyre.friction * tyre.friction * (u * u))
+fn dragged<T: Number>(u: T, v: T, by_slip: T, locked: T::Mask) -> Grip<T> {
+    // −F = μ F_z S/|S|
+    let stiffness = by_slip.plain();
+    Grip { forward: by_slip * u, left: by_slip * v, stiffness, sliding: locked, locked }
 }
 
-/// The force of a locked wheel: `by_slip` (1/(m/s)) times the slip.
+/// The force of a wheel that turns; `by_speed` (s/m) is 1/|u|.
 #[inline(always)]
-fn dragged<T: Number>(u: T, v: T, by_slip: T, sliding: T::Mask) -> Grip<T> {
-    // F = −μ F_z S/|S|
-    Grip { forward: -(by_slip * u), left: -(by_slip * v), stiffness: by_slip.plain(), sliding }
-}
-
-/// The force of a wheel that turns.
-#[inline(always)]
-fn rolling<T: Number>(u: T, v: T, tyre: &Tyre<T>) -> Grip<T> {
+fn rolling<T: Number>(u: T, v: T, by_speed: T, tyre: &Tyre<T>, locked: T::Mask) -> Grip<T> {
+    // 1 − |q|, q = C_α tan α/(3 F_y,max), until all of the tread slides
+    let part = v.abs() * by_speed * tyre.bend;
+    let one = u.constant(1.0);
+    let adhesion = one - part;
     let zero = u.constant(0.0);
-    let (ahead, lateral) = (u.abs(), v.abs());
-    let forward = <T as Number>::select(u.below(zero), tyre.drag, -tyre.drag);
-    // q = C_α tan α/(3 F_y,max), at most ±1
-    let reach = tyre.most * ahead * (3.0 / CORNERING_STIFFNESS);
-    let sliding = lateral.at_least(reach);
-    choose!(
-        T,
+    let sliding = zero.at_least(adhesion);
+    let adhesion = adhesion.greater(zero);
+    let square = adhesion * adhesion;
+    Grip {
+        forward: tyre.drag.with_sign_of(u),
+        // |F_y| = F_y,max (3q − 3q² + q³) = F_y,max (1 − (1 − q)³)
+        left: (tyre.most * (one - square * adhesion)).with_sign_of(v),
+        // −∂F_y/∂v = C_α (1 − |q|)²/|u|
+        stiffness: (tyre.cornering * square * by_speed).plain(),
         sliding,
-        {
-            let left = <T as Number>::select(v.below(zero), tyre.most, -tyre.most);
-            Grip { forward, left, stiffness: zero.plain(), sliding }
-        },
-        {
-            let q = v / reach;
-            // F_y = −F_y,max (3q − 3q|q| + q³)
-            let left = -(tyre.most * q * (q * q - q.abs() * 3.0 + 3.0));
-            // −∂F_y/∂v = C_α (1 − |q|)²/|u|
-            let share = (T::plain(zero) + 1.0) - q.abs().plain();
-            let stiffness = share * share * CORNERING_STIFFNESS / ahead.plain();
-            Grip { forward, left, stiffness, sliding }
-        },
-    )
+        locked,
+    }
 }
 
-/// How the force by load (1/(m/s)) changes with the motion of the wheel.
+/// (1/s) how the force by the mass of the vehicle changes with the motion of the wheel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slope<T> {
     /// [[∂F_x/∂u, ∂F_x/∂v], [∂F_y/∂u, ∂F_y/∂v]]
@@ -160,39 +262,48 @@ impl<T: Number> Choice<T> for Slope<T> {
     }
 }
 
-/// The slope of [`grip`]. It steers the implicit method, which needs it only roughly: where friction fades it
-/// is taken as if the force pointed to the slip.
+/// The slopes of [`grips`]. They steer the implicit method, which needs them only roughly: where friction fades
+/// they are taken as if the force pointed to the slip.
 #[inline(always)]
-pub(crate) fn slope<T: Number>(u: T, v: T, tyre: &Tyre<T>, fading_squared: T) -> Slope<T> {
-    let zero = u.constant(0.0);
-    let slip_squared = u * u + v * v;
-    rarely!(
-        T,
-        slip_squared.below(fading_squared),
-        {
-            let slope = -faded(tyre, slip_squared, fading_squared);
-            Slope { rows: [[slope, zero], [zero, slope]] }
-        },
-        {
-            choose!(
-                T,
-                is_locked(u, tyre, slip_squared),
-                {
-                    // ∂F/∂S = −μ/|S| (1 − s sᵀ), s the direction of the slip
-                    let slope = -tyre.friction / (slip_squared * slip_squared.sqrt());
-                    let across = -(slope * u * v);
-                    Slope { rows: [[slope * v * v, across], [across, slope * u * u]] }
-                },
-                {
-                    let reach = tyre.most * u.abs() * (3.0 / CORNERING_STIFFNESS);
-                    choose!(T, v.abs().at_least(reach), Slope { rows: [[zero; 2]; 2] }, {
-                        let left = (zero + 1.0) - v.abs() / reach;
-                        // ∂F_y/∂v = −C_α (1 − |q|)²/|u|, ∂F_y/∂u = −(v/u) ∂F_y/∂v
-                        let by_v = -(left * left * CORNERING_STIFFNESS) / u.abs();
-                        Slope { rows: [[zero, zero], [-(by_v * v) / u, by_v]] }
-                    },)
-                },
-            )
-        },
-    )
+pub(crate) fn slopes<T: Number>(slips: [Slip<'_, T>; 4], fading_squared: T) -> [Slope<T>; 4] {
+    let squared = four(|i| slips[i].squared());
+    let locked = four(|i| slips[i].is_locked(squared[i]));
+    let by_speed = inverse_speeds(&slips, squared, locked);
+    four(|i| {
+        rarely!(
+            T,
+            squared[i].below(fading_squared),
+            {
+                let slope = -faded(slips[i].tyre, squared[i], fading_squared);
+                let zero = slope.constant(0.0);
+                Slope { rows: [[slope, zero], [zero, slope]] }
+            },
+            slips[i].slope(locked[i], by_speed[i]),
+        )
+    })
+}
+
+impl<T: Number> Slip<'_, T> {
+    #[inline(always)]
+    fn slope(&self, locked: T::Mask, by_speed: T) -> Slope<T> {
+        let Self { u, v, tyre } = *self;
+        choose!(
+            T,
+            locked,
+            {
+                // ∂F/∂S = −μ/|S| (1 − s sᵀ), s the direction of the slip
+                let slope = -(tyre.friction * by_speed * (by_speed * by_speed));
+                let across = -(slope * u * v);
+                Slope { rows: [[slope * v * v, across], [across, slope * u * u]] }
+            },
+            {
+                // ∂F_y/∂v = −C_α (1 − |q|)²/|u|, ∂F_y/∂u = −(v/u) ∂F_y/∂v
+                let zero = u.constant(0.0);
+                let adhesion = (u.constant(1.0) - v.abs() * by_speed * tyre.bend).greater(zero);
+                let by_v = -(adhesion * adhesion * tyre.cornering) * by_speed;
+                let by_u = -(by_v * v) * (u * by_speed * by_speed);
+                Slope { rows: [[zero, zero], [by_u, by_v]] }
+            },
+        )
+    }
 }
