@@ -93,7 +93,7 @@ pub fn spin_outs(count: u32) -> Result<Vec<Outset<'static>>, Refused> {
     (0..count).map(sample).collect()
 }
 
-/// An integration to 1 cm and 0.1° at rest, which 95 of 100 spin-outs of six seconds hold.
+/// An integration to 1 cm and 0.1° at rest, which 97 of 100 of the [`spin_outs`] hold.
 #[must_use]
 pub fn centimetre() -> Control {
     Control { tolerance: 5e-4, ..Control::default() }
