@@ -23,8 +23,9 @@
 //!
 //! | item | is |
 //! |---|---|
-//! | [`Real`] | the operations that the equations use; implemented for `f64`, [`Dual`] and [`Traced`] |
+//! | [`Real`] | the operations that the equations use; implemented for `f64`, [`Dual`], [`Duals`] and [`Traced`] |
 //! | [`Dual`] | a number that carries its derivative by one input |
+//! | [`Duals`] | a number that carries its derivatives by a few inputs |
 //! | [`gradients`], [`Traced`] | the derivatives by all inputs at once, of a formula that is evaluated on numbers that remember what they were computed from |
 //! | [`elementary::sin_cos`] | sine and cosine of an angle in radians, up to [`elementary::SIN_COS_LIMIT`] |
 //! | [`elementary::atan2`] | angle of a vector in radians, over all of `f64` |
@@ -66,12 +67,14 @@
 
 mod angle;
 mod dual;
+mod duals;
 pub mod elementary;
 #[cfg(feature = "std")]
 mod traced;
 
 pub use angle::principal_angle;
 pub use dual::Dual;
+pub use duals::Duals;
 #[cfg(feature = "std")]
 pub use traced::{Gradient, Traced, gradients};
 
@@ -158,6 +161,7 @@ mod sealed {
 
     impl Sealed for f64 {}
     impl Sealed for crate::Dual {}
+    impl<const N: usize> Sealed for crate::Duals<N> {}
     #[cfg(feature = "std")]
     impl Sealed for crate::Traced {}
 }

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use pim_core::{InvalidInput, Motion, Vector2};
-use real::{Dual, Real, elementary, principal_angle};
+use real::{Duals, Real, elementary, principal_angle};
 
 use crate::chassis::Chassis;
 use crate::check;
@@ -34,8 +34,17 @@ const SAME: f64 = 1e-4;
 /// Rounds of Newton's method, of which a good seed needs five to ten.
 const MOST_ROUNDS: usize = 15;
 
-/// Full steps near the rest, each of which may end beyond a jump.
-const MOST_JUMPS: usize = 12;
+/// Full steps near the rest that may end beyond a jump.
+const MOST_JUMPS: usize = 8;
+
+/// Jumps after which the derivatives are computed anew.
+const RENEWED: [usize; 2] = [1, 5];
+
+/// Full steps lead astray where they miss by this many times [`COARSE`].
+const FAR: f64 = 20.0;
+
+/// Steps after which a coarse integration is given up: it takes some fifty.
+const MOST_COARSE_STEPS: u32 = 2000;
 
 /// Where the search begins: shares of Marquard's speed and yaw rate, and an angle (rad) from the direct way.
 ///
@@ -222,7 +231,7 @@ pub fn to_start_near(
 
 struct Search<'a> {
     chassis: &'a Chassis,
-    dual: Chassis<Dual>,
+    dual: Chassis<Duals<3>>,
     steer: Steer<'a, f64>,
     ground: &'a Ground<'a, f64>,
     position: Vector2<f64>,
@@ -266,7 +275,11 @@ impl<'a> Search<'a> {
         check::angle("heading at rest", target.heading)?;
         steer.check()?;
         ground.check()?;
-        let coarse = Control { tolerance: Real::max(control.tolerance, 3e-3), ..*control };
+        let coarse = Control {
+            tolerance: Real::max(control.tolerance, 3e-3),
+            most_steps: control.most_steps.min(MOST_COARSE_STEPS),
+            ..*control
+        };
         Ok(Self {
             chassis,
             dual: chassis.constant(),
@@ -373,40 +386,49 @@ impl<'a> Search<'a> {
 
     /// How the miss changes with the motion: a column for each of v_x, v_y, ω.
     fn derivatives(&self, w: [f64; 3], turn: f64, control: &Control) -> Result<[[f64; 3]; 3], NoRest> {
-        let mut columns = [[0.0; 3]; 3];
-        for (by, column) in columns.iter_mut().enumerate() {
-            let mut seeded = w.map(Dual::from);
-            seeded[by] = Dual::variable(w[by]);
-            let rest = follow(&self.dual, self.steer, self.ground, &self.state(seeded), control, |_| {})?;
-            *column = self.miss(&rest, turn).map(|miss| miss.derivative);
-        }
-        Ok(columns)
+        let [x, y, omega] = [0, 1, 2].map(|i| Duals::variable(w[i], i));
+        let rest = follow(&self.dual, self.steer, self.ground, &self.state([x, y, omega]), control, |_| {})?;
+        let [a, b, c] = self.miss(&rest, turn).map(|miss| miss.derivatives);
+        Ok([0, 1, 2].map(|i| [a[i], b[i], c[i]]))
     }
 
-    /// Newton's method from a motion, damped. The motion that comes nearest.
+    /// Newton's method from a motion. The motion that comes nearest.
     fn newton(&self, w: [f64; 3], turn: f64) -> Result<Try, NoRest> {
-        let mut control = &self.coarse;
-        let mut here = self.attempt(w, turn, control)?;
+        let (near, columns) =
+            self.damped(self.attempt(w, turn, &self.coarse)?, turn, &self.coarse, COARSE)?;
+        let here = self.attempt(near.w, turn, self.control)?;
+        let here = self.settled(here, columns, turn);
+        if here.size() <= REACHED * self.control.tolerance {
+            return Ok(here);
+        }
+        let (here, columns) = self.damped(here, turn, self.control, FINE)?;
+        Ok(self.settled(here, columns, turn))
+    }
+
+    /// Newton's method with steps that miss less and less, until the rest misses by `enough` (m).
+    fn damped(
+        &self,
+        from: Try,
+        turn: f64,
+        control: &Control,
+        enough: f64,
+    ) -> Result<(Try, [[f64; 3]; 3]), NoRest> {
+        let mut here = from;
         let mut columns = self.derivatives(here.w, turn, control)?;
         let mut fresh = true;
         for _ in 0..MOST_ROUNDS {
-            if here.size() <= COARSE && control.tolerance > self.control.tolerance {
-                control = self.control;
-                here = self.attempt(here.w, turn, control)?;
-            }
-            if here.size() <= FINE {
+            if here.size() <= enough {
                 break;
             }
             let step = solve(columns, here.miss).map(|step| self.bounded(step, here.w));
-            let next = step.and_then(|step| self.descend(&here, step, turn, control));
-            match next {
+            match step.and_then(|step| self.descend(&here, step, turn, control)) {
                 Some((next, factor)) => {
                     let step = [0, 1, 2].map(|i| next.w[i] - here.w[i]);
                     let shrunk = next.size() <= 0.2 * here.size() && factor >= 1.0;
                     columns = updated(columns, step, [0, 1, 2].map(|i| next.miss[i] - here.miss[i]));
                     here = next;
                     fresh = false;
-                    if !shrunk && here.size() > FINE {
+                    if !shrunk && here.size() > enough {
                         columns = self.derivatives(here.w, turn, control)?;
                         fresh = true;
                     }
@@ -418,35 +440,34 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        if control.tolerance > self.control.tolerance {
-            here = self.attempt(here.w, turn, self.control)?;
-        }
-        Ok(if here.size() > FINE { self.across_jumps(here, turn) } else { here })
+        Ok((here, columns))
     }
 
     /// The nearest of some full steps from a motion that is nearly there. Where the integration chooses other
     /// steps, the rest jumps by some tolerances, and the way to the motion sought may lead over a greater
     /// miss.
-    fn across_jumps(&self, from: Try, turn: f64) -> Try {
-        let near = 10.0 * REACHED * self.control.tolerance;
+    fn settled(&self, from: Try, mut columns: [[f64; 3]; 3], turn: f64) -> Try {
         let (mut here, mut best) = (from, from);
-        let mut columns = None;
-        for round in 0..MOST_JUMPS {
-            if here.size() > near {
-                break;
-            }
-            if round % 4 == 0 {
-                columns = self.derivatives(here.w, turn, self.control).ok();
-            }
-            let Some(step) = columns.and_then(|columns| solve(columns, here.miss)) else { break };
+        let mut stalls = 0;
+        while best.size() > FINE && stalls <= MOST_JUMPS {
+            let Some(step) = solve(columns, here.miss).map(|step| self.bounded(step, here.w)) else { break };
             let w = [0, 1, 2].map(|i| here.w[i] + step[i]);
             let Ok(next) = self.attempt(w, turn, self.control) else { break };
+            if next.size() > FAR * COARSE {
+                break;
+            }
+            if next.size() <= 0.3 * here.size() {
+                columns = updated(columns, step, [0, 1, 2].map(|i| next.miss[i] - here.miss[i]));
+            } else {
+                stalls += 1;
+                if RENEWED.contains(&stalls) {
+                    let Ok(fresh) = self.derivatives(next.w, turn, self.control) else { break };
+                    columns = fresh;
+                }
+            }
             here = next;
             if here.size() < best.size() {
                 best = here;
-            }
-            if best.size() <= FINE {
-                break;
             }
         }
         best
