@@ -55,6 +55,8 @@ pub struct Estimated {
     pub unused: Vec<Unused>,
     /// The draws: a column for each of the unknown numbers, and one for each output.
     pub posterior: Posterior,
+    /// The same before the evidence; `None` where that run did not converge.
+    pub before: Option<Posterior>,
 }
 
 /// A number that is unknown.
@@ -81,6 +83,15 @@ pub struct EstimatedOutput {
     pub prior: Option<Summary>,
     /// (SI) after it.
     pub posterior: Summary,
+}
+
+/// The results that [`estimate()`] gives of a case.
+///
+/// # Errors
+/// [`Failure`] where the case lacks something, or where a distribution makes no sense.
+pub fn estimate_outputs(case: &Case) -> Result<Vec<EstimateOutput>, Failure> {
+    let setup = setup::of(case, None)?;
+    Ok(outputs::of(&setup.impacts, case.axes))
 }
 
 /// The stage that [`estimate()`] has reached.
@@ -115,6 +126,13 @@ impl Estimated {
     pub fn draws(&self, output: EstimateOutput) -> Option<&[f64]> {
         let place = self.outputs.iter().position(|found| found.output == output)?;
         self.posterior.outputs().get(place).map(Vec::as_slice)
+    }
+
+    /// (SI) the draws of a result before the evidence.
+    #[must_use]
+    pub fn draws_before(&self, output: EstimateOutput) -> Option<&[f64]> {
+        let place = self.outputs.iter().position(|found| found.output == output)?;
+        self.before.as_ref()?.outputs().get(place).map(Vec::as_slice)
     }
 
     /// The probability that a result is above a limit (SI), with its error from sampling.
@@ -213,14 +231,13 @@ pub fn estimate(
         .collect();
     let judged: Vec<usize> = places(&|piece| !always(piece));
     let mut pieces = Vec::new();
+    let mut is_ended = false;
     for (done, &term) in judged.iter().enumerate() {
-        if progress(EstimateStage::Piece, done, judged.len()).is_break() {
-            break;
-        }
+        is_ended |= progress(EstimateStage::Piece, done, judged.len()).is_break();
         let mut quietly = |_: usize, _: usize| ControlFlow::Continue(());
         let mut alone = None;
         let mut without = None;
-        if plan.pieces && judged.len() > 1 {
+        if plan.pieces && !is_ended && judged.len() > 1 {
             let mut only = places(&always);
             only.push(term);
             alone = run(Selection::Only(only), beside, &mut quietly).ok();
@@ -239,6 +256,7 @@ pub fn estimate(
         same_twice,
         unused,
         posterior,
+        before: prior,
     })
 }
 

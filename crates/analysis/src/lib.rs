@@ -54,7 +54,7 @@ mod warning;
 
 pub use self::estimate::{
     Assumed, EstimateOutput, EstimatePlan, EstimateStage, Estimated, EstimatedOutput, Impossible, PieceFound,
-    SameTwice, UnknownNumber, Unused, UnusedReason, estimate,
+    SameTwice, UnknownNumber, Unused, UnusedReason, estimate, estimate_outputs,
 };
 pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
 pub use both::{BothFound, BothMethod};

@@ -10,6 +10,7 @@ use clap::builder::{
 };
 use clap::{Arg, Args, Parser, ValueEnum};
 use clap_complete::Shell;
+use estimate::{MOST_PARTICLES, PARTICLES_STEP};
 use uncertainty::MIN_SAMPLES;
 
 /// Reconstructs a two-vehicle collision from its damage.
@@ -174,6 +175,35 @@ pub(crate) enum Command {
             Ctrl-C ends the sampling and prints the results so far."
     )]
     Uncertainty(UncertaintyArguments),
+    /// Estimate the speeds from all evidence, with how probable each is
+    #[command(
+        long_about = "Estimate the speeds from all evidence, with how probable each is.\n\n\
+            Speeds that the case does not give, or that [reconstruct] seeks, are unknown, both if need be. The \
+            program draws collisions that might have been, and weighs each by how well it agrees with all \
+            evidence at once (Bayes). The answer is the median and the interval that holds 95 % of them, of \
+            each speed, ΔV and other result.\n\n\
+            Evidence is whatever the case has of this:\n  \
+            [vehicleN.crush] of both vehicles: the crush energy; with pdof the direction of force\n  \
+            [vehicleN.after] speed, direction, yaw_rate after the impact\n  \
+            [vehicleN.after] rest and points, with drag and [surface] friction: each draw is followed to rest\n  \
+            [vehicleN.recorder] what an event data recorder stored: ΔV, speed, yaw rate\n  \
+            certain_speed = { at_least = \"0 km/h\", at_most = \"60 km/h\" }: other speeds are excluded\n\n\
+            Ranges are what is known before the evidence. A heading, mass, contact point or crush plane without a \
+            range is taken to be as uncertain as it usually is; evidence without an error gets a default one; a \
+            restitution or tangential condition without a range is assumed as such collisions have it. The \
+            report lists all of these. [estimate] changes what is assumed: prior = \"flat\" in place of \"field\" \
+            (as severe as collisions of which a vehicle was towed), delta_v_median, and crush_error.\n\n\
+            Each piece of evidence is shown with what it says alone, with the answer without it, and with the \
+            probability, by all others, of an observation as far off: what contradicts the rest is warned of. \
+            Where the run has not converged, no interval is given at all. The same seed gives the same bytes, with any number \
+            of threads.",
+        after_help = "Examples:\n  deltav estimate fixtures/estimate.toml\n  \
+            deltav estimate fixtures/estimate.toml --above \"vehicle1.speed 50 km/h\"\n  \
+            deltav estimate fixtures/estimate.toml --prior flat --no-pieces --format json -o result.json\n  \
+            deltav estimate fixtures/estimate.toml --format html -o report.html --samples-out draws.csv\n\n\
+            Exit status: 0 done; 1 no answer, or the run has not converged; 2 the case file or the command line is wrong."
+    )]
+    Estimate(EstimateArguments),
     /// Draw the scene, the motion, the damage, the reconciliation or the energy, as SVG, PNG or PDF
     #[command(
         long_about = "Draw the scene, the motion, the damage, the reconciliation or the energy, as SVG, PNG or PDF.\n\n\
@@ -624,6 +654,69 @@ fn degrees(text: &str) -> Result<f64, String> {
         Ok(degrees) if degrees > 0.0 && degrees <= 180.0 => Ok(degrees),
         _ => Err("give degrees above 0 and up to 180, such as 5".to_owned()),
     }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct EstimateArguments {
+    #[command(flatten)]
+    pub(crate) arguments: Arguments,
+
+    /// Random seed
+    #[arg(long, value_name = "SEED", default_value_t = 1)]
+    pub(crate) seed: u64,
+
+    /// Number of particles of each of 16 islands, a multiple of 128; it is doubled up to twice where the run does not
+    /// converge
+    #[arg(long, value_name = "N", default_value_t = PARTICLES, value_parser = particles)]
+    pub(crate) particles: usize,
+
+    /// Number of threads; the default is one for each processor
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+
+    /// How severe the collision may have been before the evidence, in place of `prior` of [estimate]
+    #[arg(long, value_enum)]
+    pub(crate) prior: Option<EstimatePrior>,
+
+    /// Do not find what each piece of evidence says alone, and the answer without it, which takes most of the
+    /// time
+    #[arg(long)]
+    pub(crate) no_pieces: bool,
+
+    /// Also tell the probability that a result is above a limit, such as "vehicle1.speed 50 km/h": a key of
+    /// `outputs` in the JSON, a number and a unit; may be repeated
+    #[arg(long, value_name = "QUESTION", allow_hyphen_values = true)]
+    pub(crate) above: Vec<String>,
+
+    /// Also write every draw to FILE as CSV (SI units and radians); a .toml file is not overwritten
+    #[arg(long, value_name = "FILE")]
+    pub(crate) samples_out: Option<PathBuf>,
+
+    /// How a spreadsheet reads the csv
+    #[arg(long, value_name = "STYLE", value_enum, default_value_t = CsvStyle::International, requires = "samples_out")]
+    pub(crate) csv_style: CsvStyle,
+}
+
+/// Particles of an island where the command line does not say.
+const PARTICLES: usize = 512;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum EstimatePrior {
+    /// As collisions of which a vehicle was towed
+    Field,
+    /// Any speed is as likely as any other
+    Flat,
+}
+
+/// What can be dealt in two halves of whole blocks.
+fn particles(text: &str) -> Result<usize, String> {
+    let particles = count(text)?;
+    if particles == 0 || particles > MOST_PARTICLES || !particles.is_multiple_of(PARTICLES_STEP) {
+        return Err(format!(
+            "give a multiple of {PARTICLES_STEP} up to {MOST_PARTICLES}, such as {PARTICLES}"
+        ));
+    }
+    Ok(particles)
 }
 
 #[derive(Debug, Args)]

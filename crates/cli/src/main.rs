@@ -3,6 +3,7 @@
 mod arguments;
 mod batch;
 mod draw;
+mod estimates;
 mod new;
 mod outputs;
 mod pages;
@@ -99,6 +100,7 @@ fn run(command: Command) -> Result<()> {
         Command::Compare(arguments) => report_comparison(arguments),
         Command::Sensitivity(arguments) => report_sensitivity(&arguments),
         Command::Uncertainty(arguments) => report_uncertainty(arguments),
+        Command::Estimate(arguments) => estimates::report(&arguments),
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::Validate(arguments) => validate(&arguments),
         Command::Explain(arguments) => explain(&arguments),

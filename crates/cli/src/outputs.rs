@@ -147,6 +147,15 @@ fn files(command: &Command) -> Files<'_> {
                 arguments.plots.as_deref().map(|path| Folder { option: "--plots", path, is_name: is_plot });
             files
         }
+        Command::Estimate(arguments) => {
+            let mut files = of_arguments(&arguments.arguments);
+            files.outputs.extend(arguments.samples_out.as_deref().map(|path| Output {
+                option: "--samples-out",
+                path,
+                ending: "-samples.csv",
+            }));
+            files
+        }
         Command::Draw(arguments) => Files {
             cases: vec![&arguments.case],
             outputs: output(arguments.output.file(), "-drawing.svg"),

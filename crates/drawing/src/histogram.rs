@@ -118,7 +118,7 @@ impl HistogramPicture {
 }
 
 impl HistogramMark {
-    fn label(&self, unit: f64, decimals: usize) -> String {
+    pub(crate) fn label(&self, unit: f64, decimals: usize) -> String {
         format!("{} {}", self.lead, number(self.value / unit, decimals))
     }
 }

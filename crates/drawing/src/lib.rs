@@ -36,6 +36,9 @@
 //! | [`EnergyPicture`] | where the initial kinetic energy went |
 //! | [`ReconciliationPicture`] | work of the normal impulse over the speed sought |
 //! | [`HistogramPicture`] | how a result is distributed, with its interval and its central value |
+//! | [`DensityPicture`] | how probable each value of a result is, before and after evidence |
+//! | [`JointPicture`] | draws of two results at once, with the regions that hold most of them |
+//! | [`RestsPicture`] | where vehicles would have come to rest, beside where they were found |
 //! | [`TornadoPicture`] | what each input alone does to a result |
 //! | [`ScatterPicture`] | points of one number over another, with the line where both are equal |
 //! | [`RanksPicture`] | how many fell into classes that are expected to hold equally many |
@@ -63,12 +66,14 @@
 mod canvas;
 mod chart;
 mod damage;
+mod density;
 mod energy;
 mod finished;
 mod font;
 mod footprint;
 mod ground;
 mod histogram;
+mod joint;
 mod labels;
 mod legend;
 mod motion;
@@ -80,6 +85,7 @@ mod plan;
 mod ranks;
 mod raster;
 mod reconciliation;
+mod rests;
 mod scatter;
 mod scene;
 mod site_plan;
@@ -90,11 +96,13 @@ mod tornado;
 
 pub use chart::Axis;
 pub use damage::{DamagePicture, DamagedVehicle};
+pub use density::DensityPicture;
 pub use energy::{EnergyBar, EnergyPicture, Loss};
 pub use finished::{Drawing, PictureFormat};
 pub use footprint::{CrushProfile, Footprint, Shape};
 pub use ground::{GroundShape, GroundZone};
 pub use histogram::{HistogramMark, HistogramPicture};
+pub use joint::JointPicture;
 pub use legend::ScaleUnit;
 pub use motion::{MeasuredPoint, MotionPicture, MotionPoint, MotionRest, MotionVehicle};
 pub use motion_curves::{MotionCurves, MotionCurvesPicture};
@@ -102,6 +110,7 @@ pub use number::{number, significant};
 pub use ranks::RanksPicture;
 pub use raster::RenderError;
 pub use reconciliation::{CurvePoint, ReconciliationPicture};
+pub use rests::{FoundAtRest, RestsPicture};
 pub use scatter::{ScatterPanel, ScatterPicture, ScatterPoint};
 pub use scene::{SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle};
 pub use site_plan::{PlanPlace, SitePlan, SitePlanError};

@@ -1,7 +1,9 @@
 //! The sentence of each case without an answer.
 
-use analysis::Failure;
+use ::estimate::Failure as NoDraws;
+use analysis::{Failure, Impossible};
 use crash3::CrushError;
+use evidence::Piece;
 use pim_core::{ImpactError, VehicleId};
 use reconcile::{MomentumError, ReconcileError};
 use trajectory::{NoRest, State, Unreached};
@@ -14,9 +16,9 @@ use crate::units::{Measure, Units, number};
 #[must_use]
 pub fn no_answer(failure: &Failure, units: Units) -> String {
     match failure {
-        Failure::Case(_) | Failure::Ranges(_) | Failure::Excluded(_) | Failure::Estimate(_) => {
-            failure.to_string()
-        }
+        Failure::Case(_) | Failure::Ranges(_) => failure.to_string(),
+        Failure::Excluded(impossible) => excluded(impossible),
+        Failure::Estimate(refusal) => of_estimate(refusal),
         Failure::Impact(refusal) => of_impact(refusal, units),
         Failure::Crush(refusal) => of_crush(refusal, units),
         Failure::Reconcile(refusal) => of_reconciliation(refusal, units),
@@ -49,6 +51,45 @@ pub fn no_answer(failure: &Failure, units: Units) -> String {
         Failure::NotReached { vehicle, nearest: Err(reason), .. } => {
             format!("no speed of vehicle {vehicle} makes a collision: {}", of_impact(reason, units))
         }
+    }
+}
+
+/// What excludes every collision, and what to change.
+fn excluded(impossible: &Impossible) -> String {
+    let limits = |piece: &Piece| matches!(piece, Piece::Limits(_));
+    let what = match impossible.culprits.as_slice() {
+        [one] if limits(one) => {
+            "no collision with such a speed brings the vehicles together; check its limits, and the headings, \
+             contact points and crush plane of both"
+        }
+        [_] => "check its value and unit, and give it a larger error",
+        [one, other] if limits(one) && limits(other) => {
+            "widen one of the two, and check the headings, contact points and crush plane"
+        }
+        [_, _] => "check both, and give the one that is less certain a larger error or leave it out",
+        _ if impossible.together => "check the units and signs of each, and give larger errors",
+        _ if impossible.exclusion.possible > 0 => {
+            "say what is certain less narrowly, and check the headings, contact points and crush plane"
+        }
+        _ => "check the headings, the contact points and the crush plane, which is the angle of its normal",
+    };
+    format!("{impossible}; {what}")
+}
+
+fn of_estimate(refusal: &NoDraws) -> String {
+    match refusal {
+        NoDraws::NothingUnknown => {
+            "nothing is unknown, so there is nothing to estimate: both speeds are given without a range; leave a \
+             speed out, or give it a range"
+                .to_owned()
+        }
+        NoDraws::Ended { .. } => "the run was ended before it had an answer".to_owned(),
+        NoDraws::NotALikelihood { .. } | NoDraws::NotFinite { .. } => format!(
+            "a number of the case leads to a collision that cannot be computed: {refusal}; check the units and \
+             the ranges"
+        ),
+        // Of the settings.
+        _ => refusal.to_string(),
     }
 }
 

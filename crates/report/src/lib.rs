@@ -15,7 +15,7 @@
 //! What a command has to say is a [`Document`], which writes itself as text, as Markdown and as HTML:
 //! [`results`], where every figure names its equation; [`handover`], the report to hand over, with the
 //! [`steps`] (every result with its equation and the numbers in it), all drawings and the case file;
-//! [`comparison`], [`sensitivity`], [`uncertainty()`], [`judgement`] and [`validation()`]; [`warnings`]
+//! [`comparison`], [`sensitivity`], [`uncertainty()`], [`estimate()`], [`judgement`] and [`validation()`]; [`warnings`]
 //! alone; [`explanation`] of a term, symbol, key or warning, from glossary.md.
 //!
 //! The same for programs is data in SI units and radians, with keys that are kept: [`json`],
@@ -39,9 +39,9 @@
 //! [`drawing`](drawing()) draws a [`Subject`]: the scene and the damage to scale, the reconciliation, the
 //! energy. A [`Drawing`] is SVG, PNG or PDF; the crate `drawing` makes all of them.
 //!
-//! [`histogram`] and [`tornado`] plot an uncertainty, [`computed_against_measured`] and
-//! [`reconstructed_speed`] the validation, [`estimated_against_recorded`] and [`ranks_of_recorders`] the
-//! judgement by recorders.
+//! [`histogram`] and [`tornado`] plot an uncertainty, [`density`], [`joint_speeds`] and [`rests`] an estimate,
+//! [`computed_against_measured`] and [`reconstructed_speed`] the validation, [`estimated_against_recorded`] and
+//! [`ranks_of_recorders`] the judgement by recorders.
 //!
 //! `examples/text_and_drawing.rs` goes from a file to a text and a drawing.
 //!
@@ -61,6 +61,7 @@ mod checks;
 mod data;
 mod document;
 mod energy;
+mod estimates;
 mod failures;
 mod glossary;
 mod law;
@@ -78,6 +79,7 @@ mod writers;
 pub use ::drawing::{Drawing, PictureFormat, SitePlan, SitePlanError};
 pub use data::comparison::comparison_json;
 pub use data::csv::{Answer, Csv, CsvStyle, Refused, Row, RowError, Table, jsonl_row};
+pub use data::estimate::{estimate_json, write_draws};
 pub use data::field::field_json;
 pub use data::json::json;
 pub use data::judgement::judgement_json;
@@ -87,13 +89,16 @@ pub use data::topics::{topic_json, topics_json};
 pub use data::uncertainty::uncertainty_json;
 pub use data::validation::validation_json;
 pub use document::Document;
+pub use estimates::{Asked, Question};
 pub use failures::no_answer;
 pub use glossary::{Topic, UnknownTopic, topic, topics};
 pub use pictures::{
-    DrawingError, Subject, computed_against_measured, drawing, estimated_against_recorded, histogram,
-    motion_on, plain_scene, ranks_of_recorders, reconstructed_speed, site_plan, site_plan_of, tornado,
+    DrawingError, Subject, computed_against_measured, density, drawing, estimated_against_recorded, histogram,
+    joint_speeds, motion_on, plain_scene, ranks_of_recorders, reconstructed_speed, rests, site_plan,
+    site_plan_of, tornado,
 };
 pub use sections::comparison::comparison;
+pub use sections::estimate::estimate;
 pub use sections::field::field;
 pub use sections::handover::{Supplements, handover};
 pub use sections::judgement::judgement;

@@ -2,6 +2,7 @@
 
 mod damage;
 mod energy;
+pub(crate) mod estimate;
 mod field;
 mod motion;
 mod reconciliation;
@@ -10,6 +11,7 @@ mod spread;
 mod staged;
 mod vehicle;
 
+pub use estimate::{density, joint_speeds, rests};
 pub use field::{estimated_against_recorded, ranks_of_recorders};
 pub use spread::{histogram, tornado};
 pub use staged::{computed_against_measured, reconstructed_speed};

@@ -2,6 +2,7 @@
 
 mod chosen;
 pub(crate) mod comparison;
+pub(crate) mod estimate;
 pub(crate) mod field;
 pub(crate) mod handover;
 pub(crate) mod judgement;

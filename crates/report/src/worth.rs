@@ -9,7 +9,8 @@ pub(crate) struct Worth {
 }
 
 pub(crate) const SMITH_NOGA: &str = "Smith and Noga (1982), 34 pairs of measurements";
-const STAGED_MOTION: &str = "simulated motions of the RICSAC tests 3 and 6 against the measured ones";
+pub(crate) const STAGED_MOTION: &str =
+    "simulated motions of the RICSAC tests 3 and 6 against the measured ones";
 pub(crate) const BARRIER_TESTS: &str = "698 full-width frontal barrier tests of NHTSA";
 
 /// Of the key of a number, or of a list of numbers.

@@ -7,6 +7,7 @@ use inputs::Axes;
 use pim_core::VehicleId;
 
 use super::impacts::CaseImpacts;
+use crate::quantities::{Kind, quantity};
 use crate::sensitivity::{Output, WayNumber};
 use crate::uncertainty::beside;
 
@@ -35,6 +36,16 @@ impl EstimateOutput {
         }
     }
 
+    /// What kind of number it is.
+    #[must_use]
+    pub fn kind(self) -> Kind {
+        match self {
+            Self::Result(output) => quantity(output.key()).map_or(Kind::Speed, |row| row.kind),
+            Self::Restitution | Self::ImpulseRatio => Kind::Ratio,
+            Self::CrushEnergy => Kind::Energy,
+        }
+    }
+
     /// The vehicle that it belongs to; none for one of the collision.
     #[must_use]
     pub fn vehicle(self) -> Option<VehicleId> {
@@ -54,32 +65,33 @@ pub(super) struct Told<'a> {
     reference: [f64; 2],
 }
 
+/// The results that a case has.
+pub(super) fn of(impacts: &CaseImpacts, axes: Axes) -> Vec<EstimateOutput> {
+    let case = &impacts.case;
+    let moves = |id: VehicleId| !case.vehicles[id.index()].fixed;
+    let movers: Vec<VehicleId> = VehicleId::ALL.into_iter().filter(|id| moves(*id)).collect();
+    let each = |of: fn(VehicleId, Axes) -> Output| movers.iter().map(move |&id| of(id, axes));
+    let results = each(|vehicle, _| Output::Speed { vehicle })
+        .chain(each(|vehicle, _| Output::DeltaV { vehicle }))
+        .chain(each(|vehicle, _| Output::DeltaVLongitudinal { vehicle }))
+        .chain(each(|vehicle, axes| Output::DeltaVLateral { vehicle, axes }))
+        .chain(each(|vehicle, _| Output::Pdof { vehicle }))
+        .chain([Output::ClosingSpeed, Output::EnergyLoss, Output::NormalWork, Output::TangentialWork]);
+    let mut outputs: Vec<EstimateOutput> = results.map(EstimateOutput::Result).collect();
+    outputs.extend([EstimateOutput::Restitution, EstimateOutput::ImpulseRatio, EstimateOutput::CrushEnergy]);
+    for vehicle in movers {
+        if impacts.followed[vehicle.index()] {
+            let numbers = [WayNumber::RestX, WayNumber::RestY, WayNumber::RestHeading];
+            let ways = numbers.map(|number| EstimateOutput::Result(Output::Way { vehicle, number, axes }));
+            outputs.extend(ways);
+        }
+    }
+    outputs
+}
+
 impl<'a> Told<'a> {
     pub(super) fn new(model: &'a Model<CaseImpacts>, axes: Axes, reference: [f64; 2]) -> Self {
-        let case = &model.leads().case;
-        let moves = |id: VehicleId| !case.vehicles[id.index()].fixed;
-        let movers: Vec<VehicleId> = VehicleId::ALL.into_iter().filter(|id| moves(*id)).collect();
-        let each = |of: fn(VehicleId, Axes) -> Output| movers.iter().map(move |&id| of(id, axes));
-        let results = each(|vehicle, _| Output::Speed { vehicle })
-            .chain(each(|vehicle, _| Output::DeltaV { vehicle }))
-            .chain(each(|vehicle, _| Output::DeltaVLongitudinal { vehicle }))
-            .chain(each(|vehicle, axes| Output::DeltaVLateral { vehicle, axes }))
-            .chain(each(|vehicle, _| Output::Pdof { vehicle }))
-            .chain([Output::ClosingSpeed, Output::EnergyLoss, Output::NormalWork, Output::TangentialWork]);
-        let mut outputs: Vec<EstimateOutput> = results.map(EstimateOutput::Result).collect();
-        outputs.extend([
-            EstimateOutput::Restitution,
-            EstimateOutput::ImpulseRatio,
-            EstimateOutput::CrushEnergy,
-        ]);
-        for vehicle in movers {
-            if model.leads().followed[vehicle.index()] {
-                let numbers = [WayNumber::RestX, WayNumber::RestY, WayNumber::RestHeading];
-                let ways =
-                    numbers.map(|number| EstimateOutput::Result(Output::Way { vehicle, number, axes }));
-                outputs.extend(ways);
-            }
-        }
+        let outputs = of(model.leads(), axes);
         Self { model, outputs, reference }
     }
 

@@ -466,7 +466,7 @@ fn speeds(
             if prior == Prior::Flat || backward {
                 OpenSpeeds::Both(Speeds::Each([alone(VehicleId::One)?, alone(VehicleId::Two)?]))
             } else {
-                let ([slowest, fastest], key) = (RELATIVE_SPEED, "relative_speed");
+                let ([slowest, fastest], key) = (RELATIVE_SPEED, "ln_relative_speed");
                 let ln_relative = Distribution::uniform(ln(slowest), ln(fastest));
                 OpenSpeeds::Both(Speeds::Together {
                     ln_relative: unknowns.assumed(key, ln_relative, Assumed::Speed)?,

@@ -29,6 +29,7 @@ fn meant(word: &str) -> Vec<&str> {
             "compare",
             "sensitivity",
             "uncertainty",
+            "estimate",
             "draw",
             "validate",
             "explain",

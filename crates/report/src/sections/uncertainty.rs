@@ -700,7 +700,7 @@ fn value(end: &End, place: usize) -> Option<f64> {
 }
 
 /// The decimals that two significant digits of a number need.
-fn decimals_of(value: f64) -> usize {
+pub(super) fn decimals_of(value: f64) -> usize {
     let scientific = format!("{:.1e}", value.abs());
     let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
     let decimals = exponent.filter(|_| value != 0.0).map_or(0, |exponent| 1 - exponent);
@@ -714,7 +714,7 @@ fn share(count: usize, of: usize) -> String {
     number(share, 1)
 }
 
-fn grouped(count: usize) -> String {
+pub(super) fn grouped(count: usize) -> String {
     #[expect(clippy::cast_precision_loss, reason = "counts are below 2^53")]
     let count = count as f64;
     number(count, 0)

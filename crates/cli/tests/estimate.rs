@@ -1,0 +1,260 @@
+//! `deltav estimate`: what it prints as text, HTML, JSON and CSV, and what it refuses.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+use std::sync::LazyLock;
+
+use serde_json::Value;
+
+/// Two cars whose speeds are unknown; what of it is uncertain is kept short, so that a run takes seconds.
+const CASE: &str = include_str!("estimate/case.toml");
+/// Few particles, and the main run alone.
+const FAST: [&str; 3] = ["--particles", "128", "--no-pieces"];
+
+fn temporary(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("estimate");
+    fs::create_dir_all(&folder).unwrap();
+    folder.join(name)
+}
+
+fn written(name: &str, case: &str) -> String {
+    let path = temporary(name);
+    fs::write(&path, case).unwrap();
+    path.display().to_string()
+}
+
+fn estimate(case: &str, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_deltav")).arg("estimate").arg(case).args(arguments).output().unwrap()
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// What one run with a question printed as JSON, and its draws.
+static RUN: LazyLock<(Value, String)> = LazyLock::new(|| {
+    let case = written("run.toml", CASE);
+    let draws = temporary("draws.csv");
+    let draws_name = draws.display().to_string();
+    let question = ["--above", "vehicle1.speed 50 km/h", "--above", "impact.restitution 0.1"];
+    let arguments =
+        [&FAST[..], &["--format", "json", "--threads", "1", "--samples-out", &draws_name], &question]
+            .concat();
+    let output = estimate(&case, &arguments);
+    assert_eq!((output.status.code(), &*said(&output)), (Some(0), ""));
+    (serde_json::from_slice(&output.stdout).unwrap(), fs::read_to_string(draws).unwrap())
+});
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value}"))
+}
+
+/// The columns of the draws, by their names.
+fn columns(text: &str) -> Vec<(String, Vec<f64>)> {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let mut columns: Vec<(String, Vec<f64>)> =
+        reader.headers().unwrap().iter().map(|name| (name.to_owned(), Vec::new())).collect();
+    for record in reader.records() {
+        for (column, cell) in columns.iter_mut().zip(&record.unwrap()) {
+            column.1.push(cell.parse().unwrap());
+        }
+    }
+    columns
+}
+
+#[test]
+fn the_json_has_what_it_promises() {
+    let json = &RUN.0;
+    assert_eq!(json["converged"], Value::Bool(true), "{}", json["doubts"]);
+    assert_eq!(json["doubts"].as_array().unwrap().len(), 0);
+    assert_eq!(json["prior"], "field");
+    assert_eq!((&json["seed"], &json["particles"]), (&1.into(), &128.into()));
+    assert!(number(&json["ess"]) >= 400.0);
+    assert_eq!(json["program"]["name"], "deltav");
+    assert_eq!(json["case"]["sha256"].as_str().unwrap().len(), 64);
+    let outputs = json["outputs"].as_object().unwrap();
+    for key in ["vehicle1.speed", "vehicle2.speed", "vehicle1.delta_v", "impact.restitution", "crush_energy"]
+    {
+        let output = &outputs[key];
+        let ends = |key: &str| {
+            let ends = output[key].as_array().unwrap();
+            [number(&ends[0]), number(&ends[1])]
+        };
+        let median = number(&output["median"]);
+        let mut inner = [median; 2];
+        for level in ["interval50", "interval80", "interval90", "interval95"] {
+            let [low, high] = ends(level);
+            assert!(low < inner[0] && inner[1] < high, "{key} {level}: {low} {high}");
+            inner = [low, high];
+        }
+        assert!(number(&output["sd"]) > 0.0 && number(&output["standard_error"]["median"]) > 0.0);
+        assert!(number(&output["prior"]["median"]).is_finite());
+    }
+    let pieces: Vec<&str> =
+        json["pieces"].as_array().unwrap().iter().map(|piece| piece["key"].as_str().unwrap()).collect();
+    assert_eq!(
+        pieces,
+        ["crush", "vehicle1.after.direction", "vehicle2.after.direction", "vehicle2.recorder.delta_v"]
+    );
+    let unknown = json["unknown"].as_array().unwrap();
+    let of = |key: &str| unknown.iter().find(|unknown| unknown["key"] == key).unwrap();
+    // 3° in rad.
+    assert!((number(&of("vehicle1.heading")["prior"]["sd"]) - 0.052_359_877_56).abs() < 1e-9);
+    assert_eq!(of("vehicle1.heading")["assumed"], Value::Bool(false));
+    assert_eq!(of("vehicle1.mass")["assumed"], Value::Bool(true));
+    // 65 lb.
+    assert!((number(&of("vehicle1.mass")["prior"]["sd"]) - 29.483_504).abs() < 1e-6);
+}
+
+/// The program's statistics against those of the draws by sorting.
+#[test]
+fn the_draws_have_the_medians_and_probabilities_of_the_json() {
+    let (json, csv) = &*RUN;
+    let columns = columns(csv);
+    let column = |key: &str| {
+        let found = columns.iter().filter(|(name, _)| name == key).collect::<Vec<_>>();
+        assert_eq!(found.len(), 1, "{key}");
+        &found[0].1
+    };
+    assert_eq!(columns[0].0, "draw");
+    for (key, output) in json["outputs"].as_object().unwrap() {
+        let mut sorted = column(key).clone();
+        assert_eq!(sorted.len() as u64, json["draws"].as_u64().unwrap());
+        sorted.sort_by(f64::total_cmp);
+        let middle = 0.5 * (sorted[sorted.len() / 2 - 1] + sorted[sorted.len() / 2]);
+        let median = number(&output["median"]);
+        assert!((median - middle).abs() <= 1e-9 * median.abs().max(1.0), "{key}: {median} {middle}");
+    }
+    for unknown in json["unknown"].as_array().unwrap() {
+        let key = unknown["key"].as_str().unwrap();
+        let mut sorted = column(key).clone();
+        sorted.sort_by(f64::total_cmp);
+        let middle = 0.5 * (sorted[sorted.len() / 2 - 1] + sorted[sorted.len() / 2]);
+        let median = number(&unknown["posterior"]["median"]);
+        assert!((median - middle).abs() <= 1e-9 * median.abs().max(1.0), "{key}: {median} {middle}");
+    }
+    let questions = json["questions"].as_array().unwrap();
+    // 50 km/h
+    for (question, key, limit) in
+        [(&questions[0], "vehicle1.speed", 50.0 / 3.6), (&questions[1], "impact.restitution", 0.1)]
+    {
+        assert_eq!(question["output"], key);
+        assert!((number(&question["above"]) - limit).abs() < 1e-12);
+        let draws = column(key);
+        let above = draws.iter().filter(|draw| **draw > limit).count();
+        let share = above as f64 / draws.len() as f64;
+        assert!((number(&question["probability"]) - share).abs() < 1e-12, "{key}");
+        assert!(number(&question["standard_error"]) > 0.0);
+    }
+}
+
+#[test]
+fn the_number_of_threads_changes_no_byte() {
+    let case = written("threads.toml", CASE);
+    let draws = temporary("draws-2.csv");
+    let name = draws.display().to_string();
+    let arguments = [
+        &FAST[..],
+        &[
+            "--format",
+            "json",
+            "--threads",
+            "2",
+            "--samples-out",
+            &name,
+            "--above",
+            "vehicle1.speed 50 km/h",
+            "--above",
+            "impact.restitution 0.1",
+        ],
+    ]
+    .concat();
+    let output = estimate(&case, &arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    let mut json: Value = serde_json::from_slice(&output.stdout).unwrap();
+    json["case"]["file"] = RUN.0["case"]["file"].clone();
+    assert_eq!(json, RUN.0);
+    assert_eq!(fs::read_to_string(draws).unwrap(), RUN.1);
+}
+
+/// A recorder that stored five times the ΔV that all else says.
+#[test]
+fn evidence_that_contradicts_the_rest_is_warned_of() {
+    let case = CASE.replace("\"-9 km/h\"", "\"-45 km/h\"").replace("\"-26 km/h\"", "\"-130 km/h\"");
+    assert_ne!(case, CASE);
+    let case = written("contradiction.toml", &case);
+    for format in ["text", "html"] {
+        let output = estimate(&case, &[&FAST[..], &["--format", format]].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+        let text = String::from_utf8(output.stdout).unwrap();
+        let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains("recorder's ΔV, vehicle 2"), "{words}");
+        assert!(words.contains("contradicts the rest: p"), "{words}");
+        assert!(words.contains("Given and not used") && words.contains("impact.restitution"), "{words}");
+        assert!(words.contains("Errors that the case does not give"), "{words}");
+        assert!(words.contains("crashes of 2017"), "{words}");
+    }
+}
+
+/// Speeds so certain that hardly a draw before the evidence has them.
+#[test]
+fn without_convergence_there_is_no_interval() {
+    let case = CASE
+        .replace("name = \"Focus\"", "certain_speed = { at_least = \"46.9 km/h\", at_most = \"47 km/h\" }");
+    assert_ne!(case, CASE);
+    let case = written("not-converged.toml", &case);
+    let draws = temporary("not-converged.csv");
+    let _ = fs::remove_file(&draws);
+    let name = draws.display().to_string();
+    let output = estimate(&case, &[&FAST[..], &["--samples-out", &name]].concat());
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    assert!(said(&output).contains("the run has not converged"), "{}", said(&output));
+    assert!(!draws.exists());
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("No answer: the run has not converged, so no interval is given."), "{text}");
+    assert!(!text.contains("(95 %:") && !text.contains("Narrower intervals"), "{text}");
+    let output = estimate(&case, &[&FAST[..], &["--format", "json"]].concat());
+    assert_eq!(output.status.code(), Some(1));
+    let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(json["converged"], Value::Bool(false));
+    assert!(!json["doubts"].as_array().unwrap().is_empty());
+    for (key, output) in json["outputs"].as_object().unwrap() {
+        for statistic in ["median", "interval50", "interval80", "interval90", "interval95", "mean", "sd"] {
+            assert_eq!(output[statistic], Value::Null, "{key} {statistic}");
+        }
+    }
+    assert!(json["unknown"].as_array().unwrap().iter().all(|unknown| unknown["posterior"].is_null()));
+}
+
+#[test]
+fn what_cannot_be_asked_is_refused_before_the_run() {
+    let case = written("refused.toml", CASE);
+    for (arguments, says) in [
+        (&["--above", "vehicle1.rest.x 5 m"][..], "its results are vehicle1.speed, vehicle2.speed,"),
+        (&["--above", "vehicle1.speed 50 kg"], "km/h"),
+        (&["--prior", "none"], "[possible values: field, flat]"),
+        (&["--particles", "100"], "give a multiple of 128 up to"),
+        (&["--csv-style", "european"], "--samples-out"),
+    ] {
+        let output = estimate(&case, arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(said(&output).contains(says), "{arguments:?}: {}", said(&output));
+    }
+}
+
+/// What excludes every collision is named.
+#[test]
+fn impossible_evidence_is_named() {
+    // Vehicle 1 backs away from where vehicle 2 stands.
+    let limits =
+        |low: &str, high: &str| format!("certain_speed = {{ at_least = \"{low}\", at_most = \"{high}\" }}");
+    let case = CASE.replace("name = \"Focus\"", &limits("-90 km/h", "-80 km/h"));
+    let case = case.replace("name = \"Golf\"", &limits("-1 km/h", "1 km/h"));
+    let case = written("excluded.toml", &case);
+    let output = estimate(&case, &FAST);
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    assert!(said(&output).contains("do not approach each other; check the headings"), "{}", said(&output));
+}

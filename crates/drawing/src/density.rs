@@ -1,0 +1,123 @@
+//! How probable each value of a number is, before and after evidence.
+
+use kurbo::{BezPath, Point, Rect};
+
+use crate::canvas::Canvas;
+use crate::chart::{Axis, Chart};
+use crate::finished::Drawing;
+use crate::histogram::HistogramMark;
+use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
+use crate::pens::{AXIS, BLACK, BOUND, EQUALITY, FILL, OUTLINE, Pen};
+
+/// (px) of the plot.
+const PLOT: Rect = Rect::new(EDGE + 48.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 364.0);
+/// (px) above the highest point, for three rows of labels.
+const STRIP: f64 = 74.0;
+/// (px) from the labels to the ends of their lines, and to the frame.
+const BESIDE: f64 = 2.0;
+/// (px) from the plot to the legend.
+const BELOW: f64 = 58.0;
+/// Numbers below the plot, and beside it.
+const MOST: [u8; 2] = [10, 5];
+const BEFORE: Pen = EQUALITY;
+
+/// Two curves over a number, the first of which stands for what was known before the evidence, with lines at
+/// the ends of an interval and at the median.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DensityPicture {
+    /// The first part of the `id`s in its SVG.
+    pub name: &'static str,
+    /// What is distributed, with its unit.
+    pub title: String,
+    /// The lines below it.
+    pub subtitle: String,
+    /// What a reader who cannot see it has to be told. The labels of the lines are added to it.
+    pub description: String,
+    /// Across; its unit is that of the labels.
+    pub across: Axis,
+    /// The least number of decimals in the labels. They have no fewer than the axis.
+    pub decimals: usize,
+    /// Upward.
+    pub upward: Axis,
+    /// Before the evidence, from the left; nothing where it is not known.
+    pub before: Vec<[f64; 2]>,
+    /// After it, at least two points.
+    pub after: Vec<[f64; 2]>,
+    /// The ends of the interval.
+    pub interval: [HistogramMark; 2],
+    /// The median.
+    pub median: HistogramMark,
+    /// What the legend says of the curve before, of that after, of the interval and of the median.
+    pub legend: [String; 4],
+}
+
+impl DensityPicture {
+    /// Draws it.
+    #[must_use]
+    pub fn draw(&self) -> Drawing {
+        let chart = self.chart();
+        let [low, high] = &self.interval;
+        let (_, ticks) = chart.ticks_across(&self.across, MOST[0]);
+        let decimals = self.decimals.max(ticks);
+        let marks = [("low", low, BOUND), ("median", &self.median, AXIS), ("high", high, BOUND)]
+            .map(|(id, mark, pen)| (id, mark, pen, mark.label(self.across.unit, decimals)));
+
+        let has_before = !self.before.is_empty();
+        let entries = if has_before { 4 } else { 3 };
+        let mut canvas = Canvas::new(self.name, WIDTH, PLOT.y1 + BELOW + legend::height(entries, 2) + 6.0);
+        legend::header(&mut canvas, &self.title, &self.subtitle);
+        chart.draw(&mut canvas, &self.across, &self.upward, MOST);
+        let mut filled = curve(&chart, &self.after);
+        for end in [self.after.last(), self.after.first()].into_iter().flatten() {
+            filled.line_to(chart.at(end[0], 0.0));
+        }
+        filled.close_path();
+        canvas.path("after-area", &filled, None, FILL[0]);
+        canvas.path("after", &curve(&chart, &self.after), Some(OUTLINE[0]), "none");
+        if has_before {
+            canvas.path("before", &curve(&chart, &self.before), Some(BEFORE), "none");
+        }
+        for (id, mark, pen, label) in &marks {
+            let bottom = chart.at(mark.value, 0.0);
+            let top = Point::new(bottom.x, PLOT.y0 + STRIP);
+            canvas.line(id, bottom, top, *pen);
+            canvas.protect(Rect::from_center_size(top, (BESIDE, BESIDE)));
+            canvas.label_of_point(top, label, BLACK);
+        }
+        // Above all lines, so that none runs through a label.
+        canvas.place_labels(Rect { y1: PLOT.y0 + STRIP, ..PLOT }.inset(-BESIDE));
+
+        let [before, after, interval, median] = self.legend.clone();
+        let mut entries = vec![
+            (Sample::Box(OUTLINE[0], FILL[0].to_owned()), after),
+            (Sample::Line(BOUND), interval),
+            (Sample::Line(AXIS), median),
+        ];
+        if has_before {
+            entries.insert(1, (Sample::Line(BEFORE), before));
+        }
+        legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries);
+        let labels: Vec<&str> = marks.iter().map(|(.., label)| label.as_str()).collect();
+        let description = format!("{} {}.", self.description, labels.join("; "));
+        Drawing::new(self.name, self.title.clone(), description, canvas)
+    }
+
+    fn chart(&self) -> Chart {
+        let points = || self.before.iter().chain(&self.after);
+        let marks = [self.interval[0].value, self.median.value, self.interval[1].value];
+        let all = || points().map(|point| point[0]).chain(marks);
+        let across = [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)];
+        let most = points().map(|point| point[1]).fold(0.0, f64::max);
+        let upward = [0.0, most * PLOT.height() / (PLOT.height() - STRIP)];
+        Chart { area: PLOT, left: EDGE, across, upward }
+    }
+}
+
+fn curve(chart: &Chart, points: &[[f64; 2]]) -> BezPath {
+    let mut path = BezPath::new();
+    for (k, &[across, upward]) in points.iter().enumerate() {
+        let at = chart.at(across, upward);
+        if k == 0 { path.move_to(at) } else { path.line_to(at) }
+    }
+    path
+}

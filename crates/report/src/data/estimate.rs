@@ -1,0 +1,320 @@
+//! An estimate as JSON, and its draws as CSV, in SI units and radians.
+
+use std::io::{self, Write};
+
+use ::estimate::{Doubt, LEVELS, Summary};
+use ::uncertainty::{Distribution, Estimate, Shape};
+use analysis::{Estimated, EstimatedOutput, PieceFound, UnknownNumber, UnusedReason};
+use case::CaseFile;
+use serde::Serialize;
+
+use super::csv::CsvStyle;
+use super::uncertainty::InOrder;
+use super::{identified, pretty, title};
+use crate::estimates::{Agreement, Asked, Question, doubt_code, doubted, factor, unknown_key};
+
+#[derive(Serialize)]
+struct Document<'a> {
+    title: &'a str,
+    /// Those of the inputs.
+    axes: &'static str,
+    /// Before the evidence.
+    prior: &'static str,
+    seed: u64,
+    /// As asked, of each of the islands; doubled where the run did not converge.
+    particles: usize,
+    draws: usize,
+    converged: bool,
+    doubts: Vec<DoubtBlock>,
+    /// The least effective sample size of all numbers.
+    ess: f64,
+    /// In order; without statistics where the run has not converged.
+    outputs: InOrder<OutputBlock>,
+    questions: Vec<QuestionBlock>,
+    pieces: Vec<PieceBlock<'a>>,
+    same_twice: Vec<&'a [String; 2]>,
+    unknown: Vec<UnknownBlock>,
+    /// Keys of errors that the case does not give.
+    default_errors: &'a [String],
+    unused: Vec<UnusedBlock<'a>>,
+}
+
+#[derive(Serialize)]
+struct DoubtBlock {
+    code: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    key: Option<String>,
+}
+
+#[derive(Serialize)]
+struct OutputBlock {
+    /// `null` where the run before the evidence has not converged.
+    prior: Option<PriorBlock>,
+    median: Option<f64>,
+    interval50: Option<[f64; 2]>,
+    interval80: Option<[f64; 2]>,
+    interval90: Option<[f64; 2]>,
+    interval95: Option<[f64; 2]>,
+    mean: Option<f64>,
+    sd: Option<f64>,
+    /// From the sampling itself.
+    standard_error: Option<ErrorBlock>,
+}
+
+#[derive(Serialize)]
+struct PriorBlock {
+    median: f64,
+    interval95: [f64; 2],
+}
+
+#[derive(Serialize)]
+struct ErrorBlock {
+    median: Option<f64>,
+    interval95: [Option<f64>; 2],
+    mean: Option<f64>,
+    sd: Option<f64>,
+}
+
+/// The probability that a result is above the limit.
+#[derive(Serialize)]
+struct QuestionBlock {
+    output: String,
+    above: f64,
+    probability: Option<f64>,
+    standard_error: Option<f64>,
+}
+
+/// What a piece says of the speeds, vehicle 1 and 2: alone, and without it. `null` where that was not asked
+/// for or has not converged.
+#[derive(Serialize)]
+struct PieceBlock<'a> {
+    key: &'a str,
+    alone: Option<[Option<PriorBlock>; 2]>,
+    without: Option<[Option<PriorBlock>; 2]>,
+    p_value: Option<f64>,
+    verdict: Option<&'static str>,
+}
+
+#[derive(Serialize)]
+struct UnknownBlock {
+    key: String,
+    /// Whether the case does not give what is known of it before the evidence.
+    assumed: bool,
+    prior: DistributionBlock,
+    posterior: Option<PosteriorBlock>,
+}
+
+#[derive(Serialize)]
+struct DistributionBlock {
+    distribution: &'static str,
+    mean: f64,
+    sd: f64,
+}
+
+#[derive(Serialize)]
+struct PosteriorBlock {
+    median: f64,
+    interval95: [f64; 2],
+    mean: f64,
+    sd: f64,
+}
+
+#[derive(Serialize)]
+struct UnusedBlock<'a> {
+    key: &'a str,
+    reason: &'static str,
+}
+
+/// (SI) the ends of the interval of a level, by its place among [`LEVELS`].
+fn interval(summary: &Summary, place: usize) -> [f64; 2] {
+    let interval = &summary.intervals[place];
+    [interval.low.value, interval.high.value]
+}
+
+/// The place of the 95 % interval.
+const WIDEST: usize = {
+    assert!(LEVELS[0] == 0.5 && LEVELS[1] == 0.8 && LEVELS[2] == 0.9 && LEVELS[3] == 0.95);
+    3
+};
+
+impl PriorBlock {
+    fn of(summary: &Summary) -> Self {
+        Self { median: summary.median.value, interval95: interval(summary, WIDEST) }
+    }
+}
+
+impl OutputBlock {
+    fn of(output: &EstimatedOutput, is_answer: bool) -> Self {
+        let answer = is_answer.then_some(&output.posterior);
+        let level = |place: usize| answer.map(|summary| interval(summary, place));
+        let error = |estimate: Estimate| estimate.standard_error;
+        Self {
+            prior: output.prior.as_ref().map(PriorBlock::of),
+            median: answer.map(|summary| summary.median.value),
+            interval50: level(0),
+            interval80: level(1),
+            interval90: level(2),
+            interval95: level(WIDEST),
+            mean: answer.map(|summary| summary.mean.value),
+            sd: answer.map(|summary| summary.sd.value),
+            standard_error: answer.map(|summary| ErrorBlock {
+                median: error(summary.median),
+                interval95: [summary.intervals[WIDEST].low, summary.intervals[WIDEST].high].map(error),
+                mean: error(summary.mean),
+                sd: error(summary.sd),
+            }),
+        }
+    }
+}
+
+impl QuestionBlock {
+    fn of(question: &Question, estimated: &Estimated, is_answer: bool) -> Self {
+        let answer = estimated.probability_above(question.output, question.limit).filter(|_| is_answer);
+        Self {
+            output: question.output.path(),
+            above: question.limit,
+            probability: answer.map(|probability| probability.value),
+            standard_error: answer.and_then(|probability| probability.standard_error),
+        }
+    }
+}
+
+impl<'a> PieceBlock<'a> {
+    fn of(piece: &'a PieceFound) -> Self {
+        let speeds = |speeds: &Option<[Option<Summary>; 2]>| {
+            speeds.as_ref().map(|speeds| speeds.each_ref().map(|speed| speed.as_ref().map(PriorBlock::of)))
+        };
+        Self {
+            key: &piece.key,
+            alone: speeds(&piece.alone),
+            without: speeds(&piece.without),
+            p_value: piece.p_value.map(|p| p.value),
+            verdict: Agreement::of(piece).map(Agreement::name),
+        }
+    }
+}
+
+impl UnknownBlock {
+    fn of(unknown: &UnknownNumber, is_answer: bool) -> Self {
+        let factor = factor(unknown);
+        let summary = &unknown.posterior;
+        Self {
+            key: unknown_key(unknown),
+            assumed: unknown.assumed.is_some(),
+            prior: DistributionBlock {
+                distribution: distribution_name(&unknown.prior),
+                mean: unknown.prior.mean() * factor,
+                sd: unknown.prior.sd() * factor,
+            },
+            posterior: is_answer.then(|| PosteriorBlock {
+                median: summary.median.value * factor,
+                interval95: interval(summary, WIDEST).map(|end| end * factor),
+                mean: summary.mean.value * factor,
+                sd: summary.sd.value * factor,
+            }),
+        }
+    }
+}
+
+fn distribution_name(distribution: &Distribution) -> &'static str {
+    match distribution.shape() {
+        Shape::Normal { .. } => "normal",
+        Shape::LogNormal { .. } => "log-normal",
+        Shape::Uniform { .. } => "uniform",
+        Shape::Triangular { .. } => "triangular",
+        _ => "other",
+    }
+}
+
+fn reason_name(reason: UnusedReason) -> &'static str {
+    match reason {
+        UnusedReason::NoRange => "no_range",
+        UnusedReason::Sought => "sought",
+        UnusedReason::OtherCrushUnknown => "other_crush_unknown",
+        UnusedReason::Inferred => "inferred",
+        UnusedReason::OtherPdof => "other_pdof",
+        UnusedReason::NotFollowed => "not_followed",
+        _ => "other",
+    }
+}
+
+/// The estimate as indented JSON, ending in a line break: `outputs` with prior, median and intervals of each
+/// result, `converged` and `ess`, the `pieces` of evidence, `questions` and `unknown` numbers. SI units and
+/// radians. Where the run has not converged, what it says after the evidence is `null`.
+///
+/// # Errors
+/// Where serialisation fails, which no estimate causes.
+pub fn estimate_json(
+    file: &CaseFile,
+    estimated: &Estimated,
+    asked: &Asked,
+) -> Result<String, serde_json::Error> {
+    let doubts = estimated.doubts();
+    let is_answer = doubts.is_empty();
+    let doubt = |doubt: &Doubt| DoubtBlock { code: doubt_code(doubt), key: doubted(doubt, estimated) };
+    let outputs = estimated.outputs.iter();
+    pretty(&identified(
+        file,
+        Document {
+            title: title(&file.case),
+            axes: file.case.axes.name(),
+            prior: estimated.prior.name(),
+            seed: asked.plan.seed,
+            particles: asked.plan.particles,
+            draws: estimated.posterior.count(),
+            converged: is_answer,
+            doubts: doubts.iter().map(doubt).collect(),
+            ess: estimated.ess(),
+            outputs: InOrder(
+                outputs.map(|output| (output.output.path(), OutputBlock::of(output, is_answer))).collect(),
+            ),
+            questions: asked
+                .questions
+                .iter()
+                .map(|question| QuestionBlock::of(question, estimated, is_answer))
+                .collect(),
+            pieces: estimated.pieces.iter().map(PieceBlock::of).collect(),
+            same_twice: estimated.same_twice.iter().map(|same| &same.keys).collect(),
+            unknown: estimated.unknown.iter().map(|unknown| UnknownBlock::of(unknown, is_answer)).collect(),
+            default_errors: &estimated.default_errors,
+            unused: estimated
+                .unused
+                .iter()
+                .map(|unused| UnusedBlock { key: &unused.key, reason: reason_name(unused.reason) })
+                .collect(),
+        },
+    ))
+}
+
+/// Writes a line for each draw: its number, the unknown numbers and the results, in SI units and radians.
+/// All draws count the same. Numbers are the shortest that read back as the same, in the style of the
+/// spreadsheet.
+///
+/// # Errors
+/// Where `out` cannot be written to.
+pub fn write_draws(estimated: &Estimated, style: CsvStyle, out: &mut dyn Write) -> io::Result<()> {
+    let next = style.separator();
+    let results = estimated.outputs.iter().zip(estimated.posterior.outputs());
+    let results: Vec<(String, f64, &Vec<f64>)> =
+        results.map(|(output, column)| (output.output.path(), 1.0, column)).collect();
+    let unknown = estimated.unknown.iter().zip(estimated.posterior.values());
+    // What is a result as well stands once.
+    let columns: Vec<(String, f64, &Vec<f64>)> = unknown
+        .map(|(unknown, column)| (unknown_key(unknown), factor(unknown), column))
+        .filter(|(key, ..)| results.iter().all(|(other, ..)| other != key))
+        .chain(results.iter().cloned())
+        .collect();
+    write!(out, "{}draw", style.beginning())?;
+    for (key, ..) in &columns {
+        write!(out, "{next}{key}")?;
+    }
+    writeln!(out)?;
+    for draw in 0..estimated.posterior.count() {
+        write!(out, "{}", draw + 1)?;
+        for (_, factor, column) in &columns {
+            write!(out, "{next}{}", style.number((column[draw] * factor).to_string()))?;
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}

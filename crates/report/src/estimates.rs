@@ -1,0 +1,296 @@
+//! What an estimate was asked, and what its results, unknown numbers, pieces of evidence and doubts are called.
+
+use ::estimate::{Doubt, Quantity};
+use analysis::{Assumed, EstimateOutput, EstimatePlan, Estimated, PieceFound, UnknownNumber, UnusedReason};
+use evidence::{Observed, Piece};
+use pim_core::VehicleId;
+
+use crate::outputs::{output_name, printed};
+use crate::units::{Measure, Units, significant};
+use crate::worth::{BARRIER_TESTS, SMITH_NOGA, STAGED_MOTION};
+
+/// What a reader asked of an estimate.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    /// How it was made.
+    pub plan: EstimatePlan,
+    /// Probabilities to tell.
+    pub questions: Vec<Question>,
+}
+
+/// How probable is it that a result is above a limit?
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Question {
+    /// Which result.
+    pub output: EstimateOutput,
+    /// (SI) the limit.
+    pub limit: f64,
+}
+
+/// (–) below this p-value a piece of evidence is worth a look.
+pub(crate) const DOUBTFUL: f64 = 0.05;
+/// (–) below this it contradicts the rest.
+pub(crate) const CONTRADICTS: f64 = 0.01;
+
+/// What all other evidence makes of a piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Agreement {
+    Agrees,
+    Doubtful,
+    Contradicts,
+}
+
+impl Agreement {
+    pub(crate) fn of(piece: &PieceFound) -> Option<Self> {
+        let p = piece.p_value?.value;
+        Some(match p {
+            p if p < CONTRADICTS => Self::Contradicts,
+            p if p < DOUBTFUL => Self::Doubtful,
+            _ => Self::Agrees,
+        })
+    }
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Agrees => "agrees",
+            Self::Doubtful => "doubtful",
+            Self::Contradicts => "contradicts",
+        }
+    }
+}
+
+/// As a heading calls a result.
+pub(crate) fn name(output: EstimateOutput) -> String {
+    match output {
+        EstimateOutput::Result(output) => output_name(output),
+        EstimateOutput::Restitution => "Restitution e".to_owned(),
+        EstimateOutput::ImpulseRatio => "Impulse ratio μ".to_owned(),
+        EstimateOutput::CrushEnergy => "Crush energy of all".to_owned(),
+    }
+}
+
+/// In what it is printed: speeds as drivers know them; none of a pure number.
+pub(crate) fn measure(output: EstimateOutput) -> Option<Measure> {
+    match printed(output.kind()) {
+        Some(Measure::Speed) => Some(Measure::RoadSpeed),
+        other => other,
+    }
+}
+
+/// An SI value in the units of the reader.
+pub(crate) fn value(measure: Option<Measure>, units: Units, si: f64) -> f64 {
+    measure.map_or(si, |measure| units.value(measure, si))
+}
+
+/// The name with its unit.
+pub(crate) fn label(output: EstimateOutput, units: Units) -> String {
+    let name = name(output);
+    measure(output).map_or_else(|| name.clone(), |measure| format!("{name}, {}", units.name(measure)))
+}
+
+/// Whether the unknown number is a factor on what its key names.
+pub(crate) fn is_factor(unknown: &UnknownNumber) -> bool {
+    matches!(unknown.assumed, Some(Assumed::Ground | Assumed::Drag | Assumed::Restitution))
+}
+
+/// The key of an unknown number in data.
+pub(crate) fn unknown_key(unknown: &UnknownNumber) -> String {
+    if is_factor(unknown) { format!("{}.factor", unknown.key) } else { unknown.key.clone() }
+}
+
+/// What one of its unit is in SI.
+pub(crate) fn factor(unknown: &UnknownNumber) -> f64 {
+    unknown.unit.map_or(1.0, case::Unit::factor)
+}
+
+pub(crate) fn piece_name(piece: Piece) -> String {
+    let (name, vehicle) = match piece {
+        Piece::Severity => return "severity of such collisions".to_owned(),
+        Piece::Crush => return "crush energy".to_owned(),
+        Piece::Pdof(id) => ("PDOF", id),
+        Piece::SpeedAfter(id) => ("speed after", id),
+        Piece::DirectionAfter(id) => ("direction after", id),
+        Piece::YawRateAfter(id) => ("yaw rate after", id),
+        Piece::RecordedDeltaV(id) => ("recorder's ΔV", id),
+        Piece::Rest(id) => ("rest", id),
+        Piece::Points(id) => ("points passed", id),
+        Piece::RecordedSpeed(id) => ("recorder's speed", id),
+        Piece::RecordedYawRate(id) => ("recorder's yaw rate", id),
+        Piece::Limits(id) => ("certain speed", id),
+    };
+    format!("{name}, vehicle {vehicle}")
+}
+
+/// The error of a piece of evidence as the estimate has it, in words; `None` of what has none.
+pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<String> {
+    let of = |id: VehicleId| &observed.vehicles[id.index()];
+    let percent = |share: f64| format!("{} %", significant(100.0 * share, 2));
+    let angle = |si: f64| units.format(Measure::Angle, si);
+    let rate = |si: f64| units.format(Measure::YawRateDegrees, si);
+    let length = |si: f64| units.format(Measure::Length, si);
+    Some(match piece {
+        Piece::Severity | Piece::Limits(_) => return None,
+        Piece::Crush => {
+            let crush = observed.crush?;
+            format!(
+                "std. dev. {} of ln, after a bias of {}",
+                significant(crush.ln_sd, 2),
+                significant(crush.bias, 2)
+            )
+        }
+        Piece::Pdof(id) => {
+            format!("scale {}, Student's t with 2 degrees of freedom", angle(of(id).pdof?.scale))
+        }
+        Piece::SpeedAfter(id) => format!("std. dev. {}", percent(of(id).after.speed?.sd)),
+        Piece::DirectionAfter(id) => format!("std. dev. {}", angle(of(id).after.direction?.sd)),
+        Piece::YawRateAfter(id) => format!("std. dev. {}", rate(of(id).after.yaw_rate?.sd)),
+        Piece::RecordedDeltaV(id) => {
+            let scale = of(id).recorder.delta_v?.ln_scale;
+            format!("scale {}, Student's t with 3 degrees of freedom", percent(scale))
+        }
+        Piece::Rest(id) => {
+            let rest = of(id).rest?;
+            format!(
+                "std. dev. {} each way, heading {}; 10 % of the way and 0.5 m of it for the simulation",
+                length(rest.position_sd),
+                angle(rest.heading_sd)
+            )
+        }
+        Piece::Points(id) => {
+            let greatest = of(id).points.iter().copied().fold(0.0, f64::max);
+            format!("std. dev. up to {}", length(greatest))
+        }
+        Piece::RecordedSpeed(id) => format!("std. dev. {}", percent(of(id).recorder.speed?.sd)),
+        Piece::RecordedYawRate(id) => format!("std. dev. {}", rate(of(id).recorder.yaw_rate?.sd)),
+    })
+}
+
+/// The key of the case that gives the error of a piece; `None` where the case cannot.
+pub(crate) fn error_key(piece: &PieceFound) -> Option<String> {
+    Some(match piece.piece {
+        Piece::Severity | Piece::Limits(_) | Piece::Points(_) | Piece::RecordedYawRate(_) => return None,
+        Piece::Crush => "estimate.crush_error".to_owned(),
+        Piece::RecordedDeltaV(_) | Piece::RecordedSpeed(_) => format!("{}_error", piece.key),
+        _ => piece.key.clone(),
+    })
+}
+
+/// Why what the case gives is not used, and what to write instead.
+pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
+    let vehicle = key.split('.').next().unwrap_or_default();
+    let [why, instead] = match reason {
+        UnusedReason::NoRange => [
+            "a coefficient without a range is not known exactly; what such collisions have is assumed",
+            "a range of it, such as { low = 0.05, high = 0.3 }",
+        ],
+        UnusedReason::Sought => {
+            ["`find` of [reconstruct] seeks this speed", "leave [reconstruct] out if the speed is known"]
+        }
+        UnusedReason::OtherCrushUnknown => [
+            "crush energies count as one sum, and that of the other vehicle is not known",
+            "the crush of the other vehicle",
+        ],
+        UnusedReason::Inferred => [
+            "it was not measured but follows from the other vehicle's force",
+            "its own depths, or leave it out",
+        ],
+        UnusedReason::OtherPdof => [
+            "both PDOFs are one observation, and that of the smaller error counts",
+            "nothing: it is counted once",
+        ],
+        UnusedReason::NotFollowed => {
+            return [
+                "the vehicle cannot be followed to its rest".to_owned(),
+                format!("`friction` of [surface] and `drag` of [{vehicle}.after]"),
+            ];
+        }
+        _ => ["the estimate has no use for it", "nothing"],
+    };
+    [why, instead].map(str::to_owned)
+}
+
+/// The source of what is assumed of an unknown number.
+pub(crate) fn source(unknown: &UnknownNumber, assumed: Assumed) -> &'static str {
+    match assumed {
+        Assumed::Heading | Assumed::CrushPlane | Assumed::Contact => "how well it is usually known; chosen",
+        Assumed::Mass => SMITH_NOGA,
+        Assumed::Estimate if unknown.key.contains("stiffness") => BARRIER_TESTS,
+        Assumed::Estimate => "as `deltav uncertainty` varies it",
+        Assumed::Speed => "any speed, before what is said of the severity; chosen",
+        Assumed::Restitution => "Brach, Smith and Tsongas, Rose, SAE 931842; the shape is chosen",
+        Assumed::Friction => "chosen",
+        Assumed::TangentialShare => "RICSAC (theory 6)",
+        Assumed::Ground | Assumed::Drag => STAGED_MOTION,
+        _ => "",
+    }
+}
+
+/// The name of a doubt in data.
+pub(crate) fn doubt_code(doubt: &Doubt) -> &'static str {
+    match doubt {
+        Doubt::Unfinished { .. } => "unfinished",
+        Doubt::HardlyPossible { .. } => "hardly_possible",
+        Doubt::EvidenceSpread { .. } => "evidence_spread",
+        Doubt::Disagreement { .. } => "disagreement",
+        Doubt::FewDraws { .. } => "few_draws",
+        Doubt::Extremes { .. } => "extremes",
+        Doubt::FewAncestors(_) => "few_ancestors",
+        Doubt::StoodStill { .. } => "stood_still",
+        _ => "other",
+    }
+}
+
+/// The key of what a doubt is about.
+pub(crate) fn doubted(doubt: &Doubt, estimated: &Estimated) -> Option<String> {
+    let quantity = match doubt {
+        Doubt::Disagreement { quantity, .. }
+        | Doubt::FewDraws { quantity, .. }
+        | Doubt::Extremes { quantity, .. } => *quantity,
+        Doubt::FewAncestors(mode) => mode.quantity,
+        _ => return None,
+    };
+    match quantity {
+        Quantity::Value(place) => estimated.unknown.get(place).map(unknown_key),
+        Quantity::Output(place) => estimated.outputs.get(place).map(|output| output.output.path()),
+    }
+}
+
+/// A doubt as a sentence without its full stop.
+pub(crate) fn doubt_words(doubt: &Doubt, estimated: &Estimated) -> String {
+    let key = doubted(doubt, estimated).unwrap_or_default();
+    match doubt {
+        Doubt::Unfinished { temperature } => format!(
+            "the particles took in only {} % of the evidence, which is too sharp for them",
+            significant(100.0 * temperature, 2)
+        ),
+        Doubt::HardlyPossible { possible, drawn, .. } => {
+            format!("of {drawn} collisions drawn before the evidence only {possible} are possible at all")
+        }
+        Doubt::EvidenceSpread { .. } => {
+            "independent runs differ in how well the evidence fits, so that few of them make up the answer"
+                .to_owned()
+        }
+        Doubt::Disagreement { r_hat, .. } => {
+            format!(
+                "independent runs disagree on `{key}` (R̂ is {}, at most 1.01 will do)",
+                significant(*r_hat, 4)
+            )
+        }
+        Doubt::FewDraws { ess, .. } => format!(
+            "the draws of `{key}` are worth only {ess:.0} independent ones, and {} are needed",
+            ::estimate::ESS_LIMIT
+        ),
+        Doubt::Extremes { ess, .. } => format!(
+            "the extremes of `{key}` are worth only {ess:.0} independent draws, and {} are needed",
+            ::estimate::EXTREME_ESS_LIMIT
+        ),
+        Doubt::FewAncestors(mode) => format!(
+            "{} % of the draws have `{key}` apart from the rest, and few draws before the evidence led there",
+            significant(100.0 * mode.share, 2)
+        ),
+        Doubt::StoodStill { unmoved } => {
+            format!("{} % of the particles stood still at the end", significant(100.0 * unmoved, 2))
+        }
+        other => other.to_string(),
+    }
+}

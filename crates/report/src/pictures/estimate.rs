@@ -1,0 +1,313 @@
+//! Densities of an estimate, both speeds at once, and where the vehicles would have come to rest.
+
+use ::drawing::{
+    Axis, DensityPicture, Drawing, Footprint, FoundAtRest, HistogramMark, JointPicture, RestsPicture, Shape,
+};
+use ::estimate::Summary;
+use analysis::{EstimateOutput, Estimated, EstimatedOutput, Output, WayNumber};
+use case::{Case, Dimensions, Kind};
+use pim_core::{Real, VehicleId};
+
+use super::{scale_unit, title};
+use crate::estimates::{Asked, label, measure};
+use crate::units::{Measure, Units, number};
+
+/// Points of a curve, and places of a grid along each axis.
+const POINTS: usize = 240;
+const PLACES: usize = 96;
+/// The most draws that a picture shows.
+const SHOWN: usize = 1200;
+/// Bandwidth of a biweight kernel by that of a normal one that smooths as much.
+const BIWEIGHT: f64 = 2.62;
+
+/// What the numbers can be reproduced from.
+fn origin(case: &Case, estimated: &Estimated, asked: &Asked) -> String {
+    format!(
+        "{}. deltav {}, {} draws, seed {}",
+        title(case),
+        env!("CARGO_PKG_VERSION"),
+        number_of(estimated.posterior.count()),
+        asked.plan.seed
+    )
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a count to print")]
+fn number_of(count: usize) -> String {
+    number(count as f64, 0)
+}
+
+/// How probable each value of a result is, before the evidence and after it. `None` where it does not vary,
+/// and where the run has not converged.
+#[must_use]
+pub fn density(
+    case: &Case,
+    estimated: &Estimated,
+    asked: &Asked,
+    output: EstimateOutput,
+    units: Units,
+) -> Option<Drawing> {
+    let found = answer(estimated, output)?;
+    let draws = estimated.draws(output)?;
+    let before = estimated.draws_before(output);
+    let summary = &found.posterior;
+    let own = curve(draws, summary, estimated.ess(), None)?;
+    let ends = [own.first()?[0], own.last()?[0]];
+    // As much of what was known before as does not make the answer too narrow.
+    let wide = before.zip(found.prior.as_ref()).map(|(draws, prior)| {
+        let [low, high] = [prior.intervals[2].low.value, prior.intervals[2].high.value];
+        let most = 1.5 * (ends[1] - ends[0]);
+        (draws, prior, [ends[0].min(low).max(ends[0] - most), ends[1].max(high).min(ends[1] + most)])
+    });
+    let before = wide.and_then(|(draws, prior, ends)| curve(draws, prior, estimated.ess(), Some(ends)));
+    let measure = measure(output);
+    let unit = measure.map_or(1.0, |measure| units.size(measure));
+    let label = label(output, units);
+    let decimals = measure.map_or(3, |measure| units.decimals(measure).min(1));
+    let [low, high] = [summary.intervals[3].low.value, summary.intervals[3].high.value];
+    let mark = |value: f64, lead: &str| HistogramMark { value, lead: lead.to_owned() };
+    let per = measure.map_or_else(String::new, |measure| format!(" per {}", units.name(measure)));
+    // Of the unit of the reader, in per cent.
+    let share = 0.01 / unit;
+    let picture = DensityPicture {
+        name: "density",
+        subtitle: format!(
+            "How probable each value is, before the evidence and after it\n{}",
+            origin(case, estimated, asked)
+        ),
+        description: format!(
+            "{label}: how probable each value is by all evidence. 95 % interval and median:"
+        ),
+        across: Axis { title: label.clone(), unit },
+        title: label,
+        decimals,
+        upward: Axis { title: format!("%{per}"), unit: share },
+        before: before.unwrap_or_default(),
+        after: own,
+        interval: [mark(low, "2.5 %:"), mark(high, "97.5 %:")],
+        median: mark(summary.median.value, "median:"),
+        legend: ["before the evidence", "by all evidence", "ends of the 95 % interval", "median"]
+            .map(str::to_owned),
+    };
+    Some(picture.draw())
+}
+
+/// A result that varies, of a run that has converged.
+fn answer(estimated: &Estimated, output: EstimateOutput) -> Option<&EstimatedOutput> {
+    let found = estimated.outputs.iter().find(|found| found.output == output)?;
+    (estimated.doubts().is_empty() && found.posterior.sd.value > 0.0).then_some(found)
+}
+
+/// (unit of the draws) how far a kernel reaches that smooths draws worth so many independent ones.
+fn bandwidth(summary: &Summary, independent: f64, power: f64) -> f64 {
+    let half = &summary.intervals[0];
+    let spread = Real::min(summary.sd.value, (half.high.value - half.low.value) / 1.349);
+    // Silverman's rule of thumb.
+    BIWEIGHT * 0.9 * spread * Real::power(Real::max(independent, 2.0), power)
+}
+
+/// (–) the biweight kernel, 15/16 (1 − u²)².
+fn kernel(u: f64) -> f64 {
+    let rest = 1.0 - u * u;
+    if rest > 0.0 { 0.9375 * rest * rest } else { 0.0 }
+}
+
+/// The density of draws; between their extremes, or in a range.
+fn curve(draws: &[f64], summary: &Summary, ess: f64, ends: Option<[f64; 2]>) -> Option<Vec<[f64; 2]>> {
+    let reach = bandwidth(summary, ess, -0.2);
+    if !(reach.is_finite() && reach > 0.0) {
+        return None;
+    }
+    let mut sorted = draws.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let at = |share: usize| sorted.get((sorted.len() - 1) * share / 1000).copied();
+    let [low, high] = match ends {
+        Some(ends) => ends,
+        None => [at(1)? - reach, at(999)? + reach],
+    };
+    #[expect(clippy::cast_precision_loss, reason = "counts below 2^53")]
+    let (steps, count) = ((POINTS - 1) as f64, draws.len() as f64);
+    let points = (0..POINTS).map(|k| {
+        #[expect(clippy::cast_precision_loss, reason = "some hundred points")]
+        let x = low + (high - low) * k as f64 / steps;
+        let near = sorted.partition_point(|draw| *draw < x - reach);
+        let sum: f64 = sorted[near..]
+            .iter()
+            .take_while(|draw| **draw < x + reach)
+            .map(|draw| kernel((x - draw) / reach))
+            .sum();
+        [x, sum / (count * reach)]
+    });
+    Some(points.collect())
+}
+
+/// Both speeds at once. `None` where one of them is known, and where the run has not converged.
+#[must_use]
+pub fn joint_speeds(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
+    let outputs = VehicleId::ALL.map(|vehicle| EstimateOutput::Result(Output::Speed { vehicle }));
+    let [one, two] = outputs.map(|output| answer(estimated, output));
+    let summaries = [&one?.posterior, &two?.posterior];
+    let [first, second] = outputs.map(|output| estimated.draws(output));
+    let columns = [first?, second?];
+    let reaches = summaries.map(|summary| bandwidth(summary, estimated.ess(), -1.0 / 6.0));
+    let ends = [0, 1].map(|axis| {
+        let mut sorted = columns[axis].to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let last = sorted.len() - 1;
+        [sorted[last * 2 / 1000] - reaches[axis], sorted[last * 998 / 1000] + reaches[axis]]
+    });
+    let grid = Grid::of(columns, reaches, ends);
+    let mut at_draws: Vec<f64> =
+        columns[0].iter().zip(columns[1]).map(|(x, y)| grid.density([*x, *y])).collect();
+    at_draws.sort_by(f64::total_cmp);
+    let last = at_draws.len() - 1;
+    let is_inside =
+        |draw: &[f64; 2]| (0..2).all(|axis| ends[axis][0] < draw[axis] && draw[axis] < ends[axis][1]);
+    let step = columns[0].len().div_ceil(SHOWN).max(1);
+    let draws = columns[0].iter().zip(columns[1]).step_by(step).map(|(x, y)| [*x, *y]);
+    let axis = |output| Axis { title: label(output, units), unit: units.size(Measure::RoadSpeed) };
+    let speed = |summary: &Summary| units.format(Measure::RoadSpeed, summary.median.value);
+    let picture = JointPicture {
+        name: "joint-speeds",
+        title: "Both speeds".to_owned(),
+        subtitle: format!("Which speeds go together\n{}", origin(case, estimated, asked)),
+        description: format!(
+            "Draws of both speeds, around {} of vehicle 1 and {} of vehicle 2, with the regions that hold half of \
+             them and 95 % of them.",
+            speed(summaries[0]),
+            speed(summaries[1])
+        ),
+        across: axis(outputs[0]),
+        upward: axis(outputs[1]),
+        ends,
+        draws: draws.filter(is_inside).collect(),
+        levels: [at_draws[last / 2], at_draws[last / 20]],
+        density: grid.rows,
+        legend: ["draws", "region that holds 50 % of them", "region that holds 95 %"].map(str::to_owned),
+    };
+    Some(picture.draw())
+}
+
+/// A density at places of equal distance.
+struct Grid {
+    rows: Vec<Vec<f64>>,
+    ends: [[f64; 2]; 2],
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a grid of some hundred places")]
+const LAST: f64 = (PLACES - 1) as f64;
+
+impl Grid {
+    fn of(columns: [&[f64]; 2], reaches: [f64; 2], ends: [[f64; 2]; 2]) -> Self {
+        let mut rows = vec![vec![0.0; PLACES]; PLACES];
+        let steps = ends.map(|[low, high]| (high - low) / LAST);
+        for (x, y) in columns[0].iter().zip(columns[1]) {
+            let at = [*x, *y];
+            let [across, upward] = [0, 1].map(|axis| {
+                let place = |value: f64| place(value, ends[axis], steps[axis]);
+                let (from, to) = (place(at[axis] - reaches[axis]), place(at[axis] + reaches[axis]));
+                (from..=to.min(PLACES - 1)).map(move |k| {
+                    #[expect(clippy::cast_precision_loss, reason = "a grid of some hundred places")]
+                    let value = ends[axis][0] + steps[axis] * k as f64;
+                    (k, kernel((value - at[axis]) / reaches[axis]))
+                })
+            });
+            let across: Vec<(usize, f64)> = across.collect();
+            for (j, weight) in upward {
+                for (i, other) in &across {
+                    rows[j][*i] += weight * other;
+                }
+            }
+        }
+        Self { rows, ends }
+    }
+
+    /// At the nearest place.
+    fn density(&self, at: [f64; 2]) -> f64 {
+        let [i, j] = [0, 1].map(|axis| {
+            let [low, high] = self.ends[axis];
+            let step = (high - low) / LAST;
+            place(at[axis] + 0.5 * step, self.ends[axis], step).min(PLACES - 1)
+        });
+        self.rows[j][i]
+    }
+}
+
+/// The last place that is not above a value; the first where the value is below all.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "cut to the places of a grid")]
+fn place(value: f64, [low, _]: [f64; 2], step: f64) -> usize {
+    ((value - low) / step).floor().clamp(0.0, LAST) as usize
+}
+
+/// Where the vehicles come to rest in the draws, and where they were found. `None` where none is followed,
+/// and where the run has not converged.
+#[must_use]
+pub fn rests(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
+    let subjects = case.subjects();
+    let vehicles = VehicleId::ALL.into_iter().filter_map(|vehicle| {
+        let axes = case.axes;
+        let column = |number| estimated.draws(EstimateOutput::Result(Output::Way { vehicle, number, axes }));
+        let (x, y) = (column(WayNumber::RestX)?, column(WayNumber::RestY)?);
+        let step = x.len().div_ceil(SHOWN / 2).max(1);
+        let draws = x.iter().zip(y).step_by(step).map(|(x, y)| [*x, axes.lateral(*y)]).collect();
+        let measured = estimated.observed.vehicles[vehicle.index()].rest;
+        let (sin, cos) = Real::sin_cos(measured.map_or(0.0, |rest| rest.heading));
+        let given = &case.vehicles[vehicle.index()];
+        let dimensions = subjects[vehicle.index()].as_ref().and_then(|subject| subject.dimensions);
+        let found = FoundAtRest {
+            label: match &given.name {
+                Some(name) => format!("{vehicle} · {name}"),
+                None => format!("vehicle {vehicle}"),
+            },
+            footprint: dimensions.map(|dimensions| footprint(dimensions, given.kind.unwrap_or_default())),
+            position: measured.map(|rest| [rest.position.x, rest.position.y]),
+            forward: [cos, sin],
+            draws,
+            legend: format!("rest of vehicle {vehicle} in the draws"),
+        };
+        Some((vehicle.index(), found))
+    });
+    let vehicles: Vec<(usize, FoundAtRest)> = vehicles.collect();
+    if vehicles.is_empty() || !estimated.doubts().is_empty() {
+        return None;
+    }
+    let impact =
+        case.scene_contact.as_ref().map_or([0.0; 2], |place| [place.x.si(), case.axes.lateral(place.y.si())]);
+    let picture = RestsPicture {
+        name: "rests",
+        title: "Rest positions".to_owned(),
+        subtitle: format!(
+            "Where the vehicles come to rest in the draws, and where they were found\n{}",
+            origin(case, estimated, asked)
+        ),
+        description:
+            "Dots where each draw comes to rest, around the outlines of the vehicles where they were \
+                      found."
+                .to_owned(),
+        impact,
+        vehicles,
+        scale: scale_unit(units, Measure::Length),
+    };
+    Some(picture.draw())
+}
+
+fn footprint(dimensions: Dimensions, kind: Kind) -> Footprint {
+    let Dimensions { length, width, cg_to_front, .. } = dimensions;
+    let shape = match kind {
+        Kind::Car => Shape::Car,
+        Kind::HeavyTruck | Kind::Trailer => Shape::Box,
+        Kind::Motorcycle => Shape::Motorcycle,
+    };
+    Footprint { length, width, cg_to_front, shape }
+}
+
+/// All pictures of an estimate, in the order of a report: the speeds one by one, both at once, and the rests.
+pub(crate) fn all(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Vec<(String, Drawing)> {
+    let speeds = VehicleId::ALL.into_iter().filter_map(|vehicle| {
+        let output = EstimateOutput::Result(Output::Speed { vehicle });
+        Some((format!("density-speed-{vehicle}"), density(case, estimated, asked, output, units)?))
+    });
+    let both =
+        joint_speeds(case, estimated, asked, units).map(|drawing| ("joint-speeds".to_owned(), drawing));
+    let rests = rests(case, estimated, asked, units).map(|drawing| ("rests".to_owned(), drawing));
+    speeds.chain(both).chain(rests).collect()
+}

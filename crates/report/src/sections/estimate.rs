@@ -1,0 +1,540 @@
+//! What all the evidence of a case says.
+
+use ::estimate::Summary;
+use ::uncertainty::{Distribution, Shape};
+use analysis::{Assumed, EstimateOutput, Estimated, EstimatedOutput, Output, PieceFound, UnknownNumber};
+use case::{Case, Prior};
+use pim_core::VehicleId;
+
+use super::uncertainty::{decimals_of, grouped};
+use crate::document::{Block, Column, Document, NONE, Table, Width};
+use crate::estimates::{
+    Agreement, Asked, Question, doubt_words, error, error_key, is_factor, label, measure, name, piece_name,
+    source, unknown_key, unused, value,
+};
+use crate::pictures;
+use crate::units::{Measure, Units, number, significant};
+
+/// (columns) of an end of an interval, with the blank before it.
+const END: usize = 9;
+/// The places of the intervals of 50, 80, 90 and 95 %.
+const HALF: usize = 0;
+const EIGHTY: usize = 1;
+const NINETY: usize = 2;
+const WIDEST: usize = 3;
+/// Decimals beyond which no figure goes.
+const MOST_DECIMALS: usize = 6;
+/// Islands of particles.
+const ISLANDS: usize = ::estimate::ISLANDS;
+/// What is in no list of a case.
+const HIDDEN: [&str; 2] = ["ln_relative_speed", "speed_split"];
+
+/// The speeds with their intervals, what each piece of evidence says and whether it agrees with the rest, and
+/// what is assumed. No interval stands in it where the run has not converged.
+#[must_use]
+pub fn estimate(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Document {
+    let mut page = Page { estimated, asked, units, document: Document::new() };
+    page.document.title(case);
+    if estimated.doubts().is_empty() {
+        page.answer();
+    } else {
+        page.doubts();
+    }
+    page.warnings();
+    page.run();
+    if estimated.doubts().is_empty() {
+        page.pictures(case);
+        page.questions();
+        page.results();
+        page.intervals();
+    }
+    page.evidence();
+    page.errors();
+    page.unused();
+    page.assumed();
+    if estimated.doubts().is_empty() {
+        page.unknown();
+    }
+    page.limits();
+    page.document
+}
+
+struct Page<'a> {
+    estimated: &'a Estimated,
+    asked: &'a Asked,
+    units: Units,
+    document: Document,
+}
+
+impl<'a> Page<'a> {
+    fn find(&self, wanted: Output) -> Option<&'a EstimatedOutput> {
+        let wanted = EstimateOutput::Result(wanted);
+        self.estimated.outputs.iter().find(|output| output.output == wanted)
+    }
+
+    /// With enough decimals for so large a standard deviation (SI).
+    fn figure(&self, measure: Option<Measure>, si: f64, sd: f64) -> String {
+        let decimals = decimals_of(value(measure, self.units, sd)).min(MOST_DECIMALS);
+        number(value(measure, self.units, si), decimals)
+    }
+
+    /// Median and 95 % interval of a speed, with one decimal.
+    fn speed(&self, summary: &Summary) -> [String; 2] {
+        let of = |si: f64| number(self.units.value(Measure::RoadSpeed, si), 1);
+        let [low, high] = ends(summary, WIDEST);
+        [of(summary.median.value), format!("{} to {}", of(low), of(high))]
+    }
+
+    fn answer(&mut self) {
+        let unit = self.units.name(Measure::RoadSpeed);
+        let line = |output: Output| {
+            let found = self.find(output)?;
+            let [median, interval] = self.speed(&found.posterior);
+            let name = name(found.output);
+            Some(if found.posterior.sd.value > 0.0 {
+                format!("{name}: {median} {unit} (95 %: {interval} {unit})")
+            } else {
+                format!("{name}: {median} {unit}, as given")
+            })
+        };
+        let all = VehicleId::ALL.into_iter();
+        let speeds = all.clone().filter_map(|vehicle| line(Output::Speed { vehicle }));
+        let changes = all.filter_map(|vehicle| line(Output::DeltaV { vehicle }));
+        let found: Vec<String> = speeds.chain(changes).collect();
+        let evidence: Vec<String> =
+            self.estimated.pieces.iter().map(|piece| piece_name(piece.piece)).collect();
+        let how = if evidence.is_empty() {
+            "Medians and 95 % intervals without any evidence: only what such collisions usually are."
+                .to_owned()
+        } else {
+            format!("Medians and 95 % intervals by all evidence: {}.", evidence.join("; "))
+        };
+        self.document.push(Block::Answer { found, how });
+    }
+
+    /// Why there is no answer, and what to do.
+    fn doubts(&mut self) {
+        self.document.push(Block::Answer {
+            found: vec!["No answer: the run has not converged, so no interval is given.".to_owned()],
+            how: String::new(),
+        });
+        let words = self.estimated.doubts().iter().map(|doubt| doubt_words(doubt, self.estimated));
+        self.document.push(Block::List(words.map(|words| words + ".").collect()));
+        let used = self.estimated.posterior.count() / ISLANDS;
+        self.document.paragraph(format!(
+            "Run it again with more particles, such as `deltav estimate CASE --particles {}`. If that does not \
+             help, pieces of evidence leave hardly any collision that they all allow: see below which of them \
+             disagree, give larger errors to what is less certain than the case says, and look for a wrong \
+             sign or unit.",
+            2 * used
+        ));
+    }
+
+    /// Evidence that contradicts the rest, and what counts twice.
+    fn warnings(&mut self) {
+        let named = |piece: &PieceFound| format!("{} (`{}`)", piece_name(piece.piece), piece.key);
+        let p = |piece: &PieceFound| piece.p_value.map(|p| with_sign(p.value)).unwrap_or_default();
+        let mut lines = Vec::new();
+        for piece in &self.estimated.pieces {
+            match Agreement::of(piece) {
+                Some(Agreement::Contradicts) => lines.push(format!(
+                    "Warning: {} contradicts the rest: {}. The answer lies between both and may be \
+                     neither; check what was measured, and the error that it has.",
+                    named(piece),
+                    p(piece)
+                )),
+                Some(Agreement::Doubtful) => lines.push(format!(
+                    "Warning: the rest of the evidence expects something else than {}: {}.",
+                    named(piece),
+                    p(piece)
+                )),
+                Some(Agreement::Agrees) | None => {}
+            }
+        }
+        for same in &self.estimated.same_twice {
+            let [one, other] = &same.keys;
+            lines.push(format!(
+                "Warning: `{one}` and `{other}` may say the same thing twice, where the first was found from the \
+                 second; the interval is then too narrow. Leave one out."
+            ));
+        }
+        if !lines.is_empty() {
+            self.document.push(Block::List(lines));
+        }
+    }
+
+    fn run(&mut self) {
+        let estimated = self.estimated;
+        let particles = estimated.posterior.count() / ISLANDS;
+        let mut lines = vec![format!(
+            "{ISLANDS} × {} particles, seed {}; the draws are worth at least {} independent ones.",
+            grouped(particles),
+            self.asked.plan.seed,
+            number(estimated.ess(), 0)
+        )];
+        if particles > self.asked.plan.particles {
+            lines.push(format!(
+                "With the {} particles asked for the run did not converge, so their number was doubled.",
+                grouped(self.asked.plan.particles)
+            ));
+        }
+        self.document.push(Block::List(lines));
+    }
+
+    fn pictures(&mut self, case: &Case) {
+        for (name, drawing) in pictures::estimate::all(case, self.estimated, self.asked, self.units) {
+            self.document.push(Block::Chart { name, drawing: Box::new(drawing), instead: None });
+        }
+    }
+
+    fn questions(&mut self) {
+        if self.asked.questions.is_empty() {
+            return;
+        }
+        let percent = |share: f64| number(100.0 * share, 1);
+        let words = |question: &Question| {
+            let probability = self.estimated.probability_above(question.output, question.limit)?;
+            let error = probability
+                .standard_error
+                .map_or_else(String::new, |error| format!(" ± {}", significant(100.0 * error, 1)));
+            let limit = match measure(question.output) {
+                Some(measure) => self.units.format(measure, question.limit),
+                None => number(question.limit, 3),
+            };
+            Some(format!(
+                "{} above {limit}: probability {}{error} %.",
+                name(question.output),
+                percent(probability.value)
+            ))
+        };
+        let lines: Vec<String> = self.asked.questions.iter().filter_map(words).collect();
+        self.document.heading("Questions");
+        self.document.push(Block::List(lines));
+        self.document.paragraph("± is the standard error due to the number of draws.");
+    }
+
+    fn results(&mut self) {
+        let mut columns = vec![
+            Column::words("", Width::Fixed(34)),
+            Column::numbers("median", Width::Fixed(END + 1)),
+            Column::numbers("95 %", Width::Fixed(END)),
+            Column::numbers("", Width::Fixed(END)),
+            Column::numbers("before:", Width::Fixed(END + 3)),
+            Column::numbers("95 %", Width::Fixed(END)),
+            Column::numbers("", Width::Fixed(END)),
+        ];
+        for (column, unit) in columns.iter_mut().zip(["", "", "from", "to", "median", "from", "to"]) {
+            unit.clone_into(&mut column.unit);
+        }
+        let mut table = Table::new("Results", columns);
+        for output in &self.estimated.outputs {
+            let measure = measure(output.output);
+            let sd = output.posterior.sd.value;
+            let of = |summary: &Summary| {
+                let [low, high] = ends(summary, WIDEST);
+                [summary.median.value, low, high].map(|si| short(self.figure(measure, si, sd)))
+            };
+            let before = output.prior.as_ref().map_or([NONE; 3].map(str::to_owned), of);
+            let after = of(&output.posterior);
+            let label = label(output.output, self.units);
+            table.cells(std::iter::once(label).chain(after).chain(before));
+        }
+        self.document.push(table);
+        let mut words =
+            "\"Before\" is what such collisions are without this evidence, but within what is certain."
+                .to_owned();
+        if self.estimated.outputs.iter().any(|output| output.prior.is_none()) {
+            words.push_str(" The run without evidence has not converged, so nothing stands there.");
+        }
+        self.document.paragraph(words);
+    }
+
+    fn intervals(&mut self) {
+        let mut columns = vec![Column::words("", Width::Fixed(34))];
+        for level in ["50 %", "80 %", "90 %"] {
+            columns.push(Column::numbers(level, Width::Fixed(END + 1)).unit("from"));
+            columns.push(Column::numbers("", Width::Fixed(END)).unit("to"));
+        }
+        let mut table = Table::new("Narrower intervals", columns);
+        for output in &self.estimated.outputs {
+            let summary = &output.posterior;
+            let cells = [HALF, EIGHTY, NINETY].map(|place| ends(summary, place)).concat();
+            let cells =
+                cells.into_iter().map(|si| short(self.figure(measure(output.output), si, summary.sd.value)));
+            table.cells(std::iter::once(label(output.output, self.units)).chain(cells));
+        }
+        self.document.push(table);
+    }
+
+    fn evidence(&mut self) {
+        let pieces = &self.estimated.pieces;
+        if pieces.is_empty() {
+            return;
+        }
+        let unit = self.units.name(Measure::RoadSpeed);
+        let movers: Vec<VehicleId> = VehicleId::ALL
+            .into_iter()
+            .filter(|vehicle| self.find(Output::Speed { vehicle: *vehicle }).is_some())
+            .collect();
+        // The speeds say nothing where they are known.
+        let sought: Vec<VehicleId> = movers
+            .into_iter()
+            .filter(|vehicle| {
+                let found = self.find(Output::Speed { vehicle: *vehicle });
+                found.is_some_and(|found| found.posterior.sd.value > 0.0)
+            })
+            .collect();
+        let is_judged = pieces.iter().any(|piece| piece.alone.is_some() || piece.without.is_some());
+        let mut columns = vec![Column::words("", Width::Fixed(30))];
+        if is_judged {
+            for what in ["alone", "without it"] {
+                for vehicle in &sought {
+                    columns.push(Column::numbers(what, Width::Fixed(14)).unit(format!("{vehicle}, {unit}")));
+                }
+            }
+        }
+        columns.push(Column::numbers("p-value", Width::Fixed(12)));
+        let mut table = Table::new("Evidence", columns);
+        for piece in pieces {
+            let mut cells = vec![format!("{}\n  {}", piece_name(piece.piece), piece.key)];
+            if is_judged {
+                for speeds in [&piece.alone, &piece.without] {
+                    cells.extend(sought.iter().map(|vehicle| {
+                        let summary = speeds.as_ref().and_then(|speeds| speeds[vehicle.index()].as_ref());
+                        summary.map_or(NONE.to_owned(), |summary| self.speed(summary).join("\n"))
+                    }));
+                }
+            }
+            let verdict = Agreement::of(piece).map_or(NONE, Agreement::name);
+            let p = piece.p_value.map_or(NONE.to_owned(), |p| p_value(p.value));
+            cells.push(format!("{p}\n{verdict}"));
+            table.cells(cells);
+        }
+        self.document.push(table);
+        let mut words = String::new();
+        if is_judged {
+            words.push_str(
+                "Median and 95 % interval of the speed of each vehicle by one piece alone, and by all others. \
+                 – : that run has not converged. ",
+            );
+        }
+        words.push_str(
+            "The p-value is the probability, by all other evidence, of an observation at least as far off: \
+             from 0.05 up it agrees; below, the rest expects something else; below 0.01 it contradicts the \
+             rest. Of many pieces one in twenty falls below 0.05 by chance.",
+        );
+        self.document.paragraph(words);
+    }
+
+    /// How far each piece may be off.
+    fn errors(&mut self) {
+        let observed = &self.estimated.observed;
+        let mut table = Table::new(
+            "Errors of the evidence",
+            [
+                Column::words("", Width::Fixed(30)),
+                Column::words("", Width::Share),
+                Column::words("from", Width::Fixed(12)),
+            ],
+        );
+        for piece in &self.estimated.pieces {
+            let Some(words) = error(piece.piece, observed, self.units) else { continue };
+            let key = error_key(piece);
+            let from = match &key {
+                Some(key) if self.estimated.default_errors.contains(key) => "default",
+                Some(_) => "the case",
+                None => "default",
+            };
+            table.row([piece_name(piece.piece), words, from.to_owned()]);
+        }
+        if table.rows.is_empty() {
+            return;
+        }
+        let defaults = &self.estimated.default_errors;
+        if !defaults.is_empty() {
+            let keys: Vec<String> = defaults.iter().map(|key| format!("`{key}`")).collect();
+            table.notes.push(format!("Errors that the case does not give: {}.", keys.join(", ")));
+        }
+        self.document.push(table);
+    }
+
+    fn unused(&mut self) {
+        if self.estimated.unused.is_empty() {
+            return;
+        }
+        let mut table = Table::new(
+            "Given and not used",
+            [
+                Column::words("", Width::Fixed(24)),
+                Column::words("why", Width::Fixed(40)),
+                Column::words("write instead", Width::Share),
+            ],
+        );
+        for given in &self.estimated.unused {
+            let [why, instead] = unused(given.reason, &given.key);
+            let [why, instead] = [folded(&why, 38), folded(&instead, 32)];
+            table.row([given.key.clone(), why, instead]);
+        }
+        self.document.push(table);
+    }
+
+    /// What the case does not give, and is not known exactly all the same.
+    fn assumed(&mut self) {
+        let mut table = Table::new(
+            "Assumed",
+            [
+                Column::words("", Width::Fixed(34)),
+                Column::words("before the evidence", Width::Fixed(32)),
+                Column::words("source", Width::Share),
+            ],
+        );
+        if let Some(severity) = self.estimated.observed.severity {
+            let median = self.units.format(Measure::RoadSpeed, severity.median);
+            table.row([
+                "ΔV, geometric mean of both".to_owned(),
+                folded(&format!("median {median}, std. dev. {} of ln", severity.ln_sd), 30),
+                "docs/calibration.md".to_owned(),
+            ]);
+        }
+        for unknown in &self.estimated.unknown {
+            let Some(assumed) = unknown.assumed else { continue };
+            let prior = folded(&self.prior(unknown, assumed), 30);
+            let key = match unknown.key.as_str() {
+                "ln_relative_speed" => "relative speed".to_owned(),
+                "speed_split" => "atan(speed 2/speed 1)".to_owned(),
+                _ => unknown_key(unknown),
+            };
+            table.row([key, prior, folded(source(unknown, assumed), 31)]);
+        }
+        if !table.rows.is_empty() {
+            self.document.push(table);
+        }
+        let words = match self.estimated.prior {
+            Prior::Field => {
+                "The severity is that of collisions of which a vehicle was towed; `--prior flat`, or `prior = \"flat\"` \
+                 in [estimate], takes every speed for as likely as any other."
+            }
+            Prior::Flat => "Every speed is as likely as any other before the evidence, as asked for.",
+        };
+        self.document.paragraph(words);
+    }
+
+    /// What is known of a number before the evidence, in words.
+    fn prior(&self, unknown: &UnknownNumber, assumed: Assumed) -> String {
+        let prior = &unknown.prior;
+        match (assumed, prior.shape()) {
+            (Assumed::Restitution, Shape::LogNormal { ln_sd, .. }) => format!(
+                "[0.05 + 0.32 exp(−closing speed/5 m/s)] times a factor of ln-sd {ln_sd}, at most 0.7"
+            ),
+            (Assumed::Speed, Shape::Uniform { .. }) if unknown.key == "ln_relative_speed" => {
+                "its logarithm uniform".to_owned()
+            }
+            (Assumed::Speed, Shape::Uniform { low, high }) => {
+                let measure = if unknown.key == "speed_split" { Measure::Angle } else { Measure::RoadSpeed };
+                let [low, high] = [low, high].map(|si| self.units.format(measure, si));
+                format!("uniform from {low} to {high}")
+            }
+            (_, Shape::LogNormal { median, ln_sd }) => {
+                let lead = if is_factor(unknown) || assumed == Assumed::Estimate {
+                    format!("× {}", significant(median, 3))
+                } else {
+                    format!("median {}", with_unit(unknown, median))
+                };
+                format!("{lead}, std. dev. of ln {}", significant(ln_sd, 2))
+            }
+            (_, Shape::Normal { mean, sd }) => {
+                let cut = cut(prior);
+                format!("{}, std. dev. {}{cut}", with_unit(unknown, mean), with_unit(unknown, sd))
+            }
+            (_, Shape::Uniform { low, high } | Shape::Triangular { low, high, .. }) => {
+                format!("{} to {}", significant(low, 4), with_unit(unknown, high))
+            }
+            _ => String::new(),
+        }
+    }
+
+    /// All unknown numbers before and after.
+    fn unknown(&mut self) {
+        let mut table = Table::new(
+            "Unknown numbers",
+            [
+                Column::words("", Width::Fixed(42)),
+                Column::numbers("before: 95 %", Width::Fixed(20)),
+                Column::numbers("median", Width::Fixed(10)),
+                Column::numbers("95 %", Width::Fixed(20)),
+            ],
+        );
+        for unknown in self.estimated.unknown.iter().filter(|unknown| !HIDDEN.contains(&&*unknown.key)) {
+            let summary = &unknown.posterior;
+            let decimals = decimals_of(unknown.prior.sd()).min(MOST_DECIMALS);
+            let of = |value: f64| number(value, decimals);
+            let before = [0.025, 0.975].map(|share| of(unknown.prior.quantile(share))).join(" to ");
+            let after = ends(summary, WIDEST).map(of).join(" to ");
+            let unit = unknown.unit.map_or_else(String::new, |unit| format!(", {unit}"));
+            table.row([format!("{}{unit}", unknown_key(unknown)), before, of(summary.median.value), after]);
+        }
+        if !table.rows.is_empty() {
+            self.document.push(table);
+        }
+    }
+
+    fn limits(&mut self) {
+        self.document.paragraph(
+            "How far crush energies, PDOFs and recorders are off was fitted on 329 crashes of 2017 with \
+             recorders, of cars in the United States (docs/calibration.md): in other collisions it may be more. The \
+             intervals contain the errors that are listed here, and no others.",
+        );
+    }
+}
+
+fn ends(summary: &Summary, place: usize) -> [f64; 2] {
+    let interval = &summary.intervals[place];
+    [interval.low.value, interval.high.value]
+}
+
+fn p_value(p: f64) -> String {
+    if p < 0.001 { "< 0.001".to_owned() } else { significant(p, 2) }
+}
+
+fn with_sign(p: f64) -> String {
+    let value = p_value(p);
+    if value.starts_with('<') { format!("p {value}") } else { format!("p = {value}") }
+}
+
+/// In the unit of the case.
+fn with_unit(unknown: &UnknownNumber, value: f64) -> String {
+    let value = significant(value, 4);
+    unknown.unit.map_or_else(|| value.clone(), |unit| format!("{value} {unit}"))
+}
+
+/// Where a normal distribution ends.
+fn cut(prior: &Distribution) -> String {
+    match prior.truncation() {
+        Some(cut) if cut.low.is_finite() && cut.high.is_finite() => {
+            format!(", between {} and {}", cut.low, cut.high)
+        }
+        _ => String::new(),
+    }
+}
+
+/// A figure for a narrow column: without commas where it is too long with them.
+fn short(figure: String) -> String {
+    if figure.chars().count() >= END { figure.replace(',', "") } else { figure }
+}
+
+/// Words in lines of so many columns, for the cell of a table.
+fn folded(words: &str, columns: usize) -> String {
+    let mut lines: Vec<String> = vec![String::new()];
+    for word in words.split(' ') {
+        let Some(line) = lines.last_mut() else { continue };
+        if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > columns {
+            lines.push(word.to_owned());
+        } else {
+            if !line.is_empty() {
+                line.push(' ');
+            }
+            line.push_str(word);
+        }
+    }
+    lines.join("\n")
+}
