@@ -1,10 +1,11 @@
 //! Pictures of invented figures: what is drawn is what was given, and can be read.
 
 use drawing::{
-    Axis, CrushProfile, CurvePoint, DamagePicture, DamagedVehicle, Drawing, EnergyBar, EnergyPicture,
-    Footprint, HistogramMark, HistogramPicture, Loss, Marker, RanksPicture, ReconciliationPicture, ScaleUnit, ScatterPanel,
-    ScatterPicture, ScatterPoint, SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle, Shape,
-    Symbol, TornadoBar, TornadoPicture,
+    Axis, CrushProfile, CurvePoint, DamagePicture, DamagedVehicle, DensityPicture, Drawing, EnergyBar,
+    EnergyPicture, Footprint, FoundAtRest, HistogramMark, HistogramPicture, JointPicture, Loss, Marker,
+    RanksPicture, ReconciliationPicture, RestsPicture, ScaleUnit, ScatterPanel, ScatterPicture, ScatterPoint,
+    SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle, Shape, Symbol, TornadoBar,
+    TornadoPicture,
 };
 
 use crate::reader::{Reader, area, attribute, number, scales};
@@ -201,6 +202,80 @@ fn reconciliation() -> ReconciliationPicture {
     }
 }
 
+/// Before the evidence a triangle from 10 to 30 m/s, after it one from 18 to 24 m/s.
+fn density() -> DensityPicture {
+    let triangle = |low: f64, mode: f64, high: f64| {
+        let top = 2.0 / (high - low);
+        vec![[low, 0.0], [mode, top], [high, 0.0]]
+    };
+    let mark = |value: f64, lead: &str| HistogramMark { value, lead: text(lead) };
+    DensityPicture {
+        name: "density",
+        title: text("Speed of vehicle 1, km/h"),
+        subtitle: text("Invented"),
+        description: text("The evidence narrows it."),
+        across: axis("speed, km/h", KM_PER_HOUR),
+        decimals: 1,
+        upward: axis("% per km/h", 0.036),
+        before: triangle(10.0, 20.0, 30.0),
+        after: triangle(18.0, 20.0, 24.0),
+        interval: [mark(18.5, "2.5 %:"), mark(23.2, "97.5 %:")],
+        median: mark(20.5, "median:"),
+        legend: ["before", "after", "interval", "median"].map(text),
+    }
+}
+
+/// A cone over (20, 10) m/s, which falls from 1 by 0.2 for each m/s.
+fn joint() -> JointPicture {
+    let ends = [[14.0, 26.0], [4.0, 16.0]];
+    let at = |k: u8, low: f64| low + 12.0 * f64::from(k) / 60.0;
+    let height = |x: f64, y: f64| 1.0 - 0.2 * (x - 20.0).hypot(y - 10.0);
+    let density = (0..=60).map(|j| (0..=60).map(|i| height(at(i, 14.0), at(j, 4.0))).collect()).collect();
+    JointPicture {
+        name: "joint-speeds",
+        title: text("Both speeds"),
+        subtitle: text("Invented"),
+        description: text("They lie around 72 and 36 km/h."),
+        across: axis("Speed of vehicle 1, km/h", KM_PER_HOUR),
+        upward: axis("Speed of vehicle 2, km/h", KM_PER_HOUR),
+        ends,
+        draws: vec![[20.0, 10.0], [21.0, 11.0], [18.0, 13.0]],
+        density,
+        levels: [0.6, 0.2],
+        legend: ["draws", "half", "nearly all"].map(text),
+    }
+}
+
+/// A car found 20 m ahead and 5 m to the left of the impact, turned to the left, and another that was not
+/// found.
+fn rests() -> RestsPicture {
+    let found = FoundAtRest {
+        label: text("1 · car"),
+        footprint: Some(CAR),
+        position: Some([20.0, 5.0]),
+        forward: [0.0, 1.0],
+        draws: vec![[19.0, 4.0], [21.0, 6.5], [22.0, 5.0]],
+        legend: text("draws of vehicle 1"),
+    };
+    let other = FoundAtRest {
+        label: text("2"),
+        footprint: None,
+        position: None,
+        forward: [1.0, 0.0],
+        draws: vec![[5.0, -3.0], [6.0, -2.0]],
+        legend: text("draws of vehicle 2"),
+    };
+    RestsPicture {
+        name: "rests",
+        title: text("Rest positions"),
+        subtitle: text("Invented"),
+        description: text("Dots around the car."),
+        impact: [0.0, 0.0],
+        vehicles: vec![(0, found), (1, other)],
+        scale: ScaleUnit { name: text("m"), size: 1.0 },
+    }
+}
+
 pub(crate) fn all() -> Vec<Drawing> {
     let others = [
         scene().draw(),
@@ -211,6 +286,9 @@ pub(crate) fn all() -> Vec<Drawing> {
         tornado(4.0).draw(),
         scatter().draw(),
         ranks().draw(),
+        density().draw(),
+        joint().draw(),
+        rests().draw(),
     ];
     others.into_iter().chain(crate::motion::all()).collect()
 }
@@ -321,6 +399,69 @@ fn classes_and_levels_of_ranks_stand_at_their_values() {
         assert!((drawn - level).abs() < 2.0 * PIXEL * upward.pixel(), "{id}: {drawn}");
         assert_eq!(attribute(&svg, &id, "stroke-dasharray").is_none(), id == "ranks-expected");
     }
+}
+
+#[test]
+fn the_curves_of_a_density_reach_from_end_to_end() {
+    let reader = Reader::new();
+    let drawing = density().draw();
+    let svg = drawing.svg();
+    let tree = reader.tree(&svg);
+    let [across, upward] = scales(&svg, 0.0, 960.0);
+    // Greatest values: 2/20 per m/s are 2.78 % per km/h, 2/6 are 9.26.
+    for (id, low, high, top) in
+        [("before", 10.0, 30.0, 0.1 / 0.036), ("after-area", 18.0, 24.0, 1.0 / (3.0 * 0.036))]
+    {
+        let shape = area(&tree, &format!("density-{id}"));
+        for (pixel, value) in [(shape.left(), low), (shape.right(), high)] {
+            let drawn = across.value(f64::from(pixel));
+            assert!((drawn - value * 3.6).abs() < 4.0 * PIXEL * across.pixel(), "{id}: {drawn}, {value} m/s");
+        }
+        for (pixel, value) in [(shape.bottom(), 0.0), (shape.top(), top)] {
+            let drawn = upward.value(f64::from(pixel));
+            assert!((drawn - value).abs() < 4.0 * PIXEL * upward.pixel(), "{id}: {drawn}, {value}");
+        }
+    }
+    assert!(drawing.description().ends_with("2.5 %: 66.6; median: 73.8; 97.5 %: 83.5."));
+    // Nothing is said of what is not known.
+    let svg = DensityPicture { before: Vec::new(), ..density() }.draw().svg();
+    assert!(!svg.contains("density-before") && !svg.contains(">before</text>"), "{svg}");
+}
+
+/// The cone has a height of 0.6 at 2 m/s from its middle, and of 0.2 at 4 m/s.
+#[test]
+fn the_regions_of_two_speeds_have_their_borders_where_the_density_is() {
+    let reader = Reader::new();
+    let svg = joint().draw().svg();
+    let tree = reader.tree(&svg);
+    let [across, upward] = scales(&svg, 0.0, 700.0);
+    for (id, radius) in [("inner", 2.0), ("outer", 4.0)] {
+        let border = area(&tree, &format!("joint-speeds-{id}"));
+        for (pixel, value) in [(border.left(), 20.0 - radius), (border.right(), 20.0 + radius)] {
+            let drawn = across.value(f64::from(pixel));
+            assert!((drawn - value * 3.6).abs() < 0.1, "{id}: {drawn}, {value} m/s");
+        }
+        for (pixel, value) in [(border.bottom(), 10.0 - radius), (border.top(), 10.0 + radius)] {
+            let drawn = upward.value(f64::from(pixel));
+            assert!((drawn - value * 3.6).abs() < 0.1, "{id}: {drawn}, {value} m/s");
+        }
+    }
+}
+
+/// A car of 4 m by 1.7 m that heads along y with its CG in its middle.
+#[test]
+fn a_rest_is_drawn_to_scale_where_it_was_found() {
+    let reader = Reader::new();
+    let svg = rests().draw().svg();
+    let tree = reader.tree(&svg);
+    let [body, impact] = ["rest-1", "impact"].map(|id| area(&tree, &format!("rests-{id}")));
+    let scale = f64::from(body.height()) / 4.0;
+    assert!((f64::from(body.width()) / scale - 1.7).abs() < 0.01);
+    let middle = |area: &resvg::tiny_skia::Rect| {
+        [f64::from(area.left() + area.right()) / 2.0, f64::from(area.top() + area.bottom()) / 2.0]
+    };
+    let ([x, y], [x0, y0]) = (middle(&body), middle(&impact));
+    assert!(((x - x0) / scale - 20.0).abs() < 0.01 && ((y0 - y) / scale - 5.0).abs() < 0.01, "{x} {y}");
 }
 
 #[test]

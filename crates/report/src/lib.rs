@@ -93,9 +93,9 @@ pub use estimates::{Asked, Question};
 pub use failures::no_answer;
 pub use glossary::{Topic, UnknownTopic, topic, topics};
 pub use pictures::{
-    DrawingError, Subject, computed_against_measured, density, drawing, estimated_against_recorded, histogram,
-    joint_speeds, motion_on, plain_scene, ranks_of_recorders, reconstructed_speed, rests, site_plan,
-    site_plan_of, tornado,
+    DrawingError, Subject, computed_against_measured, density, drawing, estimated_against_recorded,
+    histogram, joint_speeds, motion_on, plain_scene, ranks_of_recorders, reconstructed_speed, rests,
+    site_plan, site_plan_of, tornado,
 };
 pub use sections::comparison::comparison;
 pub use sections::estimate::estimate;
