@@ -11,6 +11,7 @@
     reason = "expected values by other functions than the crate's; no bits are compared"
 )]
 
+mod calibration;
 mod likelihood;
 mod posterior;
 mod reference;
