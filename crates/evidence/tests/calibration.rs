@@ -300,7 +300,7 @@ fn ranks_are_uniform_where_two_fronts_meet() {
     assert_calibrated(&front_and_front());
 }
 
-/// What is wrong in a thousand crashes shows in three hundred.
+/// A crush misfit that is wrong shows in three hundred crashes.
 #[test]
 #[ignore = "a thousand estimates: minutes with --release, and then -- --ignored --nocapture"]
 fn wrong_errors_are_noticed() {
@@ -317,17 +317,7 @@ fn wrong_errors_are_noticed() {
     let bias = most(&front_and_side(), |collision| {
         collision.observed.crush = Some(CrushMisfit { bias: 0.0, ..FITTED.crush });
     });
-    // Speeds after the impact that are too certain.
-    let after = most(&front_and_front(), |collision| {
-        for vehicle in &mut collision.observed.vehicles {
-            if let Some(speed) = &mut vehicle.after.speed {
-                speed.sd *= 0.5;
-            }
-        }
-    });
-    // No severity where there is one.
-    let severity = most(&front_and_side(), |collision| collision.observed.severity = None);
-    let found = [crush, bias, after, severity];
+    let found = [crush, bias];
     assert!(found.iter().all(|square| *square > ALL), "{found:?}");
 }
 
