@@ -5,7 +5,7 @@ use case::{CaseFile, CaseProblem, Dimension};
 use crate::guide::prose::{Page, page, pages, root};
 
 /// Where a piece of a case file can stand.
-const TABLES: [&str; 11] = [
+const TABLES: [&str; 12] = [
     "[scene]",
     "[vehicle1]",
     "[vehicle1.contact]",
@@ -17,6 +17,7 @@ const TABLES: [&str; 11] = [
     "[surface]",
     "[vehicle1.before]",
     "[vehicle1.after]",
+    "[estimate]",
 ];
 
 /// Keys whose value can be a table, each in its own table.
