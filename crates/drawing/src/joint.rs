@@ -21,9 +21,9 @@ const MOST: u8 = 8;
 /// (px) of a draw.
 const RADIUS: f64 = 1.4;
 const DRAW: &str = "#9cc4e0";
-/// Of the inner and the outer region.
+/// Of the inner and the outer region. They are drawn cell by cell, so dashes would not show.
 const REGIONS: [Pen; 2] =
-    [Pen { colour: BLUE, width: 2.4, dashes: "" }, Pen { colour: BLUE, width: 1.8, dashes: "8 4" }];
+    [Pen { colour: BLUE, width: 2.8, dashes: "" }, Pen { colour: BLUE, width: 1.2, dashes: "" }];
 
 /// Dots of draws, and lines around the regions of the highest density.
 #[derive(Clone, Debug, PartialEq)]
