@@ -551,8 +551,8 @@ impl Travel {
         }
     }
 
-    /// (–) by how much the way misses each point, in place or by the turn of the wheelbase if that is more, as
-    /// a share of its length.
+    /// (–) by how much the way misses each point, in place or by the turn of the wheelbase if that is more,
+    /// as a share of its length.
     pub fn shares_missed(&self) -> impl Iterator<Item = f64> {
         self.passes.iter().map(|pass| pass.share(self.chassis.wheelbase(), self.rest.distance))
     }

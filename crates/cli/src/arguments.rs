@@ -665,8 +665,8 @@ pub(crate) struct EstimateArguments {
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     pub(crate) seed: u64,
 
-    /// Number of particles of each of 16 islands, a multiple of 128; it is doubled up to twice where the run does not
-    /// converge
+    /// Number of particles of each of 16 islands, a multiple of 128; it is doubled up to twice where the run
+    /// does not converge
     #[arg(long, value_name = "N", default_value_t = PARTICLES, value_parser = particles)]
     pub(crate) particles: usize,
 

@@ -229,7 +229,7 @@ fn density() -> DensityPicture {
 fn joint() -> JointPicture {
     let ends = [[14.0, 26.0], [4.0, 16.0]];
     let at = |k: u8, low: f64| low + 12.0 * f64::from(k) / 60.0;
-    let height = |x: f64, y: f64| 1.0 - 0.2 * (x - 20.0).hypot(y - 10.0);
+    let height = |x: f64, y: f64| 1.0 - 0.2 * ((x - 20.0) * (x - 20.0) + (y - 10.0) * (y - 10.0)).sqrt();
     let density = (0..=60).map(|j| (0..=60).map(|i| height(at(i, 14.0), at(j, 4.0))).collect()).collect();
     JointPicture {
         name: "joint-speeds",

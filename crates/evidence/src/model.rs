@@ -189,8 +189,8 @@ impl<I: Impacts> Model<I> {
         &self.pieces
     }
 
-    /// Writes the normal score of each piece, a column for each: NaN for the severity, which is no observation,
-    /// and for points, which are several.
+    /// Writes the normal score of each piece, a column for each: NaN for the severity, which is no
+    /// observation, and for points, which are several.
     pub fn score(&self, impacts: &[Impacted], residuals: &mut [Lanes]) {
         for (column, &piece) in residuals.iter_mut().zip(&self.pieces) {
             for (score, impacted) in column.iter_mut().zip(impacts) {

@@ -1,6 +1,6 @@
-//! Simulation-based calibration (S. Talts, M. Betancourt, D. Simpson, A. Vehtari and A. Gelman, 2018): crashes
-//! drawn from the prior, evidence simulated from them, and the rank of the truth among the draws of the
-//! posterior, which is uniform if impact, likelihood and sampler fit together.
+//! Simulation-based calibration (S. Talts, M. Betancourt, D. Simpson, A. Vehtari and A. Gelman, 2018):
+//! crashes drawn from the prior, evidence simulated from them, and the rank of the truth among the draws of
+//! the posterior, which is uniform if impact, likelihood and sampler fit together.
 //!
 //! Truth and evidence are made here: the severity by rejection, every error from its own distribution, not by
 //! the likelihood that is tested.
@@ -321,8 +321,8 @@ fn wrong_errors_are_noticed() {
     assert!(found.iter().all(|square| *square > ALL), "{found:?}");
 }
 
-/// Twenty crashes, of which so many have their speeds in the middle half of the draws as half of twenty does in
-/// all but one of ten thousand runs.
+/// Twenty crashes, of which so many have their speeds in the middle half of the draws as half of twenty does
+/// in all but one of ten thousand runs.
 #[test]
 fn half_of_the_truths_are_in_the_middle_half() {
     let counts = ranks(&front_and_rear(), 20, 4, |_| ());

@@ -178,8 +178,8 @@ fn reference(value: &Value) -> Estimate {
     Estimate { value: number(0), standard_error: Some(number(1)) }
 }
 
-/// (–) by how many combined standard errors two estimates differ, of which as much is left out as a hundredth of
-/// the deviation `sd` of the quantity, where errors of errors count.
+/// (–) by how many combined standard errors two estimates differ, of which as much is left out as a hundredth
+/// of the deviation `sd` of the quantity, where errors of errors count.
 fn apart(ours: Estimate, theirs: Estimate, sd: f64) -> f64 {
     let error = ours.standard_error.unwrap().hypot(theirs.standard_error.unwrap());
     let difference = (ours.value - theirs.value).abs() - 0.01 * sd - 1e-9;

@@ -6,8 +6,8 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use crate::Real;
 
-/// A value and its derivatives with respect to `N` inputs. What it computes has the bits of as many [`Dual`]s,
-/// in less time, as the values are computed once.
+/// A value and its derivatives with respect to `N` inputs. What it computes has the bits of as many
+/// [`Dual`]s, in less time, as the values are computed once.
 ///
 /// ```
 /// use real::{Duals, Real};

@@ -1,4 +1,5 @@
-//! What an estimate was asked, and what its results, unknown numbers, pieces of evidence and doubts are called.
+//! What an estimate was asked, and what its results, unknown numbers, pieces of evidence and doubts are
+//! called.
 
 use ::estimate::{Doubt, Quantity};
 use analysis::{Assumed, EstimateOutput, EstimatePlan, Estimated, PieceFound, UnknownNumber, UnusedReason};

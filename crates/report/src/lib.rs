@@ -15,8 +15,8 @@
 //! What a command has to say is a [`Document`], which writes itself as text, as Markdown and as HTML:
 //! [`results`], where every figure names its equation; [`handover`], the report to hand over, with the
 //! [`steps`] (every result with its equation and the numbers in it), all drawings and the case file;
-//! [`comparison`], [`sensitivity`], [`uncertainty()`], [`estimate()`], [`judgement`] and [`validation()`]; [`warnings`]
-//! alone; [`explanation`] of a term, symbol, key or warning, from glossary.md.
+//! [`comparison`], [`sensitivity`], [`uncertainty()`], [`estimate()`], [`judgement`] and [`validation()`];
+//! [`warnings`] alone; [`explanation`] of a term, symbol, key or warning, from glossary.md.
 //!
 //! The same for programs is data in SI units and radians, with keys that are kept: [`json`],
 //! [`comparison_json`] and so on; of many cases a [`Csv`] gives a line each for a spreadsheet, and
@@ -39,9 +39,9 @@
 //! [`drawing`](drawing()) draws a [`Subject`]: the scene and the damage to scale, the reconciliation, the
 //! energy. A [`Drawing`] is SVG, PNG or PDF; the crate `drawing` makes all of them.
 //!
-//! [`histogram`] and [`tornado`] plot an uncertainty, [`density`], [`joint_speeds`] and [`rests`] an estimate,
-//! [`computed_against_measured`] and [`reconstructed_speed`] the validation, [`estimated_against_recorded`] and
-//! [`ranks_of_recorders`] the judgement by recorders.
+//! [`histogram`] and [`tornado`] plot an uncertainty, [`density`], [`joint_speeds`] and [`rests`] an
+//! estimate, [`computed_against_measured`] and [`reconstructed_speed`] the validation,
+//! [`estimated_against_recorded`] and [`ranks_of_recorders`] the judgement by recorders.
 //!
 //! `examples/text_and_drawing.rs` goes from a file to a text and a drawing.
 //!

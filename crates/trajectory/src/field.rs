@@ -286,8 +286,8 @@ impl<T: Number> Field<T> {
 }
 
 impl<T: Number> Slope<T> {
-    /// What the wheel at `place` (m), forward and left of the CG, has of the accelerations by (u, v, ω), in the
-    /// vehicle's axes.
+    /// What the wheel at `place` (m), forward and left of the CG, has of the accelerations by (u, v, ω), in
+    /// the vehicle's axes.
     #[inline(always)]
     fn in_vehicle(&self, [ahead, aside]: [T; 2], steer: Direction<T>, by_inertia: T) -> Matrix<T> {
         let [[uu, uv], [vu, vv]] = self.rows;

@@ -50,10 +50,11 @@
 //!
 //! - Straight slides, free rolling and spins about the centre agree with their closed forms to 1e-9, on a
 //!   grade and over changing ground too.
-//! - With the default [`Control`] the rest of 950 of 1000 random spin-outs of five to seven seconds is exact to
-//!   4 mm and 0.03°, of 992 to 1 cm and 0.1°, of all to 7 cm and 0.4°. With a tolerance of 5e-4, which takes two
-//!   thirds of the steps, that of 869 is exact to 1 cm and 0.1°, and of 974 of 1000 that spin like RICSAC 6.
-//!   Four times the steps make it 100 times better. [`EnergyBalance::remainder`] tells the error of each run.
+//! - With the default [`Control`] the rest of 950 of 1000 random spin-outs of five to seven seconds is exact
+//!   to 4 mm and 0.03°, of 992 to 1 cm and 0.1°, of all to 7 cm and 0.4°. With a tolerance of 5e-4, which
+//!   takes two thirds of the steps, that of 869 is exact to 1 cm and 0.1°, and of 974 of 1000 that spin like
+//!   RICSAC 6. Four times the steps make it 100 times better. [`EnergyBalance::remainder`] tells the error of
+//!   each run.
 //! - [`to_start`] found a start for each of 1000 random rests: for 624 the one that had led there, to 1e-6,
 //!   for the others some that come to rest within 1 mm.
 //! - A motion followed among others has the bits of one followed alone.

@@ -240,8 +240,8 @@ pub(crate) const fn of_inverse_root(halvings: u32) -> u64 {
 
 const ONE: u64 = 1.0_f64.to_bits();
 
-/// Sine and cosine of an angle (rad) within a step, where the terms that are left out, x⁹/9! and x⁸/8!, are far
-/// below the error of the step.
+/// Sine and cosine of an angle (rad) within a step, where the terms that are left out, x⁹/9! and x⁸/8!, are
+/// far below the error of the step.
 #[inline(always)]
 pub(crate) fn direction_within_step<T: Number>(x: T) -> Direction<T> {
     rarely!(T, x.abs().plain().at_least(x.plain().constant(SMALL_TURN)), Direction::of(x), {

@@ -16,8 +16,8 @@ const STIFF_STEPS: f64 = 2.0;
 /// Share of the time to rest, if the forces stayed as they are, that a step may take.
 const SHARE_OF_THE_REST: f64 = 0.8;
 
-/// Share of its estimate by which a step errs in which no wheel begins or ceases to be locked. The estimate is
-/// of order 2, the step of order 3; where the forces bend, it errs by all of it.
+/// Share of its estimate by which a step errs in which no wheel begins or ceases to be locked. The estimate
+/// is of order 2, the step of order 3; where the forces bend, it errs by all of it.
 const SMOOTH: f64 = 0.5;
 
 /// (m) a last way below this is straight if what turns the motion now turns it by little.

@@ -125,8 +125,8 @@ impl<T: Number> Start<T> {
         difference.below(difference.constant(0.5))
     }
 
-    /// The acceleration `elapsed` (s) into the step, where the heading has turned by `turn` (rad) and the motion
-    /// has become `w`.
+    /// The acceleration `elapsed` (s) into the step, where the heading has turned by `turn` (rad) and the
+    /// motion has become `w`.
     #[inline(always)]
     fn stage(
         &self,

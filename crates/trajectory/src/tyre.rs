@@ -72,8 +72,8 @@ impl<T: Number> Tyre<T> {
     }
 }
 
-/// A tyre's force on the ground by the mass of the vehicle, in the wheel's own axes: with the way of the wheel,
-/// so that the ground pushes against it.
+/// A tyre's force on the ground by the mass of the vehicle, in the wheel's own axes: with the way of the
+/// wheel, so that the ground pushes against it.
 #[derive(Clone, Copy)]
 pub(crate) struct Grip<T: Number> {
     /// (m/s²) along the wheel.
@@ -262,8 +262,8 @@ impl<T: Number> Choice<T> for Slope<T> {
     }
 }
 
-/// The slopes of [`grips`]. They steer the implicit method, which needs them only roughly: where friction fades
-/// they are taken as if the force pointed to the slip.
+/// The slopes of [`grips`]. They steer the implicit method, which needs them only roughly: where friction
+/// fades they are taken as if the force pointed to the slip.
 #[inline(always)]
 pub(crate) fn slopes<T: Number>(slips: [Slip<'_, T>; 4], fading_squared: T) -> [Slope<T>; 4] {
     let squared = four(|i| slips[i].squared());

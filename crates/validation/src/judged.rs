@@ -347,8 +347,8 @@ mod tests {
     use crate::scene::Scene;
     use crate::staged::Staged;
 
-    /// The energy of the profile is the one by `crash3`, where the vehicle is as its kind; with its speeds given
-    /// a test has those speeds.
+    /// The energy of the profile is the one by `crash3`, where the vehicle is as its kind; with its speeds
+    /// given a test has those speeds.
     #[test]
     fn a_subject_is_the_test() {
         let data = Data::built_in();

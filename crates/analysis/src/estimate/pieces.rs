@@ -15,8 +15,8 @@ pub struct PieceFound {
     pub piece: Piece,
     /// Its key in the case.
     pub key: String,
-    /// (m/s) the speeds of the vehicles that move by this piece alone, beside what is known before the evidence; `None` where it was
-    /// not asked for, or where that run did not converge.
+    /// (m/s) the speeds of the vehicles that move by this piece alone, beside what is known before the
+    /// evidence; `None` where it was not asked for, or where that run did not converge.
     pub alone: Option<[Option<Summary>; 2]>,
     /// (m/s) the speeds by all other pieces.
     pub without: Option<[Option<Summary>; 2]>,

@@ -101,7 +101,8 @@ fn the_crush_energy_tells_the_speed() {
     assert!((crush.posterior.median.value - energy).abs() < 1e-3 * energy);
 }
 
-/// Vehicle 2 slides straight to rest on locked wheels, S = V₂²/2μg, where 15 m were measured, ± 0.5 m and 10 %.
+/// Vehicle 2 slides straight to rest on locked wheels, S = V₂²/2μg, where 15 m were measured, ± 0.5 m and
+/// 10 %.
 #[test]
 fn the_rest_tells_the_speed() {
     let rest = r#"

@@ -125,8 +125,8 @@ impl MomentumBesideCrush {
     /// kink, because the law changes its branch, the search may end beside the least.
     ///
     /// # Errors
-    /// [`MomentumError::Inadmissible`] where no impact can happen at the speeds of momentum alone, or at those
-    /// found.
+    /// [`MomentumError::Inadmissible`] where no impact can happen at the speeds of momentum alone, or at
+    /// those found.
     pub fn solve(&self) -> Result<WeighedSpeeds, MomentumError> {
         let p = self.momentum.total();
         let covariance = self.covariance();
