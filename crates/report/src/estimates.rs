@@ -169,7 +169,12 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
 /// The key of the case that gives the error of a piece; `None` where the case cannot.
 pub(crate) fn error_key(piece: &PieceFound) -> Option<String> {
     Some(match piece.piece {
-        Piece::Severity | Piece::Limits(_) | Piece::Points(_) | Piece::RecordedYawRate(_) => return None,
+        // The simulation errs more than the survey.
+        Piece::Severity
+        | Piece::Limits(_)
+        | Piece::Rest(_)
+        | Piece::Points(_)
+        | Piece::RecordedYawRate(_) => return None,
         Piece::Crush => "estimate.crush_error".to_owned(),
         Piece::RecordedDeltaV(_) | Piece::RecordedSpeed(_) => format!("{}_error", piece.key),
         _ => piece.key.clone(),

@@ -126,15 +126,18 @@ fn curve(draws: &[f64], summary: &Summary, ess: f64, ends: Option<[f64; 2]>) -> 
     };
     #[expect(clippy::cast_precision_loss, reason = "counts below 2^53")]
     let (steps, count) = ((POINTS - 1) as f64, draws.len() as f64);
+    // Where nothing is below zero, what the kernel leaves there is folded back.
+    let is_bounded = sorted.first().is_some_and(|least| *least >= 0.0);
+    let low = if is_bounded { low.max(0.0) } else { low };
+    let density = |x: f64| -> f64 {
+        let near = sorted.partition_point(|draw| *draw < x - reach);
+        let within = sorted[near..].iter().take_while(|draw| **draw < x + reach);
+        within.map(|draw| kernel((x - draw) / reach)).sum()
+    };
     let points = (0..POINTS).map(|k| {
         #[expect(clippy::cast_precision_loss, reason = "some hundred points")]
         let x = low + (high - low) * k as f64 / steps;
-        let near = sorted.partition_point(|draw| *draw < x - reach);
-        let sum: f64 = sorted[near..]
-            .iter()
-            .take_while(|draw| **draw < x + reach)
-            .map(|draw| kernel((x - draw) / reach))
-            .sum();
+        let sum = density(x) + if is_bounded { density(-x) } else { 0.0 };
         [x, sum / (count * reach)]
     });
     Some(points.collect())

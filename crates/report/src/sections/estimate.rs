@@ -317,6 +317,8 @@ impl<'a> Page<'a> {
                 "Median and 95 % interval of the speed of each vehicle by one piece alone, and by all others. \
                  – : that run has not converged. ",
             );
+        } else if pieces.iter().any(|piece| piece.p_value.is_none()) {
+            words.push_str("– : it takes a run without the piece to tell. ");
         }
         words.push_str(
             "The p-value is the probability, by all other evidence, of an observation at least as far off: \
