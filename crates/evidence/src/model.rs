@@ -284,9 +284,11 @@ impl<I: Impacts> Model<I> {
                 Some(Measured { value, sd }) => Error::normal(value - after(id).yaw_rate, sd),
                 None => Error::NONE,
             },
-            Piece::RecordedSpeed(id) => match vehicle(id).recorder.speed {
-                Some(Measured { value, sd }) => Error::normal(ln(value / impacted.speeds[id.index()]), sd),
-                None => Error::NONE,
+            Piece::RecordedSpeed(id) => match (vehicle(id).recorder.speed, impacted.speeds[id.index()]) {
+                (Some(Measured { value, sd }), speed) if speed > 0.0 => Error::normal(ln(value / speed), sd),
+                // A recorder stores no speed of a vehicle that stands or moves backward.
+                (Some(_), _) => Error { potential: f64::NEG_INFINITY, ..Error::NONE },
+                (None, _) => Error::NONE,
             },
             Piece::Limits(id) => {
                 let (limits, speed) = (vehicle(id).limits, impacted.speeds[id.index()]);

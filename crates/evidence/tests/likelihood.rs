@@ -237,3 +237,15 @@ fn a_recorded_yaw_rate_is_that_after_the_impact() {
     let [(Piece::RecordedYawRate(Two), term)] = terms(&collision)[..] else { panic!() };
     close(term, normal(0.3 / 0.2, 0.2));
 }
+
+#[test]
+fn a_recorder_stores_no_speed_of_a_vehicle_that_moves_backward() {
+    for (speed, is_possible) in [(15.0, true), (-3.0, false), (0.0, false)] {
+        let mut collision = rear_end();
+        collision.speeds = Speeds::Each([speed.into(), (-20.0).into()]);
+        collision.observed.vehicles[0].recorder.speed = Some(Measured { value: 16.0, sd: 0.05 });
+        let [(Piece::RecordedSpeed(One), term)] = terms(&collision)[..] else { panic!() };
+        assert_eq!(term > f64::NEG_INFINITY, is_possible, "{speed} {term}");
+        assert!(!term.is_nan());
+    }
+}
