@@ -7,13 +7,11 @@ use anyhow::{Context as _, Result};
 use case::{Case, Dimension, Prior, read_quantity};
 use rayon::ThreadPool;
 use report::{Asked, Question};
+use validation::FOOT_POUND;
 
 use crate::arguments::{EstimateArguments, EstimatePrior};
 use crate::sink::Sink;
 use crate::{NoAnswer, answered, case_file, named, pool, present, progress, units};
-
-/// (J) 1 lbf·ft.
-const FOOT_POUND: f64 = 1.355_817_948_331_400_4;
 
 pub(crate) fn report(arguments: &EstimateArguments) -> Result<()> {
     let of_case = &arguments.arguments;

@@ -1,20 +1,16 @@
 //! How probable each value of a number is, before and after evidence.
 
-use kurbo::{BezPath, Point, Rect};
+use kurbo::{BezPath, Rect};
 
 use crate::canvas::Canvas;
 use crate::chart::{Axis, Chart};
 use crate::finished::Drawing;
-use crate::histogram::HistogramMark;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
-use crate::pens::{AXIS, BLACK, BOUND, EQUALITY, FILL, OUTLINE, Pen};
+use crate::marks::{IntervalMarks, ValueMark};
+use crate::pens::{AXIS, BOUND, EQUALITY, FILL, OUTLINE, Pen};
 
 /// (px) of the plot.
 const PLOT: Rect = Rect::new(EDGE + 48.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 364.0);
-/// (px) above the highest point, for three rows of labels.
-const STRIP: f64 = 74.0;
-/// (px) from the labels to the ends of their lines, and to the frame.
-const BESIDE: f64 = 2.0;
 /// (px) from the plot to the legend.
 const BELOW: f64 = 58.0;
 /// Numbers below the plot, and beside it.
@@ -44,9 +40,9 @@ pub struct DensityPicture {
     /// After it, at least two points.
     pub after: Vec<[f64; 2]>,
     /// The ends of the interval.
-    pub interval: [HistogramMark; 2],
+    pub interval: [ValueMark; 2],
     /// The median.
-    pub median: HistogramMark,
+    pub median: ValueMark,
     /// What the legend says of the curve before, of that after, of the interval and of the median.
     pub legend: [String; 4],
 }
@@ -56,11 +52,8 @@ impl DensityPicture {
     #[must_use]
     pub fn draw(&self) -> Drawing {
         let chart = self.chart();
-        let [low, high] = &self.interval;
-        let (_, ticks) = chart.ticks_across(&self.across, MOST[0]);
-        let decimals = self.decimals.max(ticks);
-        let marks = [("low", low, BOUND), ("median", &self.median, AXIS), ("high", high, BOUND)]
-            .map(|(id, mark, pen)| (id, mark, pen, mark.label(self.across.unit, decimals)));
+        let on = (&chart, &self.across, MOST[0]);
+        let marks = IntervalMarks::new(&self.interval, ("median", &self.median), on, self.decimals);
 
         let has_before = !self.before.is_empty();
         let entries = if has_before { 4 } else { 3 };
@@ -77,15 +70,7 @@ impl DensityPicture {
         if has_before {
             canvas.path("before", &curve(&chart, &self.before), Some(BEFORE), "none");
         }
-        for (id, mark, pen, label) in &marks {
-            let bottom = chart.at(mark.value, 0.0);
-            let top = Point::new(bottom.x, PLOT.y0 + STRIP);
-            canvas.line(id, bottom, top, *pen);
-            canvas.protect(Rect::from_center_size(top, (BESIDE, BESIDE)));
-            canvas.label_of_point(top, label, BLACK);
-        }
-        // Above all lines, so that none runs through a label.
-        canvas.place_labels(Rect { y1: PLOT.y0 + STRIP, ..PLOT }.inset(-BESIDE));
+        marks.draw(&mut canvas, &chart);
 
         let [before, after, interval, median] = self.legend.clone();
         let mut entries = vec![
@@ -97,8 +82,7 @@ impl DensityPicture {
             entries.insert(1, (Sample::Line(BEFORE), before));
         }
         legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries);
-        let labels: Vec<&str> = marks.iter().map(|(.., label)| label.as_str()).collect();
-        let description = format!("{} {}.", self.description, labels.join("; "));
+        let description = format!("{} {}.", self.description, marks.words());
         Drawing::new(self.name, self.title.clone(), description, canvas)
     }
 
@@ -108,7 +92,7 @@ impl DensityPicture {
         let all = || points().map(|point| point[0]).chain(marks);
         let across = [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)];
         let most = points().map(|point| point[1]).fold(0.0, f64::max);
-        let upward = [0.0, most * PLOT.height() / (PLOT.height() - STRIP)];
+        let upward = [0.0, IntervalMarks::upward(PLOT, most)];
         Chart { area: PLOT, left: EDGE, across, upward }
     }
 }

@@ -1,22 +1,18 @@
 //! A histogram with its interval and its central value.
 
-use kurbo::{Point, Rect};
+use kurbo::Rect;
 
 use crate::canvas::Canvas;
 use crate::chart::{Axis, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
-use crate::number::number;
-use crate::pens::{AXIS, BLACK, BOUND, FILL, OUTLINE, Pen};
+use crate::marks::{IntervalMarks, ValueMark};
+use crate::pens::{AXIS, BOUND, FILL, OUTLINE, Pen};
 
 const NAME: &str = "histogram";
 
 /// (px) of the plot.
 const PLOT: Rect = Rect::new(EDGE + 48.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 394.0);
-/// (px) above the highest bar, for three rows of labels.
-const STRIP: f64 = 74.0;
-/// (px) from the labels to the ends of their lines, and to the frame.
-const BESIDE: f64 = 2.0;
 /// (px) from the plot to the legend.
 const BELOW: f64 = 58.0;
 /// Numbers below the plot, and beside it.
@@ -46,20 +42,11 @@ pub struct HistogramPicture {
     /// (%) what lies in each class.
     pub shares: Vec<f64>,
     /// The ends of the interval.
-    pub interval: [HistogramMark; 2],
+    pub interval: [ValueMark; 2],
     /// The central value, which may lie beyond all classes.
-    pub central: HistogramMark,
+    pub central: ValueMark,
     /// What the legend says of a class, of the interval and of the central value.
     pub legend: [String; 3],
-}
-
-/// A line of a histogram.
-#[derive(Clone, Debug, PartialEq)]
-pub struct HistogramMark {
-    /// In the unit of the data.
-    pub value: f64,
-    /// What stands before the value, such as `central:`.
-    pub lead: String,
 }
 
 impl HistogramPicture {
@@ -67,11 +54,8 @@ impl HistogramPicture {
     #[must_use]
     pub fn draw(&self) -> Drawing {
         let chart = self.chart();
-        let [low, high] = &self.interval;
-        let (_, ticks) = chart.ticks_across(&self.across, MOST[0]);
-        let decimals = self.decimals.max(ticks);
-        let marks = [("low", low, BOUND), ("central", &self.central, AXIS), ("high", high, BOUND)]
-            .map(|(id, mark, pen)| (id, mark, pen, mark.label(self.across.unit, decimals)));
+        let on = (&chart, &self.across, MOST[0]);
+        let marks = IntervalMarks::new(&self.interval, ("central", &self.central), on, self.decimals);
 
         let mut canvas = Canvas::new(NAME, WIDTH, PLOT.y1 + BELOW + legend::height(3, 3) + 6.0);
         legend::header(&mut canvas, &self.title, &self.subtitle);
@@ -85,15 +69,7 @@ impl HistogramPicture {
             canvas.rect(&format!("class-{class}"), area, Some(CLASS), FILL[0]);
             left = right;
         }
-        for (id, mark, pen, label) in &marks {
-            let bottom = chart.at(mark.value, 0.0);
-            let top = Point::new(bottom.x, PLOT.y0 + STRIP);
-            canvas.line(id, bottom, top, *pen);
-            canvas.protect(Rect::from_center_size(top, (BESIDE, BESIDE)));
-            canvas.label_of_point(top, label, BLACK);
-        }
-        // Above all lines, so that none runs through a label.
-        canvas.place_labels(Rect { y1: PLOT.y0 + STRIP, ..PLOT }.inset(-BESIDE));
+        marks.draw(&mut canvas, &chart);
 
         let [classes, interval, central] = self.legend.clone();
         let entries = [
@@ -102,8 +78,7 @@ impl HistogramPicture {
             (Sample::Line(AXIS), central),
         ];
         legend::legend(&mut canvas, PLOT.y1 + BELOW, 3, &entries);
-        let labels: Vec<&str> = marks.iter().map(|(.., label)| label.as_str()).collect();
-        let description = format!("{} {}.", self.description, labels.join("; "));
+        let description = format!("{} {}.", self.description, marks.words());
         Drawing::new(NAME, format!("{}: histogram", self.title), description, canvas)
     }
 
@@ -112,13 +87,7 @@ impl HistogramPicture {
         let marks = [&self.interval[0], &self.interval[1], &self.central].map(|mark| mark.value);
         let across = [marks.into_iter().fold(self.low, f64::min), marks.into_iter().fold(high, f64::max)];
         let most = self.shares.iter().copied().fold(0.0, f64::max);
-        let upward = [0.0, most * PLOT.height() / (PLOT.height() - STRIP)];
+        let upward = [0.0, IntervalMarks::upward(PLOT, most)];
         Chart { area: PLOT, left: EDGE, across, upward }
-    }
-}
-
-impl HistogramMark {
-    pub(crate) fn label(&self, unit: f64, decimals: usize) -> String {
-        format!("{} {}", self.lead, number(self.value / unit, decimals))
     }
 }

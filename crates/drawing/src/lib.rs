@@ -1,9 +1,9 @@
 //! Pictures of a collision and of its numbers, as SVG, PNG and PDF.
 //!
 //! ```
-//! use drawing::{Axis, HistogramMark, HistogramPicture};
+//! use drawing::{Axis, ValueMark, HistogramPicture};
 //!
-//! let mark = |value: f64, lead: &str| HistogramMark { value, lead: lead.to_owned() };
+//! let mark = |value: f64, lead: &str| ValueMark { value, lead: lead.to_owned() };
 //! let drawing = HistogramPicture {
 //!     title: "Speed of vehicle 1, km/h".to_owned(),
 //!     subtitle: "Histogram: 200 samples".to_owned(),
@@ -76,6 +76,7 @@ mod histogram;
 mod joint;
 mod labels;
 mod legend;
+mod marks;
 mod motion;
 mod motion_curves;
 mod number;
@@ -101,9 +102,10 @@ pub use energy::{EnergyBar, EnergyPicture, Loss};
 pub use finished::{Drawing, PictureFormat};
 pub use footprint::{CrushProfile, Footprint, Shape};
 pub use ground::{GroundShape, GroundZone};
-pub use histogram::{HistogramMark, HistogramPicture};
+pub use histogram::HistogramPicture;
 pub use joint::JointPicture;
 pub use legend::ScaleUnit;
+pub use marks::ValueMark;
 pub use motion::{MeasuredPoint, MotionPicture, MotionPoint, MotionRest, MotionVehicle};
 pub use motion_curves::{MotionCurves, MotionCurvesPicture};
 pub use number::{number, significant};

@@ -2,10 +2,9 @@
 
 use drawing::{
     Axis, CrushProfile, CurvePoint, DamagePicture, DamagedVehicle, DensityPicture, Drawing, EnergyBar,
-    EnergyPicture, Footprint, FoundAtRest, HistogramMark, HistogramPicture, JointPicture, Loss, Marker,
-    RanksPicture, ReconciliationPicture, RestsPicture, ScaleUnit, ScatterPanel, ScatterPicture, ScatterPoint,
-    SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle, Shape, Symbol, TornadoBar,
-    TornadoPicture,
+    EnergyPicture, Footprint, FoundAtRest, HistogramPicture, JointPicture, Loss, Marker, RanksPicture,
+    ReconciliationPicture, RestsPicture, ScaleUnit, ScatterPanel, ScatterPicture, ScatterPoint, SceneArrow,
+    SceneBody, SceneMotion, ScenePicture, SceneVehicle, Shape, Symbol, TornadoBar, TornadoPicture, ValueMark,
 };
 
 use crate::reader::{Reader, area, attribute, number, scales};
@@ -24,7 +23,7 @@ fn axis(title: &str, unit: f64) -> Axis {
 }
 
 fn histogram(central: f64) -> HistogramPicture {
-    let mark = |value: f64, lead: &str| HistogramMark { value, lead: text(lead) };
+    let mark = |value: f64, lead: &str| ValueMark { value, lead: text(lead) };
     HistogramPicture {
         title: text("Speed & more, km/h"),
         subtitle: text("Histogram of <200> samples"),
@@ -208,7 +207,7 @@ fn density() -> DensityPicture {
         let top = 2.0 / (high - low);
         vec![[low, 0.0], [mode, top], [high, 0.0]]
     };
-    let mark = |value: f64, lead: &str| HistogramMark { value, lead: text(lead) };
+    let mark = |value: f64, lead: &str| ValueMark { value, lead: text(lead) };
     DensityPicture {
         name: "density",
         title: text("Speed of vehicle 1, km/h"),
@@ -467,7 +466,7 @@ fn a_rest_is_drawn_to_scale_where_it_was_found() {
 #[test]
 fn labels_of_a_histogram_have_no_fewer_decimals_than_its_axis() {
     let picture = HistogramPicture { decimals: 0, width: 0.001, ..histogram(20.002) };
-    let mark = |value: f64, lead: &str| HistogramMark { value, lead: text(lead) };
+    let mark = |value: f64, lead: &str| ValueMark { value, lead: text(lead) };
     let picture = HistogramPicture { interval: [mark(20.0, "2.5 %:"), mark(20.004, "97.5 %:")], ..picture };
     let svg = picture.draw().svg();
     // From 72.000 to 72.018 km/h, in steps of 0.002 km/h.
@@ -477,7 +476,7 @@ fn labels_of_a_histogram_have_no_fewer_decimals_than_its_axis() {
 
 #[test]
 fn long_numbers_below_a_chart_are_fewer() {
-    let mark = |value: f64, lead: &str| HistogramMark { value, lead: text(lead) };
+    let mark = |value: f64, lead: &str| ValueMark { value, lead: text(lead) };
     let picture = HistogramPicture {
         across: axis("energy, J", 1.0),
         low: 123_456_700.0,

@@ -1,7 +1,7 @@
 //! What an estimate was asked, and what its results, unknown numbers, pieces of evidence and doubts are
 //! called.
 
-use ::estimate::{Doubt, Quantity};
+use ::estimate::{Doubt, LEVELS, Quantity, Summary};
 use analysis::{Assumed, EstimateOutput, EstimatePlan, Estimated, PieceFound, UnknownNumber, UnusedReason};
 use evidence::{Observed, Piece};
 use pim_core::VehicleId;
@@ -26,6 +26,21 @@ pub struct Question {
     pub output: EstimateOutput,
     /// (SI) the limit.
     pub limit: f64,
+}
+
+/// The places of the intervals of 50, 80, 90 and 95 % in a summary.
+pub(crate) const HALF: usize = 0;
+pub(crate) const EIGHTY: usize = 1;
+pub(crate) const NINETY: usize = 2;
+pub(crate) const WIDEST: usize = {
+    assert!(LEVELS[0] == 0.5 && LEVELS[1] == 0.8 && LEVELS[2] == 0.9 && LEVELS[3] == 0.95);
+    3
+};
+
+/// (SI) the ends of the interval at such a place.
+pub(crate) fn ends(summary: &Summary, place: usize) -> [f64; 2] {
+    let interval = &summary.intervals[place];
+    [interval.low.value, interval.high.value]
 }
 
 /// (–) below this p-value a piece of evidence is worth a look.
@@ -152,7 +167,7 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
         Piece::Rest(id) => {
             let rest = of(id).rest?;
             format!(
-                "std. dev. {} each way, heading {}; 10 % of the way and 0.5 m of it for the simulation",
+                "std. dev. {} each way, heading {}; of that, 10 % of the way and 0.5 m for the simulation",
                 length(rest.position_sd),
                 angle(rest.heading_sd)
             )

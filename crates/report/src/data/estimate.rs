@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use ::estimate::{Doubt, LEVELS, Summary};
+use ::estimate::{Doubt, Summary};
 use ::uncertainty::{Distribution, Estimate, Shape};
 use analysis::{Estimated, EstimatedOutput, PieceFound, UnknownNumber, UnusedReason};
 use case::CaseFile;
@@ -11,7 +11,9 @@ use serde::Serialize;
 use super::csv::CsvStyle;
 use super::uncertainty::InOrder;
 use super::{identified, pretty, title};
-use crate::estimates::{Agreement, Asked, Question, doubt_code, doubted, factor, unknown_key};
+use crate::estimates::{
+    Agreement, Asked, EIGHTY, HALF, NINETY, Question, WIDEST, doubt_code, doubted, ends, factor, unknown_key,
+};
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -125,35 +127,23 @@ struct UnusedBlock<'a> {
     reason: &'static str,
 }
 
-/// (SI) the ends of the interval of a level, by its place among [`LEVELS`].
-fn interval(summary: &Summary, place: usize) -> [f64; 2] {
-    let interval = &summary.intervals[place];
-    [interval.low.value, interval.high.value]
-}
-
-/// The place of the 95 % interval.
-const WIDEST: usize = {
-    assert!(LEVELS[0] == 0.5 && LEVELS[1] == 0.8 && LEVELS[2] == 0.9 && LEVELS[3] == 0.95);
-    3
-};
-
 impl PriorBlock {
     fn of(summary: &Summary) -> Self {
-        Self { median: summary.median.value, interval95: interval(summary, WIDEST) }
+        Self { median: summary.median.value, interval95: ends(summary, WIDEST) }
     }
 }
 
 impl OutputBlock {
     fn of(output: &EstimatedOutput, is_answer: bool) -> Self {
         let answer = is_answer.then_some(&output.posterior);
-        let level = |place: usize| answer.map(|summary| interval(summary, place));
+        let level = |place: usize| answer.map(|summary| ends(summary, place));
         let error = |estimate: Estimate| estimate.standard_error;
         Self {
             prior: output.prior.as_ref().map(PriorBlock::of),
             median: answer.map(|summary| summary.median.value),
-            interval50: level(0),
-            interval80: level(1),
-            interval90: level(2),
+            interval50: level(HALF),
+            interval80: level(EIGHTY),
+            interval90: level(NINETY),
             interval95: level(WIDEST),
             mean: answer.map(|summary| summary.mean.value),
             sd: answer.map(|summary| summary.sd.value),
@@ -208,7 +198,7 @@ impl UnknownBlock {
             },
             posterior: is_answer.then(|| PosteriorBlock {
                 median: summary.median.value * factor,
-                interval95: interval(summary, WIDEST).map(|end| end * factor),
+                interval95: ends(summary, WIDEST).map(|end| end * factor),
                 mean: summary.mean.value * factor,
                 sd: summary.sd.value * factor,
             }),

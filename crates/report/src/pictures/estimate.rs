@@ -1,7 +1,7 @@
 //! Densities of an estimate, both speeds at once, and where the vehicles would have come to rest.
 
 use ::drawing::{
-    Axis, DensityPicture, Drawing, Footprint, FoundAtRest, HistogramMark, JointPicture, RestsPicture, Shape,
+    Axis, DensityPicture, Drawing, Footprint, FoundAtRest, JointPicture, RestsPicture, Shape, ValueMark,
 };
 use ::estimate::Summary;
 use analysis::{EstimateOutput, Estimated, EstimatedOutput, Output, WayNumber};
@@ -64,7 +64,7 @@ pub fn density(
     let label = label(output, units);
     let decimals = measure.map_or(3, |measure| units.decimals(measure).min(1));
     let [low, high] = [summary.intervals[3].low.value, summary.intervals[3].high.value];
-    let mark = |value: f64, lead: &str| HistogramMark { value, lead: lead.to_owned() };
+    let mark = |value: f64, lead: &str| ValueMark { value, lead: lead.to_owned() };
     let per = measure.map_or_else(String::new, |measure| format!(" per {}", units.name(measure)));
     // Of the unit of the reader, in per cent.
     let share = 0.01 / unit;

@@ -1,6 +1,6 @@
 //! Histograms and tornados of an uncertainty.
 
-use ::drawing::{Axis, Drawing, HistogramMark, HistogramPicture, TornadoBar, TornadoPicture};
+use ::drawing::{Axis, Drawing, HistogramPicture, TornadoBar, TornadoPicture, ValueMark};
 use ::uncertainty::{Bar, End};
 use analysis::{UncertainInput, UncertainOutput, Uncertainty};
 use case::{Case, Origin};
@@ -57,7 +57,7 @@ pub fn histogram(case: &Case, uncertainty: &Uncertainty, place: usize, units: Un
         counts.iter().map(|&count| 100.0 * count as f64 / summary.samples as f64).collect();
     let samples = format!("the middle 99 % of {} samples", number_of(summary.samples));
     let most = shares.iter().copied().fold(0.0, f64::max);
-    let mark = |value: f64, lead: &str| HistogramMark { value, lead: lead.to_owned() };
+    let mark = |value: f64, lead: &str| ValueMark { value, lead: lead.to_owned() };
     let [_, _, ninety_five, _] = summary.intervals;
     let picture = HistogramPicture {
         subtitle: format!("Histogram: {samples}\n{}", origin(case, uncertainty)),

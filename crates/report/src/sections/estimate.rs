@@ -9,19 +9,15 @@ use pim_core::VehicleId;
 use super::uncertainty::{decimals_of, grouped};
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::estimates::{
-    Agreement, Asked, Question, doubt_words, error, error_key, is_factor, label, measure, name, piece_name,
-    source, unknown_key, unused, value,
+    Agreement, Asked, EIGHTY, HALF, NINETY, Question, WIDEST, doubt_words, ends, error, error_key, is_factor,
+    label, measure, name, piece_name, source, unknown_key, unused, value,
 };
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
+use crate::writers::wrap::wrapped;
 
 /// (columns) of an end of an interval, with the blank before it.
 const END: usize = 9;
-/// The places of the intervals of 50, 80, 90 and 95 %.
-const HALF: usize = 0;
-const EIGHTY: usize = 1;
-const NINETY: usize = 2;
-const WIDEST: usize = 3;
 /// Decimals beyond which no figure goes.
 const MOST_DECIMALS: usize = 6;
 /// Islands of particles.
@@ -489,11 +485,6 @@ impl<'a> Page<'a> {
     }
 }
 
-fn ends(summary: &Summary, place: usize) -> [f64; 2] {
-    let interval = &summary.intervals[place];
-    [interval.low.value, interval.high.value]
-}
-
 fn p_value(p: f64) -> String {
     if p < 0.001 { "< 0.001".to_owned() } else { significant(p, 2) }
 }
@@ -526,17 +517,5 @@ fn short(figure: String) -> String {
 
 /// Words in lines of so many columns, for the cell of a table.
 fn folded(words: &str, columns: usize) -> String {
-    let mut lines: Vec<String> = vec![String::new()];
-    for word in words.split(' ') {
-        let Some(line) = lines.last_mut() else { continue };
-        if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > columns {
-            lines.push(word.to_owned());
-        } else {
-            if !line.is_empty() {
-                line.push(' ');
-            }
-            line.push_str(word);
-        }
-    }
-    lines.join("\n")
+    wrapped(words, columns).trim_end().to_owned()
 }
