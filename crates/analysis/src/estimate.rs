@@ -155,8 +155,8 @@ pub struct Impossible {
     pub exclusion: Exclusion,
 }
 
-/// How often the particles are doubled where a run does not converge.
-const DOUBLINGS: u32 = 2;
+/// How many times as many particles at most are taken where a run does not converge: they are doubled twice.
+const MOST_TIMES: usize = 4;
 /// Particles of an island for what is shown beside the answer, as a share of those of the answer.
 const BESIDE_SHARE: usize = 4;
 /// The fewest.
@@ -184,16 +184,15 @@ pub fn estimate(
     };
 
     let mut particles = plan.particles;
-    let mut posterior =
-        run(Selection::All, particles, &mut |done, total| progress(EstimateStage::All, done, total))?;
-    for _ in 0..DOUBLINGS {
-        if posterior.verdict() == Verdict::Converged {
-            break;
+    let most = plan.particles.saturating_mul(MOST_TIMES);
+    let posterior = loop {
+        let posterior =
+            run(Selection::All, particles, &mut |done, total| progress(EstimateStage::All, done, total))?;
+        if posterior.verdict() == Verdict::Converged || particles >= most {
+            break posterior;
         }
         particles *= 2;
-        posterior =
-            run(Selection::All, particles, &mut |done, total| progress(EstimateStage::All, done, total))?;
-    }
+    };
 
     // What holds of every run: how severe such collisions are, and what is certain.
     let always = |piece: &Piece| matches!(piece, Piece::Severity | Piece::Limits(_));

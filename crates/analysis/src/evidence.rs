@@ -2,12 +2,13 @@
 
 use std::f64::consts::PI;
 
+use evidence::{CrushMisfit, FITTED};
 use inputs::{Axes, Basis, Case, Dimension, Find, GivenVehicle, Quantity, Reconstruct, Velocity};
 use pim_core::{Outcome, Real, VehicleId};
 use reconcile::{COLLINEAR, EvidenceErrors, MomentumBesideCrush, Unknown};
 
 use crate::both::{Posed, pose};
-use crate::thresholds::{CRUSH_ENERGY_ERROR, DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
+use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
 use crate::travel::{Origin, Record};
 use crate::{Analysis, Failure, crush, damage, reconstruct};
 
@@ -242,11 +243,19 @@ fn by_momentum(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
 }
 
 /// What is taken for the errors of the evidence where momentum and the crush energy are weighed.
-const ERRORS: EvidenceErrors = EvidenceErrors {
-    speed: SPEED_AFTER_ERROR,
-    direction: DIRECTION_AFTER_ERROR,
-    crush_ln: CRUSH_ENERGY_ERROR,
-};
+///
+/// That of the crush energy is the bias and the spread that were fitted on real crashes together: the bias
+/// counts as an error because that of the stiffness in a file is not known. On the RICSAC collisions it is
+/// 0.5.
+fn errors() -> EvidenceErrors {
+    let CrushMisfit { bias, ln_sd } = FITTED.crush;
+    EvidenceErrors {
+        speed: SPEED_AFTER_ERROR,
+        direction: DIRECTION_AFTER_ERROR,
+        // σ = √(b² + σ_c²)
+        crush_ln: (bias * bias + ln_sd * ln_sd).sqrt(),
+    }
+}
 
 /// From momentum and the crush energy (J).
 fn by_both(case: &Case, crush_energy: f64) -> Result<EvidenceAnswer, NoEvidence> {
@@ -256,10 +265,11 @@ fn by_both(case: &Case, crush_energy: f64) -> Result<EvidenceAnswer, NoEvidence>
     } else {
         let (momentum, law) = (posed.momentum, posed.law.clone());
         let on = (basis.energy(), basis.tangential_share());
-        let found = MomentumBesideCrush::new(momentum, law, crush_energy, on, ERRORS)
+        let errors = errors();
+        let found = MomentumBesideCrush::new(momentum, law, crush_energy, on, errors)
             .and_then(|weighed| weighed.solve())
             .map_err(Failure::from)?;
-        (found.speeds, EvidenceMethod::Weighed { errors: ERRORS, apart: found.apart })
+        (found.speeds, EvidenceMethod::Weighed { errors, apart: found.apart })
     };
     let (law, outcome) = posed.impact(speeds)?;
     Ok(EvidenceAnswer {
@@ -287,13 +297,17 @@ fn of_impact(analysis: &Analysis, by: EvidenceMethod) -> Option<EvidenceAnswer> 
 }
 
 /// (J) those of the normal and of the tangential impulse.
-fn works(outcome: &Outcome) -> [f64; 2] {
+pub(crate) fn works(outcome: &Outcome) -> [f64; 2] {
     [outcome.energy.normal_work, outcome.energy.tangential_work]
 }
 
 /// (J) the crush energy of which an impact with these works (J) of the normal and the tangential impulse
 /// takes its part; `None` where the restitution e lets it take none.
-fn needed(basis: Basis, [normal_work, tangential_work]: [f64; 2], restitution: f64) -> Option<f64> {
+pub(crate) fn needed(
+    basis: Basis,
+    [normal_work, tangential_work]: [f64; 2],
+    restitution: f64,
+) -> Option<f64> {
     // E = W_n/(1 − e²) if it is what was absorbed, else W_n + λ W_t
     let work = basis.taken_by_crush(normal_work, tangential_work);
     let energy = work / basis.energy().dissipated(1.0, restitution);

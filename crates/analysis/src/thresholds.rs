@@ -37,7 +37,3 @@ pub(crate) const SPEED_AFTER_ERROR: f64 = 0.12;
 /// (rad) standard deviation of the direction after the impact: 8°. With these two, 18 of 19 speeds of the
 /// RICSAC collisions lay in their intervals of 95 %.
 pub(crate) const DIRECTION_AFTER_ERROR: f64 = 8.0 * PI / 180.0;
-/// (–) standard deviation of the logarithm of the crush energy about what the impact needs: √(0.404² +
-/// 0.366²), the bias and the spread fitted on real crashes (docs/calibration.md). The bias is counted as an
-/// error because that of the stiffness in a file is not known. On the RICSAC collisions it is 0.5.
-pub(crate) const CRUSH_ENERGY_ERROR: f64 = 0.545;

@@ -1,6 +1,11 @@
 //! A collision of which some numbers are unknown.
 
+use core::f64::consts::FRAC_PI_2;
+
 use pim_core::Vector2;
+use real::Real;
+use real::elementary::{exp, ln, sin_cos};
+use uncertainty::{Distribution, InvalidDistribution};
 
 use crate::density::Freedom;
 use crate::number::Number;
@@ -76,6 +81,8 @@ pub struct ObservedVehicle {
 pub struct MeasuredRest {
     /// (m) place of the CG in the scene.
     pub position: Vector2<f64>,
+    /// (rad) direction in which it lies from the impact: its normal score is that of the error along it.
+    pub direction: f64,
     /// (m) standard deviation of its error, in each direction.
     pub position_sd: f64,
     /// (rad) heading.
@@ -109,6 +116,60 @@ pub enum Speeds<N = Number> {
     },
 }
 
+/// (m/s) slowest and fastest relative speed that is thought of.
+const RELATIVE_SPEED: [f64; 2] = [0.3, 120.0];
+
+impl Speeds {
+    /// ln c, of which nothing is known.
+    ///
+    /// # Errors
+    /// None, as these ends make a distribution.
+    pub fn any_ln_relative() -> Result<Distribution, InvalidDistribution> {
+        let [slowest, fastest] = RELATIVE_SPEED;
+        Distribution::uniform(ln(slowest), ln(fastest))
+    }
+
+    /// φ, of which nothing is known.
+    ///
+    /// # Errors
+    /// None, as these ends make a distribution.
+    pub fn any_split() -> Result<Distribution, InvalidDistribution> {
+        Distribution::uniform(0.0, FRAC_PI_2)
+    }
+}
+
+impl<N: Copy> Speeds<N> {
+    /// With other numbers in their places.
+    #[inline(always)]
+    #[must_use]
+    pub fn map<M>(self, mut of: impl FnMut(N) -> M) -> Speeds<M> {
+        match self {
+            Self::Each([one, two]) => Speeds::Each([of(one), of(two)]),
+            Self::Together { ln_relative, split } => {
+                Speeds::Together { ln_relative: of(ln_relative), split: of(split) }
+            }
+        }
+    }
+}
+
+impl Speeds<f64> {
+    /// (m/s) along the headings, of which `forward` are the unit vectors.
+    #[inline(always)]
+    #[must_use]
+    pub fn along(self, forward: [Vector2<f64>; 2]) -> [f64; 2] {
+        match self {
+            Self::Each(speeds) => speeds,
+            Self::Together { ln_relative, split } => {
+                let (sin, cos) = sin_cos(split);
+                // c = s |cos φ f₁ − sin φ f₂|
+                let apart = forward[0] * cos - forward[1] * sin;
+                let scale = exp(ln_relative) / Real::sqrt(apart.x * apart.x + apart.y * apart.y);
+                [scale * cos, scale * sin]
+            }
+        }
+    }
+}
+
 /// Coefficient of restitution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Restitution<N = Number> {
@@ -127,6 +188,35 @@ pub enum Restitution<N = Number> {
         /// (–) no collision has more.
         most: f64,
     },
+}
+
+impl<N: Copy> Restitution<N> {
+    /// With another number in its place.
+    #[inline(always)]
+    #[must_use]
+    pub fn map<M>(self, mut of: impl FnMut(N) -> M) -> Restitution<M> {
+        match self {
+            Self::Constant(e) => Restitution::Constant(of(e)),
+            Self::ByClosingSpeed { low, rise, fade, factor, most } => {
+                Restitution::ByClosingSpeed { low, rise, fade, factor: of(factor), most }
+            }
+        }
+    }
+}
+
+impl Restitution<f64> {
+    /// (–) e at a closing speed −u_n (m/s).
+    #[inline(always)]
+    #[must_use]
+    pub fn at(self, closing: f64) -> f64 {
+        match self {
+            Self::Constant(e) => e,
+            Self::ByClosingSpeed { low, rise, fade, factor, most } => {
+                // e = min[(e₀ + e₁ exp(u_n/u_e)) ε, e_max]
+                Real::min((low + rise * exp(-closing / fade)) * factor, most)
+            }
+        }
+    }
 }
 
 /// Crush of one vehicle: E = L (G₀ β² + A₀ C̄ κ β + ½ B₀ C²̄ κ²), the integral over its profile with the

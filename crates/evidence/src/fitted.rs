@@ -1,6 +1,8 @@
 //! Priors and misfits, with their sources.
 
-use crate::collision::{Crush, CrushMisfit, Severity};
+use uncertainty::{Distribution, InvalidDistribution};
+
+use crate::collision::{CodedPdof, Crush, CrushMisfit, Restitution, Severity};
 use crate::density::Freedom;
 
 /// Where a vehicle was hit.
@@ -89,6 +91,53 @@ pub const FITTED: Fitted = Fitted {
 const REFERENCE: [f64; 2] = [1600.0, 1.6];
 
 impl Fitted {
+    /// How severe a collision is, of two fronts or of others.
+    #[must_use]
+    pub fn severity_of(&self, are_fronts: bool) -> Severity {
+        let times = if are_fronts { self.front_to_front } else { 1.0 };
+        Severity { median: self.severity.median * times, ..self.severity }
+    }
+
+    /// A coded PDOF (rad) with its error, where a side was hit or an end.
+    #[must_use]
+    pub fn coded(&self, pdof: f64, is_side: bool) -> CodedPdof {
+        CodedPdof { pdof, scale: self.pdof_scale * if is_side { self.pdof_side_factor } else { 1.0 } }
+    }
+
+    /// e by closing speed, with the `factor` of a collision.
+    #[must_use]
+    pub fn restitution_with<N>(&self, factor: N) -> Restitution<N> {
+        let [low, rise, fade, _] = self.restitution;
+        Restitution::ByClosingSpeed { low, rise, fade, factor, most: self.most_restitution }
+    }
+
+    /// Of the factor on e of a collision.
+    ///
+    /// # Errors
+    /// Where the figure makes no distribution.
+    pub fn restitution_factor(&self) -> Result<Distribution, InvalidDistribution> {
+        let [.., ln_sd] = self.restitution;
+        Distribution::log_normal(1.0, ln_sd)
+    }
+
+    /// Of the greatest impulse ratio.
+    ///
+    /// # Errors
+    /// Where the figures make no distribution.
+    pub fn any_friction(&self) -> Result<Distribution, InvalidDistribution> {
+        let [median, ln_sd] = self.friction;
+        Distribution::log_normal(median, ln_sd)
+    }
+
+    /// Of λ.
+    ///
+    /// # Errors
+    /// Where the figures make no distribution.
+    pub fn any_tangential_share(&self) -> Result<Distribution, InvalidDistribution> {
+        let [mean, sd] = self.tangential_share;
+        Distribution::truncated_normal(mean, sd, 0.0, 1.0)
+    }
+
     /// The crush of a vehicle of which no stiffness is known: `width` (m) of the damage, mean depth (m) and
     /// mean square depth (m²). `slope` and `no_damage_speed` are left at 1.
     #[must_use]

@@ -2,11 +2,9 @@
 
 use estimate::Independent;
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2};
-use real::Real;
-use real::elementary::exp;
 use uncertainty::Lanes;
 
-use crate::collision::{Collision, Crush, Restitution, Speeds, Vehicle};
+use crate::collision::{Collision, Crush, Vehicle};
 use crate::number::Slot;
 
 /// (m/s) slower than this along the normal, nothing is crushed.
@@ -59,29 +57,14 @@ impl Collision<Slot> {
             let (sin, cos) = real::elementary::sin_cos(heading);
             Vector2::new(cos, sin)
         });
-        let speeds = match self.speeds {
-            Speeds::Each(speeds) => speeds.map(of),
-            Speeds::Together { ln_relative, split } => {
-                let (sin, cos) = real::elementary::sin_cos(of(split));
-                // c = s |cos φ f₁ − sin φ f₂|
-                let apart = forward[0] * cos - forward[1] * sin;
-                let scale = exp(of(ln_relative)) / Real::sqrt(apart.x * apart.x + apart.y * apart.y);
-                [scale * cos, scale * sin]
-            }
-        };
+        let speeds = self.speeds.map(of).along(forward);
         let motions = [0, 1]
             .map(|i| Motion { velocity: forward[i] * speeds[i], yaw_rate: of(self.vehicles[i].yaw_rate) });
         let (p1, is_1) = one.participant(headings[0], values, lane);
         let (p2, is_2) = two.participant(headings[1], values, lane);
         let (contact, is_contact) = Contact::new_with_validity([p1, p2], of(self.crush_plane));
         let closing = -contact.approach(&motions).velocity.normal;
-        let e = match self.restitution {
-            Restitution::Constant(e) => of(e),
-            Restitution::ByClosingSpeed { low, rise, fade, factor, most } => {
-                // e = min[(e₀ + e₁ exp(u_n/u_e)) ε, e_max]
-                Real::min((low + rise * exp(-closing / fade)) * of(factor), most)
-            }
-        };
+        let e = self.restitution.map(of).at(closing);
         let (law, is_law) = Law::new_with_validity(e, Tangential::Friction(of(self.friction)));
         let (outcome, is_impact) = contact.impact_with_validity(motions, &law);
         // E = W_n + λ W_t

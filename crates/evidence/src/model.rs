@@ -2,13 +2,13 @@
 
 use estimate::{Evidence, Independent, Prior};
 use pim_core::{Vector2, VehicleId};
-use real::elementary::{atan2, ln};
+use real::elementary::{atan2, ln, sin_cos};
 use real::{Real, principal_angle};
 use uncertainty::{Distribution, LANES, Lanes};
 
 use crate::collision::{
     BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Measured, MeasuredRest, Observed, ObservedVehicle,
-    RecordedDeltaV, Restitution, Speeds, Vehicle,
+    RecordedDeltaV, Vehicle,
 };
 use crate::density::{Freedom, normal, student};
 use crate::impact::{Impacted, Impacts};
@@ -261,14 +261,22 @@ impl<I: Impacts> Model<I> {
             },
             Piece::Rest(id) => match (vehicle(id).rest, &impacted.ways[id.index()]) {
                 (Some(measured), Some(way)) => {
-                    let MeasuredRest { position, position_sd, heading, turns_are_known, heading_sd } =
-                        measured;
+                    let MeasuredRest {
+                        position,
+                        direction,
+                        position_sd,
+                        heading,
+                        turns_are_known,
+                        heading_sd,
+                    } = measured;
                     let apart = position - way.position;
+                    let (sin, cos) = sin_cos(direction);
+                    let (along, across) = (apart.x * cos + apart.y * sin, apart.y * cos - apart.x * sin);
                     let turned = heading - way.heading;
                     let turned = if turns_are_known { turned } else { principal_angle(turned) };
-                    // The place has two errors, of which the score tells the one along x.
-                    let other = normal(apart.y, position_sd) + normal(turned, heading_sd);
-                    Error { potential: other, ..Error::normal(apart.x, position_sd) }
+                    // The place has two errors, of which the score tells the one along the way.
+                    let other = normal(across, position_sd) + normal(turned, heading_sd);
+                    Error { potential: other, ..Error::normal(along, position_sd) }
                 }
                 _ => Error::NONE,
             },
@@ -454,18 +462,8 @@ impl Collision {
             }
         };
         let Self { vehicles, speeds, crush_plane, restitution, friction, tangential_share, observed } = self;
-        let speeds = match *speeds {
-            Speeds::Each(speeds) => Speeds::Each(speeds.map(&mut place)),
-            Speeds::Together { ln_relative, split } => {
-                Speeds::Together { ln_relative: place(ln_relative), split: place(split) }
-            }
-        };
-        let restitution = match *restitution {
-            Restitution::Constant(e) => Restitution::Constant(place(e)),
-            Restitution::ByClosingSpeed { low, rise, fade, factor, most } => {
-                Restitution::ByClosingSpeed { low, rise, fade, factor: place(factor), most }
-            }
-        };
+        let speeds = speeds.map(&mut place);
+        let restitution = restitution.map(&mut place);
         let (crush_plane, friction, tangential_share) =
             (place(*crush_plane), place(*friction), place(*tangential_share));
         let vehicles = vehicles.map(|vehicle| {

@@ -196,6 +196,7 @@ fn rests_and_points_have_normal_errors() {
     let way = Way { position: Vector2::new(10.0, 3.0), heading: 7.0, misses: vec![0.4, -0.1] };
     let rest = |heading, turns_are_known| MeasuredRest {
         position: Vector2::new(11.0, 2.5),
+        direction: 0.6,
         position_sd: 0.8,
         heading,
         turns_are_known,
@@ -226,6 +227,35 @@ fn rests_and_points_have_normal_errors() {
         for (column, expected) in terms.iter().zip(expected) {
             assert!((column[3] - expected).abs() < 1e-9, "{} {expected}", column[3]);
         }
+    }
+}
+
+/// A rest that is 2 m farther along the way, however the scene is turned.
+#[test]
+fn the_score_of_a_rest_is_that_along_the_way() {
+    for direction in [0.0, 1.0, 2.5, -2.0_f64] {
+        let ahead = |way: f64| Vector2::new(way * direction.cos(), way * direction.sin());
+        let way = Way { position: ahead(10.0), heading: 0.0, misses: Vec::new() };
+        let rest = MeasuredRest {
+            position: ahead(12.0),
+            direction,
+            position_sd: 1.6,
+            heading: 0.1,
+            turns_are_known: true,
+            heading_sd: 0.3,
+        };
+        let observed = Observed {
+            vehicles: [
+                ObservedVehicle { rest: Some(rest), ..ObservedVehicle::default() },
+                ObservedVehicle::default(),
+            ],
+            ..Observed::default()
+        };
+        let followed = Followed { model: Model::new(&rear_end()), ways: [Some(way), None] };
+        let impacts = followed.impacts(&[]);
+        let mut scores = [[0.0; LANES]];
+        Model::of(followed, observed).score(&impacts, &mut scores);
+        close(scores[0][0], 1.25);
     }
 }
 

@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use evidence::{
-    BodyNumbers, CodedPdof, Collision, Damage, Fitted, Number, Observed, ObservedVehicle, RecordedDeltaV,
-    Recorder, Restitution, Severity, Speeds, Vehicle as Subject,
+    BodyNumbers, Collision, Damage, Fitted, Number, Observed, ObservedVehicle, RecordedDeltaV, Recorder,
+    Speeds, Vehicle as Subject,
 };
 use pim_core::VehicleId;
 use real::Real;
@@ -26,8 +26,6 @@ const YAW_RADIUS: f64 = 0.295;
 const TO_FRONT: f64 = 0.46;
 /// (m) width of the damage where side meets side.
 const SIDE_WIDTH: f64 = 1.8;
-/// (m/s) slowest and fastest relative speed that is thought of.
-const RELATIVE_SPEED: [f64; 2] = [0.3, 120.0];
 
 /// What is computed from a vehicle's own data.
 struct Shape {
@@ -164,9 +162,8 @@ impl Pair {
         let observed = |id: VehicleId| {
             let vehicle = &self.vehicles[id.index()];
             let recorded = vehicle.truth().filter(|_| given.contains(&id));
-            let side_factor = if vehicle.plane.is_side() { fitted.pdof_side_factor } else { 1.0 };
             ObservedVehicle {
-                pdof: Some(CodedPdof { pdof: vehicle.pdof, scale: fitted.pdof_scale * side_factor }),
+                pdof: Some(fitted.coded(vehicle.pdof, vehicle.plane.is_side())),
                 recorder: Recorder {
                     delta_v: recorded.map(|truth| RecordedDeltaV {
                         size: truth.delta_v,
@@ -180,29 +177,19 @@ impl Pair {
             }
         };
         let is_front = |vehicle: &Vehicle| vehicle.plane == Plane::Front;
-        let fronts = if self.vehicles.iter().all(is_front) { fitted.front_to_front } else { 1.0 };
-        let [low, rise, fade, ln_sd] = fitted.restitution;
-        let ([slowest, fastest], [mean, sd]) = (RELATIVE_SPEED, fitted.tangential_share);
-        let [friction, friction_ln_sd] = fitted.friction;
         Ok(Collision {
             vehicles: [subject(VehicleId::One)?, subject(VehicleId::Two)?],
             speeds: Speeds::Together {
-                ln_relative: Distribution::uniform(ln(slowest), ln(fastest))?.into(),
-                split: Distribution::uniform(0.0, FRAC_PI_2)?.into(),
+                ln_relative: Speeds::any_ln_relative()?.into(),
+                split: Speeds::any_split()?.into(),
             },
             crush_plane: normal(crush_plane, plane_sd)?,
-            restitution: Restitution::ByClosingSpeed {
-                low,
-                rise,
-                fade,
-                factor: factor(ln_sd)?,
-                most: fitted.most_restitution,
-            },
-            friction: Distribution::log_normal(friction, friction_ln_sd)?.into(),
-            tangential_share: Distribution::truncated_normal(mean, sd, 0.0, 1.0)?.into(),
+            restitution: fitted.restitution_with(fitted.restitution_factor()?.into()),
+            friction: fitted.any_friction()?.into(),
+            tangential_share: fitted.any_tangential_share()?.into(),
             observed: Observed {
                 vehicles: VehicleId::ALL.map(observed),
-                severity: Some(Severity { median: fitted.severity.median * fronts, ..fitted.severity }),
+                severity: Some(fitted.severity_of(self.vehicles.iter().all(is_front))),
                 crush: Some(fitted.crush),
             },
         })

@@ -16,12 +16,10 @@
 //! The yaw rate has an error for which no source was found: most of it is that of the model, whose impulse
 //! acts at one point. It is fitted to the other ten tests, with their true speeds given.
 
-use std::f64::consts::FRAC_PI_2;
-
 use estimate::{Posterior, Quantity, Settings, Verdict, sample_quietly};
 use evidence::{
     After, BodyNumbers, Collision, Crush, FITTED, Measured, Model, Number, Observed, ObservedVehicle, Output,
-    Restitution, Severity, Speeds, Vehicle,
+    Speeds, Vehicle,
 };
 use pim_core::{Motion, VehicleId};
 use real::Real;
@@ -44,8 +42,6 @@ const YAW_RATE_SDS: [f64; 5] = [0.35, 0.5, 0.7, 1.0, 1.4];
 const CRUSH_PLANE_SD: f64 = 5.0 * DEGREE;
 /// (m) spread of its contact point, along the vehicle and across.
 const CONTACT_SD: f64 = 0.10;
-/// (m/s) slowest and fastest relative speed that is thought of, as of the crashes of the field.
-const RELATIVE_SPEED: [f64; 2] = [0.3, 120.0];
 /// (m/s) a vehicle below this speed stood, which is known.
 const STOOD: f64 = 1e-9;
 /// The place of the 95 % interval in a summary.
@@ -299,36 +295,24 @@ impl Subject {
             ObservedVehicle { after, ..ObservedVehicle::default() }
         };
         let [v1, v2] = self.true_speeds;
-        let ln_relative = if are_known {
-            ln(self.relative_speed()).into()
-        } else {
-            unknown(Distribution::uniform(ln(RELATIVE_SPEED[0]), ln(RELATIVE_SPEED[1])))?
-        };
+        let ln_relative =
+            if are_known { ln(self.relative_speed()).into() } else { unknown(Speeds::any_ln_relative())? };
         let split = if are_known || v1 <= STOOD || v2 <= STOOD {
             // φ = atan(v₂/v₁)
             atan2(v2, v1).into()
         } else {
-            unknown(Distribution::uniform(0.0, FRAC_PI_2))?
+            unknown(Speeds::any_split())?
         };
-        let fronts = if self.are_fronts { FITTED.front_to_front } else { 1.0 };
-        let [low, rise, fade, restitution_ln_sd] = FITTED.restitution;
-        let ([friction, friction_ln_sd], [share, share_sd]) = (FITTED.friction, FITTED.tangential_share);
         Ok(Collision {
             vehicles: [vehicle(0)?, vehicle(1)?],
             speeds: Speeds::Together { ln_relative, split },
             crush_plane: normal(self.crush_plane, CRUSH_PLANE_SD)?,
-            restitution: Restitution::ByClosingSpeed {
-                low,
-                rise,
-                fade,
-                factor: factor(restitution_ln_sd)?,
-                most: FITTED.most_restitution,
-            },
-            friction: unknown(Distribution::log_normal(friction, friction_ln_sd))?,
-            tangential_share: unknown(Distribution::truncated_normal(share, share_sd, 0.0, 1.0))?,
+            restitution: FITTED.restitution_with(unknown(FITTED.restitution_factor())?),
+            friction: unknown(FITTED.any_friction())?,
+            tangential_share: unknown(FITTED.any_tangential_share())?,
             observed: Observed {
                 vehicles: [observed(0), observed(1)],
-                severity: Some(Severity { median: FITTED.severity.median * fronts, ..FITTED.severity }),
+                severity: Some(FITTED.severity_of(self.are_fronts)),
                 crush: Some(FITTED.crush),
             },
         })

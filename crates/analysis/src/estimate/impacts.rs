@@ -2,14 +2,14 @@
 
 use ::estimate::Independent;
 use ::uncertainty::{LANES, Lanes};
-use evidence::{Impacted, Impacts, LEAST_APPROACH, Speeds, Way};
+use evidence::{Impacted, Impacts, LEAST_APPROACH, Restitution, Speeds, Way};
 use inputs::{Basis, Case, Collision, Dimension, MotionInput, Quantity, SharedEffects, Velocity};
 use pim_core::{Law, Motion, Outcome, Tangential, Vector2, VehicleId};
-use real::Real;
-use real::elementary::{exp, sin_cos};
+use real::elementary::sin_cos;
 use trajectory::{Control, Ground, Outset, State, Zone, to_rests};
 
 use crate::damage::{assess, crush_energy};
+use crate::evidence::{needed, works};
 use crate::travel::Scene;
 
 /// What becomes of a number of the case.
@@ -21,19 +21,6 @@ pub(super) enum Slot {
     Value(usize),
     /// The number of the case times one of the unknown values.
     Factor(usize),
-}
-
-/// e of a particle, where the case leaves it open.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct OpenRestitution {
-    /// The place of the factor on the mean at the closing speed.
-    pub(super) factor: usize,
-    /// (–) e at high speeds, what is added at a standstill, and the greatest; (m/s) the closing speed at
-    /// which 1/e of that is left.
-    pub(super) low: f64,
-    pub(super) rise: f64,
-    pub(super) most: f64,
-    pub(super) fade: f64,
 }
 
 /// How a particle has the speeds that are unknown.
@@ -59,7 +46,8 @@ pub(super) struct CaseImpacts {
     /// What the errors that numbers share do.
     pub(super) shared: Option<SharedEffects>,
     pub(super) speeds: OpenSpeeds,
-    pub(super) restitution: Option<OpenRestitution>,
+    /// e with the place of its factor, where the case leaves it open.
+    pub(super) restitution: Option<Restitution<usize>>,
     /// The place of the greatest impulse ratio, where the case leaves it open.
     pub(super) friction: Option<usize>,
     /// The place of λ, where the case leaves it open.
@@ -133,18 +121,12 @@ impl CaseImpacts {
             OpenSpeeds::None => [None, None],
             OpenSpeeds::One(VehicleId::One, place) => [Some(of(place)), None],
             OpenSpeeds::One(VehicleId::Two, place) => [None, Some(of(place))],
-            OpenSpeeds::Both(Speeds::Each(places)) => places.map(|place| Some(of(place))),
-            OpenSpeeds::Both(Speeds::Together { ln_relative, split }) => {
-                let headings = case.headings().map(Option::unwrap_or_default);
-                let forward = headings.map(|heading| {
-                    let (sin, cos) = sin_cos(heading);
+            OpenSpeeds::Both(speeds) => {
+                let forward = case.headings().map(|heading| {
+                    let (sin, cos) = sin_cos(heading.unwrap_or_default());
                     Vector2::new(cos, sin)
                 });
-                let (sin, cos) = sin_cos(of(split));
-                // c = s |cos φ f₁ − sin φ f₂|
-                let apart = forward[0] * cos - forward[1] * sin;
-                let scale = exp(of(ln_relative)) / Real::sqrt(apart.x * apart.x + apart.y * apart.y);
-                [Some(scale * cos), Some(scale * sin)]
+                speeds.map(of).along(forward).map(Some)
             }
         };
         for (vehicle, speed) in case.vehicles.iter_mut().zip(speeds) {
@@ -167,10 +149,7 @@ impl CaseImpacts {
         let law = if self.restitution.is_none() && self.friction.is_none() {
             given
         } else {
-            let e = self.restitution.map_or(given.restitution(), |open| {
-                // e = min[(e₀ + e₁ exp(u_n/u_e)) ε, e_max]
-                Real::min((open.low + open.rise * exp(-closing / open.fade)) * of(open.factor), open.most)
-            });
+            let e = self.restitution.map_or_else(|| given.restitution(), |open| open.map(of).at(closing));
             let tangential =
                 self.friction.map_or_else(|| given.tangential(), |place| Tangential::Friction(of(place)));
             Law::new(e, tangential).ok()?
@@ -189,19 +168,16 @@ impl CaseImpacts {
             }
             Err(_) => return None,
         };
-        let energy = &outcome.energy;
         let basis = match self.tangential_share {
             Some(place) => Basis::TangentialShare(of(place)),
             None => input.basis,
         };
-        let work = basis.taken_by_crush(energy.normal_work, energy.tangential_work);
-        // E = W_n/(1 − e²) if it is what was absorbed, else W_n + λ W_t
-        let taken = work / basis.energy().dissipated(1.0, law.restitution());
+        let taken = needed(basis, works(&outcome), law.restitution())?;
         let motion = match self.followed {
             [false, false] => None,
             _ => Some(case.run_out()?.ok()?),
         };
-        let is_possible = taken > 0.0 && taken.is_finite();
+        let is_possible = taken > 0.0;
         let impacted = Impacted { speeds, outcome, taken, crush_energies, ways: [None, None], is_possible };
         Some(Particle { impacted, motion })
     }

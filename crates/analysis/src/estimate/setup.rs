@@ -15,12 +15,12 @@ use inputs::{
 };
 use pim_core::VehicleId;
 use real::Real;
-use real::elementary::ln;
 use reconcile::Unknown;
 
-use super::impacts::{CaseImpacts, OpenRestitution, OpenSpeeds, Slot};
+use super::impacts::{CaseImpacts, OpenSpeeds, Slot};
 use super::{of_number, table};
 use crate::Failure;
+use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
 use crate::uncertainty::{UncertainInput, inputs};
 use crash3::Side;
 
@@ -93,11 +93,6 @@ const GROUND_LN_SD: f64 = 0.10;
 const DRAG_LN_SD: f64 = 0.30;
 /// (m/s) no vehicle is thought to have been faster.
 const FASTEST: f64 = 70.0;
-/// (m/s) slowest and fastest relative speed that is thought of.
-const RELATIVE_SPEED: [f64; 2] = [0.3, 120.0];
-/// (–) error of the speed after the impact, of its logarithm; (rad) of its direction: 8°.
-const AFTER_SPEED_LN_SD: f64 = 0.12;
-const AFTER_DIRECTION_SD: f64 = 8.0 * DEGREE;
 /// (–; rad/s) error of a yaw rate after the impact: a share of it, and at least that of a slow turn.
 const YAW_RATE_SHARE: f64 = 0.2;
 const YAW_RATE_LEAST: f64 = 10.0 * DEGREE;
@@ -181,39 +176,24 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     let open = Open::of(&case, &ranges, &mut unused);
     let slots = slots(&case, &ranges, &nominal, followed, &mut unknowns)?;
     let speeds = speeds(sought, prior, &case, &mut unknowns)?;
-    let [low, rise, fade, restitution_ln_sd] = FITTED.restitution;
-    let restitution = match open.restitution {
-        false => None,
-        true => Some(OpenRestitution {
-            factor: unknowns.assumed(
-                "impact.restitution",
-                Distribution::log_normal(1.0, restitution_ln_sd),
-                Assumed::Restitution,
-            )?,
-            low,
-            rise,
-            most: FITTED.most_restitution,
-            fade,
-        }),
+    let mut open_number = |is_open: bool, key, prior, assumed| {
+        is_open.then(|| unknowns.assumed(key, prior, assumed)).transpose()
     };
-    let [friction, friction_ln_sd] = FITTED.friction;
-    let friction = match open.friction {
-        false => None,
-        true => Some(unknowns.assumed(
-            "impact.tangential.friction",
-            Distribution::log_normal(friction, friction_ln_sd),
-            Assumed::Friction,
-        )?),
-    };
-    let [share, share_sd] = FITTED.tangential_share;
-    let tangential_share = match open.tangential_share {
-        false => None,
-        true => Some(unknowns.assumed(
-            "reconstruct.energy_basis.tangential_share",
-            Distribution::truncated_normal(share, share_sd, 0.0, 1.0),
-            Assumed::TangentialShare,
-        )?),
-    };
+    let restitution = open_number(
+        open.restitution,
+        "impact.restitution",
+        FITTED.restitution_factor(),
+        Assumed::Restitution,
+    )?;
+    let restitution = restitution.map(|factor| FITTED.restitution_with(factor));
+    let friction =
+        open_number(open.friction, "impact.tangential.friction", FITTED.any_friction(), Assumed::Friction)?;
+    let tangential_share = open_number(
+        open.tangential_share,
+        "reconstruct.energy_basis.tangential_share",
+        FITTED.any_tangential_share(),
+        Assumed::TangentialShare,
+    )?;
     let mut default_errors = Vec::new();
     let observed =
         observe(&case, prior, &ranges, &nominal, motion.as_ref(), followed, &mut default_errors, &mut unused);
@@ -466,15 +446,13 @@ fn speeds(
             if prior == Prior::Flat || backward {
                 OpenSpeeds::Both(Speeds::Each([alone(VehicleId::One)?, alone(VehicleId::Two)?]))
             } else {
-                let ([slowest, fastest], key) = (RELATIVE_SPEED, "ln_relative_speed");
-                let ln_relative = Distribution::uniform(ln(slowest), ln(fastest));
                 OpenSpeeds::Both(Speeds::Together {
-                    ln_relative: unknowns.assumed(key, ln_relative, Assumed::Speed)?,
-                    split: unknowns.assumed(
-                        "speed_split",
-                        Distribution::uniform(0.0, FRAC_PI_2),
+                    ln_relative: unknowns.assumed(
+                        "ln_relative_speed",
+                        Speeds::any_ln_relative(),
                         Assumed::Speed,
                     )?,
+                    split: unknowns.assumed("speed_split", Speeds::any_split(), Assumed::Speed)?,
                 })
             }
         }
@@ -528,11 +506,11 @@ fn observe(
             let lateral = |quantity: &Quantity| case.axes.lateral(quantity.si());
             observed.after.speed = after.speed.as_ref().map(|speed| {
                 let value = speed.si();
-                let sd = or_default(key("after.speed"), AFTER_SPEED_LN_SD * value) / value;
+                let sd = or_default(key("after.speed"), SPEED_AFTER_ERROR * value) / value;
                 Measured { value, sd }
             });
             observed.after.direction = after.direction.as_ref().map(|direction| {
-                let sd = or_default(key("after.direction"), AFTER_DIRECTION_SD);
+                let sd = or_default(key("after.direction"), DIRECTION_AFTER_ERROR);
                 Measured { value: lateral(direction), sd }
             });
             observed.after.yaw_rate = after.yaw_rate.as_ref().map(|rate| {
@@ -559,8 +537,10 @@ fn observe(
                     .find_map(|key| sd_of(key))
                     .unwrap_or_default();
                 let [x, y] = surveyed;
+                let apart = rest.position - way.position;
                 MeasuredRest {
                     position: rest.position,
+                    direction: real::elementary::atan2(apart.y, apart.x),
                     position_sd: Real::sqrt(model * model + 0.5 * (x * x + y * y)),
                     heading,
                     turns_are_known,
@@ -594,9 +574,9 @@ fn observe(
         unused.push(Unused { key, reason: UnusedReason::OtherPdof });
     }
     let is_front = |data: &VehicleData| data.damage.as_ref().is_some_and(|damage| damage.side == Side::Front);
-    let fronts = if nominal.vehicles.iter().all(is_front) { FITTED.front_to_front } else { 1.0 };
-    let median = given.delta_v_median.as_ref().map(Quantity::si);
-    let severity = Severity { median: median.unwrap_or(FITTED.severity.median * fronts), ..FITTED.severity };
+    let usual = FITTED.severity_of(nominal.vehicles.iter().all(is_front));
+    let median = given.delta_v_median.as_ref().map_or(usual.median, Quantity::si);
+    let severity = Severity { median, ..usual };
     let crush = has_crush(case, nominal, unused).then(|| {
         let usual = Real::sqrt(FITTED.crush.ln_sd * FITTED.crush.ln_sd + CRUSH_BIAS_ERROR * CRUSH_BIAS_ERROR);
         if given.crush_error.is_none() {
@@ -613,9 +593,9 @@ fn coded_pdof(data: &VehicleData, vehicle: &GivenVehicle) -> Option<CodedPdof> {
     let of_crush = vehicle.crush.as_ref().map(|crush| crush.side);
     let side = of_crush.or_else(|| data.energy.and_then(|energy| energy.side));
     let is_side = matches!(side, Some(Side::Left | Side::Right));
-    let scale = FITTED.pdof_scale * if is_side { FITTED.pdof_side_factor } else { 1.0 };
+    let coded = FITTED.coded(pdof, is_side);
     let hour = if data.pdof_is_hour() { HOUR_SD } else { 0.0 };
-    Some(CodedPdof { pdof, scale: Real::sqrt(scale * scale + hour * hour) })
+    Some(CodedPdof { scale: Real::sqrt(coded.scale * coded.scale + hour * hour), ..coded })
 }
 
 fn recorded(
