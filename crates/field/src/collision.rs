@@ -13,10 +13,6 @@ use uncertainty::{Distribution, InvalidDistribution};
 
 use crate::pair::{Pair, Plane, Vehicle};
 
-/// (kg) of the occupants.
-const OCCUPANTS: f64 = 75.0;
-/// (kg) no passenger vehicle carries more; NHTSA's codes for unknown loads are larger.
-const MOST_CARGO: f64 = 1000.0;
 /// (kg, m, m) mass, length and width of a car in the middle of the fleet: where no size is known, lengths
 /// grow with the cube root of the mass and widths with its sixth root.
 const CAR: [f64; 3] = [1650.0, 4.7, 1.8];
@@ -41,7 +37,7 @@ struct Shape {
 
 impl Shape {
     fn of(vehicle: &Vehicle) -> Self {
-        let mass = vehicle.curb_mass + vehicle.cargo.map_or(0.0, |cargo| cargo.min(MOST_CARGO)) + OCCUPANTS;
+        let mass = vehicle.mass();
         let [car, length, width] = CAR;
         let scale = exp(ln(mass / car) / 3.0);
         let (length, width) = (length * scale, width * Real::sqrt(scale));

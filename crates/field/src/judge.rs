@@ -71,6 +71,8 @@ pub struct Judged {
     pub vehicle: VehicleId,
     /// What met what.
     pub kind: Kind,
+    /// Whether both recorders can be of one collision, as in [`Pair::is_one_event`].
+    pub is_one_event: Option<bool>,
     /// What its recorder stored.
     pub truth: Truth,
     /// (m/s) half of what the estimate expects the recorder to store lies below.
@@ -111,7 +113,8 @@ pub struct Figures {
 /// A group of collisions, by both methods.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
-    /// `all`, or the name of a kind.
+    /// `all`, the name of a kind, or `one-event`: where the recorder of the other vehicle is given, the
+    /// collisions of which both recorders can be.
     pub name: &'static str,
     /// Ours.
     pub ours: Figures,
@@ -130,7 +133,7 @@ pub struct Field {
     pub pairs: usize,
     /// Each vehicle.
     pub judged: Vec<Judged>,
-    /// All, and by kind of collision.
+    /// All, by kind of collision, and those of one event.
     pub groups: Vec<Group>,
 }
 
@@ -183,6 +186,9 @@ pub fn judge_by(
     };
     let mut groups: Vec<Group> = group("all", &|_| true).into_iter().collect();
     groups.extend(kinds.iter().filter_map(|kind| group(kind.name(), &|judged| judged.kind == *kind)));
+    if options.other {
+        groups.extend(group("one-event", &|judged| judged.is_one_event == Some(true)));
+    }
     Ok(Field { other: options.other, pairs: pairs.len(), judged, groups })
 }
 
@@ -213,6 +219,7 @@ fn vehicles(
                 case: pair.case.clone(),
                 vehicle,
                 kind: Kind::of(pair),
+                is_one_event: pair.is_one_event(),
                 truth,
                 median: predictive.quantile(0.5),
                 intervals: LEVELS.map(|level| {

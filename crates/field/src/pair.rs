@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use pim_core::VehicleId;
+use real::elementary::{ln, sin_cos};
 
 use crate::error::FieldError;
 
@@ -63,6 +64,15 @@ pub struct Vehicle {
     pub recorder: [Option<f64>; 2],
 }
 
+/// (kg) of the occupants.
+const OCCUPANTS: f64 = 75.0;
+/// (kg) no passenger vehicle carries more; NHTSA's codes for unknown loads are larger.
+const MOST_CARGO: f64 = 1000.0;
+
+/// (–) ln of the ratio of the momentum changes by two recorders beyond which these stored two events: four
+/// standard deviations of both, each with about 0.17 and its mass.
+const ANOTHER_EVENT: f64 = 1.0;
+
 /// (m/s) recorders do not trigger reliably below.
 const LEAST_DELTA_V: f64 = 8.0 / 3.6;
 
@@ -76,6 +86,12 @@ pub struct Truth {
 }
 
 impl Vehicle {
+    /// (kg) with its load and occupants.
+    #[must_use]
+    pub fn mass(&self) -> f64 {
+        self.curb_mass + self.cargo.map_or(0.0, |cargo| cargo.min(MOST_CARGO)) + OCCUPANTS
+    }
+
     /// What its recorder stored: the size of both parts or, for damage to its front or rear, the part along
     /// it; `None` below 8 km/h.
     #[must_use]
@@ -108,6 +124,18 @@ impl Pair {
     pub fn truths(&self) -> Vec<(VehicleId, Truth)> {
         let vehicles = VehicleId::ALL.into_iter().zip(&self.vehicles);
         vehicles.filter_map(|(id, vehicle)| Some((id, vehicle.truth()?))).collect()
+    }
+
+    /// Whether the recorders of both vehicles can be of one collision: m_1 ΔV_1 = m_2 ΔV_2 within a factor of
+    /// 2.7. `None` where not both can be judged.
+    #[must_use]
+    pub fn is_one_event(&self) -> Option<bool> {
+        let [one, two] = self.vehicles.each_ref().map(|vehicle| {
+            let Truth { delta_v, is_longitudinal } = vehicle.truth()?;
+            let along = if is_longitudinal { sin_cos(vehicle.pdof).1.abs() } else { 1.0 };
+            Some(ln(vehicle.mass() * delta_v / along))
+        });
+        Some((one? - two?).abs() <= ANOTHER_EVENT)
     }
 }
 

@@ -87,14 +87,37 @@ fn the_collision_has_the_geometry_of_the_damage() {
     let (front, side) = (one.crush.unwrap(), two.crush.unwrap());
     // G₀ L = ½ m₀/w₀ b₀² L
     let constant = |b0: f64| 0.5 * 1000.0 * b0 * b0 * 1.5;
-    assert!((front.constant - constant(2.50)).abs() < 1e-9 && (side.constant - constant(1.57)).abs() < 1e-9);
+    assert!((front.constant - constant(2.54)).abs() < 1e-9 && (side.constant - constant(1.52)).abs() < 1e-9);
     // A₀ C̄ L with C̄ = (20/2 + 22 + 24 + 26 + 28 + 30/2)/5 = 25 cm
-    assert!((front.linear - 1000.0 * 2.50 * 27.7 * 0.25 * 1.5).abs() < 1e-6);
+    assert!((front.linear - 1000.0 * 2.54 * 27.7 * 0.25 * 1.5).abs() < 1e-6);
     // The recorder is no evidence, unless it is given.
     assert!(collision.observed.vehicles[0].recorder.delta_v.is_none());
     let given = pair.collision(&FITTED, &[VehicleId::One]).unwrap();
     assert!((given.observed.vehicles[0].recorder.delta_v.unwrap().size - 25.0 / 3.6).abs() < 1e-12);
     assert_eq!(Model::new(&collision).terms_count() + 1, Model::new(&given).terms_count());
+}
+
+/// 1575 kg · √(24² + 7²) km/h beside 1475 kg · √(3² + 26²) km/h: 2 % apart.
+#[test]
+fn recorders_of_two_events_are_told() {
+    let both = LINE.replace("20,,,", "20,,3,-26");
+    let event = |line: &str| read(&table(line)).unwrap()[0].is_one_event();
+    assert_eq!(event(LINE), None);
+    assert_eq!(event(&both), Some(true));
+    // 3.1, 2.9 and 2.3 times as much.
+    assert_eq!(event(&both.replace("-24,7", "-72,21")), Some(false));
+    assert_eq!(event(&both.replace("3,-26", "9,-78")), Some(false));
+    assert_eq!(event(&both.replace("3,-26", "7,-62")), Some(true));
+    // Of the part along the vehicle alone, the whole follows from the PDOF: 2.6 times as much at 0° and 5.3
+    // times at 60°. Below 8 km/h there is no truth.
+    for (along, pdof, expected) in
+        [(-18.0, 0.0, Some(true)), (-18.0, 60.0, Some(false)), (-5.0, 60.0, Some(true)), (-2.0, 60.0, None)]
+    {
+        let mut pair = read(&table(&both)).unwrap().remove(0);
+        pair.vehicles[0].recorder = [Some(along), None];
+        pair.vehicles[0].pdof = f64::to_radians(pdof);
+        assert_eq!(pair.is_one_event(), expected, "{along} m/s at {pdof}°");
+    }
 }
 
 #[test]

@@ -33,6 +33,7 @@ fn judged() -> Field {
         case: "1".to_owned(),
         vehicle: VehicleId::One,
         kind,
+        is_one_event: None,
         truth: Truth { delta_v: recorder, is_longitudinal: false },
         median,
         intervals: [[0.0, 1.0]; 3],

@@ -17,8 +17,8 @@ const MOVED: [(u8, &[f64]); 11] = [
     (12, &[14.08, 14.08]),
 ];
 
-/// 18 of 19 is what 95 % intervals should have; a half width of 22 % in the mean and 40 % at most is what was
-/// asked of them.
+/// Of 19 intervals of 95 %, 18 should contain the true speed. Their half widths may be 22 % of it in the mean
+/// and 40 % at most.
 #[test]
 fn intervals_hold_the_true_speeds_and_are_narrow() {
     let judgement = judge_speeds(&Data::built_in(), AfterImpact::VelocitiesAndYawRates, 128, 1).unwrap();

@@ -97,7 +97,7 @@ impl<'a> JudgedBlock<'a> {
     }
 }
 
-/// The judgement as JSON: `groups` and `winsmash` by kind of collision, each with `n`, `bias`, `rms`,
+/// The judgement as JSON: `groups` and `winsmash`, all, by kind of collision and of one event, each with `n`, `bias`, `rms`,
 /// `coverage`, `width95` and `crps` (m/s), and every vehicle.
 ///
 /// # Errors

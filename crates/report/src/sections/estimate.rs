@@ -112,10 +112,10 @@ impl<'a> Page<'a> {
     fn doubts(&mut self) {
         self.document.push(Block::Answer {
             found: vec!["No answer: the run has not converged, so no interval is given.".to_owned()],
-            how: String::new(),
+            how: "What the run shows:".to_owned(),
         });
         let words = self.estimated.doubts().iter().map(|doubt| doubt_words(doubt, self.estimated));
-        self.document.push(Block::List(words.map(|words| words + ".").collect()));
+        self.document.push(Block::List(words.collect()));
         let used = self.estimated.posterior.count() / ISLANDS;
         self.document.paragraph(format!(
             "Run it again with more particles, such as `deltav estimate CASE --particles {}`. If that does not \
@@ -170,7 +170,7 @@ impl<'a> Page<'a> {
         )];
         if particles > self.asked.plan.particles {
             lines.push(format!(
-                "With the {} particles asked for the run did not converge, so their number was doubled.",
+                "With the {} particles asked for, the run did not converge, so it was repeated with more.",
                 grouped(self.asked.plan.particles)
             ));
         }

@@ -38,6 +38,12 @@ pub fn field(field: &Field, file: &str) -> Document {
             first.case
         ));
     }
+    if field.other {
+        document.paragraph(
+            "one-event: without collisions whose recorders stored two events, as the changes of momentum by them \
+             (mass times ΔV) differ by more than a factor of 2.7. They are in all other rows.",
+        );
+    }
     document.paragraph(
         "bias: mean of ln(median/recorder). rms: root mean square of the same. ± is a standard error that counts \
          collisions, not vehicles. CRPS: continuous ranked probability score; for a single value it is the mean \
