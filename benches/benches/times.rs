@@ -4,6 +4,7 @@ use std::error::Error;
 use std::hint::black_box;
 use std::ops::ControlFlow;
 
+use analysis::EstimatePlan;
 use case::CaseFile;
 use crash3::crush_energy;
 use criterion::{Criterion, Throughput};
@@ -26,6 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     case_file(&mut criterion)?;
     sampling(&mut criterion)?;
     estimate(&mut criterion)?;
+    all_evidence(&mut criterion)?;
     criterion.final_summary();
     Ok(())
 }
@@ -188,6 +190,29 @@ fn estimate(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
         group.throughput(Throughput::Elements(run()?.diagnosis().evaluations as u64));
         group.sample_size(10);
         group.bench_function(format!("{values} values, one thread"), |b| b.iter(run));
+    }
+    group.finish();
+    Ok(())
+}
+
+/// Both speeds of a case from all its evidence, 16 islands of 128 particles: without and with the motion to
+/// rest of both vehicles.
+fn all_evidence(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
+    let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: false };
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
+    let mut group = criterion.benchmark_group("both speeds from all evidence");
+    group.sample_size(10);
+    for (name, text) in [
+        ("directions and a recorder", include_str!("../../fixtures/estimate.toml")),
+        ("rests", include_str!("../../fixtures/rear-end-rest.toml")),
+    ] {
+        let case = CaseFile::parse(name, text)?.case;
+        let run = || {
+            let mut quietly = |_, _, _| ControlFlow::Continue(());
+            one.install(|| analysis::estimate(black_box(&case), &plan, &mut quietly))
+        };
+        run().map_err(|failure| failure.to_string())?;
+        group.bench_function(name, |b| b.iter(run));
     }
     group.finish();
     Ok(())

@@ -14,7 +14,7 @@ use uncertainty::{LANES, Lanes};
 
 use crate::error::{Exclusion, Failure};
 use crate::gaussian::{Gaussian, product, sum};
-use crate::model::{Evidence, Prior};
+use crate::model::{Evidence, Hurdle, Prior};
 use crate::moves::{KINDS, Kind, Proposal, Tuning, choose, normals};
 use crate::target::{Evaluation, Target};
 
@@ -467,11 +467,19 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
                 let level = self.target.instructions.level();
                 let proposal = &mut self.proposal;
                 dispatch!(level, _simd => propose(proposal, &moves, key(sequence, &[1])));
-                self.target.evaluate(&self.proposal.standard, &mut self.evaluation)?;
+                let hurdle = Hurdle {
+                    used: &self.target.used,
+                    temperature,
+                    before: &population.log_likelihood[block],
+                    log_ratio: &self.proposal.log_ratio,
+                    log_share: &log_shares(key(sequence, &[2]), first),
+                };
+                self.target.evaluate_for(&self.proposal.standard, Some(&hurdle), &mut self.evaluation)?;
                 self.evaluations += LANES;
+                let proposed = &self.evaluation.log_likelihood;
+                let chosen: [bool; LANES] =
+                    std::array::from_fn(|lane| hurdle.takes_sum(lane, proposed[lane]));
                 self.note_exclusions();
-                let log_likelihood = &population.log_likelihood[block];
-                let chosen = self.accept(log_likelihood, temperature, key(sequence, &[2]), first);
                 let mut after = from.to_vec();
                 for ((after, proposed), variance) in
                     after.iter_mut().zip(&self.proposal.standard).zip(variances)
@@ -518,19 +526,15 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
             }
         }
     }
+}
 
-    /// Which proposals are taken (Metropolis and Hastings).
-    fn accept(&self, before: &Lanes, temperature: f64, sequence: u64, first: u64) -> [bool; LANES] {
-        let mut chosen = [false; LANES];
-        let proposed = self.evaluation.log_likelihood.iter().zip(&self.proposal.log_ratio);
-        for (((chosen, old), (new, ratio)), lane) in chosen.iter_mut().zip(before).zip(proposed).zip(first..)
-        {
-            // ln α = β (l′ − l) + ln of the ratio of priors and proposals
-            let log_ratio = temperature * (new - old) + ratio;
-            *chosen = ln(unit(bits(sequence, lane))) < log_ratio;
-        }
-        chosen
+/// ln of a number between 0 and 1 for each particle from `first` on.
+fn log_shares(sequence: u64, first: u64) -> Lanes {
+    let mut shares = [0.0; LANES];
+    for (share, lane) in shares.iter_mut().zip(first..) {
+        *share = ln(unit(bits(sequence, lane)));
     }
+    shares
 }
 
 /// What a block is moved by.

@@ -32,6 +32,7 @@
 //! |---|---|
 //! | [`Prior`], [`Independent`] | how standard normal numbers become the unknown values |
 //! | [`Evidence`], [`Function`] | the log-likelihood in terms, one for each piece of evidence; further outputs and residuals |
+//! | [`Hurdle`] | what a proposal has to reach, for evidence of which some terms take long |
 //! | [`Settings`], [`Selection`] | number of particles and islands, seed; which pieces of evidence are used |
 //! | [`sample`] → [`Posterior`] | draws of equal weight, their log evidence, and a [`Verdict`] with its reasons |
 //! | [`Summary`], [`Draws`] | mean, deviation, median, intervals and probabilities, with standard errors |
@@ -86,7 +87,7 @@ pub use diagnosis::{
     POSSIBLE_LIMIT, Quantity, R_HAT_LIMIT, UNMOVED_LIMIT, Verdict,
 };
 pub use error::{CannotReweight, Culprit, Exclusion, Failure};
-pub use model::{Evidence, Function, Independent, Prior, Selection};
+pub use model::{Evidence, Function, Hurdle, Independent, Prior, Selection};
 pub use posterior::{Check, Posterior, sample, sample_quietly};
 pub use reweight::{PARETO_LIMIT, Weights};
 pub use settings::{ISLANDS, LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP, Settings};

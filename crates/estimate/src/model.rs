@@ -56,6 +56,23 @@ pub trait Evidence: Sync {
     /// Neither NaN nor +∞ is a log-likelihood: they end the run with an error.
     fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], reasons: &mut [u8; LANES]);
 
+    /// The same for proposals, of which nothing matters but those that `hurdle` takes: a model of which some
+    /// terms take long may leave the others without them. Where a proposal is not taken even with the most
+    /// that a term can be, this most may stand in the term's place. Whether it has written the terms; where
+    /// not, [`log_likelihood`](Self::log_likelihood) is asked.
+    ///
+    /// The draws have the same bits either way.
+    fn log_likelihood_of_proposals(
+        &self,
+        values: &[Lanes],
+        hurdle: &Hurdle<'_>,
+        terms: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+    ) -> bool {
+        let _ = (values, hurdle, terms, reasons);
+        false
+    }
+
     /// Number of further quantities that are wanted of each draw.
     fn outputs_count(&self) -> usize {
         0
@@ -111,6 +128,53 @@ impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Evidence for Function<F
             }
         }
     }
+}
+
+/// What the terms of a block of proposals have to reach for these to be accepted (Metropolis and Hastings).
+#[derive(Clone, Copy, Debug)]
+pub struct Hurdle<'a> {
+    /// For each term, whether it is used.
+    pub(crate) used: &'a [bool],
+    /// (–) β.
+    pub(crate) temperature: f64,
+    /// (–) l of the particles where they are.
+    pub(crate) before: &'a Lanes,
+    /// (–) ln of the ratio of priors and proposals.
+    pub(crate) log_ratio: &'a Lanes,
+    /// (–) ln of a number that is drawn between 0 and 1.
+    pub(crate) log_share: &'a Lanes,
+}
+
+impl Hurdle<'_> {
+    /// Which proposals are accepted where these are their terms. One that is not would neither be with lower
+    /// terms: no rounding changes that.
+    #[must_use]
+    pub fn takes(&self, terms: &[Lanes]) -> [bool; LANES] {
+        let sums = sum_of_used(terms, self.used);
+        std::array::from_fn(|lane| self.takes_sum(lane, sums[lane]))
+    }
+
+    /// Whether a log-likelihood is enough.
+    #[inline(always)]
+    pub(crate) fn takes_sum(&self, lane: usize, log_likelihood: f64) -> bool {
+        // ln α = β (l′ − l) + ln of the ratio of priors and proposals
+        let log_ratio = self.temperature * (log_likelihood - self.before[lane]) + self.log_ratio[lane];
+        self.log_share[lane] < log_ratio
+    }
+}
+
+/// Sum of the terms that are used.
+#[inline(always)]
+pub(crate) fn sum_of_used(terms: &[Lanes], used: &[bool]) -> Lanes {
+    let mut sums = [0.0; LANES];
+    for (term, used) in terms.iter().zip(used) {
+        if *used {
+            for (sum, term) in sums.iter_mut().zip(term) {
+                *sum += term;
+            }
+        }
+    }
+    sums
 }
 
 /// Which pieces of evidence are used.

@@ -4,7 +4,7 @@ use fearless_simd::dispatch;
 use uncertainty::{Instructions, LANES, Lanes};
 
 use crate::error::Failure;
-use crate::model::{Evidence, Prior};
+use crate::model::{Evidence, Hurdle, Prior, sum_of_used};
 
 /// Prior and evidence, and which of the evidence is used.
 #[derive(Clone, Debug)]
@@ -40,9 +40,19 @@ impl<P: Prior, E: Evidence> Target<'_, P, E> {
     }
 
     /// Evaluates a block of standard normal numbers.
-    #[inline(never)]
     pub(crate) fn evaluate(&self, standard: &[Lanes], into: &mut Evaluation) -> Result<(), Failure> {
-        dispatch!(self.instructions.level(), _simd => evaluate_with(self, standard, into));
+        self.evaluate_for(standard, None, into)
+    }
+
+    /// Evaluates a block of them, of which only those matter that a hurdle takes, where there is one.
+    #[inline(never)]
+    pub(crate) fn evaluate_for(
+        &self,
+        standard: &[Lanes],
+        hurdle: Option<&Hurdle<'_>>,
+        into: &mut Evaluation,
+    ) -> Result<(), Failure> {
+        dispatch!(self.instructions.level(), _simd => evaluate_with(self, standard, hurdle, into));
         // A sum with NaN or +∞ in it is one of these, −∞ + ∞ included.
         let is_likelihood = |sum: &f64| *sum < f64::INFINITY;
         if into.log_likelihood.iter().all(is_likelihood) { Ok(()) } else { Err(self.not_a_likelihood(into)) }
@@ -67,19 +77,20 @@ impl<P: Prior, E: Evidence> Target<'_, P, E> {
 fn evaluate_with<P: Prior, E: Evidence>(
     target: &Target<'_, P, E>,
     standard: &[Lanes],
+    hurdle: Option<&Hurdle<'_>>,
     into: &mut Evaluation,
 ) {
     into.reasons = [0; LANES];
     target.prior.values(standard, &mut into.values);
-    target.evidence.log_likelihood(&into.values, &mut into.terms, &mut into.reasons);
-    into.log_likelihood = [0.0; LANES];
-    for (term, used) in into.terms.iter().zip(&target.used) {
-        if *used {
-            for (sum, term) in into.log_likelihood.iter_mut().zip(term) {
-                *sum += term;
-            }
-        }
+    let Evaluation { values, terms, reasons, .. } = into;
+    let is_written = match hurdle {
+        Some(hurdle) => target.evidence.log_likelihood_of_proposals(values, hurdle, terms, reasons),
+        None => false,
+    };
+    if !is_written {
+        target.evidence.log_likelihood(values, terms, reasons);
     }
+    into.log_likelihood = sum_of_used(terms, &target.used);
     for (sum, reason) in into.log_likelihood.iter_mut().zip(&into.reasons) {
         *sum = if *reason == 0 { *sum } else { f64::NEG_INFINITY };
     }

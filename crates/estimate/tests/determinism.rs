@@ -1,7 +1,9 @@
 //! The same bits for any number of threads and any instructions.
 
-use estimate::{Function, Posterior, Selection, Settings, sample_quietly};
-use uncertainty::Instructions;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use estimate::{Evidence, Function, Hurdle, Posterior, Selection, Settings, sample_quietly};
+use uncertainty::{Instructions, LANES, Lanes};
 
 use super::{ln_normal, standard};
 
@@ -51,4 +53,59 @@ fn evidence_that_is_not_used_leaves_the_draws_alone() {
     });
     let alone = sample_quietly(&standard(4), &evidence, &Settings::new(128, 5)).unwrap();
     assert_eq!(only.values(), alone.values());
+}
+
+/// Evidence whose second term is found only of proposals that may be accepted.
+struct InTwoParts {
+    left_out: AtomicUsize,
+}
+
+impl Evidence for InTwoParts {
+    fn terms_count(&self) -> usize {
+        2
+    }
+
+    fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], _: &mut [u8; LANES]) {
+        for lane in 0..LANES {
+            terms[0][lane] = ln_normal(values[0][lane] * values[1][lane], 0.6, 0.05);
+            terms[1][lane] = ln_normal(values[2][lane], values[0][lane], 0.4);
+        }
+    }
+
+    fn log_likelihood_of_proposals(
+        &self,
+        values: &[Lanes],
+        hurdle: &Hurdle<'_>,
+        terms: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+    ) -> bool {
+        let mut whole = [[0.0; LANES]; 2];
+        self.log_likelihood(values, &mut whole, reasons);
+        let most = [whole[0], [ln_normal(0.0, 0.0, 0.4); LANES]];
+        let taken = hurdle.takes(&most);
+        for lane in 0..LANES {
+            for term in 0..2 {
+                terms[term][lane] = if taken[lane] { whole[term][lane] } else { most[term][lane] };
+            }
+        }
+        self.left_out.fetch_add(taken.iter().filter(|taken| !**taken).count(), Ordering::Relaxed);
+        true
+    }
+}
+
+#[test]
+fn what_is_not_found_of_proposals_in_vain_changes_nothing() {
+    let settings = Settings::new(128, 5);
+    let evidence = InTwoParts { left_out: AtomicUsize::new(0) };
+    let in_parts = sample_quietly(&standard(3), &evidence, &settings).unwrap();
+    let whole = Function::new(2, |x: &[f64], terms: &mut [f64]| {
+        terms[0] = ln_normal(x[0] * x[1], 0.6, 0.05);
+        terms[1] = ln_normal(x[2], x[0], 0.4);
+        Ok(())
+    });
+    let whole = sample_quietly(&standard(3), &whole, &settings).unwrap();
+    assert!(bits(&in_parts) == bits(&whole));
+    // Much is spared.
+    let left_out = evidence.left_out.into_inner();
+    assert!(4 * left_out > whole.diagnosis().evaluations, "{left_out}");
 }

@@ -2,7 +2,7 @@
 
 use estimate::Independent;
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2};
-use uncertainty::Lanes;
+use uncertainty::{LANES, Lanes};
 
 use crate::collision::{Collision, Crush, Vehicle};
 use crate::number::Slot;
@@ -17,6 +17,18 @@ pub trait Impacts: Sync {
 
     /// The impact of each of a block of particles, as many as [`uncertainty::LANES`].
     fn impacts(&self, values: &[Lanes]) -> Vec<Impacted>;
+
+    /// The same, where a vehicle is followed to rest only in those particles that `wanted` asks for. It is
+    /// asked once the impacts are known, and again once one vehicle has been followed; a particle that it
+    /// does not want need not be followed any further. `None` where no vehicle is followed.
+    fn impacts_as_wanted(
+        &self,
+        values: &[Lanes],
+        wanted: &mut dyn FnMut(&[Impacted]) -> [bool; LANES],
+    ) -> Option<Vec<Impacted>> {
+        let _ = (values, wanted);
+        None
+    }
 }
 
 /// An impact with the numbers of one particle.

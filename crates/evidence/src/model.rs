@@ -1,6 +1,6 @@
 //! The posterior of a collision: prior, and a term for each piece of evidence.
 
-use estimate::{Evidence, Independent, Prior};
+use estimate::{Evidence, Hurdle, Independent, Prior};
 use pim_core::{Vector2, VehicleId};
 use real::elementary::{atan2, ln, sin_cos};
 use real::{Real, principal_angle};
@@ -206,6 +206,23 @@ impl<I: Impacts> Model<I> {
         &self.impacts
     }
 
+    /// Writes the logarithm of the likelihood of each piece; of a way that was not followed, the most that
+    /// it can be.
+    #[inline(always)]
+    fn judge(&self, impacts: &[Impacted], terms: &mut [Lanes], reasons: &mut [u8; LANES]) {
+        for (reason, impacted) in reasons.iter_mut().zip(impacts) {
+            if !impacted.is_possible {
+                *reason = NO_IMPACT;
+            }
+        }
+        for (term, &piece) in terms.iter_mut().zip(&self.pieces) {
+            for (term, impacted) in term.iter_mut().zip(impacts) {
+                let likelihood = self.error(piece, impacted).log_likelihood();
+                *term = if impacted.is_possible { likelihood } else { f64::NEG_INFINITY };
+            }
+        }
+    }
+
     /// The error of what was observed, in what a particle predicts.
     #[inline(always)]
     fn error(&self, piece: Piece, impacted: &Impacted) -> Error {
@@ -278,7 +295,12 @@ impl<I: Impacts> Model<I> {
                     let other = normal(across, position_sd) + normal(turned, heading_sd);
                     Error { potential: other, ..Error::normal(along, position_sd) }
                 }
-                _ => Error::NONE,
+                // Not followed: the most that it can be.
+                (Some(MeasuredRest { position_sd, heading_sd, .. }), None) => {
+                    let other = normal(0.0, position_sd) + normal(0.0, heading_sd);
+                    Error { potential: other, ..Error::normal(0.0, position_sd) }
+                }
+                (None, _) => Error::NONE,
             },
             Piece::Points(id) => match &impacted.ways[id.index()] {
                 Some(way) => {
@@ -286,7 +308,11 @@ impl<I: Impacts> Model<I> {
                     let potential = errors.map(|(sd, miss)| normal(*miss, *sd)).sum();
                     Error { potential, ..Error::NONE }
                 }
-                None => Error::NONE,
+                // The most that it can be.
+                None => {
+                    let potential = vehicle(id).points.iter().map(|sd| normal(0.0, *sd)).sum();
+                    Error { potential, ..Error::NONE }
+                }
             },
             Piece::RecordedYawRate(id) => match vehicle(id).recorder.yaw_rate {
                 Some(Measured { value, sd }) => Error::normal(value - after(id).yaw_rate, sd),
@@ -423,17 +449,24 @@ impl<I: Impacts> Evidence for Model<I> {
     #[inline(always)]
     fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], reasons: &mut [u8; LANES]) {
         let impacts = self.impacts.impacts(values);
-        for (reason, impacted) in reasons.iter_mut().zip(&impacts) {
-            if !impacted.is_possible {
-                *reason = NO_IMPACT;
-            }
-        }
-        for (term, &piece) in terms.iter_mut().zip(&self.pieces) {
-            for (term, impacted) in term.iter_mut().zip(&impacts) {
-                let likelihood = self.error(piece, impacted).log_likelihood();
-                *term = if impacted.is_possible { likelihood } else { f64::NEG_INFINITY };
-            }
-        }
+        self.judge(&impacts, terms, reasons);
+    }
+
+    #[inline(never)]
+    fn log_likelihood_of_proposals(
+        &self,
+        values: &[Lanes],
+        hurdle: &Hurdle<'_>,
+        terms: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+    ) -> bool {
+        let mut wanted = |impacts: &[Impacted]| {
+            self.judge(impacts, terms, &mut [0; LANES]);
+            hurdle.takes(terms)
+        };
+        let Some(impacts) = self.impacts.impacts_as_wanted(values, &mut wanted) else { return false };
+        self.judge(&impacts, terms, reasons);
+        true
     }
 
     fn outputs_count(&self) -> usize {

@@ -162,10 +162,18 @@ pub(crate) fn grips<T: Number>(slips: [Slip<'_, T>; 4], fading_squared: T) -> [G
     let squared = four(|i| slips[i].squared());
     let locked = four(|i| slips[i].is_locked(squared[i]));
     let by_speed = inverse_speeds(&slips, squared, locked);
-    let grips = four(|i| slips[i].grip(locked[i], by_speed[i]));
+    // A closure as large as these is otherwise compiled on its own, without the vector instructions of its
+    // caller, and then takes a call for each operation.
+    let grips = four(
+        #[inline(always)]
+        |i| slips[i].grip(locked[i], by_speed[i]),
+    );
     let fades = four(|i| squared[i].below(fading_squared));
     if T::any(T::one_of(T::one_of(fades[0], fades[1]), T::one_of(fades[2], fades[3]))) {
-        four(|i| rarely!(T, fades[i], slips[i].faded(squared[i], fading_squared), grips[i]))
+        four(
+            #[inline(always)]
+            |i| rarely!(T, fades[i], slips[i].faded(squared[i], fading_squared), grips[i]),
+        )
     } else {
         grips
     }

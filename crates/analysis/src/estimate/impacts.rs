@@ -59,23 +59,21 @@ pub(super) struct CaseImpacts {
     pub(super) unknown: Independent,
 }
 
-/// A particle up to its impact.
-struct Particle {
-    impacted: Impacted,
-    motion: Option<MotionInput>,
-}
-
 impl Impacts for CaseImpacts {
     fn unknown(&self) -> &Independent {
         &self.unknown
     }
 
     fn impacts(&self, values: &[Lanes]) -> Vec<Impacted> {
-        let mut particles: Vec<Particle> = (0..LANES).map(|lane| self.particle(values, lane)).collect();
-        if self.followed != [false, false] {
-            self.follow(&mut particles);
-        }
-        particles.into_iter().map(|particle| particle.impacted).collect()
+        self.impacts_of(values, &mut |_| [true; LANES])
+    }
+
+    fn impacts_as_wanted(
+        &self,
+        values: &[Lanes],
+        wanted: &mut dyn FnMut(&[Impacted]) -> [bool; LANES],
+    ) -> Option<Vec<Impacted>> {
+        (self.followed != [false, false]).then(|| self.impacts_of(values, wanted))
     }
 }
 
@@ -95,10 +93,35 @@ impl CaseImpacts {
     /// Compiled once: what turns a case into the types of the engine gains nothing from a copy for each
     /// instruction set.
     #[inline(never)]
-    fn particle(&self, values: &[Lanes], lane: usize) -> Particle {
-        let case = self.case_of(values, lane);
-        self.impact_of(&case, values, lane)
-            .unwrap_or_else(|| Particle { impacted: Self::impossible(self.placeholder), motion: None })
+    fn impacts_of(
+        &self,
+        values: &[Lanes],
+        wanted: &mut dyn FnMut(&[Impacted]) -> [bool; LANES],
+    ) -> Vec<Impacted> {
+        let is_followed = self.followed != [false, false];
+        let mut cases = Vec::new();
+        let mut impacts = Vec::with_capacity(LANES);
+        for lane in 0..LANES {
+            let case = self.case_of(values, lane);
+            let impacted = self.impact_of(&case, values, lane);
+            impacts.push(impacted.unwrap_or_else(|| Self::impossible(self.placeholder)));
+            if is_followed {
+                cases.push(case);
+            }
+        }
+        let mut motions: Vec<Option<MotionInput>> = vec![None; cases.len()];
+        for id in VehicleId::ALL.into_iter().filter(|id| self.followed[id.index()]) {
+            let wanted = wanted(&impacts);
+            for (lane, (case, motion)) in cases.iter().zip(&mut motions).enumerate() {
+                let impacted = &mut impacts[lane];
+                if wanted[lane] && impacted.is_possible && motion.is_none() {
+                    *motion = case.run_out().and_then(Result::ok);
+                    impacted.is_possible = motion.is_some();
+                }
+            }
+            follow(id, wanted, &motions, &mut impacts);
+        }
+        impacts
     }
 
     /// The case with the numbers of a particle.
@@ -137,7 +160,7 @@ impl CaseImpacts {
         case
     }
 
-    fn impact_of(&self, case: &Case, values: &[Lanes], lane: usize) -> Option<Particle> {
+    fn impact_of(&self, case: &Case, values: &[Lanes], lane: usize) -> Option<Impacted> {
         let of = |place: usize| values.get(place).map_or(f64::NAN, |column| column[lane]);
         let input = case.collision().ok()?;
         let Collision { contact, law, motions, vehicles } = input.collision;
@@ -173,61 +196,47 @@ impl CaseImpacts {
             None => input.basis,
         };
         let taken = needed(basis, works(&outcome), law.restitution())?;
-        let motion = match self.followed {
-            [false, false] => None,
-            _ => Some(case.run_out()?.ok()?),
-        };
         let is_possible = taken > 0.0;
-        let impacted = Impacted { speeds, outcome, taken, crush_energies, ways: [None, None], is_possible };
-        Some(Particle { impacted, motion })
+        Some(Impacted { speeds, outcome, taken, crush_energies, ways: [None, None], is_possible })
     }
+}
 
-    /// Follows the vehicles of all particles to rest.
-    #[inline(never)]
-    fn follow(&self, particles: &mut [Particle]) {
-        for id in VehicleId::ALL.into_iter().filter(|id| self.followed[id.index()]) {
-            let zones: Vec<Vec<Zone<'_>>> = particles
-                .iter()
-                .map(|particle| {
-                    particle.motion.as_ref().map_or_else(Vec::new, |motion| motion.surface.zones())
-                })
-                .collect();
-            let mut lanes = Vec::with_capacity(LANES);
-            let mut outsets = Vec::with_capacity(LANES);
-            for (lane, (particle, zones)) in particles.iter().zip(&zones).enumerate() {
-                let Some(input) = particle.motion.as_ref().filter(|_| particle.impacted.is_possible) else {
-                    continue;
-                };
-                let Some(way) = &input.vehicles[id.index()] else { continue };
-                let motion = particle.impacted.outcome.after[id.index()];
-                lanes.push(lane);
-                outsets.push(Outset {
-                    chassis: way.chassis,
-                    steer: way.steer.steer(),
-                    ground: Ground { friction: input.surface.friction, zones, grade: input.surface.grade },
-                    start: State { position: way.position, heading: way.heading, motion },
-                });
-            }
-            let control = Control { tolerance: WAY_TOLERANCE, ..Control::default() };
-            let mut rests = vec![None; outsets.len()];
-            to_rests(&outsets, &control, |place, rest| rests[place] = rest.ok());
-            let ways: Vec<Option<Way>> = lanes
-                .iter()
-                .zip(rests)
-                .map(|(&lane, rest)| {
-                    let (rest, particle) = (rest?, &particles[lane]);
-                    let motion = particle.impacted.outcome.after[id.index()];
-                    let misses = misses(particle.motion.as_ref()?, id, motion);
-                    Some(Way { position: rest.position, heading: rest.heading, misses })
-                })
-                .collect();
-            for (lane, way) in lanes.into_iter().zip(ways) {
-                let impacted = &mut particles[lane].impacted;
-                // A vehicle that does not come to rest within minutes does not lie where it was found.
-                impacted.is_possible &= way.is_some();
-                impacted.ways[id.index()] = way;
-            }
-        }
+/// Follows a vehicle to rest in the particles that are wanted.
+fn follow(id: VehicleId, wanted: [bool; LANES], motions: &[Option<MotionInput>], impacts: &mut [Impacted]) {
+    let zones: Vec<Vec<Zone<'_>>> = motions
+        .iter()
+        .map(|motion| motion.as_ref().map_or_else(Vec::new, |motion| motion.surface.zones()))
+        .collect();
+    let mut lanes = Vec::with_capacity(LANES);
+    let mut outsets = Vec::with_capacity(LANES);
+    for (lane, (motion, zones)) in motions.iter().zip(&zones).enumerate() {
+        let Some(input) = motion.as_ref().filter(|_| wanted[lane] && impacts[lane].is_possible) else {
+            continue;
+        };
+        let Some(way) = &input.vehicles[id.index()] else { continue };
+        let motion = impacts[lane].outcome.after[id.index()];
+        lanes.push((lane, input));
+        outsets.push(Outset {
+            chassis: way.chassis,
+            steer: way.steer.steer(),
+            ground: Ground { friction: input.surface.friction, zones, grade: input.surface.grade },
+            start: State { position: way.position, heading: way.heading, motion },
+        });
+    }
+    let control = Control { tolerance: WAY_TOLERANCE, ..Control::default() };
+    let mut rests = vec![None; outsets.len()];
+    to_rests(&outsets, &control, |place, rest| rests[place] = rest.ok());
+    for ((lane, input), rest) in lanes.into_iter().zip(rests) {
+        let impacted = &mut impacts[lane];
+        let start = impacted.outcome.after[id.index()];
+        let way = rest.map(|rest| Way {
+            position: rest.position,
+            heading: rest.heading,
+            misses: misses(input, id, start),
+        });
+        // A vehicle that does not come to rest within minutes does not lie where it was found.
+        impacted.is_possible &= way.is_some();
+        impacted.ways[id.index()] = way;
     }
 }
 

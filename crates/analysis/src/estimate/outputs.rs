@@ -1,6 +1,6 @@
 //! The results of each draw.
 
-use ::estimate::{Evidence, Posterior, Prior};
+use ::estimate::{Evidence, Hurdle, Posterior, Prior};
 use ::uncertainty::{LANES, Lanes};
 use evidence::{Impacted, Impacts, Model};
 use inputs::Axes;
@@ -147,6 +147,16 @@ impl Evidence for Told<'_> {
 
     fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], reasons: &mut [u8; LANES]) {
         self.model.log_likelihood(values, terms, reasons);
+    }
+
+    fn log_likelihood_of_proposals(
+        &self,
+        values: &[Lanes],
+        hurdle: &Hurdle<'_>,
+        terms: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+    ) -> bool {
+        self.model.log_likelihood_of_proposals(values, hurdle, terms, reasons)
     }
 
     fn outputs_count(&self) -> usize {

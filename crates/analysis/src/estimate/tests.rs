@@ -6,6 +6,8 @@ use std::ops::ControlFlow;
 use case::CaseFile;
 use inputs::Case;
 
+use ::estimate::Evidence as _;
+
 use super::*;
 use crate::sensitivity::Output;
 
@@ -203,4 +205,50 @@ fn coefficients_without_a_range_are_open() {
         ends.high.value - ends.low.value
     };
     assert!(spread(&estimated) > 0.05);
+}
+
+/// What the motion to rest is asked for, without saying of which proposals it is not needed.
+struct Whole<'a>(&'a Told<'a>);
+
+impl ::estimate::Evidence for Whole<'_> {
+    fn terms_count(&self) -> usize {
+        self.0.terms_count()
+    }
+
+    fn log_likelihood(
+        &self,
+        values: &[::uncertainty::Lanes],
+        terms: &mut [::uncertainty::Lanes],
+        reasons: &mut [u8; ::uncertainty::LANES],
+    ) {
+        self.0.log_likelihood(values, terms, reasons);
+    }
+}
+
+/// Vehicles are not followed to rest in proposals that are refused without it, and the draws stay the same.
+#[test]
+fn proposals_that_are_refused_need_no_rest() {
+    let after = |x: &str| {
+        format!(
+            "drag = 0.5\nrest = {{ x = \"{x}\", y = \"0.2 m\", heading = \"4 deg\" }}\npoints = [{{ x = \"3 m\", y = \"0 m\" }}]\n"
+        )
+    };
+    let text = format!(
+        "{CENTRAL}[scene]\ncontact = {{ x = \"0 m\", y = \"0 m\" }}\n[surface]\nfriction = 0.7\n\
+         [vehicle1.after]\n{}[vehicle2.after]\nspeed = \"11 m/s\"\ndirection = \"0 deg\"\n{}",
+        after("5 m"),
+        after("14 m")
+    );
+    let text = text.replace("yaw_radius", "class = 3\nyaw_radius");
+    let setup = setup::of(&read(&text), None).unwrap();
+    let model = Model::of(setup.impacts, setup.observed);
+    for id in VehicleId::ALL {
+        assert!(model.pieces().contains(&Piece::Rest(id)) && model.pieces().contains(&Piece::Points(id)));
+    }
+    let told = Told::new(&model, inputs::Axes::ZUp, setup.reference);
+    let settings = Settings { islands: 4, ..Settings::new(128, 1) };
+    let in_parts = ::estimate::sample_quietly(&told, &told, &settings).unwrap();
+    let whole = ::estimate::sample_quietly(&told, &Whole(&told), &settings).unwrap();
+    assert_eq!(in_parts.values(), whole.values());
+    assert_eq!(in_parts.terms(), whole.terms());
 }
