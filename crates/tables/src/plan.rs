@@ -245,6 +245,7 @@ impl<'a> Part<'a> {
         let data_type = array.data_type();
         let kind = self.kind(called, (own, around))?;
         let fits = match kind {
+            _ if matches!(self.shape, Shape::Table(_) | Shape::Tables(_)) => *data_type == DataType::Null,
             Kind::Text | Kind::Names | Kind::Numbers | Kind::Quantities(_) => Column::is_text(data_type),
             Kind::Flag => Column::is_flag(data_type) || Column::is_text(data_type),
             Kind::Number | Kind::Percent | Kind::Quantity(_) => {
@@ -285,8 +286,8 @@ impl<'a> Part<'a> {
             Shape::Percent => Kind::Percent,
             Shape::Names => Kind::Names,
             Shape::Numbers => Kind::Numbers,
-            // A list of tables has no other column, and a table none at all: no type fits.
-            Shape::Table(_) | Shape::Tables(_) => Kind::Names,
+            // No column but one of nulls is any of these.
+            Shape::Table(_) | Shape::Tables(_) => Kind::Text,
             Shape::Number
             | Shape::Count
             | Shape::Uncertain
