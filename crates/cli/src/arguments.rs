@@ -166,7 +166,7 @@ pub(crate) enum Command {
             The table is read and written in parts, so that any number of rows fits into memory.",
         after_help = "Examples:\n  deltav table crashes.parquet --template case.toml -o results.parquet\n  \
             deltav table crashes.csv --template case.toml --job crush --keep id,year -o results.csv\n  \
-            deltav table - --template case.toml --samples 1000 < crashes.csv > results.csv\n  \
+            deltav table crashes.csv --template case.toml --samples 1000 -o intervals.csv\n  \
             deltav table --schema\n\n\
             Exit status: 1 where a row has an error. Ctrl-C writes the rows so far."
     )]

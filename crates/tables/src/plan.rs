@@ -107,7 +107,12 @@ fn role(field: &Field) -> Result<Role, TableError> {
     let looks_like =
         tables().filter(|key| matches!(Shape::case().within(key), Shape::Table(_))).find(|key| {
             let rest = name.strip_prefix(key.name);
-            rest.is_some_and(|rest| rest.starts_with(['_', '.', ' ', '-', '/', ':']))
+            let rest = rest.and_then(|rest| rest.strip_prefix(['_', '.', ' ', '-', '/', ':']));
+            // A table may have a column `impact_type` of its own, but hardly one of a vehicle that is no slip.
+            let mut keys = Shape::case().within(key).keys();
+            rest.is_some_and(|rest| {
+                key.name.starts_with("vehicle") || keys.any(|key| rest.starts_with(key.name))
+            })
         });
     let Some(table) = looks_like else { return Ok(Role::Other) };
     let rest = &name[table.name.len() + 1..];

@@ -264,10 +264,11 @@ fn own_columns_are_kept_and_do_not_matter() {
         Field::new("vehicle2.speed [mph]", DataType::Float64, true),
         Field::new("impact", DataType::Boolean, true),
         Field::new("source", DataType::Int64, true),
+        Field::new("impact_type", DataType::Utf8, true),
         Field::new("seed", DataType::Int64, true),
         Field::new("year", DataType::Utf8, true),
     ]);
-    assert_eq!(columns_kept(&schema).unwrap(), [0, 2, 3, 5]);
+    assert_eq!(columns_kept(&schema).unwrap(), [0, 2, 3, 4, 6]);
 }
 
 #[test]
