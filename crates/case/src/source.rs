@@ -39,38 +39,39 @@ impl Spans {
 #[derive(Clone, Debug)]
 pub struct Source {
     name: Text,
-    text: String,
+    /// Nothing of values, whose keys have no lines.
+    text: Option<String>,
     spans: Spans,
-    /// Whether it is a text, in whose lines keys have their places.
-    is_text: bool,
     /// Boxed to keep errors small.
     units_in_use: OnceLock<Box<UnitsInUse>>,
 }
 
 impl Source {
     pub(crate) fn new(name: &str, text: &str, spans: Spans) -> Self {
-        Self { name: name.into(), text: text.to_owned(), spans, is_text: true, units_in_use: OnceLock::new() }
+        Self { name: name.into(), text: Some(text.to_owned()), spans, units_in_use: OnceLock::new() }
     }
 
     /// Of values: the places are counted, as those of [`Entries::of_values`].
     pub(crate) fn of_values(name: &str, spans: Spans) -> Self {
-        Self { is_text: false, ..Self::new(name, "", spans) }
+        Self { text: None, ..Self::new(name, "", spans) }
     }
 
     /// Of values, the key at a place, or that of the list or table around it; nothing of a text.
     pub(crate) fn key_at(&self, place: &Range<usize>) -> Option<&str> {
-        if self.is_text { None } else { self.spans.around(place) }
+        if self.is_text() { None } else { self.spans.around(place) }
     }
 
     /// Whether it is a text, in whose lines keys have their places.
     pub(crate) fn is_text(&self) -> bool {
-        self.is_text
+        self.text.is_some()
     }
 
     /// The units of the file. Finding them parses the text again, which happens only for an error.
     pub(crate) fn units_in_use(&self) -> &UnitsInUse {
         self.units_in_use.get_or_init(|| {
-            Box::new(UnitsInUse::of(&Entries::of_toml(DeTable::parse_recoverable(&self.text).0.into_inner())))
+            Box::new(UnitsInUse::of(&Entries::of_toml(
+                DeTable::parse_recoverable(self.text()).0.into_inner(),
+            )))
         })
     }
 
@@ -83,7 +84,7 @@ impl Source {
     /// The whole text.
     #[must_use]
     pub fn text(&self) -> &str {
-        &self.text
+        self.text.as_deref().unwrap_or_default()
     }
 
     /// (bytes) the place of the value of a key such as `"vehicle1.crush.width"`, or of the header of a table
