@@ -564,7 +564,7 @@ pub(crate) fn merge<'a>(shared: &mut ValueTable<'a>, row: ValueTable<'a>) {
     for (key, value) in row {
         match (shared.get_mut(&key), value) {
             (Some(Value::Table(old)), Value::Table(new)) if !is_range(old) && !is_range(&new) => {
-                merge(old, new)
+                merge(old, new);
             }
             (Some(old), Value::Table(mut new)) if is_spread(&new) => {
                 let central = match &*old {

@@ -206,7 +206,7 @@ impl What {
         i64::try_from(count).ok()
     }
 
-    fn text<'a>(self, outcome: &'a Outcome) -> Option<&'a str> {
+    fn text(self, outcome: &Outcome) -> Option<&str> {
         let refusal = outcome.refusal.as_ref();
         match self {
             Self::Error => return refusal.map(|refusal| &*refusal.error),
