@@ -63,6 +63,12 @@ impl Diagnostic {
     fn placed(&self, source: &Source, text: &str) -> String {
         let text = on_one_line(text);
         let Some(span) = &self.span else { return text };
+        if !source.is_text() {
+            return match source.key_at(span).filter(|key| !text.contains(key)) {
+                Some(key) => format!("{key}: {text}"),
+                None => text,
+            };
+        }
         let before = &source.text()[..floor_char_boundary(source.text(), span.start)];
         let line = before.rsplit('\n').next().unwrap_or_default();
         // A byte order mark is no column.
@@ -77,6 +83,10 @@ impl Diagnostic {
         let Some(span) = &self.span else {
             return Origin::path(name).into();
         };
+        if !source.is_text() {
+            let key = source.key_at(span).map_or_else(String::new, |key| format!(", {key}"));
+            return Origin::path(format!("{name}{key}")).into();
+        }
         let start = floor_char_boundary(text, span.start);
         let end = floor_char_boundary(text, span.end.max(start));
         let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);

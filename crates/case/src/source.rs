@@ -7,6 +7,7 @@ use std::sync::OnceLock;
 use inputs::Text;
 use toml::de::DeTable;
 
+use crate::node::Entries;
 use crate::units_in_use::UnitsInUse;
 
 /// (bytes) where each key's value, or each table's header, stands.
@@ -22,6 +23,12 @@ impl Spans {
         self.0.get(path).cloned()
     }
 
+    /// The innermost key around a place.
+    fn around(&self, place: &Range<usize>) -> Option<&str> {
+        let around = self.0.iter().filter(|(_, span)| span.start <= place.start && place.end <= span.end);
+        around.min_by_key(|(_, span)| span.len()).map(|(key, _)| &**key)
+    }
+
     /// The place of the key or, if it is absent, of the nearest table around it.
     pub(crate) fn nearest(&self, path: &str) -> Option<Range<usize>> {
         self.get(path).or_else(|| self.nearest(path.rsplit_once('.')?.0))
@@ -32,7 +39,8 @@ impl Spans {
 #[derive(Clone, Debug)]
 pub struct Source {
     name: Text,
-    text: String,
+    /// Nothing of values, whose keys have no lines.
+    text: Option<String>,
     spans: Spans,
     /// Boxed to keep errors small.
     units_in_use: OnceLock<Box<UnitsInUse>>,
@@ -40,13 +48,31 @@ pub struct Source {
 
 impl Source {
     pub(crate) fn new(name: &str, text: &str, spans: Spans) -> Self {
-        Self { name: name.into(), text: text.to_owned(), spans, units_in_use: OnceLock::new() }
+        Self { name: name.into(), text: Some(text.to_owned()), spans, units_in_use: OnceLock::new() }
+    }
+
+    /// Of values: the places are counted, as those of [`Entries::of_values`].
+    pub(crate) fn of_values(name: &str, spans: Spans) -> Self {
+        Self { text: None, ..Self::new(name, "", spans) }
+    }
+
+    /// Of values, the key at a place, or that of the list or table around it; nothing of a text.
+    pub(crate) fn key_at(&self, place: &Range<usize>) -> Option<&str> {
+        if self.is_text() { None } else { self.spans.around(place) }
+    }
+
+    /// Whether it is a text, in whose lines keys have their places.
+    pub(crate) fn is_text(&self) -> bool {
+        self.text.is_some()
     }
 
     /// The units of the file. Finding them parses the text again, which happens only for an error.
     pub(crate) fn units_in_use(&self) -> &UnitsInUse {
-        self.units_in_use
-            .get_or_init(|| Box::new(UnitsInUse::of(DeTable::parse_recoverable(&self.text).0.get_ref())))
+        self.units_in_use.get_or_init(|| {
+            Box::new(UnitsInUse::of(&Entries::of_toml(
+                DeTable::parse_recoverable(self.text()).0.into_inner(),
+            )))
+        })
     }
 
     /// The name under which the file was read.
@@ -58,7 +84,7 @@ impl Source {
     /// The whole text.
     #[must_use]
     pub fn text(&self) -> &str {
-        &self.text
+        self.text.as_deref().unwrap_or_default()
     }
 
     /// (bytes) the place of the value of a key such as `"vehicle1.crush.width"`, or of the header of a table

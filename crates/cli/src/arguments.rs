@@ -146,6 +146,31 @@ pub(crate) enum Command {
             deltav sensitivity fixtures/sae-980025.toml --pdof-step 10 --pdof-steps 1 --format json"
     )]
     Sensitivity(SensitivityArguments),
+    /// Compute a row of results for each row of a table: Parquet or CSV in and out
+    #[command(
+        long_about = "Compute a row of results for each row of a table: Parquet or CSV in and out.\n\n\
+            Each row is a case, read and solved as a case file is, with the same results to the last bit. \
+            The template, a case file or a part of one, holds what all rows share; what a row gives replaces \
+            or completes it, and an empty cell gives nothing. The rows stay in their order. A row that is \
+            wrong, or has no answer, has a sentence in the column \"error\", and the others are not affected.\n\n\
+            A column is named after the key of the case file, with its unit in brackets: \"vehicle1.mass \
+            [kg]\", \"vehicle1.crush.depths[1] [in]\", \"vehicle2.speed.sd [mph]\". Without dots and brackets \
+            the same is \"vehicle1__mass__kg\", with two underscores. A number without a unit is in SI units \
+            and radians. A Parquet file can also have structs and lists as the case file has tables and lists. \
+            --schema lists all columns. The column \"seed\" gives a row a seed of its own.\n\n\
+            The columns of results are named after the keys of --format json, with underscores for dots: \
+            \"vehicle1_delta_v\", in SI units and radians; --columns lists them. With --samples, the numbers that \
+            vary also have \"vehicle1_delta_v_p025\", \"…_median\", \"…_p975\", \"…_mean\" and \"…_sd\": the \
+            median and the ends of the 95 % interval, as `deltav uncertainty` finds them. Columns of the table \
+            that are no keys, such as a number of the crash, stand in front; --keep chooses others.\n\n\
+            The table is read and written in parts, so that any number of rows fits into memory.",
+        after_help = "Examples:\n  deltav table crashes.parquet --template case.toml -o results.parquet\n  \
+            deltav table crashes.csv --template case.toml --job crush --keep id,year -o results.csv\n  \
+            deltav table crashes.csv --template case.toml --samples 1000 -o intervals.csv\n  \
+            deltav table --schema\n\n\
+            Exit status: 1 where a row has an error. Ctrl-C writes the rows so far."
+    )]
+    Table(TableArguments),
     /// Propagate input ranges and distributions to the results
     #[command(
         long_about = "Propagate input ranges and distributions to the results.\n\n\
@@ -717,6 +742,71 @@ fn particles(text: &str) -> Result<usize, String> {
         ));
     }
     Ok(particles)
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct TableArguments {
+    /// The table: a Parquet file, or CSV, or - for CSV on standard input
+    #[arg(required_unless_present_any = ["schema", "columns"])]
+    pub(crate) cases: Option<PathBuf>,
+
+    /// The case file (TOML), or part of one, with what all rows share
+    #[arg(long, value_name = "FILE")]
+    pub(crate) template: Option<PathBuf>,
+
+    /// What is done with each row
+    #[arg(long, value_enum, default_value_t = TableJob::Reconstruct)]
+    pub(crate) job: TableJob,
+
+    /// Number of samples of each row, for intervals; of the jobs reconstruct and impact
+    #[arg(long, value_name = "N", value_parser = count)]
+    pub(crate) samples: Option<usize>,
+
+    /// Random seed of every row, unless the table has a column `seed`
+    #[arg(long, value_name = "SEED", default_value_t = 1)]
+    pub(crate) seed: u64,
+
+    /// Number of particles of each of 16 islands, a multiple of 128; of the job estimate
+    #[arg(long, value_name = "N", default_value_t = PARTICLES, value_parser = particles)]
+    pub(crate) particles: usize,
+
+    /// How severe the collisions may have been before the evidence; of the job estimate
+    #[arg(long, value_enum)]
+    pub(crate) prior: Option<EstimatePrior>,
+
+    /// Number of threads; the default is one for each processor
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+
+    /// Columns of the table to put in front of the results, with commas between; the default is all that are
+    /// no keys
+    #[arg(long, value_name = "COLUMNS", value_delimiter = ',')]
+    pub(crate) keep: Option<Vec<String>>,
+
+    /// List the columns that a table can have, each with its SI unit, what it holds and its meaning
+    #[arg(long, conflicts_with = "columns")]
+    pub(crate) schema: bool,
+
+    /// List the columns of the results
+    #[arg(long)]
+    pub(crate) columns: bool,
+
+    /// Write to FILE instead of standard output: Parquet where it ends in .parquet, else CSV; a case file, or
+    /// any other .toml file, is not overwritten
+    #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
+    pub(crate) output: Destination,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TableJob {
+    /// The speed at which impact and crush agree
+    Reconstruct,
+    /// What the impact does, both speeds given
+    Impact,
+    /// CRASH3: energies and ΔV from the damage alone
+    Crush,
+    /// Both speeds from all the evidence
+    Estimate,
 }
 
 #[derive(Debug, Args)]

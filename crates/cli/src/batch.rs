@@ -29,6 +29,10 @@ pub(crate) enum Incomplete {
     Failed { failed: usize, total: usize },
     /// Ctrl-C came after so many.
     Ended { done: usize, total: usize },
+    /// So many rows of a table have an error.
+    FailedRows { failed: usize, total: usize },
+    /// Ctrl-C came after so many rows of a table.
+    EndedTable { done: usize, total: usize },
 }
 
 impl fmt::Display for Incomplete {
@@ -39,6 +43,12 @@ impl fmt::Display for Incomplete {
             }
             Self::Ended { done, total } => {
                 write!(f, "ended by Ctrl-C: rows of the first {done} of {total} case files are written")
+            }
+            Self::FailedRows { failed, total } => {
+                write!(f, "{failed} of {total} rows have an error: see the column error")
+            }
+            Self::EndedTable { done, total } => {
+                write!(f, "ended by Ctrl-C: the first {done} of {total} rows are written")
             }
         }
     }
@@ -102,7 +112,7 @@ pub(crate) fn write(job: &Job<'_>, pool: &ThreadPool, output: Option<&Path>) -> 
     }
 }
 
-fn is_broken_pipe(error: &anyhow::Error) -> bool {
+pub(crate) fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == ErrorKind::BrokenPipe)
 }
 

@@ -9,6 +9,7 @@ mod outputs;
 mod pages;
 mod progress;
 mod sink;
+mod table;
 mod terminal;
 
 use std::fs;
@@ -101,6 +102,7 @@ fn run(command: Command) -> Result<()> {
         Command::Sensitivity(arguments) => report_sensitivity(&arguments),
         Command::Uncertainty(arguments) => report_uncertainty(arguments),
         Command::Estimate(arguments) => estimates::report(&arguments),
+        Command::Table(arguments) => table::table(&arguments),
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::Validate(arguments) => validate(&arguments),
         Command::Explain(arguments) => explain(&arguments),
@@ -535,6 +537,13 @@ fn read_at_most(source: impl io::Read) -> io::Result<Vec<u8>> {
 }
 
 /// The name to show in messages, and what is in the file.
+/// A file with a part of a case, as text.
+fn read_text(path: &Path) -> Result<(String, String)> {
+    let (name, bytes) = read(path)?;
+    let text = String::from_utf8(bytes).with_context(|| format!("{} is no text in UTF-8", named(path)))?;
+    Ok((name, text))
+}
+
 fn read(path: &Path) -> Result<(String, Vec<u8>)> {
     if path == Path::new("-") {
         let bytes = read_at_most(io::stdin()).context("cannot read the case from standard input")?;

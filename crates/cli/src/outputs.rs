@@ -156,6 +156,11 @@ fn files(command: &Command) -> Files<'_> {
             }));
             files
         }
+        Command::Table(arguments) => Files {
+            cases: arguments.cases.iter().chain(&arguments.template).map(|path| &**path).collect(),
+            outputs: output(arguments.output.file(), "-results.csv"),
+            folder: None,
+        },
         Command::Draw(arguments) => Files {
             cases: vec![&arguments.case],
             outputs: output(arguments.output.file(), "-drawing.svg"),

@@ -12,4 +12,5 @@ mod outputs;
 mod rows;
 mod site_plan;
 mod start;
+mod table;
 mod writing;

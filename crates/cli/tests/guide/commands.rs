@@ -28,6 +28,7 @@ fn meant(word: &str) -> Vec<&str> {
             "check",
             "compare",
             "sensitivity",
+            "table",
             "uncertainty",
             "estimate",
             "draw",

@@ -152,11 +152,33 @@ fn exists(path: &str, of: &Page) -> bool {
     root().join(path).exists() || folder.parent().unwrap().join(path).exists()
 }
 
+/// Whether a table can have a column of this name, or its results have it.
+fn is_a_column(code: &str) -> bool {
+    use std::ops::ControlFlow;
+    use std::sync::Arc;
+
+    use arrow_array::RecordBatch;
+    use arrow_schema::{DataType, Field, Schema};
+    use tables::{Job, Options, Template, columns_kept, result_schema, run};
+
+    let is_read = |data_type: DataType| {
+        let schema = Arc::new(Schema::new(vec![Field::new(code, data_type, true)]));
+        let is_own = columns_kept(&schema).is_ok_and(|kept| kept.is_empty());
+        let batch = RecordBatch::new_empty(schema);
+        let goes_on = |_: usize, _: usize| ControlFlow::Continue(());
+        is_own && run(Job::Crush, &batch, &Template::default(), &Options::default(), &goes_on).is_ok()
+    };
+    let options = Options { samples: Some(1000), ..Options::default() };
+    is_read(DataType::Float64)
+        || is_read(DataType::Utf8)
+        || result_schema(Job::Reconstruct, &options).field_with_name(code).is_ok()
+}
+
 fn judge(code: &str, of: &Page, vocabulary: &[String]) -> bool {
     let word = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || "_.-".contains(c);
     let is_path =
         code.contains('/') && !code.contains(' ') || code.ends_with(".toml") || code.ends_with(".md");
-    if OTHER.contains(&code) || code.starts_with("cargo ") {
+    if OTHER.contains(&code) || code.starts_with("cargo ") || is_a_column(code) {
         true
     } else if is_path {
         exists(code, of)
