@@ -184,7 +184,7 @@ mod units_in_use;
 pub const EXAMPLE: &str = include_str!("../sae-980025.toml");
 
 pub use case_problem::CaseProblem;
-pub use diagnostic::{Diagnostic, Diagnostics};
+pub use diagnostic::{Diagnostic, Diagnostics, Problem};
 pub use json_schema::json_schema;
 pub use nearest::nearest_names;
 pub use program::Program;

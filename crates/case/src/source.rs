@@ -22,6 +22,12 @@ impl Spans {
         self.0.get(path).cloned()
     }
 
+    /// The key of the smallest place that contains this one; of several the longest name.
+    fn at(&self, place: &Range<usize>) -> Option<&str> {
+        let around = self.0.iter().filter(|(_, span)| span.start <= place.start && place.end <= span.end);
+        around.min_by_key(|(key, span)| (span.len(), usize::MAX - key.len())).map(|(key, _)| key.as_str())
+    }
+
     /// The place of the key or, if it is absent, of the nearest table around it.
     pub(crate) fn nearest(&self, path: &str) -> Option<Range<usize>> {
         self.get(path).or_else(|| self.nearest(path.rsplit_once('.')?.0))
@@ -41,6 +47,11 @@ pub struct Source {
 impl Source {
     pub(crate) fn new(name: &str, text: &str, spans: Spans) -> Self {
         Self { name: name.into(), text: text.to_owned(), spans, units_in_use: OnceLock::new() }
+    }
+
+    /// The key or table that has a place of the text within it.
+    pub(crate) fn key_at(&self, place: &Range<usize>) -> Option<&str> {
+        self.spans.at(place)
     }
 
     /// The units of the file. Finding them parses the text again, which happens only for an error.
