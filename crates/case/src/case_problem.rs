@@ -213,6 +213,31 @@ pub enum CaseProblem {
 }
 
 impl CaseProblem {
+    /// Whether it is about the case as a whole: of a part of one, what is missing may follow.
+    pub(crate) fn is_of_whole(&self) -> bool {
+        matches!(
+            self,
+            Self::MissingTable { .. }
+                | Self::MissingKey { .. }
+                | Self::KeyOfOtherLaw { .. }
+                | Self::MissingKeyOfLaw { .. }
+                | Self::NoForm { .. }
+                | Self::DiameterMoves { .. }
+                | Self::HalfOutline { .. }
+                | Self::TooFewStations { .. }
+                | Self::NoPoints { .. }
+                | Self::ValueCount { .. }
+                | Self::SpacingCount { .. }
+                | Self::WidthMismatch { .. }
+                | Self::ZoneCount { .. }
+                | Self::LimitBelowStart { .. }
+                | Self::NoDamageSpeed { .. }
+                | Self::Stiffness { .. }
+                | Self::NoRangeForm { .. }
+                | Self::Fault { .. }
+        )
+    }
+
     /// What to write instead, as a sentence without its full stop. [`Diagnostics`](crate::Diagnostics) show
     /// it with examples in the units of the file.
     #[must_use]

@@ -81,6 +81,13 @@ impl Diagnostic {
     /// A text about it behind its place, without line breaks.
     fn placed(&self, source: &Source, text: &str) -> String {
         let text = on_one_line(text);
+        if !source.is_text() {
+            let key = self.span.as_ref().and_then(|span| source.key_at(span));
+            return match key.filter(|key| !text.contains(key)) {
+                Some(key) => format!("{key}: {text}"),
+                None => text,
+            };
+        }
         match self.line_and_column(source) {
             Some([line, column]) => format!("line {line}, column {column}: {text}"),
             None => text,
@@ -88,7 +95,7 @@ impl Diagnostic {
     }
 
     fn line_and_column(&self, source: &Source) -> Option<[usize; 2]> {
-        let span = self.span.as_ref()?;
+        let span = self.span.as_ref().filter(|_| source.is_text())?;
         let before = &source.text()[..floor_char_boundary(source.text(), span.start)];
         let line = before.rsplit('\n').next().unwrap_or_default();
         // A byte order mark is no column.
@@ -114,6 +121,10 @@ impl Diagnostic {
         let Some(span) = &self.span else {
             return Origin::path(name).into();
         };
+        if !source.is_text() {
+            let key = source.key_at(span).map_or_else(String::new, |key| format!(", {key}"));
+            return Origin::path(format!("{name}{key}")).into();
+        }
         let start = floor_char_boundary(text, span.start);
         let end = floor_char_boundary(text, span.end.max(start));
         let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);

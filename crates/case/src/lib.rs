@@ -164,7 +164,9 @@
 mod case_problem;
 mod diagnostic;
 mod json_schema;
+mod keys;
 mod nearest;
+mod node;
 mod number;
 mod number_slips;
 mod other_files;
@@ -179,6 +181,7 @@ mod to_toml;
 mod toml_slips;
 mod units;
 mod units_in_use;
+mod value;
 
 /// The example of SAE 980025, appendix, as a case file: what is the speed of the GMC Jimmy?
 pub const EXAMPLE: &str = include_str!("../sae-980025.toml");
@@ -186,6 +189,7 @@ pub const EXAMPLE: &str = include_str!("../sae-980025.toml");
 pub use case_problem::CaseProblem;
 pub use diagnostic::{Diagnostic, Diagnostics, Problem};
 pub use json_schema::json_schema;
+pub use keys::{KeyForm, KeyInfo, key_tree, list_range_keys, range_keys};
 pub use nearest::nearest_names;
 pub use program::Program;
 pub use quantity::{QuantityError, read_quantity};
@@ -195,6 +199,7 @@ pub use source::Source;
 pub use template::Template;
 pub use to_toml::to_toml;
 pub use units::read_unit;
+pub use value::{Value, ValueTable};
 
 // What a case file holds is of the crate `inputs`, and is here too for whoever reads files.
 pub use inputs::{

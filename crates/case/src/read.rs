@@ -14,6 +14,7 @@ use toml::de::DeTable;
 
 use crate::case_problem::CaseProblem;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::node::Entries;
 use crate::other_files;
 use crate::program::Program;
 use crate::quantity::shorten;
@@ -21,6 +22,7 @@ use crate::schema::{
     ENERGY_BASIS, ESTIMATE, IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, SURFACE, TOP, UNCERTAINTY,
 };
 use crate::source::{Source, Spans};
+use crate::value::ValueTable;
 use inputs::{
     Basis, Case, Departures, ENERGY_BASES, FaultKind, Faults, Find, GivenUncertainty, LeftOut, Reconstruct,
     ReportHead, UNKNOWNS, contradictions,
@@ -78,13 +80,88 @@ impl CaseFile {
             Diagnostics::new(source, vec![Diagnostic::new(None, problem)])
         })?;
         let (document, errors) = DeTable::parse_recoverable(text);
-        let mut reader = Reader::new(text, document.get_ref());
-        let case = reader.case(document.get_ref());
+        let document = Entries::of_toml(document.into_inner());
+        let mut reader = Reader::new(text, &document);
+        let case = reader.case(&document);
         let (spans, problems) = reader.finish(&errors);
         let source = Source::new(name, text, spans);
         match case {
             Some(case) if problems.is_empty() => Ok(Self { case, source }),
             _ => Err(Diagnostics::new(source, problems)),
+        }
+    }
+
+    /// Reads a case from values, by the same rules as from a file. What is wrong is told by its key, as there
+    /// is no line.
+    ///
+    /// ```
+    /// use case::{CaseFile, Dimension, Value, ValueTable};
+    ///
+    /// let mph = Dimension::Speed.unit("mph").ok_or("a unit of speed")?;
+    /// let mut car = ValueTable::new();
+    /// car.insert("mass", Value::Text("1676 kg".into()));
+    /// car.insert("speed", Value::Quantity(35.0, mph));
+    /// let mut barrier = ValueTable::new();
+    /// barrier.insert("fixed", Value::Flag(true));
+    /// let mut case = ValueTable::new();
+    /// case.insert("vehicle1", Value::Table(car.clone()));
+    /// case.insert("vehicle2", Value::Table(barrier));
+    /// let file = CaseFile::from_values("row 1", &case)?;
+    /// assert!(file.case.inputs().iter().any(|input| input.path == "vehicle1.speed" && input.number == 35.0));
+    ///
+    /// car.insert("speed", Value::Text("35 feets".into()));
+    /// case.insert("vehicle1", Value::Table(car));
+    /// let error = CaseFile::from_values("row 1", &case).unwrap_err();
+    /// assert_eq!(error.one_line(), "vehicle1.speed: \"35 feets\" has an unknown unit \"feets\"");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`parse`](Self::parse).
+    pub fn from_values(name: &str, values: &ValueTable<'_>) -> Result<Self, Diagnostics> {
+        let document = Entries::of_values(values);
+        let mut reader = Reader::new("", &document);
+        let case = reader.case(&document);
+        let (spans, problems) = reader.finish(&[]);
+        let source = Source::of_values(name, spans);
+        match case {
+            Some(case) if problems.is_empty() => Ok(Self { case, source }),
+            _ => Err(Diagnostics::new(source, problems)),
+        }
+    }
+
+    /// Reads a part of a case, which values complete before [`from_values`](Self::from_values) reads the
+    /// whole. What is missing, or does not fit together, is told then.
+    ///
+    /// ```
+    /// let part = case::CaseFile::part("template.toml", "[impact]\nrestitution = 0.1")?;
+    /// assert!(part.get("impact").is_some());
+    /// let error = case::CaseFile::part("template.toml", "[impact]\nrestitution = 1.1").unwrap_err();
+    /// assert!(error.to_string().contains("template.toml:2:15"));
+    /// # Ok::<(), case::Diagnostics>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// What is wrong whatever else the case has: no TOML, unknown keys, and values that a key cannot have.
+    pub fn part(name: &str, text: &str) -> Result<ValueTable<'static>, Diagnostics> {
+        let text = other_files::text(text.as_bytes(), Self::LARGEST_FILE).map_err(|problem| {
+            let source = Source::new(name, "", Spans::default());
+            Diagnostics::new(source, vec![Diagnostic::new(None, problem)])
+        })?;
+        let (document, errors) = DeTable::parse_recoverable(text);
+        let document = Entries::of_toml(document.into_inner());
+        let mut reader = Reader::new(text, &document);
+        // Of interest are its problems.
+        let _ = reader.case(&document);
+        let (spans, problems) = reader.finish(&errors);
+        let is_of_whole = |problem: &CaseProblem| errors.is_empty() && problem.is_of_whole();
+        let problems: Vec<_> = problems.into_iter().filter(|one| !is_of_whole(one.problem())).collect();
+        if problems.is_empty() {
+            Ok(document.values(&TOP))
+        } else {
+            Err(Diagnostics::new(Source::new(name, text, spans), problems))
         }
     }
 
@@ -127,7 +204,7 @@ impl CaseFile {
 }
 
 impl<'t> Reader<'t> {
-    fn case(&mut self, document: &'t DeTable<'t>) -> Option<Case> {
+    fn case(&mut self, document: &'t Entries<'t>) -> Option<Case> {
         let top = self.document(document, &TOP);
         let title = self.text(&top, "title");
         let source = self.text(&top, "source");

@@ -7,6 +7,7 @@ use std::sync::OnceLock;
 use inputs::Text;
 use toml::de::DeTable;
 
+use crate::node::Entries;
 use crate::units_in_use::UnitsInUse;
 
 /// (bytes) where each key's value, or each table's header, stands.
@@ -22,10 +23,10 @@ impl Spans {
         self.0.get(path).cloned()
     }
 
-    /// The key of the smallest place that contains this one; of several the longest name.
-    fn at(&self, place: &Range<usize>) -> Option<&str> {
+    /// The innermost key around a place; of several the longest name.
+    fn around(&self, place: &Range<usize>) -> Option<&str> {
         let around = self.0.iter().filter(|(_, span)| span.start <= place.start && place.end <= span.end);
-        around.min_by_key(|(key, span)| (span.len(), usize::MAX - key.len())).map(|(key, _)| key.as_str())
+        around.min_by_key(|(key, span)| (span.len(), usize::MAX - key.len())).map(|(key, _)| &**key)
     }
 
     /// The place of the key or, if it is absent, of the nearest table around it.
@@ -40,24 +41,37 @@ pub struct Source {
     name: Text,
     text: String,
     spans: Spans,
+    /// Whether it is a text, in whose lines keys have their places.
+    is_text: bool,
     /// Boxed to keep errors small.
     units_in_use: OnceLock<Box<UnitsInUse>>,
 }
 
 impl Source {
     pub(crate) fn new(name: &str, text: &str, spans: Spans) -> Self {
-        Self { name: name.into(), text: text.to_owned(), spans, units_in_use: OnceLock::new() }
+        Self { name: name.into(), text: text.to_owned(), spans, is_text: true, units_in_use: OnceLock::new() }
     }
 
-    /// The key or table that has a place of the text within it.
+    /// Of values: the places are counted, as those of [`Entries::of_values`].
+    pub(crate) fn of_values(name: &str, spans: Spans) -> Self {
+        Self { is_text: false, ..Self::new(name, "", spans) }
+    }
+
+    /// The key at a place, or that of the list or table around it.
     pub(crate) fn key_at(&self, place: &Range<usize>) -> Option<&str> {
-        self.spans.at(place)
+        self.spans.around(place)
+    }
+
+    /// Whether it is a text, in whose lines keys have their places.
+    pub(crate) fn is_text(&self) -> bool {
+        self.is_text
     }
 
     /// The units of the file. Finding them parses the text again, which happens only for an error.
     pub(crate) fn units_in_use(&self) -> &UnitsInUse {
-        self.units_in_use
-            .get_or_init(|| Box::new(UnitsInUse::of(DeTable::parse_recoverable(&self.text).0.get_ref())))
+        self.units_in_use.get_or_init(|| {
+            Box::new(UnitsInUse::of(&Entries::of_toml(DeTable::parse_recoverable(&self.text).0.into_inner())))
+        })
     }
 
     /// The name under which the file was read.

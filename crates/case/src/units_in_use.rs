@@ -1,7 +1,6 @@
 //! The units in which a file is written, for examples that suit it.
 
-use toml::de::{DeTable, DeValue};
-
+use crate::node::{Entries, Node};
 use crate::number::leading_numbers;
 use crate::schema::{RANGE, RANGE_OF_LIST, dimensions_of};
 use crate::units::read_unit;
@@ -26,9 +25,9 @@ pub(crate) struct UnitsInUse {
 }
 
 impl UnitsInUse {
-    pub(crate) fn of(document: &DeTable<'_>) -> Self {
+    pub(crate) fn of(document: &Entries<'_>) -> Self {
         let mut endings = Vec::new();
-        for (key, value) in document {
+        for (key, value) in document.iter() {
             collect(key.get_ref(), value.get_ref(), false, &mut endings);
         }
         Self { endings }
@@ -141,10 +140,10 @@ fn round(number: f64) -> String {
     digits.parse().map_or(digits, format_number)
 }
 
-fn collect(key: &str, value: &DeValue<'_>, in_crush: bool, endings: &mut Vec<Ending>) {
+fn collect(key: &str, value: &Node<'_>, in_crush: bool, endings: &mut Vec<Ending>) {
     match value {
         _ if endings.len() == MOST => {}
-        DeValue::String(text) => {
+        Node::String(text) => {
             let (numbers, text) = leading_numbers(text);
             let units: Vec<_> =
                 Dimension::ALL.into_iter().filter_map(|dimension| read_unit(text, dimension)).collect();
@@ -152,14 +151,14 @@ fn collect(key: &str, value: &DeValue<'_>, in_crush: bool, endings: &mut Vec<End
                 endings.push(Ending { key: key.to_owned(), in_crush, units });
             }
         }
-        DeValue::Array(list) => {
+        Node::Array(list) => {
             // One value tells the unit of the list as well as all.
             if let Some(first) = list.first() {
                 collect(key, first.get_ref(), in_crush, endings);
             }
         }
-        DeValue::Table(table) => {
-            for (inner, value) in table {
+        Node::Table(table) => {
+            for (inner, value) in table.iter() {
                 let inner: &str = inner.get_ref();
                 let name = if is_of_range(inner) { key } else { inner };
                 collect(name, value.get_ref(), in_crush || key == "crush", endings);

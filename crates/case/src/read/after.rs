@@ -1,12 +1,12 @@
 //! `[vehicleN.before]` and `[vehicleN.after]`: the motion before and after the impact.
 
 use toml::Spanned;
-use toml::de::DeValue;
 
 use super::tree::{Reader, Table};
 use super::values::Place as Position;
 use crate::case_problem::CaseProblem;
 use crate::nearest::nearest;
+use crate::node::Node;
 use crate::quantity::shorten;
 use crate::schema::{AFTER, BEFORE, MOST_ZONES, POINT, REST, SKID, STEER, WHEELS};
 use inputs::{After, Before, Drag, PathPoint, Place, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag};
@@ -76,9 +76,9 @@ impl<'t> Reader<'t> {
         &mut self,
         after: &Table<'t>,
         place: &Position,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
     ) -> Option<WheelDrag> {
-        let DeValue::String(word) = value.get_ref() else {
+        let Node::String(word) = value.get_ref() else {
             let bounds = after.bounds("drag")?;
             return self.number_at(place, "drag", value, bounds).map(WheelDrag::Share);
         };

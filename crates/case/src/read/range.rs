@@ -2,11 +2,11 @@
 //! within, confidence }`.
 
 use toml::Spanned;
-use toml::de::DeValue;
 
 use super::tree::{Reader, Table, kind};
 use super::values::{Place, accepts, named, words};
 use crate::case_problem::CaseProblem;
+use crate::node::Node;
 use crate::number::split_number;
 use crate::quantity::shorten;
 use crate::schema::{Measure, RANGE, RANGE_OF_LIST, RESTITUTION, Schema};
@@ -38,7 +38,7 @@ impl<'t> Reader<'t> {
         &mut self,
         table: &Table<'t>,
         key: &'static str,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
     ) -> Option<()> {
         if !is_range(table, key) {
             return Some(());
@@ -52,7 +52,7 @@ impl<'t> Reader<'t> {
     pub(super) fn range_of_quantity(
         &mut self,
         place: &Place,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         measure: Measure,
     ) -> Option<Quantity> {
         let (central, spread) = self.range(place, value, Kind::Quantity(measure))?;
@@ -65,7 +65,7 @@ impl<'t> Reader<'t> {
     pub(super) fn range_of_number(
         &mut self,
         place: &Place,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         bounds: Bounds,
     ) -> Option<f64> {
         let (central, spread) = self.range(place, value, Kind::Number(bounds))?;
@@ -77,7 +77,7 @@ impl<'t> Reader<'t> {
     pub(super) fn range_of_quantities(
         &mut self,
         place: &Place,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         measure: Measure,
     ) -> Option<Vec<Quantity>> {
         let table = self.range_table(place, value, &RANGE_OF_LIST)?;
@@ -112,7 +112,7 @@ impl<'t> Reader<'t> {
     fn certain_quantities(
         &mut self,
         place: &Place,
-        list: &'t Spanned<DeValue<'t>>,
+        list: &'t Spanned<Node<'t>>,
         measure: Measure,
     ) -> Option<Vec<Quantity>> {
         let nested =
@@ -133,19 +133,14 @@ impl<'t> Reader<'t> {
     fn range_table(
         &mut self,
         place: &Place,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         schema: &'static Schema,
     ) -> Option<Table<'t>> {
         let entries = value.get_ref().as_table()?;
         Some(self.open(place.path.clone(), entries, schema))
     }
 
-    fn range(
-        &mut self,
-        place: &Place,
-        value: &'t Spanned<DeValue<'t>>,
-        kind: Kind,
-    ) -> Option<(Amount, Spread)> {
+    fn range(&mut self, place: &Place, value: &'t Spanned<Node<'t>>, kind: Kind) -> Option<(Amount, Spread)> {
         let table = self.range_table(place, value, &RANGE)?;
         let central = self.amount(&table, "value", kind);
         let spread = self.spread_about(&table, kind);
@@ -183,7 +178,7 @@ impl<'t> Reader<'t> {
     fn rising(
         &mut self,
         place: &Place,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         low: Amount,
         high: Amount,
     ) -> Option<()> {
@@ -211,7 +206,7 @@ impl<'t> Reader<'t> {
     fn no_range<T>(
         &mut self,
         table: &Table<'t>,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         forms: &'static str,
     ) -> Option<T> {
         if !table.has_misspelt() {
@@ -235,9 +230,9 @@ impl<'t> Reader<'t> {
         }
         match range {
             Kind::Quantity(Measure { dimension, .. })
-                if matches!(value.get_ref(), DeValue::Integer(_) | DeValue::Float(_)) =>
+                if matches!(value.get_ref(), Node::Number(_) | Node::NotDecimal) =>
             {
-                let number = shorten(&self.text[value.span()]);
+                let number = self.written(value);
                 let unit = self.units_in_use().example(&place.path, dimension).map_or("", Unit::spelling);
                 let example = format!("{key} = \"{number} {unit}\"");
                 self.report(
@@ -303,7 +298,7 @@ impl<'t> Reader<'t> {
     fn standard_deviation(&mut self, table: &Table<'t>, kind: Kind) -> Option<Amount> {
         let value = table.get("sd")?;
         match value.get_ref() {
-            DeValue::String(text) if text.trim_end().ends_with('%') => {
+            Node::String(text) if text.trim_end().ends_with('%') => {
                 let path = named(&table.path_of("sd"));
                 self.report(value.span(), CaseProblem::PercentAsSd { path, text: shorten(text.trim()) });
                 None
@@ -317,7 +312,7 @@ impl<'t> Reader<'t> {
         let value = table.get(key)?;
         let (path, example) = (table.path_of(key), table.schema.example(key));
         let problem = match value.get_ref() {
-            DeValue::String(text) => match split_number(text.trim()) {
+            Node::String(text) => match split_number(text.trim()) {
                 (Some(number), rest) if rest.trim() == "%" && number.is_finite() => {
                     if number > 0.0 {
                         return Some(number);
@@ -331,8 +326,8 @@ impl<'t> Reader<'t> {
                 }
                 _ => CaseProblem::NotPercent { path: named(&path), text: shorten(text) },
             },
-            DeValue::Integer(_) | DeValue::Float(_) => {
-                let text = shorten(&self.text[value.span()]);
+            Node::Number(_) | Node::NotDecimal => {
+                let text = self.written(value);
                 CaseProblem::NotPercent { path: named(&path), text }
             }
             other => {

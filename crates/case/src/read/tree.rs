@@ -5,18 +5,19 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range as Span;
 
 use toml::Spanned;
-use toml::de::{DeTable, DeValue, Error};
+use toml::de::Error;
 
 use crate::case_problem::CaseProblem;
 use crate::diagnostic::Diagnostic;
 use crate::nearest::nearest;
+use crate::node::{Entries, Node};
 use crate::parser_error::{Kind, ParserError};
 use crate::quantity::shorten;
 use crate::schema::{Measure, Schema};
 use crate::source::Spans;
 use crate::toml_slips;
 use crate::units_in_use::UnitsInUse;
-use inputs::{Bounds, Case, Range};
+use inputs::{Bounds, Case, Range, format_number};
 
 /// Of so many broken lines the text is looked at: more than are shown.
 const EXPLAINED: usize = 50;
@@ -27,7 +28,7 @@ pub(super) struct Reader<'t> {
     spans: Spans,
     problems: Vec<Diagnostic>,
     ranges: BTreeMap<String, Range>,
-    document: &'t DeTable<'t>,
+    document: &'t Entries<'t>,
     units_in_use: OnceCell<UnitsInUse>,
 }
 
@@ -35,13 +36,13 @@ pub(super) struct Reader<'t> {
 pub(super) struct Table<'t> {
     pub(super) path: String,
     pub(super) schema: &'static Schema,
-    entries: &'t DeTable<'t>,
+    entries: &'t Entries<'t>,
     /// Known keys for which a misspelt one stands: to call them missing as well would be noise.
     meant: Vec<&'static str>,
 }
 
 impl<'t> Table<'t> {
-    pub(super) fn get(&self, key: &str) -> Option<&'t Spanned<DeValue<'t>>> {
+    pub(super) fn get(&self, key: &str) -> Option<&'t Spanned<Node<'t>>> {
         self.entries.get(key)
     }
 
@@ -99,7 +100,7 @@ impl<'t> Table<'t> {
 }
 
 impl<'t> Reader<'t> {
-    pub(super) fn new(text: &'t str, document: &'t DeTable<'t>) -> Self {
+    pub(super) fn new(text: &'t str, document: &'t Entries<'t>) -> Self {
         Self {
             text,
             spans: Spans::default(),
@@ -108,6 +109,15 @@ impl<'t> Reader<'t> {
             document,
             units_in_use: OnceCell::new(),
         }
+    }
+
+    /// A plain number as it was written.
+    pub(super) fn written(&self, value: &Spanned<Node<'_>>) -> String {
+        let number = match value.get_ref() {
+            Node::Number(number) => format_number(*number),
+            _ => String::new(),
+        };
+        self.text.get(value.span()).map_or(number, shorten)
     }
 
     /// The units of the file, looked for at the first error that wants an example.
@@ -146,7 +156,7 @@ impl<'t> Reader<'t> {
     }
 
     /// The document itself, as a table.
-    pub(super) fn document(&mut self, entries: &'t DeTable<'t>, schema: &'static Schema) -> Table<'t> {
+    pub(super) fn document(&mut self, entries: &'t Entries<'t>, schema: &'static Schema) -> Table<'t> {
         self.open(String::new(), entries, schema)
     }
 
@@ -198,7 +208,7 @@ impl<'t> Reader<'t> {
     ) -> Option<Vec<Table<'t>>> {
         let value = parent.get(key)?;
         let path = parent.path_of(key);
-        let wrong = |path: String, found: &DeValue<'_>, wanted: &'static str| CaseProblem::WrongType {
+        let wrong = |path: String, found: &Node<'_>, wanted: &'static str| CaseProblem::WrongType {
             path,
             found: kind(found),
             wanted,
@@ -225,11 +235,11 @@ impl<'t> Reader<'t> {
     pub(super) fn open(
         &mut self,
         path: String,
-        entries: &'t DeTable<'t>,
+        entries: &'t Entries<'t>,
         schema: &'static Schema,
     ) -> Table<'t> {
         let mut table = Table { path, schema, entries, meant: Vec::new() };
-        for (key, value) in entries {
+        for (key, value) in entries.iter() {
             let name: &str = key.get_ref();
             if schema.has(name) {
                 self.spans.insert(table.path_of(name), value.span());
@@ -239,7 +249,8 @@ impl<'t> Reader<'t> {
             let meant =
                 other_name.or_else(|| schema.without_unit(name)).or_else(|| nearest(name, schema.names()));
             table.meant.extend(meant);
-            let is_table = value.get_ref().is_table() && self.text[value.span()].starts_with('[');
+            let is_table = value.get_ref().is_table()
+                && self.text.get(value.span()).is_some_and(|text| text.starts_with('['));
             let belongs = if other_name.is_some() { None } else { Schema::belongs(name) };
             let problem = if table.path.is_empty() && is_table && (belongs.is_none() || name == "crush") {
                 // "vehicle3" resembles both vehicles, and is neither.
@@ -367,13 +378,14 @@ impl<'t> Reader<'t> {
 }
 
 /// What a value is, as an error text says it.
-pub(super) fn kind(value: &DeValue<'_>) -> &'static str {
+pub(super) fn kind(value: &Node<'_>) -> &'static str {
     match value {
-        DeValue::String(_) => "a string",
-        DeValue::Integer(_) | DeValue::Float(_) => "a plain number",
-        DeValue::Boolean(_) => "true or false",
-        DeValue::Datetime(_) => "a date or time",
-        DeValue::Array(_) => "a list",
-        DeValue::Table(_) => "a table",
+        Node::String(_) => "a string",
+        Node::Number(_) | Node::NotDecimal => "a plain number",
+        Node::Quantity(..) => "a number with a unit",
+        Node::Boolean(_) => "true or false",
+        Node::Datetime => "a date or time",
+        Node::Array(_) => "a list",
+        Node::Table(_) => "a table",
     }
 }

@@ -5,16 +5,16 @@ use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 
 use toml::Spanned;
-use toml::de::DeValue;
 
 use super::tree::{Reader, Table, kind};
 use crate::case_problem::CaseProblem;
 use crate::nearest::{join, nearest};
+use crate::node::Node;
 use crate::number::{leading_numbers, split_number};
 use crate::number_slips;
 use crate::quantity::{QuantityError, find_unit, not_a_number, read_quantity, shorten};
 use crate::schema::{Form, MOST_STATIONS, Measure};
-use inputs::{Bounds, Dimension, Quantity, Text, format_number};
+use inputs::{Bounds, Dimension, Quantity, Text, Unit, format_number};
 
 /// A key of a number, or an element of its list.
 pub(super) struct Place {
@@ -63,7 +63,7 @@ impl<'t> Reader<'t> {
     fn quantity_or_range(
         &mut self,
         place: &Place,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         measure: Measure,
         wanted: &'static str,
     ) -> Option<Quantity> {
@@ -77,12 +77,17 @@ impl<'t> Reader<'t> {
     pub(super) fn certain_quantity(
         &mut self,
         place: &Place,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         measure: Measure,
         wanted: &'static str,
     ) -> Option<Quantity> {
-        let text = self.quantity_text(place, value, measure.dimension, wanted)?;
-        match read_quantity(text, measure.dimension) {
+        let read = match value.get_ref() {
+            Node::Quantity(number, unit) => in_dimension(*number, unit, measure.dimension),
+            _ => {
+                read_quantity(self.quantity_text(place, value, measure.dimension, wanted)?, measure.dimension)
+            }
+        };
+        match read {
             Ok(quantity) => self.signed(&place.name, value.span(), quantity, measure),
             Err(error) => {
                 let problem = self.unreadable(place, error, measure.dimension);
@@ -112,17 +117,17 @@ impl<'t> Reader<'t> {
     pub(super) fn listed_quantities(
         &mut self,
         place: &Place,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         measure: Measure,
     ) -> Option<Vec<Quantity>> {
         let read = match value.get_ref() {
-            DeValue::Array(array) => {
+            Node::Array(array) => {
                 self.not_too_many(&place.path, value, array.len(), MOST_STATIONS)?;
-                let is_bare = |one: &Spanned<DeValue<'_>>| plain_number(one.get_ref()).is_some();
+                let is_bare = |one: &Spanned<Node<'_>>| plain_number(one.get_ref()).is_some();
                 if !array.is_empty() && array.iter().all(is_bare) {
                     return self.bare_numbers(place, value, measure.dimension);
                 }
-                let element = |(index, element): (usize, &'t Spanned<DeValue<'t>>)| {
+                let element = |(index, element): (usize, &'t Spanned<Node<'t>>)| {
                     // What is no quantity at all is no element, but makes the whole key wrong.
                     let of_element = place.element(index);
                     let path = if element.get_ref().is_table() { &of_element.path } else { &place.path };
@@ -145,12 +150,12 @@ impl<'t> Reader<'t> {
     fn bare_numbers<T>(
         &mut self,
         place: &Place,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         dimension: Dimension,
     ) -> Option<T> {
         const SHOWN: usize = 12;
         let array = value.get_ref().as_array().into_iter().flatten();
-        let numbers: Vec<&str> = array.take(SHOWN + 1).map(|one| &self.text[one.span()]).collect();
+        let numbers: Vec<String> = array.take(SHOWN + 1).map(|one| self.written(one)).collect();
         let key = place.path.rsplit('.').next().unwrap_or_default();
         let example = match self.units_in_use().example(&place.path, dimension) {
             Some(unit) if numbers.len() <= SHOWN => format!("{key} = \"{} {unit}\"", numbers.join(" ")),
@@ -163,7 +168,7 @@ impl<'t> Reader<'t> {
     pub(super) fn not_too_many(
         &mut self,
         path: &str,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         count: usize,
         limit: usize,
     ) -> Option<()> {
@@ -178,7 +183,7 @@ impl<'t> Reader<'t> {
     fn split_quantities(
         &mut self,
         place: &Place,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         text: &'t str,
         measure: Measure,
     ) -> Option<Vec<Option<Quantity>>> {
@@ -236,10 +241,10 @@ impl<'t> Reader<'t> {
     }
 
     /// Where each of a list of quantities stands, as far as that can be told.
-    pub(super) fn spans_in(&self, value: &Spanned<DeValue<'t>>) -> Vec<Range<usize>> {
+    pub(super) fn spans_in(&self, value: &Spanned<Node<'t>>) -> Vec<Range<usize>> {
         match value.get_ref() {
-            DeValue::Array(array) => array.iter().map(Spanned::span).collect(),
-            DeValue::String(text) => self.start_of_text(value, text).map_or_else(Vec::new, |start| {
+            Node::Array(array) => array.iter().map(Spanned::span).collect(),
+            Node::String(text) => self.start_of_text(value, text).map_or_else(Vec::new, |start| {
                 let (numbers, _) = leading_numbers(text);
                 numbers.into_iter().map(|(_, at)| start + at.start..start + at.end).collect()
             }),
@@ -248,7 +253,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Where a string begins, if it stands in the file as it reads, without escapes.
-    fn start_of_text(&self, value: &Spanned<DeValue<'_>>, text: &str) -> Option<usize> {
+    fn start_of_text(&self, value: &Spanned<Node<'_>>, text: &str) -> Option<usize> {
         let start = value.span().start + 1;
         (self.text.get(start..start + text.len()) == Some(text)).then_some(start)
     }
@@ -256,15 +261,15 @@ impl<'t> Reader<'t> {
     fn quantity_text(
         &mut self,
         place: &Place,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         dimension: Dimension,
         wanted: &'static str,
     ) -> Option<&'t str> {
         let (path, example) = (place.path.clone(), place.example);
         let problem = match value.get_ref() {
-            DeValue::String(text) => return Some(text),
-            DeValue::Integer(_) | DeValue::Float(_) => {
-                let number = shorten(&self.text[value.span()]);
+            Node::String(text) => return Some(text),
+            Node::Number(_) | Node::NotDecimal => {
+                let number = self.written(value);
                 let example = match hour_of(&number).filter(|_| place.path.ends_with(".pdof")) {
                     Some(hour) => {
                         format!("pdof = \"{hour} deg\" or, as a clock hour, pdof = \"{hour} o'clock\"")
@@ -318,7 +323,7 @@ impl<'t> Reader<'t> {
         &mut self,
         place: &Place,
         key: &str,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         bounds: Bounds,
     ) -> Option<f64> {
         if value.get_ref().is_table() {
@@ -332,7 +337,7 @@ impl<'t> Reader<'t> {
         &mut self,
         place: &Place,
         key: &str,
-        value: &'t Spanned<DeValue<'t>>,
+        value: &'t Spanned<Node<'t>>,
         range: impl Into<Cow<'static, str>>,
         accepts: impl Fn(f64) -> bool,
     ) -> Option<f64> {
@@ -340,12 +345,12 @@ impl<'t> Reader<'t> {
         let problem = match (plain_number(value.get_ref()), value.get_ref()) {
             (Some(number), _) if accepts(number) => return Some(number),
             (Some(value), _) => CaseProblem::OutOfRange { path: name, value, range: range.into(), example },
-            (None, DeValue::String(text)) => {
+            (None, Node::String(text)) => {
                 let number =
                     number_slips::plain(text).map(|number| format!("{key} = {}", format_number(number)));
                 CaseProblem::QuotedNumber { path: name, text: shorten(text), number, example }
             }
-            (None, DeValue::Integer(_)) => {
+            (None, Node::NotDecimal) => {
                 CaseProblem::WrongType { path, found: NOT_DECIMAL, wanted: "a decimal number", example }
             }
             (None, other) => {
@@ -369,7 +374,7 @@ impl<'t> Reader<'t> {
             return None;
         };
         self.not_too_many(&path, value, array.len(), MOST_STATIONS)?;
-        let element = |(index, element): (usize, &'t Spanned<DeValue<'t>>)| {
+        let element = |(index, element): (usize, &'t Spanned<Node<'t>>)| {
             if element.get_ref().is_table() {
                 return self.range_of_number(&whole.element(index), element, bounds);
             }
@@ -379,12 +384,12 @@ impl<'t> Reader<'t> {
                 (Some(value), _) => {
                     CaseProblem::OutOfRange { path: place(), value, range: range.into(), example }
                 }
-                (None, DeValue::String(text)) => {
+                (None, Node::String(text)) => {
                     let number = number_slips::plain(text).map(format_number);
                     CaseProblem::QuotedNumber { path: place(), text: shorten(text), number, example }
                 }
                 (None, other) => {
-                    let found = if other.is_integer() { NOT_DECIMAL } else { kind(other) };
+                    let found = if matches!(other, Node::NotDecimal) { NOT_DECIMAL } else { kind(other) };
                     CaseProblem::WrongType { path: path.clone(), found, wanted: WANTED, example }
                 }
             };
@@ -413,8 +418,8 @@ impl<'t> Reader<'t> {
         let path = table.path_of(key);
         let example = table.schema.example(key);
         let problem = match value.get_ref() {
-            DeValue::String(text) if !text.trim().is_empty() => return Some(Text::from(&**text)),
-            DeValue::String(_) => CaseProblem::EmptyText { path, example },
+            Node::String(text) if !text.trim().is_empty() => return Some(Text::from(&**text)),
+            Node::String(_) => CaseProblem::EmptyText { path, example },
             other => CaseProblem::WrongType { path, found: kind(other), wanted: "a text in quotes", example },
         };
         self.report(value.span(), problem);
@@ -464,7 +469,7 @@ impl<'t> Reader<'t> {
         self.not_a_range(table, key, value)?;
         let path = table.path_of(key);
         let problem = match value.get_ref() {
-            DeValue::String(word) => {
+            Node::String(word) => {
                 if let Some((_, choice)) = choices.iter().find(|(name, _)| name == word) {
                     return Some(*choice);
                 }
@@ -486,6 +491,15 @@ impl<'t> Reader<'t> {
         self.report(value.span(), problem);
         None
     }
+}
+
+/// A number in a unit, which has to be one of the dimension.
+fn in_dimension(number: f64, unit: &'static Unit, dimension: Dimension) -> Result<Quantity, QuantityError> {
+    if unit.dimension() == dimension {
+        return Ok(Quantity::new(number, unit)?);
+    }
+    // Its spelling may be that of another unit: "lb" is a mass, a weight and a stiffness.
+    read_quantity(&format!("{} {unit}", format_number(number)), dimension)
 }
 
 /// The hour of a clock.
@@ -511,7 +525,7 @@ pub(super) fn accepts(bounds: Bounds, number: f64) -> bool {
 }
 
 /// The list itself, where it stands beside a spread.
-pub(super) fn values_of<'t>(value: &'t Spanned<DeValue<'t>>) -> &'t Spanned<DeValue<'t>> {
+pub(super) fn values_of<'t>(value: &'t Spanned<Node<'t>>) -> &'t Spanned<Node<'t>> {
     value.get_ref().as_table().and_then(|table| table.get("values")).unwrap_or(value)
 }
 
@@ -519,10 +533,9 @@ pub(super) fn values_of<'t>(value: &'t Spanned<DeValue<'t>>) -> &'t Spanned<DeVa
 const NOT_DECIMAL: &str = "not written in decimal digits";
 
 /// A number in decimal digits without a unit.
-fn plain_number(value: &DeValue<'_>) -> Option<f64> {
+fn plain_number(value: &Node<'_>) -> Option<f64> {
     match value {
-        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
-        DeValue::Float(float) => float.as_str().parse().ok(),
+        Node::Number(number) => Some(*number),
         _ => None,
     }
 }

@@ -3,6 +3,7 @@
 use super::tree::{Reader, Table};
 use super::values::{Place, hour_of, named};
 use crate::case_problem::{CLASS_FORMS, CaseProblem};
+use crate::node::Node;
 use crate::quantity::{Limit, format_limit, shorten};
 use crate::schema::{
     CONTACT, CRUSH, MOST_ZONES, NEVER_BESIDE_EES, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY,
@@ -14,7 +15,6 @@ use inputs::{
     OBLIQUE_CORRECTIONS, Outline, Pdof, Quantity, SIDES, StiffnessForm, StiffnessLine, UNDAMAGED, Velocity,
     YawInertia, format_number,
 };
-use toml::de::DeValue;
 
 /// (–) by how much the width and the sum of the spacing may differ: both are read from a tape.
 const WIDTH_TOLERANCE: f64 = 1e-3;
@@ -265,7 +265,7 @@ impl<'t> Reader<'t> {
     fn pdof(&mut self, crush: &Table<'t>) -> Option<Pdof> {
         let value = crush.get("pdof")?;
         let hour = match value.get_ref() {
-            DeValue::String(text) => {
+            Node::String(text) => {
                 text.trim_end().strip_suffix("o'clock").or_else(|| text.trim_end().strip_suffix("o’clock"))
             }
             _ => None,

@@ -1,0 +1,363 @@
+//! The columns of results.
+
+use std::collections::HashMap;
+use std::sync::{Arc, LazyLock};
+
+use analysis::{
+    Analysis, EstimateOutput, Estimated, Output, OutputQuantity, QUANTITIES, Seen, Uncertainty, Values,
+    WayNumber,
+};
+use arrow_array::builder::{BooleanBuilder, Float64Builder, Int64Builder, ListBuilder, StringBuilder};
+use arrow_array::{ArrayRef, RecordBatch};
+use arrow_schema::{DataType, Field, Schema, SchemaRef};
+use case::{Axes, Case};
+use pim_core::VehicleId;
+
+use crate::{Job, Options, TableError};
+
+/// The quantities of a vehicle that damage alone gives, beside all those of CRASH3.
+const OF_DAMAGE: [&str; 10] = [
+    "pdof",
+    "crush_energy",
+    "crush_energy_bounds.low",
+    "crush_energy_bounds.high",
+    "ees",
+    "oblique_angle",
+    "oblique_factor",
+    "corrected_crush_energy",
+    "peak_force",
+    "no_damage_speed",
+];
+
+/// The statistics of an interval, in the order of their columns.
+const STATISTICS: [&str; 5] = ["p025", "median", "p975", "mean", "sd"];
+
+/// What stands in a column.
+#[derive(Clone, Copy)]
+enum What {
+    Error,
+    Help,
+    Warnings,
+    Axes,
+    EnergyBasis,
+    FoundQuantity,
+    AdmissibleRoots,
+    Quantity(&'static OutputQuantity, Option<VehicleId>),
+    /// The samples of a row, and those with an answer.
+    Samples,
+    Succeeded,
+    /// A statistic of an output, by their places.
+    OfSamples(usize, usize),
+    Converged,
+    EffectiveSamples,
+    OfDraws(usize, usize),
+}
+
+/// What was found of one row.
+pub(crate) enum Found {
+    Analysis(Box<Seen>, Vec<String>, Option<Spread>),
+    Estimate(Box<EstimateFound>),
+}
+
+/// What the samples of a row say.
+pub(crate) struct Spread {
+    samples: usize,
+    succeeded: usize,
+    /// By the places of [`OUTPUTS`].
+    of: Vec<Option<[f64; STATISTICS.len()]>>,
+}
+
+/// What an estimate says of a row.
+pub(crate) struct EstimateFound {
+    axes: Axes,
+    converged: bool,
+    ess: f64,
+    /// By the places of [`DRAWN`].
+    of: Vec<Option<[f64; STATISTICS.len()]>>,
+}
+
+/// Why a row has no result.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Refusal {
+    /// What is wrong, on one line.
+    pub(crate) error: String,
+    /// What to write instead; empty where there is nothing to say.
+    pub(crate) help: String,
+}
+
+/// What came of a row: a result, and why there is none. An estimate that has not converged has both.
+pub(crate) struct Outcome {
+    pub(crate) found: Option<Found>,
+    pub(crate) refusal: Option<Refusal>,
+}
+
+/// The outputs that samples can have, by their path.
+static OUTPUTS: LazyLock<Vec<String>> =
+    LazyLock::new(|| Output::all().into_iter().map(|output| output.path()).collect());
+
+/// The outputs that an estimate can have, by their path.
+static DRAWN: LazyLock<Vec<String>> = LazyLock::new(|| {
+    let is_drawn = |output: &Output| match output {
+        Output::Way { number, .. } => {
+            matches!(number, WayNumber::RestX | WayNumber::RestY | WayNumber::RestHeading)
+        }
+        _ => true,
+    };
+    let results = Output::all().into_iter().filter(is_drawn).map(EstimateOutput::Result);
+    let others = [EstimateOutput::Restitution, EstimateOutput::ImpulseRatio, EstimateOutput::CrushEnergy];
+    results.chain(others).map(EstimateOutput::path).collect()
+});
+
+/// The name of a column: the key of the JSON, without its dots.
+fn column(path: &str) -> String {
+    path.replace('.', "_")
+}
+
+fn columns(job: Job, samples: Option<usize>) -> Vec<(String, What)> {
+    let mut columns = vec![("error".to_owned(), What::Error), ("help".to_owned(), What::Help)];
+    let named = |name: &str, what: What| (name.to_owned(), what);
+    columns.push(named("axes", What::Axes));
+    match job {
+        Job::Estimate => {
+            columns.push(named("converged", What::Converged));
+            columns.push(named("ess", What::EffectiveSamples));
+            for (place, path) in DRAWN.iter().enumerate() {
+                columns.extend(statistics(path, |statistic| What::OfDraws(place, statistic)));
+            }
+            return columns;
+        }
+        Job::Crush => columns.push(named("energy_basis", What::EnergyBasis)),
+        Job::Reconstruct | Job::Impact => {
+            columns.push(named("energy_basis", What::EnergyBasis));
+            columns.push(named("found_quantity", What::FoundQuantity));
+            columns.push(named("found_admissible_roots", What::AdmissibleRoots));
+        }
+    }
+    let is_wanted = |quantity: &&OutputQuantity| {
+        job != Job::Crush || quantity.key.starts_with("crash3.") || OF_DAMAGE.contains(&quantity.key)
+    };
+    let wanted = || QUANTITIES.iter().filter(is_wanted);
+    for quantity in wanted().filter(|quantity| !quantity.is_of_vehicle()) {
+        columns.push((column(quantity.key), What::Quantity(quantity, None)));
+    }
+    for id in VehicleId::ALL {
+        for quantity in wanted().filter(|quantity| quantity.is_of_vehicle()) {
+            let name = column(&format!("vehicle{id}.{}", quantity.key));
+            columns.push((name, What::Quantity(quantity, Some(id))));
+        }
+    }
+    columns.push(named("warnings", What::Warnings));
+    if samples.is_some() {
+        columns.push(named("samples", What::Samples));
+        columns.push(named("samples_succeeded", What::Succeeded));
+        for (place, path) in OUTPUTS.iter().enumerate() {
+            columns.extend(statistics(path, |statistic| What::OfSamples(place, statistic)));
+        }
+    }
+    columns
+}
+
+fn statistics(path: &str, what: impl Fn(usize) -> What) -> impl Iterator<Item = (String, What)> {
+    let name = column(path);
+    STATISTICS
+        .into_iter()
+        .enumerate()
+        .map(move |(place, statistic)| (format!("{name}_{statistic}"), what(place)))
+}
+
+impl What {
+    fn data_type(self) -> DataType {
+        match self {
+            Self::Error | Self::Help | Self::Axes | Self::EnergyBasis | Self::FoundQuantity => DataType::Utf8,
+            Self::Warnings => DataType::List(Arc::new(Field::new_list_field(DataType::Utf8, true))),
+            Self::AdmissibleRoots | Self::Samples | Self::Succeeded => DataType::Int64,
+            Self::Converged => DataType::Boolean,
+            Self::Quantity(..) | Self::OfSamples(..) | Self::OfDraws(..) | Self::EffectiveSamples => {
+                DataType::Float64
+            }
+        }
+    }
+
+    fn number(self, found: &Found) -> Option<f64> {
+        match (self, found) {
+            (Self::Quantity(quantity, vehicle), Found::Analysis(seen, ..)) => match quantity.values(seen) {
+                Values::Shared(value) => value,
+                Values::Pair(values) => values[vehicle?.index()],
+            },
+            (Self::OfSamples(place, statistic), Found::Analysis(_, _, Some(spread))) => {
+                spread.of[place].map(|statistics| statistics[statistic])
+            }
+            (Self::OfDraws(place, statistic), Found::Estimate(found)) => {
+                found.of[place].map(|statistics| statistics[statistic])
+            }
+            (Self::EffectiveSamples, Found::Estimate(found)) => Some(found.ess),
+            _ => None,
+        }
+    }
+
+    fn whole(self, found: &Found) -> Option<i64> {
+        let Found::Analysis(seen, _, spread) = found else { return None };
+        let count = match self {
+            Self::AdmissibleRoots => seen.found.as_ref()?.admissible.len(),
+            Self::Samples => spread.as_ref()?.samples,
+            Self::Succeeded => spread.as_ref()?.succeeded,
+            _ => return None,
+        };
+        i64::try_from(count).ok()
+    }
+
+    fn text<'a>(self, outcome: &'a Outcome) -> Option<&'a str> {
+        let refusal = outcome.refusal.as_ref();
+        match self {
+            Self::Error => return refusal.map(|refusal| &*refusal.error),
+            Self::Help => return refusal.map(|refusal| &*refusal.help).filter(|help| !help.is_empty()),
+            _ => {}
+        }
+        match (self, outcome.found.as_ref()?) {
+            (Self::Axes, Found::Analysis(seen, ..)) => Some(seen.axes.name()),
+            (Self::Axes, Found::Estimate(found)) => Some(found.axes.name()),
+            (Self::EnergyBasis, Found::Analysis(seen, ..)) => Some(seen.basis.name()),
+            (Self::FoundQuantity, Found::Analysis(seen, ..)) => {
+                let found = seen.found.as_ref()?;
+                Some(match found.unknown.vehicle() {
+                    VehicleId::One => "vehicle1.speed",
+                    VehicleId::Two => "vehicle2.speed",
+                })
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The schema of the results, whatever the cases are.
+pub(crate) fn schema(job: Job, options: &Options) -> SchemaRef {
+    let fields: Vec<Field> = columns(job, options.samples)
+        .into_iter()
+        .map(|(name, what)| Field::new(name, what.data_type(), true))
+        .collect();
+    // With the cases, all that it takes to get the same again.
+    let mut metadata = HashMap::from([
+        ("deltav.version".to_owned(), env!("CARGO_PKG_VERSION").to_owned()),
+        ("deltav.job".to_owned(), job.name().to_owned()),
+        ("deltav.seed".to_owned(), options.seed.to_string()),
+    ]);
+    if let Some(samples) = options.samples {
+        metadata.insert("deltav.samples".to_owned(), samples.to_string());
+    }
+    if job == Job::Estimate {
+        metadata.insert("deltav.particles".to_owned(), options.particles.to_string());
+    }
+    Arc::new(Schema::new_with_metadata(fields, metadata))
+}
+
+/// The columns of results, filled row by row.
+pub(crate) struct Builder {
+    schema: SchemaRef,
+    columns: Vec<(What, Filled)>,
+}
+
+enum Filled {
+    Numbers(Float64Builder),
+    Wholes(Int64Builder),
+    Texts(StringBuilder),
+    Flags(BooleanBuilder),
+    Lists(ListBuilder<StringBuilder>),
+}
+
+impl Builder {
+    pub(crate) fn new(job: Job, options: &Options) -> Self {
+        let filled = |what: What| match what.data_type() {
+            DataType::Float64 => Filled::Numbers(Float64Builder::new()),
+            DataType::Int64 => Filled::Wholes(Int64Builder::new()),
+            DataType::Boolean => Filled::Flags(BooleanBuilder::new()),
+            DataType::List(_) => Filled::Lists(ListBuilder::new(StringBuilder::new())),
+            _ => Filled::Texts(StringBuilder::new()),
+        };
+        let columns =
+            columns(job, options.samples).into_iter().map(|(_, what)| (what, filled(what))).collect();
+        Self { schema: schema(job, options), columns }
+    }
+
+    pub(crate) fn push(&mut self, outcome: &Outcome) {
+        let found = outcome.found.as_ref();
+        for (what, filled) in &mut self.columns {
+            match filled {
+                Filled::Numbers(numbers) => {
+                    numbers.append_option(found.and_then(|found| what.number(found)));
+                }
+                Filled::Wholes(wholes) => wholes.append_option(found.and_then(|found| what.whole(found))),
+                Filled::Texts(texts) => texts.append_option(what.text(outcome)),
+                Filled::Flags(flags) => flags.append_option(match found {
+                    Some(Found::Estimate(found)) => Some(found.converged),
+                    _ => None,
+                }),
+                Filled::Lists(lists) => match found {
+                    Some(Found::Analysis(_, warnings, _)) => {
+                        lists.append_value(warnings.iter().map(Some));
+                    }
+                    _ => lists.append_null(),
+                },
+            }
+        }
+    }
+
+    pub(crate) fn finish(self) -> Result<RecordBatch, TableError> {
+        let arrays = self.columns.into_iter().map(|(_, filled)| -> ArrayRef {
+            match filled {
+                Filled::Numbers(mut numbers) => Arc::new(numbers.finish()),
+                Filled::Wholes(mut wholes) => Arc::new(wholes.finish()),
+                Filled::Texts(mut texts) => Arc::new(texts.finish()),
+                Filled::Flags(mut flags) => Arc::new(flags.finish()),
+                Filled::Lists(mut lists) => Arc::new(lists.finish()),
+            }
+        });
+        Ok(RecordBatch::try_new(self.schema, arrays.collect())?)
+    }
+}
+
+impl Found {
+    pub(crate) fn analysis(case: &Case, analysis: &Analysis, spread: Option<Spread>) -> Self {
+        let seen = analysis.seen(case.axes);
+        let codes = seen.warnings.iter().map(|seen| {
+            let warning = seen.warning();
+            match warning.vehicle() {
+                Some(id) => format!("vehicle{id}.{}", warning.code()),
+                None => warning.code().to_owned(),
+            }
+        });
+        let codes = codes.collect();
+        Self::Analysis(Box::new(seen), codes, spread)
+    }
+
+    pub(crate) fn estimate(case: &Case, estimated: &Estimated) -> Self {
+        let converged = estimated.doubts().is_empty();
+        let of = |path: &String| {
+            let output = estimated.outputs.iter().find(|output| output.output.path() == *path)?;
+            let summary = &output.posterior;
+            let widest = summary.intervals.last().filter(|_| converged)?;
+            Some([widest.low, summary.median, widest.high, summary.mean, summary.sd].map(|one| one.value))
+        };
+        let of = DRAWN.iter().map(of).collect();
+        Self::Estimate(Box::new(EstimateFound { axes: case.axes, converged, ess: estimated.ess(), of }))
+    }
+}
+
+impl Spread {
+    pub(crate) fn of(uncertainty: &Uncertainty) -> Self {
+        let propagation = &uncertainty.propagation;
+        let of = |path: &String| {
+            let place = uncertainty.outputs.iter().position(|output| output.output.path() == *path)?;
+            let summary = propagation.summaries().get(place)?.as_ref()?;
+            let interval = summary.intervals.iter().find(|interval| interval.level == WIDEST)?;
+            Some([interval.low, summary.median, interval.high, summary.mean, summary.sd].map(|one| one.value))
+        };
+        Self {
+            samples: propagation.evaluated(),
+            succeeded: propagation.succeeded(),
+            of: OUTPUTS.iter().map(of).collect(),
+        }
+    }
+}
+
+/// Between the quantiles of 2.5 % and 97.5 %.
+const WIDEST: f64 = 0.95;

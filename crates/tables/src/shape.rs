@@ -1,0 +1,177 @@
+//! What a key holds, as a column has to give it.
+
+use case::{Dimension, KeyForm, KeyInfo, key_tree, list_range_keys, range_keys};
+
+/// What a key holds. A number with its unit is a number in a column, whose name or metadata has the unit.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Shape {
+    Text,
+    /// One of a few words.
+    Word,
+    /// One of a few words, or a list of all.
+    Words,
+    Flag,
+    /// Of a count, a probability and the numbers of a range.
+    Number,
+    Count,
+    Percent,
+    /// A list of texts.
+    Names,
+    /// A number, or a range.
+    Uncertain,
+    /// A list of these.
+    Numbers,
+    Quantity(Dimension),
+    UncertainQuantity(Dimension),
+    Angle,
+    /// A list of quantities or ranges, or a range of all.
+    UncertainQuantities(Dimension),
+    QuantityOrTables(Dimension, &'static [KeyInfo]),
+    Wheels,
+    /// A number, a range or a word: that of one wheel.
+    Wheel,
+    Table(&'static [KeyInfo]),
+    Tables(&'static [KeyInfo]),
+    WordOrTable(&'static [KeyInfo]),
+    NumberOrTable(&'static [KeyInfo]),
+}
+
+/// The word of a key that may also have a table or a number, in a struct.
+pub(crate) const WORD: &str = "word";
+/// The drag of the four wheels, in a struct.
+pub(crate) const WHEELS: &str = "wheels";
+/// The steer angles over the time, in a struct.
+pub(crate) const OVER_TIME: &str = "over_time";
+
+impl Shape {
+    /// The case itself.
+    pub(crate) fn case() -> Self {
+        Self::Table(key_tree())
+    }
+
+    /// What a key holds within this.
+    pub(crate) fn within(self, key: &'static KeyInfo) -> Self {
+        match &key.form {
+            KeyForm::Text => Self::Text,
+            KeyForm::Flag => Self::Flag,
+            KeyForm::Word(_) => Self::Word,
+            KeyForm::WordOrAll(_) => Self::Words,
+            KeyForm::Count(_) => Self::Count,
+            KeyForm::Probability => Self::Number,
+            KeyForm::Names => Self::Names,
+            KeyForm::Number => Self::Uncertain,
+            KeyForm::Numbers => Self::Numbers,
+            KeyForm::Quantity(dimension) => Self::UncertainQuantity(*dimension),
+            KeyForm::Exact(dimension) => Self::Quantity(*dimension),
+            KeyForm::Quantities(dimension) => Self::UncertainQuantities(*dimension),
+            KeyForm::QuantityOrTables(dimension, keys) => Self::QuantityOrTables(*dimension, keys),
+            KeyForm::Wheels(_) => Self::Wheels,
+            KeyForm::AngleOrHour => Self::Angle,
+            KeyForm::Table(keys) => Self::Table(keys),
+            KeyForm::Tables(keys) => Self::Tables(keys),
+            KeyForm::WordOrTable(_, keys) => Self::WordOrTable(keys),
+            KeyForm::NumberOrTable(keys) => Self::NumberOrTable(keys),
+            KeyForm::Percent => Self::Percent,
+            KeyForm::Value => self.dimension().map_or(Self::Number, Self::Quantity),
+            KeyForm::Values => self.dimension().map_or(Self::Numbers, Self::UncertainQuantities),
+            KeyForm::Deviation => match self {
+                // An error that several numbers share is in the unit of those, which the column cannot know.
+                Self::Table(_) | Self::Tables(_) => Self::Text,
+                number => number.dimension().map_or(Self::Number, Self::Quantity),
+            },
+        }
+    }
+
+    /// What a number with a unit measures, or each of several.
+    pub(crate) fn dimension(self) -> Option<Dimension> {
+        match self {
+            Self::Quantity(dimension)
+            | Self::UncertainQuantity(dimension)
+            | Self::UncertainQuantities(dimension)
+            | Self::QuantityOrTables(dimension, _) => Some(dimension),
+            Self::Angle => Some(Dimension::Angle),
+            _ => None,
+        }
+    }
+
+    /// The keys of its table, and those of a range.
+    pub(crate) fn keys(self) -> impl Iterator<Item = &'static KeyInfo> {
+        let (own, of_range): (&[KeyInfo], &[KeyInfo]) = match self {
+            Self::Table(keys) | Self::WordOrTable(keys) => (keys, &[]),
+            Self::NumberOrTable(keys) => (keys, range_keys()),
+            Self::Uncertain
+            | Self::UncertainQuantity(_)
+            | Self::Angle
+            | Self::QuantityOrTables(..)
+            | Self::Wheels
+            | Self::Wheel => (&[], range_keys()),
+            Self::UncertainQuantities(_) => (&[], list_range_keys()),
+            _ => (&[], &[]),
+        };
+        own.iter().chain(of_range)
+    }
+
+    /// Beside its keys, the name in a struct of a value that is neither a number nor a table, and what it
+    /// holds.
+    pub(crate) fn aside(self) -> Vec<(&'static str, Self)> {
+        match self {
+            Self::WordOrTable(_) | Self::Wheel => vec![(WORD, Self::Word)],
+            Self::Wheels => vec![(WORD, Self::Word), (WHEELS, self)],
+            Self::Angle => vec![(WORD, Self::Text)],
+            Self::QuantityOrTables(_, keys) => vec![(OVER_TIME, Self::Tables(keys))],
+            _ => Vec::new(),
+        }
+    }
+
+    /// What each of a list holds, where it can be one.
+    pub(crate) fn listed(self) -> Option<Self> {
+        Some(match self {
+            Self::Names => Self::Text,
+            Self::Words => Self::Word,
+            Self::Numbers => Self::Uncertain,
+            Self::UncertainQuantities(dimension) => Self::UncertainQuantity(dimension),
+            Self::QuantityOrTables(_, keys) | Self::Tables(keys) => Self::Table(keys),
+            Self::Wheels => Self::Wheel,
+            _ => return None,
+        })
+    }
+
+    /// Whether a value of its own can stand beside the keys of its range: it is then the central one, whose
+    /// key this is.
+    pub(crate) fn central(self) -> Option<&'static str> {
+        match self {
+            Self::Uncertain
+            | Self::UncertainQuantity(_)
+            | Self::Angle
+            | Self::QuantityOrTables(..)
+            | Self::Wheels
+            | Self::Wheel
+            | Self::NumberOrTable(_) => Some("value"),
+            Self::UncertainQuantities(_) => Some("values"),
+            _ => None,
+        }
+    }
+
+    /// What a column of it has to be, in words.
+    pub(crate) fn wanted(self) -> &'static str {
+        match self {
+            Self::Text => "a text is needed",
+            Self::Word | Self::Words => "a word is needed, as text",
+            Self::Flag => "true or false is needed",
+            Self::Number | Self::Count | Self::Percent => "a number is needed",
+            Self::Names => "a list of texts is needed",
+            Self::Uncertain | Self::UncertainQuantity(_) | Self::Quantity(_) | Self::Angle => {
+                "a number is needed, or a struct such as {value, sd} or {low, high}"
+            }
+            Self::Numbers | Self::UncertainQuantities(_) => {
+                "a list of numbers is needed, or a text such as \"0.54 0.52 0.35\""
+            }
+            Self::QuantityOrTables(..) => "a number is needed, or a list of structs {time, angle}",
+            Self::Wheels | Self::Wheel => "a number, a word or a list of four is needed",
+            Self::Table(_) => "a struct of its keys is needed",
+            Self::Tables(_) => "a list of structs is needed",
+            Self::WordOrTable(_) => "a word is needed, as text, or a struct of its keys",
+            Self::NumberOrTable(_) => "a number is needed, or a struct of its keys",
+        }
+    }
+}

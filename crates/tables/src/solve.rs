@@ -1,0 +1,332 @@
+//! From the rows of a table to their results.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use analysis::{EstimatePlan, Failure, Plan as SamplePlan};
+use arrow_array::RecordBatch;
+use arrow_schema::{Schema, SchemaRef};
+use case::{CaseFile, Diagnostics, Prior, ValueTable};
+use estimate::{MOST_PARTICLES, PARTICLES_STEP};
+use report::{PROGRAM, Units};
+use uncertainty::{MIN_SAMPLES, SamplingMethod, Settings};
+
+use crate::TableError;
+use crate::plan::{self, Plan, merge};
+use crate::results::{self, Builder, Found, Outcome, Refusal, Spread};
+
+/// What is made of each row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Job {
+    /// The speed at which impact and crush agree: as `deltav reconstruct`, and with samples as
+    /// `deltav uncertainty`.
+    Reconstruct,
+    /// What the impact does, both speeds given: as `deltav impact`.
+    Impact,
+    /// Energies and ΔV from the damage alone: as `deltav crush`.
+    Crush,
+    /// Both speeds from all the evidence: as `deltav estimate`.
+    Estimate,
+}
+
+impl Job {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Reconstruct, Self::Impact, Self::Crush, Self::Estimate];
+
+    /// The word for it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Reconstruct => "reconstruct",
+            Self::Impact => "impact",
+            Self::Crush => "crush",
+            Self::Estimate => "estimate",
+        }
+    }
+}
+
+/// How the rows are computed.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Samples of each row for its intervals, Monte Carlo; without, there are none. For
+    /// [`Job::Reconstruct`] and [`Job::Impact`].
+    pub samples: Option<usize>,
+    /// The seed of every row that has none of its own in the column `seed`. It is the same for all of them:
+    /// what is found of a row does not depend on where in the table it stands.
+    pub seed: u64,
+    /// For [`Job::Estimate`]: particles of each of 16 islands, a multiple of 128.
+    pub particles: usize,
+    /// For [`Job::Estimate`]: in place of the `prior` of the case.
+    pub prior: Option<Prior>,
+}
+
+impl Options {
+    /// Of an estimate whose options do not say.
+    pub const PARTICLES: usize = 512;
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { samples: None, seed: 1, particles: Self::PARTICLES, prior: None }
+    }
+}
+
+/// What all rows share: a part of a case.
+#[derive(Clone, Debug, Default)]
+pub struct Template {
+    shared: ValueTable<'static>,
+}
+
+impl Template {
+    /// Reads a part of a case file; `name` is what errors call it.
+    ///
+    /// ```
+    /// use tables::Template;
+    /// let template = Template::parse("template.toml", "[impact]\nrestitution = 0.1\ntangential = \"critical\"")?;
+    /// let error = Template::parse("template.toml", "[impact]\nrestituton = 0.1").unwrap_err().to_string();
+    /// assert!(error.contains("unknown key \"restituton\""));
+    /// # Ok::<(), tables::TableError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`TableError::Template`] for what is wrong whatever the rows have. What is missing, and what does not
+    /// fit together, stands in the rows.
+    pub fn parse(name: &str, text: &str) -> Result<Self, TableError> {
+        match CaseFile::part(name, text) {
+            Ok(shared) => Ok(Self { shared }),
+            Err(errors) => Err(TableError::Template(Box::new(errors.in_words_of(&PROGRAM)))),
+        }
+    }
+}
+
+/// Rows that are computed before they are put into columns.
+const AT_ONCE: usize = 4096;
+
+/// Is told how many rows are done of how many, from whichever thread, and may end the run.
+pub type Progress<'a> = dyn Fn(usize, usize) -> ControlFlow<()> + Sync + 'a;
+
+/// The schema of the results, which does not depend on the rows.
+///
+/// ```
+/// use tables::{Job, Options, result_schema};
+/// let schema = result_schema(Job::Reconstruct, &Options { samples: Some(1000), ..Options::default() });
+/// assert!(schema.field_with_name("vehicle1_delta_v").is_ok());
+/// assert!(schema.field_with_name("vehicle1_delta_v_p975").is_ok());
+/// ```
+#[must_use]
+pub fn result_schema(job: Job, options: &Options) -> SchemaRef {
+    results::schema(job, options)
+}
+
+/// The columns of a table that give no key and no seed, by their places: those to carry over.
+///
+/// # Errors
+/// [`TableError::UnknownKey`] where a column looks like a key.
+pub fn columns_kept(schema: &Schema) -> Result<Vec<usize>, TableError> {
+    plan::others(schema)
+}
+
+/// [`run`] for [`Job::Reconstruct`], without progress.
+///
+/// # Errors
+/// As for [`run`].
+pub fn reconstruct(
+    batch: &RecordBatch,
+    template: &Template,
+    options: &Options,
+) -> Result<RecordBatch, TableError> {
+    run(Job::Reconstruct, batch, template, options, &|_, _| ControlFlow::Continue(()))
+}
+
+/// [`run`] for [`Job::Impact`], without progress.
+///
+/// # Errors
+/// As for [`run`].
+pub fn impact(
+    batch: &RecordBatch,
+    template: &Template,
+    options: &Options,
+) -> Result<RecordBatch, TableError> {
+    run(Job::Impact, batch, template, options, &|_, _| ControlFlow::Continue(()))
+}
+
+/// [`run`] for [`Job::Crush`], without progress.
+///
+/// # Errors
+/// As for [`run`].
+pub fn crush(batch: &RecordBatch, template: &Template, options: &Options) -> Result<RecordBatch, TableError> {
+    run(Job::Crush, batch, template, options, &|_, _| ControlFlow::Continue(()))
+}
+
+/// [`run`] for [`Job::Estimate`], without progress.
+///
+/// # Errors
+/// As for [`run`].
+pub fn estimate(
+    batch: &RecordBatch,
+    template: &Template,
+    options: &Options,
+) -> Result<RecordBatch, TableError> {
+    run(Job::Estimate, batch, template, options, &|_, _| ControlFlow::Continue(()))
+}
+
+/// The results of each row, in the order of the rows. A row that is wrong, or has no answer, has a sentence
+/// in the column `error`.
+///
+/// With the feature `parallel`, the rows run on the threads of the rayon pool in which this is called.
+/// The results have the same bits with any number of them.
+///
+/// # Errors
+/// [`TableError`] where the table as a whole cannot be read, where the options make no sense, and where
+/// `progress` ends the run.
+pub fn run(
+    job: Job,
+    batch: &RecordBatch,
+    template: &Template,
+    options: &Options,
+    progress: &Progress<'_>,
+) -> Result<RecordBatch, TableError> {
+    check(job, options)?;
+    let plan = Plan::of(batch)?;
+    let total = batch.num_rows();
+    let row = Row {
+        job,
+        plan: &plan,
+        template,
+        options,
+        progress,
+        total,
+        done: AtomicUsize::new(0),
+        is_ended: AtomicBool::new(false),
+    };
+    let mut builder = Builder::new(job, options);
+    for begin in (0..total).step_by(AT_ONCE) {
+        for outcome in row.outcomes(begin..total.min(begin + AT_ONCE)) {
+            builder.push(&outcome);
+        }
+        if row.is_ended.load(Ordering::Relaxed) {
+            return Err(TableError::Ended { done: row.done.load(Ordering::Relaxed), total });
+        }
+    }
+    builder.finish()
+}
+
+fn check(job: Job, Options { samples, particles, .. }: &Options) -> Result<(), TableError> {
+    match (job, samples) {
+        (Job::Crush | Job::Estimate, Some(_)) => {
+            return Err(TableError::Options(format!(
+                "samples are for the jobs reconstruct and impact, and the job is {}: leave them out",
+                job.name()
+            )));
+        }
+        (_, Some(samples)) if *samples < MIN_SAMPLES => {
+            return Err(TableError::Options(format!(
+                "{samples} samples are too few: give {MIN_SAMPLES} or more"
+            )));
+        }
+        _ => {}
+    }
+    let is_sound = (1..=MOST_PARTICLES).contains(particles) && particles.is_multiple_of(PARTICLES_STEP);
+    if job == Job::Estimate && !is_sound {
+        return Err(TableError::Options(format!(
+            "the number of particles is {particles}: give a multiple of {PARTICLES_STEP} up to {MOST_PARTICLES}"
+        )));
+    }
+    Ok(())
+}
+
+/// What all rows share, and how far they are.
+struct Row<'a> {
+    job: Job,
+    plan: &'a Plan<'a>,
+    template: &'a Template,
+    options: &'a Options,
+    progress: &'a Progress<'a>,
+    total: usize,
+    done: AtomicUsize,
+    is_ended: AtomicBool,
+}
+
+impl Row<'_> {
+    #[cfg(feature = "parallel")]
+    fn outcomes(&self, rows: std::ops::Range<usize>) -> Vec<Outcome> {
+        use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
+        rows.into_par_iter().map(|row| self.outcome(row)).collect()
+    }
+
+    #[cfg(not(feature = "parallel"))]
+    fn outcomes(&self, rows: std::ops::Range<usize>) -> Vec<Outcome> {
+        rows.map(|row| self.outcome(row)).collect()
+    }
+
+    /// Asks whether to go on; an end is for all rows.
+    fn goes_on(&self) -> ControlFlow<()> {
+        let done = self.done.load(Ordering::Relaxed);
+        if self.is_ended.load(Ordering::Relaxed) || (self.progress)(done, self.total).is_break() {
+            self.is_ended.store(true, Ordering::Relaxed);
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn outcome(&self, row: usize) -> Outcome {
+        if self.is_ended.load(Ordering::Relaxed) {
+            return Outcome { found: None, refusal: None };
+        }
+        let outcome =
+            self.solved(row).unwrap_or_else(|refusal| Outcome { found: None, refusal: Some(refusal) });
+        self.done.fetch_add(1, Ordering::Relaxed);
+        let _ = self.goes_on();
+        outcome
+    }
+
+    fn solved(&self, row: usize) -> Result<Outcome, Refusal> {
+        let of_row = |error: String| Refusal { error, help: String::new() };
+        let mut values = self.template.shared.borrowed();
+        merge(&mut values, self.plan.row(row).map_err(of_row)?);
+        let seed = self.plan.seed(row).map_err(of_row)?.unwrap_or(self.options.seed);
+        let file = CaseFile::from_values("row", &values).map_err(of_case)?;
+        let case = &file.case;
+        let refused = |failure: Failure| match failure {
+            Failure::Case(faults) => of_case(file.diagnostics(&faults, &PROGRAM)),
+            failure => of_row(on_one_line(&report::no_answer(&failure, Units::of_case(case)))),
+        };
+        let analyse = match self.job {
+            Job::Reconstruct => analysis::reconstruct,
+            Job::Impact => analysis::impact,
+            Job::Crush => analysis::crush,
+            Job::Estimate => {
+                let Options { particles, prior, .. } = *self.options;
+                let plan = EstimatePlan { particles, seed, prior, pieces: false };
+                let estimated =
+                    analysis::estimate(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;
+                let refusal = (!estimated.doubts().is_empty()).then(|| Refusal {
+                    error: "the run has not converged, so that it has no intervals".to_owned(),
+                    help: "`deltav estimate` on the case says why; more particles may help".to_owned(),
+                });
+                return Ok(Outcome { found: Some(Found::estimate(case, &estimated)), refusal });
+            }
+        };
+        let analysis = analyse(case).map_err(refused)?;
+        // Intervals are of what is not exact.
+        let spread = match self.options.samples.filter(|_| analysis::is_uncertain(case)) {
+            None => None,
+            Some(samples) => {
+                let settings = Settings::new(SamplingMethod::MonteCarlo, samples, seed);
+                let plan = SamplePlan { settings, index_rows: None };
+                let uncertainty = analysis::uncertainty(case, &plan, &mut |_, _, _| self.goes_on());
+                Some(Spread::of(&uncertainty.map_err(refused)?))
+            }
+        };
+        Ok(Outcome { found: Some(Found::analysis(case, &analysis, spread)), refusal: None })
+    }
+}
+
+fn of_case(errors: Diagnostics) -> Refusal {
+    let errors = errors.in_words_of(&PROGRAM);
+    Refusal { error: errors.one_line(), help: errors.help_on_one_line() }
+}
+
+fn on_one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,341 @@
+//! A row in, a row out: what stands beside a row does not matter, and a bad row is told in its place.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use arrow_array::cast::AsArray as _;
+use arrow_array::types::{Float64Type, Int32Type};
+use arrow_array::{
+    Array, ArrayRef, BooleanArray, DictionaryArray, Float32Array, Float64Array, Int64Array, LargeStringArray,
+    RecordBatch, StringArray, StringViewArray, StructArray, UInt8Array, new_null_array,
+};
+use arrow_schema::{DataType, Field, Schema};
+use case::EXAMPLE;
+use proptest::prelude::*;
+use tables::{Job, Numbers, Options, TableError, Template, case_schema, columns_kept, result_schema, run};
+
+fn template() -> Template {
+    Template::parse("template.toml", EXAMPLE).unwrap()
+}
+
+fn doubles(values: &[Option<f64>]) -> ArrayRef {
+    Arc::new(Float64Array::from(values.to_vec()))
+}
+
+fn batch(columns: Vec<(&str, ArrayRef)>) -> RecordBatch {
+    RecordBatch::try_from_iter(columns).unwrap()
+}
+
+fn rows(job: Job, batch: &RecordBatch) -> Result<RecordBatch, TableError> {
+    run(job, batch, &template(), &Options::default(), &|_, _| ControlFlow::Continue(()))
+}
+
+fn errors(results: &RecordBatch) -> Vec<Option<String>> {
+    let column = results.column_by_name("error").unwrap().as_string::<i32>();
+    column.iter().map(|error| error.map(str::to_owned)).collect()
+}
+
+fn speeds(results: &RecordBatch) -> Vec<Option<f64>> {
+    results.column_by_name("vehicle1_speed").unwrap().as_primitive::<Float64Type>().iter().collect()
+}
+
+fn refusal(columns: Vec<(&str, ArrayRef)>) -> String {
+    rows(Job::Reconstruct, &batch(columns)).unwrap_err().to_string()
+}
+
+/// Each sentence names the key; the good rows around are as they are alone.
+#[test]
+fn a_bad_row_has_a_sentence() {
+    let results = rows(
+        Job::Reconstruct,
+        &batch(vec![
+            ("id", Arc::new(Int64Array::from(vec![1, 2, 3, 4, 5, 6, 7]))),
+            (
+                "vehicle2.mass [kg]",
+                doubles(&[None, Some(-1.0), Some(f64::NAN), Some(f64::INFINITY), None, Some(1e30), None]),
+            ),
+            (
+                "vehicle2.speed",
+                Arc::new(StringArray::from(vec![
+                    None,
+                    None,
+                    None,
+                    None,
+                    Some("10 furlongs"),
+                    None,
+                    Some("10 mph"),
+                ])),
+            ),
+        ]),
+    );
+    // The template has the weight of vehicle 2: one of the two has to go.
+    let results = results.unwrap();
+    let errors = errors(&results);
+    let error = |row: usize| errors[row].as_deref().unwrap();
+    assert_eq!(errors[0], None);
+    assert!(error(1).contains("\"vehicle2.mass\" is -1 kg, but must be greater than zero"), "{}", error(1));
+    assert!(error(2).contains("vehicle2.mass: \"NaN kg\" is not a finite number"), "{}", error(2));
+    assert!(error(3).contains("vehicle2.mass: \"inf kg\" is not a finite number"), "{}", error(3));
+    assert!(
+        error(4).contains("vehicle2.speed: \"10 furlongs\" has an unknown unit \"furlongs\""),
+        "{}",
+        error(4)
+    );
+    assert!(error(5).contains("\"1e30 kg\" is implausibly large for a mass"), "{}", error(5));
+    assert_eq!(errors[6], None);
+    assert_eq!(speeds(&results)[0], speeds(&results)[6]);
+    assert!(speeds(&results)[1..6].iter().all(Option::is_none));
+}
+
+#[test]
+fn what_contradicts_itself_is_told_in_the_row() {
+    let sd = StructArray::from(vec![
+        (Arc::new(Field::new("value", DataType::Float64, true)), doubles(&[Some(4.0), None])),
+        (Arc::new(Field::new("sd", DataType::Float64, true)), doubles(&[Some(-0.5), Some(0.5)])),
+    ]);
+    let results = rows(Job::Reconstruct, &batch(vec![("vehicle2.speed", Arc::new(sd))])).unwrap();
+    let errors = errors(&results);
+    assert!(errors[0].as_deref().unwrap().contains("vehicle2.speed.sd"), "{errors:?}");
+    // A spread alone is put about the value of the template.
+    assert_eq!(errors[1], None);
+    let depths = batch(vec![
+        ("vehicle1.crush.depths[1] [in]", doubles(&[Some(20.0), Some(20.0)])),
+        ("vehicle1.crush.depths[2] [in]", doubles(&[None, Some(10.0)])),
+        ("vehicle1.crush.depths[3] [in]", doubles(&[Some(5.0), None])),
+    ]);
+    let results = rows(Job::Reconstruct, &depths).unwrap();
+    let errors = self::errors(&results);
+    assert_eq!(
+        errors[0].as_deref(),
+        Some(
+            "value 2 of \"vehicle1.crush.depths\" is null, but value 3 is not: a list ends at its first null"
+        )
+    );
+    assert_eq!(errors[1], None);
+}
+
+#[test]
+fn a_table_that_cannot_be_read_is_refused_in_a_sentence() {
+    let one = || doubles(&[Some(1.0)]);
+    let text = || -> ArrayRef { Arc::new(StringArray::from(vec!["a"])) };
+    for (name, array, says) in [
+        ("vehicle1_mass_kg", one(), "as \"vehicle1.mass_kg\""),
+        ("vehicle1.mas [kg]", one(), "did you mean \"mass\"?"),
+        ("vehicle1.mass_kg", one(), "write the unit in brackets, as \"mass [kg]\""),
+        ("vehicle1.mass [mph]", one(), "is none of a mass; write one of kg"),
+        ("vehicle1.mass [furlong]", one(), "is none of a mass"),
+        ("vehicle1__mass__furlong", one(), "neither a key nor a unit \"furlong\""),
+        ("impact.restitution [m]", one(), "does not have; leave it out"),
+        ("vehicle1.name", one(), "has the type Float64, but a text is needed"),
+        ("vehicle1.mass", Arc::new(BooleanArray::from(vec![true])), "but a number is needed"),
+        ("vehicle1.crush.depths", one(), "but a list of numbers is needed"),
+        ("vehicle1.crush", one(), "but a word is needed, as text, or a struct of its keys"),
+        ("vehicle1.fixed", one(), "true or false is needed"),
+        ("vehicle1.contact", text(), "a struct of its keys is needed"),
+        ("surface.zone", text(), "a list of structs is needed"),
+        ("vehicle1.mass[2]", one(), "\"vehicle1.mass\" is no list"),
+        ("seed", Arc::new(BooleanArray::from(vec![true])), "a seed is a whole number"),
+    ] {
+        let sentence = refusal(vec![(name, array)]);
+        assert!(sentence.contains(name) && sentence.contains(says), "{sentence}");
+    }
+    let sentence = refusal(vec![("vehicle1.mass [kg]", one()), ("vehicle1.mass [lb]", one())]);
+    assert_eq!(
+        sentence,
+        "the columns \"vehicle1.mass [kg]\" and \"vehicle1.mass [lb]\" both give vehicle1.mass: leave one out"
+    );
+    let inside = StructArray::from(vec![(Arc::new(Field::new("mas", DataType::Float64, true)), one())]);
+    assert!(refusal(vec![("vehicle1", Arc::new(inside))]).contains("did you mean \"mass\"?"));
+}
+
+/// Of any type that a table can have, none makes it panic.
+#[test]
+fn columns_of_every_type_are_read_or_refused() {
+    let schema = case_schema(Numbers::Ranges);
+    let mut names = vec!["seed".to_owned(), "title".to_owned()];
+    crate::fixtures::each_key(&mut |path, _| names.push(path.to_owned()));
+    let types = [
+        DataType::Null,
+        DataType::Boolean,
+        DataType::Int8,
+        DataType::UInt64,
+        DataType::Float32,
+        DataType::Float64,
+        DataType::Utf8,
+        DataType::LargeUtf8,
+        DataType::Utf8View,
+        DataType::Binary,
+        DataType::Date32,
+        DataType::Decimal128(10, 2),
+        DataType::Dictionary(Box::new(DataType::Int32), Box::new(DataType::Utf8)),
+        DataType::new_list(DataType::Float64, true),
+        DataType::new_large_list(DataType::Utf8, true),
+        DataType::new_fixed_size_list(DataType::Float32, 3, true),
+        schema.field_with_name("vehicle1").unwrap().data_type().clone(),
+    ];
+    let mut read = 0;
+    for name in &names {
+        for data_type in &types {
+            let batch = RecordBatch::try_new(
+                Arc::new(Schema::new(vec![Field::new(name, data_type.clone(), true)])),
+                vec![new_null_array(data_type, 1)],
+            );
+            match rows(Job::Reconstruct, &batch.unwrap()) {
+                Ok(results) => {
+                    // Nothing but nulls: the template.
+                    assert_eq!(errors(&results), [None], "{name} {data_type}");
+                    read += 1;
+                }
+                Err(error) => assert!(error.to_string().contains(name), "{name} {data_type}: {error}"),
+            }
+        }
+    }
+    assert!(read > 500, "{read} read");
+}
+
+#[test]
+fn a_table_without_rows_has_the_columns_of_results() {
+    for job in Job::ALL {
+        let none = batch(vec![("vehicle2.speed [mph]", Arc::new(Float64Array::from(Vec::<f64>::new())))]);
+        let results = rows(job, &none).unwrap();
+        assert_eq!((results.num_rows(), results.schema()), (0, result_schema(job, &Options::default())));
+        let no_columns = RecordBatch::new_empty(Arc::new(Schema::empty()));
+        assert_eq!(rows(job, &no_columns).unwrap().num_rows(), 0);
+    }
+}
+
+/// Names that SQL and Spark take, and types that they have.
+#[test]
+fn columns_of_results_have_plain_names_and_types() {
+    for job in Job::ALL {
+        let samples = matches!(job, Job::Reconstruct | Job::Impact).then_some(64);
+        let schema = result_schema(job, &Options { samples, ..Options::default() });
+        let mut names: Vec<&str> = schema.fields().iter().map(|field| field.name().as_str()).collect();
+        for field in schema.fields() {
+            let is_plain =
+                field.name().bytes().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == b'_');
+            assert!(is_plain && !field.data_type().is_unsigned_integer(), "{field}");
+        }
+        names.sort_unstable();
+        let count = names.len();
+        names.dedup();
+        assert_eq!(names.len(), count, "{job:?}");
+    }
+    let input = case_schema(Numbers::Ranges).to_string();
+    assert!(!input.contains("UInt"));
+    crate::fixtures::each_key(&mut |path, key| {
+        assert!(!key.name.contains(['.', ' ']), "{path}");
+    });
+}
+
+/// Every text type, every number type, dictionaries and nulls say the same.
+#[test]
+fn types_of_columns_do_not_matter() {
+    let sides = ["right", "left"];
+    let keys = arrow_array::Int32Array::from(vec![Some(0), Some(1), None]);
+    let dictionary: DictionaryArray<Int32Type> =
+        DictionaryArray::new(keys, Arc::new(StringArray::from(sides.to_vec())));
+    let texts = || vec![Some(sides[0]), Some(sides[1]), None];
+    let columns: [ArrayRef; 4] = [
+        Arc::new(StringArray::from(texts())),
+        Arc::new(LargeStringArray::from(texts())),
+        Arc::new(StringViewArray::from(texts())),
+        Arc::new(dictionary),
+    ];
+    let results =
+        columns.map(|column| rows(Job::Reconstruct, &batch(vec![("vehicle2.crush.side", column)])).unwrap());
+    assert!(results.iter().all(|one| *one == results[0]));
+    let numbers: [ArrayRef; 4] = [
+        Arc::new(UInt8Array::from(vec![9, 10])),
+        Arc::new(Int64Array::from(vec![9, 10])),
+        Arc::new(Float32Array::from(vec![9.0, 10.0])),
+        Arc::new(StringArray::from(vec!["9", "10"])),
+    ];
+    let results =
+        numbers.map(|column| rows(Job::Reconstruct, &batch(vec![("vehicle2.speed [mph]", column)])).unwrap());
+    assert!(results.iter().all(|one| *one == results[0]));
+    assert!(errors(&results[0]).iter().all(Option::is_none));
+}
+
+#[test]
+fn own_columns_are_kept_and_do_not_matter() {
+    let schema = Schema::new(vec![
+        Field::new("id", DataType::Int64, true),
+        Field::new("vehicle2.speed [mph]", DataType::Float64, true),
+        Field::new("impact", DataType::Boolean, true),
+        Field::new("source", DataType::Int64, true),
+        Field::new("seed", DataType::Int64, true),
+        Field::new("year", DataType::Utf8, true),
+    ]);
+    assert_eq!(columns_kept(&schema).unwrap(), [0, 2, 3, 5]);
+}
+
+#[test]
+fn a_run_can_be_ended() {
+    let many = batch(vec![("vehicle2.speed [mph]", doubles(&vec![Some(9.0); 10_000]))]);
+    let ended = run(Job::Reconstruct, &many, &template(), &Options::default(), &|done, _| {
+        if done >= 50 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    assert!(matches!(ended, Err(TableError::Ended { done: 50..10_000, total: 10_000 })));
+}
+
+#[test]
+fn options_that_make_no_sense_are_refused() {
+    let one = batch(vec![("id", Arc::new(Int64Array::from(vec![1])))]);
+    let refused = |job: Job, options: Options| {
+        run(job, &one, &template(), &options, &|_, _| ControlFlow::Continue(())).unwrap_err().to_string()
+    };
+    let samples = |samples: usize| Options { samples: Some(samples), ..Options::default() };
+    assert!(refused(Job::Crush, samples(1000)).contains("the job is crush: leave them out"));
+    assert!(refused(Job::Reconstruct, samples(1)).contains("too few"));
+    assert!(
+        refused(Job::Estimate, Options { particles: 100, ..Options::default() }).contains("multiple of 128")
+    );
+}
+
+fn speeds_and_masses() -> impl Strategy<Value = Vec<(Option<f64>, Option<f64>, Option<i64>)>> {
+    let speed = prop_oneof![4 => (-40.0..40.0).prop_map(Some), 1 => Just(None), 1 => Just(Some(f64::NAN))];
+    let weight =
+        prop_oneof![4 => (5e3..3e4).prop_map(Some), 1 => Just(None), 1 => (-1.0..1.0).prop_map(Some)];
+    let seed = prop_oneof![(0_i64..5).prop_map(Some), Just(None)];
+    prop::collection::vec((speed, weight, seed), 1..24)
+}
+
+fn table_of(rows: &[(Option<f64>, Option<f64>, Option<i64>)]) -> RecordBatch {
+    batch(vec![
+        ("vehicle2.speed", doubles(&rows.iter().map(|row| row.0).collect::<Vec<_>>())),
+        ("vehicle2__weight__N", doubles(&rows.iter().map(|row| row.1).collect::<Vec<_>>())),
+        ("seed", Arc::new(Int64Array::from(rows.iter().map(|row| row.2).collect::<Vec<_>>()))),
+    ])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    /// Neither its neighbours, nor its place, nor the batch: a row is what it is alone.
+    #[test]
+    fn rows_do_not_know_each_other(rows in speeds_and_masses(), at in 0_usize..24) {
+        let options = Options { samples: Some(64), ..Options::default() };
+        let template = Template::parse("t.toml", &EXAMPLE.replace("\"10 mph\"", "{ value = \"10 mph\", sd = \"1 mph\" }").replace("weight      = \"3696 lb\"", "weight = { value = \"3696 lb\", sd = \"50 lb\" }")).unwrap();
+        let solve = |rows: &[(Option<f64>, Option<f64>, Option<i64>)]| {
+            run(Job::Reconstruct, &table_of(rows), &template, &options, &|_, _| ControlFlow::Continue(())).unwrap()
+        };
+        let all = solve(&rows);
+        let at = at % rows.len();
+        for (place, row) in rows.iter().enumerate() {
+            prop_assert_eq!(&solve(&[*row]), &all.slice(place, 1));
+        }
+        let turned: Vec<_> = rows.iter().rev().copied().collect();
+        let (first, second) = turned.split_at(at);
+        let parts = [first, second].map(solve);
+        for place in 0..rows.len() {
+            let other = rows.len() - 1 - place;
+            let row = if other < at { parts[0].slice(other, 1) } else { parts[1].slice(other - at, 1) };
+            prop_assert_eq!(&row, &all.slice(place, 1));
+        }
+        // A part of a batch has offsets of its own.
+        let sliced = table_of(&rows).slice(at, rows.len() - at);
+        let results = run(Job::Reconstruct, &sliced, &template, &options, &|_, _| ControlFlow::Continue(())).unwrap();
+        prop_assert_eq!(&results, &all.slice(at, rows.len() - at));
+    }
+}
