@@ -10,6 +10,7 @@ mod errors;
 mod given;
 mod picture;
 mod request;
+mod rows;
 mod run;
 mod solved;
 
@@ -25,6 +26,14 @@ fn _deltav(module: &Bound<'_, PyModule>) -> PyResult<()> {
     for class in solved::classes(module.py()) {
         module.add(class.name()?, &class)?;
     }
+    module.add_class::<rows::Rows>()?;
+    module.add_class::<rows::PySchema>()?;
+    module.add_function(wrap_pyfunction!(rows::reconstruct_table, module)?)?;
+    module.add_function(wrap_pyfunction!(rows::impact_table, module)?)?;
+    module.add_function(wrap_pyfunction!(rows::crush_table, module)?)?;
+    module.add_function(wrap_pyfunction!(rows::estimate_table, module)?)?;
+    module.add_function(wrap_pyfunction!(rows::case_schema, module)?)?;
+    module.add_function(wrap_pyfunction!(rows::result_schema, module)?)?;
     module.add_function(wrap_pyfunction!(given::restore_case, module)?)?;
     module.add_function(wrap_pyfunction!(columns::restore_columns, module)?)?;
     module.add_function(wrap_pyfunction!(solved::restore_result, module)?)?;

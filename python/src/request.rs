@@ -42,7 +42,7 @@ const METHODS: [(&str, SamplingMethod); 3] = [
     ("sobol", SamplingMethod::Sobol),
 ];
 
-const PRIORS: [(&str, Prior); 2] = [("field", Prior::Field), ("flat", Prior::Flat)];
+pub(crate) const PRIORS: [(&str, Prior); 2] = [("field", Prior::Field), ("flat", Prior::Flat)];
 
 /// One of a few words.
 pub(crate) fn chosen<T: Copy>(name: &str, word: &str, choices: &[(&str, T)]) -> PyResult<T> {

@@ -24,9 +24,17 @@ from deltav._deltav import (
     Estimate,
     Judgement,
     Result,
+    Rows,
+    Schema,
     Sensitivity,
     Uncertainty,
     __version__,
+    case_schema,
+    crush_table,
+    estimate_table,
+    impact_table,
+    reconstruct_table,
+    result_schema,
 )
 from deltav._errors import CaseError, NoAnswerError, Problem
 from deltav._record import Record
@@ -44,7 +52,15 @@ __all__ = [
     "Problem",
     "Record",
     "Result",
+    "Rows",
+    "Schema",
     "Sensitivity",
     "Uncertainty",
     "__version__",
+    "case_schema",
+    "crush_table",
+    "estimate_table",
+    "impact_table",
+    "reconstruct_table",
+    "result_schema",
 ]

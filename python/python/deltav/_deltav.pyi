@@ -1,6 +1,6 @@
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, Literal, Never, Self, final
+from typing import Any, Literal, Never, Protocol, Self, final
 
 import numpy as np
 import numpy.typing as npt
@@ -123,6 +123,59 @@ class Drawing:
     def save(self, path: str | os.PathLike[str]) -> None: ...
     def _repr_html_(self) -> str: ...
 
+@final
+class Rows:
+    @property
+    def names(self) -> list[str]: ...
+    def __len__(self) -> int: ...
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object: ...
+    def __arrow_c_schema__(self) -> object: ...
+
+@final
+class Schema:
+    def __arrow_c_schema__(self) -> object: ...
+
+class _Stream(Protocol):
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object: ...
+
+class _Array(Protocol):
+    def __arrow_c_array__(self, requested_schema: object | None = None) -> tuple[object, object]: ...
+
+_Table = _Stream | _Array
+_Template = str | os.PathLike[str] | Mapping[str, Any]
+
+def reconstruct_table(
+    table: _Table,
+    *,
+    template: _Template | None = None,
+    samples: int | None = None,
+    seed: int = 1,
+    threads: int | None = None,
+) -> Rows: ...
+def impact_table(
+    table: _Table,
+    *,
+    template: _Template | None = None,
+    samples: int | None = None,
+    seed: int = 1,
+    threads: int | None = None,
+) -> Rows: ...
+def crush_table(
+    table: _Table, *, template: _Template | None = None, threads: int | None = None
+) -> Rows: ...
+def estimate_table(
+    table: _Table,
+    *,
+    template: _Template | None = None,
+    particles: int = 512,
+    seed: int = 1,
+    prior: Literal["field", "flat"] | None = None,
+    threads: int | None = None,
+) -> Rows: ...
+def case_schema(*, ranges: bool = False) -> Schema: ...
+def result_schema(
+    job: Literal["reconstruct", "impact", "crush", "estimate"] = "reconstruct", *, samples: int | None = None
+) -> Schema: ...
 def _restore_case(name: str, text: bytes, path: str | os.PathLike[str] | None) -> Case: ...
 def _restore_columns(reasons: list[str | None] | None, columns: list[tuple[str, bytes]]) -> Columns: ...
 def _restore_result(version: str, case: Case, request: str, json: str, columns: Columns | None) -> Result: ...
