@@ -28,12 +28,18 @@ fn _deltav(module: &Bound<'_, PyModule>) -> PyResult<()> {
     }
     module.add_class::<rows::Rows>()?;
     module.add_class::<rows::PySchema>()?;
-    module.add_function(wrap_pyfunction!(rows::reconstruct_table, module)?)?;
-    module.add_function(wrap_pyfunction!(rows::impact_table, module)?)?;
-    module.add_function(wrap_pyfunction!(rows::crush_table, module)?)?;
-    module.add_function(wrap_pyfunction!(rows::estimate_table, module)?)?;
-    module.add_function(wrap_pyfunction!(rows::case_schema, module)?)?;
-    module.add_function(wrap_pyfunction!(rows::result_schema, module)?)?;
+    for function in [
+        wrap_pyfunction!(rows::reconstruct_table, module)?,
+        wrap_pyfunction!(rows::impact_table, module)?,
+        wrap_pyfunction!(rows::crush_table, module)?,
+        wrap_pyfunction!(rows::estimate_table, module)?,
+        wrap_pyfunction!(rows::case_schema, module)?,
+        wrap_pyfunction!(rows::result_schema, module)?,
+    ] {
+        // As users import them.
+        function.setattr("__module__", "deltav")?;
+        module.add_function(function)?;
+    }
     module.add_function(wrap_pyfunction!(given::restore_case, module)?)?;
     module.add_function(wrap_pyfunction!(columns::restore_columns, module)?)?;
     module.add_function(wrap_pyfunction!(solved::restore_result, module)?)?;

@@ -119,7 +119,7 @@ fn solve(
 /// >>> table = pyarrow.table({"id": [1, 2], "vehicle2.speed [mph]": [10.0, 1e9]})
 /// >>> rows = pyarrow.table(deltav.reconstruct_table(table, template=deltav.Case.example().text))
 /// >>> rows.select(["id", "found_value", "error"]).to_pylist()[1]["error"]
-/// 'vehicle2.speed: "1e9 mph" is implausibly large for a speed'
+/// 'vehicle2.speed: "1000000000 mph" is implausibly large for a speed'
 #[pyfunction]
 #[pyo3(
     signature = (table, *, template = None, samples = None, seed = Whole(1), threads = None),

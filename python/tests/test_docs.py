@@ -31,7 +31,7 @@ def test_everything_that_is_offered_says_what_it_is() -> None:
         if name == "__version__":
             continue
         assert offered.__doc__ and offered.__module__ == "deltav", name
-        for method in vars(offered):
+        for method in getattr(offered, "__dict__", {}):
             if not method.startswith("_"):
                 assert getattr(offered, method).__doc__, f"{name}.{method}"
 

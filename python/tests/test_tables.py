@@ -43,7 +43,7 @@ def test_a_row_has_the_bits_of_the_case(path: pathlib.Path) -> None:
             continue
         assert row["error"] is None
         numbers = {key: value for key, value in row.items() if isinstance(value, float) and key in document}
-        assert len(numbers) > 3
+        assert len(numbers) >= 3
         for key, value in numbers.items():
             assert repr(value) == repr(float(document[key])), key
 
@@ -100,14 +100,24 @@ def test_the_template_is_a_text_a_dict_or_a_path() -> None:
 
 
 def test_nested_rows_are_cases_of_their_own() -> None:
-    vehicle = {"mass": 1500.0, "yaw_inertia": 2500.0, "heading": 0.0}
-    crushed = {"side": "front", "width": 1.5, "depths": [0.3, 0.2], "stiffness": {"category": 3}, "pdof": {"value": 0.0}}
+    vehicle = {"mass": 1500.0, "yaw_inertia": 2500.0, "heading": 0.0, "contact": {"x": 2.0, "y": 0.0}}
+    crush = {"side": "front", "width": 1.5, "depths": [0.3, 0.2], "stiffness": {"category": 3}}
+    crushed = vehicle | {"crush": crush | {"pdof": {"value": 0.0}}}
     rows = [
-        {"id": "a", "vehicle1": vehicle | {"contact": {"x": 2.0, "y": 0.0}, "crush": crushed}, "vehicle2": {"fixed": True}},
+        {"id": "a", "vehicle1": crushed, "vehicle2": {"fixed": True}},
         {"id": "b", "vehicle1": vehicle, "vehicle2": {"fixed": True}},
     ]
     found = pa.table(deltav.crush_table(pa.Table.from_pylist(rows))).to_pylist()
-    assert found[0]["error"] is None and found[0]["vehicle1_delta_v"] > 0.0
+    with_units = {
+        "mass": "1500 kg",
+        "yaw_inertia": "2500 kg m^2",
+        "heading": "0 deg",
+        "contact": {"x": "2 m", "y": "0 m"},
+        "crush": crush | {"width": "1.5 m", "depths": "0.3 0.2 m", "pdof": "0 deg"},
+    }
+    case = deltav.Case.from_dict({"vehicle1": with_units, "vehicle2": {"fixed": True}})
+    assert found[0]["error"] is None
+    assert repr(found[0]["vehicle1_crash3_delta_v"]) == repr(case.crush().crash3.delta_v[0])
     assert "crush" in found[1]["error"]
 
 
@@ -133,7 +143,7 @@ def test_an_estimate_of_a_row_is_that_of_the_case() -> None:
     path = FIXTURES / "estimate.toml"
     [row] = pa.table(deltav.estimate_table(pa.table({"id": [1]}), template=path, particles=128)).to_pylist()
     estimated = deltav.Case.read(path).estimate(particles=128, pieces=False)
-    assert row["vehicle1_speed_median"] == estimated.outputs["vehicle1.speed"].posterior.median
+    assert row["vehicle1_speed_median"] == estimated.outputs["vehicle1.speed"].median
 
 
 @pytest.mark.parametrize(

@@ -15,13 +15,13 @@ class Record(Mapping[str, Any]):
     """
 
     __slots__ = ("_entries",)
-    _entries: dict[str, Any]
+    _entries: Mapping[str, Any]
 
     def __init__(self, entries: Mapping[str, Any]) -> None:
-        object.__setattr__(self, "_entries", {key: _shown(value) for key, value in entries.items()})
+        object.__setattr__(self, "_entries", entries)
 
     def __getitem__(self, key: str) -> Any:
-        return self._entries[key]
+        return _shown(self._entries[key])
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._entries)
@@ -33,7 +33,7 @@ class Record(Mapping[str, Any]):
         # Before the entries are there, as in a copy that is being made, there is nothing to look in.
         if not name.startswith("_"):
             try:
-                return self._entries[name]
+                return self[name]
             except KeyError:
                 pass
         raise AttributeError(f"there is no '{name}' here, but {', '.join(self)}" if name[:1] != "_" else name)
@@ -45,7 +45,7 @@ class Record(Mapping[str, Any]):
         return [*super().__dir__(), *self]
 
     def __repr__(self) -> str:
-        entries = ", ".join(f"{key}={value!r}" for key, value in self._entries.items())
+        entries = ", ".join(f"{key}={value!r}" for key, value in self.items())
         return f"Record({entries})"
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -53,13 +53,11 @@ class Record(Mapping[str, Any]):
 
 
 def _shown(value: Any) -> Any:
-    match value:
-        case Mapping():
-            return Record(value)
-        case list() | tuple():
-            return tuple(_shown(element) for element in value)
-        case _:
-            return value
+    if isinstance(value, dict):
+        return Record(value)
+    if isinstance(value, list):
+        return tuple(_shown(element) for element in value)
+    return value
 
 
 Record.__module__ = "deltav"
