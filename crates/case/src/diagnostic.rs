@@ -168,7 +168,8 @@ fn floor_char_boundary(text: &str, index: usize) -> usize {
 #[derive(Clone, Debug)]
 pub struct Diagnostics {
     source: Source,
-    list: Vec<Diagnostic>,
+    /// Of fixed length, to keep errors small.
+    list: Box<[Diagnostic]>,
     program: &'static Program,
 }
 
@@ -177,7 +178,7 @@ impl Diagnostics {
         // What concerns the whole file comes last.
         list.sort_by_key(|diagnostic| diagnostic.span().map_or(usize::MAX, |span| span.start));
         list.dedup();
-        Self { source, list, program: &Program::NONE }
+        Self { source, list: list.into_boxed_slice(), program: &Program::NONE }
     }
 
     /// The same in the words of a program: what to write instead then points to its commands.
