@@ -108,7 +108,7 @@ INTERRUPTED = """
     [
         "case.uncertainty(1_000_000)",
         "case.uncertainty(1_000_000, threads=1)",
-        "deltav.Case.read('fixtures/rear-end-rest.toml').estimate(particles=1024)",
+        "deltav.Case.read('fixtures/estimate.toml').estimate(particles=1024)",
     ],
 )
 def test_ctrl_c_ends_a_long_run(ask: str) -> None:
