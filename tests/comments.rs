@@ -34,7 +34,7 @@ fn is_whole(comment: &str) -> bool {
 fn comments_keep_to_the_line_width() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
     let mut paths = Vec::new();
-    for folder in ["crates", "tests", "benches", "fuzz/fuzz_targets"] {
+    for folder in ["crates", "python/src", "tests", "benches", "fuzz/fuzz_targets"] {
         sources(&root.join(folder), &mut paths);
     }
     assert!(paths.len() > 200, "{}", paths.len());

@@ -5,7 +5,7 @@ use std::path::Path;
 
 /// What stands between backticks, where it is a path from the root of the repository.
 fn paths(text: &str) -> Vec<&str> {
-    let folders = ["crates/", "tests/", "benches/", "fuzz/", "docs/", "fixtures/"];
+    let folders = ["crates/", "python/", "tests/", "benches/", "fuzz/", "docs/", "fixtures/"];
     let is_path = |code: &&str| folders.iter().any(|folder| code.starts_with(folder)) && !code.contains(' ');
     text.split('`').skip(1).step_by(2).filter(is_path).collect()
 }

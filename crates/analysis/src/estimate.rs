@@ -6,6 +6,7 @@ mod pieces;
 mod setup;
 
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use ::estimate::{Culprit, Doubt, Exclusion, Posterior, Selection, Settings, Summary, Verdict, sample};
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
@@ -183,12 +184,21 @@ pub fn estimate(
         sample(&told, &told, &settings, report).map_err(|failure| refused(failure, model.pieces()))
     };
 
+    // Who ends one run wants no other.
+    let ended = AtomicBool::new(false);
+    let mut progress = |stage: EstimateStage, done: usize, total: usize| {
+        let flow = progress(stage, done, total);
+        ended.fetch_or(flow.is_break(), Ordering::Relaxed);
+        flow
+    };
+    let is_ended = || ended.load(Ordering::Relaxed);
+
     let mut particles = plan.particles;
     let most = plan.particles.saturating_mul(MOST_TIMES);
     let posterior = loop {
         let posterior =
             run(Selection::All, particles, &mut |done, total| progress(EstimateStage::All, done, total))?;
-        if posterior.verdict() == Verdict::Converged || particles >= most {
+        if is_ended() || posterior.verdict() == Verdict::Converged || particles >= most {
             break posterior;
         }
         particles *= 2;
@@ -201,10 +211,13 @@ pub fn estimate(
         pieces.filter(|(_, piece)| wanted(piece)).map(|(place, _)| place).collect()
     };
     let beside = (plan.particles / BESIDE_SHARE).max(BESIDE_LEAST);
-    let prior = run(Selection::Only(places(&always)), beside, &mut |done, total| {
-        progress(EstimateStage::Prior, done, total)
-    })?;
-    let prior = (prior.verdict() == Verdict::Converged).then_some(prior);
+    let mut before = || {
+        run(Selection::Only(places(&always)), beside, &mut |done, total| {
+            progress(EstimateStage::Prior, done, total)
+        })
+    };
+    let prior = if is_ended() { None } else { Some(before()?) };
+    let prior = prior.filter(|prior| prior.verdict() == Verdict::Converged);
 
     let outputs = told
         .outputs()
@@ -230,13 +243,15 @@ pub fn estimate(
         .collect();
     let judged: Vec<usize> = places(&|piece| !always(piece));
     let mut pieces = Vec::new();
-    let mut is_ended = false;
     for (done, &term) in judged.iter().enumerate() {
-        is_ended |= progress(EstimateStage::Piece, done, judged.len()).is_break();
+        if !is_ended() {
+            // What it returns is remembered.
+            let _ = progress(EstimateStage::Piece, done, judged.len());
+        }
         let mut quietly = |_: usize, _: usize| ControlFlow::Continue(());
         let mut alone = None;
         let mut without = None;
-        if plan.pieces && !is_ended && judged.len() > 1 {
+        if plan.pieces && !is_ended() && judged.len() > 1 {
             let mut only = places(&always);
             only.push(term);
             alone = run(Selection::Only(only), beside, &mut quietly).ok();

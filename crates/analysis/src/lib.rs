@@ -22,6 +22,8 @@
 //! [`QUANTITIES`] has a row for every number that an analysis gives: its key, label, symbol, kind, source and
 //! how to read it.
 //!
+//! [`beside`] adds to an analysis what a report to hand over has besides.
+//!
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each return an [`Analysis`]: the impact, each
 //! vehicle's damage, CRASH3's own answer for comparison, and [`Warning`]s. A [`Failure`] says whether the
 //! case or the physics is to blame.
@@ -34,6 +36,7 @@
 //! It adds no equation: those are in `pim-core`, `crash3` and `reconcile`. It reads no file (`case` does) and
 //! writes no text (`report` does), so a case can also be built in code from the types of `inputs`.
 
+mod beside;
 mod both;
 mod checks;
 mod compare;
@@ -57,6 +60,7 @@ pub use self::estimate::{
     SameTwice, UnknownNumber, Unused, UnusedReason, estimate, estimate_outputs,
 };
 pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
+pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, usual_samples};
 pub use both::{BothFound, BothMethod};
 pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};

@@ -22,12 +22,31 @@ const LONGEST_LINE: usize = 2000;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
     span: Option<Range<usize>>,
+    key: Option<String>,
     problem: CaseProblem,
+}
+
+/// A problem as a program hands it on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// The key that it is about, such as `vehicle1.crush.width`, or the table; `None` of the file as a whole.
+    pub key: Option<String>,
+    /// Line and column of its place, both from 1 on; `None` of the file as a whole.
+    pub place: Option<[usize; 2]>,
+    /// What is wrong.
+    pub message: String,
+    /// What to write instead.
+    pub help: Option<String>,
 }
 
 impl Diagnostic {
     pub(crate) fn new(span: Option<Range<usize>>, problem: CaseProblem) -> Self {
-        Self { span, problem }
+        Self { span, key: None, problem }
+    }
+
+    /// About a key, which need not be in the file.
+    pub(crate) fn about(self, key: &str) -> Self {
+        Self { key: Some(key.to_owned()), ..self }
     }
 
     /// (bytes) its place in the text; `None` for the file as a whole.
@@ -62,18 +81,37 @@ impl Diagnostic {
     /// A text about it behind its place, without line breaks.
     fn placed(&self, source: &Source, text: &str) -> String {
         let text = on_one_line(text);
-        let Some(span) = &self.span else { return text };
         if !source.is_text() {
-            return match source.key_at(span).filter(|key| !text.contains(key)) {
+            let key = self.span.as_ref().and_then(|span| source.key_at(span));
+            return match key.filter(|key| !text.contains(key)) {
                 Some(key) => format!("{key}: {text}"),
                 None => text,
             };
         }
+        match self.line_and_column(source) {
+            Some([line, column]) => format!("line {line}, column {column}: {text}"),
+            None => text,
+        }
+    }
+
+    fn line_and_column(&self, source: &Source) -> Option<[usize; 2]> {
+        let span = self.span.as_ref().filter(|_| source.is_text())?;
         let before = &source.text()[..floor_char_boundary(source.text(), span.start)];
         let line = before.rsplit('\n').next().unwrap_or_default();
         // A byte order mark is no column.
         let column = line.trim_start_matches('\u{feff}').chars().count() + 1;
-        format!("line {}, column {column}: {text}", before.matches('\n').count() + 1)
+        Some([before.matches('\n').count() + 1, column])
+    }
+
+    fn handed_on(&self, source: &Source, program: &Program) -> Problem {
+        let at_place = || source.key_at(self.span.as_ref()?).map(str::to_owned);
+        let help = self.problem.help_in(Some(source.units_in_use()), program);
+        Problem {
+            key: self.key.clone().or_else(at_place),
+            place: self.line_and_column(source),
+            message: shown(&self.problem.to_string()).into_owned(),
+            help: help.map(|help| shown(&help).into_owned()),
+        }
     }
 
     /// The line and the caret under the value. One line: a value of many lines is shown by its first.
@@ -130,7 +168,8 @@ fn floor_char_boundary(text: &str, index: usize) -> usize {
 #[derive(Clone, Debug)]
 pub struct Diagnostics {
     source: Source,
-    list: Vec<Diagnostic>,
+    /// Of fixed length, to keep errors small.
+    list: Box<[Diagnostic]>,
     program: &'static Program,
 }
 
@@ -139,7 +178,7 @@ impl Diagnostics {
         // What concerns the whole file comes last.
         list.sort_by_key(|diagnostic| diagnostic.span().map_or(usize::MAX, |span| span.start));
         list.dedup();
-        Self { source, list, program: &Program::NONE }
+        Self { source, list: list.into_boxed_slice(), program: &Program::NONE }
     }
 
     /// The same in the words of a program: what to write instead then points to its commands.
@@ -152,6 +191,19 @@ impl Diagnostics {
     #[must_use]
     pub fn list(&self) -> &[Diagnostic] {
         &self.list
+    }
+
+    /// The problems as a program hands them on, each with its key and in the words of the program.
+    ///
+    /// ```
+    /// let errors = case::CaseFile::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
+    /// let [problem] = &errors.problems()[..] else { panic!() };
+    /// assert_eq!(problem.key.as_deref(), Some("vehicle1.speed"));
+    /// assert_eq!(problem.place, Some([2, 9]));
+    /// ```
+    #[must_use]
+    pub fn problems(&self) -> Vec<Problem> {
+        self.list.iter().map(|diagnostic| diagnostic.handed_on(&self.source, self.program)).collect()
     }
 
     /// All of them on one line, for a row of a table or a line of a log: what is wrong, without the name of

@@ -187,7 +187,7 @@ mod value;
 pub const EXAMPLE: &str = include_str!("../sae-980025.toml");
 
 pub use case_problem::CaseProblem;
-pub use diagnostic::{Diagnostic, Diagnostics};
+pub use diagnostic::{Diagnostic, Diagnostics, Problem};
 pub use json_schema::json_schema;
 pub use keys::{KeyForm, KeyInfo, key_tree, list_range_keys, range_keys};
 pub use nearest::nearest_names;

@@ -197,7 +197,7 @@ impl CaseFile {
                     }
                 }),
             };
-            Diagnostic::new(self.source.nearest_span(&fault.key), problem)
+            Diagnostic::new(self.source.nearest_span(&fault.key), problem).about(&fault.key)
         });
         Diagnostics::new(self.source.clone(), placed.collect()).in_words_of(program)
     }

@@ -23,10 +23,10 @@ impl Spans {
         self.0.get(path).cloned()
     }
 
-    /// The innermost key around a place.
+    /// The innermost key around a place; of several the longest name.
     fn around(&self, place: &Range<usize>) -> Option<&str> {
         let around = self.0.iter().filter(|(_, span)| span.start <= place.start && place.end <= span.end);
-        around.min_by_key(|(_, span)| span.len()).map(|(key, _)| &**key)
+        around.min_by_key(|(key, span)| (span.len(), usize::MAX - key.len())).map(|(key, _)| &**key)
     }
 
     /// The place of the key or, if it is absent, of the nearest table around it.
@@ -56,9 +56,9 @@ impl Source {
         Self { text: None, ..Self::new(name, "", spans) }
     }
 
-    /// Of values, the key at a place, or that of the list or table around it; nothing of a text.
+    /// The key at a place, or that of the list or table around it.
     pub(crate) fn key_at(&self, place: &Range<usize>) -> Option<&str> {
-        if self.is_text() { None } else { self.spans.around(place) }
+        self.spans.around(place)
     }
 
     /// Whether it is a text, in whose lines keys have their places.

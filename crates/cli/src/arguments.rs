@@ -592,12 +592,6 @@ fn quantity(text: &str, dimension: Dimension) -> Result<Quantity, String> {
     read_quantity(text, dimension).map_err(|error| format!("{error}; {}", error.help()))
 }
 
-/// Samples where the command line does not say: enough for three digits, in a blink.
-pub(crate) const SAMPLES: usize = 100_000;
-/// Samples of a case whose vehicles are searched back from their rests, where the command line does not say:
-/// each takes some milliseconds. Their 95 % interval is known to some per cent of its width.
-pub(crate) const BACKWARD_SAMPLES: usize = 1_000;
-
 #[derive(Debug, Args)]
 pub(crate) struct UncertaintyArguments {
     #[command(flatten)]

@@ -18,7 +18,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use analysis::{Analysis, Failure, Plan, Stage, Sweep, Uncertainty};
+use analysis::{Analysis, Beside, Failure, Plan, Stage, Sweep, Uncertainty};
 use anyhow::{Context as _, Result};
 use arguments::{
     Arguments, CasesArguments, Command, ExplainArguments, Format, PlotsFormat, SensitivityArguments,
@@ -37,12 +37,6 @@ use validation::{Data, Validation};
 
 /// What a command makes of a case.
 type Analyse = fn(&Case) -> Result<Analysis, Failure>;
-
-/// Samples behind a report on a case of very many numbers, through all of which each sample goes: at least so
-/// many, and more while samples times numbers remain below some seconds' work. The report says how many they
-/// are; on any other case they are as many as `deltav uncertainty` takes.
-const LEAST_REPORT_SAMPLES: usize = 500;
-const REPORT_NUMBERS: usize = 100_000_000;
 
 /// The files that `deltav validate --plots` writes, without their endings.
 const VALIDATION_PLOTS: [&str; 2] = ["computed-against-measured", "reconstructed-speed"];
@@ -225,26 +219,7 @@ where
 
 /// The report to hand over, with what the uncertain inputs make of the answer.
 fn handover(path: &Path, file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Document> {
-    // A motion alone is propagated only of a case that has nothing else to find.
-    let is_motion = analysis.travel.iter().any(Option::is_some)
-        && file.case.impact.is_none()
-        && file.case.reconstruct.is_none();
-    let is_uncertain = (analysis.impact.is_some() || is_motion) && analysis::is_uncertain(&file.case);
-    let uncertainty = is_uncertain.then(|| {
-        let is_followed = analysis.travel.iter().any(Option::is_some);
-        let samples =
-            if is_followed { arguments::BACKWARD_SAMPLES } else { report_samples(file.case.inputs().len()) };
-        let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None };
-        let uncertainty = analysis::uncertainty(&file.case, &plan, &mut |_, _, _| ControlFlow::Continue(()));
-        answered(uncertainty, file, units)
-    });
-    let uncertainty = uncertainty.transpose()?;
-    let is_differentiated = analysis.found.is_some() || analysis.both.is_some() || is_motion;
-    let sensitivity = (is_uncertain && is_differentiated).then(|| {
-        let sensitivity = analysis::sensitivity(&file.case, Sweep { step: 5_f64.to_radians(), steps: 2 });
-        answered(sensitivity, file, units)
-    });
-    let sensitivity = sensitivity.transpose()?;
+    let Beside { uncertainty, sensitivity } = answered(analysis::beside(&file.case, analysis), file, units)?;
     let is_followed = analysis.travel.iter().any(Option::is_some);
     let site_plan = if is_followed { draw::plan_of_case(path, file)? } else { None };
     let validation = validation::validate(&Data::built_in())?;
@@ -255,10 +230,6 @@ fn handover(path: &Path, file: &CaseFile, analysis: &Analysis, units: Units) -> 
         site_plan: site_plan.as_ref(),
     };
     Ok(report::handover(file, analysis, supplements, units)?)
-}
-
-fn report_samples(numbers: usize) -> usize {
-    (REPORT_NUMBERS / numbers.max(1)).clamp(LEAST_REPORT_SAMPLES, arguments::SAMPLES)
 }
 
 fn report_judgement(arguments: &Arguments) -> Result<()> {
@@ -317,11 +288,8 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
         arguments::Method::Sobol => SamplingMethod::Sobol,
     };
     let plan = |case: &Case| {
-        let usual = || match analysis::is_searched_back(case) {
-            true => arguments::BACKWARD_SAMPLES,
-            false => arguments::SAMPLES,
-        };
-        Plan { settings: Settings::new(method, samples.unwrap_or_else(usual), seed), index_rows: sobol }
+        let samples = samples.unwrap_or_else(|| analysis::usual_samples(case));
+        Plan { settings: Settings::new(method, samples, seed), index_rows: sobol }
     };
     if of_case.format.of_one().is_err() && (samples_out.is_some() || plots.is_some()) {
         anyhow::bail!(
@@ -582,18 +550,11 @@ mod tests {
 
     use crate::arguments::{Format, PlotsFormat, ValidateArguments};
 
-    use super::{NO_ANSWER, lead_and_status, read_at_most, report_samples, show};
+    use super::{NO_ANSWER, lead_and_status, read_at_most, show};
 
     #[test]
     fn a_source_without_end_is_left_after_one_byte_too_many() {
         assert_eq!(read_at_most(io::repeat(b'x')).unwrap().len(), CaseFile::LARGEST_FILE + 1);
-    }
-
-    #[test]
-    fn a_report_takes_fewer_samples_of_a_case_with_very_many_numbers() {
-        assert_eq!([0, 31, 1000].map(report_samples), [100_000; 3]);
-        assert_eq!(report_samples(10_000), 10_000);
-        assert_eq!(report_samples(1_000_000), 500);
     }
 
     #[test]

@@ -268,7 +268,7 @@ impl Output {
         match self {
             Self::Parquet(writer) => Ok(writer.write(rows)?),
             Self::Csv(writer) => {
-                let columns = rows.columns().iter().map(|column| Texts::of(column));
+                let columns = rows.columns().iter().map(Texts::of);
                 let columns: Vec<Texts<'_>> = columns.collect::<Result<_>>()?;
                 for row in 0..rows.num_rows() {
                     for column in &columns {

@@ -1,5 +1,7 @@
 //! Tables: CSV and Parquet say the same, in any number of threads, and in parts.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
 use std::collections::HashMap;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};

@@ -245,6 +245,16 @@ impl Document {
         }));
     }
 
+    /// What was found, a line each; none of a document that has many answers.
+    #[must_use]
+    pub fn headline(&self) -> &[String] {
+        let answers = self.blocks.iter().find_map(|block| match block {
+            Block::Answer { found, .. } => Some(found.as_slice()),
+            _ => None,
+        });
+        answers.unwrap_or_default()
+    }
+
     /// Text of 98 columns.
     #[must_use]
     pub fn text(&self) -> String {
@@ -273,6 +283,12 @@ impl Document {
     #[must_use]
     pub fn markdown(&self) -> String {
         writers::markdown(&self.blocks)
+    }
+
+    /// HTML to put into another page, such as a notebook: without the style of a page and without drawings.
+    #[must_use]
+    pub fn html_fragment(&self) -> String {
+        writers::html_fragment(&self.blocks)
     }
 
     /// One self-contained HTML file: no scripts, nothing from a network, made to be printed on A4 or Letter.

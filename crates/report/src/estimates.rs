@@ -1,6 +1,8 @@
 //! What an estimate was asked, and what its results, unknown numbers, pieces of evidence and doubts are
 //! called.
 
+mod question;
+
 use ::estimate::{Doubt, LEVELS, Quantity, Summary};
 use analysis::{Assumed, EstimateOutput, EstimatePlan, Estimated, PieceFound, UnknownNumber, UnusedReason};
 use evidence::{Observed, Piece};

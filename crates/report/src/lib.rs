@@ -79,7 +79,7 @@ mod writers;
 pub use ::drawing::{Drawing, PictureFormat, SitePlan, SitePlanError};
 pub use data::comparison::comparison_json;
 pub use data::csv::{Answer, Csv, CsvStyle, Refused, Row, RowError, Table, jsonl_row};
-pub use data::estimate::{estimate_json, write_draws};
+pub use data::estimate::{DrawColumn, draw_columns, estimate_json, write_draws};
 pub use data::field::field_json;
 pub use data::json::json;
 pub use data::judgement::judgement_json;
@@ -92,6 +92,7 @@ pub use document::Document;
 pub use estimates::{Asked, Question};
 pub use failures::no_answer;
 pub use glossary::{Topic, UnknownTopic, topic, topics};
+pub use outputs::reason_name;
 pub use pictures::{
     DrawingError, Subject, computed_against_measured, density, drawing, estimated_against_recorded,
     histogram, joint_speeds, motion_on, plain_scene, ranks_of_recorders, reconstructed_speed, rests,

@@ -8,8 +8,9 @@ use case::{Estimate, FaceAxis, Input, Origin, YawSource};
 
 use crate::units::Measure;
 
-/// The key of the JSON and of the samples.
-pub(crate) fn reason_name(reason: Reason) -> &'static str {
+/// Why a sample has no answer: the key of the JSON and of the samples.
+#[must_use]
+pub fn reason_name(reason: Reason) -> &'static str {
     match reason {
         Reason::NotApproaching => "not_approaching",
         Reason::NoRoot => "no_root",

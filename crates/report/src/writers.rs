@@ -5,7 +5,7 @@ mod markdown;
 mod text;
 pub(crate) mod wrap;
 
-pub(crate) use html::write as html;
+pub(crate) use html::{fragment as html_fragment, write as html};
 pub(crate) use markdown::write as markdown;
 pub(crate) use text::write as text;
 

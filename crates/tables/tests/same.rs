@@ -14,7 +14,9 @@ use uncertainty::{SamplingMethod, Settings};
 use crate::fixtures::{self, Fixture, in_si, toml};
 use crate::forms::{Names, flat, nested};
 
-const JOBS: [(Job, fn(&Case) -> Result<Analysis, Failure>); 3] = [
+type Solve = fn(&Case) -> Result<Analysis, Failure>;
+
+const JOBS: [(Job, Solve); 3] = [
     (Job::Reconstruct, analysis::reconstruct),
     (Job::Impact, analysis::impact),
     (Job::Crush, analysis::crush),

@@ -152,7 +152,7 @@ impl<'t> Reader<'t> {
     /// Reports a problem at a key, or at the table that should have it.
     pub(super) fn report_path(&mut self, path: &str, problem: CaseProblem) {
         let span = self.spans.nearest(path);
-        self.problems.push(Diagnostic::new(span, problem));
+        self.problems.push(Diagnostic::new(span, problem).about(path));
     }
 
     /// The document itself, as a table.
@@ -266,7 +266,7 @@ impl<'t> Reader<'t> {
                     known: schema.names().collect(),
                 }
             };
-            self.report(key.span(), problem);
+            self.problems.push(Diagnostic::new(Some(key.span()), problem).about(&table.path_of(name)));
         }
         table
     }

@@ -276,6 +276,35 @@ pub fn estimate_json(
     ))
 }
 
+/// A column of the draws of an estimate.
+#[derive(Clone, Debug)]
+pub struct DrawColumn<'a> {
+    /// The key of an unknown number or of a result.
+    pub key: String,
+    /// The size in SI of the unit of the values.
+    pub factor: f64,
+    /// A value for each draw.
+    pub values: &'a [f64],
+}
+
+/// The draws of an estimate: the unknown numbers and the results. What is a result as well stands once.
+#[must_use]
+pub fn draw_columns(estimated: &Estimated) -> Vec<DrawColumn<'_>> {
+    let results = estimated.outputs.iter().zip(estimated.posterior.outputs());
+    let results: Vec<DrawColumn<'_>> = results
+        .map(|(output, values)| DrawColumn { key: output.output.path(), factor: 1.0, values })
+        .collect();
+    let unknown = estimated
+        .unknown
+        .iter()
+        .zip(estimated.posterior.values())
+        .map(|(unknown, values)| DrawColumn { key: unknown_key(unknown), factor: factor(unknown), values });
+    let mut columns: Vec<DrawColumn<'_>> =
+        unknown.filter(|column| results.iter().all(|result| result.key != column.key)).collect();
+    columns.extend(results);
+    columns
+}
+
 /// Writes a line for each draw: its number, the unknown numbers and the results, in SI units and radians.
 /// All draws count the same. Numbers are the shortest that read back as the same, in the style of the
 /// spreadsheet.
@@ -284,25 +313,16 @@ pub fn estimate_json(
 /// Where `out` cannot be written to.
 pub fn write_draws(estimated: &Estimated, style: CsvStyle, out: &mut dyn Write) -> io::Result<()> {
     let next = style.separator();
-    let results = estimated.outputs.iter().zip(estimated.posterior.outputs());
-    let results: Vec<(String, f64, &Vec<f64>)> =
-        results.map(|(output, column)| (output.output.path(), 1.0, column)).collect();
-    let unknown = estimated.unknown.iter().zip(estimated.posterior.values());
-    // What is a result as well stands once.
-    let columns: Vec<(String, f64, &Vec<f64>)> = unknown
-        .map(|(unknown, column)| (unknown_key(unknown), factor(unknown), column))
-        .filter(|(key, ..)| results.iter().all(|(other, ..)| other != key))
-        .chain(results.iter().cloned())
-        .collect();
+    let columns = draw_columns(estimated);
     write!(out, "{}draw", style.beginning())?;
-    for (key, ..) in &columns {
+    for DrawColumn { key, .. } in &columns {
         write!(out, "{next}{key}")?;
     }
     writeln!(out)?;
     for draw in 0..estimated.posterior.count() {
         write!(out, "{}", draw + 1)?;
-        for (_, factor, column) in &columns {
-            write!(out, "{next}{}", style.number((column[draw] * factor).to_string()))?;
+        for DrawColumn { factor, values, .. } in &columns {
+            write!(out, "{next}{}", style.number((values[draw] * factor).to_string()))?;
         }
         writeln!(out)?;
     }

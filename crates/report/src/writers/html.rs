@@ -71,6 +71,17 @@ pub(crate) fn write(blocks: &[Block]) -> String {
     markup.into_string() + "\n"
 }
 
+/// The document as a part of another page, which has a style of its own: without the head of a page, and
+/// without drawings, whose `id`s another part may have as well.
+pub(crate) fn fragment(blocks: &[Block]) -> String {
+    let part = |part: &Block| match part {
+        Block::Drawing(_) | Block::Picture { .. } => html! {},
+        Block::Chart { instead, .. } => html! { @if let Some(instead) = instead { (table(instead)) } },
+        part => block(part),
+    };
+    html! { div.deltav { @for block in blocks { (part(block)) } } }.into_string()
+}
+
 fn section(blocks: &[Block]) -> Markup {
     match blocks.first() {
         Some(Block::Heading(heading)) => html! {

@@ -1,0 +1,75 @@
+//! What a report to hand over has beside the analysis itself.
+
+use std::ops::ControlFlow;
+
+use ::uncertainty::{SamplingMethod, Settings};
+use inputs::Case;
+
+use crate::{
+    Analysis, Failure, Plan, Sensitivity, Sweep, Uncertainty, is_searched_back, is_uncertain, sensitivity,
+    uncertainty,
+};
+
+/// Samples where nobody says how many: enough for three digits, in a blink.
+pub const SAMPLES: usize = 100_000;
+
+/// The same of a case whose vehicles are searched back from their rests: each takes some milliseconds. Their
+/// 95 % interval is known to some per cent of its width.
+pub const BACKWARD_SAMPLES: usize = 1_000;
+
+/// Samples behind a report on a case of very many numbers, through all of which each sample goes: at least so
+/// many, and more while samples times numbers remain below some seconds' work. The report says how many they
+/// are; on any other case they are as many as elsewhere.
+const LEAST_REPORT_SAMPLES: usize = 500;
+const REPORT_NUMBERS: usize = 100_000_000;
+
+/// [`SAMPLES`], or [`BACKWARD_SAMPLES`] where each is searched back.
+#[must_use]
+pub fn usual_samples(case: &Case) -> usize {
+    if is_searched_back(case) { BACKWARD_SAMPLES } else { SAMPLES }
+}
+
+/// What the uncertain inputs make of an analysis.
+#[derive(Debug, Default)]
+pub struct Beside {
+    /// Where the case has any, and the analysis is one of an impact or a motion.
+    pub uncertainty: Option<Uncertainty>,
+    /// Where besides a speed or a motion was found.
+    pub sensitivity: Option<Sensitivity>,
+}
+
+/// What a report to hand over has beside an analysis of the case.
+///
+/// # Errors
+/// [`Failure`], as [`uncertainty()`] and [`sensitivity()`].
+pub fn beside(case: &Case, analysis: &Analysis) -> Result<Beside, Failure> {
+    let is_followed = analysis.travel.iter().any(Option::is_some);
+    // A motion alone is propagated only of a case that has nothing else to find.
+    let is_motion = is_followed && case.impact.is_none() && case.reconstruct.is_none();
+    if !((analysis.impact.is_some() || is_motion) && is_uncertain(case)) {
+        return Ok(Beside::default());
+    }
+    let samples = if is_followed { BACKWARD_SAMPLES } else { report_samples(case.inputs().len()) };
+    let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None };
+    let uncertainty = uncertainty(case, &plan, &mut |_, _, _| ControlFlow::Continue(()))?;
+    let is_differentiated = analysis.found.is_some() || analysis.both.is_some() || is_motion;
+    let sweep = Sweep { step: 5_f64.to_radians(), steps: 2 };
+    let sensitivity = is_differentiated.then(|| sensitivity(case, sweep)).transpose()?;
+    Ok(Beside { uncertainty: Some(uncertainty), sensitivity })
+}
+
+fn report_samples(numbers: usize) -> usize {
+    (REPORT_NUMBERS / numbers.max(1)).clamp(LEAST_REPORT_SAMPLES, SAMPLES)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::report_samples;
+
+    #[test]
+    fn a_report_on_very_many_numbers_takes_fewer_samples() {
+        assert_eq!([0, 31, 1000].map(report_samples), [100_000; 3]);
+        assert_eq!(report_samples(10_000), 10_000);
+        assert_eq!(report_samples(1_000_000), 500);
+    }
+}

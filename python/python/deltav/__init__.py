@@ -1,0 +1,66 @@
+"""Reconstructs a two-vehicle collision from its damage.
+
+The engine of the program ``deltav``, with the same bits: CRASH3 turns the damage of both vehicles into an energy, and
+planar impact mechanics finds the speed at which the impact dissipates exactly that energy.
+
+>>> import deltav
+>>> case = deltav.Case.example()
+>>> result = case.reconstruct()
+>>> f"{result.found.value * 3.6:.1f} km/h"
+'82.3 km/h'
+>>> case.impact()
+Traceback (most recent call last):
+    ...
+deltav.CaseError: error: `vehicle1.speed` is missing: `impact()` needs it
+...
+"""
+
+from deltav._deltav import (
+    Analysis,
+    Case,
+    Columns,
+    Comparison,
+    Drawing,
+    Estimate,
+    Judgement,
+    Result,
+    Rows,
+    Schema,
+    Sensitivity,
+    Uncertainty,
+    __version__,
+    case_schema,
+    crush_table,
+    estimate_table,
+    impact_table,
+    reconstruct_table,
+    result_schema,
+)
+from deltav._errors import CaseError, NoAnswerError, Problem
+from deltav._record import Record
+
+__all__ = [
+    "Analysis",
+    "Case",
+    "CaseError",
+    "Columns",
+    "Comparison",
+    "Drawing",
+    "Estimate",
+    "Judgement",
+    "NoAnswerError",
+    "Problem",
+    "Record",
+    "Result",
+    "Rows",
+    "Schema",
+    "Sensitivity",
+    "Uncertainty",
+    "__version__",
+    "case_schema",
+    "crush_table",
+    "estimate_table",
+    "impact_table",
+    "reconstruct_table",
+    "result_schema",
+]

@@ -1,0 +1,401 @@
+//! `Case`.
+
+use std::fs::File;
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use analysis::Analysis;
+use case::{CaseFile, Fault, FaultKind, Faults};
+use pyo3::exceptions::{PyOSError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict, PyInt, PyString, PyTuple};
+use report::{SitePlan, Subject, Units};
+
+use crate::dict;
+use crate::errors::{METHODS, failed, not_drawn, wrong_case};
+use crate::picture::Picture;
+use crate::request::{Request, chosen};
+use crate::solved::{Solved, answered};
+
+/// A case that was read, and where from.
+pub(crate) struct Given {
+    pub(crate) file: CaseFile,
+    /// Of a file: the pictures that it names lie beside it.
+    path: Option<PathBuf>,
+}
+
+/// What is known of a collision: a case file that was read and checked.
+///
+/// ``Case.read`` takes a file, ``Case.parse`` a text and ``Case.from_dict`` a dict. All are checked at
+/// once, and ``CaseError`` says what is wrong, where, and what to write instead. The methods answer what
+/// the commands of the program ``deltav`` of the same name answer, with the same bits.
+///
+/// >>> case = deltav.Case.example()
+/// >>> print(f"{case.reconstruct().found.value:.1f} m/s")
+/// 22.9 m/s
+#[pyclass(name = "Case", module = "deltav", frozen)]
+pub(crate) struct PyCase(pub(crate) Arc<Given>);
+
+const UNITS: [(&str, Units); 2] = [("si", Units::Si), ("us", Units::Us)];
+
+/// The units of a text or a drawing: those that most of the case uses, unless somebody says.
+pub(crate) fn units(asked: Option<&str>, file: &CaseFile) -> PyResult<Units> {
+    asked.map_or_else(|| Ok(Units::of_case(&file.case)), |asked| chosen("units", asked, &UNITS))
+}
+
+/// A whole number that is not negative.
+pub(crate) struct Whole<T>(pub(crate) T);
+
+impl<T: TryFrom<i128>> FromPyObject<'_, '_> for Whole<T> {
+    type Error = PyErr;
+
+    fn extract(number: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        // Of what is no whole number Python says so itself.
+        let number = number.extract::<Bound<'_, PyInt>>()?;
+        let wrong = || {
+            let bits = 8 * size_of::<T>();
+            PyValueError::new_err(format!("{number} is given: give a whole number from 0 to 2**{bits} - 1"))
+        };
+        T::try_from(number.extract::<i128>().map_err(|_| wrong())?).map(Self).map_err(|_| wrong())
+    }
+}
+
+impl Given {
+    fn parsed(py: Python<'_>, name: &str, bytes: &[u8], path: Option<PathBuf>) -> PyResult<PyCase> {
+        let file =
+            py.detach(|| CaseFile::parse_bytes(name, bytes)).map_err(|errors| wrong_case(py, errors))?;
+        Ok(PyCase(Arc::new(Self { file, path })))
+    }
+
+    /// The picture that `site_plan` of `[scene]` names, counted from the folder of the case file.
+    pub(crate) fn site_plan(&self, py: Python<'_>) -> PyResult<Option<SitePlan>> {
+        let Some(plan) = &self.file.case.site_plan else { return Ok(None) };
+        let folder = self.path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
+        let refused = |reason: String, advice: &str| {
+            let kind = FaultKind::Refused { reason };
+            let fault =
+                Fault { key: "scene.site_plan.file".to_owned(), kind, advice: Some(advice.to_owned()) };
+            wrong_case(py, self.file.diagnostics(&Faults::from(fault), &METHODS))
+        };
+        let bytes = std::fs::read(folder.join(plan.file.as_given())).map_err(|error| {
+            refused(
+                format!("cannot read the site plan {}: {error}", plan.file),
+                "put the picture beside the case file, or leave out site_plan",
+            )
+        })?;
+        report::site_plan_of(&self.file.case, bytes)
+            .map_err(|error| refused(error.to_string(), "save it as a PNG or a JPEG, or leave out site_plan"))
+    }
+
+    /// The subject of a drawing by its name, or by `_` in place of `-`.
+    pub(crate) fn subject(what: &str) -> PyResult<Subject> {
+        let choices = Subject::ALL.map(|subject| (subject.name(), subject));
+        chosen("what", &what.replace('_', "-"), &choices)
+    }
+
+    pub(crate) fn draw(
+        &self,
+        py: Python<'_>,
+        analysis: &Analysis,
+        subject: Subject,
+        (units, is_plain): (Units, bool),
+    ) -> PyResult<report::Drawing> {
+        if is_plain && !matches!(subject, Subject::Scene | Subject::Motion) {
+            let problem =
+                "plain=True is a form of the scene and of the motion: give what=\"scene\", or leave it out";
+            return Err(PyValueError::new_err(problem));
+        }
+        let site_plan = if subject == Subject::Motion { self.site_plan(py)? } else { None };
+        let file = &self.file;
+        let drawing = py.detach(|| match subject {
+            Subject::Scene if is_plain => report::plain_scene(file, analysis, units),
+            Subject::Motion => report::motion_on(file, analysis, units, is_plain, site_plan),
+            _ => report::drawing(file, analysis, units, subject),
+        });
+        drawing.map_err(|error| not_drawn(py, error, file))
+    }
+}
+
+impl PyCase {
+    fn asked<'py>(
+        &self,
+        py: Python<'py>,
+        request: Request,
+        threads: Option<usize>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        request.check()?;
+        answered(py, Solved::new(py, Arc::clone(&self.0), request, threads)?)
+    }
+}
+
+#[pymethods]
+impl PyCase {
+    #[new]
+    #[pyo3(signature = (*args, **kwargs))]
+    fn new(args: &Bound<'_, PyTuple>, kwargs: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let _ = (args, kwargs);
+        Err(PyTypeError::new_err(
+            "use Case.read(path) for a file, Case.parse(text) for a text, or Case.from_dict(dict)",
+        ))
+    }
+
+    /// Reads a case file (TOML).
+    ///
+    /// Raises ``OSError`` where it cannot be read, and ``CaseError`` where it is wrong.
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        let name = path.display().to_string();
+        let unreadable = |error: std::io::Error| match error.raw_os_error() {
+            // Python makes of the number the subclass, such as FileNotFoundError.
+            Some(number) => {
+                let said = py.import("os").and_then(|os| os.call_method1("strerror", (number,)));
+                said.map_or_else(
+                    |error| error,
+                    |said| PyOSError::new_err((number, said.unbind(), name.clone())),
+                )
+            }
+            None => PyOSError::new_err(format!("{name}: {error}")),
+        };
+        let mut bytes = Vec::new();
+        // One byte more than a case may have is enough to refuse it.
+        let most = CaseFile::LARGEST_FILE as u64 + 1;
+        let read = py.detach(|| File::open(&path).and_then(|file| file.take(most).read_to_end(&mut bytes)));
+        read.map_err(unreadable)?;
+        Given::parsed(py, &name, &bytes, Some(path))
+    }
+
+    /// Reads the text of a case file (TOML). ``name`` is what errors and results call it.
+    ///
+    /// >>> case = deltav.Case.parse('[vehicle1]\nmass = "1500 kg"\n[vehicle2]\nfixed = true')
+    /// >>> deltav.Case.parse('[vehicle1]\nmass = 1500\n[vehicle2]\nfixed = true')
+    /// Traceback (most recent call last):
+    ///     ...
+    /// deltav.CaseError: error: "vehicle1.mass" is the bare number 1500, but needs a unit
+    /// ...
+    #[staticmethod]
+    #[pyo3(signature = (text, name = "text"))]
+    fn parse(py: Python<'_>, text: &str, name: &str) -> PyResult<Self> {
+        Given::parsed(py, name, text.as_bytes(), None)
+    }
+
+    /// Reads a case from a dict with the tables and keys of the case file.
+    ///
+    /// Numbers keep their bits; a value with a unit is a text, as in the file. ``case.text`` is the file
+    /// that it makes.
+    ///
+    /// >>> case = deltav.Case.from_dict({
+    /// ...     "vehicle1": {
+    /// ...         "mass": "1500 kg",
+    /// ...         "class": 3,
+    /// ...         "crush": {"ees": "36 km/h", "pdof": "0 deg", "moment_arm": "0 m"},
+    /// ...     },
+    /// ...     "vehicle2": {"fixed": True},
+    /// ... })
+    /// >>> case.crush().vehicle1.ees
+    /// 10.0
+    #[staticmethod]
+    #[pyo3(signature = (case, name = "dict"))]
+    fn from_dict(case: &Bound<'_, PyAny>, name: &str) -> PyResult<Self> {
+        Given::parsed(case.py(), name, dict::as_toml(case)?.as_bytes(), None)
+    }
+
+    /// The example of SAE 980025: what was the speed of the GMC Jimmy?
+    #[staticmethod]
+    fn example(py: Python<'_>) -> PyResult<Self> {
+        Given::parsed(py, "sae-980025.toml", case::EXAMPLE.as_bytes(), None)
+    }
+
+    /// The text of the case file.
+    #[getter]
+    fn text(&self) -> &str {
+        self.0.file.source.text()
+    }
+
+    /// The name under which it was read.
+    #[getter]
+    fn name(&self) -> &str {
+        self.0.file.source.name().as_given()
+    }
+
+    /// The title of the case, or None.
+    #[getter]
+    fn title(&self) -> Option<&str> {
+        self.0.file.case.title.as_ref().map(case::Text::as_given)
+    }
+
+    /// The case as a dict, which ``Case.from_dict`` reads.
+    ///
+    /// >>> deltav.Case.example().to_dict()["vehicle2"]["speed"]
+    /// '10 mph'
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let text = PyString::new(py, self.text().trim_start_matches('\u{feff}'));
+        py.import("tomllib")?.call_method1("loads", (text,))
+    }
+
+    /// Finds the speed at which impact and crush agree, or both speeds, and gives the whole reconstruction.
+    ///
+    /// >>> result = deltav.Case.example().reconstruct()
+    /// >>> result.found.method, round(result.vehicle1.delta_v, 2)
+    /// ('closed form', 12.15)
+    fn reconstruct<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.asked(py, Request::Reconstruct, None)
+    }
+
+    /// Computes an impact from two known speeds.
+    fn impact<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.asked(py, Request::Impact, None)
+    }
+
+    /// Follows each vehicle from the impact to rest, or finds how it left from where it came to rest.
+    fn motion<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.asked(py, Request::Motion, None)
+    }
+
+    /// Computes crush energy and ΔV from damage and PDOF alone (CRASH3).
+    fn crush<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.asked(py, Request::Crush, None)
+    }
+
+    /// Says what the case allows, what is assumed where it says nothing, and what it warns of, without
+    /// solving it.
+    fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.asked(py, Request::Check, None)
+    }
+
+    /// Compares the answers of every impact law and of CRASH3, and those of damage and momentum.
+    fn compare<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.asked(py, Request::Compare, None)
+    }
+
+    /// Gives the derivatives of the answer by each input, and sweeps the PDOF by ``pdof_steps`` steps of
+    /// ``pdof_step`` degrees to both sides.
+    #[pyo3(
+        signature = (*, pdof_step = 5.0, pdof_steps = Whole(2)),
+        text_signature = "($self, *, pdof_step=5.0, pdof_steps=2)"
+    )]
+    fn sensitivity<'py>(
+        &self,
+        py: Python<'py>,
+        pdof_step: f64,
+        pdof_steps: Whole<u32>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.asked(py, Request::Sensitivity { pdof_step, pdof_steps: pdof_steps.0 }, None)
+    }
+
+    /// Propagates the ranges of the case to the results, with ``samples`` samples (100,000, or 1000 where the
+    /// vehicles are searched back from their rests).
+    ///
+    /// The same seed gives the same bits with any number of ``threads``; without a number there is one for
+    /// each processor. ``method`` is ``"monte-carlo"``, ``"latin-hypercube"`` or ``"sobol"``; with
+    /// ``sobol=4096``, Sobol' indices are computed from so many rows. Ctrl-C ends it.
+    ///
+    /// >>> case = deltav.Case.parse(deltav.Case.example().text.replace(
+    /// ...     '"10 mph"', '{ low = "8 mph", high = "12 mph" }'))
+    /// >>> result = case.uncertainty(1000, seed=7)
+    /// >>> low, high = result.outputs["vehicle1.speed"].interval95
+    /// >>> low < result.outputs["vehicle1.speed"].central < high
+    /// True
+    #[pyo3(
+        signature =
+            (samples = None, seed = Whole(1), *, method = "monte-carlo", sobol = None, threads = None),
+        text_signature = "($self, samples=None, seed=1, *, method='monte-carlo', sobol=None, threads=None)"
+    )]
+    fn uncertainty<'py>(
+        &self,
+        py: Python<'py>,
+        samples: Option<Whole<usize>>,
+        seed: Whole<u64>,
+        method: &str,
+        sobol: Option<Whole<usize>>,
+        threads: Option<Whole<usize>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let request = Request::Uncertainty {
+            samples: samples.map(|samples| samples.0),
+            seed: seed.0,
+            method: method.to_owned(),
+            sobol: sobol.map(|rows| rows.0),
+        };
+        self.asked(py, request, threads.map(|threads| threads.0))
+    }
+
+    /// Estimates the speeds from all evidence, with how probable each is.
+    ///
+    /// ``particles`` is the number of particles of each of 16 islands, a multiple of 128. ``prior`` is
+    /// ``"field"`` or ``"flat"``, in place of what the case says. ``pieces=False`` leaves out what each
+    /// piece of evidence says alone, which takes most of the time. ``above`` are questions such as
+    /// ``"vehicle1.speed 50 km/h"``: how probable is it that the result is above? Where the run has not
+    /// converged, ``converged`` is False and no interval is given.
+    #[pyo3(
+        signature = (
+            *, particles = Whole(512), seed = Whole(1), prior = None, pieces = true, above = Vec::new(), threads = None
+        ),
+        text_signature = "($self, *, particles=512, seed=1, prior=None, pieces=True, above=(), threads=None)"
+    )]
+    #[expect(clippy::too_many_arguments, reason = "they are keywords in Python")]
+    fn estimate<'py>(
+        &self,
+        py: Python<'py>,
+        particles: Whole<usize>,
+        seed: Whole<u64>,
+        prior: Option<String>,
+        pieces: bool,
+        above: Vec<String>,
+        threads: Option<Whole<usize>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let request = Request::Estimate { particles: particles.0, seed: seed.0, prior, pieces, above };
+        self.asked(py, request, threads.map(|threads| threads.0))
+    }
+
+    /// Draws the ``"scene"``, the ``"motion"``, the ``"motion-curves"``, the ``"damage"``, the
+    /// ``"reconciliation"`` or the ``"energy"`` of the most complete analysis that the case allows.
+    /// ``units`` are ``"si"``, ``"us"``, or those that most of the case uses. ``plain=True`` draws scene
+    /// and motion for readers who are no engineers.
+    ///
+    /// >>> deltav.Case.example().draw("scene").svg()[:4]
+    /// '<svg'
+    #[pyo3(signature = (what = "scene", *, units = None, plain = false))]
+    fn draw(slf: &Bound<'_, Self>, what: &str, units: Option<&str>, plain: bool) -> PyResult<Picture> {
+        let py = slf.py();
+        let given = &slf.get().0;
+        let subject = Given::subject(what)?;
+        let in_units = self::units(units, &given.file)?;
+        let case = &given.file.case;
+        let is_motion = matches!(subject, Subject::Motion | Subject::MotionCurves);
+        let analysis = py.detach(|| match analysis::furthest(case) {
+            Ok(analysis) if !is_motion || analysis.travel.iter().any(Option::is_some) => Ok(analysis),
+            Err(failure) if !is_motion => Err(failure),
+            // What a case lacks for an impact does not keep its motion after the impact from being drawn.
+            _ => analysis::motion(case),
+        });
+        let analysis = analysis.map_err(|failure| failed(py, failure, &given.file))?;
+        let drawing = given.draw(py, &analysis, subject, (in_units, plain))?;
+        let again = PyDict::new(py);
+        again.set_item("units", units)?;
+        again.set_item("plain", plain)?;
+        Picture::new(slf.as_any(), drawing, ("draw", what), &again)
+    }
+
+    fn __repr__(&self) -> String {
+        let title = self.title().map(|title| format!(" \"{}\"", case::shown(title))).unwrap_or_default();
+        format!("<deltav.Case{title} from {}>", self.0.file.source.name())
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let restore = py.import("deltav._deltav")?.getattr("_restore_case")?;
+        let bytes = PyBytes::new(py, self.text().as_bytes());
+        Ok((restore, (self.name(), bytes, self.0.path.clone()).into_pyobject(py)?))
+    }
+}
+
+/// A case that was pickled.
+#[pyfunction]
+#[pyo3(name = "_restore_case")]
+pub(crate) fn restore_case(
+    py: Python<'_>,
+    name: &str,
+    text: &[u8],
+    path: Option<PathBuf>,
+) -> PyResult<PyCase> {
+    Given::parsed(py, name, text, path)
+}

@@ -1,0 +1,264 @@
+//! Tables: a row in, a row out.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use arrow_array::{RecordBatch, RecordBatchReader as _, StructArray};
+use arrow_schema::{ArrowError, Field, Schema, SchemaRef};
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyCapsule, PyMapping};
+use pyo3_arrow::ffi::{ArrayIterator, to_schema_pycapsule, to_stream_pycapsule};
+use pyo3_arrow::input::AnyRecordBatch;
+use tables::{Job, Numbers, Options, TableError, Template};
+
+use crate::dict;
+use crate::errors::wrong_case;
+use crate::given::Whole;
+use crate::request::{PRIORS, chosen};
+use crate::run::interruptible;
+
+/// The results of a table, for whatever speaks Arrow: ``polars.DataFrame(rows)``, ``pyarrow.table(rows)``,
+/// ``pandas.DataFrame.from_arrow(rows)``.
+#[pyclass(name = "Rows", module = "deltav", frozen)]
+pub(crate) struct Rows {
+    schema: SchemaRef,
+    batches: Vec<RecordBatch>,
+}
+
+/// Names and types of columns, for whatever speaks Arrow: ``pyarrow.schema(schema)``.
+#[pyclass(name = "Schema", module = "deltav", frozen)]
+pub(crate) struct PySchema(SchemaRef);
+
+fn wrong_table(py: Python<'_>, error: TableError) -> PyErr {
+    match error {
+        TableError::Template(errors) => wrong_case(py, *errors),
+        error => PyValueError::new_err(error.to_string()),
+    }
+}
+
+fn broken(error: ArrowError) -> PyErr {
+    PyRuntimeError::new_err(error.to_string())
+}
+
+/// What all rows share: the text of a part of a case file, a dict with its keys, or the path of such a file.
+fn template(given: Option<&Bound<'_, PyAny>>) -> PyResult<Template> {
+    let Some(given) = given else { return Ok(Template::default()) };
+    let py = given.py();
+    let (name, text) = if let Ok(text) = given.extract::<String>() {
+        ("template".to_owned(), text)
+    } else if given.cast::<PyMapping>().is_ok() {
+        ("template".to_owned(), dict::as_toml(given)?)
+    } else {
+        let path: PathBuf = given.extract()?;
+        (path.display().to_string(), std::fs::read_to_string(&path)?)
+    };
+    Template::parse(&name, &text).map_err(|error| wrong_table(py, error))
+}
+
+fn prior(prior: Option<&str>) -> PyResult<Option<case::Prior>> {
+    prior.map(|prior| chosen("prior", prior, &PRIORS)).transpose()
+}
+
+/// The columns of the table that are no part of a case, and beside them the results.
+fn with_kept(batch: &RecordBatch, results: &RecordBatch, kept: &[usize]) -> Result<RecordBatch, ArrowError> {
+    let kept = batch.project(kept)?;
+    let fields = kept.schema().fields().iter().chain(results.schema().fields()).cloned().collect::<Vec<_>>();
+    let schema = Schema::new_with_metadata(fields, results.schema().metadata().clone());
+    let columns = kept.columns().iter().chain(results.columns()).cloned().collect();
+    RecordBatch::try_new(Arc::new(schema), columns)
+}
+
+fn solve(
+    py: Python<'_>,
+    job: Job,
+    table: AnyRecordBatch,
+    given: Option<&Bound<'_, PyAny>>,
+    (options, threads): (Options, Option<Whole<usize>>),
+) -> PyResult<Rows> {
+    let template = template(given)?;
+    let threads = threads.map(|threads| threads.0);
+    let reader = table.into_reader()?;
+    let schema = reader.schema();
+    let kept = tables::columns_kept(&schema).map_err(|error| wrong_table(py, error))?;
+    let results = tables::result_schema(job, &options);
+    if let Some(twice) = kept
+        .iter()
+        .map(|&place| schema.field(place).name())
+        .find(|name| results.field_with_name(name).is_ok())
+    {
+        let problem =
+            format!("the column \"{}\" is called as one of the results: rename it", case::shown(twice));
+        return Err(PyValueError::new_err(problem));
+    }
+    let empty = (RecordBatch::new_empty(schema), RecordBatch::new_empty(results));
+    let schema = with_kept(&empty.0, &empty.1, &kept).map_err(broken)?.schema();
+    let mut batches = Vec::new();
+    let mut reader = reader;
+    while let Some(batch) = py.detach(|| reader.next()) {
+        let batch = batch.map_err(broken)?;
+        let solved = interruptible(py, threads, |ending| {
+            tables::run(job, &batch, &template, &options, &|_, _| ending.flow())
+        })?;
+        let solved = solved.map_err(|error| wrong_table(py, error))?;
+        batches.push(with_kept(&batch, &solved, &kept).map_err(broken)?);
+    }
+    Ok(Rows { schema, batches })
+}
+
+/// Reconstructs each row of a table: ``Case.reconstruct``, and with ``samples`` intervals.
+///
+/// ``table`` is whatever speaks Arrow: of pyarrow, Polars, pandas, DuckDB; a table, a batch or a stream.
+/// Its columns are keys of the case file, nested as in ``case_schema()`` or flat with their unit in
+/// brackets, ``"vehicle2.speed [mph]"``; all others are carried over. ``template`` is what all rows share:
+/// a part of a case file as a text or a dict, or the path of one. A row that is wrong or has no answer says
+/// so in ``error``. The seed is the same for every row, or that of its column ``seed``; the bits depend
+/// neither on the place of a row nor on ``threads``.
+///
+/// >>> import pyarrow
+/// >>> table = pyarrow.table({"id": [1, 2], "vehicle2.speed [mph]": [10.0, 1e9]})
+/// >>> rows = pyarrow.table(deltav.reconstruct_table(table, template=deltav.Case.example().text))
+/// >>> rows.select(["id", "found_value", "error"]).to_pylist()[1]["error"]
+/// 'vehicle2.speed: "1000000000 mph" is implausibly large for a speed'
+#[pyfunction]
+#[pyo3(
+    signature = (table, *, template = None, samples = None, seed = Whole(1), threads = None),
+    text_signature = "(table, *, template=None, samples=None, seed=1, threads=None)"
+)]
+pub(crate) fn reconstruct_table(
+    py: Python<'_>,
+    table: AnyRecordBatch,
+    template: Option<&Bound<'_, PyAny>>,
+    samples: Option<Whole<usize>>,
+    seed: Whole<u64>,
+    threads: Option<Whole<usize>>,
+) -> PyResult<Rows> {
+    let samples = samples.map(|samples| samples.0);
+    let options = Options { samples, seed: seed.0, ..Options::default() };
+    solve(py, Job::Reconstruct, table, template, (options, threads))
+}
+
+/// Computes the impact of each row of a table from two known speeds: as ``reconstruct_table``.
+#[pyfunction]
+#[pyo3(
+    signature = (table, *, template = None, samples = None, seed = Whole(1), threads = None),
+    text_signature = "(table, *, template=None, samples=None, seed=1, threads=None)"
+)]
+pub(crate) fn impact_table(
+    py: Python<'_>,
+    table: AnyRecordBatch,
+    template: Option<&Bound<'_, PyAny>>,
+    samples: Option<Whole<usize>>,
+    seed: Whole<u64>,
+    threads: Option<Whole<usize>>,
+) -> PyResult<Rows> {
+    let samples = samples.map(|samples| samples.0);
+    let options = Options { samples, seed: seed.0, ..Options::default() };
+    solve(py, Job::Impact, table, template, (options, threads))
+}
+
+/// Computes crush energy and ΔV of each row of a table from damage and PDOF alone: as ``reconstruct_table``.
+#[pyfunction]
+#[pyo3(signature = (table, *, template = None, threads = None))]
+pub(crate) fn crush_table(
+    py: Python<'_>,
+    table: AnyRecordBatch,
+    template: Option<&Bound<'_, PyAny>>,
+    threads: Option<Whole<usize>>,
+) -> PyResult<Rows> {
+    solve(py, Job::Crush, table, template, (Options::default(), threads))
+}
+
+/// Estimates the speeds of each row of a table from all its evidence: as ``reconstruct_table``.
+#[pyfunction]
+#[pyo3(
+    signature = (table, *, template = None, particles = Whole(512), seed = Whole(1), prior = None, threads = None),
+    text_signature = "(table, *, template=None, particles=512, seed=1, prior=None, threads=None)"
+)]
+pub(crate) fn estimate_table(
+    py: Python<'_>,
+    table: AnyRecordBatch,
+    template: Option<&Bound<'_, PyAny>>,
+    particles: Whole<usize>,
+    seed: Whole<u64>,
+    prior: Option<&str>,
+    threads: Option<Whole<usize>>,
+) -> PyResult<Rows> {
+    let prior = self::prior(prior)?;
+    let options = Options { particles: particles.0, seed: seed.0, prior, ..Options::default() };
+    solve(py, Job::Estimate, table, template, (options, threads))
+}
+
+/// The schema of a table of cases: structs and lists as in the case file, in SI units. With ``ranges=True`` a
+/// number is a struct, which can be a range.
+///
+/// >>> import pyarrow
+/// >>> pyarrow.schema(deltav.case_schema()).field("vehicle1").type.field("mass").type
+/// DataType(double)
+#[pyfunction]
+#[pyo3(signature = (*, ranges = false))]
+pub(crate) fn case_schema(ranges: bool) -> PySchema {
+    let numbers = if ranges { Numbers::Ranges } else { Numbers::Plain };
+    PySchema(Arc::new(tables::case_schema(numbers)))
+}
+
+/// The schema of the results of ``reconstruct``, ``impact``, ``crush`` or ``estimate`` of a table, which
+/// Spark and others ask for before there are data. Columns that are carried over come before these.
+///
+/// >>> import pyarrow
+/// >>> "vehicle1_delta_v_p975" in pyarrow.schema(deltav.result_schema("reconstruct", samples=1000)).names
+/// True
+#[pyfunction]
+#[pyo3(signature = (job = "reconstruct", *, samples = None))]
+pub(crate) fn result_schema(job: &str, samples: Option<Whole<usize>>) -> PyResult<PySchema> {
+    let job = chosen("job", job, &Job::ALL.map(|job| (job.name(), job)))?;
+    let options = Options { samples: samples.map(|samples| samples.0), ..Options::default() };
+    Ok(PySchema(tables::result_schema(job, &options)))
+}
+
+#[pymethods]
+impl Rows {
+    /// The names of the columns.
+    #[getter]
+    fn names(&self) -> Vec<String> {
+        self.schema.fields().iter().map(|field| field.name().clone()).collect()
+    }
+
+    fn __len__(&self) -> usize {
+        self.batches.iter().map(RecordBatch::num_rows).sum()
+    }
+
+    #[pyo3(signature = (requested_schema = None))]
+    fn __arrow_c_stream__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<Bound<'py, PyCapsule>>,
+    ) -> PyResult<Bound<'py, PyCapsule>> {
+        let data_type = arrow_schema::DataType::Struct(self.schema.fields().clone());
+        let field = Field::new("", data_type, false).with_metadata(self.schema.metadata().clone());
+        let arrays =
+            self.batches.clone().into_iter().map(|batch| Ok(Arc::new(StructArray::from(batch)) as _));
+        let reader = ArrayIterator::new(arrays, Arc::new(field));
+        Ok(to_stream_pycapsule(py, Box::new(reader), requested_schema)?)
+    }
+
+    fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
+        Ok(to_schema_pycapsule(py, self.schema.as_ref())?)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<deltav.Rows: {} rows of {} columns>", self.__len__(), self.schema.fields().len())
+    }
+}
+
+#[pymethods]
+impl PySchema {
+    fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
+        Ok(to_schema_pycapsule(py, self.0.as_ref())?)
+    }
+
+    fn __repr__(&self) -> String {
+        let names: Vec<&str> = self.0.fields().iter().map(|field| field.name().as_str()).collect();
+        format!("<deltav.Schema: {}>", names.join(", "))
+    }
+}

@@ -1,0 +1,546 @@
+//! Results.
+
+use std::sync::{Arc, OnceLock};
+
+use analysis::{Analysis, Reason};
+use arrow_buffer::Buffer;
+use bytes::Bytes;
+use pyo3::exceptions::{PyAttributeError, PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyDict, PyTuple, PyType};
+use report::{Document, Subject, Supplements, Units};
+use uncertainty::SUCCEEDED;
+use validation::{Data, validate};
+
+use crate::columns::Columns;
+use crate::errors::{failed, no_answer, not_drawn};
+use crate::given::{Given, PyCase, units};
+use crate::picture::{Picture, image};
+use crate::request::{Answer, Request};
+use crate::run::{Ending, interruptible};
+
+/// A case, what was asked, and the answer.
+pub(crate) struct Solved {
+    given: Arc<Given>,
+    request: Request,
+    threads: Option<usize>,
+    /// Empty of a result that was pickled, until somebody needs more of it than its data.
+    answer: OnceLock<Answer>,
+    json: OnceLock<String>,
+}
+
+impl Solved {
+    pub(crate) fn new(
+        py: Python<'_>,
+        given: Arc<Given>,
+        request: Request,
+        threads: Option<usize>,
+    ) -> PyResult<Self> {
+        let solved = Self { given, request, threads, answer: OnceLock::new(), json: OnceLock::new() };
+        solved.answer(py)?;
+        Ok(solved)
+    }
+
+    /// The answer, which is computed where there is none yet.
+    fn answer(&self, py: Python<'_>) -> PyResult<&Answer> {
+        if let Some(answer) = self.answer.get() {
+            return Ok(answer);
+        }
+        let case = &self.given.file.case;
+        let answer = if self.request.is_quick() {
+            py.detach(|| self.request.answer(case, &Ending::never()))
+        } else {
+            interruptible(py, self.threads, |ending| self.request.answer(case, ending))?
+        };
+        let answer = answer.map_err(|refused| refused.raised(py, &self.given.file))?;
+        // Two threads that needed it at once found the same.
+        Ok(self.answer.get_or_init(|| answer))
+    }
+
+    fn json(&self, py: Python<'_>) -> PyResult<&str> {
+        if let Some(json) = self.json.get() {
+            return Ok(json);
+        }
+        let answer = self.answer(py)?;
+        let json = py.detach(|| answer.json(&self.given.file));
+        let json = json.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+        Ok(self.json.get_or_init(|| json))
+    }
+
+    fn in_units(&self, asked: Option<&str>) -> PyResult<Units> {
+        units(asked, &self.given.file)
+    }
+
+    /// The report to hand over of an analysis; of all else what the program prints.
+    fn report(&self, py: Python<'_>, units: Units) -> PyResult<Document> {
+        let file = &self.given.file;
+        let Answer::Analysis(analysis) = self.answer(py)? else {
+            return Ok(self.answer(py)?.document(file, units));
+        };
+        let is_followed = analysis.travel.iter().any(Option::is_some);
+        let site_plan = if is_followed { self.given.site_plan(py)? } else { None };
+        let beside = interruptible(py, self.threads, |_| analysis::beside(&file.case, analysis))?;
+        let beside = beside.map_err(|failure| failed(py, failure, file))?;
+        let validation = py.detach(|| validate(&Data::built_in()));
+        let validation = validation.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+        let supplements = Supplements {
+            uncertainty: beside.uncertainty.as_ref(),
+            sensitivity: beside.sensitivity.as_ref(),
+            validation: Some(&validation),
+            site_plan: site_plan.as_ref(),
+        };
+        let page = py.detach(|| report::handover(file, analysis, supplements, units));
+        page.map_err(|error| not_drawn(py, error, file))
+    }
+
+    /// What a notebook shows below the text.
+    fn shown(&self, py: Python<'_>, units: Units) -> PyResult<Option<report::Drawing>> {
+        let case = &self.given.file.case;
+        match self.answer(py)? {
+            Answer::Analysis(analysis) => {
+                let subject = first_subject(analysis);
+                subject.map(|subject| self.given.draw(py, analysis, subject, (units, false))).transpose()
+            }
+            Answer::Uncertainty(uncertainty) => {
+                let varies = 0..uncertainty.outputs.len();
+                Ok(py.detach(|| {
+                    varies.into_iter().find_map(|place| report::histogram(case, uncertainty, place, units))
+                }))
+            }
+            Answer::Estimate(answer) => {
+                let (estimated, asked) = &**answer;
+                let outputs = &estimated.outputs;
+                let density = |of: &analysis::EstimatedOutput| {
+                    report::density(case, estimated, asked, of.output, units)
+                };
+                Ok(py.detach(|| outputs.iter().find_map(density)))
+            }
+            Answer::Judgement(_) | Answer::Comparison(_) | Answer::Sensitivity(_) => Ok(None),
+        }
+    }
+}
+
+/// What shows most of an analysis.
+fn first_subject(analysis: &Analysis) -> Option<Subject> {
+    if analysis.impact.is_some() {
+        Some(Subject::Scene)
+    } else if analysis.travel.iter().any(Option::is_some) {
+        Some(Subject::Motion)
+    } else {
+        analysis.vehicles.iter().any(|vehicle| vehicle.damage.is_some()).then_some(Subject::Damage)
+    }
+}
+
+/// The memory of a column, which lives as long as a view on it.
+struct Memory {
+    solved: Arc<Solved>,
+    place: usize,
+}
+
+impl AsRef<[u8]> for Memory {
+    fn as_ref(&self) -> &[u8] {
+        let column = match self.solved.answer.get() {
+            Some(Answer::Uncertainty(uncertainty)) => {
+                uncertainty.propagation.columns().get(self.place).map(Vec::as_slice)
+            }
+            Some(Answer::Estimate(answer)) => {
+                report::draw_columns(&answer.0).get(self.place).map(|column| column.values)
+            }
+            _ => None,
+        };
+        bytemuck::cast_slice(column.unwrap_or_default())
+    }
+}
+
+/// The samples or draws of a result.
+fn columns(py: Python<'_>, solved: &Arc<Solved>) -> PyResult<Columns> {
+    let memory = |place: usize| Buffer::from(Bytes::from_owner(Memory { solved: Arc::clone(solved), place }));
+    match solved.answer(py)? {
+        Answer::Uncertainty(uncertainty) => py.detach(|| {
+            let reason =
+                |code: &u8| (*code != SUCCEEDED).then(|| report::reason_name(Reason::of_code(*code)));
+            let reasons = uncertainty.propagation.reasons().iter().map(reason).collect();
+            let outputs = uncertainty.outputs.iter().enumerate();
+            Columns::new(
+                Some(reasons),
+                outputs.map(|(place, output)| (output.output.path(), memory(place))).collect(),
+            )
+        }),
+        Answer::Estimate(answer) => {
+            if !answer.0.doubts().is_empty() {
+                let problem =
+                    "the run has not converged: print(result) says why, and its draws are no answer";
+                return Err(no_answer(py, problem.to_owned()));
+            }
+            py.detach(|| {
+                let drawn = report::draw_columns(&answer.0).into_iter().enumerate();
+                let columns = drawn.map(|(place, column)| {
+                    let si = |value: &f64| value * column.factor;
+                    let buffer = match column.factor {
+                        1.0 => memory(place),
+                        _ => Buffer::from_vec(column.values.iter().map(si).collect::<Vec<f64>>()),
+                    };
+                    (column.key, buffer)
+                });
+                Columns::new(None, columns.collect())
+            })
+        }
+        _ => Err(PyValueError::new_err("the result has no samples")),
+    }
+}
+
+/// What a case answers.
+///
+/// Its attributes are the keys of the JSON document of the program, in SI units and radians:
+/// ``result.found.value``, ``result.vehicle1.delta_v``. A key that is no name is read as of a dict:
+/// ``result.outputs["vehicle1.speed"].interval95``. ``result.program.version`` and ``result.case.sha256``
+/// say what it takes to get it again.
+///
+/// >>> result = deltav.Case.example().reconstruct()
+/// >>> result.to_dict()["vehicle1"]["delta_v"] == result.vehicle1.delta_v
+/// True
+/// >>> result.case.sha256[:12]
+/// '5c33d55cf7a1'
+#[pyclass(name = "Result", module = "deltav", frozen, subclass)]
+pub(crate) struct PyAnswered {
+    solved: Arc<Solved>,
+    record: PyOnceLock<Py<PyAny>>,
+    /// Those that were pickled.
+    columns: PyOnceLock<Py<Columns>>,
+}
+
+impl PyAnswered {
+    fn loads<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        static LOADS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+        LOADS.import(py, "json", "loads")?.call1((self.solved.json(py)?,))
+    }
+
+    fn record<'py>(&self, py: Python<'py>) -> PyResult<&Bound<'py, PyAny>> {
+        static RECORD: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+        let made = || {
+            Ok::<_, PyErr>(RECORD.import(py, "deltav._record", "Record")?.call1((self.loads(py)?,))?.unbind())
+        };
+        Ok(self.record.get_or_try_init(py, made)?.bind(py))
+    }
+
+    fn columns(&self, py: Python<'_>) -> PyResult<Py<Columns>> {
+        let made = || Py::new(py, columns(py, &self.solved)?);
+        // Not kept: it holds the result.
+        self.columns.get(py).map_or_else(made, |columns| Ok(columns.clone_ref(py)))
+    }
+}
+
+#[pymethods]
+impl PyAnswered {
+    /// The JSON document of the program as a dict: SI units and radians, the same bits.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.loads(py)
+    }
+
+    /// The JSON document of the program.
+    fn to_json(&self, py: Python<'_>) -> PyResult<&str> {
+        self.solved.json(py)
+    }
+
+    /// What the program prints: in the units that most of the case uses, or in those of ``"si"`` or ``"us"``.
+    #[pyo3(signature = (units = None))]
+    fn text(&self, py: Python<'_>, units: Option<&str>) -> PyResult<String> {
+        let units = self.solved.in_units(units)?;
+        let answer = self.solved.answer(py)?;
+        Ok(py.detach(|| answer.document(&self.solved.given.file, units).text()))
+    }
+
+    /// The report of the program as one HTML file, without scripts.
+    #[pyo3(signature = (units = None))]
+    fn html(&self, py: Python<'_>, units: Option<&str>) -> PyResult<String> {
+        let page = self.solved.report(py, self.solved.in_units(units)?)?;
+        Ok(py.detach(|| page.html()))
+    }
+
+    /// The report of the program as Markdown.
+    #[pyo3(signature = (units = None))]
+    fn markdown(&self, py: Python<'_>, units: Option<&str>) -> PyResult<String> {
+        let page = self.solved.report(py, self.solved.in_units(units)?)?;
+        Ok(py.detach(|| page.markdown()))
+    }
+
+    fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
+        let units = self.solved.in_units(None)?;
+        let answer = self.solved.answer(py)?;
+        let drawing = self.solved.shown(py, units)?;
+        Ok(py.detach(|| {
+            let text = answer.document(&self.solved.given.file, units).html_fragment();
+            let drawing = drawing.as_ref().map(image).unwrap_or_default();
+            text + &drawing
+        }))
+    }
+
+    #[pyo3(signature = (include = None, exclude = None))]
+    fn _repr_mimebundle_<'py>(
+        &self,
+        py: Python<'py>,
+        include: Option<&Bound<'py, PyAny>>,
+        exclude: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        // IPython picks what it was asked for.
+        let _ = (include, exclude);
+        let bundle = PyDict::new(py);
+        let units = self.solved.in_units(None)?;
+        let answer = self.solved.answer(py)?;
+        let document = py.detach(|| answer.document(&self.solved.given.file, units));
+        let plain = match document.headline() {
+            [] => document.text(),
+            headline => headline.join("\n"),
+        };
+        bundle.set_item("text/plain", plain)?;
+        bundle.set_item("text/html", self._repr_html_(py)?)?;
+        Ok(bundle)
+    }
+
+    fn __getattr__<'py>(slf: &Bound<'py, Self>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let missing = || {
+            let class = slf.get_type().name().map_or_else(|_| String::new(), |name| name.to_string());
+            PyAttributeError::new_err(format!("'{class}' object has no attribute '{name}'"))
+        };
+        // Notebooks and copy ask for many such names; no key of the JSON is one.
+        if name.starts_with('_') {
+            return Err(missing());
+        }
+        slf.get().record(slf.py())?.get_item(name).map_err(|_| missing())
+    }
+
+    fn __getitem__<'py>(&self, py: Python<'py>, key: &str) -> PyResult<Bound<'py, PyAny>> {
+        self.record(py)?.get_item(key)
+    }
+
+    fn __dir__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let py = slf.py();
+        let names = py.import("builtins")?.getattr("object")?.call_method1("__dir__", (slf,))?;
+        names.call_method1("extend", (slf.get().record(py)?.call_method0("keys")?,))?;
+        Ok(names)
+    }
+
+    fn __str__(&self, py: Python<'_>) -> PyResult<String> {
+        self.text(py, None)
+    }
+
+    fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
+        let title = slf.get().solved.given.file.case.title.as_ref();
+        let title = title.map(|title| format!(" of \"{title}\"")).unwrap_or_default();
+        Ok(format!("<deltav.{}{title}>", slf.get_type().name()?))
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let restore = py.import("deltav._deltav")?.getattr("_restore_result")?;
+        let case = Py::new(py, PyCase(Arc::clone(&self.solved.given)))?;
+        let request = serde_json::to_string(&self.solved.request);
+        let request = request.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+        let columns = match self.solved.answer(py)? {
+            Answer::Uncertainty(_) => Some(self.columns(py)?),
+            Answer::Estimate(answer) if answer.0.doubts().is_empty() => Some(self.columns(py)?),
+            _ => None,
+        };
+        let state = (VERSION, case, request, self.solved.json(py)?, columns);
+        Ok((restore, state.into_pyobject(py)?))
+    }
+}
+
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// A result that was pickled, with its data; all else of it is computed again where somebody asks for it.
+#[pyfunction]
+#[pyo3(name = "_restore_result")]
+pub(crate) fn restore_result<'py>(
+    py: Python<'py>,
+    version: &str,
+    case: &Bound<'py, PyCase>,
+    request: &str,
+    json: String,
+    columns: Option<Py<Columns>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    if version != VERSION {
+        let problem =
+            format!("the result was pickled by deltav {version}, and this is {VERSION}: compute it again");
+        return Err(PyValueError::new_err(problem));
+    }
+    let request = serde_json::from_str(request).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let given = Arc::clone(&case.get().0);
+    let solved =
+        Solved { given, request, threads: None, answer: OnceLock::new(), json: OnceLock::from(json) };
+    let result = answered(py, solved)?;
+    if let Some(columns) = columns {
+        let base = result.cast::<PyAnswered>()?.get();
+        // It is new, and has none.
+        let _ = base.columns.set(py, columns);
+    }
+    Ok(result)
+}
+
+/// A result of the class of its answer.
+pub(crate) fn answered(py: Python<'_>, solved: Solved) -> PyResult<Bound<'_, PyAny>> {
+    let request = solved.request.clone();
+    let base = PyAnswered { solved: Arc::new(solved), record: PyOnceLock::new(), columns: PyOnceLock::new() };
+    let base = PyClassInitializer::from(base);
+    Ok(match request {
+        Request::Reconstruct | Request::Impact | Request::Motion | Request::Crush => {
+            Bound::new(py, base.add_subclass(PyAnalysis))?.into_any()
+        }
+        Request::Check => Bound::new(py, base.add_subclass(PyJudgement))?.into_any(),
+        Request::Compare => Bound::new(py, base.add_subclass(PyComparison))?.into_any(),
+        Request::Sensitivity { .. } => Bound::new(py, base.add_subclass(PySensitivity))?.into_any(),
+        Request::Uncertainty { .. } => Bound::new(py, base.add_subclass(PyUncertainty))?.into_any(),
+        Request::Estimate { .. } => Bound::new(py, base.add_subclass(PyEstimate))?.into_any(),
+    })
+}
+
+/// What ``reconstruct``, ``impact``, ``motion`` and ``crush`` of a case answer.
+#[pyclass(name = "Analysis", module = "deltav", frozen, extends = PyAnswered)]
+pub(crate) struct PyAnalysis;
+
+#[pymethods]
+impl PyAnalysis {
+    /// Draws the ``"scene"``, the ``"motion"``, the ``"motion-curves"``, the ``"damage"``, the
+    /// ``"reconciliation"`` or the ``"energy"``; without a name what shows most.
+    #[pyo3(signature = (what = None, *, units = None, plain = false))]
+    fn draw(
+        slf: &Bound<'_, Self>,
+        what: Option<&str>,
+        units: Option<&str>,
+        plain: bool,
+    ) -> PyResult<Picture> {
+        let py = slf.py();
+        let solved = &slf.as_super().get().solved;
+        let in_units = solved.in_units(units)?;
+        let Answer::Analysis(analysis) = solved.answer(py)? else {
+            return Err(PyRuntimeError::new_err("the result is no analysis"));
+        };
+        let subject =
+            what.map_or_else(|| Ok(first_subject(analysis).unwrap_or(Subject::Damage)), Given::subject)?;
+        let drawing = solved.given.draw(py, analysis, subject, (in_units, plain))?;
+        let options = PyDict::new(py);
+        options.set_item("units", units)?;
+        options.set_item("plain", plain)?;
+        Picture::new(slf.as_any(), drawing, ("draw", subject.name()), &options)
+    }
+}
+
+/// What ``check`` of a case answers.
+#[pyclass(name = "Judgement", module = "deltav", frozen, extends = PyAnswered)]
+pub(crate) struct PyJudgement;
+
+/// What ``compare`` of a case answers.
+#[pyclass(name = "Comparison", module = "deltav", frozen, extends = PyAnswered)]
+pub(crate) struct PyComparison;
+
+/// What ``sensitivity`` of a case answers.
+#[pyclass(name = "Sensitivity", module = "deltav", frozen, extends = PyAnswered)]
+pub(crate) struct PySensitivity;
+
+/// What ``uncertainty`` of a case answers.
+#[pyclass(name = "Uncertainty", module = "deltav", frozen, extends = PyAnswered)]
+pub(crate) struct PyUncertainty;
+
+#[pymethods]
+impl PyUncertainty {
+    /// All samples: ``columns()["vehicle1.speed"]`` is a NumPy array, and the whole goes into Arrow.
+    fn columns(slf: &Bound<'_, Self>) -> PyResult<Py<Columns>> {
+        slf.as_super().get().columns(slf.py())
+    }
+
+    /// Draws how often the values of an output are; ``"vehicle1.speed"``, for example.
+    #[pyo3(signature = (output, *, units = None))]
+    fn histogram(slf: &Bound<'_, Self>, output: &str, units: Option<&str>) -> PyResult<Picture> {
+        spread(slf, ("histogram", output), units, report::histogram)
+    }
+
+    /// Draws what each input alone does to an output, the most influential first.
+    #[pyo3(signature = (output, *, units = None))]
+    fn tornado(slf: &Bound<'_, Self>, output: &str, units: Option<&str>) -> PyResult<Picture> {
+        spread(slf, ("tornado", output), units, report::tornado)
+    }
+}
+
+/// A plot of one output of an uncertainty.
+type Plot = fn(&case::Case, &analysis::Uncertainty, usize, Units) -> Option<report::Drawing>;
+
+fn spread(
+    slf: &Bound<'_, PyUncertainty>,
+    (method, output): (&str, &str),
+    units: Option<&str>,
+    plot: Plot,
+) -> PyResult<Picture> {
+    let py = slf.py();
+    let solved = &slf.as_super().get().solved;
+    let in_units = solved.in_units(units)?;
+    let Answer::Uncertainty(uncertainty) = solved.answer(py)? else {
+        return Err(PyRuntimeError::new_err("the result is no uncertainty"));
+    };
+    let keys: Vec<String> = uncertainty.outputs.iter().map(|known| known.output.path()).collect();
+    let place = keys.iter().position(|key| key == output).ok_or_else(|| unknown(output, &keys))?;
+    let drawing = py.detach(|| plot(&solved.given.file.case, uncertainty, place, in_units));
+    let drawing =
+        drawing.ok_or_else(|| no_answer(py, format!("{output} does not vary: there is nothing to draw")))?;
+    drawn(slf.as_any(), drawing, (method, output), units)
+}
+
+fn unknown(output: &str, keys: &[String]) -> PyErr {
+    PyValueError::new_err(format!("output=\"{}\": the outputs are {}", case::shown(output), keys.join(", ")))
+}
+
+fn drawn(
+    source: &Bound<'_, PyAny>,
+    drawing: report::Drawing,
+    method: (&str, &str),
+    units: Option<&str>,
+) -> PyResult<Picture> {
+    let options = PyDict::new(source.py());
+    options.set_item("units", units)?;
+    Picture::new(source, drawing, method, &options)
+}
+
+/// What ``estimate`` of a case answers.
+#[pyclass(name = "Estimate", module = "deltav", frozen, extends = PyAnswered)]
+pub(crate) struct PyEstimate;
+
+#[pymethods]
+impl PyEstimate {
+    /// All draws: ``columns()["vehicle1.speed"]`` is a NumPy array, and the whole goes into Arrow.
+    ///
+    /// Raises ``NoAnswerError`` where the run has not converged.
+    fn columns(slf: &Bound<'_, Self>) -> PyResult<Py<Columns>> {
+        slf.as_super().get().columns(slf.py())
+    }
+
+    /// Draws how probable the values of an output are, before and after the evidence.
+    #[pyo3(signature = (output, *, units = None))]
+    fn density(slf: &Bound<'_, Self>, output: &str, units: Option<&str>) -> PyResult<Picture> {
+        let py = slf.py();
+        let solved = &slf.as_super().get().solved;
+        let in_units = solved.in_units(units)?;
+        let Answer::Estimate(answer) = solved.answer(py)? else {
+            return Err(PyRuntimeError::new_err("the result is no estimate"));
+        };
+        let (estimated, asked) = &**answer;
+        let keys: Vec<String> = estimated.outputs.iter().map(|known| known.output.path()).collect();
+        let place = keys.iter().position(|key| key == output).ok_or_else(|| unknown(output, &keys))?;
+        let of = estimated.outputs[place].output;
+        let drawing = py.detach(|| report::density(&solved.given.file.case, estimated, asked, of, in_units));
+        let drawing =
+            drawing.ok_or_else(|| no_answer(py, format!("there is no density of {output} to draw")))?;
+        drawn(slf.as_any(), drawing, ("density", output), units)
+    }
+}
+
+/// All classes of results.
+pub(crate) fn classes(py: Python<'_>) -> [Bound<'_, PyType>; 7] {
+    [
+        py.get_type::<PyAnswered>(),
+        py.get_type::<PyAnalysis>(),
+        py.get_type::<PyJudgement>(),
+        py.get_type::<PyComparison>(),
+        py.get_type::<PySensitivity>(),
+        py.get_type::<PyUncertainty>(),
+        py.get_type::<PyEstimate>(),
+    ]
+}

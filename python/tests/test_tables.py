@@ -1,0 +1,162 @@
+"""Tables: a row in, a row out, with the bits of a case."""
+
+import pathlib
+from typing import Any
+
+import deltav
+import pandas as pd
+import polars as pl
+import pyarrow as pa
+import pytest
+from conftest import FIXTURES, ROOT, cases
+
+TEMPLATE = deltav.Case.example().text
+SPEED = "vehicle2.speed [mph]"
+
+
+def table(speeds: list[float | None]) -> pa.Table:
+    return pa.table({"id": pa.array(range(len(speeds))), SPEED: pa.array(speeds, pa.float64())})
+
+
+def flat(document: Any, path: str = "") -> dict[str, Any]:
+    """The values of a document by their keys, with ``_`` between."""
+    if isinstance(document, dict):
+        parts = [flat(value, f"{path}_{key}" if path else key) for key, value in document.items()]
+        return {key: value for part in parts for key, value in part.items()}
+    return {path: document}
+
+
+@pytest.mark.parametrize("path", [path for path in cases() if "invalid" not in path.parts], ids=str)
+def test_a_row_has_the_bits_of_the_case(path: pathlib.Path) -> None:
+    case = deltav.Case.read(path)
+    for ask, solve in [
+        (case.reconstruct, deltav.reconstruct_table),
+        (case.impact, deltav.impact_table),
+        (case.crush, deltav.crush_table),
+    ]:
+        [row] = pa.table(solve(pa.table({"id": [7]}), template=case.text)).to_pylist()
+        assert row["id"] == 7
+        try:
+            document = flat(ask().to_dict())
+        except ValueError:
+            assert row["error"]
+            continue
+        assert row["error"] is None
+        numbers = {key: value for key, value in row.items() if isinstance(value, float) and key in document}
+        assert len(numbers) >= 3
+        for key, value in numbers.items():
+            assert repr(value) == repr(float(document[key])), key
+
+
+def test_what_a_row_gives_stands_before_the_template() -> None:
+    rows = pa.table(deltav.reconstruct_table(table([10.0, None, 20.0]), template=TEMPLATE)).to_pylist()
+    faster = deltav.Case.parse(TEMPLATE.replace('"10 mph"', '"20 mph"')).reconstruct()
+    example = deltav.Case.example().reconstruct()
+    assert [row["found_value"] for row in rows] == [example.found.value, example.found.value, faster.found.value]
+
+
+def test_a_wrong_row_costs_nothing_else() -> None:
+    solved = deltav.reconstruct_table(table([10.0, 1e9, float("nan"), 10.0]), template=TEMPLATE)
+    rows = pa.table(solved).to_pylist()
+    assert len(solved) == 4 and [row["id"] for row in rows] == [0, 1, 2, 3]
+    assert [row["error"] is None for row in rows] == [True, False, False, True]
+    assert "implausibly large" in rows[1]["error"] and rows[1]["found_value"] is None
+    assert rows[0] | {"id": 3} == rows[3]
+
+
+def test_bits_depend_neither_on_partitions_nor_on_threads() -> None:
+    text = (FIXTURES / "sae-980025-uncertain.toml").read_text("utf-8")
+    speeds = pa.table({"vehicle2.heading [deg]": [60.0 + place / 10 for place in range(20)]})
+    whole = pa.table(deltav.reconstruct_table(speeds, template=text, samples=640, seed=5))
+    for threads in (1, 2):
+        assert pa.table(deltav.reconstruct_table(speeds, template=text, samples=640, seed=5, threads=threads)).equals(whole)
+    stream = pa.RecordBatchReader.from_batches(speeds.schema, speeds.to_batches(max_chunksize=7))
+    assert pa.table(deltav.reconstruct_table(stream, template=text, samples=640, seed=5)).equals(whole)
+    assert len(set(whole["vehicle1_delta_v_p975"].to_pylist())) > 1
+    with_seed = speeds.append_column("seed", pa.array([5] * 20))
+    assert pa.table(deltav.reconstruct_table(with_seed, template=text, samples=640)).equals(whole)
+
+
+def test_whatever_speaks_arrow_goes_in_and_out() -> None:
+    of_arrow = pa.table(deltav.reconstruct_table(table([10.0, 12.0]), template=TEMPLATE))
+    frame = pl.DataFrame({"id": [0, 1], SPEED: [10.0, 12.0]})
+    found = pl.DataFrame(deltav.reconstruct_table(frame, template=TEMPLATE))
+    assert found["found_value"].to_list() == of_arrow["found_value"].to_pylist()
+    texts = pl.DataFrame({"vehicle2.speed": ["10 mph", "12 mph"]})
+    assert pl.DataFrame(deltav.reconstruct_table(texts, template=TEMPLATE))["error"].is_null().all()
+    of_pandas = deltav.reconstruct_table(pd.DataFrame({SPEED: [10.0, 12.0]}), template=TEMPLATE)
+    assert pd.DataFrame.from_arrow(of_pandas)["found_value"].tolist() == of_arrow["found_value"].to_pylist()
+    for batch in table([10.0, 12.0]).to_batches():
+        assert pa.table(deltav.reconstruct_table(batch, template=TEMPLATE)).equals(of_arrow)
+
+
+def test_the_template_is_a_text_a_dict_or_a_path() -> None:
+    wanted = pa.table(deltav.reconstruct_table(table([11.0]), template=TEMPLATE))
+    path = ROOT / "crates" / "case" / "sae-980025.toml"
+    for template in (deltav.Case.example().to_dict(), path, str(path.read_text("utf-8"))):
+        assert pa.table(deltav.reconstruct_table(table([11.0]), template=template)).equals(wanted)
+    with pytest.raises(deltav.CaseError, match='unknown key "restituton"'):
+        deltav.reconstruct_table(table([11.0]), template={"impact": {"restituton": 0.1}})
+
+
+def test_nested_rows_are_cases_of_their_own() -> None:
+    vehicle = {"mass": 1500.0, "yaw_inertia": 2500.0, "heading": 0.0, "contact": {"x": 2.0, "y": 0.0}}
+    crush = {"side": "front", "width": 1.5, "depths": [0.3, 0.2], "stiffness": {"category": 3}}
+    crushed = vehicle | {"crush": crush | {"pdof": {"value": 0.0}}}
+    rows = [
+        {"id": "a", "vehicle1": crushed, "vehicle2": {"fixed": True}},
+        {"id": "b", "vehicle1": vehicle, "vehicle2": {"fixed": True}},
+    ]
+    found = pa.table(deltav.crush_table(pa.Table.from_pylist(rows))).to_pylist()
+    with_units = {
+        "mass": "1500 kg",
+        "yaw_inertia": "2500 kg m^2",
+        "heading": "0 deg",
+        "contact": {"x": "2 m", "y": "0 m"},
+        "crush": crush | {"width": "1.5 m", "depths": "0.3 0.2 m", "pdof": "0 deg"},
+    }
+    case = deltav.Case.from_dict({"vehicle1": with_units, "vehicle2": {"fixed": True}})
+    assert found[0]["error"] is None
+    assert repr(found[0]["vehicle1_crash3_delta_v"]) == repr(case.crush().crash3.delta_v[0])
+    assert "crush" in found[1]["error"]
+
+
+def test_schemas_are_known_without_data() -> None:
+    result = pa.schema(deltav.result_schema("reconstruct", samples=1000))
+    solved = deltav.reconstruct_table(table([10.0]), template=TEMPLATE, samples=1000)
+    assert pa.table(solved).schema.names == ["id", *result.names] == solved.names
+    assert [field.type for field in pa.table(solved).schema][1:] == [field.type for field in result]
+    assert not any("." in name for name in result.names)
+    assert not any(pa.types.is_unsigned_integer(field.type) for field in result)
+    cases_of = pa.schema(deltav.case_schema())
+    assert pa.types.is_list(cases_of.field("vehicle1").type.field("crush").type.field("depths").type)
+    ranges = pa.schema(deltav.case_schema(ranges=True))
+    assert pa.types.is_struct(ranges.field("vehicle1").type.field("mass").type)
+
+
+def test_an_empty_table_has_the_columns_of_its_results() -> None:
+    solved = pa.table(deltav.reconstruct_table(table([]), template=TEMPLATE))
+    assert solved.num_rows == 0 and "found_value" in solved.schema.names
+
+
+def test_an_estimate_of_a_row_is_that_of_the_case() -> None:
+    path = FIXTURES / "estimate.toml"
+    [row] = pa.table(deltav.estimate_table(pa.table({"id": [1]}), template=path, particles=128)).to_pylist()
+    estimated = deltav.Case.read(path).estimate(particles=128, pieces=False)
+    assert row["vehicle1_speed_median"] == estimated.outputs["vehicle1.speed"].median
+
+
+@pytest.mark.parametrize(
+    "columns, options, says",
+    [
+        ({"vehicle1.mas [kg]": [1.0]}, {}, 'the column "vehicle1.mas [kg]" is no key of a case'),
+        ({"vehicle1.mass [m]": [1.0]}, {}, 'has the unit "m"'),
+        ({"error": ["x"]}, {}, 'the column "error" is called as one of the results'),
+        ({"id": [1]}, {"samples": 3}, "64"),
+        ({"id": [1]}, {"threads": 0}, "from 1 to 1024"),
+    ],
+)
+def test_a_table_that_cannot_be_read_is_refused(columns: dict[str, Any], options: dict[str, Any], says: str) -> None:
+    with pytest.raises(ValueError) as raised:
+        deltav.reconstruct_table(pa.table(columns), template=TEMPLATE, **options)
+    assert says in str(raised.value)
