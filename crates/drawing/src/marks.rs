@@ -28,7 +28,8 @@ pub(crate) struct IntervalMarks<'a> {
 }
 
 impl<'a> IntervalMarks<'a> {
-    /// `central` is the value and its `id`; labels have `decimals`, or as many as an axis has if that is more.
+    /// `central` is the value and its `id`; labels have `decimals`, or as many as an axis has if these are
+    /// more.
     pub(crate) fn new(
         [low, high]: &'a [ValueMark; 2],
         central: (&'static str, &'a ValueMark),

@@ -18,7 +18,7 @@
 //! assert!((found.value(0) - 22.9).abs() < 0.05); // the paper: 22.9 m/s
 //! assert_eq!(found.value(2), found.value(0)); // null: as in the template
 //! let error = results.column_by_name("error").ok_or("a column")?.as_string::<i32>();
-//! assert_eq!(error.value(1), "vehicle2.speed: \"1e9 mph\" is implausibly large for a speed");
+//! assert_eq!(error.value(1), "vehicle2.speed: \"1000000000 mph\" is implausibly large for a speed");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -35,8 +35,8 @@
 //!   struct<side: string, depths: list<double>>>`. Each row can have its own law, side and number of
 //!   stations. A column may have a part of the schema.
 //! - **Flat**: the path of the key is the name of the column, as the file and all messages write it, with the
-//!   unit in brackets: `vehicle1.mass [lb]`, `vehicle1.crush.depths[1] [in]`, `vehicle2.speed.sd [mph]`. Where
-//!   dots and brackets are in the way (SQL, Spark), the same with two underscores: `vehicle1__mass__lb`,
+//!   unit in brackets: `vehicle1.mass [lb]`, `vehicle1.crush.depths[1] [in]`, `vehicle2.speed.sd [mph]`.
+//!   Where dots and brackets are in the way (SQL, Spark), the same with two underscores: `vehicle1__mass__lb`,
 //!   `vehicle1__crush__depths__1__in`, `vehicle1__crush__stiffness__B__N_per_cm2`. Two, as keys have single
 //!   ones in them: `vehicle1_yaw_rate_sd` could be taken apart in several ways, and is refused.
 //!
@@ -70,8 +70,8 @@
 //!
 //! Columns are named after the keys of the JSON, with underscores for dots: `vehicle1_delta_v`. They are in
 //! SI units and radians, and in the axes of the case. With [`Options::samples`], the results that vary have
-//! `vehicle1_delta_v_p025`, `_median` and `_p975`, the 95 % interval, `_mean` and `_sd`; they are null in a row
-//! of which nothing is uncertain. No type is unsigned, and no name has a dot. `warnings` are the codes that
+//! `vehicle1_delta_v_p025`, `_median` and `_p975`, the 95 % interval, `_mean` and `_sd`; they are null in a
+//! row of which nothing is uncertain. No type is unsigned, and no name has a dot. `warnings` are the codes that
 //! the glossary explains; `help` says what to write instead of what is wrong. The metadata of the schema has
 //! the version of the program and the options.
 //!

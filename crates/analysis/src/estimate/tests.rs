@@ -6,8 +6,6 @@ use std::ops::ControlFlow;
 use case::CaseFile;
 use inputs::Case;
 
-use ::estimate::Evidence as _;
-
 use super::*;
 use crate::sensitivity::Output;
 
@@ -103,11 +101,8 @@ fn the_crush_energy_tells_the_speed() {
     assert!((crush.posterior.median.value - energy).abs() < 1e-3 * energy);
 }
 
-/// Vehicle 2 slides straight to rest on locked wheels, S = V₂²/2μg, where 15 m were measured, ± 0.5 m and
-/// 10 %.
-#[test]
-fn the_rest_tells_the_speed() {
-    let rest = r#"
+/// Locked wheels take vehicle 2, whose CG was at the origin, 15 m straight on.
+const REST: &str = r#"
 [scene]
 contact = { x = "-2 m", y = "0 m" }
 [surface]
@@ -116,11 +111,19 @@ friction = { value = 0.7, sd = 0.00001 }
 drag = "locked"
 rest = { x = "15 m", y = "0 m", heading = "0 deg" }
 "#;
-    let text = format!("{CENTRAL}{rest}").replace(
+
+fn at_rest(rest: &str) -> String {
+    format!("{CENTRAL}{rest}").replace(
         "yaw_radius = \"1.4 m\"\n",
         "yaw_radius = \"1.4 m\"\nwheelbase = \"2.6 m\"\ntrack = \"1.5 m\"\ncg_to_front_axle = \"1.2 m\"\n",
-    );
-    let estimated = run(&read(&text), 128).unwrap();
+    )
+}
+
+/// Vehicle 2 slides straight to rest on locked wheels, S = V₂²/2μg, where 15 m were measured, ± 0.5 m and
+/// 10 %.
+#[test]
+fn the_rest_tells_the_speed() {
+    let estimated = run(&read(&at_rest(REST)), 128).unwrap();
     assert!(estimated.doubts().is_empty(), "{:?}", estimated.doubts());
     let density = |v: f64| {
         let way = (0.66 * v).powi(2) / (2.0 * 0.7 * 9.80665);
@@ -251,4 +254,146 @@ fn proposals_that_are_refused_need_no_rest() {
     let whole = ::estimate::sample_quietly(&told, &Whole(&told), &settings).unwrap();
     assert_eq!(in_parts.values(), whole.values());
     assert_eq!(in_parts.terms(), whole.terms());
+}
+
+/// Friction without a range is that of its key times a factor with an ln-sd of 0.10.
+#[test]
+fn a_ground_of_one_value_has_the_error_of_such_a_value() {
+    let text = at_rest(REST).replace("friction = { value = 0.7, sd = 0.00001 }", "friction = 0.7");
+    let estimated = run(&read(&text), 128).unwrap();
+    assert!(estimated.doubts().is_empty(), "{:?}", estimated.doubts());
+    let density = |v: f64| {
+        let of_factor = |z: f64| {
+            let way = (0.66 * v).powi(2) / (2.0 * 0.7 * (0.10 * z).exp() * 9.80665);
+            (-0.5 * ((15.0 - way) / 2.0).powi(2) - 0.5 * z * z).exp()
+        };
+        (-50..=50).map(|k| of_factor(0.1 * f64::from(k))).sum::<f64>()
+    };
+    assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
+}
+
+/// With the numbers 1 and 2 for each other, vehicle 2 is the one that drives.
+#[test]
+fn the_labels_of_the_vehicles_do_not_matter() {
+    let text = format!("{CENTRAL}[vehicle2.after]\nspeed = \"11 m/s\"\ndirection = \"0 deg\"\n");
+    let text = text.replace("vehicle1", "other").replace("vehicle2", "vehicle1").replace("other", "vehicle2");
+    let estimated = run(&read(&text), 128).unwrap();
+    assert!(estimated.doubts().is_empty(), "{:?}", estimated.doubts());
+    let density = |v: f64| (-0.5 * ((11.0 / (0.66 * v)).ln() / 0.12).powi(2)).exp();
+    assert_is_quantiles(&of(&estimated, speed(VehicleId::Two)).posterior, density, [1.0, 70.0]);
+}
+
+#[test]
+fn a_least_speed_holds() {
+    let text = CENTRAL.replacen("[vehicle1]", "[vehicle1]\ncertain_speed = { at_least = \"20 m/s\" }", 1);
+    let text = format!("{text}[vehicle2.after]\nspeed = \"11 m/s\"\ndirection = \"0 deg\"\n");
+    let estimated = run(&read(&text), 128).unwrap();
+    assert!(estimated.draws(speed(VehicleId::One)).unwrap().iter().all(|v| *v >= 20.0));
+}
+
+fn of_case(text: &str) -> setup::Setup {
+    setup::of(&read(text), None).unwrap()
+}
+
+/// What was measured with an error and what the model misses add as variances.
+#[test]
+fn errors_add_as_variances() {
+    let crush = |pdof: &str| format!("{CENTRAL}[vehicle1.crush]\nees = \"20 km/h\"\npdof = \"{pdof}\"\n");
+    let pdof = |text: &str| of_case(&crush(text)).observed.vehicles[0].pdof.unwrap();
+    // 6°; an hour of the clock is 30° wide: 6² + 30²/12.
+    assert!((pdof("30 deg").scale.to_degrees() - 6.0).abs() < 1e-9);
+    let hour = pdof("1 o'clock");
+    assert!((hour.pdof.to_degrees() - 30.0).abs() < 1e-9);
+    assert!((hour.scale.to_degrees() - 111.0_f64.sqrt()).abs() < 1e-9);
+    // 0.5 m and 10 % of 15 m for the model, 5° at least for the heading.
+    let exact = of_case(&at_rest(REST)).observed.vehicles[1].rest.unwrap();
+    assert!((exact.position_sd - 2.0).abs() < 1e-9 && (exact.heading_sd.to_degrees() - 5.0).abs() < 1e-9);
+    let measured = REST.replace(
+        "rest = { x = \"15 m\", y = \"0 m\", heading = \"0 deg\" }",
+        "[vehicle2.after.rest]\nx = { value = \"15 m\", sd = \"1 m\" }\ny = { value = \"0 m\", sd = \"2 m\" }\n\
+         heading = { value = \"0 deg\", sd = \"8 deg\" }",
+    );
+    let measured = of_case(&at_rest(&measured)).observed.vehicles[1].rest.unwrap();
+    // 2² + (1² + 2²)/2 and 5² + 8²
+    assert!((measured.position_sd - 6.5_f64.sqrt()).abs() < 1e-9, "{measured:?}");
+    assert!((measured.heading_sd.to_degrees() - 89.0_f64.sqrt()).abs() < 1e-9, "{measured:?}");
+}
+
+/// Smith and Noga (1982): 65 lb.
+#[test]
+fn a_mass_of_one_value_has_the_error_of_a_weight() {
+    for (given, expected) in
+        [("mass = \"1500 kg\"", 65.0 * 0.453_592_37), ("weight = \"3300 lb\"", 65.0 * 4.448_221_615_260_5)]
+    {
+        let text = CENTRAL.replace("mass = { value = \"1500 kg\", sd = \"0.01 kg\" }", given);
+        let setup = of_case(&text);
+        let key = format!("vehicle1.{}", given.split(' ').next().unwrap());
+        let mass = setup.unknown.iter().find(|unknown| unknown.key == key).unwrap();
+        let sd = mass.prior.sd() * mass.unit.unwrap().factor();
+        assert!((sd - expected).abs() < 1e-6 * expected, "{given}: {sd}");
+    }
+}
+
+#[test]
+fn a_direction_turns_with_the_axes() {
+    for (axes, sign) in [("z-up", 1.0), ("z-down", -1.0)] {
+        let text = format!("[scene]\naxes = \"{axes}\"\n{CENTRAL}[vehicle2.after]\ndirection = \"30 deg\"\n");
+        let direction = of_case(&text).observed.vehicles[1].after.direction.unwrap();
+        assert!((direction.value.to_degrees() - sign * 30.0).abs() < 1e-9, "{axes}: {direction:?}");
+        // To the right in z-down, to the left in z-up: the rest has the sign that the case gives it.
+        let rest = REST.replace("y = \"0 m\", heading", "y = \"3 m\", heading");
+        let text = at_rest(&rest).replace("[scene]", &format!("[scene]\naxes = \"{axes}\""));
+        let text = text.replace(
+            "heading = { value = \"0 deg\", sd = \"0.0001 deg\" }\ncontact",
+            "heading = { value = \"11.31 deg\", sd = \"0.0001 deg\" }\ncontact",
+        );
+        let text = text.replace("crush_plane = { value = \"0 deg\"", "crush_plane = { value = \"11.31 deg\"");
+        let estimated = run(&read(&text), 128).unwrap();
+        let is_y = |output: &EstimateOutput| output.path() == "vehicle2.rest.y";
+        let y = estimated.outputs.iter().find(|found| is_y(&found.output)).unwrap();
+        assert!((1.5..4.5).contains(&y.posterior.median.value), "{axes}: {:?}", y.posterior.median);
+    }
+}
+
+/// The force on a vehicle that is hit from the left comes from 9 o'clock, that on one hit in the rear from 6.
+#[test]
+fn forces_come_from_where_the_vehicle_was_hit() {
+    let [one, two] = of_case(CENTRAL).reference.map(f64::to_degrees);
+    assert!(one.abs() < 1e-9 && (two.abs() - 180.0).abs() < 1e-9, "{one} {two}");
+    let heading = "heading = { value = \"0 deg\", sd = \"0.0001 deg\" }\ncontact = { x = { value = \"-2 m\"";
+    let left = CENTRAL.replace(heading, &heading.replace("\"0 deg\"", "\"90 deg\""));
+    assert_ne!(left, CENTRAL);
+    let [one, two] = of_case(&left).reference.map(f64::to_degrees);
+    assert!(one.abs() < 1e-9 && (two + 90.0).abs() < 1e-9, "{one} {two}");
+    // About 180°, and not half of the draws a full turn away.
+    let estimated = run(&read(&format!("{CENTRAL}[vehicle2.after]\ndirection = \"0 deg\"\n")), 128).unwrap();
+    let pdof = &of(&estimated, EstimateOutput::Result(Output::Pdof { vehicle: VehicleId::Two })).posterior;
+    let [low, high] = [pdof.intervals[3].low.value, pdof.intervals[3].high.value];
+    assert!((pdof.median.value.abs() - std::f64::consts::PI).abs() < 0.1 && high - low < 0.1, "{pdof:?}");
+}
+
+/// V₂ = 0.66 v₁ and ΔV₁ = 0.44 v₁: a recorder that stored what 11 m/s goes with agrees, and one of three times
+/// that does not.
+#[test]
+fn each_piece_is_judged_by_the_others() {
+    for (stored, agrees) in [(7.33, true), (22.0, false)] {
+        let text = format!(
+            "{CENTRAL}[vehicle2.after]\nspeed = \"11 m/s\"\ndirection = \"0 deg\"\n[vehicle1.recorder]\ndelta_v_longitudinal = \"-{stored} m/s\"\n"
+        );
+        let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: true };
+        let estimated = estimate(&read(&text), &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
+        assert_eq!(estimated.pieces.len(), 3);
+        for piece in estimated.pieces.iter().filter(|piece| !piece.key.contains("direction")) {
+            let p = piece.p_value.unwrap().value;
+            assert_eq!(p > 0.05, agrees, "{stored}: {p}");
+            assert!(p <= 1.0);
+            // By itself: 11/0.66 m/s, or 7.33/0.44.
+            let alone = piece.alone.as_ref().unwrap()[0].as_ref().unwrap().median.value;
+            let expected = if piece.key.contains("recorder") { stored / 0.44 } else { 11.0 / 0.66 };
+            assert!((alone / expected - 1.0).abs() < 0.05, "{}: {alone}", piece.key);
+            let without = piece.without.as_ref().unwrap()[0].as_ref().unwrap().median.value;
+            let expected = if piece.key.contains("recorder") { 11.0 / 0.66 } else { stored / 0.44 };
+            assert!((without / expected - 1.0).abs() < 0.05, "{}: {without}", piece.key);
+        }
+    }
 }

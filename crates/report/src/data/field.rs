@@ -97,8 +97,8 @@ impl<'a> JudgedBlock<'a> {
     }
 }
 
-/// The judgement as JSON: `groups` and `winsmash`, all, by kind of collision and of one event, each with `n`, `bias`, `rms`,
-/// `coverage`, `width95` and `crps` (m/s), and every vehicle.
+/// The judgement as JSON: `groups` and `winsmash`, all, by kind of collision and of one event, each with `n`,
+/// `bias`, `rms`, `coverage`, `width95` and `crps` (m/s), and every vehicle.
 ///
 /// # Errors
 /// Where the JSON cannot be written.
