@@ -36,9 +36,10 @@
 //!   stations. A column may have a part of the schema.
 //! - **Flat**: the path of the key is the name of the column, as the file and all messages write it, with the
 //!   unit in brackets: `vehicle1.mass [lb]`, `vehicle1.crush.depths[1] [in]`, `vehicle2.speed.sd [mph]`.
-//!   Where dots and brackets are in the way (SQL, Spark), the same with two underscores: `vehicle1__mass__lb`,
-//!   `vehicle1__crush__depths__1__in`, `vehicle1__crush__stiffness__B__N_per_cm2`. Two, as keys have single
-//!   ones in them: `vehicle1_yaw_rate_sd` could be taken apart in several ways, and is refused.
+//!   Where dots and brackets are in the way (SQL, Spark), the same with two underscores:
+//!   `vehicle1__mass__lb`, `vehicle1__crush__depths__1__in`, `vehicle1__crush__stiffness__B__N_per_cm2`.
+//!   Two, as keys have single ones in them: `vehicle1_yaw_rate_sd` could be taken apart in several ways, and
+//!   is refused.
 //!
 //! A number without a unit is in SI units and radians. A unit stands in the name of the column, or of the
 //! field of a struct, or in the metadata `unit` of its field. A text can be a quantity as in the file, `"10
@@ -71,8 +72,8 @@
 //! Columns are named after the keys of the JSON, with underscores for dots: `vehicle1_delta_v`. They are in
 //! SI units and radians, and in the axes of the case. With [`Options::samples`], the results that vary have
 //! `vehicle1_delta_v_p025`, `_median` and `_p975`, the 95 % interval, `_mean` and `_sd`; they are null in a
-//! row of which nothing is uncertain. No type is unsigned, and no name has a dot. `warnings` are the codes that
-//! the glossary explains; `help` says what to write instead of what is wrong. The metadata of the schema has
+//! row of which nothing is uncertain. No type is unsigned, and no name has a dot. `warnings` are the codes
+//! that the glossary explains; `help` says what to write instead of what is wrong. The metadata of the schema has
 //! the version of the program and the options.
 //!
 //! The seed is that of the options, or of the column `seed`: the same row has the same result wherever it

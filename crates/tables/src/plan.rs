@@ -108,7 +108,7 @@ fn role(field: &Field) -> Result<Role, TableError> {
         tables().filter(|key| matches!(Shape::case().within(key), Shape::Table(_))).find(|key| {
             let rest = name.strip_prefix(key.name);
             let rest = rest.and_then(|rest| rest.strip_prefix(['_', '.', ' ', '-', '/', ':']));
-            // A table may have a column `impact_type` of its own, but hardly one of a vehicle: that is a slip.
+            // A table may have a column `impact_type` of its own, but hardly one of a vehicle.
             let mut keys = Shape::case().within(key).keys();
             rest.is_some_and(|rest| {
                 key.name.starts_with("vehicle") || keys.any(|key| rest.starts_with(key.name))

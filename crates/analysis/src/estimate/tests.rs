@@ -372,8 +372,8 @@ fn forces_come_from_where_the_vehicle_was_hit() {
     assert!((pdof.median.value.abs() - std::f64::consts::PI).abs() < 0.1 && high - low < 0.1, "{pdof:?}");
 }
 
-/// V₂ = 0.66 v₁ and ΔV₁ = 0.44 v₁: a recorder that stored what 11 m/s goes with agrees, and one of three times
-/// that does not.
+/// V₂ = 0.66 v₁ and ΔV₁ = 0.44 v₁: a recorder that stored what 11 m/s goes with agrees, and one that
+/// stored three times that does not.
 #[test]
 fn each_piece_is_judged_by_the_others() {
     for (stored, agrees) in [(7.33, true), (22.0, false)] {
