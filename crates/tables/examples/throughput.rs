@@ -1,7 +1,7 @@
 //! How many rows a second: `cargo run --release -p deltav-tables --example throughput [ROWS] [SAMPLES]`.
 //!
-//! Each row is the example of SAE 980025 with other weights, headings, speed and depths, as flat columns beside
-//! a template and as the nested row of the whole case; the time is that of one thread.
+//! Each row is the example of SAE 980025 with other weights, headings, speed and depths, as flat columns
+//! beside a template and as the nested row of the whole case; the time is that of one thread.
 
 use std::error::Error;
 use std::sync::Arc;
