@@ -328,7 +328,7 @@ impl PyCase {
     /// converged, ``converged`` is False and no interval is given.
     #[pyo3(
         signature = (
-            *, particles = Whole(512), seed = Whole(1), prior = None, pieces = true, above = Vec::new(), threads = None
+            *, particles = Whole(analysis::EstimatePlan::PARTICLES), seed = Whole(1), prior = None, pieces = true, above = Vec::new(), threads = None
         ),
         text_signature = "($self, *, particles=512, seed=1, prior=None, pieces=True, above=(), threads=None)"
     )]

@@ -79,12 +79,11 @@ impl Request {
                 if let Some(prior) = prior {
                     chosen("prior", prior, &PRIORS)?;
                 }
-                if !(PARTICLES_STEP..=MOST_PARTICLES).contains(particles)
-                    || !particles.is_multiple_of(PARTICLES_STEP)
-                {
+                if !estimate::Settings::can_have(*particles) {
                     return Err(PyValueError::new_err(format!(
                         "particles={particles}: give a multiple of {PARTICLES_STEP} up to {MOST_PARTICLES}, \
-                         such as 512"
+                         such as {}",
+                        EstimatePlan::PARTICLES
                     )));
                 }
             }

@@ -3,14 +3,15 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use analysis::EstimatePlan;
 use arrow_array::{RecordBatch, RecordBatchReader as _, StructArray};
-use arrow_schema::{ArrowError, Field, Schema, SchemaRef};
+use arrow_schema::{ArrowError, Field, SchemaRef};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyMapping};
 use pyo3_arrow::ffi::{ArrayIterator, to_schema_pycapsule, to_stream_pycapsule};
 use pyo3_arrow::input::AnyRecordBatch;
-use tables::{Job, Numbers, Options, TableError, Template};
+use tables::{Carried, Job, Numbers, Options, TableError, Template};
 
 use crate::dict;
 use crate::errors::wrong_case;
@@ -60,15 +61,6 @@ fn prior(prior: Option<&str>) -> PyResult<Option<case::Prior>> {
     prior.map(|prior| chosen("prior", prior, &PRIORS)).transpose()
 }
 
-/// The columns of the table that are no part of a case, and beside them the results.
-fn with_kept(batch: &RecordBatch, results: &RecordBatch, kept: &[usize]) -> Result<RecordBatch, ArrowError> {
-    let kept = batch.project(kept)?;
-    let fields = kept.schema().fields().iter().chain(results.schema().fields()).cloned().collect::<Vec<_>>();
-    let schema = Schema::new_with_metadata(fields, results.schema().metadata().clone());
-    let columns = kept.columns().iter().chain(results.columns()).cloned().collect();
-    RecordBatch::try_new(Arc::new(schema), columns)
-}
-
 fn solve(
     py: Python<'_>,
     job: Job,
@@ -78,32 +70,25 @@ fn solve(
 ) -> PyResult<Rows> {
     let template = template(given)?;
     let threads = threads.map(|threads| threads.0);
-    let reader = table.into_reader()?;
-    let schema = reader.schema();
-    let kept = tables::columns_kept(&schema).map_err(|error| wrong_table(py, error))?;
-    let results = tables::result_schema(job, &options);
-    if let Some(twice) = kept
-        .iter()
-        .map(|&place| schema.field(place).name())
-        .find(|name| results.field_with_name(name).is_ok())
-    {
-        let problem =
-            format!("the column \"{}\" is called as one of the results: rename it", case::shown(twice));
-        return Err(PyValueError::new_err(problem));
-    }
-    let empty = (RecordBatch::new_empty(schema), RecordBatch::new_empty(results));
-    let schema = with_kept(&empty.0, &empty.1, &kept).map_err(broken)?.schema();
+    let mut reader = table.into_reader()?;
+    let (schema, results) = (reader.schema(), tables::result_schema(job, &options));
+    // The columns of the table that are no part of a case, and behind them the results.
+    let carried = tables::columns_kept(&schema).and_then(|kept| Carried::new(&schema, kept, &results));
+    let carried = carried.map_err(|error| wrong_table(py, error))?;
     let mut batches = Vec::new();
-    let mut reader = reader;
     while let Some(batch) = py.detach(|| reader.next()) {
         let batch = batch.map_err(broken)?;
         let solved = interruptible(py, threads, |ending| {
             tables::run(job, &batch, &template, &options, &|_, _| ending.flow())
         })?;
-        let solved = solved.map_err(|error| wrong_table(py, error))?;
-        batches.push(with_kept(&batch, &solved, &kept).map_err(broken)?);
+        let rows = solved.and_then(|solved| carried.beside(&batch, &solved));
+        batches.push(rows.map_err(|error| wrong_table(py, error))?);
     }
-    Ok(Rows { schema, batches })
+    Ok(Rows { schema: carried.schema().clone(), batches })
+}
+
+fn sampled(samples: Option<Whole<usize>>, seed: Whole<u64>) -> Options {
+    Options { samples: samples.map(|samples| samples.0), seed: seed.0, ..Options::default() }
 }
 
 /// Reconstructs each row of a table: ``Case.reconstruct``, and with ``samples`` intervals.
@@ -133,9 +118,7 @@ pub(crate) fn reconstruct_table(
     seed: Whole<u64>,
     threads: Option<Whole<usize>>,
 ) -> PyResult<Rows> {
-    let samples = samples.map(|samples| samples.0);
-    let options = Options { samples, seed: seed.0, ..Options::default() };
-    solve(py, Job::Reconstruct, table, template, (options, threads))
+    solve(py, Job::Reconstruct, table, template, (sampled(samples, seed), threads))
 }
 
 /// Computes the impact of each row of a table from two known speeds: as ``reconstruct_table``.
@@ -152,9 +135,7 @@ pub(crate) fn impact_table(
     seed: Whole<u64>,
     threads: Option<Whole<usize>>,
 ) -> PyResult<Rows> {
-    let samples = samples.map(|samples| samples.0);
-    let options = Options { samples, seed: seed.0, ..Options::default() };
-    solve(py, Job::Impact, table, template, (options, threads))
+    solve(py, Job::Impact, table, template, (sampled(samples, seed), threads))
 }
 
 /// Computes crush energy and ΔV of each row of a table from damage and PDOF alone: as ``reconstruct_table``.
@@ -172,7 +153,7 @@ pub(crate) fn crush_table(
 /// Estimates the speeds of each row of a table from all its evidence: as ``reconstruct_table``.
 #[pyfunction]
 #[pyo3(
-    signature = (table, *, template = None, particles = Whole(512), seed = Whole(1), prior = None, threads = None),
+    signature = (table, *, template = None, particles = Whole(EstimatePlan::PARTICLES), seed = Whole(1), prior = None, threads = None),
     text_signature = "(table, *, template=None, particles=512, seed=1, prior=None, threads=None)"
 )]
 pub(crate) fn estimate_table(

@@ -151,7 +151,7 @@ def test_an_estimate_of_a_row_is_that_of_the_case() -> None:
     [
         ({"vehicle1.mas [kg]": [1.0]}, {}, 'the column "vehicle1.mas [kg]" is no key of a case'),
         ({"vehicle1.mass [m]": [1.0]}, {}, 'has the unit "m"'),
-        ({"error": ["x"]}, {}, 'the column "error" is called as one of the results'),
+        ({"error": ["x"]}, {}, 'the column "error" has the name of a result: rename it'),
         ({"id": [1]}, {"samples": 3}, "64"),
         ({"id": [1]}, {"threads": 0}, "from 1 to 1024"),
     ],

@@ -23,8 +23,8 @@ pub use setup::{Assumed, Unused, UnusedReason};
 /// How to estimate.
 #[derive(Clone, Copy, Debug)]
 pub struct EstimatePlan {
-    /// Number of particles of each of 16 islands; doubled as often as four times where a run does not
-    /// converge.
+    /// Number of particles of each of 16 islands. A run that does not converge is repeated with twice as
+    /// many, and once more with four times as many.
     pub particles: usize,
     /// The random seed: the same seed gives the same results.
     pub seed: u64,
@@ -33,6 +33,11 @@ pub struct EstimatePlan {
     /// Whether each piece of evidence is judged on its own and the answer found without it, which takes a run
     /// for each.
     pub pieces: bool,
+}
+
+impl EstimatePlan {
+    /// Particles of an island where nobody says how many.
+    pub const PARTICLES: usize = 512;
 }
 
 /// What all the evidence says.

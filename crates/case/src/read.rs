@@ -75,20 +75,11 @@ impl CaseFile {
     ///
     /// As for [`parse`](Self::parse); for a file of another format, an error that names the format.
     pub fn parse_bytes(name: &str, bytes: &[u8]) -> Result<Self, Diagnostics> {
-        let text = other_files::text(bytes, Self::LARGEST_FILE).map_err(|problem| {
-            let source = Source::new(name, "", Spans::default());
-            Diagnostics::new(source, vec![Diagnostic::new(None, problem)])
-        })?;
+        let text = text_of(name, bytes)?;
         let (document, errors) = DeTable::parse_recoverable(text);
         let document = Entries::of_toml(document.into_inner());
-        let mut reader = Reader::new(text, &document);
-        let case = reader.case(&document);
-        let (spans, problems) = reader.finish(&errors);
-        let source = Source::new(name, text, spans);
-        match case {
-            Some(case) if problems.is_empty() => Ok(Self { case, source }),
-            _ => Err(Diagnostics::new(source, problems)),
-        }
+        let (case, spans, problems) = read(text, &document, &errors);
+        Self::of(case, Source::new(name, text, spans), problems)
     }
 
     /// Reads a case from values, by the same rules as from a file. What is wrong is told by its key, as there
@@ -120,11 +111,11 @@ impl CaseFile {
     ///
     /// As for [`parse`](Self::parse).
     pub fn from_values(name: &str, values: &ValueTable<'_>) -> Result<Self, Diagnostics> {
-        let document = Entries::of_values(values);
-        let mut reader = Reader::new("", &document);
-        let case = reader.case(&document);
-        let (spans, problems) = reader.finish(&[]);
-        let source = Source::of_values(name, spans);
+        let (case, spans, problems) = read("", &Entries::of_values(values), &[]);
+        Self::of(case, Source::of_values(name, spans), problems)
+    }
+
+    fn of(case: Option<Case>, source: Source, problems: Vec<Diagnostic>) -> Result<Self, Diagnostics> {
         match case {
             Some(case) if problems.is_empty() => Ok(Self { case, source }),
             _ => Err(Diagnostics::new(source, problems)),
@@ -146,16 +137,10 @@ impl CaseFile {
     ///
     /// What is wrong whatever else the case has: no TOML, unknown keys, and values that a key cannot have.
     pub fn part(name: &str, text: &str) -> Result<ValueTable<'static>, Diagnostics> {
-        let text = other_files::text(text.as_bytes(), Self::LARGEST_FILE).map_err(|problem| {
-            let source = Source::new(name, "", Spans::default());
-            Diagnostics::new(source, vec![Diagnostic::new(None, problem)])
-        })?;
+        let text = text_of(name, text.as_bytes())?;
         let (document, errors) = DeTable::parse_recoverable(text);
         let document = Entries::of_toml(document.into_inner());
-        let mut reader = Reader::new(text, &document);
-        // Of interest are its problems.
-        let _ = reader.case(&document);
-        let (spans, problems) = reader.finish(&errors);
+        let (_, spans, problems) = read(text, &document, &errors);
         let is_of_whole = |problem: &CaseProblem| errors.is_empty() && problem.is_of_whole();
         let problems: Vec<_> = problems.into_iter().filter(|one| !is_of_whole(one.problem())).collect();
         if problems.is_empty() {
@@ -327,6 +312,26 @@ impl<'t> Reader<'t> {
         );
         None
     }
+}
+
+/// The text of a file; why it is none stands at the file as a whole.
+fn text_of<'t>(name: &str, bytes: &'t [u8]) -> Result<&'t str, Diagnostics> {
+    other_files::text(bytes, CaseFile::LARGEST_FILE).map_err(|problem| {
+        let source = Source::new(name, "", Spans::default());
+        Diagnostics::new(source, vec![Diagnostic::new(None, problem)])
+    })
+}
+
+/// The case of a document with the places of its keys, and what is wrong with it.
+fn read(
+    text: &str,
+    document: &Entries<'_>,
+    errors: &[toml::de::Error],
+) -> (Option<Case>, Spans, Vec<Diagnostic>) {
+    let mut reader = Reader::new(text, document);
+    let case = reader.case(document);
+    let (spans, problems) = reader.finish(errors);
+    (case, spans, problems)
 }
 
 /// Whether a word asks for Neades' factor.

@@ -3,14 +3,15 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use case::{Dimension, Quantity, read_quantity};
+use analysis::EstimatePlan;
+use case::{Dimension, Prior, Quantity, read_quantity};
 use clap::builder::{
     MapValueParser, PathBufValueParser, PossibleValue, StringValueParser, TypedValueParser,
     ValueParserFactory,
 };
 use clap::{Arg, Args, Parser, ValueEnum};
 use clap_complete::Shell;
-use estimate::{MOST_PARTICLES, PARTICLES_STEP};
+use estimate::{MOST_PARTICLES, PARTICLES_STEP, Settings};
 use uncertainty::MIN_SAMPLES;
 
 /// Reconstructs a two-vehicle collision from its damage.
@@ -162,13 +163,13 @@ pub(crate) enum Command {
             \"vehicle1_delta_v\", in SI units and radians; --columns lists them. With --samples, the numbers that \
             vary also have \"vehicle1_delta_v_p025\", \"…_median\", \"…_p975\", \"…_mean\" and \"…_sd\": the \
             median and the ends of the 95 % interval, as `deltav uncertainty` finds them. Columns of the table \
-            that are no keys, such as a number of the crash, stand in front; --keep chooses others.\n\n\
+            that are not keys, such as the number of the crash, come first; --keep chooses others.\n\n\
             The table is read and written in parts, so that any number of rows fits into memory.",
         after_help = "Examples:\n  deltav table crashes.parquet --template case.toml -o results.parquet\n  \
             deltav table crashes.csv --template case.toml --job crush --keep id,year -o results.csv\n  \
             deltav table crashes.csv --template case.toml --samples 1000 -o intervals.csv\n  \
             deltav table --schema\n\n\
-            Exit status: 1 where a row has an error. Ctrl-C writes the rows so far."
+            Exit status: 1 where a row has an error. Ctrl-C ends the run and keeps the rows that were finished."
     )]
     Table(TableArguments),
     /// Propagate input ranges and distributions to the results
@@ -686,7 +687,7 @@ pub(crate) struct EstimateArguments {
 
     /// Number of particles of each of 16 islands, a multiple of 128; it is doubled up to twice where the run
     /// does not converge
-    #[arg(long, value_name = "N", default_value_t = PARTICLES, value_parser = particles)]
+    #[arg(long, value_name = "N", default_value_t = EstimatePlan::PARTICLES, value_parser = particles)]
     pub(crate) particles: usize,
 
     /// Number of threads; the default is one for each processor
@@ -716,9 +717,6 @@ pub(crate) struct EstimateArguments {
     pub(crate) csv_style: CsvStyle,
 }
 
-/// Particles of an island where the command line does not say.
-const PARTICLES: usize = 512;
-
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum EstimatePrior {
     /// As collisions of which a vehicle was towed
@@ -727,12 +725,22 @@ pub(crate) enum EstimatePrior {
     Flat,
 }
 
+impl From<EstimatePrior> for Prior {
+    fn from(prior: EstimatePrior) -> Self {
+        match prior {
+            EstimatePrior::Field => Self::Field,
+            EstimatePrior::Flat => Self::Flat,
+        }
+    }
+}
+
 /// What can be dealt in two halves of whole blocks.
 fn particles(text: &str) -> Result<usize, String> {
     let particles = count(text)?;
-    if particles == 0 || particles > MOST_PARTICLES || !particles.is_multiple_of(PARTICLES_STEP) {
+    if !Settings::can_have(particles) {
         return Err(format!(
-            "give a multiple of {PARTICLES_STEP} up to {MOST_PARTICLES}, such as {PARTICLES}"
+            "give a multiple of {PARTICLES_STEP} up to {MOST_PARTICLES}, such as {}",
+            EstimatePlan::PARTICLES
         ));
     }
     Ok(particles)
@@ -752,7 +760,7 @@ pub(crate) struct TableArguments {
     #[arg(long, value_enum, default_value_t = TableJob::Reconstruct)]
     pub(crate) job: TableJob,
 
-    /// Number of samples of each row, for intervals; of the jobs reconstruct and impact
+    /// Number of samples of each row, for intervals; for the jobs reconstruct and impact
     #[arg(long, value_name = "N", value_parser = count)]
     pub(crate) samples: Option<usize>,
 
@@ -760,11 +768,11 @@ pub(crate) struct TableArguments {
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     pub(crate) seed: u64,
 
-    /// Number of particles of each of 16 islands, a multiple of 128; of the job estimate
-    #[arg(long, value_name = "N", default_value_t = PARTICLES, value_parser = particles)]
+    /// Number of particles of each of 16 islands, a multiple of 128; for the job estimate
+    #[arg(long, value_name = "N", default_value_t = EstimatePlan::PARTICLES, value_parser = particles)]
     pub(crate) particles: usize,
 
-    /// How severe the collisions may have been before the evidence; of the job estimate
+    /// How severe the collisions may have been before the evidence; for the job estimate
     #[arg(long, value_enum)]
     pub(crate) prior: Option<EstimatePrior>,
 
@@ -772,8 +780,8 @@ pub(crate) struct TableArguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
 
-    /// Columns of the table to put in front of the results, with commas between; the default is all that are
-    /// no keys
+    /// Columns of the table to carry over, separated by commas; they come before the results. The default is
+    /// all columns that are not keys
     #[arg(long, value_name = "COLUMNS", value_delimiter = ',')]
     pub(crate) keep: Option<Vec<String>>,
 

@@ -4,11 +4,11 @@ use std::io::{self, BufWriter};
 
 use analysis::{EstimatePlan, EstimateStage, Estimated, Failure, estimate_outputs};
 use anyhow::{Context as _, Result};
-use case::{Case, Prior};
+use case::Case;
 use rayon::ThreadPool;
 use report::{Asked, Question};
 
-use crate::arguments::{EstimateArguments, EstimatePrior};
+use crate::arguments::EstimateArguments;
 use crate::sink::Sink;
 use crate::{NoAnswer, answered, case_file, named, pool, present, progress, units};
 
@@ -25,10 +25,7 @@ pub(crate) fn report(arguments: &EstimateArguments) -> Result<()> {
     let plan = EstimatePlan {
         particles: arguments.particles,
         seed: arguments.seed,
-        prior: arguments.prior.map(|prior| match prior {
-            EstimatePrior::Field => Prior::Field,
-            EstimatePrior::Flat => Prior::Flat,
-        }),
+        prior: arguments.prior.map(Into::into),
         pieces: !arguments.no_pieces,
     };
     let estimated = answered(run(&file.case, &plan, &pool(arguments.threads)?)?, &file, units)?;

@@ -5,7 +5,7 @@ use std::io::{self, BufReader, BufWriter, Read, Seek as _};
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Context as _, Result, anyhow, bail};
 use arrow_array::cast::AsArray as _;
 use arrow_array::types::{Float64Type, Int64Type};
 use arrow_array::{Array, ArrayRef, RecordBatch, StringArray};
@@ -17,9 +17,9 @@ use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::file::properties::WriterProperties;
-use tables::{Job, Options, TableError, Template, columns_kept, result_schema, run};
+use tables::{Carried, Job, Options, TableError, Template, columns_kept, result_schema, run};
 
-use crate::arguments::{EstimatePrior, TableArguments, TableJob};
+use crate::arguments::{TableArguments, TableJob};
 use crate::batch::{Incomplete, is_broken_pipe};
 use crate::progress::Progress;
 use crate::sink::Sink;
@@ -44,10 +44,7 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<()> {
         samples: arguments.samples,
         seed: arguments.seed,
         particles: arguments.particles,
-        prior: arguments.prior.map(|prior| match prior {
-            EstimatePrior::Field => case::Prior::Field,
-            EstimatePrior::Flat => case::Prior::Flat,
-        }),
+        prior: arguments.prior.map(Into::into),
     };
     let output = arguments.output.file();
     if arguments.schema {
@@ -87,8 +84,14 @@ fn rows(
 ) -> Result<()> {
     let cannot =
         || output.map_or(CANNOT_WRITE.to_owned(), |path| format!("{CANNOT_WRITE} to {}", named(path)));
-    let schema = with_kept(&input.kept, &result_schema(job, options))?;
-    let mut out = Output::open(output, &schema).with_context(cannot)?;
+    let results = result_schema(job, options);
+    let carried = Carried::new(&input.schema, input.kept.clone(), &results).map_err(|error| match error {
+        TableError::NameOfResult { .. } => {
+            anyhow!("{error}, or name the columns to carry over by --keep, without it")
+        }
+        other => other.into(),
+    })?;
+    let mut out = Output::open(output, carried.schema()).with_context(cannot)?;
     let progress = Mutex::new(Progress::new()?);
     let total = input.total;
     let (mut done, mut failed) = (0, 0);
@@ -109,33 +112,19 @@ fn rows(
         };
         done += results.num_rows();
         failed += results.column_by_name("error").map_or(0, |errors| errors.len() - errors.null_count());
-        let kept = input.kept.iter().map(|(place, _)| batch.column(*place).clone());
-        let columns: Vec<ArrayRef> = kept.chain(results.columns().iter().cloned()).collect();
-        let rows = RecordBatch::try_new(schema.clone(), columns)?;
-        out.write(&rows).with_context(cannot)?;
+        out.write(&carried.beside(&batch, &results)?).with_context(cannot)?;
     }
     out.finish().with_context(cannot)?;
     if failed > 0 { Err(Incomplete::FailedRows { failed, total: done }.into()) } else { Ok(()) }
 }
 
-/// The columns that are carried over, and those of the results.
-fn with_kept(kept: &[(usize, Arc<Field>)], results: &Schema) -> Result<SchemaRef> {
-    if let Some((_, field)) = kept.iter().find(|(_, field)| results.field_with_name(field.name()).is_ok()) {
-        bail!(
-            "the column \"{0}\" of the table has the name of a result: name the columns to carry over by --keep, without it, or rename it",
-            case::shown(field.name())
-        );
-    }
-    let fields = kept.iter().map(|(_, field)| field.clone()).chain(results.fields().iter().cloned());
-    let fields: Vec<Arc<Field>> = fields.collect();
-    Ok(Arc::new(Schema::new_with_metadata(fields, results.metadata().clone())))
-}
-
 /// A table that is read batch by batch.
 struct Input {
     batches: Box<dyn Iterator<Item = Result<RecordBatch>>>,
-    /// The columns to carry over: their places and what they are.
-    kept: Vec<(usize, Arc<Field>)>,
+    /// The columns that are read.
+    schema: SchemaRef,
+    /// The places among them of those to carry over.
+    kept: Vec<usize>,
     /// How many rows there are, where the file says so.
     total: Option<usize>,
 }
@@ -173,20 +162,17 @@ impl Input {
         let others = columns_kept(&schema)?;
         let kept = kept(&schema, keep, &others)?;
         // Neither a key nor carried over: it is not even read.
-        let is_read =
-            |place: &usize| !others.contains(place) || kept.iter().any(|(wanted, _)| wanted == place);
+        let is_read = |place: &usize| !others.contains(place) || kept.contains(place);
         let read: Vec<usize> = (0..schema.fields().len()).filter(is_read).collect();
+        let schema = Arc::new(schema.project(&read)?);
         let mask = ProjectionMask::roots(builder.parquet_schema(), read.iter().copied());
         let total = usize::try_from(builder.metadata().file_metadata().num_rows()).ok();
         // Whatever is read, its place is that among what is read.
-        let kept = kept
-            .into_iter()
-            .filter_map(|(place, field)| Some((read.iter().position(|one| *one == place)?, field)))
-            .collect();
+        let kept = kept.iter().filter_map(|place| read.iter().position(|one| one == place)).collect();
         let at_once = if job == Job::Estimate || options.samples.is_some() { AT_ONCE / 8 } else { AT_ONCE };
         let reader = builder.with_projection(mask).with_batch_size(at_once).build()?;
         let batches = reader.map(|batch| Ok(batch?));
-        Ok(Self { batches: Box::new(batches), kept, total })
+        Ok(Self { batches: Box::new(batches), schema, kept, total })
     }
 
     /// Every column is a text: a number in it is read as a column of numbers would be.
@@ -197,9 +183,9 @@ impl Input {
         let fields: Vec<Field> = names.map(|name| Field::new(name, DataType::Utf8, true)).collect();
         let schema = Arc::new(Schema::new(fields));
         let kept = kept(&schema, keep, &columns_kept(&schema)?)?;
-        let mut records = reader.into_records();
+        let (of_batches, mut records) = (schema.clone(), reader.into_records());
         let batches = std::iter::from_fn(move || {
-            let mut columns: Vec<Vec<Option<String>>> = vec![Vec::new(); schema.fields().len()];
+            let mut columns: Vec<Vec<Option<String>>> = vec![Vec::new(); of_batches.fields().len()];
             let mut rows = 0;
             for record in records.by_ref().take(AT_ONCE) {
                 let record = match record {
@@ -212,9 +198,9 @@ impl Input {
                 rows += 1;
             }
             let arrays = columns.into_iter().map(|column| Arc::new(StringArray::from(column)) as ArrayRef);
-            (rows > 0).then(|| Ok(RecordBatch::try_new(schema.clone(), arrays.collect())?))
+            (rows > 0).then(|| Ok(RecordBatch::try_new(of_batches.clone(), arrays.collect())?))
         });
-        Ok(Self { batches: Box::new(batches), kept, total })
+        Ok(Self { batches: Box::new(batches), schema, kept, total })
     }
 
     fn next(&mut self) -> Result<Option<RecordBatch>> {
@@ -222,12 +208,11 @@ impl Input {
     }
 }
 
-/// The columns to carry over: those that are named, or all that give no key.
-fn kept(schema: &Schema, keep: Option<&[String]>, others: &[usize]) -> Result<Vec<(usize, Arc<Field>)>> {
-    let field = |place: usize| (place, schema.fields()[place].clone());
-    let Some(names) = keep else { return Ok(others.iter().map(|place| field(*place)).collect()) };
+/// The places of the columns to carry over: those that are named, or all that give no key.
+fn kept(schema: &Schema, keep: Option<&[String]>, others: &[usize]) -> Result<Vec<usize>> {
+    let Some(names) = keep else { return Ok(others.to_vec()) };
     let place = |name: &String| match schema.index_of(name) {
-        Ok(place) => Ok(field(place)),
+        Ok(place) => Ok(place),
         Err(_) => {
             let known: Vec<&str> = schema.fields().iter().map(|field| field.name().as_str()).collect();
             let near = case::nearest_names(name, known.iter().copied());

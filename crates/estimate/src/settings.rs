@@ -41,9 +41,16 @@ impl Settings {
         Self { particles, islands: ISLANDS, seed, terms: Selection::All, instructions }
     }
 
+    /// Whether an island can have so many particles: a multiple of [`PARTICLES_STEP`] up to
+    /// [`MOST_PARTICLES`].
+    #[must_use]
+    pub fn can_have(particles: usize) -> bool {
+        (PARTICLES_STEP..=MOST_PARTICLES).contains(&particles) && particles.is_multiple_of(PARTICLES_STEP)
+    }
+
     pub(crate) fn check(&self, terms: usize) -> Result<(), Failure> {
         let particles = self.particles;
-        if particles == 0 || particles > MOST_PARTICLES || !particles.is_multiple_of(PARTICLES_STEP) {
+        if !Self::can_have(particles) {
             return Err(Failure::Particles { particles });
         }
         if self.islands < LEAST_ISLANDS {

@@ -50,6 +50,12 @@ pub enum TableError {
         /// The key.
         key: String,
     },
+    /// A column to carry over has the name of one of the results.
+    #[error("the column \"{column}\" has the name of a result: rename it")]
+    NameOfResult {
+        /// Its name.
+        column: String,
+    },
     /// Options that do not fit together, or make no sense.
     #[error("{0}")]
     Options(String),

@@ -59,7 +59,8 @@
 //!
 //! Integers of any width, floats, texts in their three encodings, dictionaries of these and nulls are read. A
 //! column whose name begins with that of a table, and which is no key, makes the table refused: a slip there
-//! would be a default in silence. All other columns are the table's own ([`columns_kept`]).
+//! would be a default in silence. All other columns are the table's own ([`columns_kept`]), and
+//! can stand beside the results ([`Carried`]).
 //!
 //! # What all rows share
 //!
@@ -84,6 +85,7 @@
 //! It reads and writes no files: the program has `deltav table`, and Python its package. It computes nothing
 //! that a case file would not give.
 
+mod carried;
 mod column;
 mod error;
 mod layout;
@@ -93,6 +95,7 @@ mod results;
 mod shape;
 mod solve;
 
+pub use carried::Carried;
 pub use error::TableError;
 pub use layout::{Numbers, case_schema};
 pub use solve::{

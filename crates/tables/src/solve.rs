@@ -60,14 +60,9 @@ pub struct Options {
     pub prior: Option<Prior>,
 }
 
-impl Options {
-    /// Of an estimate whose options do not say.
-    pub const PARTICLES: usize = 512;
-}
-
 impl Default for Options {
     fn default() -> Self {
-        Self { samples: None, seed: 1, particles: Self::PARTICLES, prior: None }
+        Self { samples: None, seed: 1, particles: EstimatePlan::PARTICLES, prior: None }
     }
 }
 
@@ -226,8 +221,7 @@ fn check(job: Job, Options { samples, particles, .. }: &Options) -> Result<(), T
         }
         _ => {}
     }
-    let is_sound = (1..=MOST_PARTICLES).contains(particles) && particles.is_multiple_of(PARTICLES_STEP);
-    if job == Job::Estimate && !is_sound {
+    if job == Job::Estimate && !estimate::Settings::can_have(*particles) {
         return Err(TableError::Options(format!(
             "the number of particles is {particles}: give a multiple of {PARTICLES_STEP} up to {MOST_PARTICLES}"
         )));

@@ -17,8 +17,8 @@ const MOVED: [(u8, &[f64]); 11] = [
     (12, &[14.08, 14.08]),
 ];
 
-/// Of 19 intervals of 95 %, 18 should contain the true speed. Their half widths may be 22 % of it in the mean
-/// and 40 % at most.
+/// At least 18 of the 19 intervals of 95 % must contain the true speed. Their half widths must average no
+/// more than 22 % of it, and none may exceed 40 %.
 #[test]
 fn intervals_hold_the_true_speeds_and_are_narrow() {
     let judgement = judge_speeds(&Data::built_in(), AfterImpact::VelocitiesAndYawRates, 128, 1).unwrap();
