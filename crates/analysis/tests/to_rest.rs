@@ -131,14 +131,15 @@ fn value(analysis: &Analysis, output: Output) -> f64 {
 }
 
 /// Compares each derivative with central differences of whole runs, in plain numbers: for each output the
-/// greatest difference, as a share of the greatest influence on that output.
-fn compare(case: &Case, solve: fn(&Case) -> Result<Analysis, Failure>) -> Vec<(String, f64)> {
+/// greatest difference, as a share of the greatest influence on that output. `scale` makes the differences
+/// longer.
+fn compare(case: &Case, solve: fn(&Case) -> Result<Analysis, Failure>, scale: f64) -> Vec<(String, f64)> {
     let rows = sensitivity(case, NO_SWEEP).unwrap().derivatives;
     // By what is small, but far above the error of the integration.
     let step = |input: &Input| match input.unit.map(inputs::Unit::dimension) {
         Some(Dimension::Angle) => 0.002 / input.factor(),
-        Some(Dimension::Length) => 0.01 / input.factor(),
-        _ => 0.003 * input.number.abs().max(0.1),
+        Some(Dimension::Length) => 0.01 * scale / input.factor(),
+        _ => 0.003 * scale * input.number.abs().max(0.1),
     };
     let around: Vec<(Input, [Analysis; 4])> = case
         .inputs()
@@ -177,6 +178,11 @@ fn compare(case: &Case, solve: fn(&Case) -> Result<Analysis, Failure>) -> Vec<(S
 /// What central differences of an integration that is good for 0.1 mm a step are good for.
 const CLOSE: f64 = 0.01;
 
+/// A search for a start may miss its rest by half a millimetre, so that differences of 1 cm tell too little,
+/// and longer ones are good for this.
+const SEARCHED: f64 = 3.0;
+const CLOSE_BY_SEARCH: f64 = 0.02;
+
 #[test]
 fn derivatives_of_both_speeds_are_central_differences() {
     let case = parsed(&backward());
@@ -184,16 +190,16 @@ fn derivatives_of_both_speeds_are_central_differences() {
     for (found, given) in found.into_iter().zip(SPEEDS) {
         assert!((found - given).abs() < 1e-3, "{found} {given}");
     }
-    let worst = compare(&case, reconstruct);
+    let worst = compare(&case, reconstruct, SEARCHED);
     // Both speeds, both ΔV; speed, direction, yaw rate, distance and time of both ways.
     assert_eq!(worst.len(), 4 + 2 * 5);
-    assert!(worst.iter().all(|(_, off)| *off < CLOSE), "{worst:#?}");
+    assert!(worst.iter().all(|(_, off)| *off < CLOSE_BY_SEARCH), "{worst:#?}");
 }
 
 #[test]
 fn derivatives_by_momentum_and_crush_are_central_differences() {
     let text = include_str!("../../../fixtures/rear-end-rest.toml");
-    let mut worst = compare(&parsed(text), reconstruct);
+    let mut worst = compare(&parsed(text), reconstruct, 1.0);
     // Vehicle 2 rolls straight. To either side its time to rest changes alike, so that the central
     // difference is that of the steps which the integration chose.
     worst.retain(|(output, _)| output != "vehicle2.rest.time");
@@ -204,7 +210,7 @@ fn derivatives_by_momentum_and_crush_are_central_differences() {
 
 #[test]
 fn derivatives_of_the_ways_after_an_impact_are_central_differences() {
-    let worst = compare(&parsed(&forward("")), impact);
+    let worst = compare(&parsed(&forward("")), impact, 1.0);
     assert_eq!(worst.len(), 2 + 2 * 8);
     assert!(worst.iter().all(|(_, off)| *off < CLOSE), "{worst:#?}");
 }
@@ -213,9 +219,9 @@ fn derivatives_of_the_ways_after_an_impact_are_central_differences() {
 fn derivatives_of_a_motion_alone_are_central_differences() {
     let text = backward();
     let (alone, _) = text.split_once("[impact]").unwrap();
-    let worst = compare(&parsed(alone), motion);
+    let worst = compare(&parsed(alone), motion, SEARCHED);
     assert_eq!(worst.len(), 2 * 5);
-    assert!(worst.iter().all(|(_, off)| *off < CLOSE), "{worst:#?}");
+    assert!(worst.iter().all(|(_, off)| *off < CLOSE_BY_SEARCH), "{worst:#?}");
 }
 
 fn propagated(case: &Case, samples: usize) -> Uncertainty {

@@ -23,9 +23,10 @@
 //!
 //! | item | is |
 //! |---|---|
-//! | [`Real`] | the operations that the equations use; implemented for `f64`, [`Dual`], [`Duals`] and [`Traced`] |
+//! | [`Real`] | the operations that the equations use; implemented for `f64`, [`Dual`], [`Duals`], [`Bundle`] and [`Traced`] |
 //! | [`Dual`] | a number that carries its derivative by one input |
 //! | [`Duals`] | a number that carries its derivatives by a few inputs |
+//! | [`Bundle`] | a number among others near it, whose differences tell its derivatives in less time |
 //! | [`gradients`], [`Traced`] | the derivatives by all inputs at once, of a formula that is evaluated on numbers that remember what they were computed from |
 //! | [`elementary::sin_cos`] | sine and cosine of an angle in radians, up to [`elementary::SIN_COS_LIMIT`] |
 //! | [`elementary::atan2`] | angle of a vector in radians, over all of `f64` |
@@ -66,6 +67,7 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod angle;
+mod bundle;
 mod dual;
 mod duals;
 pub mod elementary;
@@ -73,6 +75,7 @@ pub mod elementary;
 mod traced;
 
 pub use angle::principal_angle;
+pub use bundle::Bundle;
 pub use dual::Dual;
 pub use duals::Duals;
 #[cfg(feature = "std")]
@@ -162,6 +165,7 @@ mod sealed {
     impl Sealed for f64 {}
     impl Sealed for crate::Dual {}
     impl<const N: usize> Sealed for crate::Duals<N> {}
+    impl<const N: usize> Sealed for crate::Bundle<N> {}
     #[cfg(feature = "std")]
     impl Sealed for crate::Traced {}
 }

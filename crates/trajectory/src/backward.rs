@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use pim_core::{InvalidInput, Motion, Vector2};
-use real::{Duals, Real, elementary, principal_angle};
+use real::{Bundle, Duals, Real, elementary, principal_angle};
 
 use crate::chassis::Chassis;
 use crate::check;
@@ -35,10 +35,36 @@ const SAME: f64 = 1e-4;
 const MOST_ROUNDS: usize = 15;
 
 /// Full steps near the rest that may end beyond a jump.
-const MOST_JUMPS: usize = 8;
+const MOST_JUMPS: usize = 12;
 
-/// Jumps after which the derivatives are computed anew.
-const RENEWED: [usize; 2] = [1, 5];
+/// Jumps after which the slopes are computed anew.
+const RENEWED: [usize; 2] = [2, 5];
+
+/// Steps go round where one leads back to where one of the last began, by this share of its length.
+const BACK: f64 = 0.2;
+
+/// Where the steps have met a jump, a rest that misses by as many tolerances is as good as any.
+const SETTLED: f64 = 5.0;
+
+/// As many of the last steps are looked at.
+const LONGEST_ROUND: usize = 6;
+
+/// Motions tried to come near by Marquard's closed form; five are usual.
+const MOST_APPROACHES: usize = 10;
+
+/// (m) as near it has to come, for Newton's method to go on from there.
+const LED: f64 = 1.0;
+
+/// (m) and so near it need not come nearer.
+const APPROACHED: f64 = 0.1;
+
+/// What it is told changes by no more at once: ln of the distance, angle and turn (rad).
+const LONGEST_CHANGE: f64 = 0.7;
+
+/// Share of the motion that others differ by whose differences tell the slopes. Of 108 slopes the median is
+/// off by 1e-6 of itself then, the worst by 6e-5. Nearer, rounding tells; further off, the curvature where a
+/// wheel all but stops.
+const NEAR: f64 = 1e-10;
 
 /// Full steps lead astray where they miss by this many times [`COARSE`].
 const FAR: f64 = 20.0;
@@ -180,9 +206,10 @@ fn speed(motion: &Motion) -> f64 {
 /// Finds every motion after the impact that brings a vehicle from where the vehicles separated, at `position`
 /// (m) with `heading` (rad), to the rest of `target`.
 ///
-/// It solves [`to_rest`] for velocity and yaw rate by Newton's method, with the derivatives that dual numbers
-/// carry through the integration, from Marquard's closed form and around it. Several motions lead to most
-/// rests: with a turn the short way and the long way round, and once more.
+/// It solves [`to_rest`] for velocity and yaw rate: near by what Marquard's closed form errs by, then by
+/// Newton's method, with slopes from motions beside it that take the same steps; where that fails, from
+/// motions around the closed form. Several motions lead to most rests: with a turn the short way and the long
+/// way round, and once more.
 ///
 /// # Errors
 /// [`Unreached::Missed`] where none is found, with the nearest.
@@ -231,7 +258,7 @@ pub fn to_start_near(
 
 struct Search<'a> {
     chassis: &'a Chassis,
-    dual: Chassis<Duals<3>>,
+    bundled: Chassis<Bundle<4>>,
     steer: Steer<'a, f64>,
     ground: &'a Ground<'a, f64>,
     position: Vector2<f64>,
@@ -239,7 +266,12 @@ struct Search<'a> {
     target: &'a Target,
     control: &'a Control,
     coarse: Control,
+    /// Whether slopes are exact, and steps that go round are taken to the last.
+    patient: bool,
 }
+
+/// How the miss changes with v_x, v_y and ω: a column for each.
+type Columns = [[f64; 3]; 3];
 
 /// A motion that was tried.
 #[derive(Clone, Copy)]
@@ -282,7 +314,7 @@ impl<'a> Search<'a> {
         };
         Ok(Self {
             chassis,
-            dual: chassis.constant(),
+            bundled: chassis.constant(),
             steer,
             ground,
             position,
@@ -290,10 +322,24 @@ impl<'a> Search<'a> {
             target,
             control,
             coarse,
+            patient: false,
         })
     }
 
-    fn run(&self) -> Result<Starts, Unreached> {
+    /// All starts. A rest that is missed is sought once more, from the seeds alone, with exact slopes:
+    /// refusals are rare, and what Newton's method meets among the jumps is chance.
+    fn run(mut self) -> Result<Starts, Unreached> {
+        let first = self.search();
+        let Err(Unreached::Missed { miss: least, .. }) = first else { return first };
+        self.patient = true;
+        match self.search() {
+            Ok(starts) => Ok(starts),
+            nearer @ Err(Unreached::Missed { miss, .. }) if miss < least => nearer,
+            Err(_) => first,
+        }
+    }
+
+    fn search(&self) -> Result<Starts, Unreached> {
         let turn = self.target.heading - self.heading;
         let least = principal_angle(turn);
         let turns = if self.target.turns_known {
@@ -312,14 +358,21 @@ impl<'a> Search<'a> {
         let mut refusal = None;
         // The wider search is for rests that the first does not find at all.
         let wider = WIDER.into_iter().flat_map(|angle| WIDER_SHARES.map(|[v, omega]| [v, omega, angle]));
-        let all = SEEDS.into_iter().map(|seed| (false, seed)).chain(wider.map(|seed| (true, seed)));
+        let seeds = SEEDS.into_iter().map(|seed| (false, Some(seed)));
+        // What the closed form leads to comes first.
+        let all = [(false, None)].into_iter().chain(seeds).chain(wider.map(|seed| (true, Some(seed))));
         for turn in turns.into_iter().flatten() {
             for (wide, seed) in all.clone() {
                 if wide && starts.first().is_some() {
                     break;
                 }
-                let Some(w) = self.seed(way, turn, seed) else { continue };
-                match self.newton(w, turn) {
+                let tried = match seed {
+                    Some(seed) => self.seed(way, turn, seed).map(|w| self.newton(w, turn)),
+                    None if self.patient => None,
+                    None => self.approach(way, turn).map(|near| self.newton_from(near, turn, APPROACHED)),
+                };
+                let Some(tried) = tried else { continue };
+                match tried {
                     Ok(found) if found.size() <= REACHED * self.control.tolerance => {
                         starts.insert(self.departure(&found));
                         break;
@@ -358,10 +411,9 @@ impl<'a> Search<'a> {
             wheelbase: self.chassis.wheelbase(),
         };
         let start = spin.start().ok()?;
-        let (sin, cos) = elementary::sin_cos(angle);
         let scale = if distance > 0.0 { start.speed * speed / distance } else { 0.0 };
-        let (x, y) = (way.x * scale, way.y * scale);
-        Some([x * cos - y * sin, x * sin + y * cos, start.yaw_rate * yaw_rate])
+        let [x, y] = turned([way.x * scale, way.y * scale], angle);
+        Some([x, y, start.yaw_rate * yaw_rate])
     }
 
     fn state<T: Real>(&self, w: [T; 3]) -> State<T> {
@@ -384,90 +436,165 @@ impl<'a> Search<'a> {
         Ok(Try { w, miss: self.miss(&rest, turn), rest })
     }
 
-    /// How the miss changes with the motion: a column for each of v_x, v_y, ω.
-    fn derivatives(&self, w: [f64; 3], turn: f64, control: &Control) -> Result<[[f64; 3]; 3], NoRest> {
+    /// The same, with how the miss changes with the motion.
+    fn with_slopes(&self, w: [f64; 3], turn: f64, control: &Control) -> Result<(Try, Columns), NoRest> {
+        if self.patient { self.derived(w, turn, control) } else { self.differenced(w, turn, control) }
+    }
+
+    /// By derivatives, exactly.
+    fn derived(&self, w: [f64; 3], turn: f64, control: &Control) -> Result<(Try, Columns), NoRest> {
+        let dual: Chassis<Duals<3>> = self.chassis.constant();
         let [x, y, omega] = [0, 1, 2].map(|i| Duals::variable(w[i], i));
-        let rest = follow(&self.dual, self.steer, self.ground, &self.state([x, y, omega]), control, |_| {})?;
-        let [a, b, c] = self.miss(&rest, turn).map(|miss| miss.derivatives);
-        Ok([0, 1, 2].map(|i| [a[i], b[i], c[i]]))
+        let rest = follow(&dual, self.steer, self.ground, &self.state([x, y, omega]), control, |_| {})?;
+        let miss = self.miss(&rest, turn);
+        let columns = [0, 1, 2].map(|i| miss.map(|miss| miss.derivatives[i]));
+        Ok((Try { w, miss: miss.map(Real::value), rest: rest.values() }, columns))
+    }
+
+    /// By differences from motions so near that they take the same steps, in a third of the time.
+    fn differenced(&self, w: [f64; 3], turn: f64, control: &Control) -> Result<(Try, Columns), NoRest> {
+        let apart = NEAR * norm(w);
+        let [x, y, omega] = [0, 1, 2].map(|i| {
+            let mut lanes = [w[i]; 4];
+            lanes[i + 1] += apart;
+            Bundle { lanes }
+        });
+        let rest =
+            follow(&self.bundled, self.steer, self.ground, &self.state([x, y, omega]), control, |_| {})?;
+        let miss = self.miss(&rest, turn);
+        let columns = [1, 2, 3].map(|lane| miss.map(|Bundle { lanes }| (lanes[lane] - lanes[0]) / apart));
+        Ok((Try { w, miss: miss.map(Real::value), rest: rest.values() }, columns))
+    }
+
+    /// A motion that comes near to the rest, where Marquard's closed form leads there.
+    ///
+    /// It errs by much the same for motions like each other. So it is told another way and another turn than
+    /// those sought, which are changed by what the rest misses: at first as if the miss followed them one to
+    /// one, then by what the changes did (Broyden). No derivatives are needed.
+    fn approach(&self, way: Vector2<f64>, turn: f64) -> Option<Try> {
+        let square = way.x * way.x + way.y * way.y;
+        // ln of the distance by that of the rest, angle (rad) from the direct way, turn (rad).
+        let mut told = [0.0, 0.0, turn];
+        let mut columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let mut before: Option<([f64; 3], [f64; 3])> = None;
+        let mut nearest: Option<Try> = None;
+        for _ in 0..MOST_APPROACHES {
+            let scale = elementary::exp(told[0]);
+            let [x, y] = turned([way.x * scale, way.y * scale], told[1]);
+            let Some(w) = self.seed(Vector2::new(x, y), told[2], SEEDS[0]) else { break };
+            let Ok(here) = self.attempt(w, turn, &self.coarse) else { break };
+            if nearest.is_none_or(|nearest| here.size() < nearest.size()) {
+                nearest = Some(here);
+            }
+            if here.size() <= APPROACHED {
+                break;
+            }
+            let gone = Vector2::new(way.x + here.miss[0], way.y + here.miss[1]);
+            let (along, across) = (way.x * gone.x + way.y * gone.y, way.x * gone.y - way.y * gone.x);
+            let distance = 0.5 * elementary::ln((gone.x * gone.x + gone.y * gone.y) / square);
+            let angle = elementary::atan2(across, along);
+            let off = [distance, angle, here.miss[2] / self.chassis.wheelbase()];
+            if let Some((step, off_before)) = before {
+                columns = updated(columns, step, [0, 1, 2].map(|i| off[i] - off_before[i]));
+            }
+            let Some(step) = solve(columns, off) else { break };
+            let most = step.iter().fold(0.0, |most, step| Real::max(most, step.abs()));
+            let step = step.map(|step| step * Real::min(1.0, LONGEST_CHANGE / most));
+            told = [0, 1, 2].map(|i| told[i] + step[i]);
+            before = Some((step, off));
+        }
+        nearest.filter(|nearest| nearest.size() <= LED)
     }
 
     /// Newton's method from a motion. The motion that comes nearest.
     fn newton(&self, w: [f64; 3], turn: f64) -> Result<Try, NoRest> {
-        let (near, columns) =
-            self.damped(self.attempt(w, turn, &self.coarse)?, turn, &self.coarse, COARSE)?;
-        let here = self.attempt(near.w, turn, self.control)?;
+        self.newton_from(self.attempt(w, turn, &self.coarse)?, turn, COARSE)
+    }
+
+    /// The same from one that was tried coarsely, and so again until its rest misses by `enough` (m).
+    fn newton_from(&self, from: Try, turn: f64, enough: f64) -> Result<Try, NoRest> {
+        let near = self.damped(from, turn, &self.coarse, enough)?;
+        let (here, columns) = self.with_slopes(near.w, turn, self.control)?;
         let here = self.settled(here, columns, turn);
         if here.size() <= REACHED * self.control.tolerance {
             return Ok(here);
         }
-        let (here, columns) = self.damped(here, turn, self.control, FINE)?;
+        let here = self.damped(here, turn, self.control, FINE)?;
+        if here.size() <= FINE {
+            return Ok(here);
+        }
+        let (here, columns) = self.with_slopes(here.w, turn, self.control)?;
         Ok(self.settled(here, columns, turn))
     }
 
     /// Newton's method with steps that miss less and less, until the rest misses by `enough` (m).
-    fn damped(
-        &self,
-        from: Try,
-        turn: f64,
-        control: &Control,
-        enough: f64,
-    ) -> Result<(Try, [[f64; 3]; 3]), NoRest> {
+    fn damped(&self, from: Try, turn: f64, control: &Control, enough: f64) -> Result<Try, NoRest> {
         let mut here = from;
-        let mut columns = self.derivatives(here.w, turn, control)?;
-        let mut fresh = true;
+        let mut known: Option<Columns> = None;
         for _ in 0..MOST_ROUNDS {
             if here.size() <= enough {
                 break;
             }
+            let (columns, fresh) = match known {
+                Some(columns) => (columns, false),
+                None => (self.with_slopes(here.w, turn, control)?.1, true),
+            };
             let step = solve(columns, here.miss).map(|step| self.bounded(step, here.w));
-            match step.and_then(|step| self.descend(&here, step, turn, control)) {
+            known = match step.and_then(|step| self.descend(&here, step, turn, control)) {
                 Some((next, factor)) => {
                     let step = [0, 1, 2].map(|i| next.w[i] - here.w[i]);
                     let shrunk = next.size() <= 0.2 * here.size() && factor >= 1.0;
-                    columns = updated(columns, step, [0, 1, 2].map(|i| next.miss[i] - here.miss[i]));
+                    let change = [0, 1, 2].map(|i| next.miss[i] - here.miss[i]);
                     here = next;
-                    fresh = false;
-                    if !shrunk && here.size() > enough {
-                        columns = self.derivatives(here.w, turn, control)?;
-                        fresh = true;
-                    }
+                    shrunk.then(|| updated(columns, step, change))
                 }
                 None if fresh => break,
-                None => {
-                    columns = self.derivatives(here.w, turn, control)?;
-                    fresh = true;
-                }
-            }
+                None => None,
+            };
         }
-        Ok((here, columns))
+        Ok(here)
     }
 
     /// The nearest of some full steps from a motion that is nearly there. Where the integration chooses other
     /// steps, the rest jumps by some tolerances, and the way to the motion sought may lead over a greater
-    /// miss.
-    fn settled(&self, from: Try, mut columns: [[f64; 3]; 3], turn: f64) -> Try {
+    /// miss. It ends where the steps lead back to where one began: then they go round between jumps.
+    fn settled(&self, from: Try, mut columns: Columns, turn: f64) -> Try {
         let (mut here, mut best) = (from, from);
-        let mut stalls = 0;
+        let mut past = [[f64::INFINITY; 3]; LONGEST_ROUND];
+        let (mut stalls, mut renew) = (0, false);
         while best.size() > FINE && stalls <= MOST_JUMPS {
             let Some(step) = solve(columns, here.miss).map(|step| self.bounded(step, here.w)) else { break };
             let w = [0, 1, 2].map(|i| here.w[i] + step[i]);
-            let Ok(next) = self.attempt(w, turn, self.control) else { break };
+            let tried = if renew {
+                self.with_slopes(w, turn, self.control).map(|(next, fresh)| {
+                    columns = fresh;
+                    next
+                })
+            } else {
+                self.attempt(w, turn, self.control)
+            };
+            let Ok(next) = tried else { break };
             if next.size() > FAR * COARSE {
                 break;
             }
-            if next.size() <= 0.3 * here.size() {
+            let no_jump = next.size() <= 0.3 * here.size() || next.rest.steps == here.rest.steps;
+            if no_jump && !renew {
                 columns = updated(columns, step, [0, 1, 2].map(|i| next.miss[i] - here.miss[i]));
-            } else {
-                stalls += 1;
-                if RENEWED.contains(&stalls) {
-                    let Ok(fresh) = self.derivatives(next.w, turn, self.control) else { break };
-                    columns = fresh;
-                }
             }
+            let stalled = next.size() > 0.7 * best.size();
+            stalls += usize::from(stalled);
+            renew = stalled && RENEWED.contains(&stalls);
+            past.rotate_right(1);
+            past[0] = here.w;
             here = next;
             if here.size() < best.size() {
                 best = here;
+            }
+            let back = past[1..].iter().any(|w| distance(*w, here.w) < BACK * norm(step));
+            let settled = stalls > 0 && best.size() <= SETTLED * self.control.tolerance;
+            let round = stalls > 1 && stalled && back;
+            if (settled || round) && !self.patient {
+                break;
             }
         }
         best
@@ -536,6 +663,16 @@ fn norm([x, y, z]: [f64; 3]) -> f64 {
     root(x * x + y * y + z * z)
 }
 
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    norm([a[0] - b[0], a[1] - b[1], a[2] - b[2]])
+}
+
+/// A vector turned by an angle (rad).
+fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sin, cos) = elementary::sin_cos(angle);
+    [x * cos - y * sin, x * sin + y * cos]
+}
+
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
@@ -545,7 +682,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// Newton's step: columns · step = −miss (Cramer), or nothing where the columns lie in a plane.
-fn solve([a, b, c]: [[f64; 3]; 3], miss: [f64; 3]) -> Option<[f64; 3]> {
+fn solve([a, b, c]: Columns, miss: [f64; 3]) -> Option<[f64; 3]> {
     let determinant = dot(a, cross(b, c));
     let step =
         [dot(miss, cross(b, c)), dot(a, cross(miss, c)), dot(a, cross(b, miss))].map(|d| -d / determinant);
@@ -553,7 +690,7 @@ fn solve([a, b, c]: [[f64; 3]; 3], miss: [f64; 3]) -> Option<[f64; 3]> {
 }
 
 /// Broyden's update: the least change of the matrix that maps the step to the change of the miss.
-fn updated(columns: [[f64; 3]; 3], step: [f64; 3], change: [f64; 3]) -> [[f64; 3]; 3] {
+fn updated(columns: Columns, step: [f64; 3], change: [f64; 3]) -> Columns {
     let square = dot(step, step);
     if square == 0.0 {
         return columns;
@@ -564,4 +701,62 @@ fn updated(columns: [[f64; 3]; 3], step: [f64; 3], change: [f64; 3]) -> [[f64; 3
         (change[i] - predicted) / square
     });
     [0, 1, 2].map(|j| [0, 1, 2].map(|i| columns[j][i] + off[i] * step[j]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{APPROACHED, Chassis, Control, Ground, Search, Steer, Target, Vector2, to_rest};
+    use crate::{Axles, Body, Motion, State};
+
+    fn chassis(drag: f64) -> Chassis {
+        let axles = Axles { cg_to_front: 1.2, cg_to_rear: 1.45, track: 1.5 };
+        Chassis::new(Body::new(1500.0, 2500.0).unwrap(), axles, [drag; 4]).unwrap()
+    }
+
+    /// Hands on a search back from each of some rests, with the way and the turn to it.
+    fn searches(mut each: impl FnMut(&Search<'_>, [f64; 3], Vector2<f64>, f64)) {
+        let (ground, control) = (Ground::level(0.7), Control::default());
+        let (position, heading) = (Vector2::new(1.0, -2.0), 0.4);
+        for drag in [0.08, 0.2, 0.5] {
+            for (vx, vy, yaw_rate) in
+                [(9.0, 4.0, 2.5), (-6.0, 7.0, -3.0), (3.0, -8.0, 1.5), (-5.0, -5.0, 4.0)]
+            {
+                let chassis = chassis(drag);
+                let motion = Motion { velocity: Vector2::new(vx, vy), yaw_rate };
+                let start = State { position, heading, motion };
+                let rest = to_rest(&chassis, Steer::straight(), &ground, &start, &control, |_| {}).unwrap();
+                let target =
+                    Target { position: rest.position, heading: rest.heading, turns_known: true, via: None };
+                let search =
+                    Search::new(&chassis, Steer::straight(), &ground, position, heading, &target, &control)
+                        .unwrap();
+                each(&search, [vx, vy, yaw_rate], rest.position - position, rest.heading - heading);
+            }
+        }
+    }
+
+    /// The motion that led to the rest misses by nothing, and differences are what derivatives are.
+    #[test]
+    fn slopes_are_derivatives() {
+        searches(|search, w, _, turn| {
+            let (here, near) = search.differenced(w, turn, search.control).unwrap();
+            let (there, exact) = search.derived(w, turn, search.control).unwrap();
+            assert_eq!((here.miss, here.rest), (there.miss, there.rest));
+            assert!(here.size() < 1e-12, "{:?}", here.miss);
+            for (near, exact) in near.as_flattened().iter().zip(exact.as_flattened()) {
+                assert!((near - exact).abs() < 2e-4 * (1.0 + exact.abs()), "{near} {exact}");
+            }
+        });
+    }
+
+    /// The approach ends as near as it is asked to, but for one rest in five.
+    #[test]
+    fn the_closed_form_leads_near() {
+        let (mut reached, mut all) = (0, 0);
+        searches(|search, _, way, turn| {
+            all += 1;
+            reached += usize::from(search.approach(way, turn).is_some_and(|near| near.size() <= APPROACHED));
+        });
+        assert!(reached * 5 >= all * 4, "{reached} of {all}");
+    }
 }

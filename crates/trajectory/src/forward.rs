@@ -367,7 +367,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         // The cubic is not the step: Newton's method on the step itself, the last time with derivatives.
         let mut length = T::from(after * h);
         for round in 0..MOST_ROUNDS {
-            let short = start.step(&self.field, |time| self.steering.at(time), length);
+            let short = self.short(start, length);
             self.steps += 1;
             let [place, velocity] = wheel_at(self.chassis, &short.end, wheel);
             let distance = border.distance(place);
@@ -382,7 +382,15 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
                 break;
             }
         }
-        Some((start.step(&self.field, |time| self.steering.at(time), length), length))
+        Some((self.short(start, length), length))
+    }
+
+    /// A step that ends at a border. Apart from the step of [`advance`](Self::advance), which is inlined: few
+    /// motions need this one.
+    #[cold]
+    #[inline(never)]
+    fn short(&self, start: &Start<T>, length: T) -> Step<T> {
+        start.step(&self.field, |time| self.steering.at(time), length)
     }
 
     /// The line between two points near to each other on different zones.

@@ -55,7 +55,7 @@
 //!   takes two thirds of the steps, that of 869 is exact to 1 cm and 0.1°, and of 974 of 1000 that spin like
 //!   RICSAC 6. Four times the steps make it 100 times better. [`EnergyBalance::remainder`] tells the error of
 //!   each run.
-//! - [`to_start`] found a start for each of 1000 random rests: for 624 the one that had led there, to 1e-6,
+//! - [`to_start`] found a start for each of 1000 random rests: for 539 the one that had led there, to 1e-6,
 //!   for the others some that come to rest within 1 mm.
 //! - A motion followed among others has the bits of one followed alone.
 //! - Nothing is allocated, and the numbers may carry derivatives: the moments at which wheels cross borders

@@ -114,6 +114,26 @@ pub struct Rest<T = f64> {
     pub steps: u32,
 }
 
+impl<T: Real> Rest<T> {
+    /// The plain numbers, without derivatives.
+    pub(crate) fn values(&self) -> Rest<f64> {
+        let EnergyBalance { start, friction, grade, remainder } = self.energy;
+        Rest {
+            position: Vector2::new(self.position.x.value(), self.position.y.value()),
+            heading: self.heading.value(),
+            time: self.time.value(),
+            distance: self.distance.value(),
+            energy: EnergyBalance {
+                start: start.value(),
+                friction: friction.value(),
+                grade: grade.value(),
+                remainder: remainder.value(),
+            },
+            steps: self.steps,
+        }
+    }
+}
+
 /// How closely, and how long, to follow a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -1,7 +1,8 @@
 //! Backward after forward.
 
 use trajectory::{
-    Control, Departure, Ground, REACHED, Region, Steer, Target, Unreached, Vector2, Zone, to_rest, to_start,
+    Chassis, Control, Departure, Ground, REACHED, Region, State, Steer, Target, Unreached, Vector2, Zone,
+    to_rest, to_start,
 };
 
 use crate::scenes::{car, random, start, turned_car};
@@ -29,7 +30,7 @@ fn a_start_of_every_rest_is_found() {
         }
         other += 1;
         for found in starts.iter() {
-            let again = trajectory::State { motion: found.motion, ..start };
+            let again = State { motion: found.motion, ..start };
             let again = to_rest(&chassis, Steer::straight(), &ground, &again, &control, |_| {}).unwrap();
             let miss = again.position - rest.position;
             let turns = (again.heading - rest.heading) / std::f64::consts::TAU;
@@ -37,7 +38,40 @@ fn a_start_of_every_rest_is_found() {
             assert!((turns - turns.round()).abs() < REACHED * control.tolerance, "{n}: {turns}");
         }
     }
-    assert!(same > 600, "{same} the same, {other} others");
+    assert!(same > 500, "{same} the same, {other} others");
+}
+
+/// Of a thousand spin-outs with low drag and a thousand with steer, these are missed unless a rest that was
+/// missed is sought once more.
+#[test]
+fn what_is_missed_once_is_sought_again() {
+    let control = Control::default();
+    let found = |chassis: &Chassis, steer: Steer<'_, f64>, ground: &Ground<'_, f64>, start: &State| {
+        let rest = to_rest(chassis, steer, ground, start, &control, |_| {}).unwrap();
+        let target = Target { position: rest.position, heading: rest.heading, turns_known: true, via: None };
+        let starts =
+            to_start(chassis, steer, ground, start.position, start.heading, &target, &control).unwrap();
+        let again = State { motion: starts.first().unwrap().motion, ..*start };
+        let miss =
+            to_rest(chassis, steer, ground, &again, &control, |_| {}).unwrap().position - rest.position;
+        assert!(miss.norm() <= REACHED * control.tolerance, "{miss}");
+    };
+    let mut low = random(18);
+    for n in 0..=428 {
+        let (_, start, ground) = turned_car(&mut low);
+        let chassis = car([0.02 + 0.05 * low(); 4]);
+        if [41, 428].contains(&n) {
+            found(&chassis, Steer::straight(), &ground, &start);
+        }
+    }
+    let mut steered = random(18);
+    for n in 0..=987 {
+        let (chassis, start, ground) = turned_car(&mut steered);
+        let steer = Steer::Held(steered() - 0.5);
+        if n == 987 {
+            found(&chassis, steer, &ground, &start);
+        }
+    }
 }
 
 /// Derivatives go through the borders of zones.
