@@ -21,13 +21,13 @@ STIFFNESS = {"F": (80.3, 876.0), "B": (80.3, 658.0), "L": (48.1, 1113.0)}
 # Mean and spread of the logarithm of crush energy by energy of the impact, and of a recorder's error.
 CRUSH_MISFIT = (-0.388, 0.363)
 RECORDER_ERROR = 0.10
-# What meets the front of vehicle 1: heading of vehicle 2 clockwise, its plane, its PDOF and the least speeds (m/s).
-KINDS = ((0.0, "B", 180, (14.0, 0.0)), (180.0, "F", 0, (7.0, 7.0)), (90.0, "L", 290, (11.0, 6.0)))
+# What meets the front of vehicle 1: heading of vehicle 2 clockwise, its plane, and the least speeds (m/s).
+KINDS = ((0.0, "B", (14.0, 0.0)), (180.0, "F", (7.0, 7.0)), (270.0, "L", (11.0, 6.0)))
 UNKNOWN = {"HEADINGANG": 888, "DVANGTHIS": 997, "MAXDVLAT": 997, "CARGOWT": 9999, "DVENERGY": 9999997}
 
 
-def write(folder: str | pathlib.Path, crashes: int = 12, seed: int = 1) -> None:
-    """Writes CRASH, GV, CDC, EDREVENT and EVENT as CSV, with ``crashes`` pairs that have all it takes."""
+def write(folder: str | pathlib.Path, crashes: int = 12, seed: int = 1, incomplete: int = 0) -> None:
+    """Writes CRASH, GV, CDC, EDREVENT and EVENT as CSV, with ``crashes`` pairs that have all it takes, and others."""
     chance = random.Random(seed)
     tables: dict[str, list[dict[str, Any]]] = {name: [] for name in ("CRASH", "EVENT", "GV", "CDC", "EDREVENT")}
     for crash in range(1, crashes + 1):
@@ -35,6 +35,14 @@ def write(folder: str | pathlib.Path, crashes: int = 12, seed: int = 1) -> None:
         if crash % 4 == 0:
             # A third vehicle that a tree stopped: no pair.
             _add_single(tables, crash, chance)
+    for crash in range(crashes + 1, crashes + incomplete + 1):
+        _add(tables, crash, KINDS[crash % len(KINDS)], chance)
+        if crash % 2:
+            tables["CDC"][-1]["PDOF"] = 888
+        else:
+            # The recorders stored something else.
+            for stored in tables["EDREVENT"]:
+                stored["CDCEVENT"] = 97 if stored["CASEID"] == crash else stored["CDCEVENT"]
     pathlib.Path(folder).mkdir(parents=True, exist_ok=True)
     for name, rows in tables.items():
         with open(pathlib.Path(folder) / f"{name}.csv", "w", newline="", encoding="utf-8") as file:
@@ -44,7 +52,7 @@ def write(folder: str | pathlib.Path, crashes: int = 12, seed: int = 1) -> None:
 
 
 def _impact(kind: tuple[Any, ...], masses: list[float], chance: random.Random) -> tuple[Any, list[list[float]]]:
-    heading, plane, _, least = kind
+    heading, plane, least = kind
     speeds = [speed + chance.uniform(0.0, 9.0) if speed else 0.0 for speed in least]
     # Along the damaged faces (m): to the left on an end, forward on a side.
     along = [chance.uniform(-0.4, 0.4), chance.uniform(-0.5, 0.5)]

@@ -133,7 +133,11 @@ class Coverage(Record):
 
     def __init__(self, judged: Any) -> None:
         object.__setattr__(self, "_judged", judged)
-        super().__init__(json.loads(judged.json()))
+        super().__init__(self.to_dict())
+
+    def to_dict(self) -> dict[str, Any]:
+        """The JSON document of the program as a dict."""
+        return json.loads(self._judged.json())  # type: ignore[no-any-return]
 
     def draw(self, what: Literal["estimates", "ranks"] = "estimates") -> Drawing:
         """A drawing: estimates against recorders, or the ranks of the recorders among what was expected."""
@@ -188,11 +192,11 @@ def pairs(source: str | os.PathLike[str]) -> Pairs:
                 continue
             if (crash,) not in years:
                 raise ValueError(f"{source}: the table CRASH has no row of crash {crash}, which CDC has")
-            row: _Row = {"YEAR": years[(crash,)]["CRASHYEAR"], "CASEID": crash, "EVENTNO": event}
+            pair: _Row = {"YEAR": years[(crash,)]["CRASHYEAR"], "CASEID": crash, "EVENTNO": event}
             for place, (damage, of_vehicle, recorder) in enumerate(zip(both, general, stored, strict=True), 1):
                 known = {**(of_vehicle or {}), **damage[0], **recorder}
-                row |= {f"{name}_{place}": known.get(name) for name in _OF_VEHICLE}
-            kept.append(row)
+                pair |= {f"{name}_{place}": known.get(name) for name in _OF_VEHICLE}
+            kept.append(pair)
     return Pairs(kept, left_out)
 
 
