@@ -35,7 +35,9 @@ pub(crate) fn case_of_pair(
         None => None,
         Some(Ok(1)) => Some(VehicleId::One),
         Some(Ok(2)) => Some(VehicleId::Two),
-        Some(_) => return Err(PyValueError::new_err("recorder: give 1 or 2, the vehicle whose it is, or None")),
+        Some(_) => {
+            return Err(PyValueError::new_err("recorder: give 1 or 2, the vehicle whose it is, or None"));
+        }
     };
     let mut pairs = read(text).map_err(|error| match error {
         FieldError::Cell { column, text, wanted, .. } => {

@@ -14,14 +14,11 @@ fn number(value: f64, sd: f64, decimals: usize, unit: &str) -> String {
     // Without the sign of a zero.
     let shown = |value: f64| {
         let digits = format!("{value:.decimals$}");
-        let digits = if digits.trim_matches(['-', '0', '.']).is_empty() { digits.replace('-', "") } else { digits };
+        let digits =
+            if digits.trim_matches(['-', '0', '.']).is_empty() { digits.replace('-', "") } else { digits };
         format!("\"{digits} {unit}\"")
     };
-    if sd > 0.0 {
-        format!("{{ value = {}, sd = {} }}", shown(value), shown(sd))
-    } else {
-        shown(value)
-    }
+    if sd > 0.0 { format!("{{ value = {}, sd = {} }}", shown(value), shown(sd)) } else { shown(value) }
 }
 
 fn angle(radians: f64, sd: f64) -> String {
@@ -89,7 +86,7 @@ impl Pair {
                 format!("pdof = {}", number(vehicle.pdof.rem_euclid(2.0 * PI).to_degrees(), 0.0, 0, "deg")),
                 // The energy of the whole damage, as the misfit was fitted to it.
                 "oblique = \"none\"".to_owned(),
-                "[vehicle1.crush.stiffness]".replace('1', &(i + 1).to_string()),
+                format!("[vehicle{}.crush.stiffness]", i + 1),
                 format!("d0 = {}", number(d0, d0 * fitted.no_damage_speed_ln_sd, 2, "N^0.5")),
                 format!("d1 = {}", number(d1, d1 * fitted.slope_ln_sd, 2, "N^0.5/m")),
             ]);

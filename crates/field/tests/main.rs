@@ -143,7 +143,6 @@ fn a_pair_is_judged_without_its_recorder() {
     assert!(refusal.contains("for --other those of both vehicles"), "{refusal}");
 }
 
-/// A case file for each sort of pair, with all that an estimate needs.
 #[test]
 fn the_case_file_of_a_pair_has_its_numbers() {
     let pair = read(&table(&LINE.replace("20,,,", "20,,3,-26"))).unwrap().remove(0);
@@ -152,13 +151,15 @@ fn the_case_file_of_a_pair_has_its_numbers() {
     let [one, two] = &case.vehicles;
     let kg = |vehicle: &inputs::GivenVehicle| vehicle.mass.as_ref().unwrap().kg();
     assert!((kg(one) - 1575.0).abs() < 0.1 && (kg(two) - 1475.0).abs() < 0.1);
-    // Counter-clockwise from north, and the normal points along −x.
-    for (given, degrees) in
-        [("[vehicle1]", "heading = \"0.00 deg\""), ("[vehicle2]", "heading = { value = \"90.00 deg\", sd = \"14.14 deg\" }")]
-    {
+    // Counter-clockwise from north; the plane is that of the side, so the front has the error of both, 10° √2.
+    for (given, degrees) in [
+        ("[vehicle1]", "heading = { value = \"0.00 deg\", sd = \"14.14 deg\" }"),
+        ("[vehicle2]", "heading = \"90.00 deg\""),
+    ] {
         let table = text.split(given).nth(1).unwrap().split("\n\n").next().unwrap();
         assert!(table.contains(degrees), "{table}");
     }
+    // The normal points along −x.
     assert!(text.contains("crush_plane = { value = \"180.00 deg\", sd = \"10.00 deg\" }"), "{text}");
     // E = ½ ∫ (d₀ + d₁ C)² dl with d₀ = √(m₀/w₀) b₀: √1000 · 2.54 and 27.7 of a front.
     assert!(text.contains("d0 = { value = \"80.32 N^0.5\", sd = \"30.52 N^0.5\" }"), "{text}");
