@@ -89,6 +89,8 @@ pub(crate) fn judge_pairs(
     Ok(Judged { field, text, other, particles, seed, threads })
 }
 
+type Draw = fn(&Field) -> report::Drawing;
+
 /// What the report calls the pairs.
 const NAME: &str = "pairs";
 
@@ -107,7 +109,7 @@ impl Judged {
     }
 
     fn draw(slf: &Bound<'_, Self>, what: &str) -> PyResult<Picture> {
-        let drawings: [(&str, fn(&Field) -> report::Drawing); 2] =
+        let drawings: [(&str, Draw); 2] =
             [("estimates", report::estimated_against_recorded), ("ranks", report::ranks_of_recorders)];
         let drawn = chosen("what", what, &drawings)?(&slf.get().field);
         Picture::new(slf, drawn, ("draw", what), &PyDict::new(slf.py()))
