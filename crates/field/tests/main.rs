@@ -159,6 +159,9 @@ fn the_case_file_of_a_pair_has_its_numbers() {
         let table = text.split(given).nth(1).unwrap().split("\n\n").next().unwrap();
         assert!(table.contains(degrees), "{table}");
     }
+    // 10 cm to the right on the front, 30 cm forward on the side: each face leaves open where along it.
+    assert!(text.contains("y = { value = \"-0.100 m\", sd = \"0.250 m\" }"), "{text}");
+    assert!(text.contains("x = { value = \"0.300 m\", sd = \"0.250 m\" }"), "{text}");
     // The normal points along −x.
     assert!(text.contains("crush_plane = { value = \"180.00 deg\", sd = \"10.00 deg\" }"), "{text}");
     // E = ½ ∫ (d₀ + d₁ C)² dl with d₀ = √(m₀/w₀) b₀: √1000 · 2.54 and 27.7 of a front.
