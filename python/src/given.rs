@@ -62,7 +62,12 @@ impl<T: TryFrom<i128>> FromPyObject<'_, '_> for Whole<T> {
 }
 
 impl Given {
-    fn parsed(py: Python<'_>, name: &str, bytes: &[u8], path: Option<PathBuf>) -> PyResult<PyCase> {
+    pub(crate) fn parsed(
+        py: Python<'_>,
+        name: &str,
+        bytes: &[u8],
+        path: Option<PathBuf>,
+    ) -> PyResult<PyCase> {
         let file =
             py.detach(|| CaseFile::parse_bytes(name, bytes)).map_err(|errors| wrong_case(py, errors))?;
         Ok(PyCase(Arc::new(Self { file, path })))

@@ -4,6 +4,7 @@
 //! [`given`] reads a case, [`request`] asks the libraries, [`solved`] hands the answer to Python. Work that
 //! may take long goes through [`run`], which releases the interpreter's lock and listens to Ctrl-C.
 
+mod ciss;
 mod columns;
 mod dict;
 mod errors;
@@ -40,6 +41,10 @@ fn _deltav(module: &Bound<'_, PyModule>) -> PyResult<()> {
         function.setattr("__module__", "deltav")?;
         module.add_function(function)?;
     }
+    module.add_class::<ciss::Judged>()?;
+    module.add_function(wrap_pyfunction!(ciss::case_of_pair, module)?)?;
+    module.add_function(wrap_pyfunction!(ciss::judge_pairs, module)?)?;
+    module.add_function(wrap_pyfunction!(ciss::columns_of_pairs, module)?)?;
     module.add_function(wrap_pyfunction!(given::restore_case, module)?)?;
     module.add_function(wrap_pyfunction!(columns::restore_columns, module)?)?;
     module.add_function(wrap_pyfunction!(solved::restore_result, module)?)?;

@@ -27,6 +27,12 @@ pub(crate) struct Rows {
     batches: Vec<RecordBatch>,
 }
 
+impl Rows {
+    pub(crate) fn of(schema: SchemaRef, batches: Vec<RecordBatch>) -> Self {
+        Self { schema, batches }
+    }
+}
+
 /// Names and types of columns, for whatever speaks Arrow: ``pyarrow.schema(schema)``.
 #[pyclass(name = "Schema", module = "deltav", frozen)]
 pub(crate) struct PySchema(SchemaRef);

@@ -19,16 +19,18 @@ const CAR: [f64; 3] = [1650.0, 4.7, 1.8];
 /// (–) radius of gyration by length.
 const YAW_RADIUS: f64 = 0.295;
 /// (–) from the CG to the front, by length.
-const TO_FRONT: f64 = 0.46;
+pub(crate) const TO_FRONT: f64 = 0.46;
 /// (m) width of the damage where side meets side.
 const SIDE_WIDTH: f64 = 1.8;
 
 /// What is computed from a vehicle's own data.
-struct Shape {
-    mass: f64,
-    yaw_radius: f64,
+pub(crate) struct Shape {
+    pub(crate) mass: f64,
+    pub(crate) yaw_radius: f64,
+    /// (m) length and width of the vehicle.
+    pub(crate) outline: [f64; 2],
     /// (m) contact point ahead of the CG and to its left.
-    contact: [f64; 2],
+    pub(crate) contact: [f64; 2],
     /// (m) width of its own damage.
     width: f64,
     /// (m, m²) mean and mean square depth.
@@ -55,7 +57,14 @@ impl Shape {
             Plane::Right => [offset, depth - 0.5 * width],
         };
         let damage = [vehicle.field_length, vehicle.direct_length].into_iter().flatten().fold(0.0, f64::max);
-        Self { mass, yaw_radius: YAW_RADIUS * length, contact, width: damage, depths: [mean, mean_square] }
+        Self {
+            mass,
+            yaw_radius: YAW_RADIUS * length,
+            outline: [length, width],
+            contact,
+            width: damage,
+            depths: [mean, mean_square],
+        }
     }
 }
 
@@ -78,17 +87,29 @@ fn rank(plane: Plane) -> u8 {
     }
 }
 
-impl Pair {
-    /// The collision with both speeds unknown. The recorders of the vehicles `given` are evidence, no other
-    /// is.
-    ///
-    /// # Errors
-    /// Where a figure of `fitted` or of the pair makes no distribution.
-    pub fn collision(&self, fitted: &Fitted, given: &[VehicleId]) -> Result<Collision, InvalidDistribution> {
-        let [one, two] = &self.vehicles;
-        let shapes = self.vehicles.each_ref().map(Shape::of);
+/// How the vehicles met: what the collision and the case file of a pair have in common.
+pub(crate) struct Layout {
+    pub(crate) shapes: [Shape; 2],
+    /// (rad) counter-clockwise from north.
+    pub(crate) headings: [f64; 2],
+    /// (rad) their errors: 0 where the scene may be turned with the vehicle.
+    pub(crate) heading_sds: [f64; 2],
+    /// (rad) direction of the normal, which points from vehicle 2 to vehicle 1.
+    pub(crate) crush_plane: f64,
+    /// (rad) its error.
+    pub(crate) crush_plane_sd: f64,
+    /// (m) width over which each vehicle was crushed.
+    pub(crate) widths: [f64; 2],
+    /// Where each was hit.
+    pub(crate) damages: [Damage; 2],
+}
+
+impl Layout {
+    pub(crate) fn of(pair: &Pair, fitted: &Fitted) -> Self {
+        let [one, two] = &pair.vehicles;
+        let shapes = pair.vehicles.each_ref().map(Shape::of);
         // Compass angles are clockwise.
-        let pdof = self.vehicles.each_ref().map(|vehicle| -vehicle.pdof);
+        let pdof = pair.vehicles.each_ref().map(|vehicle| -vehicle.pdof);
         let headings = match (one.heading, two.heading) {
             (Some(one), Some(two)) => [-one, -two],
             // The forces are opposite: θ₁ + p₁ = θ₂ + p₂ + π
@@ -99,19 +120,45 @@ impl Pair {
         };
         let [first, second] = [rank(one.plane), rank(two.plane)];
         let [w1, w2] = [f64::from(u8::from(first >= second)), f64::from(u8::from(second >= first))];
-        let normals = [0, 1].map(|i| sin_cos(headings[i] + outward(self.vehicles[i].plane)));
+        let normals = [0, 1].map(|i| sin_cos(headings[i] + outward(pair.vehicles[i].plane)));
         let [(s1, c1), (s2, c2)] = normals;
         // n points from 2 to 1.
         let crush_plane = atan2(w2 * s2 - w1 * s1, w2 * c2 - w1 * c1);
         // The scene may be turned, so that the vehicle whose plane it is has no error of its own.
         let (plane, heading) = (fitted.crush_plane_sd, fitted.heading_sd);
-        let (heading_sds, plane_sd) = if first == second {
+        let (heading_sds, crush_plane_sd) = if first == second {
             // The plane is turned by the mean of both errors.
             ([heading; 2], Real::sqrt(Real::max(plane * plane - 0.5 * heading * heading, 0.0)))
         } else {
             let relative = heading * std::f64::consts::SQRT_2;
             (if first > second { [0.0, relative] } else { [relative, 0.0] }, plane)
         };
+        let width = |i: usize| {
+            // A side is pushed in over the width of what pushed it.
+            match (pair.vehicles[i].plane.is_side(), pair.vehicles[1 - i].plane.is_side()) {
+                (false, _) => shapes[i].width,
+                (true, false) => shapes[1 - i].width,
+                (true, true) => SIDE_WIDTH,
+            }
+        };
+        let widths = [0, 1].map(width);
+        let damages = pair.vehicles.each_ref().map(|vehicle| match vehicle.plane {
+            Plane::Front => Damage::Front,
+            Plane::Rear => Damage::Rear,
+            Plane::Left | Plane::Right => Damage::Side,
+        });
+        Self { shapes, headings, heading_sds, crush_plane, crush_plane_sd, widths, damages }
+    }
+}
+
+impl Pair {
+    /// The collision with both speeds unknown. The recorders of the vehicles `given` are evidence, no other
+    /// is.
+    ///
+    /// # Errors
+    /// Where a figure of `fitted` or of the pair makes no distribution.
+    pub fn collision(&self, fitted: &Fitted, given: &[VehicleId]) -> Result<Collision, InvalidDistribution> {
+        let layout = Layout::of(self, fitted);
         let normal = |mean: f64, sd: f64| {
             if sd > 0.0 {
                 Distribution::normal(mean, sd).map(Number::Unknown)
@@ -121,21 +168,10 @@ impl Pair {
         };
         let factor = |ln_sd| Distribution::log_normal(1.0, ln_sd).map(Number::Unknown);
         let subject = |id: VehicleId| {
-            let (i, o) = (id.index(), 1 - id.index());
-            let (vehicle, shape) = (&self.vehicles[i], &shapes[i]);
-            let damage = match vehicle.plane {
-                Plane::Front => Damage::Front,
-                Plane::Rear => Damage::Rear,
-                Plane::Left | Plane::Right => Damage::Side,
-            };
-            // A side is pushed in over the width of what pushed it.
-            let width = match (vehicle.plane.is_side(), self.vehicles[o].plane.is_side()) {
-                (false, _) => shape.width,
-                (true, false) => shapes[o].width,
-                (true, true) => SIDE_WIDTH,
-            };
+            let i = id.index();
+            let (vehicle, shape) = (&self.vehicles[i], &layout.shapes[i]);
             let [mean, mean_square] = shape.depths;
-            let mut crush = fitted.crush_of(damage, width, mean, mean_square);
+            let mut crush = fitted.crush_of(layout.damages[i], layout.widths[i], mean, mean_square);
             crush.slope = factor(fitted.slope_ln_sd)?;
             crush.no_damage_speed = factor(fitted.no_damage_speed_ln_sd)?;
             let [ahead, left] = shape.contact;
@@ -149,7 +185,7 @@ impl Pair {
                     mass: Distribution::log_normal(shape.mass, fitted.mass_ln_sd)?.into(),
                     yaw_radius: shape.yaw_radius.into(),
                 }),
-                heading: normal(headings[i], heading_sds[i])?,
+                heading: normal(layout.headings[i], layout.heading_sds[i])?,
                 contact,
                 yaw_rate: 0.0.into(),
                 crush: Some(crush),
@@ -179,7 +215,7 @@ impl Pair {
                 ln_relative: Speeds::any_ln_relative()?.into(),
                 split: Speeds::any_split()?.into(),
             },
-            crush_plane: normal(crush_plane, plane_sd)?,
+            crush_plane: normal(layout.crush_plane, layout.crush_plane_sd)?,
             restitution: fitted.restitution_with(fitted.restitution_factor()?.into()),
             friction: fitted.any_friction()?.into(),
             tangential_share: fitted.any_tangential_share()?.into(),

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod case_text;
 mod collision;
 mod error;
 mod fit;

@@ -142,3 +142,42 @@ fn a_pair_is_judged_without_its_recorder() {
     let refusal = run(LINE, true).unwrap_err().to_string();
     assert!(refusal.contains("for --other those of both vehicles"), "{refusal}");
 }
+
+#[test]
+fn the_case_file_of_a_pair_has_its_numbers() {
+    let pair = read(&table(&LINE.replace("20,,,", "20,,3,-26"))).unwrap().remove(0);
+    let text = pair.case_text(&FITTED, &[VehicleId::Two]);
+    let case = case::CaseFile::parse("pair", &text).unwrap().case;
+    let [one, two] = &case.vehicles;
+    let kg = |vehicle: &inputs::GivenVehicle| vehicle.mass.as_ref().unwrap().kg();
+    assert!((kg(one) - 1575.0).abs() < 0.1 && (kg(two) - 1475.0).abs() < 0.1);
+    // Counter-clockwise from north; the plane is that of the side, so the front has the error of both, 10° √2.
+    for (given, degrees) in [
+        ("[vehicle1]", "heading = { value = \"0.00 deg\", sd = \"14.14 deg\" }"),
+        ("[vehicle2]", "heading = \"90.00 deg\""),
+    ] {
+        let table = text.split(given).nth(1).unwrap().split("\n\n").next().unwrap();
+        assert!(table.contains(degrees), "{table}");
+    }
+    // 10 cm to the right on the front, 30 cm forward on the side: each face leaves open where along it.
+    assert!(text.contains("y = { value = \"-0.100 m\", sd = \"0.250 m\" }"), "{text}");
+    assert!(text.contains("x = { value = \"0.300 m\", sd = \"0.250 m\" }"), "{text}");
+    // The normal points along −x.
+    assert!(text.contains("crush_plane = { value = \"180.00 deg\", sd = \"10.00 deg\" }"), "{text}");
+    // E = ½ ∫ (d₀ + d₁ C)² dl with d₀ = √(m₀/w₀) b₀: √1000 · 2.54 and 27.7 of a front.
+    assert!(text.contains("d0 = { value = \"80.32 N^0.5\", sd = \"30.52 N^0.5\" }"), "{text}");
+    assert!(text.contains("d1 = { value = \"875.95 N^0.5/m\", sd = \"157.67 N^0.5/m\" }"), "{text}");
+    assert!(one.recorder.is_none());
+    let recorder = two.recorder.as_ref().unwrap();
+    let kmh = |stored: &Option<inputs::Quantity>| 3.6 * stored.as_ref().unwrap().si();
+    assert!((kmh(&recorder.delta_v_longitudinal) - 3.0).abs() < 1e-9);
+    assert!((kmh(&recorder.delta_v_lateral) + 26.0).abs() < 1e-9);
+    // Each plane, against each.
+    for (plane, pdof) in [('F', 10), ('B', 180), ('L', 290), ('R', 70)] {
+        let line = LINE.replace("1400,0,L,290,", &format!("1400,0,{plane},{pdof},"));
+        let pair = read(&table(&line)).unwrap().remove(0);
+        let text = pair.case_text(&FITTED, &[]);
+        case::CaseFile::parse("pair", &text).unwrap();
+        assert!(!text.contains("recorder"));
+    }
+}

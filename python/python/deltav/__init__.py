@@ -38,6 +38,7 @@ from deltav._deltav import (
 )
 from deltav._errors import CaseError, NoAnswerError, Problem
 from deltav._record import Record
+from deltav import ciss as ciss  # isort: skip
 
 __all__ = [
     "Analysis",

@@ -1,0 +1,154 @@
+//! Pairs of vehicles with a recorder: `deltav.ciss`.
+
+use std::sync::Arc;
+
+use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
+use arrow_schema::{DataType, Field as Column, Schema};
+use evidence::FITTED;
+use field::{Field, FieldError, Options, Pair, judge, read};
+use pim_core::VehicleId;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+
+use crate::given::{Given, PyCase, Whole};
+use crate::picture::Picture;
+use crate::request::chosen;
+use crate::rows::Rows;
+use crate::run::interruptible;
+
+fn refused(error: FieldError) -> PyErr {
+    // Of the reason below it, such as a line of a table, Python would say nothing.
+    let below = std::error::Error::source(&error).map(|reason| format!(": {reason}")).unwrap_or_default();
+    PyValueError::new_err(format!("{error}{below}"))
+}
+
+/// The case file of the pair in a table of one line.
+#[pyfunction(name = "_case_of_pair")]
+pub(crate) fn case_of_pair(
+    py: Python<'_>,
+    text: &str,
+    name: &str,
+    recorder: Option<&Bound<'_, PyAny>>,
+) -> PyResult<PyCase> {
+    let given = match recorder.map(|recorder| recorder.extract::<u8>()) {
+        None => None,
+        Some(Ok(1)) => Some(VehicleId::One),
+        Some(Ok(2)) => Some(VehicleId::Two),
+        Some(_) => {
+            return Err(PyValueError::new_err("recorder: give 1 or 2, the vehicle whose it is, or None"));
+        }
+    };
+    let mut pairs = read(text).map_err(|error| match error {
+        FieldError::Cell { column, text, wanted, .. } => {
+            let text = if text.is_empty() { "nothing".to_owned() } else { format!("\"{text}\"") };
+            PyValueError::new_err(format!("{column} of the pair is {text}, not {wanted}"))
+        }
+        error => refused(error),
+    })?;
+    let pair: Pair = pairs.remove(0);
+    if let Some(vehicle) = given.filter(|vehicle| pair.vehicles[vehicle.index()].truth().is_none()) {
+        return Err(PyValueError::new_err(format!(
+            "recorder={}: that vehicle has no ΔV of a recorder that can be used; leave it out",
+            vehicle.index() + 1
+        )));
+    }
+    let title = name.replace(['"', '\\', '\n'], " ");
+    let text = format!("title = \"{title}\"\n{}", pair.case_text(&FITTED, given.as_slice()));
+    Given::parsed(py, name, text.as_bytes(), None)
+}
+
+/// How often intervals contain what recorders stored.
+#[pyclass(name = "_Judged", module = "deltav._deltav", frozen)]
+pub(crate) struct Judged {
+    field: Field,
+    /// What it takes to judge again.
+    text: String,
+    other: bool,
+    particles: usize,
+    seed: u64,
+    threads: Option<usize>,
+}
+
+/// Judges the pairs in a table.
+#[pyfunction(name = "_judge_pairs")]
+pub(crate) fn judge_pairs(
+    py: Python<'_>,
+    text: String,
+    other: bool,
+    particles: Whole<usize>,
+    seed: Whole<u64>,
+    threads: Option<Whole<usize>>,
+) -> PyResult<Judged> {
+    let (particles, seed, threads) = (particles.0, seed.0, threads.map(|threads| threads.0));
+    let pairs = py.detach(|| read(&text)).map_err(refused)?;
+    let options = Options { particles, seed, other };
+    let judged =
+        interruptible(py, threads, |ending| judge(&pairs, &FITTED, &options, &mut |_, _| ending.flow()))?;
+    let field = judged.map_err(refused)?;
+    Ok(Judged { field, text, other, particles, seed, threads })
+}
+
+type Draw = fn(&Field) -> report::Drawing;
+
+/// What the report calls the pairs.
+const NAME: &str = "pairs";
+
+#[pymethods]
+impl Judged {
+    fn json(&self) -> PyResult<String> {
+        report::field_json(&self.field).map_err(|error| PyRuntimeError::new_err(error.to_string()))
+    }
+
+    fn text(&self, py: Python<'_>) -> String {
+        py.detach(|| report::field(&self.field, NAME).text())
+    }
+
+    fn html(&self, py: Python<'_>) -> String {
+        py.detach(|| report::field(&self.field, NAME).html_fragment())
+    }
+
+    fn draw(slf: &Bound<'_, Self>, what: &str) -> PyResult<Picture> {
+        let drawings: [(&str, Draw); 2] =
+            [("estimates", report::estimated_against_recorded), ("ranks", report::ranks_of_recorders)];
+        let drawn = chosen("what", what, &drawings)?(&slf.get().field);
+        Picture::new(slf, drawn, ("draw", what), &PyDict::new(slf.py()))
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let judged = slf.get();
+        let again = slf.py().import("deltav._deltav")?.getattr("_judge_pairs")?;
+        let asked = (&judged.text, judged.other, judged.particles, judged.seed, judged.threads);
+        Ok((again, asked.into_pyobject(slf.py())?))
+    }
+}
+
+/// Columns of a table of pairs: name, kind and cells of each.
+#[pyfunction(name = "_columns_of_pairs")]
+pub(crate) fn columns_of_pairs(columns: Vec<(String, String, Bound<'_, PyAny>)>) -> PyResult<Rows> {
+    let mut fields = Vec::new();
+    let mut arrays: Vec<ArrayRef> = Vec::new();
+    for (name, kind, cells) in columns {
+        let wrong = |error: PyErr| PyValueError::new_err(format!("column {name}: {error}"));
+        let (kind, array): (_, ArrayRef) = match kind.as_str() {
+            "text" => {
+                let cells: Vec<Option<String>> = cells.extract().map_err(wrong)?;
+                (DataType::Utf8, Arc::new(StringArray::from(cells)))
+            }
+            "integer" => {
+                let cells: Vec<Option<i64>> = cells.extract().map_err(wrong)?;
+                (DataType::Int64, Arc::new(Int64Array::from(cells)))
+            }
+            _ => {
+                let cells: Vec<Option<f64>> = cells.extract().map_err(wrong)?;
+                (DataType::Float64, Arc::new(Float64Array::from(cells)))
+            }
+        };
+        fields.push(Column::new(name, kind, true));
+        arrays.push(array);
+    }
+    let schema = Arc::new(Schema::new(fields));
+    let batch = RecordBatch::try_new(Arc::clone(&schema), arrays);
+    let batch = batch.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+    Ok(Rows::of(schema, vec![batch]))
+}

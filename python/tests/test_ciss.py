@@ -1,0 +1,402 @@
+"""From tables like NHTSA's to pairs of vehicles, and from these to intervals of ΔV held against recorders."""
+
+import csv
+import doctest
+import json
+import math
+import os
+import pathlib
+import pickle
+import random
+import shutil
+import sys
+import types
+import zipfile
+from collections.abc import Callable
+from typing import Any
+
+import deltav
+import pandas
+import polars
+import pyarrow
+import pytest
+from conftest import ROOT, run
+
+sys.path.insert(0, str(ROOT / "python" / "examples"))
+import simulated_ciss
+
+Rows = list[dict[str, Any]]
+# Pairs of real crashes are not in the repository.
+PUBLISHED = pathlib.Path(os.environ.get("CISS_PAIRS", ROOT.parent / "shared" / "data" / "ciss-2017-pairs.csv"))
+
+
+@pytest.fixture(scope="module")
+def simulated(tmp_path_factory: pytest.TempPathFactory) -> pathlib.Path:
+    folder = tmp_path_factory.mktemp("CISS_2017_CSV_files")
+    simulated_ciss.write(folder, crashes=12, seed=1)
+    return folder
+
+
+@pytest.fixture
+def folder(simulated: pathlib.Path, tmp_path: pathlib.Path) -> pathlib.Path:
+    return pathlib.Path(shutil.copytree(simulated, tmp_path / "tables"))
+
+
+def rows_of(folder: pathlib.Path, table: str) -> Rows:
+    with open(folder / f"{table}.csv", newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def write(folder: pathlib.Path, table: str, rows: Rows) -> None:
+    with open(folder / f"{table}.csv", "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def changed(folder: pathlib.Path, table: str, change: Callable[[dict[str, Any]], None]) -> None:
+    rows = rows_of(folder, table)
+    for row in rows:
+        change(row)
+    write(folder, table, rows)
+
+
+def of(row: dict[str, Any], crash: int, vehicle: int) -> bool:
+    return (int(row["CASEID"]), int(row["VEHNO"])) == (crash, vehicle)
+
+
+def test_the_examples_of_the_docstrings_run(tmp_path: pathlib.Path) -> None:
+    simulated_ciss.write(tmp_path, crashes=3, seed=1)
+    found = doctest.testmod(
+        deltav.ciss, extraglobs={"deltav": deltav, "folder": tmp_path}, optionflags=doctest.ELLIPSIS
+    )
+    assert found.failed == 0 and found.attempted >= 9
+
+
+def test_everything_that_is_offered_says_what_it_is() -> None:
+    for name in deltav.ciss.__all__:
+        offered = getattr(deltav.ciss, name)
+        assert offered.__doc__ and offered.__module__ == "deltav.ciss", name
+
+
+def test_pairs_have_the_columns_and_the_numbers_of_the_tables(simulated: pathlib.Path) -> None:
+    pairs = deltav.ciss.pairs(simulated)
+    assert len(pairs) == 12 and len(pairs.names) == 61
+    damages = {(row["CASEID"], row["VEHNO"]): row for row in rows_of(simulated, "CDC") if row["EVENTNO"] == "1"}
+    vehicles = {(row["CASEID"], row["VEHNO"]): row for row in rows_of(simulated, "GV")}
+    for pair in pairs:
+        for vehicle in ("1", "2"):
+            key = (str(pair["CASEID"]), vehicle)
+            for name in ("C1", "C6", "PDOF", "DIRECTD", "DVTOTAL"):
+                assert pair[f"{name}_{vehicle}"] == float(damages[key][name]), (key, name)
+            assert pair[f"CURBWT_{vehicle}"] == int(vehicles[key]["CURBWT"])
+            assert pair[f"CDC_{vehicle}"] == damages[key]["CDC"]
+    assert [pair["CASEID"] for pair in pairs] == list(range(1, 13))
+
+
+def test_the_simulated_crashes_are_possible(tmp_path: pathlib.Path) -> None:
+    simulated_ciss.write(tmp_path, crashes=9, seed=2, incomplete=4)
+    pairs = deltav.ciss.pairs(tmp_path)
+    assert len(pairs) == 9
+    assert pairs.left_out == {"without PDOF of both": 2, "without a recorder's ΔV of this event": 2}
+    sides = {"F": (300, 60), "B": (120, 240), "L": (210, 330)}
+    for pair in pairs:
+        for vehicle in (1, 2):
+            least, most = sides[str(pair[f"CDCPLANE_{vehicle}"])]
+            turned = (int(pair[f"PDOF_{vehicle}"]) - least) % 360  # type: ignore[arg-type]
+            assert turned <= (most - least) % 360, "the force comes from the side that was hit"
+
+
+def test_codes_of_what_is_not_known_are_left_empty(folder: pathlib.Path) -> None:
+    codes = [
+        ("CDC", "CMAX", ["888", "997", "998", "999"]),
+        ("CDC", "FIELDLD", ["888", "-999"]),
+        ("CDC", "DVTOTAL", ["999"]),
+        ("CDC", "DVENERGY", ["999999", "9999997", "8888888"]),
+        ("CDC", "HEADINGANG", ["361", "888", "-1"]),
+        ("GV", "DVANGTHIS", ["997", "361"]),
+        ("GV", "CARGOWT", ["9999", "9997", ".", " "]),
+        ("GV", "MODELYR", ["9999"]),
+    ]
+    for table, column, values in codes:
+        for value in values:
+            changed(folder, table, lambda row, column=column, value=value: row.update({column: value}))
+            pairs = deltav.ciss.pairs(folder)
+            assert len(pairs) == 12
+            assert {pair[f"{column}_{vehicle}"] for pair in pairs for vehicle in (1, 2)} == {None}, (column, value)
+    # The same digits where they are a measurement, and codes that are to be told.
+    changed(folder, "CDC", lambda row: row.update(CMAX="88", HEADINGANG="360", DVENERGY="88500"))
+    changed(folder, "GV", lambda row: row.update(MAKE="99", MODEL="999", BODYTYPE="88", CARGOWT="0"))
+    pair = deltav.ciss.pairs(folder)[0]
+    kept = ["CMAX", "HEADINGANG", "DVENERGY", "MAKE", "MODEL", "BODYTYPE", "CARGOWT"]
+    assert [pair[f"{name}_1"] for name in kept] == [88, 360, 88500, 99, 999, 88, 0]
+
+
+@pytest.mark.parametrize(
+    ("table", "change", "why"),
+    [
+        ("CDC", {"C4": "999"}, "without crush profiles of both"),
+        ("CDC", {"FIELDL": "", "DIRECTL": "888"}, "without crush profiles of both"),
+        ("CDC", {"PDOF": "888"}, "without PDOF of both"),
+        ("CDC", {"CDCPLANE": "T"}, "without damage to front, back or side of both"),
+        ("GV", {"CURBWT": "9999"}, "without masses of both"),
+        ("GV", {"CURBWT": "0"}, "without masses of both"),
+    ],
+)
+def test_a_pair_that_lacks_something_is_left_out_and_counted(
+    folder: pathlib.Path, table: str, change: dict[str, str], why: str
+) -> None:
+    changed(folder, table, lambda row: row.update(change) if of(row, 3, 2) else None)
+    pairs = deltav.ciss.pairs(folder)
+    assert len(pairs) == 11 and pairs.left_out == {why: 1}
+    assert 3 not in [pair["CASEID"] for pair in pairs]
+    assert why in pairs._repr_html_()
+
+
+def test_a_recorder_counts_only_for_the_event_that_it_stored(folder: pathlib.Path) -> None:
+    recorders = [row for row in rows_of(folder, "EDREVENT") if row["CASEID"] != "5"]
+    base = dict(recorders[0], CASEID="5", VEHNO="1", CDCEVENT="1", MAXDVLONG="-20", MAXDVLAT="997")
+
+    def stored(*changes: dict[str, str]) -> deltav.ciss.Pairs:
+        write(folder, "EDREVENT", recorders + [base | change for change in changes])
+        return deltav.ciss.pairs(folder)
+
+    # Another event, one that is not told (97), and none of both parts.
+    for change in ({"CDCEVENT": "2"}, {"CDCEVENT": "97"}, {"MAXDVLONG": "888"}):
+        assert stored(change).left_out == {"without a recorder's ΔV of this event": 1}
+    assert stored({})[4] | {"MAXDVLONG_1": -20.0, "MAXDVLAT_1": None} == stored({})[4]
+    # Of several records of the event, the largest; of one part only, that.
+    both = stored({"MAXDVLONG": "-9"}, {"MAXDVLONG": "-8", "MAXDVLAT": "12.5"}, {"MAXDVLONG": "-10"})[4]
+    assert (both["MAXDVLONG_1"], both["MAXDVLAT_1"]) == (-8.0, 12.5)
+
+
+def test_of_three_vehicles_in_one_event_those_are_a_pair_that_name_each_other(folder: pathlib.Path) -> None:
+    damages = rows_of(folder, "CDC")
+    [second] = [row for row in damages if of(row, 2, 2)]
+    write(folder, "GV", rows_of(folder, "GV") + [dict(rows_of(folder, "GV")[0], CASEID="2", VEHNO="3")])
+    # Vehicle 3 struck vehicle 1 in the same event, which names vehicle 2.
+    write(folder, "CDC", [*damages, dict(second, VEHNO="3", OBJCONT="1")])
+    assert len(deltav.ciss.pairs(folder)) == 12
+    # Where vehicle 1 struck vehicle 3 as well, it has two damages by the event: which is which is not told.
+    [first] = [row for row in damages if of(row, 2, 1)]
+    write(folder, "CDC", [*damages, dict(second, VEHNO="3", OBJCONT="1"), dict(first, OBJCONT="3")])
+    pairs = deltav.ciss.pairs(folder)
+    assert len(pairs) == 11 and pairs.left_out == {"with several damages of one vehicle by the event": 2}
+    # Who names nobody of the event is no pair, and nothing that was left out.
+    changed(folder, "CDC", lambda row: row.update(OBJCONT="42"))
+    assert len(pairs := deltav.ciss.pairs(folder)) == 0 and pairs.left_out == {}
+
+
+def test_the_lower_number_is_vehicle_1_in_any_order_of_the_rows(folder: pathlib.Path) -> None:
+    expected = deltav.ciss.pairs(folder)
+    for table in ("CRASH", "GV", "CDC", "EDREVENT"):
+        rows = rows_of(folder, table)
+        random.Random(table).shuffle(rows)
+        write(folder, table, rows)
+    assert deltav.ciss.pairs(folder) == expected
+    # The same crashes with the labels of the vehicles exchanged.
+    other = {"1": "2", "2": "1"}
+    for table in ("GV", "CDC", "EDREVENT"):
+        changed(folder, table, lambda row: row.update(VEHNO=other.get(row["VEHNO"], row["VEHNO"])))
+    changed(folder, "CDC", lambda row: row.update(OBJCONT=other.get(row["OBJCONT"], row["OBJCONT"])))
+    for before, after in zip(expected, deltav.ciss.pairs(folder), strict=True):
+        for name in ("CURBWT", "C3", "CDC", "MAXDVLONG"):
+            assert (before[f"{name}_1"], before[f"{name}_2"]) == (after[f"{name}_2"], after[f"{name}_1"])
+
+
+def test_contacts_stand_in_event_where_the_damages_name_none(folder: pathlib.Path) -> None:
+    expected = deltav.ciss.pairs(folder)
+    damages = rows_of(folder, "CDC")
+    write(folder, "CDC", [{name: cell for name, cell in row.items() if name != "OBJCONT"} for row in damages])
+    assert deltav.ciss.pairs(folder) == expected
+    changed(folder, "EVENT", lambda row: row.update(OBJCONT="3") if row["CASEID"] == "4" else None)
+    assert len(deltav.ciss.pairs(folder)) == 11
+    (folder / "EVENT.csv").unlink()
+    with pytest.raises(ValueError, match=r"has no table EVENT \(EVENT.csv or event.sas7bdat\); it has CDC.csv, "):
+        deltav.ciss.pairs(folder)
+
+
+def test_names_are_read_in_upper_and_lower_case_and_from_a_zip(simulated: pathlib.Path, tmp_path: pathlib.Path) -> None:
+    expected = deltav.ciss.pairs(simulated)
+    lower = tmp_path / "lower"
+    lower.mkdir()
+    for file in simulated.iterdir():
+        header, rest = file.read_text(encoding="utf-8").split("\n", 1)
+        (lower / file.name.lower()).write_text("\ufeff" + header.lower() + "\n" + rest, encoding="utf-8")
+    assert deltav.ciss.pairs(lower) == expected
+    with zipfile.ZipFile(tmp_path / "CISS_2017_CSV_files.zip", "w") as archive:
+        for file in simulated.iterdir():
+            archive.write(file, f"CISS_2017/{file.name}")
+    assert deltav.ciss.pairs(tmp_path / "CISS_2017_CSV_files.zip") == expected
+    with zipfile.ZipFile(tmp_path / "CISS_2017_CSV_files.zip", "a") as archive:
+        archive.write(simulated / "GV.csv", "CISS_2018/GV.csv")
+    with pytest.raises(ValueError, match="has the table GV twice: GV.csv and GV.csv; give the tables of one year"):
+        deltav.ciss.pairs(tmp_path / "CISS_2017_CSV_files.zip")
+
+
+def test_what_is_missing_is_named_with_what_there_is_instead(folder: pathlib.Path, tmp_path: pathlib.Path) -> None:
+    def refusal(source: pathlib.Path) -> str:
+        with pytest.raises((ValueError, FileNotFoundError)) as raised:
+            deltav.ciss.pairs(source)
+        return str(raised.value)
+
+    assert "there is no folder" in refusal(tmp_path / "nowhere")
+    (tmp_path / "note.txt").write_text("no table")
+    assert "is neither a folder nor a ZIP file" in refusal(tmp_path / "note.txt")
+    above = refusal(tmp_path)
+    assert "has no table CRASH (CRASH.csv or crash.sas7bdat); it has note.txt, and the folders tables: give" in above
+    damages = rows_of(folder, "CDC")
+    write(folder, "CDC", [{name.replace("C4", "AVGC4"): cell for name, cell in row.items()} for row in damages])
+    said = refusal(folder)
+    assert "the table CDC (CDC.csv) has no column C4; it has CASEID, EVENTNO, VEHNO, " in said and "AVGC4" in said
+    write(folder, "CDC", damages)
+    changed(folder, "CDC", lambda row: row.update(C4="deep") if of(row, 3, 2) else None)
+    assert "CDC.csv, row 6, column C4: 'deep' is not a number" in refusal(folder)
+    write(folder, "CDC", damages)
+    write(folder, "GV", rows_of(folder, "GV") * 2)
+    assert "the table GV has two rows of CASEID 1, VEHNO 1: give the tables of one year" in refusal(folder)
+    nass = tmp_path / "nass"
+    nass.mkdir()
+    for name in ("accident", "event", "gv", "ve"):
+        (nass / f"{name}.sas7bdat").touch()
+    assert "has tables of NASS-CDS (ACCIDENT, VE): they have no ΔV of a recorder" in refusal(nass)
+
+
+def test_sas_files_are_read_through_pyreadstat(
+    simulated: pathlib.Path, tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No library writes SAS7BDAT: the reader is a stand-in that reads the same cells as SAS has them, numbers as
+    floats, what is missing as NaN or None, and columns in a dict."""
+    folder = tmp_path / "sas"
+    folder.mkdir()
+    for file in simulated.iterdir():
+        shutil.copy(file, folder / f"{file.stem.lower()}.sas7bdat")
+    asked: list[str | None] = []
+
+    def read_sas7bdat(content: Any, output_format: str | None = None) -> tuple[dict[str, list[Any]], None]:
+        asked.append(output_format)
+        rows = list(csv.DictReader(content.read().decode("utf-8").splitlines()))
+
+        def cell(name: str, text: str) -> Any:
+            if name in ("CDCPLANE", "CDC", "CATEGORY", "GAD1", "GAD2"):
+                return text or None
+            return float(text) if text else math.nan
+
+        return {name: [cell(name, row[name]) for row in rows] for name in rows[0]}, None
+
+    monkeypatch.setitem(sys.modules, "pyreadstat", types.SimpleNamespace(read_sas7bdat=read_sas7bdat))
+    assert deltav.ciss.pairs(folder) == deltav.ciss.pairs(simulated)
+    assert set(asked) == {"dict"}
+    monkeypatch.setitem(sys.modules, "pyreadstat", None)
+    with pytest.raises(ImportError, match=r"crash.sas7bdat is a SAS file: pip install 'deltav\[ciss\]'"):
+        deltav.ciss.pairs(folder)
+
+
+def test_pyreadstat_has_the_reader_that_is_asked() -> None:
+    import inspect
+
+    import pyreadstat
+
+    assert "output_format" in inspect.signature(pyreadstat.read_sas7bdat).parameters
+
+
+def test_libraries_read_pairs_and_a_saved_file_has_them(simulated: pathlib.Path, tmp_path: pathlib.Path) -> None:
+    pairs = deltav.ciss.pairs(simulated)
+    table = pyarrow.table(pairs)
+    assert table.column_names == pairs.names and table.to_pylist() == list(pairs)
+    assert [str(table.schema.field(name).type) for name in ("CASEID", "CDC_1", "C1_2")] == ["int64", "string", "double"]
+    assert polars.DataFrame(pairs).rows(named=True) == list(pairs)
+    assert len(pandas.DataFrame.from_arrow(pairs)) == 12
+    pairs.save(tmp_path / "pairs.csv")
+    assert deltav.ciss.read(tmp_path / "pairs.csv") == pairs
+    assert pickle.loads(pickle.dumps(pairs)) == pairs
+    assert pairs[2:5] == deltav.ciss.Pairs(list(pairs)[2:5]) != pairs
+    (tmp_path / "other.csv").write_text("CASEID\n1\n")
+    with pytest.raises(ValueError, match="there is no column YEAR; give a file that Pairs.save wrote"):
+        deltav.ciss.read(tmp_path / "other.csv")
+
+
+def test_the_judgement_is_that_of_the_program(simulated: pathlib.Path, tmp_path: pathlib.Path) -> None:
+    pairs = deltav.ciss.pairs(simulated)[1:3]
+    pairs.save(tmp_path / "pairs.csv")
+    for other in (False, True):
+        said = run("validate", "--field", tmp_path / "pairs.csv", "--format", "json", *(["--other"] if other else []))
+        assert said.returncode == 0, said.stderr
+        coverage = deltav.ciss.judge(pairs, other=other, threads=1)
+        assert json.loads(said.stdout) == coverage.to_dict()
+    assert "Recorders inside the intervals" in str(coverage)
+    assert "<svg" in coverage.draw().svg() and "<svg" in coverage.draw("ranks").svg()
+    assert "<img" in coverage._repr_html_()
+    again = pickle.loads(pickle.dumps(coverage))
+    assert again == coverage and again.draw().svg() == coverage.draw().svg()
+    with pytest.raises(ValueError, match='what="both": give one of "estimates", "ranks"'):
+        coverage.draw("both")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="line 2, column CURBWT_1: \"-5.0\" is not a mass above 0 kg|CURBWT_1"):
+        deltav.ciss.judge([pairs[0] | {"CURBWT_1": -5.0}])
+
+
+def test_a_case_says_what_the_judgement_assumes(simulated: pathlib.Path) -> None:
+    pairs = deltav.ciss.pairs(simulated)[:3]
+    judged = deltav.ciss.judge(pairs).judged
+    for pair in pairs:
+        case = deltav.ciss.case(pair)
+        assert case.title == f"Crash {pair['CASEID']} of 2017, event 1" and "recorder" not in case.text
+        outputs = case.estimate(particles=128, pieces=False).outputs
+        for found in judged:
+            if found.case != str(pair["CASEID"]):
+                continue
+            part = "longitudinal_delta_v" if found.longitudinal else "delta_v"
+            known = next(outputs[key] for key in outputs if key.startswith(f"vehicle{found.vehicle}.") and part in key)
+            # The medians of both are those of the same collision: their sampling errs by some percent.
+            assert abs(math.log(abs(known.median) / found.median)) < 0.08, (found, known.median)
+
+
+def test_the_recorder_of_a_case_is_the_one_that_is_asked_for(simulated: pathlib.Path) -> None:
+    pair = next(
+        pair for pair in deltav.ciss.pairs(simulated) if pair["MAXDVLONG_2"] is not None and pair["MAXDVLAT_2"] is not None
+    )
+    given = deltav.ciss.case(pair, recorder=2).to_dict()
+    assert "recorder" not in given["vehicle1"]
+    assert given["vehicle2"]["recorder"]["delta_v_longitudinal"] == f"{pair['MAXDVLONG_2']:.3f} km/h"
+    none = pair | {"MAXDVLONG_2": None, "MAXDVLAT_2": None}
+    with pytest.raises(ValueError, match="recorder=2: that vehicle has no ΔV of a recorder that can be used"):
+        deltav.ciss.case(none, recorder=2)
+    with pytest.raises(ValueError, match="recorder: give 1 or 2"):
+        deltav.ciss.case(pair, recorder=3)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match='CDCPLANE_2 of the pair is "T", not F, B, L or R'):
+        deltav.ciss.case(pair | {"CDCPLANE_2": "T"})
+    with pytest.raises(ValueError, match="C3_1 of the pair is nothing, not a number"):
+        deltav.ciss.case(pair | {"C3_1": None})
+
+
+@pytest.mark.skipif(not PUBLISHED.exists(), reason="the pairs of 2017 are not in the repository")
+def test_the_pairs_of_2017_come_back_from_tables_that_have_them(tmp_path: pathlib.Path) -> None:
+    expected = deltav.ciss.read(PUBLISHED)
+    assert len(expected) == 329
+    general = ("MAKE", "MODEL", "MODELYR", "BODYTYPE", "CURBWT", "CARGOWT", "DVANGTHIS")
+    recorder = ("MAXDVLONG", "MAXDVLAT")
+    tables: dict[str, Rows] = {"CRASH": [], "GV": [], "CDC": [], "EDREVENT": []}
+    seen = set()
+    for pair in expected:
+        crash = {"CASEID": pair["CASEID"]}
+        if crash["CASEID"] not in seen:
+            tables["CRASH"].append(crash | {"CRASHYEAR": pair["YEAR"]})
+        seen.add(crash["CASEID"])
+        for place in (1, 2):
+            of_vehicle = {
+                name[:-2]: value for name, value in pair.items() if name.endswith(f"_{place}")
+            }
+            key = crash | {"VEHNO": of_vehicle.pop("VEHNO")}
+            row = key | {name: of_vehicle[name] for name in general}
+            if row not in tables["GV"]:
+                tables["GV"].append(row)
+            damage = {name: value for name, value in of_vehicle.items() if name not in (*general, *recorder)}
+            event = {"EVENTNO": pair["EVENTNO"]}
+            tables["CDC"].append(key | event | {"OBJCONT": pair[f"VEHNO_{3 - place}"]} | damage)
+            stored = {name: 997 if of_vehicle[name] is None else of_vehicle[name] for name in recorder}
+            tables["EDREVENT"].append(key | {"CDCEVENT": pair["EVENTNO"]} | stored)
+    for name, rows in tables.items():
+        write(tmp_path, name, rows)
+    pairs = deltav.ciss.pairs(tmp_path)
+    ordered = sorted(expected, key=lambda pair: (pair["CASEID"], pair["EVENTNO"]))
+    assert list(pairs) == ordered and pairs.left_out == {}
