@@ -8,16 +8,17 @@ On a cluster, whose workers all see the two paths and have the package ``deltav`
 
     spark-submit --master spark://HOST:7077 spark.py crashes.parquet results --template template.toml
 
-The columns of the table are those of ``deltav table``: keys of the case file, nested or flat with their unit, and any
-others, which are carried over. The results have the same bits as those of one process, whatever the number of tasks and
-machines. Spark does not keep the order of rows, so carry over a column that names the crash. A row that is wrong or has no
-answer says so in the column ``error``.
+The columns of the table are those of ``deltav table``: keys of the case file, nested or flat with their unit, and
+any others, which are carried over. The results have the same bits as those of one process, whatever the number of
+tasks and machines. Spark does not keep the order of rows, so the table should have a column that names the crash.
+A row that is wrong or has no answer says so in the column ``error``.
 """
 
 import argparse
 import math
 import pathlib
 import sys
+import time
 from collections.abc import Iterator
 from typing import Any
 
@@ -32,9 +33,9 @@ JOBS = ("reconstruct", "impact", "crush", "estimate")
 def rows_of_a_task(job: str, samples: int | None) -> int:
     """Rows that take one core ten seconds or so.
 
-    Spark needs some tenths of a second to start a task and to commit what it wrote, so that a task of ten seconds loses a
-    few percent. If a machine is lost, its unfinished tasks are computed again; and at the end of the job cores wait for
-    the last task. Both cost ten seconds then, and not minutes.
+    Spark needs some tenths of a second to start a task and to commit what it wrote, so a task of ten seconds loses
+    a few percent. If a machine is lost, its unfinished tasks are computed again, and at the end of the job cores
+    wait for the last task: both cost ten seconds then, and not minutes.
     """
     if job == "estimate":
         return 10
@@ -55,8 +56,8 @@ def results_of(batch: pa.RecordBatch, names: list[str], job: str, options: dict[
 def solved(spark: SparkSession, cases: DataFrame, tasks: int, job: str, options: dict[str, Any]) -> DataFrame:
     """The results of all rows, computed when they are written.
 
-    ``repartition`` spreads the rows evenly, even those of a file that is one row group and would be one task. Spark sorts
-    them before it deals them out, so that a task that is computed again has the same rows.
+    ``repartition`` spreads the rows evenly, even those of a file that is one row group and would be one task. Spark
+    sorts them before it deals them out, so that a task that is computed again has the same rows.
     """
     names = cases.columns
     # mapInArrow takes a dot for the field of a struct: inside Spark the columns have names without.
@@ -79,11 +80,11 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("results", help="the folder of the results, which Spark makes")
     parser.add_argument("--template", type=pathlib.Path, help="a part of a case file: what all rows share")
     parser.add_argument("--job", choices=JOBS, default=JOBS[0], help="what is made of each row (default: %(default)s)")
-    parser.add_argument("--samples", type=int, help="samples of each row for its 95 %% intervals; without, there are none")
-    parser.add_argument("--seed", type=int, default=1, help="seed of every row without one of its own (default: %(default)s)")
-    parser.add_argument(
-        "--tasks", type=int, help="pieces into which the table is divided; without, pieces of about ten seconds, and three or more for each core"
-    )
+    parser.add_argument("--samples", type=int, help="samples of each row for its 95 %% intervals; default: no intervals")
+    seed = "seed of every row that has none in a column seed (default: %(default)s)"
+    parser.add_argument("--seed", type=int, default=1, help=seed)
+    tasks = "pieces into which the table is divided (default: of about ten seconds each, and at least three for each core)"
+    parser.add_argument("--tasks", type=int, help=tasks)
     given = parser.parse_args()
     if given.samples is not None and given.job not in ("reconstruct", "impact"):
         parser.error(f"--samples is for the jobs reconstruct and impact, and the job is {given.job}: leave it out")
@@ -112,7 +113,9 @@ def main() -> int:
         rows = cases.count()
         cores = spark.sparkContext.defaultParallelism
         tasks = given.tasks or number_of_tasks(rows, rows_of_a_task(given.job, given.samples), cores)
+        began = time.monotonic()
         solved(spark, cases, tasks, given.job, options).write.parquet(given.results)
+        passed = time.monotonic() - began
         written = spark.read.parquet(given.results)
         found = written.count()
         failed = written.where("error is not null").count()
@@ -120,7 +123,7 @@ def main() -> int:
         sys.exit(f"error: {error}")
     finally:
         spark.stop()
-    print(f"{found} rows in {tasks} tasks, {failed} of them without an answer: {given.results}")
+    print(f"{found} rows, {failed} of them without an answer, in {tasks} tasks and {passed:.1f} s: {given.results}")
     if found != rows:
         sys.exit(f"error: the table has {rows} rows and the results have {found}: do not use them")
     return 0
