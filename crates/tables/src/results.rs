@@ -4,8 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, LazyLock};
 
 use analysis::{
-    Analysis, EstimateOutput, Estimated, Output, OutputQuantity, QUANTITIES, Seen, Uncertainty, Values,
-    WayNumber,
+    Analysis, EstimateOutput, Estimated, Output, OutputQuantity, QUANTITIES, Samples, Seen, Values, WayNumber,
 };
 use arrow_array::builder::{BooleanBuilder, Float64Builder, Int64Builder, ListBuilder, StringBuilder};
 use arrow_array::{ArrayRef, RecordBatch};
@@ -343,10 +342,11 @@ impl Found {
 }
 
 impl Spread {
-    pub(crate) fn of(uncertainty: &Uncertainty) -> Self {
-        let propagation = &uncertainty.propagation;
-        let of = |path: &String| {
-            let place = uncertainty.outputs.iter().position(|output| output.output.path() == *path)?;
+    pub(crate) fn of(Samples { outputs, propagation }: &Samples) -> Self {
+        // An output of the case also has its axes, which a name does not.
+        let paths: Vec<String> = outputs.iter().map(|output| output.path()).collect();
+        let of = |wanted: &String| {
+            let place = paths.iter().position(|path| path == wanted)?;
             let summary = propagation.summaries().get(place)?.as_ref()?;
             let interval = summary.intervals.iter().find(|interval| interval.level == WIDEST)?;
             Some([interval.low, summary.median, interval.high, summary.mean, summary.sd].map(|one| one.value))

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use analysis::{EstimatePlan, Failure, Plan as SamplePlan};
+use analysis::{EstimatePlan, Failure};
 use arrow_array::RecordBatch;
 use arrow_schema::{Schema, SchemaRef};
 use case::{CaseFile, Diagnostics, Prior, ValueTable};
@@ -307,9 +307,8 @@ impl Row<'_> {
             None => None,
             Some(samples) => {
                 let settings = Settings::new(SamplingMethod::MonteCarlo, samples, seed);
-                let plan = SamplePlan { settings, index_rows: None };
-                let uncertainty = analysis::uncertainty(case, &plan, &mut |_, _, _| self.goes_on());
-                Some(Spread::of(&uncertainty.map_err(refused)?))
+                let samples = analysis::samples(case, &settings, &mut |_, _| self.goes_on());
+                Some(Spread::of(&samples.map_err(refused)?))
             }
         };
         Ok(Outcome { found: Some(Found::analysis(case, &analysis, spread)), refusal: None })
