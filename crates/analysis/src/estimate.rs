@@ -1,5 +1,6 @@
 //! Both speeds, and all else, from all the evidence of a case.
 
+mod block;
 mod impacts;
 mod outputs;
 mod pieces;
