@@ -101,6 +101,17 @@ pub fn estimate_outputs(case: &Case) -> Result<Vec<EstimateOutput>, Failure> {
     Ok(outputs::of(&setup.impacts, case.axes))
 }
 
+/// The keys of the evidence that [`estimate()`] uses of a case.
+///
+/// # Errors
+/// [`Failure`] where the case lacks something, or where a distribution makes no sense.
+pub fn estimate_evidence(case: &Case) -> Result<Vec<String>, Failure> {
+    let setup = setup::of(case, None)?;
+    let model = Model::of(setup.impacts, setup.observed);
+    let pieces = model.pieces().iter().filter(|piece| **piece != Piece::Severity);
+    Ok(pieces.map(|piece| pieces::key(*piece)).collect())
+}
+
 /// The stage that [`estimate()`] has reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EstimateStage {
