@@ -1,5 +1,6 @@
 //! Both speeds, and all else, from all the evidence of a case.
 
+mod block;
 mod impacts;
 mod outputs;
 mod pieces;
@@ -98,6 +99,17 @@ pub struct EstimatedOutput {
 pub fn estimate_outputs(case: &Case) -> Result<Vec<EstimateOutput>, Failure> {
     let setup = setup::of(case, None)?;
     Ok(outputs::of(&setup.impacts, case.axes))
+}
+
+/// The keys of the evidence that [`estimate()`] uses of a case.
+///
+/// # Errors
+/// [`Failure`] where the case lacks something, or where a distribution makes no sense.
+pub fn estimate_evidence(case: &Case) -> Result<Vec<String>, Failure> {
+    let setup = setup::of(case, None)?;
+    let model = Model::of(setup.impacts, setup.observed);
+    let pieces = model.pieces().iter().filter(|piece| **piece != Piece::Severity);
+    Ok(pieces.map(|piece| pieces::key(*piece)).collect())
 }
 
 /// The stage that [`estimate()`] has reached.

@@ -8,14 +8,16 @@ use inputs::{
 };
 use pim_core::VehicleId;
 
+use crate::estimate::estimate_evidence;
 use crate::goal::Goal;
 use crate::warning::{self, Warning};
-use crate::{Vehicle, checks, closing_speed, damage, uncertainty};
+use crate::{Failure, Vehicle, checks, closing_speed, damage, uncertainty};
 
 /// The result of checking a case without solving it.
 #[derive(Debug)]
 pub struct Judgement {
-    /// What it can be used for: `reconstruct`, `impact`, `crush`, `uncertainty`, `compare`, `sensitivity` and
+    /// What it can be used for: `reconstruct`, `impact`, `crush`, `motion` where it says something of that,
+    /// `uncertainty`, `estimate` where it has evidence that nothing else reads, `compare`, `sensitivity` and
     /// `draw`.
     pub abilities: Vec<Ability>,
     /// The assumptions for values that the case does not give, in the order of its keys.
@@ -315,13 +317,28 @@ pub fn judge(case: &Case) -> Judgement {
         _ if alone => Purpose::Impact,
         _ => furthest,
     };
+    abilities.push(Ability { purpose: Purpose::Uncertainty, on: goal.purpose(), obstacle: unpropagated });
+    if is_for_estimate(case) {
+        let purpose = Purpose::Estimate;
+        let obstacle = match estimate_evidence(case) {
+            Err(Failure::Case(faults)) => Some(faults),
+            // Anything else shows when it is solved.
+            _ => None,
+        };
+        abilities.push(Ability { purpose, on: purpose, obstacle });
+    }
     abilities.extend([
-        Ability { purpose: Purpose::Uncertainty, on: goal.purpose(), obstacle: unpropagated },
         of(Purpose::Compare, solved),
         of(Purpose::Sensitivity, differentiated),
         of(Purpose::Draw, furthest),
     ]);
     Judgement { abilities, assumptions, warnings }
+}
+
+/// Whether a case has keys that an estimate alone reads.
+fn is_for_estimate(case: &Case) -> bool {
+    let has_evidence = |vehicle: &GivenVehicle| vehicle.recorder.is_some() || vehicle.certain_speed.is_some();
+    case.estimate.is_some() || case.vehicles.iter().any(has_evidence)
 }
 
 /// A vehicle of which something needed is missing.

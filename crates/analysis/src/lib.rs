@@ -57,7 +57,7 @@ mod warning;
 
 pub use self::estimate::{
     Assumed, EstimateOutput, EstimatePlan, EstimateStage, Estimated, EstimatedOutput, Impossible, PieceFound,
-    SameTwice, UnknownNumber, Unused, UnusedReason, estimate, estimate_outputs,
+    SameTwice, UnknownNumber, Unused, UnusedReason, estimate, estimate_evidence, estimate_outputs,
 };
 pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
 pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, usual_samples};

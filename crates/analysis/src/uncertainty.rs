@@ -2,7 +2,7 @@
 
 mod doubts;
 mod exact;
-mod lanes;
+pub(crate) mod lanes;
 
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;

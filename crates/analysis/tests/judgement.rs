@@ -126,11 +126,29 @@ fn what_runs_runs_and_what_does_not_lacks_something() {
                 Purpose::Sensitivity => analysis::sensitivity(&file, sweep).err(),
                 Purpose::Draw => analysis::furthest(&file).err(),
                 Purpose::Motion => analysis::motion(&file).err(),
-                Purpose::Uncertainty => continue,
+                Purpose::Uncertainty | Purpose::Estimate => continue,
             };
             assert_eq!(obstacle.is_none(), failure.is_none(), "{purpose}: {failure:?}");
         }
     }
+}
+
+/// An estimate has a row where the case has evidence that nothing else reads, with what it lacks.
+#[test]
+fn evidence_is_judged() {
+    let estimate = |judgement: &Judgement| {
+        let found = judgement.abilities.iter().find(|ability| ability.purpose == Purpose::Estimate);
+        found.map(|ability| ability.obstacle.as_ref().map(|faults| faults.list()[0].key.clone()))
+    };
+    assert_eq!(estimate(&judge(&parsed(PAPER))), None);
+    let recorder = "[vehicle1.recorder]\ndelta_v_longitudinal = \"-12 mph\"\n[impact]";
+    let recorded = PAPER.replace("[impact]", recorder);
+    assert_eq!(estimate(&judge(&parsed(&recorded))), Some(None));
+    let evidence = analysis::estimate_evidence(&parsed(&recorded)).unwrap();
+    assert_eq!(evidence, ["crush", "vehicle1.recorder.delta_v"]);
+    let lacking = recorded.replace("heading     = \"180 deg\"\n", "");
+    assert_ne!(lacking, recorded);
+    assert_eq!(estimate(&judge(&parsed(&lacking))), Some(Some("vehicle1.heading".to_owned())));
 }
 
 /// SAE 870045, Table 1, side, category 2: 140 lb/in, 67 lb/in², 148 lb; the pound-force is 4.448222 N, the

@@ -26,7 +26,11 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         None if arguments.what == What::Motion => plan_of_case(&arguments.case, &file)?,
         given => given,
     };
+    let units = crate::units(arguments.units, &file);
     let subject = match arguments.what {
+        What::Estimate => {
+            return write_picture(path, &crate::estimates::pictures(&file, units)?, format);
+        }
         What::Scene => Subject::Scene,
         What::Damage => Subject::Damage,
         What::Reconciliation => Subject::Reconciliation,
@@ -34,7 +38,6 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         What::Motion => Subject::Motion,
         What::MotionCurves => Subject::MotionCurves,
     };
-    let units = crate::units(arguments.units, &file);
     let is_motion = matches!(subject, Subject::Motion | Subject::MotionCurves);
     // What a case lacks for an impact does not keep its motion after the impact from being drawn.
     let analysis = match analysis::furthest(&file.case) {

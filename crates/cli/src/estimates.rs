@@ -4,9 +4,9 @@ use std::io::{self, BufWriter};
 
 use analysis::{EstimatePlan, EstimateStage, Estimated, Failure, estimate_outputs};
 use anyhow::{Context as _, Result};
-use case::Case;
+use case::{Case, CaseFile};
 use rayon::ThreadPool;
-use report::{Asked, Question};
+use report::{Asked, Drawing, Question, Units};
 
 use crate::arguments::EstimateArguments;
 use crate::sink::Sink;
@@ -47,6 +47,20 @@ pub(crate) fn report(arguments: &EstimateArguments) -> Result<()> {
     let draws = if arguments.samples_out.is_some() { ", and the draws are not written" } else { "" };
     let message = format!("the run has not converged: the report says why, and has no intervals{draws}");
     Err(NoAnswer(message).into())
+}
+
+/// The pictures of an estimate as it is without options.
+pub(crate) fn pictures(file: &CaseFile, units: Units) -> Result<Drawing> {
+    let plan = EstimatePlan { particles: EstimatePlan::PARTICLES, seed: 1, prior: None, pieces: false };
+    let estimated = answered(run(&file.case, &plan, &pool(None)?)?, file, units)?;
+    if !estimated.doubts().is_empty() {
+        let message = "the run has not converged, so there is nothing to draw: `deltav estimate` says why";
+        return Err(NoAnswer(message.to_owned()).into());
+    }
+    let asked = Asked { plan, questions: Vec::new() };
+    let drawing = report::estimate_pictures(&file.case, &estimated, &asked, units);
+    let message = "there is no estimate to draw: all speeds are known, and no vehicle is followed to rest";
+    drawing.ok_or_else(|| NoAnswer(message.to_owned()).into())
 }
 
 fn run(case: &Case, plan: &EstimatePlan, pool: &ThreadPool) -> Result<Result<Estimated, Failure>> {

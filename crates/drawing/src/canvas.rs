@@ -78,6 +78,11 @@ impl Canvas {
         self.missing.iter().copied()
     }
 
+    /// Letters of shapes that another page wrote.
+    pub(crate) fn note_missing(&mut self, letters: impl Iterator<Item = char>) {
+        self.missing.extend(letters);
+    }
+
     pub(crate) fn element(&mut self, element: &str) {
         self.body.push_str(element);
         self.body.push('\n');

@@ -46,6 +46,28 @@ impl Drawing {
         Self { name, title, description, canvas }
     }
 
+    /// Drawings below each other on one page, each with the word that its `id`s have on it; none of them has a
+    /// site plan.
+    #[must_use]
+    pub fn stacked(name: &'static str, title: String, drawings: &[(String, Self)]) -> Self {
+        let width = drawings.iter().map(|(_, drawing)| drawing.canvas.page().width()).fold(0.0, f64::max);
+        let mut canvas = Canvas::new(name, width, 0.0);
+        let mut below = 0.0;
+        let mut descriptions = Vec::new();
+        for (place, drawing) in drawings {
+            let page = drawing.canvas.page();
+            let body = drawing.body_named(&format!("{name}-{place}"));
+            let down = px(below - page.y0);
+            canvas.element(&format!("<g transform=\"translate(0 {down})\">\n{body}</g>"));
+            canvas.note_missing(drawing.missing_letters());
+            below += page.height();
+            descriptions.push(drawing.description.as_str());
+        }
+        canvas.set_height(below);
+        let description = descriptions.join(" ");
+        Self::new(name, title, description, canvas)
+    }
+
     /// The word for what it shows, which is the first part of the `id`s in its SVG.
     #[must_use]
     pub fn name(&self) -> &'static str {
@@ -86,11 +108,17 @@ impl Drawing {
         self.svg_on(self.name, "")
     }
 
-    fn svg_on(&self, name: &str, ground: &str) -> String {
-        let Self { name: own, title, description, canvas } = self;
+    /// The shapes, with another word in their `id`s.
+    fn body_named(&self, name: &str) -> String {
+        let own = self.name;
         // No text has a quotation mark of its own: it is escaped.
-        let body = canvas.body().replace(&format!(" id=\"{own}-"), &format!(" id=\"{name}-"));
-        let body = body.replace(&format!("=\"url(#{own}-"), &format!("=\"url(#{name}-"));
+        let body = self.canvas.body().replace(&format!(" id=\"{own}-"), &format!(" id=\"{name}-"));
+        body.replace(&format!("=\"url(#{own}-"), &format!("=\"url(#{name}-"))
+    }
+
+    fn svg_on(&self, name: &str, ground: &str) -> String {
+        let Self { title, description, canvas, .. } = self;
+        let body = self.body_named(name);
         let page = canvas.page();
         let [top, width, height] = [page.y0, page.width(), page.height()].map(px);
         format!(

@@ -275,8 +275,16 @@ fn rests() -> RestsPicture {
     }
 }
 
+/// Two of one kind, and another.
+fn stacked() -> Drawing {
+    let drawings = [("one", density().draw()), ("two", density().draw()), ("rests", rests().draw())];
+    let drawings = drawings.map(|(place, drawing)| (text(place), drawing));
+    Drawing::stacked("stack", text("Three pictures"), &drawings)
+}
+
 pub(crate) fn all() -> Vec<Drawing> {
     let others = [
+        stacked(),
         scene().draw(),
         damage().draw(),
         energy().draw(),
@@ -461,6 +469,47 @@ fn a_rest_is_drawn_to_scale_where_it_was_found() {
     };
     let ([x, y], [x0, y0]) = (middle(&body), middle(&impact));
     assert!(((x - x0) / scale - 20.0).abs() < 0.01 && ((y0 - y) / scale - 5.0).abs() < 0.01, "{x} {y}");
+}
+
+/// Each shape of each picture stands as far below as the pictures before it are high, under a name of its
+/// own.
+#[test]
+fn stacked_pictures_are_those_below_each_other() {
+    let reader = Reader::new();
+    let stack = stacked().svg();
+    let tree = reader.tree(&stack);
+    let page = tree.size();
+    let ids = |svg: &str| -> Vec<String> {
+        svg.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next()).map(str::to_owned).collect()
+    };
+    let mut names = ids(&stack);
+    let count = names.len();
+    names.sort();
+    names.dedup();
+    assert_eq!(names.len(), count, "a name stands twice");
+    let mut above = 0.0;
+    let mut widest: f32 = 0.0;
+    for (place, drawing) in [("one", density().draw()), ("two", density().draw()), ("rests", rests().draw())]
+    {
+        let own = drawing.svg();
+        let own_tree = reader.tree(&own);
+        let shapes: Vec<String> = ids(&own)
+            .into_iter()
+            .filter(|id| own_tree.node_by_id(id).is_some_and(|node| node.abs_bounding_box().width() > 0.0))
+            .collect();
+        assert!(shapes.len() > 2, "{place}: {shapes:?}");
+        for id in shapes {
+            let of_own = own_tree.node_by_id(&id).unwrap().abs_bounding_box();
+            let id = id.replacen(drawing.name(), &format!("stack-{place}"), 1);
+            let here = tree.node_by_id(&id).unwrap_or_else(|| panic!("{id}")).abs_bounding_box();
+            assert!((here.left() - of_own.left()).abs() < 0.02, "{id}");
+            assert!((here.top() - of_own.top() - above).abs() < 0.02, "{id}");
+        }
+        above += own_tree.size().height();
+        widest = widest.max(own_tree.size().width());
+    }
+    assert!((page.height() - above).abs() < 0.02 && (page.width() - widest).abs() < 0.02);
+    assert!(stacked().description().contains("Dots around the car."));
 }
 
 #[test]

@@ -15,7 +15,7 @@ use crate::axes::Axes;
 use crate::basis::Basis;
 use crate::case::{Case, Find};
 use crate::crush::{Crush, Fit, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
-use crate::estimate::{FaceAxis, scaled};
+use crate::estimate::{FaceAxis, class_yaw_inertia, scaled};
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::impact::{BrachTangential, ImpactLaw, Restitution};
 use crate::inertia::Mass;
@@ -759,9 +759,7 @@ impl<'a, T: Real> Demand<'a, T> {
         }
         if let Some((class, known)) = class {
             let mass = mass?;
-            let yaw_radius = factor * known.yaw_radius;
-            // I = m k²
-            let yaw_inertia = Some(mass * yaw_radius * yaw_radius);
+            let yaw_inertia = Some(class_yaw_inertia(&known, mass, factor));
             return Some(InertiaData { mass, yaw_inertia, yaw_source: YawSource::Class(class) });
         }
         let is_car = vehicle.kind.unwrap_or_default() == Kind::Car;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crash3::{CrushError, SideStiffness, Stiffness};
+use crash3::{CrushError, SideStiffness, Stiffness, VehicleClass};
 use pim_core::{Real, VehicleId};
 
 use crate::case::Case;
@@ -142,12 +142,29 @@ pub(crate) fn scaled<T: Real>(
     factor: T,
 ) -> Result<SideStiffness<T>, CrushError> {
     let SideStiffness::Uniform(stiffness) = structure else { return Ok(structure) };
+    let [a, b, g] = scaled_stiffness(&stiffness, factor);
+    Stiffness::from_abg(a, b, g).map(SideStiffness::Uniform)
+}
+
+/// A (N/m), B (N/m²) and G (N) of another vehicle of the same category, whose A is so many times as large.
+#[inline(always)]
+#[must_use]
+pub fn scaled_stiffness<T: Real>(stiffness: &Stiffness<T>, factor: T) -> [T; 3] {
     // A = f A₀ with ln f = σ_A z, B = B₀ exp(σ_B z) = f^(σ_B/σ_A) B₀
     let b_factor = factor.power(STIFFNESS_LN_SD_B / STIFFNESS_LN_SD_A);
     // G is A²/2B
     let g_factor = factor * factor / b_factor;
-    let (a, b, g) = (stiffness.a() * factor, stiffness.b() * b_factor, stiffness.g() * g_factor);
-    Stiffness::from_abg(a, b, g).map(SideStiffness::Uniform)
+    [stiffness.a() * factor, stiffness.b() * b_factor, stiffness.g() * g_factor]
+}
+
+/// (kg·m²) yaw inertia of a vehicle of a size class and of a mass (kg), whose radius of gyration is so many
+/// times that of the class.
+#[inline(always)]
+#[must_use]
+pub fn class_yaw_inertia<T: Real>(class: &VehicleClass, mass: T, factor: T) -> T {
+    let yaw_radius = factor * class.yaw_radius;
+    // I = m k²
+    mass * yaw_radius * yaw_radius
 }
 
 /// Where the yaw inertia of a vehicle comes from: what is given takes precedence over the class, and that

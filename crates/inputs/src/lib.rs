@@ -73,7 +73,7 @@ pub use demands::{
 };
 pub use estimate::{
     ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, Departures, Estimate, FaceAxis, OFFSET_SD, STIFFNESS_LN_SD_A,
-    STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+    STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, class_yaw_inertia, scaled_stiffness,
 };
 pub use fault::{Fault, FaultKind, Faults};
 pub use impact::{BrachTangential, GivenImpact, ImpactLaw, LawName, Restitution};

@@ -15,6 +15,8 @@ pub enum Purpose {
     Motion,
     /// Propagates the ranges of the case.
     Uncertainty,
+    /// Weighs all evidence.
+    Estimate,
     /// Puts the answers of all laws side by side.
     Compare,
     /// Shows how sensitive the answer is to each input.
@@ -33,6 +35,7 @@ impl Purpose {
             Self::Crush => "crush",
             Self::Motion => "motion",
             Self::Uncertainty => "uncertainty",
+            Self::Estimate => "estimate",
             Self::Compare => "compare",
             Self::Sensitivity => "sensitivity",
             Self::Draw => "draw",

@@ -40,7 +40,7 @@
 //! energy. A [`Drawing`] is SVG, PNG or PDF; the crate `drawing` makes all of them.
 //!
 //! [`histogram`] and [`tornado`] plot an uncertainty, [`density`], [`joint_speeds`] and [`rests`] an
-//! estimate, [`computed_against_measured`] and [`reconstructed_speed`] the validation,
+//! estimate, [`estimate_pictures`] all of that below each other, [`computed_against_measured`] and [`reconstructed_speed`] the validation,
 //! [`estimated_against_recorded`] and [`ranks_of_recorders`] the judgement by recorders.
 //!
 //! `examples/text_and_drawing.rs` goes from a file to a text and a drawing.
@@ -94,9 +94,9 @@ pub use failures::no_answer;
 pub use glossary::{Topic, UnknownTopic, topic, topics};
 pub use outputs::reason_name;
 pub use pictures::{
-    DrawingError, Subject, computed_against_measured, density, drawing, estimated_against_recorded,
-    histogram, joint_speeds, motion_on, plain_scene, ranks_of_recorders, reconstructed_speed, rests,
-    site_plan, site_plan_of, tornado,
+    DrawingError, Subject, computed_against_measured, density, drawing, estimate_pictures,
+    estimated_against_recorded, histogram, joint_speeds, motion_on, plain_scene, ranks_of_recorders,
+    reconstructed_speed, rests, site_plan, site_plan_of, tornado,
 };
 pub use sections::comparison::comparison;
 pub use sections::estimate::estimate;

@@ -11,7 +11,7 @@ mod spread;
 mod staged;
 mod vehicle;
 
-pub use estimate::{density, joint_speeds, rests};
+pub use estimate::{density, estimate_pictures, joint_speeds, rests};
 pub use field::{estimated_against_recorded, ranks_of_recorders};
 pub use spread::{histogram, tornado};
 pub use staged::{computed_against_measured, reconstructed_speed};

@@ -4,10 +4,11 @@ use ::estimate::Independent;
 use ::uncertainty::{LANES, Lanes};
 use evidence::{Impacted, Impacts, LEAST_APPROACH, Restitution, Speeds, Way};
 use inputs::{Basis, Case, Collision, Dimension, MotionInput, Quantity, SharedEffects, Velocity};
-use pim_core::{Law, Motion, Outcome, Tangential, Vector2, VehicleId};
+use pim_core::{Contact, Law, Motion, Outcome, Tangential, VaryingLaw, Vector2, VehicleId};
 use real::elementary::sin_cos;
 use trajectory::{Control, Ground, Outset, State, Zone, to_rests};
 
+use super::block::Block;
 use crate::damage::{assess, crush_energy};
 use crate::evidence::{needed, works};
 use crate::travel::Scene;
@@ -57,6 +58,18 @@ pub(super) struct CaseImpacts {
     /// Whether each vehicle is followed to rest.
     pub(super) followed: [bool; 2],
     pub(super) unknown: Independent,
+    /// The same for a block at once, where the case has a shape that can be posed so.
+    pub(super) block: Option<Block>,
+}
+
+/// The collision of a particle, with the law that the case gives.
+pub(super) struct Posed {
+    pub(super) contact: Contact,
+    pub(super) law: VaryingLaw,
+    pub(super) motions: [Motion; 2],
+    /// (J)
+    pub(super) crush_energies: [f64; 2],
+    pub(super) basis: Basis,
 }
 
 impl Impacts for CaseImpacts {
@@ -98,24 +111,24 @@ impl CaseImpacts {
         values: &[Lanes],
         wanted: &mut dyn FnMut(&[Impacted]) -> [bool; LANES],
     ) -> Vec<Impacted> {
-        let is_followed = self.followed != [false, false];
-        let mut cases = Vec::new();
+        let poses = self.block.as_ref().map(|block| block.pose(values, self.speeds));
         let mut impacts = Vec::with_capacity(LANES);
         for lane in 0..LANES {
-            let case = self.case_of(values, lane);
-            let impacted = self.impact_of(&case, values, lane);
+            let posed = poses.as_ref().and_then(|poses| poses.of(lane));
+            let posed = posed.or_else(|| pose(&self.case_of(values, lane)));
+            let impacted = posed.and_then(|posed| self.impact_of(posed, values, lane));
             impacts.push(impacted.unwrap_or_else(|| Self::impossible(self.placeholder)));
-            if is_followed {
-                cases.push(case);
-            }
         }
-        let mut motions: Vec<Option<MotionInput>> = vec![None; cases.len()];
+        if self.followed == [false, false] {
+            return impacts;
+        }
+        let mut motions: Vec<Option<MotionInput>> = vec![None; LANES];
         for id in VehicleId::ALL.into_iter().filter(|id| self.followed[id.index()]) {
             let wanted = wanted(&impacts);
-            for (lane, (case, motion)) in cases.iter().zip(&mut motions).enumerate() {
+            for (lane, motion) in motions.iter_mut().enumerate() {
                 let impacted = &mut impacts[lane];
                 if wanted[lane] && impacted.is_possible && motion.is_none() {
-                    *motion = case.run_out().and_then(Result::ok);
+                    *motion = self.case_of(values, lane).run_out().and_then(Result::ok);
                     impacted.is_possible = motion.is_some();
                 }
             }
@@ -160,10 +173,9 @@ impl CaseImpacts {
         case
     }
 
-    fn impact_of(&self, case: &Case, values: &[Lanes], lane: usize) -> Option<Impacted> {
+    fn impact_of(&self, posed: Posed, values: &[Lanes], lane: usize) -> Option<Impacted> {
         let of = |place: usize| values.get(place).map_or(f64::NAN, |column| column[lane]);
-        let input = case.collision().ok()?;
-        let Collision { contact, law, motions, vehicles } = input.collision;
+        let Posed { contact, law, motions, crush_energies, basis } = posed;
         let closing = -contact.approach(&motions).velocity.normal;
         if closing <= LEAST_APPROACH {
             return None;
@@ -183,22 +195,25 @@ impl CaseImpacts {
             let velocity = motions[id.index()].velocity;
             velocity.x * forward.x + velocity.y * forward.y
         });
-        let crush_energies = match assess(vehicles, [None, None]) {
-            Ok(vehicles) => {
-                let whole = crush_energy(&vehicles);
-                let first = vehicles[0].crush_energy().unwrap_or_default();
-                [first, whole - first]
-            }
-            Err(_) => return None,
-        };
         let basis = match self.tangential_share {
             Some(place) => Basis::TangentialShare(of(place)),
-            None => input.basis,
+            None => basis,
         };
         let taken = needed(basis, works(&outcome), law.restitution())?;
         let is_possible = taken > 0.0;
         Some(Impacted { speeds, outcome, taken, crush_energies, ways: [None, None], is_possible })
     }
+}
+
+/// The collision of a case; `None` where the engine refuses it.
+fn pose(case: &Case) -> Option<Posed> {
+    let input = case.collision().ok()?;
+    let Collision { contact, law, motions, vehicles } = input.collision;
+    let vehicles = assess(vehicles, [None, None]).ok()?;
+    let whole = crush_energy(&vehicles);
+    let first = vehicles[0].crush_energy().unwrap_or_default();
+    let crush_energies = [first, whole - first];
+    Some(Posed { contact, law, motions, crush_energies, basis: input.basis })
 }
 
 /// Follows a vehicle to rest in the particles that are wanted.

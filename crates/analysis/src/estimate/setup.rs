@@ -17,10 +17,12 @@ use pim_core::VehicleId;
 use real::Real;
 use reconcile::Unknown;
 
+use super::block::Block;
 use super::impacts::{CaseImpacts, OpenSpeeds, Slot};
 use super::{of_number, table};
 use crate::Failure;
 use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
+use crate::uncertainty::lanes::Number;
 use crate::uncertainty::{UncertainInput, inputs};
 use crash3::Side;
 
@@ -202,7 +204,9 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     let (placeholder, _) = nominal.contact.impact_with_validity(nominal.motions, &law);
     let reference = reference(&nominal);
     let shared = SharedEffects::of(&case);
-    let central = case.variables().iter().map(|input| input.number).collect();
+    let variables = case.variables();
+    let block = shared.is_empty().then(|| block(&case, &variables, &slots, speeds)).flatten();
+    let central = variables.iter().map(|input| input.number).collect();
     case.uncertainty = Default::default();
     case.title = None;
     case.source = None;
@@ -221,9 +225,27 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
         tangential_share,
         placeholder,
         followed,
+        block,
         unknown: Independent(unknowns.0.iter().map(|unknown| unknown.prior).collect()),
     };
     Ok(Setup { prior, impacts, observed, unknown: unknowns.0, default_errors, unused, reference })
+}
+
+/// The case for a block of particles at once.
+fn block(case: &Case, variables: &[Input], slots: &[Slot], speeds: OpenSpeeds) -> Option<Block> {
+    let mut places = slots.iter();
+    let numbers = case.map_numbers(|number| match places.next() {
+        Some(Slot::Value(place)) => Number::Uncertain(*place),
+        _ => Number::Known(number),
+    });
+    let enters = |(input, slot): &(&Input, &Slot)| **slot != Slot::Given && !is_after(&input.path);
+    let unknown = variables.iter().zip(slots).filter(enters).count();
+    Block::new(&numbers, speeds, unknown)
+}
+
+/// Whether a number is of the motion after the impact alone.
+fn is_after(path: &str) -> bool {
+    ["surface.", "vehicle1.after.", "vehicle2.after."].iter().any(|table| path.starts_with(table))
 }
 
 /// The case with a speed for every vehicle, and whose speed is sought.

@@ -397,3 +397,99 @@ fn each_piece_is_judged_by_the_others() {
         }
     }
 }
+
+/// The Debug text of what a block of draws of the prior leads to: it tells any two numbers apart.
+fn impacts_of(impacts: &impacts::CaseImpacts, seed: u64) -> Vec<String> {
+    use ::uncertainty::LANES;
+    use ::uncertainty::random::{bits, unit};
+    use evidence::Impacts;
+    let mut columns = Vec::new();
+    for (place, distribution) in (0..).zip(&impacts.unknown.0) {
+        let mut column = [0.0; LANES];
+        for (lane, number) in (0..).zip(&mut column) {
+            // Now and then far out, where the engine refuses.
+            *number = 8.0 * unit(bits(seed, 1000 * place + lane)) - 4.0;
+        }
+        distribution.from_standard_normals(&mut column);
+        columns.push(column);
+    }
+    impacts.impacts(&columns).iter().map(|impacted| format!("{impacted:?}")).collect()
+}
+
+/// A block has the bits of its cases.
+#[test]
+fn a_block_is_its_cases() {
+    let fixture = include_str!("../../../../fixtures/estimate.toml");
+    let other = "
+[scene]
+axes = \"z-down\"
+contact = { x = \"1 m\", y = \"2 m\" }
+[surface]
+friction = 0.7
+[vehicle1]
+weight = { value = \"3300 lb\", sd = \"300 lb\" }
+class = 3
+heading = { value = \"10 deg\", sd = \"3 deg\" }
+contact = { distance = \"6 ft\", angle = { value = \"-15 deg\", sd = \"20 deg\" } }
+yaw_rate = { value = \"10 deg/s\", sd = \"5 deg/s\" }
+[vehicle1.crush]
+side = \"front\"
+width = { value = \"150 cm\", sd = \"5 cm\" }
+depths = { values = \"10 14 20 24 26 30 cm\", sd = \"6 cm\" }
+stiffness = { A = { value = \"40 kN/m\", sd = \"5 kN/m\" }, B = \"600 kN/m^2\" }
+pdof = \"11 o'clock\"
+[vehicle1.after]
+drag = 0.6
+rest = { x = \"5 m\", y = \"4 m\", heading = \"60 deg\" }
+[vehicle2]
+mass = { value = \"1400 kg\", sd = \"100 kg\" }
+yaw_inertia = { value = \"2400 kg m^2\", sd = \"200 kg m^2\" }
+heading = { value = \"95 deg\", sd = \"3 deg\" }
+contact = { x = \"0.5 m\", y = { value = \"-0.8 m\", sd = \"0.1 m\" } }
+velocity = { x = \"0 m/s\", y = { value = \"8 m/s\", sd = \"2 m/s\" } }
+[vehicle2.crush]
+ees = { value = \"20 km/h\", sd = \"6 km/h\" }
+[impact]
+crush_plane = { value = \"0 deg\", sd = \"8 deg\" }
+restitution = { value = 0.1, sd = 0.05 }
+tangential = { ratio = { value = -0.2, sd = 0.1 } }
+[reconstruct]
+find = \"vehicle1.speed\"
+energy_basis = { tangential_share = { value = 0.5, sd = 0.2 } }
+";
+    let flat = fixture.replace("[impact]", "[estimate]\nprior = \"flat\"\n[vehicle1.before]\nskid = { length = \"9 m\", friction = 0.7 }\n[impact]");
+    let fraction =
+        other.replace("ratio = { value = -0.2, sd = 0.1 }", "fraction = { value = 0.8, sd = 0.1 }");
+    let absorbed = fixture.replace(
+        "[impact]",
+        "[reconstruct]\nfind = \"vehicle2.speed\"\nenergy_basis = \"absorbed\"\n[impact]",
+    );
+    let absorbed =
+        absorbed.replacen("[vehicle1]", "[vehicle1]\nspeed = { value = \"50 km/h\", sd = \"9 km/h\" }", 1);
+    for text in [fixture, other, &flat, &fraction, &absorbed] {
+        let mut impacts = of_case(text).impacts;
+        assert!(impacts.block.is_some(), "{text}");
+        let blocks: Vec<_> = (0..8).flat_map(|seed| impacts_of(&impacts, seed)).collect();
+        impacts.block = None;
+        let cases: Vec<_> = (0..8).flat_map(|seed| impacts_of(&impacts, seed)).collect();
+        let possible = cases.iter().filter(|text| text.contains("is_possible: true")).count();
+        assert!(possible > 50, "{possible} of {}", cases.len());
+        assert!(blocks == cases, "{text}");
+    }
+}
+
+/// What a block does not read is left to the case.
+#[test]
+fn other_shapes_are_left_to_the_case() {
+    let fixture = include_str!("../../../../fixtures/estimate.toml");
+    let shared = format!(
+        "{fixture}[[uncertainty.shared]]\nname = \"tape\"\nof = [\"vehicle1.crush.depths\"]\nsd = \"1 cm\"\n"
+    );
+    let offset = fixture.replace("pdof = \"15 deg\"", "offset = { value = \"0 cm\", sd = \"3 cm\" }");
+    let woolley = fixture.replace("restitution = 0.1\ntangential = \"critical\"", "law = \"woolley\"");
+    let zones = fixture.replacen("width = \"150 cm\"", "spacing = \"30 30 30 30 30 cm\"", 1);
+    for text in [shared, offset, woolley, zones] {
+        assert_ne!(text, fixture);
+        assert!(of_case(&text).impacts.block.is_none(), "{text}");
+    }
+}

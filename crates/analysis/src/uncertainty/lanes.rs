@@ -7,10 +7,11 @@
 //! inertias, and every sample that fails.
 
 use ::uncertainty::{LANES, Lanes};
-use crash3::{EnergyBasis, Stiffness, Zone, equal_spacing, zone_energy};
+use crash3::{EnergyBasis, Stiffness, VehicleClass, Zone, equal_spacing, zone_energy};
 use inputs::{
     Axes, Basis, BrachTangential, Case, ContactPoint, Crush, Find, GivenImpact, GivenVehicle, ImpactLaw,
     Mass, Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Velocity, YawInertia,
+    class_yaw_inertia,
 };
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2, VehicleId};
 use reconcile::{Problem, Unknown};
@@ -20,7 +21,7 @@ use crate::sensitivity::Output;
 
 /// A number of the case.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Number {
+pub(crate) enum Number {
     /// The same in every sample.
     Known(f64),
     /// One of the inputs, by its place among them.
@@ -29,14 +30,14 @@ pub(super) enum Number {
 
 impl Number {
     #[inline(always)]
-    fn lanes(self, inputs: &[Lanes]) -> Lanes {
+    pub(crate) fn lanes(self, inputs: &[Lanes]) -> Lanes {
         match self {
             Self::Known(number) => [number; LANES],
             Self::Uncertain(place) => inputs.get(place).copied().unwrap_or([f64::NAN; LANES]),
         }
     }
 
-    fn is_uncertain(self) -> bool {
+    pub(crate) fn is_uncertain(self) -> bool {
         matches!(self, Self::Uncertain(_))
     }
 }
@@ -56,16 +57,36 @@ pub(super) struct Block {
 
 #[derive(Debug)]
 struct Vehicle {
+    mover: Mover,
+    crush: Crushed,
+    stiffness: Line,
+}
+
+/// A vehicle that moves, without its damage.
+#[derive(Debug)]
+pub(crate) struct Mover {
     mass: Mass<Number>,
-    yaw: YawInertia<Number>,
+    yaw: Yaw,
     heading: Quantity<Number>,
     contact: ContactPoint<Number>,
     /// None of the vehicle whose speed is sought.
     motion: Option<Velocity<Number>>,
     yaw_rate: Option<Quantity<Number>>,
+}
+
+/// Where a yaw inertia comes from.
+#[derive(Clone, Copy, Debug)]
+enum Yaw {
+    Given(YawInertia<Number>),
+    /// A size class, with the factor on its radius of gyration.
+    Class(VehicleClass, Number),
+}
+
+/// A crush that was measured at stations of equal spacing.
+#[derive(Debug)]
+pub(crate) struct Crushed {
     width: Quantity<Number>,
     depths: Vec<Quantity<Number>>,
-    stiffness: Line,
 }
 
 impl Block {
@@ -147,7 +168,10 @@ impl Block {
             restitution,
             tangential_restitution,
         } = self;
-        let of_vehicles = vehicles.iter().flat_map(Vehicle::quantities).map(|quantity| quantity.number());
+        let of_vehicles = vehicles.iter().flat_map(|vehicle| {
+            let Vehicle { mover, crush, stiffness } = vehicle;
+            mover.numbers().chain(crush.numbers()).chain(stiffness.numbers())
+        });
         of_vehicles.chain([crush_plane.number(), *restitution, *tangential_restitution])
     }
 
@@ -160,11 +184,11 @@ impl Block {
         };
         let (e, e_t) = (self.restitution.lanes(inputs), self.tangential_restitution.lanes(inputs));
         let [one, two] = &self.vehicles;
-        let (v1, v2) = (one.lanes(self.axes, inputs), two.lanes(self.axes, inputs));
+        let (v1, v2) = (one.mover.lanes(self.axes, inputs), two.mover.lanes(self.axes, inputs));
         let crush_plane = lateral(self.axes, &self.crush_plane, inputs);
         let mut crush_energy = [0.0; LANES];
-        one.add_crush_energy(inputs, &mut crush_energy);
-        two.add_crush_energy(inputs, &mut crush_energy);
+        one.crush.add_energy(inputs, one.stiffness.lanes(inputs), &mut crush_energy);
+        two.crush.add_energy(inputs, two.stiffness.lanes(inputs), &mut crush_energy);
         // On the stack of this function, so that the compiler knows that no column is part of another.
         let mut values = [[0.0; LANES]; OUTPUTS];
         let mut answered = [false; LANES];
@@ -219,10 +243,10 @@ fn answer(axes: Axes, central: &[f64; OUTPUTS], speed: f64, outcome: &Outcome) -
 }
 
 /// The part of a block that does not depend on the law, in SI.
-struct VehicleLanes {
-    mass: Lanes,
+pub(crate) struct VehicleLanes {
+    pub(crate) mass: Lanes,
     yaw_inertia: Lanes,
-    heading: Lanes,
+    pub(crate) heading: Lanes,
     forward: Lanes,
     left: Lanes,
     velocity_x: Lanes,
@@ -232,7 +256,7 @@ struct VehicleLanes {
 
 impl VehicleLanes {
     #[inline(always)]
-    fn participant(&self, lane: usize) -> (Participant, bool) {
+    pub(crate) fn participant(&self, lane: usize) -> (Participant, bool) {
         let (body, is_body) = Body::new_with_validity(self.mass[lane], self.yaw_inertia[lane]);
         let (participant, is_placed) =
             Participant::new_with_validity(body, self.heading[lane], self.forward[lane], self.left[lane]);
@@ -240,7 +264,7 @@ impl VehicleLanes {
     }
 
     #[inline(always)]
-    fn motion(&self, lane: usize) -> Motion {
+    pub(crate) fn motion(&self, lane: usize) -> Motion {
         let velocity = Vector2::new(self.velocity_x[lane], self.velocity_y[lane]);
         Motion { velocity, yaw_rate: self.yaw_rate[lane] }
     }
@@ -248,15 +272,34 @@ impl VehicleLanes {
 
 impl Vehicle {
     fn new(vehicle: &GivenVehicle<Number>, is_sought: bool) -> Option<Self> {
+        // A block asks for a crush, beside which there is no energy alone.
+        let crush = vehicle.crush.as_ref()?;
+        let (crushed, stiffness) = Crushed::new(crush)?;
+        let StiffnessForm::Line(stiffness) = stiffness else { return None };
+        if crush.pdof.is_some() || crush.oblique.is_some() {
+            return None;
+        }
+        let stiffness = Line::new(*stiffness)?;
+        Some(Self { mover: Mover::new(vehicle, None, is_sought)?, crush: crushed, stiffness })
+    }
+}
+
+impl Mover {
+    /// `yaw_factor` is that on the radius of gyration of a size class.
+    pub(crate) fn new(
+        vehicle: &GivenVehicle<Number>,
+        yaw_factor: Option<Number>,
+        is_sought: bool,
+    ) -> Option<Self> {
         let GivenVehicle {
             name: _,
             kind: _,
             fixed,
             mass,
             yaw,
-            // Where mass, inertia and crush are given, as a block asks for, these are for drawings and
+            class,
+            // Where mass, inertia and contact are given, as a block asks for, these are for drawings and
             // warnings.
-            class: _,
             wheelbase: _,
             track: _,
             cg_to_front_axle: _,
@@ -267,51 +310,41 @@ impl Vehicle {
             contact,
             motion,
             yaw_rate,
-            crush,
-            // A block asks for a crush, beside which there is none.
+            // The damage is read beside this.
+            crush: _,
             energy: _,
-            // The motion before and after the impact is not used by the reconstruction of one speed.
+            // The motion before and after the impact is not used by the impact.
             before: _,
             after: _,
             recorder: _,
             certain_speed: _,
         } = vehicle;
-        let Crush {
-            from_force_balance,
-            width,
-            depths,
-            spacing,
-            stiffness,
-            pdof,
-            oblique,
-            // These are for CRASH3's own answer, which no sample asks for.
-            side: _,
-            offset: _,
-            oblique_angle: _,
-            moment_arm: _,
-        } = crush.as_ref()?;
-        if *fixed || *from_force_balance || spacing.is_some() || pdof.is_some() || oblique.is_some() {
+        if *fixed {
             return None;
         }
-        let StiffnessForm::Line(stiffness) = stiffness else { return None };
+        let yaw = match (*yaw, *class) {
+            (Some(yaw), _) => Yaw::Given(yaw),
+            (None, Some(class)) => Yaw::Class(VehicleClass::new(class).ok()?, yaw_factor?),
+            (None, None) => return None,
+        };
         Some(Self {
             mass: (*mass)?,
-            yaw: (*yaw)?,
+            yaw,
             heading: (*heading)?,
             contact: (*contact)?,
             motion: if is_sought { None } else { Some((*motion)?) },
             yaw_rate: *yaw_rate,
-            width: (*width)?,
-            depths: depths.clone(),
-            stiffness: Line::new(*stiffness)?,
         })
     }
 
-    /// Every number that it reads, with its unit.
-    fn quantities(&self) -> impl Iterator<Item = Quantity<Number>> {
-        let Self { mass, yaw, heading, contact, motion, yaw_rate, width, depths, stiffness } = self;
+    /// Every number that it reads.
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = Number> {
+        let Self { mass, yaw, heading, contact, motion, yaw_rate } = self;
         let (Mass::Mass(mass) | Mass::Weight(mass)) = mass;
-        let (YawInertia::Inertia(yaw) | YawInertia::Radius(yaw)) = yaw;
+        let yaw = match yaw {
+            Yaw::Given(YawInertia::Inertia(yaw) | YawInertia::Radius(yaw)) => yaw.number(),
+            Yaw::Class(_, factor) => *factor,
+        };
         let contact = match contact {
             ContactPoint::Polar { distance, angle } => [distance, angle],
             ContactPoint::Cartesian { x, y } => [x, y],
@@ -321,26 +354,31 @@ impl Vehicle {
             Some(Velocity::Speed(speed)) => [Some(speed), None],
             Some(Velocity::Vector { x, y }) => [Some(x), Some(y)],
         };
-        let given =
-            [mass, yaw, heading, width].into_iter().chain(contact).chain(motion.into_iter().flatten());
-        given.chain(yaw_rate).chain(depths).chain(stiffness.quantities()).copied()
+        let given = [mass, heading].into_iter().chain(contact).chain(motion.into_iter().flatten());
+        given.chain(yaw_rate).map(Quantity::number).chain([yaw])
     }
 
     #[inline(always)]
-    fn lanes(&self, axes: Axes, inputs: &[Lanes]) -> VehicleLanes {
+    pub(crate) fn lanes(&self, axes: Axes, inputs: &[Lanes]) -> VehicleLanes {
         let mass = match self.mass {
             Mass::Mass(mass) => each(&mass, inputs, |mass| Mass::Mass(mass).kg()),
             Mass::Weight(weight) => each(&weight, inputs, |weight| Mass::Weight(weight).kg()),
         };
         let mut yaw_inertia = [0.0; LANES];
         match self.yaw {
-            YawInertia::Inertia(inertia) => {
+            Yaw::Given(YawInertia::Inertia(inertia)) => {
                 let numbers = inertia.number().lanes(inputs);
                 for lane in 0..LANES {
                     yaw_inertia[lane] = YawInertia::Inertia(inertia.with(numbers[lane])).kg_m2(mass[lane]);
                 }
             }
-            YawInertia::Radius(radius) => {
+            Yaw::Class(class, factor) => {
+                let factors = factor.lanes(inputs);
+                for lane in 0..LANES {
+                    yaw_inertia[lane] = class_yaw_inertia(&class, mass[lane], factors[lane]);
+                }
+            }
+            Yaw::Given(YawInertia::Radius(radius)) => {
                 let numbers = radius.number().lanes(inputs);
                 for lane in 0..LANES {
                     yaw_inertia[lane] = YawInertia::Radius(radius.with(numbers[lane])).kg_m2(mass[lane]);
@@ -389,16 +427,45 @@ impl Vehicle {
         let yaw_rate = self.yaw_rate.map_or([0.0; LANES], |yaw_rate| lateral(axes, &yaw_rate, inputs));
         VehicleLanes { mass, yaw_inertia, heading, forward, left, velocity_x, velocity_y, yaw_rate }
     }
+}
 
-    /// (J) adds the crush energy; not a number where a sample has none.
+impl Crushed {
+    /// With what the side resisted with; `None` of a crush that was not measured so.
+    pub(crate) fn new(crush: &Crush<Number>) -> Option<(Self, &StiffnessForm<Number>)> {
+        let Crush {
+            from_force_balance,
+            width,
+            depths,
+            spacing,
+            stiffness,
+            // These are for CRASH3's own answer, which no sample asks for.
+            side: _,
+            pdof: _,
+            oblique: _,
+            offset: _,
+            oblique_angle: _,
+            moment_arm: _,
+        } = crush;
+        if *from_force_balance || spacing.is_some() {
+            return None;
+        }
+        Some((Self { width: (*width)?, depths: depths.clone() }, stiffness))
+    }
+
+    /// Every number that it reads.
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = Number> {
+        let Self { width, depths } = self;
+        [width].into_iter().chain(depths).map(Quantity::number)
+    }
+
+    /// (J) adds the crush energy with A, B and G; not a number where a sample has none.
     #[inline(always)]
-    fn add_crush_energy(&self, inputs: &[Lanes], total: &mut Lanes) {
+    pub(crate) fn add_energy(&self, inputs: &[Lanes], [a, b, g]: [Lanes; 3], total: &mut Lanes) {
         let stations = self.depths.len();
         let mut spacing = si(&self.width, inputs);
         for width in &mut spacing {
             *width = equal_spacing(*width, stations);
         }
-        let [a, b, g] = self.stiffness.lanes(inputs);
         let mut own = [0.0; LANES];
         for ends in self.depths.windows(2) {
             let [c1, c2] = ends else { continue };
@@ -418,7 +485,7 @@ impl Vehicle {
 
 /// A stiffness without a limit, and without a G where that follows.
 #[derive(Clone, Copy, Debug)]
-enum Line {
+pub(crate) enum Line {
     Crush([Quantity<Number>; 2]),
     CrushEnergy([Quantity<Number>; 3]),
     Root([Quantity<Number>; 2]),
@@ -426,7 +493,7 @@ enum Line {
 }
 
 impl Line {
-    fn new(line: StiffnessLine<Number>) -> Option<Self> {
+    pub(crate) fn new(line: StiffnessLine<Number>) -> Option<Self> {
         match line {
             StiffnessLine::Crush { a, b, g: None, limit: None } => Some(Self::Crush([a, b])),
             StiffnessLine::Crush { a, b, g: Some(g), limit: None } => Some(Self::CrushEnergy([a, b, g])),
@@ -436,16 +503,18 @@ impl Line {
         }
     }
 
-    fn quantities(&self) -> &[Quantity<Number>] {
-        match self {
+    /// Every number that it reads.
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = Number> {
+        let quantities: &[Quantity<Number>] = match self {
             Self::Crush(two) | Self::Root(two) => two,
             Self::CrushEnergy(three) | Self::RootEnergy(three) => three,
-        }
+        };
+        quantities.iter().map(Quantity::number)
     }
 
     /// A, B and G; not numbers where there is no such stiffness.
     #[inline(always)]
-    fn lanes(&self, inputs: &[Lanes]) -> [Lanes; 3] {
+    pub(crate) fn lanes(&self, inputs: &[Lanes]) -> [Lanes; 3] {
         let limit = None;
         match self {
             Self::Crush(numbers) => {
@@ -483,13 +552,13 @@ fn coefficients<const N: usize>(
 }
 
 #[inline(always)]
-fn si(quantity: &Quantity<Number>, inputs: &[Lanes]) -> Lanes {
+pub(crate) fn si(quantity: &Quantity<Number>, inputs: &[Lanes]) -> Lanes {
     each(quantity, inputs, |quantity| quantity.si())
 }
 
 /// What counts across or turns, in the axes of the engine.
 #[inline(always)]
-fn lateral(axes: Axes, quantity: &Quantity<Number>, inputs: &[Lanes]) -> Lanes {
+pub(crate) fn lateral(axes: Axes, quantity: &Quantity<Number>, inputs: &[Lanes]) -> Lanes {
     each(quantity, inputs, |quantity| axes.lateral(quantity.si()))
 }
 

@@ -303,6 +303,14 @@ fn footprint(dimensions: Dimensions, kind: Kind) -> Footprint {
     Footprint { length, width, cg_to_front, shape }
 }
 
+/// All pictures of an estimate below each other. `None` where no result varies, and where the run has not
+/// converged.
+#[must_use]
+pub fn estimate_pictures(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
+    let drawings = all(case, estimated, asked, units);
+    (!drawings.is_empty()).then(|| Drawing::stacked("estimate", title(case), &drawings))
+}
+
 /// All pictures of an estimate, in the order of a report: the speeds one by one, both at once, and the rests.
 pub(crate) fn all(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Vec<(String, Drawing)> {
     let speeds = VehicleId::ALL.into_iter().filter_map(|vehicle| {

@@ -121,6 +121,10 @@ fn good_for(case: &Case, purpose: Purpose, on: Purpose) -> String {
         (Some(reconstruct), Purpose::Reconstruct) => {
             format!(" to find {}", words::find_names(reconstruct.find))
         }
+        (_, Purpose::Estimate) => match analysis::estimate_evidence(case) {
+            Ok(keys) if !keys.is_empty() => format!("; the evidence: {}", keys.join(", ")),
+            _ => "; but there is no evidence".to_owned(),
+        },
         (_, Purpose::Draw) => {
             let is_damaged = case.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
             let what: Vec<&str> = Subject::ALL
