@@ -347,8 +347,8 @@ pub struct Samples {
     pub propagation: Propagation,
 }
 
-/// The samples of [`uncertainty()`], with the same bits, in a fraction of its time where they are few: without
-/// derivatives, tornado and doubts, as a row of a table has no place for them.
+/// The samples of [`uncertainty()`], with the same bits, in a fraction of its time where they are few:
+/// without derivatives, tornado and doubts, as a row of a table has no place for them.
 ///
 /// # Errors
 /// As for [`uncertainty()`].

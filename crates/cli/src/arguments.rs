@@ -230,7 +230,8 @@ pub(crate) enum Command {
             Exit status: 0 done; 1 no answer, or the run has not converged; 2 the case file or the command line is wrong."
     )]
     Estimate(EstimateArguments),
-    /// Draw the scene, the motion, the damage, the reconciliation, the energy or an estimate, as SVG, PNG or PDF
+    /// Draw the scene, the motion, the damage, the reconciliation, the energy or an estimate, as SVG, PNG or
+    /// PDF
     #[command(
         long_about = "Draw the scene, the motion, the damage, the reconciliation, the energy or an estimate, as SVG, PNG or PDF.\n\n\
             A case with [reconstruct] is reconstructed first; a case with both speeds is computed forward; for a case without [impact], the damage and the motion after the impact can be drawn. Scene, motion and damage are to scale. The damaged body is filled, and its shape before the damage is dashed. A vehicle that has neither class nor length, width and cg_to_front is drawn with the outline of the CRASH3 size class whose radius of gyration is nearest to its own, and the legend notes this. If its radius of gyration or its contact point does not fit a car of that class, the scene shows its centre of gravity and its arrows, and no body.\n\n--plain draws the scene or the motion for readers who are no engineers: the vehicles by name and their speeds before and after the impact, without symbols, axes or forces.\n\n--what estimate draws what `deltav estimate` finds without options: how probable each speed that is not known is, both speeds at once where neither is, and where the vehicles come to rest where they are followed.\n\nStandard error says how many warnings the case has. The letters of PNG and PDF are those of DejaVu Sans. If a text has other letters, standard error names them, and the picture has ? in their place; an SVG uses the fonts of its reader.",

@@ -46,8 +46,8 @@ impl Drawing {
         Self { name, title, description, canvas }
     }
 
-    /// Drawings below each other on one page, each with the word that its `id`s have on it; none of them has a
-    /// site plan.
+    /// Drawings below each other on one page, each with the word that its `id`s have on it; none of them has
+    /// a site plan.
     #[must_use]
     pub fn stacked(name: &'static str, title: String, drawings: &[(String, Self)]) -> Self {
         let width = drawings.iter().map(|(_, drawing)| drawing.canvas.page().width()).fold(0.0, f64::max);

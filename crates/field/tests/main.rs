@@ -151,7 +151,8 @@ fn the_case_file_of_a_pair_has_its_numbers() {
     let [one, two] = &case.vehicles;
     let kg = |vehicle: &inputs::GivenVehicle| vehicle.mass.as_ref().unwrap().kg();
     assert!((kg(one) - 1575.0).abs() < 0.1 && (kg(two) - 1475.0).abs() < 0.1);
-    // Counter-clockwise from north; the plane is that of the side, so the front has the error of both, 10° √2.
+    // Counter-clockwise from north; the plane is that of the side, so the front has the error of both,
+    // 10° √2.
     for (given, degrees) in [
         ("[vehicle1]", "heading = { value = \"0.00 deg\", sd = \"14.14 deg\" }"),
         ("[vehicle2]", "heading = \"90.00 deg\""),

@@ -40,8 +40,9 @@
 //! energy. A [`Drawing`] is SVG, PNG or PDF; the crate `drawing` makes all of them.
 //!
 //! [`histogram`] and [`tornado`] plot an uncertainty, [`density`], [`joint_speeds`] and [`rests`] an
-//! estimate, [`estimate_pictures`] all of that below each other, [`computed_against_measured`] and [`reconstructed_speed`] the validation,
-//! [`estimated_against_recorded`] and [`ranks_of_recorders`] the judgement by recorders.
+//! estimate, [`estimate_pictures`] all of that below each other, [`computed_against_measured`] and
+//! [`reconstructed_speed`] the validation, [`estimated_against_recorded`] and [`ranks_of_recorders`] the
+//! judgement by recorders.
 //!
 //! `examples/text_and_drawing.rs` goes from a file to a text and a drawing.
 //!
