@@ -162,18 +162,8 @@ impl<const N: usize> Real for Bundle<N> {
 #[cfg(test)]
 mod tests {
     use super::Bundle;
+    use crate::duals::tests::formula;
     use crate::{Duals, Real};
-
-    /// Each operation, of numbers that all depend on both inputs.
-    fn formula<T: Real>(x: T, y: T) -> T {
-        let (sin, cos) = (x * 3.0 - y).sin_cos();
-        let mut z = (sin / (x + 2.0) - cos * y + 3.0).sqrt().atan2(x);
-        z += y.power(1.5);
-        z -= T::ONE - x / 2.0;
-        z *= -y;
-        z /= x + 1.0;
-        z.min(x + 7.0).max(-x) + (z - 9.0).abs()
-    }
 
     /// Each lane has the bits of a run alone, and their differences are the derivatives.
     #[test]

@@ -182,12 +182,12 @@ impl<const N: usize> Real for Duals<N> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::Duals;
     use crate::{Dual, Real};
 
     /// Each operation, of numbers that all depend on both inputs.
-    fn formula<T: Real>(x: T, y: T) -> T {
+    pub(crate) fn formula<T: Real>(x: T, y: T) -> T {
         let (sin, cos) = (x * 3.0 - y).sin_cos();
         let mut z = (sin / (x + 2.0) - cos * y + 3.0).sqrt().atan2(x);
         z += y.power(1.5);

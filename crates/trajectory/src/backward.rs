@@ -557,7 +557,8 @@ impl<'a> Search<'a> {
 
     /// The nearest of some full steps from a motion that is nearly there. Where the integration chooses other
     /// steps, the rest jumps by some tolerances, and the way to the motion sought may lead over a greater
-    /// miss. It ends where the steps lead back to where one began: then they go round between jumps.
+    /// miss. It ends where a step has met a jump and the best rest is as good as any, and where the steps
+    /// lead back to where one began: then they go round between jumps.
     fn settled(&self, from: Try, mut columns: Columns, turn: f64) -> Try {
         let (mut here, mut best) = (from, from);
         let mut past = [[f64::INFINITY; 3]; LONGEST_ROUND];
@@ -577,6 +578,7 @@ impl<'a> Search<'a> {
             if next.size() > FAR * COARSE {
                 break;
             }
+            // As many steps of the integration: the rest changed smoothly, and tells the slope.
             let no_jump = next.size() <= 0.3 * here.size() || next.rest.steps == here.rest.steps;
             if no_jump && !renew {
                 columns = updated(columns, step, [0, 1, 2].map(|i| next.miss[i] - here.miss[i]));

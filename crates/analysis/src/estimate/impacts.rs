@@ -113,9 +113,11 @@ impl CaseImpacts {
     ) -> Vec<Impacted> {
         let poses = self.block.as_ref().map(|block| block.pose(values, self.speeds));
         let mut impacts = Vec::with_capacity(LANES);
-        for lane in 0..LANES {
+        // Those that were made for the impact, for the motion after it.
+        let mut cases: [Option<Case>; LANES] = [const { None }; LANES];
+        for (lane, kept) in cases.iter_mut().enumerate() {
             let posed = poses.as_ref().and_then(|poses| poses.of(lane));
-            let posed = posed.or_else(|| pose(&self.case_of(values, lane)));
+            let posed = posed.or_else(|| pose(kept.insert(self.case_of(values, lane))));
             let impacted = posed.and_then(|posed| self.impact_of(posed, values, lane));
             impacts.push(impacted.unwrap_or_else(|| Self::impossible(self.placeholder)));
         }
@@ -128,7 +130,8 @@ impl CaseImpacts {
             for (lane, motion) in motions.iter_mut().enumerate() {
                 let impacted = &mut impacts[lane];
                 if wanted[lane] && impacted.is_possible && motion.is_none() {
-                    *motion = self.case_of(values, lane).run_out().and_then(Result::ok);
+                    let case = cases[lane].take().unwrap_or_else(|| self.case_of(values, lane));
+                    *motion = case.run_out().and_then(Result::ok);
                     impacted.is_possible = motion.is_some();
                 }
             }
