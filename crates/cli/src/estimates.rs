@@ -59,7 +59,7 @@ pub(crate) fn pictures(file: &CaseFile, units: Units) -> Result<Drawing> {
     }
     let asked = Asked { plan, questions: Vec::new() };
     let drawing = report::estimate_pictures(&file.case, &estimated, &asked, units);
-    let message = "there is no estimate to draw: all speeds are known, and no vehicle is followed to rest";
+    let message = "there is no estimate to draw: the case gives both speeds and follows no vehicle to rest; leave out the speed that is sought";
     drawing.ok_or_else(|| NoAnswer(message.to_owned()).into())
 }
 

@@ -258,3 +258,29 @@ fn impossible_evidence_is_named() {
     assert_eq!(output.status.code(), Some(1), "{}", said(&output));
     assert!(said(&output).contains("do not approach each other; check the headings"), "{}", said(&output));
 }
+
+/// The pictures of the report below each other; and of speeds that are all known, a sentence.
+#[test]
+fn the_estimate_is_drawn() {
+    let draw = |case: &str, to: &str| {
+        let to = temporary(to);
+        // That of an earlier run.
+        let _ = fs::remove_file(&to);
+        let arguments = ["draw", case, "--what", "estimate", "-o", &to.display().to_string()];
+        let output = Command::new(env!("CARGO_BIN_EXE_deltav")).args(arguments).output().unwrap();
+        (output, to)
+    };
+    let (output, svg) = draw(&written("drawn.toml", CASE), "drawn.svg");
+    assert_eq!((output.status.code(), &*said(&output)), (Some(0), ""));
+    let svg = fs::read_to_string(svg).unwrap();
+    for part in ["density-speed-1-", "density-speed-2-", "joint-speeds-"] {
+        assert!(svg.contains(&format!(" id=\"estimate-{part}")), "{part}");
+    }
+    let fixtures = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures");
+    let (output, svg) = draw(&format!("{fixtures}/sae-980025-impact.toml"), "known.svg");
+    assert_eq!(output.status.code(), Some(1));
+    let sentence = "there is no estimate to draw: the case gives both speeds and follows no vehicle to rest; \
+                    leave out the speed that is sought";
+    assert!(said(&output).contains(sentence), "{}", said(&output));
+    assert!(!svg.exists());
+}
