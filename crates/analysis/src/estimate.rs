@@ -9,7 +9,9 @@ mod setup;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use ::estimate::{Culprit, Doubt, Exclusion, Posterior, Selection, Settings, Summary, Verdict, sample};
+use ::estimate::{
+    Culprit, Doubt, Exclusion, PARTICLES_STEP, Posterior, Selection, Settings, Summary, Verdict, sample,
+};
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
 use evidence::{Model, Observed, Piece};
 use inputs::{Case, Unit};
@@ -175,10 +177,9 @@ pub struct Impossible {
 
 /// How many times as many particles at most are taken where a run does not converge: they are doubled twice.
 const MOST_TIMES: usize = 4;
-/// Particles of an island for what is shown beside the answer, as a share of those of the answer.
+/// Particles of an island for what is shown beside the answer, as a share of those of the answer, rounded up
+/// to what an island can have.
 const BESIDE_SHARE: usize = 4;
-/// The fewest.
-const BESIDE_LEAST: usize = 128;
 
 /// Estimates what the evidence of a case says.
 ///
@@ -227,7 +228,7 @@ pub fn estimate(
         let pieces = model.pieces().iter().enumerate();
         pieces.filter(|(_, piece)| wanted(piece)).map(|(place, _)| place).collect()
     };
-    let beside = (plan.particles / BESIDE_SHARE).max(BESIDE_LEAST);
+    let beside = (plan.particles / BESIDE_SHARE).next_multiple_of(PARTICLES_STEP);
     let mut before = || {
         run(Selection::Only(places(&always)), beside, &mut |done, total| {
             progress(EstimateStage::Prior, done, total)

@@ -83,6 +83,15 @@ fn the_speed_after_tells_that_before() {
     assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
 }
 
+/// A quarter of 640 is no number of particles that an island can have.
+#[test]
+fn every_number_of_particles_that_an_island_can_have_runs() {
+    let case = read(&format!("{CENTRAL}[vehicle2.after]\nspeed = \"11 m/s\"\ndirection = \"0 deg\"\n"));
+    assert!(::estimate::Settings::can_have(640) && !::estimate::Settings::can_have(160));
+    let estimated = run(&case, 640).unwrap();
+    assert!(estimated.draws_before(speed(VehicleId::One)).is_some());
+}
+
 /// ½ (1 − e²) m₁m₂/(m₁ + m₂) v² = 297 v² J, of which no crush of EES 20 km/h and 30 km/h tells more than the
 /// misfit allows.
 #[test]
