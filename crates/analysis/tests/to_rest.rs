@@ -178,8 +178,8 @@ fn compare(case: &Case, solve: fn(&Case) -> Result<Analysis, Failure>, scale: f6
 /// What central differences of an integration that is good for 0.1 mm a step are good for.
 const CLOSE: f64 = 0.01;
 
-/// A search for a start may miss its rest by half a millimetre, so that differences of 1 cm tell too little,
-/// and longer ones are good for this.
+/// A search for a start may miss its rest by half a millimetre, rarely by one, so that differences of 1 cm
+/// tell too little, and longer ones are good for this.
 const SEARCHED: f64 = 3.0;
 const CLOSE_BY_SEARCH: f64 = 0.02;
 
