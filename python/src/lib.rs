@@ -14,6 +14,7 @@ mod request;
 mod rows;
 mod run;
 mod solved;
+mod stream;
 
 use pyo3::prelude::*;
 
@@ -28,12 +29,14 @@ fn _deltav(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add(class.name()?, &class)?;
     }
     module.add_class::<rows::Rows>()?;
+    module.add_class::<stream::RowStream>()?;
     module.add_class::<rows::PySchema>()?;
     for function in [
         wrap_pyfunction!(rows::reconstruct_table, module)?,
         wrap_pyfunction!(rows::impact_table, module)?,
         wrap_pyfunction!(rows::crush_table, module)?,
         wrap_pyfunction!(rows::estimate_table, module)?,
+        wrap_pyfunction!(rows::stream_table, module)?,
         wrap_pyfunction!(rows::case_schema, module)?,
         wrap_pyfunction!(rows::result_schema, module)?,
     ] {

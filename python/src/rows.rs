@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use analysis::EstimatePlan;
 use arrow_array::{RecordBatch, RecordBatchReader as _, StructArray};
-use arrow_schema::{ArrowError, Field, SchemaRef};
+use arrow_schema::{ArrowError, Field, Schema, SchemaRef};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyMapping};
@@ -17,7 +17,8 @@ use crate::dict;
 use crate::errors::wrong_case;
 use crate::given::Whole;
 use crate::request::{PRIORS, chosen};
-use crate::run::interruptible;
+use crate::run::{Ending, interruptible, pool};
+use crate::stream::{Asked, Parts, RowStream};
 
 /// The results of a table, for whatever speaks Arrow: ``polars.DataFrame(rows)``, ``pyarrow.table(rows)``,
 /// ``pandas.DataFrame.from_arrow(rows)``.
@@ -67,6 +68,24 @@ fn prior(prior: Option<&str>) -> PyResult<Option<case::Prior>> {
     prior.map(|prior| chosen("prior", prior, &PRIORS)).transpose()
 }
 
+fn job(name: &str) -> PyResult<Job> {
+    chosen("job", name, &Job::ALL.map(|job| (job.name(), job)))
+}
+
+fn asked(
+    py: Python<'_>,
+    table: &Schema,
+    job: Job,
+    given: Option<&Bound<'_, PyAny>>,
+    options: Options,
+) -> PyResult<Asked> {
+    let template = template(given)?;
+    let results = tables::result_schema(job, &options);
+    let carried = tables::columns_kept(table).and_then(|kept| Carried::new(table, kept, &results));
+    let carried = carried.map_err(|error| wrong_table(py, error))?;
+    Ok(Asked { job, template, options, carried })
+}
+
 fn solve(
     py: Python<'_>,
     job: Job,
@@ -74,23 +93,16 @@ fn solve(
     given: Option<&Bound<'_, PyAny>>,
     (options, threads): (Options, Option<Whole<usize>>),
 ) -> PyResult<Rows> {
-    let template = template(given)?;
-    let threads = threads.map(|threads| threads.0);
     let mut reader = table.into_reader()?;
-    let (schema, results) = (reader.schema(), tables::result_schema(job, &options));
-    // The columns of the table that are no part of a case, and behind them the results.
-    let carried = tables::columns_kept(&schema).and_then(|kept| Carried::new(&schema, kept, &results));
-    let carried = carried.map_err(|error| wrong_table(py, error))?;
+    let asked = asked(py, &reader.schema(), job, given, options)?;
+    let threads = threads.map(|threads| threads.0);
     let mut batches = Vec::new();
     while let Some(batch) = py.detach(|| reader.next()) {
         let batch = batch.map_err(broken)?;
-        let solved = interruptible(py, threads, |ending| {
-            tables::run(job, &batch, &template, &options, &|_, _| ending.flow())
-        })?;
-        let rows = solved.and_then(|solved| carried.beside(&batch, &solved));
+        let rows = interruptible(py, threads, |ending| asked.solve(&batch, ending))?;
         batches.push(rows.map_err(|error| wrong_table(py, error))?);
     }
-    Ok(Rows { schema: carried.schema().clone(), batches })
+    Ok(Rows { schema: asked.carried.schema().clone(), batches })
 }
 
 fn sampled(samples: Option<Whole<usize>>, seed: Whole<u64>) -> Options {
@@ -176,6 +188,48 @@ pub(crate) fn estimate_table(
     solve(py, Job::Estimate, table, template, (options, threads))
 }
 
+/// Solves the rows of a table as they are read, and so in flat memory: for a table that does not fit into
+/// it, or one that another program reads on.
+///
+/// ``job`` is ``"reconstruct"``, ``"impact"``, ``"crush"`` or ``"estimate"``; all else is as in
+/// ``reconstruct_table`` and ``estimate_table``. The stream can be read once. A table that is wrong is
+/// refused at once, a row that is wrong says so in ``error``.
+///
+/// >>> import pyarrow
+/// >>> speeds = pyarrow.table({"vehicle2.speed [mph]": [10.0, 12.0]})
+/// >>> stream = deltav.stream_table("reconstruct", speeds, template=deltav.Case.example().text)
+/// >>> reader = pyarrow.RecordBatchReader.from_stream(stream)
+/// >>> sum(batch.num_rows for batch in reader)
+/// 2
+#[pyfunction]
+#[pyo3(
+    signature = (job, table, *, template = None, samples = None, particles = Whole(EstimatePlan::PARTICLES), seed = Whole(1), prior = None, threads = None),
+    text_signature = "(job, table, *, template=None, samples=None, particles=512, seed=1, prior=None, threads=None)"
+)]
+#[expect(clippy::too_many_arguments, reason = "Python names them")]
+pub(crate) fn stream_table(
+    py: Python<'_>,
+    job: &str,
+    table: AnyRecordBatch,
+    template: Option<&Bound<'_, PyAny>>,
+    samples: Option<Whole<usize>>,
+    particles: Whole<usize>,
+    seed: Whole<u64>,
+    prior: Option<&str>,
+    threads: Option<Whole<usize>>,
+) -> PyResult<RowStream> {
+    let job = self::job(job)?;
+    let prior = self::prior(prior)?;
+    let options = Options { particles: particles.0, prior, ..sampled(samples, seed) };
+    let table = table.into_reader()?;
+    let asked = asked(py, &table.schema(), job, template, options)?;
+    let pool = pool(threads.map(|threads| threads.0))?;
+    // What is wrong with the table or the options is said now, and not to the one who reads.
+    let none = RecordBatch::new_empty(table.schema());
+    asked.solve(&none, &Ending::never()).map_err(|error| wrong_table(py, error))?;
+    Ok(RowStream::of(Parts { asked, table, pool, left: None }))
+}
+
 /// The schema of a table of cases: structs and lists as in the case file, in SI units. With ``ranges=True`` a
 /// number is a struct, which can be a range.
 ///
@@ -198,7 +252,7 @@ pub(crate) fn case_schema(ranges: bool) -> PySchema {
 #[pyfunction]
 #[pyo3(signature = (job = "reconstruct", *, samples = None))]
 pub(crate) fn result_schema(job: &str, samples: Option<Whole<usize>>) -> PyResult<PySchema> {
-    let job = chosen("job", job, &Job::ALL.map(|job| (job.name(), job)))?;
+    let job = self::job(job)?;
     let options = Options { samples: samples.map(|samples| samples.0), ..Options::default() };
     Ok(PySchema(tables::result_schema(job, &options)))
 }

@@ -22,7 +22,7 @@ type Pools = Vec<(u32, usize, Arc<ThreadPool>)>;
 static POOLS: Mutex<Pools> = Mutex::new(Vec::new());
 
 /// The pool of this process with so many threads; without a number, with one for each processor.
-fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
+pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
     let threads = match threads {
         None => 0,
         Some(threads) if (1..=MOST_THREADS).contains(&threads) => threads,

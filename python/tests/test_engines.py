@@ -45,11 +45,14 @@ def texts(table: pa.Table) -> list[str]:
     return [repr(row) for row in table.to_pylist()]
 
 
-def test_duckdb_reads_and_writes_what_one_process_finds(tmp_path: pathlib.Path, readme: dict[str, Any]) -> None:
+def test_duckdb_reads_and_writes_what_one_process_finds(
+    tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
     pq.write_table(crashes(), tmp_path / "crashes.parquet", row_group_size=30)
     for at_once in (7, ROWS):
         reader = duckdb.connect().sql("from 'crashes.parquet'").to_arrow_reader(at_once)
-        found = readme["results_of"](reader, **OPTIONS)
+        found = pa.RecordBatchReader.from_stream(deltav.stream_table("reconstruct", reader, **OPTIONS))
         writer = duckdb.connect()
         writer.register("found", found)
         writer.execute("copy (from found) to 'results.parquet'")

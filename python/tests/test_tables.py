@@ -1,6 +1,7 @@
 """Tables: a row in, a row out, with the bits of a case."""
 
 import pathlib
+from collections.abc import Iterator
 from typing import Any
 
 import deltav
@@ -160,3 +161,49 @@ def test_a_table_that_cannot_be_read_is_refused(columns: dict[str, Any], options
     with pytest.raises(ValueError) as raised:
         deltav.reconstruct_table(pa.table(columns), template=TEMPLATE, **options)
     assert says in str(raised.value)
+
+
+def test_a_stream_has_the_rows_of_the_table_and_solves_no_more_than_was_read() -> None:
+    read = []
+
+    def parts() -> Iterator[pa.RecordBatch]:
+        for place in range(4):
+            read.append(place)
+            yield from table([10.0 + place, 1e9]).to_batches()
+
+    def stream(**options: Any) -> pa.RecordBatchReader:
+        crashes = pa.RecordBatchReader.from_batches(table([0.0]).schema, parts())
+        solved = deltav.stream_table("reconstruct", crashes, template=TEMPLATE, **options)
+        return pa.RecordBatchReader.from_stream(solved)
+
+    reader = stream(samples=640, seed=5, threads=1)
+    assert read == []
+    reader.read_next_batch()
+    assert read == [0]
+    whole = pa.Table.from_batches(parts(), table([0.0]).schema)
+    wanted = pa.table(deltav.reconstruct_table(whole, template=TEMPLATE, samples=640, seed=5))
+    assert stream(samples=640, seed=5).read_all().combine_chunks().equals(wanted.combine_chunks())
+
+
+def test_a_stream_cuts_a_large_batch_and_ends() -> None:
+    rows = 20_001
+    crashes = pa.table({"id": range(rows), SPEED: [10.0] * rows}).combine_chunks()
+    solved = deltav.stream_table("crush", crashes, template=TEMPLATE)
+    reader = pa.RecordBatchReader.from_stream(solved)
+    sizes, identifiers = [], []
+    for batch in reader:
+        sizes.append(batch.num_rows)
+        identifiers += batch.column("id").to_pylist()
+    assert sizes == [10_000, 10_000, 1]
+    assert identifiers == list(range(rows))
+    with pytest.raises(ValueError, match="have been read"):
+        pa.RecordBatchReader.from_stream(solved)
+
+
+def test_a_stream_refuses_a_wrong_table_at_once() -> None:
+    with pytest.raises(ValueError, match='job="reconstuct": give one of'):
+        deltav.stream_table("reconstuct", table([10.0]), template=TEMPLATE)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="is no key of a case"):
+        deltav.stream_table("reconstruct", pa.table({"vehicle2.sped [mph]": [10.0]}), template=TEMPLATE)
+    with pytest.raises(ValueError, match="64"):
+        deltav.stream_table("reconstruct", table([10.0]), template=TEMPLATE, samples=3)

@@ -25,6 +25,7 @@ from deltav._deltav import (
     Judgement,
     Result,
     Rows,
+    RowStream,
     Schema,
     Sensitivity,
     Uncertainty,
@@ -35,6 +36,7 @@ from deltav._deltav import (
     impact_table,
     reconstruct_table,
     result_schema,
+    stream_table,
 )
 from deltav._errors import CaseError, NoAnswerError, Problem
 from deltav._record import Record
@@ -53,6 +55,7 @@ __all__ = [
     "Problem",
     "Record",
     "Result",
+    "RowStream",
     "Rows",
     "Schema",
     "Sensitivity",
@@ -64,4 +67,5 @@ __all__ = [
     "impact_table",
     "reconstruct_table",
     "result_schema",
+    "stream_table",
 ]

@@ -132,6 +132,13 @@ class Rows:
     def __arrow_c_schema__(self) -> object: ...
 
 @final
+class RowStream:
+    @property
+    def names(self) -> list[str]: ...
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object: ...
+    def __arrow_c_schema__(self) -> object: ...
+
+@final
 class Schema:
     def __arrow_c_schema__(self) -> object: ...
 
@@ -172,6 +179,17 @@ def estimate_table(
     prior: Literal["field", "flat"] | None = None,
     threads: int | None = None,
 ) -> Rows: ...
+def stream_table(
+    job: Literal["reconstruct", "impact", "crush", "estimate"],
+    table: _Table,
+    *,
+    template: _Template | None = None,
+    samples: int | None = None,
+    particles: int = 512,
+    seed: int = 1,
+    prior: Literal["field", "flat"] | None = None,
+    threads: int | None = None,
+) -> RowStream: ...
 def case_schema(*, ranges: bool = False) -> Schema: ...
 def result_schema(
     job: Literal["reconstruct", "impact", "crush", "estimate"] = "reconstruct", *, samples: int | None = None
