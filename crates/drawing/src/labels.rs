@@ -1,8 +1,9 @@
 //! Where the labels of a picture go: the one placer of all pictures.
 
-use kurbo::{BezPath, Line, Point, Rect, Shape as _};
+use kurbo::{BezPath, Line, Point, Rect};
 
 use crate::font::{self, Anchor, SMALL};
+use crate::outline::{Neighbours, Outline};
 
 /// Height of a line of text over the size of its letters.
 const LINE: f64 = 1.25;
@@ -59,13 +60,13 @@ struct Label {
     colour: &'static str,
     kind: Kind,
     /// The area of [`Kind::Within`].
-    within: Option<BezPath>,
+    within: Option<Outline>,
 }
 
 /// An area that labels keep off.
 #[derive(Clone, Debug)]
 struct Area {
-    path: BezPath,
+    outline: Outline,
     /// All of them, and not only those that are to stand beside the outlines.
     all: bool,
 }
@@ -92,7 +93,7 @@ pub(crate) struct Placed {
 pub(crate) struct Placer {
     labels: Vec<Label>,
     texts: Vec<Rect>,
-    obstacles: Vec<Obstacle>,
+    obstacles: Neighbours<Obstacle>,
     /// Heads of arrows, and what else no label covers.
     points: Vec<Rect>,
     areas: Vec<Area>,
@@ -117,7 +118,7 @@ impl Placer {
 
     /// Labels keep off an area, the more the greater the weight.
     pub(crate) fn avoid(&mut self, area: Rect, weight: f64) {
-        self.obstacles.push(Obstacle { area, weight });
+        self.obstacles.push(Obstacle { area, weight }, area);
     }
 
     /// A text stands here: no label covers it.
@@ -132,7 +133,7 @@ impl Placer {
 
     /// Labels keep off an area: those that stand beside all outlines, or all of them.
     pub(crate) fn keep_off(&mut self, path: &BezPath, all: bool) {
-        self.areas.push(Area { path: path.clone(), all });
+        self.areas.push(Area { outline: Outline::new(path), all });
     }
 
     /// A text that belongs to a point.
@@ -142,7 +143,7 @@ impl Placer {
 
     /// A text that names an area, and stands on it where there is room, as near to the point as that allows.
     pub(crate) fn label_within(&mut self, area: &BezPath, at: Point, text: &str, colour: &'static str) {
-        let within = Some(area.clone());
+        let within = Some(Outline::new(area));
         self.labels.push(Label { at, text: text.to_owned(), colour, kind: Kind::Within, within });
     }
 
@@ -162,18 +163,12 @@ impl Placer {
             for centre in candidates(at, size) {
                 let area = Rect::from_center_size(centre, size).inflate(5.0, 1.0);
                 let far = 0.6 * gap(at, area);
-                // Most places are too far to be better, whatever lies there.
-                if far >= best.0 {
-                    continue;
-                }
-                let mut cost = self.cost(area, bounds, kind) + far;
-                if cost < best.0 {
-                    let label = Rect::from_center_size(centre, size);
-                    let line = leader(at, label, kind);
-                    cost += line.map_or(0.0, |line| self.cost_of_leader(line));
-                    if kind == Kind::OfPoint {
-                        cost += self.cost_of_others(at, label, line.is_some());
-                    }
+                let Some(mut cost) = self.cost(area, bounds, kind, far, best.0) else { continue };
+                let label = Rect::from_center_size(centre, size);
+                let line = leader(at, label, kind);
+                cost += line.map_or(0.0, |line| self.cost_of_leader(line));
+                if kind == Kind::OfPoint {
+                    cost += self.cost_of_others(at, label, line.is_some());
                 }
                 if cost < best.0 {
                     best = (cost, centre);
@@ -194,9 +189,8 @@ impl Placer {
 
     /// The best place that is wholly on an area, where there is one without another text, a point or an
     /// outline.
-    fn place_within(&self, within: &BezPath, at: Point, size: (f64, f64), bounds: Rect) -> Option<Point> {
-        let room = within.bounding_box().intersect(bounds);
-        let within = Area { path: within.clone(), all: true };
+    fn place_within(&self, within: &Outline, at: Point, size: (f64, f64), bounds: Rect) -> Option<Point> {
+        let room = within.bounds().intersect(bounds);
         let mut best = (ON_AREA, None);
         let mut y = room.y0 + 0.5 * size.1 + PIECE;
         while y < room.y1 {
@@ -205,11 +199,11 @@ impl Placer {
                 let centre = Point::new(x, y);
                 let area = Rect::from_center_size(centre, size).inflate(5.0, 1.0);
                 let far = WITHIN * (centre - at).hypot();
-                if far < best.0 && within.holds(area) {
-                    let cost = far + self.cost(area, bounds, Kind::Within);
-                    if cost < best.0 {
-                        best = (cost, Some(centre));
-                    }
+                if far < best.0
+                    && holds(within, area)
+                    && let Some(cost) = self.cost(area, bounds, Kind::Within, far, best.0)
+                {
+                    best = (cost, Some(centre));
                 }
                 x += STEP;
             }
@@ -218,23 +212,36 @@ impl Placer {
         best.1
     }
 
-    fn cost(&self, area: Rect, bounds: Rect, kind: Kind) -> f64 {
+    /// What it costs to lie here, so far from where the label would stand best; `None` if that is not below
+    /// the limit.
+    ///
+    /// No part of the sum is negative: what a part of it makes too dear, the rest does not make cheaper, to
+    /// the last digit. Most places are too far to be better, whatever lies there; areas are asked last, as
+    /// their answer takes longest.
+    fn cost(&self, area: Rect, bounds: Rect, kind: Kind, far: f64, limit: f64) -> Option<f64> {
+        if far >= limit {
+            return None;
+        }
+        let covered = |other: &Rect| area.intersect(*other).area() > 0.0;
         let off_page = if bounds.union(area) == bounds { 0.0 } else { OFF_PAGE };
-        let covers = |other: &Rect| area.intersect(*other).area() > 0.0;
-        let texts = count(self.texts.iter().filter(|other| covers(other))) * ON_TEXT;
-        let points = count(self.points.iter().filter(|other| covers(other))) * ON_POINT;
+        let texts = count(self.texts.iter().filter(|other| covered(other))) * ON_TEXT;
+        let points = count(self.points.iter().filter(|other| covered(other))) * ON_POINT;
+        let mut lines = 0.0;
+        for Obstacle { area, weight } in self.obstacles.near(|few| covered(&few)) {
+            if covered(area) {
+                lines += weight;
+                if off_page + texts + points + 6.0 * lines + far >= limit {
+                    return None;
+                }
+            }
+        }
         let kept_off = self
             .areas
             .iter()
             .filter(|other| other.all || matches!(kind, Kind::BesideOutlines | Kind::Within));
-        let areas = count(kept_off.filter(|other| other.is_under(area))) * ON_AREA;
-        let lines: f64 = self
-            .obstacles
-            .iter()
-            .filter(|obstacle| covers(&obstacle.area))
-            .map(|obstacle| obstacle.weight)
-            .sum();
-        off_page + texts + points + areas + 6.0 * lines
+        let areas = count(kept_off.filter(|other| is_under(&other.outline, area))) * ON_AREA;
+        let cost = off_page + texts + points + areas + 6.0 * lines + far;
+        (cost < limit).then_some(cost)
     }
 
     /// What it costs that a label lies near to other points than its own.
@@ -260,7 +267,8 @@ impl Placer {
         // It ends on what it belongs to.
         let points = self.points.iter().filter(|point| !point.inflate(1.0, 1.0).contains(line.p0));
         let points = count(points.filter(|point| cuts(line, **point)));
-        let crossed = self.obstacles.iter().filter(|obstacle| cuts(line, obstacle.area));
+        let near = self.obstacles.near(|few| cuts(line, few));
+        let crossed = near.filter(|obstacle| cuts(line, obstacle.area));
         let crossed: f64 = crossed.map(|obstacle| obstacle.weight).sum();
         texts * ON_POINT + points * ON_AREA + leaders * CROSSING + crossed * CROSSED
     }
@@ -278,24 +286,20 @@ pub(crate) fn text_area(at: Point, text: &str, size: f64, anchor: Anchor) -> Rec
     Rect::new(left, top, left + width, top + LINE * size)
 }
 
-impl Area {
-    /// As far as points every few pixels of the label tell.
-    fn is_under(&self, label: Rect) -> bool {
-        points_of(label).any(|point| self.path.contains(point))
-    }
-
-    /// The same of the whole label.
-    fn holds(&self, label: Rect) -> bool {
-        points_of(label).all(|point| self.path.contains(point))
-    }
+/// Whether an outline lies under a label, as far as points every few pixels of the label tell.
+fn is_under(outline: &Outline, label: Rect) -> bool {
+    outline.bounds().overlaps(label) && rows_of(label).any(|(y, xs)| outline.holds(y, xs).contains(&true))
 }
 
-fn points_of(label: Rect) -> impl Iterator<Item = Point> {
-    const STEPS: i32 = 8;
-    (0..=STEPS).flat_map(move |step| {
-        let x = label.x0 + label.width() * f64::from(step) / f64::from(STEPS);
-        [label.y0, label.center().y, label.y1].map(|y| Point::new(x, y))
-    })
+/// The same of the whole label.
+fn holds(outline: &Outline, label: Rect) -> bool {
+    rows_of(label).all(|(y, xs)| !outline.holds(y, xs).contains(&false))
+}
+
+/// Points of a label, by height.
+fn rows_of(label: Rect) -> impl Iterator<Item = (f64, [f64; 9])> {
+    let xs = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0].map(|step| label.x0 + label.width() * step / 8.0);
+    [label.y0, label.center().y, label.y1].into_iter().map(move |y| (y, xs))
 }
 
 /// Where the text of a label begins.
@@ -371,7 +375,7 @@ fn gap(at: Point, area: Rect) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use kurbo::{Point, Rect};
+    use kurbo::{Circle, Point, Rect, Shape as _};
 
     use super::{Kind, LEADER_OF_POINT, Placed, Placer, gap, text_area};
     use crate::font::{Anchor, SMALL};
@@ -504,6 +508,34 @@ mod tests {
             let area = text_area(label.base, &label.text, SMALL, Anchor::Start);
             assert!(heads.iter().all(|head| !overlap(area, *head)), "{kind:?}: {area:?}");
         }
+    }
+
+    /// A search that gives up on a place early finds the same place: the cost below a limit is that without
+    /// one, to the last bit, and there is none from the limit on.
+    #[test]
+    fn a_limit_changes_no_cost() {
+        let mut placer = Placer::default();
+        placer.protect(symbol(Point::new(60.0, 60.0)));
+        placer.taken(Rect::new(120.0, 40.0, 180.0, 60.0));
+        placer.block(Point::new(0.0, 100.0), Point::new(200.0, 30.0), 0.4);
+        placer.block(Point::new(30.0, 0.0), Point::new(90.0, 200.0), 1.1);
+        placer.keep_off(&Circle::new((100.0, 140.0), 30.0).to_path(0.01), true);
+        let mut costs = Vec::new();
+        for x in 0..20 {
+            for y in 0..20 {
+                let centre = Point::new(f64::from(x) * 10.0, f64::from(y) * 10.0);
+                let area = Rect::from_center_size(centre, (40.0, 16.0));
+                let cost = |limit| placer.cost(area, PAGE, Kind::Anywhere, 1.7, limit);
+                let whole = cost(f64::INFINITY).unwrap();
+                costs.push(whole);
+                for limit in [0.0, 1.0, 1.7, 3.0, 10.0, 30.0, 203.0, 1e4, 1e6, 2e6, whole] {
+                    assert_eq!(cost(limit), (whole < limit).then_some(whole), "{area} below {limit}");
+                }
+            }
+        }
+        costs.sort_by(f64::total_cmp);
+        costs.dedup();
+        assert!(costs.len() > 50, "{costs:?}");
     }
 
     #[test]

@@ -80,6 +80,7 @@ mod marks;
 mod motion;
 mod motion_curves;
 mod number;
+mod outline;
 mod pdf;
 mod pens;
 mod plan;
