@@ -67,6 +67,8 @@ pub struct Uncertainty {
 pub struct UncertainInput {
     /// The number itself, which is the central value.
     pub input: Input,
+    /// (–) its place among the numbers that may vary, [`Case::variables`].
+    pub place: usize,
     /// Its distribution, in the unit in which the file gives it.
     pub distribution: Distribution,
     /// Its physical bounds.
@@ -299,7 +301,7 @@ pub fn uncertainty(
     let outputs = Output::of(&nominal, case.axes);
     let central = central(&nominal, &outputs);
     let gradients = gradients(case, &nominal, &outputs)?;
-    let first_order = first_order(case, &gradients, &inputs)?;
+    let first_order = first_order(&gradients, &inputs)?;
     let taken_as_exact = exact::taken_as_exact(case, &inputs, &gradients);
 
     let model = Sample::new(case, &nominal, &inputs, &outputs, &central);
@@ -386,13 +388,17 @@ pub fn is_searched_back(case: &Case) -> bool {
 
 /// The ranges of the case and the spreads of its estimates, as the engine takes them: at least one.
 pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
-    let mut ranges = case.ranges.iter().peekable();
+    let mut ranges = case.ranges.iter();
     let mut inputs = Vec::new();
     let mut faults = Vec::new();
-    for input in case.variables() {
+    let mut unmatched = case.ranges.iter().peekable();
+    let variables = case.variables_where(|variable| {
+        variable.origin != Origin::Given || unmatched.next_if(|range| variable.is_at(&range.path)).is_some()
+    });
+    for (place, input) in variables {
         let (distribution, bounds) = match input.origin {
             Origin::Given => {
-                let Some(range) = ranges.next_if(|range| range.path == input.path) else { continue };
+                let Some(range) = ranges.next() else { continue };
                 (distribution(&input, range), range.bounds)
             }
             // Without a speed to find, no result depends on the stiffness.
@@ -421,7 +427,7 @@ pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
             },
         };
         match distribution {
-            Ok(distribution) => inputs.push(UncertainInput { input, distribution, bounds }),
+            Ok(distribution) => inputs.push(UncertainInput { input, place, distribution, bounds }),
             Err(error) => faults.push(Fault {
                 key: input.path,
                 kind: FaultKind::Refused { reason: error.to_string() },
@@ -515,22 +521,10 @@ fn central(nominal: &Analysis, outputs: &[Output]) -> Vec<f64> {
     outputs.iter().map(|output| output.of_answer(&answer)).collect()
 }
 
-fn first_order(
-    case: &Case,
-    gradients: &[Gradient],
-    inputs: &[UncertainInput],
-) -> Result<Vec<FirstOrder>, InvalidRequest> {
-    let mut uncertain = inputs.iter().map(|input| &input.input.path).peekable();
-    let is_uncertain: Vec<bool> = case
-        .variables()
-        .iter()
-        .map(|input| uncertain.next_if(|path| **path == input.path).is_some())
-        .collect();
+fn first_order(gradients: &[Gradient], inputs: &[UncertainInput]) -> Result<Vec<FirstOrder>, InvalidRequest> {
     let sds: Vec<f64> = inputs.iter().map(|input| input.distribution.sd() * input.input.factor()).collect();
     let of = |gradient: &Gradient| {
-        let all = gradient.by.iter().zip(&is_uncertain);
-        let derivatives: Vec<f64> =
-            all.filter(|(_, is_uncertain)| **is_uncertain).map(|(by, _)| *by).collect();
+        let derivatives: Vec<f64> = inputs.iter().map(|input| gradient.by[input.place]).collect();
         FirstOrder::new(&derivatives, &sds)
     };
     gradients.iter().map(of).collect()
@@ -567,11 +561,11 @@ impl<'a> Sample<'a> {
         let effects = SharedEffects::of(case);
         let numbers = || case.variables().into_iter().map(|input| input.number).collect();
         let shared = (!effects.is_empty()).then(|| (effects, numbers()));
-        let mut paths = inputs.iter().map(|input| &input.input.path).peekable();
+        let mut uncertain = inputs.iter().map(|input| input.place).peekable();
         let mut is_uncertain = Vec::new();
-        let mut case = case.map(|input| {
-            is_uncertain.push(paths.next_if(|path| **path == input.path).is_some());
-            input.number
+        let mut case = case.map_numbers(|number| {
+            is_uncertain.push(uncertain.next_if_eq(&is_uncertain.len()).is_some());
+            number
         });
         let (mut places, mut marks) = (0.., is_uncertain.iter());
         let numbers = case.map_numbers(|number| match marks.next() {

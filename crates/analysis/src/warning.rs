@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use crash3::{EnergyBasis, Side, principal_angle};
 use inputs::{
-    Basis, Case, ContactSpread, Dimension, FaceAxis, Kind, Quantity, StiffnessForm, StiffnessSource,
-    Velocity, YawSource,
+    Basis, Case, ContactSpread, Dimension, FaceAxis, Kind, Origin, Quantity, StiffnessForm, StiffnessSource,
+    Unit, Variable, Velocity, YawSource,
 };
 use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential, VehicleId};
 
@@ -709,13 +709,15 @@ pub(crate) fn of_outlines(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) 
 
 /// Of single numbers of the file that were hardly meant: angles, speeds, friction and barrier tests.
 pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
-    for input in case.inputs() {
-        let Some(unit) = input.unit.filter(|unit| unit.dimension() == Dimension::Angle) else { continue };
-        let angle = input.si().abs();
-        if angle > FULL_TURN {
-            let in_degrees = unit.spelling() == "deg";
-            warnings.push(Warning::LargeAngle { path: input.path, turns: angle / TAU, in_degrees });
-        }
+    let large_angles = case.variables_where(|Variable { number, unit, origin, .. }| {
+        let is_angle = unit.is_some_and(|unit| unit.dimension() == Dimension::Angle);
+        let angle = number.abs() * unit.map_or(1.0, Unit::factor);
+        is_angle && *origin == Origin::Given && angle > FULL_TURN
+    });
+    for (_, input) in large_angles {
+        let in_degrees = input.unit.is_some_and(|unit| unit.spelling() == "deg");
+        let turns = input.si().abs() / TAU;
+        warnings.push(Warning::LargeAngle { path: input.path, turns, in_degrees });
     }
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
         let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(id));

@@ -18,7 +18,7 @@ use crate::text::Text;
 use crate::uncertain::GivenUncertainty;
 use crate::units::{Unit, UnitSystem};
 use crate::vehicle::GivenVehicle;
-use crate::walk::{Element, Input, Origin, Others, Replace, Value, Walk};
+use crate::walk::{Element, Input, Origin, Others, Replace, Value, Variable, Walk};
 use crate::words::UNKNOWNS;
 
 /// A whole case: two vehicles, and what is known of the impact. The crate `case` reads it from a file and
@@ -159,6 +159,20 @@ impl Case {
         let mut inputs = Vec::new();
         self.map(|input| inputs.push(input));
         inputs
+    }
+
+    /// Those of the [`variables`](Self::variables) that are wanted, each with its place among all. The others
+    /// have their paths only shown, not built.
+    pub fn variables_where(&self, mut wanted: impl FnMut(&Variable<'_>) -> bool) -> Vec<(usize, Input)> {
+        let (mut place, mut found) = (0, Vec::new());
+        let mut look = |path: &dyn Display, number, unit, origin| {
+            if wanted(&Variable { path, number, unit, origin }) {
+                found.push((place, Input { path: path.to_string(), number, unit, origin }));
+            }
+            place += 1;
+        };
+        self.walk(&mut look, None);
+        found
     }
 
     /// Every value of the case, number or not, each under its path. Values that it [leaves

@@ -91,5 +91,5 @@ pub use text::{Text, acts, shown, shown_lines, sign};
 pub use uncertain::{GivenUncertainty, SharedEffects, SharedError};
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
 pub use vehicle::{ContactPoint, GivenVehicle, Kind, Outline, Velocity};
-pub use walk::{Input, Origin, Value};
+pub use walk::{Input, Origin, Value, Variable};
 pub use words::{ENERGY_BASES, OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED, UNKNOWNS, word, words_of};

@@ -1,6 +1,6 @@
 //! Walks through a case: visits every value with its path, and can replace each number.
 
-use std::fmt::{self, Display};
+use std::fmt::{self, Display, Write};
 
 use crate::case::Case;
 use crate::estimate::{Departures, Estimate};
@@ -23,6 +23,36 @@ pub struct Input {
     pub unit: Option<&'static Unit>,
     /// Where it comes from.
     pub origin: Origin,
+}
+
+/// An [`Input`] whose path is not built yet.
+pub struct Variable<'a> {
+    pub(crate) path: &'a dyn Display,
+    /// The number as written.
+    pub number: f64,
+    /// The unit as written; `None` of a coefficient that has none.
+    pub unit: Option<&'static Unit>,
+    /// Where it comes from.
+    pub origin: Origin,
+}
+
+impl Variable<'_> {
+    /// Whether it stands here.
+    #[must_use]
+    pub fn is_at(&self, path: &str) -> bool {
+        let mut rest = Rest(path);
+        write!(rest, "{}", self.path).is_ok() && rest.0.is_empty()
+    }
+}
+
+/// What is left of a text after what was written, as long as that is how it begins.
+struct Rest<'a>(&'a str);
+
+impl Write for Rest<'_> {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        self.0 = self.0.strip_prefix(text).ok_or(fmt::Error)?;
+        Ok(())
+    }
 }
 
 /// Where a number that may vary comes from.

@@ -88,8 +88,8 @@ pub(super) fn taken_as_exact(
 /// is that of the offset, from which nothing else follows.
 fn is_covered_by_contact(case: &Case, input: &Input) -> bool {
     VehicleId::ALL.into_iter().any(|vehicle| {
-        input.path == format!("vehicle{vehicle}.crush.offset")
-            && case.vehicles[vehicle.index()].places_contact()
+        case.vehicles[vehicle.index()].places_contact()
+            && input.path == format!("vehicle{vehicle}.crush.offset")
             && matches!(case.contact_spread(vehicle, FaceAxis::Along), ContactSpread::Default(_))
     })
 }
