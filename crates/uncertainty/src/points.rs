@@ -42,7 +42,6 @@ pub enum SamplingMethod {
 /// Points of one method, seed and number of inputs and samples.
 #[derive(Clone, Debug)]
 pub(crate) struct Points {
-    samples: u64,
     inputs: Inputs,
 }
 
@@ -50,7 +49,7 @@ pub(crate) struct Points {
 #[derive(Clone, Debug)]
 enum Inputs {
     MonteCarlo(Vec<u64>),
-    LatinHypercube(Vec<Strata>),
+    LatinHypercube(Counts, Vec<Strata>),
     Sobol(Vec<Sobol>),
 }
 
@@ -75,7 +74,8 @@ impl Points {
                 Inputs::MonteCarlo(all.map(|input| key(seed, &[1, input as u64])).collect())
             }
             SamplingMethod::LatinHypercube => {
-                Inputs::LatinHypercube(all.map(|input| Strata::new(key(seed, &[2, input as u64]))).collect())
+                let strata = all.map(|input| Strata::new(key(seed, &[2, input as u64])));
+                Inputs::LatinHypercube(Counts::of(count), strata.collect())
             }
             SamplingMethod::Sobol if inputs > MAX_SOBOL_INPUTS => {
                 return Err(InvalidRequest::TooManyInputs { inputs, limit: MAX_SOBOL_INPUTS });
@@ -85,7 +85,7 @@ impl Points {
                 Inputs::Sobol(Sobol::all(&seeds, key(seed, &[4]), count / REPLICATES as u64))
             }
         };
-        Ok(Self { samples: count, inputs })
+        Ok(Self { inputs })
     }
 
     /// Whether any point is independent of all others.
@@ -107,83 +107,173 @@ impl Points {
                     }
                 }
             }
-            Inputs::LatinHypercube(inputs) => {
+            Inputs::LatinHypercube(counts, inputs) => {
                 for (strata, column) in inputs.iter().zip(columns) {
-                    for (lane, share) in (0..).zip(column) {
-                        *share = strata.share(first + lane, self.samples);
-                    }
+                    strata.fill(first, counts, column);
                 }
             }
             Inputs::Sobol(inputs) => {
                 for (sobol, column) in inputs.iter().zip(columns) {
-                    let (groups, _) = column.as_chunks_mut::<REPLICATES>();
-                    for (group, index) in groups.iter_mut().zip(first / REPLICATES as u64..) {
-                        sobol.fill(index, group);
-                    }
+                    sobol.fill(first / REPLICATES as u64, column);
                 }
             }
         }
+    }
+}
+
+/// Points of each replicate in a block.
+const POINTS: usize = LANES / REPLICATES;
+
+/// A number for each lane of a block, the same for all lanes of a replicate: flat, so that each loop over
+/// lanes is vectorised as it stands.
+type Words = [u32; LANES];
+
+/// Which point of its replicate a lane has, of those in the block.
+const ROWS: Words = {
+    let mut rows = [0; LANES];
+    let mut lane = REPLICATES;
+    while lane < LANES {
+        rows[lane] = rows[lane - REPLICATES] + 1;
+        lane += 1;
+    }
+    rows
+};
+
+fn words(of_replicate: impl Fn(usize) -> u32) -> Words {
+    std::array::from_fn(|lane| of_replicate(lane % REPLICATES))
+}
+
+/// How many points the replicate of each lane has, and what a permutation of so many strata needs.
+#[derive(Clone, Copy, Debug)]
+struct Counts {
+    counts: Words,
+    masks: Words,
+    shifts: Words,
+}
+
+impl Counts {
+    fn of(samples: u64) -> Self {
+        // Points of replicate r: ⌈(N − r)/16⌉, at most 2²⁸.
+        #[expect(clippy::cast_possible_truncation, reason = "a sixteenth of at most 2³²")]
+        let counts = words(|replicate| (samples - replicate as u64).div_ceil(REPLICATES as u64) as u32);
+        let size = counts.map(mask_and_shift);
+        Self { counts, masks: size.map(|(mask, _)| mask), shifts: size.map(|(_, shift)| shift) }
     }
 }
 
 /// Latin hypercube points of one input.
 #[derive(Clone, Copy, Debug)]
 struct Strata {
-    /// One permutation of the strata for each replicate.
-    permutations: [u64; REPLICATES],
+    /// What the rounds of the permutation of each replicate add and multiply by.
+    rounds: [[Words; 2]; ROUNDS],
     /// Where in its stratum a point lies.
     places: u64,
 }
 
 impl Strata {
     fn new(input: u64) -> Self {
-        let permutation = |replicate| key(input, &[1, replicate as u64]);
-        Self { permutations: std::array::from_fn(permutation), places: key(input, &[2]) }
+        let permutations: [_; REPLICATES] =
+            std::array::from_fn(|replicate| rounds(key(input, &[1, replicate as u64])));
+        let rounds = std::array::from_fn(|round| {
+            [0, 1].map(|word: usize| words(|replicate| permutations[replicate][round][word]))
+        });
+        Self { rounds, places: key(input, &[2]) }
     }
 
-    fn share(&self, sample: u64, samples: u64) -> f64 {
+    /// The shares of a block that begins at the sample `first`.
+    ///
+    /// All lanes walk their permutations together, until the last has come below its count.
+    #[inline(always)]
+    fn fill(&self, first: u64, of: &Counts, shares: &mut Lanes) {
         /// (bit) with a stratum's number of up to 28 bits below the 53 of an `f64`, so that their sum is
         /// exact.
         const PLACE_BITS: u32 = 20;
         const PLACES: f64 = (1_u64 << PLACE_BITS) as f64;
-        let sets = REPLICATES as u64;
-        let (replicate, index) = (sample % sets, sample / sets);
-        // Points of this replicate: ⌈(N − r)/16⌉
-        let count = (samples - replicate).div_ceil(sets);
-        if index >= count {
-            return 0.5;
+        #[expect(clippy::cast_possible_truncation, reason = "at most 2²⁸")]
+        let index = (first / REPLICATES as u64) as u32;
+        // From an index that no point has, the walk might never come back.
+        let mut strata = [0; LANES];
+        for lane in 0..LANES {
+            let row = index + ROWS[lane];
+            strata[lane] = if row < of.counts[lane] { row } else { 0 };
         }
-        #[expect(clippy::cast_possible_truncation, reason = "below 16")]
-        let stratum = permuted(index, count, self.permutations[replicate as usize]);
-        let place = (bits(self.places, sample) >> (64 - PLACE_BITS)) as f64;
-        // u = (π(i) + (k + ½)·2⁻²⁰)/n
-        (stratum as f64 + (place + 0.5) / PLACES) / count as f64
+        strata = self.permuted(&strata, of);
+        loop {
+            let mut beyond = 0;
+            for lane in 0..LANES {
+                beyond |= u32::from(strata[lane] >= of.counts[lane]);
+            }
+            if beyond == 0 {
+                break;
+            }
+            let next = self.permuted(&strata, of);
+            for lane in 0..LANES {
+                strata[lane] = if strata[lane] >= of.counts[lane] { next[lane] } else { strata[lane] };
+            }
+        }
+        for lane in 0..LANES {
+            #[expect(clippy::cast_possible_truncation, reason = "20 bits")]
+            let place = f64::from((bits(self.places, first + lane as u64) >> (64 - PLACE_BITS)) as u32);
+            let count = of.counts[lane];
+            // u = (π(i) + (k + ½)·2⁻²⁰)/n
+            let inside = (f64::from(strata[lane]) + (place + 0.5) / PLACES) / f64::from(count);
+            shares[lane] = if index + ROWS[lane] < count { inside } else { 0.5 };
+        }
+    }
+
+    /// One step of the permutation of each lane.
+    #[inline(always)]
+    fn permuted(&self, places: &Words, Counts { masks, shifts, .. }: &Counts) -> Words {
+        let mut places = *places;
+        for [add, multiply] in &self.rounds {
+            for lane in 0..LANES {
+                let round = [add[lane], multiply[lane]];
+                places[lane] = turned(places[lane], round, (masks[lane], shifts[lane]));
+            }
+        }
+        places
     }
 }
 
-/// The place of `index` in a random permutation of 0, 1, … `count` − 1.
+const ROUNDS: usize = 4;
+
+/// What each round of a permutation adds and multiplies by.
+#[expect(clippy::cast_possible_truncation, reason = "the halves of a word")]
+fn rounds(key: u64) -> [[u32; 2]; ROUNDS] {
+    std::array::from_fn(|round| {
+        let word = bits(key, round as u64);
+        [(word >> 32) as u32, word as u32 | 1]
+    })
+}
+
+/// Ones for the bits that a count needs, and half of their number.
+fn mask_and_shift(count: u32) -> (u32, u32) {
+    let mask = count.next_power_of_two() - 1;
+    (mask, (mask.count_ones() / 2).max(1))
+}
+
+/// A round of a permutation of all numbers below a power of two. Adding, multiplying by an odd number and
+/// folding the high bits into the low ones can each be undone.
+#[inline(always)]
+fn turned(place: u32, [add, multiply]: [u32; 2], (mask, shift): (u32, u32)) -> u32 {
+    let place = place.wrapping_add(add) & mask;
+    let place = place.wrapping_mul(multiply) & mask;
+    place ^ (place >> shift)
+}
+
+/// The place of `index` in a random permutation of 0, 1, … `count` − 1, which is at most 2²⁸.
 ///
 /// A bijection of the numbers of as many bits as `count` needs, walked until it comes back below `count`:
 /// less than two steps on average (J. Black and P. Rogaway, *Ciphers with arbitrary finite domains*, CT-RSA
 /// 2002: cycle walking).
-fn permuted(index: u64, count: u64, key: u64) -> u64 {
-    const ROUNDS: u64 = 4;
-    let mask = count.next_power_of_two() - 1;
-    let shift = (mask.count_ones() / 2).max(1);
-    let mut place = index;
-    loop {
-        for round in 0..ROUNDS {
-            // Adding, multiplying by an odd number and folding the high bits into the low ones can each be
-            // undone.
-            let word = bits(key, round);
-            place = place.wrapping_add(word >> 32) & mask;
-            place = place.wrapping_mul(word | 1) & mask;
-            place ^= place >> shift;
-        }
-        if place < count {
-            return place;
-        }
+fn permuted(index: u32, count: u32, key: u64) -> u32 {
+    let (rounds, size) = (rounds(key), mask_and_shift(count));
+    let step = |place: u32| rounds.iter().fold(place, |place, round| turned(place, *round, size));
+    let mut place = step(index);
+    while place >= count {
+        place = step(place);
     }
+    place
 }
 
 #[cfg(test)]

@@ -388,17 +388,18 @@ impl Errors {
     }
 
     fn by_replicates(column: &[f64], values: &[f64], quantiles: &Quantiles) -> Self {
-        let mut means = Vec::with_capacity(REPLICATES);
-        let mut sds = Vec::with_capacity(REPLICATES);
-        for replicate in 0..REPLICATES {
-            let own = without_nan(column.iter().skip(replicate).step_by(REPLICATES));
-            if own.len() < 2 {
-                continue;
+        // Dealt in one pass over the column, which is too long for the caches.
+        let mut replicates: [Vec<f64>; REPLICATES] =
+            std::array::from_fn(|_| Vec::with_capacity(column.len().div_ceil(REPLICATES)));
+        for row in column.chunks(REPLICATES) {
+            for (own, value) in replicates.iter_mut().zip(row).filter(|(_, value)| !value.is_nan()) {
+                own.push(*value);
             }
-            let moments = Moments::of(&own);
-            means.push(moments.mean);
-            sds.push(moments.sd());
         }
+        let moments: Vec<Moments> =
+            replicates.iter().filter(|own| own.len() >= 2).map(|own| Moments::of(own)).collect();
+        let means: Vec<f64> = moments.iter().map(|moments| moments.mean).collect();
+        let sds: Vec<f64> = moments.iter().map(Moments::sd).collect();
         let mut of_quantiles = [None; PROBABILITIES.len()];
         if means.len() == REPLICATES {
             let deviations = deviations_of_place(column, &quantiles.values);

@@ -20,7 +20,8 @@
 //! orthogonal rows.
 
 use super::direction_numbers::DIRECTION_NUMBERS;
-use super::{REPLICATES, permuted};
+use super::{POINTS, REPLICATES, permuted};
+use crate::model::Lanes;
 use crate::random::{bits, key, unit};
 
 /// The most inputs that the direction numbers serve. The first needs none.
@@ -74,9 +75,10 @@ impl Sobol {
             let seed = key(common, &[group]);
             for (&(_, input, digit), row) in members.iter().zip(ROWS) {
                 for (replicate, shift) in (0..).zip(&mut all[input].shifts) {
-                    let column = permuted(replicate, REPLICATES as u64, key(seed, &[0]));
+                    let column = permuted(replicate, REPLICATES as u32, key(seed, &[0]));
                     // bᵣ + |row ∧ π(r)| modulo 2
-                    let sign = (bits(seed, 1) >> replicate) ^ u64::from((row & column).count_ones());
+                    let sign =
+                        (bits(seed, 1) >> replicate) ^ u64::from((row & u64::from(column)).count_ones());
                     *shift |= (sign & 1) << digit;
                 }
             }
@@ -96,23 +98,28 @@ impl Sobol {
         Self { directions: directions(input), keys, shifted: 0, shifts: [0; REPLICATES] }
     }
 
-    /// The point at `index`, scrambled for each replicate.
+    /// The points from `index` on, which is the first of a block, scrambled for each replicate.
     #[inline(always)]
-    pub(super) fn fill(&self, index: u64, shares: &mut [f64; REPLICATES]) {
-        let digits = point(&self.directions, index);
-        let first = digits & self.shifted;
+    pub(super) fn fill(&self, index: u64, shares: &mut Lanes) {
+        // A block begins at a multiple of its points: the indices differ in their last places alone.
+        let common = point(&self.directions, index);
         let [add, multiply, add_again, multiply_again] = &self.keys;
-        for (replicate, share) in shares.iter_mut().enumerate() {
-            // Digit 1 is the lowest bit here: nothing flows from a higher bit to a lower one, so that points
-            // that agree in their first digits still do, and are told apart by the next as before.
-            let mut word = digits;
-            word ^= word.wrapping_mul(FOLDS[0]);
-            word = word.wrapping_add(add[replicate]).wrapping_mul(multiply[replicate]);
-            word ^= word.wrapping_mul(FOLDS[1]);
-            word = word.wrapping_add(add_again[replicate]).wrapping_mul(multiply_again[replicate]);
-            word ^= word.wrapping_mul(FOLDS[2]);
-            word = (word & !self.shifted) | (first ^ self.shifts[replicate]);
-            *share = unit(word.reverse_bits());
+        let (groups, _) = shares.as_chunks_mut::<REPLICATES>();
+        for (place, group) in (0..POINTS as u64).zip(groups) {
+            let digits = common ^ last_places(&self.directions, place);
+            let first = digits & self.shifted;
+            for (replicate, share) in group.iter_mut().enumerate() {
+                // Digit 1 is the lowest bit here: nothing flows from a higher bit to a lower one, so that
+                // points that agree in their first digits still do, and are told apart by the next as before.
+                let mut word = digits;
+                word ^= word.wrapping_mul(FOLDS[0]);
+                word = word.wrapping_add(add[replicate]).wrapping_mul(multiply[replicate]);
+                word ^= word.wrapping_mul(FOLDS[1]);
+                word = word.wrapping_add(add_again[replicate]).wrapping_mul(multiply_again[replicate]);
+                word ^= word.wrapping_mul(FOLDS[2]);
+                word = (word & !self.shifted) | (first ^ self.shifts[replicate]);
+                *share = unit(word.reverse_bits());
+            }
         }
     }
 }
@@ -135,6 +142,13 @@ fn point(directions: &[u64; DIRECTIONS], index: u64) -> u64 {
         digits ^= direction & ((index >> place) & 1).wrapping_neg();
     }
     digits
+}
+
+/// What the two last places of an index add to its point.
+#[inline(always)]
+fn last_places(directions: &[u64; DIRECTIONS], place: u64) -> u64 {
+    let [last, last_but_one, ..] = directions;
+    (last & (place & 1).wrapping_neg()) ^ (last_but_one & (place >> 1).wrapping_neg())
 }
 
 /// Direction numbers of an input, the first binary digit in the lowest bit.

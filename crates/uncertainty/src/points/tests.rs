@@ -1,6 +1,7 @@
 use super::{MAX_SOBOL_INPUTS, Points, REPLICATES, SamplingMethod, permuted};
 use crate::InvalidRequest;
 use crate::model::LANES;
+use crate::random::{bits, key};
 
 const METHODS: [SamplingMethod; 3] =
     [SamplingMethod::MonteCarlo, SamplingMethod::LatinHypercube, SamplingMethod::Sobol];
@@ -26,7 +27,7 @@ fn columns(method: SamplingMethod, seed: u64, inputs: usize, samples: usize) -> 
 fn permutations_are_bijections() {
     for count in [1, 2, 3, 4, 5, 7, 8, 9, 63, 64, 65, 1000, 4097] {
         for key in 0..4 {
-            let mut places: Vec<u64> = (0..count).map(|index| permuted(index, count, key)).collect();
+            let mut places: Vec<u32> = (0..count).map(|index| permuted(index, count, key)).collect();
             places.sort_unstable();
             assert!(places.into_iter().eq(0..count), "{count} with key {key}");
         }
@@ -42,7 +43,7 @@ fn permutations_are_fair() {
     let mut seen = [[0.0; COUNT]; COUNT];
     for key in 0..keys {
         for (index, row) in (0..).zip(&mut seen) {
-            row[permuted(index, COUNT as u64, key) as usize] += 1.0;
+            row[permuted(index, COUNT as u32, key) as usize] += 1.0;
         }
     }
     let expected = keys as f64 / COUNT as f64;
@@ -63,6 +64,23 @@ fn latin_hypercube_has_one_point_in_each_stratum_of_each_replicate() {
                 strata.sort_unstable();
                 assert!(strata.into_iter().eq(0..points.len()), "{samples} samples");
             }
+        }
+    }
+}
+
+/// A block walks its permutations together; each share is that of its sample alone, to the last bit.
+#[test]
+fn latin_hypercube_points_are_as_one_by_one() {
+    for samples in [64, 65, 1000, 4096, 10_007, 66_000] {
+        let column = &columns(SamplingMethod::LatinHypercube, 5, 2, samples as usize)[1];
+        let input = key(5, &[2, 1]);
+        for (sample, share) in (0..samples).zip(column) {
+            let (replicate, index) = (sample % REPLICATES as u32, sample / REPLICATES as u32);
+            let count = (samples - replicate).div_ceil(REPLICATES as u32);
+            let stratum = permuted(index, count, key(input, &[1, u64::from(replicate)]));
+            let place = (bits(key(input, &[2]), u64::from(sample)) >> 44) as f64;
+            let expected = (f64::from(stratum) + (place + 0.5) / 1_048_576.0) / f64::from(count);
+            assert_eq!(*share, expected, "sample {sample} of {samples}");
         }
     }
 }
