@@ -30,9 +30,14 @@ pub fn read_unit(text: &str, dimension: Dimension) -> Option<&'static Unit> {
     if text.len() > LONGEST {
         return None;
     }
-    let wanted = normalise(text, Pound::AsWritten);
+    let written =
+        |text: &str| dimension.units().iter().find(|unit| unit.spellings().any(|known| known == text));
     // Nearly every unit of a file is written as the table has it.
-    if let Some(unit) = dimension.units().iter().find(|unit| unit.spellings().any(|known| known == wanted)) {
+    if let Some(unit) = written(text) {
+        return Some(unit);
+    }
+    let wanted = normalise(text, Pound::AsWritten);
+    if let Some(unit) = written(&wanted) {
         return Some(unit);
     }
     let of_force = has_pound_force(&wanted).then(|| normalise(text, Pound::Force));

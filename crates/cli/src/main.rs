@@ -499,7 +499,8 @@ fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
 
 /// One byte more than a case may have is enough to refuse it; a device or a pipe may have no end.
 fn read_at_most(source: impl io::Read) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
+    // Most cases fit in this.
+    let mut bytes = Vec::with_capacity(1 << 13);
     source.take(CaseFile::LARGEST_FILE as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }

@@ -90,7 +90,11 @@ impl<'t> Table<'t> {
 
     /// The path of a key, as `vehicle1.crush.width`.
     pub(super) fn path_of(&self, key: &str) -> String {
-        if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
+        if self.path.is_empty() {
+            return key.to_owned();
+        }
+        // Every key of a file passes here, and formatting takes four times as long.
+        [&self.path, ".", key].concat()
     }
 
     /// How an error text calls the table.

@@ -14,6 +14,7 @@ fn no_spelling_means_two_units() {
         for unit in dimension.units() {
             for spelling in unit.spellings() {
                 let normal = super::normalise(spelling, super::Pound::AsWritten);
+                assert_eq!(read_unit(&normal, dimension), Some(unit), "{normal} is not found");
                 if let Some(other) = rows.insert(normal, unit) {
                     assert_eq!(other, unit, "{spelling} means two units of {dimension}");
                 }

@@ -1,5 +1,7 @@
 //! Many cases, a row each: as CSV for a spreadsheet, or as one JSON document a line.
 
+use std::sync::LazyLock;
+
 use analysis::{
     Analysis, Comparison, Kind, Output, OutputQuantity, QUANTITIES, Uncertainty, Values, quantity,
 };
@@ -166,8 +168,19 @@ enum Column {
     Quantity(&'static OutputQuantity, Option<VehicleId>),
 }
 
-/// The columns: names in SI units, and what stands in them.
-fn columns(table: Table) -> Vec<(String, Column)> {
+/// The columns: names in SI units, and what stands in them. Made once, as each row asks for them.
+fn columns(table: Table) -> &'static [(String, Column)] {
+    static ANALYSES: LazyLock<Vec<(String, Column)>> = LazyLock::new(|| made(Table::Analyses));
+    static COMPARISONS: LazyLock<Vec<(String, Column)>> = LazyLock::new(|| made(Table::Comparisons));
+    static UNCERTAINTIES: LazyLock<Vec<(String, Column)>> = LazyLock::new(|| made(Table::Uncertainties));
+    match table {
+        Table::Analyses => &ANALYSES,
+        Table::Comparisons => &COMPARISONS,
+        Table::Uncertainties => &UNCERTAINTIES,
+    }
+}
+
+fn made(table: Table) -> Vec<(String, Column)> {
     let mut columns = match table {
         Table::Analyses => of_analyses(),
         Table::Comparisons => of_comparisons(),
@@ -351,11 +364,11 @@ impl Csv {
     /// parentheses. Columns may be added.
     #[must_use]
     pub fn columns(self) -> Vec<String> {
-        let named = |name: String| match converted(&name, self.units) {
+        let named = |name: &str| match converted(name, self.units) {
             Some((bare, unit, _)) => format!("{bare}{unit}"),
-            None => name,
+            None => name.to_owned(),
         };
-        columns(self.table).into_iter().map(|(name, _)| named(name)).collect()
+        columns(self.table).iter().map(|(name, _)| named(name)).collect()
     }
 
     /// The line with the names of the columns.
@@ -392,7 +405,11 @@ impl Csv {
             Ok((file, Answer::Analysis(analysis))) => Some(analysis.seen(file.case.axes)),
             _ => None,
         };
-        let place = |place: &str| value.pointer(&place.replace('#', &number.to_string()));
+        // Most places have no number of a row in them.
+        let place = |place: &str| match place.contains('#') {
+            true => value.pointer(&place.replace('#', &number.to_string())),
+            false => value.pointer(place),
+        };
         let cell = |name: &str, column: &Column| match column {
             Column::Place(at) => Some(self.cell(name, place(at)?)),
             Column::Number(at) => Some(self.cell(name, place(at)?)),
@@ -493,11 +510,14 @@ fn document(Row { file: name, answer }: Row<'_>) -> Result<Value, serde_json::Er
         }
     };
     let case = &file.case;
-    let document = match answer {
-        Answer::Analysis(analysis) => serde_json::to_value(json::document(case, analysis))?,
-        Answer::Comparison(comparison) => serde_json::to_value(comparison::document(case, comparison))?,
-        Answer::Uncertainty(uncertainty) => serde_json::to_value(uncertainty::document(case, uncertainty))?,
-    };
+    match answer {
+        Answer::Analysis(analysis) => of_file(name, file, json::document(case, analysis)),
+        Answer::Comparison(comparison) => of_file(name, file, comparison::document(case, comparison)),
+        Answer::Uncertainty(uncertainty) => of_file(name, file, uncertainty::document(case, uncertainty)),
+    }
+}
+
+fn of_file(name: &str, file: &CaseFile, document: impl Serialize) -> Result<Value, serde_json::Error> {
     serde_json::to_value(Identified { file: Some(name), ..identified(file, document) })
 }
 
