@@ -76,7 +76,7 @@ pub use travel::{ClosedForm, Origin as TravelOrigin, Pass, Skid, Travel};
 use travel::{Record, after_impact, departures};
 pub use uncertainty::{
     Doubt, Doubtful, ExactValue, Plan, REASONS, Reason, Samples, Stage, TakenAsExact, UncertainInput,
-    UncertainOutput, Uncertainty, is_searched_back, is_uncertain, samples, uncertainty,
+    UncertainOutput, Uncertainty, is_searched_back, is_uncertain, samples, uncertainty, uncertainty_of,
 };
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 

@@ -295,16 +295,37 @@ pub fn uncertainty(
     plan: &Plan,
     progress: &mut (dyn FnMut(Stage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Uncertainty, Failure> {
+    uncertainty_of(case, plan, &|_| true, progress)
+}
+
+/// The same of the outputs that are wanted alone: the others are neither kept nor summarised, which saves
+/// most of their time and memory. What there is has the same bits.
+///
+/// # Errors
+/// As for [`uncertainty()`], and where the case has none of the outputs.
+pub fn uncertainty_of(
+    case: &Case,
+    plan: &Plan,
+    wanted: &dyn Fn(Output) -> bool,
+    progress: &mut (dyn FnMut(Stage, usize, usize) -> ControlFlow<()> + Send),
+) -> Result<Uncertainty, Failure> {
     let inputs = inputs(case)?;
     let goal = Goal::of(case);
     let nominal = goal.solve(case)?;
-    let outputs = Output::of(&nominal, case.axes);
+    let all = Output::of(&nominal, case.axes);
+    let (mut outputs, others): (Vec<Output>, Vec<Output>) = all.iter().partition(|output| wanted(**output));
+    let asked = outputs.len();
+    if asked == 0 {
+        return Err(Faults::from(no_output(&all)).into());
+    }
+    // What is doubtful is seen by these, whoever asks.
+    outputs.extend(others.into_iter().filter(|output| doubts::reads(*output)));
     let central = central(&nominal, &outputs);
     let gradients = gradients(case, &nominal, &outputs)?;
     let first_order = first_order(&gradients, &inputs)?;
     let taken_as_exact = exact::taken_as_exact(case, &inputs, &gradients);
 
-    let model = Sample::new(case, &nominal, &inputs, &outputs, &central);
+    let model = Sample { asked, ..Sample::new(case, &nominal, &inputs, &outputs, &central) };
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
     let numbers: Vec<f64> = inputs.iter().map(|input| input.input.number).collect();
     let tornado = ::uncertainty::tornado(&model, &distributions, &numbers, TORNADO_PROBABILITIES)?;
@@ -320,7 +341,7 @@ pub fn uncertainty(
         }
         _ => None,
     };
-    let outputs = outputs.into_iter().zip(central).zip(first_order);
+    let outputs = outputs.into_iter().zip(central).zip(first_order).take(asked);
     let outputs = outputs
         .map(|((output, central), first_order)| {
             let scale = scale(output, &nominal);
@@ -465,6 +486,14 @@ fn no_range(case: &Case) -> Fault {
     Fault { key: String::new(), kind: FaultKind::NothingUncertain, advice: Some(help) }
 }
 
+/// What to ask for where the case has nothing of what was asked.
+fn no_output(all: &[Output]) -> Fault {
+    let names: Vec<String> = all.iter().map(|output| output.path()).collect();
+    let reason = "the case has none of the outputs that are asked for".to_owned();
+    let advice = format!("its outputs are {}", names.join(", "));
+    Fault { key: String::new(), kind: FaultKind::Refused { reason }, advice: Some(advice) }
+}
+
 /// The distribution of an error that several numbers share.
 fn size_of(error: &SharedError, input: &Input) -> Result<Distribution, InvalidDistribution> {
     let range = Range { path: input.path.clone(), spread: error.size, bounds: Bounds::None };
@@ -538,6 +567,8 @@ struct Sample<'a> {
     /// Where the search for the starts of ways begins.
     search: Search,
     outputs: &'a [Output],
+    /// How many of the outputs were asked for, the first ones; the others tell what is doubtful.
+    asked: usize,
     /// (SI) at the central values.
     central: &'a [f64],
     /// Of each number of the case, whether it is uncertain.
@@ -572,7 +603,7 @@ impl<'a> Sample<'a> {
             Some(true) => places.next().map_or(Number::Known(number), Number::Uncertain),
             _ => Number::Known(number),
         });
-        let block = Block::new(&numbers, inputs.len());
+        let block = Block::new(&numbers, inputs.len(), outputs, central);
         case.uncertainty = GivenUncertainty::default();
         case.title = None;
         case.source = None;
@@ -585,6 +616,7 @@ impl<'a> Sample<'a> {
                 || nominal.both.as_ref().is_some_and(|both| both.method != BothMethod::Momentum),
             search: Search::near(nominal),
             outputs,
+            asked: outputs.len(),
             central,
             is_uncertain,
             case,
@@ -690,10 +722,14 @@ impl Model for Sample<'_> {
         self.outputs.len()
     }
 
+    fn summarised(&self) -> usize {
+        self.asked
+    }
+
     #[inline(always)]
     fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
         let answered = match &self.block {
-            Some(block) => block.evaluate(inputs, self.central, outputs),
+            Some(block) => block.evaluate(inputs, outputs),
             None => [false; LANES],
         };
         if !answered.iter().all(|is_answer| *is_answer) {

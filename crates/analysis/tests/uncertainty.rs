@@ -11,7 +11,8 @@
 use std::ops::ControlFlow;
 
 use analysis::{
-    Doubt, Doubtful, ExactValue, Failure, Output, Plan, Reason, Uncertainty, impact, reconstruct, uncertainty,
+    Doubt, Doubtful, ExactValue, Failure, Output, Plan, Reason, Uncertainty, impact, reconstruct,
+    uncertainty, uncertainty_of,
 };
 use case::{CaseFile, to_toml};
 use inputs::Case;
@@ -43,6 +44,36 @@ fn first_block(result: &Uncertainty) -> Vec<Lanes> {
     let mut columns = vec![[0.0; LANES]; distributions.len()];
     Sampler::new(&distributions, &result.settings).unwrap().fill(0, &mut columns);
     columns
+}
+
+/// Two of the outputs, of a case that takes a block and of one that does not: each as in the run of all of
+/// them, to the last bit, with the same failures and doubts.
+#[test]
+fn outputs_that_are_wanted_are_those_of_all() {
+    let friction = UNCERTAIN.replace("\"critical\"", "{ friction = 0.5 }");
+    assert_ne!(friction, UNCERTAIN);
+    for text in [UNCERTAIN, &friction] {
+        let all = run(text, 2000);
+        let wanted = [Output::DeltaV { vehicle: VehicleId::Two }, Output::Pdof { vehicle: VehicleId::One }];
+        let quietly = &mut |_, _, _| ControlFlow::Continue(());
+        let some =
+            uncertainty_of(&read(text), &plan(2000), &|output| wanted.contains(&output), quietly).unwrap();
+        assert_eq!(some.outputs.iter().map(|known| known.output).collect::<Vec<_>>(), wanted);
+        assert_eq!(some.propagation.summaries().len(), wanted.len());
+        for (here, output) in wanted.into_iter().enumerate() {
+            let there = place(&all, output);
+            assert_eq!(some.propagation.columns()[here], all.propagation.columns()[there]);
+            assert_eq!(some.propagation.summaries()[here], all.propagation.summaries()[there]);
+            assert_eq!(some.outputs[here].first_order, all.outputs[there].first_order);
+            assert_eq!(some.outputs[here].central, all.outputs[there].central);
+        }
+        assert_eq!(some.propagation.failures(), all.propagation.failures());
+        assert_eq!(some.doubtful, all.doubtful);
+        assert!(!all.doubtful.is_empty(), "no doubt to compare");
+
+        let none = uncertainty_of(&read(text), &plan(2000), &|_| false, quietly).unwrap_err();
+        assert!(matches!(none, Failure::Case(_)), "{none}");
+    }
 }
 
 /// A vehicle of 1500 kg head-on into a barrier, its forward axis along −n.

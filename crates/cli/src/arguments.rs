@@ -616,6 +616,11 @@ pub(crate) struct UncertaintyArguments {
     #[arg(long, value_enum, default_value_t = Method::MonteCarlo)]
     pub(crate) method: Method,
 
+    /// Only these results, by their names in the JSON with commas between them, such as
+    /// vehicle1.speed,vehicle1.delta_v: the others cost no memory and little time [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = output_name)]
+    pub(crate) outputs: Option<Vec<String>>,
+
     /// Also compute Sobol' indices: the share of the variance that each input causes. This takes ROWS ×
     /// (number of uncertain inputs + 2) evaluations
     #[arg(long, value_name = "ROWS", num_args = 0..=1, require_equals = true, default_missing_value = "4096", value_parser = rows)]
@@ -663,6 +668,19 @@ fn count(text: &str) -> Result<usize, String> {
     number
         .flatten()
         .ok_or_else(|| "give a whole number, without commas or points, such as 100000 or 1e6".to_owned())
+}
+
+/// The name of a result, as the JSON has it.
+fn output_name(text: &str) -> Result<String, String> {
+    let known: Vec<String> = analysis::Output::all().into_iter().map(analysis::Output::path).collect();
+    if known.iter().any(|name| name == text) {
+        return Ok(text.to_owned());
+    }
+    let near = case::nearest_names(text, known.iter().map(String::as_str));
+    Err(match near.first() {
+        Some(near) => format!("no result has this name; did you mean {near}?"),
+        None => format!("no result has this name; the names are {}", known.join(", ")),
+    })
 }
 
 /// Before the samples are drawn, which may take minutes.

@@ -18,7 +18,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use analysis::{Analysis, Beside, Failure, Plan, Stage, Sweep, Uncertainty};
+use analysis::{Analysis, Beside, Failure, Output, Plan, Stage, Sweep, Uncertainty};
 use anyhow::{Context as _, Result};
 use arguments::{
     Arguments, CasesArguments, Command, ExplainArguments, Format, PlotsFormat, SensitivityArguments,
@@ -277,11 +277,13 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
         samples,
         seed,
         method,
+        outputs,
         sobol,
         samples_out,
         plots,
         plots_format,
     } = arguments;
+    let wanted = |output: Output| outputs.as_ref().is_none_or(|names| names.contains(&output.path()));
     let method = match method {
         arguments::Method::MonteCarlo => SamplingMethod::MonteCarlo,
         arguments::Method::LatinHypercube => SamplingMethod::LatinHypercube,
@@ -298,13 +300,20 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
     }
     let (threads, csv_style) = (of_case.threads, of_case.csv_style);
     let answer = |case: &Case| {
-        let uncertainty = analysis::uncertainty(case, &plan(case), &mut |_, _, _| ControlFlow::Continue(()));
+        let quietly = &mut |_, _, _| ControlFlow::Continue(());
+        let uncertainty = analysis::uncertainty_of(case, &plan(case), &wanted, quietly);
         uncertainty.map(|answer| Answer::Uncertainty(Box::new(answer)))
     };
     let Some(arguments) = of_cases(of_case, Table::Uncertainties, &answer)? else { return Ok(()) };
     let file = case_file(&arguments.case)?;
     let units = units(arguments.units, &file);
-    let uncertainty = answered(propagate(&file.case, &plan(&file.case), &pool(threads)?)?, &file, units)?;
+    let propagated = propagate(&file.case, &plan(&file.case), &wanted, &pool(threads)?)?;
+    let uncertainty = answered(propagated, &file, units)?;
+    for name in outputs.iter().flatten() {
+        if !uncertainty.outputs.iter().any(|known| known.output.path() == *name) {
+            anyhow::bail!("--outputs {name}: this case has no such result; leave the name out");
+        }
+    }
     if let Some(path) = &samples_out {
         let cannot = || format!("cannot write the samples to {}", named(path));
         let mut out = BufWriter::new(Sink::open(Some(path)).with_context(cannot)?);
@@ -346,10 +355,15 @@ impl From<PlotsFormat> for PictureFormat {
     }
 }
 
-fn propagate(case: &Case, plan: &Plan, pool: &ThreadPool) -> Result<Result<Uncertainty, Failure>> {
+fn propagate(
+    case: &Case,
+    plan: &Plan,
+    wanted: &(dyn Fn(Output) -> bool + Sync),
+    pool: &ThreadPool,
+) -> Result<Result<Uncertainty, Failure>> {
     let mut progress = progress::Progress::new()?;
     Ok(pool.install(|| {
-        analysis::uncertainty(case, plan, &mut |stage, done, total| {
+        analysis::uncertainty_of(case, plan, wanted, &mut |stage, done, total| {
             let counted = match stage {
                 Stage::Samples => "samples",
                 Stage::Indices => "rows for the indices",

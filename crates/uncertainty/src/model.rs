@@ -32,6 +32,11 @@ pub trait Model: Sync {
     /// Number of outputs.
     fn outputs(&self) -> usize;
 
+    /// How many of the outputs, the first ones, are summarised: all, unless some are there for other ends.
+    fn summarised(&self) -> usize {
+        self.outputs()
+    }
+
     /// Evaluates a block: `inputs` and `outputs` hold a column for each input and output. A sample without an
     /// answer gets a reason from 1 to 254 in `reasons`, which are [`SUCCEEDED`] at the start; its outputs are
     /// then ignored.

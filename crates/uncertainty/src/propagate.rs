@@ -57,7 +57,8 @@ impl Propagation {
         &self.columns
     }
 
-    /// Statistics of each output; `None` where fewer than two samples have an answer.
+    /// Statistics of each output that is [summarised](Model::summarised); `None` where fewer than two samples
+    /// have an answer.
     #[must_use]
     pub fn summaries(&self) -> &[Option<Summary>] {
         &self.summaries
@@ -105,7 +106,8 @@ pub fn propagate<M: Model>(
     }
     reasons.truncate(evaluated);
     let is_complete = failures.is_empty();
-    let summaries = for_each(&columns, |column| Summary::of(column, is_complete, settings.method));
+    let summarised = &columns[..model.summarised().min(columns.len())];
+    let summaries = for_each(summarised, |column| Summary::of(column, is_complete, settings.method));
     Ok(Propagation { columns, reasons, failures, summaries, requested: settings.samples })
 }
 

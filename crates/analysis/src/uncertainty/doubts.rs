@@ -90,6 +90,11 @@ impl Watched {
     }
 }
 
+/// Whether doubts are seen by this output.
+pub(super) fn reads(output: Output) -> bool {
+    matches!(output, Output::Speed { .. } | Output::ClosingSpeed)
+}
+
 /// Counts the doubtful among the samples that have an answer. The counts are the same for any number of
 /// threads, as they come from the samples alone.
 pub(super) fn doubtful(

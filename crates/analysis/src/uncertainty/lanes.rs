@@ -53,6 +53,10 @@ pub(super) struct Block {
     restitution: Number,
     /// e_t: zero, U_t = 0, where the law asks for a common tangential velocity.
     tangential_restitution: Number,
+    /// The place of each output among all that there are, and (SI) the central values of these, 0 where one
+    /// is not wanted.
+    places: Vec<usize>,
+    central: [f64; OUTPUTS],
 }
 
 #[derive(Debug)]
@@ -95,7 +99,12 @@ impl Block {
     ///
     /// The structs of the case are taken apart field by field, here and for the vehicles, so that a new key
     /// does not compile before somebody has decided what a block does with it.
-    pub(super) fn new(case: &Case<Number>, inputs: usize) -> Option<Self> {
+    pub(super) fn new(
+        case: &Case<Number>,
+        inputs: usize,
+        outputs: &[Output],
+        central: &[f64],
+    ) -> Option<Self> {
         let Case {
             title: _,
             source: _,
@@ -142,6 +151,13 @@ impl Block {
             _ => return None,
         };
         let Restitution::Constant(restitution) = restitution else { return None };
+        let all = Output::of_two_vehicles(unknown.vehicle(), *axes);
+        let place = |wanted: &Output| all.iter().position(|output| output == wanted);
+        let places = outputs.iter().map(place).collect::<Option<Vec<usize>>>()?;
+        let mut of_all = [0.0; OUTPUTS];
+        for (place, central) in places.iter().zip(central) {
+            of_all[*place] = *central;
+        }
         let block = Self {
             axes: *axes,
             unknown: *unknown,
@@ -153,6 +169,8 @@ impl Block {
             crush_plane: *crush_plane,
             restitution: *restitution,
             tangential_restitution,
+            places,
+            central: of_all,
         };
         (block.numbers().filter(|number| number.is_uncertain()).count() == inputs).then_some(block)
     }
@@ -167,6 +185,8 @@ impl Block {
             crush_plane,
             restitution,
             tangential_restitution,
+            places: _,
+            central: _,
         } = self;
         let of_vehicles = vehicles.iter().flat_map(|vehicle| {
             let Vehicle { mover, crush, stiffness } = vehicle;
@@ -178,10 +198,7 @@ impl Block {
     /// Solves a block for the outputs of a reconstruction of two vehicles, and tells of each sample whether
     /// that is its answer.
     #[inline(always)]
-    pub(super) fn evaluate(&self, inputs: &[Lanes], central: &[f64], outputs: &mut [Lanes]) -> [bool; LANES] {
-        let (Ok(central), Ok(outputs)) = (central.try_into(), outputs.try_into()) else {
-            return [false; LANES];
-        };
+    pub(super) fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes]) -> [bool; LANES] {
         let (e, e_t) = (self.restitution.lanes(inputs), self.tangential_restitution.lanes(inputs));
         let [one, two] = &self.vehicles;
         let (v1, v2) = (one.mover.lanes(self.axes, inputs), two.mover.lanes(self.axes, inputs));
@@ -207,12 +224,15 @@ impl Block {
             };
             let (speed, outcome, is_answer) = problem.solve_with_validity();
             answered[lane] = is_law & is_1 & is_2 & is_contact & is_answer;
-            for (column, value) in values.iter_mut().zip(answer(self.axes, central, speed, &outcome)) {
+            for (column, value) in values.iter_mut().zip(answer(self.axes, &self.central, speed, &outcome)) {
                 column[lane] = value;
             }
         }
-        let outputs: &mut [Lanes; OUTPUTS] = outputs;
-        *outputs = values;
+        for (output, place) in outputs.iter_mut().zip(&self.places) {
+            if let Some(column) = values.get(*place) {
+                *output = *column;
+            }
+        }
         answered
     }
 }

@@ -154,7 +154,7 @@ fn a_block_has_the_bits_of_its_samples() {
                 }
             }
             let mut scratch = vec![[0.0; LANES]; sampled.outputs.len()];
-            let by_block = block.evaluate(&columns, &sampled.central, &mut scratch);
+            let by_block = block.evaluate(&columns, &mut scratch);
             answered += by_block.into_iter().filter(|is_answer| *is_answer).count();
             reasons_seen.extend(reasons);
         }

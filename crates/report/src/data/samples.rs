@@ -40,7 +40,8 @@ pub fn write_samples(uncertainty: &Uncertainty, style: CsvStyle, out: &mut dyn W
                 let value = column[lane] * input.input.factor();
                 write!(out, "{next}{}", style.number(value.to_string()))?;
             }
-            for column in columns {
+            // Behind those that were asked for there may be others.
+            for column in columns.iter().take(uncertainty.outputs.len()) {
                 match column[sample] {
                     value if value.is_nan() => write!(out, "{next}")?,
                     value => write!(out, "{next}{}", style.number(value.to_string()))?,
