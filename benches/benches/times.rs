@@ -4,13 +4,14 @@ use std::error::Error;
 use std::hint::black_box;
 use std::ops::ControlFlow;
 
-use analysis::EstimatePlan;
+use analysis::{EstimatePlan, Plan};
 use case::CaseFile;
 use crash3::crush_energy;
 use criterion::{Criterion, Throughput};
 use deltav_benches::{CASE_FILE, Example, FRICTION, TANGENTIAL_CONDITIONS, centimetre, spin_out, spin_outs};
 use estimate::{Evidence, Independent, Settings as Budget, sample_quietly};
 use pim_core::{Contact, Tangential};
+use report::{Subject, Units};
 use trajectory::{State, Steer, Target, to_rest, to_rests, to_start};
 use uncertainty::{Distribution, LANES, Lanes, Model, SamplingMethod, Settings, propagate};
 
@@ -25,6 +26,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     reconciliation(&mut criterion)?;
     motion(&mut criterion)?;
     case_file(&mut criterion)?;
+    picture(&mut criterion)?;
+    before_the_first_sample(&mut criterion)?;
     sampling(&mut criterion)?;
     estimate(&mut criterion)?;
     all_evidence(&mut criterion)?;
@@ -105,6 +108,35 @@ fn case_file(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     let (name, text) = CASE_FILE;
     CaseFile::parse(name, text)?;
     criterion.bench_function("parse", |b| b.iter(|| CaseFile::parse(black_box(name), black_box(text))));
+    Ok(())
+}
+
+/// The scene of the paper's example as SVG, with all its labels in their places.
+fn picture(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
+    let (name, text) = CASE_FILE;
+    let file = CaseFile::parse(name, text)?;
+    let analysis = analysis::reconstruct(&file.case).map_err(|failure| failure.to_string())?;
+    let draw = || report::drawing(black_box(&file), &analysis, Units::Si, Subject::Scene);
+    draw()?;
+    criterion.bench_function("scene", |b| b.iter(|| draw().map(|drawing| drawing.svg())));
+    Ok(())
+}
+
+/// The paper's example with ranges, of which a table pays this in each row: all but the samples, as the run
+/// is ended before the first one.
+fn before_the_first_sample(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
+    let text = include_str!("../../fixtures/sae-980025-uncertain.toml");
+    let case = CaseFile::parse("sae-980025-uncertain.toml", text)?.case;
+    let settings = Settings::new(SamplingMethod::MonteCarlo, 1000, 1);
+    let mut group = criterion.benchmark_group("before the first sample");
+    let samples = || analysis::samples(black_box(&case), &settings, &mut |_, _| ControlFlow::Break(()));
+    samples().map_err(|failure| failure.to_string())?;
+    group.bench_function("samples alone", |b| b.iter(samples));
+    let plan = Plan { settings, index_rows: None };
+    let all = || analysis::uncertainty(black_box(&case), &plan, &mut |_, _, _| ControlFlow::Break(()));
+    all().map_err(|failure| failure.to_string())?;
+    group.bench_function("with first order and tornado", |b| b.iter(all));
+    group.finish();
     Ok(())
 }
 
