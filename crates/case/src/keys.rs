@@ -2,8 +2,9 @@
 
 use std::sync::OnceLock;
 
-use crate::schema::{Form, RANGE, RANGE_OF_LIST, Schema, TOP, VEHICLE};
-use inputs::Dimension;
+use crate::edit::Way;
+use crate::schema::{Form, RANGE, RANGE_OF_LIST, Rule, Schema, TOP, VEHICLE};
+use inputs::{Bounds, Dimension};
 
 /// A key of a case file.
 #[derive(Clone, Debug)]
@@ -14,6 +15,20 @@ pub struct KeyInfo {
     pub text: &'static str,
     /// What it holds.
     pub form: KeyForm,
+    /// The line that sets it, or the header of its table.
+    pub example: &'static str,
+    /// Whether its table always needs it.
+    pub is_required: bool,
+    /// Between what its numbers lie, where it holds any.
+    pub bounds: Bounds,
+}
+
+impl KeyInfo {
+    /// Whether it is a table that has a header of its own.
+    #[must_use]
+    pub fn has_header(&self) -> bool {
+        self.example.starts_with('[')
+    }
 }
 
 /// What a key of a case file holds. Where it says so, the number may be a range, whose keys are
@@ -98,8 +113,61 @@ pub fn list_range_keys() -> &'static [KeyInfo] {
 }
 
 fn keys_of(schema: &Schema) -> Vec<KeyInfo> {
-    let info = |key: &crate::schema::Key| KeyInfo { name: key.name, text: key.text(), form: form(key.form) };
+    let is_required = |name: &str| {
+        schema.rules.iter().any(|rule| matches!(rule, Rule::Needs(names) if names.contains(&name)))
+    };
+    let info = |key: &crate::schema::Key| KeyInfo {
+        name: key.name,
+        text: key.text(),
+        form: form(key.form),
+        example: key.example,
+        is_required: is_required(key.name),
+        bounds: bounds(key.form),
+    };
     schema.keys.iter().map(info).collect()
+}
+
+fn bounds(form: Form) -> Bounds {
+    let of_quantity = form.measure().map(|measure| measure.bounds);
+    of_quantity.or_else(|| form.bounds()).unwrap_or(Bounds::None)
+}
+
+/// The steps to a key such as `vehicle1.crush.depths[2]`; `None` where no case has it.
+pub(crate) fn way(key: &str) -> Option<Vec<Way>> {
+    let mut way = Vec::new();
+    let mut tables: Vec<&'static Schema> = vec![&TOP];
+    // An empty key is the file.
+    for part in key.split('.').filter(|_| !key.is_empty()) {
+        let (name, elements) = part.split_at(part.find('[').unwrap_or(part.len()));
+        let (rank, key) = tables
+            .iter()
+            .flat_map(|table| table.keys)
+            .enumerate()
+            .find(|(_, key)| key.name == name)?;
+        let has_header = key.example.starts_with('[');
+        way.push(Way { name: Some(key.name), element: 0, rank, has_header });
+        for element in elements.split_terminator(']') {
+            let number: usize = element.strip_prefix('[')?.parse().ok()?;
+            let element = number.checked_sub(1)?;
+            way.push(Way { name: None, element, rank: element, has_header: false });
+        }
+        tables = below(key.form);
+    }
+    Some(way)
+}
+
+/// The tables whose keys may stand below a key.
+fn below(form: Form) -> Vec<&'static Schema> {
+    match form {
+        Form::Vehicle => vec![&VEHICLE],
+        Form::Table(schema) | Form::Tables(schema) | Form::WordsOrTable(_, schema) => vec![schema],
+        Form::Number(_) | Form::Numbers(_) | Form::Quantity(..) | Form::Wheels(..) | Form::AngleOrHour => {
+            vec![&RANGE]
+        }
+        Form::QuantityOrTables(_, _, schema) | Form::NumberOrTable(_, schema) => vec![&RANGE, schema],
+        Form::Quantities(..) => vec![&RANGE_OF_LIST, &RANGE],
+        _ => Vec::new(),
+    }
 }
 
 fn form(form: Form) -> KeyForm {

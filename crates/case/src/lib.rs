@@ -163,6 +163,7 @@
 
 mod case_problem;
 mod diagnostic;
+pub mod edit;
 mod json_schema;
 mod keys;
 mod nearest;

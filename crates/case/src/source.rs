@@ -94,6 +94,12 @@ impl Source {
         self.spans.get(path)
     }
 
+    /// (bytes) every key and table that the text gives, with its place as [`span`](Self::span) has it; in the
+    /// order of their names.
+    pub fn spans(&self) -> impl Iterator<Item = (&str, Range<usize>)> {
+        self.spans.0.iter().map(|(key, span)| (&**key, span.clone()))
+    }
+
     /// (bytes) the place of a key or, if it is absent, of the nearest table around it. `None` is the file
     /// itself.
     #[must_use]

@@ -2,6 +2,7 @@
 
 mod cases;
 mod changes;
+mod edit;
 mod estimates;
 mod guide;
 mod invalid;

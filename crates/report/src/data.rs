@@ -58,8 +58,15 @@ fn identified<T>(file: &CaseFile, document: T) -> Identified<'_, T> {
     Identified { file: None, document, program: THIS_PROGRAM, case }
 }
 
-/// The SHA-256 of a case file, in hexadecimal digits.
-pub(crate) fn sha256(bytes: &[u8]) -> String {
+/// The SHA-256 of a file, in hexadecimal digits: a report and its JSON name that of the case.
+///
+/// ```
+/// // FIPS 180-2, appendix B.1
+/// let digest = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+/// assert_eq!(report::sha256(b"abc"), digest);
+/// ```
+#[must_use]
+pub fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

@@ -86,6 +86,7 @@ pub use data::json::json;
 pub use data::judgement::judgement_json;
 pub use data::samples::write_samples;
 pub use data::sensitivity::sensitivity_json;
+pub use data::sha256;
 pub use data::topics::{topic_json, topics_json};
 pub use data::uncertainty::uncertainty_json;
 pub use data::validation::validation_json;

@@ -1,0 +1,131 @@
+//! Answers, and the report to hand over.
+
+use analysis::{Analysis, Beside, Failure, Sweep};
+use case::{Case, Purpose};
+use pim_core::VehicleId;
+use report::{Answer, Csv, CsvStyle, Document, Row, Supplements, Table};
+use serde_json::{Value, json};
+use validation::{Data, validate};
+
+use crate::given::{Given, Refused, made};
+
+/// What a command makes of a case.
+type Solve = fn(&Case) -> Result<Analysis, Failure>;
+
+/// The command of an analysis, by its name; an empty one is the most complete that the case allows.
+fn solver(command: &str, case: &Case) -> Option<(&'static str, Solve)> {
+    let command = if command.is_empty() { case.furthest_purpose().name() } else { command };
+    let solvers: [(Purpose, Solve); 4] = [
+        (Purpose::Reconstruct, analysis::reconstruct),
+        (Purpose::Impact, analysis::impact),
+        (Purpose::Motion, analysis::motion),
+        (Purpose::Crush, analysis::crush),
+    ];
+    let solver = solvers.into_iter().find(|(purpose, _)| purpose.name() == command);
+    solver.map(|(purpose, solve)| (purpose.name(), solve))
+}
+
+fn unknown(command: &str) -> Refused {
+    Refused::message(format!("there is no command \"{}\" that answers", case::shown(command)))
+}
+
+pub(crate) fn answer(text: &str, command: &str, units: &str, name: Option<&str>) -> Value {
+    made(Given::read(text, name, units).and_then(|given| match command {
+        "compare" => compare(&given),
+        "sensitivity" => sensitivity(&given),
+        command => analyse(&given, command),
+    }))
+}
+
+fn analyse(given: &Given, command: &str) -> Result<Value, Refused> {
+    let Given { file, units } = given;
+    let (command, solve) = solver(command, &file.case).ok_or_else(|| unknown(command))?;
+    let analysis = given.answered(solve(&file.case))?;
+    let document = report::results(&file.case, &analysis, *units);
+    let json = report::json(file, &analysis);
+    let seen = analysis.seen(file.case.axes);
+    let warnings = seen.warnings.iter().map(|warning| {
+        json!({
+            "code": warning.warning().code(),
+            "message": report::message(warning, *units),
+            "vehicle": warning.warning().vehicle().map(VehicleId::number),
+        })
+    });
+    let warnings = warnings.collect();
+    let csv = csv(given, Table::Analyses, Answer::Analysis(Box::new(analysis)));
+    answered(command, &document, json, csv, warnings)
+}
+
+fn compare(given: &Given) -> Result<Value, Refused> {
+    let Given { file, units } = given;
+    let comparison = given.answered(analysis::compare(&file.case))?;
+    let document = report::comparison(&file.case, &comparison, *units);
+    let json = report::comparison_json(file, &comparison);
+    let csv = csv(given, Table::Comparisons, Answer::Comparison(Box::new(comparison)));
+    answered("compare", &document, json, csv, json!([]))
+}
+
+/// (degrees, steps) by which `deltav sensitivity` varies the direction of force, unless it is told otherwise.
+pub(crate) const SWEEP: (f64, u32) = (5.0, 2);
+
+fn sensitivity(given: &Given) -> Result<Value, Refused> {
+    let Given { file, units } = given;
+    let (step, steps) = SWEEP;
+    let sweep = Sweep { step: step.to_radians(), steps };
+    let sensitivity = given.answered(analysis::sensitivity(&file.case, sweep))?;
+    let document = report::sensitivity(&file.case, &sensitivity, *units);
+    let json = report::sensitivity_json(file, &sensitivity);
+    answered("sensitivity", &document, json, None, json!([]))
+}
+
+fn csv(given: &Given, table: Table, answer: Answer) -> Option<String> {
+    let csv = Csv { table, units: given.units, style: CsvStyle::International };
+    let name = given.file.source.name();
+    let row = Row { file: name.as_given(), answer: Ok((&given.file, &answer)) };
+    Some(csv.header().ok()? + &csv.row(row).ok()?)
+}
+
+fn answered(
+    command: &str,
+    document: &Document,
+    json: Result<String, serde_json::Error>,
+    csv: Option<String>,
+    warnings: Value,
+) -> Result<Value, Refused> {
+    let json = json.map_err(|error| Refused::message(error.to_string()))?;
+    Ok(json!({
+        "ok": true,
+        "command": command,
+        "headline": document.headline(),
+        "html": document.html_fragment(),
+        "text": document.text(),
+        "json": json,
+        "csv": csv,
+        "warnings": warnings,
+    }))
+}
+
+pub(crate) fn report(text: &str, name: &str, command: &str, units: &str) -> Value {
+    made(Given::read(text, Some(name), units).and_then(|given| {
+        let document = handover(&given, command)?;
+        Ok(json!({ "ok": true, "html": document.html() }))
+    }))
+}
+
+/// The report to hand over, as the program makes it.
+fn handover(given: &Given, command: &str) -> Result<Document, Refused> {
+    let Given { file, units } = given;
+    let (_, solve) = solver(command, &file.case).ok_or_else(|| unknown(command))?;
+    let analysis = given.answered(solve(&file.case))?;
+    let Beside { uncertainty, sensitivity } = given.answered(analysis::beside(&file.case, &analysis))?;
+    let validation = Data::built_in();
+    let validation = validate(&validation).map_err(|error| Refused::message(error.to_string()))?;
+    let supplements = Supplements {
+        uncertainty: uncertainty.as_ref(),
+        sensitivity: sensitivity.as_ref(),
+        validation: Some(&validation),
+        site_plan: None,
+    };
+    let document = report::handover(file, &analysis, supplements, *units);
+    document.map_err(|error| Refused::message(error.to_string()))
+}

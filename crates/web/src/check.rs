@@ -1,0 +1,88 @@
+//! What a text says.
+
+use analysis::Failure;
+use case::{CaseFile, Faults, Purpose, Source};
+use report::{PROGRAM, Units};
+use serde_json::{Map, Value, json};
+
+use crate::given::{Given, Places, problems};
+
+pub(crate) fn check(text: &str, name: Option<&str>) -> Value {
+    let parsed = CaseFile::parse(name.unwrap_or("case.toml"), text);
+    match parsed {
+        Ok(file) => {
+            let units = Units::of_case(&file.case);
+            let given = Given { file, units };
+            let judgement = analysis::judge(&given.file.case);
+            json!({
+                "ok": true,
+                "problems": [],
+                "values": values(&given.file.source),
+                "commands": commands(&given, &judgement),
+                "judgement_html": report::judgement(&given.file, &judgement, units).html_fragment(),
+                "units": match units { Units::Si => "si", Units::Us => "us" },
+            })
+        }
+        Err(errors) => {
+            let errors = errors.in_words_of(&PROGRAM);
+            json!({
+                "ok": false,
+                "problems": problems(&errors),
+                "values": values(errors.source()),
+                "commands": {},
+                "judgement_html": "",
+                "units": "",
+            })
+        }
+    }
+}
+
+/// The place and the text of each key that the file gives.
+fn values(source: &Source) -> Value {
+    let text = source.text();
+    let places = Places::of(text);
+    let value = |(key, span): (&str, std::ops::Range<usize>)| {
+        let [from, to] = places.of_span(&span);
+        let written = text.get(span).unwrap_or_default();
+        (key.to_owned(), json!({ "from": from, "to": to, "text": written }))
+    };
+    Value::Object(source.spans().map(value).collect())
+}
+
+/// What can be done with the case, and what is missing for the rest.
+fn commands(given: &Given, judgement: &analysis::Judgement) -> Value {
+    let case = &given.file.case;
+    // A case is judged for these where it says something of them; here somebody may want to know.
+    let motion = || case.motion().err();
+    let estimate = || match analysis::estimate_evidence(case) {
+        Err(Failure::Case(faults)) => Some(faults),
+        _ => None,
+    };
+    let purposes = [
+        Purpose::Reconstruct,
+        Purpose::Impact,
+        Purpose::Motion,
+        Purpose::Crush,
+        Purpose::Compare,
+        Purpose::Sensitivity,
+        Purpose::Uncertainty,
+        Purpose::Estimate,
+    ];
+    let mut commands = Map::new();
+    for purpose in purposes {
+        let judged = judgement.abilities.iter().find(|ability| ability.purpose == purpose);
+        let obstacle = match (judged, purpose) {
+            (Some(ability), _) => ability.obstacle.clone(),
+            (None, Purpose::Motion) => motion(),
+            (None, Purpose::Estimate) => estimate(),
+            (None, _) => None,
+        };
+        let why = |faults: Faults| {
+            let diagnostics = given.file.diagnostics(&faults, &PROGRAM);
+            diagnostics.problems().into_iter().map(|problem| problem.message).collect::<Vec<_>>()
+        };
+        let command = json!({ "able": obstacle.is_none(), "why": obstacle.map(why).unwrap_or_default() });
+        commands.insert(purpose.name().to_owned(), command);
+    }
+    Value::Object(commands)
+}

@@ -1,0 +1,121 @@
+//! What is given: a text, its units, and what is wrong with it.
+
+use std::ops::Range;
+
+use analysis::Failure;
+use case::{CaseFile, Diagnostics};
+use report::{PROGRAM, Units};
+use serde_json::{Value, json};
+
+/// The name of a file that has none.
+const UNNAMED: &str = "case.toml";
+
+/// Why there is no answer.
+pub(crate) struct Refused {
+    problems: Vec<Value>,
+    message: String,
+}
+
+impl Refused {
+    pub(crate) fn message(message: impl Into<String>) -> Self {
+        Self { problems: Vec::new(), message: message.into() }
+    }
+
+    pub(crate) fn of(diagnostics: &Diagnostics) -> Self {
+        Self { problems: problems(diagnostics), message: diagnostics.to_string() }
+    }
+
+    /// Of an analysis; what is wrong with the file speaks its own units.
+    pub(crate) fn failed(failure: &Failure, file: &CaseFile, units: Units) -> Self {
+        match failure {
+            Failure::Case(faults) => Self::of(&file.diagnostics(faults, &PROGRAM)),
+            failure => Self::message(report::no_answer(failure, units)),
+        }
+    }
+
+    pub(crate) fn json(self) -> Value {
+        json!({ "ok": false, "problems": self.problems, "message": self.message })
+    }
+}
+
+/// What a function made, or why not.
+pub(crate) fn made(value: Result<Value, Refused>) -> Value {
+    value.unwrap_or_else(Refused::json)
+}
+
+/// A case with what a reader wants of it.
+pub(crate) struct Given {
+    pub(crate) file: CaseFile,
+    pub(crate) units: Units,
+}
+
+impl Given {
+    pub(crate) fn read(text: &str, name: Option<&str>, asked: &str) -> Result<Self, Refused> {
+        let parsed = CaseFile::parse(name.unwrap_or(UNNAMED), text);
+        let file = parsed.map_err(|errors| Refused::of(&errors.in_words_of(&PROGRAM)))?;
+        let units = match asked {
+            "" => Units::of_case(&file.case),
+            "si" => Units::Si,
+            "us" => Units::Us,
+            other => return Err(Refused::message(format!("units are \"si\", \"us\" or \"\", not \"{other}\""))),
+        };
+        Ok(Self { file, units })
+    }
+
+    pub(crate) fn answered<T>(&self, answer: Result<T, Failure>) -> Result<T, Refused> {
+        answer.map_err(|failure| Refused::failed(&failure, &self.file, self.units))
+    }
+}
+
+/// Where the bytes of a text are for a browser.
+pub(crate) struct Places {
+    /// For each byte, the UTF-16 units before it; none of a text in which both are the same.
+    units: Option<Vec<usize>>,
+}
+
+impl Places {
+    pub(crate) fn of(text: &str) -> Self {
+        if text.is_ascii() {
+            return Self { units: None };
+        }
+        let mut units = Vec::with_capacity(text.len() + 1);
+        let mut before = 0;
+        for letter in text.chars() {
+            units.extend(std::iter::repeat_n(before, letter.len_utf8()));
+            before += letter.len_utf16();
+        }
+        units.push(before);
+        Self { units: Some(units) }
+    }
+
+    /// `from` and `to` of a place.
+    pub(crate) fn of_span(&self, span: &Range<usize>) -> [usize; 2] {
+        [span.start, span.end].map(|byte| match &self.units {
+            None => byte,
+            Some(units) => units.get(byte).or(units.last()).copied().unwrap_or_default(),
+        })
+    }
+}
+
+pub(crate) fn problems(diagnostics: &Diagnostics) -> Vec<Value> {
+    let places = Places::of(diagnostics.source().text());
+    let handed_on = diagnostics.problems().into_iter();
+    diagnostics
+        .list()
+        .iter()
+        .zip(handed_on)
+        .map(|(diagnostic, problem)| {
+            let [from, to] = places.of_span(&diagnostic.span().unwrap_or_default());
+            let [line, column] = problem.place.map_or([None; 2], |place| place.map(Some));
+            json!({
+                "from": from,
+                "to": to,
+                "line": line,
+                "column": column,
+                "key": problem.key,
+                "title": problem.message,
+                "help": problem.help,
+            })
+        })
+        .collect()
+}

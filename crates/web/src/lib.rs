@@ -1,0 +1,124 @@
+//! The engine of the program in a browser: the text of a case in, JSON out.
+//!
+//! The text is the only state. No function throws for a bad case: what is wrong is in the JSON. Every place is
+//! given as a browser counts, in UTF-16 units from the beginning of the text, as `from` and `to`. `units` is
+//! `si`, `us`, or empty for those of the case. Where a name is left out, the file is called `case.toml`.
+//!
+//! A problem is `{ from, to, line, column, key, title, help }`; `line` and `column` count from 1 on and are
+//! `null` where it is about the file as a whole.
+
+mod answer;
+mod check;
+mod edit;
+mod form;
+mod given;
+mod pages;
+mod picture;
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// The version of the engine, which is that of the program.
+#[wasm_bindgen]
+#[must_use]
+pub fn version() -> String {
+    env!("CARGO_PKG_VERSION").to_owned()
+}
+
+/// Cases to start from: `[{ name, title, text_si, text_us }]`, the paper's example first.
+#[wasm_bindgen]
+#[must_use]
+pub fn templates() -> String {
+    pages::templates().to_string()
+}
+
+/// The form of a case: `[{ key, title, help, fields, groups }]`, a group for each table.
+///
+/// A field is `{ key, name, kind, title, help, topic, example, required, range, units, choices, bounds, fields
+/// }`. `kind` is `quantity`, `number`, `numbers`, `quantities`, `text`, `flag`, `choice`, `integer`, `names`,
+/// `wheels`, `angle-or-hour`, `table` or `tables`; `units` are the spellings that the field can have, the
+/// usual one first; `bounds` are `{ min, max, above }`, each a number or `null`, of a number without unit, and
+/// `above` says that `min` itself is none. `fields` are the keys of the table that can stand in place of a
+/// word or a number, and `groups` are the tables with a header of their own. `topic` is what `explain` knows
+/// of it.
+#[wasm_bindgen]
+#[must_use]
+pub fn form() -> String {
+    form::form().to_string()
+}
+
+/// A topic of the glossary, by its name, a symbol, a key or the code of a warning: `{ title, html }`, or `{
+/// error, nearest }`.
+#[wasm_bindgen]
+#[must_use]
+pub fn explain(word: &str) -> String {
+    pages::explain(word).to_string()
+}
+
+/// The names of all topics of the glossary: `[name]`.
+#[wasm_bindgen]
+#[must_use]
+pub fn explain_topics() -> String {
+    pages::topics().to_string()
+}
+
+/// What a text says: `{ ok, problems, values, commands, judgement_html, units }`.
+///
+/// `values` has the place of each key that the file gives and its value as written: `{ from, to, text }`.
+/// `commands` has `{ able, why }` for `reconstruct`, `impact`, `motion`, `crush`, `compare`, `sensitivity`,
+/// `uncertainty` and `estimate`; it is empty where the file is wrong.
+#[wasm_bindgen]
+#[must_use]
+pub fn check(text: &str, name: Option<String>) -> String {
+    check::check(text, name.as_deref()).to_string()
+}
+
+/// The answer of a command: `reconstruct`, `impact`, `motion`, `crush`, `compare` or `sensitivity`; an empty
+/// one is the most complete that the case allows.
+///
+/// `{ ok: true, command, headline, html, text, json, csv, warnings: [{ code, message, vehicle, keys }] }`, or
+/// `{ ok: false, problems, message }`. `json` is byte for byte what the program writes; `csv` is `null` where
+/// the command has none.
+#[wasm_bindgen]
+#[must_use]
+pub fn answer(text: &str, command: &str, units: &str, name: Option<String>) -> String {
+    answer::answer(text, command, units, name.as_deref()).to_string()
+}
+
+/// A drawing of an answer: `what` is `scene`, `motion`, `motion-curves`, `damage`, `reconciliation` or
+/// `energy`. `{ ok: true, svg, title, description }`, or `{ ok: false, problems, message }`.
+#[wasm_bindgen]
+#[must_use]
+pub fn draw(text: &str, what: &str, units: &str) -> String {
+    picture::draw(text, what, units).to_string()
+}
+
+/// The HTML report to hand over, byte for byte that of the program: `{ ok: true, html }`, or `{ ok: false,
+/// problems, message }`. `command` is `reconstruct`, `impact`, `motion`, `crush` or empty.
+#[wasm_bindgen]
+#[must_use]
+pub fn report(text: &str, name: &str, command: &str, units: &str) -> String {
+    answer::report(text, name, command, units).to_string()
+}
+
+/// Gives a key a value of TOML, or takes it out where the value is empty; comments are kept: `{ ok: true, text,
+/// from, to }`, or `{ ok: false, message }`.
+#[wasm_bindgen]
+#[must_use]
+pub fn edit(text: &str, key: &str, value: &str) -> String {
+    edit::edit(text, key, value).to_string()
+}
+
+/// A quantity in another unit: `"10 mph"` in `km/h` is `{ ok: true, text: "16.09344 km/h" }`; else `{ ok: false,
+/// message }`.
+#[wasm_bindgen]
+#[must_use]
+pub fn convert(text: &str, unit: &str) -> String {
+    edit::convert(text, unit).to_string()
+}
+
+/// The SHA-256 of a text, in hexadecimal digits.
+#[wasm_bindgen]
+#[must_use]
+pub fn sha256(text: &str) -> String {
+    ::report::sha256(text.as_bytes())
+}
