@@ -1,5 +1,9 @@
-//! Builds what cargo alone does not: `cargo run -p xtask -- web` builds the engine for a browser.
+//! Builds what cargo alone does not: `cargo run -p xtask -- web` builds the engine for a browser, and `…
+//! same-bits` compares it with the program.
 
+use std::env;
+use std::ffi::OsString;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -7,7 +11,7 @@ use anyhow::{Context as _, Result, ensure};
 use clap::Parser;
 use wasm_bindgen_cli_support::Bindgen;
 
-/// What there is to build.
+/// What there is to do.
 #[derive(Debug, Parser)]
 enum Task {
     /// Build the engine for a browser: WebAssembly, the JavaScript that calls it, and its types
@@ -16,34 +20,89 @@ enum Task {
         #[arg(long)]
         quick: bool,
 
-        /// The folder to write into
+        /// The folder to write into [default: web/pkg]
         #[arg(long, value_name = "FOLDER")]
         out: Option<PathBuf>,
     },
+    /// Run all fixtures through the engine for a browser, in Node, and through the program, and compare every
+    /// byte
+    SameBits {
+        /// The program
+        #[arg(long, value_name = "FILE", default_value = "target/debug/deltav")]
+        program: PathBuf,
+
+        /// The folder of the engine, as `web` wrote it [default: web/pkg]
+        #[arg(long, value_name = "FOLDER")]
+        engine: Option<PathBuf>,
+    },
 }
 
+const TARGET: &str = "wasm32-unknown-unknown";
+
 fn main() -> Result<()> {
-    let Task::Web { quick, out } = Task::parse();
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folder = |given: Option<PathBuf>| given.unwrap_or_else(|| root.join("web/pkg"));
+    match Task::parse() {
+        Task::Web { quick, out } => web(&root, quick, &folder(out)),
+        Task::SameBits { program, engine } => same_bits(&root, &folder(engine), &program),
+    }
+}
+
+fn web(root: &Path, quick: bool, out: &Path) -> Result<()> {
     let profile = if quick { "wasm-quick" } else { "wasm" };
-    let target = "wasm32-unknown-unknown";
-    let status = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args(["build", "--locked", "--profile", profile, "--target", target, "-p", "deltav-web", "--lib"])
-        .current_dir(&root)
+    let status = Command::new(cargo())
+        .args(["build", "--locked", "--profile", profile, "--target", TARGET, "-p", "deltav-web", "--lib"])
+        .current_dir(root)
         .status()
         .context("cannot run cargo")?;
-    ensure!(status.success(), "cargo cannot build deltav-web; `rustup target add {target}` adds its target");
-    let built = target_folder(&root).join(target).join(profile).join("deltav_web.wasm");
+    ensure!(status.success(), "cargo cannot build deltav-web; `rustup target add {TARGET}` adds its target");
+    let built = target_folder(root).join(TARGET).join(profile).join("deltav_web.wasm");
     Bindgen::new()
         .input_path(&built)
         .web(true)?
         .typescript(true)
         .omit_default_module_path(true)
-        .generate(out.unwrap_or_else(|| root.join("web/pkg")))
+        .generate(out)
         .with_context(|| format!("cannot make JavaScript for {}", built.display()))
+}
+
+fn same_bits(root: &Path, engine: &Path, program: &Path) -> Result<()> {
+    let mut cases = Vec::new();
+    cases_in(&root.join("fixtures"), &mut cases)?;
+    let status = Command::new("node")
+        .arg(root.join("xtask/same-bits.mjs"))
+        .args([engine, program])
+        .args(cases)
+        .status()
+        .context("cannot run node")?;
+    ensure!(status.success(), "the engine for a browser and the program do not say the same");
+    Ok(())
+}
+
+/// All case files of a folder, in the order of their names: those that are wrong as well, of which both have
+/// to say the same.
+fn cases_in(folder: &Path, cases: &mut Vec<PathBuf>) -> Result<()> {
+    let cannot = || format!("cannot read {}", folder.display());
+    let mut paths = Vec::new();
+    for entry in fs::read_dir(folder).with_context(cannot)? {
+        paths.push(entry.with_context(cannot)?.path());
+    }
+    paths.sort();
+    for path in paths {
+        if path.is_dir() {
+            cases_in(&path, cases)?;
+        } else if path.extension().is_some_and(|ending| ending == "toml") {
+            cases.push(path);
+        }
+    }
+    Ok(())
+}
+
+fn cargo() -> OsString {
+    env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 
 /// Where cargo builds.
 fn target_folder(root: &Path) -> PathBuf {
-    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from)
+    env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from)
 }

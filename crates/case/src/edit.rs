@@ -106,7 +106,9 @@ pub(crate) struct Way {
 }
 
 fn steps(way: &[Way]) -> Vec<Step> {
-    way.iter().map(|way| way.name.map_or(Step::Element(way.element), |name| Step::Key(name.to_owned()))).collect()
+    way.iter()
+        .map(|way| way.name.map_or(Step::Element(way.element), |name| Step::Key(name.to_owned())))
+        .collect()
 }
 
 /// A value without blanks around it, if it is one.
@@ -220,10 +222,13 @@ impl<'t> Editor<'t> {
     }
 
     fn last_element(&self, path: &[Step]) -> Option<usize> {
-        self.layout.sections(path).filter_map(|section| match section.path.get(path.len()) {
-            Some(Step::Element(element)) => Some(*element),
-            _ => None,
-        }).max()
+        self.layout
+            .sections(path)
+            .filter_map(|section| match section.path.get(path.len()) {
+                Some(Step::Element(element)) => Some(*element),
+                _ => None,
+            })
+            .max()
     }
 
     /// Into the container of the first `depth` steps.
@@ -293,7 +298,8 @@ impl<'t> Editor<'t> {
                         self.replaced(start..start, &line, &value_of_line, self.newline)
                     }
                     (None, first) if !container.header.is_empty() => {
-                        let line = first.map_or_else(|| format!("{name} = "), |first| self.line_like(first, name));
+                        let line =
+                            first.map_or_else(|| format!("{name} = "), |first| self.line_like(first, name));
                         self.new_line(self.line_end(container.header.end), &line, &value_of_line, "")
                     }
                     (None, _) => {
@@ -408,7 +414,8 @@ impl<'t> Editor<'t> {
         Ok(self.replaced(at..at, &before, value, &format!("{after}{newline}{gap}")))
     }
 
-    /// Behind the last line of a section that is its own: comments right above the next header belong to that.
+    /// Behind the last line of a section that is its own: comments right above the next header belong to
+    /// that.
     fn end_of(&self, section: &Container) -> usize {
         let mut end = section.span.end;
         let body = section.header.end.max(self.line_start(0));

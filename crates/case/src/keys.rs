@@ -139,11 +139,8 @@ pub(crate) fn way(key: &str) -> Option<Vec<Way>> {
     // An empty key is the file.
     for part in key.split('.').filter(|_| !key.is_empty()) {
         let (name, elements) = part.split_at(part.find('[').unwrap_or(part.len()));
-        let (rank, key) = tables
-            .iter()
-            .flat_map(|table| table.keys)
-            .enumerate()
-            .find(|(_, key)| key.name == name)?;
+        let (rank, key) =
+            tables.iter().flat_map(|table| table.keys).enumerate().find(|(_, key)| key.name == name)?;
         let has_header = key.example.starts_with('[');
         way.push(Way { name: Some(key.name), element: 0, rank, has_header });
         for element in elements.split_terminator(']') {

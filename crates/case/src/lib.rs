@@ -153,13 +153,14 @@
 //! # Ok::<(), String>(())
 //! ```
 //!
-//! `examples/convert.rs` reads a case, turns its numbers into SI, changes one and writes the case again.
+//! `examples/convert.rs` reads a case, turns its numbers into SI, changes one and writes the case again;
+//! [`edit`] changes one key in the text itself.
 //!
 //! # What it does not do
 //!
 //! It has no equations and no defaults beyond those named above; [`inputs`] says what each analysis needs. It
-//! does no arithmetic with units: a unit that is not in the table is refused. It keeps no comments: a case
-//! that is written back has lost them.
+//! does no arithmetic with units: a unit that is not in the table is refused. A case that [`to_toml`] writes
+//! has no comments.
 
 mod case_problem;
 mod diagnostic;

@@ -31,7 +31,8 @@ fn texts() -> Vec<String> {
     let mut files = Vec::new();
     toml_files(&root.join("../../fixtures"), &mut files);
     toml_files(&root.join("templates"), &mut files);
-    let texts: Vec<String> = files.iter().map(|path| String::from_utf8(fs::read(path).unwrap()).unwrap()).collect();
+    let texts: Vec<String> =
+        files.iter().map(|path| String::from_utf8(fs::read(path).unwrap()).unwrap()).collect();
     let texts: Vec<String> = texts.into_iter().filter(|text| DeTable::parse(text).is_ok()).collect();
     assert!(texts.len() > 100, "{}", texts.len());
     texts
@@ -39,7 +40,13 @@ fn texts() -> Vec<String> {
 
 /// What a text says, by the parser: the letters of each value that is no table, under its path.
 fn said(text: &str) -> BTreeMap<String, String> {
-    fn add(path: &str, text: &str, value: &DeValue<'_>, span: std::ops::Range<usize>, said: &mut BTreeMap<String, String>) {
+    fn add(
+        path: &str,
+        text: &str,
+        value: &DeValue<'_>,
+        span: std::ops::Range<usize>,
+        said: &mut BTreeMap<String, String>,
+    ) {
         match value {
             DeValue::Table(table) => {
                 for (key, value) in table {
@@ -84,7 +91,9 @@ fn keys_with_values() -> Vec<(String, String)> {
                 KeyForm::Table(keys) | KeyForm::WordOrTable(_, keys) | KeyForm::NumberOrTable(keys) => {
                     add(keys, &path, all);
                 }
-                KeyForm::Tables(keys) | KeyForm::QuantityOrTables(_, keys) => add(keys, &format!("{path}[1]"), all),
+                KeyForm::Tables(keys) | KeyForm::QuantityOrTables(_, keys) => {
+                    add(keys, &format!("{path}[1]"), all)
+                }
                 _ => {}
             }
         }
@@ -114,7 +123,10 @@ fn is_subset(part: &[&str], whole: &[&str]) -> bool {
 fn only_changed(before: &str, after: &str, key: &str) -> BTreeMap<String, String> {
     let (old, new) = (said(before), said(after));
     let others = |said: &BTreeMap<String, String>| -> BTreeMap<String, String> {
-        said.iter().filter(|(path, _)| !is_on_the_way(path, key)).map(|(a, b)| (a.clone(), b.clone())).collect()
+        said.iter()
+            .filter(|(path, _)| !is_on_the_way(path, key))
+            .map(|(a, b)| (a.clone(), b.clone()))
+            .collect()
     };
     assert_eq!(others(&old), others(&new), "{key}\n{before}\n---\n{after}");
     new
@@ -139,8 +151,10 @@ fn set_and_removed(text: &str, key: &str, value: &str) {
     // The letters themselves: one place has changed. Where a table with a header went, that is two.
     let [ahead, behind] = common(text, &edited.text);
     let gone = &text[ahead..text.len() - behind];
-    let was = CaseFile::parse("case.toml", text).map_or_else(|e| e.source().span(key), |f| f.source.span(key));
-    let replaces_table = said(text).keys().any(|path| path != key && is_on_the_way(path, key) && !path.contains('{'));
+    let was =
+        CaseFile::parse("case.toml", text).map_or_else(|e| e.source().span(key), |f| f.source.span(key));
+    let replaces_table =
+        said(text).keys().any(|path| path != key && is_on_the_way(path, key) && !path.contains('{'));
     if !replaces_table {
         let most = was.map_or(0, |span| span.len());
         assert!(gone.len() <= most, "{key}: {gone:?} is gone\n{}", edited.text);
@@ -170,7 +184,8 @@ fn every_key_can_be_set_and_removed_in_every_file() {
 
 #[test]
 fn line_breaks_of_windows_and_a_byte_order_mark_stay() {
-    for text in texts().iter().filter(|text| !text.contains('\r') && !text.starts_with('\u{feff}')).step_by(7) {
+    for text in texts().iter().filter(|text| !text.contains('\r') && !text.starts_with('\u{feff}')).step_by(7)
+    {
         let windows = format!("\u{feff}{}", text.replace('\n', "\r\n"));
         for (key, value) in keys_with_values() {
             set_and_removed(&windows, &key, &value);
@@ -188,8 +203,16 @@ fn what_is_missing_is_added_in_its_place() {
         ("vehicle1.yaw_inertia", "\"2 kg m^2\"", "# weighed\nyaw_inertia = \"2 kg m^2\"\nheading"),
         ("vehicle1.speed", "\"10 mph\"", "heading = \"0 deg\"\nspeed   = \"10 mph\"\n\n# the other"),
         ("vehicle1.contact.x", "\"1 m\"", "contact = { x = \"1 m\" }\n\n# the other"),
-        ("vehicle1.crush.side", "\"front\"", "\"0 deg\"\n\n[vehicle1.crush]\nside = \"front\"\n\n# the other"),
-        ("vehicle2.crush.stiffness.category", "3", "fixed = true\n\n[vehicle2.crush]\nstiffness = { category = 3 }\n"),
+        (
+            "vehicle1.crush.side",
+            "\"front\"",
+            "\"0 deg\"\n\n[vehicle1.crush]\nside = \"front\"\n\n# the other",
+        ),
+        (
+            "vehicle2.crush.stiffness.category",
+            "3",
+            "fixed = true\n\n[vehicle2.crush]\nstiffness = { category = 3 }\n",
+        ),
         ("scene.contact.y", "\"3 m\"", "# mine\n\n[scene]\ncontact = { y = \"3 m\" }\n\n[vehicle1]"),
         ("impact.restitution", "0.1", "fixed = true\n\n[impact]\nrestitution = 0.1\n"),
     ] {
@@ -200,7 +223,10 @@ fn what_is_missing_is_added_in_its_place() {
     let within = "[vehicle1]\ncontact = { x = \"1 m\" } # C\ncrush = \"none\"\n";
     let edited = set(within, "vehicle1.contact.y", "\"2 m\"").unwrap().text;
     assert_eq!(edited, "[vehicle1]\ncontact = { x = \"1 m\", y = \"2 m\" } # C\ncrush = \"none\"\n");
-    assert_eq!(remove(&edited, "vehicle1.contact.x").unwrap(), "[vehicle1]\ncontact = { y = \"2 m\" } # C\ncrush = \"none\"\n");
+    assert_eq!(
+        remove(&edited, "vehicle1.contact.x").unwrap(),
+        "[vehicle1]\ncontact = { y = \"2 m\" } # C\ncrush = \"none\"\n"
+    );
     // A table without keys says nothing.
     assert_eq!(remove(within, "vehicle1.contact.x").unwrap(), "[vehicle1]\ncrush = \"none\"\n");
     // A word and a table cannot both be there.

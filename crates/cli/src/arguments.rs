@@ -68,10 +68,11 @@ pub(crate) enum Command {
         after_help = "Examples:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
             deltav reconstruct fixtures/sae-980025.toml --format json -o result.json\n  \
             deltav reconstruct fixtures/sae-980025.toml --format html -o report.html\n  \
+            deltav reconstruct fixtures/sae-980025.toml --format html --live -o report.html\n  \
             deltav reconstruct fixtures/ricsac/*.toml --format csv -o results.csv\n\n\
             Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
     )]
-    Reconstruct(CasesArguments),
+    Reconstruct(ReportArguments),
     /// Compute an impact from two known speeds
     #[command(
         long_about = "Compute an impact from two known speeds.\n\n\
@@ -83,7 +84,7 @@ pub(crate) enum Command {
             deltav impact fixtures/ricsac/*.toml --format csv --units us -o results.csv\n\n\
             Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
     )]
-    Impact(CasesArguments),
+    Impact(ReportArguments),
     /// Follow each vehicle from the impact to rest, or find how it left from where it came to rest
     #[command(
         long_about = "Follow each vehicle from the impact to rest, or find how it left from where it came to rest.\n\n\
@@ -101,7 +102,7 @@ pub(crate) enum Command {
             deltav draw case.toml --what motion -o motion.svg\n\n\
             Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
     )]
-    Motion(CasesArguments),
+    Motion(ReportArguments),
     /// Compute crush energy and ΔV from damage and PDOF alone (CRASH3)
     #[command(
         long_about = "Compute crush energy and ΔV from damage and PDOF alone (CRASH3).\n\n\
@@ -109,7 +110,7 @@ pub(crate) enum Command {
             Several files give one row each, as with `deltav reconstruct`; the columns for the impact are empty.",
         after_help = "Example:\n  deltav crush fixtures/sae-980025-crush.toml"
     )]
-    Crush(CasesArguments),
+    Crush(ReportArguments),
     /// Check a case without solving it
     #[command(
         long_about = "Check a case without solving it.\n\n\
@@ -398,6 +399,21 @@ pub(crate) struct CasesArguments {
     /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
     pub(crate) output: Destination,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ReportArguments {
+    #[command(flatten)]
+    pub(crate) cases: CasesArguments,
+
+    /// With --format html: put the program itself into the report, so that its reader can change a number in
+    /// any browser and see what follows; the report as it was handed over stands unchanged below
+    #[arg(long)]
+    pub(crate) live: bool,
+
+    /// The page that --live puts the report into; the default is deltav.html beside the program
+    #[arg(long, value_name = "FILE", requires = "live")]
+    pub(crate) page: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -4,6 +4,7 @@ mod arguments;
 mod batch;
 mod draw;
 mod estimates;
+mod live;
 mod new;
 mod outputs;
 mod pages;
@@ -21,8 +22,8 @@ use std::process::ExitCode;
 use analysis::{Analysis, Beside, Failure, Output, Plan, Stage, Sweep, Uncertainty};
 use anyhow::{Context as _, Result};
 use arguments::{
-    Arguments, CasesArguments, Command, ExplainArguments, Format, PlotsFormat, SensitivityArguments,
-    UncertaintyArguments, UnitSystem, ValidateArguments,
+    Arguments, CasesArguments, Command, ExplainArguments, Format, PlotsFormat, ReportArguments,
+    SensitivityArguments, UncertaintyArguments, UnitSystem, ValidateArguments,
 };
 use batch::{Job, Rows};
 use case::{Case, CaseFile, Diagnostics, Text};
@@ -117,9 +118,12 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
     (lead, if is_no_answer { NO_ANSWER } else { WRONG_INPUT })
 }
 
-fn report_or_rows(arguments: CasesArguments, analyse: Analyse) -> Result<()> {
+fn report_or_rows(ReportArguments { cases, live, page }: ReportArguments, analyse: Analyse) -> Result<()> {
+    if live {
+        return live::report(cases, page.as_deref(), analyse);
+    }
     let answer = |case: &Case| analyse(case).map(|analysis| Answer::Analysis(Box::new(analysis)));
-    match of_cases(arguments, Table::Analyses, &answer)? {
+    match of_cases(cases, Table::Analyses, &answer)? {
         Some(arguments) => report_analysis(&arguments, analyse),
         None => Ok(()),
     }

@@ -132,8 +132,8 @@ fn files(command: &Command) -> Files<'_> {
         Command::Reconstruct(arguments)
         | Command::Impact(arguments)
         | Command::Motion(arguments)
-        | Command::Crush(arguments)
-        | Command::Compare(arguments) => of_cases(arguments),
+        | Command::Crush(arguments) => of_cases(&arguments.cases),
+        Command::Compare(arguments) => of_cases(arguments),
         Command::Check(arguments) => of_arguments(arguments),
         Command::Sensitivity(arguments) => of_arguments(&arguments.arguments),
         Command::Uncertainty(arguments) => {

@@ -8,6 +8,7 @@ mod examples;
 mod guide;
 mod hostile;
 mod json;
+mod live;
 mod outputs;
 mod rows;
 mod site_plan;

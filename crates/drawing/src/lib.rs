@@ -58,6 +58,9 @@
 //! Arrows carry an `id` such as `scene-velocity-before-1`, and `data-from` and `data-to`; a scale bar such as
 //! `scene-scale` has `data-si` as well, what it stands for in SI units.
 //!
+//! A program in which somebody moves what is drawn asks a plan view for [`PlanView`], which tells where
+//! everything is in the scene, and draws it again in the same [`Viewport`].
+//!
 //! # What it does not do
 //!
 //! It knows no case, no file and no unit: what a number means, and how it reads, is said by whoever asks for
@@ -84,6 +87,7 @@ mod outline;
 mod pdf;
 mod pens;
 mod plan;
+mod plan_view;
 mod ranks;
 mod raster;
 mod reconciliation;
@@ -110,6 +114,7 @@ pub use marks::ValueMark;
 pub use motion::{MeasuredPoint, MotionPicture, MotionPoint, MotionRest, MotionVehicle};
 pub use motion_curves::{MotionCurves, MotionCurvesPicture};
 pub use number::{number, significant};
+pub use plan_view::{PlanBody, PlanStation, PlanView, Viewport};
 pub use ranks::RanksPicture;
 pub use raster::RenderError;
 pub use reconciliation::{CurvePoint, ReconciliationPicture};

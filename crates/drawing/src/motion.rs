@@ -14,6 +14,7 @@ use crate::pens::{
     WHITE,
 };
 use crate::plan::{self, Contact, Pose, View, flipped, polyline, unit, vec2};
+use crate::plan_view::{PlanBody, PlanView, Viewport};
 use crate::scene::{SceneArrow, SceneBody};
 use crate::site_plan::{Backdrop, SitePlan};
 use crate::symbol::{Marker, Symbol};
@@ -145,11 +146,19 @@ impl MotionPicture {
     /// Draws it.
     #[must_use]
     pub fn draw(&self) -> Drawing {
+        self.draw_within(None).0
+    }
+
+    /// Draws it with this part of the scene in its room, or with all that there is; and where everything is.
+    #[must_use]
+    pub fn draw_within(&self, viewport: Option<Viewport>) -> (Drawing, PlanView) {
         let widest = Rect::new(EDGE, HEADER, WIDTH - EDGE, HEADER + HIGHEST);
-        let largest = View::fit(widest.inset((-MARGIN, -ABOVE)), LARGEST, |scale| self.bounds(scale));
-        let height = (self.bounds(largest.scale).height() + 2.0 * ABOVE).clamp(LOWEST, HIGHEST);
-        let area = Rect { y1: HEADER + height, ..widest };
-        let view = View::fit(area.inset((-MARGIN, -ABOVE)), LARGEST, |scale| self.bounds(scale));
+        let given = viewport.and_then(|viewport| {
+            let height = widest.width() * (viewport.top - viewport.bottom) / (viewport.right - viewport.left);
+            let area = Rect { y1: HEADER + height.clamp(LOWEST, HIGHEST), ..widest };
+            Some((area, viewport.view(area)?))
+        });
+        let (area, view) = given.unwrap_or_else(|| self.fitted(widest));
 
         let mut canvas = Canvas::new(NAME, WIDTH, area.y1);
         legend::header(&mut canvas, &self.title, "Plan view from approach to rest, to scale");
@@ -167,7 +176,56 @@ impl MotionPicture {
         }
         page.names_of_ground();
         page.canvas.place_labels(area.inset(-2.0));
-        page.below()
+        (page.below(), self.plan_view(view, area))
+    }
+
+    /// (px) the room that the motion needs of the widest one, and where it is in that.
+    fn fitted(&self, widest: Rect) -> (Rect, View) {
+        let largest = View::fit(widest.inset((-MARGIN, -ABOVE)), LARGEST, |scale| self.bounds(scale));
+        let height = (self.bounds(largest.scale).height() + 2.0 * ABOVE).clamp(LOWEST, HIGHEST);
+        let area = Rect { y1: HEADER + height, ..widest };
+        (area, View::fit(area.inset((-MARGIN, -ABOVE)), LARGEST, |scale| self.bounds(scale)))
+    }
+
+    fn plan_view(&self, view: View, area: Rect) -> PlanView {
+        let body = |i: usize| {
+            let vehicle = self.vehicles.get(i)?.as_ref()?;
+            let measured = vehicle.measured_rest.as_ref();
+            Some(PlanBody {
+                rest: measured.and_then(|rest| Some((rest.cg, rest.forward?))),
+                points: vehicle.measured_points.iter().map(|point| point.at).collect(),
+                ..self.body_at(vehicle, i, vehicle.at_impact())
+            })
+        };
+        PlanView {
+            viewport: Viewport::of(view, area),
+            origin: [view.origin.x, view.origin.y],
+            scale: view.scale,
+            contact: self.impact,
+            normal: self.normal,
+            bodies: [body(0), body(1)],
+        }
+    }
+
+    /// Both vehicles at a time (s) since the impact, as far as they are known. Before the impact each drives
+    /// straight on; at the end of its path it rests.
+    #[must_use]
+    pub fn bodies_at(&self, time: f64) -> [Option<PlanBody>; 2] {
+        [0, 1].map(|i| {
+            let vehicle = self.vehicles.get(i)?.as_ref()?;
+            Some(self.body_at(vehicle, i, vehicle.pose_at_any(time)))
+        })
+    }
+
+    /// (s) how long the last vehicle moves after the impact.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.each().filter_map(|(_, vehicle)| Some(vehicle.path.last()?.time)).fold(0.0, f64::max)
+    }
+
+    fn body_at(&self, vehicle: &MotionVehicle, i: usize, pose: Pose) -> PlanBody {
+        let outline = |contact: Contact| contact.outline(&vehicle.body, self.wall_ends(contact), i);
+        PlanBody::of(&vehicle.body, pose, self.contact().and_then(outline))
     }
 
     fn each(&self) -> impl Iterator<Item = (usize, &MotionVehicle)> {
@@ -292,6 +350,16 @@ impl MotionVehicle {
         let share = (time - last.time) / (next.time - last.time);
         let between = |from: [f64; 2], to: [f64; 2]| vec2(from) + (vec2(to) - vec2(from)) * share;
         Some(Pose { cg: between(last.cg, next.cg), forward: unit(between(last.forward, next.forward)) })
+    }
+
+    fn pose_at_any(&self, time: f64) -> Pose {
+        let impact = self.at_impact();
+        if time < 0.0 {
+            let velocity = self.approach.as_ref().map_or(Vec2::ZERO, |approach| vec2(approach.vector));
+            return Pose { cg: impact.cg + velocity * time, ..impact };
+        }
+        let end = self.path.last().map(|point| Pose::new(point.cg, point.forward));
+        self.pose_at(time).or(end).unwrap_or(impact)
     }
 
     /// The arrow of the approach, from its tail to its tip: it ends where the vehicle begins.

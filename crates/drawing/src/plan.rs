@@ -6,6 +6,7 @@ use crate::canvas::{Canvas, Head};
 use crate::font::{Anchor, SMALL};
 use crate::footprint::placed;
 use crate::pens::{GREY, Pen, THIN};
+use crate::scene::SceneBody;
 
 /// (m) how far the wall that stands for a fixed object of unknown extent reaches beyond the vehicle at it,
 /// its thickness, and the least length that is drawn.
@@ -162,6 +163,17 @@ impl Contact {
     /// The pole on the page.
     pub(crate) fn drawn_pole(self, diameter: f64, i: usize, view: View) -> BezPath {
         Circle::new(view.at(self.pole(diameter, i)), 0.5 * diameter * view.scale).to_path(1e-2)
+    }
+
+    /// (m) the outline of a pole, or of a wall with these ends; `None` of what has a shape of its own.
+    pub(crate) fn outline(self, body: &SceneBody, ends: [f64; 2], i: usize) -> Option<BezPath> {
+        match body {
+            SceneBody::Pole { diameter } => {
+                Some(Circle::new(self.pole(*diameter, i).to_point(), 0.5 * diameter).to_path(1e-3))
+            }
+            SceneBody::Wall => Some(polygon(self.wall(ends, i).map(Vec2::to_point))),
+            SceneBody::Outline { .. } | SceneBody::Unknown => None,
+        }
     }
 }
 

@@ -12,6 +12,7 @@ use crate::pens::{
     undamaged,
 };
 use crate::plan::{self, Contact, Pose, View, flipped, unit, vec2};
+use crate::plan_view::{PlanBody, PlanView, Viewport};
 
 const NAME: &str = "scene";
 
@@ -121,13 +122,20 @@ impl ScenePicture {
     /// Draws it.
     #[must_use]
     pub fn draw(&self) -> Drawing {
+        self.draw_within(None).0
+    }
+
+    /// Draws it with this part of the scene in its room, or with all that there is; and where everything is.
+    /// The contact point is the origin.
+    #[must_use]
+    pub fn draw_within(&self, viewport: Option<Viewport>) -> (Drawing, PlanView) {
         let motions = self.vehicles.iter().filter_map(|vehicle| vehicle.motion.as_ref());
         let fastest = motions
             .flat_map(|motion| [&motion.before, &motion.after])
             .map(|arrow| vec2(arrow.vector).hypot())
             .fold(SLOWEST, f64::max);
         let arrows = Arrows { scene: self, per_speed: FASTEST / fastest };
-        let view = self.view(&arrows);
+        let view = viewport.and_then(|viewport| viewport.view(area())).unwrap_or_else(|| self.view(&arrows));
         let origin = view.origin;
 
         let bar_row = HEADER + SCENE + 30.0;
@@ -174,7 +182,23 @@ impl ScenePicture {
         page.canvas.set_height(bar_row + 22.0 + legend::height(entries.len(), 3) + 10.0);
         legend::legend(&mut page.canvas, bar_row + 22.0, 3, &entries);
         let title = format!("{}: plan view at impact", self.title);
-        Drawing::new(NAME, title, self.description.clone(), page.canvas)
+        (Drawing::new(NAME, title, self.description.clone(), page.canvas), self.plan_view(view))
+    }
+
+    fn plan_view(&self, view: View) -> PlanView {
+        let body = |i: usize| {
+            let vehicle = self.vehicles.get(i)?;
+            let outline = self.contact().outline(&vehicle.body, self.wall_ends(), i);
+            Some(PlanBody::of(&vehicle.body, vehicle.pose(), outline))
+        };
+        PlanView {
+            viewport: Viewport::of(view, area()),
+            origin: [view.origin.x, view.origin.y],
+            scale: view.scale,
+            contact: Some([0.0; 2]),
+            normal: Some(self.normal),
+            bodies: [body(0), body(1)],
+        }
     }
 
     /// C is the origin.

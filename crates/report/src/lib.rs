@@ -44,6 +44,8 @@
 //! [`reconstructed_speed`] the validation, [`estimated_against_recorded`] and [`ranks_of_recorders`] the
 //! judgement by recorders.
 //!
+//! [`live`] puts a report into the page of the program, in which its reader can change a number.
+//!
 //! `examples/text_and_drawing.rs` goes from a file to a text and a drawing.
 //!
 //! # What it does not do
@@ -66,6 +68,7 @@ mod estimates;
 mod failures;
 mod glossary;
 mod law;
+mod live;
 mod outputs;
 mod pictures;
 mod sections;
@@ -77,7 +80,9 @@ mod words;
 mod worth;
 mod writers;
 
-pub use ::drawing::{Drawing, PictureFormat, SitePlan, SitePlanError};
+pub use ::drawing::{
+    Drawing, PictureFormat, PlanBody, PlanStation, PlanView, SitePlan, SitePlanError, Viewport,
+};
 pub use data::comparison::comparison_json;
 pub use data::csv::{Answer, Csv, CsvStyle, Refused, Row, RowError, Table, jsonl_row};
 pub use data::estimate::{DrawColumn, draw_columns, estimate_json, write_draws};
@@ -94,16 +99,17 @@ pub use document::Document;
 pub use estimates::{Asked, Question};
 pub use failures::no_answer;
 pub use glossary::{Topic, UnknownTopic, topic, topics};
+pub use live::{NotLive, live};
 pub use outputs::reason_name;
 pub use pictures::{
-    DrawingError, Subject, computed_against_measured, density, drawing, estimate_pictures,
-    estimated_against_recorded, histogram, joint_speeds, motion_on, plain_scene, ranks_of_recorders,
-    reconstructed_speed, rests, site_plan, site_plan_of, tornado,
+    DrawingError, Frames, Subject, computed_against_measured, density, drawing, estimate_pictures,
+    estimated_against_recorded, frames, histogram, joint_speeds, motion_on, plain_scene, plan_view,
+    ranks_of_recorders, reconstructed_speed, rests, site_plan, site_plan_of, tornado,
 };
 pub use sections::comparison::comparison;
 pub use sections::estimate::estimate;
 pub use sections::field::field;
-pub use sections::handover::{Supplements, handover};
+pub use sections::handover::{Supplements, handover, uncertain_headline};
 pub use sections::judgement::judgement;
 pub use sections::results::results;
 pub use sections::sensitivity::sensitivity;

@@ -17,7 +17,7 @@ pub use spread::{histogram, tornado};
 pub use staged::{computed_against_measured, reconstructed_speed};
 
 use ::drawing::Drawing;
-use ::drawing::{PlanPlace, ScaleUnit, SitePlan, SitePlanError};
+use ::drawing::{PlanBody, PlanPlace, PlanView, ScaleUnit, SitePlan, SitePlanError, Viewport};
 use analysis::{Analysis, Failure};
 use case::{Axes, Case, CaseFile, Quantity};
 use pim_core::Real;
@@ -132,6 +132,55 @@ pub fn motion_on(
     site_plan: Option<SitePlan>,
 ) -> Result<Drawing, DrawingError> {
     Ok(motion::picture(&file.case, analysis, units, is_plain, site_plan)?.draw())
+}
+
+/// Draws the scene or the motion with a part of the scene in its room, or with all that there is, and tells
+/// where everything in it is: in metres, y to the left of x whatever the axes of the case. In a scene the
+/// contact point is the origin.
+///
+/// # Errors
+/// [`DrawingError`]: the analysis has nothing of this kind; of another subject than these two, that it has no
+/// motion.
+pub fn plan_view(
+    file: &CaseFile,
+    analysis: &Analysis,
+    units: Units,
+    subject: Subject,
+    viewport: Option<Viewport>,
+) -> Result<(Drawing, PlanView), DrawingError> {
+    match subject {
+        Subject::Scene => Ok(scene::picture(&file.case, analysis, units)?.draw_within(viewport)),
+        Subject::Motion => {
+            Ok(motion::picture(&file.case, analysis, units, false, None)?.draw_within(viewport))
+        }
+        subject => Err(DrawingError::NoMotion { subject }),
+    }
+}
+
+/// Both vehicles at times of their motion.
+#[derive(Clone, Debug)]
+pub struct Frames {
+    /// (s) how long the last vehicle moves after the impact.
+    pub duration: f64,
+    /// Each time (s) since the impact, less than zero before it, with vehicles 1 and 2 then.
+    pub frames: Vec<(f64, [Option<PlanBody>; 2])>,
+}
+
+/// Where both vehicles are, in the same places as the drawing of the motion has them; `times` chooses the times
+/// (s) since the impact, knowing how long the motion lasts.
+///
+/// # Errors
+/// [`DrawingError::NoMotion`].
+pub fn frames(
+    file: &CaseFile,
+    analysis: &Analysis,
+    units: Units,
+    times: impl FnOnce(f64) -> Vec<f64>,
+) -> Result<Frames, DrawingError> {
+    let picture = motion::picture(&file.case, analysis, units, false, None)?;
+    let duration = picture.duration();
+    let frames = times(duration).into_iter().map(|time| (time, picture.bodies_at(time))).collect();
+    Ok(Frames { duration, frames })
 }
 
 /// A site plan, a PNG or a JPEG, in its place: its lower left corner (m) and the angle (rad) from the scene's

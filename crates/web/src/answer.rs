@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use validation::{Data, validate};
 
 use crate::given::{Given, Refused, made};
+use crate::warned;
 
 /// What a command makes of a case.
 type Solve = fn(&Case) -> Result<Analysis, Failure>;
@@ -49,6 +50,7 @@ fn analyse(given: &Given, command: &str) -> Result<Value, Refused> {
             "code": warning.warning().code(),
             "message": report::message(warning, *units),
             "vehicle": warning.warning().vehicle().map(VehicleId::number),
+            "keys": warned::keys(warning.warning()),
         })
     });
     let warnings = warnings.collect();
@@ -105,27 +107,47 @@ fn answered(
     }))
 }
 
-pub(crate) fn report(text: &str, name: &str, command: &str, units: &str) -> Value {
+pub(crate) fn report(text: &str, name: &str, command: &str, units: &str, plan: Option<Vec<u8>>) -> Value {
     made(Given::read(text, Some(name), units).and_then(|given| {
-        let document = handover(&given, command)?;
+        let document = handover(&given, command, plan)?;
         Ok(json!({ "ok": true, "html": document.html() }))
     }))
 }
 
-/// The report to hand over, as the program makes it.
-fn handover(given: &Given, command: &str) -> Result<Document, Refused> {
+/// The report to hand over, as the program makes it; `plan` is the picture that the case names.
+fn handover(given: &Given, command: &str, plan: Option<Vec<u8>>) -> Result<Document, Refused> {
     let Given { file, units } = given;
     let (_, solve) = solver(command, &file.case).ok_or_else(|| unknown(command))?;
     let analysis = given.answered(solve(&file.case))?;
     let Beside { uncertainty, sensitivity } = given.answered(analysis::beside(&file.case, &analysis))?;
-    let validation = Data::built_in();
-    let validation = validate(&validation).map_err(|error| Refused::message(error.to_string()))?;
+    let validation = validate(&Data::built_in()).map_err(|error| Refused::message(error.to_string()))?;
+    let site_plan = match plan {
+        Some(picture) => report::site_plan_of(&file.case, picture)
+            .map_err(|error| Refused::message(format!("the site plan: {error}")))?,
+        None => None,
+    };
     let supplements = Supplements {
         uncertainty: uncertainty.as_ref(),
         sensitivity: sensitivity.as_ref(),
         validation: Some(&validation),
-        site_plan: None,
+        site_plan: site_plan.as_ref(),
     };
     let document = report::handover(file, &analysis, supplements, *units);
     document.map_err(|error| Refused::message(error.to_string()))
+}
+
+pub(crate) fn live(
+    page: &str,
+    text: &str,
+    name: &str,
+    command: &str,
+    units: &str,
+    plan: Option<Vec<u8>>,
+) -> Value {
+    made(Given::read(text, Some(name), units).and_then(|given| {
+        let document = handover(&given, command, plan)?;
+        let live = report::live(page, &document.html(), &given.file);
+        let html = live.map_err(|error| Refused::message(error.to_string()))?;
+        Ok(json!({ "ok": true, "html": html }))
+    }))
 }

@@ -57,7 +57,9 @@ impl Given {
             "" => Units::of_case(&file.case),
             "si" => Units::Si,
             "us" => Units::Us,
-            other => return Err(Refused::message(format!("units are \"si\", \"us\" or \"\", not \"{other}\""))),
+            other => {
+                return Err(Refused::message(format!("units are \"si\", \"us\" or \"\", not \"{other}\"")));
+            }
         };
         Ok(Self { file, units })
     }

@@ -1,19 +1,22 @@
 //! The engine of the program in a browser: the text of a case in, JSON out.
 //!
-//! The text is the only state. No function throws for a bad case: what is wrong is in the JSON. Every place is
-//! given as a browser counts, in UTF-16 units from the beginning of the text, as `from` and `to`. `units` is
-//! `si`, `us`, or empty for those of the case. Where a name is left out, the file is called `case.toml`.
+//! The text is the only state. No function throws for a bad case: what is wrong is in the JSON. Every place
+//! is given as a browser counts, in UTF-16 units from the beginning of the text, as `from` and `to`. `units`
+//! is `si`, `us`, or empty for those of the case. Where a name is left out, the file is called `case.toml`.
 //!
 //! A problem is `{ from, to, line, column, key, title, help }`; `line` and `column` count from 1 on and are
 //! `null` where it is about the file as a whole.
 
 mod answer;
 mod check;
+mod drag;
 mod edit;
 mod form;
 mod given;
 mod pages;
 mod picture;
+mod run;
+mod warned;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -33,13 +36,13 @@ pub fn templates() -> String {
 
 /// The form of a case: `[{ key, title, help, fields, groups }]`, a group for each table.
 ///
-/// A field is `{ key, name, kind, title, help, topic, example, required, range, units, choices, bounds, fields
-/// }`. `kind` is `quantity`, `number`, `numbers`, `quantities`, `text`, `flag`, `choice`, `integer`, `names`,
-/// `wheels`, `angle-or-hour`, `table` or `tables`; `units` are the spellings that the field can have, the
-/// usual one first; `bounds` are `{ min, max, above }`, each a number or `null`, of a number without unit, and
-/// `above` says that `min` itself is none. `fields` are the keys of the table that can stand in place of a
-/// word or a number, and `groups` are the tables with a header of their own. `topic` is what `explain` knows
-/// of it.
+/// A field is `{ key, name, kind, title, help, topic, example, required, range, units, choices, bounds,
+/// fields }`. `kind` is `quantity`, `number`, `numbers`, `quantities`, `text`, `flag`, `choice`, `integer`,
+/// `names`, `wheels`, `angle-or-hour`, `table` or `tables`; `units` are the spellings that the field can
+/// have, the usual one first; `bounds` are `{ min, max, above }`, each a number or `null`, of a number
+/// without unit, and `above` says that `min` itself is none. `fields` are the keys of the table that can
+/// stand in place of a word or a number, and `groups` are the tables with a header of their own. `topic` is
+/// what `explain` knows of it.
 #[wasm_bindgen]
 #[must_use]
 pub fn form() -> String {
@@ -92,24 +95,63 @@ pub fn draw(text: &str, what: &str, units: &str) -> String {
     picture::draw(text, what, units).to_string()
 }
 
-/// The HTML report to hand over, byte for byte that of the program: `{ ok: true, html }`, or `{ ok: false,
-/// problems, message }`. `command` is `reconstruct`, `impact`, `motion`, `crush` or empty.
+/// The scene or the motion to be worked with: `what` is `scene`, `motion`, or empty for the first that the
+/// case has. `viewport` is empty, or that of an earlier picture, so that the new one holds still.
+///
+/// `{ ok: true, what, svg, title, description, viewport: { left, bottom, right, top }, origin, scale,
+/// contact, bodies, handles }`, or `{ ok: false, problems, message }`. Places are in metres, y upwards,
+/// whatever the axes of the case; a place x, y is at `origin[0] + scale x`, `origin[1] - scale y` in the
+/// units of the SVG. A body is `{ vehicle, outline, centre, heading }`, or `null`. A handle is `{ kind,
+/// vehicle, index, at, centre, keys }`: `heading`, `body` and `contact` of a vehicle, `plane`, `station` of
+/// its crush, `rest`, `rest_heading` and `point`; `index` counts from 0, and what turns does so around
+/// `centre`.
 #[wasm_bindgen]
 #[must_use]
-pub fn report(text: &str, name: &str, command: &str, units: &str) -> String {
-    answer::report(text, name, command, units).to_string()
+pub fn scene(text: &str, what: &str, units: &str, viewport: &str) -> String {
+    picture::scene(text, what, units, viewport).to_string()
 }
 
-/// Gives a key a value of TOML, or takes it out where the value is empty; comments are kept: `{ ok: true, text,
-/// from, to }`, or `{ ok: false, message }`.
+/// The text with a handle of `scene` moved: `handle` as it was given, and `to` is `{ at: [x, y] }` in metres
+/// or, of what turns, `{ angle }` in radians from the x axis to where it then points. The numbers keep their
+/// units and their comments, and have the digits that a mouse can place.
+///
+/// `{ ok: true, text, changed: [key] }`, or `{ ok: false, problems, message }`.
+#[wasm_bindgen]
+#[must_use]
+pub fn drag(text: &str, handle: &str, to: &str) -> String {
+    drag::drag(text, handle, to).to_string()
+}
+
+/// Where both vehicles are at these times (a list of seconds since the impact, negative before it) or, of an
+/// empty text, at equal times from one second before the impact to rest.
+///
+/// `{ ok: true, duration, frames: [{ time, bodies: [{ outline, centre, heading }] }] }`, or `{ ok: false,
+/// problems, message }`; places are those of `scene` with `motion`.
+#[wasm_bindgen]
+#[must_use]
+pub fn motion(text: &str, units: &str, times: &str) -> String {
+    picture::motion(text, units, times).to_string()
+}
+
+/// The HTML report to hand over, byte for byte that of the program: `{ ok: true, html }`, or `{ ok: false,
+/// problems, message }`. `command` is `reconstruct`, `impact`, `motion`, `crush` or empty; `plan` is the
+/// picture that `site_plan` of the case names, where the motion is to be drawn on it.
+#[wasm_bindgen]
+#[must_use]
+pub fn report(text: &str, name: &str, command: &str, units: &str, plan: Option<Vec<u8>>) -> String {
+    answer::report(text, name, command, units, plan).to_string()
+}
+
+/// Gives a key a value of TOML, or takes it out where the value is empty; comments are kept: `{ ok: true,
+/// text, from, to }`, or `{ ok: false, message }`.
 #[wasm_bindgen]
 #[must_use]
 pub fn edit(text: &str, key: &str, value: &str) -> String {
     edit::edit(text, key, value).to_string()
 }
 
-/// A quantity in another unit: `"10 mph"` in `km/h` is `{ ok: true, text: "16.09344 km/h" }`; else `{ ok: false,
-/// message }`.
+/// A quantity in another unit: `"10 mph"` in `km/h` is `{ ok: true, text: "16.09344 km/h" }`; else `{ ok:
+/// false, message }`.
 #[wasm_bindgen]
 #[must_use]
 pub fn convert(text: &str, unit: &str) -> String {
@@ -121,4 +163,71 @@ pub fn convert(text: &str, unit: &str) -> String {
 #[must_use]
 pub fn sha256(text: &str) -> String {
     ::report::sha256(text.as_bytes())
+}
+
+/// The report of [`report`] put into the page `deltav.html`, whose text is `page`: `{ ok: true, html }`, or
+/// `{ ok: false, problems, message }`.
+#[wasm_bindgen]
+#[must_use]
+pub fn live(page: &str, text: &str, name: &str, command: &str, units: &str, plan: Option<Vec<u8>>) -> String {
+    answer::live(page, text, name, command, units, plan).to_string()
+}
+
+/// What takes long, for a worker. `progress` is called with what is counted, how many are done and how many
+/// there are; where it returns `false`, the run ends: an uncertainty with the samples that it has, an
+/// estimate without an answer.
+#[wasm_bindgen]
+#[derive(Debug, Default)]
+pub struct Run {
+    drawn: Option<run::Drawn>,
+}
+
+#[wasm_bindgen]
+impl Run {
+    /// A run that has nothing yet.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// What the ranges of the case make of its answer, as `deltav uncertainty`. `options` is `{ samples,
+    /// seed, method: "monte-carlo" | "latin-hypercube" | "sobol", indices }`, of which each may be left out.
+    ///
+    /// `{ ok: true, headline, html, text, json, pictures: [{ name, output, title, svg }] }`, or `{ ok: false,
+    /// problems, message }`.
+    pub fn uncertainty(
+        &mut self,
+        text: &str,
+        name: &str,
+        units: &str,
+        options: &str,
+        progress: &js_sys::Function,
+    ) -> String {
+        let (answer, drawn) = run::uncertainty(text, name, units, options, &mut run::told(progress));
+        self.drawn = drawn;
+        answer.to_string()
+    }
+
+    /// The speeds from all evidence, as `deltav estimate`. `options` is `{ particles, seed, prior: "field" |
+    /// "flat", pieces, above: [question] }`, of which each may be left out. As
+    /// [`uncertainty`](Self::uncertainty), with `converged` besides.
+    pub fn estimate(
+        &mut self,
+        text: &str,
+        name: &str,
+        units: &str,
+        options: &str,
+        progress: &js_sys::Function,
+    ) -> String {
+        let (answer, drawn) = run::estimate(text, name, units, options, &mut run::told(progress));
+        self.drawn = drawn;
+        answer.to_string()
+    }
+
+    /// The samples or draws of the last run as CSV, as `--samples-out` writes them; empty where there are none.
+    #[must_use]
+    pub fn samples(&self) -> String {
+        self.drawn.as_ref().map(run::Drawn::csv).unwrap_or_default()
+    }
 }

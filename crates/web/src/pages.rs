@@ -10,9 +10,9 @@ pub(crate) fn templates() -> Value {
         json!({ "name": name, "title": title.as_deref().unwrap_or(name), "text_si": si, "text_us": us })
     };
     let mut templates = vec![template("sae-980025", EXAMPLE, EXAMPLE)];
-    templates.extend(Template::ALL.map(|one| {
-        template(one.name(), one.text(UnitSystem::Si), one.text(UnitSystem::Us))
-    }));
+    templates.extend(
+        Template::ALL.map(|one| template(one.name(), one.text(UnitSystem::Si), one.text(UnitSystem::Us))),
+    );
     Value::Array(templates)
 }
 

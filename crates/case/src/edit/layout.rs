@@ -87,9 +87,9 @@ impl Layout {
 
     /// The tables with headers at and below a path.
     pub(super) fn sections(&self, path: &[Step]) -> impl Iterator<Item = &Container> {
-        self.containers
-            .iter()
-            .filter(move |one| one.kind == Kind::Section && !one.header.is_empty() && one.path.starts_with(path))
+        self.containers.iter().filter(move |one| {
+            one.kind == Kind::Section && !one.header.is_empty() && one.path.starts_with(path)
+        })
     }
 }
 

@@ -3,7 +3,7 @@
 mod inputs;
 
 use ::drawing::{Drawing, SitePlan};
-use analysis::{Analysis, Impact, Output, Seen, Sensitivity, UncertainInput, Uncertainty};
+use analysis::{Analysis, Impact, Output, Seen, Sensitivity, UncertainInput, UncertainOutput, Uncertainty};
 use case::{Axes, Basis, CaseFile, Estimate, Origin, ReportHead};
 use pim_core::VehicleId;
 use validation::Validation;
@@ -276,6 +276,22 @@ fn interval(uncertainty: &Uncertainty, output: Output, units: Units) -> Option<S
     let [low, high] =
         [interval.low, interval.high].map(|end| number(units.value(Measure::RoadSpeed, end.value), 1));
     Some(format!("{low} to {high} {} ({} % interval)", units.name(Measure::RoadSpeed), 100.0 * LEAD))
+}
+
+/// What the samples say of the speeds before the impact and of ΔV, a line each: the interval first, then the
+/// value at the central inputs, as the report leads with them. Empty where none of them varies.
+#[must_use]
+pub fn uncertain_headline(uncertainty: &Uncertainty, units: Units) -> Vec<String> {
+    let line = |output: &UncertainOutput| {
+        let name = match output.output {
+            Output::Speed { vehicle } => format!("Speed of vehicle {vehicle} before impact"),
+            Output::DeltaV { vehicle } => format!("ΔV of vehicle {vehicle}"),
+            _ => return None,
+        };
+        let interval = interval(uncertainty, output.output, units)?;
+        Some(format!("{name}: {interval}; central value {}.", units.speed(output.central)))
+    };
+    uncertainty.outputs.iter().filter_map(line).collect()
 }
 
 /// (–) the level of the interval that the report leads with.

@@ -1,0 +1,50 @@
+//! `--live`: the report with the program in it.
+
+use std::env;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context as _, Result, bail};
+use same_file::is_same_file;
+
+use crate::arguments::{CasesArguments, CasesFormat};
+use crate::{Analyse, answered, case_file, handover, named, units, write};
+
+/// What the page is called beside the program.
+const PAGE: &str = "deltav.html";
+
+pub(crate) fn report(arguments: CasesArguments, page: Option<&Path>, analyse: Analyse) -> Result<()> {
+    if arguments.format != CasesFormat::Html {
+        bail!("--live puts the program into a report as HTML: add --format html, or leave out --live");
+    }
+    let [case] = arguments.cases.as_slice() else {
+        bail!("{} case files are given, and a report is on one", arguments.cases.len());
+    };
+    let output = arguments.output.file();
+    let path = page.map_or_else(beside, |page| Ok(page.to_owned()))?;
+    // Where one of them is not there yet, they are not the same.
+    if output.is_some_and(|output| is_same_file(output, &path).unwrap_or(false)) {
+        bail!("-o {} would write over the page itself: give the report another name", named(&path));
+    }
+    let text = fs::read_to_string(&path).with_context(|| match page {
+        Some(page) => format!("cannot read the page {}", named(page)),
+        None => format!(
+            "--live needs the page {PAGE}, and there is none beside the program ({}): put it there, or name it \
+             with --page FILE; web/README.md says how it is built",
+            named(&path)
+        ),
+    })?;
+    let file = case_file(case)?;
+    let units = units(arguments.units, &file);
+    let analysis = answered(analyse(&file.case), &file, units)?;
+    let document = handover(case, &file, &analysis, units)?;
+    let live = report::live(&text, &document.html(), &file);
+    write(output, live.with_context(|| named(&path).to_string())?)
+}
+
+/// The page beside the program.
+fn beside() -> Result<PathBuf> {
+    let program =
+        env::current_exe().context("cannot tell where the program is: name the page with --page FILE")?;
+    Ok(program.with_file_name(PAGE))
+}

@@ -1,0 +1,318 @@
+//! What takes long: uncertainty and estimate.
+
+use std::cell::RefCell;
+use std::ops::ControlFlow;
+
+use analysis::{EstimatePlan, EstimateStage, Estimated, Plan, Stage, Uncertainty};
+use case::Prior;
+use js_sys::Function;
+use report::{Asked, CsvStyle, Drawing, Question};
+use serde_json::{Value, json};
+use uncertainty::{SamplingMethod, Settings};
+use wasm_bindgen::JsValue;
+
+use crate::given::{Given, Refused};
+
+/// Is told what is counted, how many are done and how many there are; whether to go on.
+pub(crate) type Progress<'a> = dyn FnMut(&str, usize, usize) -> bool + Send + 'a;
+
+thread_local! {
+    /// The function of the page that is told how far a run is: it cannot leave its thread, which the engine
+    /// wants of whom it tells.
+    static TOLD: RefCell<Option<Function>> = const { RefCell::new(None) };
+}
+
+/// Tells a function of the page.
+pub(crate) fn told(progress: &Function) -> impl FnMut(&str, usize, usize) -> bool + Send + use<> {
+    TOLD.with(|told| told.replace(Some(progress.clone())));
+    |counted, done, total| {
+        let count = |n: usize| JsValue::from(u32::try_from(n).unwrap_or(u32::MAX));
+        let progress = TOLD.with(|told| told.borrow().clone());
+        let told =
+            progress.map(|told| told.call3(&JsValue::NULL, &counted.into(), &count(done), &count(total)));
+        // A function that fails does not end the run.
+        told.and_then(Result::ok).and_then(|answer| answer.as_bool()).unwrap_or(true)
+    }
+}
+
+fn flow(goes_on: bool) -> ControlFlow<()> {
+    if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+}
+
+/// What was asked for besides the case.
+struct Options(Value);
+
+impl Options {
+    fn read(text: &str) -> Result<Self, Refused> {
+        let read = if text.is_empty() { Ok(json!({})) } else { serde_json::from_str(text) };
+        match read {
+            Ok(Value::Object(options)) => Ok(Self(Value::Object(options))),
+            _ => Err(Refused::message("the options are empty, or an object")),
+        }
+    }
+
+    fn count(&self, name: &str) -> Result<Option<u64>, Refused> {
+        let number = |value: &Value| {
+            value
+                .as_u64()
+                .ok_or_else(|| Refused::message(format!("the option {name} is a whole number, not {value}")))
+        };
+        self.0.get(name).filter(|value| !value.is_null()).map(number).transpose()
+    }
+
+    fn size(&self, name: &str) -> Result<Option<usize>, Refused> {
+        let too_large = |_| Refused::message(format!("the option {name} is too large"));
+        self.count(name)?.map(|count| usize::try_from(count).map_err(too_large)).transpose()
+    }
+
+    fn flag(&self, name: &str, default: bool) -> bool {
+        self.0.get(name).and_then(Value::as_bool).unwrap_or(default)
+    }
+
+    fn word<T: Copy>(&self, name: &str, words: &[(&str, T)]) -> Result<Option<T>, Refused> {
+        let Some(asked) = self.0.get(name).and_then(Value::as_str).filter(|word| !word.is_empty()) else {
+            return Ok(None);
+        };
+        let found = words.iter().find(|(word, _)| *word == asked).map(|(_, value)| *value);
+        let known: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
+        let wrong = || {
+            Refused::message(format!(
+                "the option {name} is {}, not \"{}\"",
+                known.join(" or "),
+                case::shown(asked)
+            ))
+        };
+        found.map(Some).ok_or_else(wrong)
+    }
+}
+
+/// What has samples or draws. To write them takes longer than to draw them.
+#[derive(Debug)]
+pub(crate) enum Drawn {
+    Uncertainty(Box<Uncertainty>),
+    Estimate(Box<Estimated>),
+}
+
+impl Drawn {
+    /// As CSV.
+    pub(crate) fn csv(&self) -> String {
+        let mut bytes = Vec::new();
+        let written = match self {
+            Self::Uncertainty(one) => report::write_samples(one, CsvStyle::International, &mut bytes),
+            Self::Estimate(one) => report::write_draws(one, CsvStyle::International, &mut bytes),
+        };
+        // Nothing keeps a text from being written to the memory.
+        written.ok().and_then(|()| String::from_utf8(bytes).ok()).unwrap_or_default()
+    }
+}
+
+/// The answer, and what its samples are of.
+type Ran = (Value, Option<Drawn>);
+
+fn ran(answer: Result<Ran, Refused>) -> Ran {
+    answer.unwrap_or_else(|refused| (refused.json(), None))
+}
+
+fn picture(name: &str, output: &str, drawing: &Drawing) -> Value {
+    let id = format!("{name}-{}", output.replace('.', "-"));
+    json!({ "name": name, "output": output, "title": drawing.title(), "svg": drawing.svg_named(&id) })
+}
+
+pub(crate) fn uncertainty(
+    text: &str,
+    name: &str,
+    units: &str,
+    options: &str,
+    progress: &mut Progress<'_>,
+) -> Ran {
+    ran(uncertain(text, name, units, options, progress))
+}
+
+const METHODS: [(&str, SamplingMethod); 3] = [
+    ("monte-carlo", SamplingMethod::MonteCarlo),
+    ("latin-hypercube", SamplingMethod::LatinHypercube),
+    ("sobol", SamplingMethod::Sobol),
+];
+
+fn uncertain(
+    text: &str,
+    name: &str,
+    units: &str,
+    options: &str,
+    progress: &mut Progress<'_>,
+) -> Result<Ran, Refused> {
+    let given = Given::read(text, Some(name), units)?;
+    let Given { file, units } = &given;
+    let options = Options::read(options)?;
+    let samples = options.size("samples")?.unwrap_or_else(|| analysis::usual_samples(&file.case));
+    let method = options.word("method", &METHODS)?.unwrap_or(SamplingMethod::MonteCarlo);
+    let settings = Settings::new(method, samples, options.count("seed")?.unwrap_or(1));
+    let plan = Plan { settings, index_rows: options.size("indices")? };
+    let uncertainty = analysis::uncertainty(&file.case, &plan, &mut |stage, done, total| {
+        let counted = match stage {
+            Stage::Samples => "samples",
+            Stage::Indices => "rows for the indices",
+        };
+        flow(progress(counted, done, total))
+    });
+    let uncertainty = given.answered(uncertainty)?;
+    let document = report::uncertainty(&file.case, &uncertainty, *units);
+    let json = report::uncertainty_json(file, &uncertainty);
+    let json = json.map_err(|error| Refused::message(error.to_string()))?;
+    let outputs = uncertainty.outputs.iter().enumerate();
+    let pictures: Vec<Value> = outputs
+        .flat_map(|(place, output)| {
+            let path = output.output.path();
+            let drawings = [
+                ("histogram", report::histogram(&file.case, &uncertainty, place, *units)),
+                ("tornado", report::tornado(&file.case, &uncertainty, place, *units)),
+            ];
+            drawings.map(|(name, drawing)| drawing.map(|drawing| picture(name, &path, &drawing)))
+        })
+        .flatten()
+        .collect();
+    let answer = json!({
+        "ok": true,
+        "headline": report::uncertain_headline(&uncertainty, *units),
+        "html": document.html_fragment(),
+        "text": document.text(),
+        "json": json,
+        "pictures": pictures,
+    });
+    Ok((answer, Some(Drawn::Uncertainty(Box::new(uncertainty)))))
+}
+
+pub(crate) fn estimate(
+    text: &str,
+    name: &str,
+    units: &str,
+    options: &str,
+    progress: &mut Progress<'_>,
+) -> Ran {
+    ran(estimated(text, name, units, options, progress))
+}
+
+fn estimated(
+    text: &str,
+    name: &str,
+    units: &str,
+    options: &str,
+    progress: &mut Progress<'_>,
+) -> Result<Ran, Refused> {
+    let given = Given::read(text, Some(name), units)?;
+    let Given { file, units } = &given;
+    let options = Options::read(options)?;
+    let outputs = given.answered(analysis::estimate_outputs(&file.case))?;
+    let above = options.0.get("above").and_then(Value::as_array).into_iter().flatten();
+    let question = |text: &str| {
+        let problem = |problem| Refused::message(format!("\"{}\": {problem}", case::shown(text.trim())));
+        Question::read(text, &outputs).map_err(problem)
+    };
+    let questions =
+        above.filter_map(Value::as_str).map(question).collect::<Result<Vec<Question>, Refused>>()?;
+    let plan = EstimatePlan {
+        particles: options.size("particles")?.unwrap_or(EstimatePlan::PARTICLES),
+        seed: options.count("seed")?.unwrap_or(1),
+        prior: options.word("prior", &Prior::WORDS)?,
+        pieces: options.flag("pieces", true),
+    };
+    let estimated = analysis::estimate(&file.case, &plan, &mut |stage, done, total| {
+        let counted = match stage {
+            EstimateStage::All => "particles",
+            EstimateStage::Prior => "particles before the evidence",
+            EstimateStage::Piece => "pieces of evidence",
+        };
+        flow(progress(counted, done, total))
+    });
+    let estimated = given.answered(estimated)?;
+    let asked = Asked { plan, questions };
+    let document = report::estimate(&file.case, &estimated, &asked, *units);
+    let json = report::estimate_json(file, &estimated, &asked);
+    let json = json.map_err(|error| Refused::message(error.to_string()))?;
+    let has_converged = estimated.doubts().is_empty();
+    // Draws that have not converged are no answer.
+    let drawing = has_converged.then(|| report::estimate_pictures(&file.case, &estimated, &asked, *units));
+    let pictures: Vec<Value> =
+        drawing.flatten().iter().map(|drawing| picture("estimate", "", drawing)).collect();
+    let answer = json!({
+        "ok": true,
+        "converged": has_converged,
+        "headline": document.headline(),
+        "html": document.html_fragment(),
+        "text": document.text(),
+        "json": json,
+        "pictures": pictures,
+    });
+    Ok((answer, has_converged.then(|| Drawn::Estimate(Box::new(estimated)))))
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::Value;
+
+    use super::{estimate, uncertainty};
+
+    const NAME: &str = "case.toml";
+
+    fn fixture(name: &str) -> String {
+        let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/");
+        std::fs::read_to_string(format!("{root}{name}")).unwrap()
+    }
+
+    fn samples_of(answer: &Value) -> Value {
+        let data: Value = serde_json::from_str(answer["json"].as_str().unwrap()).unwrap();
+        data["samples"].clone()
+    }
+
+    #[test]
+    fn an_uncertainty_tells_how_far_it_is_and_ends_with_what_it_has() {
+        let text = fixture("sae-980025-uncertain.toml");
+        let options = "{\"samples\": 40000, \"seed\": 7}";
+        let mut told = Vec::new();
+        let (whole, samples) = uncertainty(&text, NAME, "", options, &mut |counted, done, total| {
+            told.push((counted.to_owned(), done, total));
+            true
+        });
+        assert_eq!(whole["ok"], true, "{whole:#}");
+        assert!(
+            told.iter()
+                .all(|(counted, done, total)| counted == "samples" && done <= total && *total == 40000)
+        );
+        assert!(told.len() > 2 && told.windows(2).all(|pair| pair[0].1 <= pair[1].1));
+        assert_eq!(samples.unwrap().csv().lines().count(), 40001);
+        assert!(whole["headline"][0].as_str().unwrap().contains("95 % interval"));
+        assert!(whole["pictures"].as_array().unwrap().len() > 1);
+        let (part, samples) = uncertainty(&text, NAME, "", options, &mut |_, _, _| false);
+        assert_eq!(part["ok"], true, "{part:#}");
+        let some = samples.unwrap().csv().lines().count() - 1;
+        assert!(some > 0 && some < 40000, "{some}");
+        assert_ne!(samples_of(&part), samples_of(&whole));
+    }
+
+    #[test]
+    fn an_estimate_ends_without_an_answer() {
+        let text = fixture("estimate.toml");
+        let (ended, draws) =
+            estimate(&text, NAME, "", "{\"particles\": 128, \"pieces\": false}", &mut |_, _, _| false);
+        assert!(ended["ok"] == false && draws.is_none(), "{ended:#}");
+        assert!(ended["message"].as_str().unwrap().len() > 10);
+    }
+
+    #[test]
+    fn options_that_are_none_are_refused() {
+        let text = fixture("sae-980025-uncertain.toml");
+        for (options, expected) in [
+            ("[]", "the options are"),
+            ("{\"samples\": -1}", "samples is a whole number, not -1"),
+            ("{\"samples\": \"many\"}", "not \"many\""),
+            ("{\"method\": \"dice\"}", "monte-carlo or latin-hypercube or sobol, not \"dice\""),
+        ] {
+            let (refused, _) = uncertainty(&text, NAME, "", options, &mut |_, _, _| true);
+            assert_eq!(refused["ok"], false, "{options}");
+            assert!(refused["message"].as_str().unwrap().contains(expected), "{refused:#}");
+        }
+        let (refused, _) =
+            estimate(&fixture("estimate.toml"), NAME, "", "{\"above\": [\"x 1\"]}", &mut |_, _, _| true);
+        assert!(refused["message"].as_str().unwrap().contains("no result of this name"), "{refused:#}");
+    }
+}

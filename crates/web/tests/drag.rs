@@ -1,0 +1,157 @@
+//! What is moved with the mouse is written into the text.
+
+use std::collections::BTreeSet;
+
+use serde_json::{Value, json};
+
+use crate::{assert_near, example, fixture, json as read, made, number, pair};
+
+fn handles(text: &str, what: &str) -> Vec<Value> {
+    made(deltav_web::scene(text, what, "", ""))["handles"].as_array().unwrap().clone()
+}
+
+#[track_caller]
+fn dragged(text: &str, handle: &Value, to: &Value) -> String {
+    let made = made(deltav_web::drag(text, &handle.to_string(), &to.to_string()));
+    made["text"].as_str().unwrap().to_owned()
+}
+
+#[track_caller]
+fn find<'a>(handles: &'a [Value], kind: &str, vehicle: Value, index: Value) -> &'a Value {
+    let found =
+        handles.iter().find(|one| one["kind"] == kind && one["vehicle"] == vehicle && one["index"] == index);
+    found.unwrap_or_else(|| panic!("no {kind}"))
+}
+
+/// Whatever is moved is then where it was moved to, as near as its digits are.
+#[test]
+fn every_handle_goes_where_it_is_moved() {
+    let mut kinds = BTreeSet::new();
+    for (name, what) in [
+        ("sae-980025.toml", "scene"),
+        ("sae-980025-z-down.toml", "scene"),
+        ("sae-980025-uncertain.toml", "scene"),
+        ("oncoming-sideswipe.toml", "scene"),
+        ("estimate.toml", "scene"),
+        ("depths-independent.toml", "scene"),
+        ("rear-end-rest.toml", "motion"),
+        ("rear-end-rest-uncertain.toml", "motion"),
+        ("motion/ricsac-6.toml", "motion"),
+        ("ricsac/motion/01.toml", "motion"),
+    ] {
+        let text = match std::panic::catch_unwind(|| fixture(name)) {
+            Ok(text) => text,
+            Err(_) => continue,
+        };
+        let scene = read(deltav_web::scene(&text, what, "", ""));
+        let (Value::Array(handles), bodies) = (&scene["handles"], &scene["bodies"]) else { continue };
+        for handle in handles {
+            let kind = handle["kind"].as_str().unwrap();
+            let [at, centre] = [pair(&handle["at"]), pair(&handle["centre"])];
+            // A little to the side; a station into the vehicle, where there is something to crush.
+            let to = match kind {
+                "station" => {
+                    let [cg, face] =
+                        [pair(&bodies[handle["vehicle"].as_u64().unwrap() as usize - 1]["centre"]), centre];
+                    [at[0] + 0.1 * (cg[0] - face[0]), at[1] + 0.1 * (cg[1] - face[1])]
+                }
+                _ => [at[0] + 0.13, at[1] - 0.21],
+            };
+            let new = dragged(&text, handle, &json!({ "at": to }));
+            assert_ne!(new, text, "{name} {kind}");
+            // Comments stay.
+            let comments = |text: &str| {
+                text.lines().filter_map(|line| Some(line[line.find('#')?..].to_owned())).collect::<Vec<_>>()
+            };
+            assert_eq!(comments(&new), comments(&text), "{name} {kind}");
+            let drawn = read(deltav_web::scene(&new, what, "", ""));
+            let Value::Array(moved) = &drawn["handles"] else { continue };
+            let now = find(moved, kind, handle["vehicle"].clone(), handle["index"].clone());
+            let [there, pivot] = [pair(&now["at"]), pair(&now["centre"])];
+            kinds.insert(kind.to_owned());
+            let angle = |from: [f64; 2], to: [f64; 2]| (to[1] - from[1]).atan2(to[0] - from[0]);
+            match kind {
+                "heading" | "plane" | "rest_heading" => {
+                    let off = angle(pivot, there) - angle(centre, to);
+                    let turns = (off / std::f64::consts::TAU).round() * std::f64::consts::TAU;
+                    assert!((off - turns).abs() < 0.1_f64.to_radians(), "{name} {kind}: {off}");
+                }
+                // The contact point is the origin of the scene, and the vehicle goes back by what it moves.
+                "contact" => {
+                    assert_near(pivot[0], centre[0] - to[0] + at[0], 0.02);
+                    assert_near(pivot[1], centre[1] - to[1] + at[1], 0.02);
+                }
+                "station" => {
+                    let inwards = ((to[0] - at[0]).powi(2) + (to[1] - at[1]).powi(2)).sqrt();
+                    let gone = ((there[0] - at[0]).powi(2) + (there[1] - at[1]).powi(2)).sqrt();
+                    assert!(gone <= inwards + 0.02 && gone > 0.0, "{name} {kind}: {gone} of {inwards}");
+                }
+                _ => {
+                    assert_near(there[0], to[0], 0.02);
+                    assert_near(there[1], to[1], 0.02);
+                }
+            }
+        }
+    }
+    let all = ["body", "contact", "heading", "plane", "rest", "rest_heading", "station"];
+    assert!(all.iter().all(|kind| kinds.contains(*kind)), "{kinds:?}");
+}
+
+#[test]
+fn numbers_keep_their_units() {
+    let text = example();
+    let handles = handles(&text, "scene");
+    let heading = find(&handles, "heading", json!(2), Value::Null);
+    let new = dragged(&text, heading, &json!({ "angle": 33.8_f64.to_radians() }));
+    assert_eq!(new, text.replace("heading     = \"67 deg\"", "heading     = \"33.8 deg\""));
+    // 0.1 m is 3.94 in: the third station of vehicle 1, which is 13.8 in deep, pushed in along its axis,
+    // which points to −x.
+    let station = find(&handles, "station", json!(1), json!(2));
+    let [x, y] = pair(&station["at"]);
+    let new = dragged(&text, station, &json!({ "at": [x + 0.1, y] }));
+    assert_eq!(new, text.replace("21.3 20.3 13.8 11.3", "21.3 20.3 17.7 11.3"));
+    // Not out of the vehicle.
+    let new = dragged(&text, station, &json!({ "at": [x - 5.0, y] }));
+    assert_eq!(new, text.replace("21.3 20.3 13.8 11.3", "21.3 20.3 0.0 11.3"));
+    // The contact point is given by distance and angle, in feet and degrees.
+    let body = find(&handles, "body", json!(1), Value::Null);
+    let new = dragged(&text, body, &json!({ "at": body["at"] }));
+    assert_eq!(new, text.replace("distance = \"6.3 ft\"", "distance = \"6.30 ft\""));
+}
+
+#[test]
+fn a_range_moves_as_a_whole() {
+    let text = example()
+        .replace("heading     = \"67 deg\"", "heading     = { low = \"60 deg\", high = \"74 deg\" }")
+        .replace("crush_plane = \"-23 deg\"", "crush_plane = { value = \"-23 deg\", sd = \"2 deg\" }");
+    let handles = handles(&text, "scene");
+    let heading = find(&handles, "heading", json!(2), Value::Null);
+    let new = dragged(&text, heading, &json!({ "angle": 70_f64.to_radians() }));
+    assert_eq!(
+        new,
+        text.replace("low = \"60 deg\", high = \"74 deg\"", "low = \"63.0 deg\", high = \"77.0 deg\"")
+    );
+    let plane = find(&handles, "plane", Value::Null, Value::Null);
+    let [x, y] = pair(&plane["at"]);
+    let turned = 5_f64.to_radians();
+    let to = [x * turned.cos() - y * turned.sin(), x * turned.sin() + y * turned.cos()];
+    let new = dragged(&text, plane, &json!({ "at": to }));
+    assert_eq!(new, text.replace("value = \"-23 deg\"", "value = \"-18.0 deg\""));
+}
+
+#[test]
+fn what_is_no_handle_is_refused() {
+    for (handle, to) in [
+        ("{}", "{}"),
+        ("{\"kind\": \"wheel\", \"vehicle\": 1, \"at\": [0, 0]}", "{\"at\": [1, 1]}"),
+        ("{\"kind\": \"heading\", \"vehicle\": 3, \"at\": [0, 0]}", "{\"at\": [1, 1]}"),
+        ("{\"kind\": \"heading\", \"vehicle\": 1, \"at\": [0, 0]}", "{\"at\": [1]}"),
+        ("{\"kind\": \"heading\", \"vehicle\": 1, \"at\": [0, 0]}", "{\"angle\": 1e999}"),
+        ("{\"kind\": \"station\", \"vehicle\": 1, \"index\": 99, \"at\": [0, 0]}", "{\"at\": [1, 1]}"),
+        ("{\"kind\": \"rest_heading\", \"vehicle\": 1, \"at\": [0, 0]}", "{\"at\": [1, 1]}"),
+    ] {
+        let refused = read(deltav_web::drag(&example(), handle, to));
+        assert_eq!(refused["ok"], false, "{handle}");
+        assert!(number(&json!(refused["message"].as_str().unwrap().len())) > 10.0);
+    }
+}
