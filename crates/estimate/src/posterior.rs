@@ -381,6 +381,30 @@ impl Posterior {
         Ok(Weights::smoothed(&logarithms))
     }
 
+    /// Weights under which the draws are those of the posterior with a piece of evidence beside what was
+    /// used. Where they are not [reliable](Weights::are_reliable), run again with it.
+    ///
+    /// # Errors
+    /// Where there is no such piece, and where it makes every draw impossible.
+    pub fn with(&self, term: usize) -> Result<Weights, CannotReweight> {
+        let terms = self.columns.terms.len();
+        let column = self.columns.terms.get(term).ok_or(CannotReweight::NoSuchTerm { term, terms })?;
+        if self.used[term] {
+            return Ok(Weights::smoothed(&vec![0.0; self.count()]));
+        }
+        if column.iter().all(|term| *term == f64::NEG_INFINITY) {
+            return Err(CannotReweight::Excludes { term });
+        }
+        Ok(Weights::smoothed(column))
+    }
+
+    /// How many independent draws the draws under these weights are worth: of their number by
+    /// [`Draws::effective`] the share that the draws themselves are worth of theirs.
+    #[must_use]
+    pub fn worth(&self, weights: &Weights) -> f64 {
+        self.weighted(weights).effective() * self.diagnosis.ess() / self.count() as f64
+    }
+
     /// What a piece of evidence looks like to the rest: its place in what the rest predicts.
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use estimate::{Evidence, Posterior, Quantity, Selection, Settings, sample, sample_quietly};
+use estimate::{CannotReweight, Evidence, Posterior, Quantity, Selection, Settings, sample, sample_quietly};
 use real::elementary::{ln, sin_cos};
 use uncertainty::normal::cumulative;
 use uncertainty::{Estimate, LANES, Lanes};
@@ -242,6 +242,37 @@ fn an_answer_without_a_piece_is_that_of_a_run_without_it() {
     let alone = sample_quietly(&standard(3), &linear, &settings).unwrap();
     assert_near(alone.summary(Quantity::Value(1)).mean, mean[1], 0.05);
     assert_eq!(alone.used(), [false, true, false, false, false]);
+}
+
+/// A piece beside those that were used, where the weights can be relied on and enough draws count.
+#[test]
+fn an_answer_with_a_piece_is_that_of_both() {
+    let mut by_weights = 0;
+    for (sd, seed) in [(0.5, 3), (1.0, 4), (2.0, 5)] {
+        let linear = Linear::new(3, sd);
+        let mut settings = Settings::new(512, seed);
+        settings.terms = Selection::Only(vec![0, 1, 2]);
+        let without = sample_quietly(&standard(3), &linear, &settings).unwrap();
+        for added in [3, 4] {
+            let (mean, covariance) = linear.posterior(&[0, 1, 2, added]);
+            let weights = without.with(added).unwrap();
+            let worth = without.worth(&weights);
+            assert!(worth > 0.0 && worth < without.diagnosis().ess(), "{worth}");
+            if !weights.are_reliable() || worth < 400.0 {
+                continue;
+            }
+            by_weights += 1;
+            for (place, (mean, row)) in mean.iter().zip(&covariance).enumerate() {
+                let weighted = without.weighted(&weights).summary(&without.values()[place]);
+                assert_near(weighted.mean, *mean, 0.1 * row[place].sqrt());
+                assert_near(weighted.sd, row[place].sqrt(), 0.1 * row[place].sqrt());
+            }
+        }
+        // What is in already has no weight.
+        assert!(without.with(1).unwrap().weights.iter().all(|weight| *weight == 1.0));
+        assert_eq!(without.with(5).unwrap_err(), CannotReweight::NoSuchTerm { term: 5, terms: 5 });
+    }
+    assert!(by_weights >= 4, "only {by_weights} of 6 by weights");
 }
 
 /// The place of a measurement in what the others predict, with the weights and by a run without it.
