@@ -5,7 +5,7 @@ use std::sync::Arc;
 use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
 use arrow_schema::{DataType, Field as Column, Schema};
 use evidence::FITTED;
-use field::{Field, FieldError, Options, Pair, judge, read};
+use field::{Field, FieldError, KnownCrush, Options, Pair, judge, read};
 use pim_core::VehicleId;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
@@ -82,7 +82,7 @@ pub(crate) fn judge_pairs(
 ) -> PyResult<Judged> {
     let (particles, seed, threads) = (particles.0, seed.0, threads.map(|threads| threads.0));
     let pairs = py.detach(|| read(&text)).map_err(refused)?;
-    let options = Options { particles, seed, other };
+    let options = Options { particles, seed, other, crush: KnownCrush::Both };
     let judged =
         interruptible(py, threads, |ending| judge(&pairs, &FITTED, &options, &mut |_, _| ending.flow()))?;
     let field = judged.map_err(refused)?;

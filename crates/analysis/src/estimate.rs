@@ -267,15 +267,11 @@ pub fn estimate(
             let _ = progress(EstimateStage::Piece, done, judged.len());
         }
         let mut quietly = |_: usize, _: usize| ControlFlow::Continue(());
-        let mut alone = None;
-        let mut without = None;
-        if plan.pieces && !is_ended() && judged.len() > 1 {
-            let mut only = places(&always);
-            only.push(term);
-            alone = run(Selection::Only(only), beside, &mut quietly).ok();
-            without = run(Selection::Without(vec![term]), beside, &mut quietly).ok();
-        }
-        pieces.push(pieces::found(model.pieces()[term], term, &told, &posterior, alone, without));
+        let mut again = |terms: Selection| run(terms, beside, &mut quietly).ok();
+        let again: Option<&mut pieces::Again<'_>> =
+            if plan.pieces && !is_ended() && judged.len() > 1 { Some(&mut again) } else { None };
+        let there = pieces::There { posterior: &posterior, before: prior.as_ref() };
+        pieces.push(pieces::found((term, model.pieces()[term]), &told, there, &places(&always), again));
     }
     let same_twice = pieces::same_twice(model.pieces());
     Ok(Estimated {

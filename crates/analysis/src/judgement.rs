@@ -337,7 +337,10 @@ pub fn judge(case: &Case) -> Judgement {
 
 /// Whether a case has keys that an estimate alone reads.
 fn is_for_estimate(case: &Case) -> bool {
-    let has_evidence = |vehicle: &GivenVehicle| vehicle.recorder.is_some() || vehicle.certain_speed.is_some();
+    let has_evidence = |vehicle: &GivenVehicle| {
+        let skids = vehicle.before.as_ref().is_some_and(|before| before.speed.is_some());
+        vehicle.recorder.is_some() || vehicle.certain_speed.is_some() || skids
+    };
     case.estimate.is_some() || case.vehicles.iter().any(has_evidence)
 }
 

@@ -235,7 +235,7 @@ impl Scene<'_> {
             places.push((sample.state.position, sample.state.heading));
         })?;
         places.push((end.rest.position, end.rest.heading));
-        Ok(way.points.iter().map(|point| pass(&places, point)).collect())
+        Ok(way.points.iter().map(|point| pass(&places, &way.chassis, point)).collect())
     }
 
     /// The way that begins straight towards the rest, without yaw, and is as long as the measured one.
@@ -281,11 +281,22 @@ impl Scene<'_> {
 /// (s) between the places of a way, which is taken as straight between them.
 const BETWEEN_PLACES: f64 = 0.02;
 
-/// How a way through these places (m), with these headings (rad), passes a point.
-fn pass(places: &[(Vector2<f64>, f64)], point: &PointData) -> Pass {
+/// How a way through these places (m), with these headings (rad), passes a point: that of the CG, or of the
+/// wheel whose mark the point is.
+fn pass(places: &[(Vector2<f64>, f64)], chassis: &Chassis, point: &PointData) -> Pass {
+    let wheel = point.wheel.map(|wheel| &chassis.wheels()[wheel as usize]);
+    // From the CG to the wheel: (f cos θ − l sin θ, f sin θ + l cos θ)
+    let place = |&(cg, heading): &(Vector2<f64>, f64)| {
+        wheel.map_or(cg, |wheel| {
+            let (sin, cos) = Real::sin_cos(heading);
+            let (forward, left) = (wheel.forward, wheel.left);
+            cg + Vector2::new(forward * cos - left * sin, forward * sin + left * cos)
+        })
+    };
     let mut nearest = Pass { miss: f64::INFINITY, turned: None };
     for pair in places.windows(2) {
-        let [(from, heading), (to, later)] = pair else { continue };
+        let [before @ (_, heading), after @ (_, later)] = pair else { continue };
+        let (from, to) = (place(before), place(after));
         let (side, off) = (to - from, point.position - from);
         let square = side.dot(&side);
         let share = if square > 0.0 { (off.dot(&side) / square).clamp(0.0, 1.0) } else { 0.0 };
@@ -438,7 +449,7 @@ pub(crate) fn target(input: &VehicleMotion, rest: &RestData) -> Target {
         position: rest.position,
         heading: rest.heading.heading(input.heading),
         turns_known: rest.heading.turns_are_known(),
-        via: input.points.first().map(|point| point.position),
+        via: input.points.iter().find(|point| point.wheel.is_none()).map(|point| point.position),
     }
 }
 
@@ -524,6 +535,7 @@ impl Travel {
                 .map(|point| PointData {
                     position: across(point.position),
                     heading: point.heading.map(|heading| 0.0 - heading),
+                    wheel: point.wheel,
                 })
                 .collect(),
             passes: self.passes.into_iter().map(|pass| pass.in_axes(Axes::ZDown)).collect(),

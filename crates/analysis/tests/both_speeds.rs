@@ -186,6 +186,51 @@ fn a_point_with_a_heading_tells_which_motion_led_to_a_rest() {
     }
 }
 
+/// A car that spins, and where each of its wheels is when it has turned by half of its whole turn: the mark of
+/// a wheel is held against the path of that wheel, in either axes.
+#[test]
+fn a_mark_is_held_against_the_path_of_its_wheel() {
+    let forward = impact(&read(CROSSING)).unwrap();
+    let way = forward.travel[0].as_ref().unwrap();
+    let turn = way.rest.heading - way.start.heading;
+    assert!(turn.abs() > 0.5, "{turn}");
+    let half = |state: &trajectory::State| (state.heading - way.start.heading) / turn >= 0.5;
+    let middle = way.samples.iter().map(|sample| sample.state).find(half).unwrap();
+    let [front_left, _, rear_left, _] = *way.chassis.wheels();
+    let half_track = front_left.left;
+    let wheels = [
+        ("front left", front_left.forward, half_track),
+        ("front right", front_left.forward, -half_track),
+        ("rear left", rear_left.forward, half_track),
+        ("rear right", rear_left.forward, -half_track),
+    ];
+    // The CG, and from there ahead along the heading and to the left of it.
+    let place = |ahead: f64, left: f64| {
+        let (sin, cos) = middle.heading.sin_cos();
+        [middle.position.x + ahead * cos - left * sin, middle.position.y + ahead * sin + left * cos]
+    };
+    let passes = |[x, y]: [f64; 2], wheel: &str| {
+        let points = format!("drag = 0.15\npoints = [{{ x = \"{x} m\", y = \"{y} m\"{wheel} }}]\n");
+        let text = CROSSING.replacen("drag = 0.15\n", &points, 1);
+        assert_ne!(text, CROSSING);
+        let travel = impact(&read(&text)).unwrap().travel[0].clone().unwrap();
+        let [pass] = travel.passes[..] else { panic!("{:?}", travel.passes) };
+        pass.miss
+    };
+    for (name, ahead, left) in wheels {
+        let at = place(ahead, left);
+        let own = passes(at, &format!(", wheel = \"{name}\""));
+        assert!(own < 0.01, "{name}: {own}");
+        for (other, ..) in wheels.iter().filter(|(other, ..)| *other != name) {
+            let miss = passes(at, &format!(", wheel = \"{other}\""));
+            assert!(miss > 5.0 * own + 0.05, "{other} at {name}: {miss}");
+        }
+    }
+    // Without a wheel it is the CG.
+    assert!(passes(place(0.0, 0.0), "") < 0.01);
+    assert!(passes(place(0.0, 0.0), ", wheel = \"front left\"") > 0.1);
+}
+
 /// A car with locked wheels slides 10²/(2·0.7 g) = 7.284 m along x, so that a point 15 % of that to the side,
 /// or where the heading would make 15 % of it on the wheelbase, is just one of its path.
 #[test]

@@ -138,17 +138,27 @@ fn what_runs_runs_and_what_does_not_lacks_something() {
 fn evidence_is_judged() {
     let estimate = |judgement: &Judgement| {
         let found = judgement.abilities.iter().find(|ability| ability.purpose == Purpose::Estimate);
-        found.map(|ability| ability.obstacle.as_ref().map(|faults| faults.list()[0].key.clone()))
+        found.map(|ability| ability.obstacle.as_ref().map(|faults| faults.list()[0].clone()))
     };
-    assert_eq!(estimate(&judge(&parsed(PAPER))), None);
+    assert!(estimate(&judge(&parsed(PAPER))).is_none());
     let recorder = "[vehicle1.recorder]\ndelta_v_longitudinal = \"-12 mph\"\n[impact]";
     let recorded = PAPER.replace("[impact]", recorder);
-    assert_eq!(estimate(&judge(&parsed(&recorded))), Some(None));
+    assert!(matches!(estimate(&judge(&parsed(&recorded))), Some(None)));
     let evidence = analysis::estimate_evidence(&parsed(&recorded)).unwrap();
     assert_eq!(evidence, ["crush", "vehicle1.recorder.delta_v"]);
     let lacking = recorded.replace("heading     = \"180 deg\"\n", "");
     assert_ne!(lacking, recorded);
-    assert_eq!(estimate(&judge(&parsed(&lacking))), Some(Some("vehicle1.heading".to_owned())));
+    // It is the estimate that needs it, though it is missed where the impact is made.
+    let Some(Some(fault)) = estimate(&judge(&parsed(&lacking))) else { panic!() };
+    assert_eq!(fault.key, "vehicle1.heading");
+    let message = fault.message(|purpose| format!("`deltav {purpose}`"));
+    assert_eq!(message, "`vehicle1.heading` is missing: `deltav estimate` needs it");
+    // The speed where a skid begins is read by nothing else.
+    let before =
+        "[vehicle1.before]\nskid = { length = \"30 ft\", friction = 0.7 }\nspeed = \"50 mph\"\n[impact]";
+    let skidded = parsed(&PAPER.replace("[impact]", before));
+    assert!(matches!(estimate(&judge(&skidded)), Some(None)));
+    assert_eq!(analysis::estimate_evidence(&skidded).unwrap(), ["crush", "vehicle1.before.speed"]);
 }
 
 /// SAE 870045, Table 1, side, category 2: 140 lb/in, 67 lb/in², 148 lb; the pound-force is 4.448222 N, the

@@ -47,8 +47,8 @@
 //! | `[surface]` | `friction`; `grade = { slope, uphill }`; `zone`, a list of parts with another friction: `{ name, friction, polygon }` or `{ name, friction, edge, side }`, `side`: `"left"`, `"right"` |
 //! | `[vehicle1]`, `[vehicle2]` | `name`; `kind`: `"car"` (the default), `"heavy-truck"`, `"trailer"`, `"motorcycle"`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, for what is not known; `heading`; `speed` or `velocity = { x, y }`; `yaw_rate`; `contact = { distance, angle }` or `{ x, y }`, or none where the damage places it; `length`, `width`, `cg_to_front`: all or none, or `length` alone beside `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact`, and the outline or `diameter` |
 //! | … for the motion after the impact | `track` and `cg_to_front_axle` beside `wheelbase`; what is not given comes from `class` |
-//! | `[vehicle1.before]`, `[vehicle2.before]` | `skid = { length, friction }`; without `friction`, that of `[surface]` |
-//! | `[vehicle1.after]`, `[vehicle2.after]` | `drag`, a number or `"locked"`, or a list of four: front left, front right, rear left, rear right; `steer`, an angle or a list of `{ time, angle }`; `rest = { x, y, heading }` or `{ x, y, turned }`; `points`, a list of `{ x, y }` or `{ x, y, heading }`; `speed` with `direction`; `yaw_rate` |
+//! | `[vehicle1.before]`, `[vehicle2.before]` | `skid = { length, friction }`; without `friction`, that of `[surface]`; `speed` where it begins |
+//! | `[vehicle1.after]`, `[vehicle2.after]` | `drag`, a number or `"locked"`, or a list of four: front left, front right, rear left, rear right; `steer`, an angle or a list of `{ time, angle }`; `rest = { x, y, heading }` or `{ x, y, turned }`; `points`, a list of `{ x, y }` or `{ x, y, heading }`, with `wheel`: `"front left"`, `"front right"`, `"rear left"`, `"rear right"`, where it is of a tyre mark; `speed` with `direction`; `yaw_rate` |
 //! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of or beside the width (to 0.1 %); `from_force_balance = true` in place of depths, for one vehicle; `stiffness`, see below; `offset`, left of the axis (right of it in z-down axes) or forward of the CG; `pdof`, an angle, clockwise in any axes, or `"2 o'clock"`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"`, `"secant"`, `{ friction = 0.5 }`. Or `ees` with at most `side`, `pdof` and `moment_arm`; or, in the table of the vehicle, `crush = "none"` |
 //! | `stiffness = { … }` | `d0`, `d1` or `A`, `B`, either with `G` and `limit`; or `category`, 1 to 5; or `test = { mass or weight, speed, width, depths, no_damage_speed, fit }`, `fit`: `"exact"` (the default), `"mean"`; or `zones = [{ A, B }, …]`, one between each two stations |
 //! | `[impact]` | `crush_plane`; `law`: `"brach"` (the default), `"woolley"`, `"ishikawa"`, `"kudlich-slibar"`, and the keys of that law |
@@ -209,7 +209,7 @@ pub use inputs::{
     ContactSpread, Crush, CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD, DamageData, Departures, Dimension,
     Dimensions, Drag, ENERGY_BASES, EdgeSide, EnergyData, Estimate, Evidence, FaceAxis, Fault, FaultKind,
     Faults, Find, Fit, GivenEes, GivenImpact, GivenSitePlan, GivenTest, GivenVehicle, Grade, ImpactInput,
-    ImpactLaw, InertiaData, InferredWidth, Input, Kind, KnownEnergy, LawName, LeftOut, Mass,
+    ImpactLaw, InertiaData, InferredWidth, Input, Kind, KnownEnergy, LawName, LeftOut, MarkedWheel, Mass,
     OBLIQUE_CORRECTIONS, OFFSET_SD, Origin, Outline, PathPoint, Pdof, Place, PointData, Prior, Purpose,
     Quantity, Range, Reconstruct, ReconstructionInput, RegionData, ReportHead, Rest, RestHeading,
     RestHeadingData, Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, Skid,

@@ -3,7 +3,7 @@
 use crate::nearest::join;
 use crate::units::read_unit;
 use inputs::{
-    Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, EdgeSide, Fit, Kind, LawName,
+    Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, EdgeSide, Fit, Kind, LawName, MarkedWheel,
     OBLIQUE_CORRECTIONS, Prior, SIDES, UNDAMAGED, UNKNOWNS, WheelDrag, words_of,
 };
 
@@ -595,13 +595,19 @@ pub(crate) static RECORDER: Schema = Schema {
             "delta_v_lateral",
             "delta_v_lateral = \"7 km/h\"",
             Form::Exact(Dimension::Speed, ANY),
-            "Largest ΔV across the vehicle. Positive to the left, or to the right with `axes = \"z-down\"`. Only its size is used.",
+            "Largest ΔV across the vehicle. Positive to the left, or to the right with `axes = \"z-down\"`. With the part along the vehicle it tells where the force came from.",
         ),
         key(
             "delta_v_error",
             "delta_v_error = \"8 %\"",
             Form::Percent,
             "Error of the recorded ΔV, as a standard deviation in per cent. 8 % if left out.",
+        ),
+        key(
+            "direction_error",
+            "direction_error = \"6 deg\"",
+            Form::Exact(Dimension::Angle, POSITIVE),
+            "Error of the direction of the recorded ΔV, of which both parts have to be given. 5.4° if left out, 8.1° where a side was hit.",
         ),
         key(
             "speed",
@@ -622,7 +628,10 @@ pub(crate) static RECORDER: Schema = Schema {
             "Yaw rate just after the impact. Positive counter-clockwise, seen from above, or clockwise with `axes = \"z-down\"`.",
         ),
     ],
-    rules: &[Rule::NeedsIf(&[Has("delta_v_lateral")], &["delta_v_longitudinal"])],
+    rules: &[
+        Rule::NeedsIf(&[Has("delta_v_lateral")], &["delta_v_longitudinal"]),
+        Rule::NeedsIf(&[Has("direction_error")], &["delta_v_lateral"]),
+    ],
 };
 
 pub(crate) static CERTAIN_SPEED: Schema = Schema {
@@ -674,7 +683,15 @@ pub(crate) static ESTIMATE: Schema = Schema {
 pub(crate) static BEFORE: Schema = Schema {
     place: "[vehicle1.before] or [vehicle2.before]",
     text: "The vehicle before the impact. Its skid marks tell the speed at which the driver began to brake.",
-    keys: &[table("skid", "skid = { length = \"18 m\", friction = 0.7 }", &SKID)],
+    keys: &[
+        table("skid", "skid = { length = \"18 m\", friction = 0.7 }", &SKID),
+        key(
+            "speed",
+            "speed = \"62 km/h\"",
+            Form::Quantity(Dimension::Speed, POSITIVE),
+            "Speed where the skid begins, as a recorder, a tachograph or a camera gives it. `deltav estimate` holds it against the impact, its range being its error, 4 % without one; no other command uses it.",
+        ),
+    ],
     rules: &[Rule::Needs(&["skid"])],
 };
 
@@ -767,7 +784,7 @@ pub(crate) static REST: Schema = Schema {
 
 pub(crate) static POINT: Schema = Schema {
     place: "a point of the path",
-    text: "A place where the CG passed.",
+    text: "A place where the CG passed, or the wheel that is named.",
     keys: &[
         PLACE_X,
         PLACE_Y,
@@ -776,6 +793,12 @@ pub(crate) static POINT: Schema = Schema {
             "heading = \"140 deg\"",
             Form::Quantity(Dimension::Angle, ANY),
             "Heading there, where marks tell it. At the end of rotation, from which the vehicle went on without yaw, it is that of the rest.",
+        ),
+        key(
+            "wheel",
+            "wheel = \"front left\"",
+            Form::Words(&words_of(&MarkedWheel::WORDS)),
+            "Wheel that passed there, where the place is one of its tyre mark. Without it, the place is one of the CG.",
         ),
     ],
     rules: &[Rule::Needs(&["x", "y"])],

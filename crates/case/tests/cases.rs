@@ -13,8 +13,8 @@ use std::path::Path;
 use case::{
     After, Amount, Axes, Before, Bounds, Case, CaseFile, CaseProblem, Collision, ContactPoint, Crush,
     Diagnostics, Dimension, Drag, EdgeSide, Evidence, Faults, Find, Fit, GivenEes, GivenImpact, GivenTest,
-    GivenVehicle, Grade, ImpactLaw, Kind, KnownEnergy, LeftOut, Mass, Outline, PathPoint, Pdof, Place,
-    Program, Quantity, Reconstruct, ReportHead, Rest, RestHeading, Restitution, Skid, Spread, Steer,
+    GivenVehicle, Grade, ImpactLaw, Kind, KnownEnergy, LeftOut, MarkedWheel, Mass, Outline, PathPoint, Pdof,
+    Place, Program, Quantity, Reconstruct, ReportHead, Rest, RestHeading, Restitution, Skid, Spread, Steer,
     SteerPoint, StiffnessForm, StiffnessLine, Surface, SurfaceRegion, SurfaceZone, Text, Unit, UnitSystem,
     Velocity, WheelDrag, YawInertia, read_quantity, to_toml,
 };
@@ -1356,8 +1356,9 @@ fn any_surface() -> impl Strategy<Value = Surface> {
 }
 
 fn any_before() -> impl Strategy<Value = Before> {
-    (any_quantity(Dimension::Length, Signs::Positive), option::of(1e-3..10.0_f64))
-        .prop_map(|(length, friction)| Before { skid: Skid { length, friction } })
+    let speed = option::of(any_quantity(Dimension::Speed, Signs::Positive));
+    (any_quantity(Dimension::Length, Signs::Positive), option::of(1e-3..10.0_f64), speed)
+        .prop_map(|(length, friction, speed)| Before { skid: Skid { length, friction }, speed })
 }
 
 fn any_after() -> impl Strategy<Value = After> {
@@ -1384,7 +1385,12 @@ fn any_after() -> impl Strategy<Value = After> {
         option::of(angle()),
         option::of(any_quantity(Dimension::YawRate, Signs::Any)),
     );
-    let point = (any_place(), option::of(angle())).prop_map(|(place, heading)| PathPoint { place, heading });
+    let wheel = option::of(select(MarkedWheel::WORDS.map(|(_, wheel)| wheel).to_vec()));
+    let point = (any_place(), option::of(angle()), wheel).prop_map(|(place, heading, wheel)| PathPoint {
+        place,
+        heading,
+        wheel,
+    });
     (option::of(drag), option::of(steer), option::of(rest), vec(point, 0..3), velocity).prop_map(
         |(drag, steer, rest, points, (speed, direction, yaw_rate))| After {
             drag,
@@ -1405,14 +1411,16 @@ fn any_recorder() -> impl Strategy<Value = Recorder> {
     let delta_v = (speed(), speed(), error());
     let of_speed = (option::of(any_quantity(Dimension::Speed, Signs::Positive)), error());
     let yaw_rate = option::of(any_quantity(Dimension::YawRate, Signs::Any));
-    (delta_v, of_speed, yaw_rate).prop_map(
-        |((along, across, delta_v_error), (speed, speed_error), yaw_rate)| {
+    let direction_error = option::of(any_quantity(Dimension::Angle, Signs::Positive));
+    (delta_v, direction_error, of_speed, yaw_rate).prop_map(
+        |((along, across, delta_v_error), direction_error, (speed, speed_error), yaw_rate)| {
             // One part across the vehicle has one along it.
             let delta_v_lateral = across.filter(|_| along.is_some());
             Recorder {
                 delta_v_longitudinal: along,
                 delta_v_lateral,
                 delta_v_error,
+                direction_error: direction_error.filter(|_| delta_v_lateral.is_some()),
                 speed,
                 speed_error,
                 yaw_rate,

@@ -210,10 +210,11 @@ pub(crate) enum Command {
             evidence at once (Bayes). The answer is the median and the interval that holds 95 % of them, of \
             each speed, ΔV and other result.\n\n\
             Evidence is whatever the case has of this:\n  \
-            [vehicleN.crush] of both vehicles: the crush energy; with pdof the direction of force\n  \
+            [vehicleN.crush] of both vehicles or of one: the crush energy; with pdof the direction of force\n  \
+            [vehicleN.before] speed where a skid began, with its length and friction\n  \
             [vehicleN.after] speed, direction, yaw_rate after the impact\n  \
             [vehicleN.after] rest and points, with drag and [surface] friction: each draw is followed to rest\n  \
-            [vehicleN.recorder] what an event data recorder stored: ΔV, speed, yaw rate\n  \
+            [vehicleN.recorder] what an event data recorder stored: ΔV, its direction, speed, yaw rate\n  \
             certain_speed = { at_least = \"0 km/h\", at_most = \"60 km/h\" }: other speeds are excluded\n\n\
             Ranges are what is known before the evidence. A heading, mass, contact point or crush plane without a \
             range is taken to be as uncertain as it usually is; evidence without an error gets a default one; a \

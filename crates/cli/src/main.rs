@@ -470,8 +470,12 @@ fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
     let text = String::from_utf8(bytes)
         .with_context(|| format!("{name} is no text in UTF-8: save the table as CSV, encoded in UTF-8"))?;
     let pairs = field::read(&text).with_context(|| name.clone())?;
-    let options =
-        field::Options { particles: PARTICLES_OF_PAIR, seed: arguments.seed, other: arguments.other };
+    let options = field::Options {
+        particles: PARTICLES_OF_PAIR,
+        seed: arguments.seed,
+        other: arguments.other,
+        crush: field::KnownCrush::Both,
+    };
     let mut progress = progress::Progress::new()?;
     let judged = pool(arguments.threads)?.install(|| {
         field::judge(&pairs, &evidence::FITTED, &options, &mut |done, total| {

@@ -97,7 +97,13 @@ fn the_json_has_what_it_promises() {
         json["pieces"].as_array().unwrap().iter().map(|piece| piece["key"].as_str().unwrap()).collect();
     assert_eq!(
         pieces,
-        ["crush", "vehicle1.after.direction", "vehicle2.after.direction", "vehicle2.recorder.delta_v"]
+        [
+            "crush",
+            "vehicle1.after.direction",
+            "vehicle2.after.direction",
+            "vehicle2.recorder.delta_v",
+            "vehicle2.recorder.delta_v_lateral"
+        ]
     );
     let unknown = json["unknown"].as_array().unwrap();
     let of = |key: &str| unknown.iter().find(|unknown| unknown["key"] == key).unwrap();

@@ -2,7 +2,7 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use pim_core::Vector2;
+use pim_core::{Vector2, VehicleId};
 use real::Real;
 use real::elementary::{exp, ln, sin_cos};
 use uncertainty::{Distribution, InvalidDistribution};
@@ -29,6 +29,8 @@ pub struct Collision<N = Number> {
     pub friction: N,
     /// (–) λ, share of the tangential work that went into crush: E = W_n + λ W_t.
     pub tangential_share: N,
+    /// The crush energy of the one vehicle whose crush is not known; `None` where both are known, or neither.
+    pub other_crush: Option<OtherCrush<N>>,
     /// What is held against the impact.
     pub observed: Observed,
 }
@@ -68,6 +70,8 @@ pub struct ObservedVehicle {
     pub after: After,
     /// Where it came to rest.
     pub rest: Option<MeasuredRest>,
+    /// (m/s; – of its logarithm) speed where its skid before the impact begins.
+    pub skid_speed: Option<Measured>,
     /// (m) standard deviation of the error of each point that its CG passed, in the order of the points.
     pub points: Vec<f64>,
     /// What its recorder stored.
@@ -235,6 +239,41 @@ pub struct Crush<N = Number> {
     pub no_damage_speed: N,
 }
 
+/// Crush energy of a vehicle whose crush is not known, where that of the other is: E_j = r E_i.
+///
+/// The crush of the other vehicle alone is evidence by it: with its share s = 1/(1 + r) of both energies,
+/// ln E_i = ln(W_n + λ W_t) + ln s + b + error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OtherCrush<N = Number> {
+    /// The vehicle whose crush is not known.
+    pub vehicle: VehicleId,
+    /// (–) r, its crush energy by that of the other vehicle.
+    pub ratio: N,
+}
+
+impl<N: Copy> OtherCrush<N> {
+    /// With another number in its place.
+    #[inline(always)]
+    #[must_use]
+    pub fn map<M>(self, of: impl FnOnce(N) -> M) -> OtherCrush<M> {
+        OtherCrush { vehicle: self.vehicle, ratio: of(self.ratio) }
+    }
+}
+
+impl OtherCrush<f64> {
+    /// (J) crush energies of both vehicles, from that of the other among `known` (J).
+    #[inline(always)]
+    #[must_use]
+    pub fn completed(self, known: [f64; 2]) -> [f64; 2] {
+        let Self { vehicle, ratio } = self;
+        // E_j = r E_i
+        match (vehicle, known) {
+            (VehicleId::One, [_, own]) => [ratio * own, own],
+            (VehicleId::Two, [own, _]) => [own, ratio * own],
+        }
+    }
+}
+
 /// ln(E₁ + E₂) = ln(W_n + λ W_t) + b + error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrushMisfit {
@@ -255,7 +294,7 @@ pub struct Severity {
     pub speed: f64,
 }
 
-/// PDOF as an investigator saw it.
+/// PDOF as an investigator saw it, or as a recorder's ΔV shows it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CodedPdof {
     /// (rad) clockwise from the heading, where the force came from.
@@ -289,6 +328,8 @@ pub struct After {
 pub struct Recorder {
     /// ΔV.
     pub delta_v: Option<RecordedDeltaV>,
+    /// Where the force came from by both parts of its ΔV.
+    pub direction: Option<CodedPdof>,
     /// (m/s; – of its logarithm) speed before impact.
     pub speed: Option<Measured>,
     /// (rad/s) yaw rate after the impact.

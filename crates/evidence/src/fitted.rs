@@ -37,10 +37,16 @@ pub struct Fitted {
     pub no_damage_speed: [f64; 3],
     /// (–) spread of its logarithm.
     pub no_damage_speed_ln_sd: f64,
+    /// (–) crush energy of a side by that of the front or rear that it met: half of the sides have less.
+    pub side_crush: f64,
+    /// (–) spread of the logarithm of the crush energy of one vehicle by that of the other.
+    pub other_crush_ln_sd: f64,
     /// (–) scale of the error of the logarithm of a recorder's ΔV, with its mass.
     pub recorder_ln_scale: f64,
     /// Its degrees of freedom.
     pub recorder_freedom: Freedom,
+    /// (rad) scale of the error of the direction of a recorder's ΔV, Student's t with 2 degrees of freedom.
+    pub recorder_direction_scale: f64,
     /// (–) median and spread of the logarithm of the greatest impulse ratio.
     pub friction: [f64; 2],
     /// (–) mean and spread of λ, before it is cut to 0 to 1.
@@ -60,7 +66,7 @@ pub struct Fitted {
     pub mass_ln_sd: f64,
     /// (rad) scale of the error of a coded PDOF, Student's t with 2 degrees of freedom.
     pub pdof_scale: f64,
-    /// (–) how many times as wide it is for damage to a side.
+    /// (–) how many times as wide it is for damage to a side; so is that of a recorder's direction.
     pub pdof_side_factor: f64,
 }
 
@@ -73,8 +79,11 @@ pub const FITTED: Fitted = Fitted {
     slope_ln_sd: 0.18,
     no_damage_speed: [2.54, 2.54, 1.52],
     no_damage_speed_ln_sd: 0.38,
+    side_crush: 0.72,
+    other_crush_ln_sd: 0.92,
     recorder_ln_scale: 0.140,
     recorder_freedom: Freedom::Three,
+    recorder_direction_scale: 0.094_247_779_607_693_8,
     friction: [1.0, 0.4],
     tangential_share: [0.5, 0.35],
     restitution: [0.05, 0.32, 5.0, 0.6],
@@ -102,6 +111,13 @@ impl Fitted {
     #[must_use]
     pub fn coded(&self, pdof: f64, is_side: bool) -> CodedPdof {
         CodedPdof { pdof, scale: self.pdof_scale * if is_side { self.pdof_side_factor } else { 1.0 } }
+    }
+
+    /// Where the force came from (rad) by a recorder with both parts of ΔV, where a side was hit or an end.
+    #[must_use]
+    pub fn recorded_direction(&self, pdof: f64, is_side: bool) -> CodedPdof {
+        let factor = if is_side { self.pdof_side_factor } else { 1.0 };
+        CodedPdof { pdof, scale: self.recorder_direction_scale * factor }
     }
 
     /// e by closing speed, with the `factor` of a collision.
@@ -136,6 +152,15 @@ impl Fitted {
     pub fn any_tangential_share(&self) -> Result<Distribution, InvalidDistribution> {
         let [mean, sd] = self.tangential_share;
         Distribution::truncated_normal(mean, sd, 0.0, 1.0)
+    }
+
+    /// Of the crush energy of a vehicle by that of the other, of which the crush is `known`.
+    ///
+    /// # Errors
+    /// Where the figures make no distribution.
+    pub fn other_crush(&self, other: Damage, known: Damage) -> Result<Distribution, InvalidDistribution> {
+        let of = |damage: Damage| if damage == Damage::Side { self.side_crush } else { 1.0 };
+        Distribution::log_normal(of(other) / of(known), self.other_crush_ln_sd)
     }
 
     /// The crush of a vehicle of which no stiffness is known: `width` (m) of the damage, mean depth (m) and

@@ -42,6 +42,8 @@ pub struct Impacted {
     pub taken: f64,
     /// (J) crush energies.
     pub crush_energies: [f64; 2],
+    /// (m/s) speed where the skid of each vehicle before the impact begins, where there is one.
+    pub skid_speeds: [Option<f64>; 2],
     /// The way of each vehicle to rest, where it is followed.
     pub ways: [Option<Way>; 2],
     /// Whether such an impact is possible.
@@ -83,10 +85,19 @@ impl Collision<Slot> {
         let taken = outcome.energy.normal_work + of(self.tangential_share) * outcome.energy.tangential_work;
         let factors = self.crush_factors(values, lane);
         let energy = |i: usize| self.vehicles[i].crush.as_ref().map_or(0.0, |crush| crush.energy(factors[i]));
-        let crush_energies = [energy(0), energy(1)];
+        let known = [energy(0), energy(1)];
+        let crush_energies = self.other_crush.map_or(known, |other| other.map(of).completed(known));
         let is_possible =
             is_1 & is_2 & is_contact & is_law & is_impact & (closing > LEAST_APPROACH) & (taken > 0.0);
-        Impacted { speeds, outcome, taken, crush_energies, ways: [None, None], is_possible }
+        Impacted {
+            speeds,
+            outcome,
+            taken,
+            crush_energies,
+            skid_speeds: [None, None],
+            ways: [None, None],
+            is_possible,
+        }
     }
 
     /// (–) κ and β of each vehicle, as in [`Crush`]; 1 where it has none.

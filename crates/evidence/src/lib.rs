@@ -10,7 +10,7 @@ mod number;
 
 pub use collision::{
     After, BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Limits, Measured, MeasuredRest, Observed,
-    ObservedVehicle, RecordedDeltaV, Recorder, Restitution, Severity, Speeds, Vehicle,
+    ObservedVehicle, OtherCrush, RecordedDeltaV, Recorder, Restitution, Severity, Speeds, Vehicle,
 };
 pub use density::Freedom;
 pub use fitted::{Damage, FITTED, Fitted};

@@ -22,7 +22,7 @@ pub const NO_IMPACT: u8 = 1;
 pub enum Piece {
     /// How severe such collisions are: a part of the prior.
     Severity,
-    /// The crush energy of both vehicles.
+    /// The crush energy of both vehicles, or of the one whose crush is known.
     Crush,
     /// PDOF as coded. Those of both vehicles are seen by one investigator, who makes them opposite: only that
     /// of the smaller error counts.
@@ -35,6 +35,8 @@ pub enum Piece {
     YawRateAfter(VehicleId),
     /// The recorder's ΔV.
     RecordedDeltaV(VehicleId),
+    /// The direction of the recorder's ΔV.
+    RecordedDirection(VehicleId),
     /// Where it came to rest.
     Rest(VehicleId),
     /// The points that its CG passed.
@@ -43,6 +45,8 @@ pub enum Piece {
     RecordedSpeed(VehicleId),
     /// The recorder's yaw rate after the impact.
     RecordedYawRate(VehicleId),
+    /// The speed where its skid before the impact begins.
+    SkidSpeed(VehicleId),
     /// What is certain of the speed.
     Limits(VehicleId),
 }
@@ -64,7 +68,8 @@ pub enum Output {
     EnergyLoss,
     /// (–) e.
     Restitution,
-    /// (J) crush energy of both vehicles, with the stiffness of the draw.
+    /// (J) crush energy of both vehicles, with the stiffness of the draw, and the ratio of both where that of
+    /// one alone is known.
     CrushEnergy,
 }
 
@@ -168,15 +173,17 @@ impl<I: Impacts> Model<I> {
         let pdof = VehicleId::ALL.into_iter().filter_map(coded).min_by(|a, b| a.0.total_cmp(&b.0));
         pieces.extend(pdof.map(|(_, id)| Piece::Pdof(id)));
         for (id, vehicle) in VehicleId::ALL.into_iter().zip(&observed.vehicles) {
-            let ObservedVehicle { pdof: _, after, rest, points, recorder, limits } = vehicle;
+            let ObservedVehicle { pdof: _, after, rest, skid_speed, points, recorder, limits } = vehicle;
             pieces.extend(after.speed.map(|_| Piece::SpeedAfter(id)));
             pieces.extend(after.direction.map(|_| Piece::DirectionAfter(id)));
             pieces.extend(after.yaw_rate.map(|_| Piece::YawRateAfter(id)));
             pieces.extend(rest.map(|_| Piece::Rest(id)));
             pieces.extend((!points.is_empty()).then_some(Piece::Points(id)));
             pieces.extend(recorder.delta_v.map(|_| Piece::RecordedDeltaV(id)));
+            pieces.extend(recorder.direction.map(|_| Piece::RecordedDirection(id)));
             pieces.extend(recorder.speed.map(|_| Piece::RecordedSpeed(id)));
             pieces.extend(recorder.yaw_rate.map(|_| Piece::RecordedYawRate(id)));
+            pieces.extend(skid_speed.map(|_| Piece::SkidSpeed(id)));
             let is_limited = limits.least > f64::NEG_INFINITY || limits.most < f64::INFINITY;
             pieces.extend(is_limited.then_some(Piece::Limits(id)));
         }
@@ -248,9 +255,11 @@ impl<I: Impacts> Model<I> {
                 misfit.error(impacted.crush_energies, impacted.taken)
             }
             Piece::Pdof(id) => {
-                let Some(CodedPdof { pdof, scale }) = vehicle(id).pdof else { return Error::NONE };
-                let apart = principal_angle(pdof - impacted.outcome.pdof()[id.index()]);
-                Error::student(apart, scale, Freedom::Two)
+                vehicle(id).pdof.map_or(Error::NONE, |coded| coded.error(impacted.outcome.pdof()[id.index()]))
+            }
+            Piece::RecordedDirection(id) => {
+                let recorded = vehicle(id).recorder.direction;
+                recorded.map_or(Error::NONE, |shown| shown.error(impacted.outcome.pdof()[id.index()]))
             }
             Piece::SpeedAfter(id) => match vehicle(id).after.speed {
                 Some(Measured { value, sd }) => Error::normal(ln(value / length(after(id).velocity)), sd),
@@ -324,6 +333,12 @@ impl<I: Impacts> Model<I> {
                 (Some(_), _) => Error { potential: f64::NEG_INFINITY, ..Error::NONE },
                 (None, _) => Error::NONE,
             },
+            Piece::SkidSpeed(id) => match (vehicle(id).skid_speed, impacted.skid_speeds[id.index()]) {
+                (Some(Measured { value, sd }), Some(speed)) => Error::normal(ln(value / speed), sd),
+                // Without a skid it has no beginning.
+                (Some(_), None) => Error { potential: f64::NEG_INFINITY, ..Error::NONE },
+                (None, _) => Error::NONE,
+            },
             Piece::Limits(id) => {
                 let (limits, speed) = (vehicle(id).limits, impacted.speeds[id.index()]);
                 let holds = (limits.least <= speed) & (speed <= limits.most);
@@ -358,6 +373,14 @@ impl CrushMisfit {
     #[must_use]
     pub fn log_likelihood(&self, energies: [f64; 2], taken: f64) -> f64 {
         self.error(energies, taken).log_likelihood()
+    }
+}
+
+impl CodedPdof {
+    /// Where the force came from `pdof` (rad).
+    #[inline(always)]
+    fn error(&self, pdof: f64) -> Error {
+        Error::student(principal_angle(self.pdof - pdof), self.scale, Freedom::Two)
     }
 }
 
@@ -494,11 +517,21 @@ impl Collision {
                 Slot::At(unknown.len() - 1)
             }
         };
-        let Self { vehicles, speeds, crush_plane, restitution, friction, tangential_share, observed } = self;
+        let Self {
+            vehicles,
+            speeds,
+            crush_plane,
+            restitution,
+            friction,
+            tangential_share,
+            other_crush,
+            observed,
+        } = self;
         let speeds = speeds.map(&mut place);
         let restitution = restitution.map(&mut place);
         let (crush_plane, friction, tangential_share) =
             (place(*crush_plane), place(*friction), place(*tangential_share));
+        let other_crush = other_crush.map(|other| other.map(&mut place));
         let vehicles = vehicles.map(|vehicle| {
             let Vehicle { body, heading, contact, yaw_rate, crush } = vehicle;
             Vehicle {
@@ -519,6 +552,15 @@ impl Collision {
             }
         });
         let observed = observed.clone();
-        Collision { vehicles, speeds, crush_plane, restitution, friction, tangential_share, observed }
+        Collision {
+            vehicles,
+            speeds,
+            crush_plane,
+            restitution,
+            friction,
+            tangential_share,
+            other_crush,
+            observed,
+        }
     }
 }

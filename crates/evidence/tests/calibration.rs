@@ -114,6 +114,7 @@ fn usual(masses: [f64; 2], headings: [f64; 2], crush_plane: f64, contacts: [[Num
         },
         friction: log_normal(friction, friction_ln_sd),
         tangential_share: Distribution::truncated_normal(share, share_sd, 0.0, 1.0).unwrap().into(),
+        other_crush: None,
         observed: Observed { severity: Some(FITTED.severity), ..Observed::default() },
     }
 }

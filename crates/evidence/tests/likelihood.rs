@@ -2,15 +2,15 @@
 
 use std::f64::consts::PI;
 
-use estimate::{Evidence, Independent};
+use estimate::{Evidence, Independent, Quantity, Settings, sample_quietly};
 use evidence::{
-    After, BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Freedom, Impacted, Impacts, Limits,
-    Measured, MeasuredRest, Model, Number, Observed, ObservedVehicle, Piece, RecordedDeltaV, Recorder,
-    Restitution, Severity, Speeds, Vehicle, Way,
+    After, BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Damage, FITTED, Freedom, Impacted, Impacts,
+    Limits, Measured, MeasuredRest, Model, Number, Observed, ObservedVehicle, OtherCrush, Output, Piece,
+    RecordedDeltaV, Recorder, Restitution, Severity, Speeds, Vehicle, Way,
 };
 use pim_core::Vector2;
 use pim_core::VehicleId::{One, Two};
-use uncertainty::{LANES, Lanes};
+use uncertainty::{Distribution, LANES, Lanes};
 
 pub(crate) fn vehicle(mass: f64, ahead: f64) -> Vehicle {
     Vehicle {
@@ -34,6 +34,7 @@ pub(crate) fn rear_end() -> Collision {
         restitution: Restitution::Constant(0.1.into()),
         friction: 0.7.into(),
         tangential_share: 0.5.into(),
+        other_crush: None,
         observed: Observed::default(),
     }
 }
@@ -75,6 +76,120 @@ fn the_crush_energy_is_that_of_the_normal_work() {
     close(term, normal(((energy / 66_825.0_f64).ln() + 0.2) / 0.4, 0.4));
 }
 
+/// Of one vehicle: ln E₁ = ln(W_n + λ W_t) + ln s + b + error, where it has the share s of both energies.
+#[test]
+fn the_crush_of_one_vehicle_has_its_share_of_the_energy() {
+    let crush = Crush {
+        constant: 10e3,
+        linear: 5e3,
+        square: 5e3,
+        slope: Number::Exact(1.0),
+        no_damage_speed: Number::Exact(1.0),
+    };
+    let share = 0.3_f64;
+    let ratio = Number::Exact((1.0 - share) / share);
+    for (known, other) in [(One, Two), (Two, One)] {
+        let mut collision = rear_end();
+        collision.vehicles[known.index()].crush = Some(crush);
+        collision.other_crush = Some(OtherCrush { vehicle: other, ratio });
+        collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 });
+        let [(Piece::Crush, term)] = terms(&collision)[..] else { panic!() };
+        close(term, normal(((20e3_f64).ln() - 66_825.0_f64.ln() - share.ln() + 0.2) / 0.4, 0.4));
+        let model = Model::new(&collision);
+        let impacted = &model.leads().impacts(&[])[0];
+        close(impacted.crush_energies[known.index()], 20e3);
+        close(impacted.crush_energies[other.index()], 20e3 * 7.0 / 3.0);
+    }
+}
+
+/// The posterior of the speed against a sum over a grid of speeds and ratios.
+#[test]
+fn the_crush_of_one_vehicle_tells_the_speed() {
+    let mut collision = rear_end();
+    let crush = Crush {
+        constant: 20e3,
+        linear: 0.0,
+        square: 0.0,
+        slope: Number::Exact(1.0),
+        no_damage_speed: Number::Exact(1.0),
+    };
+    collision.vehicles[1].crush = Some(crush);
+    collision.speeds = Speeds::Each([Distribution::uniform(1.0, 60.0).unwrap().into(), 0.0.into()]);
+    let ratio = FITTED.other_crush(Damage::Side, Damage::Front).unwrap();
+    collision.other_crush = Some(OtherCrush { vehicle: One, ratio: ratio.into() });
+    collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 });
+    let model = Model::new(&collision);
+    let posterior = sample_quietly(&model, &model, &Settings::new(256, 1)).unwrap();
+    let summary = posterior.summary(Quantity::Output(Output::Speed(One).column()));
+
+    // W_n = 66825 J at 15 m/s, and grows with the square of the speed.
+    let taken = |v: f64| 66_825.0 * (v / 15.0).powi(2);
+    let steps = 3000;
+    let speed = |k: usize| 1.0 + 59.0 * (k as f64 + 0.5) / f64::from(steps);
+    let weights: Vec<f64> = (0..steps as usize)
+        .map(|k| {
+            let of_ratio = |z: f64| {
+                let ratio = FITTED.side_crush * (FITTED.other_crush_ln_sd * z).exp();
+                let error = (20e3 * (1.0 + ratio)).ln() - taken(speed(k)).ln() + 0.2;
+                (-0.5 * (error / 0.4).powi(2) - 0.5 * z * z).exp()
+            };
+            (-80..=80).map(|k| of_ratio(0.05 * f64::from(k))).sum()
+        })
+        .collect();
+    let total: f64 = weights.iter().sum();
+    let quantile = |share: f64| {
+        let mut sum = 0.0;
+        let place = weights.iter().position(|weight| {
+            sum += weight / total;
+            sum >= share
+        });
+        speed(place.unwrap())
+    };
+    let ends = summary.intervals[3];
+    for (ours, share) in [(ends.low, 0.025), (summary.median, 0.5), (ends.high, 0.975)] {
+        let (exact, error) = (quantile(share), ours.standard_error.unwrap());
+        assert!((ours.value - exact).abs() < 4.0 * error + 2e-3 * exact, "{ours:?} {exact}");
+        assert!(error < 0.03 * exact, "{ours:?} tells nothing");
+    }
+}
+
+/// A skid that begins at 20 m/s by the particle, and at 21 m/s by a recorder.
+#[test]
+fn a_speed_before_the_skid_has_a_normal_error() {
+    let observed = || {
+        let mut observed = Observed::default();
+        observed.vehicles[1].skid_speed = Some(Measured { value: 21.0, sd: 0.05 });
+        observed
+    };
+    for (begins, expected) in
+        [(Some(20.0), normal((21.0_f64 / 20.0).ln() / 0.05, 0.05)), (None, f64::NEG_INFINITY)]
+    {
+        let skidded = Skidded { model: Model::new(&rear_end()), begins };
+        let model = Model::of(skidded, observed());
+        assert_eq!(model.pieces(), [Piece::SkidSpeed(Two)]);
+        let mut terms = [[0.0; LANES]; 1];
+        model.log_likelihood(&[], &mut terms, &mut [0; LANES]);
+        if expected.is_finite() { close(terms[0][2], expected) } else { assert_eq!(terms[0][2], expected) }
+    }
+}
+
+/// The impact of a collision, with a skid of vehicle 2 that is given.
+struct Skidded {
+    model: Model,
+    begins: Option<f64>,
+}
+
+impl Impacts for Skidded {
+    fn unknown(&self) -> &Independent {
+        self.model.leads().unknown()
+    }
+
+    fn impacts(&self, values: &[Lanes]) -> Vec<Impacted> {
+        let impacts = self.model.leads().impacts(values).into_iter();
+        impacts.map(|impacted| Impacted { skid_speeds: [None, self.begins], ..impacted }).collect()
+    }
+}
+
 #[test]
 fn velocities_after_the_impact_have_normal_errors() {
     let mut collision = rear_end();
@@ -97,7 +212,7 @@ fn a_recorder_and_a_pdof_have_heavy_tails() {
     let (ln_scale, freedom) = (0.16, Freedom::Three);
     let delta_v = Some(RecordedDeltaV { size: 6.0, is_longitudinal: true, ln_scale, freedom });
     collision.observed.vehicles[0].recorder =
-        Recorder { delta_v, speed: Some(Measured { value: 16.0, sd: 0.05 }), yaw_rate: None };
+        Recorder { delta_v, speed: Some(Measured { value: 16.0, sd: 0.05 }), ..Recorder::default() };
     collision.observed.vehicles[0].pdof = Some(CodedPdof { pdof: 0.2, scale: 0.1 });
     // The wider of two PDOFs does not count: both are one observation.
     collision.observed.vehicles[1].pdof = Some(CodedPdof { pdof: PI, scale: 0.15 });
@@ -110,6 +225,19 @@ fn a_recorder_and_a_pdof_have_heavy_tails() {
     let z = (6.0_f64 / 6.6).ln() / ln_scale;
     close(terms[1].1, (2.0 / (PI * 3.0_f64.sqrt() * (1.0 + z * z / 3.0).powi(2) * ln_scale)).ln());
     close(terms[2].1, normal((16.0_f64 / 15.0).ln() / 0.05, 0.05));
+}
+
+/// The force on vehicle 1 comes from straight ahead; the recorder shows 0.2 rad, and turns past 180°.
+#[test]
+fn the_direction_of_a_recorder_has_heavy_tails() {
+    for (id, shown) in [(One, 0.2), (Two, PI + 0.2), (Two, 0.2 - PI)] {
+        let mut collision = rear_end();
+        let direction = Some(CodedPdof { pdof: shown, scale: 0.1 });
+        collision.observed.vehicles[id.index()].recorder.direction = direction;
+        let [(Piece::RecordedDirection(of), term)] = terms(&collision)[..] else { panic!() };
+        assert_eq!(of, id);
+        close(term, (3.0_f64.powf(-1.5) / (8.0_f64.sqrt() * 0.1)).ln());
+    }
 }
 
 #[test]

@@ -1,12 +1,13 @@
 //! How often the 95 % intervals of ΔV contain what recorders stored, for a file of pairs:
-//! `cargo run --release -p deltav-field --example coverage -- PAIRS.csv`.
+//! `cargo run --release -p deltav-field --example coverage -- PAIRS.csv`. Behind it `own` or `other` leaves one
+//! crush alone: that of the vehicle that is judged, or that of the other.
 
 #![allow(clippy::print_stdout, reason = "an example prints")]
 
 use std::ops::ControlFlow;
 
 use evidence::FITTED;
-use field::{Options, judge, read};
+use field::{KnownCrush, Options, judge, read};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let Some(path) = std::env::args().nth(1) else {
@@ -14,18 +15,20 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         return Ok(());
     };
     let pairs = read(&std::fs::read_to_string(path)?)?;
-    let options = Options { particles: 128, seed: 1, other: false };
+    let crush = match std::env::args().nth(2).as_deref() {
+        None => KnownCrush::Both,
+        Some("own") => KnownCrush::Judged,
+        Some("other") => KnownCrush::Other,
+        Some(_) => return Err("behind the file stands `own`, `other` or nothing".into()),
+    };
+    let options = Options { particles: 128, seed: 1, other: false, crush };
     let field = judge(&pairs, &FITTED, &options, &mut |_, _| ControlFlow::Continue(()))?;
     for group in &field.groups {
-        if let Some([_, _, [inside, error]]) = group.ours.coverage {
-            println!(
-                "{}: {:.1} ± {:.1} % of {} recorders",
-                group.name,
-                100.0 * inside,
-                100.0 * error,
-                group.ours.n
-            );
+        print!("{:<12}{:>4} recorders, inside their interval of 50, 80 and 95 %:", group.name, group.ours.n);
+        for [inside, error] in group.ours.coverage.iter().flatten() {
+            print!(" {:.1} ± {:.1} %", 100.0 * inside, 100.0 * error);
         }
+        println!("; rms of ln {:.3}, bias {:+.3}", group.ours.rms[0], group.ours.bias[0]);
     }
     Ok(())
 }

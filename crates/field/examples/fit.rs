@@ -8,7 +8,9 @@
 use std::ops::ControlFlow;
 
 use evidence::{FITTED, Fitted};
-use field::{Field, Figure, FitOptions, Options, fit, fit_folds, judge_by, read};
+use field::{
+    Field, Figure, FitOptions, KnownCrush, Options, fit, fit_direction, fit_folds, fit_share, judge_by, read,
+};
 
 /// Particles of each island: of the draws behind the fit, and of those behind each judgement.
 const PARTICLES: [usize; 2] = [256, 128];
@@ -49,9 +51,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("\ncrush: CrushMisfit {{ bias: {:.3}, ln_sd: {:.3} }},", crush.bias, crush.ln_sd);
     println!("slope: {slope:.1?},\nslope_ln_sd: {slope_ln_sd:.2},");
     println!("no_damage_speed: {no_damage_speed:.2?},\nrecorder_ln_scale: {recorder_ln_scale:.3},");
+    let share = fit_share(&pairs, &fit.fitted)?;
+    let ([side, side_error], [ln_sd, error]) = (share.side_crush, share.ln_sd);
+    println!("\nshares of the crush energy in {} pairs", share.pairs);
+    println!("side_crush: {side:.3}, standard error of its logarithm {side_error:.3},");
+    println!("other_crush_ln_sd: {ln_sd:.3} ± {error:.3},");
+    let direction = fit_direction(&pairs, &fit.fitted)?;
+    let [scale, error] = direction.scale.map(f64::to_degrees);
+    println!("\ndirections of {} recorders: scale {scale:.2}° ± {error:.2}°", direction.recorders);
     if let Some(folds) = folds {
         for other in [false, true] {
-            let options = Options { particles: PARTICLES[1], seed: SEED, other };
+            let options = Options { particles: PARTICLES[1], seed: SEED, other, crush: KnownCrush::Both };
             let of = |pair: &_| folds.of(pair).unwrap_or(fit.fitted);
             print(&judge_by(&pairs, &of, &options, &mut progress)?);
         }

@@ -93,7 +93,9 @@ impl Pair {
             if let Some(truth) = vehicle.truth().filter(|_| given.contains(&id)) {
                 lines.extend([String::new(), format!("[vehicle{}.recorder]", i + 1)]);
                 let [along, across] = vehicle.recorder;
-                let parts = [("longitudinal", along), ("lateral", across.filter(|_| !truth.is_longitudinal))];
+                // To the left, in the axes of the file.
+                let left = across.filter(|_| !truth.is_longitudinal).map(|right| -right);
+                let parts = [("longitudinal", along), ("lateral", left)];
                 lines.extend(parts.into_iter().filter_map(|(part, stored)| {
                     Some(format!("delta_v_{part} = {}", number(3.6 * stored?, 0.0, 3, "km/h")))
                 }));

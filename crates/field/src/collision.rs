@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use evidence::{
-    BodyNumbers, Collision, Damage, Fitted, Number, Observed, ObservedVehicle, RecordedDeltaV, Recorder,
-    Speeds, Vehicle as Subject,
+    BodyNumbers, Collision, Crush, Damage, Fitted, Number, Observed, ObservedVehicle, OtherCrush,
+    RecordedDeltaV, Recorder, Speeds, Vehicle as Subject,
 };
 use pim_core::VehicleId;
 use real::Real;
@@ -20,7 +20,7 @@ const CAR: [f64; 3] = [1650.0, 4.7, 1.8];
 const YAW_RADIUS: f64 = 0.295;
 /// (–) from the CG to the front, by length.
 pub(crate) const TO_FRONT: f64 = 0.46;
-/// (m) width of the damage where side meets side.
+/// (m) width over which a side is pushed in by what has no front or rear, or is not known.
 const SIDE_WIDTH: f64 = 1.8;
 
 /// What is computed from a vehicle's own data.
@@ -34,7 +34,7 @@ pub(crate) struct Shape {
     /// (m) width of its own damage.
     width: f64,
     /// (m, m²) mean and mean square depth.
-    depths: [f64; 2],
+    pub(crate) depths: [f64; 2],
 }
 
 impl Shape {
@@ -203,6 +203,9 @@ impl Pair {
                         ln_scale: fitted.recorder_ln_scale,
                         freedom: fitted.recorder_freedom,
                     }),
+                    direction: recorded
+                        .and_then(|truth| truth.direction)
+                        .map(|from| fitted.recorded_direction(from, vehicle.plane.is_side())),
                     ..Recorder::default()
                 },
                 ..ObservedVehicle::default()
@@ -219,11 +222,39 @@ impl Pair {
             restitution: fitted.restitution_with(fitted.restitution_factor()?.into()),
             friction: fitted.any_friction()?.into(),
             tangential_share: fitted.any_tangential_share()?.into(),
+            other_crush: None,
             observed: Observed {
                 vehicles: VehicleId::ALL.map(observed),
                 severity: Some(fitted.severity_of(self.vehicles.iter().all(is_front))),
                 crush: Some(fitted.crush),
             },
         })
+    }
+
+    /// [`Pair::collision`], where the crush of one vehicle alone is `known`.
+    ///
+    /// # Errors
+    /// As [`Pair::collision`].
+    pub fn collision_by_crush_of(
+        &self,
+        known: VehicleId,
+        fitted: &Fitted,
+        given: &[VehicleId],
+    ) -> Result<Collision, InvalidDistribution> {
+        let mut collision = self.collision(fitted, given)?;
+        let (layout, other) = (Layout::of(self, fitted), known.other());
+        let damages = layout.damages;
+        if self.vehicles[known.index()].plane.is_side()
+            && let Some(crush) = &mut collision.vehicles[known.index()].crush
+        {
+            // What pushed it in, and over which width, is not known.
+            let [mean, mean_square] = layout.shapes[known.index()].depths;
+            let narrow = fitted.crush_of(damages[known.index()], SIDE_WIDTH, mean, mean_square);
+            *crush = Crush { slope: crush.slope, no_damage_speed: crush.no_damage_speed, ..narrow };
+        }
+        collision.vehicles[other.index()].crush = None;
+        let ratio = fitted.other_crush(damages[other.index()], damages[known.index()])?;
+        collision.other_crush = Some(OtherCrush { vehicle: other, ratio: ratio.into() });
+        Ok(collision)
     }
 }

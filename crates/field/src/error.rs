@@ -50,6 +50,12 @@ pub enum FieldError {
         /// Why.
         reason: String,
     },
+    /// No pair has a crush energy of both vehicles.
+    #[error("no pair of the file has a crush energy of both vehicles; that takes FIELDL or DIRECTL of both")]
+    NoShares,
+    /// No recorder has a direction.
+    #[error("no recorder of the file stored both MAXDVLONG and MAXDVLAT, of 8 km/h or more together")]
+    NoDirections,
     /// The fit finds no figures.
     #[error(
         "the likelihood of the recorders has no maximum that the fit finds: more pairs or more particles help"

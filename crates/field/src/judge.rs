@@ -24,6 +24,19 @@ pub struct Options {
     pub seed: u64,
     /// Whether the recorder of one vehicle is given, and the other vehicle is judged.
     pub other: bool,
+    /// Whose crush is known.
+    pub crush: KnownCrush,
+}
+
+/// Whose crush an estimate knows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum KnownCrush {
+    /// That of both vehicles.
+    Both,
+    /// That of the vehicle that is judged.
+    Judged,
+    /// That of the other vehicle.
+    Other,
 }
 
 /// What met what.
@@ -173,7 +186,14 @@ pub fn judge_by(
                 judged.extend(vehicles(pair, fitted, options, &[one.0], &[*two])?);
             }
             (true, _) | (false, []) => {}
-            (false, all) => judged.extend(vehicles(pair, fitted, options, &[], all)?),
+            (false, all) if options.crush == KnownCrush::Both => {
+                judged.extend(vehicles(pair, fitted, options, &[], all)?);
+            }
+            (false, all) => {
+                for one in all {
+                    judged.extend(vehicles(pair, fitted, options, &[], &[*one])?);
+                }
+            }
         }
     }
     if judged.is_empty() {
@@ -201,7 +221,12 @@ fn vehicles(
     wanted: &[(VehicleId, Truth)],
 ) -> Result<Vec<Judged>, FieldError> {
     let refused = |reason: String| FieldError::Estimate { case: pair.case.clone(), reason };
-    let collision = pair.collision(fitted, given).map_err(|error| refused(error.to_string()))?;
+    let collision = match (options.crush, wanted) {
+        (KnownCrush::Judged, [(judged, _), ..]) => pair.collision_by_crush_of(*judged, fitted, given),
+        (KnownCrush::Other, [(judged, _), ..]) => pair.collision_by_crush_of(judged.other(), fitted, given),
+        _ => pair.collision(fitted, given),
+    };
+    let collision = collision.map_err(|error| refused(error.to_string()))?;
     let model = Model::new(&collision);
     let settings = Settings::new(options.particles, options.seed);
     let posterior =

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use pim_core::VehicleId;
-use real::elementary::{ln, sin_cos};
+use real::elementary::{atan2, ln, sin_cos};
 
 use crate::error::FieldError;
 
@@ -60,7 +60,7 @@ pub struct Vehicle {
     pub depths: [f64; 6],
     /// (m/s) ΔV by WinSMASH: its size, and its longitudinal part.
     pub winsmash: [Option<f64>; 2],
-    /// (m/s) largest ΔV that the recorder stored, along the vehicle and across it.
+    /// (m/s) largest ΔV that the recorder stored, forward and to the right.
     pub recorder: [Option<f64>; 2],
 }
 
@@ -83,6 +83,8 @@ pub struct Truth {
     pub delta_v: f64,
     /// Whether it is the part along the vehicle alone.
     pub is_longitudinal: bool,
+    /// (rad) clockwise from the heading, where the force came from by both parts.
+    pub direction: Option<f64>,
 }
 
 impl Vehicle {
@@ -99,10 +101,12 @@ impl Vehicle {
         let truth = match self.recorder {
             [Some(along), Some(across)] => {
                 let delta_v = (along * along + across * across).sqrt();
-                Truth { delta_v, is_longitudinal: false }
+                // ΔV points away from where the force came from; across is positive to the right.
+                let direction = Some(atan2(-across, -along));
+                Truth { delta_v, is_longitudinal: false, direction }
             }
             [Some(along), None] if !self.plane.is_side() => {
-                Truth { delta_v: along.abs(), is_longitudinal: true }
+                Truth { delta_v: along.abs(), is_longitudinal: true, direction: None }
             }
             _ => return None,
         };
@@ -131,7 +135,7 @@ impl Pair {
     #[must_use]
     pub fn is_one_event(&self) -> Option<bool> {
         let [one, two] = self.vehicles.each_ref().map(|vehicle| {
-            let Truth { delta_v, is_longitudinal } = vehicle.truth()?;
+            let Truth { delta_v, is_longitudinal, direction: _ } = vehicle.truth()?;
             let along = if is_longitudinal { sin_cos(vehicle.pdof).1.abs() } else { 1.0 };
             Some(ln(vehicle.mass() * delta_v / along))
         });

@@ -6,6 +6,7 @@ use std::fmt::Display;
 use crate::quantity::Quantity;
 use crate::scene::Place;
 use crate::walk::{Element, Key, Walk};
+use crate::words::word;
 
 /// Between impact and rest: how the vehicle could roll, where it went, and how it left the impact.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -87,7 +88,36 @@ pub struct Rest<T = f64> {
     pub heading: RestHeading<T>,
 }
 
-/// Where the centre of gravity of a vehicle passed.
+/// A wheel that left a mark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarkedWheel {
+    /// `"front left"`.
+    FrontLeft,
+    /// `"front right"`.
+    FrontRight,
+    /// `"rear left"`.
+    RearLeft,
+    /// `"rear right"`.
+    RearRight,
+}
+
+impl MarkedWheel {
+    /// Each under its words, in the order in which a vehicle has its wheels.
+    pub const WORDS: [(&str, Self); 4] = [
+        ("front left", Self::FrontLeft),
+        ("front right", Self::FrontRight),
+        ("rear left", Self::RearLeft),
+        ("rear right", Self::RearRight),
+    ];
+
+    /// Its words.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        word(&Self::WORDS, &self)
+    }
+}
+
+/// Where the centre of gravity of a vehicle passed, or one of its wheels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathPoint<T = f64> {
     /// The place.
@@ -95,6 +125,8 @@ pub struct PathPoint<T = f64> {
     /// (rad) scene angle of its forward axis there, in the sense of the axes, where marks tell it: at the end
     /// of its rotation, that of the rest.
     pub heading: Option<Quantity<T>>,
+    /// The wheel that passed there, where the place is one of its mark.
+    pub wheel: Option<MarkedWheel>,
 }
 
 /// How a vehicle stands at rest.
@@ -112,6 +144,8 @@ pub enum RestHeading<T = f64> {
 pub struct Before<T = f64> {
     /// The marks of its locked wheels, up to the impact.
     pub skid: Skid<T>,
+    /// (m/s) speed where they begin, as a recorder, a tachograph or a camera gives it.
+    pub speed: Option<Quantity<T>>,
 }
 
 /// Skid marks.
@@ -140,6 +174,9 @@ impl<U> Walk<'_, U> {
                     PathPoint {
                         place: self.place(&table, &point.place),
                         heading: self.maybe(&Key(&table, "heading"), point.heading.as_ref()),
+                        wheel: point
+                            .wheel
+                            .map(|wheel| self.choice(&Key(&table, "wheel"), &MarkedWheel::WORDS, wheel)),
                     }
                 })
                 .collect(),
@@ -211,6 +248,7 @@ impl<U> Walk<'_, U> {
                 length: self.quantity(&Key(&skid, "length"), &before.skid.length),
                 friction: before.skid.friction.map(|mu| self.number(&Key(&skid, "friction"), mu)),
             },
+            speed: self.maybe(&Key(table, "speed"), before.speed.as_ref()),
         }
     }
 }

@@ -96,6 +96,17 @@ impl Faults {
         if list.is_empty() { Ok(()) } else { Err(Self { list }) }
     }
 
+    /// The same, where `purpose` is what needs the missing values, by way of the analysis that missed them.
+    #[must_use]
+    pub fn needed_for(mut self, purpose: Purpose) -> Self {
+        for fault in &mut self.list {
+            if let FaultKind::Missing { needed_for } = &mut fault.kind {
+                *needed_for = purpose;
+            }
+        }
+        self
+    }
+
     /// The faults, in the order in which they were found.
     #[must_use]
     pub fn list(&self) -> &[Fault] {

@@ -62,7 +62,9 @@ mod vehicle;
 mod walk;
 mod words;
 
-pub use after::{After, Before, Drag, PathPoint, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag};
+pub use after::{
+    After, Before, Drag, MarkedWheel, PathPoint, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag,
+};
 pub use axes::Axes;
 pub use basis::Basis;
 pub use case::{Case, Find, LeftOut, Reconstruct, ReportHead};

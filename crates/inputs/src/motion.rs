@@ -4,6 +4,7 @@ use pim_core::{Real, Vector2};
 use reconcile::Departure;
 use trajectory::{Chassis, Region, Steer, Zone};
 
+use crate::after::MarkedWheel;
 use crate::basis::Basis;
 use crate::demands::Collision;
 use crate::text::Text;
@@ -73,13 +74,15 @@ impl RegionData {
     }
 }
 
-/// Where the CG of a vehicle passed, in the axes of the engine.
+/// Where the CG of a vehicle passed, or one of its wheels, in the axes of the engine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointData<T = f64> {
     /// (m) the place.
     pub position: Vector2<T>,
     /// (rad) its heading there, where that is known, without full turns.
     pub heading: Option<T>,
+    /// The wheel, if it is one that passed there.
+    pub wheel: Option<MarkedWheel>,
 }
 
 /// A vehicle after the impact, in the axes of the engine.
@@ -98,7 +101,7 @@ pub struct VehicleMotion<T = f64> {
     pub velocity: Option<Departure<T>>,
     /// Where it came to rest.
     pub rest: Option<RestData<T>>,
-    /// (m) places that the CG passed, from the impact to the rest.
+    /// (m) places that the CG or a wheel passed, from the impact to the rest.
     pub points: Vec<PointData<T>>,
 }
 

@@ -17,6 +17,8 @@ pub struct Recorder {
     pub delta_v_lateral: Option<Quantity>,
     /// (%) standard deviation of the error of ΔV.
     pub delta_v_error: Option<f64>,
+    /// (rad) scale of the error of its direction.
+    pub direction_error: Option<Quantity>,
     /// (m/s) speed before the impact.
     pub speed: Option<Quantity>,
     /// (%) standard deviation of its error.
@@ -85,6 +87,7 @@ impl<U> Walk<'_, U> {
         self.exact_if(&at("delta_v_longitudinal"), recorder.delta_v_longitudinal.as_ref());
         self.exact_if(&at("delta_v_lateral"), recorder.delta_v_lateral.as_ref());
         self.percent_if(&at("delta_v_error"), recorder.delta_v_error);
+        self.exact_if(&at("direction_error"), recorder.direction_error.as_ref());
         self.exact_if(&at("speed"), recorder.speed.as_ref());
         self.percent_if(&at("speed_error"), recorder.speed_error);
         self.exact_if(&at("yaw_rate"), recorder.yaw_rate.as_ref());

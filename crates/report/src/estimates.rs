@@ -84,6 +84,7 @@ pub(crate) fn name(output: EstimateOutput) -> String {
         EstimateOutput::Restitution => "Restitution e".to_owned(),
         EstimateOutput::ImpulseRatio => "Impulse ratio μ".to_owned(),
         EstimateOutput::CrushEnergy => "Crush energy of all".to_owned(),
+        EstimateOutput::SkidSpeed(vehicle) => format!("Speed of vehicle {vehicle} where its skid begins"),
     }
 }
 
@@ -130,10 +131,12 @@ pub(crate) fn piece_name(piece: Piece) -> String {
         Piece::DirectionAfter(id) => ("direction after", id),
         Piece::YawRateAfter(id) => ("yaw rate after", id),
         Piece::RecordedDeltaV(id) => ("recorder's ΔV", id),
+        Piece::RecordedDirection(id) => ("direction of recorder's ΔV", id),
         Piece::Rest(id) => ("rest", id),
         Piece::Points(id) => ("points passed", id),
         Piece::RecordedSpeed(id) => ("recorder's speed", id),
         Piece::RecordedYawRate(id) => ("recorder's yaw rate", id),
+        Piece::SkidSpeed(id) => ("speed before the skid", id),
         Piece::Limits(id) => ("certain speed", id),
     };
     format!("{name}, vehicle {vehicle}")
@@ -166,6 +169,10 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
             let scale = of(id).recorder.delta_v?.ln_scale;
             format!("scale {}, Student's t with 3 degrees of freedom", percent(scale))
         }
+        Piece::RecordedDirection(id) => {
+            let scale = of(id).recorder.direction?.scale;
+            format!("scale {}, Student's t with 2 degrees of freedom", angle(scale))
+        }
         Piece::Rest(id) => {
             let rest = of(id).rest?;
             format!(
@@ -180,6 +187,7 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
         }
         Piece::RecordedSpeed(id) => format!("std. dev. {}", percent(of(id).recorder.speed?.sd)),
         Piece::RecordedYawRate(id) => format!("std. dev. {}", rate(of(id).recorder.yaw_rate?.sd)),
+        Piece::SkidSpeed(id) => format!("std. dev. {}", percent(of(id).skid_speed?.sd)),
     })
 }
 
@@ -194,6 +202,7 @@ pub(crate) fn error_key(piece: &PieceFound) -> Option<String> {
         | Piece::RecordedYawRate(_) => return None,
         Piece::Crush => "estimate.crush_error".to_owned(),
         Piece::RecordedDeltaV(_) | Piece::RecordedSpeed(_) => format!("{}_error", piece.key),
+        Piece::RecordedDirection(id) => format!("vehicle{id}.recorder.direction_error"),
         _ => piece.key.clone(),
     })
 }
@@ -209,10 +218,6 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
         UnusedReason::Sought => {
             ["`find` of [reconstruct] seeks this speed", "leave [reconstruct] out if the speed is known"]
         }
-        UnusedReason::OtherCrushUnknown => [
-            "crush energies count as one sum, and that of the other vehicle is not known",
-            "the crush of the other vehicle",
-        ],
         UnusedReason::Inferred => [
             "it was not measured but follows from the other vehicle's force",
             "its own depths, or leave it out",
@@ -243,6 +248,7 @@ pub(crate) fn source(unknown: &UnknownNumber, assumed: Assumed) -> &'static str 
         Assumed::Restitution => "Brach, Smith and Tsongas, Rose, SAE 931842; the shape is chosen",
         Assumed::Friction => "chosen",
         Assumed::TangentialShare => "RICSAC (theory 6)",
+        Assumed::OtherCrush => "329 crashes of 2017 (CISS); docs/calibration.md",
         Assumed::Ground | Assumed::Drag => STAGED_MOTION,
         _ => "",
     }

@@ -34,7 +34,7 @@ fn judged() -> Field {
         vehicle: VehicleId::One,
         kind,
         is_one_event: None,
-        truth: Truth { delta_v: recorder, is_longitudinal: false },
+        truth: Truth { delta_v: recorder, is_longitudinal: false, direction: None },
         median,
         intervals: [[0.0, 1.0]; 3],
         below: 0.5,

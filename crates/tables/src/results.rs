@@ -104,7 +104,8 @@ static DRAWN: LazyLock<Vec<String>> = LazyLock::new(|| {
     };
     let results = Output::all().into_iter().filter(is_drawn).map(EstimateOutput::Result);
     let others = [EstimateOutput::Restitution, EstimateOutput::ImpulseRatio, EstimateOutput::CrushEnergy];
-    results.chain(others).map(EstimateOutput::path).collect()
+    let skids = VehicleId::ALL.map(EstimateOutput::SkidSpeed);
+    results.chain(others).chain(skids).map(EstimateOutput::path).collect()
 });
 
 /// The name of a column: the key of the JSON, without its dots.

@@ -310,6 +310,7 @@ impl Subject {
             restitution: FITTED.restitution_with(unknown(FITTED.restitution_factor())?),
             friction: unknown(FITTED.any_friction())?,
             tangential_share: unknown(FITTED.any_tangential_share())?,
+            other_crush: None,
             observed: Observed {
                 vehicles: [observed(0), observed(1)],
                 severity: Some(FITTED.severity_of(self.are_fronts)),

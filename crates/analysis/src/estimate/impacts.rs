@@ -2,8 +2,8 @@
 
 use ::estimate::Independent;
 use ::uncertainty::{LANES, Lanes};
-use evidence::{Impacted, Impacts, LEAST_APPROACH, Restitution, Speeds, Way};
-use inputs::{Basis, Case, Collision, Dimension, MotionInput, Quantity, SharedEffects, Velocity};
+use evidence::{Impacted, Impacts, LEAST_APPROACH, OtherCrush, Restitution, Speeds, Way};
+use inputs::{Basis, Case, Collision, Dimension, MotionInput, Quantity, SharedEffects, SkidData, Velocity};
 use pim_core::{Contact, Law, Motion, Outcome, Tangential, VaryingLaw, Vector2, VehicleId};
 use real::elementary::sin_cos;
 use trajectory::{Control, Ground, Outset, State, Zone, to_rests};
@@ -11,7 +11,8 @@ use trajectory::{Control, Ground, Outset, State, Zone, to_rests};
 use super::block::Block;
 use crate::damage::{assess, crush_energy};
 use crate::evidence::{needed, works};
-use crate::travel::Scene;
+use crate::travel::{Scene, skid};
+use crate::uncertainty::lanes::{Number, si};
 
 /// What becomes of a number of the case.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,6 +54,10 @@ pub(super) struct CaseImpacts {
     pub(super) friction: Option<usize>,
     /// The place of λ, where the case leaves it open.
     pub(super) tangential_share: Option<usize>,
+    /// The crush energy of the one vehicle whose crush is not known, with the place of its ratio.
+    pub(super) other_crush: Option<OtherCrush<usize>>,
+    /// The skid marks of each vehicle before the impact.
+    pub(super) skids: [Option<SkidNumbers>; 2],
     /// What stands in place of an impact that there is not.
     pub(super) placeholder: Outcome,
     /// Whether each vehicle is followed to rest.
@@ -60,6 +65,27 @@ pub(super) struct CaseImpacts {
     pub(super) unknown: Independent,
     /// The same for a block at once, where the case has a shape that can be posed so.
     pub(super) block: Option<Block>,
+}
+
+/// Skid marks before the impact.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SkidNumbers {
+    pub(super) length: Quantity<Number>,
+    pub(super) friction: Number,
+    /// The place of a factor on the friction.
+    pub(super) factor: Option<usize>,
+}
+
+impl SkidNumbers {
+    fn lanes(&self, values: &[Lanes]) -> [SkidData; LANES] {
+        let (length, mut friction) = (si(&self.length, values), self.friction.lanes(values));
+        if let Some(place) = self.factor {
+            for (friction, factor) in friction.iter_mut().zip(Number::Uncertain(place).lanes(values)) {
+                *friction *= factor;
+            }
+        }
+        std::array::from_fn(|lane| SkidData { length: length[lane], friction: friction[lane] })
+    }
 }
 
 /// The collision of a particle, with the law that the case gives.
@@ -98,6 +124,7 @@ impl CaseImpacts {
             outcome,
             taken: 0.0,
             crush_energies: [0.0; 2],
+            skid_speeds: [None, None],
             ways: [None, None],
             is_possible: false,
         }
@@ -112,13 +139,19 @@ impl CaseImpacts {
         wanted: &mut dyn FnMut(&[Impacted]) -> [bool; LANES],
     ) -> Vec<Impacted> {
         let poses = self.block.as_ref().map(|block| block.pose(values, self.speeds));
+        let marks = self.marks(values);
         let mut impacts = Vec::with_capacity(LANES);
         // Those that were made for the impact, for the motion after it.
         let mut cases: [Option<Case>; LANES] = [const { None }; LANES];
         for (lane, kept) in cases.iter_mut().enumerate() {
             let posed = poses.as_ref().and_then(|poses| poses.of(lane));
             let posed = posed.or_else(|| pose(kept.insert(self.case_of(values, lane))));
-            let impacted = posed.and_then(|posed| self.impact_of(posed, values, lane));
+            // Errors that numbers share stand in the case alone, and are never posed without it.
+            let marked = match kept.as_ref().filter(|_| self.shared.is_some()) {
+                Some(case) => case.skids(),
+                None => marks[lane],
+            };
+            let impacted = posed.and_then(|posed| self.impact_of(posed, marked, values, lane));
             impacts.push(impacted.unwrap_or_else(|| Self::impossible(self.placeholder)));
         }
         if self.followed == [false, false] {
@@ -140,8 +173,14 @@ impl CaseImpacts {
         impacts
     }
 
+    /// The skid marks of each particle.
+    pub(super) fn marks(&self, values: &[Lanes]) -> [[Option<SkidData>; 2]; LANES] {
+        let lanes = self.skids.each_ref().map(|skid| skid.as_ref().map(|skid| skid.lanes(values)));
+        std::array::from_fn(|lane| lanes.each_ref().map(|skid| skid.as_ref().map(|skid| skid[lane])))
+    }
+
     /// The case with the numbers of a particle.
-    fn case_of(&self, values: &[Lanes], lane: usize) -> Case {
+    pub(super) fn case_of(&self, values: &[Lanes], lane: usize) -> Case {
         let of = |place: usize| values.get(place).map_or(f64::NAN, |column| column[lane]);
         let mut numbers = self.central.clone();
         for (number, slot) in numbers.iter_mut().zip(&self.slots) {
@@ -176,7 +215,13 @@ impl CaseImpacts {
         case
     }
 
-    fn impact_of(&self, posed: Posed, values: &[Lanes], lane: usize) -> Option<Impacted> {
+    fn impact_of(
+        &self,
+        posed: Posed,
+        marks: [Option<SkidData>; 2],
+        values: &[Lanes],
+        lane: usize,
+    ) -> Option<Impacted> {
         let of = |place: usize| values.get(place).map_or(f64::NAN, |column| column[lane]);
         let Posed { contact, law, motions, crush_energies, basis } = posed;
         let closing = -contact.approach(&motions).velocity.normal;
@@ -203,8 +248,19 @@ impl CaseImpacts {
             None => basis,
         };
         let taken = needed(basis, works(&outcome), law.restitution())?;
+        let crush_energies = match self.other_crush {
+            Some(other) => other.map(of).completed(crush_energies),
+            None => crush_energies,
+        };
+        let mut skid_speeds = [None, None];
+        for ((speed, given), motion) in skid_speeds.iter_mut().zip(marks).zip(motions) {
+            if let Some(given) = given {
+                *speed = Some(skid(given, motion.velocity.norm())?.speed);
+            }
+        }
         let is_possible = taken > 0.0;
-        Some(Impacted { speeds, outcome, taken, crush_energies, ways: [None, None], is_possible })
+        let ways = [None, None];
+        Some(Impacted { speeds, outcome, taken, crush_energies, skid_speeds, ways, is_possible })
     }
 }
 

@@ -22,6 +22,8 @@ pub enum EstimateOutput {
     ImpulseRatio,
     /// (J) crush energy of both vehicles.
     CrushEnergy,
+    /// (m/s) speed where the skid of a vehicle before the impact begins.
+    SkidSpeed(VehicleId),
 }
 
 impl EstimateOutput {
@@ -33,6 +35,7 @@ impl EstimateOutput {
             Self::Restitution => "impact.restitution".to_owned(),
             Self::ImpulseRatio => "impact.impulse_ratio".to_owned(),
             Self::CrushEnergy => "crush_energy".to_owned(),
+            Self::SkidSpeed(vehicle) => format!("vehicle{vehicle}.skid.speed"),
         }
     }
 
@@ -43,6 +46,7 @@ impl EstimateOutput {
             Self::Result(output) => quantity(output.key()).map_or(Kind::Speed, |row| row.kind),
             Self::Restitution | Self::ImpulseRatio => Kind::Ratio,
             Self::CrushEnergy => Kind::Energy,
+            Self::SkidSpeed(_) => Kind::Speed,
         }
     }
 
@@ -51,7 +55,8 @@ impl EstimateOutput {
     pub fn vehicle(self) -> Option<VehicleId> {
         match self {
             Self::Result(output) => output.vehicle(),
-            _ => None,
+            Self::SkidSpeed(vehicle) => Some(vehicle),
+            Self::Restitution | Self::ImpulseRatio | Self::CrushEnergy => None,
         }
     }
 }
@@ -79,6 +84,8 @@ pub(super) fn of(impacts: &CaseImpacts, axes: Axes) -> Vec<EstimateOutput> {
         .chain([Output::ClosingSpeed, Output::EnergyLoss, Output::NormalWork, Output::TangentialWork]);
     let mut outputs: Vec<EstimateOutput> = results.map(EstimateOutput::Result).collect();
     outputs.extend([EstimateOutput::Restitution, EstimateOutput::ImpulseRatio, EstimateOutput::CrushEnergy]);
+    let skids = movers.iter().filter(|id| impacts.skids[id.index()].is_some());
+    outputs.extend(skids.map(|id| EstimateOutput::SkidSpeed(*id)));
     for vehicle in movers {
         if impacts.followed[vehicle.index()] {
             let numbers = [WayNumber::RestX, WayNumber::RestY, WayNumber::RestHeading];
@@ -126,6 +133,7 @@ impl<'a> Told<'a> {
             EstimateOutput::Restitution => -outcome.separation.normal / outcome.approach.normal,
             EstimateOutput::ImpulseRatio => outcome.impulse_ratio,
             EstimateOutput::CrushEnergy => impacted.crush_energies[0] + impacted.crush_energies[1],
+            EstimateOutput::SkidSpeed(vehicle) => impacted.skid_speeds[vehicle.index()].unwrap_or_default(),
         }
     }
 }

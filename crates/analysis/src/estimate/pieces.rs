@@ -1,6 +1,6 @@
 //! What each piece of evidence says.
 
-use ::estimate::{Posterior, Summary, Verdict};
+use ::estimate::{CannotReweight, Check, Draws, ESS_LIMIT, Posterior, Selection, Summary, Verdict, Weights};
 use ::uncertainty::Estimate;
 use evidence::Piece;
 use pim_core::VehicleId;
@@ -43,39 +43,70 @@ pub(super) fn key(piece: Piece) -> String {
         Piece::DirectionAfter(id) => of(id, "after.direction"),
         Piece::YawRateAfter(id) => of(id, "after.yaw_rate"),
         Piece::RecordedDeltaV(id) => of(id, "recorder.delta_v"),
+        Piece::RecordedDirection(id) => of(id, "recorder.delta_v_lateral"),
         Piece::Rest(id) => of(id, "after.rest"),
         Piece::Points(id) => of(id, "after.points"),
         Piece::RecordedSpeed(id) => of(id, "recorder.speed"),
         Piece::RecordedYawRate(id) => of(id, "recorder.yaw_rate"),
+        Piece::SkidSpeed(id) => of(id, "before.speed"),
         Piece::Limits(id) => of(id, "certain_speed"),
     }
 }
 
-pub(super) fn found(
-    piece: Piece,
-    term: usize,
-    told: &Told<'_>,
-    posterior: &Posterior,
-    alone: Option<Posterior>,
-    without: Option<Posterior>,
-) -> PieceFound {
-    let check = posterior.check(term).ok();
-    let p_value = match check {
-        Some(check) if check.is_reliable() => Some(check.p_value),
-        // From the draws without it.
-        _ => without
-            .as_ref()
-            .filter(|without| without.verdict() == Verdict::Converged)
-            .and_then(|without| Some(without.check(term).ok()?.p_value)),
-    };
-    let speeds = |run: Option<Posterior>| {
-        let run = run.filter(|run| run.verdict() == Verdict::Converged)?;
-        Some(VehicleId::ALL.map(|id| Some(run.draws().summary(told.speed(&run, id)?))))
-    };
-    PieceFound { piece, key: key(piece), alone: speeds(alone), without: speeds(without), p_value }
+/// Draws that are there already, from which most of what a piece says can be told.
+#[derive(Clone, Copy)]
+pub(super) struct There<'a> {
+    /// By all evidence.
+    pub(super) posterior: &'a Posterior,
+    /// Before it; `None` where that run did not converge.
+    pub(super) before: Option<&'a Posterior>,
 }
 
-/// The motion after the impact is usually found from the rest, and the same rest is then counted twice.
+/// Runs with other terms; `None` where that fails.
+pub(super) type Again<'a> = dyn FnMut(Selection) -> Option<Posterior> + 'a;
+
+/// What a piece does to the answer. The speeds by it alone and without it are those of the draws that are
+/// there, under other weights where enough of these count, and of `again` where not; without `again` they are
+/// left out. `always` are the terms that hold in every run.
+pub(super) fn found(
+    (term, piece): (usize, Piece),
+    told: &Told<'_>,
+    there: There<'_>,
+    always: &[usize],
+    again: Option<&mut Again<'_>>,
+) -> PieceFound {
+    let There { posterior, before } = there;
+    let check = posterior.check(term).ok();
+    let mut p_value = check.filter(Check::is_reliable).map(|check| check.p_value);
+    let (mut alone, mut without) = (None, None);
+    if let Some(again) = again {
+        let speeds = |run: &Posterior, draws: Draws<'_>| {
+            VehicleId::ALL.map(|id| Some(draws.summary(told.speed(run, id)?)))
+        };
+        let weighted = |run: &Posterior, weights: Result<Weights, CannotReweight>| {
+            let weights = weights.ok()?;
+            let suffice = weights.are_reliable() && run.worth(&weights) >= ESS_LIMIT;
+            suffice.then(|| speeds(run, run.weighted(&weights)))
+        };
+        let mut run = |terms: Selection| again(terms).filter(|run| run.verdict() == Verdict::Converged);
+        alone = before.and_then(|before| weighted(before, before.with(term))).or_else(|| {
+            let only = always.iter().copied().chain([term]).collect();
+            run(Selection::Only(only)).map(|run| speeds(&run, run.draws()))
+        });
+        without = weighted(posterior, posterior.without(&[term]));
+        if without.is_none()
+            && let Some(run) = run(Selection::Without(vec![term]))
+        {
+            p_value = p_value.or_else(|| Some(run.check(term).ok()?.p_value));
+            without = Some(speeds(&run, run.draws()));
+        }
+    }
+    PieceFound { piece, key: key(piece), alone, without, p_value }
+}
+
+/// The motion after the impact is usually found from the rest, and the same rest is then counted twice. A
+/// recorder that stores the speed at the impact stores that before the brakes, too, by the same wheels. And
+/// who codes a PDOF may have read the recorder.
 pub(super) fn same_twice(pieces: &[Piece]) -> Vec<SameTwice> {
     let has = |piece: Piece| pieces.contains(&piece);
     VehicleId::ALL
@@ -86,6 +117,16 @@ pub(super) fn same_twice(pieces: &[Piece]) -> Vec<SameTwice> {
                 .into_iter()
                 .filter(move |piece| rest && has(*piece))
                 .map(move |piece| SameTwice { keys: [key(piece), key(Piece::Rest(id))] })
+                .chain(
+                    (has(Piece::Pdof(id)) && has(Piece::RecordedDirection(id))).then(|| SameTwice {
+                        keys: [key(Piece::Pdof(id)), key(Piece::RecordedDirection(id))],
+                    }),
+                )
+                .chain(
+                    (has(Piece::SkidSpeed(id)) && has(Piece::RecordedSpeed(id))).then(|| SameTwice {
+                        keys: [key(Piece::SkidSpeed(id)), key(Piece::RecordedSpeed(id))],
+                    }),
+                )
         })
         .collect()
 }

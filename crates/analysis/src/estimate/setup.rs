@@ -5,20 +5,20 @@ use std::f64::consts::FRAC_PI_2;
 use ::estimate::Independent;
 use ::uncertainty::Distribution;
 use evidence::{
-    CodedPdof, CrushMisfit, FITTED, Freedom, Limits, Measured, MeasuredRest, Observed, ObservedVehicle,
-    RecordedDeltaV, Recorder, Severity, Speeds,
+    CodedPdof, CrushMisfit, Damage, FITTED, Freedom, Limits, Measured, MeasuredRest, Observed,
+    ObservedVehicle, OtherCrush, RecordedDeltaV, Recorder, Severity, Speeds,
 };
 use inputs::{
-    BrachTangential, Case, Collision, Dimension, FaultKind, Find, GivenVehicle, ImpactLaw, Input,
-    MotionInput, Origin, Prior, Quantity, Reconstruct, Restitution, SharedEffects, Unit, VehicleData,
-    Velocity,
+    BrachTangential, Case, Collision, Dimension, FaultKind, Faults, Find, GivenVehicle, ImpactLaw, Input,
+    MotionInput, Origin, Prior, Purpose, Quantity, Reconstruct, Restitution, SharedEffects, Unit,
+    VehicleData, Velocity,
 };
 use pim_core::VehicleId;
 use real::Real;
 use reconcile::Unknown;
 
 use super::block::Block;
-use super::impacts::{CaseImpacts, OpenSpeeds, Slot};
+use super::impacts::{CaseImpacts, OpenSpeeds, SkidNumbers, Slot};
 use super::{of_number, table};
 use crate::Failure;
 use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
@@ -48,6 +48,8 @@ pub enum Assumed {
     Friction,
     /// λ.
     TangentialShare,
+    /// The crush energy of a vehicle by that of the other, of real crashes.
+    OtherCrush,
     /// The friction of the ground, as it is usually known.
     Ground,
     /// The drag of wheels, likewise.
@@ -71,8 +73,6 @@ pub enum UnusedReason {
     NoRange,
     /// The speed that is sought.
     Sought,
-    /// The crush of one vehicle, where that of the other is not known.
-    OtherCrushUnknown,
     /// A crush that was not measured.
     Inferred,
     /// A PDOF that follows from that of the other vehicle: both are one observation.
@@ -163,8 +163,9 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     let given = case.estimate.unwrap_or_default();
     let prior = prior.unwrap_or(given.prior);
     let (mut case, sought, mut unused) = with_all_speeds(case);
-    let nominal = case.collision()?.collision;
-    let motion = case.run_out().transpose()?;
+    let lacking = |faults: Faults| faults.needed_for(Purpose::Estimate);
+    let nominal = case.collision().map_err(lacking)?.collision;
+    let motion = case.run_out().transpose().map_err(lacking)?;
     let ranges = match inputs(&case) {
         Ok(ranges) => ranges,
         Err(faults) if faults.list().iter().all(|fault| fault.kind == FaultKind::NothingUncertain) => {
@@ -196,15 +197,37 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
         FITTED.any_tangential_share(),
         Assumed::TangentialShare,
     )?;
+    let reference = reference(&nominal);
+    let crushed = Crushed::of(&case, &nominal, &mut unused);
+    let other_crush = match crushed {
+        Crushed::Of(known) => {
+            let [known, other] = [known, known.other()].map(|id| (id, damage(id, &nominal, reference)));
+            let prior = FITTED.other_crush(other.1, known.1);
+            let key = format!("{}.crush_by_{}", table(other.0), table(known.0));
+            let ratio = unknowns.assumed(&key, prior, Assumed::OtherCrush)?;
+            Some(OtherCrush { vehicle: other.0, ratio })
+        }
+        Crushed::All | Crushed::No => None,
+    };
     let mut default_errors = Vec::new();
-    let observed =
-        observe(&case, prior, &ranges, &nominal, motion.as_ref(), followed, &mut default_errors, &mut unused);
+    let observed = observe(
+        &case,
+        prior,
+        &ranges,
+        &nominal,
+        motion.as_ref(),
+        followed,
+        crushed,
+        reference,
+        &mut default_errors,
+        &mut unused,
+    );
 
     let law = nominal.law.at(1.0);
     let (placeholder, _) = nominal.contact.impact_with_validity(nominal.motions, &law);
-    let reference = reference(&nominal);
     let shared = SharedEffects::of(&case);
     let variables = case.variables();
+    let skids = skids(&case, &variables, &slots);
     let block = shared.is_empty().then(|| block(&case, &variables, &slots, speeds)).flatten();
     let central = variables.iter().map(|input| input.number).collect();
     case.uncertainty = Default::default();
@@ -223,6 +246,8 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
         restitution,
         friction,
         tangential_share,
+        other_crush,
+        skids,
         placeholder,
         followed,
         block,
@@ -231,21 +256,51 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     Ok(Setup { prior, impacts, observed, unknown: unknowns.0, default_errors, unused, reference })
 }
 
-/// The case for a block of particles at once.
-fn block(case: &Case, variables: &[Input], slots: &[Slot], speeds: OpenSpeeds) -> Option<Block> {
+/// The case with the places of its unknown numbers.
+fn placed(case: &Case, slots: &[Slot]) -> Case<Number> {
     let mut places = slots.iter();
-    let numbers = case.map_numbers(|number| match places.next() {
+    case.map_numbers(|number| match places.next() {
         Some(Slot::Value(place)) => Number::Uncertain(*place),
         _ => Number::Known(number),
-    });
-    let enters = |(input, slot): &(&Input, &Slot)| **slot != Slot::Given && !is_after(&input.path);
+    })
+}
+
+/// The skid marks of each vehicle.
+fn skids(case: &Case, variables: &[Input], slots: &[Slot]) -> [Option<SkidNumbers>; 2] {
+    let numbers = placed(case, slots);
+    let factor = |path: &str| {
+        let place = variables.iter().position(|input| input.path == path)?;
+        if let Some(Slot::Factor(place)) = slots.get(place) { Some(*place) } else { None }
+    };
+    VehicleId::ALL.map(|id| {
+        let skid = numbers.vehicles[id.index()].before?.skid;
+        let (friction, path) = match (skid.friction, &numbers.surface) {
+            (Some(friction), _) => (friction, skid_friction(id)),
+            (None, Some(surface)) => (surface.friction, "surface.friction".to_owned()),
+            (None, None) => return None,
+        };
+        Some(SkidNumbers { length: skid.length, friction, factor: factor(&path) })
+    })
+}
+
+/// The key of the friction under a skid.
+fn skid_friction(id: VehicleId) -> String {
+    format!("{}.before.skid.friction", table(id))
+}
+
+/// The case for a block of particles at once.
+fn block(case: &Case, variables: &[Input], slots: &[Slot], speeds: OpenSpeeds) -> Option<Block> {
+    let numbers = placed(case, slots);
+    let enters = |(input, slot): &(&Input, &Slot)| **slot != Slot::Given && !is_beside(&input.path);
     let unknown = variables.iter().zip(slots).filter(enters).count();
     Block::new(&numbers, speeds, unknown)
 }
 
-/// Whether a number is of the motion after the impact alone.
-fn is_after(path: &str) -> bool {
-    ["surface.", "vehicle1.after.", "vehicle2.after."].iter().any(|table| path.starts_with(table))
+/// Whether a number is of the motion before or after the impact alone.
+fn is_beside(path: &str) -> bool {
+    ["surface.", "vehicle1.after.", "vehicle2.after.", "vehicle1.before.", "vehicle2.before."]
+        .iter()
+        .any(|table| path.starts_with(table))
 }
 
 /// The case with a speed for every vehicle, and whose speed is sought.
@@ -293,7 +348,7 @@ fn is_observed(path: &str) -> bool {
             "after.direction",
             "after.yaw_rate",
             "crush.pdof",
-            "before.",
+            "before.speed",
         ]
         .iter()
         .any(|observed| key.starts_with(observed))
@@ -311,6 +366,9 @@ fn slots(
 ) -> Result<Vec<Slot>, Failure> {
     let mut ranges = ranges.iter().peekable();
     let has_ground_range = case.ranges.iter().any(|range| is_ground(&range.path));
+    let skids_on_it =
+        |vehicle: &GivenVehicle| vehicle.before.as_ref().is_some_and(|before| before.skid.friction.is_none());
+    let uses_ground = followed != [false, false] || case.vehicles.iter().any(skids_on_it);
     let mut ground = None;
     let mut drags = [None; 2];
     let mut slots = Vec::new();
@@ -331,7 +389,12 @@ fn slots(
             slots.push(Slot::Value(unknowns.push(&input.path, input.unit, prior, Some(assumed))));
             continue;
         }
-        if is_ground(&input.path) && followed != [false, false] && !has_ground_range {
+        if let Some(id) = VehicleId::ALL.into_iter().find(|id| input.path == skid_friction(*id)) {
+            let factor = Distribution::log_normal(1.0, GROUND_LN_SD);
+            slots.push(Slot::Factor(unknowns.assumed(&skid_friction(id), factor, Assumed::Ground)?));
+            continue;
+        }
+        if is_ground(&input.path) && uses_ground && !has_ground_range {
             let place = match ground {
                 Some(place) => place,
                 None => {
@@ -503,6 +566,8 @@ fn observe(
     nominal: &Collision,
     motion: Option<&MotionInput>,
     followed: [bool; 2],
+    crushed: Crushed,
+    reference: [f64; 2],
     default_errors: &mut Vec<String>,
     unused: &mut Vec<Unused>,
 ) -> Observed {
@@ -524,6 +589,11 @@ fn observe(
             })
         };
         let observed = &mut vehicles[id.index()];
+        observed.skid_speed = vehicle.before.and_then(|before| before.speed).map(|speed| {
+            let value = speed.si();
+            let sd = or_default(key("before.speed"), RECORDER_SPEED * value) / value;
+            Measured { value, sd }
+        });
         if let Some(after) = &vehicle.after {
             let lateral = |quantity: &Quantity| case.axes.lateral(quantity.si());
             observed.after.speed = after.speed.as_ref().map(|speed| {
@@ -579,7 +649,8 @@ fn observe(
             }
         });
         if let Some(recorder) = &vehicle.recorder {
-            observed.recorder = recorded(recorder, case, &key, default_errors);
+            let is_side = damage(id, nominal, reference) == Damage::Side;
+            observed.recorder = recorded(recorder, is_side, case, &key, default_errors);
         }
         if let Some(certain) = &vehicle.certain_speed {
             let si = |limit: &Option<Quantity>, none: f64| limit.as_ref().map_or(none, Quantity::si);
@@ -599,7 +670,7 @@ fn observe(
     let usual = FITTED.severity_of(nominal.vehicles.iter().all(is_front));
     let median = given.delta_v_median.as_ref().map_or(usual.median, Quantity::si);
     let severity = Severity { median, ..usual };
-    let crush = has_crush(case, nominal, unused).then(|| {
+    let crush = (crushed != Crushed::No).then(|| {
         let usual = Real::sqrt(FITTED.crush.ln_sd * FITTED.crush.ln_sd + CRUSH_BIAS_ERROR * CRUSH_BIAS_ERROR);
         if given.crush_error.is_none() {
             default_errors.push("estimate.crush_error".to_owned());
@@ -622,58 +693,100 @@ fn coded_pdof(data: &VehicleData, vehicle: &GivenVehicle) -> Option<CodedPdof> {
 
 fn recorded(
     recorder: &inputs::Recorder,
+    is_side: bool,
     case: &Case,
     key: &dyn Fn(&str) -> String,
     default_errors: &mut Vec<String>,
 ) -> Recorder {
     let mut or_default = |of: &str, given: Option<f64>, default: f64| {
-        if given.is_none() {
+        given.unwrap_or_else(|| {
             default_errors.push(key(of));
-        }
-        given.map_or(default, |percent| percent / 100.0)
+            default
+        })
     };
+    let share = |percent: Option<f64>| percent.map(|percent| percent / 100.0);
     let delta_v = recorder.delta_v_longitudinal.as_ref().map(|longitudinal| {
         let (along, across) = (longitudinal.si(), recorder.delta_v_lateral.as_ref().map(Quantity::si));
         let across_size = across.unwrap_or_default();
         RecordedDeltaV {
             size: Real::sqrt(along * along + across_size * across_size),
             is_longitudinal: across.is_none(),
-            ln_scale: or_default("recorder.delta_v_error", recorder.delta_v_error, RECORDER_DELTA_V),
+            ln_scale: or_default("recorder.delta_v_error", share(recorder.delta_v_error), RECORDER_DELTA_V),
             freedom: Freedom::Three,
         }
     });
+    let both = recorder.delta_v_longitudinal.zip(recorder.delta_v_lateral);
+    let direction = both.filter(|(along, across)| along.si() != 0.0 || across.si() != 0.0).map(|parts| {
+        let (along, left) = (parts.0.si(), case.axes.lateral(parts.1.si()));
+        // Away from where the force came from; clockwise from the heading.
+        let shown = FITTED.recorded_direction(real::elementary::atan2(left, -along), is_side);
+        let given = recorder.direction_error.as_ref().map(Quantity::si);
+        CodedPdof { scale: or_default("recorder.direction_error", given, shown.scale), ..shown }
+    });
     let speed = recorder.speed.as_ref().map(|speed| Measured {
         value: speed.si(),
-        sd: or_default("recorder.speed_error", recorder.speed_error, RECORDER_SPEED),
+        sd: or_default("recorder.speed_error", share(recorder.speed_error), RECORDER_SPEED),
     });
     let yaw_rate = recorder.yaw_rate.as_ref().map(|rate| {
         let value = case.axes.lateral(rate.si());
         Measured { value, sd: Real::max(YAW_RATE_SHARE * value.abs(), YAW_RATE_LEAST) }
     });
-    Recorder { delta_v, speed, yaw_rate }
+    Recorder { delta_v, direction, speed, yaw_rate }
 }
 
-/// Whether the crush energies of all vehicles that move are known, and are more than nothing.
-fn has_crush(case: &Case, nominal: &Collision, unused: &mut Vec<Unused>) -> bool {
-    let movers = || VehicleId::ALL.into_iter().filter(|id| !case.vehicles[id.index()].fixed);
-    let is_inferred = |id: VehicleId| {
-        case.vehicles[id.index()].crush.as_ref().is_some_and(|crush| crush.from_force_balance)
-    };
-    let mut leave = |id: VehicleId, reason| {
-        unused.push(Unused { key: format!("{}.crush", table(id)), reason });
-    };
-    if let Some(id) = movers().find(|id| is_inferred(*id)) {
-        leave(id, UnusedReason::Inferred);
-        leave(id.other(), UnusedReason::OtherCrushUnknown);
-        return false;
-    }
-    let has_data = |id: VehicleId| case.vehicles[id.index()].has_damage_data();
-    if !movers().all(has_data) {
-        for id in movers().filter(|id| has_data(*id)) {
-            leave(id, UnusedReason::OtherCrushUnknown);
+/// Whose crush is evidence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Crushed {
+    /// Nobody's, or there is no damage.
+    No,
+    /// That of one vehicle that moves, where another moves, too.
+    Of(VehicleId),
+    /// That of all vehicles that move.
+    All,
+}
+
+impl Crushed {
+    fn of(case: &Case, nominal: &Collision, unused: &mut Vec<Unused>) -> Self {
+        let is_inferred = |id: VehicleId| {
+            case.vehicles[id.index()].crush.as_ref().is_some_and(|crush| crush.from_force_balance)
+        };
+        let movers: Vec<VehicleId> =
+            VehicleId::ALL.into_iter().filter(|id| !case.vehicles[id.index()].fixed).collect();
+        let inferred = movers.iter().filter(|id| is_inferred(**id));
+        unused.extend(
+            inferred
+                .map(|id| Unused { key: format!("{}.crush", table(*id)), reason: UnusedReason::Inferred }),
+        );
+        let is_known = |id: &VehicleId| case.vehicles[id.index()].has_damage_data() && !is_inferred(*id);
+        let known: Vec<VehicleId> = movers.iter().copied().filter(is_known).collect();
+        let Ok(assessed) = crate::damage::assess(nominal.vehicles.clone(), [None, None]) else {
+            return Self::No;
+        };
+        let energy = |id: &VehicleId| assessed[id.index()].crush_energy().unwrap_or_default();
+        if known.iter().map(energy).sum::<f64>() <= 0.0 {
+            return Self::No;
         }
-        return false;
+        match known[..] {
+            [one] if movers.len() > 1 => Self::Of(one),
+            _ => Self::All,
+        }
     }
-    let assessed = crate::damage::assess(nominal.vehicles.clone(), [None, None]);
-    assessed.is_ok_and(|vehicles| crate::damage::crush_energy(&vehicles) > 0.0)
+}
+
+/// Where a vehicle was hit: the side that the case gives or, without one, the side that the line at right
+/// angles to the crush plane meets.
+fn damage(id: VehicleId, nominal: &Collision, reference: [f64; 2]) -> Damage {
+    let data = &nominal.vehicles[id.index()];
+    let of_crush = data.damage.as_ref().map(|damage| damage.side);
+    let side = of_crush.or_else(|| data.energy.and_then(|energy| energy.side));
+    match side {
+        Some(Side::Front) => Damage::Front,
+        Some(Side::Rear) => Damage::Rear,
+        Some(Side::Left | Side::Right) => Damage::Side,
+        None => match reference[id.index()].abs() {
+            from if from <= 45.0 * DEGREE => Damage::Front,
+            from if from < 135.0 * DEGREE => Damage::Side,
+            _ => Damage::Rear,
+        },
+    }
 }

@@ -110,6 +110,99 @@ fn the_crush_energy_tells_the_speed() {
     assert!((crush.posterior.median.value - energy).abs() < 1e-3 * energy);
 }
 
+/// What the crush of vehicle 1 alone says: ½ m EES² and r times that took 297 v² J, where r is log-normal.
+#[test]
+fn the_crush_of_one_vehicle_tells_the_speed() {
+    for (known, mass, damage) in [("vehicle1", 1500.0, ""), ("vehicle2", 1000.0, "side = \"rear\"\n")] {
+        let text = format!("{CENTRAL}[{known}.crush]\nees = \"25 km/h\"\n{damage}")
+            .replace("prior = \"flat\"", "prior = \"flat\"\ncrush_error = \"25 %\"");
+        let estimated = run(&read(&text), 256).unwrap();
+        assert!(estimated.doubts().is_empty(), "{:?}", estimated.doubts());
+        assert_eq!(estimated.unused, []);
+        let [one, other] = if known == "vehicle1" { ["1", "2"] } else { ["2", "1"] };
+        let key = format!("vehicle{other}.crush_by_vehicle{one}");
+        let ratio = estimated.unknown.iter().find(|unknown| unknown.key == key).unwrap();
+        assert_eq!(ratio.assumed, Some(Assumed::OtherCrush));
+        let energy = 0.5 * mass * (25.0_f64 / 3.6).powi(2);
+        let (bias, tau) = (evidence::FITTED.crush.bias, evidence::FITTED.other_crush_ln_sd);
+        // Front against rear: as much in the median.
+        let density = |v: f64| {
+            let of_ratio = |z: f64| {
+                let error = (energy * (1.0 + (tau * z).exp()) / (297.0 * v * v)).ln() - bias;
+                (-0.5 * (error / 0.25).powi(2) - 0.5 * z * z).exp()
+            };
+            (-50..=50).map(|k| of_ratio(0.1 * f64::from(k))).sum::<f64>()
+        };
+        assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
+    }
+}
+
+/// Sides take less than the fronts that they meet, and a crush that follows from the other is none.
+#[test]
+fn the_ratio_of_the_crush_energies_is_that_of_the_sides_that_met() {
+    let median = |text: &str| {
+        let setup = of_case(text);
+        let ratio = setup.unknown.iter().find(|unknown| unknown.assumed == Some(Assumed::OtherCrush));
+        ratio.map(|ratio| (ratio.key.clone(), ratio.prior.quantile(0.5)))
+    };
+    let sideways = CENTRAL
+        .replacen("heading = { value = \"0 deg\"", "heading = { value = \"0.0 deg\"", 1)
+        .replace("heading = { value = \"0 deg\"", "heading = { value = \"90 deg\"");
+    let side = evidence::FITTED.side_crush;
+    for (text, known, expected) in
+        [(CENTRAL, 1, 1.0), (CENTRAL, 2, 1.0), (&sideways, 1, side), (&sideways, 2, 1.0 / side)]
+    {
+        let text = format!("{text}[vehicle{known}.crush]\nees = \"25 km/h\"\n");
+        let (key, median) = median(&text).unwrap();
+        assert_eq!(key, format!("vehicle{}.crush_by_vehicle{known}", 3 - known));
+        assert!((median - expected).abs() < 1e-9, "{median} {expected}");
+    }
+    let both = format!("{CENTRAL}[vehicle1.crush]\nees = \"25 km/h\"\n[vehicle2.crush]\nees = \"25 km/h\"\n");
+    assert_eq!(median(&both), None);
+    // Without damage on the one vehicle whose damage is known, there is nothing to compare.
+    let undamaged = CENTRAL.replacen("[vehicle1]", "[vehicle1]\ncrush = \"none\"", 1);
+    assert_eq!(median(&undamaged), None);
+    assert!(of_case(&undamaged).observed.crush.is_none());
+}
+
+/// v_b² = v² + 2 μ g d with v = V₂/0.66: the recorder's 25 m/s at the begin of 20 m of marks.
+#[test]
+fn the_speed_before_a_skid_tells_that_at_the_impact() {
+    let text = format!(
+        "{CENTRAL}[vehicle1.before]\nskid = {{ length = \"20 m\", friction = 0.7 }}\nspeed = \"25 m/s\"\n"
+    );
+    let estimated = run(&read(&text), 256).unwrap();
+    assert!(estimated.doubts().is_empty(), "{:?}", estimated.doubts());
+    assert_eq!(estimated.default_errors, ["vehicle1.before.speed"]);
+    let begins = |v: f64, z: f64| (v * v + 2.0 * 0.7 * (0.10 * z).exp() * 9.80665 * 20.0).sqrt();
+    let density = |v: f64| {
+        let of_factor = |z: f64| (-0.5 * ((25.0 / begins(v, z)).ln() / 0.04).powi(2) - 0.5 * z * z).exp();
+        (-50..=50).map(|k| of_factor(0.1 * f64::from(k))).sum::<f64>()
+    };
+    assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
+    // It is a result, too.
+    let begin = of(&estimated, EstimateOutput::SkidSpeed(VehicleId::One));
+    assert_eq!(begin.output.path(), "vehicle1.skid.speed");
+    assert!((begin.posterior.median.value - 25.0).abs() < 0.5, "{begin:?}");
+    // With a range, the errors are those of the case.
+    let ranged = text
+        .replace("\"20 m\"", "{ value = \"20 m\", sd = \"2 m\" }")
+        .replace("friction = 0.7 }\n", "friction = { value = 0.7, sd = 0.1 } }\n")
+        .replace("speed = \"25 m/s\"", "speed = { value = \"25 m/s\", sd = \"2 m/s\" }");
+    let setup = of_case(&ranged);
+    assert!((setup.observed.vehicles[0].skid_speed.unwrap().sd - 0.08).abs() < 1e-12);
+    let keys: Vec<&str> = setup.unknown.iter().map(|unknown| unknown.key.as_str()).collect();
+    for key in ["vehicle1.before.skid.length", "vehicle1.before.skid.friction"] {
+        assert!(keys.contains(&key), "{keys:?}");
+    }
+    // On the ground of [surface] it is that of both vehicles.
+    let ground =
+        text.replace(", friction = 0.7", "").replace("[impact]", "[surface]\nfriction = 0.7\n[impact]");
+    let setup = of_case(&ground);
+    assert!(setup.unknown.iter().any(|unknown| unknown.key == "surface.friction"));
+    assert!(setup.impacts.skids[0].unwrap().factor.is_some());
+}
+
 /// Locked wheels take vehicle 2, whose CG was at the origin, 15 m straight on.
 const REST: &str = r#"
 [scene]
@@ -139,6 +232,28 @@ fn the_rest_tells_the_speed() {
         (-0.5 * ((15.0 - way) / 2.0).powi(2)).exp()
     };
     assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
+}
+
+/// Vehicle 2 slides straight on: a mark of its left wheels lies 0.75 m to the left of the way of its CG.
+#[test]
+fn a_tyre_mark_is_that_of_its_wheel() {
+    for (wheel, miss) in [("", 0.75), (", wheel = \"rear left\"", 0.0), (", wheel = \"rear right\"", 1.5)] {
+        let rest = REST
+            .replace("rest = {", &format!("points = [{{ x = \"6 m\", y = \"0.75 m\"{wheel} }}]\nrest = {{"));
+        let setup = of_case(&at_rest(&rest));
+        let mut values = vec![[0.0; ::uncertainty::LANES]; setup.impacts.unknown.0.len()];
+        for (column, distribution) in values.iter_mut().zip(&setup.impacts.unknown.0) {
+            distribution.from_standard_normals(column);
+        }
+        // 21 m/s of the prior's 0 to 70 m/s take it well beyond 6 m.
+        let place = setup.unknown.iter().position(|unknown| unknown.key == "vehicle1.speed").unwrap();
+        values[place] = [21.0; ::uncertainty::LANES];
+        let impacts = evidence::Impacts::impacts(&setup.impacts, &values);
+        let way = impacts[0].ways[1].as_ref().unwrap();
+        assert!(way.position.x > 7.0);
+        let [found] = way.misses[..] else { panic!("{:?}", way.misses) };
+        assert!((found - miss).abs() < 0.01, "{wheel} {found}");
+    }
 }
 
 /// ΔV₁ = (1 + e) m₂ v₁/(m₁ + m₂) = 0.44 v₁: a recorder has an error of Student's t with 3 degrees of freedom.
@@ -409,9 +524,14 @@ fn each_piece_is_judged_by_the_others() {
 
 /// The Debug text of what a block of draws of the prior leads to: it tells any two numbers apart.
 fn impacts_of(impacts: &impacts::CaseImpacts, seed: u64) -> Vec<String> {
+    use evidence::Impacts;
+    impacts.impacts(&columns_of(impacts, seed)).iter().map(|impacted| format!("{impacted:?}")).collect()
+}
+
+/// A block of draws of the prior.
+fn columns_of(impacts: &impacts::CaseImpacts, seed: u64) -> Vec<::uncertainty::Lanes> {
     use ::uncertainty::LANES;
     use ::uncertainty::random::{bits, unit};
-    use evidence::Impacts;
     let mut columns = Vec::new();
     for (place, distribution) in (0..).zip(&impacts.unknown.0) {
         let mut column = [0.0; LANES];
@@ -422,7 +542,7 @@ fn impacts_of(impacts: &impacts::CaseImpacts, seed: u64) -> Vec<String> {
         distribution.from_standard_normals(&mut column);
         columns.push(column);
     }
-    impacts.impacts(&columns).iter().map(|impacted| format!("{impacted:?}")).collect()
+    columns
 }
 
 /// A block has the bits of its cases.
@@ -466,7 +586,17 @@ tangential = { ratio = { value = -0.2, sd = 0.1 } }
 find = \"vehicle1.speed\"
 energy_basis = { tangential_share = { value = 0.5, sd = 0.2 } }
 ";
-    let flat = fixture.replace("[impact]", "[estimate]\nprior = \"flat\"\n[vehicle1.before]\nskid = { length = \"9 m\", friction = 0.7 }\n[impact]");
+    let flat = fixture.replace(
+        "[impact]",
+        "[estimate]\nprior = \"flat\"\n[vehicle1.before]\nspeed = \"70 km/h\"\n\
+         [vehicle1.before.skid]\nlength = { value = \"9 m\", sd = \"1 m\" }\nfriction = 0.7\n[impact]",
+    );
+    // The friction of the ground with a range, and without one that of the marks of the other vehicle.
+    let skids = fixture.replace(
+        "[impact]",
+        "[surface]\nfriction = { value = 0.6, sd = 0.1 }\n[vehicle1.before]\nskid = { length = \"30 ft\" }\n\
+         [vehicle2.before]\nskid = { length = \"4 m\", friction = 0.5 }\n[impact]",
+    );
     let fraction =
         other.replace("ratio = { value = -0.2, sd = 0.1 }", "fraction = { value = 0.8, sd = 0.1 }");
     let absorbed = fixture.replace(
@@ -475,7 +605,7 @@ energy_basis = { tangential_share = { value = 0.5, sd = 0.2 } }
     );
     let absorbed =
         absorbed.replacen("[vehicle1]", "[vehicle1]\nspeed = { value = \"50 km/h\", sd = \"9 km/h\" }", 1);
-    for text in [fixture, other, &flat, &fraction, &absorbed] {
+    for text in [fixture, other, &flat, &skids, &fraction, &absorbed] {
         let mut impacts = of_case(text).impacts;
         assert!(impacts.block.is_some(), "{text}");
         let blocks: Vec<_> = (0..8).flat_map(|seed| impacts_of(&impacts, seed)).collect();
@@ -484,6 +614,15 @@ energy_basis = { tangential_share = { value = 0.5, sd = 0.2 } }
         let possible = cases.iter().filter(|text| text.contains("is_possible: true")).count();
         assert!(possible > 50, "{possible} of {}", cases.len());
         assert!(blocks == cases, "{text}");
+        // The skid marks are read without a case as well.
+        let skids = [0, 1].map(|i| impacts.skids[i].is_some());
+        assert_eq!(skids, read(text).skids().map(|skid| skid.is_some()));
+        for seed in 0..8 {
+            let columns = columns_of(&impacts, seed);
+            for lane in 0..::uncertainty::LANES {
+                assert_eq!(impacts.marks(&columns)[lane], impacts.case_of(&columns, lane).skids());
+            }
+        }
     }
 }
 

@@ -9,7 +9,9 @@ use crate::nearest::nearest;
 use crate::node::Node;
 use crate::quantity::shorten;
 use crate::schema::{AFTER, BEFORE, MOST_ZONES, POINT, REST, SKID, STEER, WHEELS};
-use inputs::{After, Before, Drag, PathPoint, Place, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag};
+use inputs::{
+    After, Before, Drag, MarkedWheel, PathPoint, Place, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag,
+};
 
 const DRAGS: &str = "drag = 0.02, drag = \"locked\" or, front left, front right, rear left, rear right, \
                      drag = [0.02, \"locked\", 0.02, 0.02]";
@@ -23,7 +25,8 @@ impl<'t> Reader<'t> {
         self.require(&skid, &["length"]);
         let length = self.quantity(&skid, "length");
         let friction = self.number(&skid, "friction");
-        Some(Before { skid: Skid { length: length?, friction } })
+        let speed = self.quantity(&table, "speed");
+        Some(Before { skid: Skid { length: length?, friction }, speed })
     }
 
     /// A table without a key says nothing.
@@ -155,7 +158,8 @@ impl<'t> Reader<'t> {
             .iter()
             .filter_map(|table| {
                 let (place, heading) = (self.place(table), self.quantity(table, "heading"));
-                Some(PathPoint { place: place?, heading })
+                let wheel = self.choice(table, "wheel", &MarkedWheel::WORDS);
+                Some(PathPoint { place: place?, heading, wheel })
             })
             .collect()
     }

@@ -14,16 +14,26 @@ impl<'t> Reader<'t> {
     /// A table without a key says nothing.
     pub(super) fn recorder(&mut self, vehicle: &Table<'t>) -> Option<Recorder> {
         let table = self.child(vehicle, "recorder", &RECORDER)?;
-        let [delta_v_longitudinal, delta_v_lateral, speed, yaw_rate] =
-            ["delta_v_longitudinal", "delta_v_lateral", "speed", "yaw_rate"]
+        let [delta_v_longitudinal, delta_v_lateral, direction_error, speed, yaw_rate] =
+            ["delta_v_longitudinal", "delta_v_lateral", "direction_error", "speed", "yaw_rate"]
                 .map(|key| self.exact_quantity(&table, key, EXACT));
         let [delta_v_error, speed_error] =
             ["delta_v_error", "speed_error"].map(|key| self.percent(&table, key));
-        if table.has("delta_v_lateral") && !table.has("delta_v_longitudinal") {
-            self.missing(&table, "delta_v_longitudinal");
+        let needs = [("delta_v_lateral", "delta_v_longitudinal"), ("direction_error", "delta_v_lateral")];
+        for (key, needed) in needs {
+            if table.has(key) && !table.has(needed) {
+                self.missing(&table, needed);
+            }
         }
-        let recorder =
-            Recorder { delta_v_longitudinal, delta_v_lateral, delta_v_error, speed, speed_error, yaw_rate };
+        let recorder = Recorder {
+            delta_v_longitudinal,
+            delta_v_lateral,
+            delta_v_error,
+            direction_error,
+            speed,
+            speed_error,
+            yaw_rate,
+        };
         (recorder != Recorder::default()).then_some(recorder)
     }
 

@@ -68,8 +68,9 @@ fn by_the_prior(pair: &Pair, fitted: &Fitted) -> f64 {
                 let terms = terms.iter().zip(model.pieces()).filter(|(_, piece)| is_wanted(**piece));
                 terms.map(|(term, _)| term[lane]).sum::<f64>().exp()
             };
-            sums[0] += sum(|_| true);
-            sums[1] += sum(|piece| !matches!(piece, Piece::RecordedDeltaV(_)));
+            // The fit is that of the sizes.
+            sums[0] += sum(|piece| !matches!(piece, Piece::RecordedDirection(_)));
+            sums[1] += sum(|piece| !matches!(piece, Piece::RecordedDeltaV(_) | Piece::RecordedDirection(_)));
         }
     }
     (sums[0] / sums[1]).ln()

@@ -38,7 +38,7 @@ fn judged(case: &str, truth: f64, median: f64, winsmash: Option<f64>) -> Judged 
         vehicle: VehicleId::One,
         kind: Kind::FrontSide,
         is_one_event: None,
-        truth: Truth { delta_v: truth, is_longitudinal: false },
+        truth: Truth { delta_v: truth, is_longitudinal: false, direction: None },
         median,
         intervals: [[9.0, 11.0], [8.0, 12.0], [5.0, 20.0]],
         below: 0.35,

@@ -238,6 +238,7 @@ impl<T: Real> Demand<'_, T> {
             .map(|point| PointData {
                 position: self.place(&point.place),
                 heading: point.heading.as_ref().map(|heading| self.lateral(heading)),
+                wheel: point.wheel,
             })
             .collect();
         let steer = self.steer(after);
@@ -378,13 +379,19 @@ impl<T: Real> Demand<'_, T> {
         let at = |place: &Vector2<T>| [place.x.value(), place.y.value()];
         let mut before = at(&from);
         let mut leg_before: Option<[f64; 2]> = None;
-        let places = points.iter().map(|point| &point.position);
-        for (index, place) in places.chain(&rest).enumerate() {
+        // A wheel of a vehicle that spins goes to and fro.
+        let places = points.iter().enumerate().filter(|(_, point)| point.wheel.is_none());
+        let places = places.map(|(index, point)| (index, &point.position));
+        for (index, place) in places.chain(rest.iter().map(|rest| (last, rest))) {
             let place = at(place);
             let leg = [place[0] - before[0], place[1] - before[1]];
             let distance = (leg[0] * leg[0] + leg[1] * leg[1]).sqrt();
             if distance.is_nan() || distance < LEAST_PATH {
-                let of = if index == 0 { "the place of its CG at the impact" } else { "the point before it" };
+                let of = if leg_before.is_none() {
+                    "the place of its CG at the impact"
+                } else {
+                    "the point before it"
+                };
                 self.refuse(
                     key(index),
                     format!("this place is {:.1} mm from {of}, so there is no path", 1000.0 * distance),

@@ -220,7 +220,6 @@ fn reason_name(reason: UnusedReason) -> &'static str {
     match reason {
         UnusedReason::NoRange => "no_range",
         UnusedReason::Sought => "sought",
-        UnusedReason::OtherCrushUnknown => "other_crush_unknown",
         UnusedReason::Inferred => "inferred",
         UnusedReason::OtherPdof => "other_pdof",
         UnusedReason::NotFollowed => "not_followed",

@@ -1,7 +1,7 @@
 //! A finished analysis as JSON, in SI units and radians.
 
 use analysis::{Analysis, BothFound, BothMethod, Impact, Pass, Seen, SeenWarning, Travel, TravelOrigin};
-use case::{Basis, Case, CaseFile};
+use case::{Basis, Case, CaseFile, MarkedWheel, PointData};
 use pim_core::VehicleId;
 use reconcile::Unknown;
 use serde::{Serialize, Serializer};
@@ -255,6 +255,8 @@ struct VehicleBlock {
 
 #[derive(Serialize)]
 struct PointBlock {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wheel: Option<&'static str>,
     miss: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     turned: Option<f64>,
@@ -426,8 +428,12 @@ fn path(travel: &Travel) -> Vec<PathBlock> {
 }
 
 fn points(travel: &Travel) -> Vec<PointBlock> {
-    let point = |pass: &Pass| PointBlock { miss: pass.miss, turned: pass.turned.map(plain) };
-    travel.passes.iter().map(point).collect()
+    let point = |(pass, point): (&Pass, &PointData)| PointBlock {
+        wheel: point.wheel.map(MarkedWheel::name),
+        miss: pass.miss,
+        turned: pass.turned.map(plain),
+    };
+    travel.passes.iter().zip(&travel.points).map(point).collect()
 }
 
 fn impact(case: &Case, impact: &Impact) -> ImpactBlock {

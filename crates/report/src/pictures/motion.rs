@@ -161,7 +161,10 @@ fn vehicle(
         measured_points: travel.map_or_else(Vec::new, |travel| {
             let point = |(n, point): (usize, &PointData)| MeasuredPoint {
                 at: point.position.into(),
-                label: format!("point {}", n + 1),
+                label: match point.wheel {
+                    Some(wheel) => format!("point {}, {} wheel", n + 1, wheel.name()),
+                    None => format!("point {}", n + 1),
+                },
             };
             travel.points.iter().enumerate().map(point).collect()
         }),

@@ -400,6 +400,8 @@ impl<'a> Page<'a> {
             let key = match unknown.key.as_str() {
                 "ln_relative_speed" => "relative speed".to_owned(),
                 "speed_split" => "atan(speed 2/speed 1)".to_owned(),
+                "vehicle1.crush_by_vehicle2" => "crush energy 1/crush energy 2".to_owned(),
+                "vehicle2.crush_by_vehicle1" => "crush energy 2/crush energy 1".to_owned(),
                 _ => unknown_key(unknown),
             };
             table.row([key, prior, folded(source(unknown, assumed), 31)]);

@@ -54,9 +54,15 @@ pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Docume
 fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
     let columns = [Column::words("", Width::Fixed(KEY + 2)), Column::words("", Width::Share)];
     let mut table = Table::new("Commands", columns);
+    let estimates =
+        judgement.abilities.iter().any(|one| one.purpose == Purpose::Estimate && one.obstacle.is_none());
     for Ability { purpose, on, obstacle } in &judgement.abilities {
+        if *purpose == Purpose::Draw && obstacle.is_some() && estimates {
+            table.row([purpose.to_string(), "has all that it needs for --what estimate".to_owned()]);
+            continue;
+        }
         let Some(obstacle) = obstacle else {
-            let does = format!("has all that it needs{}", good_for(&file.case, *purpose, *on));
+            let does = format!("has all that it needs{}", good_for(&file.case, *purpose, *on, estimates));
             table.row([purpose.to_string(), does]);
             continue;
         };
@@ -116,7 +122,7 @@ fn numbers(case: &Case) -> Table {
 }
 
 /// What a command that runs is good for in this case.
-fn good_for(case: &Case, purpose: Purpose, on: Purpose) -> String {
+fn good_for(case: &Case, purpose: Purpose, on: Purpose, estimates: bool) -> String {
     match (&case.reconstruct, purpose) {
         (Some(reconstruct), Purpose::Reconstruct) => {
             format!(" to find {}", words::find_names(reconstruct.find))
@@ -138,6 +144,7 @@ fn good_for(case: &Case, purpose: Purpose, on: Purpose) -> String {
                     Subject::Reconciliation => on == Purpose::Reconstruct,
                 })
                 .map(Subject::name)
+                .chain(estimates.then_some("estimate"))
                 .collect();
             format!(" for --what {}", what.join(", "))
         }
