@@ -94,7 +94,12 @@ fn the_collision_has_the_geometry_of_the_damage() {
     assert!(collision.observed.vehicles[0].recorder.delta_v.is_none());
     let given = pair.collision(&FITTED, &[VehicleId::One]).unwrap();
     assert!((given.observed.vehicles[0].recorder.delta_v.unwrap().size - 25.0 / 3.6).abs() < 1e-12);
-    assert_eq!(Model::new(&collision).terms_count() + 1, Model::new(&given).terms_count());
+    // It came from where 24 km/h backward and 7 to the right point away from.
+    let direction = given.observed.vehicles[0].recorder.direction.unwrap();
+    // tan p = −7/24
+    assert!((direction.pdof + 0.283_794_109_208_327_9).abs() < 1e-12);
+    assert!((direction.scale - FITTED.recorder_direction_scale).abs() < 1e-12);
+    assert_eq!(Model::new(&collision).terms_count() + 2, Model::new(&given).terms_count());
 }
 
 /// 1575 kg · √(24² + 7²) km/h beside 1475 kg · √(3² + 26²) km/h: 2 % apart.
