@@ -262,6 +262,10 @@ impl<'t> Editor<'t> {
                     }
                 })
             }
+            // A table has no elements.
+            Kind::Braces | Kind::Section if rest.first().is_some_and(|way| way.name.is_none()) => {
+                Err(EditError::NoElement { key: key.to_owned() })
+            }
             Kind::Braces => {
                 let (before, after) = nested(rest, key)?;
                 // Without the braces of this table itself.

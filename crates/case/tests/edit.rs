@@ -248,6 +248,9 @@ fn elements_of_lists_are_set_and_removed() {
     assert!(remove(&longer, "vehicle1.crush.depths[1]").unwrap().contains("[\"2 in\", \"3 in\"]"));
     let error = set(text, "vehicle1.crush.depths[9]", "\"3 in\"").unwrap_err();
     assert_eq!(error, EditError::NoElement { key: "vehicle1.crush.depths[9]".to_owned() });
+    let range = "[vehicle1.crush]\ndepths = { values = \"1 2 in\", sd = \"1 in\" }\n";
+    let error = set(range, "vehicle1.crush.depths[1]", "\"3 in\"").unwrap_err();
+    assert_eq!(error, EditError::NoElement { key: "vehicle1.crush.depths[1]".to_owned() });
     let zone = set(text, "surface.zone[1].name", "\"ice\"").unwrap().text;
     assert!(zone.contains("[[surface.zone]]\nname = \"ice\"\nfriction = 0.4 # ice\n"));
     let two = set(&zone, "surface.zone[2].friction", "0.5").unwrap().text;

@@ -203,14 +203,12 @@ impl Change {
 
     /// A number of the list of depths, which is a text, a list, or a range of either.
     fn put_station(&mut self, handle: &Handle, depth: f64) -> Result<(), Refused> {
-        let list = ["crush.depths.values", "crush.depths"].map(|key| handle.key(key));
-        let source = &self.file.source;
-        let element = list.iter().map(|key| format!("{key}[{}]", handle.index + 1));
-        if let Some(key) = element.into_iter().find(|key| self.written(key).is_some()) {
-            return self.put(&key, depth, Dimension::Length, DEPTH);
-        }
-        let key = list.into_iter().find(|key| source.span(key).is_some());
+        let mut lists = ["crush.depths.values", "crush.depths"].map(|key| handle.key(key)).into_iter();
+        let key = lists.find(|key| self.file.source.span(key).is_some());
         let written = key.as_ref().and_then(|key| self.written(key)).map(str::to_owned);
+        if let (Some(key), Some('[')) = (&key, written.as_ref().and_then(|written| written.chars().next())) {
+            return self.put(&format!("{key}[{}]", handle.index + 1), depth, Dimension::Length, DEPTH);
+        }
         let changed = key.zip(written).and_then(|(key, written)| {
             let Value::String(text) = serde_json::from_str::<Value>(&written).ok()? else { return None };
             let places = numbers(&text);

@@ -97,11 +97,12 @@ fn a_motion_is_drawn_with_its_rests_and_played() {
     assert_eq!(frames.len(), 61);
     assert_eq!(number(&frames[0]["time"]), -1.0);
     assert_near(number(&frames[60]["time"]), number(&motion["duration"]), 1e-12);
-    // Both come to rest where they were found, as both speeds are found from that; to half a millimetre.
+    // Both come to rest where they were found, as both speeds are found from that. Momentum and crush energy
+    // agree on them to a few millimetres of the way.
     for (vehicle, rest) in [(0, [2.6, 0.1]), (1, [19.0, 0.3])] {
         let end = pair(&frames[60]["bodies"][vehicle]["centre"]);
-        assert_near(end[0], rest[0], 5e-4);
-        assert_near(end[1], rest[1], 5e-4);
+        assert_near(end[0], rest[0], 0.01);
+        assert_near(end[1], rest[1], 0.01);
     }
     // The contact point of vehicle 1 is 2.05 m ahead of its CG, and the impact at the origin.
     let some = made(deltav_web::motion(&text, "", "[0, -0.5]"));

@@ -111,7 +111,7 @@ fn what_cannot_be_done_is_said_in_sentences() {
     let lacks = json(deltav_web::answer(&example(), "impact", "", None));
     let [problem] = &lacks["problems"].as_array().unwrap()[..] else { panic!("{lacks:#}") };
     assert_eq!(problem["key"], "vehicle1.speed");
-    let jam = json(deltav_web::answer(&fixture("no-answer/pulling.toml"), "reconstruct", "", None));
+    let jam = json(deltav_web::answer(&fixture("no-answer/not-reached.toml"), "reconstruct", "", None));
     assert!(jam["problems"].as_array().unwrap().is_empty() && jam["message"].as_str().unwrap().len() > 20);
     for (answer, expected) in [
         (deltav_web::answer(&example(), "solve", "", None), "no command \"solve\""),
