@@ -1,0 +1,112 @@
+// Makes one file of what Vite bundles: script, style and engine stand in the page, which therefore works from
+// a disk without a server. The script is allowed by its hash, and the policy forbids every connection.
+import { execFileSync } from "node:child_process";
+import { createHash } from "node:crypto";
+import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+
+const WEB = dirname(dirname(fileURLToPath(import.meta.url)));
+const ENGINE = join(WEB, "pkg", "deltav_web_bg.wasm");
+
+// What the engine was compiled with. `--strip-debug` and the producers are size; the rest is allowed, not asked.
+const OPTIMISE = [
+  "-O2",
+  "--strip-debug",
+  "--strip-producers",
+  "--enable-simd",
+  "--enable-bulk-memory",
+  "--enable-nontrapping-float-to-int",
+  "--enable-sign-ext",
+  "--enable-mutable-globals",
+  "--enable-reference-types",
+  "--enable-multivalue",
+];
+
+const sha256 = (data, encoding) => createHash("sha256").update(data).digest(encoding);
+
+/** The engine after wasm-opt, which takes a minute: kept under the hash of what went in. */
+function engine() {
+  if (!existsSync(ENGINE)) {
+    throw new Error(`${ENGINE} is missing: run \`cargo run -p xtask -- web\` in the folder above`);
+  }
+  const bytes = readFileSync(ENGINE);
+  const cache = join(WEB, "node_modules", ".cache", "deltav");
+  const optimised = join(cache, `${sha256(OPTIMISE.join(" ") + sha256(bytes, "hex"), "hex")}.wasm`);
+  if (!existsSync(optimised)) {
+    mkdirSync(cache, { recursive: true });
+    const part = `${optimised}.${process.pid}`;
+    execFileSync(join(WEB, "node_modules", ".bin", "wasm-opt"), [...OPTIMISE, ENGINE, "-o", part], { stdio: "inherit" });
+    writeFileSync(optimised, readFileSync(part));
+  }
+  return readFileSync(optimised);
+}
+
+/** The licences of the packages whose code is in the page, each text once. */
+function licences(modules) {
+  const packages = new Set();
+  for (const id of modules) {
+    const name = /node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(id)?.[1];
+    if (name) packages.add(name);
+  }
+  const texts = new Map();
+  for (const name of [...packages].sort()) {
+    const folder = join(WEB, "node_modules", name);
+    const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+    const file = readdirSync(folder).find((entry) => /^licen[cs]e/i.test(entry));
+    if (!file) throw new Error(`the package ${name} has no licence file`);
+    const text = readFileSync(join(folder, file), "utf8").trim();
+    texts.set(text, [...(texts.get(text) ?? []), `${name} ${version} (${license})`]);
+  }
+  return [...texts].map(([text, names]) => `${names.join("\n")}\n\n${text}`).join("\n\n----\n\n");
+}
+
+/** A text that cannot end the element around it. */
+const inert = (text) => text.replaceAll("<", "\\u003c");
+
+export function oneFile() {
+  return {
+    name: "one-file",
+    enforce: "post",
+    generateBundle(_, bundle) {
+      const files = Object.values(bundle);
+      const script = files.find((file) => file.type === "chunk" && file.isEntry);
+      const style = files.find((file) => file.type === "asset" && file.fileName.endsWith(".css"));
+      const page = files.find((file) => file.type === "asset" && file.fileName.endsWith(".html"));
+      for (const name of Object.keys(bundle)) delete bundle[name];
+
+      // In a script, `</script` and `<!--` stand only within texts and regular expressions.
+      const code = `\n${script.code.trim().replaceAll(/<(?=\/script|!--)/gi, "\\x3C")}\n`;
+      const wasm = engine();
+      const policy = [
+        "default-src 'none'",
+        "connect-src 'none'",
+        `script-src 'sha256-${sha256(code, "base64")}' 'wasm-unsafe-eval'`,
+        "style-src 'unsafe-inline'",
+        "img-src data: blob:",
+        "worker-src blob:",
+        "base-uri 'none'",
+        "form-action 'none'",
+      ].join("; ");
+      const notices = { packages: licences(Object.keys(script.modules)) };
+      const parts = {
+        policy: `<meta http-equiv="Content-Security-Policy" content="${policy}">`,
+        engine: `<meta name="deltav-engine" content="${sha256(wasm, "hex")}">`,
+        data: [
+          `<script type="application/json" id="deltav-licences">${inert(JSON.stringify(notices))}</script>`,
+          `<script type="application/octet-stream" id="deltav-engine">${gzipSync(wasm, { level: 9 }).toString("base64")}</script>`,
+        ].join("\n"),
+      };
+      const html = String(page.source)
+        .replace(/\s*<link rel="stylesheet"[^>]*>/g, "")
+        .replace(/\s*<script type="module"[^>]*><\/script>/g, "")
+        .replace(/<!-- (policy|engine|data) -->/g, (_, name) => parts[name])
+        // The functions keep `$` in code and style as it is.
+        .replace("</head>", () => `<style>${String(style.source).trim()}</style>\n</head>`)
+        .replace("</body>", () => `<script type="module">${code}</script>\n</body>`)
+        .trim();
+      this.emitFile({ type: "asset", fileName: "deltav.html", source: html });
+    },
+  };
+}

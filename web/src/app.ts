@@ -1,0 +1,503 @@
+// The page: left the case, right the answer. There is one state, the text of the case; all else follows from it.
+import { afterPause, download, eachFrame, h } from "./dom.js";
+import { Editor } from "./editor.js";
+import * as engine from "./engine.js";
+import type { Command, Problem, Units } from "./engine.js";
+import { Form } from "./form.js";
+import { type Live, handedOver, makeLive, printed } from "./live.js";
+import { Compare, Drawings, Inputs, Motion, type Panel, Results, Run, Sensitivity, type Solved, warnings } from "./panels.js";
+import { saveButtons } from "./pictures.js";
+import { type Finished, type Job, Runner } from "./runs.js";
+import { SceneView } from "./scene.js";
+import { Tabs } from "./tabs.js";
+import { texts } from "./texts/en.js";
+
+/** What a case can be asked, the fullest answer first. */
+const QUESTIONS: Command[] = ["reconstruct", "impact", "motion", "crush"];
+
+export class App {
+  private readonly editor: Editor;
+  private readonly form: Form;
+  private readonly scene: SceneView;
+  private readonly caseTabs: Tabs;
+  private readonly viewTabs: Tabs;
+  private readonly panels = new Map<string, Panel>();
+  private readonly stale = new Set<string>();
+  private readonly solveSoon = eachFrame(() => this.solve());
+  private readonly quick = new Runner();
+  private readonly interval = afterPause(350, () => this.runInterval());
+  private readonly speakSoon = afterPause(800, () => this.speak());
+  private solved: Solved | null = null;
+  private units: Units = "";
+  private asked: Command | "" = "";
+  private saved = "";
+  private intervals: { text: string; headline: string[] } | null = null;
+
+  private readonly name = h("input", { type: "text", class: "file-name", "aria-label": texts.file.name, spellcheck: "false" });
+  private readonly unsaved = h("span", { class: "unsaved", title: texts.file.unsaved, hidden: true }, "●");
+  private readonly headline = h("div", { class: "headline" });
+  private readonly state = h("div", { class: "state" });
+  private readonly question = h("select", { id: "question", onchange: () => this.ask() });
+  private readonly spoken = h("div", { class: "unseen", role: "status", "aria-live": "polite" });
+  private readonly undoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.undo, title: texts.file.undo, onclick: () => this.editor.undo() }, "↶");
+  private readonly redoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.redo, title: texts.file.redo, onclick: () => this.editor.redo() }, "↷");
+  private readonly fileInput = h("input", { type: "file", accept: ".toml,text/plain", hidden: true, "aria-label": texts.file.open });
+
+  constructor(parent: HTMLElement) {
+    const live = handedOver();
+    const first = engine.templates()[0];
+    this.saved = live?.text ?? first?.text_us ?? "";
+    this.name.value = live?.name ?? `${first?.name ?? "case"}.toml`;
+
+    this.form = new Form({
+      write: (key, toml) => this.write(key, toml),
+      reveal: (key) => this.reveal(key),
+    });
+    const formPanel = h("div", { class: "panel form-panel" }, this.form.element);
+    const textPanel = h("div", { class: "panel text-panel" });
+    this.caseTabs = new Tabs(texts.caseTabs.label, [
+      { name: "form", title: texts.caseTabs.form, panel: formPanel, shown: () => this.solved && this.form.update(this.solved.check) },
+      { name: "text", title: texts.caseTabs.text, panel: textPanel },
+    ]);
+    this.editor = new Editor(textPanel, this.saved, () => this.solveSoon(undefined));
+
+    this.scene = new SceneView({
+      text: () => this.editor.text,
+      draw: (viewport) => this.drawScene(viewport),
+      preview: (text) => {
+        this.editor.preview(text);
+        this.solveSoon.flush();
+      },
+      settle: (keep) => {
+        this.editor.settle(keep);
+        this.solveSoon.flush();
+      },
+      refused: (problems) => this.showProblems(problems),
+    });
+
+    const lead = (key: string) => this.lead(key);
+    this.panels.set("results", new Results());
+    this.panels.set("drawings", new Drawings());
+    this.panels.set("motion", new Motion());
+    this.panels.set("uncertainty", new Run("uncertainty", (job, result) => this.showInterval(job, result)));
+    this.panels.set("sensitivity", new Sensitivity(lead));
+    this.panels.set("compare", new Compare());
+    this.panels.set("estimate", new Run("estimate", () => undefined));
+    this.panels.set("inputs", new Inputs());
+    const scenePanel = h("div", { class: "panel scene-panel" },
+      saveButtons("scene", texts.scene.title, () => this.scene.svg), this.scene.element);
+    this.viewTabs = new Tabs(texts.viewTabs.label ?? "", [
+      { name: "scene", title: texts.viewTabs.scene ?? "", panel: scenePanel, shown: () => this.show("scene") },
+      ...[...this.panels].map(([name, panel]) => ({
+        name,
+        title: texts.viewTabs[name] ?? name,
+        panel: h("div", { class: "panel" }, panel.element),
+        shown: () => this.show(name),
+      })),
+    ]);
+
+    parent.append(...this.layout(live));
+    this.listen();
+    this.solve();
+  }
+
+  private layout(live: Live | null): HTMLElement[] {
+    const button = (label: string, run: () => void, kind = "") => h("button", { type: "button", class: kind, onclick: run }, label);
+    const units = h("select", { id: "units" }, ...texts.units.map(([value, name]) => h("option", { value }, name)));
+    units.addEventListener("change", () => {
+      this.units = units.value as Units;
+      this.intervals = null;
+      this.solve();
+    });
+    const theme = h("select", { id: "theme" }, ...texts.themes.map(([value, name]) => h("option", { value }, name)));
+    theme.addEventListener("change", () => (document.documentElement.dataset.theme = theme.value));
+    const save = this.menu(texts.save.label, [
+      [texts.save.report, () => this.saveReport()],
+      [texts.save.live, () => void this.saveLive()],
+      [texts.save.print, () => this.print()],
+      [texts.save.json, () => this.saveAnswer("json")],
+      [texts.save.csv, () => this.saveAnswer("csv")],
+      [texts.save.text, () => this.saveAnswer("txt")],
+    ]);
+    const bar = h("header", { class: "bar" },
+      h("h1", { class: "brand" }, h("span", { "aria-hidden": "true" }, "Δ"), "deltav"),
+      h("div", { class: "bar-group file" }, this.name, this.unsaved),
+      h("div", { class: "bar-group" },
+        button(texts.file.new, () => this.chooseTemplate()),
+        button(texts.file.open, () => this.fileInput.click()), this.fileInput,
+        button(texts.file.save, () => this.saveFile()),
+        this.undoButton, this.redoButton),
+      h("div", { class: "bar-group" }, save),
+      h("div", { class: "bar-group end" },
+        h("label", { for: "units" }, texts.unitsLabel), units,
+        h("label", { for: "theme" }, texts.themeLabel), theme,
+        button(texts.about.open, () => this.about(), "quiet")));
+    const answer = h("section", { class: "answer", id: "answer", tabindex: -1, "aria-label": texts.answer.label },
+      this.headline,
+      h("div", { class: "answer-side" },
+        h("div", { class: "question" }, h("label", { for: "question" }, texts.answer.question), this.question),
+        this.state));
+    const main = h("main", { class: "split" },
+      h("section", { class: "case", "aria-label": texts.caseTabs.label }, this.caseTabs.list, this.caseTabs.panels),
+      h("section", { class: "view", "aria-label": texts.viewTabs.label }, this.viewTabs.list, this.viewTabs.panels));
+    document.body.classList.toggle("is-live", live !== null);
+    // On a narrow page one of the two sides is shown.
+    const sides = (["view", "case"] as const).map((side) => {
+      const choose = () => {
+        document.body.dataset.side = side;
+        for (const [one, element] of sides) element.setAttribute("aria-pressed", String(one === side));
+      };
+      return [side, button(texts.sides[side], choose)] as const;
+    });
+    sides[0]?.[1].click();
+    return [h("a", { class: "skip", href: "#answer" }, texts.skip), bar, answer, h("div", { class: "sides", role: "group", "aria-label": texts.sides.label }, ...sides.map(([, element]) => element)), main, this.spoken, ...(live ? [printed(live)] : [])];
+  }
+
+  private menu(label: string, entries: [string, () => void][]): HTMLElement {
+    const list = h("div", { class: "menu-list" },
+      ...entries.map(([name, run]) => h("button", {
+        type: "button",
+        onclick: () => {
+          menu.open = false;
+          run();
+        },
+      }, name)));
+    const menu = h("details", { class: "menu" }, h("summary", { class: "button" }, label), list);
+    document.addEventListener("click", (event) => {
+      if (menu.open && !menu.contains(event.target as Node)) menu.open = false;
+    });
+    menu.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || !menu.open) return;
+      menu.open = false;
+      menu.querySelector("summary")?.focus();
+    });
+    return menu;
+  }
+
+  private listen(): void {
+    document.addEventListener("keydown", (event) => {
+      const isCommand = (event.ctrlKey || event.metaKey) && !event.altKey;
+      if (!isCommand || event.defaultPrevented) return;
+      const key = event.key.toLowerCase();
+      const run: Record<string, () => void> = {
+        z: () => (event.shiftKey ? this.editor.redo() : this.editor.undo()),
+        y: () => this.editor.redo(),
+        s: () => this.saveFile(),
+        o: () => this.fileInput.click(),
+      };
+      const action = run[key];
+      // The editor has its own keys for its history.
+      if (!action || ("zy".includes(key) && this.editor.view.hasFocus)) return;
+      if ("zy".includes(key) && event.target === this.name) return;
+      event.preventDefault();
+      action();
+    });
+    this.fileInput.addEventListener("change", () => {
+      const file = this.fileInput.files?.[0];
+      if (file) void this.openFile(file);
+      this.fileInput.value = "";
+    });
+    document.addEventListener("dragover", (event) => {
+      event.preventDefault();
+      document.body.classList.add("dropping");
+    });
+    document.addEventListener("dragleave", (event) => {
+      if (!event.relatedTarget) document.body.classList.remove("dropping");
+    });
+    document.addEventListener("drop", (event) => {
+      event.preventDefault();
+      document.body.classList.remove("dropping");
+      const file = event.dataTransfer?.files[0];
+      if (file) void this.openFile(file);
+    });
+    window.addEventListener("beforeunload", (event) => {
+      if (this.editor.text !== this.saved) event.preventDefault();
+    });
+    this.name.addEventListener("change", () => {
+      this.name.value = this.name.value.replaceAll(/[\\/:*?"<>|\p{Cc}]/gu, "").trim() || "case.toml";
+      if (!this.name.value.includes(".")) this.name.value += ".toml";
+    });
+  }
+
+  // --- the case ---
+
+  private write(key: string, toml: string): void {
+    const edited = engine.edit(this.editor.text, key, toml);
+    if (edited.ok) this.editor.write(edited.text);
+    else this.message(edited.message);
+  }
+
+  private reveal(key: string): void {
+    this.caseTabs.show("text");
+    const place = this.solved?.check.values[key];
+    if (place) this.editor.select(place.from, place.to);
+    else this.editor.view.focus();
+  }
+
+  /** To the field of a key: in the form where that is shown, in the text otherwise. */
+  private lead(key: string): void {
+    if (this.caseTabs.shown === "form" && this.form.focus(key)) return;
+    this.reveal(key);
+  }
+
+  private open(name: string, text: string): void {
+    this.name.value = name;
+    this.saved = text;
+    this.asked = "";
+    this.intervals = null;
+    this.form.reset();
+    this.editor.open(text);
+    this.solveSoon.flush();
+  }
+
+  private async openFile(file: File): Promise<void> {
+    if (file.type.startsWith("image/")) {
+      this.viewTabs.show("scene");
+      await this.scene.backdrop.open(file);
+      return;
+    }
+    const bytes = await file.arrayBuffer();
+    try {
+      const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+      if (this.mayDiscard()) this.open(file.name, text);
+    } catch {
+      this.message(texts.file.unreadable(file.name));
+    }
+  }
+
+  private mayDiscard(): boolean {
+    return this.editor.text === this.saved || window.confirm(texts.file.discard);
+  }
+
+  private saveFile(): void {
+    this.saved = this.editor.text;
+    download(this.name.value, this.saved, "application/toml");
+    this.showFileState();
+  }
+
+  private chooseTemplate(): void {
+    const isUs = this.solved?.check.units === "us";
+    const dialog = h("dialog", { class: "templates", "aria-labelledby": "templates-title" });
+    const system = h("select", { id: "template-units" }, ...texts.templates.units.map(([value, name]) => h("option", { value }, name)));
+    system.value = isUs ? "us" : "si";
+    const cards = engine.templates().map((template) =>
+      h("button", {
+        type: "button",
+        class: "card",
+        onclick: () => {
+          dialog.close();
+          if (!this.mayDiscard()) return;
+          this.open(`${template.name}.toml`, system.value === "us" ? template.text_us : template.text_si);
+        },
+      }, template.title));
+    dialog.append(
+      h("h2", { id: "templates-title" }, texts.templates.title),
+      h("p", { class: "note" }, texts.templates.explain),
+      h("p", {}, h("label", { for: "template-units" }, texts.templates.unitsLabel), " ", system),
+      h("div", { class: "cards" }, ...cards),
+      h("button", { type: "button", class: "quiet", onclick: () => dialog.close() }, texts.close));
+    this.showDialog(dialog);
+  }
+
+  private about(): void {
+    const licences = JSON.parse(document.getElementById("deltav-licences")?.textContent ?? "{}") as { packages?: string };
+    const dialog = h("dialog", { "aria-labelledby": "about-title" });
+    const digest = h("code", { class: "digest" });
+    void engine.engineHash().then((hash) => (digest.textContent = hash));
+    dialog.append(
+      h("h2", { id: "about-title" }, `deltav ${engine.version()}`),
+      ...texts.about.paragraphs.map((words) => h("p", {}, words)),
+      h("p", {}, texts.about.engine, " ", digest),
+      h("details", {}, h("summary", {}, texts.about.licences), h("pre", { tabindex: 0 }, licences.packages ?? "")),
+      h("button", { type: "button", class: "quiet", onclick: () => dialog.close() }, texts.close));
+    this.showDialog(dialog);
+  }
+
+  private showDialog(dialog: HTMLDialogElement): void {
+    dialog.addEventListener("close", () => dialog.remove());
+    dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
+    document.body.append(dialog);
+    dialog.showModal();
+  }
+
+  // --- the answer ---
+
+  private ask(): void {
+    this.asked = this.question.value as Command;
+    this.solve();
+  }
+
+  private solve(): void {
+    const { text } = this.editor;
+    const check = engine.check(text);
+    const able = QUESTIONS.filter((command) => check.commands[command]?.able);
+    const command = able.find((one) => one === this.asked) ?? able[0] ?? (this.asked || "reconstruct");
+    const answer = check.problems.length === 0 ? engine.answer(text, command, this.units, this.name.value) : null;
+    this.solved = { text, name: this.name.value, check, command, units: this.units, answer };
+    this.showQuestion(able, command);
+    this.showAnswer();
+    this.showFileState();
+    this.editor.mark(answer && !answer.ok ? [...check.problems, ...answer.problems] : check.problems);
+    if (this.caseTabs.shown === "form") this.form.update(check);
+    for (const name of this.panels.keys()) this.stale.add(name);
+    this.stale.add("scene");
+    this.show(this.viewTabs.shown);
+    this.quick.end();
+    this.interval.ask();
+    this.speakSoon.ask();
+  }
+
+  /** Brings what is seen up to date. */
+  private show(name: string): void {
+    if (!this.solved || !this.stale.delete(name)) return;
+    if (name === "scene") this.scene.update();
+    else this.panels.get(name)?.refresh(this.solved);
+  }
+
+  private drawScene(viewport: engine.Viewport | null): engine.Scene | null {
+    if (!this.solved?.answer?.ok) return null;
+    const scene = engine.scene(this.solved.text, this.solved.command, this.units, viewport);
+    return "svg" in scene ? scene : null;
+  }
+
+  private showQuestion(able: Command[], command: Command): void {
+    const options = able.length > 0 ? able : [command];
+    this.question.replaceChildren(...options.map((one) => h("option", { value: one }, texts.questions[one] ?? one)));
+    this.question.value = command;
+    this.question.disabled = able.length < 2;
+  }
+
+  private showAnswer(): void {
+    const { solved } = this;
+    if (!solved) return;
+    const { answer, check } = solved;
+    if (!answer?.ok) {
+      const problems = answer && answer.problems.length > 0 ? answer.problems : check.problems;
+      if (problems.length > 0) this.showProblems(problems);
+      else this.state.replaceChildren(h("p", { class: "error" }, answer?.message ?? ""));
+      this.headline.classList.add("stale");
+      return;
+    }
+    this.headline.classList.remove("stale");
+    const lines = this.intervals?.text === solved.text ? this.intervals.headline : answer.headline;
+    this.headline.replaceChildren(...lines.map((line, place) => {
+      const [label, ...rest] = line.split(": ");
+      const value = rest.join(": ");
+      // The first number is the answer; what stands behind it says it in other units, or how well it is known.
+      const [, main = value, more = ""] = /^(.*?)((?: \(|, ).*)?$/.exec(value) ?? [];
+      return h("div", { class: place === 0 ? "result first" : "result" },
+        h("span", { class: "result-name" }, label ?? ""), h("span", { class: "unseen" }, ": "),
+        h("span", { class: "result-value" }, main), h("span", { class: "result-more" }, more.replace(/^, /, "")));
+    }));
+    if (answer.warnings.length === 0) this.state.replaceChildren(h("p", { class: "calm" }, texts.answer.noWarnings));
+    else {
+      const isOpen = this.state.querySelector("details")?.open ?? false;
+      const list = h("details", { class: "warned" },
+        h("summary", {}, texts.answer.warnings(answer.warnings.length)), warnings(answer.warnings, (key) => this.lead(key)));
+      list.open = isOpen;
+      this.state.replaceChildren(list);
+    }
+  }
+
+  private showProblems(problems: Problem[]): void {
+    const [first] = problems;
+    if (!first) return;
+    const line = this.editor.text.slice(0, first.from).split("\n").length;
+    const lead = first.key && this.caseTabs.shown === "form"
+      ? h("button", { type: "button", class: "quiet", onclick: () => this.lead(first.key ?? "") }, texts.answer.toField)
+      : h("button", {
+        type: "button",
+        class: "quiet",
+        onclick: () => {
+          this.caseTabs.show("text");
+          this.editor.select(first.from, first.to);
+        },
+      }, texts.answer.toLine(line));
+    this.state.replaceChildren(h("div", { class: "error" },
+      h("p", {}, h("strong", {}, `${first.title}.`), first.help ? ` ${first.help}.` : ""),
+      problems.length > 1 ? h("p", {}, texts.answer.andMore(problems.length - 1)) : null, lead));
+  }
+
+  private message(words: string): void {
+    this.state.replaceChildren(h("p", { class: "error", role: "alert" }, words));
+  }
+
+  private speak(): void {
+    const { solved } = this;
+    if (!solved) return;
+    this.spoken.textContent = solved.answer?.ok ? (solved.answer.headline[0] ?? "") : (this.state.textContent ?? "");
+  }
+
+  private showFileState(): void {
+    this.unsaved.hidden = this.editor.text === this.saved;
+    const { undo, redo } = this.editor.can;
+    this.undoButton.disabled = !undo;
+    this.redoButton.disabled = !redo;
+  }
+
+  /** Where the file has ranges, the answer gets its interval as soon as the hand rests. */
+  private runInterval(): void {
+    const { solved } = this;
+    if (!solved?.answer?.ok || !solved.check.commands.uncertainty?.able) return;
+    const job: Job = { kind: "uncertainty", text: solved.text, units: solved.units };
+    this.quick.start(job, () => undefined, ({ finished }) => finished.ok && this.showInterval(job, finished));
+  }
+
+  private showInterval(job: Job, result: Finished): void {
+    if (job.text !== this.solved?.text || result.headline.length === 0) return;
+    this.intervals = { text: job.text, headline: result.headline };
+    this.showAnswer();
+  }
+
+  // --- what is handed over ---
+
+  private get stem(): string {
+    return this.name.value.replace(/\.toml$/, "");
+  }
+
+  private report(): string | null {
+    if (!this.solved?.answer?.ok) {
+      this.message(texts.save.nothing);
+      return null;
+    }
+    const report = engine.report(this.editor.text, this.name.value, this.solved.command, this.units);
+    if (!report.ok) {
+      this.message(report.message);
+      return null;
+    }
+    return report.html;
+  }
+
+  private saveReport(): void {
+    const report = this.report();
+    if (report !== null) download(`${this.stem}.html`, report, "text/html");
+  }
+
+  private async saveLive(): Promise<void> {
+    const report = this.report();
+    if (report === null) return;
+    download(`${this.stem}-live.html`, await makeLive(this.name.value, this.editor.text, report), "text/html");
+  }
+
+  private print(): void {
+    const report = this.report();
+    if (report === null) return;
+    const frame = h("iframe", { class: "unseen", title: texts.save.print, sandbox: "allow-same-origin allow-modals", srcdoc: report });
+    frame.addEventListener("load", () => {
+      frame.contentWindow?.addEventListener("afterprint", () => frame.remove());
+      frame.contentWindow?.print();
+    });
+    document.body.append(frame);
+  }
+
+  private saveAnswer(kind: "json" | "csv" | "txt"): void {
+    const answer = this.solved?.answer;
+    if (!answer?.ok) {
+      this.message(texts.save.nothing);
+      return;
+    }
+    const content = { json: answer.json, csv: answer.csv, txt: answer.text }[kind];
+    if (content === null) this.message(texts.save.noCsv);
+    else download(`${this.stem}.${kind}`, content, { json: "application/json", csv: "text/csv", txt: "text/plain" }[kind]);
+  }
+}

@@ -1,0 +1,188 @@
+// A site plan or a photograph from above beneath the scene. It is a picture and nothing more: no result depends on
+// it, and it stays in the page.
+import { h, s } from "./dom.js";
+import * as engine from "./engine.js";
+import type { Point, Viewport } from "./engine.js";
+import { texts } from "./texts/en.js";
+
+const words = texts.backdrop;
+
+interface Placed {
+  /** Width over height of the picture. */
+  aspect: number;
+  /** Scene metres: where its middle lies, and how wide it is. */
+  middle: Point;
+  width: number;
+  /** Degrees, counter-clockwise. */
+  angle: number;
+}
+
+export class Backdrop {
+  readonly picture = h("img", { class: "backdrop", alt: "", hidden: true });
+  readonly tools = h("div", { class: "backdrop-tools" });
+  private placed: Placed | null = null;
+  private toShare: ((at: Point) => Point) | null = null;
+  private mode: "off" | "move" | "scale" = "off";
+  private marks: Point[] = [];
+  private readonly layer = s("svg", { class: "backdrop-marks", viewBox: "0 0 100 100", preserveAspectRatio: "none", "aria-hidden": "true" });
+  private readonly input = h("input", { type: "file", accept: "image/png,image/jpeg,image/webp", hidden: true, "aria-label": words.add });
+  private readonly distance = h("input", { type: "text", class: "number", placeholder: "10 m", "aria-label": words.distance });
+  private readonly status = h("p", { class: "hint", role: "status" });
+
+  constructor(
+    private readonly stage: HTMLElement,
+    private readonly viewport: () => Viewport | null,
+  ) {
+    this.input.addEventListener("change", () => {
+      const file = this.input.files?.[0];
+      if (file) void this.open(file);
+      this.input.value = "";
+    });
+    this.distance.addEventListener("keydown", (event) => event.key === "Enter" && this.setScale());
+    this.stage.append(this.layer);
+    this.stage.addEventListener("pointerdown", (event) => this.pressed(event), true);
+    this.showTools();
+  }
+
+  /** Takes a picture from a file. */
+  async open(file: Blob): Promise<void> {
+    if (this.picture.src) URL.revokeObjectURL(this.picture.src);
+    this.picture.src = URL.createObjectURL(file);
+    try {
+      await this.picture.decode();
+    } catch {
+      this.status.textContent = words.unreadable;
+      return;
+    }
+    const view = this.viewport() ?? { left: -10, right: 10, bottom: -8, top: 8 };
+    this.placed = {
+      aspect: this.picture.naturalWidth / this.picture.naturalHeight,
+      middle: [(view.left + view.right) / 2, (view.bottom + view.top) / 2],
+      width: view.right - view.left,
+      angle: 0,
+    };
+    this.mode = "off";
+    this.render();
+    this.showTools();
+  }
+
+  /** Puts the picture where it lies in the drawing. */
+  place(toShare: (at: Point) => Point): void {
+    this.toShare = toShare;
+    this.render();
+  }
+
+  private render(): void {
+    const { placed, toShare } = this;
+    this.picture.hidden = !placed;
+    if (!placed || !toShare) return;
+    const [left] = toShare([placed.middle[0] - placed.width / 2, placed.middle[1]]);
+    const [right] = toShare([placed.middle[0] + placed.width / 2, placed.middle[1]]);
+    const [x, y] = toShare(placed.middle);
+    this.picture.style.left = `${x * 100}%`;
+    this.picture.style.top = `${y * 100}%`;
+    this.picture.style.width = `${(right - left) * 100}%`;
+    this.picture.style.transform = `translate(-50%, -50%) rotate(${-placed.angle}deg)`;
+    this.layer.replaceChildren(
+      ...this.marks.map((at) => {
+        const [cx, cy] = toShare(at);
+        return s("path", { d: `M${cx * 100 - 1.2} ${cy * 100}h2.4M${cx * 100} ${cy * 100 - 1.5}v3`, class: "mark" });
+      }),
+    );
+  }
+
+  private showTools(): void {
+    const add = h("button", { type: "button", class: "quiet", onclick: () => this.input.click() }, this.placed ? words.change : words.add);
+    if (!this.placed) {
+      this.tools.replaceChildren(add, this.input, this.status);
+      return;
+    }
+    const toggle = (mode: "move" | "scale", label: string) =>
+      h("button", { type: "button", class: "quiet", "aria-pressed": String(this.mode === mode), onclick: () => this.enter(this.mode === mode ? "off" : mode) }, label);
+    const turn = h("input", { type: "number", class: "number short", step: "0.5", value: this.placed.angle, "aria-label": words.turn });
+    turn.addEventListener("input", () => {
+      if (this.placed) this.placed.angle = turn.valueAsNumber || 0;
+      this.render();
+    });
+    const strength = h("input", { type: "range", min: "5", max: "100", value: Math.round(Number(this.picture.style.opacity || 0.55) * 100), "aria-label": words.strength });
+    strength.addEventListener("input", () => (this.picture.style.opacity = String(strength.valueAsNumber / 100)));
+    const remove = () => {
+      this.placed = null;
+      this.enter("off");
+    };
+    const scale = this.mode === "scale" && this.marks.length === 2
+      ? h("span", { class: "scale" }, h("label", {}, words.distance, " ", this.distance),
+        h("button", { type: "button", onclick: () => this.setScale() }, words.set))
+      : null;
+    this.tools.replaceChildren(
+      add, this.input, toggle("scale", words.scale), toggle("move", words.move),
+      h("label", {}, words.turnShort, " ", turn, "°"), h("label", {}, words.strengthShort, " ", strength),
+      h("button", { type: "button", class: "quiet", onclick: remove }, words.remove),
+      ...(scale ? [scale] : []), this.status,
+    );
+  }
+
+  private enter(mode: "off" | "move" | "scale"): void {
+    this.mode = mode;
+    this.marks = [];
+    this.stage.classList.toggle("placing", mode !== "off");
+    this.status.textContent = mode === "scale" ? words.scaleHint : mode === "move" ? words.moveHint : "";
+    this.render();
+    this.showTools();
+  }
+
+  private at(event: PointerEvent): Point | null {
+    const view = this.viewport();
+    const { toShare } = this;
+    if (!view || !toShare) return null;
+    const box = this.stage.getBoundingClientRect();
+    const share: Point = [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
+    const origin = toShare([0, 0]);
+    const one = toShare([1, 1]);
+    return [(share[0] - origin[0]) / (one[0] - origin[0]), (share[1] - origin[1]) / (one[1] - origin[1])];
+  }
+
+  private pressed(event: PointerEvent): void {
+    if (this.mode === "off" || !this.placed) return;
+    const at = this.at(event);
+    if (!at) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (this.mode === "scale") {
+      this.marks = this.marks.length >= 2 ? [at] : [...this.marks, at];
+      this.render();
+      this.showTools();
+      if (this.marks.length === 2) this.distance.focus();
+      return;
+    }
+    const begun = this.placed.middle;
+    const moved = (next: PointerEvent) => {
+      const to = this.at(next);
+      if (!to || !this.placed) return;
+      this.placed.middle = [begun[0] + to[0] - at[0], begun[1] + to[1] - at[1]];
+      this.render();
+    };
+    const ended = () => {
+      this.stage.removeEventListener("pointermove", moved);
+      window.removeEventListener("pointerup", ended);
+    };
+    this.stage.addEventListener("pointermove", moved);
+    window.addEventListener("pointerup", ended);
+  }
+
+  /** The two marks are as far apart as was said; the first stays where it is. */
+  private setScale(): void {
+    const [first, second] = this.marks;
+    const metres = Number.parseFloat(engine.convert(this.distance.value, "m") ?? "");
+    if (!this.placed || !first || !second || !(metres > 0)) {
+      this.status.textContent = words.noDistance;
+      return;
+    }
+    const factor = metres / Math.hypot(second[0] - first[0], second[1] - first[1]);
+    const { middle } = this.placed;
+    this.placed.width *= factor;
+    this.placed.middle = [first[0] + factor * (middle[0] - first[0]), first[1] + factor * (middle[1] - first[1])];
+    this.enter("off");
+    this.status.textContent = words.scaled;
+  }
+}

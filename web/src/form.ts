@@ -1,0 +1,572 @@
+// The case as a form: for each key of the file a field, with its unit, its range and what the glossary says of it.
+// The form holds nothing of its own: it shows the text, and writes into it.
+import { h, markup, unique } from "./dom.js";
+import * as engine from "./engine.js";
+import type { Check, Field, Group, Problem } from "./engine.js";
+import { label, nameOf, root } from "./keys.js";
+import { texts } from "./texts/en.js";
+import { type Value, readValue, splitUnit, writeValue } from "./toml.js";
+
+const words = texts.form;
+
+/** The ways to say how well a number is known, by the keys of the range. */
+const RANGES: Record<string, string[]> = {
+  exact: [],
+  sd: ["value", "sd"],
+  uniform: ["low", "high"],
+  triangular: ["low", "mode", "high"],
+  within: ["value", "within", "confidence"],
+};
+
+/** A part of the form that shows one key. */
+interface Row {
+  element: HTMLElement;
+  /** What the file says of it now. */
+  show(raw: string | undefined): void;
+  focus(): void;
+}
+
+export interface FormHost {
+  /** Writes a key, in TOML; the empty text takes it away. */
+  write(key: string, toml: string): void;
+  /** Shows a key in the text. */
+  reveal(key: string): void;
+}
+
+export class Form {
+  readonly element = h("form", { class: "form", autocomplete: "off", "aria-label": words.label });
+  private rows = new Map<string, Row>();
+  private errors = new Map<string, HTMLElement>();
+  private groups = new Map<string, { details: HTMLDetailsElement; fill(): void; more?: HTMLDetailsElement }>();
+  private check: Check | null = null;
+  private open = new Set<string>(["vehicle1", "vehicle2", "impact", "vehicle1.crush", "vehicle2.crush"]);
+  private badges = new Map<string, HTMLElement>();
+  private shape = "";
+
+  constructor(private readonly host: FormHost) {
+    this.element.addEventListener("submit", (event) => event.preventDefault());
+  }
+
+  /** Shows the file. Keys that were added elsewhere move to the others, unless someone is at work in the form. */
+  update(check: Check): void {
+    this.check = check;
+    const shape = Object.keys(check.values).sort().join(" ");
+    const busy = this.element.contains(document.activeElement);
+    if (shape !== this.shape && !(busy && this.shape !== "")) {
+      this.shape = shape;
+      this.build();
+    }
+    for (const [key, row] of this.rows) row.show(check.values[key]?.text);
+    for (const [key, badge] of this.badges) {
+      const name = readValue(check.values[`${key}.name`]?.text ?? "");
+      badge.textContent = this.given(key) ? (typeof name === "string" ? name : "") : words.notGiven;
+    }
+    this.showProblems(check.problems);
+  }
+
+  /** Another file: everything anew. */
+  reset(): void {
+    this.shape = "";
+  }
+
+  /** Puts the focus on the field of a key; false where the form has none. */
+  focus(key: string): boolean {
+    const parts = key.split(".");
+    for (let length = 1; length <= parts.length; length += 1) {
+      const group = this.groups.get(parts.slice(0, length).join("."));
+      if (!group) continue;
+      group.fill();
+      group.details.open = true;
+    }
+    for (let name = key; name !== ""; name = name.includes(".") ? name.slice(0, name.lastIndexOf(".")) : "") {
+      const row = this.rows.get(name.replace(/\[\d+\]$/, ""));
+      if (row) {
+        const more = row.element.closest<HTMLDetailsElement>("details.more");
+        if (more) more.open = true;
+        row.focus();
+        row.element.scrollIntoView({ block: "center" });
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private build(): void {
+    this.rows.clear();
+    this.errors.clear();
+    this.groups.clear();
+    this.badges.clear();
+    const top = root();
+    const head: Group = { ...top, groups: [] };
+    this.element.replaceChildren(
+      ...this.contents(head),
+      ...top.groups.map((group) => this.group(group, 0)),
+    );
+  }
+
+  private given(key: string): boolean {
+    const values = this.check?.values ?? {};
+    return key in values || Object.keys(values).some((name) => name.startsWith(`${key}.`) || name.startsWith(`${key}[`));
+  }
+
+  private group(group: Group, depth: number): HTMLElement {
+    const given = this.given(group.key);
+    const body = h("div", { class: "group-body" });
+    const badge = h("span", { class: "badge" });
+    const summary = h("summary", {}, h("span", { class: "group-title" }, label(group.key)), badge);
+    this.badges.set(group.key, badge);
+    const vehicle = /^vehicle([12])$/.exec(group.key)?.[1];
+    const details = h("details", {
+      class: `group depth-${Math.min(depth, 2)}${vehicle ? ` vehicle-${vehicle}` : ""}`,
+      "data-key": group.key,
+    }, summary, body);
+    let filled = false;
+    const fill = () => {
+      if (filled) return;
+      filled = true;
+      body.append(...this.contents(group, depth));
+      for (const [key, row] of this.rows) if (key.startsWith(group.key)) row.show(this.check?.values[key]?.text);
+      this.showProblems(this.check?.problems ?? []);
+    };
+    this.groups.set(group.key, { details, fill });
+    details.addEventListener("toggle", () => {
+      if (details.open) {
+        fill();
+        this.open.add(group.key);
+      } else this.open.delete(group.key);
+    });
+    if ((given && (this.open.has(group.key) || depth > 0)) || this.open.has(group.key)) {
+      fill();
+      details.open = true;
+    }
+    return details;
+  }
+
+  /** First what the file gives and what it needs, then the rest behind one line. */
+  private contents(group: Group, depth = 0): HTMLElement[] {
+    const isShown = (entry: { key: string; required?: boolean }) => this.given(entry.key) || entry.required === true;
+    const whole = group.choices.length > 0 && group.key !== "" ? [this.choiceOfGroup(group)] : [];
+    const shown = group.fields.filter(isShown);
+    const rest = group.fields.filter((field) => !isShown(field));
+    const groups = group.groups.filter(isShown);
+    const restOfGroups = group.groups.filter((inner) => !isShown(inner));
+    const elements: HTMLElement[] = [
+      ...whole,
+      ...shown.map((field) => this.row(field)),
+      ...groups.map((inner) => this.group(inner, depth + 1)),
+    ];
+    if (rest.length + restOfGroups.length > 0) {
+      const body = h("div", { class: "group-body" });
+      const more = h("details", { class: "more" }, h("summary", {}, words.more(rest.length + restOfGroups.length)), body);
+      let filled = false;
+      const fill = () => {
+        if (filled) return;
+        filled = true;
+        body.append(...rest.map((field) => this.row(field)), ...restOfGroups.map((inner) => this.group(inner, depth + 1)));
+      };
+      if (shown.length + groups.length === 0 && group.key !== "") {
+        fill();
+        return [...elements, ...body.childNodes] as HTMLElement[];
+      }
+      more.addEventListener("toggle", fill);
+      // Fields that are folded away have to be found by their key, too.
+      fill();
+      elements.push(more);
+    }
+    return elements;
+  }
+
+  private showProblems(problems: Problem[]): void {
+    for (const [key, place] of this.errors) {
+      const own = problems.filter((problem) => problem.key === key);
+      place.hidden = own.length === 0;
+      place.textContent = own.map((problem) => [problem.title, problem.help].filter(Boolean).join(". ")).join("\n");
+      const row = this.rows.get(key)?.element;
+      row?.classList.toggle("wrong", own.length > 0);
+      for (const input of row?.querySelectorAll("input, select, textarea") ?? []) {
+        if (own.length > 0) input.setAttribute("aria-invalid", "true");
+        else input.removeAttribute("aria-invalid");
+      }
+    }
+  }
+
+  /** The frame that all fields have: name, help, what is wrong. */
+  private frame(field: Field, id: string): {
+    element: HTMLElement;
+    line: HTMLElement;
+  } {
+    const help = h("div", { class: "help", id: `${id}-help`, hidden: true });
+    const ask = h("button", {
+      type: "button",
+      class: "ask",
+      "aria-expanded": "false",
+      "aria-controls": `${id}-help`,
+      "aria-label": words.help(nameOf(field.key)),
+      title: field.title,
+      onclick: () => {
+        help.hidden = !help.hidden;
+        ask.setAttribute("aria-expanded", String(!help.hidden));
+        if (help.childNodes.length === 0) help.append(...explanation(field));
+      },
+    }, "?");
+    const error = h("p", { class: "error", id: `${id}-error`, hidden: true });
+    this.errors.set(field.key, error);
+    const line = h("div", { class: "control" });
+    const name = h("label", { for: id, title: field.title }, label(field.key),
+      field.required ? h("span", { class: "required" }, ` ${words.required}`) : null);
+    const element = h("div", { class: "field", "data-key": field.key },
+      h("div", { class: "name" }, name, ask), line, error, help);
+    return { element, line };
+  }
+
+  private row(field: Field): HTMLElement {
+    const id = unique("field");
+    const { element, line } = this.frame(field, id);
+    const write = (toml: string) => this.host.write(field.key, toml);
+    const control = (CONTROLS[field.kind] ?? raw)({ field, id, write, reveal: () => this.host.reveal(field.key) });
+    line.append(...control.elements);
+    const row: Row = {
+      element,
+      show: control.show,
+      focus: () => element.querySelector<HTMLElement>("input, select, textarea, .control button")?.focus(),
+    };
+    this.rows.set(field.key, row);
+    row.show(this.check?.values[field.key]?.text);
+    return element;
+  }
+
+  /** A word in place of a table, such as `crush = "none"`. */
+  private choiceOfGroup(group: Group): HTMLElement {
+    return this.row({
+      ...group,
+      kind: "choice",
+      units: [],
+      required: false,
+      range: false,
+      fields: [],
+    });
+  }
+}
+
+/** What a key means: first in a sentence or two, then what the glossary says. */
+function explanation(field: Field): HTMLElement[] {
+  const meaning = h("p", {}, h("strong", {}, `${field.title}. `), field.help, " ", h("code", {}, field.key));
+  const words = field.topic ? engine.explain(field.topic) : undefined;
+  if (!words || !("html" in words)) return [meaning];
+  const glossary = h("div");
+  markup(glossary, words.html);
+  return [meaning, glossary];
+}
+
+interface Asked {
+  field: Field;
+  id: string;
+  write(toml: string): void;
+  reveal(): void;
+}
+
+interface Control {
+  elements: HTMLElement[];
+  show(raw: string | undefined): void;
+}
+
+const isBusy = (...inputs: HTMLElement[]): boolean => inputs.some((input) => input === document.activeElement);
+
+function text({ id, write }: Asked): Control {
+  const input = h("input", { id, type: "text", "aria-describedby": `${id}-error` });
+  input.addEventListener("input", () => input.value !== "" && write(writeValue(input.value)));
+  input.addEventListener("change", () => input.value === "" && write(""));
+  return {
+    elements: [input],
+    show: (raw) => {
+      const value = raw === undefined ? "" : readValue(raw);
+      const now = typeof value === "string" ? value : (raw ?? "");
+      if (!isBusy(input) && input.value !== now) input.value = now;
+    },
+  };
+}
+
+function choice({ field, id, write }: Asked): Control {
+  const select = h("select", { id, "aria-describedby": `${id}-error` });
+  const fill = (extra?: string) => {
+    select.replaceChildren(
+      h("option", { value: "" }, words.notGivenOption),
+      ...(field.choices).map((word) => h("option", { value: word }, word)),
+      ...(extra === undefined ? [] : [h("option", { value: extra }, extra)]),
+    );
+  };
+  fill();
+  select.addEventListener("change", () => {
+    if (select.value !== "" && !field.choices.includes(select.value)) return;
+    write(select.value === "" ? "" : writeValue(select.value));
+  });
+  return {
+    elements: [select],
+    show: (raw) => {
+      const value = raw === undefined ? "" : readValue(raw);
+      const now = typeof value === "string" ? value : (raw ?? "");
+      if (now !== "" && !field.choices.includes(now)) fill(now);
+      select.value = now;
+    },
+  };
+}
+
+function flag({ id, write }: Asked): Control {
+  const select = h("select", { id, "aria-describedby": `${id}-error` },
+    h("option", { value: "" }, words.notGivenOption),
+    h("option", { value: "true" }, words.yes),
+    h("option", { value: "false" }, words.no));
+  select.addEventListener("change", () => write(select.value));
+  return { elements: [select], show: (raw) => (select.value = raw ?? "") };
+}
+
+/** What has no form of its own stands as it does in the file. */
+function raw({ field, id, write, reveal }: Asked): Control {
+  const input = h("input", { id, type: "text", class: "raw", "aria-describedby": `${id}-error`, spellcheck: "false" });
+  input.addEventListener("input", () => input.value !== "" && readValue(input.value) !== undefined && write(input.value));
+  input.addEventListener("change", () => (input.value === "" || readValue(input.value) === undefined) && write(input.value));
+  const toText = h("button", { type: "button", class: "quiet", onclick: reveal, "aria-label": words.inTextOf(nameOf(field.key)) }, words.inText);
+  return {
+    elements: [input, toText],
+    show: (given) => {
+      const now = (given ?? "").replaceAll(/\s*\n\s*/g, " ");
+      if (!isBusy(input) && input.value !== now) input.value = now;
+    },
+  };
+}
+
+/** A number, or several, with a unit where it has one, and with a range where it may have one. */
+function quantity({ field, id, write }: Asked): Control {
+  const isList = field.kind === "quantities" || field.kind === "numbers";
+  const central = isList ? "values" : "value";
+  const { units } = field;
+  let unit = units[0] ?? "";
+  let parts: Record<string, string> = {};
+  let shown: string | undefined;
+  let isForeign = false;
+
+  const inputs = new Map<string, HTMLInputElement>();
+  const main = h("input", {
+    id,
+    type: "text",
+    inputmode: isList ? "text" : "decimal",
+    class: isList ? "number long" : "number",
+    "aria-describedby": `${id}-error`,
+    spellcheck: "false",
+  });
+  const select = h("select", { class: "unit", "aria-label": words.unitOf(nameOf(field.key)) });
+  const modes = h("select", { class: "mode", "aria-label": words.knownOf(nameOf(field.key)), title: words.known });
+  const range = h("div", { class: "range" });
+  const allowed = Object.entries(RANGES).filter(([, keys]) =>
+    isList ? keys.every((key) => !["low", "mode", "high"].includes(key)) : true,
+  );
+  const keysOf = (mode: string): string[] =>
+    (RANGES[mode] ?? []).map((key) => (key === "value" ? central : key));
+
+  const fillUnits = () => {
+    const all = unit === "" || units.includes(unit) ? units : [...units, unit];
+    select.replaceChildren(...all.map((name) => h("option", { value: name }, name)));
+    select.value = unit;
+    select.hidden = all.length === 0;
+  };
+
+  // A number of its own has no unit; per cent and probabilities have none of the field.
+  const written = (key: string, number: string): Value => {
+    const trimmed = number.trim();
+    if (key === "within") return /%\s*$/.test(trimmed) ? trimmed : `${trimmed} %`;
+    const isBare = key === "confidence" || units.length === 0;
+    if (isBare) {
+      if (isList && key === central) {
+        const numbers = trimmed.split(/[\s,;]+/).map(Number);
+        return numbers.some(Number.isNaN) ? trimmed : numbers;
+      }
+      const value = Number(trimmed.replace("−", "-"));
+      return trimmed === "" || Number.isNaN(value) ? trimmed : value;
+    }
+    // Someone who types the unit as well means that one.
+    return splitUnit(trimmed)?.unit ? trimmed : `${trimmed} ${unit}`.trim();
+  };
+
+  const commit = () => {
+    const keys = Object.keys(parts);
+    if (keys.length === 0 || keys.every((key) => (parts[key] ?? "").trim() === "")) return;
+    if (keys.length === 1 && keys[0] === central) {
+      const number = (parts[central] ?? "").trim();
+      // A bare number stays as it was written.
+      const isPlain = units.length === 0 && !isList && /^[+-]?\d+(\.\d+)?([eE][+-]?\d+)?$/.test(number);
+      shown = isPlain ? number : writeValue(written(central, number));
+    } else {
+      shown = writeValue(Object.fromEntries(keys.map((key) => [key, written(key, parts[key] ?? "")])));
+    }
+    write(shown);
+  };
+
+  const listen = (input: HTMLInputElement, key: () => string) => {
+    input.addEventListener("input", () => {
+      if (isForeign) {
+        if (readValue(input.value) !== undefined) write(input.value);
+        return;
+      }
+      parts[key()] = input.value;
+      const typed = units.length > 0 ? splitUnit(input.value)?.unit : undefined;
+      if (typed && units.includes(typed)) {
+        unit = typed;
+        fillUnits();
+      }
+      if (input.value.trim() !== "") commit();
+    });
+    input.addEventListener("change", () => {
+      if (input.value.trim() === "" && (isForeign || Object.keys(parts).length <= 1)) write("");
+      if (!isForeign && typeof splitUnit(input.value)?.unit === "string" && key() !== "within") {
+        input.value = splitUnit(input.value)?.number ?? input.value;
+        parts[key()] = input.value;
+      }
+    });
+  };
+  // The first of the range's numbers stands where a plain number would.
+  const firstKey = () => Object.keys(parts)[0] ?? central;
+  listen(main, firstKey);
+
+  const fillRange = () => {
+    const [, ...others] = Object.keys(parts);
+    inputs.clear();
+    range.replaceChildren(
+      ...others.map((key) => {
+        const input = h("input", {
+          type: "text",
+          inputmode: "decimal",
+          class: "number short",
+          "aria-label": `${nameOf(field.key)}: ${words.rangeKey[key] ?? key}`,
+          value: parts[key] ?? "",
+        });
+        inputs.set(key, input);
+        listen(input, () => key);
+        return h("span", { class: "range-part" }, h("span", { "aria-hidden": "true" }, words.rangeSign[key] ?? key), input,
+          key === "within" ? h("span", {}, "%") : null);
+      }),
+    );
+    range.hidden = others.length === 0;
+  };
+
+  const modeNow = (): string =>
+    allowed.find(([mode]) => keysOf(mode).join() === Object.keys(parts).join())?.[0] ??
+    (Object.keys(parts).length <= 1 ? "exact" : "other");
+
+  const fillModes = () => {
+    const now = modeNow();
+    modes.replaceChildren(
+      ...allowed.map(([mode]) => h("option", { value: mode }, words.modes[mode] ?? mode)),
+      ...(now === "other" ? [h("option", { value: "other" }, words.modes.other ?? "")] : []),
+    );
+    modes.value = now;
+    modes.hidden = field.range !== true || isForeign;
+  };
+
+  modes.addEventListener("change", () => {
+    if (modes.value === "other") return;
+    const before = parts[central] ?? parts.mode ?? main.value;
+    const keys = keysOf(modes.value);
+    const next: Record<string, string> = {};
+    for (const key of keys.length > 0 ? keys : [central]) {
+      next[key] = parts[key] ?? (key === central || key === "mode" ? before : key === "confidence" ? "0.95" : "");
+    }
+    parts = next;
+    main.value = parts[firstKey()] ?? "";
+    main.setAttribute("aria-label", keys.length > 0 ? `${nameOf(field.key)}: ${words.rangeKey[firstKey()] ?? firstKey()}` : nameOf(field.key));
+    fillRange();
+    if (Object.values(parts).every((part) => part.trim() !== "")) commit();
+    else [...inputs.values()].find((input) => input.value === "")?.focus();
+  });
+
+  select.addEventListener("change", () => {
+    const next = select.value;
+    const before = unit;
+    unit = next;
+    for (const [key, number] of Object.entries(parts)) {
+      if (key === "within" || key === "confidence" || number.trim() === "") continue;
+      // Each number of a list by itself.
+      const converted = number.split(/([\s,;]+)/).map((piece, place) => {
+        if (place % 2 === 1 || piece === "") return piece;
+        return splitUnit(engine.convert(`${piece} ${before}`, next) ?? piece)?.number ?? piece;
+      });
+      parts[key] = converted.join("");
+    }
+    main.value = parts[firstKey()] ?? "";
+    fillRange();
+    commit();
+  });
+
+  /** Takes a value of the file apart; false where it has another form. */
+  const take = (value: Value | undefined, given: string): boolean => {
+    const found: Record<string, string> = {};
+    const unitsFound = new Set<string>();
+    const one = (key: string, inner: Value): boolean => {
+      if (Array.isArray(inner)) {
+        if (!inner.every((entry) => typeof entry === "number" || typeof entry === "string")) return false;
+        const pieces = inner.map((entry) => (typeof entry === "number" ? { number: String(entry), unit: "" } : splitUnit(entry)));
+        if (pieces.some((piece) => piece === undefined)) return false;
+        for (const piece of pieces) if (piece) unitsFound.add(piece.unit);
+        found[key] = pieces.map((piece) => piece?.number).join(" ");
+        return isList;
+      }
+      if (typeof inner === "number") {
+        found[key] = key === central && Number(given) === inner ? given : String(inner);
+        return true;
+      }
+      if (typeof inner !== "string") return false;
+      if (key === "within") {
+        found[key] = inner.replace(/\s*%\s*$/, "");
+        return true;
+      }
+      const split = splitUnit(inner);
+      if (!split) return false;
+      found[key] = split.number;
+      if (key !== "confidence") unitsFound.add(split.unit);
+      return true;
+    };
+    const isTable = typeof value === "object" && !Array.isArray(value);
+    if (value === undefined || (isTable && field.range !== true)) return false;
+    const fits = isTable
+      ? Object.entries(value).every(([key, inner]) => one(key, inner))
+      : one(central, value);
+    if (!fits || unitsFound.size > 1) return false;
+    parts = found;
+    unit = [...unitsFound][0] || unit;
+    return true;
+  };
+
+  return {
+    elements: [h("div", { class: "number-line" }, main, select, modes), range],
+    show: (given) => {
+      if (isBusy(main, select, modes, ...inputs.values()) && given !== undefined && given === shown) return;
+      if (given === shown && given !== undefined) return;
+      if (given === undefined && isBusy(main, ...inputs.values())) return;
+      shown = given;
+      isForeign = false;
+      if (given === undefined) parts = {};
+      else if (!take(readValue(given), given)) {
+        isForeign = true;
+        parts = { [central]: given.replaceAll(/\s*\n\s*/g, " ") };
+      }
+      const now = parts[firstKey()] ?? "";
+      if (main.value !== now) main.value = now;
+      main.classList.toggle("raw", isForeign);
+      fillUnits();
+      select.hidden ||= isForeign;
+      fillRange();
+      fillModes();
+    },
+  };
+}
+
+const CONTROLS: Partial<Record<Field["kind"], (asked: Asked) => Control>> = {
+  quantity,
+  quantities: quantity,
+  number: quantity,
+  numbers: quantity,
+  integer: quantity,
+  "angle-or-hour": quantity,
+  choice,
+  flag,
+  text,
+};

@@ -1,0 +1,73 @@
+// The keys of a case file, as the engine lists them.
+import * as engine from "./engine.js";
+import type { Field, Group } from "./engine.js";
+
+let top: Group | undefined;
+const byKey = new Map<string, Group>();
+const fields = new Map<string, Field>();
+
+/** A key that holds a table is a group of its own, whether it has a header in the file or not. */
+function sorted(group: Group): Group {
+  const isTable = (field: Field) => field.fields.length > 0 && (field.kind === "table" || field.kind === "choice");
+  const tables = group.fields.filter(isTable).map((field): Group => ({ ...field, groups: [] }));
+  return {
+    ...group,
+    fields: group.fields.filter((field) => !isTable(field)),
+    groups: [...tables, ...group.groups].map(sorted),
+  };
+}
+
+function read(): Group {
+  if (top) return top;
+  const list = engine.form();
+  const head = list.find((group) => group.key === "") ?? { key: "", title: "", help: "", choices: [], fields: [], groups: [] };
+  top = sorted({ ...head, groups: [...head.groups, ...list.filter((group) => group.key !== "")] });
+  const walk = (group: Group) => {
+    byKey.set(group.key, group);
+    for (const field of group.fields) fields.set(field.key, field);
+    for (const inner of group.groups) walk(inner);
+  };
+  walk(top);
+  return top;
+}
+
+/** What stands above the first table, with all tables in it. */
+export const root = (): Group => read();
+
+/** Every table that has a key. */
+export function groups(): Group[] {
+  read();
+  return [...byKey.values()].filter((group) => group.key !== "");
+}
+
+export function groupOf(key: string): Group | undefined {
+  read();
+  return byKey.get(key);
+}
+
+export function fieldOf(key: string): Field | undefined {
+  read();
+  return fields.get(key);
+}
+
+/** What a key means, in a sentence or two. */
+export function meaningOf(key: string): string | undefined {
+  read();
+  const entry = fields.get(key) ?? byKey.get(key);
+  return entry && [entry.title, entry.help].filter(Boolean).join(". ");
+}
+
+/** The last part of a key in words: `yaw_inertia` is `Yaw inertia`, `A` stays `A`. */
+export function label(key: string): string {
+  const name = key.slice(key.lastIndexOf(".") + 1);
+  const words = name.replaceAll("_", " ").replace(/(\D)(\d)$/, (_, letter: string, digit: string) => (name.length > 2 ? `${letter} ${digit}` : `${letter}${digit}`));
+  return words.length > 2 ? (words[0] ?? "").toUpperCase() + words.slice(1) : words;
+}
+
+/** A whole key in words: `vehicle1.crush.width` is `Vehicle 1, crush, width`. */
+export function nameOf(key: string): string {
+  return key.split(".").map((_, place, parts) => {
+    const words = label(parts.slice(0, place + 1).join("."));
+    return place === 0 || words.length <= 2 ? words : (words[0] ?? "").toLowerCase() + words.slice(1);
+  }).join(", ");
+}

@@ -1,0 +1,368 @@
+// What the engine says of the case, each in a panel of its own. A panel is brought up to date when it is seen.
+import { h, markup, s } from "./dom.js";
+import * as engine from "./engine.js";
+import type { Answer, Check, Command, NoAnswer, Units } from "./engine.js";
+import { nameOf } from "./keys.js";
+import { figure } from "./pictures.js";
+import { type Finished, type Job, Runner, type Unfinished } from "./runs.js";
+import { texts } from "./texts/en.js";
+
+export interface Solved {
+  text: string;
+  /** Of the file. */
+  name: string;
+  check: Check;
+  command: Command;
+  units: Units;
+  answer: Answer | NoAnswer | null;
+}
+
+export interface Panel {
+  element: HTMLElement;
+  refresh(solved: Solved): void;
+}
+
+const note = (words: string): HTMLElement => h("p", { class: "note" }, words);
+
+/** Why a command cannot be done, in the engine's words. */
+function cannot(element: HTMLElement, solved: Solved, command: Command): boolean {
+  if (solved.check.problems.length > 0) {
+    element.replaceChildren(note(texts.panels.problems));
+    return true;
+  }
+  const ability = solved.check.commands[command];
+  if (ability && !ability.able) {
+    element.replaceChildren(note(ability.why.length > 0 ? ability.why.map((why) => `${why}.`).join("\n") : texts.panels.cannot));
+    return true;
+  }
+  return false;
+}
+
+function document_(html: string): HTMLElement {
+  const element = h("div", { class: "document" });
+  markup(element, html);
+  // Tables that are wider than the panel are scrolled, by the keyboard as well.
+  for (const table of element.querySelectorAll("table")) {
+    const title = table.querySelector("caption")?.textContent ?? texts.panels.table;
+    const box = h("div", { class: "scrolls", tabindex: 0, role: "region", "aria-label": title });
+    table.replaceWith(box);
+    box.append(table);
+  }
+  return element;
+}
+
+/** The tables of the answer. */
+export class Results implements Panel {
+  readonly element = h("div");
+
+  refresh(solved: Solved): void {
+    if (!solved.answer || !solved.answer.ok) {
+      this.element.replaceChildren(note(solved.answer?.message ?? texts.panels.problems));
+      return;
+    }
+    this.element.replaceChildren(document_(solved.answer.html));
+  }
+}
+
+/** How the file was understood. */
+export class Inputs implements Panel {
+  readonly element = h("div");
+
+  refresh(solved: Solved): void {
+    if (solved.check.problems.length > 0) this.element.replaceChildren(note(texts.panels.problems));
+    else this.element.replaceChildren(document_(solved.check.judgement_html));
+  }
+}
+
+/** All drawings that the case has something for. */
+export class Drawings implements Panel {
+  readonly element = h("div", { class: "drawings" });
+
+  refresh(solved: Solved): void {
+    if (solved.check.problems.length > 0) {
+      this.element.replaceChildren(note(texts.panels.problems));
+      return;
+    }
+    const figures: HTMLElement[] = [];
+    for (const what of ["damage", "reconciliation", "energy", "motion", "motion-curves"]) {
+      const drawn = engine.draw(solved.text, what, solved.units);
+      if (drawn.ok) figures.push(figure(what, drawn.title, drawn.svg));
+    }
+    this.element.replaceChildren(...(figures.length > 0 ? figures : [note(texts.panels.noDrawings)]));
+  }
+}
+
+/** The influence of each input, as bars. */
+export class Sensitivity implements Panel {
+  readonly element = h("div");
+
+  constructor(private readonly lead: (key: string) => void) {}
+
+  refresh(solved: Solved): void {
+    if (cannot(this.element, solved, "sensitivity")) return;
+    const answer = engine.answer(solved.text, "sensitivity", solved.units, solved.name);
+    if (!answer.ok) {
+      this.element.replaceChildren(note(answer.message));
+      return;
+    }
+    const { derivatives } = JSON.parse(answer.json) as {
+      derivatives: { output: string; input: string; name?: string; influence: number }[];
+    };
+    const first = derivatives[0]?.output;
+    const rows = derivatives.filter((row) => row.output === first).slice(0, 16);
+    const greatest = Math.max(...rows.map((row) => Math.abs(row.influence)), Number.MIN_VALUE);
+    const bars = rows.map((row) => {
+      const bar = h("span", { class: row.influence < 0 ? "bar falls" : "bar rises" });
+      bar.style.width = `${(50 * Math.abs(row.influence)) / greatest}%`;
+      return h("tr", {},
+        h("th", { scope: "row" }, h("button", { type: "button", class: "link", onclick: () => this.lead(row.input) }, row.name ?? row.input)),
+        h("td", { class: "bars", "aria-hidden": "true" }, h("span", { class: "track" }, bar)),
+        h("td", { class: "number right" }, `${row.influence < 0 ? "−" : "+"}${Math.abs(row.influence).toFixed(2)} %`));
+    });
+    this.element.replaceChildren(
+      h("table", { class: "influence" }, h("caption", {}, texts.sensitivity.caption),
+        h("thead", {}, h("tr", {}, h("th", { scope: "col" }, texts.sensitivity.input), h("td"), h("th", { scope: "col", class: "right" }, texts.sensitivity.influence))),
+        h("tbody", {}, ...bars)),
+      h("details", { class: "more" }, h("summary", {}, texts.sensitivity.tables), document_(answer.html)),
+    );
+  }
+}
+
+/** The laws beside each other. */
+export class Compare implements Panel {
+  readonly element = h("div");
+
+  refresh(solved: Solved): void {
+    if (cannot(this.element, solved, "compare")) return;
+    const answer = engine.answer(solved.text, "compare", solved.units, solved.name);
+    this.element.replaceChildren(answer.ok ? document_(answer.html) : note(answer.message));
+  }
+}
+
+/** A computation that takes its time, with its progress and a button that ends it. */
+export class Run implements Panel {
+  readonly element = h("div", { class: "run" });
+  private readonly runner = new Runner();
+  private readonly samples = h("select", {}, ...[1_000, 10_000, 20_000, 100_000, 1_000_000].map((count) => h("option", { value: count }, count.toLocaleString("en"))));
+  private readonly seed = h("input", { type: "number", class: "number short", value: 1, min: 0, step: 1 });
+  private readonly start: HTMLButtonElement;
+  private readonly end: HTMLButtonElement;
+  private readonly bar = h("progress", { max: 1, value: 0, hidden: true, "aria-label": texts.run.progress });
+  private readonly status = h("p", { class: "hint", role: "status" });
+  private readonly body = h("div");
+  private readonly controls: HTMLElement;
+  private readonly why = h("div");
+  private solved: Solved | null = null;
+  private of = "";
+
+  constructor(
+    private readonly kind: "uncertainty" | "estimate",
+    private readonly finished: (job: Job, result: Finished) => void,
+  ) {
+    const words = texts.run[kind];
+    this.samples.value = "100000";
+    this.start = h("button", { type: "button", class: "primary", onclick: () => this.run() }, words.start);
+    this.end = h("button", { type: "button", onclick: () => this.stop(), hidden: true }, texts.run.end);
+    const settings = kind === "uncertainty" ? [h("label", {}, texts.run.samples, " ", this.samples)] : [];
+    this.controls = h("div", { class: "run-controls" },
+      ...settings, h("label", {}, texts.run.seed, " ", this.seed), this.start, this.end, this.bar);
+    this.element.append(h("p", { class: "note" }, words.what), this.why, this.controls, this.status, this.body);
+  }
+
+  refresh(solved: Solved): void {
+    this.solved = solved;
+    const isUnable = cannot(this.why, solved, this.kind);
+    if (!isUnable) this.why.replaceChildren();
+    this.controls.hidden = isUnable;
+    if (this.of !== "" && this.of !== solved.text) {
+      this.body.classList.add("stale");
+      if (!this.runner.busy) this.status.textContent = texts.run.old;
+    } else this.body.classList.remove("stale");
+  }
+
+  private stop(): void {
+    this.runner.end();
+    this.idle(texts.run.ended);
+  }
+
+  private idle(words: string): void {
+    this.status.textContent = words;
+    this.bar.hidden = true;
+    this.end.hidden = true;
+    this.start.disabled = false;
+  }
+
+  private run(): void {
+    const { solved } = this;
+    if (!solved) return;
+    const job: Job = { kind: this.kind, text: solved.text, units: solved.units, seed: this.seed.valueAsNumber || 0 };
+    if (this.kind === "uncertainty") job.samples = Number(this.samples.value);
+    this.bar.removeAttribute("value");
+    this.bar.hidden = false;
+    this.end.hidden = false;
+    this.start.disabled = true;
+    this.status.textContent = texts.run.running;
+    this.runner.start(
+      job,
+      (done, total) => {
+        this.bar.max = total;
+        this.bar.value = done;
+        this.status.textContent = texts.run.done(done, total);
+      },
+      ({ finished, milliseconds }) => {
+        this.idle(finished.ok ? texts.run.took(milliseconds) : "");
+        this.element.dataset.milliseconds = String(milliseconds);
+        this.show(finished);
+        this.of = job.text;
+        if (finished.ok) this.finished(job, finished);
+        if (this.solved) this.refresh(this.solved);
+      },
+    );
+  }
+
+  private show(result: Finished | Unfinished): void {
+    if (!result.ok) {
+      this.body.replaceChildren(note(result.message));
+      return;
+    }
+    this.body.replaceChildren(document_(result.html), ...result.pictures.map((picture) => figure(picture.name, picture.title, picture.svg)));
+  }
+}
+
+/** The impact, played slowly: both vehicles at equal times before and after it. */
+export class Motion implements Panel {
+  readonly element = h("div", { class: "motion" });
+  private readonly drawing = s("svg", { class: "film", role: "img" });
+  private readonly slider = h("input", { type: "range", min: 0, max: 0, value: 0, step: 1, "aria-label": texts.motion.time });
+  private readonly clock = h("output", { class: "clock" });
+  private readonly play: HTMLButtonElement;
+  private readonly speed = h("select", { "aria-label": texts.motion.pace }, ...texts.motion.paces.map(([value, name]) => h("option", { value }, name)));
+  private film: engine.Film | null = null;
+  private readonly figures: SVGGElement[] = [];
+  private timer = 0;
+
+  constructor() {
+    this.play = h("button", { type: "button", class: "primary", onclick: () => (this.timer ? this.stop() : this.run()) }, texts.motion.play);
+    this.slider.addEventListener("input", () => {
+      this.stop();
+      this.showTime();
+    });
+  }
+
+  refresh(solved: Solved): void {
+    this.stop();
+    if (solved.check.problems.length > 0) {
+      this.element.replaceChildren(note(texts.panels.problems));
+      return;
+    }
+    const film = engine.motion(solved.text, solved.units);
+    if (!film.ok) {
+      this.element.replaceChildren(note(film.message));
+      return;
+    }
+    this.film = film;
+    this.slider.max = String(film.times.length - 1);
+    const atImpact = film.times.findIndex((time) => time >= 0);
+    this.slider.value = String(Math.max(atImpact, 0));
+    this.draw(film);
+    this.showTime();
+    this.element.replaceChildren(
+      h("div", { class: "paper" }, this.drawing),
+      h("div", { class: "player" }, this.play, this.slider, this.clock, h("label", {}, texts.motion.pace, " ", this.speed)),
+    );
+  }
+
+  private draw(film: engine.Film): void {
+    const all = film.vehicles.flatMap((vehicle) => vehicle.poses.map((pose) => pose.at));
+    const reach = Math.max(...film.vehicles.flatMap((vehicle) => vehicle.outline.map(([x, y]) => Math.hypot(x, y))), 1);
+    const left = Math.min(...all.map(([x]) => x)) - reach;
+    const right = Math.max(...all.map(([x]) => x)) + reach;
+    const bottom = Math.min(...all.map(([, y]) => y)) - reach;
+    const top = Math.max(...all.map(([, y]) => y)) + reach;
+    const width = right - left;
+    const height = top - bottom;
+    this.drawing.setAttribute("viewBox", `${left} ${-top} ${width} ${height}`);
+    this.drawing.setAttribute("aria-label", film.description);
+    this.drawing.replaceChildren();
+    this.figures.length = 0;
+    for (const vehicle of film.vehicles) {
+      const path = vehicle.poses.map(({ at: [x, y] }) => `${x},${-y}`).join(" ");
+      this.drawing.append(s("polyline", { points: path, class: `way vehicle-${vehicle.vehicle}` }));
+      const outline = vehicle.outline.map(([x, y]) => `${x},${-y}`).join(" ");
+      const front = Math.max(...vehicle.outline.map(([x]) => x));
+      const figure = s("g", { class: `car vehicle-${vehicle.vehicle}` },
+        s("polygon", { points: outline }),
+        s("path", { d: `M${front * 0.25} 0H${front * 0.85}`, class: "nose" }));
+      this.figures.push(figure);
+      this.drawing.append(figure);
+    }
+    const [x, y] = film.contact;
+    this.drawing.append(s("circle", { cx: x, cy: -y, r: width / 250, class: "contact" }));
+  }
+
+  private showTime(): void {
+    const { film } = this;
+    if (!film) return;
+    const place = this.slider.valueAsNumber;
+    film.vehicles.forEach((vehicle, which) => {
+      const pose = vehicle.poses[place];
+      if (!pose) return;
+      const [x, y] = pose.at;
+      this.figures[which]?.setAttribute("transform", `translate(${x} ${-y}) rotate(${(-pose.heading * 180) / Math.PI})`);
+    });
+    const time = film.times[place] ?? 0;
+    const words = texts.motion.at(time);
+    this.clock.textContent = words;
+    this.slider.setAttribute("aria-valuetext", words);
+  }
+
+  private run(): void {
+    const { film } = this;
+    if (!film) return;
+    if (this.slider.valueAsNumber >= film.times.length - 1) this.slider.value = "0";
+    this.play.textContent = texts.motion.pause;
+    const pace = Number(this.speed.value);
+    const begin = film.times[this.slider.valueAsNumber] ?? 0;
+    const begun = performance.now();
+    const step = () => {
+      const time = begin + ((performance.now() - begun) / 1000) * pace;
+      const next = film.times.findIndex((one) => one > time);
+      this.slider.value = String(next < 0 ? film.times.length - 1 : Math.max(next - 1, 0));
+      this.showTime();
+      if (next < 0) this.stop();
+      else this.timer = requestAnimationFrame(step);
+    };
+    this.timer = requestAnimationFrame(step);
+  }
+
+  private stop(): void {
+    cancelAnimationFrame(this.timer);
+    this.timer = 0;
+    this.play.textContent = texts.motion.play;
+  }
+}
+
+/** The warnings, each with a way to the fields that it is about. */
+export function warnings(list: engine.Warning[], lead: (key: string) => void): HTMLElement {
+  return h("ul", { class: "warnings" },
+    ...list.map((warning) => {
+      const explanation = h("div", { class: "help", hidden: true });
+      const ask = h("button", {
+        type: "button",
+        class: "quiet",
+        "aria-expanded": "false",
+        onclick: () => {
+          explanation.hidden = !explanation.hidden;
+          ask.setAttribute("aria-expanded", String(!explanation.hidden));
+          const words = engine.explain(warning.code);
+          if ("html" in words && explanation.childNodes.length === 0) markup(explanation, words.html);
+        },
+      }, texts.warnings.explain);
+      return h("li", {},
+        h("code", {}, warning.code), h("p", {}, `${warning.message}.`),
+        h("div", { class: "leads" },
+          ...(warning.keys ?? (warning.vehicle ? [`vehicle${warning.vehicle}`] : [])).map((key) => h("button", { type: "button", class: "quiet", onclick: () => lead(key) }, texts.warnings.lead(key, nameOf(key)))),
+          ask),
+        explanation);
+    }));
+}

@@ -1,0 +1,76 @@
+// Runs in a worker: one at a time for each `Runner`, and each can be ended.
+import * as engine from "./engine.js";
+import type { Problem, Units } from "./engine.js";
+import Work from "./worker.js?worker&inline";
+
+export interface Job {
+  kind: "uncertainty" | "estimate";
+  text: string;
+  units: Units;
+  samples?: number;
+  seed?: number;
+}
+
+export interface ToWorker {
+  module: WebAssembly.Module;
+  job: Job;
+}
+
+export type FromWorker =
+  | { kind: "progress"; done: number; total: number; stage: string }
+  | { kind: "result"; result: string; milliseconds: number }
+  | { kind: "failed"; message: string };
+
+export interface Finished {
+  ok: true;
+  headline: string[];
+  html: string;
+  json: string;
+  csv?: string;
+  pictures: { name: string; title: string; svg: string }[];
+}
+
+export interface Unfinished {
+  ok: false;
+  message: string;
+  problems?: Problem[];
+}
+
+export interface Outcome {
+  finished: Finished | Unfinished;
+  milliseconds: number;
+}
+
+export class Runner {
+  private worker: Worker | null = null;
+
+  get busy(): boolean {
+    return this.worker !== null;
+  }
+
+  /** Ends what runs; nothing is heard of it again. */
+  end(): void {
+    this.worker?.terminate();
+    this.worker = null;
+  }
+
+  start(job: Job, progress: (done: number, total: number, stage: string) => void, done: (outcome: Outcome) => void): void {
+    this.end();
+    const worker = new Work();
+    this.worker = worker;
+    const finish = (outcome: Outcome) => {
+      if (this.worker !== worker) return;
+      this.end();
+      done(outcome);
+    };
+    worker.addEventListener("message", ({ data }: MessageEvent<FromWorker>) => {
+      if (this.worker !== worker) return;
+      if (data.kind === "progress") progress(data.done, data.total, data.stage);
+      else if (data.kind === "result") {
+        finish({ finished: JSON.parse(data.result) as Finished | Unfinished, milliseconds: data.milliseconds });
+      } else finish({ finished: { ok: false, message: data.message }, milliseconds: 0 });
+    });
+    worker.addEventListener("error", (event) => finish({ finished: { ok: false, message: event.message }, milliseconds: 0 }));
+    worker.postMessage({ module: engine.module(), job } satisfies ToWorker);
+  }
+}

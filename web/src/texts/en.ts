@@ -1,0 +1,241 @@
+// Every text of the page. What is said of a case comes from the engine; a translation of the page is another file
+// like this one.
+import type { Handle } from "../engine.js";
+
+const vehicle = (number: number | undefined): string => (number ? `vehicle ${number}` : "the scene");
+
+export const texts = {
+  skip: "Skip to the answer",
+  close: "Close",
+  broken: "This page could not start its engine. It needs a browser of 2023 or later.",
+  unitsLabel: "Units",
+  units: [
+    ["", "as in case"],
+    ["si", "metric"],
+    ["us", "US"],
+  ],
+  themeLabel: "Colours",
+  themes: [
+    ["auto", "auto"],
+    ["light", "light"],
+    ["dark", "dark"],
+  ],
+
+  file: {
+    name: "Name of the case file",
+    unsaved: "The case has changes that are not saved",
+    new: "New…",
+    open: "Open…",
+    save: "Save",
+    undo: "Undo (Ctrl+Z)",
+    redo: "Redo (Ctrl+Y)",
+    discard: "The case has changes that are not saved. Discard them?",
+    unreadable: (name: string) => `${name} is not a case file: it is not a text in UTF-8.`,
+  },
+
+  templates: {
+    title: "Begin with",
+    explain: "Each of these is a complete case that has an answer. Replace its numbers by yours.",
+    unitsLabel: "Units of the file",
+    units: [
+      ["si", "metric"],
+      ["us", "US"],
+    ],
+  },
+
+  save: {
+    label: "Report",
+    report: "Save the report (HTML)",
+    live: "Save a report that can be asked",
+    print: "Print the report",
+    json: "Save the results as JSON",
+    csv: "Save the results as CSV",
+    text: "Save the results as text",
+    nothing: "The case has no answer yet, so there is nothing to save.",
+    noCsv: "This answer has no table as CSV.",
+  },
+
+  about: {
+    open: "About",
+    paragraphs: [
+      "deltav reconstructs the speeds of a two-vehicle collision from crush damage and planar impact mechanics.",
+      "Everything is computed in this page. It needs no network, and its security policy forbids every connection: nothing that you enter leaves this computer.",
+      "The engine is the one of the program of the same name, and gives the same numbers to the last bit.",
+    ],
+    engine: "SHA-256 of the engine:",
+    licences: "Licences of what this page contains",
+  },
+
+  questions: {
+    reconstruct: "Which speed does the damage show?",
+    impact: "What do these speeds do?",
+    motion: "Where do the vehicles come to rest?",
+    crush: "What does the damage alone say?",
+  } as Record<string, string>,
+
+  answer: {
+    label: "Answer",
+    question: "Question",
+    noWarnings: "No warnings",
+    warnings: (count: number) => (count === 1 ? "1 warning" : `${count} warnings`),
+    toField: "Go to the field",
+    toLine: (line: number) => `Go to line ${line}`,
+    andMore: (count: number) => (count === 1 ? "And 1 more problem." : `And ${count} more problems.`),
+  },
+
+  warnings: {
+    explain: "What it means",
+    lead: (key: string, name: string) => (name === key ? `Go to ${key}` : `Go to ${name} (${key})`),
+  },
+
+  sides: { label: "What is shown", view: "Answer", case: "Case" },
+  caseTabs: { label: "Case", form: "Form", text: "Text" },
+  viewTabs: {
+    label: "Views",
+    scene: "Scene",
+    results: "Results",
+    drawings: "Drawings",
+    motion: "Motion",
+    uncertainty: "Uncertainty",
+    sensitivity: "Sensitivity",
+    compare: "Compare",
+    estimate: "Estimate",
+    inputs: "Inputs",
+  } as Record<string, string>,
+
+  editor: { label: "Text of the case file" },
+
+  form: {
+    label: "Case as a form",
+    notGiven: "not given",
+    notGivenOption: "not given",
+    required: "(needed)",
+    yes: "yes",
+    no: "no",
+    more: (count: number) => (count === 1 ? "1 more field" : `${count} more fields`),
+    help: (title: string) => `Help: ${title}`,
+    inText: "in the text",
+    inTextOf: (title: string) => `Edit in the text: ${title}`,
+    unitOf: (title: string) => `Unit: ${title}`,
+    knownOf: (title: string) => `How well it is known: ${title}`,
+    known: "How well the number is known",
+    modes: {
+      exact: "exact",
+      sd: "± std. dev.",
+      uniform: "low to high",
+      triangular: "low, likely, high",
+      within: "± per cent",
+      other: "other range",
+    } as Record<string, string>,
+    rangeKey: {
+      value: "central value",
+      values: "central values",
+      sd: "standard deviation",
+      low: "least value",
+      mode: "likeliest value",
+      high: "greatest value",
+      within: "greatest deviation in per cent",
+      confidence: "probability that it lies within",
+    } as Record<string, string>,
+    rangeSign: { sd: "±", low: "from", mode: "likely", high: "to", within: "±", confidence: "probability" } as Record<string, string>,
+  },
+
+  scene: {
+    title: "scene",
+    handles: "Handles of the scene",
+    hint: "Drag a vehicle or a handle, or focus a handle and press the arrow keys (Shift for larger steps, Alt for smaller). Escape takes a drag back.",
+    body: (number: number) => `Vehicle ${number}: drag to move`,
+    handle: (handle: Handle): string => {
+      const of = vehicle(handle.vehicle);
+      const names: Record<Handle["kind"], string> = {
+        body: `Place of ${of}`,
+        heading: `Heading of ${of}`,
+        contact: `Contact point of ${of}`,
+        plane: "Crush plane",
+        rest: `Rest position of ${of}`,
+        rest_heading: `Heading of ${of} at rest`,
+        point: `Point ${(handle.index ?? 0) + 1} of the path of ${of}`,
+        station: `Crush depth C${(handle.index ?? 0) + 1} of ${of}`,
+      };
+      return names[handle.kind];
+    },
+  },
+
+  backdrop: {
+    add: "Lay a plan or photo beneath…",
+    change: "Another picture…",
+    remove: "Remove",
+    scale: "Set scale",
+    move: "Move",
+    turn: "Angle of the picture in degrees",
+    turnShort: "Turn",
+    strength: "Strength of the picture",
+    strengthShort: "Strength",
+    distance: "Distance between the two points",
+    set: "Set",
+    scaleHint: "Click two points of the picture whose distance you know.",
+    moveHint: "Drag the picture to its place.",
+    noDistance: "Write the distance with its unit, for example 10 m or 32 ft.",
+    scaled: "The scale is set.",
+    unreadable: "This file is not a picture that the browser can show.",
+  },
+
+  panels: {
+    problems: "The case file has an error. Mend it, and this appears again.",
+    cannot: "The case does not have what this needs.",
+    noDrawings: "There is nothing to draw for this case.",
+    table: "Table",
+  },
+
+  pictures: { svg: "Save SVG", png: "Save PNG" },
+
+  sensitivity: {
+    caption: "Change of the speed in per cent, for 1 % more of the input, or for 1° more of an angle",
+    input: "input",
+    influence: "influence",
+    tables: "All derivatives",
+  },
+
+  run: {
+    uncertainty: {
+      what: "Numbers of the case that are ranges are drawn at random, and each sample is solved. Give a range in the form with the last list of a field.",
+      start: "Run",
+    },
+    estimate: {
+      what: "All evidence of the case is weighed together, including what is only known roughly. It takes some seconds to minutes.",
+      start: "Estimate",
+    },
+    samples: "Samples",
+    seed: "Seed",
+    end: "End",
+    progress: "Progress",
+    running: "Running…",
+    ended: "Ended before it was done.",
+    old: "This is of the case before the last change.",
+    done: (done: number, total: number) => `${done.toLocaleString("en")} of ${total.toLocaleString("en")}`,
+    took: (milliseconds: number) => (milliseconds < 1000 ? `Took ${Math.round(milliseconds)} ms.` : `Took ${(milliseconds / 1000).toFixed(1)} s.`),
+  },
+
+  motion: {
+    time: "Time",
+    pace: "Pace",
+    play: "Play",
+    pause: "Pause",
+    paces: [
+      ["0.1", "10 times slower"],
+      ["0.25", "4 times slower"],
+      ["1", "as it was"],
+    ],
+    at: (seconds: number) => `${seconds < 0 ? "−" : "+"}${Math.abs(seconds).toFixed(2)} s`,
+  },
+
+  live: {
+    printed: "The report as it was printed",
+    explain: "Below is the report as it was handed over, unchanged. Above it, change any number and see what follows.",
+    report: "SHA-256 of the report",
+    engine: "SHA-256 of the engine",
+    checking: "checking…",
+    holds: "holds",
+    fails: "does not hold: this is not what was handed over",
+  },
+};
