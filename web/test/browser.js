@@ -1,0 +1,84 @@
+// The page in a browser that is installed, opened from the disk as a user would.
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+import { chromium } from "playwright-core";
+
+const WEB = dirname(dirname(fileURLToPath(import.meta.url)));
+export const ROOT = dirname(WEB);
+export const PAGE = join(WEB, "dist", "deltav.html");
+export const PROGRAM = process.env.DELTAV_PROGRAM ?? join(ROOT, "target", "debug", "deltav");
+export const QUICK = process.env.DELTAV_QUICK === "1";
+
+const BROWSERS = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+
+let running;
+
+export async function browser() {
+  const executablePath = BROWSERS.find((path) => path && existsSync(path));
+  if (!executablePath) throw new Error("no Chromium: install it, or say in CHROMIUM where it is");
+  running ??= await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-gpu"] });
+  return running;
+}
+
+export async function close() {
+  await running?.close();
+}
+
+/**
+ * Opens the page, or a copy of it, and hears what it says: nothing is to be said on the console, and nothing is to
+ * be asked of a network.
+ */
+export async function open({ file = PAGE, ...options } = {}) {
+  const context = await (await browser()).newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  const heard = [];
+  page.on("console", (message) => heard.push(`${message.type()}: ${message.text()}`));
+  page.on("pageerror", (error) => heard.push(`error: ${error.stack}`));
+  page.on("request", (request) => {
+    if (!/^(file|blob|data|about):/.test(request.url())) heard.push(`request: ${request.url()}`);
+  });
+  // Changes that are not saved ask before they are lost.
+  page.on("dialog", (dialog) => void dialog.accept());
+  await page.goto(pathToFileURL(file).href);
+  await page.locator("body.ready").waitFor();
+  return { page, heard, context };
+}
+
+/** The whole text of the case, as the page saves it. */
+export const caseText = async (page) =>
+  (await saved(page, () => page.getByRole("button", { name: "Save", exact: true }).click())).bytes.toString();
+
+/** Another text for the case, as if somebody had opened a file of that name. */
+export async function openCase(page, name, text) {
+  await page.locator('input[type="file"][accept*="toml"]').setInputFiles({ name, mimeType: "application/toml", buffer: Buffer.from(text) });
+  await page.waitForFunction((name) => document.querySelector(".file-name").value === name, name);
+}
+
+export const firstResult = (page) => page.locator(".result.first .result-value").innerText();
+
+/** What a press of a button saves. */
+export async function saved(page, press) {
+  const [download] = await Promise.all([page.waitForEvent("download"), press()]);
+  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+}
+
+export async function fromMenu(page, entry) {
+  await page.locator(".menu > summary").click();
+  return saved(page, () => page.getByRole("button", { name: entry, exact: true }).click());
+}
+
+/** What the program writes for a case. */
+export function program(name, text, ...options) {
+  const folder = mkdtempSync(join(tmpdir(), "deltav-"));
+  writeFileSync(join(folder, name), text);
+  const [command, ...others] = options;
+  return execFileSync(PROGRAM, [command, name, ...others], { cwd: folder, maxBuffer: 1 << 28 });
+}
+
+export const fixture = (name) => readFileSync(join(ROOT, "fixtures", name), "utf8");
+
+export const median = (numbers) => [...numbers].sort((a, b) => a - b)[Math.floor(numbers.length / 2)];

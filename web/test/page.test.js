@@ -1,0 +1,324 @@
+import assert from "node:assert/strict";
+import { createHash } from "node:crypto";
+import { readFileSync, statSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, test } from "node:test";
+
+import { PAGE, QUICK, caseText, close, firstResult, fixture, fromMenu, median, open, openCase, program, saved } from "./browser.js";
+
+after(close);
+
+/** A test with a page of its own, which says nothing on the console and asks nothing of a network. */
+function onPage(name, run, options = {}) {
+  test(name, async (t) => {
+    const { page, heard, context } = await open(options);
+    try {
+      await run(page, t);
+      assert.deepEqual(heard, []);
+    } finally {
+      await context.close();
+    }
+  });
+}
+
+test("the page is one file of less than 3 MB", () => {
+  assert.ok(statSync(PAGE).size < 3e6, `${statSync(PAGE).size} bytes`);
+});
+
+onPage("the paper's example: 51.16 mph, within a second of opening", async (page, t) => {
+  // SAE 980025 prints 75 ft/s; the program's guide has 51.16 mph with that example.
+  assert.equal(await firstResult(page), "51.16 mph");
+  assert.match(await page.locator(".result.first").innerText(), /75\.03 ft\/s/);
+  const ready = await page.evaluate(() => performance.getEntriesByName("deltav-ready")[0].startTime);
+  t.diagnostic(`ready after ${Math.round(ready)} ms`);
+  assert.ok(ready < 1000, `${ready} ms`);
+});
+
+/** Drags a handle of the scene by some pixels, in steps. */
+async function drag(page, handle, by, steps = 10) {
+  const box = await page.locator(`[data-handle="${handle}"]`).boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let step = 1; step <= steps; step += 1) {
+    await page.mouse.move(x + (by[0] * step) / steps, y + (by[1] * step) / steps);
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+  }
+  await page.mouse.up();
+}
+
+const heading2 = async (page) => Number(/^\[vehicle2\][^[]*^heading\s*=\s*"(\S+) deg"/m.exec(await caseText(page))[1]);
+
+onPage("a drag turns vehicle 2: the speed and the text follow, comments stay, and one undo takes it back", async (page) => {
+  const before = await caseText(page);
+  await drag(page, "heading-2-0", [-40, 10]);
+  const after = await caseText(page);
+  assert.notEqual(await heading2(page), 67);
+  assert.notEqual(await firstResult(page), "51.16 mph");
+  const comments = (text) => text.split("\n").map((line) => line.split("#").slice(1).join("#"));
+  assert.deepEqual(comments(after), comments(before));
+  await page.locator("body").press("Control+z");
+  assert.equal(await caseText(page), before);
+  assert.equal(await firstResult(page), "51.16 mph");
+  await page.locator("body").press("Control+y");
+  assert.equal(await caseText(page), after);
+});
+
+onPage("during a drag the picture holds still, and Escape takes the drag back", async (page) => {
+  const before = await caseText(page);
+  const contact = () => page.locator("#scene-contact").evaluate((dot) => [dot.getAttribute("cx"), dot.getAttribute("cy")]);
+  const at = await contact();
+  const box = await page.locator('[data-handle="heading-2-0"]').boundingBox();
+  await page.mouse.move(box.x + 12, box.y + 12);
+  await page.mouse.down();
+  await page.mouse.move(box.x - 60, box.y + 40);
+  await page.waitForFunction((text) => document.querySelector(".result.first .result-value").innerText !== text, "51.16 mph");
+  assert.deepEqual(await contact(), at);
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  assert.equal(await caseText(page), before);
+});
+
+onPage("a whole vehicle is dragged", async (page) => {
+  const before = await caseText(page);
+  const box = await page.locator('[data-handle="body-1-0"]').boundingBox();
+  await page.mouse.move(box.x + 60, box.y + 20);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 80, box.y + 30, { steps: 4 });
+  await page.mouse.up();
+  const after = await caseText(page);
+  assert.notEqual(after, before);
+  assert.match(after, /^contact\s*=\s*\{ distance = /m);
+});
+
+onPage("the keyboard turns a vehicle by a degree", async (page) => {
+  await page.locator('[data-handle="heading-2-0"]').focus();
+  await page.keyboard.press("ArrowLeft");
+  assert.equal(await heading2(page), 68);
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await heading2(page), 66);
+});
+
+onPage("an error has its place, and goes when it is mended", async (page) => {
+  const speed = page.locator('[data-key="vehicle2.speed"] input').first();
+  await speed.fill("ten");
+  await page.locator('[data-key="vehicle2.speed"] .error').waitFor();
+  assert.match(await page.locator(".state").innerText(), /ten/);
+  await page.getByRole("tab", { name: "Text", exact: true }).click();
+  await page.locator(".cm-lintRange-error").first().waitFor();
+  await page.getByRole("tab", { name: "Form", exact: true }).click();
+  await page.locator('[data-key="vehicle2.speed"] input').first().fill("10");
+  await page.waitForFunction(() => document.querySelector(".state").innerText.includes("No warnings"));
+  assert.equal(await firstResult(page), "51.16 mph");
+  assert.match(await caseText(page), /^speed\s*=\s*"10 mph" +# the text of the example$/m);
+});
+
+onPage("a slip in the syntax leads to its line", async (page) => {
+  await openCase(page, "slip.toml", fixture("sae-980025.toml").replace('heading     = "67 deg"', 'heading     = "67 deg'));
+  await page.getByRole("button", { name: /^Go to line 2\d$/ }).click();
+  assert.equal(await page.getByRole("tab", { name: "Text", exact: true }).getAttribute("aria-selected"), "true");
+  assert.ok(await page.locator(".cm-content").evaluate((content) => content === document.activeElement));
+});
+
+onPage("a field of the form has units and ranges", async (page) => {
+  const field = page.locator('[data-key="vehicle2.speed"]');
+  await field.locator("select.unit").selectOption("km/h");
+  // 10 mph are 16.09344 km/h by definition.
+  assert.match(await caseText(page), /^speed\s*=\s*"16\.09344 km\/h"/m);
+  await field.locator("select.mode").selectOption("sd");
+  await field.locator(".range input").fill("1");
+  assert.match(await caseText(page), /^speed\s*=\s*\{ value = "16\.09344 km\/h", sd = "1 km\/h" \}/m);
+  // The interval stands in the answer without being asked for.
+  await page.waitForFunction(() => /95\s*%/.test(document.querySelector(".headline").innerText));
+});
+
+onPage("an uncertainty runs to its end, and can be ended", async (page) => {
+  await openCase(page, "uncertain.toml", fixture("sae-980025-uncertain.toml"));
+  await page.getByRole("tab", { name: "Uncertainty" }).click();
+  const panel = page.locator(".run:visible");
+  await panel.getByLabel("Samples").selectOption("10000");
+  await panel.getByRole("button", { name: "Run" }).click();
+  await panel.locator("table").first().waitFor();
+  assert.match(await panel.innerText(), /10,000 samples of 31 uncertain inputs/);
+  await panel.getByLabel("Samples").selectOption("1000000");
+  await panel.getByRole("button", { name: "Run" }).click();
+  await page.waitForFunction(() => document.querySelector(".run:not([hidden]) progress")?.value > 0);
+  await panel.getByRole("button", { name: "End" }).click();
+  await panel.getByText("Ended").waitFor();
+  assert.equal(await panel.getByRole("button", { name: "Run" }).isEnabled(), true);
+});
+
+onPage("the report, JSON and CSV are those of the program, byte for byte", async (page) => {
+  const cases = ["sae-980025.toml", "rear-end-rest.toml", "sae-980025-uncertain.toml"];
+  for (const name of QUICK ? cases.slice(0, 1) : cases) {
+    const text = fixture(name);
+    await openCase(page, name, text);
+    for (const units of QUICK ? ["us"] : ["si", "us"]) {
+      await page.locator("#units").selectOption(units);
+      const report = await fromMenu(page, "Save the report (HTML)");
+      assert.equal(report.name, name.replace(".toml", ".html"));
+      assert.ok(report.bytes.equals(program(name, text, "reconstruct", "--format", "html", "--units", units)), `${name} ${units}`);
+      for (const format of ["JSON", "CSV"]) {
+        const file = await fromMenu(page, `Save the results as ${format}`);
+        const expected = program(name, text, "reconstruct", "--format", format.toLowerCase(), "--units", units);
+        assert.equal(file.bytes.toString(), expected.toString(), `${name} ${units} ${format}`);
+      }
+    }
+  }
+});
+
+onPage("every template has an answer in both systems of units", async (page) => {
+  const count = await (async () => {
+    await page.getByRole("button", { name: "New…" }).click();
+    return page.locator(".card").count();
+  })();
+  assert.ok(count > 8);
+  await page.getByRole("button", { name: "Close" }).click();
+  for (let which = 0; which < count; which += 1) {
+    for (const units of ["si", "us"]) {
+      await page.getByRole("button", { name: "New…" }).click();
+      await page.locator("#template-units").selectOption(units);
+      await page.locator(".card").nth(which).click();
+      await page.waitForFunction(() => !document.querySelector(".headline").classList.contains("stale"));
+      assert.equal(await page.locator(".state .error").count(), 0, `template ${which} ${units}: ${await page.locator(".state").innerText()}`);
+      assert.match(await firstResult(page), /\d/);
+    }
+  }
+});
+
+onPage("drawings are saved as SVG and PNG", async (page) => {
+  const svg = await saved(page, () => page.getByRole("button", { name: "Save SVG: scene" }).click());
+  assert.match(svg.bytes.toString(), /^<svg .*scene-contact/s);
+  const png = await saved(page, () => page.getByRole("button", { name: "Save PNG: scene" }).click());
+  assert.deepEqual([...png.bytes.subarray(0, 8)], [0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10]);
+  assert.equal(png.bytes.readUInt32BE(16), 2400);
+});
+
+onPage("what a title contains stays text", async (page) => {
+  const title = "<script>window.hit=1</script><img src=x onerror=window.hit=1>]]>";
+  const text = fixture("sae-980025.toml").replace(/^title .*/m, `title = '${title}'`).replace('"1994 GMC Jimmy"', `'${title}'`);
+  await openCase(page, "forged.toml", text);
+  for (const tab of ["Scene", "Results", "Drawings", "Inputs", "Sensitivity", "Compare"]) await page.getByRole("tab", { name: tab, exact: true }).click();
+  assert.equal(await page.evaluate(() => window.hit), undefined);
+  assert.equal(await page.locator("img[src=x]").count(), 0);
+  const report = await fromMenu(page, "Save a report that can be asked");
+  const file = join(tmpdir(), `deltav-forged-${process.pid}.html`);
+  writeFileSync(file, report.bytes);
+  const live = await open({ file });
+  assert.equal(await live.page.evaluate(() => window.hit), undefined);
+  assert.deepEqual(live.heard, []);
+  await live.context.close();
+});
+
+onPage("a report that can be asked opens with its case, and both hashes hold", async (page) => {
+  await openCase(page, "rear-end.toml", fixture("rear-end.toml"));
+  const answer = await firstResult(page);
+  const report = await fromMenu(page, "Save the report (HTML)");
+  const live = await fromMenu(page, "Save a report that can be asked");
+  // It is the page with its slot filled, and nothing else.
+  const slot = /(<script type="application\/json" id="deltav-live">)([^<]*)(<\/script>)/;
+  const json = slot.exec(live.bytes.toString())[2];
+  assert.equal(live.bytes.toString(), readFileSync(PAGE, "utf8").replace(slot, (_, begin, _null, end) => begin + json + end));
+  const content = JSON.parse(json);
+  assert.equal(content.text, fixture("rear-end.toml"));
+  assert.ok(Buffer.from(content.report_base64, "base64").equals(report.bytes));
+  assert.equal(content.report_sha256, createHash("sha256").update(report.bytes).digest("hex"));
+
+  const look = async (bytes) => {
+    const file = join(tmpdir(), `deltav-live-${process.pid}.html`);
+    writeFileSync(file, bytes);
+    const opened = await open({ file });
+    await opened.page.waitForFunction(() => [...document.querySelectorAll(".verdict")].every((one) => /good|bad/.test(one.className)));
+    const verdicts = await opened.page.locator(".verdict").evaluateAll((all) => all.map((one) => one.classList.contains("good")));
+    const shown = await opened.page.frameLocator(".printed-report").locator("h1").innerText();
+    const result = await firstResult(opened.page);
+    assert.deepEqual(opened.heard, []);
+    await opened.context.close();
+    return { verdicts, shown, result };
+  };
+  const opened = await look(live.bytes);
+  assert.deepEqual(opened.verdicts, [true, true]);
+  assert.equal(opened.result, answer);
+  assert.match(opened.shown, /\w/);
+  // A report of which one letter was changed is found out.
+  const forged = { ...content, report_base64: Buffer.from(report.bytes.toString().replace("mph", "kph")).toString("base64") };
+  assert.notEqual(forged.report_base64, content.report_base64);
+  const tampered = await look(Buffer.from(live.bytes.toString().replace(slot, (_, begin, _json, end) => begin + JSON.stringify(forged) + end)));
+  assert.deepEqual(tampered.verdicts, [false, true]);
+});
+
+test("nothing leaves the page", async () => {
+  let asked = 0;
+  const server = createServer((_, response) => {
+    asked += 1;
+    response.setHeader("access-control-allow-origin", "*");
+    response.end("x");
+  });
+  await new Promise((listening) => server.listen(0, "127.0.0.1", listening));
+  const url = `http://127.0.0.1:${server.address().port}/`;
+  const { page, context } = await open();
+  try {
+    const outcomes = await page.evaluate(async (url) => {
+      const settled = (promise) => promise.then(() => "got through", () => "refused");
+      const loads = (element) => settled(new Promise((done, failed) => {
+        element.onload = done;
+        element.onerror = failed;
+        document.body.append(element);
+        setTimeout(failed, 1500);
+      }));
+      const made = (tag, properties) => Object.assign(document.createElement(tag), properties);
+      return [
+        await settled(fetch(url)),
+        await loads(made("img", { src: `${url}img` })),
+        await loads(made("script", { src: `${url}script` })),
+        await loads(made("link", { rel: "stylesheet", href: `${url}style` })),
+        await settled(new Promise((done, failed) => {
+          try {
+            const socket = new WebSocket(url.replace("http", "ws"));
+            socket.onopen = done;
+            socket.onerror = failed;
+          } catch (error) {
+            failed(error);
+          }
+        })),
+        navigator.sendBeacon(`${url}beacon`) && "sent",
+      ];
+    }, url);
+    assert.deepEqual(outcomes.slice(0, 5), Array(5).fill("refused"));
+    await page.waitForTimeout(300);
+    assert.equal(asked, 0);
+  } finally {
+    await context.close();
+    server.close();
+  }
+});
+
+onPage("a drag is answered at the display's rate", async (page, t) => {
+  for (const handle of ["heading-2-0", "heading-1-0"]) {
+    await drag(page, handle, [-30, 20], 15);
+    await drag(page, handle, [30, -20], 15);
+  }
+  const times = await page.evaluate(() => performance.getEntriesByName("deltav-drag").map((entry) => entry.duration));
+  assert.ok(times.length > 30, `${times.length} answers`);
+  t.diagnostic(`median of ${times.length} answers to a drag: ${median(times).toFixed(1)} ms`);
+  assert.ok(median(times) < 60, `${median(times)} ms`);
+});
+
+onPage("a hundred thousand samples", async (page, t) => {
+  await openCase(page, "uncertain.toml", fixture("sae-980025-uncertain.toml"));
+  await page.getByRole("tab", { name: "Uncertainty" }).click();
+  const panel = page.locator(".run:visible");
+  await panel.getByLabel("Samples").selectOption("100000");
+  const times = [];
+  for (let time = 0; time < (QUICK ? 2 : 5); time += 1) {
+    await panel.evaluate((element) => delete element.dataset.milliseconds);
+    await panel.getByRole("button", { name: "Run" }).click();
+    await page.waitForFunction(() => document.querySelector(".panel:not([hidden]) .run")?.dataset.milliseconds);
+    times.push(Number(await panel.getAttribute("data-milliseconds")));
+  }
+  t.diagnostic(`100,000 samples: ${times.map((time) => time.toFixed(0)).join(", ")} ms`);
+  assert.ok(Math.min(...times) < 1500, `${times}`);
+});
