@@ -4,9 +4,8 @@ import { Editor } from "./editor.js";
 import * as engine from "./engine.js";
 import type { Command, Problem, Units } from "./engine.js";
 import { Form } from "./form.js";
-import { type Live, handedOver, makeLive, printed } from "./live.js";
+import { type Live, emptyPage, handedOver, printed } from "./live.js";
 import { Compare, Drawings, Inputs, Motion, type Panel, Results, Run, Sensitivity, type Solved, warnings } from "./panels.js";
-import { saveButtons } from "./pictures.js";
 import { type Finished, type Job, Runner } from "./runs.js";
 import { SceneView } from "./scene.js";
 import { Tabs } from "./tabs.js";
@@ -63,7 +62,7 @@ export class App {
 
     this.scene = new SceneView({
       text: () => this.editor.text,
-      draw: (viewport) => this.drawScene(viewport),
+      draw: (what, viewport) => this.drawScene(what, viewport),
       preview: (text) => {
         this.editor.preview(text);
         this.solveSoon.flush();
@@ -72,7 +71,7 @@ export class App {
         this.editor.settle(keep);
         this.solveSoon.flush();
       },
-      refused: (problems) => this.showProblems(problems),
+      refused: (message) => this.message(message),
     });
 
     const lead = (key: string) => this.lead(key);
@@ -84,8 +83,7 @@ export class App {
     this.panels.set("compare", new Compare());
     this.panels.set("estimate", new Run("estimate", () => undefined));
     this.panels.set("inputs", new Inputs());
-    const scenePanel = h("div", { class: "panel scene-panel" },
-      saveButtons("scene", texts.scene.title, () => this.scene.svg), this.scene.element);
+    const scenePanel = h("div", { class: "panel" }, this.scene.element);
     this.viewTabs = new Tabs(texts.viewTabs.label ?? "", [
       { name: "scene", title: texts.viewTabs.scene ?? "", panel: scenePanel, shown: () => this.show("scene") },
       ...[...this.panels].map(([name, panel]) => ({
@@ -102,7 +100,7 @@ export class App {
   }
 
   private layout(live: Live | null): HTMLElement[] {
-    const button = (label: string, run: () => void, kind = "") => h("button", { type: "button", class: kind, onclick: run }, label);
+    const button = (label: string, run: () => void, kind?: string) => h("button", { type: "button", class: kind, onclick: run }, label);
     const units = h("select", { id: "units" }, ...texts.units.map(([value, name]) => h("option", { value }, name)));
     units.addEventListener("change", () => {
       this.units = units.value as Units;
@@ -113,7 +111,7 @@ export class App {
     theme.addEventListener("change", () => (document.documentElement.dataset.theme = theme.value));
     const save = this.menu(texts.save.label, [
       [texts.save.report, () => this.saveReport()],
-      [texts.save.live, () => void this.saveLive()],
+      [texts.save.live, () => this.saveLive()],
       [texts.save.print, () => this.print()],
       [texts.save.json, () => this.saveAnswer("json")],
       [texts.save.csv, () => this.saveAnswer("csv")],
@@ -137,10 +135,6 @@ export class App {
       h("div", { class: "answer-side" },
         h("div", { class: "question" }, h("label", { for: "question" }, texts.answer.question), this.question),
         this.state));
-    const main = h("main", { class: "split" },
-      h("section", { class: "case", "aria-label": texts.caseTabs.label }, this.caseTabs.list, this.caseTabs.panels),
-      h("section", { class: "view", "aria-label": texts.viewTabs.label }, this.viewTabs.list, this.viewTabs.panels));
-    document.body.classList.toggle("is-live", live !== null);
     // On a narrow page one of the two sides is shown.
     const sides = (["view", "case"] as const).map((side) => {
       const choose = () => {
@@ -150,7 +144,12 @@ export class App {
       return [side, button(texts.sides[side], choose)] as const;
     });
     sides[0]?.[1].click();
-    return [h("a", { class: "skip", href: "#answer" }, texts.skip), bar, answer, h("div", { class: "sides", role: "group", "aria-label": texts.sides.label }, ...sides.map(([, element]) => element)), main, this.spoken, ...(live ? [printed(live)] : [])];
+    const main = h("main", { class: "split" },
+      h("div", { class: "sides", role: "group", "aria-label": texts.sides.label }, ...sides.map(([, element]) => element)),
+      h("section", { class: "case", "aria-label": texts.caseTabs.label }, this.caseTabs.list, this.caseTabs.panels),
+      h("section", { class: "view", "aria-label": texts.viewTabs.label }, this.viewTabs.list, this.viewTabs.panels));
+    document.body.classList.toggle("is-live", live !== null);
+    return [h("a", { class: "skip", href: "#answer" }, texts.skip), bar, answer, main, this.spoken, ...(live ? [printed(live)] : [])];
   }
 
   private menu(label: string, entries: [string, () => void][]): HTMLElement {
@@ -354,10 +353,10 @@ export class App {
     else this.panels.get(name)?.refresh(this.solved);
   }
 
-  private drawScene(viewport: engine.Viewport | null): engine.Scene | null {
-    if (!this.solved?.answer?.ok) return null;
-    const scene = engine.scene(this.solved.text, this.solved.command, this.units, viewport);
-    return "svg" in scene ? scene : null;
+  private drawScene(what: "scene" | "motion" | "", viewport: engine.Viewport | null): engine.Scene | null {
+    if (!this.solved || this.solved.check.problems.length > 0) return null;
+    const scene = engine.scene(this.solved.text, what, this.units, viewport);
+    return scene.ok ? scene : null;
   }
 
   private showQuestion(able: Command[], command: Command): void {
@@ -439,7 +438,7 @@ export class App {
   private runInterval(): void {
     const { solved } = this;
     if (!solved?.answer?.ok || !solved.check.commands.uncertainty?.able) return;
-    const job: Job = { kind: "uncertainty", text: solved.text, units: solved.units };
+    const job: Job = { kind: "uncertainty", text: solved.text, name: solved.name, units: solved.units, options: {} };
     this.quick.start(job, () => undefined, ({ finished }) => finished.ok && this.showInterval(job, finished));
   }
 
@@ -473,10 +472,14 @@ export class App {
     if (report !== null) download(`${this.stem}.html`, report, "text/html");
   }
 
-  private async saveLive(): Promise<void> {
-    const report = this.report();
-    if (report === null) return;
-    download(`${this.stem}-live.html`, await makeLive(this.name.value, this.editor.text, report), "text/html");
+  private saveLive(): void {
+    if (!this.solved?.answer?.ok) {
+      this.message(texts.save.nothing);
+      return;
+    }
+    const live = engine.live(emptyPage(), this.editor.text, this.name.value, this.solved.command, this.units);
+    if (live.ok) download(`${this.stem}-live.html`, live.html, "text/html");
+    else this.message(live.message);
   }
 
   private print(): void {

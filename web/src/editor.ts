@@ -65,14 +65,13 @@ export class Editor {
         closeBrackets(),
         autocompletion({ override: [completions], icons: false }),
         highlightActiveLine(),
-        EditorView.lineWrapping,
         StreamLanguage.define(toml),
         syntaxHighlighting(colours),
         lintGutter(),
         help,
         // Tab moves on to the next element of the page, as everywhere else.
         keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...historyKeymap, ...completionKeymap]),
-        EditorView.contentAttributes.of({ "aria-label": texts.editor.label, spellcheck: "false" }),
+        EditorView.contentAttributes.of({ "aria-label": texts.editor.label, spellcheck: "false", tabindex: "0" }),
         EditorView.updateListener.of((update) => {
           if (update.docChanged) this.changed();
         }),

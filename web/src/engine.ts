@@ -120,11 +120,11 @@ export interface Viewport {
 
 export interface Handle {
   kind: "body" | "heading" | "contact" | "plane" | "rest" | "rest_heading" | "point" | "station";
-  vehicle?: 1 | 2;
-  index?: number;
+  vehicle: 1 | 2 | null;
+  index?: number | null;
   at: Point;
-  /** Of what turns: about which place. */
-  pivot?: Point;
+  /** About which it turns, if it turns. */
+  centre: Point;
   keys: string[];
 }
 
@@ -136,12 +136,15 @@ export interface Body {
 }
 
 export interface Scene {
+  ok: true;
+  what: "scene" | "motion";
   svg: string;
+  title: string;
   viewport: Viewport;
-  /** From scene metres to the drawing: x + scale X, y − scale Y. */
-  map: { x: number; y: number; scale: number };
-  description: string;
-  bodies: Body[];
+  /** A place of the scene is at `origin[0] + scale x`, `origin[1] − scale y` of the drawing. */
+  origin: Point;
+  scale: number;
+  bodies: (Body | null)[];
   handles: Handle[];
 }
 
@@ -155,16 +158,10 @@ export interface Template {
 /** The motion of both vehicles at equal times. */
 export interface Film {
   ok: true;
-  /** Seconds; the impact is at 0. */
-  times: number[];
-  contact: Point;
-  description: string;
-  vehicles: {
-    vehicle: 1 | 2;
-    /** About the CG, forward and to the left. */
-    outline: Point[];
-    poses: { at: Point; heading: number }[];
-  }[];
+  /** Seconds from the impact to the last rest. */
+  duration: number;
+  /** The time is in seconds since the impact; the outline lies in the scene. */
+  frames: { time: number; bodies: ({ outline: Point[]; centre: Point; heading: number } | null)[] }[];
 }
 
 export type Report = { ok: true; html: string } | { ok: false; message: string };
@@ -211,16 +208,19 @@ export const explain = (word: string): Explained => read(wasm.explain(word));
 export const check = (text: string): Check => read(wasm.check(text));
 export const answer = (text: string, command: Command, units: Units, name: string): Answer | NoAnswer =>
   read(wasm.answer(text, command, units, name));
-export const scene = (text: string, command: Command, units: Units, viewport: Viewport | null): Scene | NoAnswer =>
-  read(wasm.scene(text, command, units, viewport ? JSON.stringify(viewport) : ""));
-export const drag = (text: string, handle: Handle, at: Point): { text: string; problems: Problem[] } =>
+export const scene = (text: string, what: "scene" | "motion" | "", units: Units, viewport: Viewport | null): Scene | NoAnswer =>
+  read(wasm.scene(text, what, units, viewport ? JSON.stringify(viewport) : ""));
+export const drag = (text: string, handle: Handle, at: Point): { ok: true; text: string } | NoAnswer =>
   read(wasm.drag(text, JSON.stringify(handle), JSON.stringify({ at })));
 export const edit = (text: string, key: string, value: string): Edited => read(wasm.edit(text, key, value));
 /** A quantity in another unit; nothing where it is none, or not of that unit. */
 export const convert = (value: string, unit: string): string | undefined =>
   read<{ text?: string }>(wasm.convert(value, unit)).text;
 export const draw = (text: string, what: string, units: Units): Drawn => read(wasm.draw(text, what, units));
-export const motion = (text: string, units: Units): Film | { ok: false; message: string } =>
-  read(wasm.motion(text, units, 200));
+export const motion = (text: string, units: Units): Film | NoAnswer =>
+  read(wasm.motion(text, units, ""));
 export const report = (text: string, name: string, command: Command, units: Units): Report =>
   read(wasm.report(text, name, command, units));
+/** A page with a case and its report in its slot, as `--live` of the program makes it. */
+export const live = (page: string, text: string, name: string, command: Command, units: Units): Report =>
+  read(wasm.live(page, text, name, command, units));

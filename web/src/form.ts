@@ -145,13 +145,16 @@ export class Form {
   /** First what the file gives and what it needs, then the rest behind one line. */
   private contents(group: Group, depth = 0): HTMLElement[] {
     const isShown = (entry: { key: string; required?: boolean }) => this.given(entry.key) || entry.required === true;
-    const whole = group.choices.length > 0 && group.key !== "" ? [this.choiceOfGroup(group)] : [];
-    const shown = group.fields.filter(isShown);
-    const rest = group.fields.filter((field) => !isShown(field));
+    // A word in place of the whole table, such as `crush = "none"`.
+    const word: Field[] = group.choices.length > 0
+      ? [{ ...group, kind: "choice", units: [], required: false, range: false, fields: [] }]
+      : [];
+    const isWord = typeof readValue(this.check?.values[group.key]?.text ?? "") === "string";
+    const shown = [...(isWord ? word : []), ...group.fields.filter(isShown)];
+    const rest = [...group.fields.filter((field) => !isShown(field)), ...(isWord ? [] : word)];
     const groups = group.groups.filter(isShown);
     const restOfGroups = group.groups.filter((inner) => !isShown(inner));
     const elements: HTMLElement[] = [
-      ...whole,
       ...shown.map((field) => this.row(field)),
       ...groups.map((inner) => this.group(inner, depth + 1)),
     ];
@@ -233,18 +236,6 @@ export class Form {
     this.rows.set(field.key, row);
     row.show(this.check?.values[field.key]?.text);
     return element;
-  }
-
-  /** A word in place of a table, such as `crush = "none"`. */
-  private choiceOfGroup(group: Group): HTMLElement {
-    return this.row({
-      ...group,
-      kind: "choice",
-      units: [],
-      required: false,
-      range: false,
-      fields: [],
-    });
   }
 }
 

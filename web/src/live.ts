@@ -13,10 +13,10 @@ export interface Live {
   engine_sha256: string;
 }
 
+const SLOT = /(<script type="application\/json" id="deltav-live">)[^<]*(<\/script>)/;
+
 /** The page as it was loaded, before anything was added to it. */
 const page = document.documentElement.outerHTML;
-
-const SLOT = /(<script type="application\/json" id="deltav-live">)[^<]*(<\/script>)/;
 
 /** The case and report that the page was handed over with. */
 export function handedOver(): Live | null {
@@ -26,26 +26,8 @@ export function handedOver(): Live | null {
 const bytesOf = (base64: string): Uint8Array<ArrayBuffer> =>
   Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
 
-function base64Of(bytes: Uint8Array): string {
-  let characters = "";
-  for (const byte of bytes) characters += String.fromCharCode(byte);
-  return btoa(characters);
-}
-
-/** This page with a case and its report in it. */
-export async function makeLive(name: string, text: string, report: string): Promise<string> {
-  const bytes = new TextEncoder().encode(report);
-  const live: Live = {
-    name,
-    text,
-    report_base64: base64Of(bytes),
-    report_sha256: await engine.sha256(bytes),
-    engine_sha256: await engine.engineHash(),
-  };
-  // What could end the element is written as an escape of JSON.
-  const json = JSON.stringify(live).replaceAll("<", "\\u003c");
-  return `<!DOCTYPE html>\n${page.replace(SLOT, (_, open: string, close: string) => open + json + close)}`;
-}
+/** This page with an empty slot, as the file `deltav.html` has it. */
+export const emptyPage = (): string => `<!DOCTYPE html>\n${page.replace(SLOT, "$1null$2")}`;
 
 /** The report as it was printed, and whether both hashes hold. */
 export function printed(live: Live): HTMLElement {

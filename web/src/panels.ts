@@ -154,6 +154,7 @@ export class Run implements Panel {
   private readonly why = h("div");
   private solved: Solved | null = null;
   private of = "";
+  private partial = false;
 
   constructor(
     private readonly kind: "uncertainty" | "estimate",
@@ -182,7 +183,7 @@ export class Run implements Panel {
 
   private stop(): void {
     this.runner.end();
-    this.idle(texts.run.ended);
+    this.idle(this.partial ? texts.run.endedWithSome : texts.run.ended);
   }
 
   private idle(words: string): void {
@@ -195,19 +196,21 @@ export class Run implements Panel {
   private run(): void {
     const { solved } = this;
     if (!solved) return;
-    const job: Job = { kind: this.kind, text: solved.text, units: solved.units, seed: this.seed.valueAsNumber || 0 };
-    if (this.kind === "uncertainty") job.samples = Number(this.samples.value);
+    const options: Job["options"] = { seed: this.seed.valueAsNumber || 0 };
+    if (this.kind === "uncertainty") options.samples = Number(this.samples.value);
+    const job: Job = { kind: this.kind, text: solved.text, name: solved.name, units: solved.units, options };
     this.bar.removeAttribute("value");
     this.bar.hidden = false;
     this.end.hidden = false;
     this.start.disabled = true;
+    this.partial = false;
     this.status.textContent = texts.run.running;
     this.runner.start(
       job,
-      (done, total) => {
-        this.bar.max = total;
+      (counted, done, total) => {
+        this.bar.max = Math.max(total, 1);
         this.bar.value = done;
-        this.status.textContent = texts.run.done(done, total);
+        this.status.textContent = texts.run.done(counted, done, total);
       },
       ({ finished, milliseconds }) => {
         this.idle(finished.ok ? texts.run.took(milliseconds) : "");
@@ -217,6 +220,11 @@ export class Run implements Panel {
         if (finished.ok) this.finished(job, finished);
         if (this.solved) this.refresh(this.solved);
       },
+      (result) => {
+        this.show(result);
+        this.of = job.text;
+        this.partial = true;
+      },
     );
   }
 
@@ -225,14 +233,14 @@ export class Run implements Panel {
       this.body.replaceChildren(note(result.message));
       return;
     }
-    this.body.replaceChildren(document_(result.html), ...result.pictures.map((picture) => figure(picture.name, picture.title, picture.svg)));
+    this.body.replaceChildren(document_(result.html), ...result.pictures.map((picture) => figure(`${picture.name}-${picture.output}`, picture.title, picture.svg)));
   }
 }
 
 /** The impact, played slowly: both vehicles at equal times before and after it. */
 export class Motion implements Panel {
   readonly element = h("div", { class: "motion" });
-  private readonly drawing = s("svg", { class: "film", role: "img" });
+  private readonly drawing = s("svg", { class: "film", role: "img", "aria-label": texts.motion.label });
   private readonly slider = h("input", { type: "range", min: 0, max: 0, value: 0, step: 1, "aria-label": texts.motion.time });
   private readonly clock = h("output", { class: "clock" });
   private readonly play: HTMLButtonElement;
@@ -257,12 +265,12 @@ export class Motion implements Panel {
     }
     const film = engine.motion(solved.text, solved.units);
     if (!film.ok) {
-      this.element.replaceChildren(note(film.message));
+      this.element.replaceChildren(note(film.problems.length > 0 ? film.problems.map(({ title }) => `${title}.`).join("\n") : film.message));
       return;
     }
     this.film = film;
-    this.slider.max = String(film.times.length - 1);
-    const atImpact = film.times.findIndex((time) => time >= 0);
+    this.slider.max = String(film.frames.length - 1);
+    const atImpact = film.frames.findIndex((frame) => frame.time >= 0);
     this.slider.value = String(Math.max(atImpact, 0));
     this.draw(film);
     this.showTime();
@@ -273,44 +281,39 @@ export class Motion implements Panel {
   }
 
   private draw(film: engine.Film): void {
-    const all = film.vehicles.flatMap((vehicle) => vehicle.poses.map((pose) => pose.at));
-    const reach = Math.max(...film.vehicles.flatMap((vehicle) => vehicle.outline.map(([x, y]) => Math.hypot(x, y))), 1);
-    const left = Math.min(...all.map(([x]) => x)) - reach;
-    const right = Math.max(...all.map(([x]) => x)) + reach;
-    const bottom = Math.min(...all.map(([, y]) => y)) - reach;
-    const top = Math.max(...all.map(([, y]) => y)) + reach;
-    const width = right - left;
-    const height = top - bottom;
-    this.drawing.setAttribute("viewBox", `${left} ${-top} ${width} ${height}`);
-    this.drawing.setAttribute("aria-label", film.description);
+    const all = film.frames.flatMap((frame) => frame.bodies.flatMap((body) => body?.outline ?? []));
+    const left = Math.min(...all.map(([x]) => x)) - 1;
+    const right = Math.max(...all.map(([x]) => x)) + 1;
+    const bottom = Math.min(...all.map(([, y]) => y)) - 1;
+    const top = Math.max(...all.map(([, y]) => y)) + 1;
+    this.drawing.setAttribute("viewBox", `${left} ${-top} ${right - left} ${top - bottom}`);
+    this.drawing.style.setProperty("--stroke", String((right - left) / 500));
     this.drawing.replaceChildren();
     this.figures.length = 0;
-    for (const vehicle of film.vehicles) {
-      const path = vehicle.poses.map(({ at: [x, y] }) => `${x},${-y}`).join(" ");
-      this.drawing.append(s("polyline", { points: path, class: `way vehicle-${vehicle.vehicle}` }));
-      const outline = vehicle.outline.map(([x, y]) => `${x},${-y}`).join(" ");
-      const front = Math.max(...vehicle.outline.map(([x]) => x));
-      const figure = s("g", { class: `car vehicle-${vehicle.vehicle}` },
-        s("polygon", { points: outline }),
-        s("path", { d: `M${front * 0.25} 0H${front * 0.85}`, class: "nose" }));
+    for (const vehicle of [0, 1]) {
+      const ways = film.frames.flatMap((frame) => frame.bodies[vehicle]?.centre ?? []);
+      const way: string[] = [];
+      for (let at = 0; at < ways.length; at += 2) way.push(`${ways[at]},${-(ways[at + 1] ?? 0)}`);
+      const figure = s("g", { class: `car vehicle-${vehicle + 1}` }, s("polygon"), s("path", { class: "nose" }));
       this.figures.push(figure);
-      this.drawing.append(figure);
+      this.drawing.append(s("polyline", { points: way.join(" "), class: `way vehicle-${vehicle + 1}` }), figure);
     }
-    const [x, y] = film.contact;
-    this.drawing.append(s("circle", { cx: x, cy: -y, r: width / 250, class: "contact" }));
   }
 
   private showTime(): void {
     const { film } = this;
     if (!film) return;
-    const place = this.slider.valueAsNumber;
-    film.vehicles.forEach((vehicle, which) => {
-      const pose = vehicle.poses[place];
-      if (!pose) return;
-      const [x, y] = pose.at;
-      this.figures[which]?.setAttribute("transform", `translate(${x} ${-y}) rotate(${(-pose.heading * 180) / Math.PI})`);
+    const frame = film.frames[this.slider.valueAsNumber];
+    frame?.bodies.forEach((body, which) => {
+      const figure = this.figures[which];
+      if (!figure || !body) return;
+      figure.firstElementChild?.setAttribute("points", body.outline.map(([x, y]) => `${x},${-y}`).join(" "));
+      // A short line from the centre of gravity shows the front.
+      const [x, y] = body.centre;
+      const [forward, left] = [Math.cos(body.heading), Math.sin(body.heading)];
+      figure.lastElementChild?.setAttribute("d", `M${x} ${-y}L${x + 1.6 * forward} ${-(y + 1.6 * left)}`);
     });
-    const time = film.times[place] ?? 0;
+    const time = frame?.time ?? 0;
     const words = texts.motion.at(time);
     this.clock.textContent = words;
     this.slider.setAttribute("aria-valuetext", words);
@@ -319,15 +322,15 @@ export class Motion implements Panel {
   private run(): void {
     const { film } = this;
     if (!film) return;
-    if (this.slider.valueAsNumber >= film.times.length - 1) this.slider.value = "0";
+    if (this.slider.valueAsNumber >= film.frames.length - 1) this.slider.value = "0";
     this.play.textContent = texts.motion.pause;
     const pace = Number(this.speed.value);
-    const begin = film.times[this.slider.valueAsNumber] ?? 0;
+    const begin = film.frames[this.slider.valueAsNumber]?.time ?? 0;
     const begun = performance.now();
     const step = () => {
       const time = begin + ((performance.now() - begun) / 1000) * pace;
-      const next = film.times.findIndex((one) => one > time);
-      this.slider.value = String(next < 0 ? film.times.length - 1 : Math.max(next - 1, 0));
+      const next = film.frames.findIndex((frame) => frame.time > time);
+      this.slider.value = String(next < 0 ? film.frames.length - 1 : Math.max(next - 1, 0));
       this.showTime();
       if (next < 0) this.stop();
       else this.timer = requestAnimationFrame(step);

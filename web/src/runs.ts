@@ -6,9 +6,9 @@ import Work from "./worker.js?worker&inline";
 export interface Job {
   kind: "uncertainty" | "estimate";
   text: string;
+  name: string;
   units: Units;
-  samples?: number;
-  seed?: number;
+  options: { samples?: number; seed?: number };
 }
 
 export interface ToWorker {
@@ -17,8 +17,8 @@ export interface ToWorker {
 }
 
 export type FromWorker =
-  | { kind: "progress"; done: number; total: number; stage: string }
-  | { kind: "result"; result: string; milliseconds: number }
+  | { kind: "progress"; counted: string; done: number; total: number }
+  | { kind: "first" | "result"; result: string; milliseconds: number }
   | { kind: "failed"; message: string };
 
 export interface Finished {
@@ -26,8 +26,7 @@ export interface Finished {
   headline: string[];
   html: string;
   json: string;
-  csv?: string;
-  pictures: { name: string; title: string; svg: string }[];
+  pictures: { name: string; output: string; title: string; svg: string }[];
 }
 
 export interface Unfinished {
@@ -54,7 +53,12 @@ export class Runner {
     this.worker = null;
   }
 
-  start(job: Job, progress: (done: number, total: number, stage: string) => void, done: (outcome: Outcome) => void): void {
+  start(
+    job: Job,
+    progress: (counted: string, done: number, total: number) => void,
+    done: (outcome: Outcome) => void,
+    first?: (result: Finished | Unfinished) => void,
+  ): void {
     this.end();
     const worker = new Work();
     this.worker = worker;
@@ -65,7 +69,8 @@ export class Runner {
     };
     worker.addEventListener("message", ({ data }: MessageEvent<FromWorker>) => {
       if (this.worker !== worker) return;
-      if (data.kind === "progress") progress(data.done, data.total, data.stage);
+      if (data.kind === "progress") progress(data.counted, data.done, data.total);
+      else if (data.kind === "first") first?.(JSON.parse(data.result) as Finished | Unfinished);
       else if (data.kind === "result") {
         finish({ finished: JSON.parse(data.result) as Finished | Unfinished, milliseconds: data.milliseconds });
       } else finish({ finished: { ok: false, message: data.message }, milliseconds: 0 });

@@ -2,8 +2,9 @@
 // that moves asks the engine for the text that has it there; the picture follows from that text.
 import { eachFrame, h, markup, s } from "./dom.js";
 import * as engine from "./engine.js";
-import type { Handle, Point, Problem, Scene, Viewport } from "./engine.js";
+import type { Handle, Point, Scene, Viewport } from "./engine.js";
 import { Backdrop } from "./backdrop.js";
+import { saveButtons } from "./pictures.js";
 import { texts } from "./texts/en.js";
 
 const words = texts.scene;
@@ -12,12 +13,15 @@ const words = texts.scene;
 const STEP = 0.05;
 const TURN = Math.PI / 180;
 
+/** The plan view at the impact, or the way to rest; the empty one is what the case has. */
+type What = "scene" | "motion" | "";
+
 export interface SceneHost {
   text(): string;
-  draw(viewport: Viewport | null): Scene | null;
+  draw(what: What, viewport: Viewport | null): Scene | null;
   preview(text: string): void;
   settle(keep: boolean): void;
-  refused(problems: Problem[]): void;
+  refused(message: string): void;
 }
 
 const name = (handle: Handle): string => `${handle.kind}-${handle.vehicle ?? 0}-${handle.index ?? 0}`;
@@ -45,6 +49,9 @@ export class SceneView {
   private readonly bodies = new Map<number, SVGPolygonElement>();
   private now: Scene | null = null;
   private box = { width: 1, height: 1 };
+  private what: What = "scene";
+  private readonly which = h("select", { "aria-label": words.which, onchange: () => this.choose(this.which.value as What) },
+    h("option", { value: "scene" }, words.impact), h("option", { value: "motion" }, words.rest));
   private held: Viewport | null = null;
   private dragging: Drag | null = null;
   private readonly move = eachFrame((to: Point) => this.moveTo(to));
@@ -52,7 +59,8 @@ export class SceneView {
   constructor(private readonly host: SceneHost) {
     this.stage.append(this.sheet, this.backdrop.picture, this.overlay, this.knobs);
     const hint = h("p", { class: "hint" }, words.hint);
-    this.element.append(this.stage, hint, this.backdrop.tools);
+    const tools = h("div", { class: "scene-tools" }, this.which, this.backdrop.tools, saveButtons("scene", words.title, () => this.now?.svg ?? null));
+    this.element.append(this.stage, tools, hint);
     this.stage.addEventListener("pointermove", (event) => this.pointerMoved(event));
     for (const type of ["pointerup", "pointercancel"] as const) {
       this.stage.addEventListener(type, (event) => this.released(event.type === "pointerup"));
@@ -62,17 +70,13 @@ export class SceneView {
     });
   }
 
-  /** The drawing as the engine made it. */
-  get svg(): string | null {
-    return this.now?.svg ?? null;
-  }
-
   /** Draws the scene of the text as it is now; what cannot be drawn leaves the last picture, dimmed. */
   update(): void {
-    const scene = this.host.draw(this.held);
+    const scene = this.draw();
     this.stage.classList.toggle("stale", scene === null);
     if (!scene) return;
     this.now = scene;
+    this.which.value = scene.what;
     markup(this.sheet, scene.svg);
     const drawing = this.sheet.querySelector("svg");
     const [, , width = 1, height = 1] = (drawing?.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
@@ -85,22 +89,37 @@ export class SceneView {
     this.placeHandles(scene);
   }
 
+  /** Of the two plan views the one that was chosen, or the other where the case has that alone. */
+  private draw(): Scene | null {
+    for (const what of [this.what, ""] as What[]) {
+      const scene = this.host.draw(what, this.held);
+      if (scene) return scene;
+    }
+    return null;
+  }
+
+  private choose(what: What): void {
+    this.what = what;
+    this.update();
+  }
+
   /** Scene metres to the share of the drawing's width and height. */
   private toShare([x, y]: Point): Point {
-    const { map } = this.now as Scene;
-    return [(map.x + map.scale * x) / this.box.width, (map.y - map.scale * y) / this.box.height];
+    const { origin, scale } = this.now as Scene;
+    return [(origin[0] + scale * x) / this.box.width, (origin[1] - scale * y) / this.box.height];
   }
 
   private toScene(event: PointerEvent): Point {
-    const { map } = this.now as Scene;
+    const { origin, scale } = this.now as Scene;
     const place = this.stage.getBoundingClientRect();
     const x = ((event.clientX - place.left) / place.width) * this.box.width;
     const y = ((event.clientY - place.top) / place.height) * this.box.height;
-    return [(x - map.x) / map.scale, (map.y - y) / map.scale];
+    return [(x - origin[0]) / scale, (origin[1] - y) / scale];
   }
 
   private placeBodies(scene: Scene): void {
     for (const body of scene.bodies) {
+      if (!body) continue;
       let polygon = this.bodies.get(body.vehicle);
       if (!polygon) {
         polygon = s("polygon", { class: "body-grip" }, s("title", {}, words.body(body.vehicle)));
@@ -119,7 +138,7 @@ export class SceneView {
       polygon.setAttribute("points", corners.join(" "));
     }
     for (const [vehicle, polygon] of this.bodies) {
-      if (scene.bodies.some((body) => body.vehicle === vehicle)) continue;
+      if (scene.bodies.some((body) => body?.vehicle === vehicle)) continue;
       polygon.remove();
       this.bodies.delete(vehicle);
     }
@@ -177,13 +196,13 @@ export class SceneView {
     const { dragging } = this;
     if (!dragging) return;
     const begun = performance.now();
-    const { text, problems } = engine.drag(dragging.text, dragging.handle, to);
-    if (problems.length > 0) {
-      this.host.refused(problems);
+    const dragged = engine.drag(dragging.text, dragging.handle, to);
+    if (!dragged.ok) {
+      this.host.refused(dragged.message);
       return;
     }
     dragging.moved = true;
-    this.host.preview(text);
+    this.host.preview(dragged.text);
     performance.measure("deltav-drag", { start: begun });
   }
 
@@ -212,24 +231,24 @@ export class SceneView {
     if (!arrow || !handle || !this.now || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     const factor = event.shiftKey ? 5 : event.altKey ? 0.2 : 1;
-    const { text, problems } = engine.drag(this.host.text(), handle, this.stepped(handle, arrow, factor));
-    if (problems.length > 0) {
-      this.host.refused(problems);
+    const dragged = engine.drag(this.host.text(), handle, this.stepped(handle, arrow, factor));
+    if (!dragged.ok) {
+      this.host.refused(dragged.message);
       return;
     }
     this.held = this.now.viewport;
-    this.host.preview(text);
+    this.host.preview(dragged.text);
     this.host.settle(true);
     this.held = null;
   }
 
   private stepped(handle: Handle, [right, up]: Point, factor: number): Point {
     const [x, y] = handle.at;
-    if (!turns(handle) || !handle.pivot) return [x + right * STEP * factor, y + up * STEP * factor];
+    if (!turns(handle)) return [x + right * STEP * factor, y + up * STEP * factor];
     // Left and up turn counter-clockwise.
     const angle = (up - right) * TURN * factor;
-    const [fromX, fromY] = [x - handle.pivot[0], y - handle.pivot[1]];
+    const [fromX, fromY] = [x - handle.centre[0], y - handle.centre[1]];
     const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
-    return [handle.pivot[0] + cos * fromX - sin * fromY, handle.pivot[1] + sin * fromX + cos * fromY];
+    return [handle.centre[0] + cos * fromX - sin * fromY, handle.centre[1] + sin * fromX + cos * fromY];
   }
 }

@@ -1,6 +1,9 @@
 // What takes long, away from the page: samples and estimates. The page ends it by ending the worker.
-import { initSync, run } from "../pkg/deltav_web.js";
+import { Run, initSync } from "../pkg/deltav_web.js";
 import type { FromWorker, ToWorker } from "./runs.js";
+
+/** How many samples are told before the rest, where there are more. */
+const FIRST = 100_000;
 
 const say = (message: FromWorker): void => self.postMessage(message);
 
@@ -8,18 +11,26 @@ self.addEventListener("message", (event: MessageEvent<ToWorker>) => {
   const { module, job } = event.data;
   initSync({ module });
   let last = 0;
-  const progress = (done: number, total: number, stage: string): boolean => {
+  const progress = (counted: string, done: number, total: number): boolean => {
     const now = performance.now();
     if (now - last > 50) {
       last = now;
-      say({ kind: "progress", done, total, stage });
+      say({ kind: "progress", counted, done, total });
     }
     return true;
   };
   try {
-    const begun = performance.now();
-    const result = run(JSON.stringify(job), progress);
-    say({ kind: "result", result, milliseconds: performance.now() - begun });
+    const run = new Run();
+    // Of many samples some are told first: who ends the run has these.
+    const { samples = 0 } = job.options;
+    const first = samples > FIRST ? [{ ...job.options, samples: FIRST }] : [];
+    for (const options of [...first, job.options]) {
+      const begun = performance.now();
+      const given = [job.text, job.name, job.units, JSON.stringify(options), progress] as const;
+      const result = job.kind === "uncertainty" ? run.uncertainty(...given) : run.estimate(...given);
+      const isLast = options === job.options;
+      say({ kind: isLast ? "result" : "first", result, milliseconds: performance.now() - begun });
+    }
   } catch (error) {
     say({ kind: "failed", message: String(error) });
   }

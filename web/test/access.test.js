@@ -42,7 +42,7 @@ for (const [name, options] of [
       await openCase(page, "wrong.toml", fixture("sae-980025.toml").replace('"67 deg"', "67"));
       await page.locator(".state .error").waitFor();
       assert.deepEqual(await violations(page), [], "error");
-      await page.getByRole("button", { name: "New…" }).click();
+      await page.getByRole("button", { name: "New case…" }).click();
       assert.deepEqual(await violations(page), [], "templates");
       assert.deepEqual(heard, []);
     } finally {

@@ -172,14 +172,14 @@ onPage("the report, JSON and CSV are those of the program, byte for byte", async
 
 onPage("every template has an answer in both systems of units", async (page) => {
   const count = await (async () => {
-    await page.getByRole("button", { name: "New…" }).click();
+    await page.getByRole("button", { name: "New case…" }).click();
     return page.locator(".card").count();
   })();
   assert.ok(count > 8);
   await page.getByRole("button", { name: "Close" }).click();
   for (let which = 0; which < count; which += 1) {
     for (const units of ["si", "us"]) {
-      await page.getByRole("button", { name: "New…" }).click();
+      await page.getByRole("button", { name: "New case…" }).click();
       await page.locator("#template-units").selectOption(units);
       await page.locator(".card").nth(which).click();
       await page.waitForFunction(() => !document.querySelector(".headline").classList.contains("stale"));

@@ -2,7 +2,7 @@
 // like this one.
 import type { Handle } from "../engine.js";
 
-const vehicle = (number: number | undefined): string => (number ? `vehicle ${number}` : "the scene");
+const vehicle = (number: number | null): string => (number ? `vehicle ${number}` : "the scene");
 
 export const texts = {
   skip: "Skip to the answer",
@@ -24,7 +24,7 @@ export const texts = {
   file: {
     name: "Name of the case file",
     unsaved: "The case has changes that are not saved",
-    new: "New…",
+    new: "New case…",
     open: "Open…",
     save: "Save",
     undo: "Undo (Ctrl+Z)",
@@ -142,6 +142,9 @@ export const texts = {
 
   scene: {
     title: "scene",
+    which: "What is drawn",
+    impact: "At the impact",
+    rest: "To rest",
     handles: "Handles of the scene",
     hint: "Drag a vehicle or a handle, or focus a handle and press the arrow keys (Shift for larger steps, Alt for smaller). Escape takes a drag back.",
     body: (number: number) => `Vehicle ${number}: drag to move`,
@@ -211,8 +214,9 @@ export const texts = {
     progress: "Progress",
     running: "Running…",
     ended: "Ended before it was done.",
+    endedWithSome: "Ended before it was done. Below is what the first 100,000 samples say.",
     old: "This is of the case before the last change.",
-    done: (done: number, total: number) => `${done.toLocaleString("en")} of ${total.toLocaleString("en")}`,
+    done: (counted: string, done: number, total: number) => `${done.toLocaleString("en")} of ${total.toLocaleString("en")} ${counted}`,
     took: (milliseconds: number) => (milliseconds < 1000 ? `Took ${Math.round(milliseconds)} ms.` : `Took ${(milliseconds / 1000).toFixed(1)} s.`),
   },
 
@@ -221,6 +225,8 @@ export const texts = {
     pace: "Pace",
     play: "Play",
     pause: "Pause",
+    
+    label: "Both vehicles from above, before and after the impact",
     paces: [
       ["0.1", "10 times slower"],
       ["0.25", "4 times slower"],
