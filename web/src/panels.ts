@@ -115,7 +115,7 @@ export class Sensitivity implements Panel {
       const bar = h("span", { class: row.influence < 0 ? "bar falls" : "bar rises" });
       bar.style.width = `${(50 * Math.abs(row.influence)) / greatest}%`;
       return h("tr", {},
-        h("th", { scope: "row" }, h("button", { type: "button", class: "link", onclick: () => this.lead(row.input) }, row.name ?? row.input)),
+        h("th", { scope: "row" }, h("button", { type: "button", class: "link", title: row.input, onclick: () => this.lead(row.input) }, row.name ?? nameOf(row.input))),
         h("td", { class: "bars", "aria-hidden": "true" }, h("span", { class: "track" }, bar)),
         h("td", { class: "number right" }, `${row.influence < 0 ? "−" : "+"}${Math.abs(row.influence).toFixed(2)} %`));
     });

@@ -70,10 +70,11 @@ export class Runner {
     worker.addEventListener("message", ({ data }: MessageEvent<FromWorker>) => {
       if (this.worker !== worker) return;
       if (data.kind === "progress") progress(data.counted, data.done, data.total);
+      else if (data.kind === "failed") finish({ finished: { ok: false, message: data.message }, milliseconds: 0 });
       else if (data.kind === "first") first?.(JSON.parse(data.result) as Finished | Unfinished);
-      else if (data.kind === "result") {
+      else {
         finish({ finished: JSON.parse(data.result) as Finished | Unfinished, milliseconds: data.milliseconds });
-      } else finish({ finished: { ok: false, message: data.message }, milliseconds: 0 });
+      }
     });
     worker.addEventListener("error", (event) => finish({ finished: { ok: false, message: event.message }, milliseconds: 0 }));
     worker.postMessage({ module: engine.module(), job } satisfies ToWorker);
