@@ -4,7 +4,7 @@ import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } 
 import { defaultKeymap, history, historyKeymap, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
 import { HighlightStyle, StreamLanguage, bracketMatching, syntaxHighlighting } from "@codemirror/language";
 import { toml } from "@codemirror/legacy-modes/mode/toml";
-import { type Diagnostic, lintGutter, setDiagnostics } from "@codemirror/lint";
+import { type Diagnostic, diagnosticCount, lintGutter, setDiagnostics } from "@codemirror/lint";
 import { EditorState, Transaction } from "@codemirror/state";
 import {
   EditorView,
@@ -132,6 +132,7 @@ export class Editor {
 
   /** Marks the places of problems. */
   mark(problems: Problem[]): void {
+    if (problems.length === 0 && diagnosticCount(this.view.state) === 0) return;
     const length = this.view.state.doc.length;
     const diagnostics = problems.map((problem): Diagnostic => {
       const from = Math.min(problem.from, length);

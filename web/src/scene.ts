@@ -215,7 +215,6 @@ export class SceneView {
     if (element.hasPointerCapture(pointer)) element.releasePointerCapture(pointer);
     this.held = null;
     if (moved) this.host.settle(keep);
-    this.update();
   }
 
   /** An arrow key moves a handle, or turns what turns. */
