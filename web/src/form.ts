@@ -49,6 +49,11 @@ export class Form {
 
   /** Shows the file. Keys that were added elsewhere move to the others, unless someone is at work in the form. */
   update(check: Check): void {
+    // Of a text that is no TOML nothing can be shown: the form waits until that is mended.
+    const isBroken = check.problems.length > 0 && Object.keys(check.values).length === 0;
+    this.element.classList.toggle("stale", isBroken);
+    this.element.inert = isBroken;
+    if (isBroken) return;
     this.check = check;
     const shape = Object.keys(check.values).sort().join(" ");
     const busy = this.element.contains(document.activeElement);
@@ -135,7 +140,7 @@ export class Form {
         this.open.add(group.key);
       } else this.open.delete(group.key);
     });
-    if ((given && (this.open.has(group.key) || depth > 0)) || this.open.has(group.key)) {
+    if ((given && depth > 0) || this.open.has(group.key)) {
       fill();
       details.open = true;
     }
@@ -181,7 +186,7 @@ export class Form {
 
   private showProblems(problems: Problem[]): void {
     for (const [key, place] of this.errors) {
-      const own = problems.filter((problem) => problem.key === key);
+      const own = problems.filter(({ key: of }) => of === key || of?.startsWith(`${key}.`) || of?.startsWith(`${key}[`));
       place.hidden = own.length === 0;
       place.textContent = own.map((problem) => [problem.title, problem.help].filter(Boolean).join(". ")).join("\n");
       const row = this.rows.get(key)?.element;
