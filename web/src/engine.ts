@@ -103,8 +103,8 @@ export interface Group {
   help: string;
   topic?: string | null;
   required?: boolean;
-  /** Words that can stand in place of the table. */
-  choices: string[];
+  /** Words that can stand in place of the table; none of what stands above the first table. */
+  choices?: string[];
   fields: Field[];
   groups: Group[];
 }

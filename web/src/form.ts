@@ -105,7 +105,8 @@ export class Form {
     const head: Group = { ...top, groups: [] };
     this.element.replaceChildren(
       ...this.contents(head),
-      ...top.groups.map((group) => this.group(group, 0)),
+      ...top.groups.filter((group) => this.given(group.key)).map((group) => this.group(group, 0)),
+      ...top.groups.filter((group) => !this.given(group.key)).map((group) => this.group(group, 0)),
     );
   }
 
@@ -151,8 +152,8 @@ export class Form {
   private contents(group: Group, depth = 0): HTMLElement[] {
     const isShown = (entry: { key: string; required?: boolean }) => this.given(entry.key) || entry.required === true;
     // A word in place of the whole table, such as `crush = "none"`.
-    const word: Field[] = group.choices.length > 0
-      ? [{ ...group, kind: "choice", units: [], required: false, range: false, fields: [] }]
+    const word: Field[] = group.choices?.length
+      ? [{ ...group, choices: group.choices, kind: "choice", units: [], required: false, range: false, fields: [] }]
       : [];
     const isWord = typeof readValue(this.check?.values[group.key]?.text ?? "") === "string";
     const shown = [...(isWord ? word : []), ...group.fields.filter(isShown)];
