@@ -402,7 +402,9 @@ export class App {
     const [first] = problems;
     if (!first) return;
     const line = this.editor.text.slice(0, first.from).split("\n").length;
-    const lead = first.key && this.caseTabs.shown === "form"
+    // Of a text that is no TOML the form shows nothing.
+    const isForm = this.caseTabs.shown === "form" && Object.keys(this.solved?.check.values ?? {}).length > 0;
+    const lead = first.key && isForm
       ? h("button", { type: "button", class: "quiet", onclick: () => this.lead(first.key ?? "") }, texts.answer.toField)
       : h("button", {
         type: "button",
@@ -461,7 +463,7 @@ export class App {
     }
     const report = engine.report(this.editor.text, this.name.value, this.solved.command, this.units);
     if (!report.ok) {
-      this.message(report.message);
+      this.message(engine.reason(report));
       return null;
     }
     return report.html;
@@ -479,7 +481,7 @@ export class App {
     }
     const live = engine.live(emptyPage(), this.editor.text, this.name.value, this.solved.command, this.units);
     if (live.ok) download(`${this.stem}-live.html`, live.html, "text/html");
-    else this.message(live.message);
+    else this.message(engine.reason(live));
   }
 
   private print(): void {

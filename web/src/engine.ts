@@ -164,7 +164,7 @@ export interface Film {
   frames: { time: number; bodies: ({ outline: Point[]; centre: Point; heading: number } | null)[] }[];
 }
 
-export type Report = { ok: true; html: string } | { ok: false; message: string };
+export type Report = { ok: true; html: string } | NoAnswer;
 export type Edited = { ok: true; text: string } | { ok: false; message: string };
 export type Drawn = { ok: true; svg: string; title: string; description: string } | { ok: false; message: string };
 
@@ -224,3 +224,7 @@ export const report = (text: string, name: string, command: Command, units: Unit
 /** A page with a case and its report in its slot, as `--live` of the program makes it. */
 export const live = (page: string, text: string, name: string, command: Command, units: Units): Report =>
   read(wasm.live(page, text, name, command, units));
+
+/** Why there is no answer, in sentences. */
+export const reason = ({ problems, message }: NoAnswer): string =>
+  problems.length > 0 ? problems.map(({ title }) => `${title}.`).join("\n") : message;

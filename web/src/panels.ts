@@ -57,7 +57,7 @@ export class Results implements Panel {
 
   refresh(solved: Solved): void {
     if (!solved.answer || !solved.answer.ok) {
-      this.element.replaceChildren(note(solved.answer?.message ?? texts.panels.problems));
+      this.element.replaceChildren(note(solved.answer ? engine.reason(solved.answer) : texts.panels.problems));
       return;
     }
     this.element.replaceChildren(document_(solved.answer.html));
@@ -102,7 +102,7 @@ export class Sensitivity implements Panel {
     if (cannot(this.element, solved, "sensitivity")) return;
     const answer = engine.answer(solved.text, "sensitivity", solved.units, solved.name);
     if (!answer.ok) {
-      this.element.replaceChildren(note(answer.message));
+      this.element.replaceChildren(note(engine.reason(answer)));
       return;
     }
     const { derivatives } = JSON.parse(answer.json) as {
@@ -135,7 +135,7 @@ export class Compare implements Panel {
   refresh(solved: Solved): void {
     if (cannot(this.element, solved, "compare")) return;
     const answer = engine.answer(solved.text, "compare", solved.units, solved.name);
-    this.element.replaceChildren(answer.ok ? document_(answer.html) : note(answer.message));
+    this.element.replaceChildren(answer.ok ? document_(answer.html) : note(engine.reason(answer)));
   }
 }
 
@@ -265,7 +265,7 @@ export class Motion implements Panel {
     }
     const film = engine.motion(solved.text, solved.units);
     if (!film.ok) {
-      this.element.replaceChildren(note(film.problems.length > 0 ? film.problems.map(({ title }) => `${title}.`).join("\n") : film.message));
+      this.element.replaceChildren(note(engine.reason(film)));
       return;
     }
     this.film = film;
