@@ -245,6 +245,7 @@ export class App {
     this.asked = "";
     this.intervals = null;
     this.form.reset();
+    this.scene.reset();
     this.editor.open(text);
     this.solveSoon.flush();
   }
@@ -378,8 +379,13 @@ export class App {
       return;
     }
     this.headline.classList.remove("stale");
+    if (answer.headline.length === 0) {
+      const toResults = () => this.viewTabs.show("results");
+      this.headline.replaceChildren(h("p", { class: "note" }, texts.answer.inResults),
+        h("button", { type: "button", onclick: toResults }, texts.viewTabs.results));
+    }
     const lines = this.intervals?.text === solved.text ? this.intervals.headline : answer.headline;
-    this.headline.replaceChildren(...lines.map((line, place) => {
+    if (lines.length > 0) this.headline.replaceChildren(...lines.map((line, place) => {
       const [label, ...rest] = line.split(": ");
       const value = rest.join(": ");
       // The first number is the answer; what stands behind it says it in other units, or how well it is known.

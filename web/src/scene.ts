@@ -42,6 +42,7 @@ export class SceneView {
   private readonly sheet = h("div", { class: "sheet" });
   private readonly overlay = s("svg", { class: "overlay", "aria-hidden": "true" });
   private readonly knobs = h("div", { class: "knobs", role: "group", "aria-label": words.handles });
+  private readonly none = h("p", { class: "note", hidden: true }, words.none);
   private readonly stage = h("div", { class: "stage" });
   readonly backdrop = new Backdrop(this.stage, () => this.now?.viewport ?? null);
   readonly element = h("div", { class: "scene" });
@@ -60,7 +61,7 @@ export class SceneView {
     this.stage.append(this.sheet, this.backdrop.picture, this.overlay, this.knobs);
     const hint = h("p", { class: "hint" }, words.hint);
     const tools = h("div", { class: "scene-tools" }, this.which, this.backdrop.tools, saveButtons("scene", words.title, () => this.now?.svg ?? null));
-    this.element.append(this.stage, tools, hint);
+    this.element.append(this.none, this.stage, tools, hint);
     this.stage.addEventListener("pointermove", (event) => this.pointerMoved(event));
     for (const type of ["pointerup", "pointercancel"] as const) {
       this.stage.addEventListener(type, (event) => this.released(event.type === "pointerup"));
@@ -70,10 +71,21 @@ export class SceneView {
     });
   }
 
+  /** Another case: nothing of the one before stays. */
+  reset(): void {
+    this.now = null;
+    this.sheet.replaceChildren();
+    for (const element of [...this.buttons.values(), ...this.bodies.values()]) element.remove();
+    this.buttons.clear();
+    this.bodies.clear();
+  }
+
   /** Draws the scene of the text as it is now; what cannot be drawn leaves the last picture, dimmed. */
   update(): void {
     const scene = this.draw();
     this.stage.classList.toggle("stale", scene === null);
+    this.none.hidden = scene !== null || this.now !== null;
+    this.stage.hidden = !this.none.hidden;
     if (!scene) return;
     this.now = scene;
     this.which.value = scene.what;

@@ -78,6 +78,7 @@ export const texts = {
     question: "Question",
     noWarnings: "No warnings",
     warnings: (count: number) => (count === 1 ? "1 warning" : `${count} warnings`),
+    inResults: "This question is answered by tables.",
     toField: "Go to the field",
     toLine: (line: number) => `Go to line ${line}`,
     andMore: (count: number) => (count === 1 ? "And 1 more problem." : `And ${count} more problems.`),
@@ -143,6 +144,7 @@ export const texts = {
   scene: {
     title: "scene",
     which: "What is drawn",
+    none: "There is no plan view of this case. What can be drawn of it is under Drawings.",
     impact: "At the impact",
     rest: "To rest",
     handles: "Handles of the scene",
