@@ -421,7 +421,7 @@ export class App {
         },
       }, texts.answer.toLine(line));
     this.state.replaceChildren(h("div", { class: "error" },
-      h("p", {}, h("strong", {}, `${first.title}.`), first.help ? ` ${first.help}.` : ""),
+      h("p", {}, h("strong", {}, engine.sentence(first.title)), first.help ? ` ${engine.sentence(first.help)}` : ""),
       problems.length > 1 ? h("p", {}, texts.answer.andMore(problems.length - 1)) : null, lead));
   }
 

@@ -225,6 +225,10 @@ export const report = (text: string, name: string, command: Command, units: Unit
 export const live = (page: string, text: string, name: string, command: Command, units: Units): Report =>
   read(wasm.live(page, text, name, command, units));
 
+/** What the engine words as a part of a line, as a sentence. */
+export const sentence = (words: string): string =>
+  `${(words[0] ?? "").toUpperCase()}${words.slice(1)}${/[.!?]$/.test(words) ? "" : "."}`;
+
 /** Why there is no answer, in sentences. */
 export const reason = ({ problems, message }: NoAnswer): string =>
-  problems.length > 0 ? problems.map(({ title }) => `${title}.`).join("\n") : message;
+  problems.length > 0 ? problems.map(({ title }) => sentence(title)).join("\n") : message;

@@ -189,7 +189,9 @@ export class Form {
     for (const [key, place] of this.errors) {
       const own = problems.filter(({ key: of }) => of === key || of?.startsWith(`${key}.`) || of?.startsWith(`${key}[`));
       place.hidden = own.length === 0;
-      place.textContent = own.map((problem) => [problem.title, problem.help].filter(Boolean).join(". ")).join("\n");
+      place.textContent = own
+        .map(({ title, help }) => [title, help].filter((words) => words !== null).map(engine.sentence).join(" "))
+        .join("\n");
       const row = this.rows.get(key)?.element;
       row?.classList.toggle("wrong", own.length > 0);
       for (const input of row?.querySelectorAll("input, select, textarea") ?? []) {

@@ -32,7 +32,7 @@ function cannot(element: HTMLElement, solved: Solved, command: Command): boolean
   }
   const ability = solved.check.commands[command];
   if (ability && !ability.able) {
-    element.replaceChildren(note(ability.why.length > 0 ? ability.why.map((why) => `${why}.`).join("\n") : texts.panels.cannot));
+    element.replaceChildren(note(ability.why.length > 0 ? ability.why.map(engine.sentence).join("\n") : texts.panels.cannot));
     return true;
   }
   return false;
@@ -362,7 +362,7 @@ export function warnings(list: engine.Warning[], lead: (key: string) => void): H
         },
       }, texts.warnings.explain);
       return h("li", {},
-        h("code", {}, warning.code), h("p", {}, `${warning.message}.`),
+        h("code", {}, warning.code), h("p", {}, engine.sentence(warning.message)),
         h("div", { class: "leads" },
           ...(warning.keys ?? (warning.vehicle ? [`vehicle${warning.vehicle}`] : [])).map((key) => h("button", { type: "button", class: "quiet", onclick: () => lead(key) }, texts.warnings.lead(key, nameOf(key)))),
           ask),
