@@ -119,6 +119,7 @@ onPage("an error has its place, and goes when it is mended", async (page) => {
 onPage("a slip in the syntax leads to its line", async (page) => {
   const text = fixture("sae-980025.toml").replace('heading     = "67 deg"', 'heading     = "67 deg');
   const line = text.slice(0, text.indexOf('"67 deg')).split("\n").length;
+  await page.getByRole("tab", { name: "Text", exact: true }).click();
   await openCase(page, "slip.toml", text);
   await page.getByRole("button", { name: `Go to line ${line}`, exact: true }).click();
   assert.equal(await page.getByRole("tab", { name: "Text", exact: true }).getAttribute("aria-selected"), "true");
