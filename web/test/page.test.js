@@ -142,11 +142,11 @@ onPage("an uncertainty runs to its end, and can be ended", async (page) => {
   await openCase(page, "uncertain.toml", fixture("sae-980025-uncertain.toml"));
   await page.getByRole("tab", { name: "Uncertainty" }).click();
   const panel = page.locator(".run:visible");
-  await panel.getByLabel("Samples").selectOption("10000");
+  await panel.locator(".run-controls select").selectOption("10000");
   await panel.getByRole("button", { name: "Run" }).click();
   await panel.locator("table").first().waitFor();
   assert.match(await panel.innerText(), /10,000 samples of 31 uncertain inputs/);
-  await panel.getByLabel("Samples").selectOption("1000000");
+  await panel.locator(".run-controls select").selectOption("1000000");
   await panel.getByRole("button", { name: "Run" }).click();
   await page.waitForFunction(() => document.querySelector(".run:not([hidden]) progress")?.value > 0);
   await panel.getByRole("button", { name: "End" }).click();
@@ -314,7 +314,7 @@ onPage("a hundred thousand samples", async (page, t) => {
   await openCase(page, "uncertain.toml", fixture("sae-980025-uncertain.toml"));
   await page.getByRole("tab", { name: "Uncertainty" }).click();
   const panel = page.locator(".run:visible");
-  await panel.getByLabel("Samples").selectOption("100000");
+  await panel.locator(".run-controls select").selectOption("100000");
   const times = [];
   for (let time = 0; time < (QUICK ? 2 : 5); time += 1) {
     await panel.evaluate((element) => delete element.dataset.milliseconds);
