@@ -1,4 +1,5 @@
 // The page in a browser that is installed, opened from the disk as a user would.
+import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -12,6 +13,12 @@ export const ROOT = dirname(WEB);
 export const PAGE = join(WEB, "dist", "deltav.html");
 export const PROGRAM = process.env.DELTAV_PROGRAM ?? join(ROOT, "target", "debug", "deltav");
 export const QUICK = process.env.DELTAV_QUICK === "1";
+
+/** Says what was measured, and holds it to a limit. The quick tests run an engine that was built quickly, which is larger and slower: they only say it. */
+export function measured(t, what, value, limit, unit) {
+  t.diagnostic(`${what}: ${value.toFixed(0)} ${unit}, of at most ${limit}`);
+  assert.ok(QUICK || value <= limit, `${what}: ${value} ${unit}`);
+}
 
 const BROWSERS = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 

@@ -50,8 +50,11 @@ fn main() -> Result<()> {
 
 fn web(root: &Path, quick: bool, out: &Path) -> Result<()> {
     let profile = if quick { "wasm-quick" } else { "wasm" };
+    // Not the library for Rust as well: every crate below would be translated once for that, and once more for
+    // the whole.
     let status = Command::new(cargo())
-        .args(["build", "--locked", "--profile", profile, "--target", TARGET, "-p", "deltav-web", "--lib"])
+        .args(["rustc", "--locked", "--profile", profile, "--target", TARGET, "-p", "deltav-web", "--lib"])
+        .args(["--crate-type", "cdylib"])
         .current_dir(root)
         .status()
         .context("cannot run cargo")?;
