@@ -186,8 +186,8 @@ fn a_point_with_a_heading_tells_which_motion_led_to_a_rest() {
     }
 }
 
-/// A car that spins, and where each of its wheels is when it has turned by half of its whole turn: the mark of
-/// a wheel is held against the path of that wheel, in either axes.
+/// A car that spins, and where each of its wheels is when it has turned by half of its whole turn: the mark
+/// of a wheel is held against the path of that wheel, in either axes.
 #[test]
 fn a_mark_is_held_against_the_path_of_its_wheel() {
     let forward = impact(&read(CROSSING)).unwrap();

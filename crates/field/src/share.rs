@@ -79,7 +79,8 @@ fn shares(pair: &Pair, fitted: &Fitted) -> Option<Shares> {
 ///
 /// ln(E_2/E_1) = c (s_2 − s_1) + τ z + (stiffnesses), with s = 1 of a side and 0 of an end; c and τ are those
 /// of the greatest likelihood, the stiffnesses being normal of the variance that they give ln E (R. J. Hardy
-/// and S. G. Thompson, Statistics in Medicine 15 (1996) 619, for a random effect beside errors of known size).
+/// and S. G. Thompson, Statistics in Medicine 15 (1996) 619, for a random effect beside errors of known
+/// size).
 ///
 /// # Errors
 /// [`FieldError::NoShares`] where no pair has a crush energy of both vehicles.

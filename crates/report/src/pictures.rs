@@ -166,8 +166,8 @@ pub struct Frames {
     pub frames: Vec<(f64, [Option<PlanBody>; 2])>,
 }
 
-/// Where both vehicles are, in the same places as the drawing of the motion has them; `times` chooses the times
-/// (s) since the impact, knowing how long the motion lasts.
+/// Where both vehicles are, in the same places as the drawing of the motion has them; `times` chooses the
+/// times (s) since the impact, knowing how long the motion lasts.
 ///
 /// # Errors
 /// [`DrawingError::NoMotion`].

@@ -225,7 +225,8 @@ impl Run {
         answer.to_string()
     }
 
-    /// The samples or draws of the last run as CSV, as `--samples-out` writes them; empty where there are none.
+    /// The samples or draws of the last run as CSV, as `--samples-out` writes them; empty where there are
+    /// none.
     #[must_use]
     pub fn samples(&self) -> String {
         self.drawn.as_ref().map(run::Drawn::csv).unwrap_or_default()

@@ -219,7 +219,7 @@ fn cases_of_all_keys() -> Vec<String> {
     let moving = |rest: &str, steer: &str, drag: &str| {
         let tables = |vehicle: &str| {
             format!(
-                "[{vehicle}.before]\nskid = {{ length = \"12 m\", friction = 0.7 }}\n[{vehicle}.after]\ndrag = {drag}\nsteer = {steer}\n\
+                "[{vehicle}.before]\nskid = {{ length = \"12 m\", friction = 0.7 }}\nspeed = \"15 m/s\"\n[{vehicle}.after]\ndrag = {drag}\nsteer = {steer}\n\
                  rest = {{ x = \"9 m\", y = \"4 m\", {rest} }}\npoints = [{{ x = \"5 m\", y = \"2 m\", heading = \"40 deg\" }}]\n\
                  speed = \"9 m/s\"\ndirection = \"30 deg\"\nyaw_rate = \"1 rad/s\"\n"
             )
