@@ -34,11 +34,11 @@ struct Shares {
 /// Nodes and weights of Gauss and Hermite for a standard normal number, M. Abramowitz and I. A. Stegun,
 /// *Handbook of Mathematical Functions*, table 25.10, n = 5: x √2 and w/√π.
 const NODES: [[f64; 2]; 5] = [
-    [-2.856_970_013_872_805_6, 0.011_257_411_327_720_689],
+    [-2.856_970_013_872_805_6, 0.011_257_411_327_720_69],
     [-1.355_626_179_974_266, 0.222_075_922_005_612_65],
     [0.0, 0.533_333_333_333_333_3],
     [1.355_626_179_974_266, 0.222_075_922_005_612_65],
-    [2.856_970_013_872_805_6, 0.011_257_411_327_720_689],
+    [2.856_970_013_872_805_6, 0.011_257_411_327_720_69],
 ];
 
 /// (–) the iteration ends where the variance changes by less than this share.

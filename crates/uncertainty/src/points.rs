@@ -49,7 +49,7 @@ pub(crate) struct Points {
 #[derive(Clone, Debug)]
 enum Inputs {
     MonteCarlo(Vec<u64>),
-    LatinHypercube(Counts, Vec<Strata>),
+    LatinHypercube(Box<Counts>, Vec<Strata>),
     Sobol(Vec<Sobol>),
 }
 
@@ -75,7 +75,7 @@ impl Points {
             }
             SamplingMethod::LatinHypercube => {
                 let strata = all.map(|input| Strata::new(key(seed, &[2, input as u64])));
-                Inputs::LatinHypercube(Counts::of(count), strata.collect())
+                Inputs::LatinHypercube(Box::new(Counts::of(count)), strata.collect())
             }
             SamplingMethod::Sobol if inputs > MAX_SOBOL_INPUTS => {
                 return Err(InvalidRequest::TooManyInputs { inputs, limit: MAX_SOBOL_INPUTS });
@@ -200,8 +200,8 @@ impl Strata {
         strata = self.permuted(&strata, of);
         loop {
             let mut beyond = 0;
-            for lane in 0..LANES {
-                beyond |= u32::from(strata[lane] >= of.counts[lane]);
+            for (stratum, count) in strata.iter().zip(&of.counts) {
+                beyond |= u32::from(stratum >= count);
             }
             if beyond == 0 {
                 break;
@@ -212,7 +212,6 @@ impl Strata {
             }
         }
         for lane in 0..LANES {
-            #[expect(clippy::cast_possible_truncation, reason = "20 bits")]
             let place = f64::from((bits(self.places, first + lane as u64) >> (64 - PLACE_BITS)) as u32);
             let count = of.counts[lane];
             // u = (π(i) + (k + ½)·2⁻²⁰)/n

@@ -282,7 +282,7 @@ mod tests {
         assert_eq!(samples.unwrap().csv().lines().count(), 40001);
         assert!(whole["headline"][0].as_str().unwrap().contains("95 % interval"));
         assert!(whole["pictures"].as_array().unwrap().len() > 1);
-        let (part, samples) = uncertainty(&text, NAME, "", options, &mut |_, _, _| false);
+        let (part, samples) = uncertainty(&text, NAME, "", options, &mut |_, done, _| done == 0);
         assert_eq!(part["ok"], true, "{part:#}");
         let some = samples.unwrap().csv().lines().count() - 1;
         assert!(some > 0 && some < 40000, "{some}");

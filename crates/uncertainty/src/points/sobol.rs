@@ -75,6 +75,7 @@ impl Sobol {
             let seed = key(common, &[group]);
             for (&(_, input, digit), row) in members.iter().zip(ROWS) {
                 for (replicate, shift) in (0..).zip(&mut all[input].shifts) {
+                    #[expect(clippy::cast_possible_truncation, reason = "16")]
                     let column = permuted(replicate, REPLICATES as u32, key(seed, &[0]));
                     // bᵣ + |row ∧ π(r)| modulo 2
                     let sign =
