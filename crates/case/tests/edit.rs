@@ -92,7 +92,7 @@ fn keys_with_values() -> Vec<(String, String)> {
                     add(keys, &path, all);
                 }
                 KeyForm::Tables(keys) | KeyForm::QuantityOrTables(_, keys) => {
-                    add(keys, &format!("{path}[1]"), all)
+                    add(keys, &format!("{path}[1]"), all);
                 }
                 _ => {}
             }
