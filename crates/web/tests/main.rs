@@ -1,7 +1,10 @@
 //! The functions of the page, called on this machine.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
-#![allow(clippy::disallowed_methods, reason = "the expected values do not come from the functions of the program")]
+#![allow(
+    clippy::disallowed_methods,
+    reason = "the expected values do not come from the functions of the program"
+)]
 #![allow(clippy::cast_possible_truncation, reason = "numbers of vehicles and of stations")]
 
 mod drag;
