@@ -165,7 +165,7 @@ pub fn sha256(text: &str) -> String {
     ::report::sha256(text.as_bytes())
 }
 
-/// The report of [`report`] put into the page `deltav.html`, whose text is `page`: `{ ok: true, html }`, or
+/// The report of [`report()`] put into the page `deltav.html`, whose text is `page`: `{ ok: true, html }`, or
 /// `{ ok: false, problems, message }`.
 #[wasm_bindgen]
 #[must_use]
