@@ -365,14 +365,7 @@ impl PyCase {
         let given = &slf.get().0;
         let subject = Given::subject(what)?;
         let in_units = self::units(units, &given.file)?;
-        let case = &given.file.case;
-        let is_motion = matches!(subject, Subject::Motion | Subject::MotionCurves);
-        let analysis = py.detach(|| match analysis::furthest(case) {
-            Ok(analysis) if !is_motion || analysis.travel.iter().any(Option::is_some) => Ok(analysis),
-            Err(failure) if !is_motion => Err(failure),
-            // What a case lacks for an impact does not keep its motion after the impact from being drawn.
-            _ => analysis::motion(case),
-        });
+        let analysis = py.detach(|| subject.analysis(&given.file.case));
         let analysis = analysis.map_err(|failure| failed(py, failure, &given.file))?;
         let drawing = given.draw(py, &analysis, subject, (in_units, plain))?;
         let again = PyDict::new(py);

@@ -39,13 +39,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         What::MotionCurves => Subject::MotionCurves,
     };
     let is_motion = matches!(subject, Subject::Motion | Subject::MotionCurves);
-    // What a case lacks for an impact does not keep its motion after the impact from being drawn.
-    let analysis = match analysis::furthest(&file.case) {
-        Ok(analysis) if !is_motion || analysis.travel.iter().any(Option::is_some) => Ok(analysis),
-        Err(failure) if !is_motion => Err(failure),
-        _ => analysis::motion(&file.case),
-    };
-    let analysis = crate::answered(analysis, &file, units)?;
+    let analysis = crate::answered(subject.analysis(&file.case), &file, units)?;
     let drawing = match subject {
         Subject::Scene if arguments.plain => report::plain_scene(&file, &analysis, units)?,
         Subject::Motion => report::motion_on(&file, &analysis, units, arguments.plain, site_plan)?,

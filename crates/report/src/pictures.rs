@@ -60,6 +60,21 @@ impl Subject {
             Self::MotionCurves => "motion-curves",
         }
     }
+
+    /// The analysis of a case that it is drawn of: the furthest that the case allows, and for a motion one
+    /// that has it.
+    ///
+    /// # Errors
+    /// Where the case has no such analysis.
+    pub fn analysis(self, case: &Case) -> Result<Analysis, Failure> {
+        let is_motion = matches!(self, Self::Motion | Self::MotionCurves);
+        // What a case lacks for an impact does not keep its motion after the impact from being drawn.
+        match analysis::furthest(case) {
+            Ok(analysis) if !is_motion || analysis.travel.iter().any(Option::is_some) => Ok(analysis),
+            Err(failure) if !is_motion => Err(failure),
+            _ => analysis::motion(case),
+        }
+    }
 }
 
 /// Why there is no drawing.

@@ -1,6 +1,5 @@
 //! Drawings.
 
-use analysis::Analysis;
 use case::Case;
 use report::{PlanBody, PlanView, Subject, Viewport};
 use serde_json::{Value, json};
@@ -10,7 +9,7 @@ use crate::given::{Given, Refused, made};
 pub(crate) fn draw(text: &str, what: &str, units: &str) -> Value {
     made(Given::read(text, None, units).and_then(|given| {
         let subject = subject(what)?;
-        let analysis = solved(&given, subject)?;
+        let analysis = given.answered(subject.analysis(&given.file.case))?;
         let drawing = report::drawing(&given.file, &analysis, given.units, subject);
         let drawing = drawing.map_err(|error| Refused::message(error.to_string()))?;
         Ok(json!({
@@ -27,19 +26,6 @@ fn subject(what: &str) -> Result<Subject, Refused> {
     subject.ok_or_else(|| Refused::message(format!("there is no drawing \"{}\"", case::shown(what))))
 }
 
-/// What a subject is drawn of.
-fn solved(given: &Given, subject: Subject) -> Result<Analysis, Refused> {
-    let case = &given.file.case;
-    let is_motion = matches!(subject, Subject::Motion | Subject::MotionCurves);
-    // What a case lacks for an impact does not keep its motion after the impact from being drawn.
-    let analysis = match analysis::furthest(case) {
-        Ok(analysis) if !is_motion || analysis.travel.iter().any(Option::is_some) => Ok(analysis),
-        Err(failure) if !is_motion => Err(failure),
-        _ => analysis::motion(case),
-    };
-    given.answered(analysis)
-}
-
 /// (m) from the contact point to the handle that turns the crush plane.
 const ON_PLANE: f64 = 1.5;
 
@@ -50,7 +36,7 @@ pub(crate) fn scene(text: &str, what: &str, units: &str, viewport: &str) -> Valu
             "" => Subject::Motion,
             what => subject(what)?,
         };
-        let analysis = solved(&given, subject)?;
+        let analysis = given.answered(subject.analysis(&given.file.case))?;
         let view = report::plan_view(&given.file, &analysis, given.units, subject, read_viewport(viewport)?);
         let (drawing, view) = view.map_err(|error| Refused::message(error.to_string()))?;
         let Viewport { left, bottom, right, top } = view.viewport;
@@ -92,7 +78,7 @@ fn read_viewport(viewport: &str) -> Result<Option<Viewport>, Refused> {
 
 /// (rad)
 fn angle([x, y]: [f64; 2]) -> f64 {
-    pim_core::Real::atan2(y, x)
+    real::Real::atan2(y, x)
 }
 
 /// What can be moved, and the keys that it changes.
@@ -158,7 +144,7 @@ pub(crate) fn motion(text: &str, units: &str, times: &str) -> Value {
             times => serde_json::from_str(times)
                 .map_err(|_| Refused::message("times are empty, or a list of seconds since the impact"))?,
         };
-        let analysis = solved(&given, Subject::Motion)?;
+        let analysis = given.answered(Subject::Motion.analysis(&given.file.case))?;
         let equal = |duration: f64| {
             let step = (duration + APPROACH) / f64::from(FRAMES);
             (0..=FRAMES).map(|n| f64::from(n) * step - APPROACH).collect()
