@@ -53,8 +53,7 @@ pub fn beside(case: &Case, analysis: &Analysis) -> Result<Beside, Failure> {
     let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None };
     let uncertainty = uncertainty(case, &plan, &mut |_, _, _| ControlFlow::Continue(()))?;
     let is_differentiated = analysis.found.is_some() || analysis.both.is_some() || is_motion;
-    let sweep = Sweep { step: 5_f64.to_radians(), steps: 2 };
-    let sensitivity = is_differentiated.then(|| sensitivity(case, sweep)).transpose()?;
+    let sensitivity = is_differentiated.then(|| sensitivity(case, Sweep::default())).transpose()?;
     Ok(Beside { uncertainty: Some(uncertainty), sensitivity })
 }
 

@@ -359,6 +359,13 @@ pub struct Sweep {
     pub steps: u32,
 }
 
+impl Default for Sweep {
+    /// Two steps of 5° to each side.
+    fn default() -> Self {
+        Self { step: 5_f64.to_radians(), steps: 2 }
+    }
+}
+
 /// Differentiates a case with `[reconstruct]` or with a motion to rest, and sweeps the direction of force of
 /// any case whose damage is known.
 ///

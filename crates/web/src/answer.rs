@@ -67,14 +67,9 @@ fn compare(given: &Given) -> Result<Value, Refused> {
     answered("compare", &document, json, csv, json!([]))
 }
 
-/// (degrees, steps) by which `deltav sensitivity` varies the direction of force, unless it is told otherwise.
-pub(crate) const SWEEP: (f64, u32) = (5.0, 2);
-
 fn sensitivity(given: &Given) -> Result<Value, Refused> {
     let Given { file, units } = given;
-    let (step, steps) = SWEEP;
-    let sweep = Sweep { step: step.to_radians(), steps };
-    let sensitivity = given.answered(analysis::sensitivity(&file.case, sweep))?;
+    let sensitivity = given.answered(analysis::sensitivity(&file.case, Sweep::default()))?;
     let document = report::sensitivity(&file.case, &sensitivity, *units);
     let json = report::sensitivity_json(file, &sensitivity);
     answered("sensitivity", &document, json, None, json!([]))
