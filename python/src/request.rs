@@ -36,14 +36,6 @@ pub(crate) enum Answer {
     Estimate(Box<(Estimated, Asked)>),
 }
 
-const METHODS: [(&str, SamplingMethod); 3] = [
-    ("monte-carlo", SamplingMethod::MonteCarlo),
-    ("latin-hypercube", SamplingMethod::LatinHypercube),
-    ("sobol", SamplingMethod::Sobol),
-];
-
-pub(crate) const PRIORS: [(&str, Prior); 2] = [("field", Prior::Field), ("flat", Prior::Flat)];
-
 /// One of a few words.
 pub(crate) fn chosen<T: Copy>(name: &str, word: &str, choices: &[(&str, T)]) -> PyResult<T> {
     let found = choices.iter().find(|(choice, _)| *choice == word).map(|(_, meaning)| *meaning);
@@ -69,7 +61,7 @@ impl Request {
                 }
             }
             Self::Uncertainty { method, sobol, .. } => {
-                chosen("method", method, &METHODS)?;
+                chosen("method", method, &SamplingMethod::WORDS)?;
                 if let Some(rows) = sobol.filter(|rows| *rows < MIN_SAMPLES) {
                     let problem = format!("sobol={rows}: the number of rows must be at least {MIN_SAMPLES}");
                     return Err(PyValueError::new_err(problem));
@@ -77,7 +69,7 @@ impl Request {
             }
             Self::Estimate { particles, prior, .. } => {
                 if let Some(prior) = prior {
-                    chosen("prior", prior, &PRIORS)?;
+                    chosen("prior", prior, &Prior::WORDS)?;
                 }
                 if !estimate::Settings::can_have(*particles) {
                     return Err(PyValueError::new_err(format!(
@@ -123,13 +115,14 @@ impl Request {
             }
             Self::Uncertainty { samples, seed, method, sobol } => {
                 let samples = samples.unwrap_or_else(|| analysis::usual_samples(case));
-                let method = chosen("method", method, &METHODS).unwrap_or(SamplingMethod::MonteCarlo);
+                let method =
+                    chosen("method", method, &SamplingMethod::WORDS).unwrap_or(SamplingMethod::MonteCarlo);
                 let plan = Plan { settings: Settings::new(method, samples, *seed), index_rows: *sobol };
                 let uncertainty = analysis::uncertainty(case, &plan, &mut |_, _, _| ending.flow())?;
                 Ok(Answer::Uncertainty(Box::new(uncertainty)))
             }
             Self::Estimate { particles, seed, prior, pieces, above } => {
-                let prior = prior.as_deref().and_then(|prior| chosen("prior", prior, &PRIORS).ok());
+                let prior = prior.as_deref().and_then(|prior| chosen("prior", prior, &Prior::WORDS).ok());
                 let questions = Self::questions(above, case)?;
                 let plan = EstimatePlan { particles: *particles, seed: *seed, prior, pieces: *pieces };
                 let estimated = analysis::estimate(case, &plan, &mut |_, _, _| ending.flow())?;

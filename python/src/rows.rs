@@ -5,20 +5,21 @@ use std::sync::Arc;
 
 use analysis::EstimatePlan;
 use arrow_array::{RecordBatch, RecordBatchReader as _, StructArray};
-use arrow_schema::{ArrowError, Field, Schema, SchemaRef};
+use arrow_schema::{ArrowError, Schema, SchemaRef};
+use case::Prior;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyMapping};
-use pyo3_arrow::ffi::{ArrayIterator, to_schema_pycapsule, to_stream_pycapsule};
+use pyo3_arrow::ffi::to_schema_pycapsule;
 use pyo3_arrow::input::AnyRecordBatch;
 use tables::{Carried, Job, Numbers, Options, TableError, Template};
 
 use crate::dict;
 use crate::errors::wrong_case;
 use crate::given::Whole;
-use crate::request::{PRIORS, chosen};
+use crate::request::chosen;
 use crate::run::{Ending, interruptible, pool};
-use crate::stream::{Asked, Parts, RowStream};
+use crate::stream::{Asked, Parts, RowStream, as_stream, names};
 
 /// The results of a table, for whatever speaks Arrow: ``polars.DataFrame(rows)``, ``pyarrow.table(rows)``,
 /// ``pandas.DataFrame.from_arrow(rows)``.
@@ -64,8 +65,8 @@ fn template(given: Option<&Bound<'_, PyAny>>) -> PyResult<Template> {
     Template::parse(&name, &text).map_err(|error| wrong_table(py, error))
 }
 
-fn prior(prior: Option<&str>) -> PyResult<Option<case::Prior>> {
-    prior.map(|prior| chosen("prior", prior, &PRIORS)).transpose()
+fn prior(prior: Option<&str>) -> PyResult<Option<Prior>> {
+    prior.map(|prior| chosen("prior", prior, &Prior::WORDS)).transpose()
 }
 
 fn job(name: &str) -> PyResult<Job> {
@@ -262,7 +263,7 @@ impl Rows {
     /// The names of the columns.
     #[getter]
     fn names(&self) -> Vec<String> {
-        self.schema.fields().iter().map(|field| field.name().clone()).collect()
+        names(&self.schema)
     }
 
     fn __len__(&self) -> usize {
@@ -275,12 +276,9 @@ impl Rows {
         py: Python<'py>,
         requested_schema: Option<Bound<'py, PyCapsule>>,
     ) -> PyResult<Bound<'py, PyCapsule>> {
-        let data_type = arrow_schema::DataType::Struct(self.schema.fields().clone());
-        let field = Field::new("", data_type, false).with_metadata(self.schema.metadata().clone());
         let arrays =
             self.batches.clone().into_iter().map(|batch| Ok(Arc::new(StructArray::from(batch)) as _));
-        let reader = ArrayIterator::new(arrays, Arc::new(field));
-        Ok(to_stream_pycapsule(py, Box::new(reader), requested_schema)?)
+        as_stream(py, &self.schema, arrays, requested_schema)
     }
 
     fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {

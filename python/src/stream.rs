@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex};
 
 use arrow_array::{ArrayRef, RecordBatch, RecordBatchReader, StructArray};
-use arrow_schema::{ArrowError, DataType, Field, SchemaRef};
+use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
@@ -72,6 +72,23 @@ impl Iterator for Parts {
     }
 }
 
+pub(crate) fn names(schema: &Schema) -> Vec<String> {
+    schema.fields().iter().map(|field| field.name().clone()).collect()
+}
+
+/// Structs of these columns for whatever reads Arrow's streams.
+pub(crate) fn as_stream<'py>(
+    py: Python<'py>,
+    schema: &Schema,
+    arrays: impl Iterator<Item = Result<ArrayRef, ArrowError>> + Send + 'static,
+    requested_schema: Option<Bound<'py, PyCapsule>>,
+) -> PyResult<Bound<'py, PyCapsule>> {
+    let data_type = DataType::Struct(schema.fields().clone());
+    let field = Field::new("", data_type, false).with_metadata(schema.metadata().clone());
+    let reader = ArrayIterator::new(arrays, Arc::new(field));
+    Ok(to_stream_pycapsule(py, Box::new(reader), requested_schema)?)
+}
+
 /// The results of a table that are computed as they are read: in order, once, in flat memory.
 ///
 /// Whatever reads Arrow's streams takes it, such as ``pyarrow.RecordBatchReader.from_stream(stream)``.
@@ -92,7 +109,7 @@ impl RowStream {
     /// The names of the columns.
     #[getter]
     fn names(&self) -> Vec<String> {
-        self.schema.fields().iter().map(|field| field.name().clone()).collect()
+        names(&self.schema)
     }
 
     #[pyo3(signature = (requested_schema = None))]
@@ -106,10 +123,7 @@ impl RowStream {
             let problem = "the rows of this stream have been read: ask for a new one with stream_table";
             return Err(PyValueError::new_err(problem));
         };
-        let data_type = DataType::Struct(self.schema.fields().clone());
-        let field = Field::new("", data_type, false).with_metadata(self.schema.metadata().clone());
-        let reader = ArrayIterator::new(parts, Arc::new(field));
-        Ok(to_stream_pycapsule(py, Box::new(reader), requested_schema)?)
+        as_stream(py, &self.schema, parts, requested_schema)
     }
 
     fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {

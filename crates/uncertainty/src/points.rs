@@ -39,6 +39,15 @@ pub enum SamplingMethod {
     Sobol,
 }
 
+impl SamplingMethod {
+    /// Each under its name.
+    pub const WORDS: [(&str, Self); 3] = [
+        ("monte-carlo", Self::MonteCarlo),
+        ("latin-hypercube", Self::LatinHypercube),
+        ("sobol", Self::Sobol),
+    ];
+}
+
 /// Points of one method, seed and number of inputs and samples.
 #[derive(Clone, Debug)]
 pub(crate) struct Points {

@@ -5,10 +5,10 @@ use case::{CaseFile, Faults, Purpose, Source};
 use report::{PROGRAM, Units};
 use serde_json::{Map, Value, json};
 
-use crate::given::{Given, Places, problems};
+use crate::given::{Given, Places, UNNAMED, problems};
 
 pub(crate) fn check(text: &str, name: Option<&str>) -> Value {
-    let parsed = CaseFile::parse(name.unwrap_or("case.toml"), text);
+    let parsed = CaseFile::parse(name.unwrap_or(UNNAMED), text);
     match parsed {
         Ok(file) => {
             let units = Units::of_case(&file.case);

@@ -1,10 +1,10 @@
 //! What somebody moves in the scene, as numbers of the text.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use case::edit::{self, EditError};
 use case::{CaseFile, ContactPoint, Dimension, Quantity, RestHeading, UnitSystem, read_quantity, read_unit};
-use pim_core::Real;
+use real::{Real, principal_angle};
 use serde_json::{Value, json};
 
 use crate::given::{Given, Refused, made};
@@ -73,7 +73,7 @@ impl To {
     fn turn(&self, handle: &Handle) -> f64 {
         let from = angle(handle.centre, handle.at);
         let to = self.angle.unwrap_or_else(|| angle(handle.centre, self.at.unwrap_or(handle.at)));
-        within_half_turn(to - from)
+        principal_angle(to - from)
     }
 
     /// (m)
@@ -93,10 +93,6 @@ fn angle(from: [f64; 2], to: [f64; 2]) -> f64 {
     Real::atan2(to[1] - from[1], to[0] - from[0])
 }
 
-fn within_half_turn(angle: f64) -> f64 {
-    angle - (angle / TAU).round() * TAU
-}
-
 struct Change {
     file: CaseFile,
     changed: Vec<String>,
@@ -112,12 +108,12 @@ impl Change {
             "heading" => {
                 let old = vehicle.heading.as_ref().map_or(0.0, Quantity::si);
                 let turned = old + axes.lateral(to.turn(handle));
-                let new = within_half_turn(to.angle.map_or(turned, |angle| axes.lateral(angle)));
+                let new = principal_angle(to.angle.map_or(turned, |angle| axes.lateral(angle)));
                 self.put(&handle.key("heading"), new, Dimension::Angle, ANGLE)
             }
             "plane" => {
                 let old = case.impact.as_ref().map_or(0.0, |impact| impact.crush_plane.si());
-                let new = within_half_turn(old + axes.lateral(to.turn(handle)));
+                let new = principal_angle(old + axes.lateral(to.turn(handle)));
                 self.put("impact.crush_plane", new, Dimension::Angle, ANGLE)
             }
             // The contact point stays where it is, and the vehicle moves.
@@ -139,7 +135,7 @@ impl Change {
                         ANGLE,
                     ),
                     Some(RestHeading::Heading(old)) => {
-                        let new = within_half_turn(old.si() + turn);
+                        let new = principal_angle(old.si() + turn);
                         self.put(&handle.key("after.rest.heading"), new, Dimension::Angle, ANGLE)
                     }
                     None => Err(Refused::message("the case has no rest of this vehicle")),

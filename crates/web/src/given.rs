@@ -8,7 +8,7 @@ use report::{PROGRAM, Units};
 use serde_json::{Value, json};
 
 /// The name of a file that has none.
-const UNNAMED: &str = "case.toml";
+pub(crate) const UNNAMED: &str = "case.toml";
 
 /// Why there is no answer.
 pub(crate) struct Refused {

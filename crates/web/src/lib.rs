@@ -204,9 +204,7 @@ impl Run {
         options: &str,
         progress: &js_sys::Function,
     ) -> String {
-        let (answer, drawn) = run::uncertainty(text, name, units, options, &mut run::told(progress));
-        self.drawn = drawn;
-        answer.to_string()
+        self.run(run::uncertainty, [text, name, units, options], progress)
     }
 
     /// The speeds from all evidence, as `deltav estimate`. `options` is `{ particles, seed, prior: "field" |
@@ -220,9 +218,7 @@ impl Run {
         options: &str,
         progress: &js_sys::Function,
     ) -> String {
-        let (answer, drawn) = run::estimate(text, name, units, options, &mut run::told(progress));
-        self.drawn = drawn;
-        answer.to_string()
+        self.run(run::estimate, [text, name, units, options], progress)
     }
 
     /// The samples or draws of the last run as CSV, as `--samples-out` writes them; empty where there are
@@ -230,5 +226,14 @@ impl Run {
     #[must_use]
     pub fn samples(&self) -> String {
         self.drawn.as_ref().map(run::Drawn::csv).unwrap_or_default()
+    }
+}
+
+impl Run {
+    fn run(&mut self, command: run::Command, asked: [&str; 4], progress: &js_sys::Function) -> String {
+        let [text, name, units, options] = asked;
+        let (answer, drawn) = run::run(command, text, name, units, options, &mut run::told(progress));
+        self.drawn = drawn;
+        answer.to_string()
     }
 }

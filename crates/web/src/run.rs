@@ -40,7 +40,7 @@ fn flow(goes_on: bool) -> ControlFlow<()> {
 }
 
 /// What was asked for besides the case.
-struct Options(Value);
+pub(crate) struct Options(Value);
 
 impl Options {
     fn read(text: &str) -> Result<Self, Refused> {
@@ -107,10 +107,22 @@ impl Drawn {
 }
 
 /// The answer, and what its samples are of.
-type Ran = (Value, Option<Drawn>);
+pub(crate) type Ran = (Value, Option<Drawn>);
 
-fn ran(answer: Result<Ran, Refused>) -> Ran {
-    answer.unwrap_or_else(|refused| (refused.json(), None))
+/// A command that takes long.
+pub(crate) type Command = fn(&Given, &Options, &mut Progress<'_>) -> Result<Ran, Refused>;
+
+pub(crate) fn run(
+    command: Command,
+    text: &str,
+    name: &str,
+    units: &str,
+    options: &str,
+    progress: &mut Progress<'_>,
+) -> Ran {
+    let ran = Given::read(text, Some(name), units)
+        .and_then(|given| command(&given, &Options::read(options)?, progress));
+    ran.unwrap_or_else(|refused| (refused.json(), None))
 }
 
 fn picture(name: &str, output: &str, drawing: &Drawing) -> Value {
@@ -119,33 +131,13 @@ fn picture(name: &str, output: &str, drawing: &Drawing) -> Value {
 }
 
 pub(crate) fn uncertainty(
-    text: &str,
-    name: &str,
-    units: &str,
-    options: &str,
-    progress: &mut Progress<'_>,
-) -> Ran {
-    ran(uncertain(text, name, units, options, progress))
-}
-
-const METHODS: [(&str, SamplingMethod); 3] = [
-    ("monte-carlo", SamplingMethod::MonteCarlo),
-    ("latin-hypercube", SamplingMethod::LatinHypercube),
-    ("sobol", SamplingMethod::Sobol),
-];
-
-fn uncertain(
-    text: &str,
-    name: &str,
-    units: &str,
-    options: &str,
+    given: &Given,
+    options: &Options,
     progress: &mut Progress<'_>,
 ) -> Result<Ran, Refused> {
-    let given = Given::read(text, Some(name), units)?;
-    let Given { file, units } = &given;
-    let options = Options::read(options)?;
+    let Given { file, units } = given;
     let samples = options.size("samples")?.unwrap_or_else(|| analysis::usual_samples(&file.case));
-    let method = options.word("method", &METHODS)?.unwrap_or(SamplingMethod::MonteCarlo);
+    let method = options.word("method", &SamplingMethod::WORDS)?.unwrap_or(SamplingMethod::MonteCarlo);
     let settings = Settings::new(method, samples, options.count("seed")?.unwrap_or(1));
     let plan = Plan { settings, index_rows: options.size("indices")? };
     let uncertainty = analysis::uncertainty(&file.case, &plan, &mut |stage, done, total| {
@@ -183,25 +175,11 @@ fn uncertain(
 }
 
 pub(crate) fn estimate(
-    text: &str,
-    name: &str,
-    units: &str,
-    options: &str,
-    progress: &mut Progress<'_>,
-) -> Ran {
-    ran(estimated(text, name, units, options, progress))
-}
-
-fn estimated(
-    text: &str,
-    name: &str,
-    units: &str,
-    options: &str,
+    given: &Given,
+    options: &Options,
     progress: &mut Progress<'_>,
 ) -> Result<Ran, Refused> {
-    let given = Given::read(text, Some(name), units)?;
-    let Given { file, units } = &given;
-    let options = Options::read(options)?;
+    let Given { file, units } = given;
     let outputs = given.answered(analysis::estimate_outputs(&file.case))?;
     let above = options.0.get("above").and_then(Value::as_array).into_iter().flatten();
     let question = |text: &str| {
@@ -250,7 +228,7 @@ fn estimated(
 mod tests {
     use serde_json::Value;
 
-    use super::{estimate, uncertainty};
+    use super::{estimate, run, uncertainty};
 
     const NAME: &str = "case.toml";
 
@@ -269,7 +247,7 @@ mod tests {
         let text = fixture("sae-980025-uncertain.toml");
         let options = "{\"samples\": 40000, \"seed\": 7}";
         let mut told = Vec::new();
-        let (whole, samples) = uncertainty(&text, NAME, "", options, &mut |counted, done, total| {
+        let (whole, samples) = run(uncertainty, &text, NAME, "", options, &mut |counted, done, total| {
             told.push((counted.to_owned(), done, total));
             true
         });
@@ -282,18 +260,21 @@ mod tests {
         assert_eq!(samples.unwrap().csv().lines().count(), 40001);
         assert!(whole["headline"][0].as_str().unwrap().contains("95 % interval"));
         assert!(whole["pictures"].as_array().unwrap().len() > 1);
-        let (part, samples) = uncertainty(&text, NAME, "", options, &mut |_, done, _| done == 0);
+        let (part, samples) = run(uncertainty, &text, NAME, "", options, &mut |_, done, _| done == 0);
         assert_eq!(part["ok"], true, "{part:#}");
         let some = samples.unwrap().csv().lines().count() - 1;
         assert!(some > 0 && some < 40000, "{some}");
         assert_ne!(samples_of(&part), samples_of(&whole));
+        let (none, samples) = run(uncertainty, &text, NAME, "", options, &mut |_, _, _| false);
+        assert_eq!(none["ok"], true, "{none:#}");
+        assert_eq!(samples.unwrap().csv().lines().count(), 1);
     }
 
     #[test]
     fn an_estimate_ends_without_an_answer() {
         let text = fixture("estimate.toml");
         let (ended, draws) =
-            estimate(&text, NAME, "", "{\"particles\": 128, \"pieces\": false}", &mut |_, _, _| false);
+            run(estimate, &text, NAME, "", "{\"particles\": 128, \"pieces\": false}", &mut |_, _, _| false);
         assert!(ended["ok"] == false && draws.is_none(), "{ended:#}");
         assert!(ended["message"].as_str().unwrap().len() > 10);
     }
@@ -307,12 +288,12 @@ mod tests {
             ("{\"samples\": \"many\"}", "not \"many\""),
             ("{\"method\": \"dice\"}", "monte-carlo or latin-hypercube or sobol, not \"dice\""),
         ] {
-            let (refused, _) = uncertainty(&text, NAME, "", options, &mut |_, _, _| true);
+            let (refused, _) = run(uncertainty, &text, NAME, "", options, &mut |_, _, _| true);
             assert_eq!(refused["ok"], false, "{options}");
             assert!(refused["message"].as_str().unwrap().contains(expected), "{refused:#}");
         }
         let (refused, _) =
-            estimate(&fixture("estimate.toml"), NAME, "", "{\"above\": [\"x 1\"]}", &mut |_, _, _| true);
+            run(estimate, &fixture("estimate.toml"), NAME, "", "{\"above\": [\"x 1\"]}", &mut |_, _, _| true);
         assert!(refused["message"].as_str().unwrap().contains("no result of this name"), "{refused:#}");
     }
 }
