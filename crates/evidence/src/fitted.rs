@@ -110,14 +110,18 @@ impl Fitted {
     /// A coded PDOF (rad) with its error, where a side was hit or an end.
     #[must_use]
     pub fn coded(&self, pdof: f64, is_side: bool) -> CodedPdof {
-        CodedPdof { pdof, scale: self.pdof_scale * if is_side { self.pdof_side_factor } else { 1.0 } }
+        self.direction(pdof, self.pdof_scale, is_side)
     }
 
     /// Where the force came from (rad) by a recorder with both parts of ΔV, where a side was hit or an end.
     #[must_use]
     pub fn recorded_direction(&self, pdof: f64, is_side: bool) -> CodedPdof {
-        let factor = if is_side { self.pdof_side_factor } else { 1.0 };
-        CodedPdof { pdof, scale: self.recorder_direction_scale * factor }
+        self.direction(pdof, self.recorder_direction_scale, is_side)
+    }
+
+    /// A direction (rad) whose error has this scale (rad) where an end was hit, and is wider on a side.
+    fn direction(&self, pdof: f64, scale: f64, is_side: bool) -> CodedPdof {
+        CodedPdof { pdof, scale: scale * if is_side { self.pdof_side_factor } else { 1.0 } }
     }
 
     /// e by closing speed, with the `factor` of a collision.

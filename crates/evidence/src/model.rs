@@ -517,22 +517,13 @@ impl Collision {
                 Slot::At(unknown.len() - 1)
             }
         };
-        let Self {
-            vehicles,
-            speeds,
-            crush_plane,
-            restitution,
-            friction,
-            tangential_share,
-            other_crush,
-            observed,
-        } = self;
-        let speeds = speeds.map(&mut place);
-        let restitution = restitution.map(&mut place);
+        // The unknown numbers stand in this order.
+        let speeds = self.speeds.map(&mut place);
+        let restitution = self.restitution.map(&mut place);
         let (crush_plane, friction, tangential_share) =
-            (place(*crush_plane), place(*friction), place(*tangential_share));
-        let other_crush = other_crush.map(|other| other.map(&mut place));
-        let vehicles = vehicles.map(|vehicle| {
+            (place(self.crush_plane), place(self.friction), place(self.tangential_share));
+        let other_crush = self.other_crush.map(|other| other.map(&mut place));
+        let vehicles = self.vehicles.map(|vehicle| {
             let Vehicle { body, heading, contact, yaw_rate, crush } = vehicle;
             Vehicle {
                 body: body.map(|BodyNumbers { mass, yaw_radius }| BodyNumbers {
@@ -551,7 +542,7 @@ impl Collision {
                 }),
             }
         });
-        let observed = observed.clone();
+        let observed = self.observed.clone();
         Collision {
             vehicles,
             speeds,

@@ -108,25 +108,19 @@ pub(super) fn found(
 /// recorder that stores the speed at the impact stores that before the brakes, too, by the same wheels. And
 /// who codes a PDOF may have read the recorder.
 pub(super) fn same_twice(pieces: &[Piece]) -> Vec<SameTwice> {
-    let has = |piece: Piece| pieces.contains(&piece);
+    let of = |id: VehicleId| {
+        [
+            [Piece::SpeedAfter(id), Piece::Rest(id)],
+            [Piece::DirectionAfter(id), Piece::Rest(id)],
+            [Piece::YawRateAfter(id), Piece::Rest(id)],
+            [Piece::Pdof(id), Piece::RecordedDirection(id)],
+            [Piece::SkidSpeed(id), Piece::RecordedSpeed(id)],
+        ]
+    };
     VehicleId::ALL
         .into_iter()
-        .flat_map(|id| {
-            let rest = has(Piece::Rest(id));
-            [Piece::SpeedAfter(id), Piece::DirectionAfter(id), Piece::YawRateAfter(id)]
-                .into_iter()
-                .filter(move |piece| rest && has(*piece))
-                .map(move |piece| SameTwice { keys: [key(piece), key(Piece::Rest(id))] })
-                .chain(
-                    (has(Piece::Pdof(id)) && has(Piece::RecordedDirection(id))).then(|| SameTwice {
-                        keys: [key(Piece::Pdof(id)), key(Piece::RecordedDirection(id))],
-                    }),
-                )
-                .chain(
-                    (has(Piece::SkidSpeed(id)) && has(Piece::RecordedSpeed(id))).then(|| SameTwice {
-                        keys: [key(Piece::SkidSpeed(id)), key(Piece::RecordedSpeed(id))],
-                    }),
-                )
-        })
+        .flat_map(of)
+        .filter(|both| both.iter().all(|piece| pieces.contains(piece)))
+        .map(|both| SameTwice { keys: both.map(key) })
         .collect()
 }

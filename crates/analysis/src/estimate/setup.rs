@@ -227,8 +227,9 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     let (placeholder, _) = nominal.contact.impact_with_validity(nominal.motions, &law);
     let shared = SharedEffects::of(&case);
     let variables = case.variables();
-    let skids = skids(&case, &variables, &slots);
-    let block = shared.is_empty().then(|| block(&case, &variables, &slots, speeds)).flatten();
+    let numbers = placed(&case, &slots);
+    let skids = skids(&numbers, &variables, &slots);
+    let block = shared.is_empty().then(|| block(&numbers, &variables, &slots, speeds)).flatten();
     let central = variables.iter().map(|input| input.number).collect();
     case.uncertainty = Default::default();
     case.title = None;
@@ -266,8 +267,7 @@ fn placed(case: &Case, slots: &[Slot]) -> Case<Number> {
 }
 
 /// The skid marks of each vehicle.
-fn skids(case: &Case, variables: &[Input], slots: &[Slot]) -> [Option<SkidNumbers>; 2] {
-    let numbers = placed(case, slots);
+fn skids(numbers: &Case<Number>, variables: &[Input], slots: &[Slot]) -> [Option<SkidNumbers>; 2] {
     let factor = |path: &str| {
         let place = variables.iter().position(|input| input.path == path)?;
         if let Some(Slot::Factor(place)) = slots.get(place) { Some(*place) } else { None }
@@ -289,11 +289,10 @@ fn skid_friction(id: VehicleId) -> String {
 }
 
 /// The case for a block of particles at once.
-fn block(case: &Case, variables: &[Input], slots: &[Slot], speeds: OpenSpeeds) -> Option<Block> {
-    let numbers = placed(case, slots);
+fn block(numbers: &Case<Number>, variables: &[Input], slots: &[Slot], speeds: OpenSpeeds) -> Option<Block> {
     let enters = |(input, slot): &(&Input, &Slot)| **slot != Slot::Given && !is_beside(&input.path);
     let unknown = variables.iter().zip(slots).filter(enters).count();
-    Block::new(&numbers, speeds, unknown)
+    Block::new(numbers, speeds, unknown)
 }
 
 /// Whether a number is of the motion before or after the impact alone.
