@@ -613,7 +613,7 @@ pub(crate) static RECORDER: Schema = Schema {
             "speed",
             "speed = \"55 km/h\"",
             Form::Exact(Dimension::Speed, POSITIVE),
-            "Speed just before the impact.",
+            "Speed just before the impact. Leave it out for a vehicle that stood, and write `speed = \"0 km/h\"` of the vehicle.",
         ),
         key(
             "speed_error",

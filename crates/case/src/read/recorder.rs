@@ -1,12 +1,15 @@
 //! `[vehicleN.recorder]`, `certain_speed` of a vehicle, and `[estimate]`.
 
 use super::tree::{Reader, Table};
+use super::values::Place as Position;
 use crate::case_problem::CaseProblem;
 use crate::schema::{CERTAIN_SPEED, RECORDER};
 use inputs::{CertainSpeed, GivenEstimate, Prior, Quantity, Recorder};
 
 const EXACT: &str =
     "a string with a number and a unit: its error stands beside it, as delta_v_error or speed_error";
+const STOOD: &str =
+    "a recorder tells the speed of a vehicle that moved; for one that stood, leave this out and write speed = \"0 km/h\" in the table of the vehicle";
 const CERTAIN: &str =
     "a string with a number and a unit: a speed that is not certain is `speed` of the vehicle, as a range";
 
@@ -14,9 +17,12 @@ impl<'t> Reader<'t> {
     /// A table without a key says nothing.
     pub(super) fn recorder(&mut self, vehicle: &Table<'t>) -> Option<Recorder> {
         let table = self.child(vehicle, "recorder", &RECORDER)?;
-        let [delta_v_longitudinal, delta_v_lateral, direction_error, speed, yaw_rate] =
-            ["delta_v_longitudinal", "delta_v_lateral", "direction_error", "speed", "yaw_rate"]
+        let [delta_v_longitudinal, delta_v_lateral, direction_error, yaw_rate] =
+            ["delta_v_longitudinal", "delta_v_lateral", "direction_error", "yaw_rate"]
                 .map(|key| self.exact_quantity(&table, key, EXACT));
+        let speed = table.get("speed").zip(table.measure("speed")).and_then(|(value, measure)| {
+            self.certain_quantity(&Position::of_key(&table, "speed"), value, measure.positive(STOOD), EXACT)
+        });
         let [delta_v_error, speed_error] =
             ["delta_v_error", "speed_error"].map(|key| self.percent(&table, key));
         let needs = [("delta_v_lateral", "delta_v_longitudinal"), ("direction_error", "delta_v_lateral")];
