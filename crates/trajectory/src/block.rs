@@ -1,6 +1,6 @@
 //! Many motions at once.
 
-use fearless_simd::{Level, Simd, dispatch};
+use fearless_simd::{Level, Simd};
 use pim_core::InvalidInput;
 
 use crate::chassis::Chassis;
@@ -68,11 +68,33 @@ pub fn to_rests(
 
 /// Follows the motions of a chunk with the vector instructions that the processor has.
 ///
-/// Apart from [`to_rests`], which is compiled in every crate that calls it: this takes minutes.
+/// Apart from [`to_rests`], which is compiled in every crate that calls it: this takes the compiler long. So
+/// SSE4.2, which gains little over SSE2, has no code of its own.
 fn follow_all(control: &Control, parked: &mut [Parked]) {
     let level = Level::new();
-    dispatch!(level, simd => follow(simd, control, parked, false));
-    dispatch!(level, simd => follow(simd, control, parked, true));
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    {
+        if let Some(simd) = level.as_avx512() {
+            follow_with(simd, control, parked);
+        } else if let Some(simd) = level.as_avx2() {
+            follow_with(simd, control, parked);
+        } else if let Some(simd) = level.as_sse2() {
+            follow_with(simd, control, parked);
+        }
+    }
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+    fearless_simd::dispatch!(level, simd => follow_with(simd, control, parked));
+}
+
+fn follow_with<S: Simd>(simd: S, control: &Control, parked: &mut [Parked]) {
+    simd.vectorize(
+        #[inline(always)]
+        || follow(simd, control, parked, false),
+    );
+    simd.vectorize(
+        #[inline(always)]
+        || follow(simd, control, parked, true),
+    );
 }
 
 /// What is to be done with a motion.

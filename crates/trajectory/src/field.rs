@@ -203,6 +203,20 @@ impl<T: Number> Field<T> {
         w: [T; 3],
         steer: Direction<T>,
     ) -> Acceleration<T> {
+        if const { T::CALLS } {
+            self.called_acceleration(heading, w, steer)
+        } else {
+            self.inlined_acceleration(heading, w, steer)
+        }
+    }
+
+    #[inline(never)]
+    fn called_acceleration(&self, heading: Direction<T>, w: [T; 3], steer: Direction<T>) -> Acceleration<T> {
+        self.inlined_acceleration(heading, w, steer)
+    }
+
+    #[inline(always)]
+    fn inlined_acceleration(&self, heading: Direction<T>, w: [T; 3], steer: Direction<T>) -> Acceleration<T> {
         let Direction { sin, cos } = heading;
         let [vx, vy, omega] = w;
         // The motion in the vehicle's own axes.

@@ -101,6 +101,8 @@ impl<S: Simd> AddAssign for Lanes<S> {
 impl<S: Simd> Number for Lanes<S> {
     type Plain = Self;
     type Mask = Mask<S>;
+    /// A function on its own has the instructions that every processor of the kind has, of two numbers each.
+    const CALLS: bool = <S::f64s as SimdBase<S>>::LEN == 2;
 
     #[inline(always)]
     fn plain(self) -> Self {

@@ -21,6 +21,10 @@ pub(crate) trait Number:
     type Plain: Number<Plain = Self::Plain, Mask = Self::Mask>;
     /// The answer to a comparison.
     type Mask: Copy;
+    /// Whether the forces are worth a call: where a number carries derivatives they are thousands of
+    /// instructions, and a step that has them eight times takes the compiler most of a minute. Lanes are
+    /// lost without inlining.
+    const CALLS: bool;
 
     fn plain(self) -> Self::Plain;
 
@@ -136,6 +140,7 @@ impl<T: Number> Choice<T> for T {
 impl<T: Real> Number for T {
     type Plain = f64;
     type Mask = bool;
+    const CALLS: bool = size_of::<T>() > size_of::<f64>();
 
     #[inline(always)]
     fn plain(self) -> f64 {

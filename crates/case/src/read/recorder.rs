@@ -8,8 +8,7 @@ use inputs::{CertainSpeed, GivenEstimate, Prior, Quantity, Recorder};
 
 const EXACT: &str =
     "a string with a number and a unit: its error stands beside it, as delta_v_error or speed_error";
-const STOOD: &str =
-    "a recorder tells the speed of a vehicle that moved; for one that stood, leave this out and write speed = \"0 km/h\" in the table of the vehicle";
+const STOOD: &str = "a recorder tells the speed of a vehicle that moved; for one that stood, leave this out and write speed = \"0 km/h\" in the table of the vehicle";
 const CERTAIN: &str =
     "a string with a number and a unit: a speed that is not certain is `speed` of the vehicle, as a range";
 
