@@ -627,10 +627,17 @@ pub(crate) static RECORDER: Schema = Schema {
             Form::Exact(Dimension::YawRate, ANY),
             "Yaw rate just after the impact. Positive counter-clockwise, seen from above, or clockwise with `axes = \"z-down\"`.",
         ),
+        key(
+            "yaw_rate_error",
+            "yaw_rate_error = \"15 deg/s\"",
+            Form::Exact(Dimension::YawRate, POSITIVE),
+            "Error of the recorded yaw rate, as a standard deviation. 20 % of it if left out, and at least 10 °/s.",
+        ),
     ],
     rules: &[
         Rule::NeedsIf(&[Has("delta_v_lateral")], &["delta_v_longitudinal"]),
         Rule::NeedsIf(&[Has("direction_error")], &["delta_v_lateral"]),
+        Rule::NeedsIf(&[Has("yaw_rate_error")], &["yaw_rate"]),
     ],
 };
 

@@ -1410,7 +1410,10 @@ fn any_recorder() -> impl Strategy<Value = Recorder> {
     let error = || option::of(1e-3..1e3_f64);
     let delta_v = (speed(), speed(), error());
     let of_speed = (option::of(any_quantity(Dimension::Speed, Signs::Positive)), error());
-    let yaw_rate = option::of(any_quantity(Dimension::YawRate, Signs::Any));
+    let yaw_rate = option::of((
+        any_quantity(Dimension::YawRate, Signs::Any),
+        option::of(any_quantity(Dimension::YawRate, Signs::Positive)),
+    ));
     let direction_error = option::of(any_quantity(Dimension::Angle, Signs::Positive));
     (delta_v, direction_error, of_speed, yaw_rate).prop_map(
         |((along, across, delta_v_error), direction_error, (speed, speed_error), yaw_rate)| {
@@ -1423,7 +1426,8 @@ fn any_recorder() -> impl Strategy<Value = Recorder> {
                 direction_error: direction_error.filter(|_| delta_v_lateral.is_some()),
                 speed,
                 speed_error,
-                yaw_rate,
+                yaw_rate: yaw_rate.map(|(rate, _)| rate),
+                yaw_rate_error: yaw_rate.and_then(|(_, error)| error),
             }
         },
     )

@@ -240,6 +240,20 @@ fn the_direction_of_a_recorder_has_heavy_tails() {
     }
 }
 
+/// The scales of docs/calibration.md: 6° of a PDOF and 5.4° of a recorder, on sides 1.5 times those.
+#[test]
+fn directions_err_more_on_sides() {
+    for (found, degrees) in [
+        (FITTED.coded(0.3, false), 6.0),
+        (FITTED.coded(0.3, true), 9.0),
+        (FITTED.recorded_direction(0.3, false), 5.4),
+        (FITTED.recorded_direction(0.3, true), 8.1),
+    ] {
+        assert_eq!(found.pdof, 0.3);
+        close(found.scale, degrees * PI / 180.0);
+    }
+}
+
 #[test]
 fn limits_hold() {
     for (limits, term) in [

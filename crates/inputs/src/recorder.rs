@@ -25,6 +25,8 @@ pub struct Recorder {
     pub speed_error: Option<f64>,
     /// (rad/s) yaw rate after the impact, in the sense of the axes.
     pub yaw_rate: Option<Quantity>,
+    /// (rad/s) standard deviation of its error.
+    pub yaw_rate_error: Option<Quantity>,
 }
 
 /// What is certain of the speed of a vehicle before the impact.
@@ -91,6 +93,7 @@ impl<U> Walk<'_, U> {
         self.exact_if(&at("speed"), recorder.speed.as_ref());
         self.percent_if(&at("speed_error"), recorder.speed_error);
         self.exact_if(&at("yaw_rate"), recorder.yaw_rate.as_ref());
+        self.exact_if(&at("yaw_rate_error"), recorder.yaw_rate_error.as_ref());
         *recorder
     }
 

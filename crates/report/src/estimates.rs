@@ -195,13 +195,11 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
 pub(crate) fn error_key(piece: &PieceFound) -> Option<String> {
     Some(match piece.piece {
         // The simulation errs more than the survey.
-        Piece::Severity
-        | Piece::Limits(_)
-        | Piece::Rest(_)
-        | Piece::Points(_)
-        | Piece::RecordedYawRate(_) => return None,
+        Piece::Severity | Piece::Limits(_) | Piece::Rest(_) | Piece::Points(_) => return None,
         Piece::Crush => "estimate.crush_error".to_owned(),
-        Piece::RecordedDeltaV(_) | Piece::RecordedSpeed(_) => format!("{}_error", piece.key),
+        Piece::RecordedDeltaV(_) | Piece::RecordedSpeed(_) | Piece::RecordedYawRate(_) => {
+            format!("{}_error", piece.key)
+        }
         Piece::RecordedDirection(id) => format!("vehicle{id}.recorder.direction_error"),
         _ => piece.key.clone(),
     })

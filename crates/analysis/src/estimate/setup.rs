@@ -606,8 +606,7 @@ fn observe(
             });
             observed.after.yaw_rate = after.yaw_rate.as_ref().map(|rate| {
                 let value = lateral(rate);
-                let default = Real::max(YAW_RATE_SHARE * value.abs(), YAW_RATE_LEAST);
-                Measured { value, sd: or_default(key("after.yaw_rate"), default) }
+                Measured { value, sd: or_default(key("after.yaw_rate"), yaw_rate_error(value)) }
             });
         }
         if let Some(way) =
@@ -690,6 +689,11 @@ fn coded_pdof(data: &VehicleData, vehicle: &GivenVehicle) -> Option<CodedPdof> {
     Some(CodedPdof { scale: Real::sqrt(coded.scale * coded.scale + hour * hour), ..coded })
 }
 
+/// (rad/s) the usual error of a yaw rate after the impact (rad/s).
+fn yaw_rate_error(rate: f64) -> f64 {
+    Real::max(YAW_RATE_SHARE * rate.abs(), YAW_RATE_LEAST)
+}
+
 fn recorded(
     recorder: &inputs::Recorder,
     is_side: bool,
@@ -728,7 +732,8 @@ fn recorded(
     });
     let yaw_rate = recorder.yaw_rate.as_ref().map(|rate| {
         let value = case.axes.lateral(rate.si());
-        Measured { value, sd: Real::max(YAW_RATE_SHARE * value.abs(), YAW_RATE_LEAST) }
+        let given = recorder.yaw_rate_error.as_ref().map(Quantity::si);
+        Measured { value, sd: or_default("recorder.yaw_rate_error", given, yaw_rate_error(value)) }
     });
     Recorder { delta_v, direction, speed, yaw_rate }
 }

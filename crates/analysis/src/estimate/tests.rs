@@ -165,6 +165,22 @@ fn the_ratio_of_the_crush_energies_is_that_of_the_sides_that_met() {
     assert!(of_case(&undamaged).observed.crush.is_none());
 }
 
+/// 20 % of a yaw rate and 10 °/s at least, unless the case says otherwise.
+#[test]
+fn the_error_of_a_recorded_yaw_rate_is_that_of_the_case() {
+    for (lines, degrees, assumed) in [
+        ("yaw_rate = \"-90 deg/s\"", 18.0, true),
+        ("yaw_rate = \"30 deg/s\"", 10.0, true),
+        ("yaw_rate = \"-90 deg/s\"\nyaw_rate_error = \"7 deg/s\"", 7.0, false),
+    ] {
+        let setup = of_case(&format!("{CENTRAL}[vehicle2.recorder]\n{lines}\n"));
+        let error = setup.observed.vehicles[1].recorder.yaw_rate.unwrap().sd;
+        assert!((error - degrees * std::f64::consts::PI / 180.0).abs() < 1e-12, "{lines}: {error}");
+        let key = "vehicle2.recorder.yaw_rate_error".to_owned();
+        assert_eq!(setup.default_errors.contains(&key), assumed, "{lines}");
+    }
+}
+
 /// v_b² = v² + 2 μ g d with v = V₂/0.66: the recorder's 25 m/s at the begin of 20 m of marks.
 #[test]
 fn the_speed_before_a_skid_tells_that_at_the_impact() {

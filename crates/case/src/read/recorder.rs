@@ -6,8 +6,7 @@ use crate::case_problem::CaseProblem;
 use crate::schema::{CERTAIN_SPEED, RECORDER};
 use inputs::{CertainSpeed, GivenEstimate, Prior, Quantity, Recorder};
 
-const EXACT: &str =
-    "a string with a number and a unit: its error stands beside it, as delta_v_error or speed_error";
+const EXACT: &str = "a string with a number and a unit: its error stands beside it, as delta_v_error, speed_error or yaw_rate_error";
 const STOOD: &str = "a recorder tells the speed of a vehicle that moved; for one that stood, leave this out and write speed = \"0 km/h\" in the table of the vehicle";
 const CERTAIN: &str =
     "a string with a number and a unit: a speed that is not certain is `speed` of the vehicle, as a range";
@@ -16,15 +15,19 @@ impl<'t> Reader<'t> {
     /// A table without a key says nothing.
     pub(super) fn recorder(&mut self, vehicle: &Table<'t>) -> Option<Recorder> {
         let table = self.child(vehicle, "recorder", &RECORDER)?;
-        let [delta_v_longitudinal, delta_v_lateral, direction_error, yaw_rate] =
-            ["delta_v_longitudinal", "delta_v_lateral", "direction_error", "yaw_rate"]
+        let [delta_v_longitudinal, delta_v_lateral, direction_error, yaw_rate, yaw_rate_error] =
+            ["delta_v_longitudinal", "delta_v_lateral", "direction_error", "yaw_rate", "yaw_rate_error"]
                 .map(|key| self.exact_quantity(&table, key, EXACT));
         let speed = table.get("speed").zip(table.measure("speed")).and_then(|(value, measure)| {
             self.certain_quantity(&Position::of_key(&table, "speed"), value, measure.positive(STOOD), EXACT)
         });
         let [delta_v_error, speed_error] =
             ["delta_v_error", "speed_error"].map(|key| self.percent(&table, key));
-        let needs = [("delta_v_lateral", "delta_v_longitudinal"), ("direction_error", "delta_v_lateral")];
+        let needs = [
+            ("delta_v_lateral", "delta_v_longitudinal"),
+            ("direction_error", "delta_v_lateral"),
+            ("yaw_rate_error", "yaw_rate"),
+        ];
         for (key, needed) in needs {
             if table.has(key) && !table.has(needed) {
                 self.missing(&table, needed);
@@ -38,6 +41,7 @@ impl<'t> Reader<'t> {
             speed,
             speed_error,
             yaw_rate,
+            yaw_rate_error,
         };
         (recorder != Recorder::default()).then_some(recorder)
     }
