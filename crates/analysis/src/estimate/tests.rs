@@ -165,6 +165,20 @@ fn the_ratio_of_the_crush_energies_is_that_of_the_sides_that_met() {
     assert!(of_case(&undamaged).observed.crush.is_none());
 }
 
+/// A vehicle that is slowed and pushed to its right was hit from ahead on its left: tan α = 5/10, at 11
+/// o'clock. Its own lateral axis points left, or right where z points down.
+#[test]
+fn a_recorder_shows_where_the_force_came_from() {
+    for (axes, lateral) in [("", "-5 m/s"), ("[scene]\naxes = \"z-down\"\n", "5 m/s")] {
+        let recorder = format!(
+            "[vehicle2.recorder]\ndelta_v_longitudinal = \"-10 m/s\"\ndelta_v_lateral = \"{lateral}\"\n"
+        );
+        let setup = of_case(&format!("{CENTRAL}{recorder}{axes}"));
+        let shown = setup.observed.vehicles[1].recorder.direction.unwrap().pdof;
+        assert!((shown + 0.5_f64.atan()).abs() < 1e-12, "{axes:?} {shown}");
+    }
+}
+
 /// 20 % of a yaw rate and 10 °/s at least, unless the case says otherwise.
 #[test]
 fn the_error_of_a_recorded_yaw_rate_is_that_of_the_case() {
