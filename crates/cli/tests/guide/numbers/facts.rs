@@ -49,6 +49,13 @@ fn readme(ledger: &mut Ledger) {
         "compiles … 11 minutes … 6 minutes … 2.3 GB",
         "user and system time of `cargo test --workspace --no-run` by Rust 1.95 on x86-64, and `du -sh target` afterwards",
     );
+    let calibration = page("docs/calibration.md");
+    ledger.quoted("350 vehicles in 287", &calibration, "350 recorders in 287 collisions");
+    ledger.cited("CISS of 2017", "the year of the file");
+    ledger.quoted("50, 80 and 95 %", &calibration, "| 50 % | 80 % | 95 % | bias");
+    let held_out = "| all | 350 | 48.6 ± 2.8 % | 78.6 ± 2.4 % | 93.7 ± 1.4 % | −0.007 | 0.330";
+    ledger.quoted("48.6, 78.6 and 93.7 % … 0.330", &calibration, held_out);
+    ledger.quoted("WinSMASH … 0.464", &calibration, "| WinSMASH | 328 | – | – | – | −0.238 | 0.464");
     let oldest = page("Cargo.toml")
         .text
         .split_once("\nrust-version = \"")
