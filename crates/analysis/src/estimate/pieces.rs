@@ -124,3 +124,41 @@ pub(super) fn same_twice(pieces: &[Piece]) -> Vec<SameTwice> {
         .map(|both| SameTwice { keys: both.map(key) })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::same_twice;
+    use evidence::Piece;
+    use pim_core::VehicleId::{One, Two};
+
+    /// Only where both are there, and of one vehicle.
+    #[test]
+    fn what_says_the_same_twice_is_named() {
+        let keys =
+            |pieces: &[Piece]| same_twice(pieces).into_iter().map(|same| same.keys).collect::<Vec<_>>();
+        let pairs = [
+            (Piece::SpeedAfter(One), Piece::Rest(One), ["vehicle1.after.speed", "vehicle1.after.rest"]),
+            (
+                Piece::DirectionAfter(Two),
+                Piece::Rest(Two),
+                ["vehicle2.after.direction", "vehicle2.after.rest"],
+            ),
+            (Piece::YawRateAfter(One), Piece::Rest(One), ["vehicle1.after.yaw_rate", "vehicle1.after.rest"]),
+            (
+                Piece::Pdof(Two),
+                Piece::RecordedDirection(Two),
+                ["vehicle2.crush.pdof", "vehicle2.recorder.delta_v_lateral"],
+            ),
+            (
+                Piece::SkidSpeed(One),
+                Piece::RecordedSpeed(One),
+                ["vehicle1.before.speed", "vehicle1.recorder.speed"],
+            ),
+        ];
+        for (one, other, expected) in pairs {
+            assert_eq!(keys(&[one, Piece::Crush, other]), [expected.map(str::to_owned)]);
+            assert!(keys(&[one, Piece::Crush]).is_empty() && keys(&[other]).is_empty());
+        }
+        assert!(keys(&[Piece::SpeedAfter(One), Piece::Rest(Two)]).is_empty());
+    }
+}
