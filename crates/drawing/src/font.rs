@@ -1,8 +1,9 @@
 //! How wide a text is. The letters of DejaVu Sans are among the widest of the sans-serif faces: what fits
 //! with these fits with those of any reader.
 
-use skrifa::instance::{LocationRef, Size};
-use skrifa::{FontRef, MetadataProvider as _};
+mod advances;
+
+use advances::{ADVANCES, EM};
 
 /// (px) letters of labels.
 pub(crate) const SMALL: f64 = 13.0;
@@ -19,48 +20,40 @@ pub(crate) enum Anchor {
     End,
 }
 
-/// (em) how far a letter moves on.
-fn advance() -> impl Fn(char) -> f64 {
-    let font = FontRef::new(dejavu::sans::regular()).ok();
-    let measures = font.map(|font| {
-        let em = f64::from(font.metrics(Size::unscaled(), LocationRef::default()).units_per_em);
-        (font.charmap(), font.glyph_metrics(Size::unscaled(), LocationRef::default()), em)
-    });
-    move |letter| {
-        let known = measures.as_ref().and_then(|(letters, metrics, em)| {
-            let units = metrics.advance_width(letters.map(letter)?)?;
-            Some(f64::from(units) / em)
-        });
-        known.unwrap_or(UNKNOWN)
-    }
+/// (em) how far a letter moves on; nothing of one that the font has not.
+///
+/// By a table: who draws for a page of the web needs the font for nothing else, and it would be a seventh of
+/// what the page weighs.
+fn known(letter: char) -> Option<f64> {
+    let after = ADVANCES.partition_point(|&(first, _)| first <= letter);
+    let &(first, units) = ADVANCES.get(after.checked_sub(1)?)?;
+    let place = usize::try_from(u32::from(letter) - u32::from(first)).ok()?;
+    Some(f64::from(*units.get(place)?) / EM)
 }
 
-/// Whether the font has a letter.
-fn known() -> impl Fn(char) -> bool {
-    let letters = FontRef::new(dejavu::sans::regular()).ok().map(|font| font.charmap());
-    move |letter| letters.as_ref().is_some_and(|letters| letters.map(letter).is_some())
+/// (em) the same of any letter.
+fn advance(letter: char) -> f64 {
+    known(letter).unwrap_or(UNKNOWN)
 }
 
 /// What is printed of a text that the font has not.
 pub(crate) fn missing(text: &str) -> Vec<char> {
-    let known = known();
-    text.chars().filter(|&letter| !letter.is_control() && !known(letter)).collect()
+    text.chars().filter(|&letter| !letter.is_control() && known(letter).is_none()).collect()
 }
 
 /// The text with a question mark for each letter that the font has not.
 pub(crate) fn with_known_letters(text: &str) -> String {
-    let known = known();
-    text.chars().map(|letter| if letter.is_control() || known(letter) { letter } else { '?' }).collect()
+    let is_known = |letter: char| letter.is_control() || known(letter).is_some();
+    text.chars().map(|letter| if is_known(letter) { letter } else { '?' }).collect()
 }
 
 /// (px) width of a text in letters of the given size (px).
 pub(crate) fn width(text: &str, size: f64) -> f64 {
-    text.chars().map(advance()).sum::<f64>() * size
+    text.chars().map(advance).sum::<f64>() * size
 }
 
 /// The text, cut to the given width (px) with an ellipsis where it is longer.
 pub(crate) fn cut(text: &str, size: f64, most: f64) -> String {
-    let advance = advance();
     let ellipsis = advance('…');
     // (em) up to each letter; and the end of the last with which an ellipsis still fits.
     let (mut so_far, mut fits) = (0.0, None);
@@ -78,12 +71,11 @@ pub(crate) fn cut(text: &str, size: f64, most: f64) -> String {
 
 /// The text in lines of at most the given width (px), broken at blanks.
 pub(crate) fn lines(text: &str, size: f64, most: f64) -> Vec<String> {
-    let advance = advance();
     let mut lines: Vec<String> = Vec::new();
     // (em) of the last line
     let mut so_far = 0.0;
     for word in text.split(' ') {
-        let with_word = word.chars().map(&advance).fold(so_far + advance(' '), |sum, letter| sum + letter);
+        let with_word = word.chars().map(advance).fold(so_far + advance(' '), |sum, letter| sum + letter);
         match lines.last_mut() {
             Some(line) if with_word * size <= most => {
                 line.push(' ');
@@ -92,7 +84,7 @@ pub(crate) fn lines(text: &str, size: f64, most: f64) -> Vec<String> {
             }
             _ => {
                 let word = cut(word, size, most);
-                so_far = word.chars().map(&advance).sum();
+                so_far = word.chars().map(advance).sum();
                 lines.push(word);
             }
         }
@@ -102,7 +94,58 @@ pub(crate) fn lines(text: &str, size: f64, most: f64) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{cut, lines, width};
+    use skrifa::instance::{LocationRef, Size};
+    use skrifa::{FontRef, MetadataProvider as _};
+
+    use super::{cut, known, lines, width};
+
+    /// Units of the em, and all letters of the font with what they move on.
+    fn of_the_font() -> (u16, Vec<(char, f32)>) {
+        let font = FontRef::new(dejavu::sans::regular()).unwrap();
+        let metrics = font.glyph_metrics(Size::unscaled(), LocationRef::default());
+        let mut letters: Vec<(char, f32)> = font
+            .charmap()
+            .mappings()
+            .map(|(letter, glyph)| (char::from_u32(letter).unwrap(), metrics.advance_width(glyph).unwrap()))
+            .collect();
+        letters.sort_unstable_by_key(|(letter, _)| *letter);
+        (font.metrics(Size::unscaled(), LocationRef::default()).units_per_em, letters)
+    }
+
+    fn table(em: u16, letters: &[(char, f32)]) -> String {
+        let mut table = format!(
+            "//! How far the letters of DejaVu Sans move on. Made by a test: `UPDATE=1 cargo test -p deltav-drawing\n\
+             //! the_table`.\n\n/// Units of the em.\npub(super) const EM: f64 = {em}.0;\n\n/// \
+             Letters that follow one another: the first, and the units of each.\n#[rustfmt::skip]\n\
+             pub(super) const ADVANCES: &[(char, &[u16])] = &[\n"
+        );
+        for run in letters.chunk_by(|one, next| u32::from(one.0) + 1 == u32::from(next.0)) {
+            table += &format!("    ('{}', &[\n", run[0].0.escape_unicode());
+            for line in run.chunks(20) {
+                let units: Vec<String> = line.iter().map(|(_, units)| units.to_string()).collect();
+                table += &format!("        {},\n", units.join(", "));
+            }
+            table += "    ]),\n";
+        }
+        table + "];\n"
+    }
+
+    #[test]
+    fn the_table_is_that_of_the_font() {
+        let (em, letters) = of_the_font();
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/font/advances.rs");
+        if std::env::var_os("UPDATE").is_some() {
+            std::fs::write(path, table(em, &letters)).unwrap();
+            return;
+        }
+        assert_eq!(super::EM, f64::from(em));
+        assert!(letters.len() > 5000);
+        for &(letter, units) in &letters {
+            assert_eq!(known(letter), Some(f64::from(units) / f64::from(em)), "{letter:?}");
+        }
+        let all = ('\0'..=char::MAX).filter(|&letter| known(letter).is_some()).count();
+        assert_eq!(all, letters.len());
+    }
 
     /// By trying every length.
     fn longest(text: &str, most: f64) -> String {
