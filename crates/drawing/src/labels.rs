@@ -222,8 +222,8 @@ impl Placer {
         if far >= limit {
             return None;
         }
-        let covered = |other: &Rect| area.intersect(*other).area() > 0.0;
-        let off_page = if bounds.union(area) == bounds { 0.0 } else { OFF_PAGE };
+        let covered = |other: &Rect| overlap(area, *other);
+        let off_page = if is_within(area, bounds) { 0.0 } else { OFF_PAGE };
         let texts = count(self.texts.iter().filter(|other| covered(other))) * ON_TEXT;
         let points = count(self.points.iter().filter(|other| covered(other))) * ON_POINT;
         let mut lines = 0.0;
@@ -332,8 +332,8 @@ fn cuts(Line { p0, p1 }: Line, area: Rect) -> bool {
             continue;
         }
         let ends = [(low - from) / along, (high - from) / along];
-        first = first.max(ends[0].min(ends[1]));
-        last = last.min(ends[0].max(ends[1]));
+        first = greater(first, lesser(ends[0], ends[1]));
+        last = lesser(last, greater(ends[0], ends[1]));
     }
     first <= last
 }
@@ -368,9 +368,30 @@ fn candidates(at: Point, (width, height): (f64, f64)) -> impl Iterator<Item = Po
 
 /// (px) from a point to an area.
 fn gap(at: Point, area: Rect) -> f64 {
-    let (dx, dy) =
-        ((area.x0 - at.x).max(at.x - area.x1).max(0.0), (area.y0 - at.y).max(at.y - area.y1).max(0.0));
+    let dx = greater(greater(area.x0 - at.x, at.x - area.x1), 0.0);
+    let dy = greater(greater(area.y0 - at.y, at.y - area.y1), 0.0);
     (dx * dx + dy * dy).sqrt()
+}
+
+/// Whether two areas have more in common than an edge.
+fn overlap(one: Rect, other: Rect) -> bool {
+    greater(one.x0, other.x0) < lesser(one.x1, other.x1)
+        && greater(one.y0, other.y0) < lesser(one.y1, other.y1)
+}
+
+fn is_within(area: Rect, bounds: Rect) -> bool {
+    area.x0 >= bounds.x0 && area.x1 <= bounds.x1 && area.y0 >= bounds.y0 && area.y1 <= bounds.y1
+}
+
+/// The lesser of two numbers. `f64::min` asks for NaN as well, and is a call in WebAssembly, where these are
+/// most of what a drawing takes.
+fn lesser(one: f64, other: f64) -> f64 {
+    if one < other { one } else { other }
+}
+
+/// The greater of two numbers.
+fn greater(one: f64, other: f64) -> f64 {
+    if one > other { one } else { other }
 }
 
 #[cfg(test)]
