@@ -87,12 +87,7 @@ impl Traced {
         if of == [CONSTANT; 2] {
             return Self::from(value);
         }
-        let place = RECORD.with_borrow_mut(|record| {
-            let record = record.as_mut()?;
-            record.push(Step { of, by });
-            Some(record.len() - 1)
-        });
-        Self { value, place: place.unwrap_or(CONSTANT) }
+        Self { value, place: written(Step { of, by }) }
     }
 
     /// The same of one other.
@@ -123,6 +118,18 @@ impl Traced {
         by.truncate(inputs);
         Gradient { value: self.value, by }
     }
+}
+
+/// Writes a step into the record: its place there. A call, as every operation of every formula writes one:
+/// translated at each place, the pushes are most of the program.
+#[inline(never)]
+fn written(step: Step) -> usize {
+    let place = RECORD.with_borrow_mut(|record| {
+        let record = record.as_mut()?;
+        record.push(step);
+        Some(record.len() - 1)
+    });
+    place.unwrap_or(CONSTANT)
 }
 
 impl PartialEq for Traced {
