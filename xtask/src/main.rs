@@ -16,10 +16,6 @@ use wasm_bindgen_cli_support::Bindgen;
 enum Task {
     /// Build the engine for a browser: WebAssembly, the JavaScript that calls it, and its types
     Web {
-        /// Build it in a fifth of the time; it is larger and slower, and has the same bits
-        #[arg(long)]
-        quick: bool,
-
         /// The folder to write into [default: web/pkg]
         #[arg(long, value_name = "FOLDER")]
         out: Option<PathBuf>,
@@ -38,28 +34,28 @@ enum Task {
 }
 
 const TARGET: &str = "wasm32-unknown-unknown";
+const PROFILE: &str = "wasm";
 
 fn main() -> Result<()> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let folder = |given: Option<PathBuf>| given.unwrap_or_else(|| root.join("web/pkg"));
     match Task::parse() {
-        Task::Web { quick, out } => web(&root, quick, &folder(out)),
+        Task::Web { out } => web(&root, &folder(out)),
         Task::SameBits { program, engine } => same_bits(&root, &folder(engine), &program),
     }
 }
 
-fn web(root: &Path, quick: bool, out: &Path) -> Result<()> {
-    let profile = if quick { "wasm-quick" } else { "wasm" };
+fn web(root: &Path, out: &Path) -> Result<()> {
     // Not the library for Rust as well: every crate below would be translated once for that, and once more for
     // the whole.
     let status = Command::new(cargo())
-        .args(["rustc", "--locked", "--profile", profile, "--target", TARGET, "-p", "deltav-web", "--lib"])
+        .args(["rustc", "--locked", "--profile", PROFILE, "--target", TARGET, "-p", "deltav-web", "--lib"])
         .args(["--crate-type", "cdylib"])
         .current_dir(root)
         .status()
         .context("cannot run cargo")?;
     ensure!(status.success(), "cargo cannot build deltav-web; `rustup target add {TARGET}` adds its target");
-    let built = target_folder(root).join(TARGET).join(profile).join("deltav_web.wasm");
+    let built = target_folder(root).join(TARGET).join(PROFILE).join("deltav_web.wasm");
     Bindgen::new()
         .input_path(&built)
         .web(true)?
