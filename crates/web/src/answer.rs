@@ -3,12 +3,12 @@
 use analysis::{Analysis, Beside, Failure, Sweep};
 use case::{Case, Purpose};
 use pim_core::VehicleId;
-use report::{Answer, Csv, CsvStyle, Document, Row, Supplements, Table};
+use report::{Answer, Csv, CsvStyle, Document, Row, Supplements, Table, Units};
 use serde_json::{Value, json};
 use validation::{Data, validate};
 
 use crate::given::{Given, Refused, made};
-use crate::warned;
+use crate::{check, picture, warned};
 
 /// What a command makes of a case.
 type Solve = fn(&Case) -> Result<Analysis, Failure>;
@@ -38,22 +38,32 @@ pub(crate) fn answer(text: &str, command: &str, units: &str, name: Option<&str>)
     }))
 }
 
-fn analyse(given: &Given, command: &str) -> Result<Value, Refused> {
-    let Given { file, units } = given;
-    let (command, solve) = solver(command, &file.case).ok_or_else(|| unknown(command))?;
-    let analysis = given.answered(solve(&file.case))?;
-    let document = report::results(&file.case, &analysis, *units);
-    let json = report::json(file, &analysis);
-    let seen = analysis.seen(file.case.axes);
+/// The analysis of a command, and the name of the command.
+fn analysis(given: &Given, command: &str) -> Result<(&'static str, Analysis), Refused> {
+    let case = &given.file.case;
+    let (command, solve) = solver(command, case).ok_or_else(|| unknown(command))?;
+    Ok((command, given.answered(solve(case))?))
+}
+
+fn warnings(given: &Given, analysis: &Analysis) -> Value {
+    let seen = analysis.seen(given.file.case.axes);
     let warnings = seen.warnings.iter().map(|warning| {
         json!({
             "code": warning.warning().code(),
-            "message": report::message(warning, *units),
+            "message": report::message(warning, given.units),
             "vehicle": warning.warning().vehicle().map(VehicleId::number),
             "keys": warned::keys(warning.warning()),
         })
     });
-    let warnings = warnings.collect();
+    warnings.collect()
+}
+
+fn analyse(given: &Given, command: &str) -> Result<Value, Refused> {
+    let Given { file, units } = given;
+    let (command, analysis) = analysis(given, command)?;
+    let document = report::results(&file.case, &analysis, *units);
+    let json = report::json(file, &analysis);
+    let warnings = warnings(given, &analysis);
     let csv = csv(given, Table::Analyses, Answer::Analysis(Box::new(analysis)));
     answered(command, &document, json, csv, warnings)
 }
@@ -102,6 +112,36 @@ fn answered(
     }))
 }
 
+/// What is seen first of a text, of one reading, one analysis and one drawing.
+pub(crate) fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) -> Value {
+    made(Given::read(text, None, units).map(|given| {
+        let case = &given.file.case;
+        let able = check::able(case);
+        let asked = able.iter().find(|able| **able == command).or(able.first()).copied();
+        let asked = asked.unwrap_or(if command.is_empty() { Purpose::Reconstruct.name() } else { command });
+        let analysis = analysis(&given, asked);
+        let furthest = analysis.as_ref().ok().map(|(_, analysis)| analysis);
+        let furthest = furthest.filter(|_| asked == case.furthest_purpose().name());
+        let scene = picture::first_view(&given, what, viewport, furthest);
+        let mut look = match analysis {
+            Ok((_, analysis)) => json!({
+                "ok": true,
+                "headline": report::results(case, &analysis, given.units).headline(),
+                "warnings": warnings(&given, &analysis),
+            }),
+            Err(refused) => refused.json(),
+        };
+        look["scene"] = scene;
+        look["command"] = json!(asked);
+        look["able"] = json!(able);
+        look["units"] = json!(match Units::of_case(case) {
+            Units::Si => "si",
+            Units::Us => "us",
+        });
+        look
+    }))
+}
+
 pub(crate) fn report(text: &str, name: &str, command: &str, units: &str, plan: Option<Vec<u8>>) -> Value {
     made(Given::read(text, Some(name), units).and_then(|given| {
         let document = handover(&given, command, plan)?;
@@ -112,8 +152,7 @@ pub(crate) fn report(text: &str, name: &str, command: &str, units: &str, plan: O
 /// The report to hand over, as the program makes it; `plan` is the picture that the case names.
 fn handover(given: &Given, command: &str, plan: Option<Vec<u8>>) -> Result<Document, Refused> {
     let Given { file, units } = given;
-    let (_, solve) = solver(command, &file.case).ok_or_else(|| unknown(command))?;
-    let analysis = given.answered(solve(&file.case))?;
+    let (_, analysis) = analysis(given, command)?;
     let Beside { uncertainty, sensitivity } = given.answered(analysis::beside(&file.case, &analysis))?;
     let validation = validate(&Data::built_in()).map_err(|error| Refused::message(error.to_string()))?;
     let site_plan = match plan {

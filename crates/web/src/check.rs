@@ -1,7 +1,7 @@
 //! What a text says.
 
-use analysis::Failure;
-use case::{CaseFile, Faults, Purpose, Source};
+use analysis::{Failure, Judgement};
+use case::{Case, CaseFile, Faults, Purpose, Source};
 use report::{PROGRAM, Units};
 use serde_json::{Map, Value, json};
 
@@ -49,15 +49,33 @@ fn values(source: &Source) -> Value {
     Value::Object(source.spans().map(value).collect())
 }
 
+/// The commands that can answer, the one that says most first.
+pub(crate) fn able(case: &Case) -> Vec<&'static str> {
+    let judgement = analysis::judge(case);
+    [Purpose::Reconstruct, Purpose::Impact, Purpose::Motion, Purpose::Crush]
+        .into_iter()
+        .filter(|purpose| obstacle(case, &judgement, *purpose).is_none())
+        .map(Purpose::name)
+        .collect()
+}
+
+/// What a case lacks for a purpose. It is judged for a motion and an estimate where it says something of
+/// them; here somebody may want to know.
+fn obstacle(case: &Case, judgement: &Judgement, purpose: Purpose) -> Option<Faults> {
+    let judged = judgement.abilities.iter().find(|ability| ability.purpose == purpose);
+    match (judged, purpose) {
+        (Some(ability), _) => ability.obstacle.clone(),
+        (None, Purpose::Motion) => case.motion().err(),
+        (None, Purpose::Estimate) => match analysis::estimate_evidence(case) {
+            Err(Failure::Case(faults)) => Some(faults),
+            _ => None,
+        },
+        (None, _) => None,
+    }
+}
+
 /// What can be done with the case, and what is missing for the rest.
-fn commands(given: &Given, judgement: &analysis::Judgement) -> Value {
-    let case = &given.file.case;
-    // A case is judged for these where it says something of them; here somebody may want to know.
-    let motion = || case.motion().err();
-    let estimate = || match analysis::estimate_evidence(case) {
-        Err(Failure::Case(faults)) => Some(faults),
-        _ => None,
-    };
+fn commands(given: &Given, judgement: &Judgement) -> Value {
     let purposes = [
         Purpose::Reconstruct,
         Purpose::Impact,
@@ -70,13 +88,7 @@ fn commands(given: &Given, judgement: &analysis::Judgement) -> Value {
     ];
     let mut commands = Map::new();
     for purpose in purposes {
-        let judged = judgement.abilities.iter().find(|ability| ability.purpose == purpose);
-        let obstacle = match (judged, purpose) {
-            (Some(ability), _) => ability.obstacle.clone(),
-            (None, Purpose::Motion) => motion(),
-            (None, Purpose::Estimate) => estimate(),
-            (None, _) => None,
-        };
+        let obstacle = obstacle(&given.file.case, judgement, purpose);
         let why = |faults: Faults| {
             let diagnostics = given.file.diagnostics(&faults, &PROGRAM);
             diagnostics.problems().into_iter().map(|problem| problem.message).collect::<Vec<_>>()

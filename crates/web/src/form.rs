@@ -54,7 +54,6 @@ fn field(key: &KeyInfo, above: &str) -> Value {
     put("kind", json!(kind));
     put("title", json!(title));
     put("help", json!(help));
-    put("topic", json!(report::topic(&path).ok().map(|topic| topic.name)));
     put("example", json!(key.example));
     put("required", json!(key.is_required));
     put("range", json!(range));

@@ -36,13 +36,13 @@ pub fn templates() -> String {
 
 /// The form of a case: `[{ key, title, help, fields, groups }]`, a group for each table.
 ///
-/// A field is `{ key, name, kind, title, help, topic, example, required, range, units, choices, bounds,
+/// A field is `{ key, name, kind, title, help, example, required, range, units, choices, bounds,
 /// fields }`. `kind` is `quantity`, `number`, `numbers`, `quantities`, `text`, `flag`, `choice`, `integer`,
 /// `names`, `wheels`, `angle-or-hour`, `table` or `tables`; `units` are the spellings that the field can
 /// have, the usual one first; `bounds` are `{ min, max, above }`, each a number or `null`, of a number
 /// without unit, and `above` says that `min` itself is none. `fields` are the keys of the table that can
-/// stand in place of a word or a number, and `groups` are the tables with a header of their own. `topic` is
-/// what `explain` knows of it.
+/// stand in place of a word or a number, and `groups` are the tables with a header of their own. What the
+/// glossary says of a key is what `explain` says of its path.
 #[wasm_bindgen]
 #[must_use]
 pub fn form() -> String {
@@ -85,6 +85,20 @@ pub fn check(text: &str, name: Option<String>) -> String {
 #[must_use]
 pub fn answer(text: &str, command: &str, units: &str, name: Option<String>) -> String {
     answer::answer(text, command, units, name.as_deref()).to_string()
+}
+
+/// What is seen first of a text, from one reading, one analysis and one drawing: for each move of a mouse.
+/// `command` is the one that is wanted; a case that is not made for it is asked for the most that it can
+/// answer. `what` and `viewport` are those of `scene`; a case without that view shows the other one, and
+/// `none` draws nothing.
+///
+/// `{ ok: true, headline, warnings, command, able: [command], units, scene }`, or `{ ok: false, problems,
+/// message, command, able, units, scene }`, without the last four of a text that cannot be read. `warnings`
+/// are those of `answer`, and `scene` is what `scene` gives, or `null`.
+#[wasm_bindgen]
+#[must_use]
+pub fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) -> String {
+    answer::look(text, command, units, what, viewport).to_string()
 }
 
 /// A drawing of an answer: `what` is `scene`, `motion`, `motion-curves`, `damage`, `reconciliation` or

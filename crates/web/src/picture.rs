@@ -1,5 +1,6 @@
 //! Drawings.
 
+use analysis::Analysis;
 use case::Case;
 use report::{PlanBody, PlanView, Subject, Viewport};
 use serde_json::{Value, json};
@@ -31,34 +32,63 @@ const ON_PLANE: f64 = 1.5;
 
 pub(crate) fn scene(text: &str, what: &str, units: &str, viewport: &str) -> Value {
     made(Given::read(text, None, units).and_then(|given| {
-        let subject = match what {
-            "" if given.file.case.impact.is_some() => Subject::Scene,
-            "" => Subject::Motion,
-            what => subject(what)?,
-        };
+        let subject = if what.is_empty() { usual(&given) } else { subject(what)? };
         let analysis = given.answered(subject.analysis(&given.file.case))?;
-        let view = report::plan_view(&given.file, &analysis, given.units, subject, read_viewport(viewport)?);
-        let (drawing, view) = view.map_err(|error| Refused::message(error.to_string()))?;
-        let Viewport { left, bottom, right, top } = view.viewport;
-        let is_scene = subject == Subject::Scene;
-        Ok(json!({
-            "ok": true,
-            "what": subject.name(),
-            "svg": drawing.svg(),
-            "title": drawing.title(),
-            "description": drawing.description(),
-            "viewport": { "left": left, "bottom": bottom, "right": right, "top": top },
-            "origin": view.origin,
-            "scale": view.scale,
-            "contact": view.contact,
-            "bodies": view.bodies.iter().enumerate().map(|(i, body)| body.as_ref().map(|body| json!({
-                "vehicle": i + 1,
-                "outline": body.outline,
-                "centre": body.cg,
-                "heading": angle(body.forward),
-            }))).collect::<Vec<_>>(),
-            "handles": handles(&given.file.case, &view, is_scene),
-        }))
+        view(&given, &analysis, subject, read_viewport(viewport)?)
+    }))
+}
+
+/// The plan view that a case has.
+fn usual(given: &Given) -> Subject {
+    if given.file.case.impact.is_some() { Subject::Scene } else { Subject::Motion }
+}
+
+/// The scene or motion that is asked for or, where the case has none, the other one; `null` where it has
+/// neither, or where `none` is asked for. `furthest` is the furthest analysis of the case, if that is known.
+pub(crate) fn first_view(given: &Given, what: &str, viewport: &str, furthest: Option<&Analysis>) -> Value {
+    if what == "none" {
+        return Value::Null;
+    }
+    let asked = subject(what).ok();
+    let one = |subject: Subject| {
+        let viewport = read_viewport(viewport).ok()?;
+        let is_drawn =
+            |analysis: &&Analysis| subject == Subject::Scene || analysis.travel.iter().any(Option::is_some);
+        match furthest.filter(is_drawn) {
+            Some(analysis) => view(given, analysis, subject, viewport).ok(),
+            None => view(given, &subject.analysis(&given.file.case).ok()?, subject, viewport).ok(),
+        }
+    };
+    asked.into_iter().chain([usual(given)]).find_map(one).unwrap_or_default()
+}
+
+fn view(
+    given: &Given,
+    analysis: &Analysis,
+    subject: Subject,
+    viewport: Option<Viewport>,
+) -> Result<Value, Refused> {
+    let view = report::plan_view(&given.file, analysis, given.units, subject, viewport);
+    let (drawing, view) = view.map_err(|error| Refused::message(error.to_string()))?;
+    let Viewport { left, bottom, right, top } = view.viewport;
+    let is_scene = subject == Subject::Scene;
+    Ok(json!({
+        "ok": true,
+        "what": subject.name(),
+        "svg": drawing.svg(),
+        "title": drawing.title(),
+        "description": drawing.description(),
+        "viewport": { "left": left, "bottom": bottom, "right": right, "top": top },
+        "origin": view.origin,
+        "scale": view.scale,
+        "contact": view.contact,
+        "bodies": view.bodies.iter().enumerate().map(|(i, body)| body.as_ref().map(|body| json!({
+            "vehicle": i + 1,
+            "outline": body.outline,
+            "centre": body.cg,
+            "heading": angle(body.forward),
+        }))).collect::<Vec<_>>(),
+        "handles": handles(&given.file.case, &view, is_scene),
     }))
 }
 

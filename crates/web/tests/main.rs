@@ -8,6 +8,7 @@
 #![allow(clippy::cast_possible_truncation, reason = "numbers of vehicles and of stations")]
 
 mod drag;
+mod look;
 mod pages;
 mod scene;
 mod texts;
