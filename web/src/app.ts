@@ -5,14 +5,13 @@ import * as engine from "./engine.js";
 import type { Command, Problem, Units } from "./engine.js";
 import { Form } from "./form.js";
 import { type Live, emptyPage, handedOver, printed } from "./live.js";
-import { Compare, Drawings, Inputs, Motion, type Panel, Results, Run, Sensitivity, type Solved, warnings } from "./panels.js";
+import { Compare, Drawings, Inputs, Motion, type Panel, Results, Run, Sensitivity, warnings } from "./panels.js";
 import { type Finished, type Job, Runner } from "./runs.js";
 import { SceneView } from "./scene.js";
+import { Solved } from "./solved.js";
 import { Tabs } from "./tabs.js";
 import { texts } from "./texts/en.js";
-
-/** What a case can be asked, the fullest answer first. */
-const QUESTIONS: Command[] = ["reconstruct", "impact", "motion", "crush"];
+import { readValue } from "./toml.js";
 
 export class App {
   private readonly editor: Editor;
@@ -24,6 +23,7 @@ export class App {
   private readonly stale = new Set<string>();
   private readonly solveSoon = eachFrame(() => this.solve());
   private readonly quick = new Runner();
+  private readonly rest = afterPause(100, () => this.showRest());
   private readonly interval = afterPause(350, () => this.runInterval());
   private readonly speakSoon = afterPause(800, () => this.speak());
   private solved: Solved | null = null;
@@ -42,12 +42,9 @@ export class App {
   private readonly redoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.redo, title: texts.file.redo, onclick: () => this.editor.redo() }, "↷");
   private readonly fileInput = h("input", { type: "file", accept: ".toml,text/plain", hidden: true, "aria-label": texts.file.open });
 
+  /** The page without a case. The engine is not needed for it, and starts meanwhile. */
   constructor(parent: HTMLElement) {
     const live = handedOver();
-    const first = engine.templates()[0];
-    this.saved = live?.text ?? first?.text_us ?? "";
-    this.name.value = live?.name ?? `${first?.name ?? "case"}.toml`;
-
     this.form = new Form({
       write: (key, toml) => this.write(key, toml),
       reveal: (key) => this.reveal(key),
@@ -58,11 +55,11 @@ export class App {
       { name: "form", title: texts.caseTabs.form, panel: formPanel, shown: () => this.solved && this.form.update(this.solved.check) },
       { name: "text", title: texts.caseTabs.text, panel: textPanel },
     ]);
-    this.editor = new Editor(textPanel, this.saved, () => this.solveSoon(undefined));
+    this.editor = new Editor(textPanel, () => this.solveSoon(undefined));
 
     this.scene = new SceneView({
       text: () => this.editor.text,
-      draw: (what, viewport) => this.drawScene(what, viewport),
+      draw: () => this.solve(),
       preview: (text) => {
         this.editor.preview(text);
         this.solveSoon.flush();
@@ -96,7 +93,13 @@ export class App {
 
     parent.append(...this.layout(live));
     this.listen();
-    this.solve();
+  }
+
+  /** Opens the case that the page was handed over with, or an example. */
+  begin(): void {
+    const [first] = engine.templates();
+    const { name, text } = handedOver() ?? { name: `${first?.name ?? "case"}.toml`, text: first?.text_us ?? "" };
+    this.open(name, text);
   }
 
   private layout(live: Live | null): HTMLElement[] {
@@ -276,7 +279,7 @@ export class App {
   }
 
   private chooseTemplate(): void {
-    const isUs = this.solved?.check.units === "us";
+    const isUs = this.solved?.look.units === "us";
     const dialog = h("dialog", { class: "templates", "aria-labelledby": "templates-title" });
     const system = h("select", { id: "template-units" }, ...texts.templates.units.map(([value, name]) => h("option", { value }, name)));
     system.value = isUs ? "us" : "si";
@@ -327,37 +330,40 @@ export class App {
     this.solve();
   }
 
+  /** What is to be seen at once, from one call of the engine. What else is shown follows when the hand rests. */
   private solve(): void {
     const { text } = this.editor;
-    const check = engine.check(text);
-    const able = QUESTIONS.filter((command) => check.commands[command]?.able);
-    const command = able.find((one) => one === this.asked) ?? able[0] ?? (this.asked || "reconstruct");
-    const answer = check.problems.length === 0 ? engine.answer(text, command, this.units, this.name.value) : null;
-    this.solved = { text, name: this.name.value, check, command, units: this.units, answer };
-    this.showQuestion(able, command);
+    const { what, viewport } = this.scene.wanted;
+    const isScene = this.viewTabs.shown === "scene";
+    const look = engine.look(text, this.asked, this.units, isScene ? what : "none", viewport);
+    this.solved = new Solved(text, this.name.value, this.units, look);
+    this.showQuestion(look.able ?? [], this.solved.command);
     this.showAnswer();
-    this.showFileState();
-    this.editor.mark(answer && !answer.ok ? [...check.problems, ...answer.problems] : check.problems);
-    if (this.caseTabs.shown === "form") this.form.update(check);
     for (const name of this.panels.keys()) this.stale.add(name);
-    this.stale.add("scene");
-    this.show(this.viewTabs.shown);
+    if (isScene) this.scene.update(look.scene ?? null);
+    else this.stale.add("scene");
     this.quick.end();
+    this.rest.ask();
     this.interval.ask();
     this.speakSoon.ask();
+  }
+
+  /** What follows. */
+  showRest(): void {
+    const { solved } = this;
+    if (!solved) return;
+    this.rest.cancel();
+    this.showFileState();
+    this.editor.mark(solved.problems);
+    if (this.caseTabs.shown === "form") this.form.update(solved.check);
+    this.show(this.viewTabs.shown);
   }
 
   /** Brings what is seen up to date. */
   private show(name: string): void {
     if (!this.solved || !this.stale.delete(name)) return;
-    if (name === "scene") this.scene.update();
+    if (name === "scene") this.solve();
     else this.panels.get(name)?.refresh(this.solved);
-  }
-
-  private drawScene(what: "scene" | "motion" | "", viewport: engine.Viewport | null): engine.Scene | null {
-    if (!this.solved || this.solved.check.problems.length > 0) return null;
-    const scene = engine.scene(this.solved.text, what, this.units, viewport);
-    return scene.ok ? scene : null;
   }
 
   private showQuestion(able: Command[], command: Command): void {
@@ -370,38 +376,45 @@ export class App {
   private showAnswer(): void {
     const { solved } = this;
     if (!solved) return;
-    const { answer, check } = solved;
-    if (!answer?.ok) {
-      const problems = answer && answer.problems.length > 0 ? answer.problems : check.problems;
+    const { look, problems } = solved;
+    if (!look.ok) {
       if (problems.length > 0) this.showProblems(problems);
-      else this.state.replaceChildren(h("p", { class: "error" }, answer?.message ?? ""));
+      else this.state.replaceChildren(h("p", { class: "error" }, look.message));
       this.headline.classList.add("stale");
       return;
     }
+    this.showHeadline();
+    if (look.warnings.length === 0) this.state.replaceChildren(h("p", { class: "calm" }, texts.answer.noWarnings));
+    else {
+      const isOpen = this.state.querySelector("details")?.open ?? false;
+      const list = h("details", { class: "warned" },
+        h("summary", {}, texts.answer.warnings(look.warnings.length)), warnings(look.warnings, (key) => this.lead(key)));
+      list.open = isOpen;
+      this.state.replaceChildren(list);
+    }
+  }
+
+  private showHeadline(): void {
+    const { solved } = this;
+    if (!solved?.look.ok) return;
+    const { headline } = solved.look;
     this.headline.classList.remove("stale");
-    if (answer.headline.length === 0) {
+    if (headline.length === 0) {
       const toResults = () => this.viewTabs.show("results");
       this.headline.replaceChildren(h("p", { class: "note" }, texts.answer.inResults),
         h("button", { type: "button", onclick: toResults }, texts.viewTabs.results));
     }
-    const lines = this.intervals?.text === solved.text ? this.intervals.headline : answer.headline;
+    const interval = this.intervals?.text === solved.text ? this.intervals.headline : null;
+    const lines = interval ?? headline;
     if (lines.length > 0) this.headline.replaceChildren(...lines.map((line, place) => {
       const [label, ...rest] = line.split(": ");
       const value = rest.join(": ");
       // The first number is the answer; what stands behind it says it in other units, or how well it is known.
       const [, main = value, more = ""] = /^(.*?)((?: \(|, ).*)?$/.exec(value) ?? [];
-      return h("div", { class: place === 0 ? "result first" : "result" },
+      return h("div", { class: `result${place === 0 ? " first" : ""}${interval ? " interval" : ""}` },
         h("span", { class: "result-name" }, label ?? ""), h("span", { class: "unseen" }, ": "),
-        h("span", { class: "result-value" }, main), h("span", { class: "result-more" }, more.replace(/^, /, "")));
+        h("span", { class: "result-value" }, main), h("span", { class: "result-more" }, more.replace(/^, |\.$/g, "")));
     }));
-    if (answer.warnings.length === 0) this.state.replaceChildren(h("p", { class: "calm" }, texts.answer.noWarnings));
-    else {
-      const isOpen = this.state.querySelector("details")?.open ?? false;
-      const list = h("details", { class: "warned" },
-        h("summary", {}, texts.answer.warnings(answer.warnings.length)), warnings(answer.warnings, (key) => this.lead(key)));
-      list.open = isOpen;
-      this.state.replaceChildren(list);
-    }
   }
 
   private showProblems(problems: Problem[]): void {
@@ -432,7 +445,7 @@ export class App {
   private speak(): void {
     const { solved } = this;
     if (!solved) return;
-    this.spoken.textContent = solved.answer?.ok ? (solved.answer.headline[0] ?? "") : (this.state.textContent ?? "");
+    this.spoken.textContent = solved.look.ok ? (solved.look.headline[0] ?? "") : (this.state.textContent ?? "");
   }
 
   private showFileState(): void {
@@ -445,7 +458,7 @@ export class App {
   /** Where the file has ranges, the answer gets its interval as soon as the hand rests. */
   private runInterval(): void {
     const { solved } = this;
-    if (!solved?.answer?.ok || !solved.check.commands.uncertainty?.able) return;
+    if (!solved?.look.ok || !solved.check.commands.uncertainty?.able) return;
     const job: Job = { kind: "uncertainty", text: solved.text, name: solved.name, units: solved.units, options: {} };
     this.quick.start(job, () => undefined, ({ finished }) => finished.ok && this.showInterval(job, finished));
   }
@@ -453,7 +466,7 @@ export class App {
   private showInterval(job: Job, result: Finished): void {
     if (job.text !== this.solved?.text || result.headline.length === 0) return;
     this.intervals = { text: job.text, headline: result.headline };
-    this.showAnswer();
+    this.showHeadline();
   }
 
   // --- what is handed over ---
@@ -462,17 +475,29 @@ export class App {
     return this.name.value.replace(/\.toml$/, "");
   }
 
-  private report(): string | null {
-    if (!this.solved?.answer?.ok) {
+  /** The report, or the page with it; nothing is made where there is no answer. */
+  private handover(make: (solved: Solved, name: string, plan?: Uint8Array) => engine.Report): string | null {
+    this.solveSoon.flush();
+    const { solved } = this;
+    if (!solved?.look.ok) {
       this.message(texts.save.nothing);
       return null;
     }
-    const report = engine.report(this.editor.text, this.name.value, this.solved.command, this.units);
-    if (!report.ok) {
-      this.message(engine.reason(report));
+    // A page from the disk may not open the picture that a case names. Where it lies beneath the scene, it is known.
+    const named = readValue(solved.check.values["scene.site_plan.file"]?.text ?? "");
+    const { file } = this.scene.backdrop;
+    const plan = typeof named === "string" && file?.name === named.split("/").pop() ? file?.bytes : undefined;
+    const made = make(solved, this.name.value, plan);
+    if (!made.ok) {
+      this.message(engine.reason(made));
       return null;
     }
-    return report.html;
+    if (typeof named === "string" && !plan) this.message(texts.save.noPlan(named));
+    return made.html;
+  }
+
+  private report(): string | null {
+    return this.handover(({ text, command, units }, name, plan) => engine.report(text, name, command, units, plan));
   }
 
   private saveReport(): void {
@@ -481,13 +506,8 @@ export class App {
   }
 
   private saveLive(): void {
-    if (!this.solved?.answer?.ok) {
-      this.message(texts.save.nothing);
-      return;
-    }
-    const live = engine.live(emptyPage(), this.editor.text, this.name.value, this.solved.command, this.units);
-    if (live.ok) download(`${this.stem}-live.html`, live.html, "text/html");
-    else this.message(engine.reason(live));
+    const live = this.handover(({ text, command, units }, name, plan) => engine.live(emptyPage(), text, name, command, units, plan));
+    if (live !== null) download(`${this.stem}-live.html`, live, "text/html");
   }
 
   private print(): void {

@@ -20,6 +20,8 @@ interface Placed {
 export class Backdrop {
   readonly picture = h("img", { class: "backdrop", alt: "", hidden: true });
   readonly tools = h("div", { class: "backdrop-tools" });
+  /** The file of the picture. */
+  file: { name: string; bytes: Uint8Array } | null = null;
   private placed: Placed | null = null;
   private toShare: ((at: Point) => Point) | null = null;
   private mode: "off" | "move" | "scale" = "off";
@@ -45,7 +47,7 @@ export class Backdrop {
   }
 
   /** Takes a picture from a file. */
-  async open(file: Blob): Promise<void> {
+  async open(file: File): Promise<void> {
     if (this.picture.src) URL.revokeObjectURL(this.picture.src);
     this.picture.src = URL.createObjectURL(file);
     try {
@@ -54,6 +56,7 @@ export class Backdrop {
       this.status.textContent = words.unreadable;
       return;
     }
+    this.file = { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
     const view = this.viewport() ?? { left: -10, right: 10, bottom: -8, top: 8 };
     this.placed = {
       aspect: this.picture.naturalWidth / this.picture.naturalHeight,
@@ -108,6 +111,7 @@ export class Backdrop {
     strength.addEventListener("input", () => (this.picture.style.opacity = String(strength.valueAsNumber / 100)));
     const remove = () => {
       this.placed = null;
+      this.file = null;
       this.enter("off");
     };
     const scale = this.mode === "scale" && this.marks.length === 2

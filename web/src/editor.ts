@@ -46,10 +46,9 @@ export class Editor {
 
   constructor(
     parent: Element,
-    text: string,
     private readonly changed: () => void,
   ) {
-    this.view = new EditorView({ parent, state: this.fresh(text) });
+    this.view = new EditorView({ parent, state: this.fresh("") });
   }
 
   private fresh(text: string): EditorState {

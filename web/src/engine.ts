@@ -86,8 +86,6 @@ export interface Field {
   key: string;
   title: string;
   help: string;
-  /** What `explain` knows of it. */
-  topic?: string | null;
   kind: Kind;
   units: string[];
   choices: string[];
@@ -101,7 +99,6 @@ export interface Group {
   key: string;
   title: string;
   help: string;
-  topic?: string | null;
   required?: boolean;
   /** Words that can stand in place of the table; none of what stands above the first table. */
   choices?: string[];
@@ -148,6 +145,24 @@ export interface Scene {
   handles: Handle[];
 }
 
+/** The plan view at the impact, or the way to rest; the empty one is what the case has. */
+export type View = "scene" | "motion" | "" | "none";
+
+/** What is seen first of a case. */
+export interface Look {
+  ok: true;
+  command: Command;
+  /** What the case can be asked, the fullest answer first. */
+  able: Command[];
+  units: "si" | "us";
+  headline: string[];
+  warnings: Warning[];
+  scene: Scene | null;
+}
+
+/** Why there is none. Of a text that is no case the rest cannot be known. */
+export type Refused = NoAnswer & Partial<Pick<Look, "command" | "able" | "units" | "scene">>;
+
 export interface Template {
   name: string;
   title: string;
@@ -170,18 +185,20 @@ export type Drawn = { ok: true; svg: string; title: string; description: string 
 
 export type Explained = { title: string; html: string } | { error: string; nearest: string[] };
 
-let hash: Promise<string> = Promise.resolve("");
 let compiled: WebAssembly.Module | undefined;
+let hash: Promise<string> | undefined;
 
-/** Unpacks, compiles and starts the engine that stands in the page. */
-export async function start(): Promise<void> {
+/** The engine that stands in the page, as it comes out of its wrapping. */
+function unpacked(): Response {
   const packed = document.getElementById("deltav-engine")?.textContent ?? "";
-  const gzip = Uint8Array.from(atob(packed), (character) => character.charCodeAt(0));
-  const bytes = await new Response(new Blob([gzip]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
-  compiled = await WebAssembly.compile(bytes);
+  const stream = new Blob([bytesOf(packed)]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream, { headers: { "content-type": "application/wasm" } });
+}
+
+/** Compiles the engine that stands in the page while it is unpacked, and starts it. */
+export async function start(): Promise<void> {
+  compiled = await WebAssembly.compileStreaming(unpacked());
   wasm.initSync({ module: compiled });
-  // No answer waits for it.
-  hash = sha256(bytes);
 }
 
 /** The compiled engine, for a worker. */
@@ -190,8 +207,18 @@ export const module = (): WebAssembly.Module => {
   return compiled;
 };
 
-/** The SHA-256 of the engine. */
-export const engineHash = (): Promise<string> => hash;
+/** The SHA-256 of the engine. It is unpacked once more: no answer waits for it. */
+export const engineHash = (): Promise<string> => (hash ??= unpacked().arrayBuffer().then(sha256));
+
+/** The bytes of a text in base64; browsers before 2025 have no function of their own for it. */
+export function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
+  const { fromBase64 } = Uint8Array as { fromBase64?: (text: string) => Uint8Array<ArrayBuffer> };
+  if (fromBase64) return fromBase64.call(Uint8Array, base64);
+  const binary = atob(base64);
+  const bytes = new Uint8Array(binary.length);
+  for (let at = 0; at < binary.length; at += 1) bytes[at] = binary.charCodeAt(at);
+  return bytes;
+}
 
 /** The SHA-256 of bytes, as text. */
 export async function sha256(data: BufferSource): Promise<string> {
@@ -202,14 +229,15 @@ export async function sha256(data: BufferSource): Promise<string> {
 const read = <T>(json: string): T => JSON.parse(json) as T;
 
 export const version = (): string => wasm.version();
-export const templates = (): Template[] => read(wasm.templates());
+let offered: Template[] | undefined;
+export const templates = (): Template[] => (offered ??= read<Template[]>(wasm.templates()));
 export const form = (): Group[] => read(wasm.form());
 export const explain = (word: string): Explained => read(wasm.explain(word));
 export const check = (text: string): Check => read(wasm.check(text));
+export const look = (text: string, command: Command | "", units: Units, what: View, viewport: Viewport | null): Look | Refused =>
+  read(wasm.look(text, command, units, what, viewport ? JSON.stringify(viewport) : ""));
 export const answer = (text: string, command: Command, units: Units, name: string): Answer | NoAnswer =>
   read(wasm.answer(text, command, units, name));
-export const scene = (text: string, what: "scene" | "motion" | "", units: Units, viewport: Viewport | null): Scene | NoAnswer =>
-  read(wasm.scene(text, what, units, viewport ? JSON.stringify(viewport) : ""));
 export const drag = (text: string, handle: Handle, at: Point): { ok: true; text: string } | NoAnswer =>
   read(wasm.drag(text, JSON.stringify(handle), JSON.stringify({ at })));
 export const edit = (text: string, key: string, value: string): Edited => read(wasm.edit(text, key, value));
@@ -219,11 +247,11 @@ export const convert = (value: string, unit: string): string | undefined =>
 export const draw = (text: string, what: string, units: Units): Drawn => read(wasm.draw(text, what, units));
 export const motion = (text: string, units: Units): Film | NoAnswer =>
   read(wasm.motion(text, units, ""));
-export const report = (text: string, name: string, command: Command, units: Units): Report =>
-  read(wasm.report(text, name, command, units));
+export const report = (text: string, name: string, command: Command, units: Units, plan?: Uint8Array): Report =>
+  read(wasm.report(text, name, command, units, plan));
 /** A page with a case and its report in its slot, as `--live` of the program makes it. */
-export const live = (page: string, text: string, name: string, command: Command, units: Units): Report =>
-  read(wasm.live(page, text, name, command, units));
+export const live = (page: string, text: string, name: string, command: Command, units: Units, plan?: Uint8Array): Report =>
+  read(wasm.live(page, text, name, command, units, plan));
 
 /** What the engine words as a part of a line, as a sentence. */
 export const sentence = (words: string): string =>

@@ -250,8 +250,8 @@ export class Form {
 /** What a key means: first in a sentence or two, then what the glossary says. */
 function explanation(field: Field): HTMLElement[] {
   const meaning = h("p", {}, h("strong", {}, `${field.title}. `), field.help, " ", h("code", {}, field.key));
-  const words = field.topic ? engine.explain(field.topic) : undefined;
-  if (!words || !("html" in words)) return [meaning];
+  const words = engine.explain(field.key);
+  if (!("html" in words)) return [meaning];
   const glossary = h("div");
   markup(glossary, words.html);
   return [meaning, glossary];
@@ -400,6 +400,8 @@ function quantity({ field, id, write }: Asked): Control {
     write(shown);
   };
 
+  const isWhole = () => Object.values(parts).every((part) => part.trim() !== "");
+
   const listen = (input: HTMLInputElement, key: () => string) => {
     input.addEventListener("input", () => {
       if (isForeign) {
@@ -412,7 +414,8 @@ function quantity({ field, id, write }: Asked): Control {
         unit = typed;
         fillUnits();
       }
-      if (input.value.trim() !== "") commit();
+      // A range is written once it has all of its numbers.
+      if (isWhole()) commit();
     });
     input.addEventListener("change", () => {
       if (input.value.trim() === "" && (isForeign || Object.keys(parts).length <= 1)) write("");
@@ -466,14 +469,16 @@ function quantity({ field, id, write }: Asked): Control {
     const before = parts[central] ?? parts.mode ?? main.value;
     const keys = keysOf(modes.value);
     const next: Record<string, string> = {};
+    // The number that was there stays, as the first of two limits where the range has no other place for it.
+    const kept = [central, "mode"].find((key) => keys.includes(key)) ?? keys[0] ?? central;
     for (const key of keys.length > 0 ? keys : [central]) {
-      next[key] = parts[key] ?? (key === central || key === "mode" ? before : key === "confidence" ? "0.95" : "");
+      next[key] = parts[key] ?? (key === kept ? before : key === "confidence" ? "0.95" : "");
     }
     parts = next;
     main.value = parts[firstKey()] ?? "";
     main.setAttribute("aria-label", keys.length > 0 ? `${nameOf(field.key)}: ${words.rangeKey[firstKey()] ?? firstKey()}` : nameOf(field.key));
     fillRange();
-    if (Object.values(parts).every((part) => part.trim() !== "")) commit();
+    if (isWhole()) commit();
     else [...inputs.values()].find((input) => input.value === "")?.focus();
   });
 

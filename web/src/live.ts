@@ -23,15 +23,12 @@ export function handedOver(): Live | null {
   return JSON.parse(document.getElementById("deltav-live")?.textContent ?? "null") as Live | null;
 }
 
-const bytesOf = (base64: string): Uint8Array<ArrayBuffer> =>
-  Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
-
 /** This page with an empty slot, as the file `deltav.html` has it. */
 export const emptyPage = (): string => `<!DOCTYPE html>\n${page.replace(SLOT, "$1null$2")}`;
 
 /** The report as it was printed, and whether both hashes hold. */
 export function printed(live: Live): HTMLElement {
-  const bytes = bytesOf(live.report_base64);
+  const bytes = engine.bytesOf(live.report_base64);
   const frame = h("iframe", {
     class: "printed-report",
     title: words.printed,

@@ -6,9 +6,17 @@ import * as engine from "./engine.js";
 import "./live.js";
 import { texts } from "./texts/en.js";
 
+/** The next picture is on the screen. */
+const painted = (): Promise<void> => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+
 try {
-  await engine.start();
-  new App(document.body);
+  const started = engine.start();
+  const app = new App(document.body);
+  await started;
+  app.begin();
+  performance.mark("deltav-answer");
+  await painted();
+  app.showRest();
   document.body.classList.add("ready");
   performance.mark("deltav-ready");
 } catch (error) {

@@ -1,21 +1,12 @@
 // What the engine says of the case, each in a panel of its own. A panel is brought up to date when it is seen.
 import { h, markup, s } from "./dom.js";
 import * as engine from "./engine.js";
-import type { Answer, Check, Command, NoAnswer, Units } from "./engine.js";
+import type { Command } from "./engine.js";
 import { nameOf } from "./keys.js";
 import { figure } from "./pictures.js";
 import { type Finished, type Job, Runner, type Unfinished } from "./runs.js";
+import type { Solved } from "./solved.js";
 import { texts } from "./texts/en.js";
-
-export interface Solved {
-  text: string;
-  /** Of the file. */
-  name: string;
-  check: Check;
-  command: Command;
-  units: Units;
-  answer: Answer | NoAnswer | null;
-}
 
 export interface Panel {
   element: HTMLElement;
@@ -117,7 +108,7 @@ export class Sensitivity implements Panel {
       return h("tr", {},
         h("th", { scope: "row" }, h("button", { type: "button", class: "link", title: row.input, onclick: () => this.lead(row.input) }, row.name ?? nameOf(row.input))),
         h("td", { class: "bars", "aria-hidden": "true" }, h("span", { class: "track" }, bar)),
-        h("td", { class: "number right" }, `${row.influence < 0 ? "−" : "+"}${Math.abs(row.influence).toFixed(2)} %`));
+        h("td", { class: "number right" }, `${row.influence < 0 ? "−" : "+"}${(100 * Math.abs(row.influence)).toFixed(2)} %`));
     });
     this.element.replaceChildren(
       h("table", { class: "influence" }, h("caption", {}, texts.sensitivity.caption),

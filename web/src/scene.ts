@@ -2,7 +2,7 @@
 // that moves asks the engine for the text that has it there; the picture follows from that text.
 import { eachFrame, h, markup, s } from "./dom.js";
 import * as engine from "./engine.js";
-import type { Handle, Point, Scene, Viewport } from "./engine.js";
+import type { Handle, Point, Scene, View, Viewport } from "./engine.js";
 import { Backdrop } from "./backdrop.js";
 import { saveButtons } from "./pictures.js";
 import { texts } from "./texts/en.js";
@@ -13,12 +13,10 @@ const words = texts.scene;
 const STEP = 0.05;
 const TURN = Math.PI / 180;
 
-/** The plan view at the impact, or the way to rest; the empty one is what the case has. */
-type What = "scene" | "motion" | "";
-
 export interface SceneHost {
   text(): string;
-  draw(what: What, viewport: Viewport | null): Scene | null;
+  /** Another view is wanted. */
+  draw(): void;
   preview(text: string): void;
   settle(keep: boolean): void;
   refused(message: string): void;
@@ -50,8 +48,8 @@ export class SceneView {
   private readonly bodies = new Map<number, SVGPolygonElement>();
   private now: Scene | null = null;
   private box = { width: 1, height: 1 };
-  private what: What = "scene";
-  private readonly which = h("select", { "aria-label": words.which, onchange: () => this.choose(this.which.value as What) },
+  private what: View = "scene";
+  private readonly which = h("select", { "aria-label": words.which, onchange: () => this.choose(this.which.value as View) },
     h("option", { value: "scene" }, words.impact), h("option", { value: "motion" }, words.rest));
   private held: Viewport | null = null;
   private dragging: Drag | null = null;
@@ -80,9 +78,13 @@ export class SceneView {
     this.bodies.clear();
   }
 
-  /** Draws the scene of the text as it is now; what cannot be drawn leaves the last picture, dimmed. */
-  update(): void {
-    const scene = this.draw();
+  /** Of the two plan views the one that was chosen, and what of it holds still. */
+  get wanted(): { what: View; viewport: Viewport | null } {
+    return { what: this.what, viewport: this.held };
+  }
+
+  /** Shows the scene of the text as it is now; what cannot be drawn leaves the last picture, dimmed. */
+  update(scene: Scene | null): void {
     this.stage.classList.toggle("stale", scene === null);
     this.none.hidden = scene !== null || this.now !== null;
     this.stage.hidden = !this.none.hidden;
@@ -101,18 +103,9 @@ export class SceneView {
     this.placeHandles(scene);
   }
 
-  /** Of the two plan views the one that was chosen, or the other where the case has that alone. */
-  private draw(): Scene | null {
-    for (const what of [this.what, ""] as What[]) {
-      const scene = this.host.draw(what, this.held);
-      if (scene) return scene;
-    }
-    return null;
-  }
-
-  private choose(what: What): void {
+  private choose(what: View): void {
     this.what = what;
-    this.update();
+    this.host.draw();
   }
 
   /** Scene metres to the share of the drawing's width and height. */

@@ -78,10 +78,11 @@ export async function fromMenu(page, entry) {
   return saved(page, () => page.getByRole("button", { name: entry, exact: true }).click());
 }
 
-/** What the program writes for a case. */
+/** What the program writes for a case; files that lie beside it may be told before the command. */
 export function program(name, text, ...options) {
   const folder = mkdtempSync(join(tmpdir(), "deltav-"));
-  writeFileSync(join(folder, name), text);
+  const beside = typeof options[0] === "object" ? options.shift() : {};
+  for (const [file, content] of Object.entries({ [name]: text, ...beside })) writeFileSync(join(folder, file), content);
   const [command, ...others] = options;
   return execFileSync(PROGRAM, [command, name, ...others], { cwd: folder, maxBuffer: 1 << 28 });
 }

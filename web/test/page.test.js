@@ -137,6 +137,21 @@ onPage("a field of the form has units and ranges", async (page) => {
   await page.waitForFunction(() => /95\s*%/.test(document.querySelector(".headline").innerText));
 });
 
+onPage("a number that becomes a range stays its first limit, and nothing is written before the second is there", async (page) => {
+  const before = await caseText(page);
+  const field = page.locator('[data-key="vehicle2.speed"]');
+  await field.locator("select.mode").selectOption("uniform");
+  assert.equal(await field.locator("input.number").first().inputValue(), "10");
+  const high = field.getByLabel("greatest value");
+  assert.ok(await high.evaluate((input) => input === document.activeElement));
+  assert.equal(await caseText(page), before);
+  await high.fill("15");
+  assert.match(await caseText(page), /^speed\s*=\s*\{ low = "10 mph", high = "15 mph" \}/m);
+  await high.fill("");
+  assert.match(await caseText(page), /high = "15 mph"/);
+  assert.equal(await page.locator(".state .error").count(), 0);
+});
+
 onPage("an uncertainty runs to its end, and can be ended", async (page) => {
   await openCase(page, "uncertain.toml", fixture("sae-980025-uncertain.toml"));
   await page.getByRole("tab", { name: "Uncertainty" }).click();
@@ -321,4 +336,124 @@ onPage("a hundred thousand samples", async (page, t) => {
     times.push(Number(await panel.getAttribute("data-milliseconds")));
   }
   measured(t, "100,000 samples", Math.min(...times), 1500, "ms");
+});
+
+/** A picture to lay beneath the scene: the scene itself, as the page saves it. */
+const photo = async (page) => (await saved(page, () => page.getByRole("button", { name: "Save PNG: scene" }).click())).bytes;
+
+onPage("a photo lies beneath the scene, to the scale of two points, and changes no result", async (page) => {
+  const text = fixture("sae-980025.toml");
+  await openCase(page, "sae-980025.toml", text);
+  const stage = page.locator(".stage");
+  const picture = page.locator(".backdrop");
+  assert.equal(await picture.isVisible(), false);
+  await page.locator('.backdrop-tools input[type="file"]').setInputFiles({ name: "photo.png", mimeType: "image/png", buffer: await photo(page) });
+  await picture.waitFor();
+  const width = () => picture.evaluate((image) => image.getBoundingClientRect().width);
+  const before = await width();
+  // As wide as the scene at first.
+  const box = await stage.boundingBox();
+  assert.ok(before > box.width / 2 && before < box.width * 1.5, `${before} of ${box.width}`);
+
+  await page.getByRole("button", { name: "Set scale" }).click();
+  const [left, right, y] = [box.x + box.width * 0.25, box.x + box.width * 0.75, box.y + box.height / 2];
+  await page.mouse.click(left, y);
+  await page.mouse.click(right, y);
+  const distance = page.getByLabel("Distance between the two points");
+  await distance.fill("twenty");
+  await distance.press("Enter");
+  await page.getByText("Write the distance with its unit").waitFor();
+  // The scale bar of the drawing says how long a metre is there; half of the stage is to be twice as long.
+  const perMetre = await page.locator(".sheet svg").evaluate((drawing) => {
+    const bar = drawing.querySelector('[id$="scale"] [data-si], [data-si]');
+    const { width: drawn } = bar.getBoundingClientRect();
+    return drawn / Number(bar.dataset.si);
+  });
+  const metres = (right - left) / perMetre;
+  await distance.fill(`${2 * metres} m`);
+  await distance.press("Enter");
+  await page.getByText("The scale is set.").waitFor();
+  assert.ok(Math.abs((await width()) / before - 2) < 0.05, `${await width()} after ${before}`);
+
+  await page.getByLabel("Angle of the picture in degrees").fill("30");
+  assert.match(await picture.evaluate((image) => image.style.transform), /rotate\(-30deg\)/);
+  await page.getByRole("button", { name: "Move", exact: true }).click();
+  const place = () => picture.evaluate((image) => Number.parseFloat(image.style.left));
+  const at = await place();
+  await page.mouse.move(left, y);
+  await page.mouse.down();
+  await page.mouse.move(left + 0.1 * box.width, y, { steps: 3 });
+  await page.mouse.up();
+  assert.ok(Math.abs((await place()) - at - 10) < 0.5, `${await place()} after ${at}`);
+  // Handles are not moved with it, and nothing of it is in the case.
+  assert.equal(await caseText(page), text);
+  const report = await fromMenu(page, "Save the report (HTML)");
+  assert.ok(report.bytes.equals(program("sae-980025.toml", text, "reconstruct", "--format", "html")));
+  await page.getByRole("button", { name: "Remove", exact: true }).click();
+  assert.equal(await picture.isVisible(), false);
+});
+
+onPage("the bars of the sensitivity have the figures of the program", async (page) => {
+  const name = "sae-980025.toml";
+  await page.getByRole("tab", { name: "Sensitivity", exact: true }).click();
+  const shown = await page.locator(".influence tbody tr").evaluateAll((rows) => rows.map((row) => [row.querySelector("button").title, Number(row.lastElementChild.innerText.replace("−", "-").replace("%", ""))]));
+  const table = program(name, fixture(name), "sensitivity").toString();
+  const expected = table.split("\n").map((line) => line.trim().split(/\s+/)).filter(([key]) => /^(vehicle\d|impact)\./.test(key)).map((line) => [line[0], Number(line.at(-1))]);
+  assert.ok(shown.length > 10 && Math.abs(shown[0][1]) > 0.5, String(shown[0]));
+  assert.deepEqual(shown, expected.slice(0, shown.length));
+});
+
+onPage("the report of a case with a site plan has it where it lies beneath the scene", async (page) => {
+  const plan = await photo(page);
+  const named = '[scene]\nsite_plan = { file = "aerial.png", corner = { x = "-20 m", y = "-15 m" }, width = "60 m" }';
+  const text = fixture("rear-end-rest.toml").replace("[scene]", named);
+  await openCase(page, "planned.toml", text);
+  const without = await fromMenu(page, "Save the report (HTML)");
+  await page.getByText("draws the motion without aerial.png").waitFor();
+  assert.ok(!without.bytes.includes("data:image/png"));
+  await page.locator('.backdrop-tools input[type="file"]').setInputFiles({ name: "aerial.png", mimeType: "image/png", buffer: plan });
+  await page.locator(".backdrop").waitFor();
+  const report = await fromMenu(page, "Save the report (HTML)");
+  assert.ok(report.bytes.equals(program("planned.toml", text, { "aerial.png": plan }, "reconstruct", "--format", "html")));
+});
+
+onPage("what is printed is the report, and a page that is printed itself has the answer and the drawing", async (page) => {
+  const text = fixture("rear-end-rest.toml");
+  await openCase(page, "rear-end-rest.toml", text);
+  await page.evaluate(() => {
+    // Before the page hears that its frame is there.
+    document.addEventListener("load", ({ target }) => {
+      if (target instanceof HTMLIFrameElement) target.contentWindow.print = () => (window.printed = target.srcdoc);
+    }, true);
+  });
+  await page.locator(".menu > summary").click();
+  await page.getByRole("button", { name: "Print the report" }).click();
+  await page.waitForFunction(() => window.printed);
+  const printed = await page.evaluate(() => window.printed);
+  assert.equal(printed, program("rear-end-rest.toml", text, "reconstruct", "--format", "html").toString());
+  await page.evaluate(() => document.querySelector("iframe").contentWindow.dispatchEvent(new Event("afterprint")));
+  assert.equal(await page.locator("iframe").count(), 0);
+
+  await page.emulateMedia({ media: "print", colorScheme: "dark" });
+  assert.equal(await page.locator(".headline").isVisible(), true);
+  assert.equal(await page.locator(".sheet svg").first().isVisible(), true);
+  for (const control of [".bar", ".tabs", ".knobs", ".case"]) {
+    assert.equal(await page.locator(control).first().isVisible(), false, control);
+  }
+  // On white paper, whatever the colours of the screen.
+  assert.equal(await page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor), "rgb(255, 255, 255)");
+  const ink = await page.locator(".result-value").first().evaluate((value) => getComputedStyle(value).color);
+  assert.ok(ink.match(/\d+/g).slice(0, 3).reduce((sum, part) => sum + Number(part), 0) < 3 * 128, ink);
+});
+
+onPage("the colours are those of the system, or those that were chosen", async (page) => {
+  const colour = () => page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
+  const isDark = async () => (await colour()).match(/\d+/g).slice(0, 3).every((part) => Number(part) < 100);
+  for (const system of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme: system });
+    for (const [chosen, dark] of [["auto", system === "dark"], ["light", false], ["dark", true]]) {
+      await page.locator("#theme").selectOption(chosen);
+      assert.equal(await isDark(), dark, `${chosen} on a ${system} system`);
+    }
+  }
 });

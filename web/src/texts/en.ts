@@ -53,6 +53,7 @@ export const texts = {
     text: "Save the results as text",
     nothing: "The case has no answer yet, so there is nothing to save.",
     noCsv: "This answer has no table as CSV.",
+    noPlan: (name: string) => `The report draws the motion without ${name}: a page may not open files by itself. Lay that picture beneath the scene, and the report has it.`,
   },
 
   about: {

@@ -1,0 +1,36 @@
+// What the engine says of the text as it is now. What is seen at once is there; the rest is asked for when somebody
+// looks at it.
+import * as engine from "./engine.js";
+import type { Answer, Check, Command, Look, NoAnswer, Problem, Refused, Units } from "./engine.js";
+
+export class Solved {
+  private checked: Check | undefined;
+  private answered: Answer | NoAnswer | undefined;
+
+  constructor(
+    readonly text: string,
+    /** Of the file. */
+    readonly name: string,
+    readonly units: Units,
+    readonly look: Look | Refused,
+  ) {}
+
+  get command(): Command {
+    return this.look.command ?? "reconstruct";
+  }
+
+  get problems(): Problem[] {
+    return this.look.ok ? [] : this.look.problems;
+  }
+
+  /** What the file says, key by key. */
+  get check(): Check {
+    return (this.checked ??= engine.check(this.text));
+  }
+
+  /** The whole answer; nothing where the text is no case. */
+  get answer(): Answer | NoAnswer | null {
+    if (this.look.command === undefined) return null;
+    return (this.answered ??= engine.answer(this.text, this.command, this.units, this.name));
+  }
+}
