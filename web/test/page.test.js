@@ -137,18 +137,22 @@ onPage("a field of the form has units and ranges", async (page) => {
   await page.waitForFunction(() => /95\s*%/.test(document.querySelector(".headline").innerText));
 });
 
-onPage("a number that becomes a range stays its first limit, and nothing is written before the second is there", async (page) => {
+onPage("a number that becomes a range stays in it, and nothing is written before all of its numbers are there", async (page) => {
   const before = await caseText(page);
   const field = page.locator('[data-key="vehicle2.speed"]');
-  await field.locator("select.mode").selectOption("uniform");
-  assert.equal(await field.locator("input.number").first().inputValue(), "10");
-  const high = field.getByLabel("greatest value");
-  assert.ok(await high.evaluate((input) => input === document.activeElement));
-  assert.equal(await caseText(page), before);
+  const [first, high] = [field.locator("input.number").first(), field.getByLabel("greatest value")];
+  await field.locator("select.mode").selectOption("triangular");
+  assert.equal(await field.getByLabel("likeliest value").inputValue(), "10");
   await high.fill("15");
-  assert.match(await caseText(page), /^speed\s*=\s*\{ low = "10 mph", high = "15 mph" \}/m);
-  await high.fill("");
-  assert.match(await caseText(page), /high = "15 mph"/);
+  assert.equal(await caseText(page), before);
+  await first.fill("8");
+  assert.match(await caseText(page), /^speed\s*=\s*\{ low = "8 mph", mode = "10 mph", high = "15 mph" \}/m);
+
+  const other = page.locator('[data-key="vehicle2.heading"]');
+  await other.locator("select.mode").selectOption("uniform");
+  assert.equal(await other.locator("input.number").first().inputValue(), "67");
+  await other.getByLabel("greatest value").fill("70");
+  assert.match(await caseText(page), /^heading\s*=\s*\{ low = "67 deg", high = "70 deg" \}/m);
   assert.equal(await page.locator(".state .error").count(), 0);
 });
 
