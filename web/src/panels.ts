@@ -35,7 +35,7 @@ function document_(html: string): HTMLElement {
   // Tables that are wider than the panel are scrolled, by the keyboard as well.
   for (const table of element.querySelectorAll("table")) {
     const title = table.querySelector("caption")?.textContent ?? texts.panels.table;
-    const box = h("div", { class: "scrolls", tabindex: 0, role: "region", "aria-label": title });
+    const box = h("div", { class: "scrolls", tabindex: 0, role: "group", "aria-label": title });
     table.replaceWith(box);
     box.append(table);
   }
