@@ -117,7 +117,9 @@ impl Request {
                 let samples = samples.unwrap_or_else(|| analysis::usual_samples(case));
                 let method =
                     chosen("method", method, &SamplingMethod::WORDS).unwrap_or(SamplingMethod::MonteCarlo);
-                let plan = Plan { settings: Settings::new(method, samples, *seed), index_rows: *sobol };
+                // `columns` promises all samples.
+                let settings = Settings { keep: usize::MAX, ..Settings::new(method, samples, *seed) };
+                let plan = Plan { settings, index_rows: *sobol };
                 let uncertainty = analysis::uncertainty(case, &plan, &mut |_, _, _| ending.flow())?;
                 Ok(Answer::Uncertainty(Box::new(uncertainty)))
             }

@@ -75,8 +75,9 @@ pub use thresholds::{FAST_CLOSING, HIGH_RESTITUTION};
 pub use travel::{ClosedForm, Origin as TravelOrigin, Pass, Skid, Travel};
 use travel::{Record, after_impact, departures};
 pub use uncertainty::{
-    Doubt, Doubtful, ExactValue, Plan, REASONS, Reason, Samples, Stage, TakenAsExact, UncertainInput,
-    UncertainOutput, Uncertainty, is_searched_back, is_uncertain, samples, uncertainty, uncertainty_of,
+    Doubt, Doubtful, ExactValue, Plan, REASONS, Reason, SampleBlock, Samples, Stage, TakenAsExact,
+    UncertainInput, UncertainOutput, Uncertainty, is_searched_back, is_uncertain, samples, uncertainty,
+    uncertainty_of,
 };
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 

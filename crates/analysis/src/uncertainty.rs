@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 
 use ::uncertainty::{
     Distribution, FirstOrder, InvalidDistribution, InvalidRequest, LANES, Lanes, Model, Progress,
-    Propagation, Settings, TORNADO_PROBABILITIES, Tornado, Truncation,
+    Propagation, Sampler, Settings, TORNADO_PROBABILITIES, Tornado, Truncation,
 };
 use crash3::CrushError;
 use inputs::{
@@ -21,6 +21,7 @@ use pim_core::{ImpactError, Outcome, VehicleId};
 use real::Gradient;
 use reconcile::{MomentumError, ReconcileError};
 
+use doubts::Watched;
 pub use doubts::{Doubt, Doubtful};
 pub use exact::{ExactValue, TakenAsExact};
 use lanes::{Block, Number};
@@ -60,6 +61,10 @@ pub struct Uncertainty {
     pub tornado: Tornado,
     /// Sobol' indices, if asked for, of the outputs in their order.
     pub indices: Option<::uncertainty::SobolIndices>,
+    /// What was computed beside the outputs, by which doubts are seen, and (SI) its central values.
+    others: Vec<(Output, f64)>,
+    /// The case, where its samples are not kept.
+    case: Option<Box<Case>>,
 }
 
 /// A number that is a range, or the departure of an estimate.
@@ -260,7 +265,55 @@ impl Reason {
     }
 }
 
+/// Samples that follow each other. Lanes beyond the last sample hold some value or other.
+#[derive(Clone, Copy, Debug)]
+pub struct SampleBlock<'a> {
+    /// (unit of the file) the uncertain inputs, a column for each.
+    pub inputs: &'a [Lanes],
+    /// (SI) the outputs, a column for each, which mean nothing where the sample failed.
+    pub outputs: &'a [Lanes],
+    /// [`Reason::code`] of each sample, 0 where it has an answer.
+    pub reasons: &'a [u8],
+}
+
 impl Uncertainty {
+    /// Shows all samples in their order: with their inputs, which are drawn again, and with their outputs, which
+    /// are computed again unless they are [kept](Propagation::is_kept).
+    ///
+    /// # Errors
+    /// What `visit` returns.
+    pub fn for_each_block<E>(
+        &self,
+        mut visit: impl FnMut(SampleBlock<'_>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let asked = self.outputs.iter().map(|output| (output.output, output.central));
+        let (outputs, central): (Vec<Output>, Vec<f64>) = asked.chain(self.others.iter().copied()).unzip();
+        let asked = self.outputs.len();
+        let distributions: Vec<Distribution> = self.inputs.iter().map(|input| input.distribution).collect();
+        // The settings and inputs are those of a run that there was.
+        let Ok(sampler) = Sampler::new(&distributions, &self.settings) else { return Ok(()) };
+        let sample = |case: &Case| Sample::new(case, &self.nominal, &self.inputs, &outputs, &central);
+        let model = self.case.as_deref().map(sample);
+        let mut inputs: Vec<Lanes> = vec![[0.0; LANES]; self.inputs.len()];
+        let mut answers: Vec<Lanes> = vec![[0.0; LANES]; outputs.len()];
+        let mut reasons = [0; LANES];
+        let evaluated = self.propagation.evaluated();
+        for (block, first) in (0..).zip((0..evaluated).step_by(LANES)) {
+            let count = LANES.min(evaluated - first);
+            if let Some(model) = &model {
+                sampler.evaluate(model, block, &mut inputs, &mut answers, &mut reasons);
+            } else {
+                sampler.fill(block, &mut inputs);
+                for (answer, column) in answers.iter_mut().zip(self.propagation.columns()) {
+                    answer[..count].copy_from_slice(&column[first..first + count]);
+                }
+                reasons[..count].copy_from_slice(&self.propagation.reasons()[first..first + count]);
+            }
+            visit(SampleBlock { inputs: &inputs, outputs: &answers[..asked], reasons: &reasons[..count] })?;
+        }
+        Ok(())
+    }
+
     /// How many samples failed for a reason.
     #[must_use]
     pub fn failed(&self, reason: Reason) -> usize {
@@ -325,13 +378,15 @@ pub fn uncertainty_of(
     let first_order = first_order(&gradients, &inputs)?;
     let taken_as_exact = exact::taken_as_exact(case, &inputs, &gradients);
 
-    let model = Sample { asked, ..Sample::new(case, &nominal, &inputs, &outputs, &central) };
+    let watched = Watched::new(case, &inputs, &outputs, &central);
+    let model = Sample { asked, watched, ..Sample::new(case, &nominal, &inputs, &outputs, &central) };
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
     let numbers: Vec<f64> = inputs.iter().map(|input| input.input.number).collect();
     let tornado = ::uncertainty::tornado(&model, &distributions, &numbers, TORNADO_PROBABILITIES)?;
     let of_samples: &mut Progress<'_> = &mut |done, total| progress(Stage::Samples, done, total);
     let propagation = ::uncertainty::propagate(&model, &distributions, &plan.settings, of_samples)?;
     let is_ended = propagation.evaluated() < propagation.requested();
+    let again = (!propagation.is_kept()).then(|| Box::new(case.clone()));
     let doubtful = doubts::doubtful(&model, &inputs, &plan.settings, &propagation)?;
     let indices = match plan.index_rows {
         Some(samples) if !is_ended => {
@@ -341,6 +396,7 @@ pub fn uncertainty_of(
         }
         _ => None,
     };
+    let others = outputs.iter().copied().zip(central.iter().copied()).skip(asked).collect();
     let outputs = outputs.into_iter().zip(central).zip(first_order).take(asked);
     let outputs = outputs
         .map(|((output, central), first_order)| {
@@ -358,6 +414,8 @@ pub fn uncertainty_of(
         doubtful,
         tornado,
         indices,
+        others,
+        case: again,
     })
 }
 
@@ -577,6 +635,8 @@ struct Sample<'a> {
     case: Case,
     /// Where numbers share errors: what these do, and the numbers at their central values.
     shared: Option<(SharedEffects, Vec<f64>)>,
+    /// What is counted of the doubtful.
+    watched: Watched,
     /// The same for a block at once, where the case has a shape that can be solved so.
     block: Option<Block>,
 }
@@ -621,6 +681,7 @@ impl<'a> Sample<'a> {
             is_uncertain,
             case,
             shared,
+            watched: Watched::default(),
             block,
         }
     }
@@ -724,6 +785,14 @@ impl Model for Sample<'_> {
 
     fn summarised(&self) -> usize {
         self.asked
+    }
+
+    fn tallies(&self) -> usize {
+        self.watched.len()
+    }
+
+    fn tally(&self, inputs: &[Lanes], outputs: &[Lanes], reasons: &[u8], tallies: &mut [usize]) {
+        self.watched.tally(inputs, outputs, reasons, tallies);
     }
 
     #[inline(always)]

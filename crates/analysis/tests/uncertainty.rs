@@ -691,3 +691,52 @@ fn a_spread_that_is_switched_off_is_taken_as_exact() {
     let keys: Vec<&str> = result.taken_as_exact.iter().map(|exact| exact.key.as_str()).collect();
     assert!(keys.contains(&"vehicle1.crush.stiffness") && keys.contains(&"vehicle2.yaw_inertia"), "{keys:?}");
 }
+
+/// A run that keeps no samples, beside one that keeps all: the same statistics, doubts and failures, and the
+/// same samples when they are shown; of a case that takes a block, of one that does not, and with outputs that
+/// were asked for alone.
+#[test]
+fn samples_that_are_not_kept_are_computed_again() {
+    let friction = UNCERTAIN.replace("\"critical\"", "{ friction = 0.5 }");
+    let wide = UNCERTAIN.replace("{ low = 0.2, high = 0.4 }", "{ value = 0.3, sd = 0.5 }");
+    assert!(friction != UNCERTAIN && wide != UNCERTAIN);
+    for text in [UNCERTAIN, &friction, &wide] {
+        for asks_for_all in [true, false] {
+            let wanted =
+                |output: Output| asks_for_all || output == Output::DeltaV { vehicle: VehicleId::Two };
+            let [kept, again] = [usize::MAX, 0].map(|keep| {
+                let settings = Settings { keep, ..plan(5000).settings };
+                let plan = Plan { settings, index_rows: None };
+                let quietly = &mut |_, _, _| ControlFlow::Continue(());
+                uncertainty_of(&read(text), &plan, &wanted, quietly).unwrap()
+            });
+            assert!(kept.propagation.is_kept() && !again.propagation.is_kept());
+            assert_eq!(again.propagation.summaries(), kept.propagation.summaries());
+            assert_eq!(again.propagation.failures(), kept.propagation.failures());
+            assert_eq!(again.doubtful, kept.doubtful);
+            assert!(!kept.doubtful.is_empty(), "no doubt to compare");
+            let [shown, expected] = [&again, &kept].map(|result| {
+                let mut lines = Vec::new();
+                let done: Result<(), ()> = result.for_each_block(|block| {
+                    for (lane, reason) in block.reasons.iter().enumerate() {
+                        let outputs = block.outputs.iter().map(|column| column[lane].to_bits());
+                        let outputs = outputs.filter(|_| *reason == 0);
+                        let inputs = block.inputs.iter().map(|column| column[lane].to_bits());
+                        lines.push((*reason, inputs.chain(outputs).collect::<Vec<u64>>()));
+                    }
+                    Ok(())
+                });
+                assert_eq!(done, Ok(()));
+                lines
+            });
+            assert_eq!(shown.len(), 5000);
+            assert!(shown == expected);
+            let columns = kept.propagation.columns();
+            let answered = (0..5000).filter(|sample| expected[*sample].0 == 0);
+            for sample in answered {
+                let outputs = &expected[sample].1[kept.inputs.len()..];
+                assert!(outputs.iter().zip(columns).all(|(bits, column)| column[sample].to_bits() == *bits));
+            }
+        }
+    }
+}

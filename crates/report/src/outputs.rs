@@ -1,7 +1,7 @@
 //! What outputs, reasons and methods of sampling are called, in which units outputs are printed, and how many
 //! samples fall into which class.
 
-use ::uncertainty::{SamplingMethod, Summary};
+use ::uncertainty::SamplingMethod;
 use analysis::{Kind, Output, Reason, WayNumber, quantity};
 
 use case::{Estimate, FaceAxis, Input, Origin, YawSource};
@@ -112,48 +112,5 @@ pub(crate) fn pictured(output: Output) -> Measure {
     match output_quantity(output) {
         Measure::Speed => Measure::RoadSpeed,
         other => other,
-    }
-}
-
-/// How many samples lie in each of some classes of the same width.
-pub(crate) struct Histogram {
-    /// (unit of the output) lower end of the first class.
-    pub(crate) low: f64,
-    /// (unit of the output) width of a class.
-    pub(crate) width: f64,
-    pub(crate) counts: Vec<usize>,
-    /// Samples below the first and above the last class.
-    pub(crate) outside: [usize; 2],
-}
-
-impl Histogram {
-    /// Of the middle 99 % of the samples that have an answer; `None` where they do not differ.
-    pub(crate) fn new(column: &[f64], summary: &Summary, classes: u32) -> Option<Self> {
-        let [.., widest] = summary.intervals;
-        let (low, high) = (widest.low.value, widest.high.value);
-        let width = (high - low) / f64::from(classes);
-        if width.is_nan() || width <= 0.0 {
-            return None;
-        }
-        let mut counts = vec![0; usize::try_from(classes).ok()?];
-        let mut outside = [0; 2];
-        for value in column.iter().filter(|value| !value.is_nan()) {
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "a class between 0 and their number"
-            )]
-            let class = ((value - low) / width).floor().max(0.0) as usize;
-            if *value < low {
-                outside[0] += 1;
-            } else if *value > high {
-                outside[1] += 1;
-            } else {
-                // The upper end belongs to the last class.
-                let last = counts.len() - 1;
-                counts[class.min(last)] += 1;
-            }
-        }
-        Some(Self { low, width, counts, outside })
     }
 }

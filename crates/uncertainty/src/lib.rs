@@ -54,7 +54,9 @@
 //!   normal numbers by Box–Muller, which is faster.
 //! - Samples without an answer are counted by reason. An output that is infinite or NaN counts as a failure.
 //! - A run that is ended early leaves the first samples of the whole run, evenly from all replicates.
-//! - Memory grows with samples × outputs. Inputs are not kept.
+//! - Memory does not grow beyond what [`Settings::keep`] allows: a run with more samples draws them again from
+//!   their numbers, in several passes, and its medians and intervals are exact order statistics as before, with
+//!   the same bits. Inputs are not kept.
 //!
 //! # Threads
 //!
@@ -95,5 +97,5 @@ pub use propagate::{Propagation, propagate};
 pub use run::{Instructions, Progress, Span, for_each, in_order};
 pub use sampler::{Sampler, Settings};
 pub use sensitivity::{Index, Indices, SobolIndices, sensitivity};
-pub use summary::{Estimate, Interval, LEVELS, Summary};
+pub use summary::{Classes, Estimate, Histogram, Interval, LEVELS, Summary};
 pub use tornado::{Bar, End, TORNADO_PROBABILITIES, Tornado, tornado};

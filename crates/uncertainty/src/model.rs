@@ -32,10 +32,20 @@ pub trait Model: Sync {
     /// Number of outputs.
     fn outputs(&self) -> usize;
 
-    /// How many of the outputs, the first ones, are summarised: all, unless some are there for other ends.
+    /// How many of the outputs, the first ones, are kept and summarised: all, unless some are there for other
+    /// ends.
     fn summarised(&self) -> usize {
         self.outputs()
     }
+
+    /// How many counts of samples the model keeps: none, unless it has something to count.
+    fn tallies(&self) -> usize {
+        0
+    }
+
+    /// Adds to its counts those of the samples of a block. There are as many as `reasons`, of which all that
+    /// failed have one; the outputs of these are not to be read.
+    fn tally(&self, _inputs: &[Lanes], _outputs: &[Lanes], _reasons: &[u8], _tallies: &mut [usize]) {}
 
     /// Evaluates a block: `inputs` and `outputs` hold a column for each input and output. A sample without an
     /// answer gets a reason from 1 to 254 in `reasons`, which are [`SUCCEEDED`] at the start; its outputs are

@@ -1,11 +1,13 @@
 //! Turns samples of the inputs into samples of the outputs.
 
+use std::ops::ControlFlow;
+
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
-use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures, evaluate};
-use crate::run::{Instructions, Progress, Span, for_each, in_order};
+use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures};
+use crate::run::{Progress, Span, for_each, in_order};
 use crate::sampler::{Sampler, Settings};
-use crate::summary::Summary;
+use crate::summary::{Chunk, Classes, Histogram, Passes, Size, Summary, without_nan};
 
 /// Samples that one thread takes at a time.
 const SPAN: usize = 64 * LANES;
@@ -15,8 +17,10 @@ const SPAN: usize = 64 * LANES;
 pub struct Propagation {
     columns: Vec<Vec<f64>>,
     reasons: Vec<u8>,
-    failures: Failures,
+    totals: Totals,
     summaries: Vec<Option<Summary>>,
+    /// Of each output, where not all samples are kept.
+    histograms: Vec<Vec<Histogram>>,
     requested: usize,
 }
 
@@ -30,28 +34,42 @@ impl Propagation {
     /// Number of samples evaluated: fewer than requested where the run was ended early.
     #[must_use]
     pub fn evaluated(&self) -> usize {
-        self.reasons.len()
+        self.totals.samples
     }
 
     /// Number of samples that have an answer. Only these are summarised.
     #[must_use]
     pub fn succeeded(&self) -> usize {
-        self.evaluated() - self.failures.values().sum::<usize>()
+        self.evaluated() - self.failures().values().sum::<usize>()
     }
 
     /// Number of samples without an answer, by the model's reason code, or [`crate::NOT_FINITE`].
     #[must_use]
     pub fn failures(&self) -> &Failures {
-        &self.failures
+        &self.totals.failures
     }
 
-    /// Reason code of each sample evaluated; [`SUCCEEDED`] where it has an answer.
+    /// What the model [counted](Model::tally).
+    #[must_use]
+    pub fn tallies(&self) -> &[usize] {
+        &self.totals.tallies
+    }
+
+    /// Whether all samples that were evaluated are kept. If not, [`columns`](Self::columns) and
+    /// [`reasons`](Self::reasons) hold some thousand samples, the first ones.
+    #[must_use]
+    pub fn is_kept(&self) -> bool {
+        self.reasons.len() == self.evaluated()
+    }
+
+    /// Reason code of each sample that is kept; [`SUCCEEDED`] where it has an answer.
     #[must_use]
     pub fn reasons(&self) -> &[u8] {
         &self.reasons
     }
 
-    /// The samples of each output, NaN where the sample failed.
+    /// The samples of each output that is [summarised](Model::summarised), NaN where the sample failed: those
+    /// that are kept.
     #[must_use]
     pub fn columns(&self) -> &[Vec<f64>] {
         &self.columns
@@ -63,12 +81,27 @@ impl Propagation {
     pub fn summaries(&self) -> &[Option<Summary>] {
         &self.summaries
     }
+
+    /// The histogram of an output, over all samples. `None` where its middle 99 % do not differ, where fewer
+    /// than two samples have an answer, and where there is no such output.
+    #[must_use]
+    pub fn histogram(&self, output: usize, classes: Classes) -> Option<Histogram> {
+        if self.is_kept() {
+            let summary = (*self.summaries.get(output)?)?;
+            return Histogram::of(self.columns.get(output)?, &summary, classes);
+        }
+        self.histograms.get(output)?.iter().find(|histogram| histogram.is_of(classes)).cloned()
+    }
 }
 
 /// Evaluates the model for samples of its inputs.
 ///
+/// Where [`Settings::keep`] leaves no place for all samples, they are drawn and evaluated again in each of
+/// three passes, or four for Latin hypercube and Sobol' points; the results are the same to the bit.
+///
 /// `progress` receives the number of finished samples and may end the run early; the result then holds the
-/// first samples of the whole run.
+/// first samples of the whole run. Where there are several passes, each counts for its share, and only the
+/// first can be ended: the others then go over what it has done.
 ///
 /// # Errors
 /// If there are no inputs or too many, or if the number of samples is out of range.
@@ -78,37 +111,171 @@ pub fn propagate<M: Model>(
     settings: &Settings,
     progress: &mut Progress<'_>,
 ) -> Result<Propagation, InvalidRequest> {
+    propagate_by(model, inputs, settings, progress, &Chunks { values: 1 << 22, size: Size::IN_CHUNKS })
+}
+
+/// How a run that is not kept is cut.
+#[derive(Clone, Copy, Debug)]
+struct Chunks {
+    /// The values of all outputs that are in memory at once, but one span at least.
+    values: usize,
+    size: Size,
+}
+
+fn propagate_by<M: Model>(
+    model: &M,
+    inputs: &[Distribution],
+    settings: &Settings,
+    progress: &mut Progress<'_>,
+    chunks: &Chunks,
+) -> Result<Propagation, InvalidRequest> {
     let sampler = Sampler::new(inputs, settings)?;
-    let mut columns: Vec<_> = (0..model.outputs()).map(|_| vec![0.0; settings.samples]).collect();
-    let mut reasons = vec![SUCCEEDED; settings.samples];
+    let outputs = model.summarised().min(model.outputs());
+    let run = Run { model, sampler, settings, outputs };
+    if settings.samples.saturating_mul(outputs) <= settings.keep {
+        Ok(run.at_once(progress))
+    } else {
+        Ok(run.in_chunks(progress, chunks))
+    }
+}
 
-    let mut slices: Vec<_> = columns.iter_mut().map(|column| column.chunks_mut(SPAN)).collect();
-    let spans = (0..)
-        .zip(reasons.chunks_mut(SPAN))
-        .map(|(index, reasons)| {
-            let outputs = slices.iter_mut().flat_map(Iterator::next).collect();
-            Span { samples: reasons.len(), work: Part { index, outputs, reasons } }
-        })
-        .collect();
-    let work = |part: Part<'_>| part.evaluate(model, &sampler, settings.instructions);
-    let parts = in_order(spans, work, progress);
+/// A model with the inputs of its samples.
+struct Run<'a, M> {
+    model: &'a M,
+    sampler: Sampler<'a>,
+    settings: &'a Settings,
+    /// Those that are kept and summarised.
+    outputs: usize,
+}
 
-    let mut failures = Failures::new();
-    let mut evaluated = 0;
-    for part in parts {
-        evaluated += part.samples;
-        for (reason, count) in part.failures {
-            *failures.entry(reason).or_default() += count;
+impl<M: Model> Run<'_, M> {
+    fn at_once(&self, progress: &mut Progress<'_>) -> Propagation {
+        let mut samples = Samples::new(self.outputs, self.settings.samples);
+        let totals = self.evaluate(0, &mut samples, self.settings.samples, progress);
+        samples.truncate(totals.samples);
+        let is_complete = totals.failures.is_empty();
+        let of = |column: &Vec<f64>| Summary::of(column, is_complete, self.settings.method);
+        let summaries = for_each(&samples.columns, of);
+        let Samples { columns, reasons } = samples;
+        let requested = self.settings.samples;
+        Propagation { columns, reasons, totals, summaries, histograms: Vec::new(), requested }
+    }
+
+    fn in_chunks(&self, progress: &mut Progress<'_>, chunks: &Chunks) -> Propagation {
+        let Settings { samples: requested, method, .. } = *self.settings;
+        let usual = Passes::usual(method);
+        let chunk = (chunks.values / self.outputs / SPAN * SPAN).max(SPAN);
+        let mut samples = Samples::new(self.outputs, chunk.min(requested));
+        let mut all: Vec<_> =
+            (0..self.outputs).map(|_| Passes::new(method, chunks.size, &Classes::ALL)).collect();
+        let mut totals = Totals::default();
+        let mut kept = Samples::new(self.outputs, 0);
+        // More passes than usual do not turn the count back.
+        let mut told = 0;
+        for pass in 0_usize.. {
+            let evaluated = if pass == 0 { requested } else { totals.samples };
+            let mut begin = 0;
+            while begin < evaluated {
+                let count = chunk.min(evaluated - begin);
+                let mut tell = |done: usize, _: usize| {
+                    let of_all = pass.saturating_mul(evaluated).saturating_add(begin + done);
+                    told = told.max((of_all / usual).min(evaluated));
+                    let answer = progress(told, requested);
+                    if pass == 0 { answer } else { ControlFlow::Continue(()) }
+                };
+                let done = self.evaluate(begin, &mut samples, count, &mut tell);
+                samples.pass_on(&mut all, &done);
+                let is_ended = done.samples < count;
+                begin += done.samples;
+                if pass == 0 {
+                    if kept.reasons.is_empty() {
+                        kept = samples.first(SPAN.min(done.samples));
+                    }
+                    totals.add(done);
+                }
+                if is_ended {
+                    break;
+                }
+            }
+            let mut goes_on = false;
+            for passes in &mut all {
+                goes_on |= passes.go_on();
+            }
+            if !goes_on {
+                break;
+            }
         }
+        let summaries = all.iter().map(Passes::summary).collect();
+        let histograms = all.into_iter().map(Passes::histograms).collect();
+        let Samples { columns, reasons } = kept;
+        Propagation { columns, reasons, totals, summaries, histograms, requested }
     }
-    for column in &mut columns {
-        column.truncate(evaluated);
+
+    /// Evaluates `count` samples from `begin` on, which is the first of a span.
+    fn evaluate(
+        &self,
+        begin: usize,
+        samples: &mut Samples,
+        count: usize,
+        progress: &mut Progress<'_>,
+    ) -> Totals {
+        let Samples { columns, reasons } = samples;
+        let mut slices: Vec<_> = columns.iter_mut().map(|column| column[..count].chunks_mut(SPAN)).collect();
+        let spans = (begin / SPAN..)
+            .zip(reasons[..count].chunks_mut(SPAN))
+            .map(|(index, reasons)| {
+                let outputs = slices.iter_mut().flat_map(Iterator::next).collect();
+                Span { samples: reasons.len(), work: Part { index: index as u64, outputs, reasons } }
+            })
+            .collect();
+        let work = |part: Part<'_>| part.evaluate(self.model, &self.sampler);
+        let mut totals = Totals { tallies: vec![0; self.model.tallies()], ..Totals::default() };
+        for part in in_order(spans, work, progress) {
+            totals.add(part);
+        }
+        totals
     }
-    reasons.truncate(evaluated);
-    let is_complete = failures.is_empty();
-    let summarised = &columns[..model.summarised().min(columns.len())];
-    let summaries = for_each(summarised, |column| Summary::of(column, is_complete, settings.method));
-    Ok(Propagation { columns, reasons, failures, summaries, requested: settings.samples })
+}
+
+/// The samples of all outputs that are summarised.
+struct Samples {
+    columns: Vec<Vec<f64>>,
+    reasons: Vec<u8>,
+}
+
+impl Samples {
+    fn new(outputs: usize, samples: usize) -> Self {
+        let columns = (0..outputs).map(|_| vec![0.0; samples]).collect();
+        Self { columns, reasons: vec![SUCCEEDED; samples] }
+    }
+
+    fn truncate(&mut self, samples: usize) {
+        for column in &mut self.columns {
+            column.truncate(samples);
+        }
+        self.reasons.truncate(samples);
+    }
+
+    fn first(&self, samples: usize) -> Self {
+        let columns = self.columns.iter().map(|column| column[..samples].to_vec()).collect();
+        Self { columns, reasons: self.reasons[..samples].to_vec() }
+    }
+
+    /// To the passes of each output.
+    fn pass_on(&self, all: &mut [Passes], done: &Totals) {
+        let is_complete = done.failures.is_empty();
+        let columns = self.columns.iter().zip(all);
+        let spans = columns.map(|work| Span { samples: 0, work }).collect();
+        let add = |(column, passes): (&Vec<f64>, &mut Passes)| {
+            let all = &column[..done.samples];
+            if is_complete {
+                passes.add(Chunk { all, answered: all });
+            } else {
+                passes.add(Chunk { all, answered: &without_nan(all) });
+            }
+        };
+        in_order(spans, add, &mut |_, _| ControlFlow::Continue(()));
+    }
 }
 
 /// Where the results of a span go.
@@ -118,23 +285,38 @@ struct Part<'a> {
     reasons: &'a mut [u8],
 }
 
-/// What is known of a span that is done.
-struct Done {
+/// What is counted of samples that are done.
+#[derive(Clone, Debug, Default)]
+struct Totals {
     samples: usize,
     failures: Failures,
+    tallies: Vec<usize>,
+}
+
+impl Totals {
+    fn add(&mut self, more: Self) {
+        self.samples += more.samples;
+        for (reason, count) in more.failures {
+            *self.failures.entry(reason).or_default() += count;
+        }
+        self.tallies.resize(more.tallies.len(), 0);
+        for (tally, more) in self.tallies.iter_mut().zip(more.tallies) {
+            *tally += more;
+        }
+    }
 }
 
 impl Part<'_> {
-    fn evaluate<M: Model>(self, model: &M, sampler: &Sampler<'_>, instructions: Instructions) -> Done {
+    fn evaluate<M: Model>(self, model: &M, sampler: &Sampler<'_>) -> Totals {
         let Self { index, mut outputs, reasons: codes } = self;
         let mut columns: Vec<Lanes> = vec![[0.0; LANES]; sampler.inputs()];
-        let mut answers: Vec<Lanes> = vec![[0.0; LANES]; outputs.len()];
+        let mut answers: Vec<Lanes> = vec![[0.0; LANES]; model.outputs()];
         let mut reasons = [SUCCEEDED; LANES];
         let mut failures = Failures::new();
+        let mut tallies = vec![0; model.tallies()];
         let blocks = index * (SPAN / LANES) as u64..;
         for ((start, codes), block) in (0..).step_by(LANES).zip(codes.chunks_mut(LANES)).zip(blocks) {
-            sampler.fill(block, &mut columns);
-            evaluate(instructions, model, &columns, &mut answers, &mut reasons);
+            sampler.evaluate(model, block, &mut columns, &mut answers, &mut reasons);
             let all_succeeded = reasons == [SUCCEEDED; LANES];
             for (answer, output) in answers.iter().zip(&mut outputs) {
                 if all_succeeded && let Some((places, _)) = output[start..].split_first_chunk_mut() {
@@ -147,7 +329,11 @@ impl Part<'_> {
             }
             codes.copy_from_slice(&reasons[..codes.len()]);
             count_failures(&mut failures, codes);
+            model.tally(&columns, &answers, codes, &mut tallies);
         }
-        Done { samples: codes.len(), failures }
+        Totals { samples: codes.len(), failures, tallies }
     }
 }
+
+#[cfg(test)]
+mod tests;

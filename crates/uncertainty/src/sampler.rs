@@ -4,7 +4,7 @@ use fearless_simd::dispatch;
 
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
-use crate::model::Lanes;
+use crate::model::{LANES, Lanes, Model, evaluate};
 use crate::points::{Points, SamplingMethod};
 use crate::run::Instructions;
 
@@ -19,18 +19,24 @@ pub struct Settings {
     pub method: SamplingMethod,
     /// The instruction set, which does not change the results.
     pub instructions: Instructions,
+    /// The most numbers of [`crate::Propagation::columns`], samples × outputs, that are kept in memory. A run
+    /// that has more is drawn again in several passes, with the same results; its memory does not grow.
+    pub keep: usize,
 }
 
+/// 128 MiB: a million samples of sixteen outputs.
+const KEPT: usize = 1 << 24;
+
 impl Settings {
-    /// Settings with the best instruction set of this CPU.
+    /// Settings with the best instruction set of this CPU, which keep up to 2²⁴ numbers.
     #[must_use]
     pub fn new(method: SamplingMethod, samples: usize, seed: u64) -> Self {
-        Self { samples, seed, method, instructions: Instructions::best() }
+        Self { samples, seed, method, instructions: Instructions::best(), keep: KEPT }
     }
 }
 
-/// Generates the inputs of the samples of [`crate::propagate`] again, for a caller that writes them to a
-/// file, because the propagation does not keep them.
+/// Generates the samples of [`crate::propagate`] again, for a caller that writes them to a file, because the
+/// propagation does not keep the inputs, nor the outputs of a large run.
 #[derive(Clone, Debug)]
 pub struct Sampler<'a> {
     inputs: &'a [Distribution],
@@ -56,6 +62,19 @@ impl<'a> Sampler<'a> {
     /// the last sample hold some value or other.
     pub fn fill(&self, block: u64, columns: &mut [Lanes]) {
         fill(self.instructions, &self.points, self.inputs, block, columns);
+    }
+
+    /// The same, and the outputs and reason codes of the model for them, a column for each output.
+    pub fn evaluate<M: Model>(
+        &self,
+        model: &M,
+        block: u64,
+        columns: &mut [Lanes],
+        outputs: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+    ) {
+        self.fill(block, columns);
+        evaluate(self.instructions, model, columns, outputs, reasons);
     }
 }
 

@@ -1,6 +1,7 @@
 //! Which samples a careful reader would doubt: those of which a single case has a warning.
 
 use ::uncertainty::{Distribution, InvalidRequest, LANES, Lanes, Propagation, SUCCEEDED, Sampler, Settings};
+use inputs::Case;
 use pim_core::VehicleId;
 
 use super::{Sample, UncertainInput};
@@ -9,7 +10,7 @@ use crate::thresholds::{FAST_CLOSING, HIGH_RESTITUTION};
 use crate::usual::Usual;
 
 /// Samples in which [`Doubt::SeveralSpeeds`] is looked for, the first ones: all speeds of a sample take
-/// longer than its answer.
+/// longer than its answer. So many are kept of any run.
 const SEARCHED: usize = 4096;
 
 /// Why a sample that has an answer is doubtful. A single case has the warning of [`code`](Self::code).
@@ -62,32 +63,94 @@ pub struct Doubtful {
     pub of: usize,
 }
 
-/// What is sampled that may be doubtful by itself, by its place among the inputs.
-struct Watched {
-    speeds: Vec<(VehicleId, usize)>,
-    restitution: Option<usize>,
+/// What is counted while the samples are drawn, so that none has to be kept for it.
+#[derive(Debug, Default)]
+pub(super) struct Watched {
+    marks: Vec<Mark>,
+}
+
+/// A number of a sample that is doubtful beyond a limit.
+#[derive(Clone, Copy, Debug)]
+struct Mark {
+    doubt: Doubt,
+    number: Watch,
+}
+
+/// Which number, by its place among the outputs or the inputs.
+#[derive(Clone, Copy, Debug)]
+enum Watch {
+    /// An output below zero.
+    NegativeOutput(usize),
+    /// An output of which the size is above the limit.
+    OutputBeyond(usize, f64),
+    /// An input below zero.
+    NegativeInput(usize),
+    /// A restitution above usual in a collision at which the output, the closing speed, is high.
+    Restitution { input: usize, closing: usize },
 }
 
 impl Watched {
-    fn new(inputs: &[UncertainInput]) -> Self {
-        let place = |path: &str| inputs.iter().position(|input| input.input.path == path);
-        let speed = |vehicle: VehicleId| {
-            let place = place(&format!("vehicle{vehicle}.speed"))?;
-            let input = &inputs[place];
-            // Half of the samples of a speed that is negative itself are no surprise.
-            let may_be_negative = input.input.number >= 0.0 && input.distribution.quantile(0.0) < 0.0;
-            may_be_negative.then_some((vehicle, place))
-        };
-        Self {
-            speeds: VehicleId::ALL.into_iter().filter_map(speed).collect(),
-            restitution: place("impact.restitution")
-                .filter(|place| inputs[*place].distribution.quantile(1.0) > HIGH_RESTITUTION),
+    pub(super) fn new(case: &Case, inputs: &[UncertainInput], outputs: &[Output], central: &[f64]) -> Self {
+        let mut marks = Vec::new();
+        let mut watch = |doubt: Doubt, number: Watch| marks.push(Mark { doubt, number });
+        let output = |wanted: Output| outputs.iter().position(|output| *output == wanted);
+        let input = |path: &str| inputs.iter().position(|input| input.input.path == path);
+        for vehicle in VehicleId::ALL {
+            let Some(place) = output(Output::Speed { vehicle }) else { continue };
+            if central[place] >= 0.0 {
+                watch(Doubt::FoundBackward { vehicle }, Watch::NegativeOutput(place));
+            }
+            let kind = case.vehicles[vehicle.index()].kind.unwrap_or_default();
+            let [_, limit] = Usual::of(kind).speed;
+            watch(Doubt::FoundTooFast { vehicle, limit }, Watch::OutputBeyond(place, limit));
         }
+        for vehicle in VehicleId::ALL {
+            let Some(place) = input(&format!("vehicle{vehicle}.speed")) else { continue };
+            let UncertainInput { input, distribution, .. } = &inputs[place];
+            // Half of the samples of a speed that is negative itself are no surprise.
+            if input.number >= 0.0 && distribution.quantile(0.0) < 0.0 {
+                watch(Doubt::GivenBackward { vehicle }, Watch::NegativeInput(place));
+            }
+        }
+        let restitution = input("impact.restitution")
+            .filter(|place| inputs[*place].distribution.quantile(1.0) > HIGH_RESTITUTION);
+        if let (Some(input), Some(closing)) = (restitution, output(Output::ClosingSpeed)) {
+            watch(Doubt::HighRestitution, Watch::Restitution { input, closing });
+        }
+        Self { marks }
     }
 
-    fn is_empty(&self) -> bool {
-        self.speeds.is_empty() && self.restitution.is_none()
+    pub(super) fn len(&self) -> usize {
+        self.marks.len()
     }
+
+    /// Counts the samples of a block that are marked, each for itself.
+    pub(super) fn tally(&self, inputs: &[Lanes], outputs: &[Lanes], reasons: &[u8], tallies: &mut [usize]) {
+        for (Mark { number, .. }, tally) in self.marks.iter().zip(tallies) {
+            *tally += match *number {
+                Watch::NegativeOutput(place) => count(reasons, &outputs[place], |speed| speed < 0.0),
+                Watch::OutputBeyond(place, limit) => {
+                    count(reasons, &outputs[place], |speed| speed.abs() > limit)
+                }
+                Watch::NegativeInput(place) => count(reasons, &inputs[place], |speed| speed < 0.0),
+                Watch::Restitution { input, closing } => {
+                    let both = inputs[input].iter().zip(&outputs[closing]);
+                    let is_high = |(restitution, closing): (&f64, &f64)| {
+                        *restitution > HIGH_RESTITUTION && *closing > FAST_CLOSING
+                    };
+                    let high =
+                        both.zip(reasons).filter(|(both, reason)| **reason == SUCCEEDED && is_high(*both));
+                    high.count()
+                }
+            };
+        }
+    }
+}
+
+/// The samples with an answer whose number is marked.
+fn count(reasons: &[u8], numbers: &Lanes, is_marked: impl Fn(f64) -> bool) -> usize {
+    let answered = reasons.iter().zip(numbers).filter(|(reason, _)| **reason == SUCCEEDED);
+    answered.filter(|(_, number)| is_marked(**number)).count()
 }
 
 /// Whether doubts are seen by this output.
@@ -95,68 +158,24 @@ pub(super) fn reads(output: Output) -> bool {
     matches!(output, Output::Speed { .. } | Output::ClosingSpeed)
 }
 
-/// Counts the doubtful among the samples that have an answer. The counts are the same for any number of
-/// threads, as they come from the samples alone.
+/// The doubtful among the samples that have an answer. The counts are the same for any number of threads, as
+/// they come from the samples alone.
 pub(super) fn doubtful(
     sample: &Sample<'_>,
     inputs: &[UncertainInput],
     settings: &Settings,
     propagation: &Propagation,
 ) -> Result<Vec<Doubtful>, InvalidRequest> {
-    let column = |output: Output| {
-        let place = sample.outputs.iter().position(|other| *other == output)?;
-        Some((sample.central[place], propagation.columns()[place].as_slice()))
-    };
     let of = propagation.succeeded();
-    let mut found = Vec::new();
-    let mut tell = |doubt: Doubt, samples: usize, of: usize| {
-        if samples > 0 {
-            found.push(Doubtful { doubt, samples, of });
-        }
-    };
-    for vehicle in VehicleId::ALL {
-        let Some((central, speeds)) = column(Output::Speed { vehicle }) else { continue };
-        // A sample without an answer is NaN, which is neither.
-        if central >= 0.0 {
-            let backward = speeds.iter().filter(|speed| **speed < 0.0).count();
-            tell(Doubt::FoundBackward { vehicle }, backward, of);
-        }
-        let kind = sample.case.vehicles[vehicle.index()].kind.unwrap_or_default();
-        let [_, limit] = Usual::of(kind).speed;
-        let too_fast = speeds.iter().filter(|speed| speed.abs() > limit).count();
-        tell(Doubt::FoundTooFast { vehicle, limit }, too_fast, of);
-    }
-
-    let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
-    let sampler = Sampler::new(&distributions, settings)?;
-    let mut block: Vec<Lanes> = vec![[0.0; LANES]; inputs.len()];
-    let watched = Watched::new(inputs);
-    if !watched.is_empty() {
-        let closing = column(Output::ClosingSpeed).map_or(&[][..], |(_, speeds)| speeds);
-        let mut backward = vec![0; watched.speeds.len()];
-        let mut high_restitution = 0;
-        for ((number, reasons), closing) in
-            (0..).zip(propagation.reasons().chunks(LANES)).zip(closing.chunks(LANES))
-        {
-            sampler.fill(number, &mut block);
-            for (lane, closing) in closing.iter().enumerate().filter(|(lane, _)| reasons[*lane] == SUCCEEDED)
-            {
-                for ((_, place), count) in watched.speeds.iter().zip(&mut backward) {
-                    *count += usize::from(block[*place][lane] < 0.0);
-                }
-                if let Some(place) = watched.restitution {
-                    let is_high = block[place][lane] > HIGH_RESTITUTION && *closing > FAST_CLOSING;
-                    high_restitution += usize::from(is_high);
-                }
-            }
-        }
-        for ((vehicle, _), count) in watched.speeds.iter().zip(backward) {
-            tell(Doubt::GivenBackward { vehicle: *vehicle }, count, of);
-        }
-        tell(Doubt::HighRestitution, high_restitution, of);
-    }
-
+    let counted = sample.watched.marks.iter().zip(propagation.tallies());
+    let mut found: Vec<Doubtful> = counted
+        .filter(|(_, samples)| **samples > 0)
+        .map(|(mark, samples)| Doubtful { doubt: mark.doubt, samples: *samples, of })
+        .collect();
     if sample.is_by_crush {
+        let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
+        let sampler = Sampler::new(&distributions, settings)?;
+        let mut block: Vec<Lanes> = vec![[0.0; LANES]; inputs.len()];
         let (mut several, mut searched) = (0, 0);
         let mut numbers = vec![0.0; inputs.len()];
         for (number, reasons) in (0..).zip(propagation.reasons().chunks(LANES)).take(SEARCHED / LANES) {
@@ -169,7 +188,9 @@ pub(super) fn doubtful(
                 several += usize::from(sample.has_several_speeds(&numbers));
             }
         }
-        tell(Doubt::SeveralSpeeds, several, searched);
+        if several > 0 {
+            found.push(Doubtful { doubt: Doubt::SeveralSpeeds, samples: several, of: searched });
+        }
     }
     Ok(found)
 }

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use ::uncertainty::{LANES, SUCCEEDED, Sampler};
+use ::uncertainty::SUCCEEDED;
 use analysis::{Reason, Uncertainty};
 
 use super::csv::CsvStyle;
@@ -10,7 +10,7 @@ use crate::outputs::reason_name;
 
 /// Writes a line for each sample: its number, why it has no answer, its uncertain inputs and its outputs, in
 /// SI units and radians. Outputs that there are not are empty. Numbers are the shortest that read back as the
-/// same, in the style of the spreadsheet.
+/// same, in the style of the spreadsheet. Samples that a large run did not keep are computed again.
 ///
 /// # Errors
 /// Where `out` cannot be written to.
@@ -25,30 +25,25 @@ pub fn write_samples(uncertainty: &Uncertainty, style: CsvStyle, out: &mut dyn W
         write!(out, "{next}{}", output.output.path())?;
     }
     writeln!(out)?;
-    let distributions: Vec<_> = inputs.iter().map(|input| input.distribution).collect();
-    let sampler = Sampler::new(&distributions, &uncertainty.settings).map_err(io::Error::other)?;
-    let mut block = vec![[0.0; LANES]; inputs.len()];
-    let (columns, reasons) = (uncertainty.propagation.columns(), uncertainty.propagation.reasons());
-    for (number, reasons) in (0..).zip(reasons.chunks(LANES)) {
-        sampler.fill(number, &mut block);
-        let first = usize::try_from(number).unwrap_or(usize::MAX).saturating_mul(LANES);
-        for (lane, &code) in reasons.iter().enumerate() {
-            let sample = first + lane;
+    let mut sample = 0;
+    uncertainty.for_each_block(|block| {
+        for (lane, &code) in block.reasons.iter().enumerate() {
+            sample += 1;
             let failed = if code == SUCCEEDED { "" } else { reason_name(Reason::of_code(code)) };
-            write!(out, "{}{next}{failed}", sample + 1)?;
-            for (input, column) in inputs.iter().zip(&block) {
+            write!(out, "{sample}{next}{failed}")?;
+            for (input, column) in inputs.iter().zip(block.inputs) {
                 let value = column[lane] * input.input.factor();
                 write!(out, "{next}{}", style.number(value.to_string()))?;
             }
-            // Behind those that were asked for there may be others.
-            for column in columns.iter().take(uncertainty.outputs.len()) {
-                match column[sample] {
-                    value if value.is_nan() => write!(out, "{next}")?,
-                    value => write!(out, "{next}{}", style.number(value.to_string()))?,
+            for column in block.outputs {
+                if code == SUCCEEDED {
+                    write!(out, "{next}{}", style.number(column[lane].to_string()))?;
+                } else {
+                    write!(out, "{next}")?;
                 }
             }
             writeln!(out)?;
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }

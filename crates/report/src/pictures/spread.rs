@@ -1,16 +1,14 @@
 //! Histograms and tornados of an uncertainty.
 
 use ::drawing::{Axis, Drawing, HistogramPicture, TornadoBar, TornadoPicture, ValueMark};
-use ::uncertainty::{Bar, End};
+use ::uncertainty::{Bar, Classes, End, Histogram};
 use analysis::{UncertainInput, UncertainOutput, Uncertainty};
 use case::{Case, Origin};
 
 use super::title;
-use crate::outputs::{Histogram, input_name, method_name, output_name, pictured};
+use crate::outputs::{input_name, method_name, output_name, pictured};
 use crate::units::{Units, number, significant};
 
-/// Classes of a histogram.
-const CLASSES: u32 = 40;
 /// Bars of a tornado, the longest.
 const BARS: usize = 20;
 const NO_ANSWER: &str = "no answer at an end";
@@ -46,11 +44,10 @@ fn number_of(count: usize) -> String {
 pub fn histogram(case: &Case, uncertainty: &Uncertainty, place: usize, units: Units) -> Option<Drawing> {
     let (output, name) = output(uncertainty, place, units)?;
     let summary = uncertainty.propagation.summaries().get(place).copied().flatten()?;
-    let column = uncertainty.propagation.columns().get(place)?;
     if !output.varies(summary.sd.value) {
         return None;
     }
-    let Histogram { low, width, counts, .. } = Histogram::new(column, &summary, CLASSES)?;
+    let Histogram { low, width, counts, .. } = uncertainty.propagation.histogram(place, Classes::Fine)?;
     let quantity = pictured(output.output);
     #[expect(clippy::cast_precision_loss, reason = "a share to draw")]
     let shares: Vec<f64> =
@@ -62,7 +59,8 @@ pub fn histogram(case: &Case, uncertainty: &Uncertainty, place: usize, units: Un
     let picture = HistogramPicture {
         subtitle: format!("Histogram: {samples}\n{}", origin(case, uncertainty)),
         description: format!(
-            "{name}: {samples}, in {CLASSES} classes, of which the fullest has {} % of the samples. Ends of the 95 % interval and central value:",
+            "{name}: {samples}, in {} classes, of which the fullest has {} % of the samples. Ends of the 95 % interval and central value:",
+            Classes::Fine.count(),
             number(most, 1)
         ),
         across: Axis { title: name.clone(), unit: units.size(quantity) },

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use ::drawing::Drawing;
-use ::uncertainty::{Bar, End, Estimate, Index, SamplingMethod, Shape, Summary};
+use ::uncertainty::{Bar, Classes, End, Estimate, Index, SamplingMethod, Shape, Summary};
 use analysis::{
     Doubt, Doubtful, ExactValue, FAST_CLOSING, HIGH_RESTITUTION, Output, REASONS, Reason, TakenAsExact,
     UncertainInput, UncertainOutput, Uncertainty,
@@ -15,16 +15,12 @@ use case::{
 use crash3::principal_angle;
 
 use crate::document::{Block, Column, Document, NONE, Table, Width};
-use crate::outputs::{
-    Histogram, estimate_name, estimate_source, input_name, method_name, output_name, output_quantity,
-};
+use crate::outputs::{estimate_name, estimate_source, input_name, method_name, output_name, output_quantity};
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
 use crate::worth::{BARRIER_TESTS, SMITH_NOGA, Worth, worth};
 
-/// Classes of the histogram.
-const CLASSES: u32 = 15;
 /// (columns) of the longest bar of the histogram.
 const LONGEST: usize = 50;
 /// (columns) to each side of a tornado's middle.
@@ -329,11 +325,10 @@ impl<'a> Page<'a> {
     /// Of the first output.
     fn histogram(&mut self) {
         let Some(&(output, Some(summary))) = self.rows().first() else { return };
-        let Some(column) = self.uncertainty.propagation.columns().first() else { return };
         if !output.varies(summary.sd.value) {
             return;
         }
-        let Some(histogram) = Histogram::new(column, summary, CLASSES) else { return };
+        let Some(histogram) = self.uncertainty.propagation.histogram(0, Classes::Coarse) else { return };
         let most = histogram.counts.iter().copied().max().unwrap_or_default();
         let alone = quantity(output.output);
         let title = self.label(output, alone);

@@ -1,4 +1,4 @@
-use super::{Estimate, Place, Quantiles, Summary, order_statistics, select, sums};
+use super::{Chunk, Classes, Estimate, Histogram, Passes, Place, Size, Summary, without_nan};
 use crate::points::SamplingMethod;
 use crate::random::{bits, unit};
 
@@ -102,61 +102,59 @@ fn numbers_below_a_quantile_give_its_standard_error() {
     );
 }
 
+/// Cut into chunks, with so few cells that these are cut again: the same bits, with samples that failed and
+/// without.
 #[test]
-fn selection_puts_all_places_right() {
-    let mut values = hundred();
-    let wanted = [0, 3, 4, 50, 51, 99, 100];
-    select(&mut values, 0, &wanted);
-    for place in wanted {
-        assert_eq!(values[place], place as f64);
-    }
-    // Two values: every place exists.
-    let quantiles = Quantiles::of(&[2.0, 1.0]);
-    assert_eq!(quantiles.values[0], 1.5);
-    assert_eq!(Place::of(0.995, 2).above, 1);
-}
-
-/// Beside a full sort: values spread evenly, in clumps, all alike but one, all alike, over the whole range of
-/// an `f64`, subnormal, and of both zeros.
-#[test]
-fn order_statistics_are_those_of_a_sort() {
-    let kinds: [fn(f64) -> f64; 8] = [
-        |u| u,
-        |u| (7.0 * u).floor() - 3.0,
-        |u| if u < 0.9999 { 1.0 } else { 1e300 },
-        |_| -2.5,
-        |u| (u - 0.5) * f64::MAX * 2.0,
-        |u| u * 1e-310,
-        |u| if u < 0.5 { -0.0 } else { 0.0 },
-        |u| 1.0 / (u * u),
-    ];
+fn a_summary_is_the_same_however_its_column_is_cut() {
+    let kinds: [fn(f64) -> f64; 4] = [|u| u, |u| 1.0 / u, |u| (3.0 * u).floor(), |_| 4.0];
+    let size = Size { cells: 32, most: 16 };
     for (kind, of) in (0..).zip(kinds) {
-        for count in [2, 3, 100, 20_000] {
-            let values: Vec<f64> = (0..count).map(|index| of(unit(bits(kind, index)))).collect();
-            let mut sorted = values.clone();
-            sorted.sort_unstable_by(f64::total_cmp);
-            let count = values.len();
-            let mut wanted = vec![0, 1, count / 7, count / 2, count / 2 + 1, count * 9 / 10, count - 1];
-            wanted.retain(|place| *place < count);
-            wanted.sort_unstable();
-            wanted.dedup();
-            let expected: Vec<f64> = wanted.iter().map(|place| sorted[*place]).collect();
-            let found = order_statistics(&values, &wanted);
-            assert_eq!(found, expected, "kind {kind}, {count} values");
-            assert_eq!(
-                order_statistics(&values, &[count - 1]),
-                [sorted[count - 1]],
-                "kind {kind}, {count} values"
-            );
+        for count in [2, 40, 1000, 100_000] {
+            for failing in [0.0, 0.3] {
+                let value = |index| {
+                    let fails = unit(bits(17, index)) < failing;
+                    if fails { f64::NAN } else { of(unit(bits(kind, index))) }
+                };
+                let column: Vec<f64> = (0..count).map(value).collect();
+                for (_, method) in SamplingMethod::WORDS {
+                    let expected = Summary::of(&column, failing == 0.0, method);
+                    let mut passes = Passes::new(method, size, &[Classes::Coarse]);
+                    loop {
+                        for all in column.chunks(2048) {
+                            passes.add(Chunk { all, answered: &without_nan(all) });
+                        }
+                        if !passes.go_on() {
+                            break;
+                        }
+                    }
+                    assert_eq!(passes.summary(), expected, "kind {kind}, {count} samples, {method:?}");
+                    let histogram =
+                        expected.and_then(|summary| Histogram::of(&column, &summary, Classes::Coarse));
+                    assert_eq!(passes.histograms(), Vec::from_iter(histogram));
+                }
+            }
         }
     }
 }
 
 #[test]
-fn sums_take_every_value_once() {
-    for count in [0, 1, 7, 8, 9, 4095, 4096, 4097, 10_000] {
-        let values: Vec<f64> = (1..=count).map(f64::from).collect();
-        let total = f64::from(count) * f64::from(count + 1) / 2.0;
-        assert_eq!(sums(&values, |x| [x, 2.0 * x]), [total, 2.0 * total]);
-    }
+fn two_values_have_every_place() {
+    let summary = Summary::of(&[2.0, 1.0], true, SamplingMethod::MonteCarlo).unwrap();
+    assert_eq!(summary.median.value, 1.5);
+    assert_eq!(Place::of(0.995, 2).above, 1);
+}
+
+/// 0, 1, … 100: the middle 99 % lie from 0.5 to 99.5, and the 40 classes between are 99/40 = 2.475 wide.
+#[test]
+fn a_histogram_counts_every_sample() {
+    let column = hundred();
+    let summary = Summary::of(&column, true, SamplingMethod::MonteCarlo).unwrap();
+    let histogram = Histogram::of(&column, &summary, Classes::Fine).unwrap();
+    assert!((histogram.low - 0.5).abs() < 1e-12 && (histogram.width - 2.475).abs() < 1e-12);
+    assert_eq!(histogram.outside, [1, 1]);
+    // 1 and 2 lie below 2.975.
+    assert_eq!(histogram.counts[0], 2);
+    assert_eq!(histogram.counts.iter().sum::<usize>(), 99);
+    let alike = Summary::of(&[3.0; 9], true, SamplingMethod::MonteCarlo).unwrap();
+    assert_eq!(Histogram::of(&[3.0; 9], &alike, Classes::Fine), None);
 }

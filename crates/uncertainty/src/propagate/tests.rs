@@ -1,0 +1,151 @@
+use std::ops::ControlFlow;
+
+use super::{Chunks, Propagation, propagate, propagate_by};
+use crate::distribution::Distribution;
+use crate::model::{LANES, Lanes, Model, SUCCEEDED};
+use crate::points::SamplingMethod;
+use crate::sampler::Settings;
+use crate::summary::{Classes, Size};
+
+/// A sum, a quotient with a long tail, one of three numbers, and a constant; some samples fail.
+struct Mixed;
+
+impl Model for Mixed {
+    fn outputs(&self) -> usize {
+        5
+    }
+
+    fn summarised(&self) -> usize {
+        4
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
+        for lane in 0..LANES {
+            let [a, b] = [inputs[0][lane], inputs[1][lane]];
+            let values = [a + b, b / a, (b * 0.75).floor(), 7.0, a];
+            for (output, value) in outputs.iter_mut().zip(values) {
+                output[lane] = value;
+            }
+            reasons[lane] = if b > 3.5 && a > 0.5 { 7 } else { SUCCEEDED };
+        }
+    }
+
+    fn tallies(&self) -> usize {
+        1
+    }
+
+    /// The samples with an answer of which the output that nobody asked for is negative.
+    fn tally(&self, _: &[Lanes], outputs: &[Lanes], reasons: &[u8], tallies: &mut [usize]) {
+        let samples = reasons.iter().zip(&outputs[4]);
+        tallies[0] += samples.filter(|(reason, a)| **reason == SUCCEEDED && **a < 0.0).count();
+    }
+}
+
+fn inputs() -> [Distribution; 2] {
+    [Distribution::normal(1.0, 0.7).unwrap(), Distribution::uniform(0.0, 4.0).unwrap()]
+}
+
+/// With so few cells and values at a time that cells are cut again.
+const FEW: Chunks = Chunks { values: 3 * 4096 * 4, size: Size { cells: 64, most: 100 } };
+
+fn in_chunks(settings: &Settings, chunks: &Chunks) -> Propagation {
+    let settings = Settings { keep: 0, ..*settings };
+    propagate_by(&Mixed, &inputs(), &settings, &mut |_, _| ControlFlow::Continue(()), chunks).unwrap()
+}
+
+#[test]
+fn a_run_that_is_drawn_again_has_the_bits_of_one_that_is_kept() {
+    for (_, method) in SamplingMethod::WORDS {
+        for samples in [64, 1000, 4096, 3 * 4096, 3 * 4096 + 1, 50_001] {
+            let settings = Settings::new(method, samples, 11);
+            let kept =
+                propagate(&Mixed, &inputs(), &settings, &mut |_, _| ControlFlow::Continue(())).unwrap();
+            assert!(kept.is_kept() && kept.columns().len() == 4);
+            assert!(samples < 1000 || (kept.failures()[&7] > 0 && kept.tallies()[0] > 0));
+            for chunks in
+                [FEW, Chunks { values: 1, ..FEW }, Chunks { values: 1 << 22, size: Size::IN_CHUNKS }]
+            {
+                let again = in_chunks(&settings, &chunks);
+                // Whole spans, so that up to here nothing is left out.
+                assert_eq!(again.is_kept(), samples <= 4096);
+                assert_eq!(again.evaluated(), samples);
+                assert_eq!((again.failures(), again.tallies()), (kept.failures(), kept.tallies()));
+                // Debug prints an f64 so that it reads back as the same.
+                assert_eq!(
+                    format!("{:?}", again.summaries()),
+                    format!("{:?}", kept.summaries()),
+                    "{method:?}, {samples} samples"
+                );
+                for output in 0..5 {
+                    for classes in Classes::ALL {
+                        let histogram = kept.histogram(output, classes);
+                        assert_eq!(again.histogram(output, classes), histogram);
+                        assert_eq!(histogram.is_some(), output < 3, "{output}");
+                    }
+                }
+                let first = samples.min(4096);
+                assert_eq!(again.reasons(), &kept.reasons()[..first]);
+                let bits = |column: &[f64]| column.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+                for (again, kept) in again.columns().iter().zip(kept.columns()) {
+                    assert_eq!(bits(again), bits(&kept[..first]));
+                }
+            }
+        }
+    }
+}
+
+/// Needs the feature `parallel`, which the benchmarks switch on for the whole workspace.
+#[cfg(feature = "parallel")]
+#[test]
+fn any_number_of_threads_gives_the_same_bits_in_chunks() {
+    for (_, method) in SamplingMethod::WORDS {
+        let settings = Settings::new(method, 60_001, 5);
+        let results: Vec<String> = (1..=5)
+            .map(|threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                let run = pool.install(|| in_chunks(&settings, &FEW));
+                format!("{:?} {:?} {:?}", run.summaries(), run.totals, run.histograms)
+            })
+            .collect();
+        assert!(results.iter().all(|result| *result == results[0]), "{method:?}");
+    }
+}
+
+/// In the first pass; later the answer of `progress` is not heard, and it is told of all passes.
+#[test]
+fn an_early_end_in_chunks_leaves_the_first_samples_of_the_whole_run() {
+    for (_, method) in SamplingMethod::WORDS {
+        let settings = Settings::new(method, 50_000, 4);
+        let mut told = Vec::new();
+        let mut progress = |done: usize, total: usize| {
+            told.push(done);
+            assert_eq!(total, 50_000);
+            if told.len() > 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let chunked = Settings { keep: 0, ..settings };
+        let part = propagate_by(&Mixed, &inputs(), &chunked, &mut progress, &FEW).unwrap();
+        assert_eq!((part.requested(), part.evaluated()), (50_000, 5 * 4096));
+        assert!(told.is_sorted() && told.len() > 15 && told.iter().all(|done| *done <= 50_000), "{told:?}");
+        let mut calls = 0;
+        let mut progress = |_: usize, _: usize| {
+            calls += 1;
+            if calls > 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let kept = propagate(&Mixed, &inputs(), &settings, &mut progress).unwrap();
+        assert_eq!(format!("{:?}", part.summaries()), format!("{:?}", kept.summaries()));
+        assert_eq!((part.failures(), part.tallies()), (kept.failures(), kept.tallies()));
+    }
+    let chunked = Settings { keep: 0, ..Settings::new(SamplingMethod::Sobol, 50_000, 4) };
+    let none = propagate_by(&Mixed, &inputs(), &chunked, &mut |_, _| ControlFlow::Break(()), &FEW).unwrap();
+    assert_eq!((none.evaluated(), none.summaries()[0]), (0, None));
+}
+
+/// However many samples there are, only the first thousands are kept.
+#[test]
+fn nothing_but_the_first_samples_is_kept() {
+    let settings = Settings::new(SamplingMethod::MonteCarlo, 200_000, 1);
+    let run = in_chunks(&settings, &FEW);
+    assert_eq!((run.reasons().len(), run.columns()[0].len(), run.is_kept()), (4096, 4096, false));
+    assert_eq!(run.summaries()[0].unwrap().samples, run.succeeded());
+}

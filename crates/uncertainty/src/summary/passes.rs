@@ -1,0 +1,268 @@
+//! A summary by passes over a column that comes in chunks.
+
+use super::order::Order;
+pub(crate) use super::order::Size;
+use super::sums::{Moments, Spread, Summed, deal};
+use super::{Below, Errors, PROBABILITIES, Place, QUANTILES, Summary, tail_is_populated};
+use crate::limits::REPLICATES;
+use crate::points::SamplingMethod;
+
+impl Size {
+    /// For a column that is in memory: few cells stay in the nearest cache.
+    pub(crate) const AT_ONCE: Self = Self { cells: 1 << 11, most: usize::MAX };
+    /// For a column that is drawn again in each pass: so many that hardly a cell is cut again.
+    pub(crate) const IN_CHUNKS: Self = Self { cells: 1 << 16, most: 1 << 14 };
+}
+
+/// Samples of a column that follow each other, a whole number of points of all replicates but at its end.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Chunk<'a> {
+    /// NaN for those without an answer.
+    pub(crate) all: &'a [f64],
+    /// The others.
+    pub(crate) answered: &'a [f64],
+}
+
+/// The passes over a column from which its [`Summary`] follows, in each of which it has to come whole and in
+/// the same order. However it is cut into chunks, the summary has the same bits.
+#[derive(Debug)]
+pub(crate) struct Passes {
+    is_replicated: bool,
+    order: Order,
+    stage: Stage,
+    places: Option<Box<[Place; QUANTILES]>>,
+    quantiles: [f64; QUANTILES],
+    /// Of all samples, and of those of each replicate.
+    moments: Option<(Moments, Vec<Moments>)>,
+    summary: Option<Summary>,
+    /// The histograms that are wanted, and these.
+    classes: &'static [Classes],
+    histograms: Vec<Histogram>,
+}
+
+/// What the next pass is for.
+#[derive(Debug)]
+enum Stage {
+    Sums(Summed, Vec<Summed>),
+    Powers(Spread, Vec<Spread>),
+    /// Some order statistics are still to be found.
+    Quantiles,
+    Below(Box<Below>),
+    Distances(Box<[[Place; 2]; QUANTILES]>),
+    Done,
+}
+
+impl Passes {
+    pub(crate) fn new(method: SamplingMethod, size: Size, classes: &'static [Classes]) -> Self {
+        let is_replicated = method != SamplingMethod::MonteCarlo;
+        let replicates = if is_replicated { REPLICATES } else { 0 };
+        Self {
+            is_replicated,
+            order: Order::new(size),
+            stage: Stage::Sums(Summed::new(), vec![Summed::new(); replicates]),
+            places: None,
+            quantiles: [f64::NAN; QUANTILES],
+            moments: None,
+            summary: None,
+            classes,
+            histograms: Vec::new(),
+        }
+    }
+
+    /// How many passes there are, where no cell has to be cut again.
+    pub(crate) fn usual(method: SamplingMethod) -> usize {
+        if method == SamplingMethod::MonteCarlo { 3 } else { 4 }
+    }
+
+    /// The samples that follow.
+    pub(crate) fn add(&mut self, Chunk { all, answered }: Chunk<'_>) {
+        match &mut self.stage {
+            Stage::Sums(summed, replicates) => {
+                self.order.count(answered);
+                summed.add(answered);
+                if self.is_replicated {
+                    deal(all, |replicate, own| replicates[replicate].add(own));
+                }
+            }
+            Stage::Powers(spread, replicates) => {
+                self.order.take(answered);
+                spread.add(answered);
+                if self.is_replicated {
+                    deal(all, |replicate, own| replicates[replicate].add(own));
+                }
+            }
+            Stage::Quantiles | Stage::Distances(_) => self.order.take(answered),
+            Stage::Below(below) => {
+                if self.is_replicated {
+                    below.add(all);
+                }
+                for histogram in &mut self.histograms {
+                    histogram.add(answered);
+                }
+            }
+            Stage::Done => {}
+        }
+    }
+
+    /// Ends a pass, and tells whether another one is wanted.
+    pub(crate) fn go_on(&mut self) -> bool {
+        self.stage = match std::mem::replace(&mut self.stage, Stage::Done) {
+            Stage::Sums(summed, _) if summed.count < 2 => Stage::Done,
+            Stage::Sums(summed, replicates) => {
+                let places = PROBABILITIES.map(|probability| Place::of(probability, summed.count));
+                self.order.seek(places.iter().flat_map(Place::wanted));
+                self.places = Some(Box::new(places));
+                Stage::Powers(summed.spread(), replicates.iter().map(Summed::spread).collect())
+            }
+            Stage::Powers(spread, replicates) => {
+                let of_replicates = replicates.iter().map(Spread::moments);
+                let of_replicates = of_replicates.filter(|moments| moments.count >= 2).collect();
+                self.moments = Some((spread.moments(), of_replicates));
+                self.after_quantiles()
+            }
+            Stage::Quantiles => self.after_quantiles(),
+            Stage::Below(below) => match &self.moments {
+                Some((moments, replicates)) if replicates.len() == REPLICATES => {
+                    let ends = below.ends(moments.count);
+                    self.order.seek(ends.iter().flatten().flat_map(Place::wanted));
+                    Stage::Distances(Box::new(ends))
+                }
+                _ if self.is_replicated => self.done([None; QUANTILES]),
+                _ => Stage::Done,
+            },
+            Stage::Distances(ends) if self.order.settle() => {
+                let distance = |[before, after]: &[Place; 2]| {
+                    0.5 * (after.value(&self.order) - before.value(&self.order))
+                };
+                let found = ends.each_ref().map(distance);
+                let count = self.moments.as_ref().map_or(0, |(moments, _)| moments.count);
+                let populated = PROBABILITIES.map(|probability| tail_is_populated(probability, count));
+                self.done(std::array::from_fn(|place| populated[place].then_some(found[place])))
+            }
+            unsettled @ Stage::Distances(_) => unsettled,
+            Stage::Done => Stage::Done,
+        };
+        !matches!(self.stage, Stage::Done)
+    }
+
+    fn after_quantiles(&mut self) -> Stage {
+        if !self.order.settle() {
+            return Stage::Quantiles;
+        }
+        let Some(places) = self.places.take() else { return Stage::Done };
+        self.quantiles = places.each_ref().map(|place| place.value(&self.order));
+        let [.., low, high] = self.quantiles;
+        self.histograms =
+            self.classes.iter().filter_map(|&classes| Histogram::new([low, high], classes)).collect();
+        let of_replicates = self.moments.as_ref().map_or(0, |(_, replicates)| replicates.len());
+        if !self.is_replicated {
+            self.done(places.each_ref().map(|place| place.half_distance(&self.order)));
+        }
+        if of_replicates == REPLICATES || !self.histograms.is_empty() {
+            Stage::Below(Box::new(Below::new(self.quantiles)))
+        } else if self.is_replicated {
+            self.done([None; QUANTILES])
+        } else {
+            Stage::Done
+        }
+    }
+
+    /// With the standard errors of the quantiles, the summary is known.
+    fn done(&mut self, errors: [Option<f64>; QUANTILES]) -> Stage {
+        if let Some((moments, replicates)) = &self.moments {
+            let errors = if self.is_replicated {
+                Errors::by_replicates(replicates, errors)
+            } else {
+                Errors::by_formula(moments, errors)
+            };
+            self.summary = Some(Summary::new(moments, &self.quantiles, &errors));
+        }
+        Stage::Done
+    }
+
+    /// `None` where fewer than two samples have an answer, and before the last pass.
+    pub(crate) fn summary(&self) -> Option<Summary> {
+        self.summary
+    }
+
+    pub(crate) fn histograms(self) -> Vec<Histogram> {
+        self.histograms
+    }
+}
+
+/// How many classes a [`Histogram`] has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Classes {
+    /// 15, for a text.
+    Coarse,
+    /// 40, for a picture.
+    Fine,
+}
+
+impl Classes {
+    pub(crate) const ALL: [Self; 2] = [Self::Coarse, Self::Fine];
+
+    /// Their number.
+    #[must_use]
+    pub fn count(self) -> u8 {
+        match self {
+            Self::Coarse => 15,
+            Self::Fine => 40,
+        }
+    }
+}
+
+/// How many samples lie in each of some classes of the same width, which hold the middle 99 %.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Histogram {
+    /// (unit of the output) lower end of the first class.
+    pub low: f64,
+    /// (unit of the output) width of a class.
+    pub width: f64,
+    /// Samples in each class. The upper end belongs to the last one.
+    pub counts: Vec<usize>,
+    /// Samples below the first and above the last class.
+    pub outside: [usize; 2],
+    high: f64,
+}
+
+impl Histogram {
+    /// Between these ends; `None` where they do not differ.
+    fn new([low, high]: [f64; 2], classes: Classes) -> Option<Self> {
+        let width = (high - low) / f64::from(classes.count());
+        let is_wide = width.is_finite() && width > 0.0;
+        let counts = || vec![0; usize::from(classes.count())];
+        is_wide.then(|| Self { low, width, counts: counts(), outside: [0; 2], high })
+    }
+
+    pub(crate) fn is_of(&self, classes: Classes) -> bool {
+        self.counts.len() == usize::from(classes.count())
+    }
+
+    /// Of a column in which NaN stands for samples that failed.
+    pub(crate) fn of(column: &[f64], summary: &Summary, classes: Classes) -> Option<Self> {
+        let [.., widest] = summary.intervals;
+        let mut histogram = Self::new([widest.low.value, widest.high.value], classes)?;
+        histogram.add(column);
+        Some(histogram)
+    }
+
+    fn add(&mut self, values: &[f64]) {
+        for value in values.iter().filter(|value| !value.is_nan()) {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a class between 0 and their number"
+            )]
+            let class = ((value - self.low) / self.width).floor().max(0.0) as usize;
+            if *value < self.low {
+                self.outside[0] += 1;
+            } else if *value > self.high {
+                self.outside[1] += 1;
+            } else {
+                let last = self.counts.len() - 1;
+                self.counts[class.min(last)] += 1;
+            }
+        }
+    }
+}
