@@ -24,7 +24,7 @@ use reconcile::{MomentumError, ReconcileError};
 use doubts::Watched;
 pub use doubts::{Doubt, Doubtful};
 pub use exact::{ExactValue, TakenAsExact};
-use lanes::{Block, Number};
+use lanes::{Alone, Block, Number};
 
 use crate::goal::{self, Answer, Goal, Search};
 use crate::sensitivity::{Output, WayNumber, at, gradients};
@@ -637,8 +637,8 @@ struct Sample<'a> {
     shared: Option<(SharedEffects, Vec<f64>)>,
     /// What is counted of the doubtful.
     watched: Watched,
-    /// The same for a block at once, where the case has a shape that can be solved so.
-    block: Option<Block>,
+    /// The same for a block at once, or why the case has no shape that can be solved so.
+    block: Result<Block, Alone>,
 }
 
 impl<'a> Sample<'a> {
@@ -798,8 +798,8 @@ impl Model for Sample<'_> {
     #[inline(always)]
     fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
         let answered = match &self.block {
-            Some(block) => block.evaluate(inputs, outputs),
-            None => [false; LANES],
+            Ok(block) => block.evaluate(inputs, outputs),
+            Err(_) => [false; LANES],
         };
         if !answered.iter().all(|is_answer| *is_answer) {
             self.one_by_one(inputs, outputs, reasons, &answered);

@@ -6,16 +6,14 @@
 //! something, is left to the case.
 
 use ::uncertainty::{LANES, Lanes};
-use crash3::{SideStiffness, Stiffness, energy_of_equivalent_speed};
 use inputs::{
-    Axes, Basis, BrachTangential, Case, GivenImpact, GivenVehicle, ImpactLaw, KnownEnergy, Quantity,
-    Restitution, StiffnessForm, scaled_stiffness,
+    Axes, Basis, BrachTangential, Case, GivenImpact, GivenVehicle, ImpactLaw, Quantity, Restitution,
 };
 use pim_core::{Contact, Law, Motion, Tangential, Vector2, VehicleId};
 use real::elementary::sin_cos;
 
 use super::impacts::{OpenSpeeds, Posed};
-use crate::uncertainty::lanes::{Crushed, Line, Mover, Number, VehicleLanes, lateral, si};
+use crate::uncertainty::lanes::{Damage, Mover, Number, VehicleLanes, lateral};
 
 /// A case of which a block of particles can be posed at once.
 #[derive(Debug)]
@@ -32,23 +30,6 @@ pub(super) struct Block {
 struct Vehicle {
     mover: Mover,
     damage: Damage,
-}
-
-/// What is known of a damage.
-#[derive(Debug)]
-enum Damage {
-    Unknown,
-    Crush(Crushed, Resistance),
-    /// An energy equivalent speed; `None` without damage.
-    Energy(Option<Quantity<Number>>),
-}
-
-/// What a damaged side resisted with.
-#[derive(Debug)]
-enum Resistance {
-    Line(Line),
-    /// That of a category, with the factor on A.
-    Category(Stiffness, Number),
 }
 
 /// Collisions of a block of particles (SI).
@@ -102,8 +83,8 @@ impl Block {
                 OpenSpeeds::One(open, _) => open == id,
                 OpenSpeeds::Both(_) => true,
             };
-            let mover = Mover::new(given, departures.yaw_radius[id.index()], is_sought)?;
-            let damage = Damage::new(given, departures.stiffness[id.index()])?;
+            let mover = Mover::new(given, departures.yaw_radius[id.index()], is_sought).ok()?;
+            let damage = Damage::new(given, departures.stiffness[id.index()]).ok()?;
             Some(Vehicle { mover, damage })
         };
         let block = Self {
@@ -134,22 +115,17 @@ impl Block {
         }
         for Vehicle { mover, damage } in vehicles {
             numbers.extend(mover.numbers());
-            match damage {
-                Damage::Unknown => {}
-                Damage::Crush(crushed, resistance) => {
-                    numbers.extend(crushed.numbers());
-                    match resistance {
-                        Resistance::Line(line) => numbers.extend(line.numbers()),
-                        Resistance::Category(_, factor) => numbers.push(*factor),
-                    }
-                }
-                Damage::Energy(ees) => numbers.extend(ees.as_ref().map(Quantity::number)),
-            }
+            numbers.extend(damage.numbers());
         }
         numbers
     }
 
     pub(super) fn pose(&self, values: &[Lanes], speeds: OpenSpeeds) -> Poses {
+        let energy = |damage: &Damage, mass: &Lanes| {
+            let mut energy = [0.0; LANES];
+            damage.add_energy(values, mass, &mut energy);
+            energy
+        };
         let [one, two] = &self.vehicles;
         let vehicles = [one.mover.lanes(self.axes, values), two.mover.lanes(self.axes, values)];
         let column = |place: usize| values.get(place).copied().unwrap_or([f64::NAN; LANES]);
@@ -186,10 +162,7 @@ impl Block {
             Basis::TangentialShare(share) => share.lanes(values).map(Basis::TangentialShare),
         };
         Poses {
-            crush_energies: [
-                one.damage.energy(values, &vehicles[0].mass),
-                two.damage.energy(values, &vehicles[1].mass),
-            ],
+            crush_energies: [energy(&one.damage, &vehicles[0].mass), energy(&two.damage, &vehicles[1].mass)],
             vehicles,
             speeds,
             crush_plane: lateral(self.axes, &self.crush_plane, values),
@@ -197,59 +170,6 @@ impl Block {
             tangential,
             basis,
         }
-    }
-}
-
-impl Damage {
-    fn new(given: &GivenVehicle<Number>, factor: Option<Number>) -> Option<Self> {
-        let Some(crush) = &given.crush else {
-            return Some(match &given.energy {
-                None => Self::Unknown,
-                Some(KnownEnergy::Undamaged) => Self::Energy(None),
-                Some(KnownEnergy::Ees(known)) => Self::Energy(Some(known.ees)),
-            });
-        };
-        let (crushed, stiffness) = Crushed::new(crush)?;
-        let resistance = match stiffness {
-            StiffnessForm::Line(line) => Resistance::Line(Line::new(*line)?),
-            StiffnessForm::Category(category) => {
-                let known = StiffnessForm::Category(*category).structure(crush.side).ok()?;
-                let SideStiffness::Uniform(known) = known else { return None };
-                Resistance::Category(known, factor?)
-            }
-            StiffnessForm::Test(_) | StiffnessForm::Zones(_) => return None,
-        };
-        Some(Self::Crush(crushed, resistance))
-    }
-
-    /// (J) crush energy; not a number where a particle has none.
-    fn energy(&self, values: &[Lanes], mass: &Lanes) -> Lanes {
-        let mut energy = [0.0; LANES];
-        match self {
-            Self::Unknown | Self::Energy(None) => {}
-            Self::Energy(Some(ees)) => {
-                for ((energy, ees), mass) in energy.iter_mut().zip(si(ees, values)).zip(mass) {
-                    *energy = energy_of_equivalent_speed(ees, *mass).unwrap_or(f64::NAN);
-                }
-            }
-            Self::Crush(crushed, resistance) => {
-                let coefficients = match resistance {
-                    Resistance::Line(line) => line.lanes(values),
-                    Resistance::Category(stiffness, factor) => {
-                        let mut coefficients = [[0.0; LANES]; 3];
-                        for (lane, factor) in factor.lanes(values).into_iter().enumerate() {
-                            let scaled = scaled_stiffness(stiffness, factor);
-                            for (column, number) in coefficients.iter_mut().zip(scaled) {
-                                column[lane] = number;
-                            }
-                        }
-                        coefficients
-                    }
-                };
-                crushed.add_energy(values, coefficients, &mut energy);
-            }
-        }
-        energy
     }
 }
 

@@ -3,15 +3,17 @@
 //! Each sample goes through the functions of the engine through which a single case goes, in the same order,
 //! so that the answers have the same bits. But there is nothing between them that keeps a compiler from
 //! vectorising the loop over the samples: no allocation, no error, no branch. What cannot be said so is left
-//! to the single case: laws that no closed form solves, fixed objects, crush that was not measured, estimated
-//! inertias, and every sample that fails.
+//! to the single case: each [`Alone`], and every sample that fails.
 
 use ::uncertainty::{LANES, Lanes};
-use crash3::{EnergyBasis, Stiffness, VehicleClass, Zone, equal_spacing, zone_energy};
+use crash3::{
+    EnergyBasis, SideStiffness, Stiffness, VehicleClass, Zone, energy_of_equivalent_speed, equal_spacing,
+    zone_energy,
+};
 use inputs::{
-    Axes, Basis, BrachTangential, Case, ContactPoint, Crush, Find, GivenImpact, GivenVehicle, ImpactLaw,
-    Mass, Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Velocity, YawInertia,
-    class_yaw_inertia,
+    Axes, Basis, BrachTangential, Case, ContactPoint, Crush, Find, GivenEes, GivenImpact, GivenVehicle,
+    ImpactLaw, KnownEnergy, Mass, Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Velocity,
+    YawInertia, class_yaw_inertia, scaled_stiffness,
 };
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2, VehicleId};
 use reconcile::{Problem, Unknown};
@@ -42,12 +44,49 @@ impl Number {
     }
 }
 
+/// Why the samples of a case are solved one by one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Alone {
+    /// It asks for no speed: there is no crush energy to meet, and another list of outputs.
+    NoSpeed,
+    /// It asks for both speeds, which are searched for from the momentum.
+    BothSpeeds,
+    /// It follows vehicles to rest or back, step by step.
+    Ways,
+    /// A search finds the speed: a friction limit switches, a fraction of μ_c makes the work cubic, and a
+    /// restitution that varies changes what is sought.
+    Search,
+    /// The law has a closed form that no block is compiled for: an impulse ratio, a change of velocity, a
+    /// moment impulse.
+    OtherLaw,
+    /// One of them is a fixed object, whose mass is none.
+    Fixed,
+    /// A yaw inertia by Burg's formula.
+    Burg,
+    /// A contact point that is placed on the damage.
+    PlacedContact,
+    /// The damage of a vehicle is not known, or follows from the other's.
+    NoDamage,
+    /// Stations that are not equally spaced.
+    Spacing,
+    /// A correction for an oblique force, or a PDOF for it.
+    Oblique,
+    /// A stiffness of a barrier test or of zones, or one with a limit.
+    Structure,
+    /// What a case has to give is missing, or a result is asked for that an impact does not have.
+    Incomplete,
+    /// A range of a number that it does not read: one that several share, or one that no result depends on.
+    Unread,
+}
+
 /// A reconstruction of which a block of samples can be solved at once.
 #[derive(Debug)]
 pub(super) struct Block {
     axes: Axes,
     unknown: Unknown,
     basis: EnergyBasis,
+    /// λ, where the crush takes a share of the tangential work.
+    share: Option<Number>,
     vehicles: [Vehicle; 2],
     crush_plane: Quantity<Number>,
     restitution: Number,
@@ -62,8 +101,24 @@ pub(super) struct Block {
 #[derive(Debug)]
 struct Vehicle {
     mover: Mover,
-    crush: Crushed,
-    stiffness: Line,
+    damage: Damage,
+}
+
+/// What is known of a damage.
+#[derive(Debug)]
+pub(crate) enum Damage {
+    Unknown,
+    Crush(Crushed, Resistance),
+    /// An energy equivalent speed; `None` without damage.
+    Energy(Option<Quantity<Number>>),
+}
+
+/// What a damaged side resisted with.
+#[derive(Debug)]
+pub(crate) enum Resistance {
+    Line(Line),
+    /// That of a category, with the factor on A.
+    Category(Stiffness, Number),
 }
 
 /// A vehicle that moves, without its damage.
@@ -94,7 +149,7 @@ pub(crate) struct Crushed {
 }
 
 impl Block {
-    /// `None` where the case is left to [`Sample`](super::Sample): where it has another shape, or where one
+    /// Why the case is left to [`Sample`](super::Sample), if it is: where it has another shape, or where one
     /// of its uncertain numbers, of which there are `inputs`, is none that a block reads.
     ///
     /// The structs of the case are taken apart field by field, here and for the vehicles, so that a new key
@@ -104,7 +159,7 @@ impl Block {
         inputs: usize,
         outputs: &[Output],
         central: &[f64],
-    ) -> Option<Self> {
+    ) -> Result<Self, Alone> {
         let Case {
             title: _,
             source: _,
@@ -120,59 +175,76 @@ impl Block {
             // It is for estimates alone, as what was recorded is.
             estimate: _,
             ranges: _,
-            // A block reads neither shared errors nor estimates.
+            // A block reads no shared errors.
             uncertainty: _,
-            departures: _,
+            departures,
             left_out: _,
         } = case;
-        let Reconstruct { find: Find::One(unknown), energy_basis } = reconstruct.as_ref()? else {
-            return None;
-        };
+        let Some(Reconstruct { find, energy_basis }) = reconstruct else { return Err(Alone::NoSpeed) };
+        let Find::One(unknown) = find else { return Err(Alone::BothSpeeds) };
         // Vehicles that are followed to rest have outputs that a block does not compute.
         let has_drag =
             |vehicle: &GivenVehicle<Number>| vehicle.after.as_ref().is_some_and(|after| after.drag.is_some());
         if surface.is_some() && (has_drag(one) || has_drag(two)) {
-            return None;
+            return Err(Alone::Ways);
         }
-        let basis = match energy_basis {
-            Basis::Dissipated | Basis::Absorbed => energy_basis.energy(),
-            Basis::TangentialShare(_) => return None,
+        let share = match energy_basis {
+            Basis::Dissipated | Basis::Absorbed => None,
+            Basis::TangentialShare(share) => Some(*share),
         };
-        let GivenImpact { crush_plane, law } = impact.as_ref()?;
+        let GivenImpact { crush_plane, law } = impact.as_ref().ok_or(Alone::Incomplete)?;
+        let zero = Number::Known(0.0);
         let (restitution, tangential_restitution) = match law {
             ImpactLaw::Brach {
-                restitution,
+                restitution: Restitution::Constant(restitution),
                 tangential: BrachTangential::Critical,
                 moment_restitution: None,
-            } => (restitution, Number::Known(0.0)),
-            ImpactLaw::Ishikawa { restitution, tangential_restitution } => {
-                (restitution, *tangential_restitution)
-            }
-            _ => return None,
+            } => (*restitution, zero),
+            ImpactLaw::Ishikawa {
+                restitution: Restitution::Constant(restitution),
+                tangential_restitution,
+            } => (*restitution, *tangential_restitution),
+            // A common velocity.
+            ImpactLaw::Woolley { tangential_velocity_change: None } => (zero, zero),
+            ImpactLaw::KudlichSlibar { .. }
+            | ImpactLaw::Brach { restitution: Restitution::OfClosingSpeed { .. }, .. }
+            | ImpactLaw::Ishikawa { restitution: Restitution::OfClosingSpeed { .. }, .. }
+            | ImpactLaw::Brach {
+                tangential: BrachTangential::FractionOfCritical(_) | BrachTangential::Friction(_),
+                ..
+            } => return Err(Alone::Search),
+            ImpactLaw::Brach { tangential: BrachTangential::Ratio(_), .. }
+            | ImpactLaw::Brach { moment_restitution: Some(_), .. }
+            | ImpactLaw::Woolley { tangential_velocity_change: Some(_) } => return Err(Alone::OtherLaw),
         };
-        let Restitution::Constant(restitution) = restitution else { return None };
         let all = Output::of_two_vehicles(unknown.vehicle(), *axes);
         let place = |wanted: &Output| all.iter().position(|output| output == wanted);
-        let places = outputs.iter().map(place).collect::<Option<Vec<usize>>>()?;
+        let places = outputs.iter().map(place).collect::<Option<Vec<usize>>>().ok_or(Alone::Incomplete)?;
         let mut of_all = [0.0; OUTPUTS];
         for (place, central) in places.iter().zip(central) {
             of_all[*place] = *central;
         }
+        let vehicle = |given: &GivenVehicle<Number>, id: VehicleId| {
+            // A factor that is absent is one.
+            let yaw_factor = departures.yaw_radius[id.index()].unwrap_or(Number::Known(1.0));
+            let mover = Mover::new(given, Some(yaw_factor), unknown.vehicle() == id)?;
+            let damage = Damage::new(given, departures.stiffness[id.index()])?;
+            Vehicle::new(given, mover, damage)
+        };
         let block = Self {
             axes: *axes,
             unknown: *unknown,
-            basis,
-            vehicles: [
-                Vehicle::new(one, *unknown == Unknown::Speed1)?,
-                Vehicle::new(two, *unknown == Unknown::Speed2)?,
-            ],
+            basis: energy_basis.energy(),
+            share,
+            vehicles: [vehicle(one, VehicleId::One)?, vehicle(two, VehicleId::Two)?],
             crush_plane: *crush_plane,
-            restitution: *restitution,
+            restitution,
             tangential_restitution,
             places,
             central: of_all,
         };
-        (block.numbers().filter(|number| number.is_uncertain()).count() == inputs).then_some(block)
+        let read = block.numbers().filter(|number| number.is_uncertain()).count();
+        if read == inputs { Ok(block) } else { Err(Alone::Unread) }
     }
 
     /// Every number that it reads.
@@ -181,6 +253,7 @@ impl Block {
             axes: _,
             unknown: _,
             basis: _,
+            share,
             vehicles,
             crush_plane,
             restitution,
@@ -189,23 +262,32 @@ impl Block {
             central: _,
         } = self;
         let of_vehicles = vehicles.iter().flat_map(|vehicle| {
-            let Vehicle { mover, crush, stiffness } = vehicle;
-            mover.numbers().chain(crush.numbers()).chain(stiffness.numbers())
+            let Vehicle { mover, damage } = vehicle;
+            mover.numbers().chain(damage.numbers())
         });
-        of_vehicles.chain([crush_plane.number(), *restitution, *tangential_restitution])
+        of_vehicles.chain([crush_plane.number(), *restitution, *tangential_restitution]).chain(*share)
     }
 
     /// Solves a block for the outputs of a reconstruction of two vehicles, and tells of each sample whether
     /// that is its answer.
     #[inline(always)]
     pub(super) fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes]) -> [bool; LANES] {
+        // Compiled twice: what the share needs would cost all others time.
+        match self.share {
+            None => self.evaluate_with(&NoShare, inputs, outputs),
+            Some(share) => self.evaluate_with(&share.lanes(inputs), inputs, outputs),
+        }
+    }
+
+    #[inline(always)]
+    fn evaluate_with(&self, share: &impl Share, inputs: &[Lanes], outputs: &mut [Lanes]) -> [bool; LANES] {
         let (e, e_t) = (self.restitution.lanes(inputs), self.tangential_restitution.lanes(inputs));
         let [one, two] = &self.vehicles;
         let (v1, v2) = (one.mover.lanes(self.axes, inputs), two.mover.lanes(self.axes, inputs));
         let crush_plane = lateral(self.axes, &self.crush_plane, inputs);
         let mut crush_energy = [0.0; LANES];
-        one.crush.add_energy(inputs, one.stiffness.lanes(inputs), &mut crush_energy);
-        two.crush.add_energy(inputs, two.stiffness.lanes(inputs), &mut crush_energy);
+        one.damage.add_energy(inputs, &v1.mass, &mut crush_energy);
+        two.damage.add_energy(inputs, &v2.mass, &mut crush_energy);
         // On the stack of this function, so that the compiler knows that no column is part of another.
         let mut values = [[0.0; LANES]; OUTPUTS];
         let mut answered = [false; LANES];
@@ -220,7 +302,7 @@ impl Block {
                 unknown: self.unknown,
                 crush_energy: crush_energy[lane],
                 basis: self.basis,
-                tangential_share: 0.0,
+                tangential_share: share.at(lane),
             };
             let (speed, outcome, is_answer) = problem.solve_with_validity();
             answered[lane] = is_law & is_1 & is_2 & is_contact & is_answer;
@@ -234,6 +316,27 @@ impl Block {
             }
         }
         answered
+    }
+}
+
+/// λ of each sample.
+trait Share {
+    fn at(&self, lane: usize) -> f64;
+}
+
+struct NoShare;
+
+impl Share for NoShare {
+    #[inline(always)]
+    fn at(&self, _lane: usize) -> f64 {
+        0.0
+    }
+}
+
+impl Share for Lanes {
+    #[inline(always)]
+    fn at(&self, lane: usize) -> f64 {
+        self[lane]
     }
 }
 
@@ -291,16 +394,89 @@ impl VehicleLanes {
 }
 
 impl Vehicle {
-    fn new(vehicle: &GivenVehicle<Number>, is_sought: bool) -> Option<Self> {
-        // A block asks for a crush, beside which there is no energy alone.
-        let crush = vehicle.crush.as_ref()?;
-        let (crushed, stiffness) = Crushed::new(crush)?;
-        let StiffnessForm::Line(stiffness) = stiffness else { return None };
-        if crush.pdof.is_some() || crush.oblique.is_some() {
-            return None;
+    fn new(given: &GivenVehicle<Number>, mover: Mover, damage: Damage) -> Result<Self, Alone> {
+        if let Damage::Unknown = damage {
+            return Err(Alone::NoDamage);
         }
-        let stiffness = Line::new(*stiffness)?;
-        Some(Self { mover: Mover::new(vehicle, None, is_sought)?, crush: crushed, stiffness })
+        // How the force acts has no part in the speed, but a sample is refused where it makes no sense.
+        let of_crush =
+            given.crush.as_ref().is_some_and(|crush| crush.pdof.is_some() | crush.oblique.is_some());
+        let of_ees = given.energy.as_ref().and_then(KnownEnergy::ees);
+        if of_crush || of_ees.is_some_and(|ees| ees.pdof.is_some() | ees.moment_arm.is_some()) {
+            return Err(Alone::Oblique);
+        }
+        Ok(Self { mover, damage })
+    }
+}
+
+impl Damage {
+    /// `factor` is that on the stiffness of a category.
+    pub(crate) fn new(given: &GivenVehicle<Number>, factor: Option<Number>) -> Result<Self, Alone> {
+        let Some(crush) = &given.crush else {
+            return match &given.energy {
+                None => Ok(Self::Unknown),
+                Some(KnownEnergy::Undamaged) => Ok(Self::Energy(None)),
+                // Neither the side nor how the force acts changes the energy.
+                Some(KnownEnergy::Ees(GivenEes { ees, side: _, pdof: _, moment_arm: _ })) => {
+                    Ok(Self::Energy(Some(*ees)))
+                }
+            };
+        };
+        let (crushed, stiffness) = Crushed::new(crush)?;
+        let resistance = match stiffness {
+            StiffnessForm::Line(line) => Resistance::Line(Line::new(*line).ok_or(Alone::Structure)?),
+            StiffnessForm::Category(category) => {
+                let known = StiffnessForm::Category(*category).structure(crush.side);
+                let (Ok(SideStiffness::Uniform(known)), Some(factor)) = (known, factor) else {
+                    return Err(Alone::Structure);
+                };
+                Resistance::Category(known, factor)
+            }
+            StiffnessForm::Test(_) | StiffnessForm::Zones(_) => return Err(Alone::Structure),
+        };
+        Ok(Self::Crush(crushed, resistance))
+    }
+
+    /// Every number that it reads.
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = Number> {
+        let (crush, ees) = match self {
+            Self::Unknown => (None, None),
+            Self::Crush(crushed, resistance) => (Some((crushed, resistance)), None),
+            Self::Energy(ees) => (None, ees.as_ref()),
+        };
+        let of_crush = crush.into_iter().flat_map(|(crushed, resistance)| {
+            let (line, factor) = match resistance {
+                Resistance::Line(line) => (Some(line), None),
+                Resistance::Category(_, factor) => (None, Some(*factor)),
+            };
+            crushed.numbers().chain(line.into_iter().flat_map(Line::numbers)).chain(factor)
+        });
+        of_crush.chain(ees.map(Quantity::number))
+    }
+
+    /// (J) adds the crush energy; not a number where a sample has none.
+    #[inline(always)]
+    pub(crate) fn add_energy(&self, inputs: &[Lanes], mass: &Lanes, total: &mut Lanes) {
+        match self {
+            Self::Unknown | Self::Energy(None) => {}
+            Self::Energy(Some(ees)) => {
+                let speeds = si(ees, inputs);
+                for lane in 0..LANES {
+                    total[lane] += energy_of_equivalent_speed(speeds[lane], mass[lane]).unwrap_or(f64::NAN);
+                }
+            }
+            Self::Crush(crushed, Resistance::Line(line)) => {
+                crushed.add_energy(inputs, line.lanes(inputs), total);
+            }
+            Self::Crush(crushed, Resistance::Category(stiffness, factor)) => {
+                let factors = factor.lanes(inputs);
+                let [mut a, mut b, mut g] = [[0.0; LANES]; 3];
+                for lane in 0..LANES {
+                    [a[lane], b[lane], g[lane]] = scaled_stiffness(stiffness, factors[lane]);
+                }
+                crushed.add_energy(inputs, [a, b, g], total);
+            }
+        }
     }
 }
 
@@ -310,7 +486,7 @@ impl Mover {
         vehicle: &GivenVehicle<Number>,
         yaw_factor: Option<Number>,
         is_sought: bool,
-    ) -> Option<Self> {
+    ) -> Result<Self, Alone> {
         let GivenVehicle {
             name: _,
             kind: _,
@@ -340,19 +516,22 @@ impl Mover {
             certain_speed: _,
         } = vehicle;
         if *fixed {
-            return None;
+            return Err(Alone::Fixed);
         }
-        let yaw = match (*yaw, *class) {
-            (Some(yaw), _) => Yaw::Given(yaw),
-            (None, Some(class)) => Yaw::Class(VehicleClass::new(class).ok()?, yaw_factor?),
-            (None, None) => return None,
+        let yaw = match (*yaw, *class, yaw_factor) {
+            (Some(yaw), ..) => Yaw::Given(yaw),
+            (None, Some(class), Some(factor)) => {
+                Yaw::Class(VehicleClass::new(class).map_err(|_| Alone::Incomplete)?, factor)
+            }
+            (None, Some(_), None) => return Err(Alone::Incomplete),
+            (None, None, _) => return Err(Alone::Burg),
         };
-        Some(Self {
-            mass: (*mass)?,
+        Ok(Self {
+            mass: mass.ok_or(Alone::Incomplete)?,
             yaw,
-            heading: (*heading)?,
-            contact: (*contact)?,
-            motion: if is_sought { None } else { Some((*motion)?) },
+            heading: heading.ok_or(Alone::Incomplete)?,
+            contact: contact.ok_or(Alone::PlacedContact)?,
+            motion: if is_sought { None } else { Some(motion.ok_or(Alone::Incomplete)?) },
             yaw_rate: *yaw_rate,
         })
     }
@@ -450,8 +629,8 @@ impl Mover {
 }
 
 impl Crushed {
-    /// With what the side resisted with; `None` of a crush that was not measured so.
-    pub(crate) fn new(crush: &Crush<Number>) -> Option<(Self, &StiffnessForm<Number>)> {
+    /// With what the side resisted with.
+    fn new(crush: &Crush<Number>) -> Result<(Self, &StiffnessForm<Number>), Alone> {
         let Crush {
             from_force_balance,
             width,
@@ -466,14 +645,15 @@ impl Crushed {
             oblique_angle: _,
             moment_arm: _,
         } = crush;
-        if *from_force_balance || spacing.is_some() {
-            return None;
+        if *from_force_balance {
+            return Err(Alone::NoDamage);
         }
-        Some((Self { width: (*width)?, depths: depths.clone() }, stiffness))
+        let Some(width) = width.filter(|_| spacing.is_none()) else { return Err(Alone::Spacing) };
+        Ok((Self { width, depths: depths.clone() }, stiffness))
     }
 
     /// Every number that it reads.
-    pub(crate) fn numbers(&self) -> impl Iterator<Item = Number> {
+    fn numbers(&self) -> impl Iterator<Item = Number> {
         let Self { width, depths } = self;
         [width].into_iter().chain(depths).map(Quantity::number)
     }
