@@ -142,20 +142,40 @@ fn powers(mean: f64) -> impl Fn(f64) -> [f64; 2] {
     }
 }
 
+/// Points of each replicate that are dealt at once, so that they stay in the nearest cache.
+const DEALT: usize = LANES;
+
 /// Deals a column to its replicates, without what is NaN, a part that stays in the caches at a time.
 pub(super) fn deal(column: &[f64], mut take: impl FnMut(usize, &[f64])) {
-    let mut own: [Vec<f64>; REPLICATES] = std::array::from_fn(|_| Vec::with_capacity(LANES));
-    for rows in column.chunks(LANES * REPLICATES) {
-        own.iter_mut().for_each(Vec::clear);
-        for row in rows.chunks(REPLICATES) {
-            for (own, value) in own.iter_mut().zip(row).filter(|(_, value)| !value.is_nan()) {
-                own.push(*value);
+    let mut dealt = [[0.0; DEALT]; REPLICATES];
+    for part in column.chunks(DEALT * REPLICATES) {
+        let (rows, rest) = part.as_chunks::<REPLICATES>();
+        if rows.len() == DEALT && !has_nan(part) {
+            for (place, row) in rows.iter().enumerate() {
+                for (own, value) in dealt.iter_mut().zip(row) {
+                    own[place] = *value;
+                }
+            }
+            for (replicate, own) in dealt.iter().enumerate() {
+                take(replicate, own);
+            }
+            continue;
+        }
+        let mut counts = [0; REPLICATES];
+        for row in rows.iter().map(<[f64; REPLICATES]>::as_slice).chain([rest]) {
+            for ((own, count), value) in dealt.iter_mut().zip(&mut counts).zip(row) {
+                own[*count] = *value;
+                *count += usize::from(!value.is_nan());
             }
         }
-        for (replicate, own) in own.iter().enumerate() {
-            take(replicate, own);
+        for (replicate, (own, count)) in dealt.iter().zip(counts).enumerate() {
+            take(replicate, &own[..count]);
         }
     }
+}
+
+fn has_nan(values: &[f64]) -> bool {
+    values.iter().fold(false, |has_nan, value| has_nan | value.is_nan())
 }
 
 #[cfg(test)]
