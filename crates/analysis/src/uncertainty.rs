@@ -277,8 +277,8 @@ pub struct SampleBlock<'a> {
 }
 
 impl Uncertainty {
-    /// Shows all samples in their order: with their inputs, which are drawn again, and with their outputs, which
-    /// are computed again unless they are [kept](Propagation::is_kept).
+    /// Shows all samples in their order: with their inputs, which are drawn again, and with their outputs,
+    /// which are computed again unless they are [kept](Propagation::is_kept).
     ///
     /// # Errors
     /// What `visit` returns.

@@ -693,8 +693,8 @@ fn a_spread_that_is_switched_off_is_taken_as_exact() {
 }
 
 /// A run that keeps no samples, beside one that keeps all: the same statistics, doubts and failures, and the
-/// same samples when they are shown; of a case that takes a block, of one that does not, and with outputs that
-/// were asked for alone.
+/// same samples when they are shown; of a case that takes a block, of one that does not, and with outputs
+/// that were asked for alone.
 #[test]
 fn samples_that_are_not_kept_are_computed_again() {
     let friction = UNCERTAIN.replace("\"critical\"", "{ friction = 0.5 }");
