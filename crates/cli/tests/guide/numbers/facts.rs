@@ -46,7 +46,7 @@ fn readme(ledger: &mut Ledger) {
     let [no_answer, wrong] = statuses();
     ledger.made(format!("status … {wrong} … {no_answer}"));
     ledger.cited(
-        "compiles … 11 minutes … 6 minutes … 2.3 GB",
+        "compiles … 14 minutes … 7 minutes … 2.4 GB",
         "user and system time of `cargo test --workspace --no-run` by Rust 1.95 on x86-64, and `du -sh target` afterwards",
     );
     let calibration = page("docs/calibration.md");
