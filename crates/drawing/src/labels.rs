@@ -223,7 +223,7 @@ impl Placer {
             return None;
         }
         let covered = |other: &Rect| overlap(area, *other);
-        let off_page = if is_within(area, bounds) { 0.0 } else { OFF_PAGE };
+        let off_page = if bounds.contains_rect(area) { 0.0 } else { OFF_PAGE };
         let texts = count(self.texts.iter().filter(|other| covered(other))) * ON_TEXT;
         let points = count(self.points.iter().filter(|other| covered(other))) * ON_POINT;
         let mut lines = 0.0;
@@ -377,10 +377,6 @@ fn gap(at: Point, area: Rect) -> f64 {
 fn overlap(one: Rect, other: Rect) -> bool {
     greater(one.x0, other.x0) < lesser(one.x1, other.x1)
         && greater(one.y0, other.y0) < lesser(one.y1, other.y1)
-}
-
-fn is_within(area: Rect, bounds: Rect) -> bool {
-    area.x0 >= bounds.x0 && area.x1 <= bounds.x1 && area.y0 >= bounds.y0 && area.y1 <= bounds.y1
 }
 
 /// The lesser of two numbers. `f64::min` asks for NaN as well, and is a call in WebAssembly, where these are

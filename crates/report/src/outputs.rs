@@ -1,9 +1,6 @@
-//! What outputs, reasons and methods of sampling are called, in which units outputs are printed, and how many
-//! samples fall into which class.
+//! What outputs and reasons are called, and in which units outputs are printed.
 
-use ::uncertainty::SamplingMethod;
 use analysis::{Kind, Output, Reason, WayNumber, quantity};
-
 use case::{Estimate, FaceAxis, Input, Origin, YawSource};
 
 use crate::units::Measure;
@@ -22,16 +19,6 @@ pub fn reason_name(reason: Reason) -> &'static str {
         Reason::NoRest => "no_rest",
         Reason::NoSpeeds => "no_speeds",
         Reason::Other => "other",
-    }
-}
-
-/// As the command line has it.
-pub(crate) fn method_name(method: SamplingMethod) -> &'static str {
-    match method {
-        SamplingMethod::MonteCarlo => "monte-carlo",
-        SamplingMethod::LatinHypercube => "latin-hypercube",
-        SamplingMethod::Sobol => "sobol",
-        _ => "other",
     }
 }
 

@@ -42,10 +42,20 @@ pub enum SamplingMethod {
 impl SamplingMethod {
     /// Each under its name.
     pub const WORDS: [(&str, Self); 3] = [
-        ("monte-carlo", Self::MonteCarlo),
-        ("latin-hypercube", Self::LatinHypercube),
-        ("sobol", Self::Sobol),
+        (Self::MonteCarlo.name(), Self::MonteCarlo),
+        (Self::LatinHypercube.name(), Self::LatinHypercube),
+        (Self::Sobol.name(), Self::Sobol),
     ];
+
+    /// As the command line has it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::MonteCarlo => "monte-carlo",
+            Self::LatinHypercube => "latin-hypercube",
+            Self::Sobol => "sobol",
+        }
+    }
 }
 
 /// Points of one method, seed and number of inputs and samples.

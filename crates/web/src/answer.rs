@@ -7,7 +7,7 @@ use report::{Answer, Csv, CsvStyle, Document, Row, Supplements, Table, Units};
 use serde_json::{Value, json};
 use validation::{Data, validate};
 
-use crate::given::{Given, Refused, made};
+use crate::given::{Given, Refused, made, unit_system};
 use crate::{check, picture, warned};
 
 /// What a command makes of a case.
@@ -134,10 +134,7 @@ pub(crate) fn look(text: &str, command: &str, units: &str, what: &str, viewport:
         look["scene"] = scene;
         look["command"] = json!(asked);
         look["able"] = json!(able);
-        look["units"] = json!(match Units::of_case(case) {
-            Units::Si => "si",
-            Units::Us => "us",
-        });
+        look["units"] = json!(unit_system(Units::of_case(case)));
         look
     }))
 }

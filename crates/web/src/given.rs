@@ -49,6 +49,14 @@ pub(crate) struct Given {
     pub(crate) units: Units,
 }
 
+/// As [`Given::read`] has it.
+pub(crate) fn unit_system(units: Units) -> &'static str {
+    match units {
+        Units::Si => "si",
+        Units::Us => "us",
+    }
+}
+
 impl Given {
     pub(crate) fn read(text: &str, name: Option<&str>, asked: &str) -> Result<Self, Refused> {
         let parsed = CaseFile::parse(name.unwrap_or(UNNAMED), text);

@@ -11,7 +11,7 @@ use serde::ser::{SerializeMap, Serializer};
 
 use super::json::WarningBlock;
 use super::{identified, pretty, title};
-use crate::outputs::{estimate_source, input_name, method_name, reason_name};
+use crate::outputs::{estimate_source, input_name, reason_name};
 use crate::worth::worth;
 
 #[derive(Serialize)]
@@ -197,7 +197,7 @@ pub(crate) fn document<'a>(case: &'a Case, uncertainty: &'a Uncertainty) -> impl
         samples: propagation.evaluated(),
         requested: propagation.requested(),
         seed: uncertainty.settings.seed,
-        method: method_name(uncertainty.settings.method),
+        method: uncertainty.settings.method.name(),
         succeeded: propagation.succeeded(),
         failed: REASONS.map(|reason| (reason_name(reason), uncertainty.failed(reason))).into(),
         doubtful: uncertainty.doubtful.iter().map(doubtful_block).collect(),

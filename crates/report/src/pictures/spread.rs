@@ -6,7 +6,7 @@ use analysis::{UncertainInput, UncertainOutput, Uncertainty};
 use case::{Case, Origin};
 
 use super::title;
-use crate::outputs::{input_name, method_name, output_name, pictured};
+use crate::outputs::{input_name, output_name, pictured};
 use crate::units::{Units, number, significant};
 
 /// Bars of a tornado, the longest.
@@ -26,7 +26,7 @@ fn origin(case: &Case, uncertainty: &Uncertainty) -> String {
         "{}. deltav {}, method {}, {} samples, seed {}",
         title(case),
         env!("CARGO_PKG_VERSION"),
-        method_name(settings.method),
+        settings.method.name(),
         number_of(uncertainty.propagation.evaluated()),
         settings.seed
     )

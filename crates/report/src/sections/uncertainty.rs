@@ -15,7 +15,7 @@ use case::{
 use crash3::principal_angle;
 
 use crate::document::{Block, Column, Document, NONE, Table, Width};
-use crate::outputs::{estimate_name, estimate_source, input_name, method_name, output_name, output_quantity};
+use crate::outputs::{estimate_name, estimate_source, input_name, output_name, output_quantity};
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
@@ -84,7 +84,7 @@ impl<'a> Page<'a> {
             SamplingMethod::MonteCarlo => "Monte Carlo",
             SamplingMethod::LatinHypercube => "Latin hypercube",
             SamplingMethod::Sobol => "scrambled Sobol' points",
-            other => method_name(other),
+            other => other.name(),
         };
         let inputs = counted(uncertainty.inputs.len(), "uncertain input");
         let mut lines = vec![format!(
