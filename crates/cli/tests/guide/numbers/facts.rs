@@ -424,6 +424,8 @@ fn uncertainty(ledger: &mut Ledger) {
     ledger.made(format!("within … 10 % … {} … 1", number(0.95 / 0.05, 0)));
     ledger.made(format!("more than {} % off", number(100.0 * ::uncertainty::FIRST_ORDER_LIMIT, 0)));
     ledger.made(format!("methods … {}", ::uncertainty::REPLICATES));
+    let usual = ::uncertainty::Settings::new(::uncertainty::SamplingMethod::MonteCarlo, 1000, 1);
+    ledger.made(format!("more than {} MiB", (usual.keep * size_of::<f64>()) >> 20));
     let level = number(100.0 * ::uncertainty::LEVELS[2], 0);
     ledger.made(format!("| {level} % | {level} % of the samples lie between these two |"));
     ledger.made(format!("ranges … {level} %"));
