@@ -64,6 +64,10 @@ export class App {
         this.editor.preview(text);
         this.solveSoon.flush();
       },
+      write: (text) => {
+        this.editor.write(text);
+        this.solveSoon.flush();
+      },
       settle: (keep) => {
         this.editor.settle(keep);
         this.solveSoon.flush();
@@ -460,7 +464,13 @@ export class App {
     const { solved } = this;
     if (!solved?.look.ok || !solved.check.commands.uncertainty?.able) return;
     const job: Job = { kind: "uncertainty", text: solved.text, name: solved.name, units: solved.units, options: {} };
-    this.quick.start(job, () => undefined, ({ finished }) => finished.ok && this.showInterval(job, finished));
+    this.quick.start(job, {
+      answer: (answer) => {
+        // Nobody looks at the pictures of this run.
+        this.quick.end();
+        if (answer.ok) this.showInterval(job, answer);
+      },
+    });
   }
 
   private showInterval(job: Job, result: Finished): void {

@@ -1,8 +1,9 @@
 // A site plan or a photograph from above beneath the scene. It is a picture and nothing more: no result depends on
-// it, and it stays in the page.
+// it, and it stays in the page. Where the case names it as its site plan, it lies where the case has it, and what
+// moves it here moves it there.
 import { h, s } from "./dom.js";
 import * as engine from "./engine.js";
-import type { Point, Viewport } from "./engine.js";
+import type { Plan, Point, Viewport } from "./engine.js";
 import { texts } from "./texts/en.js";
 
 const words = texts.backdrop;
@@ -10,7 +11,7 @@ const words = texts.backdrop;
 interface Placed {
   /** Width over height of the picture. */
   aspect: number;
-  /** Scene metres: where its middle lies, and how wide it is. */
+  /** Metres of the survey: where its middle lies, and how wide it is. */
   middle: Point;
   width: number;
   /** Degrees, counter-clockwise. */
@@ -24,21 +25,31 @@ export class Backdrop {
   file: { name: string; bytes: Uint8Array } | null = null;
   private placed: Placed | null = null;
   private toShare: ((at: Point) => Point) | null = null;
+  /** What the case names. */
+  private plan: Plan | null = null;
+  private wasKept = false;
   private mode: "off" | "move" | "scale" = "off";
   private marks: Point[] = [];
   private readonly layer = s("svg", { class: "backdrop-marks", viewBox: "0 0 100 100", preserveAspectRatio: "none", "aria-hidden": "true" });
-  private readonly input = h("input", { type: "file", accept: "image/png,image/jpeg,image/webp", hidden: true, "aria-label": words.add });
+  private readonly input = h("input", { type: "file", accept: "image/png,image/jpeg", hidden: true, "aria-label": words.add });
   private readonly distance = h("input", { type: "text", class: "number", placeholder: "10 m", "aria-label": words.distance });
+  private readonly turn = h("input", { type: "number", class: "number short", step: "0.5", "aria-label": words.turn });
   private readonly status = h("p", { class: "hint", role: "status" });
 
   constructor(
     private readonly stage: HTMLElement,
     private readonly viewport: () => Viewport | null,
+    /** Names the picture in the case, or names none. */
+    private readonly keepPlan: (plan: Plan | null) => void,
   ) {
     this.input.addEventListener("change", () => {
       const file = this.input.files?.[0];
       if (file) void this.open(file);
       this.input.value = "";
+    });
+    this.turn.addEventListener("input", () => {
+      if (this.placed) this.placed.angle = this.turn.valueAsNumber || 0;
+      this.moved();
     });
     this.distance.addEventListener("keydown", (event) => event.key === "Enter" && this.setScale());
     this.stage.append(this.layer);
@@ -65,14 +76,58 @@ export class Backdrop {
       angle: 0,
     };
     this.mode = "off";
+    this.status.textContent = "";
+    this.follow();
     this.render();
     this.showTools();
   }
 
-  /** Puts the picture where it lies in the drawing. */
-  place(toShare: (at: Point) => Point): void {
+  /** Puts the picture where it lies in the drawing; `toShare` takes metres of the survey. */
+  place(toShare: (at: Point) => Point, plan: Plan | null): void {
     this.toShare = toShare;
+    this.plan = plan;
+    this.follow();
     this.render();
+  }
+
+  /** Whether the case names this picture. */
+  private get isKept(): boolean {
+    return this.plan !== null && this.placed !== null && this.file?.name === this.plan.file.split("/").pop();
+  }
+
+  /** What the case names lies where the case has it. */
+  private follow(): void {
+    const { placed, plan, isKept } = this;
+    if (isKept && placed && plan) {
+      const [cos, sin] = [Math.cos(plan.angle), Math.sin(plan.angle)];
+      const [across, up] = [plan.width / 2, plan.width / placed.aspect / 2];
+      placed.width = plan.width;
+      placed.angle = Number(((plan.angle * 180) / Math.PI).toFixed(6));
+      placed.middle = [plan.corner[0] + cos * across - sin * up, plan.corner[1] + sin * across + cos * up];
+      if (document.activeElement !== this.turn) this.turn.value = String(placed.angle);
+    }
+    if (isKept !== this.wasKept) {
+      this.wasKept = isKept;
+      this.showTools();
+    }
+  }
+
+  /** Writes into the case where the picture lies. */
+  private keep(): void {
+    const { placed, file } = this;
+    if (!placed || !file) return;
+    const angle = (placed.angle * Math.PI) / 180;
+    const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+    const [across, up] = [placed.width / 2, placed.width / placed.aspect / 2];
+    const corner: Point = [placed.middle[0] - cos * across + sin * up, placed.middle[1] - sin * across - cos * up];
+    const name = this.isKept && this.plan ? this.plan.file : file.name;
+    this.keepPlan({ file: name, corner, width: placed.width, angle });
+  }
+
+  /** What the case names has been moved. */
+  private moved(): void {
+    this.render();
+    if (this.isKept) this.keep();
   }
 
   private render(): void {
@@ -102,14 +157,11 @@ export class Backdrop {
     }
     const toggle = (mode: "move" | "scale", label: string) =>
       h("button", { type: "button", class: "quiet", "aria-pressed": String(this.mode === mode), onclick: () => this.enter(this.mode === mode ? "off" : mode) }, label);
-    const turn = h("input", { type: "number", class: "number short", step: "0.5", value: this.placed.angle, "aria-label": words.turn });
-    turn.addEventListener("input", () => {
-      if (this.placed) this.placed.angle = turn.valueAsNumber || 0;
-      this.render();
-    });
+    this.turn.value = String(this.placed.angle);
     const strength = h("input", { type: "range", min: "5", max: "100", value: Math.round(Number(this.picture.style.opacity || 0.55) * 100), "aria-label": words.strength });
     strength.addEventListener("input", () => (this.picture.style.opacity = String(strength.valueAsNumber / 100)));
     const remove = () => {
+      if (this.isKept) this.keepPlan(null);
       this.placed = null;
       this.file = null;
       this.enter("off");
@@ -120,10 +172,17 @@ export class Backdrop {
       : null;
     this.tools.replaceChildren(
       add, this.input, toggle("scale", words.scale), toggle("move", words.move),
-      h("label", {}, words.turnShort, " ", turn, "°"), h("label", {}, words.strengthShort, " ", strength),
+      h("label", {}, words.turnShort, " ", this.turn, "°"), h("label", {}, words.strengthShort, " ", strength),
+      ...(this.isKept ? [] : [h("button", { type: "button", class: "quiet", onclick: () => this.nameIt() }, words.keep)]),
       h("button", { type: "button", class: "quiet", onclick: remove }, words.remove),
       ...(scale ? [scale] : []), this.status,
     );
+  }
+
+  private nameIt(): void {
+    this.keep();
+    // What the case cannot name is said elsewhere.
+    if (this.isKept) this.status.textContent = words.kept;
   }
 
   private enter(mode: "off" | "move" | "scale"): void {
@@ -160,17 +219,18 @@ export class Backdrop {
       return;
     }
     const begun = this.placed.middle;
-    const moved = (next: PointerEvent) => {
+    const follows = (next: PointerEvent) => {
       const to = this.at(next);
       if (!to || !this.placed) return;
       this.placed.middle = [begun[0] + to[0] - at[0], begun[1] + to[1] - at[1]];
       this.render();
     };
     const ended = () => {
-      this.stage.removeEventListener("pointermove", moved);
+      this.stage.removeEventListener("pointermove", follows);
       window.removeEventListener("pointerup", ended);
+      this.moved();
     };
-    this.stage.addEventListener("pointermove", moved);
+    this.stage.addEventListener("pointermove", follows);
     window.addEventListener("pointerup", ended);
   }
 
@@ -187,6 +247,7 @@ export class Backdrop {
     this.placed.width *= factor;
     this.placed.middle = [first[0] + factor * (middle[0] - first[0]), first[1] + factor * (middle[1] - first[1])];
     this.enter("off");
+    this.moved();
     this.status.textContent = words.scaled;
   }
 }

@@ -143,6 +143,18 @@ export interface Scene {
   scale: number;
   bodies: (Body | null)[];
   handles: Handle[];
+  /** What a place of the scene is short of its place in the survey. */
+  survey: Point;
+  /** The site plan that the case names. */
+  plan: Plan | null;
+}
+
+/** A picture of the scene from above: its lower left corner in metres of the survey, and radians from the x axis to its lower edge. */
+export interface Plan {
+  file: string;
+  corner: Point;
+  width: number;
+  angle: number;
 }
 
 /** The plan view at the impact, or the way to rest; the empty one is what the case has. */
@@ -180,7 +192,7 @@ export interface Film {
 }
 
 export type Report = { ok: true; html: string } | NoAnswer;
-export type Edited = { ok: true; text: string } | { ok: false; message: string };
+export type Edited = { ok: true; text: string } | NoAnswer;
 export type Drawn = { ok: true; svg: string; title: string; description: string } | { ok: false; message: string };
 
 export type Explained = { title: string; html: string } | { error: string; nearest: string[] };
@@ -240,6 +252,8 @@ export const answer = (text: string, command: Command, units: Units, name: strin
   read(wasm.answer(text, command, units, name));
 export const drag = (text: string, handle: Handle, at: Point): { ok: true; text: string } | NoAnswer =>
   read(wasm.drag(text, JSON.stringify(handle), JSON.stringify({ at })));
+export const keepPlan = (text: string, plan: Plan): { ok: true; text: string } | NoAnswer =>
+  read(wasm.keep_plan(text, JSON.stringify(plan)));
 export const edit = (text: string, key: string, value: string): Edited => read(wasm.edit(text, key, value));
 /** A quantity in another unit; nothing where it is none, or not of that unit. */
 export const convert = (value: string, unit: string): string | undefined =>

@@ -4,7 +4,7 @@ import * as engine from "./engine.js";
 import type { Command } from "./engine.js";
 import { nameOf } from "./keys.js";
 import { figure } from "./pictures.js";
-import { type Finished, type Job, Runner, type Unfinished } from "./runs.js";
+import { type Finished, type Job, type Picture, Runner, type Unfinished } from "./runs.js";
 import type { Solved } from "./solved.js";
 import { texts } from "./texts/en.js";
 
@@ -196,35 +196,32 @@ export class Run implements Panel {
     this.start.disabled = true;
     this.partial = false;
     this.status.textContent = texts.run.running;
-    this.runner.start(
-      job,
-      (counted, done, total) => {
+    this.runner.start(job, {
+      progress: (counted, done, total) => {
         this.bar.max = Math.max(total, 1);
         this.bar.value = done;
         this.status.textContent = texts.run.done(counted, done, total);
       },
-      ({ finished, milliseconds }) => {
-        this.idle(finished.ok ? texts.run.took(milliseconds) : "");
-        this.element.dataset.milliseconds = String(milliseconds);
-        this.show(finished);
+      answer: (answer, milliseconds, isLast) => {
+        this.show(answer);
         this.of = job.text;
-        if (finished.ok) this.finished(job, finished);
+        this.partial = !isLast;
+        if (!isLast) return;
+        this.idle(answer.ok ? texts.run.took(milliseconds) : "");
+        this.element.dataset.milliseconds = String(milliseconds);
+        if (answer.ok) this.finished(job, answer);
         if (this.solved) this.refresh(this.solved);
       },
-      (result) => {
-        this.show(result);
-        this.of = job.text;
-        this.partial = true;
-      },
-    );
+      pictures: (pictures) => this.draw(pictures),
+    });
   }
 
-  private show(result: Finished | Unfinished): void {
-    if (!result.ok) {
-      this.body.replaceChildren(note(result.message));
-      return;
-    }
-    this.body.replaceChildren(document_(result.html), ...result.pictures.map((picture) => figure(`${picture.name}-${picture.output}`, picture.title, picture.svg)));
+  private show(answer: Finished | Unfinished): void {
+    this.body.replaceChildren(answer.ok ? document_(answer.html) : note(answer.message));
+  }
+
+  private draw(pictures: Picture[]): void {
+    this.body.append(...pictures.map(({ name, output, title, svg }) => figure(`${name}-${output}`, title, svg)));
   }
 }
 

@@ -16,17 +16,24 @@ export interface ToWorker {
   job: Job;
 }
 
+/** The answer of a run comes before its pictures, which take a while to make. */
 export type FromWorker =
   | { kind: "progress"; counted: string; done: number; total: number }
-  | { kind: "first" | "result"; result: string; milliseconds: number }
+  | { kind: "answer"; answer: string; milliseconds: number; isLast: boolean }
+  | { kind: "pictures"; pictures: string; isLast: boolean }
   | { kind: "failed"; message: string };
 
 export interface Finished {
   ok: true;
   headline: string[];
   html: string;
-  json: string;
-  pictures: { name: string; output: string; title: string; svg: string }[];
+}
+
+export interface Picture {
+  name: string;
+  output: string;
+  title: string;
+  svg: string;
 }
 
 export interface Unfinished {
@@ -35,9 +42,12 @@ export interface Unfinished {
   problems?: Problem[];
 }
 
-export interface Outcome {
-  finished: Finished | Unfinished;
-  milliseconds: number;
+/** Is told what a run says, as it says it. */
+export interface Listener {
+  progress?(counted: string, done: number, total: number): void;
+  /** Of many samples some are told first; the last answer is that of all. */
+  answer(answer: Finished | Unfinished, milliseconds: number, isLast: boolean): void;
+  pictures?(pictures: Picture[]): void;
 }
 
 export class Runner {
@@ -53,30 +63,25 @@ export class Runner {
     this.worker = null;
   }
 
-  start(
-    job: Job,
-    progress: (counted: string, done: number, total: number) => void,
-    done: (outcome: Outcome) => void,
-    first?: (result: Finished | Unfinished) => void,
-  ): void {
+  start(job: Job, listener: Listener): void {
     this.end();
     const worker = new Work();
     this.worker = worker;
-    const finish = (outcome: Outcome) => {
-      if (this.worker !== worker) return;
+    const failed = (message: string) => {
       this.end();
-      done(outcome);
+      listener.answer({ ok: false, message }, 0, true);
     };
     worker.addEventListener("message", ({ data }: MessageEvent<FromWorker>) => {
       if (this.worker !== worker) return;
-      if (data.kind === "progress") progress(data.counted, data.done, data.total);
-      else if (data.kind === "failed") finish({ finished: { ok: false, message: data.message }, milliseconds: 0 });
-      else if (data.kind === "first") first?.(JSON.parse(data.result) as Finished | Unfinished);
+      if (data.kind === "progress") listener.progress?.(data.counted, data.done, data.total);
+      else if (data.kind === "failed") failed(data.message);
+      else if (data.kind === "answer") listener.answer(JSON.parse(data.answer) as Finished | Unfinished, data.milliseconds, data.isLast);
       else {
-        finish({ finished: JSON.parse(data.result) as Finished | Unfinished, milliseconds: data.milliseconds });
+        if (data.isLast) this.end();
+        listener.pictures?.(JSON.parse(data.pictures) as Picture[]);
       }
     });
-    worker.addEventListener("error", (event) => finish({ finished: { ok: false, message: event.message }, milliseconds: 0 }));
+    worker.addEventListener("error", (event) => this.worker === worker && failed(event.message));
     worker.postMessage({ module: engine.module(), job } satisfies ToWorker);
   }
 }

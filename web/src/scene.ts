@@ -2,7 +2,7 @@
 // that moves asks the engine for the text that has it there; the picture follows from that text.
 import { eachFrame, h, markup, s } from "./dom.js";
 import * as engine from "./engine.js";
-import type { Handle, Point, Scene, View, Viewport } from "./engine.js";
+import type { Handle, Plan, Point, Scene, View, Viewport } from "./engine.js";
 import { Backdrop } from "./backdrop.js";
 import { saveButtons } from "./pictures.js";
 import { texts } from "./texts/en.js";
@@ -18,6 +18,8 @@ export interface SceneHost {
   /** Another view is wanted. */
   draw(): void;
   preview(text: string): void;
+  /** A change of the text that is whole. */
+  write(text: string): void;
   settle(keep: boolean): void;
   refused(message: string): void;
 }
@@ -42,7 +44,7 @@ export class SceneView {
   private readonly knobs = h("div", { class: "knobs", role: "group", "aria-label": words.handles });
   private readonly none = h("p", { class: "note", hidden: true }, words.none);
   private readonly stage = h("div", { class: "stage" });
-  readonly backdrop = new Backdrop(this.stage, () => this.now?.viewport ?? null);
+  readonly backdrop = new Backdrop(this.stage, () => this.surveyed(), (plan) => this.keep(plan));
   readonly element = h("div", { class: "scene" });
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private readonly bodies = new Map<number, SVGPolygonElement>();
@@ -98,7 +100,8 @@ export class SceneView {
     this.overlay.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.stage.style.aspectRatio = `${width} / ${height}`;
     this.stage.style.setProperty("--aspect", String(width / height));
-    this.backdrop.place((at) => this.toShare(at));
+    const [x, y] = scene.survey;
+    this.backdrop.place((at) => this.toShare([at[0] - x, at[1] - y]), scene.plan);
     this.placeBodies(scene);
     this.placeHandles(scene);
   }
@@ -112,6 +115,20 @@ export class SceneView {
   private toShare([x, y]: Point): Point {
     const { origin, scale } = this.now as Scene;
     return [(origin[0] + scale * x) / this.box.width, (origin[1] - scale * y) / this.box.height];
+  }
+
+  /** What is seen, in places of the survey: the impact is drawn in places of its own. */
+  private surveyed(): Viewport | null {
+    if (!this.now) return null;
+    const { viewport: { left, right, bottom, top }, survey: [x, y] } = this.now;
+    return { left: left + x, right: right + x, bottom: bottom + y, top: top + y };
+  }
+
+  private keep(plan: Plan | null): void {
+    const text = this.host.text();
+    const kept = plan ? engine.keepPlan(text, plan) : engine.edit(text, "scene.site_plan", "");
+    if (kept.ok) this.host.write(kept.text);
+    else this.host.refused(engine.reason(kept));
   }
 
   private toScene(event: PointerEvent): Point {

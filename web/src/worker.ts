@@ -27,9 +27,10 @@ self.addEventListener("message", (event: MessageEvent<ToWorker>) => {
     for (const options of [...first, job.options]) {
       const begun = performance.now();
       const given = [job.text, job.name, job.units, JSON.stringify(options), progress] as const;
-      const result = job.kind === "uncertainty" ? run.uncertainty(...given) : run.estimate(...given);
+      const answer = job.kind === "uncertainty" ? run.uncertainty(...given) : run.estimate(...given);
       const isLast = options === job.options;
-      say({ kind: isLast ? "result" : "first", result, milliseconds: performance.now() - begun });
+      say({ kind: "answer", answer, milliseconds: performance.now() - begun, isLast });
+      say({ kind: "pictures", pictures: run.pictures(), isLast });
     }
   } catch (error) {
     say({ kind: "failed", message: String(error) });

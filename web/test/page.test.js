@@ -341,7 +341,7 @@ onPage("a hundred thousand samples", async (page, t) => {
     await page.waitForFunction(() => document.querySelector(".panel:not([hidden]) .run")?.dataset.milliseconds);
     times.push(Number(await panel.getAttribute("data-milliseconds")));
   }
-  measured(t, "100,000 samples", Math.min(...times), 250, "ms");
+  measured(t, "100,000 samples", Math.min(...times), 100, "ms");
 });
 
 /** A picture to lay beneath the scene: the scene itself, as the page saves it. */
@@ -421,6 +421,34 @@ onPage("the report of a case with a site plan has it where it lies beneath the s
   await page.locator(".backdrop").waitFor();
   const report = await fromMenu(page, "Save the report (HTML)");
   assert.ok(report.bytes.equals(program("planned.toml", text, { "aerial.png": plan }, "reconstruct", "--format", "html")));
+  // It lies where the case has it, and the case follows where it is moved, at the impact as on the way to rest.
+  assert.equal(await page.getByRole("button", { name: "Keep in the case" }).count(), 0);
+  const picture = page.locator(".backdrop");
+  const width = () => picture.evaluate((image) => Number.parseFloat(image.style.width));
+  const wide = await width();
+  await page.getByLabel("Angle of the picture in degrees").fill("-12.5");
+  assert.match(await caseText(page), /site_plan = \{ file = "aerial.png", corner = \{ x = "-?[\d.]+ m", y = "-?[\d.]+ m" \}, width = "60(\.0+)? m", angle = "-12.5 deg" \}/);
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.match(await picture.evaluate((image) => image.style.transform), /rotate\(-?0deg\)/);
+  await openCase(page, "planned.toml", text.replace('width = "60 m"', 'width = "30 m"'));
+  assert.ok(Math.abs((await width()) / wide - 0.5) < 1e-6, `${await width()} after ${wide}`);
+  await page.getByRole("button", { name: "Remove", exact: true }).click();
+  assert.doesNotMatch(await caseText(page), /site_plan/);
+});
+
+onPage("a photo that is kept in the case is the site plan of the program's report", async (page) => {
+  const plan = await photo(page);
+  const name = "ricsac-6.toml";
+  await openCase(page, name, fixture(`motion/${name}`));
+  await page.locator('.backdrop-tools input[type="file"]').setInputFiles({ name: "junction.png", mimeType: "image/png", buffer: plan });
+  await page.getByRole("button", { name: "Keep in the case" }).click();
+  await page.getByText("The case names this picture now.").waitFor();
+  const text = await caseText(page);
+  assert.match(text, /site_plan = \{ file = "junction.png"/);
+  const report = await fromMenu(page, "Save the report (HTML)");
+  assert.ok(report.bytes.includes("data:image/png"));
+  const command = await page.locator("#question").inputValue();
+  assert.ok(report.bytes.equals(program(name, text, { "junction.png": plan }, command, "--format", "html")));
 });
 
 onPage("what is printed is the report, and a page that is printed itself has the answer and the drawing", async (page) => {

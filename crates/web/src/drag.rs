@@ -26,6 +26,41 @@ pub(crate) fn drag(text: &str, handle: &str, to: &str) -> Value {
     }))
 }
 
+/// Where a site plan is to lie, in the axes of the scene's pictures.
+struct Plan {
+    file: String,
+    /// (m) its lower left corner.
+    corner: [f64; 2],
+    /// (m) its lower edge.
+    width: f64,
+    /// (rad) from the x axis to its lower edge.
+    angle: f64,
+}
+
+impl Plan {
+    fn read(text: &str) -> Option<Self> {
+        let read: Value = serde_json::from_str(text).ok()?;
+        let number = |name: &str| read.get(name).and_then(Value::as_f64).filter(|number| number.is_finite());
+        Some(Self {
+            file: read.get("file")?.as_str()?.to_owned(),
+            corner: pair(read.get("corner")?)?,
+            width: number("width")?,
+            angle: number("angle")?,
+        })
+    }
+}
+
+pub(crate) fn keep_plan(text: &str, plan: &str) -> Value {
+    made(Given::read(text, None, "").and_then(|given| {
+        let plan = Plan::read(plan).ok_or_else(|| {
+            Refused::message("a site plan is kept as { file, corner: [x, y], width, angle }")
+        })?;
+        let mut change = Change { file: given.file, changed: Vec::new() };
+        change.keep(&plan)?;
+        Ok(json!({ "ok": true, "text": change.file.source.text(), "changed": change.changed }))
+    }))
+}
+
 struct Handle {
     kind: String,
     vehicle: usize,
@@ -152,6 +187,31 @@ impl Change {
         }
     }
 
+    /// Names a site plan, or moves the one that the case names.
+    fn keep(&mut self, plan: &Plan) -> Result<(), Refused> {
+        let case = &self.file.case;
+        let axes = case.axes;
+        let [x, y] = [plan.corner[0], axes.lateral(plan.corner[1])];
+        let angle = principal_angle(axes.lateral(plan.angle));
+        let file = json!(plan.file).to_string();
+        if case.site_plan.is_none() {
+            let [x, y, width] = [x, y, plan.width].map(|si| self.usual(si, Dimension::Length, PLACE));
+            let angle = self.usual(angle, Dimension::Angle, ANGLE);
+            let [x, y, width, angle] = [x?, y?, width?, angle?];
+            return self.set(
+                "scene.site_plan",
+                &format!(
+                    "{{ file = {file}, corner = {{ x = {x}, y = {y} }}, width = {width}, angle = {angle} }}"
+                ),
+            );
+        }
+        self.set("scene.site_plan.file", &file)?;
+        self.put("scene.site_plan.corner.x", x, Dimension::Length, PLACE)?;
+        self.put("scene.site_plan.corner.y", y, Dimension::Length, PLACE)?;
+        self.put("scene.site_plan.width", plan.width, Dimension::Length, PLACE)?;
+        self.put("scene.site_plan.angle", angle, Dimension::Angle, ANGLE)
+    }
+
     /// `arm` (m) points from the centre of gravity to the contact point, in the scene.
     fn contact(&mut self, handle: &Handle, arm: [f64; 2]) -> Result<(), Refused> {
         let case = &self.file.case;
@@ -243,21 +303,26 @@ impl Change {
             }
             return Ok(());
         }
-        let unit = match self.quantity(key, dimension) {
-            Some(quantity) => quantity.unit(),
-            None => {
-                let is_us = self.file.case.unit_system() == UnitSystem::Us;
-                let name = match dimension {
-                    Dimension::Angle => "deg",
-                    _ if is_us => "ft",
-                    _ => "m",
-                };
-                let unit = dimension.unit(name).or_else(|| dimension.units().first());
-                unit.ok_or_else(|| Refused::message("there is no unit for this number"))?
-            }
+        let Some(quantity) = self.quantity(key, dimension) else {
+            let value = self.usual(si, dimension, step)?;
+            return self.set(key, &value);
         };
+        let unit = quantity.unit();
         let number = rounded(si / unit.factor(), step / unit.factor());
         self.set(key, &format!("\"{number} {}\"", self.spelling(key).unwrap_or_else(|| unit.to_string())))
+    }
+
+    /// A value of TOML for a quantity (SI), in the unit that a file of this unit system has it in.
+    fn usual(&self, si: f64, dimension: Dimension, step: f64) -> Result<String, Refused> {
+        let is_us = self.file.case.unit_system() == UnitSystem::Us;
+        let name = match dimension {
+            Dimension::Angle => "deg",
+            _ if is_us => "ft",
+            _ => "m",
+        };
+        let unit = dimension.unit(name).or_else(|| dimension.units().first());
+        let unit = unit.ok_or_else(|| Refused::message("there is no unit for this number"))?;
+        Ok(format!("\"{} {unit}\"", rounded(si / unit.factor(), step / unit.factor())))
     }
 
     fn quantity(&self, key: &str, dimension: Dimension) -> Option<Quantity> {

@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 pub(crate) const UNNAMED: &str = "case.toml";
 
 /// Why there is no answer.
+#[derive(Debug)]
 pub(crate) struct Refused {
     problems: Vec<Value>,
     message: String,
@@ -44,6 +45,7 @@ pub(crate) fn made(value: Result<Value, Refused>) -> Value {
 }
 
 /// A case with what a reader wants of it.
+#[derive(Debug)]
 pub(crate) struct Given {
     pub(crate) file: CaseFile,
     pub(crate) units: Units,

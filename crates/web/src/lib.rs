@@ -18,7 +18,7 @@ mod picture;
 mod run;
 mod warned;
 
-use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::prelude::{JsError, wasm_bindgen};
 
 /// The version of the engine, which is that of the program.
 #[wasm_bindgen]
@@ -113,7 +113,7 @@ pub fn draw(text: &str, what: &str, units: &str) -> String {
 /// case has. `viewport` is empty, or that of an earlier picture, so that the new one holds still.
 ///
 /// `{ ok: true, what, svg, title, description, viewport: { left, bottom, right, top }, origin, scale,
-/// contact, bodies, handles }`, or `{ ok: false, problems, message }`. Places are in metres, y upwards,
+/// contact, bodies, handles, survey, plan }`, or `{ ok: false, problems, message }`. Places are in metres, y upwards,
 /// whatever the axes of the case; a place x, y is at `origin[0] + scale x`, `origin[1] - scale y` in the
 /// units of the SVG. A body is `{ vehicle, outline, centre, heading }`, or `null`. A handle is `{ kind,
 /// vehicle, index, at, centre, keys }`: `heading`, `body` and `contact` of a vehicle, `plane`, `station` of
@@ -134,6 +134,14 @@ pub fn scene(text: &str, what: &str, units: &str, viewport: &str) -> String {
 #[must_use]
 pub fn drag(text: &str, handle: &str, to: &str) -> String {
     drag::drag(text, handle, to).to_string()
+}
+
+/// The text with a picture of the scene from above kept in it, as `site_plan` of `[scene]`: `plan` is `{ file,
+/// corner: [x, y], width, angle }`, as `scene` gives it. Answers as `drag`.
+#[wasm_bindgen]
+#[must_use]
+pub fn keep_plan(text: &str, plan: &str) -> String {
+    drag::keep_plan(text, plan).to_string()
 }
 
 /// Where both vehicles are at these times (a list of seconds since the impact, negative before it) or, of an
@@ -193,7 +201,7 @@ pub fn live(page: &str, text: &str, name: &str, command: &str, units: &str, plan
 #[wasm_bindgen]
 #[derive(Debug, Default)]
 pub struct Run {
-    drawn: Option<run::Drawn>,
+    ran: Option<run::Ran>,
 }
 
 #[wasm_bindgen]
@@ -208,8 +216,9 @@ impl Run {
     /// What the ranges of the case make of its answer, as `deltav uncertainty`. `options` is `{ samples,
     /// seed, method: "monte-carlo" | "latin-hypercube" | "sobol", indices }`, of which each may be left out.
     ///
-    /// `{ ok: true, headline, html, text, json, pictures: [{ name, output, title, svg }] }`, or `{ ok: false,
-    /// problems, message }`.
+    /// `{ ok: true, converged, headline, html }`, or `{ ok: false, problems, message }`. The rest is made when
+    /// it is asked for: [`pictures`](Self::pictures), [`text`](Self::text), [`json`](Self::json),
+    /// [`samples`](Self::samples).
     pub fn uncertainty(
         &mut self,
         text: &str,
@@ -223,7 +232,7 @@ impl Run {
 
     /// The speeds from all evidence, as `deltav estimate`. `options` is `{ particles, seed, prior: "field" |
     /// "flat", pieces, above: [question] }`, of which each may be left out. As
-    /// [`uncertainty`](Self::uncertainty), with `converged` besides.
+    /// [`uncertainty`](Self::uncertainty).
     pub fn estimate(
         &mut self,
         text: &str,
@@ -235,19 +244,48 @@ impl Run {
         self.run(run::estimate, [text, name, units, options], progress)
     }
 
+    /// The pictures of the last run: `[{ name, output, title, svg }]`; none of an estimate that has not
+    /// converged.
+    #[must_use]
+    pub fn pictures(&self) -> String {
+        serde_json::Value::from(self.of(run::Ran::pictures)).to_string()
+    }
+
+    /// The last run as text, as the program prints it.
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.of(run::Ran::text)
+    }
+
+    /// The last run as JSON, byte for byte that of the program.
+    ///
+    /// # Errors
+    /// It cannot be written, which no run is known to cause.
+    pub fn json(&self) -> Result<String, JsError> {
+        Ok(self.ran.as_ref().map(run::Ran::json).transpose()?.unwrap_or_default())
+    }
+
     /// The samples or draws of the last run as CSV, as `--samples-out` writes them; empty where there are
     /// none.
     #[must_use]
     pub fn samples(&self) -> String {
-        self.drawn.as_ref().map(run::Drawn::csv).unwrap_or_default()
+        self.of(run::Ran::csv)
     }
 }
 
 impl Run {
     fn run(&mut self, command: run::Command, asked: [&str; 4], progress: &js_sys::Function) -> String {
         let [text, name, units, options] = asked;
-        let (answer, drawn) = run::run(command, text, name, units, options, &mut run::told(progress));
-        self.drawn = drawn;
-        answer.to_string()
+        self.ran = None;
+        match run::run(command, text, name, units, options, &mut run::told(progress)) {
+            Ok(ran) => self.ran.insert(ran).answer(),
+            Err(refused) => refused.json(),
+        }
+        .to_string()
+    }
+
+    /// Nothing where there is no run.
+    fn of<T: Default>(&self, said: impl FnOnce(&run::Ran) -> T) -> T {
+        self.ran.as_ref().map(said).unwrap_or_default()
     }
 }

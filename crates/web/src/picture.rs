@@ -1,7 +1,7 @@
 //! Drawings.
 
 use analysis::Analysis;
-use case::Case;
+use case::{Case, Quantity};
 use report::{PlanBody, PlanView, Subject, Viewport};
 use serde_json::{Value, json};
 
@@ -72,6 +72,12 @@ fn view(
     let (drawing, view) = view.map_err(|error| Refused::message(error.to_string()))?;
     let Viewport { left, bottom, right, top } = view.viewport;
     let is_scene = subject == Subject::Scene;
+    let case = &given.file.case;
+    // The scene at the impact has the contact point in its own place, the motion that of the survey.
+    let survey = view.contact.map_or([0.0; 2], |contact| {
+        let surveyed = report::place_of_impact(case);
+        [0, 1].map(|axis| surveyed[axis] - contact[axis])
+    });
     Ok(json!({
         "ok": true,
         "what": subject.name(),
@@ -88,8 +94,22 @@ fn view(
             "centre": body.cg,
             "heading": angle(body.forward),
         }))).collect::<Vec<_>>(),
-        "handles": handles(&given.file.case, &view, is_scene),
+        "handles": handles(case, &view, is_scene),
+        "survey": survey,
+        "plan": plan(case),
     }))
+}
+
+/// The site plan that the case names, in the axes of the pictures and the places of the survey.
+fn plan(case: &Case) -> Value {
+    case.site_plan.as_ref().map_or(Value::Null, |plan| {
+        json!({
+            "file": plan.file.as_given(),
+            "corner": [plan.corner.x.si(), case.axes.lateral(plan.corner.y.si())],
+            "width": plan.width.si(),
+            "angle": case.axes.lateral(plan.angle.as_ref().map_or(0.0, Quantity::si)),
+        })
+    })
 }
 
 fn read_viewport(viewport: &str) -> Result<Option<Viewport>, Refused> {

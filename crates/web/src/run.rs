@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use analysis::{EstimatePlan, EstimateStage, Estimated, Plan, Stage, Uncertainty};
 use case::Prior;
 use js_sys::Function;
-use report::{Asked, CsvStyle, Drawing, Question};
+use report::{Asked, CsvStyle, Document, Drawing, Question};
 use serde_json::{Value, json};
 use uncertainty::{SamplingMethod, Settings};
 use wasm_bindgen::JsValue;
@@ -86,31 +86,109 @@ impl Options {
     }
 }
 
-/// What has samples or draws. To write them takes longer than to draw them.
+/// A run that has ended, and what it is of. Each thing that is said of it is made when it is asked for: the
+/// pictures and the file for machines take a good part of the time that the samples take.
+#[derive(Debug)]
+pub(crate) struct Ran {
+    given: Given,
+    drawn: Drawn,
+}
+
+/// What has samples or draws.
 #[derive(Debug)]
 pub(crate) enum Drawn {
     Uncertainty(Box<Uncertainty>),
-    Estimate(Box<Estimated>),
+    Estimate(Box<Estimated>, Asked),
 }
 
-impl Drawn {
-    /// As CSV.
+impl Ran {
+    fn document(&self) -> Document {
+        let Given { file, units } = &self.given;
+        match &self.drawn {
+            Drawn::Uncertainty(one) => report::uncertainty(&file.case, one, *units),
+            Drawn::Estimate(one, asked) => report::estimate(&file.case, one, asked, *units),
+        }
+    }
+
+    /// Draws that have not converged are no answer.
+    fn has_converged(&self) -> bool {
+        match &self.drawn {
+            Drawn::Uncertainty(_) => true,
+            Drawn::Estimate(one, _) => one.doubts().is_empty(),
+        }
+    }
+
+    /// What is read first.
+    pub(crate) fn answer(&self) -> Value {
+        let document = self.document();
+        let headline = match &self.drawn {
+            Drawn::Uncertainty(one) => json!(report::uncertain_headline(one, self.given.units)),
+            Drawn::Estimate(..) => json!(document.headline()),
+        };
+        json!({
+            "ok": true,
+            "converged": self.has_converged(),
+            "headline": headline,
+            "html": document.html_fragment(),
+        })
+    }
+
+    /// Of each output, or of the estimate.
+    pub(crate) fn pictures(&self) -> Vec<Value> {
+        let Given { file, units } = &self.given;
+        match &self.drawn {
+            Drawn::Uncertainty(one) => {
+                let outputs = one.outputs.iter().enumerate();
+                let drawings = outputs.flat_map(|(place, output)| {
+                    let path = output.output.path();
+                    let drawings = [
+                        ("histogram", report::histogram(&file.case, one, place, *units)),
+                        ("tornado", report::tornado(&file.case, one, place, *units)),
+                    ];
+                    drawings.map(|(name, drawing)| drawing.map(|drawing| picture(name, &path, &drawing)))
+                });
+                drawings.flatten().collect()
+            }
+            Drawn::Estimate(one, asked) => {
+                let has_converged = self.has_converged();
+                let drawings =
+                    has_converged.then(|| report::estimate_pictures(&file.case, one, asked, *units));
+                drawings.flatten().iter().map(|drawing| picture("estimate", "", drawing)).collect()
+            }
+        }
+    }
+
+    /// As text.
+    pub(crate) fn text(&self) -> String {
+        self.document().text()
+    }
+
+    /// As JSON.
+    pub(crate) fn json(&self) -> Result<String, serde_json::Error> {
+        let Given { file, .. } = &self.given;
+        match &self.drawn {
+            Drawn::Uncertainty(one) => report::uncertainty_json(file, one),
+            Drawn::Estimate(one, asked) => report::estimate_json(file, one, asked),
+        }
+    }
+
+    /// The samples or draws as CSV; of draws that have not converged none.
     pub(crate) fn csv(&self) -> String {
         let mut bytes = Vec::new();
-        let written = match self {
-            Self::Uncertainty(one) => report::write_samples(one, CsvStyle::International, &mut bytes),
-            Self::Estimate(one) => report::write_draws(one, CsvStyle::International, &mut bytes),
+        let written = match &self.drawn {
+            Drawn::Uncertainty(one) => report::write_samples(one, CsvStyle::International, &mut bytes),
+            Drawn::Estimate(one, _) if self.has_converged() => {
+                report::write_draws(one, CsvStyle::International, &mut bytes)
+            }
+            Drawn::Estimate(..) => Ok(()),
         };
         // Nothing keeps a text from being written to the memory.
         written.ok().and_then(|()| String::from_utf8(bytes).ok()).unwrap_or_default()
     }
 }
 
-/// The answer, and what its samples are of.
-pub(crate) type Ran = (Value, Option<Drawn>);
-
 /// A command that takes long.
-pub(crate) type Command = fn(&Given, &Options, &mut Progress<'_>) -> Result<Ran, Refused>;
+pub(crate) type Command = fn(&Given, &Options, &mut Progress<'_>) -> Result<Drawn, Refused>;
 
 pub(crate) fn run(
     command: Command,
@@ -119,10 +197,10 @@ pub(crate) fn run(
     units: &str,
     options: &str,
     progress: &mut Progress<'_>,
-) -> Ran {
-    let ran = Given::read(text, Some(name), units)
-        .and_then(|given| command(&given, &Options::read(options)?, progress));
-    ran.unwrap_or_else(|refused| (refused.json(), None))
+) -> Result<Ran, Refused> {
+    let given = Given::read(text, Some(name), units)?;
+    let drawn = command(&given, &Options::read(options)?, progress)?;
+    Ok(Ran { given, drawn })
 }
 
 fn picture(name: &str, output: &str, drawing: &Drawing) -> Value {
@@ -134,53 +212,29 @@ pub(crate) fn uncertainty(
     given: &Given,
     options: &Options,
     progress: &mut Progress<'_>,
-) -> Result<Ran, Refused> {
-    let Given { file, units } = given;
-    let samples = options.size("samples")?.unwrap_or_else(|| analysis::usual_samples(&file.case));
+) -> Result<Drawn, Refused> {
+    let case = &given.file.case;
+    let samples = options.size("samples")?.unwrap_or_else(|| analysis::usual_samples(case));
     let method = options.word("method", &SamplingMethod::WORDS)?.unwrap_or(SamplingMethod::MonteCarlo);
     let settings = Settings::new(method, samples, options.count("seed")?.unwrap_or(1));
     let plan = Plan { settings, index_rows: options.size("indices")? };
-    let uncertainty = analysis::uncertainty(&file.case, &plan, &mut |stage, done, total| {
+    let uncertainty = analysis::uncertainty(case, &plan, &mut |stage, done, total| {
         let counted = match stage {
             Stage::Samples => "samples",
             Stage::Indices => "rows for the indices",
         };
         flow(progress(counted, done, total))
     });
-    let uncertainty = given.answered(uncertainty)?;
-    let document = report::uncertainty(&file.case, &uncertainty, *units);
-    let json = report::uncertainty_json(file, &uncertainty);
-    let json = json.map_err(|error| Refused::message(error.to_string()))?;
-    let outputs = uncertainty.outputs.iter().enumerate();
-    let pictures: Vec<Value> = outputs
-        .flat_map(|(place, output)| {
-            let path = output.output.path();
-            let drawings = [
-                ("histogram", report::histogram(&file.case, &uncertainty, place, *units)),
-                ("tornado", report::tornado(&file.case, &uncertainty, place, *units)),
-            ];
-            drawings.map(|(name, drawing)| drawing.map(|drawing| picture(name, &path, &drawing)))
-        })
-        .flatten()
-        .collect();
-    let answer = json!({
-        "ok": true,
-        "headline": report::uncertain_headline(&uncertainty, *units),
-        "html": document.html_fragment(),
-        "text": document.text(),
-        "json": json,
-        "pictures": pictures,
-    });
-    Ok((answer, Some(Drawn::Uncertainty(Box::new(uncertainty)))))
+    Ok(Drawn::Uncertainty(Box::new(given.answered(uncertainty)?)))
 }
 
 pub(crate) fn estimate(
     given: &Given,
     options: &Options,
     progress: &mut Progress<'_>,
-) -> Result<Ran, Refused> {
-    let Given { file, units } = given;
-    let outputs = given.answered(analysis::estimate_outputs(&file.case))?;
+) -> Result<Drawn, Refused> {
+    let case = &given.file.case;
+    let outputs = given.answered(analysis::estimate_outputs(case))?;
     let above = options.0.get("above").and_then(Value::as_array).into_iter().flatten();
     let question = |text: &str| {
         let problem = |problem| Refused::message(format!("\"{}\": {problem}", case::shown(text.trim())));
@@ -194,7 +248,7 @@ pub(crate) fn estimate(
         prior: options.word("prior", &Prior::WORDS)?,
         pieces: options.flag("pieces", true),
     };
-    let estimated = analysis::estimate(&file.case, &plan, &mut |stage, done, total| {
+    let estimated = analysis::estimate(case, &plan, &mut |stage, done, total| {
         let counted = match stage {
             EstimateStage::All => "particles",
             EstimateStage::Prior => "particles before the evidence",
@@ -203,32 +257,14 @@ pub(crate) fn estimate(
         flow(progress(counted, done, total))
     });
     let estimated = given.answered(estimated)?;
-    let asked = Asked { plan, questions };
-    let document = report::estimate(&file.case, &estimated, &asked, *units);
-    let json = report::estimate_json(file, &estimated, &asked);
-    let json = json.map_err(|error| Refused::message(error.to_string()))?;
-    let has_converged = estimated.doubts().is_empty();
-    // Draws that have not converged are no answer.
-    let drawing = has_converged.then(|| report::estimate_pictures(&file.case, &estimated, &asked, *units));
-    let pictures: Vec<Value> =
-        drawing.flatten().iter().map(|drawing| picture("estimate", "", drawing)).collect();
-    let answer = json!({
-        "ok": true,
-        "converged": has_converged,
-        "headline": document.headline(),
-        "html": document.html_fragment(),
-        "text": document.text(),
-        "json": json,
-        "pictures": pictures,
-    });
-    Ok((answer, has_converged.then(|| Drawn::Estimate(Box::new(estimated)))))
+    Ok(Drawn::Estimate(Box::new(estimated), Asked { plan, questions }))
 }
 
 #[cfg(test)]
 mod tests {
     use serde_json::Value;
 
-    use super::{estimate, run, uncertainty};
+    use super::{Command, Ran, estimate, run, uncertainty};
 
     const NAME: &str = "case.toml";
 
@@ -237,9 +273,15 @@ mod tests {
         std::fs::read_to_string(format!("{root}{name}")).unwrap()
     }
 
-    fn samples_of(answer: &Value) -> Value {
-        let data: Value = serde_json::from_str(answer["json"].as_str().unwrap()).unwrap();
+    fn samples_of(ran: &Ran) -> Value {
+        let data: Value = serde_json::from_str(&ran.json().unwrap()).unwrap();
         data["samples"].clone()
+    }
+
+    fn refused(command: Command, text: &str, options: &str, goes_on: bool) -> String {
+        let refused = run(command, text, NAME, "", options, &mut |_, _, _| goes_on).unwrap_err().json();
+        assert_eq!(refused["ok"], false, "{options}");
+        refused["message"].as_str().unwrap().to_owned()
     }
 
     #[test]
@@ -247,36 +289,35 @@ mod tests {
         let text = fixture("sae-980025-uncertain.toml");
         let options = "{\"samples\": 40000, \"seed\": 7}";
         let mut told = Vec::new();
-        let (whole, samples) = run(uncertainty, &text, NAME, "", options, &mut |counted, done, total| {
+        let whole = run(uncertainty, &text, NAME, "", options, &mut |counted, done, total| {
             told.push((counted.to_owned(), done, total));
             true
         });
-        assert_eq!(whole["ok"], true, "{whole:#}");
+        let whole = whole.unwrap();
         assert!(
             told.iter()
                 .all(|(counted, done, total)| counted == "samples" && done <= total && *total == 40000)
         );
         assert!(told.len() > 2 && told.windows(2).all(|pair| pair[0].1 <= pair[1].1));
-        assert_eq!(samples.unwrap().csv().lines().count(), 40001);
-        assert!(whole["headline"][0].as_str().unwrap().contains("95 % interval"));
-        assert!(whole["pictures"].as_array().unwrap().len() > 1);
-        let (part, samples) = run(uncertainty, &text, NAME, "", options, &mut |_, done, _| done == 0);
-        assert_eq!(part["ok"], true, "{part:#}");
-        let some = samples.unwrap().csv().lines().count() - 1;
+        assert_eq!(whole.csv().lines().count(), 40001);
+        let answer = whole.answer();
+        assert_eq!(answer["ok"], true, "{answer:#}");
+        assert!(answer["headline"][0].as_str().unwrap().contains("95 % interval"));
+        assert!(whole.pictures().len() > 1);
+        let part = run(uncertainty, &text, NAME, "", options, &mut |_, done, _| done == 0).unwrap();
+        let some = part.csv().lines().count() - 1;
         assert!(some > 0 && some < 40000, "{some}");
         assert_ne!(samples_of(&part), samples_of(&whole));
-        let (none, samples) = run(uncertainty, &text, NAME, "", options, &mut |_, _, _| false);
-        assert_eq!(none["ok"], true, "{none:#}");
-        assert_eq!(samples.unwrap().csv().lines().count(), 1);
+        let none = run(uncertainty, &text, NAME, "", options, &mut |_, _, _| false).unwrap();
+        assert_eq!(none.answer()["ok"], true);
+        assert_eq!(none.csv().lines().count(), 1);
     }
 
     #[test]
     fn an_estimate_ends_without_an_answer() {
         let text = fixture("estimate.toml");
-        let (ended, draws) =
-            run(estimate, &text, NAME, "", "{\"particles\": 128, \"pieces\": false}", &mut |_, _, _| false);
-        assert!(ended["ok"] == false && draws.is_none(), "{ended:#}");
-        assert!(ended["message"].as_str().unwrap().len() > 10);
+        let message = refused(estimate, &text, "{\"particles\": 128, \"pieces\": false}", false);
+        assert!(message.len() > 10, "{message}");
     }
 
     #[test]
@@ -288,12 +329,10 @@ mod tests {
             ("{\"samples\": \"many\"}", "not \"many\""),
             ("{\"method\": \"dice\"}", "monte-carlo or latin-hypercube or sobol, not \"dice\""),
         ] {
-            let (refused, _) = run(uncertainty, &text, NAME, "", options, &mut |_, _, _| true);
-            assert_eq!(refused["ok"], false, "{options}");
-            assert!(refused["message"].as_str().unwrap().contains(expected), "{refused:#}");
+            let message = refused(uncertainty, &text, options, true);
+            assert!(message.contains(expected), "{message}");
         }
-        let (refused, _) =
-            run(estimate, &fixture("estimate.toml"), NAME, "", "{\"above\": [\"x 1\"]}", &mut |_, _, _| true);
-        assert!(refused["message"].as_str().unwrap().contains("no result of this name"), "{refused:#}");
+        let message = refused(estimate, &fixture("estimate.toml"), "{\"above\": [\"x 1\"]}", true);
+        assert!(message.contains("no result of this name"), "{message}");
     }
 }

@@ -150,3 +150,71 @@ fn what_is_no_handle_is_refused() {
         assert!(number(&json!(refused["message"].as_str().unwrap().len())) > 10.0);
     }
 }
+
+/// A site plan lies where it was laid, in both axes and both unit systems, and where the program draws it.
+#[test]
+fn a_site_plan_is_kept_where_it_lies() {
+    let plan = json!({ "file": "aerial.jpg", "corner": [-12.34, 5.67], "width": 40.5, "angle": 0.35 });
+    for (name, y) in
+        [("motion/ricsac-6.toml", 5.67), ("sae-980025.toml", 5.67), ("sae-980025-z-down.toml", -5.67)]
+    {
+        let text = fixture(name);
+        let before = read(deltav_web::scene(&text, "", "", ""));
+        assert_eq!(before["plan"], Value::Null, "{name}");
+        let mut kept = text.clone();
+        // The first time it is named, then moved, where it already is.
+        for moved in [[7.0, 8.0], [-12.34, 5.67]] {
+            let mut plan = plan.clone();
+            plan["corner"] = json!(moved);
+            let made = made(deltav_web::keep_plan(&kept, &plan.to_string()));
+            made["text"].as_str().unwrap().clone_into(&mut kept);
+        }
+        let file = case::CaseFile::parse(name, &kept).unwrap();
+        let site_plan = file.case.site_plan.unwrap();
+        // A mouse places a centimetre, a hundredth of a foot and a tenth of a degree.
+        for (given, expected) in [
+            (site_plan.corner.x.si(), -12.34),
+            (site_plan.corner.y.si(), y),
+            (site_plan.width.si(), 40.5),
+            (site_plan.angle.unwrap().si(), 0.35_f64.copysign(y)),
+        ] {
+            assert_near(given, expected, 0.006);
+        }
+        let scene = read(deltav_web::scene(&kept, "", "", ""));
+        let [x, y] = pair(&scene["plan"]["corner"]);
+        assert_near(x, -12.34, 0.006);
+        assert_near(y, 5.67, 0.006);
+        assert_near(number(&scene["plan"]["angle"]), 0.35, 0.001);
+        // No result depends on it.
+        assert_eq!(
+            made(deltav_web::look(&kept, "", "", "none", ""))["headline"],
+            made(deltav_web::look(&text, "", "", "none", ""))["headline"],
+            "{name}"
+        );
+    }
+    let text = example();
+    for wrong in ["", "{}", "{ \"file\": \"a.png\", \"corner\": [0, 0], \"width\": \"1 m\", \"angle\": 0 }"] {
+        assert_eq!(read(deltav_web::keep_plan(&text, wrong))["ok"], false, "{wrong}");
+    }
+    let outside = json!({ "file": "../aerial.jpg", "corner": [0, 0], "width": 1, "angle": 0 });
+    assert_eq!(read(deltav_web::keep_plan(&text, &outside.to_string()))["ok"], false);
+}
+
+/// A place of the ground is the same in the picture of the impact and in that of the motion.
+#[test]
+fn both_views_have_the_same_survey() {
+    let text = fixture("rear-end-rest.toml");
+    let text = made(deltav_web::edit(&text, "scene.contact", "{ x = \"12.5 m\", y = \"-3.25 m\" }"));
+    let text = text["text"].as_str().unwrap();
+    let [scene, motion] = ["scene", "motion"].map(|what| made(deltav_web::scene(text, what, "", "")));
+    assert_eq!(motion["survey"], json!([0.0, 0.0]));
+    for vehicle in 0..2 {
+        let place = |view: &Value| {
+            let [centre, survey] = [&view["bodies"][vehicle]["centre"], &view["survey"]].map(pair);
+            [0, 1].map(|axis| centre[axis] + survey[axis])
+        };
+        for axis in 0..2 {
+            assert_near(place(&scene)[axis], place(&motion)[axis], 1e-9);
+        }
+    }
+}

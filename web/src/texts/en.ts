@@ -183,6 +183,8 @@ export const texts = {
     moveHint: "Drag the picture to its place.",
     noDistance: "Write the distance with its unit, for example 10 m or 32 ft.",
     scaled: "The scale is set.",
+    keep: "Keep in the case",
+    kept: "The case names this picture now. Save it in the folder of the case file, and the program draws the motion on it, too.",
     unreadable: "This file is not a picture that the browser can show.",
   },
 

@@ -49,8 +49,8 @@ pub(super) fn picture(
     })
 }
 
-/// (m) in the axes of the engine; the origin where the case does not place it.
-fn place_of_impact(case: &Case) -> [f64; 2] {
+/// Where the impulse acts (m), as the drawing of the motion has it; the origin where the case does not say.
+pub fn place_of_impact(case: &Case) -> [f64; 2] {
     case.scene_contact.as_ref().map_or([0.0; 2], |place| [place.x.si(), case.axes.lateral(place.y.si())])
 }
 
