@@ -18,6 +18,15 @@ interface Placed {
   angle: number;
 }
 
+const radians = (degrees: number): number => (degrees * Math.PI) / 180;
+
+/** From the lower left corner of a picture to its middle. */
+function toMiddle({ aspect, width, angle }: Placed): Point {
+  const [cos, sin] = [Math.cos(radians(angle)), Math.sin(radians(angle))];
+  const [across, up] = [width / 2, width / aspect / 2];
+  return [cos * across - sin * up, sin * across + cos * up];
+}
+
 export class Backdrop {
   readonly picture = h("img", { class: "backdrop", alt: "", hidden: true });
   readonly tools = h("div", { class: "backdrop-tools" });
@@ -99,11 +108,10 @@ export class Backdrop {
   private follow(): void {
     const { placed, plan, isKept } = this;
     if (isKept && placed && plan) {
-      const [cos, sin] = [Math.cos(plan.angle), Math.sin(plan.angle)];
-      const [across, up] = [plan.width / 2, plan.width / placed.aspect / 2];
       placed.width = plan.width;
       placed.angle = Number(((plan.angle * 180) / Math.PI).toFixed(6));
-      placed.middle = [plan.corner[0] + cos * across - sin * up, plan.corner[1] + sin * across + cos * up];
+      const [x, y] = toMiddle(placed);
+      placed.middle = [plan.corner[0] + x, plan.corner[1] + y];
       if (document.activeElement !== this.turn) this.turn.value = String(placed.angle);
     }
     if (isKept !== this.wasKept) {
@@ -116,12 +124,10 @@ export class Backdrop {
   private keep(): void {
     const { placed, file } = this;
     if (!placed || !file) return;
-    const angle = (placed.angle * Math.PI) / 180;
-    const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
-    const [across, up] = [placed.width / 2, placed.width / placed.aspect / 2];
-    const corner: Point = [placed.middle[0] - cos * across + sin * up, placed.middle[1] - sin * across - cos * up];
+    const [x, y] = toMiddle(placed);
+    const corner: Point = [placed.middle[0] - x, placed.middle[1] - y];
     const name = this.isKept && this.plan ? this.plan.file : file.name;
-    this.keepPlan({ file: name, corner, width: placed.width, angle });
+    this.keepPlan({ file: name, corner, width: placed.width, angle: radians(placed.angle) });
   }
 
   /** What the case names has been moved. */
