@@ -245,13 +245,18 @@ impl Reason {
         }
         let mut refusals = case.vehicles.iter().filter_map(|vehicle| {
             let crush = vehicle.crush.as_ref()?;
-            match crush.stiffness.structure(crush.side).err()? {
-                CrushError::NoDamageSpeed { .. } => Some(Self::NoDamageSpeed),
-                CrushError::LimitBelowStart { .. } => Some(Self::LimitBelowStart),
-                _ => None,
-            }
+            Self::of_structure(&crush.stiffness.structure(crush.side).err()?)
         });
         refusals.next().unwrap_or(Self::Other)
+    }
+
+    /// Those refusals of a stiffness that are counted by themselves.
+    fn of_structure(error: &CrushError) -> Option<Self> {
+        match error {
+            CrushError::NoDamageSpeed { .. } => Some(Self::NoDamageSpeed),
+            CrushError::LimitBelowStart { .. } => Some(Self::LimitBelowStart),
+            _ => None,
+        }
     }
 
     fn of_impact(error: &ImpactError) -> Self {

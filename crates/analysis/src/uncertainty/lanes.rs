@@ -13,7 +13,7 @@
 
 use ::uncertainty::{LANES, Lanes};
 use crash3::{
-    DamagedFace, EnergyBasis, ObliqueCorrection, Side, SideStiffness, Stiffness, VehicleClass, Zone,
+    DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, VehicleClass, Zone,
     energy_of_equivalent_speed, equal_spacing, zone_energy,
 };
 use inputs::{
@@ -73,9 +73,6 @@ pub(crate) enum Alone {
     NoDamage,
     /// Stations that are not equally spaced.
     Spacing,
-    /// A stiffness of a barrier test or of zones, or one with a limit: its parts are lists, which are made
-    /// for one sample at a time, and what is refused of it has a reason of its own.
-    Structure,
     /// What a case has to give is missing, or a result is asked for that an impact does not have.
     Incomplete,
     /// A range of a number that it does not read: one that several share, or one that no result depends on
@@ -87,7 +84,6 @@ pub(crate) enum Alone {
 #[derive(Debug)]
 pub(super) struct Block {
     axes: Axes,
-    asked: Asked,
     vehicles: [Vehicle; 2],
     crush_plane: Quantity<Number>,
     solution: Solution,
@@ -97,32 +93,29 @@ pub(super) struct Block {
     central: [f64; OUTPUTS],
 }
 
-/// What is asked of an impact.
-#[derive(Debug)]
-enum Asked {
-    /// What it does, at the speeds that are given.
-    Impact,
-    /// The speed that the crush energy gives.
-    Speed {
-        unknown: Unknown,
-        basis: EnergyBasis,
-        /// λ, where the crush takes a share of the tangential work.
-        share: Option<Number>,
-    },
-}
-
 /// How the equations of a block are solved, once its vehicles are known.
 #[derive(Debug)]
 enum Solution {
-    /// All samples at once, in closed form.
+    /// The speed of all samples at once, in closed form.
     AtOnce {
+        sought: Sought,
         restitution: Number,
         /// e_t: zero, U_t = 0, where the law asks for a common tangential velocity.
         tangential_restitution: Number,
     },
     /// One sample after the other: what takes a search has no steps that all samples share, and the closed
-    /// forms of other laws are not worth a compiled loop for each instruction set.
-    InTurn(ImpactLaw<Number>),
+    /// forms of other laws are not worth a compiled loop for each instruction set. Where no speed is sought,
+    /// the impact at the speeds that are given.
+    InTurn { sought: Option<Sought>, law: ImpactLaw<Number> },
+}
+
+/// A speed that the crush energy gives.
+#[derive(Clone, Copy, Debug)]
+struct Sought {
+    unknown: Unknown,
+    basis: EnergyBasis,
+    /// λ, where the crush takes a share of the tangential work.
+    share: Option<Number>,
 }
 
 #[derive(Debug)]
@@ -163,6 +156,8 @@ pub(crate) enum Resistance {
     Line(Line),
     /// That of a category, with the factor on A.
     Category(Stiffness, Number),
+    /// Of a barrier test, of zones, or with a limit: it is made for one sample at a time.
+    Other(Side, StiffnessForm<Number>),
 }
 
 /// A vehicle that moves, without its damage.
@@ -224,17 +219,17 @@ impl Block {
             departures,
             left_out: _,
         } = case;
-        let asked = match reconstruct {
-            None => Asked::Impact,
+        let sought = match reconstruct {
+            None => None,
             Some(Reconstruct { find: Find::Both, .. }) => return Err(Alone::BothSpeeds),
-            Some(Reconstruct { find: Find::One(unknown), energy_basis }) => Asked::Speed {
+            Some(Reconstruct { find: Find::One(unknown), energy_basis }) => Some(Sought {
                 unknown: *unknown,
                 basis: energy_basis.energy(),
                 share: match energy_basis {
                     Basis::Dissipated | Basis::Absorbed => None,
                     Basis::TangentialShare(share) => Some(*share),
                 },
-            },
+            }),
         };
         // Vehicles that are followed to rest have outputs that a block does not compute.
         let has_drag =
@@ -243,15 +238,10 @@ impl Block {
             return Err(Alone::Ways);
         }
         let GivenImpact { crush_plane, law } = impact.as_ref().ok_or(Alone::Incomplete)?;
-        let solution = match asked {
-            Asked::Speed { .. } if !one.fixed & !two.fixed => Solution::of(law),
-            _ => Solution::InTurn(law.clone()),
-        };
-        let sought = match asked {
-            Asked::Impact => None,
-            Asked::Speed { unknown, .. } => Some(unknown.vehicle()),
-        };
-        let all = Output::of_two_vehicles(sought.unwrap_or(VehicleId::One), *axes);
+        let solution = Solution::new(sought.filter(|_| !one.fixed & !two.fixed), law)
+            .unwrap_or_else(|| Solution::InTurn { sought, law: law.clone() });
+        let seeks = sought.map(|sought| sought.unknown.vehicle());
+        let all = Output::of_two_vehicles(seeks.unwrap_or(VehicleId::One), *axes);
         let place = |wanted: &Output| all.iter().position(|output| output == wanted);
         let places = outputs.iter().map(place).collect::<Option<Vec<usize>>>().ok_or(Alone::Incomplete)?;
         let mut of_all = [0.0; OUTPUTS];
@@ -262,38 +252,35 @@ impl Block {
             // A factor that is absent is one.
             let yaw_factor = departures.yaw_radius[id.index()].unwrap_or(Number::Known(1.0));
             let vehicle =
-                Vehicle::new(given, yaw_factor, departures.stiffness[id.index()], sought == Some(id))?;
-            match (&asked, &vehicle.damage) {
-                (Asked::Speed { .. }, Damage::Unknown) => Err(Alone::NoDamage),
+                Vehicle::new(given, yaw_factor, departures.stiffness[id.index()], seeks == Some(id))?;
+            match (seeks, &vehicle.damage) {
+                (Some(_), Damage::Unknown) => Err(Alone::NoDamage),
                 _ => Ok(vehicle),
             }
         };
         let vehicles = [vehicle(one, VehicleId::One)?, vehicle(two, VehicleId::Two)?];
-        let block = Self {
-            axes: *axes,
-            asked,
-            vehicles,
-            crush_plane: *crush_plane,
-            solution,
-            places,
-            central: of_all,
-        };
+        let block =
+            Self { axes: *axes, vehicles, crush_plane: *crush_plane, solution, places, central: of_all };
         let read = block.numbers().into_iter().filter(|number| number.is_uncertain()).count();
         if read == inputs { Ok(block) } else { Err(Alone::Unread) }
     }
 
     /// Every number that it reads.
     fn numbers(&self) -> Vec<Number> {
-        let Self { axes: _, asked, vehicles, crush_plane, solution, places: _, central: _ } = self;
+        let Self { axes: _, vehicles, crush_plane, solution, places: _, central: _ } = self;
         let mut numbers = vec![crush_plane.number()];
-        if let Asked::Speed { unknown: _, basis: _, share } = asked {
-            numbers.extend(*share);
-        }
-        match solution {
-            Solution::AtOnce { restitution, tangential_restitution } => {
+        let sought = match solution {
+            Solution::AtOnce { sought, restitution, tangential_restitution } => {
                 numbers.extend([*restitution, *tangential_restitution]);
+                Some(sought)
             }
-            Solution::InTurn(law) => drop(law.map(|number| numbers.push(number))),
+            Solution::InTurn { sought, law } => {
+                drop(law.map(|number| numbers.push(number)));
+                sought.as_ref()
+            }
+        };
+        if let Some(Sought { unknown: _, basis: _, share }) = sought {
+            numbers.extend(*share);
         }
         for Vehicle { body, damage, face, idle } in vehicles {
             match body {
@@ -335,21 +322,18 @@ impl Block {
             self.refuse_faces(inputs, &mut crush_energy);
         }
         let posed = Posed { vehicles: [v1, v2], crush_plane, crush_energy };
-        match (&self.solution, &self.asked) {
-            (
-                Solution::AtOnce { restitution, tangential_restitution },
-                Asked::Speed { unknown, basis, share },
-            ) => {
+        match &self.solution {
+            Solution::AtOnce { sought, restitution, tangential_restitution } => {
                 let law = [restitution.lanes(inputs), tangential_restitution.lanes(inputs)];
-                let sought = (*unknown, *basis);
                 // Compiled twice: what the share needs would cost all others time.
-                match share {
+                match sought.share {
                     None => self.at_once(sought, &NoShare, &law, &posed, outputs),
                     Some(share) => self.at_once(sought, &share.lanes(inputs), &law, &posed, outputs),
                 }
             }
-            (Solution::InTurn(law), _) => self.in_turn(law, &posed, inputs, outputs, reasons),
-            (Solution::AtOnce { .. }, Asked::Impact) => [false; LANES],
+            Solution::InTurn { sought, law } => {
+                self.in_turn(sought.as_ref(), law, &posed, inputs, outputs, reasons)
+            }
         }
     }
 
@@ -370,7 +354,7 @@ impl Block {
     #[inline(always)]
     fn at_once(
         &self,
-        (unknown, basis): (Unknown, EnergyBasis),
+        sought: &Sought,
         share: &impl Share,
         [e, e_t]: &[Lanes; 2],
         posed: &Posed,
@@ -388,9 +372,9 @@ impl Block {
                 contact,
                 law: law.into(),
                 motions: [v1.motion(lane), v2.motion(lane)],
-                unknown,
+                unknown: sought.unknown,
                 crush_energy: crush_energy[lane],
-                basis,
+                basis: sought.basis,
                 tangential_share: share.at(lane),
             };
             let (speed, outcome, is_answer) = problem.solve_with_validity();
@@ -411,6 +395,7 @@ impl Block {
     #[inline(never)]
     fn in_turn(
         &self,
+        sought: Option<&Sought>,
         law: &ImpactLaw<Number>,
         posed: &Posed,
         inputs: &[Lanes],
@@ -419,7 +404,7 @@ impl Block {
     ) -> [bool; LANES] {
         let mut settled = [true; LANES];
         for (lane, (is_settled, reason)) in settled.iter_mut().zip(reasons).enumerate() {
-            match self.solve(law, posed, inputs, lane) {
+            match self.solve(sought, law, posed, inputs, lane) {
                 Ok((speed, outcome)) => {
                     let values = answer(self.axes, &self.central, speed, &outcome);
                     for (output, place) in outputs.iter_mut().zip(&self.places) {
@@ -441,15 +426,15 @@ impl Block {
     /// Why there is none; `None` where the single case has to tell.
     fn solve(
         &self,
+        sought: Option<&Sought>,
         law: &ImpactLaw<Number>,
         posed: &Posed,
         inputs: &[Lanes],
         lane: usize,
     ) -> Result<(f64, Outcome), Option<Reason>> {
         let Posed { vehicles, crush_plane, crush_energy } = posed;
-        // Whatever the engine refuses while it takes a case in is a fault of the case.
-        let refused = Some(Reason::Other);
-        let law = law.map(|number| number.at(inputs, lane)).of_engine(self.axes).map_err(|_| refused)?;
+        let refused = || Some(self.fault(inputs, lane));
+        let law = law.map(|number| number.at(inputs, lane)).of_engine(self.axes).map_err(|_| refused())?;
         let [one, two] = &self.vehicles;
         let participant = |vehicle: &Vehicle, lanes: &VehicleLanes| match &vehicle.body {
             Collider::Moves(_) => lanes.participant(lane),
@@ -467,22 +452,22 @@ impl Block {
         let (contact, is_contact) = Contact::new_with_validity([p1, p2], crush_plane[lane]);
         let (motions, crush_energy) = ([v1.motion(lane), v2.motion(lane)], crush_energy[lane]);
         if !(is_1 & is_2 & is_contact) {
-            return Err(refused);
+            return Err(refused());
         }
         // A damage of which the engine refuses something has no energy.
         let is_refused = crush_energy.is_nan();
-        match self.asked {
+        match sought {
             // Of a damage whose energy is known an impact asks nothing.
-            Asked::Impact if is_refused => Err(None),
-            Asked::Impact => {
+            None if is_refused => Err(None),
+            None => {
                 let law = law.at(-contact.approach(&motions).velocity.normal);
                 match contact.impact(motions, &law) {
                     Ok(outcome) => Ok((f64::NAN, outcome)),
                     Err(why) => Err(Some(Reason::of_impact(&why))),
                 }
             }
-            Asked::Speed { .. } if is_refused => Err(refused),
-            Asked::Speed { unknown, basis, share } => {
+            Some(_) if is_refused => Err(refused()),
+            Some(&Sought { unknown, basis, share }) => {
                 let tangential_share = share.map_or(0.0, |share| share.at(inputs, lane));
                 let problem =
                     Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share };
@@ -490,11 +475,23 @@ impl Block {
             }
         }
     }
+
+    /// The reason of a sample of which the engine refuses something while it takes it in, as
+    /// [`Reason::of_case`]: a fault of the case, unless its stiffness has a reason of its own.
+    #[cold]
+    fn fault(&self, inputs: &[Lanes], lane: usize) -> Reason {
+        let mut refusals = self.vehicles.iter().filter_map(|vehicle| {
+            let Damage::Crush(_, Resistance::Other(side, stiffness)) = &vehicle.damage else { return None };
+            let stiffness = stiffness.map(|number| number.at(inputs, lane));
+            Reason::of_structure(&stiffness.structure(*side).err()?)
+        });
+        refusals.next().unwrap_or(Reason::Other)
+    }
 }
 
 impl Solution {
-    /// Under a law between two vehicles of which a speed is sought.
-    fn of(law: &ImpactLaw<Number>) -> Self {
+    /// That for all samples at once, where a speed is sought between two vehicles under a law that has it.
+    fn new(sought: Option<Sought>, law: &ImpactLaw<Number>) -> Option<Self> {
         let zero = Number::Known(0.0);
         let (restitution, tangential_restitution) = match law {
             ImpactLaw::Brach {
@@ -511,9 +508,9 @@ impl Solution {
             ImpactLaw::Brach { .. }
             | ImpactLaw::Ishikawa { .. }
             | ImpactLaw::Woolley { .. }
-            | ImpactLaw::KudlichSlibar { .. } => return Self::InTurn(law.clone()),
+            | ImpactLaw::KudlichSlibar { .. } => return None,
         };
-        Self::AtOnce { restitution, tangential_restitution }
+        Some(Self::AtOnce { sought: sought?, restitution, tangential_restitution })
     }
 }
 
@@ -675,35 +672,38 @@ impl Damage {
             };
         };
         let (crushed, stiffness) = Crushed::new(crush)?;
-        let resistance = match stiffness {
-            StiffnessForm::Line(line) => Resistance::Line(Line::new(*line).ok_or(Alone::Structure)?),
-            StiffnessForm::Category(category) => {
+        let other = || Resistance::Other(crush.side, stiffness.clone());
+        let resistance = match (stiffness, factor) {
+            (StiffnessForm::Line(line), _) => Line::new(*line).map_or_else(other, Resistance::Line),
+            (StiffnessForm::Category(category), Some(factor)) => {
                 let known = StiffnessForm::Category(*category).structure(crush.side);
-                let (Ok(SideStiffness::Uniform(known)), Some(factor)) = (known, factor) else {
-                    return Err(Alone::Structure);
-                };
+                let Ok(SideStiffness::Uniform(known)) = known else { return Err(Alone::Incomplete) };
                 Resistance::Category(known, factor)
             }
-            StiffnessForm::Test(_) | StiffnessForm::Zones(_) => return Err(Alone::Structure),
+            (StiffnessForm::Category(_), None) => return Err(Alone::Incomplete),
+            (StiffnessForm::Test(_) | StiffnessForm::Zones(_), _) => other(),
         };
         Ok(Self::Crush(crushed, resistance))
     }
 
     /// Every number that it reads.
-    pub(crate) fn numbers(&self) -> impl Iterator<Item = Number> {
-        let (crush, ees) = match self {
-            Self::Unknown => (None, None),
-            Self::Crush(crushed, resistance) => (Some((crushed, resistance)), None),
-            Self::Energy(ees) => (None, ees.as_ref()),
-        };
-        let of_crush = crush.into_iter().flat_map(|(crushed, resistance)| {
-            let (line, factor) = match resistance {
-                Resistance::Line(line) => (Some(line), None),
-                Resistance::Category(_, factor) => (None, Some(*factor)),
-            };
-            crushed.numbers().chain(line.into_iter().flat_map(Line::numbers)).chain(factor)
-        });
-        of_crush.chain(ees.map(Quantity::number))
+    pub(crate) fn numbers(&self) -> Vec<Number> {
+        let mut numbers = Vec::new();
+        match self {
+            Self::Unknown | Self::Energy(None) => {}
+            Self::Energy(Some(ees)) => numbers.push(ees.number()),
+            Self::Crush(crushed, resistance) => {
+                numbers.extend(crushed.numbers());
+                match resistance {
+                    Resistance::Line(line) => numbers.extend(line.numbers()),
+                    Resistance::Category(_, factor) => numbers.push(*factor),
+                    Resistance::Other(_, stiffness) => {
+                        drop(stiffness.map(|number| numbers.push(number)));
+                    }
+                }
+            }
+        }
+        numbers
     }
 
     /// (J) adds the crush energy; not a number where a sample has none.
@@ -719,6 +719,9 @@ impl Damage {
             }
             Self::Crush(crushed, Resistance::Line(line)) => {
                 crushed.add_energy(inputs, line.lanes(inputs), total);
+            }
+            Self::Crush(crushed, Resistance::Other(side, stiffness)) => {
+                crushed.add_energy_in_turn(inputs, *side, stiffness, total);
             }
             Self::Crush(crushed, Resistance::Category(stiffness, factor)) => {
                 let factors = factor.lanes(inputs);
@@ -905,6 +908,27 @@ impl Crushed {
     fn numbers(&self) -> impl Iterator<Item = Number> {
         let Self { width, depths } = self;
         [width].into_iter().chain(depths).map(Quantity::number)
+    }
+
+    /// (J) adds the crush energy of a structure, one sample after the other; not a number where a sample has
+    /// none.
+    #[inline(never)]
+    fn add_energy_in_turn(
+        &self,
+        inputs: &[Lanes],
+        side: Side,
+        stiffness: &StiffnessForm<Number>,
+        total: &mut Lanes,
+    ) {
+        for (lane, total) in total.iter_mut().enumerate() {
+            let at = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane)).si();
+            let depths = self.depths.iter().map(at).collect();
+            let energy = Profile::equally_spaced(depths, at(&self.width)).and_then(|profile| {
+                let stiffness = stiffness.map(|number| number.at(inputs, lane));
+                stiffness.structure(side)?.crush_energy(&profile)
+            });
+            *total += energy.unwrap_or(f64::NAN);
+        }
     }
 
     /// (J) adds the crush energy with A, B and G; not a number where a sample has none.
