@@ -191,7 +191,7 @@ impl<'a, T: Real, M> Search<'a, T, M> {
         match (problem.impact(speed), &mut self.first) {
             (Ok(_), Some(first)) => first.admissible += 1,
             (Ok((law, outcome)), first) => {
-                *first = Some(Found { speed, admissible: 1, law, outcome, method })
+                *first = Some(Found { speed, admissible: 1, law, outcome, method });
             }
             (Err(reason), _) => {
                 let vehicle = problem.unknown.vehicle();

@@ -86,7 +86,7 @@ fn shapes() -> Vec<(&'static str, String)> {
                 depths = \"42 50 54 54 50 42 cm\", no_damage_speed = { value = \"30 km/h\", sd = \"20 km/h\" } } }";
     let zones = format!(
         "stiffness = {{ zones = [{}] }}",
-        vec![a_b_limit.trim_start_matches("stiffness = "); 5].join(", ")
+        [a_b_limit.trim_start_matches("stiffness = "); 5].join(", ")
     );
     let d_g = "stiffness = { d0 = \"30 lb^0.5\", d1 = { value = \"77.5 lb^0.5/ft\", sd = \"5 lb^0.5/ft\" }, G = { value = \"450 lb\", sd = \"9 lb\" } }";
     let speed = "speed       = { low = \"8 mph\", mode = \"10 mph\", high = \"12 mph\" }";
