@@ -17,6 +17,7 @@ use std::ops::ControlFlow;
 const UNCERTAIN: &str = include_str!("../../../../fixtures/sae-980025-uncertain.toml");
 const CATEGORIES: &str = include_str!("../../../../fixtures/t-bone-category.toml");
 const EES: &str = include_str!("../../../../fixtures/ees.toml");
+const BARRIER: &str = include_str!("../../../../fixtures/barrier.toml");
 const CERTAIN: &str = include_str!("../../../../fixtures/sae-980025.toml");
 
 #[test]
@@ -172,6 +173,23 @@ fn shapes() -> Vec<(&'static str, String)> {
                     "law = \"woolley\"\ntangential_velocity_change = { value = \"2 m/s\", sd = \"1 m/s\" }",
                 ),
             ]),
+        ),
+        // Samples whose damaged rear would lie ahead of the centre of gravity.
+        (
+            "an outline",
+            changed(&[
+                ("[vehicle1]\n", "[vehicle1]\nlength = \"4.4 m\"\nwidth = \"1.7 m\"\ncg_to_front = { value = \"3.5 m\", sd = \"1 m\" }\n"),
+                ("side      = \"front\"", "side = \"rear\""),
+            ]),
+        ),
+        // Its point orients the normal.
+        (
+            "a fixed object",
+            BARRIER.replace(
+                "fixed = true",
+                "fixed = true\nheading = { value = \"180 deg\", sd = \"60 deg\" }\n\
+                 contact = { x = { value = \"1.5 m\", sd = \"1.5 m\" }, y = { value = \"0.2 m\", sd = \"2 m\" } }",
+            ),
         ),
         (
             "how the force acted",
