@@ -301,8 +301,8 @@ fn other_shapes_have_no_block() {
     }
 }
 
-/// The fixtures that reconstruct a speed or an impact, each of their numbers with a standard deviation of this
-/// share of it; without those that have no answer.
+/// The fixtures that reconstruct a speed or an impact, but for those that have no answer. Each number has a
+/// standard deviation of this share of it.
 fn fixtures(share: f64) -> Vec<(String, Sampled)> {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let mut names = Vec::new();
