@@ -216,8 +216,7 @@ impl Search {
 
 impl Solver<f64> for Search {
     fn speed(&mut self, problem: &Problem) -> Result<(f64, Outcome), Failure> {
-        let answer = problem.solve().map_err(|refusal| refused(problem, refusal))?;
-        Ok((answer.speed, answer.outcome))
+        problem.speed_and_impact().map_err(|refusal| refused(problem, refusal))
     }
 
     fn speeds(&mut self, search: &MomentumAndCrush) -> Result<[f64; 2], Failure> {

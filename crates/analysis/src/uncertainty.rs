@@ -245,13 +245,18 @@ impl Reason {
         }
         let mut refusals = case.vehicles.iter().filter_map(|vehicle| {
             let crush = vehicle.crush.as_ref()?;
-            match crush.stiffness.structure(crush.side).err()? {
-                CrushError::NoDamageSpeed { .. } => Some(Self::NoDamageSpeed),
-                CrushError::LimitBelowStart { .. } => Some(Self::LimitBelowStart),
-                _ => None,
-            }
+            Self::of_structure(&crush.stiffness.structure(crush.side).err()?)
         });
         refusals.next().unwrap_or(Self::Other)
+    }
+
+    /// Those refusals of a stiffness that are counted by themselves.
+    fn of_structure(error: &CrushError) -> Option<Self> {
+        match error {
+            CrushError::NoDamageSpeed { .. } => Some(Self::NoDamageSpeed),
+            CrushError::LimitBelowStart { .. } => Some(Self::LimitBelowStart),
+            _ => None,
+        }
     }
 
     fn of_impact(error: &ImpactError) -> Self {
@@ -686,7 +691,7 @@ impl<'a> Sample<'a> {
         }
     }
 
-    /// The samples of a block that are not `answered` yet, each as a case of its own.
+    /// The samples of a block that are not `settled` yet, each as a case of its own.
     ///
     /// Compiled once: what turns a case into the types of the engine gains nothing from a copy for each
     /// instruction set.
@@ -696,11 +701,11 @@ impl<'a> Sample<'a> {
         inputs: &[Lanes],
         outputs: &mut [Lanes],
         reasons: &mut [u8; LANES],
-        answered: &[bool; LANES],
+        settled: &[bool; LANES],
     ) {
         let mut numbers = vec![0.0; inputs.len()];
         let mut results = vec![0.0; outputs.len()];
-        for (lane, reason) in reasons.iter_mut().enumerate().filter(|(lane, _)| !answered[*lane]) {
+        for (lane, reason) in reasons.iter_mut().enumerate().filter(|(lane, _)| !settled[*lane]) {
             for (number, column) in numbers.iter_mut().zip(inputs) {
                 *number = column[lane];
             }
@@ -797,12 +802,12 @@ impl Model for Sample<'_> {
 
     #[inline(always)]
     fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
-        let answered = match &self.block {
-            Ok(block) => block.evaluate(inputs, outputs),
+        let settled = match &self.block {
+            Ok(block) => block.evaluate(inputs, outputs, reasons),
             Err(_) => [false; LANES],
         };
-        if !answered.iter().all(|is_answer| *is_answer) {
-            self.one_by_one(inputs, outputs, reasons, &answered);
+        if !settled.iter().all(|is_settled| *is_settled) {
+            self.one_by_one(inputs, outputs, reasons, &settled);
         }
     }
 }

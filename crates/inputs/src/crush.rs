@@ -169,6 +169,53 @@ impl Fit {
     pub const WORDS: [(&str, Self); 2] = [("exact", Self::Exact), ("mean", Self::Mean)];
 }
 
+impl<T: Copy> StiffnessForm<T> {
+    /// The same with other numbers, each asked for once.
+    #[must_use]
+    pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> StiffnessForm<U> {
+        let mut quantity = |quantity: &Quantity<T>| quantity.with(number(quantity.number()));
+        match self {
+            Self::Line(line) => StiffnessForm::Line(line.map(quantity)),
+            Self::Category(category) => StiffnessForm::Category(*category),
+            Self::Test(GivenTest { mass, speed, width, depths, no_damage_speed, fit }) => {
+                StiffnessForm::Test(GivenTest {
+                    mass: match mass {
+                        Mass::Mass(mass) => Mass::Mass(quantity(mass)),
+                        Mass::Weight(weight) => Mass::Weight(quantity(weight)),
+                    },
+                    speed: quantity(speed),
+                    width: quantity(width),
+                    depths: depths.iter().map(&mut quantity).collect(),
+                    no_damage_speed: quantity(no_damage_speed),
+                    fit: *fit,
+                })
+            }
+            Self::Zones(zones) => {
+                StiffnessForm::Zones(zones.iter().map(|line| line.map(&mut quantity)).collect())
+            }
+        }
+    }
+}
+
+impl<T> StiffnessLine<T> {
+    fn map<U>(&self, mut quantity: impl FnMut(&Quantity<T>) -> Quantity<U>) -> StiffnessLine<U> {
+        match self {
+            Self::Crush { a, b, g, limit } => StiffnessLine::Crush {
+                a: quantity(a),
+                b: quantity(b),
+                g: g.as_ref().map(&mut quantity),
+                limit: limit.as_ref().map(quantity),
+            },
+            Self::Root { d0, d1, g, limit } => StiffnessLine::Root {
+                d0: quantity(d0),
+                d1: quantity(d1),
+                g: g.as_ref().map(&mut quantity),
+                limit: limit.as_ref().map(quantity),
+            },
+        }
+    }
+}
+
 impl<T: Real> StiffnessForm<T> {
     /// The stiffness of the damaged side, in SI units.
     ///

@@ -5,10 +5,7 @@ mod motion;
 use std::fmt::{self, Display};
 
 use crash3::{DamagedFace, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, VehicleClass};
-use pim_core::{
-    Body, Contact, Law, Motion, Participant, Real, RestitutionCurve, Tangential, VaryingLaw, Vector2,
-    VehicleId,
-};
+use pim_core::{Body, Contact, Motion, Participant, Real, VaryingLaw, Vector2, VehicleId};
 use reconcile::Unknown;
 
 use crate::axes::Axes;
@@ -17,11 +14,11 @@ use crate::case::{Case, Find};
 use crate::crush::{Crush, Fit, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
 use crate::estimate::{FaceAxis, class_yaw_inertia, scaled};
 use crate::fault::{Fault, FaultKind, Faults};
-use crate::impact::{BrachTangential, ImpactLaw, Restitution};
+use crate::impact::Restitution;
 use crate::inertia::Mass;
 use crate::purpose::Purpose;
 use crate::quantity::Quantity;
-use crate::vehicle::{ContactPoint, GivenVehicle, Kind, Velocity};
+use crate::vehicle::{ContactPoint, GivenVehicle, Kind, Outline, Velocity};
 
 /// Two vehicles that collide, as the mechanics need them.
 #[derive(Clone, Debug)]
@@ -844,42 +841,10 @@ impl<'a, T: Real> Demand<'a, T> {
             self.missing("impact", "a table [impact] with crush_plane, restitution and tangential");
             return None;
         };
-        let curve = match impact.law.restitution().and_then(Restitution::points) {
-            Some(points) => Some(self.accepted("impact.restitution", RestitutionCurve::new(points))?),
-            None => None,
-        };
-        let e = |restitution: &Restitution<T>| match restitution {
-            Restitution::Constant(e) => *e,
-            Restitution::OfClosingSpeed { values, .. } => values.first().copied().unwrap_or(T::ZERO),
-        };
-        let law = match &impact.law {
-            ImpactLaw::Brach { restitution, tangential, moment_restitution } => {
-                let tangential = match *tangential {
-                    // P_t changes its sign with t; a share of μ_c and a friction limit have none.
-                    BrachTangential::Ratio(mu) => Tangential::Ratio(self.case.axes.lateral(mu)),
-                    other => other.into(),
-                };
-                Law::new(e(restitution), tangential).and_then(|law| match moment_restitution {
-                    Some(e_m) => law.with_moment_restitution(*e_m),
-                    None => Ok(law),
-                })
-            }
-            ImpactLaw::Woolley { tangential_velocity_change: None } => Ok(Law::woolley()),
-            ImpactLaw::Woolley { tangential_velocity_change: Some(change) } => {
-                Law::woolley_sideswipe(self.lateral(change))
-            }
-            ImpactLaw::Ishikawa { restitution, tangential_restitution } => {
-                Law::ishikawa(e(restitution), *tangential_restitution)
-            }
-            ImpactLaw::KudlichSlibar { restitution, friction } => {
-                Law::kudlich_slibar(e(restitution), *friction)
-            }
-        };
-        let law = self.accepted("impact", law)?;
-        Some(match curve {
-            Some(curve) => law.with_restitution_curve(curve),
-            None => law.into(),
-        })
+        match impact.law.of_engine(self.case.axes) {
+            Ok(law) => Some(law),
+            Err((key, refusal)) => self.accepted(key, Err(refusal)),
+        }
     }
 
     fn contact(&mut self, participants: [Participant<T>; 2]) -> Option<Contact<T>> {
@@ -1057,12 +1022,7 @@ fn dimensions<T: Real>(
     vehicle: &GivenVehicle<T>,
     class: Option<(u8, VehicleClass)>,
 ) -> Option<Dimensions<T>> {
-    let given = vehicle.outline.map(|outline| Dimensions {
-        length: outline.length.si(),
-        width: outline.width.si(),
-        cg_to_front: outline.cg_to_front.si(),
-        class: None,
-    });
+    let given = vehicle.outline.as_ref().map(Outline::dimensions);
     given.or(class.map(|(class, known)| Dimensions {
         length: T::from(known.length),
         width: T::from(known.width),

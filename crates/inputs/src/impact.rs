@@ -1,7 +1,8 @@
 //! The impact: what the table `[impact]` holds.
 
-use pim_core::{Real, Tangential};
+use pim_core::{InvalidInput, Law, Real, RestitutionCurve, Tangential, VaryingLaw};
 
+use crate::axes::Axes;
 use crate::quantity::Quantity;
 use crate::walk::{Element, Walk};
 use crate::words::word;
@@ -147,6 +148,80 @@ impl<T: Copy> ImpactLaw<T> {
     }
 }
 
+impl<T: Copy> ImpactLaw<T> {
+    /// The same law with other numbers, each asked for once.
+    #[must_use]
+    pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> ImpactLaw<U> {
+        match self {
+            Self::Brach { restitution, tangential, moment_restitution } => ImpactLaw::Brach {
+                restitution: restitution.map(&mut number),
+                tangential: match *tangential {
+                    BrachTangential::Critical => BrachTangential::Critical,
+                    BrachTangential::Ratio(mu) => BrachTangential::Ratio(number(mu)),
+                    BrachTangential::FractionOfCritical(f) => BrachTangential::FractionOfCritical(number(f)),
+                    BrachTangential::Friction(mu) => BrachTangential::Friction(number(mu)),
+                },
+                moment_restitution: moment_restitution.map(number),
+            },
+            Self::Woolley { tangential_velocity_change } => ImpactLaw::Woolley {
+                tangential_velocity_change: tangential_velocity_change
+                    .map(|change| change.with(number(change.number()))),
+            },
+            Self::Ishikawa { restitution, tangential_restitution } => ImpactLaw::Ishikawa {
+                restitution: restitution.map(&mut number),
+                tangential_restitution: number(*tangential_restitution),
+            },
+            Self::KudlichSlibar { restitution, friction } => ImpactLaw::KudlichSlibar {
+                restitution: restitution.map(&mut number),
+                friction: number(*friction),
+            },
+        }
+    }
+}
+
+impl<T: Real> ImpactLaw<T> {
+    /// The law of the engine, in its axes.
+    ///
+    /// # Errors
+    /// The key of what the engine refuses, and why it does.
+    pub fn of_engine(&self, axes: Axes) -> Result<VaryingLaw<T>, (&'static str, InvalidInput)> {
+        let curve = match self.restitution().and_then(Restitution::points) {
+            Some(points) => Some(RestitutionCurve::new(points).map_err(|why| ("impact.restitution", why))?),
+            None => None,
+        };
+        let e = |restitution: &Restitution<T>| match restitution {
+            Restitution::Constant(e) => *e,
+            Restitution::OfClosingSpeed { values, .. } => values.first().copied().unwrap_or(T::ZERO),
+        };
+        let law = match self {
+            Self::Brach { restitution, tangential, moment_restitution } => {
+                let tangential = match *tangential {
+                    // P_t changes its sign with t; a share of μ_c and a friction limit have none.
+                    BrachTangential::Ratio(mu) => Tangential::Ratio(axes.lateral(mu)),
+                    other => other.into(),
+                };
+                Law::new(e(restitution), tangential).and_then(|law| match moment_restitution {
+                    Some(e_m) => law.with_moment_restitution(*e_m),
+                    None => Ok(law),
+                })
+            }
+            Self::Woolley { tangential_velocity_change: None } => Ok(Law::woolley()),
+            Self::Woolley { tangential_velocity_change: Some(change) } => {
+                Law::woolley_sideswipe(axes.lateral(change.si()))
+            }
+            Self::Ishikawa { restitution, tangential_restitution } => {
+                Law::ishikawa(e(restitution), *tangential_restitution)
+            }
+            Self::KudlichSlibar { restitution, friction } => Law::kudlich_slibar(e(restitution), *friction),
+        };
+        let law = law.map_err(|why| ("impact", why))?;
+        Ok(match curve {
+            Some(curve) => law.with_restitution_curve(curve),
+            None => law.into(),
+        })
+    }
+}
+
 /// How a coefficient of restitution is given.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Restitution<T = f64> {
@@ -161,9 +236,21 @@ pub enum Restitution<T = f64> {
     },
 }
 
+impl<T: Copy> Restitution<T> {
+    fn map<U>(&self, mut number: impl FnMut(T) -> U) -> Restitution<U> {
+        match self {
+            Self::Constant(e) => Restitution::Constant(number(*e)),
+            Self::OfClosingSpeed { speeds, values } => Restitution::OfClosingSpeed {
+                speeds: speeds.iter().map(|speed| speed.with(number(speed.number()))).collect(),
+                values: values.iter().map(|e| number(*e)).collect(),
+            },
+        }
+    }
+}
+
 impl<T: Real> Restitution<T> {
     /// The points (closing speed in m/s, coefficient of restitution) of a curve, `None` for a constant.
-    pub(crate) fn points(&self) -> Option<Vec<(T, T)>> {
+    fn points(&self) -> Option<Vec<(T, T)>> {
         match self {
             Self::Constant(_) => None,
             Self::OfClosingSpeed { speeds, values } => {

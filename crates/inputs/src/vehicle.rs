@@ -6,6 +6,7 @@ use pim_core::Real;
 
 use crate::after::{After, Before};
 use crate::crush::{Crush, KnownEnergy};
+use crate::demands::Dimensions;
 use crate::inertia::{Mass, YawInertia};
 use crate::quantity::Quantity;
 use crate::recorder::{CertainSpeed, Recorder};
@@ -185,6 +186,31 @@ pub enum ContactPoint<T = f64> {
     },
 }
 
+impl<T: Copy> ContactPoint<T> {
+    /// Both numbers.
+    #[must_use]
+    pub fn quantities(&self) -> [&Quantity<T>; 2] {
+        match self {
+            Self::Polar { distance, angle } => [distance, angle],
+            Self::Cartesian { x, y } => [x, y],
+        }
+    }
+
+    /// The same with other numbers.
+    #[must_use]
+    pub fn map<U>(&self, number: impl Fn(T) -> U) -> ContactPoint<U> {
+        match self {
+            Self::Polar { distance, angle } => ContactPoint::Polar {
+                distance: distance.with(number(distance.number())),
+                angle: angle.with(number(angle.number())),
+            },
+            Self::Cartesian { x, y } => {
+                ContactPoint::Cartesian { x: x.with(number(x.number())), y: y.with(number(y.number())) }
+            }
+        }
+    }
+}
+
 impl<T: Real> ContactPoint<T> {
     /// (m) forward of the centre of gravity, and left of it or, in z-down axes, right.
     #[inline(always)]
@@ -224,6 +250,32 @@ pub struct Outline<T = f64> {
     pub width: Quantity<T>,
     /// (m) from the centre of gravity forward to the front bumper.
     pub cg_to_front: Quantity<T>,
+}
+
+impl<T: Copy> Outline<T> {
+    /// Its numbers.
+    #[must_use]
+    pub fn quantities(&self) -> [&Quantity<T>; 3] {
+        let Self { length, width, cg_to_front } = self;
+        [length, width, cg_to_front]
+    }
+
+    /// The same with other numbers.
+    #[must_use]
+    pub fn map<U>(&self, number: impl Fn(T) -> U) -> Outline<U> {
+        let [length, width, cg_to_front] =
+            self.quantities().map(|quantity| quantity.with(number(quantity.number())));
+        Outline { length, width, cg_to_front }
+    }
+}
+
+impl<T: Real> Outline<T> {
+    /// In SI.
+    #[must_use]
+    pub fn dimensions(&self) -> Dimensions<T> {
+        let [length, width, cg_to_front] = self.quantities().map(Quantity::si);
+        Dimensions { length, width, cg_to_front, class: None }
+    }
 }
 
 impl<U> Walk<'_, U> {

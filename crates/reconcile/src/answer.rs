@@ -74,18 +74,35 @@ impl core::fmt::Debug for Iterations {
     }
 }
 
-impl Iterations {
-    pub(crate) fn none() -> Self {
+/// What a search keeps of its steps.
+pub(crate) trait Trail {
+    fn none() -> Self;
+
+    /// One more, which is computed only where it is kept.
+    fn push(&mut self, step: impl FnOnce() -> Iteration);
+}
+
+impl Trail for Iterations {
+    fn none() -> Self {
         Self { steps: [Iteration::default(); MAX_STEPS], count: 0 }
     }
 
-    pub(crate) fn push(&mut self, step: Iteration) {
+    fn push(&mut self, step: impl FnOnce() -> Iteration) {
         if let Some(place) = self.steps.get_mut(self.count) {
-            *place = step;
+            *place = step();
             self.count += 1;
         }
     }
+}
 
+/// Nothing: with its steps an answer is a kilobyte.
+impl Trail for () {
+    fn none() -> Self {}
+
+    fn push(&mut self, _: impl FnOnce() -> Iteration) {}
+}
+
+impl Iterations {
     /// The steps in the order in which they were made.
     #[must_use]
     pub fn as_slice(&self) -> &[Iteration] {
@@ -126,7 +143,7 @@ impl<'de> serde::de::Visitor<'de> for Steps {
             if iterations.count == MAX_STEPS {
                 return Err(serde::de::Error::invalid_length(MAX_STEPS + 1, &self));
             }
-            iterations.push(step);
+            iterations.push(|| step);
         }
         Ok(iterations)
     }
@@ -138,32 +155,45 @@ pub(crate) fn is_too_fast<T: Real>(speed: T) -> bool {
     speed.abs() > T::from(FASTEST)
 }
 
-/// Judges the speeds that give the energy, in the order of their approach.
-pub(crate) struct Search<'a, T> {
-    problem: &'a Problem<T>,
-    first: Option<(T, Law<T>, Outcome<T>, SolutionMethod)>,
+/// The answer of a search, with how the speed was found, as far as that is kept.
+pub(crate) struct Found<T, M> {
+    pub(crate) speed: T,
     admissible: usize,
+    law: Law<T>,
+    pub(crate) outcome: Outcome<T>,
+    method: M,
+}
+
+impl<T: Real> Found<T, SolutionMethod> {
+    pub(crate) fn reconciling(self, problem: &Problem<T>) -> Reconciliation<T> {
+        let Self { speed, admissible, law, outcome, method } = self;
+        Reconciliation { speed, admissible, law, outcome, normal_work: problem.sought(&law), method }
+    }
+}
+
+/// Judges the speeds that give the energy, in the order of their approach.
+pub(crate) struct Search<'a, T, M> {
+    problem: &'a Problem<T>,
+    first: Option<Found<T, M>>,
     refused: Option<ReconcileError>,
 }
 
-impl<'a, T: Real> Search<'a, T> {
+impl<'a, T: Real, M> Search<'a, T, M> {
     pub(crate) fn new(problem: &'a Problem<T>) -> Self {
-        Self { problem, first: None, admissible: 0, refused: None }
+        Self { problem, first: None, refused: None }
     }
 
-    pub(crate) fn consider(&mut self, speed: T, method: SolutionMethod) {
+    pub(crate) fn consider(&mut self, speed: T, method: M) {
         if is_too_fast(speed) {
             return;
         }
         let problem = self.problem;
-        match problem.impact(speed) {
-            Ok((law, outcome)) => {
-                self.admissible += 1;
-                if self.first.is_none() {
-                    self.first = Some((speed, law, outcome, method));
-                }
+        match (problem.impact(speed), &mut self.first) {
+            (Ok(_), Some(first)) => first.admissible += 1,
+            (Ok((law, outcome)), first) => {
+                *first = Some(Found { speed, admissible: 1, law, outcome, method });
             }
-            Err(reason) => {
+            (Err(reason), _) => {
                 let vehicle = problem.unknown.vehicle();
                 self.refused.get_or_insert(ReconcileError::Inadmissible {
                     vehicle,
@@ -174,18 +204,14 @@ impl<'a, T: Real> Search<'a, T> {
         }
     }
 
-    pub(crate) fn finish(self) -> Result<Reconciliation<T>, ReconcileError> {
+    pub(crate) fn finish(self) -> Result<Found<T, M>, ReconcileError> {
         let problem = self.problem;
-        match self.first {
-            Some((speed, law, outcome, method)) => {
-                let normal_work = problem.sought(&law);
-                Ok(Reconciliation { speed, admissible: self.admissible, law, outcome, normal_work, method })
-            }
-            None => Err(self.refused.unwrap_or(ReconcileError::NotReached {
+        self.first.ok_or_else(|| {
+            self.refused.unwrap_or(ReconcileError::NotReached {
                 vehicle: problem.unknown.vehicle(),
                 energy: problem.normal_work_sought().value(),
                 tangential_share: problem.tangential_share.value(),
-            })),
-        }
+            })
+        })
     }
 }

@@ -42,11 +42,21 @@ pub enum RootError {
 /// tolerance.
 pub fn brent(
     f: impl Fn(f64) -> f64,
-    [mut a, mut b]: [f64; 2],
+    ends: [f64; 2],
+    tolerance: f64,
+    observe: impl FnMut(f64, f64),
+) -> Result<f64, RootError> {
+    let ends = ends.map(|x| (x, f(x)));
+    brent_between(f, ends, tolerance, observe)
+}
+
+/// The same between ends whose values are known: each is (x, f(x)).
+pub(crate) fn brent_between(
+    f: impl Fn(f64) -> f64,
+    [(mut a, mut fa), (mut b, mut fb)]: [(f64, f64); 2],
     tolerance: f64,
     mut observe: impl FnMut(f64, f64),
 ) -> Result<f64, RootError> {
-    let (mut fa, mut fb) = (f(a), f(b));
     if fa == 0.0 {
         return Ok(a);
     }
@@ -111,20 +121,20 @@ pub fn brent(
 const NARROW: f64 = 1.189_207_115_002_721;
 
 /// A bracket of the same change of sign with ends of nearly one size, from one whose lower end is zero or
-/// more. [`brent`] resolves a root relative to its size, and may need more than [`MAX_STEPS`] for one that is
-/// small beside its bracket.
-pub(crate) fn narrowed(f: impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2]) -> [f64; 2] {
-    let below = f(low) < 0.0;
-    let is_left = |x: f64| (f(x) < 0.0) == below;
-    while high > NARROW * low {
-        let x = if low > 0.0 { Real::sqrt(low) * Real::sqrt(high) } else { high / 1024.0 };
+/// more; each end is (x, f(x)). [`brent`] resolves a root relative to its size, and may need more than
+/// [`MAX_STEPS`] for one that is small beside its bracket.
+pub(crate) fn narrowed(f: impl Fn(f64) -> f64, [mut low, mut high]: [(f64, f64); 2]) -> [(f64, f64); 2] {
+    let below = low.1 < 0.0;
+    while high.0 > NARROW * low.0 {
+        let x = if low.0 > 0.0 { Real::sqrt(low.0) * Real::sqrt(high.0) } else { high.0 / 1024.0 };
         if x == 0.0 {
             break;
         }
-        if is_left(x) {
-            low = x;
+        let value = f(x);
+        if (value < 0.0) == below {
+            low = (x, value);
         } else {
-            high = x;
+            high = (x, value);
         }
     }
     [low, high]

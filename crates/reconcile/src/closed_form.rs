@@ -2,7 +2,7 @@
 
 use pim_core::{ImpactError, LawImpulse, Outcome, Real, Tangential};
 
-use crate::answer::{Reconciliation, Search, SolutionMethod, is_too_fast};
+use crate::answer::{Found, Reconciliation, Search, SolutionMethod, is_too_fast};
 use crate::error::ReconcileError;
 use crate::posed::Posed;
 use crate::problem::Problem;
@@ -15,7 +15,10 @@ impl<T: Real> Problem<T> {
     /// [`ReconcileError`].
     #[must_use]
     pub fn closed_form(&self) -> Option<Result<Reconciliation<T>, ReconcileError>> {
-        self.has_closed_form().then(|| self.posed()?.closed_form())
+        self.has_closed_form().then(|| {
+            let found = self.posed()?.closed_form(SolutionMethod::ClosedForm)?;
+            Ok(found.reconciling(self))
+        })
     }
 
     /// W_n as a quadratic of the approach speed, or `None` under a law that has no closed form: what the
@@ -61,13 +64,13 @@ impl<T: Real> Problem<T> {
 }
 
 impl<T: Real> Posed<'_, T> {
-    /// The answer under a law that has a closed form.
-    pub(crate) fn closed_form(self) -> Result<Reconciliation<T>, ReconcileError> {
+    /// The answer under a law that has a closed form, with the `method` that this is.
+    pub(crate) fn closed_form<M: Copy>(self, method: M) -> Result<Found<T, M>, ReconcileError> {
         let Self { problem, line } = self;
         let approaches = self.approaches();
         let mut search = Search::new(problem);
         for x in approaches.ascending() {
-            search.consider(line.speed(x), SolutionMethod::ClosedForm);
+            search.consider(line.speed(x), method);
         }
         // A jam leaves no root at all: say so rather than that none was found.
         let law = problem.law.nominal();

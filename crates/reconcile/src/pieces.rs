@@ -22,8 +22,8 @@
 use crash3::EnergyBasis;
 use pim_core::{Law, LawImpulse, Regime, RestitutionCurve, Tangential};
 
-use crate::answer::{FASTEST, Iteration, Iterations};
-use crate::brent::{RootError, brent, narrowed};
+use crate::answer::{FASTEST, Iteration, Trail};
+use crate::brent::{RootError, brent_between, narrowed};
 use crate::error::ReconcileError;
 use crate::polynomial::{Points, Polynomial, opposite};
 use crate::posed::Posed;
@@ -37,11 +37,11 @@ const BESIDE_A_JAM: f64 = 1e-12;
 const ENERGY_MATCH: f64 = 1e-6;
 
 /// An approach speed at which W_n has the value sought.
-pub(crate) struct Root {
+pub(crate) struct Root<S> {
     /// (m/s) x = −u_n.
     pub(crate) x: f64,
-    /// How it was found.
-    pub(crate) iterations: Iterations,
+    /// What is kept of how it was found.
+    pub(crate) steps: S,
 }
 
 /// A range of approach speeds x = start + length t in which e is linear in t.
@@ -87,13 +87,30 @@ impl Stretch {
 
     /// The polynomial of t of something that is affine in x and affine in e.
     fn polynomial(&self, value: impl Fn(&Law, f64) -> f64) -> Polynomial {
+        self.corners(value).polynomial(|value| *value)
+    }
+
+    /// Something at both ends of the stretch, under the law of each.
+    fn corners<V>(&self, value: impl Fn(&Law, f64) -> V) -> Corners<V> {
         let ends = [self.start, self.start + self.length];
         let [from, to] = &self.laws;
-        let [a, b] = ends.map(|x| value(from, x));
-        if from == to {
-            return Polynomial::new([a, b - a]);
-        }
-        let [c, d] = ends.map(|x| value(to, x));
+        let of = |law: &Law| ends.map(|x| value(law, x));
+        Corners { from: of(from), to: (from != to).then(|| of(to)) }
+    }
+}
+
+/// Something at t = 0 and t = 1, under the law of either; of one law where both are the same.
+struct Corners<V> {
+    from: [V; 2],
+    to: Option<[V; 2]>,
+}
+
+impl<V> Corners<V> {
+    /// The polynomial of t of a part that is affine in x and affine in e.
+    fn polynomial(&self, part: impl Fn(&V) -> f64) -> Polynomial {
+        let [a, b] = self.from.each_ref().map(&part);
+        let Some(to) = &self.to else { return Polynomial::new([a, b - a]) };
+        let [c, d] = to.each_ref().map(&part);
         // a (1−t)² + (b + c) t (1−t) + d t²
         let middle = b + c;
         Polynomial::new([a, middle - 2.0 * a, a + d - middle])
@@ -124,13 +141,16 @@ impl Branch {
 /// Approach speeds between which W_n less the value sought changes its sign once, under one branch of the
 /// law.
 struct Bracket {
-    ends: [f64; 2],
+    /// Each with what is missing there (J).
+    ends: [(f64, f64); 2],
     branch: Branch,
 }
 
 impl<'a> Posed<'a> {
     /// The approach speeds at which W_n has the value sought, in ascending order: all up to [`FASTEST`].
-    pub(crate) fn roots(self) -> impl Iterator<Item = Result<Root, ReconcileError>> + use<'a> {
+    pub(crate) fn roots<S: Trail>(
+        self,
+    ) -> impl Iterator<Item = Result<Root<S>, ReconcileError>> + use<'a, S> {
         let mut last = f64::NAN;
         self.stretches()
             .flat_map(move |stretch| {
@@ -206,12 +226,8 @@ impl<'a> Posed<'a> {
             // Friction suffices between P_t = −limit P_n and P_t = limit P_n; beyond, it turns about where
             // the sliding does.
             Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
-                let spare = |c_t: f64| {
-                    roots(stretch.polynomial(|law, x| {
-                        let p = self.impulse(&law.without_limit(), x).linear;
-                        limit * p.normal + c_t * p.tangential
-                    }))
-                };
+                let full = stretch.corners(|law, x| self.impulse(&law.without_limit(), x).linear);
+                let spare = |c_t: f64| roots(full.polynomial(|p| limit * p.normal + c_t * p.tangential));
                 let sliding = stretch.polynomial(|law, x| {
                     let free = self.impulse(&law.with_ratio(0.0), x);
                     let k = self.problem.contact.inverse_mass();
@@ -289,7 +305,7 @@ impl<'a> Posed<'a> {
             .take_while(move |_| low < high)
             .filter_map(move |x| {
                 let right = (x, self.missing(branch, x));
-                let ends = [left.0, right.0];
+                let ends = [left, right];
                 let changes = opposite(left.1, right.1);
                 left = right;
                 changes.then_some(Bracket { ends, branch })
@@ -379,13 +395,8 @@ impl<'a> Posed<'a> {
 
     /// The critical impulse c, up to a factor.
     fn critical(self, stretch: &Stretch) -> Critical {
-        let part = |along_normal: bool| {
-            stretch.polynomial(|law, x| {
-                let c = self.impulse(&law.without_limit(), x).linear;
-                if along_normal { c.normal } else { c.tangential }
-            })
-        };
-        Critical { normal: part(true), tangential: part(false) }
+        let c = stretch.corners(|law, x| self.impulse(&law.without_limit(), x).linear);
+        Critical { normal: c.polynomial(|c| c.normal), tangential: c.polynomial(|c| c.tangential) }
     }
 
     /// d = k_nn c_n + f k_nt c_t: the contact jams where it is zero.
@@ -424,10 +435,10 @@ impl<'a> Posed<'a> {
     }
 
     /// The root in a bracket; `None` where rounding has made a bracket beside a jump.
-    fn root(self, bracket: &Bracket) -> Result<Option<Root>, ReconcileError> {
-        let mut iterations = Iterations::none();
+    fn root<S: Trail>(self, bracket: &Bracket) -> Result<Option<Root<S>>, ReconcileError> {
+        let mut steps = S::none();
         let observe = |x: f64, residual: f64| {
-            iterations.push(Iteration {
+            steps.push(|| Iteration {
                 speed: self.line.speed(x),
                 normal_work: self
                     .problem
@@ -436,10 +447,10 @@ impl<'a> Posed<'a> {
             });
         };
         let missing = |x: f64| self.missing(bracket.branch, x);
-        match brent(missing, narrowed(missing, bracket.ends), 0.0, observe) {
+        match brent_between(missing, narrowed(missing, bracket.ends), 0.0, observe) {
             Ok(x) => {
                 let is_root = self.missing(Branch::Own, x).abs() <= self.problem.crush_energy * ENERGY_MATCH;
-                Ok(is_root.then_some(Root { x, iterations }))
+                Ok(is_root.then_some(Root { x, steps }))
             }
             Err(RootError::NotBracketed { .. }) => Ok(None),
             Err(RootError::NotConverged { residual, .. }) if !residual.is_finite() => Ok(None),

@@ -1,6 +1,6 @@
 //! Real polynomials of low degree, and all of their roots in an interval.
 
-use crate::brent::{RootError, brent, narrowed};
+use crate::brent::{RootError, brent_between, narrowed};
 
 /// The highest degree that a [`Polynomial`] can have.
 pub(crate) const DEGREE: usize = 12;
@@ -55,10 +55,13 @@ impl Polynomial {
     /// The roots in the interval at which the sign changes, in ascending order.
     pub(crate) fn roots(&self, interval: [f64; 2]) -> Points {
         let mut points = Points::none();
-        for order in (0..self.degree).rev() {
+        if self.degree == 0 {
+            return points;
+        }
+        for order in (1..self.degree).rev() {
             points = self.derivative(order).roots_between(interval, points);
         }
-        points
+        self.roots_between(interval, points)
     }
 
     /// The roots in the interval, in which the given points isolate them.
@@ -68,23 +71,23 @@ impl Polynomial {
         for t in isolating.into_iter().chain([high]) {
             let right = (t, self.at(t));
             if opposite(left.1, right.1) {
-                roots.push(self.root_between([left.0, right.0]));
+                roots.push(self.root_between([left, right]));
             }
             left = right;
         }
         roots
     }
 
-    /// The root between two ends with opposite signs.
-    fn root_between(&self, ends: [f64; 2]) -> f64 {
-        let [low, high] = ends;
+    /// The root between two ends (t, value) with opposite signs.
+    fn root_between(&self, ends: [(f64, f64); 2]) -> f64 {
+        let [low, high] = ends.map(|(t, _)| t);
         if self.degree == 1 {
             // c₀ + c₁ t = 0
             return (-self.coefficients[0] / self.coefficients[1]).max(low).min(high);
         }
         let value = |t: f64| self.at(t);
         let ends = if low < 0.0 { ends } else { narrowed(value, ends) };
-        match brent(value, ends, 0.0, |_, _| ()) {
+        match brent_between(value, ends, 0.0, |_, _| ()) {
             Ok(t) | Err(RootError::NotConverged { last: t, .. }) => t,
             Err(RootError::NotBracketed { .. }) => low,
         }

@@ -1,10 +1,12 @@
 //! A problem for which a speed can be sought, and the search.
 
+use pim_core::Outcome;
 use real::Real;
 
-use crate::answer::{Reconciliation, Search, SolutionMethod, is_too_fast};
+use crate::answer::{Found, Reconciliation, Search, SolutionMethod, Trail, is_too_fast};
 use crate::error::ReconcileError;
 use crate::line::ApproachLine;
+use crate::pieces::Root;
 use crate::problem::Problem;
 
 /// A problem that makes sense, and what every search in it needs.
@@ -15,11 +17,15 @@ pub(crate) struct Posed<'a, T = f64> {
 }
 
 impl<'a> Posed<'a> {
-    pub(crate) fn root_finder(self) -> Result<Reconciliation, ReconcileError> {
+    /// The answer by root-finding, with what is kept of the steps.
+    pub(crate) fn search<S: Trail, M>(
+        self,
+        method: impl Fn(S) -> M,
+    ) -> Result<Found<f64, M>, ReconcileError> {
         let mut search = Search::new(self.problem);
         for root in self.roots() {
-            let root = root?;
-            search.consider(self.line.speed(root.x), SolutionMethod::RootFinder(root.iterations));
+            let Root { x, steps } = root?;
+            search.consider(self.line.speed(x), method(steps));
         }
         search.finish()
     }
@@ -28,7 +34,7 @@ impl<'a> Posed<'a> {
         let (closed, searched) = if self.problem.has_closed_form() {
             (Some(self.approaches().ascending()), None)
         } else {
-            (None, Some(self.roots().filter_map(Result::ok).map(|root| root.x)))
+            (None, Some(self.roots::<()>().filter_map(Result::ok).map(|root| root.x)))
         };
         closed
             .into_iter()
@@ -63,7 +69,24 @@ impl Problem {
     /// [`ReconcileError`].
     pub fn solve(&self) -> Result<Reconciliation, ReconcileError> {
         let posed = self.posed()?;
-        if self.has_closed_form() { posed.closed_form() } else { posed.root_finder() }
+        let found = if self.has_closed_form() {
+            posed.closed_form(SolutionMethod::ClosedForm)?
+        } else {
+            posed.search(SolutionMethod::RootFinder)?
+        };
+        Ok(found.reconciling(self))
+    }
+
+    /// The speed (m/s) that [`solve`](Self::solve) finds, and the impact at it: the same bits in less time,
+    /// as no step of the search is kept.
+    ///
+    /// # Errors
+    /// [`ReconcileError`].
+    pub fn speed_and_impact(&self) -> Result<(f64, Outcome), ReconcileError> {
+        let posed = self.posed()?;
+        let Found { speed, outcome, .. } =
+            if self.has_closed_form() { posed.closed_form(())? } else { posed.search(|()| ())? };
+        Ok((speed, outcome))
     }
 
     /// The answer by root-finding alone, which serves every law.
@@ -76,7 +99,7 @@ impl Problem {
     /// # Errors
     /// [`ReconcileError`].
     pub fn root_finder(&self) -> Result<Reconciliation, ReconcileError> {
-        self.posed()?.root_finder()
+        Ok(self.posed()?.search(SolutionMethod::RootFinder)?.reconciling(self))
     }
 
     /// (m/s) the admissible speeds, from the slowest approach to the fastest, however many; none where

@@ -1,24 +1,30 @@
-//! A block of samples of a reconstruction at once.
+//! A block of samples of a reconstruction or an impact at once.
 //!
 //! Each sample goes through the functions of the engine through which a single case goes, in the same order,
-//! so that the answers have the same bits. But there is nothing between them that keeps a compiler from
-//! vectorising the loop over the samples: no allocation, no error, no branch. What cannot be said so is left
-//! to the single case: each [`Alone`], and every sample that fails.
+//! so that the answers have the same bits. What a case says of its vehicles and their damage becomes columns,
+//! and there is nothing between these functions that keeps a compiler from vectorising the loop over the
+//! samples: no allocation, no error, no branch. So are the equations of the impact solved where they have the
+//! commonest closed form, at once; any other law is solved from these columns one sample after the other, a
+//! search by the function that searches for a single case. That saves what costs a single case most, which is
+//! the case itself.
+//!
+//! What a block cannot say is left to the single case: each [`Alone`], and every sample of a closed form that
+//! fails.
 
 use ::uncertainty::{LANES, Lanes};
 use crash3::{
-    EnergyBasis, SideStiffness, Stiffness, VehicleClass, Zone, energy_of_equivalent_speed, equal_spacing,
-    zone_energy,
+    DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, VehicleClass, Zone,
+    energy_of_equivalent_speed, equal_spacing, zone_energy,
 };
 use inputs::{
     Axes, Basis, BrachTangential, Case, ContactPoint, Crush, Find, GivenEes, GivenImpact, GivenVehicle,
-    ImpactLaw, KnownEnergy, Mass, Quantity, Reconstruct, Restitution, StiffnessForm, StiffnessLine, Velocity,
-    YawInertia, class_yaw_inertia, scaled_stiffness,
+    ImpactLaw, KnownEnergy, Mass, Outline, Pdof, Quantity, Reconstruct, Restitution, StiffnessForm,
+    StiffnessLine, Velocity, YawInertia, class_yaw_inertia, scaled_stiffness,
 };
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2, VehicleId};
 use reconcile::{Problem, Unknown};
 
-use super::value;
+use super::{Reason, value};
 use crate::sensitivity::Output;
 
 /// A number of the case.
@@ -39,69 +45,100 @@ impl Number {
         }
     }
 
+    /// In one sample.
+    fn at(self, inputs: &[Lanes], lane: usize) -> f64 {
+        match self {
+            Self::Known(number) => number,
+            Self::Uncertain(place) => inputs.get(place).map_or(f64::NAN, |column| column[lane]),
+        }
+    }
+
     pub(crate) fn is_uncertain(self) -> bool {
         matches!(self, Self::Uncertain(_))
     }
 }
 
-/// Why the samples of a case are solved one by one.
+/// Why the samples of a case are solved one by one, each as a case of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Alone {
-    /// It asks for no speed: there is no crush energy to meet, and another list of outputs.
-    NoSpeed,
-    /// It asks for both speeds, which are searched for from the momentum.
+    /// It asks for both speeds, which are found from the momentum: that comes from the ways to rest.
     BothSpeeds,
-    /// It follows vehicles to rest or back, step by step.
+    /// It follows vehicles to rest or back: what a sample costs then is its way, not its case.
     Ways,
-    /// A search finds the speed: a friction limit switches, a fraction of μ_c makes the work cubic, and a
-    /// restitution that varies changes what is sought.
-    Search,
-    /// The law has a closed form that no block is compiled for: an impulse ratio, a change of velocity, a
-    /// moment impulse.
-    OtherLaw,
-    /// One of them is a fixed object, whose mass is none.
-    Fixed,
-    /// A yaw inertia by Burg's formula.
+    /// A yaw inertia by Burg's formula, of which no column is made.
     Burg,
-    /// A contact point that is placed on the damage.
+    /// A contact point that is placed on the damage, whose centroid is not a column.
     PlacedContact,
     /// The damage of a vehicle is not known, or follows from the other's.
     NoDamage,
     /// Stations that are not equally spaced.
     Spacing,
-    /// A correction for an oblique force, or a PDOF for it.
-    Oblique,
-    /// A stiffness of a barrier test or of zones, or one with a limit.
-    Structure,
     /// What a case has to give is missing, or a result is asked for that an impact does not have.
     Incomplete,
-    /// A range of a number that it does not read: one that several share, or one that no result depends on.
+    /// A range of a number that it does not read: one that several share, or one that no result depends on
+    /// and that is not known to be idle.
     Unread,
 }
 
-/// A reconstruction of which a block of samples can be solved at once.
+/// A case of which a block of samples can be solved at once.
 #[derive(Debug)]
 pub(super) struct Block {
     axes: Axes,
-    unknown: Unknown,
-    basis: EnergyBasis,
-    /// λ, where the crush takes a share of the tangential work.
-    share: Option<Number>,
     vehicles: [Vehicle; 2],
     crush_plane: Quantity<Number>,
-    restitution: Number,
-    /// e_t: zero, U_t = 0, where the law asks for a common tangential velocity.
-    tangential_restitution: Number,
+    solution: Solution,
     /// The place of each output among all that there are, and (SI) the central values of these, 0 where one
     /// is not wanted.
     places: Vec<usize>,
     central: [f64; OUTPUTS],
 }
 
+/// How the equations of a block are solved, once its vehicles are known.
+#[derive(Debug)]
+enum Solution {
+    /// The speed of all samples at once, in closed form.
+    AtOnce {
+        sought: Sought,
+        restitution: Number,
+        /// e_t: zero, U_t = 0, where the law asks for a common tangential velocity.
+        tangential_restitution: Number,
+    },
+    /// One sample after the other: what takes a search has no steps that all samples share, and the closed
+    /// forms of other laws are not worth a compiled loop for each instruction set. Where no speed is sought,
+    /// the impact at the speeds that are given.
+    InTurn { sought: Option<Sought>, law: ImpactLaw<Number> },
+}
+
+/// A speed that the crush energy gives.
+#[derive(Clone, Copy, Debug)]
+struct Sought {
+    unknown: Unknown,
+    basis: EnergyBasis,
+    /// λ, where the crush takes a share of the tangential work.
+    share: Option<Number>,
+}
+
 #[derive(Debug)]
 struct Vehicle {
-    mover: Mover,
+    body: Collider,
     damage: Damage,
+    /// The damaged side and the body about it, where that is uncertain: no side may lie behind the centre of
+    /// gravity.
+    face: Option<(Side, Outline<Number>)>,
+    /// Numbers on which neither an answer depends nor whether there is one: how the force acted, and where on
+    /// its side the damage lies.
+    idle: Vec<Number>,
+}
+
+/// What collides.
+#[derive(Debug)]
+enum Collider {
+    Moves(Mover),
+    /// A fixed object; where the case tells no point of contact, its heading is not read.
+    Fixed {
+        heading: Option<Quantity<Number>>,
+        contact: Option<ContactPoint<Number>>,
+    },
 }
 
 /// What is known of a damage.
@@ -119,6 +156,8 @@ pub(crate) enum Resistance {
     Line(Line),
     /// That of a category, with the factor on A.
     Category(Stiffness, Number),
+    /// Of a barrier test, of zones, or with a limit: it is made for one sample at a time.
+    Other(Side, StiffnessForm<Number>),
 }
 
 /// A vehicle that moves, without its damage.
@@ -180,44 +219,29 @@ impl Block {
             departures,
             left_out: _,
         } = case;
-        let Some(Reconstruct { find, energy_basis }) = reconstruct else { return Err(Alone::NoSpeed) };
-        let Find::One(unknown) = find else { return Err(Alone::BothSpeeds) };
+        let sought = match reconstruct {
+            None => None,
+            Some(Reconstruct { find: Find::Both, .. }) => return Err(Alone::BothSpeeds),
+            Some(Reconstruct { find: Find::One(unknown), energy_basis }) => Some(Sought {
+                unknown: *unknown,
+                basis: energy_basis.energy(),
+                share: match energy_basis {
+                    Basis::Dissipated | Basis::Absorbed => None,
+                    Basis::TangentialShare(share) => Some(*share),
+                },
+            }),
+        };
         // Vehicles that are followed to rest have outputs that a block does not compute.
         let has_drag =
             |vehicle: &GivenVehicle<Number>| vehicle.after.as_ref().is_some_and(|after| after.drag.is_some());
         if surface.is_some() && (has_drag(one) || has_drag(two)) {
             return Err(Alone::Ways);
         }
-        let share = match energy_basis {
-            Basis::Dissipated | Basis::Absorbed => None,
-            Basis::TangentialShare(share) => Some(*share),
-        };
         let GivenImpact { crush_plane, law } = impact.as_ref().ok_or(Alone::Incomplete)?;
-        let zero = Number::Known(0.0);
-        let (restitution, tangential_restitution) = match law {
-            ImpactLaw::Brach {
-                restitution: Restitution::Constant(restitution),
-                tangential: BrachTangential::Critical,
-                moment_restitution: None,
-            } => (*restitution, zero),
-            ImpactLaw::Ishikawa {
-                restitution: Restitution::Constant(restitution),
-                tangential_restitution,
-            } => (*restitution, *tangential_restitution),
-            // A common velocity.
-            ImpactLaw::Woolley { tangential_velocity_change: None } => (zero, zero),
-            ImpactLaw::KudlichSlibar { .. }
-            | ImpactLaw::Brach { restitution: Restitution::OfClosingSpeed { .. }, .. }
-            | ImpactLaw::Ishikawa { restitution: Restitution::OfClosingSpeed { .. }, .. }
-            | ImpactLaw::Brach {
-                tangential: BrachTangential::FractionOfCritical(_) | BrachTangential::Friction(_),
-                ..
-            } => return Err(Alone::Search),
-            ImpactLaw::Brach { tangential: BrachTangential::Ratio(_), .. }
-            | ImpactLaw::Brach { moment_restitution: Some(_), .. }
-            | ImpactLaw::Woolley { tangential_velocity_change: Some(_) } => return Err(Alone::OtherLaw),
-        };
-        let all = Output::of_two_vehicles(unknown.vehicle(), *axes);
+        let solution = Solution::new(sought.filter(|_| !one.fixed & !two.fixed), law)
+            .unwrap_or_else(|| Solution::InTurn { sought, law: law.clone() });
+        let seeks = sought.map(|sought| sought.unknown.vehicle());
+        let all = Output::of_two_vehicles(seeks.unwrap_or(VehicleId::One), *axes);
         let place = |wanted: &Output| all.iter().position(|output| output == wanted);
         let places = outputs.iter().map(place).collect::<Option<Vec<usize>>>().ok_or(Alone::Incomplete)?;
         let mut of_all = [0.0; OUTPUTS];
@@ -227,67 +251,116 @@ impl Block {
         let vehicle = |given: &GivenVehicle<Number>, id: VehicleId| {
             // A factor that is absent is one.
             let yaw_factor = departures.yaw_radius[id.index()].unwrap_or(Number::Known(1.0));
-            let mover = Mover::new(given, Some(yaw_factor), unknown.vehicle() == id)?;
-            let damage = Damage::new(given, departures.stiffness[id.index()])?;
-            Vehicle::new(given, mover, damage)
+            let vehicle =
+                Vehicle::new(given, yaw_factor, departures.stiffness[id.index()], seeks == Some(id))?;
+            match (seeks, &vehicle.damage) {
+                (Some(_), Damage::Unknown) => Err(Alone::NoDamage),
+                _ => Ok(vehicle),
+            }
         };
-        let block = Self {
-            axes: *axes,
-            unknown: *unknown,
-            basis: energy_basis.energy(),
-            share,
-            vehicles: [vehicle(one, VehicleId::One)?, vehicle(two, VehicleId::Two)?],
-            crush_plane: *crush_plane,
-            restitution,
-            tangential_restitution,
-            places,
-            central: of_all,
-        };
-        let read = block.numbers().filter(|number| number.is_uncertain()).count();
+        let vehicles = [vehicle(one, VehicleId::One)?, vehicle(two, VehicleId::Two)?];
+        let block =
+            Self { axes: *axes, vehicles, crush_plane: *crush_plane, solution, places, central: of_all };
+        let read = block.numbers().into_iter().filter(|number| number.is_uncertain()).count();
         if read == inputs { Ok(block) } else { Err(Alone::Unread) }
     }
 
     /// Every number that it reads.
-    fn numbers(&self) -> impl Iterator<Item = Number> {
-        let Self {
-            axes: _,
-            unknown: _,
-            basis: _,
-            share,
-            vehicles,
-            crush_plane,
-            restitution,
-            tangential_restitution,
-            places: _,
-            central: _,
-        } = self;
-        let of_vehicles = vehicles.iter().flat_map(|vehicle| {
-            let Vehicle { mover, damage } = vehicle;
-            mover.numbers().chain(damage.numbers())
-        });
-        of_vehicles.chain([crush_plane.number(), *restitution, *tangential_restitution]).chain(*share)
-    }
-
-    /// Solves a block for the outputs of a reconstruction of two vehicles, and tells of each sample whether
-    /// that is its answer.
-    #[inline(always)]
-    pub(super) fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes]) -> [bool; LANES] {
-        // Compiled twice: what the share needs would cost all others time.
-        match self.share {
-            None => self.evaluate_with(&NoShare, inputs, outputs),
-            Some(share) => self.evaluate_with(&share.lanes(inputs), inputs, outputs),
+    fn numbers(&self) -> Vec<Number> {
+        let Self { axes: _, vehicles, crush_plane, solution, places: _, central: _ } = self;
+        let mut numbers = vec![crush_plane.number()];
+        let sought = match solution {
+            Solution::AtOnce { sought, restitution, tangential_restitution } => {
+                numbers.extend([*restitution, *tangential_restitution]);
+                Some(sought)
+            }
+            Solution::InTurn { sought, law } => {
+                drop(law.map(|number| numbers.push(number)));
+                sought.as_ref()
+            }
+        };
+        if let Some(Sought { unknown: _, basis: _, share }) = sought {
+            numbers.extend(*share);
         }
+        for Vehicle { body, damage, face, idle } in vehicles {
+            match body {
+                Collider::Moves(mover) => numbers.extend(mover.numbers()),
+                Collider::Fixed { contact: None, .. } => {}
+                Collider::Fixed { heading, contact: Some(contact) } => {
+                    let heading = heading.as_ref().into_iter();
+                    numbers.extend(heading.chain(contact.quantities()).map(Quantity::number));
+                }
+            }
+            numbers.extend(damage.numbers());
+            let outline = face.iter().flat_map(|(_, outline)| outline.quantities());
+            numbers.extend(outline.map(Quantity::number));
+            numbers.extend(idle);
+        }
+        numbers
     }
 
+    /// Solves a block, and tells of each sample whether it is settled: that is its answer, or it has none for
+    /// the reason that is noted.
     #[inline(always)]
-    fn evaluate_with(&self, share: &impl Share, inputs: &[Lanes], outputs: &mut [Lanes]) -> [bool; LANES] {
-        let (e, e_t) = (self.restitution.lanes(inputs), self.tangential_restitution.lanes(inputs));
+    pub(super) fn evaluate(
+        &self,
+        inputs: &[Lanes],
+        outputs: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+    ) -> [bool; LANES] {
+        let lanes = |vehicle: &Vehicle| match &vehicle.body {
+            Collider::Moves(mover) => mover.lanes(self.axes, inputs),
+            Collider::Fixed { .. } => VehicleLanes::AT_REST,
+        };
         let [one, two] = &self.vehicles;
-        let (v1, v2) = (one.mover.lanes(self.axes, inputs), two.mover.lanes(self.axes, inputs));
+        let (v1, v2) = (lanes(one), lanes(two));
         let crush_plane = lateral(self.axes, &self.crush_plane, inputs);
         let mut crush_energy = [0.0; LANES];
         one.damage.add_energy(inputs, &v1.mass, &mut crush_energy);
         two.damage.add_energy(inputs, &v2.mass, &mut crush_energy);
+        if one.face.is_some() | two.face.is_some() {
+            self.refuse_faces(inputs, &mut crush_energy);
+        }
+        let posed = Posed { vehicles: [v1, v2], crush_plane, crush_energy };
+        match &self.solution {
+            Solution::AtOnce { sought, restitution, tangential_restitution } => {
+                let law = [restitution.lanes(inputs), tangential_restitution.lanes(inputs)];
+                // Compiled twice: what the share needs would cost all others time.
+                match sought.share {
+                    None => self.at_once(sought, &NoShare, &law, &posed, outputs),
+                    Some(share) => self.at_once(sought, &share.lanes(inputs), &law, &posed, outputs),
+                }
+            }
+            Solution::InTurn { sought, law } => {
+                self.in_turn(sought.as_ref(), law, &posed, inputs, outputs, reasons)
+            }
+        }
+    }
+
+    /// (J) no crush energy where the engine refuses the place of a damaged side.
+    #[inline(never)]
+    fn refuse_faces(&self, inputs: &[Lanes], crush_energy: &mut Lanes) {
+        for (side, outline) in self.vehicles.iter().filter_map(|vehicle| vehicle.face.as_ref()) {
+            for (lane, energy) in crush_energy.iter_mut().enumerate() {
+                let distance = outline.map(|number| number.at(inputs, lane)).dimensions().face(*side);
+                // Where the damage lies along its side is idle.
+                if DamagedFace::new(*side, distance, 0.0).is_err() {
+                    *energy = f64::NAN;
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn at_once(
+        &self,
+        sought: &Sought,
+        share: &impl Share,
+        [e, e_t]: &[Lanes; 2],
+        posed: &Posed,
+        outputs: &mut [Lanes],
+    ) -> [bool; LANES] {
+        let Posed { vehicles: [v1, v2], crush_plane, crush_energy } = posed;
         // On the stack of this function, so that the compiler knows that no column is part of another.
         let mut values = [[0.0; LANES]; OUTPUTS];
         let mut answered = [false; LANES];
@@ -299,9 +372,9 @@ impl Block {
                 contact,
                 law: law.into(),
                 motions: [v1.motion(lane), v2.motion(lane)],
-                unknown: self.unknown,
+                unknown: sought.unknown,
                 crush_energy: crush_energy[lane],
-                basis: self.basis,
+                basis: sought.basis,
                 tangential_share: share.at(lane),
             };
             let (speed, outcome, is_answer) = problem.solve_with_validity();
@@ -317,6 +390,136 @@ impl Block {
         }
         answered
     }
+
+    /// Compiled once: it gains nothing from a copy for each instruction set.
+    #[inline(never)]
+    fn in_turn(
+        &self,
+        sought: Option<&Sought>,
+        law: &ImpactLaw<Number>,
+        posed: &Posed,
+        inputs: &[Lanes],
+        outputs: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+    ) -> [bool; LANES] {
+        let mut settled = [true; LANES];
+        for (lane, (is_settled, reason)) in settled.iter_mut().zip(reasons).enumerate() {
+            match self.solve(sought, law, posed, inputs, lane) {
+                Ok((speed, outcome)) => {
+                    let values = answer(self.axes, &self.central, speed, &outcome);
+                    for (output, place) in outputs.iter_mut().zip(&self.places) {
+                        if let Some(value) = values.get(*place) {
+                            output[lane] = *value;
+                        }
+                    }
+                }
+                Err(Some(refusal)) => *reason = refusal.code(),
+                Err(None) => *is_settled = false,
+            }
+        }
+        settled
+    }
+
+    /// The speed of a sample, not a number where none is asked for, and its impact.
+    ///
+    /// # Errors
+    /// Why there is none; `None` where the single case has to tell.
+    fn solve(
+        &self,
+        sought: Option<&Sought>,
+        law: &ImpactLaw<Number>,
+        posed: &Posed,
+        inputs: &[Lanes],
+        lane: usize,
+    ) -> Result<(f64, Outcome), Option<Reason>> {
+        let Posed { vehicles, crush_plane, crush_energy } = posed;
+        let refused = || Some(self.fault(inputs, lane));
+        let law = law.map(|number| number.at(inputs, lane)).of_engine(self.axes).map_err(|_| refused())?;
+        let [one, two] = &self.vehicles;
+        let participant = |vehicle: &Vehicle, lanes: &VehicleLanes| match &vehicle.body {
+            Collider::Moves(_) => lanes.participant(lane),
+            Collider::Fixed { contact: None, .. } => (Participant::barrier(), true),
+            Collider::Fixed { heading, contact: Some(contact) } => {
+                let number = |number: Number| number.at(inputs, lane);
+                let [forward, left] = contact.map(number).xy();
+                let heading = heading
+                    .map_or(0.0, |heading| self.axes.lateral(heading.with(number(heading.number())).si()));
+                Participant::new_with_validity(Body::fixed(), heading, forward, self.axes.lateral(left))
+            }
+        };
+        let [v1, v2] = vehicles;
+        let ((p1, is_1), (p2, is_2)) = (participant(one, v1), participant(two, v2));
+        let (contact, is_contact) = Contact::new_with_validity([p1, p2], crush_plane[lane]);
+        let (motions, crush_energy) = ([v1.motion(lane), v2.motion(lane)], crush_energy[lane]);
+        if !(is_1 & is_2 & is_contact) {
+            return Err(refused());
+        }
+        // A damage of which the engine refuses something has no energy.
+        let is_refused = crush_energy.is_nan();
+        match sought {
+            // Of a damage whose energy is known an impact asks nothing.
+            None if is_refused => Err(None),
+            None => {
+                let law = law.at(-contact.approach(&motions).velocity.normal);
+                match contact.impact(motions, &law) {
+                    Ok(outcome) => Ok((f64::NAN, outcome)),
+                    Err(why) => Err(Some(Reason::of_impact(&why))),
+                }
+            }
+            Some(_) if is_refused => Err(refused()),
+            Some(&Sought { unknown, basis, share }) => {
+                let tangential_share = share.map_or(0.0, |share| share.at(inputs, lane));
+                let problem =
+                    Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share };
+                problem.speed_and_impact().map_err(|why| Some(Reason::of(&crate::refused(&problem, why))))
+            }
+        }
+    }
+
+    /// The reason of a sample of which the engine refuses something while it takes it in, as
+    /// [`Reason::of_case`]: a fault of the case, unless its stiffness has a reason of its own.
+    #[cold]
+    fn fault(&self, inputs: &[Lanes], lane: usize) -> Reason {
+        let mut refusals = self.vehicles.iter().filter_map(|vehicle| {
+            let Damage::Crush(_, Resistance::Other(side, stiffness)) = &vehicle.damage else { return None };
+            let stiffness = stiffness.map(|number| number.at(inputs, lane));
+            Reason::of_structure(&stiffness.structure(*side).err()?)
+        });
+        refusals.next().unwrap_or(Reason::Other)
+    }
+}
+
+impl Solution {
+    /// That for all samples at once, where a speed is sought between two vehicles under a law that has it.
+    fn new(sought: Option<Sought>, law: &ImpactLaw<Number>) -> Option<Self> {
+        let zero = Number::Known(0.0);
+        let (restitution, tangential_restitution) = match law {
+            ImpactLaw::Brach {
+                restitution: Restitution::Constant(restitution),
+                tangential: BrachTangential::Critical,
+                moment_restitution: None,
+            } => (*restitution, zero),
+            ImpactLaw::Ishikawa {
+                restitution: Restitution::Constant(restitution),
+                tangential_restitution,
+            } => (*restitution, *tangential_restitution),
+            // A common velocity.
+            ImpactLaw::Woolley { tangential_velocity_change: None } => (zero, zero),
+            ImpactLaw::Brach { .. }
+            | ImpactLaw::Ishikawa { .. }
+            | ImpactLaw::Woolley { .. }
+            | ImpactLaw::KudlichSlibar { .. } => return None,
+        };
+        Some(Self::AtOnce { sought: sought?, restitution, tangential_restitution })
+    }
+}
+
+/// The part of a block that does not depend on the law, in SI.
+struct Posed {
+    vehicles: [VehicleLanes; 2],
+    crush_plane: Lanes,
+    /// Of both vehicles; not a number where a sample has none.
+    crush_energy: Lanes,
 }
 
 /// λ of each sample.
@@ -365,7 +568,7 @@ fn answer(axes: Axes, central: &[f64; OUTPUTS], speed: f64, outcome: &Outcome) -
     ]
 }
 
-/// The part of a block that does not depend on the law, in SI.
+/// A vehicle of each sample, in SI.
 pub(crate) struct VehicleLanes {
     pub(crate) mass: Lanes,
     yaw_inertia: Lanes,
@@ -378,6 +581,18 @@ pub(crate) struct VehicleLanes {
 }
 
 impl VehicleLanes {
+    /// That of a fixed object, of which only the motion is read.
+    const AT_REST: Self = Self {
+        mass: [0.0; LANES],
+        yaw_inertia: [0.0; LANES],
+        heading: [0.0; LANES],
+        forward: [0.0; LANES],
+        left: [0.0; LANES],
+        velocity_x: [0.0; LANES],
+        velocity_y: [0.0; LANES],
+        yaw_rate: [0.0; LANES],
+    };
+
     #[inline(always)]
     pub(crate) fn participant(&self, lane: usize) -> (Participant, bool) {
         let (body, is_body) = Body::new_with_validity(self.mass[lane], self.yaw_inertia[lane]);
@@ -394,18 +609,52 @@ impl VehicleLanes {
 }
 
 impl Vehicle {
-    fn new(given: &GivenVehicle<Number>, mover: Mover, damage: Damage) -> Result<Self, Alone> {
-        if let Damage::Unknown = damage {
-            return Err(Alone::NoDamage);
+    /// `yaw_factor` is that on the radius of gyration of a size class, `factor` that on the stiffness of a
+    /// category.
+    fn new(
+        given: &GivenVehicle<Number>,
+        yaw_factor: Number,
+        factor: Option<Number>,
+        is_sought: bool,
+    ) -> Result<Self, Alone> {
+        if given.fixed {
+            let body = Collider::Fixed { heading: given.heading, contact: given.contact };
+            return Ok(Self { body, damage: Damage::Energy(None), face: None, idle: Vec::new() });
         }
-        // How the force acts has no part in the speed, but a sample is refused where it makes no sense.
-        let of_crush =
-            given.crush.as_ref().is_some_and(|crush| crush.pdof.is_some() | crush.oblique.is_some());
-        let of_ees = given.energy.as_ref().and_then(KnownEnergy::ees);
-        if of_crush || of_ees.is_some_and(|ees| ees.pdof.is_some() | ees.moment_arm.is_some()) {
-            return Err(Alone::Oblique);
+        let mover = Mover::new(given, Some(yaw_factor), is_sought)?;
+        let damage = Damage::new(given, factor)?;
+        let mut idle = Vec::new();
+        let ees = given.energy.as_ref().and_then(KnownEnergy::ees);
+        if let Some(crush) = &given.crush {
+            let quantities = [crush.offset, crush.oblique_angle, crush.moment_arm, angle(crush.pdof)];
+            idle.extend(quantities.iter().flatten().map(Quantity::number));
+            if let Some(ObliqueCorrection::Friction(friction)) = crush.oblique {
+                idle.push(friction);
+            }
         }
-        Ok(Self { mover, damage })
+        if let Some(ees) = ees {
+            idle.extend([ees.moment_arm, angle(ees.pdof)].iter().flatten().map(Quantity::number));
+        }
+        let face = match (&given.crush, given.outline) {
+            (Some(crush), Some(outline)) => Some((crush.side, outline)),
+            (None, Some(outline)) => {
+                idle.extend(outline.quantities().map(Quantity::number));
+                None
+            }
+            (_, None) => None,
+        };
+        let is_uncertain = |(_, outline): &(Side, Outline<Number>)| {
+            outline.quantities().iter().any(|quantity| quantity.number().is_uncertain())
+        };
+        Ok(Self { body: Collider::Moves(mover), damage, face: face.filter(is_uncertain), idle })
+    }
+}
+
+/// That of a direction which is given as an angle.
+fn angle(pdof: Option<Pdof<Number>>) -> Option<Quantity<Number>> {
+    match pdof {
+        Some(Pdof::Angle(angle)) => Some(angle),
+        Some(Pdof::Clock(_)) | None => None,
     }
 }
 
@@ -423,35 +672,38 @@ impl Damage {
             };
         };
         let (crushed, stiffness) = Crushed::new(crush)?;
-        let resistance = match stiffness {
-            StiffnessForm::Line(line) => Resistance::Line(Line::new(*line).ok_or(Alone::Structure)?),
-            StiffnessForm::Category(category) => {
+        let other = || Resistance::Other(crush.side, stiffness.clone());
+        let resistance = match (stiffness, factor) {
+            (StiffnessForm::Line(line), _) => Line::new(*line).map_or_else(other, Resistance::Line),
+            (StiffnessForm::Category(category), Some(factor)) => {
                 let known = StiffnessForm::Category(*category).structure(crush.side);
-                let (Ok(SideStiffness::Uniform(known)), Some(factor)) = (known, factor) else {
-                    return Err(Alone::Structure);
-                };
+                let Ok(SideStiffness::Uniform(known)) = known else { return Err(Alone::Incomplete) };
                 Resistance::Category(known, factor)
             }
-            StiffnessForm::Test(_) | StiffnessForm::Zones(_) => return Err(Alone::Structure),
+            (StiffnessForm::Category(_), None) => return Err(Alone::Incomplete),
+            (StiffnessForm::Test(_) | StiffnessForm::Zones(_), _) => other(),
         };
         Ok(Self::Crush(crushed, resistance))
     }
 
     /// Every number that it reads.
-    pub(crate) fn numbers(&self) -> impl Iterator<Item = Number> {
-        let (crush, ees) = match self {
-            Self::Unknown => (None, None),
-            Self::Crush(crushed, resistance) => (Some((crushed, resistance)), None),
-            Self::Energy(ees) => (None, ees.as_ref()),
-        };
-        let of_crush = crush.into_iter().flat_map(|(crushed, resistance)| {
-            let (line, factor) = match resistance {
-                Resistance::Line(line) => (Some(line), None),
-                Resistance::Category(_, factor) => (None, Some(*factor)),
-            };
-            crushed.numbers().chain(line.into_iter().flat_map(Line::numbers)).chain(factor)
-        });
-        of_crush.chain(ees.map(Quantity::number))
+    pub(crate) fn numbers(&self) -> Vec<Number> {
+        let mut numbers = Vec::new();
+        match self {
+            Self::Unknown | Self::Energy(None) => {}
+            Self::Energy(Some(ees)) => numbers.push(ees.number()),
+            Self::Crush(crushed, resistance) => {
+                numbers.extend(crushed.numbers());
+                match resistance {
+                    Resistance::Line(line) => numbers.extend(line.numbers()),
+                    Resistance::Category(_, factor) => numbers.push(*factor),
+                    Resistance::Other(_, stiffness) => {
+                        drop(stiffness.map(|number| numbers.push(number)));
+                    }
+                }
+            }
+        }
+        numbers
     }
 
     /// (J) adds the crush energy; not a number where a sample has none.
@@ -467,6 +719,9 @@ impl Damage {
             }
             Self::Crush(crushed, Resistance::Line(line)) => {
                 crushed.add_energy(inputs, line.lanes(inputs), total);
+            }
+            Self::Crush(crushed, Resistance::Other(side, stiffness)) => {
+                crushed.add_energy_in_turn(inputs, *side, stiffness, total);
             }
             Self::Crush(crushed, Resistance::Category(stiffness, factor)) => {
                 let factors = factor.lanes(inputs);
@@ -516,7 +771,7 @@ impl Mover {
             certain_speed: _,
         } = vehicle;
         if *fixed {
-            return Err(Alone::Fixed);
+            return Err(Alone::Incomplete);
         }
         let yaw = match (*yaw, *class, yaw_factor) {
             (Some(yaw), ..) => Yaw::Given(yaw),
@@ -544,10 +799,7 @@ impl Mover {
             Yaw::Given(YawInertia::Inertia(yaw) | YawInertia::Radius(yaw)) => yaw.number(),
             Yaw::Class(_, factor) => *factor,
         };
-        let contact = match contact {
-            ContactPoint::Polar { distance, angle } => [distance, angle],
-            ContactPoint::Cartesian { x, y } => [x, y],
-        };
+        let contact = contact.quantities();
         let motion = match motion {
             None => [None; 2],
             Some(Velocity::Speed(speed)) => [Some(speed), None],
@@ -656,6 +908,27 @@ impl Crushed {
     fn numbers(&self) -> impl Iterator<Item = Number> {
         let Self { width, depths } = self;
         [width].into_iter().chain(depths).map(Quantity::number)
+    }
+
+    /// (J) adds the crush energy of a structure, one sample after the other; not a number where a sample has
+    /// none.
+    #[inline(never)]
+    fn add_energy_in_turn(
+        &self,
+        inputs: &[Lanes],
+        side: Side,
+        stiffness: &StiffnessForm<Number>,
+        total: &mut Lanes,
+    ) {
+        for (lane, total) in total.iter_mut().enumerate() {
+            let at = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane)).si();
+            let depths = self.depths.iter().map(at).collect();
+            let energy = Profile::equally_spaced(depths, at(&self.width)).and_then(|profile| {
+                let stiffness = stiffness.map(|number| number.at(inputs, lane));
+                stiffness.structure(side)?.crush_energy(&profile)
+            });
+            *total += energy.unwrap_or(f64::NAN);
+        }
     }
 
     /// (J) adds the crush energy with A, B and G; not a number where a sample has none.

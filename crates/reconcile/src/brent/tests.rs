@@ -1,11 +1,20 @@
 use super::*;
 
+/// Narrows a bracket of which the values are not known yet, and sees to it that those of its ends are.
+#[track_caller]
+fn narrow(f: impl Fn(f64) -> f64, bracket: [f64; 2]) -> [f64; 2] {
+    narrowed(&f, bracket.map(|x| (x, f(x)))).map(|(x, value)| {
+        assert_eq!(value.to_bits(), f(x).to_bits());
+        x
+    })
+}
+
 /// The ends of what is left of a bracket, which must hold the change of sign of x − root or of root − x.
 #[track_caller]
 fn assert_narrowed(root: f64, bracket: [f64; 2]) {
     for sign in [1.0, -1.0] {
         let f = |x: f64| sign * (x - root);
-        let [low, high] = narrowed(f, bracket);
+        let [low, high] = narrow(f, bracket);
         assert!(bracket[0] <= low && low <= root && root <= high && high <= bracket[1], "{low:e} {high:e}");
         // ⁴√2
         assert!(low.to_bits() == high.to_bits() || high <= 1.19 * low, "{low:e} {high:e}");
@@ -23,7 +32,7 @@ fn a_narrowed_bracket_has_the_root_and_ends_of_one_size() {
 #[test]
 fn a_root_at_an_end_stays_in_the_narrowed_bracket() {
     // Zero counts as positive, so that only a falling line changes its sign from its root on.
-    let [low, high] = narrowed(|x| 1.0 - x, [1.0, 8.0]);
+    let [low, high] = narrow(|x| 1.0 - x, [1.0, 8.0]);
     assert!(low == 1.0 && high <= 1.19, "{low} {high}");
     assert_narrowed(8.0, [1.0, 8.0]);
     // The first point tried, √1·√16, is the root.
@@ -32,11 +41,11 @@ fn a_root_at_an_end_stays_in_the_narrowed_bracket() {
 
 #[test]
 fn a_bracket_that_is_narrow_is_left_alone() {
-    assert_eq!(narrowed(|x| x - 1.1, [1.0, 1.15]), [1.0, 1.15]);
+    assert_eq!(narrow(|x| x - 1.1, [1.0, 1.15]), [1.0, 1.15]);
 }
 
 /// Nothing is between zero and the least number.
 #[test]
 fn a_root_at_zero_ends_the_narrowing() {
-    assert_eq!(narrowed(|x| -x, [0.0, 1.0])[0], 0.0);
+    assert_eq!(narrow(|x| -x, [0.0, 1.0])[0], 0.0);
 }
