@@ -429,8 +429,8 @@ pub struct Samples {
 }
 
 /// The samples of [`uncertainty()`], with the same bits, in a fraction of its time where they are few:
-/// without derivatives, tornado and doubts, as a row of a table has no place for them. `None` where nothing is
-/// uncertain.
+/// without derivatives, tornado and doubts, as a row of a table has no place for them. `None` where nothing
+/// is uncertain.
 ///
 /// # Errors
 /// As for [`uncertainty()`], but for a case of which nothing is a range.
