@@ -434,29 +434,34 @@ pub struct Samples {
 }
 
 /// The samples of [`uncertainty()`], with the same bits, in a fraction of its time where they are few:
-/// without derivatives, tornado and doubts, as a row of a table has no place for them.
+/// without derivatives, tornado and doubts, as a row of a table has no place for them. `None` where nothing
+/// is uncertain.
 ///
 /// # Errors
-/// As for [`uncertainty()`].
-pub fn samples(case: &Case, settings: &Settings, progress: &mut Progress<'_>) -> Result<Samples, Failure> {
-    let inputs = inputs(case)?;
+/// As for [`uncertainty()`], but for a case of which nothing is a range.
+pub fn samples(
+    case: &Case,
+    settings: &Settings,
+    progress: &mut Progress<'_>,
+) -> Result<Option<Samples>, Failure> {
+    let inputs = any_inputs(case)?;
+    if inputs.is_empty() {
+        return Ok(None);
+    }
     let nominal = Goal::of(case).solve(case)?;
     let outputs = Output::of(&nominal, case.axes);
     let central = central(&nominal, &outputs);
     let model = Sample::new(case, &nominal, &inputs, &outputs, &central);
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
     let propagation = ::uncertainty::propagate(&model, &distributions, settings, progress)?;
-    Ok(Samples { outputs, propagation })
+    Ok(Some(Samples { outputs, propagation }))
 }
 
 /// Whether [`uncertainty()`] has anything to propagate: a range, a value that is estimated, or an error
 /// that numbers share.
 #[must_use]
 pub fn is_uncertain(case: &Case) -> bool {
-    match inputs(case) {
-        Ok(_) => true,
-        Err(faults) => faults.list().iter().any(|fault| fault.kind != FaultKind::NothingUncertain),
-    }
+    any_inputs(case).map_or(true, |inputs| !inputs.is_empty())
 }
 
 /// Whether each sample of [`uncertainty()`] is searched back from the place where a vehicle came to rest,
@@ -472,6 +477,12 @@ pub fn is_searched_back(case: &Case) -> bool {
 
 /// The ranges of the case and the spreads of its estimates, as the engine takes them: at least one.
 pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
+    let inputs = any_inputs(case)?;
+    if inputs.is_empty() { Err(no_range(case).into()) } else { Ok(inputs) }
+}
+
+/// The same, or none.
+fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     let mut ranges = case.ranges.iter();
     let mut inputs = Vec::new();
     let mut faults = Vec::new();
@@ -527,7 +538,7 @@ pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
             inputs.retain(|input| !sought.contains(&input.input.path));
         }
     }
-    if inputs.is_empty() { Err(no_range(case).into()) } else { Ok(inputs) }
+    Ok(inputs)
 }
 
 /// What to write where nothing is a range, shown at a number of the case.

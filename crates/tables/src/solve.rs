@@ -303,12 +303,12 @@ impl Row<'_> {
         };
         let analysis = analyse(case).map_err(refused)?;
         // Intervals are of what is not exact.
-        let spread = match self.options.samples.filter(|_| analysis::is_uncertain(case)) {
+        let spread = match self.options.samples {
             None => None,
             Some(samples) => {
                 let settings = Settings::new(SamplingMethod::MonteCarlo, samples, seed);
                 let samples = analysis::samples(case, &settings, &mut |_, _| self.goes_on());
-                Some(Spread::of(&samples.map_err(refused)?))
+                samples.map_err(refused)?.as_ref().map(Spread::of)
             }
         };
         Ok(Outcome { found: Some(Found::analysis(case, &analysis, spread)), refusal: None })

@@ -287,8 +287,9 @@ pub fn cumulative(z: f64) -> f64 {
         return 0.0;
     }
     // 200 levels are good to 1e-16 at t = 1.5, and the farther out, the fewer it takes.
-    let enough = 450.0 / (t * t) + 20.0;
-    let levels = (1_u8..=200).rev().skip_while(|level| f64::from(*level) > enough);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 20 and 220")]
+    let enough = (450.0 / (t * t) + 20.0) as u8;
+    let levels = (1..=enough.min(200)).rev();
     density / levels.fold(t, |below, level| t + f64::from(level) / below)
 }
 

@@ -154,7 +154,7 @@ impl<M: Model> Run<'_, M> {
         let totals = self.evaluate(0, &mut samples, self.settings.samples, progress);
         samples.truncate(totals.samples);
         let is_complete = totals.failures.is_empty();
-        let of = |column: &Vec<f64>| Summary::of(column, is_complete, self.settings.method);
+        let of = |column: &Vec<f64>| Summary::of(column, is_complete, self.settings);
         let summaries = for_each(&samples.columns, of);
         let Samples { columns, reasons } = samples;
         let requested = self.settings.samples;
@@ -167,7 +167,7 @@ impl<M: Model> Run<'_, M> {
         let chunk = (chunks.values / self.outputs / SPAN * SPAN).max(SPAN);
         let mut samples = Samples::new(self.outputs, chunk.min(requested));
         let mut all: Vec<_> =
-            (0..self.outputs).map(|_| Passes::new(method, chunks.size, &Classes::ALL)).collect();
+            (0..self.outputs).map(|_| Passes::new(self.settings, chunks.size, &Classes::ALL)).collect();
         let mut totals = Totals::default();
         let mut kept = Samples::new(self.outputs, 0);
         // More passes than usual do not turn the count back.

@@ -124,6 +124,11 @@ fn workers() -> usize {
 
 #[cfg(feature = "parallel")]
 fn on_threads(workers: usize, worker: &(impl Fn() + Sync)) {
+    // A thread that is none of rayon's would hand even this to one of them, and wait.
+    if workers <= 1 {
+        worker();
+        return;
+    }
     rayon::scope(|scope| {
         for _ in 1..workers {
             scope.spawn(|_| worker());

@@ -11,7 +11,8 @@ mod passes;
 mod sums;
 
 use crate::limits::REPLICATES;
-use crate::points::SamplingMethod;
+use crate::model::LANES;
+use crate::sampler::Settings;
 use order::Order;
 use sums::Moments;
 
@@ -78,7 +79,7 @@ const QUANTILES: usize = 1 + 2 * LEVELS.len();
 impl Summary {
     /// Of a column in which NaN stands for samples that failed; `None` where fewer than two succeeded.
     /// `is_complete` tells that there are none.
-    pub(crate) fn of(column: &[f64], is_complete: bool, method: SamplingMethod) -> Option<Self> {
+    pub(crate) fn of(column: &[f64], is_complete: bool, settings: &Settings) -> Option<Self> {
         let succeeded;
         let answered = if is_complete {
             column
@@ -86,7 +87,7 @@ impl Summary {
             succeeded = without_nan(column);
             &succeeded
         };
-        let mut passes = Passes::new(method, Size::AT_ONCE, &[]);
+        let mut passes = Passes::new(settings, Size::AT_ONCE, &[]);
         loop {
             passes.add(Chunk { all: column, answered });
             if !passes.go_on() {
@@ -219,25 +220,19 @@ impl Below {
     }
 
     /// Samples that follow, from the first replicate on. NaN is in none.
+    #[inline(always)]
     fn add(&mut self, column: &[f64]) {
         /// Few enough to stay in the nearest cache.
-        const ROWS: usize = 128;
-        for part in column.chunks(ROWS * REPLICATES) {
-            let (rows, rest) = part.as_chunks::<REPLICATES>();
-            let mut last = [f64::NAN; REPLICATES];
-            last[..rest.len()].copy_from_slice(rest);
-            let rows = || rows.iter().chain(std::iter::once(&last));
-            for row in rows() {
-                for (count, value) in self.counts.iter_mut().zip(row) {
-                    *count += u64::from(!value.is_nan());
-                }
+        const PART: usize = 32 * LANES;
+        let add = |totals: &mut [u64; REPLICATES], more: [u64; REPLICATES]| {
+            for (total, more) in totals.iter_mut().zip(more) {
+                *total += more;
             }
-            for (quantile, twice) in self.quantiles.iter().zip(&mut self.twice) {
-                for row in rows() {
-                    for (twice, value) in twice.iter_mut().zip(row) {
-                        *twice += u64::from(value < quantile) + u64::from(value <= quantile);
-                    }
-                }
+        };
+        for part in column.chunks(PART) {
+            add(&mut self.counts, counted(part, |value| u64::from(!value.is_nan())));
+            for (&quantile, twice) in self.quantiles.iter().zip(&mut self.twice) {
+                add(twice, counted(part, |value| u64::from(value < quantile) + u64::from(value <= quantile)));
             }
         }
     }
@@ -267,6 +262,24 @@ impl Below {
         }
         ends.map(|ends| ends.map(|position| Place::at(position, count)))
     }
+}
+
+/// Σ f(x) of each replicate. The values begin with the first one.
+///
+/// By lanes, of which each replicate has several: the loop over them is vectorised as it stands.
+#[inline(always)]
+fn counted(values: &[f64], f: impl Fn(f64) -> u64) -> [u64; REPLICATES] {
+    let mut sums = [0; LANES];
+    let (blocks, rest) = values.as_chunks::<LANES>();
+    for block in blocks {
+        for (sum, value) in sums.iter_mut().zip(block) {
+            *sum += f(*value);
+        }
+    }
+    for (sum, value) in sums.iter_mut().zip(rest) {
+        *sum += f(*value);
+    }
+    std::array::from_fn(|replicate| sums.iter().skip(replicate).step_by(REPLICATES).sum())
 }
 
 /// s/√R over the replicates, where all of them have a value.

@@ -1,11 +1,15 @@
 //! A summary by passes over a column that comes in chunks.
 
+use fearless_simd::dispatch;
+
 use super::order::Order;
 pub(crate) use super::order::Size;
 use super::sums::{Moments, Spread, Summed, deal};
 use super::{Below, Errors, PROBABILITIES, Place, QUANTILES, Summary, tail_is_populated};
 use crate::limits::REPLICATES;
 use crate::points::SamplingMethod;
+use crate::run::Instructions;
+use crate::sampler::Settings;
 
 impl Size {
     /// For a column that is in memory: few cells stay in the nearest cache.
@@ -28,6 +32,7 @@ pub(crate) struct Chunk<'a> {
 #[derive(Debug)]
 pub(crate) struct Passes {
     is_replicated: bool,
+    instructions: Instructions,
     order: Order,
     stage: Stage,
     places: Option<Box<[Place; QUANTILES]>>,
@@ -53,11 +58,13 @@ enum Stage {
 }
 
 impl Passes {
-    pub(crate) fn new(method: SamplingMethod, size: Size, classes: &'static [Classes]) -> Self {
+    pub(crate) fn new(settings: &Settings, size: Size, classes: &'static [Classes]) -> Self {
+        let Settings { method, instructions, .. } = *settings;
         let is_replicated = method != SamplingMethod::MonteCarlo;
         let replicates = if is_replicated { REPLICATES } else { 0 };
         Self {
             is_replicated,
+            instructions,
             order: Order::new(size),
             stage: Stage::Sums(Summed::new(), vec![Summed::new(); replicates]),
             places: None,
@@ -75,7 +82,12 @@ impl Passes {
     }
 
     /// The samples that follow.
-    pub(crate) fn add(&mut self, Chunk { all, answered }: Chunk<'_>) {
+    pub(crate) fn add(&mut self, chunk: Chunk<'_>) {
+        dispatch!(self.instructions.level(), _simd => self.add_with(chunk));
+    }
+
+    #[inline(always)]
+    fn add_with(&mut self, Chunk { all, answered }: Chunk<'_>) {
         match &mut self.stage {
             Stage::Sums(summed, replicates) => {
                 self.order.count(answered);
@@ -247,6 +259,7 @@ impl Histogram {
         Some(histogram)
     }
 
+    #[inline(always)]
     fn add(&mut self, values: &[f64]) {
         for value in values.iter().filter(|value| !value.is_nan()) {
             #[expect(
@@ -254,7 +267,7 @@ impl Histogram {
                 clippy::cast_sign_loss,
                 reason = "a class between 0 and their number"
             )]
-            let class = ((value - self.low) / self.width).floor().max(0.0) as usize;
+            let class = ((value - self.low) / self.width).max(0.0) as usize;
             if *value < self.low {
                 self.outside[0] += 1;
             } else if *value > self.high {

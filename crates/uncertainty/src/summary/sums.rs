@@ -20,6 +20,7 @@ impl<const N: usize> Sums<N> {
     }
 
     /// Adds f(x) of the values that follow. It has to be the same f in all calls.
+    #[inline(always)]
     pub(super) fn add(&mut self, values: &[f64], f: impl Fn(f64) -> [f64; N]) {
         let mut values = values;
         if !self.rest.is_empty() {
@@ -46,6 +47,7 @@ impl<const N: usize> Sums<N> {
     }
 }
 
+#[inline(always)]
 fn add_span<const N: usize>(totals: &mut [f64; N], span: &[f64], f: impl Fn(f64) -> [f64; N]) {
     let mut lanes = [[0.0; 8]; N];
     let (blocks, rest) = span.as_chunks::<8>();
@@ -104,6 +106,7 @@ impl Summed {
         Self { count: 0, sum: Sums::new() }
     }
 
+    #[inline(always)]
     pub(super) fn add(&mut self, values: &[f64]) {
         self.count += values.len();
         self.sum.add(values, |x| [x]);
@@ -125,6 +128,7 @@ pub(super) struct Spread {
 }
 
 impl Spread {
+    #[inline(always)]
     pub(super) fn add(&mut self, values: &[f64]) {
         self.powers.add(values, powers(self.mean));
     }
@@ -135,6 +139,7 @@ impl Spread {
     }
 }
 
+#[inline(always)]
 fn powers(mean: f64) -> impl Fn(f64) -> [f64; 2] {
     move |x| {
         let square = (x - mean) * (x - mean);
@@ -146,6 +151,7 @@ fn powers(mean: f64) -> impl Fn(f64) -> [f64; 2] {
 const DEALT: usize = LANES;
 
 /// Deals a column to its replicates, without what is NaN, a part that stays in the caches at a time.
+#[inline(always)]
 pub(super) fn deal(column: &[f64], mut take: impl FnMut(usize, &[f64])) {
     let mut dealt = [[0.0; DEALT]; REPLICATES];
     for part in column.chunks(DEALT * REPLICATES) {
@@ -174,6 +180,7 @@ pub(super) fn deal(column: &[f64], mut take: impl FnMut(usize, &[f64])) {
     }
 }
 
+#[inline(always)]
 fn has_nan(values: &[f64]) -> bool {
     values.iter().fold(false, |has_nan, value| has_nan | value.is_nan())
 }
