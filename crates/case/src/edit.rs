@@ -74,7 +74,8 @@ pub fn set(text: &str, key: &str, value: &str) -> Result<Edited, EditError> {
 }
 
 /// Takes a key out, with its line or, where it is a table, all of that. A table in braces of which it is the
-/// only key goes as well; a text that has not this key stays as it is.
+/// only key goes as well, unless others of its list follow, whose numbers would change; a text that has not
+/// this key stays as it is.
 ///
 /// ```
 /// let text = "[impact]\nlaw = \"woolley\" # a sideswipe\ntangential_velocity_change = \"3 m/s\"\n";
@@ -473,13 +474,22 @@ impl<'t> Editor<'t> {
         let Some(container) = self.layout.containers.get(entry.within) else { return self.text.to_owned() };
         let is_alone = self.layout.within(entry.within).count() == 1;
         if container.kind != Kind::Section && is_alone {
-            // An element of a list of tables has no entry of its own.
-            if let Some(of_container) = self.layout.entry(&container.path) {
+            // An element of a list of tables has no entry of its own. What follows one in braces keeps its
+            // number.
+            if let Some(of_container) = self.layout.entry(&container.path)
+                && !self.is_followed(of_container)
+            {
                 return self.without(of_container);
             }
         }
         let place = self.place_of(entry);
         [&self.text[..place.start], &self.text[place.end..]].concat()
+    }
+
+    /// Whether it is an element of a list that has others behind it.
+    fn is_followed(&self, entry: &Entry) -> bool {
+        matches!(entry.path.last(), Some(Step::Element(_)))
+            && self.layout.within(entry.within).any(|other| other.value.start > entry.value.start)
     }
 
     /// (bytes) what goes with an entry: its line, or its comma.

@@ -257,6 +257,19 @@ fn elements_of_lists_are_set_and_removed() {
     assert!(two.ends_with("# ice\n\n[[surface.zone]]\nfriction = 0.5\n"), "{two}");
 }
 
+/// The others of a list are then still what they were.
+#[test]
+fn the_only_key_of_an_element_goes_with_it_where_nothing_follows() {
+    let text = "vehicle1.crush.stiffness.zones = [{ A = \"1 lb/in\" }, { A = \"2 lb/in\" }]\n";
+    let key = |element: usize| format!("vehicle1.crush.stiffness.zones[{element}].A");
+    let first = remove(text, &key(1)).unwrap();
+    let left = said(&first);
+    assert_eq!(left.into_iter().collect::<Vec<_>>(), [(key(2), "\"2 lb/in\"".to_owned())]);
+    let second = remove(text, &key(2)).unwrap();
+    assert_eq!(second, "vehicle1.crush.stiffness.zones = [{ A = \"1 lb/in\" }]\n");
+    assert_eq!(remove(&second, &key(1)).unwrap(), "");
+}
+
 #[test]
 fn what_cannot_be_done_is_said() {
     let error = |text: &str, key: &str, value: &str| set(text, key, value).unwrap_err().to_string();

@@ -113,12 +113,14 @@ pub fn draw(text: &str, what: &str, units: &str) -> String {
 /// case has. `viewport` is empty, or that of an earlier picture, so that the new one holds still.
 ///
 /// `{ ok: true, what, svg, title, description, viewport: { left, bottom, right, top }, origin, scale,
-/// contact, bodies, handles, survey, plan }`, or `{ ok: false, problems, message }`. Places are in metres, y upwards,
-/// whatever the axes of the case; a place x, y is at `origin[0] + scale x`, `origin[1] - scale y` in the
-/// units of the SVG. A body is `{ vehicle, outline, centre, heading }`, or `null`. A handle is `{ kind,
+/// contact, bodies, handles, survey, plan }`, or `{ ok: false, problems, message }`. Places are in metres, y
+/// upwards, whatever the axes of the case; a place x, y is at `origin[0] + scale x`, `origin[1] - scale y` in
+/// the units of the SVG. A body is `{ vehicle, outline, centre, heading }`, or `null`. A handle is `{ kind,
 /// vehicle, index, at, centre, keys }`: `heading`, `body` and `contact` of a vehicle, `plane`, `station` of
 /// its crush, `rest`, `rest_heading` and `point`; `index` counts from 0, and what turns does so around
-/// `centre`.
+/// `centre`. `survey` is what a place needs to become one of the survey; in these `plan` has the site plan of
+/// the case, `{ file, corner, width, angle }`, or `null`: its lower left corner, and the length of its lower
+/// edge and its angle (rad) from the x axis.
 #[wasm_bindgen]
 #[must_use]
 pub fn scene(text: &str, what: &str, units: &str, viewport: &str) -> String {
@@ -136,8 +138,8 @@ pub fn drag(text: &str, handle: &str, to: &str) -> String {
     drag::drag(text, handle, to).to_string()
 }
 
-/// The text with a picture of the scene from above kept in it, as `site_plan` of `[scene]`: `plan` is `{ file,
-/// corner: [x, y], width, angle }`, as `scene` gives it. Answers as `drag`.
+/// The text with a picture of the scene from above kept in it, as `site_plan` of `[scene]`; `plan` is as
+/// `scene` gives it. Answers as `drag`.
 #[wasm_bindgen]
 #[must_use]
 pub fn keep_plan(text: &str, plan: &str) -> String {
@@ -216,8 +218,8 @@ impl Run {
     /// What the ranges of the case make of its answer, as `deltav uncertainty`. `options` is `{ samples,
     /// seed, method: "monte-carlo" | "latin-hypercube" | "sobol", indices }`, of which each may be left out.
     ///
-    /// `{ ok: true, converged, headline, html }`, or `{ ok: false, problems, message }`. The rest is made when
-    /// it is asked for: [`pictures`](Self::pictures), [`text`](Self::text), [`json`](Self::json),
+    /// `{ ok: true, converged, headline, html }`, or `{ ok: false, problems, message }`. The rest is made
+    /// when it is asked for: [`pictures`](Self::pictures), [`text`](Self::text), [`json`](Self::json),
     /// [`samples`](Self::samples).
     pub fn uncertainty(
         &mut self,
