@@ -114,7 +114,9 @@ def main() -> int:
         cores = spark.sparkContext.defaultParallelism
         tasks = given.tasks or number_of_tasks(rows, rows_of_a_task(given.job, given.samples), cores)
         began = time.monotonic()
-        solved(spark, cases, tasks, given.job, options).write.parquet(given.results)
+        # Hardly a number comes twice: to look for those that do would take a third of the time of the samples.
+        writer = solved(spark, cases, tasks, given.job, options).write.option("parquet.enable.dictionary", "false")
+        writer.parquet(given.results)
         passed = time.monotonic() - began
         written = spark.read.parquet(given.results)
         found = written.count()
