@@ -155,35 +155,40 @@ pub(crate) fn is_too_fast<T: Real>(speed: T) -> bool {
     speed.abs() > T::from(FASTEST)
 }
 
-/// The answer of a search, with how the speed was found, as far as that is kept.
-pub(crate) struct Found<T, M> {
+/// The answer of a search, with what is kept of its steps.
+pub(crate) struct Found<T, S> {
     pub(crate) speed: T,
     admissible: usize,
     law: Law<T>,
     pub(crate) outcome: Outcome<T>,
-    method: M,
+    steps: S,
 }
 
-impl<T: Real> Found<T, SolutionMethod> {
-    pub(crate) fn reconciling(self, problem: &Problem<T>) -> Reconciliation<T> {
-        let Self { speed, admissible, law, outcome, method } = self;
-        Reconciliation { speed, admissible, law, outcome, normal_work: problem.sought(&law), method }
+impl<T: Real, S> Found<T, S> {
+    pub(crate) fn reconciling(
+        self,
+        problem: &Problem<T>,
+        method: impl FnOnce(S) -> SolutionMethod,
+    ) -> Reconciliation<T> {
+        let Self { speed, admissible, law, outcome, steps } = self;
+        let normal_work = problem.sought(&law);
+        Reconciliation { speed, admissible, law, outcome, normal_work, method: method(steps) }
     }
 }
 
 /// Judges the speeds that give the energy, in the order of their approach.
-pub(crate) struct Search<'a, T, M> {
+pub(crate) struct Search<'a, T, S> {
     problem: &'a Problem<T>,
-    first: Option<Found<T, M>>,
+    first: Option<Found<T, S>>,
     refused: Option<ReconcileError>,
 }
 
-impl<'a, T: Real, M> Search<'a, T, M> {
+impl<'a, T: Real, S> Search<'a, T, S> {
     pub(crate) fn new(problem: &'a Problem<T>) -> Self {
         Self { problem, first: None, refused: None }
     }
 
-    pub(crate) fn consider(&mut self, speed: T, method: M) {
+    pub(crate) fn consider(&mut self, speed: T, steps: S) {
         if is_too_fast(speed) {
             return;
         }
@@ -191,7 +196,7 @@ impl<'a, T: Real, M> Search<'a, T, M> {
         match (problem.impact(speed), &mut self.first) {
             (Ok(_), Some(first)) => first.admissible += 1,
             (Ok((law, outcome)), first) => {
-                *first = Some(Found { speed, admissible: 1, law, outcome, method });
+                *first = Some(Found { speed, admissible: 1, law, outcome, steps });
             }
             (Err(reason), _) => {
                 let vehicle = problem.unknown.vehicle();
@@ -204,7 +209,7 @@ impl<'a, T: Real, M> Search<'a, T, M> {
         }
     }
 
-    pub(crate) fn finish(self) -> Result<Found<T, M>, ReconcileError> {
+    pub(crate) fn finish(self) -> Result<Found<T, S>, ReconcileError> {
         let problem = self.problem;
         self.first.ok_or_else(|| {
             self.refused.unwrap_or(ReconcileError::NotReached {

@@ -16,8 +16,8 @@ impl<T: Real> Problem<T> {
     #[must_use]
     pub fn closed_form(&self) -> Option<Result<Reconciliation<T>, ReconcileError>> {
         self.has_closed_form().then(|| {
-            let found = self.posed()?.closed_form(SolutionMethod::ClosedForm)?;
-            Ok(found.reconciling(self))
+            let found = self.posed()?.closed_form()?;
+            Ok(found.reconciling(self, |()| SolutionMethod::ClosedForm))
         })
     }
 
@@ -64,13 +64,13 @@ impl<T: Real> Problem<T> {
 }
 
 impl<T: Real> Posed<'_, T> {
-    /// The answer under a law that has a closed form, with the `method` that this is.
-    pub(crate) fn closed_form<M: Copy>(self, method: M) -> Result<Found<T, M>, ReconcileError> {
+    /// The answer under a law that has a closed form.
+    pub(crate) fn closed_form(self) -> Result<Found<T, ()>, ReconcileError> {
         let Self { problem, line } = self;
         let approaches = self.approaches();
         let mut search = Search::new(problem);
         for x in approaches.ascending() {
-            search.consider(line.speed(x), method);
+            search.consider(line.speed(x), ());
         }
         // A jam leaves no root at all: say so rather than that none was found.
         let law = problem.law.nominal();

@@ -18,14 +18,11 @@ pub(crate) struct Posed<'a, T = f64> {
 
 impl<'a> Posed<'a> {
     /// The answer by root-finding, with what is kept of the steps.
-    pub(crate) fn search<S: Trail, M>(
-        self,
-        method: impl Fn(S) -> M,
-    ) -> Result<Found<f64, M>, ReconcileError> {
+    pub(crate) fn search<S: Trail>(self) -> Result<Found<f64, S>, ReconcileError> {
         let mut search = Search::new(self.problem);
         for root in self.roots() {
             let Root { x, steps } = root?;
-            search.consider(self.line.speed(x), method(steps));
+            search.consider(self.line.speed(x), steps);
         }
         search.finish()
     }
@@ -69,12 +66,11 @@ impl Problem {
     /// [`ReconcileError`].
     pub fn solve(&self) -> Result<Reconciliation, ReconcileError> {
         let posed = self.posed()?;
-        let found = if self.has_closed_form() {
-            posed.closed_form(SolutionMethod::ClosedForm)?
+        Ok(if self.has_closed_form() {
+            posed.closed_form()?.reconciling(self, |()| SolutionMethod::ClosedForm)
         } else {
-            posed.search(SolutionMethod::RootFinder)?
-        };
-        Ok(found.reconciling(self))
+            posed.search()?.reconciling(self, SolutionMethod::RootFinder)
+        })
     }
 
     /// The speed (m/s) that [`solve`](Self::solve) finds, and the impact at it: the same bits in less time,
@@ -85,7 +81,7 @@ impl Problem {
     pub fn speed_and_impact(&self) -> Result<(f64, Outcome), ReconcileError> {
         let posed = self.posed()?;
         let Found { speed, outcome, .. } =
-            if self.has_closed_form() { posed.closed_form(())? } else { posed.search(|()| ())? };
+            if self.has_closed_form() { posed.closed_form()? } else { posed.search()? };
         Ok((speed, outcome))
     }
 
@@ -99,7 +95,7 @@ impl Problem {
     /// # Errors
     /// [`ReconcileError`].
     pub fn root_finder(&self) -> Result<Reconciliation, ReconcileError> {
-        Ok(self.posed()?.search(SolutionMethod::RootFinder)?.reconciling(self))
+        Ok(self.posed()?.search()?.reconciling(self, SolutionMethod::RootFinder))
     }
 
     /// (m/s) the admissible speeds, from the slowest approach to the fastest, however many; none where
