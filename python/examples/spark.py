@@ -114,7 +114,7 @@ def main() -> int:
         cores = spark.sparkContext.defaultParallelism
         tasks = given.tasks or number_of_tasks(rows, rows_of_a_task(given.job, given.samples), cores)
         began = time.monotonic()
-        # Hardly a number comes twice: to look for those that do would take a third of the time of the samples.
+        # Numbers hardly ever repeat, and a dictionary of them would take a third as long as the samples.
         writer = solved(spark, cases, tasks, given.job, options).write.option("parquet.enable.dictionary", "false")
         writer.parquet(given.results)
         passed = time.monotonic() - began
