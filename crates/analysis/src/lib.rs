@@ -373,6 +373,12 @@ pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         tangential_share: input.basis.tangential_share(),
     };
     let answer = problem.solve().map_err(|refusal| refused(&problem, refusal).in_axes(case.axes))?;
+    let (quadratic, affine_impact, iterations) = match &answer.method {
+        SolutionMethod::ClosedForm => {
+            (problem.quadratic(&answer.acting), problem.affine_impact(&answer.acting), None)
+        }
+        SolutionMethod::RootFinder(iterations) => (None, None, Some(iterations.as_slice().to_vec())),
+    };
     let found = Found {
         unknown: input.unknown,
         speed: answer.speed,
@@ -380,12 +386,9 @@ pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         crush_energy,
         normal_work: answer.normal_work,
         line: problem.line(),
-        quadratic: problem.quadratic(),
-        affine_impact: problem.affine_impact(),
-        iterations: match &answer.method {
-            SolutionMethod::ClosedForm => None,
-            SolutionMethod::RootFinder(iterations) => Some(iterations.as_slice().to_vec()),
-        },
+        quadratic,
+        affine_impact,
+        iterations,
     };
     let warnings = warning::of_found(&found, input.given_speed);
     let impact = Impact::new(contact, problem.law, answer.law, answer.outcome);

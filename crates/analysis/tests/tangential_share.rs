@@ -164,7 +164,7 @@ fn the_derivative_by_the_share_is_the_difference_in_the_limit() {
     }
 }
 
-/// A car that slides along a wall at 35° to its way, with the root-finder of the friction law: the speed is
+/// A car that slides along a wall at 35° to its way, under a friction limit: the speed is
 /// lower the more of the sliding shows in the damage.
 #[test]
 fn a_wall_takes_its_share_too() {

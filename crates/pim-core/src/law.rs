@@ -226,6 +226,34 @@ impl<T: Real> Law<T> {
         Self { tangential, ..*self }
     }
 
+    /// (–) μ of a law under which friction may not suffice.
+    #[inline(always)]
+    #[must_use]
+    pub fn friction_limit(&self) -> Option<T> {
+        match self.tangential {
+            Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => Some(limit),
+            Tangential::Critical
+            | Tangential::Ratio(_)
+            | Tangential::FractionOfCritical(_)
+            | Tangential::VelocityChange(_)
+            | Tangential::Restitution(_) => None,
+        }
+    }
+
+    /// The law that acts in an impact of this regime and impulse ratio: where friction has a limit, the one
+    /// [`without`](Self::without_limit) where friction sufficed, else that of the [ratio](Self::with_ratio)
+    /// at which the surfaces slid. Any other law acts itself.
+    #[must_use]
+    pub fn acting(&self, regime: Option<Regime>, impulse_ratio: T) -> Self {
+        match (self.friction_limit(), regime) {
+            (Some(_), Some(Regime::Full)) => self.without_limit(),
+            (Some(limit), Some(Regime::Sliding)) => {
+                self.with_ratio(if impulse_ratio < T::ZERO { -limit } else { limit })
+            }
+            (_, None) | (None, Some(_)) => *self,
+        }
+    }
+
     /// The law with the same coefficients of restitution and the impulse ratio μ.
     #[inline(always)]
     #[must_use]

@@ -29,6 +29,9 @@ pub struct Reconciliation<T = f64> {
     /// The law at the speed found: the given one, with the restitution of this closing speed where that
     /// varies.
     pub law: Law<T>,
+    /// The law without a friction limit that acts at the speed found, see [`Law::acting`]: `law` itself where
+    /// that has no limit.
+    pub acting: Law<T>,
     /// The impact at the speed found.
     pub outcome: Outcome<T>,
     /// (J) the work that was sought, W_n + λ W_t: the crush energy on the basis `dissipated`.
@@ -45,7 +48,7 @@ pub struct Reconciliation<T = f64> {
 #[expect(clippy::large_enum_variant, reason = "a box would be an allocation")]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum SolutionMethod {
-    /// W_n is quadratic in the speed.
+    /// W_n is quadratic in the speed, or is so piece by piece.
     ClosedForm,
     /// Brent's method.
     RootFinder(Iterations),
@@ -172,7 +175,8 @@ impl<T: Real, S> Found<T, S> {
     ) -> Reconciliation<T> {
         let Self { speed, admissible, law, outcome, steps } = self;
         let normal_work = problem.sought(&law);
-        Reconciliation { speed, admissible, law, outcome, normal_work, method: method(steps) }
+        let acting = law.acting(outcome.regime, outcome.impulse_ratio);
+        Reconciliation { speed, admissible, law, acting, outcome, normal_work, method: method(steps) }
     }
 }
 
@@ -207,6 +211,10 @@ impl<'a, T: Real, S> Search<'a, T, S> {
                 });
             }
         }
+    }
+
+    pub(crate) fn has_found(&self) -> bool {
+        self.first.is_some()
     }
 
     pub(crate) fn finish(self) -> Result<Found<T, S>, ReconcileError> {

@@ -1,15 +1,26 @@
 //! The speed in closed form, where W_n is quadratic in it.
 
-use pim_core::{ImpactError, LawImpulse, Outcome, Real, Tangential};
+use pim_core::{ImpactError, Law, LawImpulse, Outcome, Real, Tangential};
 
 use crate::answer::{Found, Reconciliation, Search, SolutionMethod, is_too_fast};
 use crate::error::ReconcileError;
 use crate::posed::Posed;
 use crate::problem::Problem;
 
+/// Two roots within this relative distance of each other, of which one is that of a law that does not act
+/// there, are one at the border of two laws.
+const SAME: f64 = 1e-6;
+
+/// A law that does not act at a root of its own has the border there where the law that does act misses the
+/// value sought by no more than this share, which is rounding.
+const AT_BORDER: f64 = 1e-12;
+
+/// Roots within this relative distance of each other are one: rounding decides whether there are two.
+const APART: f64 = 1e-14;
+
 impl<T: Real> Problem<T> {
-    /// The answer in closed form, or `None` where W_n is not quadratic in the speed: a friction limit may
-    /// switch, a fraction of μ_c makes it cubic, and a restitution that varies changes what is sought.
+    /// The answer in closed form, or `None` where W_n is not quadratic in the speed, not even piece by piece:
+    /// a fraction of μ_c makes it cubic, and a restitution that varies changes what is sought.
     ///
     /// # Errors
     /// [`ReconcileError`].
@@ -21,45 +32,42 @@ impl<T: Real> Problem<T> {
         })
     }
 
-    /// W_n as a quadratic of the approach speed, or `None` under a law that has no closed form: what the
-    /// closed form is solved from.
+    /// W_n as a quadratic of the approach speed under the law that [acts](Reconciliation::acting), or `None`
+    /// under one that has a limit or takes a fraction of μ_c: what the closed form is solved from.
     #[must_use]
-    pub fn quadratic(&self) -> Option<Quadratic<T>> {
-        self.has_closed_form().then(|| Posed { problem: self, line: self.line() }.quadratic())
+    pub fn quadratic(&self, acting: &Law<T>) -> Option<Quadratic<T>> {
+        acting.is_affine().then(|| Posed { problem: self, line: self.line() }.quadratic(acting))
     }
 
-    /// Impulse and sliding over the approach speed, or `None` under a law that has no closed form: what a
-    /// share of the tangential work adds to that quadratic.
+    /// Impulse and sliding over the approach speed, or `None` as for [`quadratic`](Self::quadratic): what a
+    /// share of the tangential work adds to that.
     #[must_use]
-    pub fn affine_impact(&self) -> Option<AffineImpact<T>> {
-        self.has_closed_form().then(|| Posed { problem: self, line: self.line() }.affine_impact())
+    pub fn affine_impact(&self, acting: &Law<T>) -> Option<AffineImpact<T>> {
+        acting.is_affine().then(|| Posed { problem: self, line: self.line() }.affine_impact(acting))
     }
 
     /// Like [`solve`](Problem::solve), but in place of an error it returns a validity flag, so that loops
-    /// over many samples vectorise: the speed with the slowest approach that the closed form gives, its
-    /// impact, and whether a collision can be so. Where the flag is set, the answer has the same bits. It is
-    /// not set wherever `solve` may still find one: under a law that has no closed form, or at a faster
-    /// approach.
+    /// over many samples vectorise: the speed with the slowest approach that a closed form or a cubic with
+    /// one root gives, its impact, and whether a collision can be so. Where the flag is set, the answer has
+    /// the same bits. It is not set wherever `solve` may still find one: under a law that takes a search, at
+    /// a faster approach, or where rounding decides whether friction suffices.
     #[inline(always)]
     #[must_use]
     pub fn solve_with_validity(&self) -> (T, Outcome<T>, bool) {
         let posed = Posed { problem: self, line: self.line() };
-        let x = posed.approaches().slowest();
+        let x = posed.slowest_approach();
         let speed = posed.line.speed(x);
         let (outcome, possible) =
             self.contact.impact_with_validity(self.motions_at(speed), &self.law.nominal());
-        let is_answer = self.makes_sense(posed.line.slope)
-            & possible
-            & self.has_closed_form()
-            & is_root(x)
-            & !is_too_fast(speed);
+        let is_answer = self.makes_sense(posed.line.slope) & possible & is_root(x) & !is_too_fast(speed);
         (speed, outcome, is_answer)
     }
 
-    /// Whether W_n is quadratic in the speed at all speeds.
+    /// Whether W_n is quadratic in the speed, at all speeds or piece by piece.
     #[inline(always)]
     pub(crate) fn has_closed_form(&self) -> bool {
-        self.law.curve().is_none() & self.law.nominal().is_affine()
+        let law = self.law.nominal();
+        self.law.curve().is_none() & (law.is_affine() | law.friction_limit().is_some())
     }
 }
 
@@ -69,12 +77,35 @@ impl<T: Real> Posed<'_, T> {
         let Self { problem, line } = self;
         let approaches = self.approaches();
         let mut search = Search::new(problem);
-        for x in approaches.ascending() {
+        for x in approaches {
             search.consider(line.speed(x), ());
         }
+        self.finish(search, approaches)
+    }
+
+    /// The same without counting how many speeds there are.
+    pub(crate) fn first_in_closed_form(self) -> Result<Found<T, ()>, ReconcileError> {
+        let Self { problem, line } = self;
+        let approaches = self.approaches();
+        let mut search = Search::new(problem);
+        for x in approaches {
+            search.consider(line.speed(x), ());
+            if search.has_found() {
+                break;
+            }
+        }
+        self.finish(search, approaches)
+    }
+
+    fn finish(
+        self,
+        search: Search<'_, T, ()>,
+        approaches: Approaches<T>,
+    ) -> Result<Found<T, ()>, ReconcileError> {
+        let Self { problem, line } = self;
         // A jam leaves no root at all: say so rather than that none was found.
         let law = problem.law.nominal();
-        if approaches.ascending().next().is_none()
+        if approaches.count == 0
             && let Tangential::Ratio(_) = law.tangential()
             && let Err(jam @ ImpactError::Jam { .. }) =
                 problem.contact.impact(problem.motions_at(line.speed(T::ONE)), &law)
@@ -84,26 +115,100 @@ impl<T: Real> Posed<'_, T> {
         search.finish()
     }
 
-    /// Where W_n has the value sought, under a law without a limit.
-    #[inline(always)]
+    /// The approach speeds at which W_n has the value sought, under a law that has a closed form.
     pub(crate) fn approaches(self) -> Approaches<T> {
-        self.quadratic().approaches()
+        let law = self.problem.law.nominal();
+        let mut approaches = Approaches::none();
+        let Some(limit) = law.friction_limit() else {
+            for x in self.quadratic(&law).roots().into_iter().filter(|x| is_root(*x)) {
+                approaches.insert(x, APART);
+            }
+            return approaches;
+        };
+        let mut at_borders = Approaches::none();
+        for acting in branches(&law, limit) {
+            for x in self.quadratic(&acting).roots().into_iter().filter(|x| is_root(*x)) {
+                let [acts, is_at_border] = self.acts(&law, &acting, x);
+                if acts {
+                    approaches.insert(x, APART);
+                } else if is_at_border {
+                    at_borders.insert(x, SAME);
+                }
+            }
+        }
+        for x in at_borders {
+            approaches.insert(x, SAME);
+        }
+        approaches
+    }
+
+    /// The slowest of these, or the only one under a law that has a cubic; something that is [no
+    /// root](is_root) under any other law, where there is none, or where rounding decides which they are.
+    #[inline(always)]
+    fn slowest_approach(self) -> T {
+        let law = self.problem.law.nominal();
+        if self.problem.law.curve().is_some() {
+            return T::ZERO;
+        }
+        let Some(limit) = law.friction_limit() else {
+            if !law.is_affine() {
+                return self.root_of_cubic().0;
+            }
+            let [a, b] = self.quadratic(&law).roots();
+            let [a, b] = if b < a { [b, a] } else { [a, b] };
+            return if is_root(a) { a } else { b };
+        };
+        let [sticking, pushed, pulled] = branches(&law, limit);
+        // A loop over them would not become one over lanes.
+        let [a, b, c] = [
+            self.slowest_of(&law, &sticking),
+            self.slowest_of(&law, &pushed),
+            self.slowest_of(&law, &pulled),
+        ];
+        a.min(b).min(c)
+    }
+
+    /// The slowest approach speed at which one of the [`branches`] of a law with a limit acts; infinite where
+    /// there is none, zero where rounding decides.
+    #[inline(always)]
+    fn slowest_of(self, law: &Law<T>, acting: &Law<T>) -> T {
+        let [a, b] = self.quadratic(acting).roots();
+        self.where_it_acts(law, acting, a).min(self.where_it_acts(law, acting, b))
     }
 
     #[inline(always)]
-    fn quadratic(self) -> Quadratic<T> {
+    fn where_it_acts(self, law: &Law<T>, acting: &Law<T>, x: T) -> T {
+        let [acts, is_at_border] = self.acts(law, acting, x);
+        let speed = if is_root(x) & acts { x } else { T::from(f64::INFINITY) };
+        if is_root(x) & is_at_border { T::ZERO } else { speed }
+    }
+
+    /// Of one of the [`branches`] of a law with a limit, at an approach speed that is a root of it: whether
+    /// it acts there, and whether it does not by rounding alone.
+    #[inline(always)]
+    fn acts(self, law: &Law<T>, acting: &Law<T>, x: T) -> [bool; 2] {
+        let (k, approach) = (self.problem.contact.inverse_mass(), self.line.at(x));
+        let (own, other) = (law.impulse(&k, approach), acting.impulse(&k, approach));
+        let acts = own.linear == other.linear;
+        let sought = self.problem.sought(law);
+        let missing = self.problem.crush_work_at(law, approach) - sought;
+        [acts, !acts & (missing.abs() <= sought * AT_BORDER)]
+    }
+
+    #[inline(always)]
+    fn quadratic(self, law: &Law<T>) -> Quadratic<T> {
         let Self { problem, line } = self;
-        let (k, law) = (problem.contact.inverse_mass(), problem.law.nominal());
+        let k = problem.contact.inverse_mass();
         let push = |x: T| law.impulse(&k, line.at(x)).linear.normal;
         // P_n(x) = α_n x + β_n
         let beta = push(T::ZERO);
         let alpha = push(T::ONE) - beta;
         // c = 2 W_n/(1−e)
-        let c = problem.sought(&law) * 2.0 / (T::ONE - law.restitution());
+        let c = problem.sought(law) * 2.0 / (T::ONE - law.restitution());
         if problem.tangential_share.is_constant_zero() {
             return Quadratic { alpha, beta, c };
         }
-        let AffineImpact { tangential: [b_t, a_t], sliding: [zeta, eta], .. } = self.affine_impact();
+        let AffineImpact { tangential: [b_t, a_t], sliding: [zeta, eta], .. } = self.affine_impact(law);
         // 2 λ W_t/(1−e) = −λ/(1−e) (α_t x + β_t)(η x + ζ)
         let share = -(problem.tangential_share / (T::ONE - law.restitution()));
         Quadratic {
@@ -114,9 +219,9 @@ impl<T: Real> Posed<'_, T> {
     }
 
     #[inline(always)]
-    fn affine_impact(self) -> AffineImpact<T> {
+    fn affine_impact(self, law: &Law<T>) -> AffineImpact<T> {
         let Self { problem, line } = self;
-        let (k, law) = (problem.contact.inverse_mass(), problem.law.nominal());
+        let k = problem.contact.inverse_mass();
         let at = |x: T| {
             let approach = line.at(x);
             let LawImpulse { linear, moment, .. } = law.impulse(&k, approach);
@@ -170,39 +275,58 @@ pub struct Quadratic<T = f64> {
 }
 
 impl<T: Real> Quadratic<T> {
+    /// (m/s) the approach speeds that solve it; not numbers where there are none, and of no use where not
+    /// positive.
     #[inline(always)]
-    fn approaches(&self) -> Approaches<T> {
+    fn roots(&self) -> [T; 2] {
         let Self { alpha, beta, c } = *self;
         // α x² + β x − c = 0; without a tangential share c > 0, so that x > 0 means P_n > 0
         // q = −½ (β ± √…) with the sign that does not cancel; the roots are q/α and −c/q.
         let root = (beta * beta + alpha * c * 4.0).sqrt();
         let q = -(if beta < T::ZERO { beta - root } else { beta + root }) * 0.5;
-        Approaches([q / alpha, -(c / q)])
+        [q / alpha, -(c / q)]
     }
 }
 
-/// The approach speeds x = −u_n at which W_n has the value sought; not numbers where there are none, and of
-/// no use where not positive.
+/// The laws without a limit of which one acts in every impact under a law with this friction limit.
+#[inline(always)]
+fn branches<T: Real>(law: &Law<T>, limit: T) -> [Law<T>; 3] {
+    [law.without_limit(), law.with_ratio(-limit), law.with_ratio(limit)]
+}
+
+/// Approach speeds in ascending order, two for each law without a limit at most.
 #[derive(Clone, Copy)]
-pub(crate) struct Approaches<T>([T; 2]);
+pub(crate) struct Approaches<T> {
+    speeds: [T; 6],
+    count: usize,
+}
 
 impl<T: Real> Approaches<T> {
-    /// Those that are positive, the least first.
-    pub(crate) fn ascending(self) -> impl Iterator<Item = T> {
-        self.ordered().into_iter().filter(|x| is_root(*x))
+    fn none() -> Self {
+        Self { speeds: [T::ZERO; 6], count: 0 }
     }
 
-    /// The first of these, or something else where there is none.
-    #[inline(always)]
-    fn slowest(&self) -> T {
-        let [a, b] = self.ordered();
-        if is_root(a) { a } else { b }
+    /// One more, unless there is one no farther from it than that relative distance.
+    fn insert(&mut self, x: T, apart: f64) {
+        let there = &self.speeds[..self.count];
+        if there.iter().any(|other| (*other - x).abs() <= x * apart) {
+            return;
+        }
+        let place = there.partition_point(|other| *other < x);
+        if self.count < self.speeds.len() {
+            self.speeds[place..=self.count].rotate_right(1);
+            self.speeds[place] = x;
+            self.count += 1;
+        }
     }
+}
 
-    #[inline(always)]
-    fn ordered(&self) -> [T; 2] {
-        let [a, b] = self.0;
-        if b < a { [b, a] } else { [a, b] }
+impl<T> IntoIterator for Approaches<T> {
+    type Item = T;
+    type IntoIter = core::iter::Take<core::array::IntoIter<T, 6>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.speeds.into_iter().take(self.count)
     }
 }
 

@@ -30,7 +30,7 @@
 //! The types: a [`Problem`] is a collision with one [`Unknown`] speed; solving it gives a [`Reconciliation`],
 //! which holds the speed, the impact at that speed, and the [`SolutionMethod`] that found it.
 //! [`Problem::speeds`] lists all admissible speeds. The numbers on the way to a closed form are
-//! [`Problem::line`], [`Problem::quadratic`] and [`Problem::affine_impact`].
+//! [`Problem::line`], and under the law that acts [`Problem::quadratic`] and [`Problem::affine_impact`].
 //!
 //! Where neither speed is known, but both velocities after impact are, a [`Momentum`] gives both speeds if
 //! the approaches cross, and a [`MomentumAndCrush`] if they are collinear. [`Implied`] is what is then known
@@ -55,9 +55,11 @@
 //! # Guarantees
 //!
 //! - The relative velocity at C is affine in the speed. Under an impact law without a limit, W_n is then
-//!   quadratic in it and the answer is a closed form. Under a friction limit, a fraction of μ_c or a
-//!   restitution that depends on the closing speed, W_n is a ratio of polynomials piece by piece; their
-//!   extrema isolate the roots, which Brent's method ([`brent`]) finds. Both agree to 1e-10 where both apply.
+//!   quadratic in it and the answer is a closed form. Under a friction limit it is one of three such
+//!   quadratics, that of sticking or of sliding one way or the other, and a root of one is a speed where that
+//!   law [acts](Reconciliation::acting). Under a fraction of μ_c or a restitution that depends on the closing
+//!   speed, W_n is a ratio of polynomials piece by piece; their extrema isolate the roots, which Brent's
+//!   method ([`brent`]) finds. Both agree to 1e-10 where both apply.
 //! - An admissible speed is one of at most 1000 m/s at which the vehicles approach, push, and lose energy.
 //!   All are found, however many and however near to each other; the answer is the one with the slowest
 //!   approach.
@@ -83,6 +85,7 @@
 mod answer;
 mod brent;
 mod closed_form;
+mod cubic;
 mod error;
 mod line;
 mod momentum;

@@ -15,9 +15,10 @@
 //! Where the crush takes a share λ of the tangential work, W_n + λ W_t has the denominator squared, and the
 //! degrees of the numerator are 2 and 4, 4 and 8, 6 and 12.
 //!
-//! The extrema of the numerator part each piece so that each part has at most one root (Rolle), which Brent's
-//! method finds on the law's own W_n. A jump of W_n from one piece to the next is no change of sign within a
-//! piece, so it is never taken for a root.
+//! The extrema of the numerator part each piece so that each part has at most one root (Rolle), unless the
+//! signs of its Bernstein coefficients say that the piece has no more than one (Descartes). Brent's method
+//! finds that root of the numerator, and from there the one of the law's own W_n. A jump of W_n from one
+//! piece to the next is no change of sign within a piece, so it is never taken for a root.
 
 use crash3::EnergyBasis;
 use pim_core::{Law, LawImpulse, Regime, RestitutionCurve, Tangential};
@@ -31,6 +32,9 @@ use crate::posed::Posed;
 /// Under a fraction of μ_c the contact may jam at the end of a piece, where W_n is infinite: its sign is
 /// taken at this relative distance, far above rounding.
 const BESIDE_A_JAM: f64 = 1e-12;
+
+/// A root of the numerator is known to this share of itself, far above rounding.
+const ABOUT: f64 = 1e-10;
 
 /// A root has the energy sought within this share. Rounding of the speed moves W_n by more only nearer than
 /// 1e-9 to a jam; a change of sign by rounding on the wrong side of a jam or a jump leaves far more.
@@ -151,6 +155,12 @@ impl<'a> Posed<'a> {
     pub(crate) fn roots<S: Trail>(
         self,
     ) -> impl Iterator<Item = Result<Root<S>, ReconcileError>> + use<'a, S> {
+        let only = self.only_root();
+        let searched = only.is_none().then(|| self.roots_by_pieces());
+        only.map(Ok).into_iter().chain(searched.into_iter().flatten())
+    }
+
+    fn roots_by_pieces<S: Trail>(self) -> impl Iterator<Item = Result<Root<S>, ReconcileError>> + use<'a, S> {
         let mut last = f64::NAN;
         self.stretches()
             .flat_map(move |stretch| {
@@ -295,21 +305,40 @@ impl<'a> Posed<'a> {
             low *= 1.0 + BESIDE_A_JAM;
             high *= 1.0 - BESIDE_A_JAM;
         }
-        let isolating = self.excess(&stretch, branch).extrema(piece);
-        let mut left = (low, self.missing(branch, low));
+        let excess = self.excess(&stretch, branch);
+        let changes = excess.changes(piece);
+        let isolating = match changes {
+            Some(0 | 1) => Points::none(),
+            Some(_) | None => excess.extrema(piece),
+        };
+        let speed = move |t: f64| stretch.approach_speed(t).max(low).min(high);
+        let mut from = (piece[0], low);
         isolating
             .into_iter()
-            .map(move |t| stretch.approach_speed(t).max(low).min(high))
-            .chain([high])
+            .map(move |t| (t, speed(t)))
+            .chain([(piece[1], high)])
             // Between two jams next to each other rounding leaves nothing.
-            .take_while(move |_| low < high)
-            .filter_map(move |x| {
-                let right = (x, self.missing(branch, x));
-                let ends = [left, right];
-                let changes = opposite(left.1, right.1);
-                left = right;
-                changes.then_some(Bracket { ends, branch })
+            .take_while(move |_| changes != Some(0) && low < high)
+            .filter_map(move |to| {
+                let [(left, least), (right, most)] = [from, to];
+                from = to;
+                let near = stretch.parameter(self.frictionless_approach_speed());
+                let root = excess.root_in([left, right], near).map(speed);
+                let ends = root.and_then(|root| self.about(branch, root)).or_else(|| {
+                    let ends = [least, most].map(|x| (x, self.missing(branch, x)));
+                    opposite(ends[0].1, ends[1].1).then_some(ends)
+                });
+                ends.map(|ends| Bracket { ends, branch })
             })
+    }
+
+    /// The ends of a bracket about a root of the numerator, if W_n passes the value sought between them.
+    fn about(self, branch: Branch, root: f64) -> Option<[(f64, f64); 2]> {
+        let ends = [1.0 - ABOUT, 1.0 + ABOUT].map(|factor| {
+            let x = root * factor;
+            (x, self.missing(branch, x))
+        });
+        opposite(ends[0].1, ends[1].1).then_some(ends)
     }
 
     /// (J) the numerator of W_n + λ W_t less the value sought, as a crush energy on the basis.

@@ -1,5 +1,7 @@
 //! Real polynomials of low degree, and all of their roots in an interval.
 
+use real::Real;
+
 use crate::brent::{RootError, brent_between, narrowed};
 
 /// The highest degree that a [`Polynomial`] can have.
@@ -52,11 +54,50 @@ impl Polynomial {
         if self.degree == 0 { Points::none() } else { self.derivative(1).roots(interval) }
     }
 
+    /// How often the Bernstein coefficients of an interval change sign. The polynomial has no more roots
+    /// inside, and an even number fewer if it has fewer (Descartes). `None` where rounding could decide over
+    /// one of the signs.
+    pub(crate) fn changes(&self, [low, high]: [f64; 2]) -> Option<usize> {
+        let (n, length) = (self.degree, high - low);
+        let mut shifted = self.coefficients;
+        // c_j of (t − low)ʲ, by Horner's scheme
+        for end in 0..n {
+            for i in (end..n).rev() {
+                shifted[i] += low * shifted[i + 1];
+            }
+        }
+        let mut power = 1.0;
+        for (j, c) in shifted[..=n].iter_mut().enumerate() {
+            *c *= power / binomial(n, j);
+            power *= length;
+        }
+        // No less than the sizes of what a Bernstein coefficient is a sum of.
+        let reach = low.abs() + length;
+        let size = self.coefficients().iter().rev().fold(0.0, |size, c| size * reach + c.abs());
+        let (mut changes, mut before) = (0, 0.0);
+        for i in 0..=n {
+            // b_i = Σ_j C(i, j)/C(n, j) c_j (high − low)ʲ
+            let b: f64 = (0..=i).map(|j| binomial(i, j) * shifted[j]).sum();
+            // Also where it is not a number.
+            if !(b.abs() > size * SIGN_IS_SURE) {
+                return None;
+            }
+            changes += usize::from(b * before < 0.0);
+            before = b;
+        }
+        Some(changes)
+    }
+
     /// The roots in the interval at which the sign changes, in ascending order.
     pub(crate) fn roots(&self, interval: [f64; 2]) -> Points {
         let mut points = Points::none();
-        if self.degree == 0 {
-            return points;
+        // Less than this takes the derivatives of a parabola.
+        if self.degree > 2 {
+            match self.changes(interval) {
+                Some(0) => return points,
+                Some(1) => return self.roots_between(interval, points),
+                Some(_) | None => {}
+            }
         }
         for order in (1..self.degree).rev() {
             points = self.derivative(order).roots_between(interval, points);
@@ -78,12 +119,52 @@ impl Polynomial {
         roots
     }
 
+    /// That of the degree 2.
+    fn quadratic_root(&self, [(_, at_low), _]: [(f64, f64); 2]) -> f64 {
+        let [c, b, a] = [0, 1, 2].map(|i| self.coefficients[i]);
+        // a t² + b t + c rises at (−b + √(b² − 4 a c))/(2 a), and falls at the other root.
+        let root = Real::sqrt((b * b - 4.0 * a * c).max(0.0));
+        let root = if at_low < 0.0 { root } else { -root };
+        // In the form that does not cancel: (−b + √…)/(2 a) = 2 c/(−b − √…)
+        if b * root > 0.0 { 2.0 * c / (-b - root) } else { (root - b) / (2.0 * a) }
+    }
+
+    /// The root in an interval that has one at most; `None` where the sign does not change. It is sought from
+    /// a point by Newton's method, and in the interval if that leaves it.
+    pub(crate) fn root_in(&self, interval: [f64; 2], from: f64) -> Option<f64> {
+        let ends = interval.map(|t| (t, self.at(t)));
+        let [low, high] = interval;
+        opposite(ends[0].1, ends[1].1).then(|| match self.newton(from) {
+            Some(root) if low <= root && root <= high => root,
+            _ => self.root_between(ends),
+        })
+    }
+
+    /// A root near a point, if Newton's method converges at once.
+    fn newton(&self, mut t: f64) -> Option<f64> {
+        for _ in 0..NEWTON_STEPS {
+            let (mut value, mut slope) = (0.0, 0.0);
+            for c in self.coefficients().iter().rev() {
+                (value, slope) = (value * t + c, slope * t + value);
+            }
+            let step = value / slope;
+            t -= step;
+            if step.abs() <= NEWTON_CONVERGED * t.abs() {
+                return Some(t);
+            }
+        }
+        None
+    }
+
     /// The root between two ends (t, value) with opposite signs.
     fn root_between(&self, ends: [(f64, f64); 2]) -> f64 {
         let [low, high] = ends.map(|(t, _)| t);
         if self.degree == 1 {
             // c₀ + c₁ t = 0
             return (-self.coefficients[0] / self.coefficients[1]).max(low).min(high);
+        }
+        if self.degree == 2 {
+            return self.quadratic_root(ends).max(low).min(high);
         }
         let value = |t: f64| self.at(t);
         let ends = if low < 0.0 { ends } else { narrowed(value, ends) };
@@ -92,6 +173,36 @@ impl Polynomial {
             Err(RootError::NotBracketed { .. }) => low,
         }
     }
+}
+
+/// More steps than Newton's method takes from a few times the root.
+const NEWTON_STEPS: usize = 12;
+
+/// The last step is at most this share of the root: the error left is its square.
+const NEWTON_CONVERGED: f64 = 1e-9;
+
+/// A Bernstein coefficient nearer to zero than this share of what it is a sum of may have either sign:
+/// rounding changes it by less than a hundredth of that.
+const SIGN_IS_SURE: f64 = 1e-12;
+
+/// C(n, k), up to [`DEGREE`]; zero where k > n.
+fn binomial(n: usize, k: usize) -> f64 {
+    /// Pascal's triangle.
+    const ROWS: [[f64; DEGREE + 1]; DEGREE + 1] = {
+        let mut rows = [[0.0; DEGREE + 1]; DEGREE + 1];
+        let mut n = 0;
+        while n <= DEGREE {
+            rows[n][0] = 1.0;
+            let mut k = 1;
+            while k <= n {
+                rows[n][k] = rows[n - 1][k - 1] + rows[n - 1][k];
+                k += 1;
+            }
+            n += 1;
+        }
+        rows
+    };
+    ROWS[n][k]
 }
 
 impl core::ops::Add for Polynomial {

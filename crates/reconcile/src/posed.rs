@@ -27,9 +27,21 @@ impl<'a> Posed<'a> {
         search.finish()
     }
 
+    /// The same without counting how many speeds there are.
+    fn first_of_search(self) -> Result<Found<f64, ()>, ReconcileError> {
+        let mut search = Search::new(self.problem);
+        for root in self.roots::<()>() {
+            search.consider(self.line.speed(root?.x), ());
+            if search.has_found() {
+                break;
+            }
+        }
+        search.finish()
+    }
+
     pub(crate) fn speeds(self) -> impl Iterator<Item = f64> + use<'a> {
         let (closed, searched) = if self.problem.has_closed_form() {
-            (Some(self.approaches().ascending()), None)
+            (Some(self.approaches()), None)
         } else {
             (None, Some(self.roots::<()>().filter_map(Result::ok).map(|root| root.x)))
         };
@@ -40,12 +52,15 @@ impl<'a> Posed<'a> {
             .map(move |x| self.line.speed(x))
             .filter(move |&speed| !is_too_fast(speed) && self.problem.impact(speed).is_ok())
     }
+}
 
+impl<T: Real> Posed<'_, T> {
     /// (m/s) the approach speed at which a frictionless and plastic impact absorbs the crush energy: whatever
     /// the law, that of a root is of this size.
-    pub(crate) fn frictionless_approach_speed(self) -> f64 {
+    #[inline(always)]
+    pub(crate) fn frictionless_approach_speed(self) -> T {
         // x² = 2 E k_nn
-        Real::sqrt(2.0 * self.problem.crush_energy * self.problem.contact.inverse_mass().nn)
+        (self.problem.crush_energy * self.problem.contact.inverse_mass().nn * 2.0).sqrt()
     }
 }
 
@@ -74,14 +89,14 @@ impl Problem {
     }
 
     /// The speed (m/s) that [`solve`](Self::solve) finds, and the impact at it: the same bits in less time,
-    /// as no step of the search is kept.
+    /// as no step of the search is kept, and no other speed is sought.
     ///
     /// # Errors
     /// [`ReconcileError`].
     pub fn speed_and_impact(&self) -> Result<(f64, Outcome), ReconcileError> {
         let posed = self.posed()?;
         let Found { speed, outcome, .. } =
-            if self.has_closed_form() { posed.closed_form()? } else { posed.search()? };
+            if self.has_closed_form() { posed.first_in_closed_form()? } else { posed.first_of_search()? };
         Ok((speed, outcome))
     }
 
@@ -89,8 +104,9 @@ impl Problem {
     ///
     /// Guarantee: no speed of at most [`FASTEST`](crate::FASTEST) is missed, and none is counted twice, but
     /// where rounding decides whether it exists. W_n less the value sought is a ratio of polynomials of the
-    /// approach speed within the pieces in which one regime of the law holds and e is linear. The extrema of
-    /// the numerator isolate its roots, and Brent's method finds each on the law's own W_n.
+    /// approach speed within the pieces in which one regime of the law holds and e is linear. The signs of
+    /// its Bernstein coefficients say that a piece has one root at most, or the extrema of the numerator
+    /// isolate its roots; Brent's method finds each on the law's own W_n.
     ///
     /// # Errors
     /// [`ReconcileError`].

@@ -29,7 +29,7 @@ fn the_roots_of_a_product_are_those_of_its_factors() {
 #[test]
 fn chebyshevs_polynomial_has_all_its_roots_and_extrema() {
     let t8 = Polynomial::new([1.0, 0.0, -32.0, 0.0, 160.0, 0.0, -256.0, 0.0, 128.0]);
-    let cosine = |k: f64| real::Real::sin_cos(k * std::f64::consts::PI / 16.0).1;
+    let cosine = |k: f64| Real::sin_cos(k * std::f64::consts::PI / 16.0).1;
     let roots: Vec<f64> = [15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0].map(cosine).to_vec();
     let extrema: Vec<f64> = [14.0, 12.0, 10.0, 8.0, 6.0, 4.0, 2.0].map(cosine).to_vec();
     assert_points(t8.roots([-1.0, 1.0]), &roots, 1e-14);
@@ -70,4 +70,54 @@ fn sums_and_products_have_the_values_of_their_parts() {
 fn points_merge_in_order() {
     let merged = with_roots(&[0.1, 0.5]).roots([0.0, 1.0]).merged(with_roots(&[0.3]).roots([0.0, 1.0]));
     assert_points(merged, &[0.1, 0.3, 0.5], 1e-15);
+}
+
+/// Of the factors' roots as many lie in an interval as the signs allow, and where they allow one, or none,
+/// that is what lies there.
+#[test]
+fn the_changes_of_sign_bound_the_number_of_roots() {
+    let roots = [-0.9, -0.5, -0.49, 0.01, 0.3, 0.31, 0.8, 1.1, 1.3, 1.5, 1.7, 1.9];
+    let (mut exact, mut more, mut open) = (0, 0, 0);
+    // With a factor (t − a)² + b² there are fewer roots than changes.
+    let factors = [[1.0, 0.0, 0.0], [0.02, 0.0, 1.0], [0.3, 0.0, 1.0], [0.5, -1.0, 1.0], [1.1, -2.0, 1.0]];
+    for (count, factor) in (1..=8).flat_map(|count| factors.map(|factor| (count, factor))) {
+        for chosen in roots.windows(count) {
+            let polynomial = with_roots(chosen) * Polynomial::new(factor);
+            for low in [-1.0, -0.7, 0.05, 0.5, 0.9, 1.2] {
+                for high in [-0.495, 0.25, 0.305, 0.7, 1.0, 1.4, 2.0].into_iter().filter(|high| low < *high) {
+                    let inside = chosen.iter().filter(|root| low < **root && **root < high).count();
+                    let Some(changes) = polynomial.changes([low, high]) else {
+                        open += 1;
+                        continue;
+                    };
+                    assert!(changes >= inside && (changes - inside) % 2 == 0, "{chosen:?} {low} {high}");
+                    exact += usize::from(changes == inside);
+                    more += usize::from(changes > inside);
+                }
+            }
+        }
+    }
+    // A root in the middle of an interval may make a coefficient zero.
+    assert!(exact > 500 && more > 100 && open < 100, "{exact} {more} {open}");
+}
+
+/// A root at an end leaves its sign to rounding, and so does what is not a number.
+#[test]
+fn a_sign_that_rounding_decides_is_left_open() {
+    let polynomial = with_roots(&[0.1, 0.7, 3.0]);
+    assert_eq!(polynomial.changes([0.0, 0.7]), None);
+    assert_eq!(polynomial.changes([0.7, 1.0]), None);
+    assert_eq!(polynomial.changes([f64::NAN, 1.0]), None);
+    assert_eq!(polynomial.changes([0.0, 0.5]), Some(1));
+}
+
+/// From beside the root, and from where Newton's method leaves the interval.
+#[test]
+fn a_root_is_found_from_anywhere() {
+    let polynomial = with_roots(&[-2.0, 0.6, 5.0]);
+    for from in [0.6, 0.1, 0.9, -1.9, 4.9, 1e3, -1e3, 0.0, 2.9, f64::NAN] {
+        let root = polynomial.root_in([0.0, 1.0], from).unwrap();
+        assert!((root - 0.6).abs() < 1e-14, "{from}: {root}");
+    }
+    assert_eq!(polynomial.root_in([0.7, 1.0], 0.8), None);
 }

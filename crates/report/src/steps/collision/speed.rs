@@ -2,7 +2,7 @@
 
 use analysis::Found;
 use case::Basis;
-use pim_core::{Tangential, Vector2, VehicleId};
+use pim_core::{Law, Tangential, Vector2, VehicleId};
 use reconcile::{AffineImpact, ApproachLine, Quadratic};
 
 use super::super::{Step, angle, n, p, step};
@@ -78,9 +78,15 @@ impl Collision<'_> {
         )
     }
 
+    /// The law from which the closed form was solved.
+    fn acting_law(&self) -> Law {
+        let outcome = &self.impact.outcome;
+        self.impact.law.acting(outcome.regime, outcome.impulse_ratio)
+    }
+
     /// `None` under a law whose closed form is not written out.
     fn push(&self, line: &ApproachLine) -> Option<Push> {
-        let (law, k) = (self.impact.law, self.impact.contact.inverse_mass());
+        let (law, k) = (self.acting_law(), self.impact.contact.inverse_mass());
         if law.has_moment() {
             return None;
         }
@@ -122,7 +128,7 @@ impl Collision<'_> {
 
     /// `None` under a law whose closed form is not written out.
     fn slide(&self, line: &ApproachLine, affine: &AffineImpact) -> Option<Slide> {
-        let (law, k) = (self.impact.law, self.impact.contact.inverse_mass());
+        let (law, k) = (self.acting_law(), self.impact.contact.inverse_mass());
         let e = law.restitution();
         let (tau, at_touch) = (n(line.tangential_slope(), ""), n(line.tangential_at_zero_approach(), "m/s"));
         // U_t = −e_t u_t
