@@ -649,8 +649,8 @@ struct Sample<'a> {
     is_uncertain: Vec<bool>,
     /// The case without its texts, which no sample needs.
     case: Case,
-    /// Where numbers share errors: what these do, and the numbers at their central values.
-    shared: Option<(SharedEffects, Vec<f64>)>,
+    /// Where numbers share errors.
+    shared: Option<Shared>,
     /// What is counted of the doubtful.
     watched: Watched,
     /// The same for a block at once, or why the case has no shape that can be solved so.
@@ -665,21 +665,26 @@ impl<'a> Sample<'a> {
         outputs: &'a [Output],
         central: &'a [f64],
     ) -> Self {
-        let effects = SharedEffects::of(case);
-        let numbers = || case.variables().into_iter().map(|input| input.number).collect();
-        let shared = (!effects.is_empty()).then(|| (effects, numbers()));
+        let shared = Shared::of(case, inputs);
         let mut uncertain = inputs.iter().map(|input| input.place).peekable();
         let mut is_uncertain = Vec::new();
         let mut case = case.map_numbers(|number| {
             is_uncertain.push(uncertain.next_if_eq(&is_uncertain.len()).is_some());
             number
         });
-        let (mut places, mut marks) = (0.., is_uncertain.iter());
-        let numbers = case.map_numbers(|number| match marks.next() {
-            Some(true) => places.next().map_or(Number::Known(number), Number::Uncertain),
-            _ => Number::Known(number),
+        let (mut places, mut marks) = (0.., is_uncertain.iter().enumerate());
+        // The numbers that share an error follow the inputs.
+        let with_error = |place| Some(inputs.len() + shared.as_ref()?.covered.binary_search(&place).ok()?);
+        let numbers = case.map_numbers(|number| {
+            let (place, is_uncertain) = marks.next().unwrap_or((0, &false));
+            let input = if *is_uncertain { places.next() } else { None };
+            with_error(place).or(input).map_or(Number::Known(number), Number::Uncertain)
         });
-        let block = Block::new(&numbers, inputs.len(), outputs, central);
+        let uncertain = match &shared {
+            None => inputs.len(),
+            Some(shared) => shared.uncertain_numbers(inputs),
+        };
+        let block = Block::new(&numbers, uncertain, outputs, central);
         case.uncertainty = GivenUncertainty::default();
         case.title = None;
         case.source = None;
@@ -734,17 +739,14 @@ impl<'a> Sample<'a> {
     /// The case of a sample with these uncertain numbers.
     fn case_of(&self, numbers: &[f64]) -> Case {
         let mut numbers = numbers.iter();
-        let mut is_uncertain = self.is_uncertain.iter();
-        if let Some((effects, central)) = &self.shared {
-            let mut all = central.clone();
-            for (place, _) in all.iter_mut().zip(is_uncertain).filter(|(_, is_uncertain)| **is_uncertain) {
-                *place = numbers.next().copied().unwrap_or(*place);
-            }
-            effects.apply(&mut all);
+        if let Some(shared) = &self.shared {
+            let mut all = Vec::new();
+            shared.fill(numbers.copied(), &mut all);
             // Without the errors themselves, which the case of a sample has no more.
             let mut all = all.into_iter();
             return self.case.map_numbers(|central| all.next().unwrap_or(central));
         }
+        let mut is_uncertain = self.is_uncertain.iter();
         self.case.map_numbers(|central| match is_uncertain.next() {
             Some(true) => numbers.next().copied().unwrap_or(central),
             _ => central,
@@ -776,6 +778,61 @@ impl<'a> Sample<'a> {
             }
             Goal::Impact | Goal::Motion => false,
         }
+    }
+}
+
+/// Errors that numbers of a case share.
+struct Shared {
+    effects: SharedEffects,
+    /// (unit of the file) every number that may vary, at its central value.
+    central: Vec<f64>,
+    /// The places of the inputs among these, and those of the numbers that an error covers.
+    inputs: Vec<usize>,
+    covered: Vec<usize>,
+}
+
+impl Shared {
+    /// `None` without any.
+    fn of(case: &Case, inputs: &[UncertainInput]) -> Option<Self> {
+        let effects = SharedEffects::of(case);
+        if effects.is_empty() {
+            return None;
+        }
+        let central: Vec<f64> = case.variables().into_iter().map(|input| input.number).collect();
+        let covered = (0..central.len()).filter(|place| effects.cover(*place)).collect();
+        let inputs = inputs.iter().map(|input| input.place).collect();
+        Some(Self { effects, central, inputs, covered })
+    }
+
+    /// How many numbers of the case are uncertain: those that an error covers among them, but not the errors.
+    fn uncertain_numbers(&self, inputs: &[UncertainInput]) -> usize {
+        let is_error = |input: &UncertainInput| matches!(input.input.origin, Origin::Shared(_));
+        let others = inputs.iter().filter(|input| !is_error(input) && !self.effects.cover(input.place));
+        self.covered.len() + others.count()
+    }
+
+    /// (unit of the file) all numbers of a sample.
+    fn fill(&self, inputs: impl Iterator<Item = f64>, all: &mut Vec<f64>) {
+        all.clone_from(&self.central);
+        for (place, input) in self.inputs.iter().zip(inputs) {
+            all[*place] = input;
+        }
+        self.effects.apply(all);
+    }
+
+    /// The columns of the inputs, and after them those of the numbers that an error covers.
+    #[inline(never)]
+    fn columns(&self, inputs: &[Lanes]) -> Vec<Lanes> {
+        let mut columns = inputs.to_vec();
+        columns.resize(inputs.len() + self.covered.len(), [0.0; LANES]);
+        let mut all = Vec::new();
+        for lane in 0..LANES {
+            self.fill(inputs.iter().map(|column| column[lane]), &mut all);
+            for (column, place) in columns[inputs.len()..].iter_mut().zip(&self.covered) {
+                column[lane] = all[*place];
+            }
+        }
+        columns
     }
 }
 
@@ -813,8 +870,9 @@ impl Model for Sample<'_> {
 
     #[inline(always)]
     fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
+        let with_errors = self.shared.as_ref().map(|shared| shared.columns(inputs));
         let settled = match &self.block {
-            Ok(block) => block.evaluate(inputs, outputs, reasons),
+            Ok(block) => block.evaluate(with_errors.as_deref().unwrap_or(inputs), outputs, reasons),
             Err(_) => [false; LANES],
         };
         if !settled.iter().all(|is_settled| *is_settled) {

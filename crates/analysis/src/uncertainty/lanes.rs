@@ -3,13 +3,13 @@
 //! Each sample goes through the functions of the engine through which a single case goes, in the same order,
 //! so that the answers have the same bits. What a case says of its vehicles and their damage becomes columns,
 //! and there is nothing between these functions that keeps a compiler from vectorising the loop over the
-//! samples: no allocation, no error, no branch. So are the equations of the impact solved where they have the
-//! commonest closed form, at once; any other law is solved from these columns one sample after the other, a
-//! search by the function that searches for a single case. That saves what costs a single case most, which is
-//! the case itself.
+//! samples: no allocation, no error, no branch. So are the equations of the impact solved where they have one
+//! of the commonest closed forms, or a cubic with one root, at once. Any other law, and a sample that has no
+//! such answer, is solved from these columns one sample after the other, a search by the function that
+//! searches for a single case. That saves what costs a single case most, which is the case itself.
 //!
-//! What a block cannot say is left to the single case: each [`Alone`], and every sample of a closed form that
-//! fails.
+//! What a block cannot say is left to the single case: each [`Alone`], and of an impact a sample whose damage
+//! the engine refuses.
 
 use ::uncertainty::{LANES, Lanes};
 use crash3::{
@@ -32,7 +32,7 @@ use crate::sensitivity::Output;
 pub(crate) enum Number {
     /// The same in every sample.
     Known(f64),
-    /// One of the inputs, by its place among them.
+    /// One of the inputs, by its place among them, or one that shares an error, by its place behind these.
     Uncertain(usize),
 }
 
@@ -75,8 +75,8 @@ pub(crate) enum Alone {
     Spacing,
     /// What a case has to give is missing, or a result is asked for that an impact does not have.
     Incomplete,
-    /// A range of a number that it does not read: one that several share, or one that no result depends on
-    /// and that is not known to be idle.
+    /// A range of a number that it does not read: one that no result depends on and that is not known to be
+    /// idle.
     Unread,
 }
 
@@ -86,27 +86,46 @@ pub(super) struct Block {
     axes: Axes,
     vehicles: [Vehicle; 2],
     crush_plane: Quantity<Number>,
-    solution: Solution,
+    /// What is sought, if not the impact at the speeds that are given.
+    sought: Option<Sought>,
+    law: ImpactLaw<Number>,
+    at_once: Option<AtOnce>,
     /// The place of each output among all that there are, and (SI) the central values of these, 0 where one
     /// is not wanted.
     places: Vec<usize>,
     central: [f64; OUTPUTS],
 }
 
-/// How the equations of a block are solved, once its vehicles are known.
-#[derive(Debug)]
-enum Solution {
-    /// The speed of all samples at once, in closed form.
-    AtOnce {
-        sought: Sought,
-        restitution: Number,
-        /// e_t: zero, U_t = 0, where the law asks for a common tangential velocity.
-        tangential_restitution: Number,
-    },
-    /// One sample after the other: what takes a search has no steps that all samples share, and the closed
-    /// forms of other laws are not worth a compiled loop for each instruction set. Where no speed is sought,
-    /// the impact at the speeds that are given.
-    InTurn { sought: Option<Sought>, law: ImpactLaw<Number> },
+/// The law of all samples at once, where it is one of those for which that is worth a compiled loop for each
+/// instruction set: not one that takes a search, which has no steps that all samples share.
+#[derive(Clone, Copy, Debug)]
+struct AtOnce {
+    restitution: Number,
+    condition: Condition,
+}
+
+/// What a law that is solved at once asks for along the crush plane.
+#[derive(Clone, Copy, Debug)]
+enum Condition {
+    /// e_t: zero, U_t = 0, where the law asks for a common tangential velocity.
+    Restitution(Number),
+    /// f of a fraction of μ_c.
+    Fraction(Number),
+    /// μ of a friction limit.
+    Friction(Number),
+    /// μ of Kudlich and Slibar.
+    FullOrSliding(Number),
+}
+
+impl Condition {
+    fn number(self) -> Number {
+        match self {
+            Self::Restitution(number)
+            | Self::Fraction(number)
+            | Self::Friction(number)
+            | Self::FullOrSliding(number) => number,
+        }
+    }
 }
 
 /// A speed that the crush energy gives.
@@ -189,13 +208,13 @@ pub(crate) struct Crushed {
 
 impl Block {
     /// Why the case is left to [`Sample`](super::Sample), if it is: where it has another shape, or where one
-    /// of its uncertain numbers, of which there are `inputs`, is none that a block reads.
+    /// of its `uncertain` numbers, so many, is none that a block reads.
     ///
     /// The structs of the case are taken apart field by field, here and for the vehicles, so that a new key
     /// does not compile before somebody has decided what a block does with it.
     pub(super) fn new(
         case: &Case<Number>,
-        inputs: usize,
+        uncertain: usize,
         outputs: &[Output],
         central: &[f64],
     ) -> Result<Self, Alone> {
@@ -214,7 +233,7 @@ impl Block {
             // It is for estimates alone, as what was recorded is.
             estimate: _,
             ranges: _,
-            // A block reads no shared errors.
+            // Numbers that share an error are columns that have it.
             uncertainty: _,
             departures,
             left_out: _,
@@ -238,8 +257,6 @@ impl Block {
             return Err(Alone::Ways);
         }
         let GivenImpact { crush_plane, law } = impact.as_ref().ok_or(Alone::Incomplete)?;
-        let solution = Solution::new(sought.filter(|_| !one.fixed & !two.fixed), law)
-            .unwrap_or_else(|| Solution::InTurn { sought, law: law.clone() });
         let seeks = sought.map(|sought| sought.unknown.vehicle());
         let all = Output::of_two_vehicles(seeks.unwrap_or(VehicleId::One), *axes);
         let place = |wanted: &Output| all.iter().position(|output| output == wanted);
@@ -259,26 +276,19 @@ impl Block {
             }
         };
         let vehicles = [vehicle(one, VehicleId::One)?, vehicle(two, VehicleId::Two)?];
-        let block =
-            Self { axes: *axes, vehicles, crush_plane: *crush_plane, solution, places, central: of_all };
+        let (law, at_once) = (law.clone(), AtOnce::new(law));
+        let (axes, crush_plane) = (*axes, *crush_plane);
+        let block = Self { axes, vehicles, crush_plane, sought, law, at_once, places, central: of_all };
         let read = block.numbers().into_iter().filter(|number| number.is_uncertain()).count();
-        if read == inputs { Ok(block) } else { Err(Alone::Unread) }
+        if read == uncertain { Ok(block) } else { Err(Alone::Unread) }
     }
 
     /// Every number that it reads.
     fn numbers(&self) -> Vec<Number> {
-        let Self { axes: _, vehicles, crush_plane, solution, places: _, central: _ } = self;
+        // A law that is solved at once has no other numbers.
+        let Self { axes: _, vehicles, crush_plane, sought, law, at_once: _, places: _, central: _ } = self;
         let mut numbers = vec![crush_plane.number()];
-        let sought = match solution {
-            Solution::AtOnce { sought, restitution, tangential_restitution } => {
-                numbers.extend([*restitution, *tangential_restitution]);
-                Some(sought)
-            }
-            Solution::InTurn { sought, law } => {
-                drop(law.map(|number| numbers.push(number)));
-                sought.as_ref()
-            }
-        };
+        drop(law.map(|number| numbers.push(number)));
         if let Some(Sought { unknown: _, basis: _, share }) = sought {
             numbers.extend(*share);
         }
@@ -310,7 +320,9 @@ impl Block {
     ) -> [bool; LANES] {
         let lanes = |vehicle: &Vehicle| match &vehicle.body {
             Collider::Moves(mover) => mover.lanes(self.axes, inputs),
-            Collider::Fixed { .. } => VehicleLanes::AT_REST,
+            Collider::Fixed { heading, contact } => {
+                VehicleLanes::of_fixed(self.axes, heading.as_ref(), contact.as_ref(), inputs)
+            }
         };
         let [one, two] = &self.vehicles;
         let (v1, v2) = (lanes(one), lanes(two));
@@ -322,17 +334,39 @@ impl Block {
             self.refuse_faces(inputs, &mut crush_energy);
         }
         let posed = Posed { vehicles: [v1, v2], crush_plane, crush_energy };
-        match &self.solution {
-            Solution::AtOnce { sought, restitution, tangential_restitution } => {
-                let law = [restitution.lanes(inputs), tangential_restitution.lanes(inputs)];
-                // Compiled twice: what the share needs would cost all others time.
-                match sought.share {
-                    None => self.at_once(sought, &NoShare, &law, &posed, outputs),
-                    Some(share) => self.at_once(sought, &share.lanes(inputs), &law, &posed, outputs),
-                }
+        let mut settled = [false; LANES];
+        if let Some(AtOnce { restitution, condition }) = &self.at_once {
+            let law = (restitution.lanes(inputs), *condition, condition.number().lanes(inputs));
+            settled = self.all_at_once(&law, &posed, inputs, outputs);
+        }
+        if !settled.iter().all(|is_settled| *is_settled) {
+            self.in_turn(&posed, inputs, outputs, reasons, &mut settled);
+        }
+        settled
+    }
+
+    /// Solves those samples that have an answer by one of the loops that are compiled: what one law needs
+    /// would cost all others time. A share of the tangential work has one under the commonest law alone.
+    #[inline(always)]
+    fn all_at_once(
+        &self,
+        law: &(Lanes, Condition, Lanes),
+        posed: &Posed,
+        inputs: &[Lanes],
+        outputs: &mut [Lanes],
+    ) -> [bool; LANES] {
+        let crush_energy = &posed.crush_energy;
+        match self.sought {
+            None => self.under(law, &Given { crush_energy }, posed, outputs),
+            Some(Sought { unknown, basis, share: None }) => {
+                let question = Speed { unknown, basis, share: NoShare, crush_energy };
+                self.under(law, &question, posed, outputs)
             }
-            Solution::InTurn { sought, law } => {
-                self.in_turn(sought.as_ref(), law, &posed, inputs, outputs, reasons)
+            Some(Sought { unknown, basis, share: Some(share) }) => {
+                let (e, condition, numbers) = law;
+                let Condition::Restitution(_) = condition else { return [false; LANES] };
+                let question = Speed { unknown, basis, share: share.lanes(inputs), crush_energy };
+                self.at_once(e, (Tangential::Restitution, numbers), &question, posed, outputs)
             }
         }
     }
@@ -352,32 +386,48 @@ impl Block {
     }
 
     #[inline(always)]
-    fn at_once(
+    fn under(
         &self,
-        sought: &Sought,
-        share: &impl Share,
-        [e, e_t]: &[Lanes; 2],
+        (e, condition, numbers): &(Lanes, Condition, Lanes),
+        question: &impl Question,
         posed: &Posed,
         outputs: &mut [Lanes],
     ) -> [bool; LANES] {
-        let Posed { vehicles: [v1, v2], crush_plane, crush_energy } = posed;
+        match condition {
+            Condition::Restitution(_) => {
+                self.at_once(e, (Tangential::Restitution, numbers), question, posed, outputs)
+            }
+            Condition::Fraction(_) => {
+                self.at_once(e, (Tangential::FractionOfCritical, numbers), question, posed, outputs)
+            }
+            Condition::Friction(_) => {
+                self.at_once(e, (Tangential::Friction, numbers), question, posed, outputs)
+            }
+            Condition::FullOrSliding(_) => {
+                self.at_once(e, (Tangential::FullOrSliding, numbers), question, posed, outputs)
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn at_once(
+        &self,
+        e: &Lanes,
+        (condition, numbers): (impl Fn(f64) -> Tangential, &Lanes),
+        question: &impl Question,
+        posed: &Posed,
+        outputs: &mut [Lanes],
+    ) -> [bool; LANES] {
+        let Posed { vehicles: [v1, v2], crush_plane, crush_energy: _ } = posed;
         // On the stack of this function, so that the compiler knows that no column is part of another.
         let mut values = [[0.0; LANES]; OUTPUTS];
         let mut answered = [false; LANES];
         for lane in 0..LANES {
-            let (law, is_law) = Law::new_with_validity(e[lane], Tangential::Restitution(e_t[lane]));
+            let (law, is_law) = Law::new_with_validity(e[lane], condition(numbers[lane]));
             let ((p1, is_1), (p2, is_2)) = (v1.participant(lane), v2.participant(lane));
             let (contact, is_contact) = Contact::new_with_validity([p1, p2], crush_plane[lane]);
-            let problem = Problem {
-                contact,
-                law: law.into(),
-                motions: [v1.motion(lane), v2.motion(lane)],
-                unknown: sought.unknown,
-                crush_energy: crush_energy[lane],
-                basis: sought.basis,
-                tangential_share: share.at(lane),
-            };
-            let (speed, outcome, is_answer) = problem.solve_with_validity();
+            let motions = [v1.motion(lane), v2.motion(lane)];
+            let (speed, outcome, is_answer) = question.answer(contact, law, motions, lane);
             answered[lane] = is_law & is_1 & is_2 & is_contact & is_answer;
             for (column, value) in values.iter_mut().zip(answer(self.axes, &self.central, speed, &outcome)) {
                 column[lane] = value;
@@ -391,20 +441,21 @@ impl Block {
         answered
     }
 
+    /// Solves those samples that are not `settled` one after the other.
+    ///
     /// Compiled once: it gains nothing from a copy for each instruction set.
     #[inline(never)]
     fn in_turn(
         &self,
-        sought: Option<&Sought>,
-        law: &ImpactLaw<Number>,
         posed: &Posed,
         inputs: &[Lanes],
         outputs: &mut [Lanes],
         reasons: &mut [u8; LANES],
-    ) -> [bool; LANES] {
-        let mut settled = [true; LANES];
-        for (lane, (is_settled, reason)) in settled.iter_mut().zip(reasons).enumerate() {
-            match self.solve(sought, law, posed, inputs, lane) {
+        settled: &mut [bool; LANES],
+    ) {
+        let unsettled = settled.iter_mut().zip(reasons).enumerate().filter(|(_, (settled, _))| !**settled);
+        for (lane, (is_settled, reason)) in unsettled {
+            match self.solve(posed, inputs, lane) {
                 Ok((speed, outcome)) => {
                     let values = answer(self.axes, &self.central, speed, &outcome);
                     for (output, place) in outputs.iter_mut().zip(&self.places) {
@@ -412,43 +463,28 @@ impl Block {
                             output[lane] = *value;
                         }
                     }
+                    *is_settled = true;
                 }
-                Err(Some(refusal)) => *reason = refusal.code(),
-                Err(None) => *is_settled = false,
+                Err(Some(refusal)) => {
+                    *reason = refusal.code();
+                    *is_settled = true;
+                }
+                Err(None) => {}
             }
         }
-        settled
     }
 
     /// The speed of a sample, not a number where none is asked for, and its impact.
     ///
     /// # Errors
     /// Why there is none; `None` where the single case has to tell.
-    fn solve(
-        &self,
-        sought: Option<&Sought>,
-        law: &ImpactLaw<Number>,
-        posed: &Posed,
-        inputs: &[Lanes],
-        lane: usize,
-    ) -> Result<(f64, Outcome), Option<Reason>> {
+    fn solve(&self, posed: &Posed, inputs: &[Lanes], lane: usize) -> Result<(f64, Outcome), Option<Reason>> {
         let Posed { vehicles, crush_plane, crush_energy } = posed;
         let refused = || Some(self.fault(inputs, lane));
-        let law = law.map(|number| number.at(inputs, lane)).of_engine(self.axes).map_err(|_| refused())?;
-        let [one, two] = &self.vehicles;
-        let participant = |vehicle: &Vehicle, lanes: &VehicleLanes| match &vehicle.body {
-            Collider::Moves(_) => lanes.participant(lane),
-            Collider::Fixed { contact: None, .. } => (Participant::barrier(), true),
-            Collider::Fixed { heading, contact: Some(contact) } => {
-                let number = |number: Number| number.at(inputs, lane);
-                let [forward, left] = contact.map(number).xy();
-                let heading = heading
-                    .map_or(0.0, |heading| self.axes.lateral(heading.with(number(heading.number())).si()));
-                Participant::new_with_validity(Body::fixed(), heading, forward, self.axes.lateral(left))
-            }
-        };
+        let law = self.law.map(|number| number.at(inputs, lane));
+        let law = law.of_engine(self.axes).map_err(|_| refused())?;
         let [v1, v2] = vehicles;
-        let ((p1, is_1), (p2, is_2)) = (participant(one, v1), participant(two, v2));
+        let ((p1, is_1), (p2, is_2)) = (v1.participant(lane), v2.participant(lane));
         let (contact, is_contact) = Contact::new_with_validity([p1, p2], crush_plane[lane]);
         let (motions, crush_energy) = ([v1.motion(lane), v2.motion(lane)], crush_energy[lane]);
         if !(is_1 & is_2 & is_contact) {
@@ -456,7 +492,7 @@ impl Block {
         }
         // A damage of which the engine refuses something has no energy.
         let is_refused = crush_energy.is_nan();
-        match sought {
+        match self.sought {
             // Of a damage whose energy is known an impact asks nothing.
             None if is_refused => Err(None),
             None => {
@@ -467,7 +503,7 @@ impl Block {
                 }
             }
             Some(_) if is_refused => Err(refused()),
-            Some(&Sought { unknown, basis, share }) => {
+            Some(Sought { unknown, basis, share }) => {
                 let tangential_share = share.map_or(0.0, |share| share.at(inputs, lane));
                 let problem =
                     Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share };
@@ -489,28 +525,40 @@ impl Block {
     }
 }
 
-impl Solution {
-    /// That for all samples at once, where a speed is sought between two vehicles under a law that has it.
-    fn new(sought: Option<Sought>, law: &ImpactLaw<Number>) -> Option<Self> {
+impl AtOnce {
+    fn new(law: &ImpactLaw<Number>) -> Option<Self> {
         let zero = Number::Known(0.0);
-        let (restitution, tangential_restitution) = match law {
+        let (restitution, condition) = match law {
             ImpactLaw::Brach {
                 restitution: Restitution::Constant(restitution),
                 tangential: BrachTangential::Critical,
                 moment_restitution: None,
-            } => (*restitution, zero),
+            } => (*restitution, Condition::Restitution(zero)),
+            ImpactLaw::Brach {
+                restitution: Restitution::Constant(restitution),
+                tangential: BrachTangential::Friction(limit),
+                moment_restitution: None,
+            } => (*restitution, Condition::Friction(*limit)),
+            ImpactLaw::Brach {
+                restitution: Restitution::Constant(restitution),
+                tangential: BrachTangential::FractionOfCritical(share),
+                moment_restitution: None,
+            } => (*restitution, Condition::Fraction(*share)),
             ImpactLaw::Ishikawa {
                 restitution: Restitution::Constant(restitution),
                 tangential_restitution,
-            } => (*restitution, *tangential_restitution),
+            } => (*restitution, Condition::Restitution(*tangential_restitution)),
             // A common velocity.
-            ImpactLaw::Woolley { tangential_velocity_change: None } => (zero, zero),
+            ImpactLaw::Woolley { tangential_velocity_change: None } => (zero, Condition::Restitution(zero)),
+            ImpactLaw::KudlichSlibar { restitution: Restitution::Constant(restitution), friction } => {
+                (*restitution, Condition::FullOrSliding(*friction))
+            }
             ImpactLaw::Brach { .. }
             | ImpactLaw::Ishikawa { .. }
             | ImpactLaw::Woolley { .. }
             | ImpactLaw::KudlichSlibar { .. } => return None,
         };
-        Some(Self::AtOnce { sought: sought?, restitution, tangential_restitution })
+        Some(Self { restitution, condition })
     }
 }
 
@@ -520,6 +568,50 @@ struct Posed {
     crush_plane: Lanes,
     /// Of both vehicles; not a number where a sample has none.
     crush_energy: Lanes,
+}
+
+/// What is asked of the samples that are solved at once.
+trait Question {
+    /// The speed that is sought, not a number where none is, its impact, and whether that is the answer.
+    fn answer(&self, contact: Contact, law: Law, motions: [Motion; 2], lane: usize) -> (f64, Outcome, bool);
+}
+
+/// For a speed.
+struct Speed<'a, S> {
+    unknown: Unknown,
+    basis: EnergyBasis,
+    share: S,
+    crush_energy: &'a Lanes,
+}
+
+impl<S: Share> Question for Speed<'_, S> {
+    #[inline(always)]
+    fn answer(&self, contact: Contact, law: Law, motions: [Motion; 2], lane: usize) -> (f64, Outcome, bool) {
+        let problem = Problem {
+            contact,
+            law: law.into(),
+            motions,
+            unknown: self.unknown,
+            crush_energy: self.crush_energy[lane],
+            basis: self.basis,
+            tangential_share: self.share.at(lane),
+        };
+        problem.solve_with_validity()
+    }
+}
+
+/// For the impact at the speeds that are given.
+struct Given<'a> {
+    crush_energy: &'a Lanes,
+}
+
+impl Question for Given<'_> {
+    #[inline(always)]
+    fn answer(&self, contact: Contact, law: Law, motions: [Motion; 2], lane: usize) -> (f64, Outcome, bool) {
+        let (outcome, is_possible) = contact.impact_with_validity(motions, &law);
+        // A damage of which the engine refuses something has no energy.
+        (f64::NAN, outcome, is_possible & !self.crush_energy[lane].is_nan())
+    }
 }
 
 /// λ of each sample.
@@ -568,8 +660,9 @@ fn answer(axes: Axes, central: &[f64; OUTPUTS], speed: f64, outcome: &Outcome) -
     ]
 }
 
-/// A vehicle of each sample, in SI.
+/// A vehicle of each sample, or a fixed object, in SI.
 pub(crate) struct VehicleLanes {
+    is_fixed: bool,
     pub(crate) mass: Lanes,
     yaw_inertia: Lanes,
     pub(crate) heading: Lanes,
@@ -581,21 +674,38 @@ pub(crate) struct VehicleLanes {
 }
 
 impl VehicleLanes {
-    /// That of a fixed object, of which only the motion is read.
-    const AT_REST: Self = Self {
-        mass: [0.0; LANES],
-        yaw_inertia: [0.0; LANES],
-        heading: [0.0; LANES],
-        forward: [0.0; LANES],
-        left: [0.0; LANES],
-        velocity_x: [0.0; LANES],
-        velocity_y: [0.0; LANES],
-        yaw_rate: [0.0; LANES],
-    };
+    /// A fixed object. One of which the case tells no point of contact is a [barrier](Participant::barrier),
+    /// with its point in its centre of gravity.
+    #[inline(always)]
+    fn of_fixed(
+        axes: Axes,
+        heading: Option<&Quantity<Number>>,
+        contact: Option<&ContactPoint<Number>>,
+        inputs: &[Lanes],
+    ) -> Self {
+        const ZERO: Lanes = [0.0; LANES];
+        let [forward, left] = contact.map_or([ZERO; 2], |contact| point(axes, contact, inputs));
+        let heading = heading.filter(|_| contact.is_some());
+        Self {
+            is_fixed: true,
+            mass: ZERO,
+            yaw_inertia: ZERO,
+            heading: heading.map_or(ZERO, |heading| lateral(axes, heading, inputs)),
+            forward,
+            left,
+            velocity_x: ZERO,
+            velocity_y: ZERO,
+            yaw_rate: ZERO,
+        }
+    }
 
     #[inline(always)]
     pub(crate) fn participant(&self, lane: usize) -> (Participant, bool) {
-        let (body, is_body) = Body::new_with_validity(self.mass[lane], self.yaw_inertia[lane]);
+        let (body, is_body) = if self.is_fixed {
+            (Body::fixed(), true)
+        } else {
+            Body::new_with_validity(self.mass[lane], self.yaw_inertia[lane])
+        };
         let (participant, is_placed) =
             Participant::new_with_validity(body, self.heading[lane], self.forward[lane], self.left[lane]);
         (participant, is_body & is_placed)
@@ -836,29 +946,7 @@ impl Mover {
                 }
             }
         }
-        let (mut forward, mut left) = ([0.0; LANES], [0.0; LANES]);
-        match self.contact {
-            ContactPoint::Polar { distance, angle } => {
-                let (distances, angles) = (distance.number().lanes(inputs), angle.number().lanes(inputs));
-                for lane in 0..LANES {
-                    let contact = ContactPoint::Polar {
-                        distance: distance.with(distances[lane]),
-                        angle: angle.with(angles[lane]),
-                    };
-                    [forward[lane], left[lane]] = contact.xy();
-                }
-            }
-            ContactPoint::Cartesian { x, y } => {
-                let (xs, ys) = (x.number().lanes(inputs), y.number().lanes(inputs));
-                for lane in 0..LANES {
-                    let contact = ContactPoint::Cartesian { x: x.with(xs[lane]), y: y.with(ys[lane]) };
-                    [forward[lane], left[lane]] = contact.xy();
-                }
-            }
-        }
-        for left in &mut left {
-            *left = axes.lateral(*left);
-        }
+        let [forward, left] = point(axes, &self.contact, inputs);
         let heading = lateral(axes, &self.heading, inputs);
         let (mut velocity_x, mut velocity_y) = ([0.0; LANES], [0.0; LANES]);
         match self.motion {
@@ -876,7 +964,17 @@ impl Mover {
             }
         }
         let yaw_rate = self.yaw_rate.map_or([0.0; LANES], |yaw_rate| lateral(axes, &yaw_rate, inputs));
-        VehicleLanes { mass, yaw_inertia, heading, forward, left, velocity_x, velocity_y, yaw_rate }
+        VehicleLanes {
+            is_fixed: false,
+            mass,
+            yaw_inertia,
+            heading,
+            forward,
+            left,
+            velocity_x,
+            velocity_y,
+            yaw_rate,
+        }
     }
 }
 
@@ -1027,6 +1125,35 @@ fn coefficients<const N: usize>(
 #[inline(always)]
 pub(crate) fn si(quantity: &Quantity<Number>, inputs: &[Lanes]) -> Lanes {
     each(quantity, inputs, |quantity| quantity.si())
+}
+
+/// (m) a point forward and left of the centre of gravity.
+#[inline(always)]
+fn point(axes: Axes, contact: &ContactPoint<Number>, inputs: &[Lanes]) -> [Lanes; 2] {
+    let (mut forward, mut left) = ([0.0; LANES], [0.0; LANES]);
+    match contact {
+        ContactPoint::Polar { distance, angle } => {
+            let (distances, angles) = (distance.number().lanes(inputs), angle.number().lanes(inputs));
+            for lane in 0..LANES {
+                let contact = ContactPoint::Polar {
+                    distance: distance.with(distances[lane]),
+                    angle: angle.with(angles[lane]),
+                };
+                [forward[lane], left[lane]] = contact.xy();
+            }
+        }
+        ContactPoint::Cartesian { x, y } => {
+            let (xs, ys) = (x.number().lanes(inputs), y.number().lanes(inputs));
+            for lane in 0..LANES {
+                let contact = ContactPoint::Cartesian { x: x.with(xs[lane]), y: y.with(ys[lane]) };
+                [forward[lane], left[lane]] = contact.xy();
+            }
+        }
+    }
+    for left in &mut left {
+        *left = axes.lateral(*left);
+    }
+    [forward, left]
 }
 
 /// What counts across or turns, in the axes of the engine.
