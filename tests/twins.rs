@@ -108,7 +108,10 @@ fn solved(case: &Case, problem: &Problem) -> bool {
         Ok(answer) => {
             let line = problem.line();
             let approach = -(line.at_rest.normal + line.slope.normal * speed);
-            let is_none = !(approach > 1e-9) || speed.abs() > 1000.0 || problem.impact(speed).is_err();
+            let is_none = approach.is_nan()
+                || approach <= 1e-9
+                || speed.abs() > 1000.0
+                || problem.impact(speed).is_err();
             assert!(is_none || problem.closed_form().is_none(), "{case:?} {answer:?}");
         }
         Err(_) => assert!(!possible, "{case:?}"),

@@ -7,6 +7,7 @@
 
 use std::error::Error;
 use std::fs;
+use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
@@ -117,18 +118,20 @@ fn run() -> Result<(), Failure> {
     }
     let example = fixtures.iter().find(|fixture| fixture.name == EXAMPLE).map_or(f64::NAN, Fixture::cost);
     fixtures.sort_by(|a, b| a.cost().total_cmp(&b.cost()));
-    println!("fixture                        inputs   ns a sample   ns and input   beside the example");
+    let mut out = std::io::stdout().lock();
+    writeln!(out, "fixture                        inputs   ns a sample   ns and input   beside the example")?;
     for fixture in &fixtures {
         let cost = fixture.cost();
         let sample = cost * fixture.inputs as f64;
-        println!(
+        writeln!(
+            out,
             "{:30} {:6} {:13.0} {:14.2} {:20.2}",
             fixture.name,
             fixture.inputs,
             sample * 1e9,
             cost * 1e9,
             cost / example
-        );
+        )?;
     }
     Ok(())
 }

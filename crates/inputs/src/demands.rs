@@ -4,7 +4,9 @@ mod motion;
 
 use std::fmt::{self, Display};
 
-use crash3::{DamagedFace, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, VehicleClass};
+use crash3::{
+    CrushError, DamagedFace, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, VehicleClass,
+};
 use pim_core::{Body, Contact, Motion, Participant, Real, VaryingLaw, Vector2, VehicleId};
 use reconcile::Unknown;
 
@@ -129,6 +131,17 @@ pub struct Dimensions<T = f64> {
 }
 
 impl<T: Real> Dimensions<T> {
+    /// Those of a size class.
+    #[must_use]
+    pub fn of_class(class: u8, known: &VehicleClass) -> Self {
+        Self {
+            length: T::from(known.length),
+            width: T::from(known.width),
+            cg_to_front: T::from(known.cg_to_front),
+            class: Some(class),
+        }
+    }
+
     /// (m) distance of a side's face from the CG.
     #[must_use]
     pub fn face(&self, side: Side) -> T {
@@ -576,16 +589,10 @@ impl<'a, T: Real> Demand<'a, T> {
             return None;
         };
         let moved = |axis| self.case.departures.of_contact(id, axis);
-        let along = match damage.side {
-            Side::Front | Side::Rear => self.case.axes.lateral(moved(FaceAxis::Along)),
-            // Forward is forward in any axes.
-            Side::Left | Side::Right => moved(FaceAxis::Along),
-        };
-        // A damage that is moved as a whole takes its centroid with it.
-        let distance = dimensions.face(damage.side) - moved(FaceAxis::Inward);
-        let face = DamagedFace::new(damage.side, distance, offset + along);
-        let face = self.accepted(format_args!("{}.contact", table(id)), face)?;
-        Some(face.centroid(profile))
+        let along = along_face(self.case.axes, damage.side, moved(FaceAxis::Along));
+        let moved = [along, moved(FaceAxis::Inward)];
+        let point = placed_contact(damage.side, &dimensions, offset, moved, profile);
+        self.accepted(format_args!("{}.contact", table(id)), point)
     }
 
     /// Reports that a vehicle has no contact point, and what the program would place it by.
@@ -885,11 +892,7 @@ impl<'a, T: Real> Demand<'a, T> {
             let profile = self.profile(id, crush);
             Evidence::Measured { profile: profile?, structure: structure? }
         };
-        let offset = crush.offset.as_ref().map(|offset| match crush.side {
-            Side::Front | Side::Rear => self.lateral(offset),
-            // Forward is forward in any axes.
-            Side::Left | Side::Right => offset.si(),
-        });
+        let offset = crush.offset.as_ref().map(|offset| along_face(self.case.axes, crush.side, offset.si()));
         let face = match dimensions {
             Some(dimensions) => {
                 let face =
@@ -1018,15 +1021,36 @@ impl<'a, T: Real> Demand<'a, T> {
     }
 }
 
+/// (m) what counts along the face of a side, in the axes of the engine: to the left on front and rear,
+/// forward on the sides, which is forward in any axes.
+pub fn along_face<T: Real>(axes: Axes, side: Side, distance: T) -> T {
+    match side {
+        Side::Front | Side::Rear => axes.lateral(distance),
+        Side::Left | Side::Right => distance,
+    }
+}
+
+/// (m) the contact point, forward and left of the CG, that is placed at the centroid of a damage: its middle
+/// lies at `offset` (m) [along the face](along_face), and it is `moved` as a whole along the face and inward,
+/// which takes its centroid with it.
+///
+/// # Errors
+/// Where the face then lies behind the CG, or a number is not finite.
+pub fn placed_contact<T: Real>(
+    side: Side,
+    dimensions: &Dimensions<T>,
+    offset: T,
+    [along, inward]: [T; 2],
+    profile: &Profile<T>,
+) -> Result<[T; 2], CrushError> {
+    let face = DamagedFace::new(side, dimensions.face(side) - inward, offset + along)?;
+    Ok(face.centroid(profile))
+}
+
 fn dimensions<T: Real>(
     vehicle: &GivenVehicle<T>,
     class: Option<(u8, VehicleClass)>,
 ) -> Option<Dimensions<T>> {
     let given = vehicle.outline.as_ref().map(Outline::dimensions);
-    given.or(class.map(|(class, known)| Dimensions {
-        length: T::from(known.length),
-        width: T::from(known.width),
-        cg_to_front: T::from(known.cg_to_front),
-        class: Some(class),
-    }))
+    given.or(class.map(|(class, known)| Dimensions::of_class(class, &known)))
 }

@@ -71,7 +71,8 @@ pub use case::{Case, Find, LeftOut, Reconstruct, ReportHead};
 pub use crush::{Crush, Fit, GivenEes, GivenTest, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
 pub use demands::{
     Collision, CrushOnly, DamageData, Dimensions, EnergyData, Evidence, ImpactInput, InertiaData,
-    InferredWidth, ReconstructionInput, StiffnessSource, VehicleData, YawSource, contradictions,
+    InferredWidth, ReconstructionInput, StiffnessSource, VehicleData, YawSource, along_face, contradictions,
+    placed_contact,
 };
 pub use estimate::{
     ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, Departures, Estimate, FaceAxis, OFFSET_SD, STIFFNESS_LN_SD_A,

@@ -50,7 +50,7 @@ pub struct Reconciliation<T = f64> {
 pub enum SolutionMethod {
     /// W_n is quadratic in the speed, or is so piece by piece.
     ClosedForm,
-    /// Brent's method.
+    /// Brent's method or, under a fraction of μ_c, Newton's.
     RootFinder(Iterations),
 }
 

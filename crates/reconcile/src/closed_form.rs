@@ -187,22 +187,19 @@ impl<T: Real> Posed<'_, T> {
     /// it acts there, and whether it does not by rounding alone.
     #[inline(always)]
     fn acts(self, law: &Law<T>, acting: &Law<T>, x: T) -> [bool; 2] {
-        let (k, approach) = (self.problem.contact.inverse_mass(), self.line.at(x));
-        let (own, other) = (law.impulse(&k, approach), acting.impulse(&k, approach));
+        let (own, other) = (self.impulse_at(law, x), self.impulse_at(acting, x));
         let acts = own.linear == other.linear;
         let sought = self.problem.sought(law);
-        let missing = self.problem.crush_work_at(law, approach) - sought;
+        let missing = self.problem.crush_work_at(law, self.line.at(x)) - sought;
         [acts, !acts & (missing.abs() <= sought * AT_BORDER)]
     }
 
     #[inline(always)]
     fn quadratic(self, law: &Law<T>) -> Quadratic<T> {
-        let Self { problem, line } = self;
-        let k = problem.contact.inverse_mass();
-        let push = |x: T| law.impulse(&k, line.at(x)).linear.normal;
+        let problem = self.problem;
         // P_n(x) = α_n x + β_n
-        let beta = push(T::ZERO);
-        let alpha = push(T::ONE) - beta;
+        let beta = self.impulse_at(law, T::ZERO).linear.normal;
+        let alpha = self.impulse_at(law, T::ONE).linear.normal - beta;
         // c = 2 W_n/(1−e)
         let c = problem.sought(law) * 2.0 / (T::ONE - law.restitution());
         if problem.tangential_share.is_constant_zero() {
@@ -220,18 +217,29 @@ impl<T: Real> Posed<'_, T> {
 
     #[inline(always)]
     fn affine_impact(self, law: &Law<T>) -> AffineImpact<T> {
-        let Self { problem, line } = self;
-        let k = problem.contact.inverse_mass();
-        let at = |x: T| {
-            let approach = line.at(x);
-            let LawImpulse { linear, moment, .. } = law.impulse(&k, approach);
-            let sliding =
-                approach.velocity.tangential + k.separation(approach, linear, moment).velocity.tangential;
-            [linear.normal, linear.tangential, sliding]
+        let ([p_0, p_1], [t_0, t_1], [u_0, u_1]) = {
+            let (touch, one) = (self.impulse_at(law, T::ZERO), self.impulse_at(law, T::ONE));
+            (
+                [touch.linear.normal, one.linear.normal],
+                [touch.linear.tangential, one.linear.tangential],
+                [self.sliding_at(touch, T::ZERO), self.sliding_at(one, T::ONE)],
+            )
         };
-        let (touch, one) = (at(T::ZERO), at(T::ONE));
-        let [normal, tangential, sliding] = [0, 1, 2].map(|i| [touch[i], one[i] - touch[i]]);
-        AffineImpact { normal, tangential, sliding }
+        AffineImpact { normal: [p_0, p_1 - p_0], tangential: [t_0, t_1 - t_0], sliding: [u_0, u_1 - u_0] }
+    }
+
+    // These are no closures: those may stay calls, and a loop with a call does not become one over lanes.
+
+    #[inline(always)]
+    pub(crate) fn impulse_at(self, law: &Law<T>, x: T) -> LawImpulse<T> {
+        law.impulse(&self.problem.contact.inverse_mass(), self.line.at(x))
+    }
+
+    /// u_t + U_t
+    #[inline(always)]
+    fn sliding_at(self, LawImpulse { linear, moment, .. }: LawImpulse<T>, x: T) -> T {
+        let (k, approach) = (self.problem.contact.inverse_mass(), self.line.at(x));
+        approach.velocity.tangential + k.separation(approach, linear, moment).velocity.tangential
     }
 }
 

@@ -5,10 +5,11 @@
 //!
 //! ½ (1−e²) x² c_n − W_n d = 0
 //!
-//! By Descartes' rule it has one positive root where its coefficients change sign once. That is the rule for
-//! the vehicles' push; any other case is left to [`Posed::roots`].
+//! Only where the critical impulse is a push, c_n > 0, is there a fraction of its ratio. By Descartes' rule
+//! one root alone lies there if the coefficients about the end of that range change sign once. Nearly all
+//! collisions are so; the others are left to [`Posed::roots`].
 
-use pim_core::{Law, LawImpulse, NormalTangential, Real, Tangential};
+use pim_core::{Law, NormalTangential, Real, Tangential};
 
 use crate::answer::{Iteration, Trail};
 use crate::pieces::Root;
@@ -25,7 +26,7 @@ impl Posed<'_> {
     /// The only root, if that is known, with what is kept of the steps.
     pub(crate) fn only_root<S: Trail>(self) -> Option<Root<S>> {
         let (x, way) = self.root_of_cubic();
-        if !(x > 0.0) {
+        if x.is_nan() || x <= 0.0 {
             return None;
         }
         let (mut steps, mut before) = (S::none(), f64::NAN);
@@ -60,29 +61,32 @@ impl<T: Real> Posed<'_, T> {
         let mut step = x;
         for place in &mut way {
             step = cubic.newton(x);
-            x = x - step;
+            x -= step;
             *place = x;
         }
-        let is_only = cubic.has_one_positive_root() & (f > T::ZERO);
+        let low = cubic.first_push();
+        let is_only = cubic.has_one_root_above(low) & (x > low) & (f > T::ZERO);
         (if is_only & (step.abs() <= x * CONVERGED) { x } else { T::ZERO }, way)
     }
 
     #[inline(always)]
     fn cubic(self, law: &Law<T>, f: T) -> Cubic<T> {
-        let k = self.problem.contact.inverse_mass();
-        let critical = |x: T| {
-            let LawImpulse { linear: c, .. } = law.without_limit().impulse(&k, self.line.at(x));
-            c
-        };
-        let (touch, one) = (critical(T::ZERO), critical(T::ONE));
-        // d = k_nn c_n + f k_nt c_t
-        let jam = |c: NormalTangential<T>| k.nn * c.normal + f * k.nt * c.tangential;
+        let critical = law.without_limit();
+        let (touch, one) =
+            (self.impulse_at(&critical, T::ZERO).linear, self.impulse_at(&critical, T::ONE).linear);
         let (e, sought) = (law.restitution(), self.problem.sought(law));
         // ½ (1−e²)
         let loss = (T::ONE - e * e) * 0.5;
-        let (d_0, d_1) = (jam(touch), jam(one) - jam(touch));
-        let (c_0, c_1) = (touch.normal, one.normal - touch.normal);
-        Cubic { push: [c_0 * loss, c_1 * loss], jam: [d_0 * sought, d_1 * sought] }
+        let (d_0, d_1) = (self.jam_at(touch, f), self.jam_at(one, f));
+        let (c_0, c_1) = (touch.normal, one.normal);
+        Cubic { push: [c_0 * loss, (c_1 - c_0) * loss], jam: [d_0 * sought, (d_1 - d_0) * sought] }
+    }
+
+    /// d = k_nn c_n + f k_nt c_t
+    #[inline(always)]
+    fn jam_at(self, critical: NormalTangential<T>, f: T) -> T {
+        let k = self.problem.contact.inverse_mass();
+        k.nn * critical.normal + f * k.nt * critical.tangential
     }
 }
 
@@ -95,19 +99,28 @@ struct Cubic<T> {
 }
 
 impl<T: Real> Cubic<T> {
-    /// Whether the coefficients that are not zero change sign once (Descartes).
+    /// The approach speed from which on the critical impulse is a push, zero if there is none such.
     #[inline(always)]
-    fn has_one_positive_root(&self) -> bool {
+    fn first_push(&self) -> T {
+        let [p_0, p_1] = self.push;
+        if (p_0 < T::ZERO) & (p_1 > T::ZERO) { -p_0 / p_1 } else { T::ZERO }
+    }
+
+    /// Whether there is one root alone above that: the coefficients that are not zero change sign once
+    /// (Descartes).
+    #[inline(always)]
+    fn has_one_root_above(&self, low: T) -> bool {
         let [p_0, p_1] = self.push;
         let [j_0, j_1] = self.jam;
-        // One that is zero has the sign of the one before it.
-        let after = |before: bool, c: T| (c > T::ZERO) | ((c == T::ZERO) & before);
+        // N(low + y) = (low + y)² (p + p₁ y) − (j + j₁ y)
+        // p is zero but for rounding where low is not.
+        let p = if low > T::ZERO { T::ZERO } else { p_0 };
+        let j = j_0 + j_1 * low;
         let third = p_1 > T::ZERO;
-        let second = after(third, p_0);
-        let first = after(second, -j_1);
-        let constant = after(first, -j_0);
-        let changes = [third != second, second != first, first != constant];
-        let [a, b, c] = changes;
+        let second = sign_after(third, p + p_1 * low * 2.0);
+        let first = sign_after(second, low * (p * 2.0 + p_1 * low) - j_1);
+        let constant = sign_after(first, low * low * p - j);
+        let (a, b, c) = (third != second, second != first, first != constant);
         (p_1 != T::ZERO) & (a | b | c) & !(a & b) & !(a & c) & !(b & c)
     }
 
@@ -130,31 +143,42 @@ impl<T: Real> Cubic<T> {
     }
 }
 
+/// Whether a coefficient is positive, or zero after one that is.
+#[inline(always)]
+fn sign_after<T: Real>(before: bool, c: T) -> bool {
+    (c > T::ZERO) | ((c == T::ZERO) & before)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     /// A polynomial all of whose roots are real has as many positive ones as changes of sign (Descartes).
     #[test]
-    fn one_positive_root_is_told_from_none_two_and_three() {
+    fn one_root_above_is_told_from_none_two_and_three() {
         let roots = [-7.0, -2.0, -0.5, 0.25, 1.0, 3.0, 11.0];
         let mut counts = [0; 4];
         for a in roots {
             for b in roots {
                 for c in roots {
-                    for leading in [2.0, -0.5] {
-                        // (x − a)(x − b)(x − c), times the leading coefficient
-                        let push = [-(a + b + c) * leading, leading];
-                        let jam = [a * b * c * leading, -(a * b + b * c + c * a) * leading];
-                        let positive = [a, b, c].iter().filter(|root| **root > 0.0).count();
-                        let cubic = Cubic { push, jam };
-                        assert_eq!(cubic.has_one_positive_root(), positive == 1, "{a} {b} {c}");
-                        counts[positive] += 1;
-                    }
+                    // (x − a)(x − b)(x − c), twice
+                    let push = [-(a + b + c) * 2.0, 2.0];
+                    let jam = [a * b * c * 2.0, -(a * b + b * c + c * a) * 2.0];
+                    let cubic = Cubic { push, jam };
+                    let low = cubic.first_push();
+                    assert_eq!(low, (0.5 * -push[0]).max(0.0));
+                    let above = [a, b, c].iter().filter(|root| **root > low).count();
+                    assert_eq!(cubic.has_one_root_above(low), above == 1, "{a} {b} {c}");
+                    counts[above] += 1;
+                    // With the signs changed the critical impulse is no push at fast approaches.
+                    let falling = Cubic { push: push.map(|c| -c), jam: jam.map(|c| -c) };
+                    assert_eq!(falling.first_push(), 0.0);
+                    let positive = [a, b, c].iter().filter(|root| **root > 0.0).count();
+                    assert_eq!(falling.has_one_root_above(0.0), positive == 1, "{a} {b} {c}");
                 }
             }
         }
-        assert!(counts.iter().all(|count| *count > 20), "{counts:?}");
+        assert!(counts[0] > 20 && counts[1] > 20, "{counts:?}");
     }
 
     #[test]
@@ -165,7 +189,7 @@ mod tests {
             ([0.0, 1.0], [0.0, -4.0], false),
             ([0.0, 0.0], [1.0, -4.0], false),
         ] {
-            assert_eq!(Cubic { push, jam }.has_one_positive_root(), has_one, "{push:?} {jam:?}");
+            assert_eq!(Cubic { push, jam }.has_one_root_above(0.0), has_one, "{push:?} {jam:?}");
         }
     }
 

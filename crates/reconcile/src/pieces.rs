@@ -164,7 +164,9 @@ impl<'a> Posed<'a> {
         let mut last = f64::NAN;
         self.stretches()
             .flat_map(move |stretch| {
-                self.pieces(stretch).flat_map(move |piece| self.brackets(stretch, piece))
+                self.pieces(stretch)
+                    .filter(move |piece| self.may_have_root(&stretch, *piece))
+                    .flat_map(move |piece| self.brackets(stretch, piece))
             })
             .filter_map(move |bracket| self.root(&bracket).transpose())
             // A root on the border of two pieces belongs to both.
@@ -295,9 +297,18 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// Where W_n passes the value sought within a piece.
+    /// Whether W_n may pass the value sought within a piece: most pieces of a curve have no root.
+    fn may_have_root(self, stretch: &Stretch, piece: [f64; 2]) -> bool {
+        self.excess(stretch, self.branch_of(stretch, piece)).changes(piece) != Some(0)
+    }
+
+    fn branch_of(self, stretch: &Stretch, [from, to]: [f64; 2]) -> Branch {
+        self.branch(stretch.approach_speed(0.5 * (from + to)))
+    }
+
+    /// Where W_n passes the value sought within a piece that [may have a root](Self::may_have_root).
     fn brackets(self, stretch: Stretch, piece: [f64; 2]) -> impl Iterator<Item = Bracket> + use<'a> {
-        let branch = self.branch(stretch.approach_speed(0.5 * (piece[0] + piece[1])));
+        let branch = self.branch_of(&stretch, piece);
         let [mut low, mut high] = piece.map(|t| stretch.approach_speed(t));
         if let (Tangential::FractionOfCritical(_), Branch::Own) =
             (self.problem.law.nominal().tangential(), branch)
@@ -306,8 +317,7 @@ impl<'a> Posed<'a> {
             high *= 1.0 - BESIDE_A_JAM;
         }
         let excess = self.excess(&stretch, branch);
-        let changes = excess.changes(piece);
-        let isolating = match changes {
+        let isolating = match excess.changes(piece) {
             Some(0 | 1) => Points::none(),
             Some(_) | None => excess.extrema(piece),
         };
@@ -318,7 +328,7 @@ impl<'a> Posed<'a> {
             .map(move |t| (t, speed(t)))
             .chain([(piece[1], high)])
             // Between two jams next to each other rounding leaves nothing.
-            .take_while(move |_| changes != Some(0) && low < high)
+            .take_while(move |_| low < high)
             .filter_map(move |to| {
                 let [(left, least), (right, most)] = [from, to];
                 from = to;

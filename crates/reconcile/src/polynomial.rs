@@ -78,8 +78,7 @@ impl Polynomial {
         for i in 0..=n {
             // b_i = Σ_j C(i, j)/C(n, j) c_j (high − low)ʲ
             let b: f64 = (0..=i).map(|j| binomial(i, j) * shifted[j]).sum();
-            // Also where it is not a number.
-            if !(b.abs() > size * SIGN_IS_SURE) {
+            if b.is_nan() || b.abs() <= size * SIGN_IS_SURE {
                 return None;
             }
             changes += usize::from(b * before < 0.0);

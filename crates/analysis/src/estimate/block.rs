@@ -83,7 +83,8 @@ impl Block {
                 OpenSpeeds::One(open, _) => open == id,
                 OpenSpeeds::Both(_) => true,
             };
-            let mover = Mover::new(given, departures.yaw_radius[id.index()], is_sought).ok()?;
+            let (yaw_factor, moved) = (departures.yaw_radius[id.index()], departures.contact[id.index()]);
+            let mover = Mover::new(given, yaw_factor, moved, is_sought).ok()?;
             let damage = Damage::new(given, departures.stiffness[id.index()]).ok()?;
             Some(Vehicle { mover, damage })
         };

@@ -13,13 +13,14 @@
 
 use ::uncertainty::{LANES, Lanes};
 use crash3::{
-    DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, VehicleClass, Zone,
-    energy_of_equivalent_speed, equal_spacing, zone_energy,
+    CrushError, DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness,
+    VehicleClass, Zone, energy_of_equivalent_speed, equal_spacing, zone_energy,
 };
 use inputs::{
-    Axes, Basis, BrachTangential, Case, ContactPoint, Crush, Find, GivenEes, GivenImpact, GivenVehicle,
-    ImpactLaw, KnownEnergy, Mass, Outline, Pdof, Quantity, Reconstruct, Restitution, StiffnessForm,
-    StiffnessLine, Velocity, YawInertia, class_yaw_inertia, scaled_stiffness,
+    Axes, Basis, BrachTangential, Case, ContactPoint, Crush, Dimensions, Find, GivenEes, GivenImpact,
+    GivenVehicle, ImpactLaw, KnownEnergy, Mass, Outline, Pdof, Quantity, Reconstruct, Restitution,
+    StiffnessForm, StiffnessLine, Velocity, YawInertia, along_face, class_yaw_inertia, placed_contact,
+    scaled_stiffness,
 };
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2, VehicleId};
 use reconcile::{Problem, Unknown};
@@ -67,8 +68,6 @@ pub(crate) enum Alone {
     Ways,
     /// A yaw inertia by Burg's formula, of which no column is made.
     Burg,
-    /// A contact point that is placed on the damage, whose centroid is not a column.
-    PlacedContact,
     /// The damage of a vehicle is not known, or follows from the other's.
     NoDamage,
     /// Stations that are not equally spaced.
@@ -185,10 +184,37 @@ pub(crate) struct Mover {
     mass: Mass<Number>,
     yaw: Yaw,
     heading: Quantity<Number>,
-    contact: ContactPoint<Number>,
+    contact: Contacted,
     /// None of the vehicle whose speed is sought.
     motion: Option<Velocity<Number>>,
     yaw_rate: Option<Quantity<Number>>,
+}
+
+/// Where the contact point of a vehicle comes from.
+#[derive(Debug)]
+enum Contacted {
+    Given(ContactPoint<Number>),
+    /// The centroid of its damage.
+    Placed(Box<Placed>),
+}
+
+/// A contact point at the centroid of a damage.
+#[derive(Debug)]
+struct Placed {
+    side: Side,
+    outline: BodyOutline,
+    offset: Quantity<Number>,
+    /// Along the face and inward, where the point may be off.
+    moved: [Option<Quantity<Number>>; 2],
+    crushed: Crushed,
+}
+
+/// Where the outline of a body comes from.
+#[derive(Debug)]
+enum BodyOutline {
+    Given(Outline<Number>),
+    /// A size class.
+    Class(Dimensions),
 }
 
 /// Where a yaw inertia comes from.
@@ -268,8 +294,8 @@ impl Block {
         let vehicle = |given: &GivenVehicle<Number>, id: VehicleId| {
             // A factor that is absent is one.
             let yaw_factor = departures.yaw_radius[id.index()].unwrap_or(Number::Known(1.0));
-            let vehicle =
-                Vehicle::new(given, yaw_factor, departures.stiffness[id.index()], seeks == Some(id))?;
+            let (factor, moved) = (departures.stiffness[id.index()], departures.contact[id.index()]);
+            let vehicle = Vehicle::new(given, yaw_factor, factor, moved, seeks == Some(id))?;
             match (seeks, &vehicle.damage) {
                 (Some(_), Damage::Unknown) => Err(Alone::NoDamage),
                 _ => Ok(vehicle),
@@ -720,18 +746,19 @@ impl VehicleLanes {
 
 impl Vehicle {
     /// `yaw_factor` is that on the radius of gyration of a size class, `factor` that on the stiffness of a
-    /// category.
+    /// category, and a contact point that is placed is `moved` along the face and inward.
     fn new(
         given: &GivenVehicle<Number>,
         yaw_factor: Number,
         factor: Option<Number>,
+        moved: [Option<Quantity<Number>>; 2],
         is_sought: bool,
     ) -> Result<Self, Alone> {
         if given.fixed {
             let body = Collider::Fixed { heading: given.heading, contact: given.contact };
             return Ok(Self { body, damage: Damage::Energy(None), face: None, idle: Vec::new() });
         }
-        let mover = Mover::new(given, Some(yaw_factor), is_sought)?;
+        let mover = Mover::new(given, Some(yaw_factor), moved, is_sought)?;
         let damage = Damage::new(given, factor)?;
         let mut idle = Vec::new();
         let ees = given.energy.as_ref().and_then(KnownEnergy::ees);
@@ -846,10 +873,12 @@ impl Damage {
 }
 
 impl Mover {
-    /// `yaw_factor` is that on the radius of gyration of a size class.
+    /// `yaw_factor` is that on the radius of gyration of a size class, and a contact point that is placed is
+    /// `moved` along the face and inward.
     pub(crate) fn new(
         vehicle: &GivenVehicle<Number>,
         yaw_factor: Option<Number>,
+        moved: [Option<Quantity<Number>>; 2],
         is_sought: bool,
     ) -> Result<Self, Alone> {
         let GivenVehicle {
@@ -868,7 +897,8 @@ impl Mover {
             outline: _,
             diameter: _,
             heading,
-            contact,
+            // It may be placed on the damage.
+            contact: _,
             motion,
             yaw_rate,
             // The damage is read beside this.
@@ -895,7 +925,7 @@ impl Mover {
             mass: mass.ok_or(Alone::Incomplete)?,
             yaw,
             heading: heading.ok_or(Alone::Incomplete)?,
-            contact: contact.ok_or(Alone::PlacedContact)?,
+            contact: Contacted::new(vehicle, moved)?,
             motion: if is_sought { None } else { Some(motion.ok_or(Alone::Incomplete)?) },
             yaw_rate: *yaw_rate,
         })
@@ -909,7 +939,12 @@ impl Mover {
             Yaw::Given(YawInertia::Inertia(yaw) | YawInertia::Radius(yaw)) => yaw.number(),
             Yaw::Class(_, factor) => *factor,
         };
-        let contact = contact.quantities();
+        let (contact, moved) = match contact {
+            Contacted::Given(contact) => (Some(contact.quantities()), None),
+            // The damage and where it lies are read beside this.
+            Contacted::Placed(placed) => (None, Some(&placed.moved)),
+        };
+        let contact = contact.into_iter().flatten().chain(moved.into_iter().flatten().flatten());
         let motion = match motion {
             None => [None; 2],
             Some(Velocity::Speed(speed)) => [Some(speed), None],
@@ -946,7 +981,10 @@ impl Mover {
                 }
             }
         }
-        let [forward, left] = point(axes, &self.contact, inputs);
+        let [forward, left] = match &self.contact {
+            Contacted::Given(contact) => point(axes, contact, inputs),
+            Contacted::Placed(placed) => placed.point(axes, inputs),
+        };
         let heading = lateral(axes, &self.heading, inputs);
         let (mut velocity_x, mut velocity_y) = ([0.0; LANES], [0.0; LANES]);
         match self.motion {
@@ -975,6 +1013,51 @@ impl Mover {
             velocity_y,
             yaw_rate,
         }
+    }
+}
+
+impl Contacted {
+    fn new(vehicle: &GivenVehicle<Number>, moved: [Option<Quantity<Number>>; 2]) -> Result<Self, Alone> {
+        if let Some(contact) = vehicle.contact {
+            return Ok(Self::Given(contact));
+        }
+        let crush = vehicle.crush.as_ref().ok_or(Alone::Incomplete)?;
+        let outline = match (vehicle.outline, vehicle.class) {
+            (Some(outline), _) => BodyOutline::Given(outline),
+            (None, Some(class)) => {
+                let known = VehicleClass::new(class).map_err(|_| Alone::Incomplete)?;
+                BodyOutline::Class(Dimensions::of_class(class, &known))
+            }
+            (None, None) => return Err(Alone::Incomplete),
+        };
+        let (crushed, _) = Crushed::new(crush)?;
+        let offset = crush.offset.ok_or(Alone::Incomplete)?;
+        Ok(Self::Placed(Box::new(Placed { side: crush.side, outline, offset, moved, crushed })))
+    }
+}
+
+impl Placed {
+    /// (m) forward and left of the centre of gravity; not a number where the engine refuses the damage.
+    #[inline(never)]
+    fn point(&self, axes: Axes, inputs: &[Lanes]) -> [Lanes; 2] {
+        let [mut forward, mut left] = [[f64::NAN; LANES]; 2];
+        for lane in 0..LANES {
+            let at = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane)).si();
+            let dimensions = match &self.outline {
+                BodyOutline::Given(outline) => outline.map(|number| number.at(inputs, lane)).dimensions(),
+                BodyOutline::Class(dimensions) => *dimensions,
+            };
+            let along = |distance: f64| along_face(axes, self.side, distance);
+            let [moved, inward] = self.moved.each_ref().map(|moved| moved.as_ref().map_or(0.0, at));
+            let moved = [along(moved), inward];
+            let placed = self.crushed.profile(inputs, lane).and_then(|profile| {
+                placed_contact(self.side, &dimensions, along(at(&self.offset)), moved, &profile)
+            });
+            if let Ok(point) = placed {
+                [forward[lane], left[lane]] = point;
+            }
+        }
+        [forward, left]
     }
 }
 
@@ -1008,6 +1091,12 @@ impl Crushed {
         [width].into_iter().chain(depths).map(Quantity::number)
     }
 
+    /// The profile of one sample.
+    fn profile(&self, inputs: &[Lanes], lane: usize) -> Result<Profile, CrushError> {
+        let at = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane)).si();
+        Profile::equally_spaced(self.depths.iter().map(at).collect(), at(&self.width))
+    }
+
     /// (J) adds the crush energy of a structure, one sample after the other; not a number where a sample has
     /// none.
     #[inline(never)]
@@ -1019,9 +1108,7 @@ impl Crushed {
         total: &mut Lanes,
     ) {
         for (lane, total) in total.iter_mut().enumerate() {
-            let at = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane)).si();
-            let depths = self.depths.iter().map(at).collect();
-            let energy = Profile::equally_spaced(depths, at(&self.width)).and_then(|profile| {
+            let energy = self.profile(inputs, lane).and_then(|profile| {
                 let stiffness = stiffness.map(|number| number.at(inputs, lane));
                 stiffness.structure(side)?.crush_energy(&profile)
             });
