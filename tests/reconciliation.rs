@@ -409,6 +409,8 @@ fn closed_form_and_root_finder_agree() {
         (-1.5..1.5).prop_map(Tangential::Ratio),
         (-1.0..1.0).prop_map(Tangential::Restitution),
         (-20.0..20.0).prop_map(Tangential::VelocityChange),
+        (0.0..1.5).prop_map(Tangential::Friction),
+        (0.0..1.5).prop_map(Tangential::FullOrSliding),
     ];
     // The scenes of Brach's laws have a moment impulse as often as none.
     for_all(8000, 0.5, (case(laws), -3.0..3.0), |(case, exponent): (Case, f64)| {
@@ -429,6 +431,29 @@ fn closed_form_and_root_finder_agree() {
             (Err(_), Err(_)) => false,
             (closed, found) => panic!("{closed:?} {found:?}"),
         }
+    });
+}
+
+/// A friction limit that is just the ratio of the full impulse: rounding alone decides whether friction
+/// suffices, or neither law would act at its own root. The speed is found whatever it decides.
+#[test]
+fn a_speed_at_the_border_of_sticking_and_sliding_is_found() {
+    for_all(20000, 0.3, case(Just(Tangential::Critical)), |case: Case| {
+        let case = Case { scene: case.scene.without_moment(), ..case };
+        let Ok(outcome) = case.scene.impact() else { return false };
+        let at_limit = case.scene.under(Tangential::Friction(outcome.impulse_ratio.abs()));
+        let problem = Case { scene: at_limit, ..case }.problem(outcome.energy.normal_work);
+        let scale = case.speed_scale() + case.speed.abs();
+        let is_it = |speed: f64| (speed - case.speed).abs() < 1e-6 * scale;
+        // Where W_n hardly changes with the speed, rounding moves it farther than this.
+        let near = [-1e-3, 1e-3].map(|share| problem.normal_work(case.speed + share * scale));
+        let rise = (near[1] - near[0]).abs();
+        if rise.is_nan() || rise <= 1e-6 * outcome.energy.normal_work || outcome.impulse_ratio == 0.0 {
+            return false;
+        }
+        assert!(problem.speeds().any(is_it), "{case:?}: {:?}", problem.speeds().collect::<Vec<_>>());
+        assert_eq!(problem.speeds().filter(|speed| is_it(*speed)).count(), 1, "{case:?}");
+        true
     });
 }
 
