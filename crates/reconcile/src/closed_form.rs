@@ -15,8 +15,9 @@ const SAME: f64 = 1e-6;
 /// value sought by no more than this share, which is rounding.
 const AT_BORDER: f64 = 1e-12;
 
-/// Roots within this relative distance of each other are one: rounding decides whether there are two.
-const APART: f64 = 1e-14;
+/// Roots within this relative distance of each other are one. Rounding decides whether a quadratic has two
+/// that near, and moves by less than that a root at the border of two laws, which both then have.
+const APART: f64 = 1e-9;
 
 impl<T: Real> Problem<T> {
     /// The answer in closed form, or `None` where W_n is not quadratic in the speed, not even piece by piece:
@@ -314,10 +315,12 @@ impl<T: Real> Approaches<T> {
         Self { speeds: [T::ZERO; 6], count: 0 }
     }
 
-    /// One more, unless there is one no farther from it than that relative distance.
+    /// One more, unless there is one no farther from it than that relative distance: of those the slower
+    /// stays.
     fn insert(&mut self, x: T, apart: f64) {
-        let there = &self.speeds[..self.count];
-        if there.iter().any(|other| (*other - x).abs() <= x * apart) {
+        let there = &mut self.speeds[..self.count];
+        if let Some(other) = there.iter_mut().find(|other| (**other - x).abs() <= x * apart) {
+            *other = other.min(x);
             return;
         }
         let place = there.partition_point(|other| *other < x);
