@@ -119,13 +119,10 @@ impl<T: Real> Posed<'_, T> {
     /// The approach speeds at which W_n has the value sought, under a law that has a closed form.
     pub(crate) fn approaches(self) -> Approaches<T> {
         let law = self.problem.law.nominal();
-        let mut approaches = Approaches::none();
         let Some(limit) = law.friction_limit() else {
-            for x in self.quadratic(&law).roots().into_iter().filter(|x| is_root(*x)) {
-                approaches.insert(x, APART);
-            }
-            return approaches;
+            return Approaches::of(self.quadratic(&law).roots());
         };
+        let mut approaches = Approaches::none();
         let mut at_borders = Approaches::none();
         for acting in branches(&law, limit) {
             for x in self.quadratic(&acting).roots().into_iter().filter(|x| is_root(*x)) {
@@ -313,6 +310,20 @@ pub(crate) struct Approaches<T> {
 impl<T: Real> Approaches<T> {
     fn none() -> Self {
         Self { speeds: [T::ZERO; 6], count: 0 }
+    }
+
+    /// The two that a quadratic has, as far as they are roots.
+    #[inline(always)]
+    fn of([a, b]: [T; 2]) -> Self {
+        let [low, high] = if b < a { [b, a] } else { [a, b] };
+        let mut approaches = Self::none();
+        for x in [low, high] {
+            if is_root(x) {
+                approaches.speeds[approaches.count] = x;
+                approaches.count += 1;
+            }
+        }
+        approaches
     }
 
     /// One more, unless there is one no farther from it than that relative distance: of those the slower
