@@ -870,7 +870,8 @@ impl Model for Sample<'_> {
 
     #[inline(always)]
     fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
-        let with_errors = self.shared.as_ref().map(|shared| shared.columns(inputs));
+        let shared = self.shared.as_ref().filter(|_| self.block.is_ok());
+        let with_errors = shared.map(|shared| shared.columns(inputs));
         let settled = match &self.block {
             Ok(block) => block.evaluate(with_errors.as_deref().unwrap_or(inputs), outputs, reasons),
             Err(_) => [false; LANES],

@@ -180,16 +180,25 @@ impl<T: Real, S> Found<T, S> {
     }
 }
 
+/// Which speeds a search is for.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Wanted {
+    First,
+    /// The first, and how many there are.
+    All,
+}
+
 /// Judges the speeds that give the energy, in the order of their approach.
 pub(crate) struct Search<'a, T, S> {
     problem: &'a Problem<T>,
+    wanted: Wanted,
     first: Option<Found<T, S>>,
     refused: Option<ReconcileError>,
 }
 
 impl<'a, T: Real, S> Search<'a, T, S> {
-    pub(crate) fn new(problem: &'a Problem<T>) -> Self {
-        Self { problem, first: None, refused: None }
+    pub(crate) fn new(problem: &'a Problem<T>, wanted: Wanted) -> Self {
+        Self { problem, wanted, first: None, refused: None }
     }
 
     pub(crate) fn consider(&mut self, speed: T, steps: S) {
@@ -213,8 +222,9 @@ impl<'a, T: Real, S> Search<'a, T, S> {
         }
     }
 
-    pub(crate) fn has_found(&self) -> bool {
-        self.first.is_some()
+    /// Whether what is wanted is found.
+    pub(crate) fn is_done(&self) -> bool {
+        self.wanted == Wanted::First && self.first.is_some()
     }
 
     pub(crate) fn finish(self) -> Result<Found<T, S>, ReconcileError> {

@@ -2,7 +2,7 @@
 
 use pim_core::{ImpactError, Law, LawImpulse, Outcome, Real, Tangential};
 
-use crate::answer::{Found, Reconciliation, Search, SolutionMethod, is_too_fast};
+use crate::answer::{Found, Reconciliation, Search, SolutionMethod, Wanted, is_too_fast};
 use crate::error::ReconcileError;
 use crate::posed::Posed;
 use crate::problem::Problem;
@@ -28,7 +28,7 @@ impl<T: Real> Problem<T> {
     #[must_use]
     pub fn closed_form(&self) -> Option<Result<Reconciliation<T>, ReconcileError>> {
         self.has_closed_form().then(|| {
-            let found = self.posed()?.closed_form()?;
+            let found = self.posed()?.closed_form(Wanted::All)?;
             Ok(found.reconciling(self, |()| SolutionMethod::ClosedForm))
         })
     }
@@ -74,36 +74,16 @@ impl<T: Real> Problem<T> {
 
 impl<T: Real> Posed<'_, T> {
     /// The answer under a law that has a closed form.
-    pub(crate) fn closed_form(self) -> Result<Found<T, ()>, ReconcileError> {
+    pub(crate) fn closed_form(self, wanted: Wanted) -> Result<Found<T, ()>, ReconcileError> {
         let Self { problem, line } = self;
         let approaches = self.approaches();
-        let mut search = Search::new(problem);
+        let mut search = Search::new(problem, wanted);
         for x in approaches {
             search.consider(line.speed(x), ());
-        }
-        self.finish(search, approaches)
-    }
-
-    /// The same without counting how many speeds there are.
-    pub(crate) fn first_in_closed_form(self) -> Result<Found<T, ()>, ReconcileError> {
-        let Self { problem, line } = self;
-        let approaches = self.approaches();
-        let mut search = Search::new(problem);
-        for x in approaches {
-            search.consider(line.speed(x), ());
-            if search.has_found() {
+            if search.is_done() {
                 break;
             }
         }
-        self.finish(search, approaches)
-    }
-
-    fn finish(
-        self,
-        search: Search<'_, T, ()>,
-        approaches: Approaches<T>,
-    ) -> Result<Found<T, ()>, ReconcileError> {
-        let Self { problem, line } = self;
         // A jam leaves no root at all: say so rather than that none was found.
         let law = problem.law.nominal();
         if approaches.count == 0
@@ -144,17 +124,13 @@ impl<T: Real> Posed<'_, T> {
     /// root](is_root) under any other law, where there is none, or where rounding decides which they are.
     #[inline(always)]
     fn slowest_approach(self) -> T {
-        let law = self.problem.law.nominal();
-        if self.problem.law.curve().is_some() {
-            return T::ZERO;
+        if !self.problem.has_closed_form() {
+            return self.root_of_cubic().0;
         }
+        let law = self.problem.law.nominal();
         let Some(limit) = law.friction_limit() else {
-            if !law.is_affine() {
-                return self.root_of_cubic().0;
-            }
-            let [a, b] = self.quadratic(&law).roots();
-            let [a, b] = if b < a { [b, a] } else { [a, b] };
-            return if is_root(a) { a } else { b };
+            let [low, high] = self.quadratic(&law).roots();
+            return if is_root(low) { low } else { high };
         };
         let [sticking, pushed, pulled] = branches(&law, limit);
         // A loop over them would not become one over lanes.
@@ -215,29 +191,27 @@ impl<T: Real> Posed<'_, T> {
 
     #[inline(always)]
     fn affine_impact(self, law: &Law<T>) -> AffineImpact<T> {
-        let ([p_0, p_1], [t_0, t_1], [u_0, u_1]) = {
-            let (touch, one) = (self.impulse_at(law, T::ZERO), self.impulse_at(law, T::ONE));
-            (
-                [touch.linear.normal, one.linear.normal],
-                [touch.linear.tangential, one.linear.tangential],
-                [self.sliding_at(touch, T::ZERO), self.sliding_at(one, T::ONE)],
-            )
-        };
-        AffineImpact { normal: [p_0, p_1 - p_0], tangential: [t_0, t_1 - t_0], sliding: [u_0, u_1 - u_0] }
+        let (touch, one) = (self.impulse_at(law, T::ZERO), self.impulse_at(law, T::ONE));
+        let (p, p_one) = (touch.linear, one.linear);
+        let (sliding, sliding_one) = (self.sliding_at(touch, T::ZERO), self.sliding_at(one, T::ONE));
+        AffineImpact {
+            normal: [p.normal, p_one.normal - p.normal],
+            tangential: [p.tangential, p_one.tangential - p.tangential],
+            sliding: [sliding, sliding_one - sliding],
+        }
     }
 
-    // These are no closures: those may stay calls, and a loop with a call does not become one over lanes.
+    // Methods and not closures: a closure may stay a call, and a loop with a call does not vectorise.
 
     #[inline(always)]
     pub(crate) fn impulse_at(self, law: &Law<T>, x: T) -> LawImpulse<T> {
         law.impulse(&self.problem.contact.inverse_mass(), self.line.at(x))
     }
 
-    /// u_t + U_t
+    /// (m/s) u_t + U_t
     #[inline(always)]
-    fn sliding_at(self, LawImpulse { linear, moment, .. }: LawImpulse<T>, x: T) -> T {
-        let (k, approach) = (self.problem.contact.inverse_mass(), self.line.at(x));
-        approach.velocity.tangential + k.separation(approach, linear, moment).velocity.tangential
+    pub(crate) fn sliding_at(self, impulse: LawImpulse<T>, x: T) -> T {
+        self.problem.sliding(self.line.at(x), impulse)
     }
 }
 
@@ -281,8 +255,8 @@ pub struct Quadratic<T = f64> {
 }
 
 impl<T: Real> Quadratic<T> {
-    /// (m/s) the approach speeds that solve it; not numbers where there are none, and of no use where not
-    /// positive.
+    /// (m/s) the approach speeds that solve it, the lesser first; not numbers where there are none, and of no
+    /// use where not positive.
     #[inline(always)]
     fn roots(&self) -> [T; 2] {
         let Self { alpha, beta, c } = *self;
@@ -290,7 +264,8 @@ impl<T: Real> Quadratic<T> {
         // q = −½ (β ± √…) with the sign that does not cancel; the roots are q/α and −c/q.
         let root = (beta * beta + alpha * c * 4.0).sqrt();
         let q = -(if beta < T::ZERO { beta - root } else { beta + root }) * 0.5;
-        [q / alpha, -(c / q)]
+        let [a, b] = [q / alpha, -(c / q)];
+        if b < a { [b, a] } else { [a, b] }
     }
 }
 
@@ -312,12 +287,11 @@ impl<T: Real> Approaches<T> {
         Self { speeds: [T::ZERO; 6], count: 0 }
     }
 
-    /// The two that a quadratic has, as far as they are roots.
+    /// The two that solve a quadratic, as far as they are roots.
     #[inline(always)]
-    fn of([a, b]: [T; 2]) -> Self {
-        let [low, high] = if b < a { [b, a] } else { [a, b] };
+    fn of(ascending: [T; 2]) -> Self {
         let mut approaches = Self::none();
-        for x in [low, high] {
+        for x in ascending {
             if is_root(x) {
                 approaches.speeds[approaches.count] = x;
                 approaches.count += 1;

@@ -15,8 +15,8 @@ use crate::answer::{Iteration, Trail};
 use crate::pieces::Root;
 use crate::posed::Posed;
 
-/// Steps of Newton's method: the first speed is a few per cent off, and each step doubles the digits. So few
-/// that they are written out, with no end but the last, for loops over many samples.
+/// Steps of Newton's method: the first speed is a few per cent off, and each step doubles the digits. All of
+/// them are made, whenever it converges, so that loops over many samples vectorise.
 const STEPS: usize = 6;
 
 /// The last step is at most this share of the speed: the error left is its square.

@@ -142,6 +142,18 @@ impl Branch {
     }
 }
 
+/// A piece that may have roots.
+struct Part {
+    stretch: Stretch,
+    /// The interval of t.
+    piece: [f64; 2],
+    branch: Branch,
+    /// The numerator of W_n less the value sought.
+    excess: Polynomial,
+    /// Its changes of sign in the piece, if they are sure.
+    changes: Option<usize>,
+}
+
 /// Approach speeds between which W_n less the value sought changes its sign once, under one branch of the
 /// law.
 struct Bracket {
@@ -165,8 +177,8 @@ impl<'a> Posed<'a> {
         self.stretches()
             .flat_map(move |stretch| {
                 self.pieces(stretch)
-                    .filter(move |piece| self.may_have_root(&stretch, *piece))
-                    .flat_map(move |piece| self.brackets(stretch, piece))
+                    .filter_map(move |piece| self.part(stretch, piece))
+                    .flat_map(move |part| self.brackets(part))
             })
             .filter_map(move |bracket| self.root(&bracket).transpose())
             // A root on the border of two pieces belongs to both.
@@ -238,10 +250,10 @@ impl<'a> Posed<'a> {
             // Friction suffices between P_t = −limit P_n and P_t = limit P_n; beyond, it turns about where
             // the sliding does.
             Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
-                let full = stretch.corners(|law, x| self.impulse(&law.without_limit(), x).linear);
+                let full = stretch.corners(|law, x| self.impulse_at(&law.without_limit(), x).linear);
                 let spare = |c_t: f64| roots(full.polynomial(|p| limit * p.normal + c_t * p.tangential));
                 let sliding = stretch.polynomial(|law, x| {
-                    let free = self.impulse(&law.with_ratio(0.0), x);
+                    let free = self.impulse_at(&law.with_ratio(0.0), x);
                     let k = self.problem.contact.inverse_mass();
                     k.separation(self.line.at(x), free.linear, free.moment).velocity.tangential
                 });
@@ -271,7 +283,7 @@ impl<'a> Posed<'a> {
     fn branch(self, x: f64) -> Branch {
         match self.problem.law.nominal().tangential() {
             Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
-                let LawImpulse { linear: p, regime, .. } = self.impulse(&self.problem.law.at(x), x);
+                let LawImpulse { linear: p, regime, .. } = self.impulse_at(&self.problem.law.at(x), x);
                 match regime {
                     Some(Regime::Sliding) if p.normal * p.tangential < 0.0 => Branch::Ratio(-limit),
                     Some(Regime::Sliding) => Branch::Ratio(limit),
@@ -297,18 +309,18 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// Whether W_n may pass the value sought within a piece: most pieces of a curve have no root.
-    fn may_have_root(self, stretch: &Stretch, piece: [f64; 2]) -> bool {
-        self.excess(stretch, self.branch_of(stretch, piece)).changes(piece) != Some(0)
+    /// What a search in a piece begins with; `None` where signs say that it has no root, as most pieces of a
+    /// curve have none.
+    fn part(self, stretch: Stretch, piece: [f64; 2]) -> Option<Part> {
+        let branch = self.branch(stretch.approach_speed(0.5 * (piece[0] + piece[1])));
+        let excess = self.excess(&stretch, branch);
+        let changes = excess.changes(piece);
+        (changes != Some(0)).then_some(Part { stretch, piece, branch, excess, changes })
     }
 
-    fn branch_of(self, stretch: &Stretch, [from, to]: [f64; 2]) -> Branch {
-        self.branch(stretch.approach_speed(0.5 * (from + to)))
-    }
-
-    /// Where W_n passes the value sought within a piece that [may have a root](Self::may_have_root).
-    fn brackets(self, stretch: Stretch, piece: [f64; 2]) -> impl Iterator<Item = Bracket> + use<'a> {
-        let branch = self.branch_of(&stretch, piece);
+    /// Where W_n passes the value sought within a piece.
+    fn brackets(self, part: Part) -> impl Iterator<Item = Bracket> + use<'a> {
+        let Part { stretch, piece, branch, excess, changes } = part;
         let [mut low, mut high] = piece.map(|t| stretch.approach_speed(t));
         if let (Tangential::FractionOfCritical(_), Branch::Own) =
             (self.problem.law.nominal().tangential(), branch)
@@ -316,11 +328,7 @@ impl<'a> Posed<'a> {
             low *= 1.0 + BESIDE_A_JAM;
             high *= 1.0 - BESIDE_A_JAM;
         }
-        let excess = self.excess(&stretch, branch);
-        let isolating = match excess.changes(piece) {
-            Some(0 | 1) => Points::none(),
-            Some(_) | None => excess.extrema(piece),
-        };
+        let isolating = if changes == Some(1) { Points::none() } else { excess.extrema(piece) };
         let speed = move |t: f64| stretch.approach_speed(t).max(low).min(high);
         let mut from = (piece[0], low);
         isolating
@@ -368,15 +376,10 @@ impl<'a> Posed<'a> {
             }
             _ => {
                 let part = |value: &dyn Fn(LawImpulse, f64) -> f64| {
-                    stretch.polynomial(|law, x| value(self.impulse(&branch.law(law), x), x))
+                    stretch.polynomial(|law, x| value(self.impulse_at(&branch.law(law), x), x))
                 };
                 let tangential = (share != 0.0).then(|| {
-                    let k = self.problem.contact.inverse_mass();
-                    let sliding = part(&|p, x| {
-                        let approach = self.line.at(x);
-                        approach.velocity.tangential
-                            + k.separation(approach, p.linear, p.moment).velocity.tangential
-                    });
+                    let sliding = part(&|p, x| self.sliding_at(p, x));
                     part(&|p, _| p.linear.tangential) * sliding
                 });
                 (part(&|p, _| p.linear.normal), Polynomial::new([1.0]), tangential)
@@ -434,7 +437,7 @@ impl<'a> Posed<'a> {
 
     /// The critical impulse c, up to a factor.
     fn critical(self, stretch: &Stretch) -> Critical {
-        let c = stretch.corners(|law, x| self.impulse(&law.without_limit(), x).linear);
+        let c = stretch.corners(|law, x| self.impulse_at(&law.without_limit(), x).linear);
         Critical { normal: c.polynomial(|c| c.normal), tangential: c.polynomial(|c| c.tangential) }
     }
 
@@ -451,10 +454,6 @@ impl<'a> Posed<'a> {
         k.mm * self.normal_jam(critical, f) + -k.nm * n
     }
 
-    fn impulse(self, law: &Law, x: f64) -> LawImpulse {
-        law.impulse(&self.problem.contact.inverse_mass(), self.line.at(x))
-    }
-
     /// (J) W_n + λ W_t at the approach speed x less the value sought, as a crush energy on the basis.
     fn missing(self, branch: Branch, x: f64) -> f64 {
         let law = branch.law(&self.problem.law.at(x));
@@ -466,7 +465,7 @@ impl<'a> Posed<'a> {
                 EnergyBasis::Dissipated => self.problem.crush_work_at(&law, self.line.at(x)),
                 // W_n/(1−e²) = ½ x P_n/(1+e), which is finite where e = 1
                 EnergyBasis::Absorbed => {
-                    0.5 * x * self.impulse(&law, x).linear.normal / (1.0 + law.restitution())
+                    0.5 * x * self.impulse_at(&law, x).linear.normal / (1.0 + law.restitution())
                 }
             }
         };

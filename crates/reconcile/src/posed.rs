@@ -3,7 +3,7 @@
 use pim_core::Outcome;
 use real::Real;
 
-use crate::answer::{Found, Reconciliation, Search, SolutionMethod, Trail, is_too_fast};
+use crate::answer::{Found, Reconciliation, Search, SolutionMethod, Trail, Wanted, is_too_fast};
 use crate::error::ReconcileError;
 use crate::line::ApproachLine;
 use crate::pieces::Root;
@@ -18,21 +18,12 @@ pub(crate) struct Posed<'a, T = f64> {
 
 impl<'a> Posed<'a> {
     /// The answer by root-finding, with what is kept of the steps.
-    pub(crate) fn search<S: Trail>(self) -> Result<Found<f64, S>, ReconcileError> {
-        let mut search = Search::new(self.problem);
+    pub(crate) fn search<S: Trail>(self, wanted: Wanted) -> Result<Found<f64, S>, ReconcileError> {
+        let mut search = Search::new(self.problem, wanted);
         for root in self.roots() {
             let Root { x, steps } = root?;
             search.consider(self.line.speed(x), steps);
-        }
-        search.finish()
-    }
-
-    /// The same without counting how many speeds there are.
-    fn first_of_search(self) -> Result<Found<f64, ()>, ReconcileError> {
-        let mut search = Search::new(self.problem);
-        for root in self.roots::<()>() {
-            search.consider(self.line.speed(root?.x), ());
-            if search.has_found() {
+            if search.is_done() {
                 break;
             }
         }
@@ -82,9 +73,9 @@ impl Problem {
     pub fn solve(&self) -> Result<Reconciliation, ReconcileError> {
         let posed = self.posed()?;
         Ok(if self.has_closed_form() {
-            posed.closed_form()?.reconciling(self, |()| SolutionMethod::ClosedForm)
+            posed.closed_form(Wanted::All)?.reconciling(self, |()| SolutionMethod::ClosedForm)
         } else {
-            posed.search()?.reconciling(self, SolutionMethod::RootFinder)
+            posed.search(Wanted::All)?.reconciling(self, SolutionMethod::RootFinder)
         })
     }
 
@@ -95,8 +86,11 @@ impl Problem {
     /// [`ReconcileError`].
     pub fn speed_and_impact(&self) -> Result<(f64, Outcome), ReconcileError> {
         let posed = self.posed()?;
-        let Found { speed, outcome, .. } =
-            if self.has_closed_form() { posed.first_in_closed_form()? } else { posed.first_of_search()? };
+        let Found { speed, outcome, .. } = if self.has_closed_form() {
+            posed.closed_form(Wanted::First)?
+        } else {
+            posed.search(Wanted::First)?
+        };
         Ok((speed, outcome))
     }
 
@@ -111,7 +105,7 @@ impl Problem {
     /// # Errors
     /// [`ReconcileError`].
     pub fn root_finder(&self) -> Result<Reconciliation, ReconcileError> {
-        Ok(self.posed()?.search()?.reconciling(self, SolutionMethod::RootFinder))
+        Ok(self.posed()?.search(Wanted::All)?.reconciling(self, SolutionMethod::RootFinder))
     }
 
     /// (m/s) the admissible speeds, from the slowest approach to the fastest, however many; none where

@@ -232,12 +232,18 @@ impl<T: Real> Problem<T> {
         if self.tangential_share.is_constant_zero() {
             return normal;
         }
-        let k = self.contact.inverse_mass();
-        let LawImpulse { linear: impulse, moment, .. } = law.impulse(&k, approach);
-        let sliding =
-            approach.velocity.tangential + k.separation(approach, impulse, moment).velocity.tangential;
+        let impulse = law.impulse(&self.contact.inverse_mass(), approach);
+        let sliding = self.sliding(approach, impulse);
         // W_n + λ W_t,  W_t = −½ P_t (u_t + U_t)
-        normal - self.tangential_share * (impulse.tangential * sliding) * 0.5
+        normal - self.tangential_share * (impulse.linear.tangential * sliding) * 0.5
+    }
+
+    /// (m/s) u_t + U_t
+    #[inline(always)]
+    pub(crate) fn sliding(&self, approach: Approach<T>, impulse: LawImpulse<T>) -> T {
+        let LawImpulse { linear, moment, .. } = impulse;
+        let separation = self.contact.inverse_mass().separation(approach, linear, moment);
+        approach.velocity.tangential + separation.velocity.tangential
     }
 
     #[inline(always)]

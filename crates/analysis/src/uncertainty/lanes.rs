@@ -423,26 +423,21 @@ impl Block {
             Condition::Restitution(_) => {
                 self.at_once(e, (Tangential::Restitution, numbers), question, posed, outputs)
             }
-            #[cfg(not(debug_assertions))]
             Condition::Fraction(_) => {
                 self.at_once(e, (Tangential::FractionOfCritical, numbers), question, posed, outputs)
             }
-            #[cfg(not(debug_assertions))]
             Condition::Friction(_) => {
                 self.at_once(e, (Tangential::Friction, numbers), question, posed, outputs)
             }
-            #[cfg(not(debug_assertions))]
             Condition::FullOrSliding(_) => {
                 self.at_once(e, (Tangential::FullOrSliding, numbers), question, posed, outputs)
             }
-            // Without optimisation every loop has a place of its own on the stack, all of them more than a
-            // thread has.
-            #[cfg(debug_assertions)]
-            Condition::Fraction(_) | Condition::Friction(_) | Condition::FullOrSliding(_) => [false; LANES],
         }
     }
 
-    #[inline(always)]
+    // Without optimisation, all copies of it in one function need more stack than a thread has.
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at_once(
         &self,
         e: &Lanes,
