@@ -2,8 +2,10 @@
 
 use std::f64::consts::PI;
 
-use evidence::{CrushMisfit, FITTED};
-use inputs::{Axes, Basis, Case, Dimension, Find, GivenVehicle, Quantity, Reconstruct, Velocity};
+use evidence::{CrushMisfit, Damage, FITTED};
+use inputs::{
+    Axes, Basis, Case, Dimension, Find, GivenVehicle, KnownEnergy, Quantity, Reconstruct, Velocity,
+};
 use pim_core::{Outcome, Real, VehicleId};
 use reconcile::{COLLINEAR, EvidenceErrors, MomentumBesideCrush, Unknown};
 
@@ -247,8 +249,14 @@ fn by_momentum(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
 /// That of the crush energy is the bias and the spread that were fitted on real crashes together: the bias
 /// counts as an error because that of the stiffness in a file is not known. On the RICSAC collisions it is
 /// 0.5.
-fn errors() -> EvidenceErrors {
-    let CrushMisfit { bias, ln_sd } = FITTED.crush;
+fn errors(case: &Case) -> EvidenceErrors {
+    let side = |vehicle: &GivenVehicle| match (&vehicle.crush, &vehicle.energy) {
+        (Some(crush), _) => Some(crush.side),
+        (None, Some(KnownEnergy::Ees(ees))) => ees.side,
+        (None, Some(KnownEnergy::Undamaged) | None) => None,
+    };
+    let hit: Vec<Damage> = case.vehicles.iter().filter_map(side).map(Damage::from).collect();
+    let CrushMisfit { bias, ln_sd } = FITTED.crush_misfit(&hit);
     EvidenceErrors {
         speed: SPEED_AFTER_ERROR,
         direction: DIRECTION_AFTER_ERROR,
@@ -265,7 +273,7 @@ fn by_both(case: &Case, crush_energy: f64) -> Result<EvidenceAnswer, NoEvidence>
     } else {
         let (momentum, law) = (posed.momentum, posed.law.clone());
         let on = (basis.energy(), basis.tangential_share());
-        let errors = errors();
+        let errors = errors(case);
         let found = MomentumBesideCrush::new(momentum, law, crush_energy, on, errors)
             .and_then(|weighed| weighed.solve())
             .map_err(Failure::from)?;

@@ -607,7 +607,7 @@ pub(crate) static RECORDER: Schema = Schema {
             "direction_error",
             "direction_error = \"6 deg\"",
             Form::Exact(Dimension::Angle, POSITIVE),
-            "Error of the direction of the recorded ΔV, of which both parts have to be given. 5.4° if left out, 8.1° where a side was hit.",
+            "Error of the direction of the recorded ΔV, of which both parts have to be given. 5.3° if left out, 8.0° where a side was hit.",
         ),
         key(
             "speed",

@@ -263,7 +263,8 @@ pub(crate) enum Command {
             With --other the recorder of the other vehicle is given. The columns: CASEID, CURBWT (kg), CARGOWT \
             (kg), CDCPLANE (F, B, L or R), PDOF and HEADINGANG (degrees), FIELDL, DIRECTL, DIRECTD and C1 to \
             C6 (cm), MAXDVLONG and MAXDVLAT (km/h) of the recorder, and DVTOTAL and DVLONG (km/h) of WinSMASH, \
-            which is judged beside and is no input.",
+            which is judged beside and is no input. VEHNO may be missing; with it the program leaves records \
+            out that seem to belong to another event of the crash.",
         after_help = "Examples:\n  deltav validate\n  deltav validate --format json -o validation.json\n  \
             deltav validate --format markdown -o docs/validation.md --plots docs\n  \
             deltav validate --field ciss-pairs.csv\n  deltav validate --field ciss-pairs.csv --other --format json\n\n\

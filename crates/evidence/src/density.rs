@@ -26,19 +26,20 @@ pub enum Freedom {
     Three,
 }
 
-/// Of an error `x` of a Student's t distribution about zero.
-#[inline(always)]
-pub(crate) fn student(x: f64, scale: f64, freedom: Freedom) -> f64 {
-    let z = x / scale;
-    match freedom {
-        // f(z) = (1 + z²/2)^(−3/2)/(2√2)
-        Freedom::Two => -1.5 * ln(1.0 + 0.5 * z * z) - ln(2.0 * SQRT_2 * scale),
-        // f(z) = 2 (1 + z²/3)⁻²/(π√3)
-        Freedom::Three => -2.0 * ln(1.0 + z * z / 3.0) - ln(scale * Real::sqrt(3.0) / FRAC_2_PI),
-    }
-}
-
 impl Freedom {
+    /// Logarithm of the density at an error `x` about zero.
+    #[inline(always)]
+    #[must_use]
+    pub fn log_density(self, x: f64, scale: f64) -> f64 {
+        let z = x / scale;
+        match self {
+            // f(z) = (1 + z²/2)^(−3/2)/(2√2)
+            Self::Two => -1.5 * ln(1.0 + 0.5 * z * z) - ln(2.0 * SQRT_2 * scale),
+            // f(z) = 2 (1 + z²/3)⁻²/(π√3)
+            Self::Three => -2.0 * ln(1.0 + z * z / 3.0) - ln(scale * Real::sqrt(3.0) / FRAC_2_PI),
+        }
+    }
+
     /// (–) share of the distribution below `z` (–), of scale 1 about zero.
     #[must_use]
     pub fn share_below(self, z: f64) -> f64 {

@@ -1,12 +1,13 @@
 //! Priors and misfits, with their sources.
 
+use crash3::Side;
 use uncertainty::{Distribution, InvalidDistribution};
 
 use crate::collision::{CodedPdof, Crush, CrushMisfit, Restitution, Severity};
 use crate::density::Freedom;
 
 /// Where a vehicle was hit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Damage {
     /// Its front.
     Front,
@@ -14,6 +15,16 @@ pub enum Damage {
     Rear,
     /// One of its sides.
     Side,
+}
+
+impl From<Side> for Damage {
+    fn from(side: Side) -> Self {
+        match side {
+            Side::Front => Self::Front,
+            Side::Rear => Self::Rear,
+            Side::Left | Side::Right => Self::Side,
+        }
+    }
 }
 
 /// What is assumed of a collision of passenger vehicles, and how well the model of it holds.
@@ -27,8 +38,10 @@ pub struct Fitted {
     pub severity: Severity,
     /// (–) how many times as severe those of two fronts are.
     pub front_to_front: f64,
-    /// How well crush energy and impact agree.
-    pub crush: CrushMisfit,
+    /// (–) how far ln of the crush energy is above that of what the impact took.
+    pub crush_bias: f64,
+    /// (–) its spread: between fronts alone, where a rear was hit, and where a side was.
+    pub crush_ln_sd: [f64; 3],
     /// (1/s) b₁ by damage: front, rear, side.
     pub slope: [f64; 3],
     /// (–) spread of its logarithm over the vehicles of a fleet: half of that of B.
@@ -74,16 +87,17 @@ pub struct Fitted {
 pub const FITTED: Fitted = Fitted {
     severity: Severity { median: 7.36, ln_sd: 0.47, speed: 25.0 },
     front_to_front: 1.42,
-    crush: CrushMisfit { bias: -0.388, ln_sd: 0.363 },
-    slope: [27.7, 20.8, 35.2],
+    crush_bias: -0.521,
+    crush_ln_sd: [0.405, 0.576, 0.336],
+    slope: [27.7, 23.1, 31.1],
     slope_ln_sd: 0.18,
-    no_damage_speed: [2.54, 2.54, 1.52],
+    no_damage_speed: [2.22, 2.22, 1.58],
     no_damage_speed_ln_sd: 0.38,
-    side_crush: 0.72,
-    other_crush_ln_sd: 0.92,
-    recorder_ln_scale: 0.140,
+    side_crush: 0.73,
+    other_crush_ln_sd: 0.96,
+    recorder_ln_scale: 0.128,
     recorder_freedom: Freedom::Three,
-    recorder_direction_scale: 0.094_247_779_607_693_8,
+    recorder_direction_scale: 0.092_502_450_355_699_47,
     friction: [1.0, 0.4],
     tangential_share: [0.5, 0.35],
     restitution: [0.05, 0.32, 5.0, 0.6],
@@ -100,11 +114,18 @@ pub const FITTED: Fitted = Fitted {
 const REFERENCE: [f64; 2] = [1600.0, 1.6];
 
 impl Fitted {
-    /// How severe a collision is, of two fronts or of others.
+    /// How severe a collision is in which these places were `hit`: of two fronts, or of others.
     #[must_use]
-    pub fn severity_of(&self, are_fronts: bool) -> Severity {
-        let times = if are_fronts { self.front_to_front } else { 1.0 };
+    pub fn severity_of(&self, hit: &[Damage]) -> Severity {
+        let times = if hit == [Damage::Front; 2] { self.front_to_front } else { 1.0 };
         Severity { median: self.severity.median * times, ..self.severity }
+    }
+
+    /// How well crush energy and impact agree where these places were `hit`, of one vehicle or of both.
+    #[must_use]
+    pub fn crush_misfit(&self, hit: &[Damage]) -> CrushMisfit {
+        let kind = hit.iter().max().map_or(0, |damage| *damage as usize);
+        CrushMisfit { bias: self.crush_bias, ln_sd: self.crush_ln_sd[kind] }
     }
 
     /// A coded PDOF (rad) with its error, where a side was hit or an end.

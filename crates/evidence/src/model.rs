@@ -10,7 +10,7 @@ use crate::collision::{
     BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Measured, MeasuredRest, Observed, ObservedVehicle,
     RecordedDeltaV, Vehicle,
 };
-use crate::density::{Freedom, normal, student};
+use crate::density::{Freedom, normal};
 use crate::impact::{Impacted, Impacts};
 use crate::number::{Number, Slot};
 
@@ -430,7 +430,7 @@ impl Error {
         let density = match (self.is_observed, self.freedom) {
             (false, _) => 0.0,
             (true, None) => normal(self.error, self.scale),
-            (true, Some(freedom)) => student(self.error, self.scale, freedom),
+            (true, Some(freedom)) => freedom.log_density(self.error, self.scale),
         };
         density + self.potential
     }

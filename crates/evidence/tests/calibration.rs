@@ -8,6 +8,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use estimate::{Prior, Settings, Verdict, sample_quietly};
+use evidence::Damage::{self, Front, Rear, Side};
 use evidence::{
     CodedPdof, Collision, Crush, CrushMisfit, FITTED, Freedom, Impacted, Impacts, Measured, Model, Number,
     Observed, Output, RecordedDeltaV, Restitution, Severity, Speeds,
@@ -121,8 +122,9 @@ fn usual(masses: [f64; 2], headings: [f64; 2], crush_plane: f64, contacts: [[Num
 
 /// Profiles that are as wide as makes the crush energy what it is with its error. The energy is proportional
 /// to the width, so that it is the width that was observed, whatever the stiffness.
-fn crush(collision: &mut Collision, truth: &Impacted, random: &mut Random) {
-    let CrushMisfit { bias, ln_sd } = FITTED.crush;
+fn crush(hit: [Damage; 2], collision: &mut Collision, truth: &Impacted, random: &mut Random) {
+    let misfit = FITTED.crush_misfit(&hit);
+    let CrushMisfit { bias, ln_sd } = misfit;
     let energy = truth.taken * (bias + ln_sd * random.normal()).exp();
     let width = energy / truth.crush_energies.iter().sum::<f64>();
     for vehicle in &mut collision.vehicles {
@@ -132,7 +134,7 @@ fn crush(collision: &mut Collision, truth: &Impacted, random: &mut Random) {
             crush.square *= width;
         }
     }
-    collision.observed.crush = Some(FITTED.crush);
+    collision.observed.crush = Some(misfit);
 }
 
 fn direction(truth: &Impacted, id: VehicleId, random: &mut Random) -> Option<Measured> {
@@ -148,7 +150,7 @@ fn front_and_side() -> Shape {
     Shape {
         collision: usual([1500.0, 1300.0], [0.0, -FRAC_PI_2], PI, contacts),
         observe: |collision, truth, random| {
-            crush(collision, truth, random);
+            crush([Front, Side], collision, truth, random);
             for id in VehicleId::ALL {
                 collision.observed.vehicles[id.index()].after.direction = direction(truth, id, random);
             }
@@ -166,7 +168,7 @@ fn front_and_rear() -> Shape {
     Shape {
         collision: usual([1800.0, 1200.0], [0.0, 0.0], PI, contacts),
         observe: |collision, truth, random| {
-            crush(collision, truth, random);
+            crush([Front, Rear], collision, truth, random);
             let recorder = &mut collision.observed.vehicles[0].recorder;
             let (whole, along) =
                 (truth.outcome.delta_v_magnitude()[0], truth.outcome.delta_v_components()[0][0].abs());
@@ -193,7 +195,7 @@ fn front_and_front() -> Shape {
     Shape {
         collision,
         observe: |collision, truth, random| {
-            crush(collision, truth, random);
+            crush([Front, Front], collision, truth, random);
             for id in VehicleId::ALL {
                 let velocity = truth.outcome.after[id.index()].velocity;
                 let speed = velocity.x.hypot(velocity.y);
@@ -312,11 +314,13 @@ fn wrong_errors_are_noticed() {
     };
     // Crush that agrees with the impact better than it does.
     let crush = most(&front_and_rear(), |collision| {
-        collision.observed.crush = Some(CrushMisfit { ln_sd: 0.5 * FITTED.crush.ln_sd, ..FITTED.crush });
+        let misfit = collision.observed.crush.unwrap();
+        collision.observed.crush = Some(CrushMisfit { ln_sd: 0.5 * misfit.ln_sd, ..misfit });
     });
     // Crush without its bias.
     let bias = most(&front_and_side(), |collision| {
-        collision.observed.crush = Some(CrushMisfit { bias: 0.0, ..FITTED.crush });
+        let misfit = collision.observed.crush.unwrap();
+        collision.observed.crush = Some(CrushMisfit { bias: 0.0, ..misfit });
     });
     let found = [crush, bias];
     assert!(found.iter().all(|square| *square > ALL), "{found:?}");

@@ -47,8 +47,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
         println!();
     }
-    let Fitted { crush, slope, slope_ln_sd, no_damage_speed, recorder_ln_scale, .. } = fit.fitted;
-    println!("\ncrush: CrushMisfit {{ bias: {:.3}, ln_sd: {:.3} }},", crush.bias, crush.ln_sd);
+    let Fitted { crush_bias, crush_ln_sd, slope, slope_ln_sd, no_damage_speed, recorder_ln_scale, .. } =
+        fit.fitted;
+    println!("\ncrush_bias: {crush_bias:.3},\ncrush_ln_sd: {crush_ln_sd:.3?},");
     println!("slope: {slope:.1?},\nslope_ln_sd: {slope_ln_sd:.2},");
     println!("no_damage_speed: {no_damage_speed:.2?},\nrecorder_ln_scale: {recorder_ln_scale:.3},");
     let share = fit_share(&pairs, &fit.fitted)?;

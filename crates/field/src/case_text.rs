@@ -111,7 +111,7 @@ impl Pair {
             "tangential = \"critical\"".to_owned(),
             String::new(),
             "[estimate]".to_owned(),
-            format!("crush_error = \"{:.1} %\"", 100.0 * fitted.crush.ln_sd),
+            format!("crush_error = \"{:.1} %\"", 100.0 * fitted.crush_misfit(&layout.damages).ln_sd),
             String::new(),
         ]);
         lines.join("\n")

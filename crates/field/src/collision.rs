@@ -211,7 +211,6 @@ impl Pair {
                 ..ObservedVehicle::default()
             }
         };
-        let is_front = |vehicle: &Vehicle| vehicle.plane == Plane::Front;
         Ok(Collision {
             vehicles: [subject(VehicleId::One)?, subject(VehicleId::Two)?],
             speeds: Speeds::Together {
@@ -225,8 +224,8 @@ impl Pair {
             other_crush: None,
             observed: Observed {
                 vehicles: VehicleId::ALL.map(observed),
-                severity: Some(fitted.severity_of(self.vehicles.iter().all(is_front))),
-                crush: Some(fitted.crush),
+                severity: Some(fitted.severity_of(&layout.damages)),
+                crush: Some(fitted.crush_misfit(&layout.damages)),
             },
         })
     }

@@ -111,6 +111,7 @@ mod tests {
                 let from = 0.3;
                 let shown = from + factor * scale * error(0);
                 Vehicle {
+                    number: None,
                     curb_mass: 1500.0,
                     cargo: None,
                     plane: planes[i],
@@ -123,6 +124,7 @@ mod tests {
                     winsmash: [None; 2],
                     // Forward and to the right, away from where the force came from.
                     recorder: [Some(-9.0 * shown.cos()), Some(-9.0 * shown.sin())],
+                    is_record_doubted: false,
                 }
             };
             let pairs: Vec<Pair> = (0..400)

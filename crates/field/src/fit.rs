@@ -18,8 +18,12 @@ use crate::pair::Pair;
 pub enum Figure {
     /// (–) how much ln of the crush energy is above that of what the impact took.
     Bias,
-    /// (–) its spread.
-    Spread,
+    /// (–) its spread between fronts.
+    SpreadOfFronts,
+    /// (–) its spread where a rear was hit.
+    SpreadOfRears,
+    /// (–) its spread where a side was hit.
+    SpreadOfSides,
     /// (–) b₁ of sides by that of fronts.
     SlopeOfSides,
     /// (–) b₁ of rears by that of fronts.
@@ -35,7 +39,7 @@ pub enum Figure {
 }
 
 /// Number of figures.
-const N: usize = 8;
+const N: usize = 10;
 
 /// Where a figure was thought to be before the fit.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +54,9 @@ impl Figure {
     /// All, in their order.
     pub const ALL: [Self; N] = [
         Self::Bias,
-        Self::Spread,
+        Self::SpreadOfFronts,
+        Self::SpreadOfRears,
+        Self::SpreadOfSides,
         Self::SlopeOfSides,
         Self::SlopeOfRears,
         Self::SlopeSpread,
@@ -64,7 +70,9 @@ impl Figure {
     pub fn name(self) -> &'static str {
         match self {
             Self::Bias => "β, crush energy above what the impact took, ln",
-            Self::Spread => "σ_c, its spread, ln",
+            Self::SpreadOfFronts => "σ_c, its spread between fronts, ln",
+            Self::SpreadOfRears => "σ_c where a rear was hit, ln",
+            Self::SpreadOfSides => "σ_c where a side was hit, ln",
             Self::SlopeOfSides => "b_1 of sides, by that of fronts",
             Self::SlopeOfRears => "b_1 of rears, by that of fronts",
             Self::SlopeSpread => "spread of b_1 between vehicles of a kind, ln",
@@ -79,8 +87,10 @@ impl Figure {
     pub fn of(self, fitted: &Fitted) -> f64 {
         let ([front, rear, side], [end, _, flank]) = (fitted.slope, fitted.no_damage_speed);
         match self {
-            Self::Bias => fitted.crush.bias,
-            Self::Spread => fitted.crush.ln_sd,
+            Self::Bias => fitted.crush_bias,
+            Self::SpreadOfFronts => fitted.crush_ln_sd[0],
+            Self::SpreadOfRears => fitted.crush_ln_sd[1],
+            Self::SpreadOfSides => fitted.crush_ln_sd[2],
             Self::SlopeOfSides => side / front,
             Self::SlopeOfRears => rear / front,
             Self::SlopeSpread => fitted.slope_ln_sd,
@@ -93,8 +103,10 @@ impl Figure {
     fn set(self, value: f64, fitted: &mut Fitted) {
         let (front, speeds) = (fitted.slope[0], &mut fitted.no_damage_speed);
         match self {
-            Self::Bias => fitted.crush.bias = value,
-            Self::Spread => fitted.crush.ln_sd = value,
+            Self::Bias => fitted.crush_bias = value,
+            Self::SpreadOfFronts => fitted.crush_ln_sd[0] = value,
+            Self::SpreadOfRears => fitted.crush_ln_sd[1] = value,
+            Self::SpreadOfSides => fitted.crush_ln_sd[2] = value,
             Self::SlopeOfSides => fitted.slope[2] = value * front,
             Self::SlopeOfRears => fitted.slope[1] = value * front,
             Self::SlopeSpread => fitted.slope_ln_sd = value,
@@ -107,7 +119,9 @@ impl Figure {
     fn guess(self) -> Guess {
         match self {
             Self::Bias => Guess::Normal { mean: 0.0, sd: 1.0 },
-            Self::Spread => Guess::LogNormal { median: 0.5, ln_sd: 0.5 },
+            Self::SpreadOfFronts | Self::SpreadOfRears | Self::SpreadOfSides => {
+                Guess::LogNormal { median: 0.5, ln_sd: 0.5 }
+            }
             Self::SlopeOfSides | Self::SlopeOfRears => Guess::LogNormal { median: 1.0, ln_sd: 0.5 },
             // Half of the spread of ln B between 698 fronts in barrier tests.
             Self::SlopeSpread => Guess::Normal { mean: 0.295, sd: 0.1 },
@@ -367,7 +381,7 @@ impl<'a> Likelihood<'a> {
         let spans = wanted.iter().map(|pair| Span { samples: 1, work: *pair }).collect();
         // The draws are a little wider than the figures, so that no draw counts for very many.
         let mut wide = *by;
-        wide.crush.ln_sd *= WIDENED;
+        wide.crush_ln_sd = wide.crush_ln_sd.map(|spread| spread * WIDENED);
         let drawn = in_order(spans, |pair| Drawn::new(pair, &wide, options), progress);
         if drawn.len() < wanted.len() {
             return Err(FieldError::Ended);

@@ -15,10 +15,14 @@ use crate::pair::{Pair, Plane, Truth};
 /// Levels of the intervals that are judged.
 pub const LEVELS: [f64; 3] = [0.5, 0.8, 0.95];
 
+/// How many times as many particles a pair gets at most.
+const MOST_TIMES: usize = 4;
+
 /// How to judge.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Number of particles of each island, as in [`Settings`].
+    /// Number of particles of each island, as in [`Settings`]; it is doubled up to twice where a run does not
+    /// converge.
     pub particles: usize,
     /// The random seed, of every pair.
     pub seed: u64,
@@ -144,6 +148,8 @@ pub struct Field {
     pub other: bool,
     /// Number of pairs of the file.
     pub pairs: usize,
+    /// Crash and vehicle of each record that is neither judged nor given, as it may be of another event.
+    pub doubted: Vec<(String, VehicleId)>,
     /// Each vehicle.
     pub judged: Vec<Judged>,
     /// All, by kind of collision, and those of one event.
@@ -209,7 +215,12 @@ pub fn judge_by(
     if options.other {
         groups.extend(group("one-event", &|judged| judged.is_one_event == Some(true)));
     }
-    Ok(Field { other: options.other, pairs: pairs.len(), judged, groups })
+    let doubted = pairs.iter().flat_map(|pair| {
+        let of_pair = VehicleId::ALL.into_iter().zip(&pair.vehicles);
+        let of_pair = of_pair.filter(|(_, vehicle)| vehicle.is_record_doubted);
+        of_pair.map(|(id, _)| (pair.case.clone(), id))
+    });
+    Ok(Field { other: options.other, pairs: pairs.len(), doubted: doubted.collect(), judged, groups })
 }
 
 /// Vehicles of one estimate.
@@ -228,10 +239,17 @@ fn vehicles(
     };
     let collision = collision.map_err(|error| refused(error.to_string()))?;
     let model = Model::new(&collision);
-    let settings = Settings::new(options.particles, options.seed);
-    let posterior =
-        sample_quietly(&model, &model, &settings).map_err(|failure| refused(failure.to_string()))?;
-    let converged = matches!(posterior.verdict(), Verdict::Converged);
+    let mut particles = options.particles;
+    let (posterior, converged) = loop {
+        let settings = Settings::new(particles, options.seed);
+        let posterior =
+            sample_quietly(&model, &model, &settings).map_err(|failure| refused(failure.to_string()))?;
+        let converged = matches!(posterior.verdict(), Verdict::Converged);
+        if converged || particles >= MOST_TIMES * options.particles {
+            break (posterior, converged);
+        }
+        particles *= 2;
+    };
     let column = |output: Output| posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice);
     Ok(wanted
         .iter()

@@ -2,6 +2,7 @@
 
 mod case_text;
 mod collision;
+mod crossed;
 mod direction;
 mod error;
 mod fit;

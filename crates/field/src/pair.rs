@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use pim_core::VehicleId;
 use real::elementary::{atan2, ln, sin_cos};
 
+use crate::crossed;
 use crate::error::FieldError;
 
 /// Two vehicles that collided.
@@ -40,6 +41,8 @@ impl Plane {
 /// One vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vehicle {
+    /// Its number in the crash, by which it is known in another event.
+    pub number: Option<u32>,
     /// (kg) mass without occupants and load.
     pub curb_mass: f64,
     /// (kg) load.
@@ -62,6 +65,9 @@ pub struct Vehicle {
     pub winsmash: [Option<f64>; 2],
     /// (m/s) largest ΔV that the recorder stored, forward and to the right.
     pub recorder: [Option<f64>; 2],
+    /// Whether two records of its recorder fit two events of the crash far better the other way round, by the
+    /// directions of force and by the momentum that the other vehicle's recorder shows.
+    pub is_record_doubted: bool,
 }
 
 /// (kg) of the occupants.
@@ -74,7 +80,7 @@ const MOST_CARGO: f64 = 1000.0;
 const ANOTHER_EVENT: f64 = 1.0;
 
 /// (m/s) recorders do not trigger reliably below.
-const LEAST_DELTA_V: f64 = 8.0 / 3.6;
+pub(crate) const LEAST_DELTA_V: f64 = 8.0 / 3.6;
 
 /// What a recorder stored, as far as it can be judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,9 +101,12 @@ impl Vehicle {
     }
 
     /// What its recorder stored: the size of both parts or, for damage to its front or rear, the part along
-    /// it; `None` below 8 km/h.
+    /// it; `None` below 8 km/h, and where it is doubted that the record is of this event.
     #[must_use]
     pub fn truth(&self) -> Option<Truth> {
+        if self.is_record_doubted {
+            return None;
+        }
         let truth = match self.recorder {
             [Some(along), Some(across)] => {
                 let delta_v = (along * along + across * across).sqrt();
@@ -143,7 +152,8 @@ impl Pair {
     }
 }
 
-/// Reads pairs of vehicles, a line each, with the columns of CISS.
+/// Reads pairs of vehicles, a line each, with the columns of CISS. Where `VEHNO` tells which vehicle of the
+/// crash each is, records that may be of another event are [doubted](Vehicle::is_record_doubted).
 ///
 /// # Errors
 /// Where the file is no table of this form, with the line and the column.
@@ -156,6 +166,7 @@ pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
         let case = columns.get("CASEID").ok_or(FieldError::NoColumn { column: "CASEID".to_owned() })?;
         pairs.push(Pair { case: case.clone(), vehicles: [cells.vehicle(1)?, cells.vehicle(2)?] });
     }
+    crossed::mark(&mut pairs);
     if pairs.is_empty() { Err(FieldError::NoPairs) } else { Ok(pairs) }
 }
 
@@ -194,6 +205,16 @@ impl Cells<'_> {
         FieldError::Cell { line, column, text, wanted }
     }
 
+    /// Its number in the crash; `None` without the column.
+    fn vehicle_number(&self, vehicle: u8) -> Result<Option<u32>, FieldError> {
+        match self.text("VEHNO", vehicle) {
+            Err(_) | Ok("") => Ok(None),
+            Ok(text) => text.parse().map(Some).map_err(|_| {
+                self.refusal("VEHNO", vehicle, text, "a whole number, or nothing where it is missing")
+            }),
+        }
+    }
+
     fn vehicle(&self, vehicle: u8) -> Result<Vehicle, FieldError> {
         let plane = match self.text("CDCPLANE", vehicle)? {
             "F" => Plane::Front,
@@ -217,6 +238,7 @@ impl Cells<'_> {
             *depth = (self.number(column, vehicle)? / 100.0).max(0.0);
         }
         Ok(Vehicle {
+            number: self.vehicle_number(vehicle)?,
             curb_mass,
             cargo: self.maybe("CARGOWT", vehicle)?,
             plane,
@@ -229,6 +251,7 @@ impl Cells<'_> {
             depths,
             winsmash: [kmh("DVTOTAL")?, kmh("DVLONG")?],
             recorder: [kmh("MAXDVLONG")?, kmh("MAXDVLAT")?],
+            is_record_doubted: false,
         })
     }
 }

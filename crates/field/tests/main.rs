@@ -87,9 +87,9 @@ fn the_collision_has_the_geometry_of_the_damage() {
     let (front, side) = (one.crush.unwrap(), two.crush.unwrap());
     // G₀ L = ½ m₀/w₀ b₀² L
     let constant = |b0: f64| 0.5 * 1000.0 * b0 * b0 * 1.5;
-    assert!((front.constant - constant(2.54)).abs() < 1e-9 && (side.constant - constant(1.52)).abs() < 1e-9);
+    assert!((front.constant - constant(2.22)).abs() < 1e-9 && (side.constant - constant(1.58)).abs() < 1e-9);
     // A₀ C̄ L with C̄ = (20/2 + 22 + 24 + 26 + 28 + 30/2)/5 = 25 cm
-    assert!((front.linear - 1000.0 * 2.54 * 27.7 * 0.25 * 1.5).abs() < 1e-6);
+    assert!((front.linear - 1000.0 * 2.22 * 27.7 * 0.25 * 1.5).abs() < 1e-6);
     // The recorder is no evidence, unless it is given.
     assert!(collision.observed.vehicles[0].recorder.delta_v.is_none());
     let given = pair.collision(&FITTED, &[VehicleId::One]).unwrap();
@@ -170,8 +170,8 @@ fn the_case_file_of_a_pair_has_its_numbers() {
     assert!(text.contains("x = { value = \"0.300 m\", sd = \"0.250 m\" }"), "{text}");
     // The normal points along −x.
     assert!(text.contains("crush_plane = { value = \"180.00 deg\", sd = \"10.00 deg\" }"), "{text}");
-    // E = ½ ∫ (d₀ + d₁ C)² dl with d₀ = √(m₀/w₀) b₀: √1000 · 2.54 and 27.7 of a front.
-    assert!(text.contains("d0 = { value = \"80.32 N^0.5\", sd = \"30.52 N^0.5\" }"), "{text}");
+    // E = ½ ∫ (d₀ + d₁ C)² dl with d₀ = √(m₀/w₀) b₀: √1000 · 2.22 and 27.7 of a front.
+    assert!(text.contains("d0 = { value = \"70.20 N^0.5\", sd = \"26.68 N^0.5\" }"), "{text}");
     assert!(text.contains("d1 = { value = \"875.95 N^0.5/m\", sd = \"157.67 N^0.5/m\" }"), "{text}");
     assert!(one.recorder.is_none());
     let recorder = two.recorder.as_ref().unwrap();

@@ -42,7 +42,13 @@ fn judged() -> Field {
         converged: true,
         winsmash,
     };
-    Field { other: false, pairs: 3, judged: VEHICLES.map(vehicle).to_vec(), groups: vec![all] }
+    Field {
+        other: false,
+        pairs: 3,
+        doubted: vec![("8".to_owned(), VehicleId::One)],
+        judged: VEHICLES.map(vehicle).to_vec(),
+        groups: vec![all],
+    }
 }
 
 #[test]

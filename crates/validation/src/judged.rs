@@ -18,8 +18,8 @@
 
 use estimate::{Posterior, Quantity, Settings, Verdict, sample_quietly};
 use evidence::{
-    After, BodyNumbers, Collision, Crush, FITTED, Measured, Model, Number, Observed, ObservedVehicle, Output,
-    Speeds, Vehicle,
+    After, BodyNumbers, Collision, Crush, Damage, FITTED, Measured, Model, Number, Observed, ObservedVehicle,
+    Output, Speeds, Vehicle,
 };
 use pim_core::{Motion, VehicleId};
 use real::Real;
@@ -193,7 +193,7 @@ struct Subject {
     /// (rad)
     crush_plane: f64,
     crushes: [Crush; 2],
-    are_fronts: bool,
+    hit: [Damage; 2],
     after: [Motion; 2],
     /// (m/s)
     true_speeds: [f64; 2],
@@ -223,7 +223,7 @@ impl Subject {
             }),
             crush_plane: impact.contact.normal_angle(),
             crushes: staged.crushes()?,
-            are_fronts: staged.are_fronts()?,
+            hit: staged.hit()?,
             after: VehicleId::ALL.map(|id| after.motion(id)),
             true_speeds: staged.true_speeds()?,
         })
@@ -313,8 +313,8 @@ impl Subject {
             other_crush: None,
             observed: Observed {
                 vehicles: [observed(0), observed(1)],
-                severity: Some(FITTED.severity_of(self.are_fronts)),
-                crush: Some(FITTED.crush),
+                severity: Some(FITTED.severity_of(&self.hit)),
+                crush: Some(FITTED.crush_misfit(&self.hit)),
             },
         })
     }

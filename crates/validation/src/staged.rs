@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use analysis::{Analysis, Impact};
 use case::CaseFile;
 use crash3::{CrushError, EnergyBasis, Profile, Side, SideStiffness, StruckVehicle};
-use evidence::Crush;
+use evidence::{Crush, Damage};
 use pim_core::{Law, Tangential};
 use reconcile::{Problem, Unknown};
 
@@ -87,9 +87,9 @@ impl Staged {
         Ok([0, 1].map(|i| outcome.before[i].velocity.dot(&outcome.forward[i])))
     }
 
-    /// Whether both vehicles were hit at their fronts.
-    pub(crate) fn are_fronts(&self) -> Result<bool, ValidationError> {
-        Ok(self.struck()?.iter().all(|vehicle| vehicle.side == Side::Front))
+    /// Where each vehicle was hit.
+    pub(crate) fn hit(&self) -> Result<[Damage; 2], ValidationError> {
+        Ok(self.struck()?.each_ref().map(|vehicle| vehicle.side.into()))
     }
 
     /// The crush of both vehicles as their profiles and the stiffness of the case have it.

@@ -664,16 +664,17 @@ fn observe(
         default_errors.retain(|defaulted| *defaulted != key);
         unused.push(Unused { key, reason: UnusedReason::OtherPdof });
     }
-    let is_front = |data: &VehicleData| data.damage.as_ref().is_some_and(|damage| damage.side == Side::Front);
-    let usual = FITTED.severity_of(nominal.vehicles.iter().all(is_front));
+    let hit: Vec<Damage> = movers(case).map(|id| damage(id, nominal, reference)).collect();
+    let usual = FITTED.severity_of(&hit);
     let median = given.delta_v_median.as_ref().map_or(usual.median, Quantity::si);
     let severity = Severity { median, ..usual };
     let crush = (crushed != Crushed::No).then(|| {
-        let usual = Real::sqrt(FITTED.crush.ln_sd * FITTED.crush.ln_sd + CRUSH_BIAS_ERROR * CRUSH_BIAS_ERROR);
+        let misfit = FITTED.crush_misfit(&hit);
+        let usual = Real::sqrt(misfit.ln_sd * misfit.ln_sd + CRUSH_BIAS_ERROR * CRUSH_BIAS_ERROR);
         if given.crush_error.is_none() {
             default_errors.push("estimate.crush_error".to_owned());
         }
-        CrushMisfit { ln_sd: given.crush_error.map_or(usual, |percent| percent / 100.0), ..FITTED.crush }
+        CrushMisfit { ln_sd: given.crush_error.map_or(usual, |percent| percent / 100.0), ..misfit }
     });
     Observed { vehicles, severity: (prior == Prior::Field).then_some(severity), crush }
 }
@@ -754,8 +755,7 @@ impl Crushed {
         let is_inferred = |id: VehicleId| {
             case.vehicles[id.index()].crush.as_ref().is_some_and(|crush| crush.from_force_balance)
         };
-        let movers: Vec<VehicleId> =
-            VehicleId::ALL.into_iter().filter(|id| !case.vehicles[id.index()].fixed).collect();
+        let movers: Vec<VehicleId> = movers(case).collect();
         let inferred = movers.iter().filter(|id| is_inferred(**id));
         unused.extend(
             inferred
@@ -777,6 +777,11 @@ impl Crushed {
     }
 }
 
+/// The vehicles that can move.
+fn movers(case: &Case) -> impl Iterator<Item = VehicleId> {
+    VehicleId::ALL.into_iter().filter(|id| !case.vehicles[id.index()].fixed)
+}
+
 /// Where a vehicle was hit: the side that the case gives or, without one, the side that the line at right
 /// angles to the crush plane meets.
 fn damage(id: VehicleId, nominal: &Collision, reference: [f64; 2]) -> Damage {
@@ -784,9 +789,7 @@ fn damage(id: VehicleId, nominal: &Collision, reference: [f64; 2]) -> Damage {
     let of_crush = data.damage.as_ref().map(|damage| damage.side);
     let side = of_crush.or_else(|| data.energy.and_then(|energy| energy.side));
     match side {
-        Some(Side::Front) => Damage::Front,
-        Some(Side::Rear) => Damage::Rear,
-        Some(Side::Left | Side::Right) => Damage::Side,
+        Some(side) => side.into(),
         None => match reference[id.index()].abs() {
             from if from <= 45.0 * DEGREE => Damage::Front,
             from if from < 135.0 * DEGREE => Damage::Side,

@@ -103,7 +103,7 @@ fn the_crush_energy_tells_the_speed() {
     assert!(estimated.doubts().is_empty(), "{:?}", estimated.doubts());
     // E = ½ m EES²
     let energy = 0.5 * (1500.0 * (20.0_f64 / 3.6).powi(2) + 1000.0 * (30.0_f64 / 3.6).powi(2));
-    let bias = evidence::FITTED.crush.bias;
+    let bias = evidence::FITTED.crush_bias;
     let density = |v: f64| (-0.5 * (((energy / (297.0 * v * v)).ln() - bias) / 0.25).powi(2)).exp();
     assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
     let crush = of(&estimated, EstimateOutput::CrushEnergy);
@@ -124,7 +124,7 @@ fn the_crush_of_one_vehicle_tells_the_speed() {
         let ratio = estimated.unknown.iter().find(|unknown| unknown.key == key).unwrap();
         assert_eq!(ratio.assumed, Some(Assumed::OtherCrush));
         let energy = 0.5 * mass * (25.0_f64 / 3.6).powi(2);
-        let (bias, tau) = (evidence::FITTED.crush.bias, evidence::FITTED.other_crush_ln_sd);
+        let (bias, tau) = (evidence::FITTED.crush_bias, evidence::FITTED.other_crush_ln_sd);
         // Front against rear: as much in the median.
         let density = |v: f64| {
             let of_ratio = |z: f64| {

@@ -17,7 +17,7 @@ use pim_core::VehicleId;
 use uncertainty::random::{bits, key, unit};
 use uncertainty::{LANES, Sampler, SamplingMethod};
 
-use super::{Drawn, Figure, FitOptions, Guess, Likelihood, fit, point, step};
+use super::{Drawn, Figure, FitOptions, Guess, Likelihood, N, fit, point, step};
 use crate::pair::{Pair, Plane, Vehicle};
 
 /// Made-up damage of two cars, with what their recorders stored (m/s).
@@ -29,6 +29,7 @@ fn pair(case: &str, planes: [Plane; 2], depth: f64, recorders: [Option<f64>; 2])
         _ => [[0.0, 10.0], [190.0, 0.0]],
     };
     let vehicle = |i: usize| Vehicle {
+        number: None,
         curb_mass: [1400.0, 1700.0][i],
         cargo: None,
         plane: planes[i],
@@ -40,14 +41,13 @@ fn pair(case: &str, planes: [Plane; 2], depth: f64, recorders: [Option<f64>; 2])
         depths: [0.8, 1.0, 1.2, 1.2, 1.0, 0.8].map(|factor| factor * depth),
         winsmash: [None; 2],
         recorder: [recorders[i], Some(0.0)],
+        is_record_doubted: false,
     };
     Pair { case: case.to_owned(), vehicles: [vehicle(0), vehicle(1)] }
 }
 
 fn figures(bias: f64, slope_ln_sd: f64, recorder_ln_scale: f64) -> Fitted {
-    let mut fitted = Fitted { slope_ln_sd, recorder_ln_scale, ..FITTED };
-    fitted.crush.bias = bias;
-    fitted
+    Fitted { crush_bias: bias, slope_ln_sd, recorder_ln_scale, ..FITTED }
 }
 
 /// ln p(recorders | all else) by draws of the prior, each with all of its terms.
@@ -103,8 +103,8 @@ fn the_expansion_has_the_derivatives() {
     let at = point(&FITTED);
     let expansion = likelihood.expansion(&at, &|_| true);
     let value = |point| likelihood.at(&[point], &|_| true)[0];
-    for k in 0..8 {
-        for l in 0..8 {
+    for k in 0..N {
+        for l in 0..N {
             let (a, b) = (step(k) * 3.0, step(l) * 3.0);
             let second =
                 (value(at + a + b) - value(at + a - b) - value(at - a + b) + value(at - a - b)) / 0.0036;
@@ -130,7 +130,7 @@ fn a_single_pair_hardly_changes_the_guesses() {
             Guess::LogNormal { median, ln_sd } => ((value / median).ln(), error / value, ln_sd),
         };
         assert!(moved.abs() < sd && error < 1.02 * sd && error > 0.5 * sd, "{figure:?} {moved} {error}");
-        if figure == Figure::SlopeOfRears {
+        if matches!(figure, Figure::SlopeOfRears | Figure::SpreadOfRears | Figure::SpreadOfFronts) {
             assert!(moved.abs() < 1e-3 && (error - sd).abs() < 1e-3);
         }
     }
@@ -176,8 +176,8 @@ fn simulated(truth: &Fitted, count: u64) -> Vec<Pair> {
 #[ignore = "takes some minutes"]
 fn simulated_crashes_give_the_figures_that_they_were_drawn_with() {
     let mut truth = FITTED;
-    truth.crush.bias = 0.3;
-    truth.crush.ln_sd = 0.3;
+    truth.crush_bias = 0.3;
+    truth.crush_ln_sd = [0.2, 0.45, 0.3];
     truth.slope = [27.7, 35.0, 22.0];
     truth.slope_ln_sd = 0.25;
     truth.no_damage_speed = [3.0, 3.0, 2.0];
@@ -192,6 +192,6 @@ fn simulated_crashes_give_the_figures_that_they_were_drawn_with() {
         assert!((ours - exact).abs() < 3.0 * error, "{figure:?}");
         squares += ((ours - exact) / error).powi(2);
     }
-    // χ² of 8: 99.9 % are below 26.1.
-    assert!(squares < 26.1, "{squares}");
+    // χ² of 10: 99.9 % are below 29.6.
+    assert!(squares < 29.6, "{squares}");
 }

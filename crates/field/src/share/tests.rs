@@ -13,6 +13,7 @@ use crate::pair::{Pair, Plane, Vehicle};
 /// Without no-damage speed, the energy of an end grows with the square of its depth.
 fn pair(planes: [Plane; 2], depths: [f64; 2]) -> Pair {
     let vehicle = |i: usize| Vehicle {
+        number: None,
         curb_mass: 1500.0,
         cargo: None,
         plane: planes[i],
@@ -24,6 +25,7 @@ fn pair(planes: [Plane; 2], depths: [f64; 2]) -> Pair {
         depths: [depths[i]; 6],
         winsmash: [None; 2],
         recorder: [None; 2],
+        is_record_doubted: false,
     };
     Pair { case: "1".to_owned(), vehicles: [vehicle(0), vehicle(1)] }
 }

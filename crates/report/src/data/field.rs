@@ -13,7 +13,14 @@ struct Document<'a> {
     pairs: usize,
     groups: BTreeMap<&'a str, FiguresBlock>,
     winsmash: BTreeMap<&'a str, FiguresBlock>,
+    left_out: Vec<LeftOutBlock<'a>>,
     judged: Vec<JudgedBlock<'a>>,
+}
+
+#[derive(Serialize)]
+struct LeftOutBlock<'a> {
+    case: &'a str,
+    vehicle: usize,
 }
 
 #[derive(Serialize)]
@@ -98,7 +105,7 @@ impl<'a> JudgedBlock<'a> {
 }
 
 /// The judgement as JSON: `groups` and `winsmash`, all, by kind of collision and of one event, each with `n`,
-/// `bias`, `rms`, `coverage`, `width95` and `crps` (m/s), and every vehicle.
+/// `bias`, `rms`, `coverage`, `width95` and `crps` (m/s), the records that are left out, and every vehicle.
 ///
 /// # Errors
 /// Where the JSON cannot be written.
@@ -111,6 +118,11 @@ pub fn field_json(field: &Field) -> Result<String, serde_json::Error> {
             .groups
             .iter()
             .filter_map(|group| Some((group.name, FiguresBlock::of(group.winsmash.as_ref()?))))
+            .collect(),
+        left_out: field
+            .doubted
+            .iter()
+            .map(|(case, vehicle)| LeftOutBlock { case, vehicle: vehicle.index() + 1 })
             .collect(),
         judged: field.judged.iter().map(JudgedBlock::of).collect(),
     })

@@ -1,5 +1,7 @@
 //! How the intervals of ΔV fare against recorders.
 
+use std::collections::BTreeSet;
+
 use field::{Field, Figures, Group, Judged, LEVELS};
 
 use crate::document::{Column, Document, NONE, Table, Width};
@@ -36,6 +38,18 @@ pub fn field(field: &Field, file: &str) -> Document {
             unconverged.len(),
             first.vehicle,
             first.case
+        ));
+    }
+    if !field.doubted.is_empty() {
+        // A vehicle has a record of either event.
+        let recorders =
+            field.doubted.iter().map(|(case, vehicle)| format!("vehicle {vehicle} of crash {case}"));
+        let recorders: Vec<_> = recorders.collect::<BTreeSet<_>>().into_iter().collect();
+        document.paragraph(format!(
+            "Left out: the recorder of {}. Its records of two events fit these events more than a hundred times \
+             better the other way round, by their directions and by the momentum that the other vehicle's recorder \
+             shows. So it is not known which record is of which event.",
+            recorders.join(", of ")
         ));
     }
     if field.other {
