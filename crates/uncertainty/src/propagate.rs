@@ -2,9 +2,10 @@
 
 use std::ops::ControlFlow;
 
+use crate::columns::Columns;
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
-use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures};
+use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures, tally};
 use crate::run::{Progress, Span, for_each, in_order};
 use crate::sampler::{Sampler, Settings};
 use crate::summary::{Chunk, Classes, Histogram, Passes, Size, Summary, without_nan};
@@ -15,7 +16,7 @@ const SPAN: usize = 64 * LANES;
 /// The result of a propagation.
 #[derive(Clone, Debug)]
 pub struct Propagation {
-    columns: Vec<Vec<f64>>,
+    columns: Columns,
     reasons: Vec<u8>,
     totals: Totals,
     summaries: Vec<Option<Summary>>,
@@ -71,8 +72,8 @@ impl Propagation {
     /// The samples of each output that is [summarised](Model::summarised), NaN where the sample failed: those
     /// that are kept.
     #[must_use]
-    pub fn columns(&self) -> &[Vec<f64>] {
-        &self.columns
+    pub fn columns(&self) -> Vec<&[f64]> {
+        self.columns.iter().collect()
     }
 
     /// Statistics of each output that is [summarised](Model::summarised); `None` where fewer than two samples
@@ -154,8 +155,8 @@ impl<M: Model> Run<'_, M> {
         let totals = self.evaluate(0, &mut samples, self.settings.samples, progress);
         samples.truncate(totals.samples);
         let is_complete = totals.failures.is_empty();
-        let of = |column: &Vec<f64>| Summary::of(column, is_complete, self.settings);
-        let summaries = for_each(&samples.columns, of);
+        let of = |column: &&[f64]| Summary::of(column, is_complete, self.settings);
+        let summaries = for_each(&samples.columns.iter().collect::<Vec<_>>(), of);
         let Samples { columns, reasons } = samples;
         let requested = self.settings.samples;
         Propagation { columns, reasons, totals, summaries, histograms: Vec::new(), requested }
@@ -239,26 +240,27 @@ impl<M: Model> Run<'_, M> {
 
 /// The samples of all outputs that are summarised.
 struct Samples {
-    columns: Vec<Vec<f64>>,
+    columns: Columns,
     reasons: Vec<u8>,
 }
 
 impl Samples {
     fn new(outputs: usize, samples: usize) -> Self {
-        let columns = (0..outputs).map(|_| vec![0.0; samples]).collect();
-        Self { columns, reasons: vec![SUCCEEDED; samples] }
+        Self { columns: Columns::new(outputs, samples), reasons: vec![SUCCEEDED; samples] }
     }
 
     fn truncate(&mut self, samples: usize) {
-        for column in &mut self.columns {
-            column.truncate(samples);
-        }
+        self.columns.truncate(samples);
         self.reasons.truncate(samples);
     }
 
     fn first(&self, samples: usize) -> Self {
-        let columns = self.columns.iter().map(|column| column[..samples].to_vec()).collect();
-        Self { columns, reasons: self.reasons[..samples].to_vec() }
+        let mut first = Self::new(self.columns.iter().count(), samples);
+        for (own, column) in first.columns.iter_mut().zip(self.columns.iter()) {
+            own.copy_from_slice(&column[..samples]);
+        }
+        first.reasons.copy_from_slice(&self.reasons[..samples]);
+        first
     }
 
     /// To the passes of each output.
@@ -266,7 +268,7 @@ impl Samples {
         let is_complete = done.failures.is_empty();
         let columns = self.columns.iter().zip(all);
         let spans = columns.map(|work| Span { samples: 0, work }).collect();
-        let add = |(column, passes): (&Vec<f64>, &mut Passes)| {
+        let add = |(column, passes): (&[f64], &mut Passes)| {
             let all = &column[..done.samples];
             if is_complete {
                 passes.add(Chunk { all, answered: all });
@@ -329,7 +331,7 @@ impl Part<'_> {
             }
             codes.copy_from_slice(&reasons[..codes.len()]);
             count_failures(&mut failures, codes);
-            model.tally(&columns, &answers, codes, &mut tallies);
+            tally(sampler.instructions(), model, [&columns, &answers], codes, &mut tallies);
         }
         Totals { samples: codes.len(), failures, tallies }
     }

@@ -58,6 +58,10 @@ impl<'a> Sampler<'a> {
         self.inputs.len()
     }
 
+    pub(crate) fn instructions(&self) -> Instructions {
+        self.instructions
+    }
+
     /// Inputs of the samples `block`·[`crate::LANES`] and following, a column for each input. Lanes beyond
     /// the last sample hold some value or other.
     pub fn fill(&self, block: u64, columns: &mut [Lanes]) {

@@ -4,7 +4,7 @@ use fearless_simd::dispatch;
 
 use super::order::Order;
 pub(crate) use super::order::Size;
-use super::sums::{Moments, Spread, Summed, deal};
+use super::sums::{Moments, Spread, Summed};
 use super::{Below, Errors, PROBABILITIES, Place, QUANTILES, Summary, tail_is_populated};
 use crate::limits::REPLICATES;
 use crate::points::SamplingMethod;
@@ -93,14 +93,14 @@ impl Passes {
                 self.order.count(answered);
                 summed.add(answered);
                 if self.is_replicated {
-                    deal(all, |replicate, own| replicates[replicate].add(own));
+                    Summed::add_dealt(replicates, all);
                 }
             }
             Stage::Powers(spread, replicates) => {
                 self.order.take(answered);
                 spread.add(answered);
                 if self.is_replicated {
-                    deal(all, |replicate, own| replicates[replicate].add(own));
+                    Spread::add_dealt(replicates, all);
                 }
             }
             Stage::Quantiles | Stage::Distances(_) => self.order.take(answered),
@@ -119,9 +119,9 @@ impl Passes {
     /// Ends a pass, and tells whether another one is wanted.
     pub(crate) fn go_on(&mut self) -> bool {
         self.stage = match std::mem::replace(&mut self.stage, Stage::Done) {
-            Stage::Sums(summed, _) if summed.count < 2 => Stage::Done,
+            Stage::Sums(summed, _) if summed.count() < 2 => Stage::Done,
             Stage::Sums(summed, replicates) => {
-                let places = PROBABILITIES.map(|probability| Place::of(probability, summed.count));
+                let places = PROBABILITIES.map(|probability| Place::of(probability, summed.count()));
                 self.order.seek(places.iter().flat_map(Place::wanted));
                 self.places = Some(Box::new(places));
                 Stage::Powers(summed.spread(), replicates.iter().map(Summed::spread).collect())
@@ -236,6 +236,7 @@ pub struct Histogram {
     /// Samples below the first and above the last class.
     pub outside: [usize; 2],
     high: f64,
+    classes: Classes,
 }
 
 impl Histogram {
@@ -244,38 +245,95 @@ impl Histogram {
         let width = (high - low) / f64::from(classes.count());
         let is_wide = width.is_finite() && width > 0.0;
         let counts = || vec![0; usize::from(classes.count())];
-        is_wide.then(|| Self { low, width, counts: counts(), outside: [0; 2], high })
+        is_wide.then(|| Self { low, width, counts: counts(), outside: [0; 2], high, classes })
     }
 
     pub(crate) fn is_of(&self, classes: Classes) -> bool {
-        self.counts.len() == usize::from(classes.count())
+        self.classes == classes
     }
 
     /// Of a column in which NaN stands for samples that failed.
     pub(crate) fn of(column: &[f64], summary: &Summary, classes: Classes) -> Option<Self> {
         let [.., widest] = summary.intervals;
         let mut histogram = Self::new([widest.low.value, widest.high.value], classes)?;
-        histogram.add(column);
+        dispatch!(Instructions::best().level(), _simd => histogram.add(column));
         Some(histogram)
     }
 
     #[inline(always)]
     fn add(&mut self, values: &[f64]) {
-        for value in values.iter().filter(|value| !value.is_nan()) {
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "a class between 0 and their number"
-            )]
-            let class = ((value - self.low) / self.width).max(0.0) as usize;
-            if *value < self.low {
-                self.outside[0] += 1;
-            } else if *value > self.high {
-                self.outside[1] += 1;
-            } else {
-                let last = self.counts.len() - 1;
-                self.counts[class.min(last)] += 1;
+        /// Values whose places are found together, by a loop of its own that is vectorised.
+        const AHEAD: usize = 64;
+        // Below the first class, each class, above the last one, and what is not a number. The counts of
+        // neighbouring values stand apart, as a count that was just written is not ready yet.
+        let classes = self.classes.count();
+        let mut counts = [[0_usize; PLACES]; 4];
+        for values in values.chunks(AHEAD) {
+            let mut places = [0_u8; AHEAD];
+            for (place, value) in places.iter_mut().zip(values) {
+                *place = self.place(*value, classes);
             }
+            for (number, place) in places[..values.len()].iter().enumerate() {
+                counts[number % 4][usize::from(*place) % PLACES] += 1;
+            }
+        }
+        let [below, of_classes @ ..] = counts
+            .into_iter()
+            .fold([0; PLACES], |sums, counts| std::array::from_fn(|place| sums[place] + counts[place]));
+        self.outside[0] += below;
+        self.outside[1] += of_classes[usize::from(classes)];
+        for (count, more) in self.counts.iter_mut().zip(of_classes) {
+            *count += more;
+        }
+    }
+
+    /// 0 below the first class, from 1 on the classes, and after them what lies above, and what is not a
+    /// number.
+    #[inline(always)]
+    fn place(&self, value: f64, classes: u8) -> u8 {
+        let class = (value - self.low) / self.width;
+        let last = f64::from(classes - 1);
+        let class = if class < last { class } else { last };
+        let class = if class > 0.0 { class } else { 0.0 };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "one of the classes")]
+        let class = class as u8;
+        let place = if value < self.low { 0 } else { class + 1 };
+        let place = if value > self.high { classes + 1 } else { place };
+        if value.is_nan() { classes + 2 } else { place }
+    }
+}
+
+/// More than the classes and three.
+const PLACES: usize = 64;
+
+#[cfg(test)]
+mod tests {
+    use super::{Classes, Histogram};
+    use crate::random::{bits, unit};
+
+    /// Values at the ends of the classes and right beside them, beyond the ends, and not a number: beside a
+    /// search for the class one by one.
+    #[test]
+    fn every_value_is_in_its_class() {
+        for classes in Classes::ALL {
+            let ends =
+                (0..=classes.count()).map(|end| 1.0 + f64::from(end) * (2.0 / f64::from(classes.count())));
+            let mut values: Vec<f64> = ends.flat_map(|end| [end.next_down(), end, end.next_up()]).collect();
+            values.extend((0..1000).map(|index| 4.0 * unit(bits(1, index))));
+            values.extend([f64::NAN, -1e300, 1e300]);
+            let mut histogram = Histogram::new([1.0, 3.0], classes).unwrap();
+            histogram.add(&values);
+
+            let class =
+                |value: f64| ((value - 1.0) / histogram.width).floor().min(f64::from(classes.count() - 1));
+            for (number, count) in (0_u8..).zip(&histogram.counts) {
+                let is_in =
+                    |value: &&f64| (1.0..=3.0).contains(*value) && class(**value) == f64::from(number);
+                assert_eq!(values.iter().filter(is_in).count(), *count, "class {number}");
+            }
+            let below = values.iter().filter(|value| **value < 1.0).count();
+            let above = values.iter().filter(|value| **value > 3.0).count();
+            assert_eq!(histogram.outside, [below, above]);
         }
     }
 }

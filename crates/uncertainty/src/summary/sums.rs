@@ -9,6 +9,8 @@ const SPAN: usize = 64 * LANES;
 /// Σ f(x) in a fixed order, of sums over eight lanes and over spans, which keeps the rounding small.
 #[derive(Clone, Debug)]
 pub(super) struct Sums<const N: usize> {
+    /// How many values there are.
+    count: usize,
     totals: [f64; N],
     /// The values after the last whole span.
     rest: Vec<f64>,
@@ -16,12 +18,13 @@ pub(super) struct Sums<const N: usize> {
 
 impl<const N: usize> Sums<N> {
     pub(super) fn new() -> Self {
-        Self { totals: [0.0; N], rest: Vec::new() }
+        Self { count: 0, totals: [0.0; N], rest: Vec::new() }
     }
 
     /// Adds f(x) of the values that follow. It has to be the same f in all calls.
     #[inline(always)]
     pub(super) fn add(&mut self, values: &[f64], f: impl Fn(f64) -> [f64; N]) {
+        self.count += values.len();
         let mut values = values;
         if !self.rest.is_empty() {
             let (first, others) = values.split_at(values.len().min(SPAN - self.rest.len()));
@@ -97,32 +100,39 @@ impl Moments {
 /// The first pass of [`Moments`].
 #[derive(Clone, Debug)]
 pub(super) struct Summed {
-    pub(super) count: usize,
     sum: Sums<1>,
 }
 
 impl Summed {
     pub(super) fn new() -> Self {
-        Self { count: 0, sum: Sums::new() }
+        Self { sum: Sums::new() }
     }
 
     #[inline(always)]
     pub(super) fn add(&mut self, values: &[f64]) {
-        self.count += values.len();
         self.sum.add(values, |x| [x]);
+    }
+
+    /// Those of a column to its replicates.
+    #[inline(always)]
+    pub(super) fn add_dealt(replicates: &mut [Self], column: &[f64]) {
+        add_dealt(replicates, |own| &mut own.sum, column, |_, x| [x]);
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.sum.count
     }
 
     /// The second pass, over the same values.
     pub(super) fn spread(&self) -> Spread {
         let [sum] = self.sum.totals(|x| [x]);
-        Spread { count: self.count, mean: sum / self.count as f64, powers: Sums::new() }
+        Spread { mean: sum / self.count() as f64, powers: Sums::new() }
     }
 }
 
 /// The second pass of [`Moments`].
 #[derive(Clone, Debug)]
 pub(super) struct Spread {
-    count: usize,
     mean: f64,
     powers: Sums<2>,
 }
@@ -130,21 +140,74 @@ pub(super) struct Spread {
 impl Spread {
     #[inline(always)]
     pub(super) fn add(&mut self, values: &[f64]) {
-        self.powers.add(values, powers(self.mean));
+        self.powers.add(values, |x| powers(x, self.mean));
+    }
+
+    /// Those of a column to its replicates.
+    #[inline(always)]
+    pub(super) fn add_dealt(replicates: &mut [Self], column: &[f64]) {
+        let means: [f64; ROW] =
+            std::array::from_fn(|place| replicates.get(place % REPLICATES).map_or(f64::NAN, |own| own.mean));
+        add_dealt(replicates, |own| &mut own.powers, column, |place, x| powers(x, means[place % ROW]));
     }
 
     pub(super) fn moments(&self) -> Moments {
-        let [squares, fourth_powers] = self.powers.totals(powers(self.mean));
-        Moments { count: self.count, mean: self.mean, squares, fourth_powers }
+        let [squares, fourth_powers] = self.powers.totals(|x| powers(x, self.mean));
+        Moments { count: self.powers.count, mean: self.mean, squares, fourth_powers }
     }
 }
 
 #[inline(always)]
-fn powers(mean: f64) -> impl Fn(f64) -> [f64; 2] {
-    move |x| {
-        let square = (x - mean) * (x - mean);
-        [square, square * square]
+fn powers(x: f64, mean: f64) -> [f64; 2] {
+    let square = (x - mean) * (x - mean);
+    [square, square * square]
+}
+
+/// Adds f(x) of a column to the sums of its replicates, without what is NaN. Beside x, f has the place of its
+/// replicate, or this and a multiple of [`REPLICATES`] below [`ROW`].
+///
+/// As long as none is NaN, the sums of all replicates are made beside each other as the values lie.
+#[inline(always)]
+pub(super) fn add_dealt<S, const N: usize>(
+    replicates: &mut [S],
+    sums: impl Fn(&mut S) -> &mut Sums<N>,
+    column: &[f64],
+    f: impl Fn(usize, f64) -> [f64; N],
+) {
+    let mut column = column;
+    while replicates.iter_mut().all(|own| sums(own).rest.is_empty())
+        && let Some((span, after)) = column.split_at_checked(SPAN * REPLICATES)
+        && !has_nan(span)
+    {
+        let totals = totals_beside(span, &f);
+        for (replicate, own) in replicates.iter_mut().enumerate() {
+            let sums = sums(own);
+            sums.count += SPAN;
+            for (total, of_all) in sums.totals.iter_mut().zip(&totals) {
+                *total += of_all[replicate];
+            }
+        }
+        column = after;
     }
+    deal(column, |replicate, own| sums(&mut replicates[replicate]).add(own, |x| f(replicate, x)));
+}
+
+/// Values in which each replicate has one for each of the lanes that [`add_span`] adds up.
+pub(super) const ROW: usize = 8 * REPLICATES;
+
+/// What [`add_span`] adds for each replicate.
+#[inline(always)]
+fn totals_beside<const N: usize>(span: &[f64], f: impl Fn(usize, f64) -> [f64; N]) -> [[f64; REPLICATES]; N] {
+    let mut lanes = [[0.0; ROW]; N];
+    let (rows, _) = span.as_chunks::<ROW>();
+    for row in rows {
+        for (place, &value) in row.iter().enumerate() {
+            for (lanes, term) in lanes.iter_mut().zip(f(place, value)) {
+                lanes[place] += term;
+            }
+        }
+    }
+    lanes.map(|lanes| std::array::from_fn(|replicate| lanes.iter().skip(replicate).step_by(REPLICATES).sum()))
 }
 
 /// Points of each replicate that are dealt at once, so that they stay in the nearest cache.
@@ -152,7 +215,7 @@ const DEALT: usize = LANES;
 
 /// Deals a column to its replicates, without what is NaN, a part that stays in the caches at a time.
 #[inline(always)]
-pub(super) fn deal(column: &[f64], mut take: impl FnMut(usize, &[f64])) {
+fn deal(column: &[f64], mut take: impl FnMut(usize, &[f64])) {
     let mut dealt = [[0.0; DEALT]; REPLICATES];
     for part in column.chunks(DEALT * REPLICATES) {
         let (rows, rest) = part.as_chunks::<REPLICATES>();
@@ -187,7 +250,9 @@ fn has_nan(values: &[f64]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::Sums;
+    use super::{Spread, Summed, Sums};
+    use crate::limits::REPLICATES;
+    use crate::random::{bits, unit};
 
     /// Cut anywhere: every value is taken once, and the bits are those of one piece.
     #[test]
@@ -207,6 +272,32 @@ mod tests {
                 }
                 assert_eq!(sums.totals(double), [total, 2.0 * total], "{count} by {size}");
                 assert_eq!(thirds.totals(third), whole.totals(third), "{count} by {size}");
+            }
+        }
+    }
+
+    /// Beside each other and one by one, with a value that is not a number in the second span of all
+    /// replicates or in none.
+    #[test]
+    fn replicates_have_the_sums_of_their_own_values() {
+        for failed in [None, Some(100_000)] {
+            let mut column: Vec<f64> = (0..200_000).map(|index| unit(bits(1, index))).collect();
+            if let Some(place) = failed {
+                column[place] = f64::NAN;
+            }
+            let mut summed = vec![Summed::new(); REPLICATES];
+            column.chunks(3 * 65_536).for_each(|chunk| Summed::add_dealt(&mut summed, chunk));
+            let mut spreads: Vec<Spread> = summed.iter().map(Summed::spread).collect();
+            column.chunks(65_536).for_each(|chunk| Spread::add_dealt(&mut spreads, chunk));
+            for (replicate, spread) in spreads.iter().enumerate() {
+                let own = column.iter().skip(replicate).step_by(REPLICATES);
+                let own: Vec<f64> = own.copied().filter(|value| !value.is_nan()).collect();
+                let (beside, alone) = (spread.moments(), super::Moments::of(&own));
+                assert_eq!(
+                    [beside.mean, beside.squares, beside.fourth_powers].map(f64::to_bits),
+                    [alone.mean, alone.squares, alone.fourth_powers].map(f64::to_bits),
+                );
+                assert_eq!(beside.count, own.len());
             }
         }
     }
