@@ -4,7 +4,7 @@ use real::elementary::exp;
 
 use crate::error::InvalidDistribution;
 use crate::model::{LANES, Lanes};
-use crate::normal;
+use crate::normal::{self, Tails};
 use crate::random::{bits, key, unit};
 
 /// The least share of a normal distribution that its bounds may leave.
@@ -311,24 +311,64 @@ impl Distribution {
     /// Turns shares in (0, 1) into values. A lane gets the same bits as a single call.
     #[inline(always)]
     pub(crate) fn transform<const N: usize>(&self, lanes: &mut [f64; N]) {
+        if self.prepare(lanes) {
+            normal::quantiles(lanes);
+        }
+        self.finish(lanes);
+    }
+
+    /// The same for a column of each input, as many times over as there are columns.
+    #[inline(always)]
+    pub(crate) fn transform_all(inputs: &[Self], columns: &mut [Lanes]) {
+        let mut tails = Tails::new();
+        for (index, input) in (0..columns.len()).zip(inputs.iter().cycle()) {
+            if let Some(column) = columns.get_mut(index)
+                && input.prepare(column)
+            {
+                tails.gather(column, index * LANES);
+            }
+            if tails.are_many() {
+                tails.settle(columns.as_flattened_mut());
+            }
+        }
+        tails.settle(columns.as_flattened_mut());
+        for (column, input) in columns.iter_mut().zip(inputs.iter().cycle()) {
+            input.finish(column);
+        }
+    }
+
+    /// Shares become those of the standard normal distribution, of which [`finish`](Self::finish) expects the
+    /// quantiles; `false` where it expects the shares as they are.
+    #[inline(always)]
+    fn prepare<const N: usize>(&self, lanes: &mut [f64; N]) -> bool {
         match self.transform {
-            Transform::Normal { centre, scale, start, span, mirrored, low, high } => {
-                // x = μ ± σ·Φ⁻¹(Φ(α) + u·(Φ(β) − Φ(α)))
-                for lane in lanes.iter_mut() {
+            Transform::Normal { start, span, mirrored, .. } => {
+                // Φ(α) + u·(Φ(β) − Φ(α))
+                for lane in lanes {
                     let u = if mirrored { 1.0 - *lane } else { *lane };
                     *lane = start + span * u;
                 }
-                normal::quantiles(lanes);
+                true
+            }
+            Transform::LogNormal { .. } => true,
+            Transform::Uniform { .. } | Transform::Triangular { .. } => false,
+        }
+    }
+
+    #[inline(always)]
+    fn finish<const N: usize>(&self, lanes: &mut [f64; N]) {
+        match self.transform {
+            Transform::Normal { centre, scale, low, high, .. } => {
                 for lane in lanes {
+                    // x = μ ± σ·Φ⁻¹(Φ(α) + u·(Φ(β) − Φ(α)))
                     let x = centre + scale * *lane;
                     let x = if x < low { low } else { x };
                     *lane = if x > high { high } else { x };
                 }
             }
             Transform::LogNormal { median, scale } => {
-                // x = m exp(s Φ⁻¹(u))
-                normal::quantiles(lanes);
                 for lane in lanes {
+                    // x = m exp(s Φ⁻¹(u))
                     *lane = median * exp(scale * *lane);
                 }
             }

@@ -230,8 +230,10 @@ impl Strata {
                 strata[lane] = if strata[lane] >= of.counts[lane] { next[lane] } else { strata[lane] };
             }
         }
+        // Read once: in the loop it would be gathered for each lane, as those beyond the last do not read it.
+        let places = self.places;
         for lane in 0..LANES {
-            let place = f64::from((bits(self.places, first + lane as u64) >> (64 - PLACE_BITS)) as u32);
+            let place = f64::from((bits(places, first + lane as u64) >> (64 - PLACE_BITS)) as u32);
             let count = of.counts[lane];
             // u = (π(i) + (k + ½)·2⁻²⁰)/n
             let inside = (f64::from(strata[lane]) + (place + 0.5) / PLACES) / f64::from(count);

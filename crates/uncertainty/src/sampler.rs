@@ -96,11 +96,11 @@ pub(crate) fn fill(
 #[inline(always)]
 fn fill_with(points: &Points, inputs: &[Distribution], block: u64, columns: &mut [Lanes]) {
     points.fill(block, columns);
-    for (column, input) in columns.iter_mut().zip(inputs.iter().cycle()) {
-        if points.are_independent() {
+    if points.are_independent() {
+        for (column, input) in columns.iter_mut().zip(inputs.iter().cycle()) {
             input.draw(column);
-        } else {
-            input.transform(column);
         }
+    } else {
+        Distribution::transform_all(inputs, columns);
     }
 }
