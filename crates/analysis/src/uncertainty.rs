@@ -787,7 +787,7 @@ impl<'a> Sample<'a> {
     fn has_several_speeds(&self, numbers: &[f64]) -> bool {
         let case = self.case_of(numbers);
         match self.goal {
-            Goal::Speed => at(&case, |problem| Ok(problem.speeds().take(2).count() > 1)).unwrap_or(false),
+            Goal::Speed => at(&case, |problem| Ok(problem.has_several_speeds())).unwrap_or(false),
             Goal::BothSpeeds => {
                 let mut search = self.search;
                 search.several = Some(false);

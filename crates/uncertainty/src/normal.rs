@@ -236,12 +236,17 @@ fn polynomial(coefficients: &[f64; 8], x: f64) -> f64 {
 pub fn box_muller(lanes: &mut Lanes) {
     let (radii, turns) = lanes.split_at_mut(LANES / 2);
     for (first, second) in radii.iter_mut().zip(turns) {
-        // z₁ = √(−2 ln u₁) cos 2πu₂,  z₂ = √(−2 ln u₁) sin 2πu₂
-        let radius = (-2.0 * ln_of_share(*first)).sqrt();
-        let (sin, cos) = sin_cos_of_turn(*second);
-        *first = radius * cos;
-        *second = radius * sin;
+        (*first, *second) = normal_pair(*first, *second);
     }
+}
+
+/// Two independent shares become two independent standard normal numbers.
+#[inline(always)]
+pub(crate) fn normal_pair(first: f64, second: f64) -> (f64, f64) {
+    // z₁ = √(−2 ln u₁) cos 2πu₂,  z₂ = √(−2 ln u₁) sin 2πu₂
+    let radius = (-2.0 * ln_of_share(first)).sqrt();
+    let (sin, cos) = sin_cos_of_turn(second);
+    (radius * cos, radius * sin)
 }
 
 // The functions of `real` are good to the last digit everywhere. A random number needs neither, and these

@@ -6,12 +6,10 @@ use crate::columns::Columns;
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
 use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures, tally};
-use crate::run::{Progress, Span, for_each, in_order};
+use crate::points::SamplingMethod;
+use crate::run::{Progress, Span, in_order};
 use crate::sampler::{Sampler, Settings};
-use crate::summary::{Chunk, Classes, Histogram, Passes, Size, Summary, without_nan};
-
-/// Samples that one thread takes at a time.
-const SPAN: usize = 64 * LANES;
+use crate::summary::{Chunk, Classes, First, Histogram, Passes, SPAN, Size, Summary, without_nan};
 
 /// The result of a propagation.
 #[derive(Clone, Debug)]
@@ -152,11 +150,24 @@ struct Run<'a, M> {
 impl<M: Model> Run<'_, M> {
     fn at_once(&self, progress: &mut Progress<'_>) -> Propagation {
         let mut samples = Samples::new(self.outputs, self.settings.samples);
-        let totals = self.evaluate(0, &mut samples, self.settings.samples, progress);
+        // The sums of replicates do not follow from those of spans, nor do sums from which samples are left out.
+        let is_counted = self.settings.method == SamplingMethod::MonteCarlo
+            && u32::try_from(self.settings.samples).is_ok();
+        let first = is_counted.then(|| First::new(self.settings.instructions));
+        let (totals, sums) = self.evaluate(0, &mut samples, self.settings.samples, first.as_ref(), progress);
         samples.truncate(totals.samples);
         let is_complete = totals.failures.is_empty();
-        let of = |column: &&[f64]| Summary::of(column, is_complete, self.settings);
-        let summaries = for_each(&samples.columns.iter().collect::<Vec<_>>(), of);
+        let mut begun = match first {
+            Some(first) if is_complete => first.passes(self.settings, totals.samples, &sums),
+            _ => Vec::new(),
+        }
+        .into_iter();
+        let spans = samples.columns.iter().map(|column| {
+            let passes = begun.next().unwrap_or_else(|| Passes::new(self.settings, Size::AT_ONCE, &[]));
+            Span { samples: 0, work: (column, passes) }
+        });
+        let of = |(column, passes): (&[f64], Passes)| Summary::of(column, is_complete, passes);
+        let summaries = in_order(spans.collect(), of, &mut |_, _| ControlFlow::Continue(()));
         let Samples { columns, reasons } = samples;
         let requested = self.settings.samples;
         Propagation { columns, reasons, totals, summaries, histograms: Vec::new(), requested }
@@ -184,7 +195,7 @@ impl<M: Model> Run<'_, M> {
                     let answer = progress(told, requested);
                     if pass == 0 { answer } else { ControlFlow::Continue(()) }
                 };
-                let done = self.evaluate(begin, &mut samples, count, &mut tell);
+                let (done, _) = self.evaluate(begin, &mut samples, count, None, &mut tell);
                 samples.pass_on(&mut all, &done);
                 let is_ended = done.samples < count;
                 begin += done.samples;
@@ -212,14 +223,16 @@ impl<M: Model> Run<'_, M> {
         Propagation { columns, reasons, totals, summaries, histograms, requested }
     }
 
-    /// Evaluates `count` samples from `begin` on, which is the first of a span.
+    /// Evaluates `count` samples from `begin` on, which is the first of a span. Where `first` counts them, there
+    /// are the sums of each span that is complete.
     fn evaluate(
         &self,
         begin: usize,
         samples: &mut Samples,
         count: usize,
+        first: Option<&First>,
         progress: &mut Progress<'_>,
-    ) -> Totals {
+    ) -> (Totals, Vec<Vec<f64>>) {
         let Samples { columns, reasons } = samples;
         let mut slices: Vec<_> = columns.iter_mut().map(|column| column[..count].chunks_mut(SPAN)).collect();
         let spans = (begin / SPAN..)
@@ -229,12 +242,14 @@ impl<M: Model> Run<'_, M> {
                 Span { samples: reasons.len(), work: Part { index: index as u64, outputs, reasons } }
             })
             .collect();
-        let work = |part: Part<'_>| part.evaluate(self.model, &self.sampler);
+        let work = |part: Part<'_>| part.evaluate(self.model, &self.sampler, first);
         let mut totals = Totals { tallies: vec![0; self.model.tallies()], ..Totals::default() };
-        for part in in_order(spans, work, progress) {
+        let mut all_sums = Vec::new();
+        for (part, sums) in in_order(spans, work, progress) {
             totals.add(part);
+            all_sums.push(sums);
         }
-        totals
+        (totals, all_sums)
     }
 }
 
@@ -309,7 +324,12 @@ impl Totals {
 }
 
 impl Part<'_> {
-    fn evaluate<M: Model>(self, model: &M, sampler: &Sampler<'_>) -> Totals {
+    fn evaluate<M: Model>(
+        self,
+        model: &M,
+        sampler: &Sampler<'_>,
+        first: Option<&First>,
+    ) -> (Totals, Vec<f64>) {
         let Self { index, mut outputs, reasons: codes } = self;
         let mut columns: Vec<Lanes> = vec![[0.0; LANES]; sampler.inputs()];
         let mut answers: Vec<Lanes> = vec![[0.0; LANES]; model.outputs()];
@@ -333,7 +353,9 @@ impl Part<'_> {
             count_failures(&mut failures, codes);
             tally(sampler.instructions(), model, [&columns, &answers], codes, &mut tallies);
         }
-        Totals { samples: codes.len(), failures, tallies }
+        let first = first.filter(|_| failures.is_empty());
+        let sums = first.map_or_else(Vec::new, |first| first.add(&outputs));
+        (Totals { samples: codes.len(), failures, tallies }, sums)
     }
 }
 

@@ -95,12 +95,12 @@ pub(crate) fn fill(
 
 #[inline(always)]
 fn fill_with(points: &Points, inputs: &[Distribution], block: u64, columns: &mut [Lanes]) {
-    points.fill(block, columns);
-    if points.are_independent() {
-        for (column, input) in columns.iter_mut().zip(inputs.iter().cycle()) {
-            input.draw(column);
-        }
-    } else {
-        Distribution::transform_all(inputs, columns);
+    let Some(keys) = points.sequences() else {
+        points.fill(block, columns);
+        return Distribution::transform_all(inputs, columns);
+    };
+    let first = block * LANES as u64;
+    for ((column, input), &key) in columns.iter_mut().zip(inputs.iter().cycle()).zip(keys) {
+        input.draw(key, first, column);
     }
 }

@@ -6,16 +6,18 @@
 //! quantiles are their type 7, as in NumPy. M. G. Kendall and A. Stuart, *The Advanced Theory of Statistics*,
 //! volume 1, sections 10.5 and 14: standard errors of moments; order statistics.
 
+mod first;
 mod order;
 mod passes;
 mod sums;
 
 use crate::limits::REPLICATES;
 use crate::model::LANES;
-use crate::sampler::Settings;
 use order::Order;
 use sums::Moments;
+pub(crate) use sums::SPAN;
 
+pub(crate) use first::First;
 pub(crate) use passes::{Chunk, Passes, Size};
 pub use passes::{Classes, Histogram};
 
@@ -79,7 +81,7 @@ const QUANTILES: usize = 1 + 2 * LEVELS.len();
 impl Summary {
     /// Of a column in which NaN stands for samples that failed; `None` where fewer than two succeeded.
     /// `is_complete` tells that there are none.
-    pub(crate) fn of(column: &[f64], is_complete: bool, settings: &Settings) -> Option<Self> {
+    pub(crate) fn of(column: &[f64], is_complete: bool, mut passes: Passes) -> Option<Self> {
         let succeeded;
         let answered = if is_complete {
             column
@@ -87,13 +89,11 @@ impl Summary {
             succeeded = without_nan(column);
             &succeeded
         };
-        let mut passes = Passes::new(settings, Size::AT_ONCE, &[]);
-        loop {
+        while !passes.are_done() {
             passes.add(Chunk { all: column, answered });
-            if !passes.go_on() {
-                return passes.summary();
-            }
+            passes.go_on();
         }
+        passes.summary()
     }
 
     fn new(moments: &Moments, quantiles: &[f64; QUANTILES], errors: &Errors) -> Self {

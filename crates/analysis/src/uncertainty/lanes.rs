@@ -379,8 +379,8 @@ impl Block {
         let Some(sought) = self.sought else { return 0 };
         let posed = self.pose(inputs);
         let has_several = |lane: &usize| {
-            let speeds = |problem: Problem| problem.speeds().take(2).count();
-            self.problem(&posed, sought, inputs, *lane).is_ok_and(|problem| speeds(problem) > 1)
+            let problem = self.problem(&posed, sought, inputs, *lane);
+            problem.is_ok_and(|problem| problem.has_several_speeds())
         };
         lanes.filter(has_several).count()
     }

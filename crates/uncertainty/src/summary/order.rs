@@ -62,10 +62,14 @@ impl Order {
         }
         let first = &values[..values.len().min(TOLD_BY)];
         let cells = *self.cells.get_or_insert_with(|| Cells::of(first, self.size.cells));
-        for values in values.chunks(AHEAD) {
-            for &cell in &cells.of_each(values)[..values.len()] {
-                self.counts[cell] += 1;
-            }
+        cells.each(values, |cell| self.counts[cell] += 1);
+    }
+
+    /// The same for values that were counted by these cells.
+    pub(super) fn add_counted(&mut self, cells: Cells, counts: &[u32]) {
+        self.cells = Some(cells);
+        for (count, more) in self.counts.iter_mut().zip(counts) {
+            *count += *more as usize;
         }
     }
 
@@ -84,18 +88,26 @@ impl Order {
     /// All values, in any order, once in each pass.
     #[inline(always)]
     pub(super) fn take(&mut self, values: &[f64]) {
-        let Some(cells) = self.cells else { return };
+        let Self { cells: Some(cells), slots, windows, .. } = self else { return };
         for values in values.chunks(AHEAD) {
-            for (cell, &value) in cells.of_each(values).into_iter().zip(values) {
-                let slot = self.slots[cell];
-                if slot == NONE {
-                    continue;
-                }
-                for window in &mut self.windows[usize::from(slot)..] {
-                    if window.cell != cell {
+            let of_each = cells.of_each(values);
+            let mut own = [NONE; AHEAD];
+            for (slot, cell) in own[..values.len()].iter_mut().zip(of_each) {
+                *slot = slots.get(cell).copied().unwrap_or(NONE);
+            }
+            // A bit for each value whose cell has a window, so that only these are gone through.
+            let mut noted = 0_u64;
+            for (place, slot) in own.iter().enumerate() {
+                noted |= u64::from(*slot != NONE) << place;
+            }
+            while noted != 0 {
+                let place = noted.trailing_zeros() as usize;
+                noted &= noted - 1;
+                for window in &mut windows[usize::from(own[place])..] {
+                    if window.cell != of_each[place] {
                         break;
                     }
-                    window.note(value);
+                    window.note(values[place]);
                 }
             }
         }
@@ -268,7 +280,7 @@ fn value_of(key: u64) -> f64 {
 
 /// Equal parts of the range of some values.
 #[derive(Clone, Copy, Debug)]
-struct Cells {
+pub(super) struct Cells {
     least: f64,
     per_unit: f64,
     last: f64,
@@ -276,7 +288,7 @@ struct Cells {
 
 impl Cells {
     #[inline(always)]
-    fn of(values: &[f64], cells: u32) -> Self {
+    pub(super) fn of(values: &[f64], cells: u32) -> Self {
         let mut least = [f64::INFINITY; 8];
         let mut greatest = [f64::NEG_INFINITY; 8];
         let (blocks, rest) = values.as_chunks::<8>();
@@ -301,6 +313,14 @@ impl Cells {
             Self { least, per_unit, last }
         } else {
             Self { least: 0.0, per_unit: 0.0, last }
+        }
+    }
+
+    /// Shows the cell of each value.
+    #[inline(always)]
+    pub(super) fn each(&self, values: &[f64], mut visit: impl FnMut(usize)) {
+        for values in values.chunks(AHEAD) {
+            self.of_each(values)[..values.len()].iter().for_each(|cell| visit(*cell));
         }
     }
 

@@ -76,6 +76,14 @@ impl Passes {
         }
     }
 
+    /// The passes after the first, of which this is known; by Monte Carlo, without histograms.
+    pub(super) fn after_the_first(settings: &Settings, order: Order, summed: Summed) -> Self {
+        let stage = Stage::Sums(summed, Vec::new());
+        let mut passes = Self { order, stage, ..Self::new(settings, Size::AT_ONCE, &[]) };
+        passes.go_on();
+        passes
+    }
+
     /// How many passes there are, where no cell has to be cut again.
     pub(crate) fn usual(method: SamplingMethod) -> usize {
         if method == SamplingMethod::MonteCarlo { 3 } else { 4 }
@@ -154,7 +162,7 @@ impl Passes {
             unsettled @ Stage::Distances(_) => unsettled,
             Stage::Done => Stage::Done,
         };
-        !matches!(self.stage, Stage::Done)
+        !self.are_done()
     }
 
     fn after_quantiles(&mut self) -> Stage {
@@ -190,6 +198,11 @@ impl Passes {
             self.summary = Some(Summary::new(moments, &self.quantiles, &errors));
         }
         Stage::Done
+    }
+
+    /// Whether no pass is wanted any more.
+    pub(crate) fn are_done(&self) -> bool {
+        matches!(self.stage, Stage::Done)
     }
 
     /// `None` where fewer than two samples have an answer, and before the last pass.
