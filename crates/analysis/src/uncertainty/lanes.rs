@@ -362,15 +362,19 @@ impl Block {
     #[inline(always)]
     fn pose(&self, inputs: &[Lanes]) -> Posed {
         let [one, two] = &self.vehicles;
-        let (v1, v2) = (one.lanes(self.axes, inputs), two.lanes(self.axes, inputs));
-        let crush_plane = lateral(self.axes, &self.crush_plane, inputs);
-        let mut crush_energy = [0.0; LANES];
-        one.damage.add_energy(inputs, &v1.mass, &mut crush_energy);
-        two.damage.add_energy(inputs, &v2.mass, &mut crush_energy);
+        // In its place from the beginning: the columns are some kilobytes.
+        let mut posed = Posed {
+            vehicles: [one.lanes(self.axes, inputs), two.lanes(self.axes, inputs)],
+            crush_plane: lateral(self.axes, &self.crush_plane, inputs),
+            crush_energy: [0.0; LANES],
+        };
+        let Posed { vehicles: [v1, v2], crush_energy, .. } = &mut posed;
+        one.damage.add_energy(inputs, &v1.mass, crush_energy);
+        two.damage.add_energy(inputs, &v2.mass, crush_energy);
         if one.face.is_some() | two.face.is_some() {
-            self.refuse_faces(inputs, &mut crush_energy);
+            self.refuse_faces(inputs, crush_energy);
         }
-        Posed { vehicles: [v1, v2], crush_plane, crush_energy }
+        posed
     }
 
     /// How many of these samples of a block have more than one speed that gives their crush energy.

@@ -1,4 +1,4 @@
-use super::{Chunk, Classes, Estimate, Histogram, Passes, Place, Size, Summary, without_nan};
+use super::{Chunk, Classes, Estimate, First, Histogram, Passes, Place, SPAN, Size, Summary, without_nan};
 use crate::points::SamplingMethod;
 use crate::random::{bits, unit};
 use crate::sampler::Settings;
@@ -163,4 +163,25 @@ fn a_histogram_counts_every_sample() {
     assert_eq!(histogram.counts.iter().sum::<usize>(), 99);
     let alike = Summary::of(&[3.0; 9], true, by(SamplingMethod::MonteCarlo)).unwrap();
     assert_eq!(Histogram::of(&[3.0; 9], &alike, Classes::Fine), None);
+}
+
+/// The spans from the last to the first, as threads might do them.
+#[test]
+fn a_first_pass_by_spans_has_the_bits_of_one_over_the_column() {
+    let random = |key: u64| (0..30_000).map(move |index| 1.0 / unit(bits(key, index)));
+    let mut columns: [Vec<f64>; 2] = [random(1).collect(), random(2).collect()];
+    let settings = Settings::new(SamplingMethod::MonteCarlo, 0, 0);
+    let first = First::new(settings.instructions);
+    let spans = columns[0].len().div_ceil(SPAN);
+    let add = |span: usize| {
+        let parts = columns.iter_mut().filter_map(|column| column.chunks_mut(SPAN).nth(span));
+        first.add(&parts.collect::<Vec<_>>())
+    };
+    let mut sums: Vec<Vec<f64>> = (0..spans).rev().map(add).collect();
+    sums.reverse();
+    let begun = first.passes(&settings, columns[0].len(), &sums);
+    assert_eq!(begun.len(), 2);
+    for (column, begun) in columns.iter().zip(begun) {
+        assert_eq!(Summary::of(column, true, begun), Summary::of(column, true, by(settings.method)));
+    }
 }
