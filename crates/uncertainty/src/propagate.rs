@@ -96,7 +96,7 @@ impl Propagation {
 /// Evaluates the model for samples of its inputs.
 ///
 /// Where [`Settings::keep`] leaves no place for all samples, they are drawn and evaluated again in each of
-/// three passes, or four for Latin hypercube and Sobol' points; the results are the same to the bit.
+/// three passes; the results are the same to the bit.
 ///
 /// `progress` receives the number of finished samples and may end the run early; the result then holds the
 /// first samples of the whole run. Where there are several passes, each counts for its share, and only the
@@ -174,8 +174,7 @@ impl<M: Model> Run<'_, M> {
     }
 
     fn in_chunks(&self, progress: &mut Progress<'_>, chunks: &Chunks) -> Propagation {
-        let Settings { samples: requested, method, .. } = *self.settings;
-        let usual = Passes::usual(method);
+        let requested = self.settings.samples;
         let chunk = (chunks.values / self.outputs / SPAN * SPAN).max(SPAN);
         let mut samples = Samples::new(self.outputs, chunk.min(requested));
         let mut all: Vec<_> =
@@ -191,7 +190,7 @@ impl<M: Model> Run<'_, M> {
                 let count = chunk.min(evaluated - begin);
                 let mut tell = |done: usize, _: usize| {
                     let of_all = pass.saturating_mul(evaluated).saturating_add(begin + done);
-                    told = told.max((of_all / usual).min(evaluated));
+                    told = told.max((of_all / Passes::USUAL).min(evaluated));
                     let answer = progress(told, requested);
                     if pass == 0 { answer } else { ControlFlow::Continue(()) }
                 };

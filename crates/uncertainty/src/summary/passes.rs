@@ -85,9 +85,7 @@ impl Passes {
     }
 
     /// How many passes there are, where no cell has to be cut again.
-    pub(crate) fn usual(method: SamplingMethod) -> usize {
-        if method == SamplingMethod::MonteCarlo { 3 } else { 4 }
-    }
+    pub(crate) const USUAL: usize = 3;
 
     /// The samples that follow.
     pub(crate) fn add(&mut self, chunk: Chunk<'_>) {
@@ -130,7 +128,13 @@ impl Passes {
             Stage::Sums(summed, _) if summed.count() < 2 => Stage::Done,
             Stage::Sums(summed, replicates) => {
                 let places = PROBABILITIES.map(|probability| Place::of(probability, summed.count()));
-                self.order.seek(places.iter().flat_map(Place::wanted));
+                let wanted = places.iter().flat_map(Place::wanted);
+                if self.is_replicated {
+                    let near = PROBABILITIES.map(|probability| near(probability, summed.count()));
+                    self.order.seek(wanted.chain(near.into_iter().flatten()));
+                } else {
+                    self.order.seek(wanted);
+                }
                 self.places = Some(Box::new(places));
                 Stage::Powers(summed.spread(), replicates.iter().map(Summed::spread).collect())
             }
@@ -143,22 +147,17 @@ impl Passes {
             Stage::Quantiles => self.after_quantiles(),
             Stage::Below(below) => match &self.moments {
                 Some((moments, replicates)) if replicates.len() == REPLICATES => {
-                    let ends = below.ends(moments.count);
-                    self.order.seek(ends.iter().flatten().flat_map(Place::wanted));
-                    Stage::Distances(Box::new(ends))
+                    let ends = Box::new(below.ends(moments.count));
+                    if self.order.seek(ends.iter().flatten().flat_map(Place::wanted)) {
+                        self.after_distances(&ends)
+                    } else {
+                        Stage::Distances(ends)
+                    }
                 }
                 _ if self.is_replicated => self.done([None; QUANTILES]),
                 _ => Stage::Done,
             },
-            Stage::Distances(ends) if self.order.settle() => {
-                let distance = |[before, after]: &[Place; 2]| {
-                    0.5 * (after.value(&self.order) - before.value(&self.order))
-                };
-                let found = ends.each_ref().map(distance);
-                let count = self.moments.as_ref().map_or(0, |(moments, _)| moments.count);
-                let populated = PROBABILITIES.map(|probability| tail_is_populated(probability, count));
-                self.done(std::array::from_fn(|place| populated[place].then_some(found[place])))
-            }
+            Stage::Distances(ends) if self.order.settle() => self.after_distances(&ends),
             unsettled @ Stage::Distances(_) => unsettled,
             Stage::Done => Stage::Done,
         };
@@ -187,6 +186,15 @@ impl Passes {
         }
     }
 
+    fn after_distances(&mut self, ends: &[[Place; 2]; QUANTILES]) -> Stage {
+        let distance =
+            |[before, after]: &[Place; 2]| 0.5 * (after.value(&self.order) - before.value(&self.order));
+        let found = ends.each_ref().map(distance);
+        let count = self.moments.as_ref().map_or(0, |(moments, _)| moments.count);
+        let populated = PROBABILITIES.map(|probability| tail_is_populated(probability, count));
+        self.done(std::array::from_fn(|place| populated[place].then_some(found[place])))
+    }
+
     /// With the standard errors of the quantiles, the summary is known.
     fn done(&mut self, errors: [Option<f64>; QUANTILES]) -> Stage {
         if let Some((moments, replicates)) = &self.moments {
@@ -213,6 +221,16 @@ impl Passes {
     pub(crate) fn histograms(self) -> Vec<Histogram> {
         self.histograms
     }
+}
+
+/// Places beside a quantile, so far that the ends of its standard error under stratified points lie between
+/// them, and so near that they share its cells or the next ones: what is taken out there need not be sought.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between zero and the count")]
+fn near(probability: f64, count: usize) -> [usize; 4] {
+    let last = (count - 1) as f64;
+    // √(np(1 − p)), that of independent points
+    let deviation = (count as f64 * probability * (1.0 - probability)).sqrt();
+    [-2.0, -1.0, 1.0, 2.0].map(|far: f64| (last * probability + far * deviation).clamp(0.0, last) as usize)
 }
 
 /// How many classes a [`Histogram`] has.
