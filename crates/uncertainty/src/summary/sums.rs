@@ -205,7 +205,7 @@ pub(super) fn add_dealt<S, const N: usize>(
         column = after;
     }
     deal(column, |replicate, own| {
-        sums(&mut replicates[replicate]).add(own, |number, x| f(replicate, number, x))
+        sums(&mut replicates[replicate]).add(own, |number, x| f(replicate, number, x));
     });
 }
 
