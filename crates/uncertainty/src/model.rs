@@ -44,7 +44,8 @@ pub trait Model: Sync {
     }
 
     /// Adds to its counts those of the samples of a block. There are as many as `reasons`, of which all that
-    /// failed have one; the outputs of these are not to be read. It is compiled as [`evaluate`](Self::evaluate) is.
+    /// failed have one; the outputs of these are not to be read. It is compiled as
+    /// [`evaluate`](Self::evaluate) is.
     fn tally(&self, _inputs: &[Lanes], _outputs: &[Lanes], _reasons: &[u8], _tallies: &mut [usize]) {}
 
     /// Evaluates a block: `inputs` and `outputs` hold a column for each input and output. A sample without an

@@ -129,8 +129,8 @@ impl Tails {
         for (lane, share) in lanes.iter().enumerate() {
             in_tail |= u64::from((share - 0.5).abs() > MIDDLE) << lane;
         }
-        // Never beyond the ends: the remainders are only there to say so, since a check of bounds could panic,
-        // and nothing that can is vectorised.
+        // Never beyond the ends: the remainders are only there to say so, since a check of bounds could
+        // panic, and nothing that can is vectorised.
         let mut count = self.count;
         while in_tail != 0 {
             let lane = in_tail.trailing_zeros() as usize;

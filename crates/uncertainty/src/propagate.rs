@@ -150,7 +150,8 @@ struct Run<'a, M> {
 impl<M: Model> Run<'_, M> {
     fn at_once(&self, progress: &mut Progress<'_>) -> Propagation {
         let mut samples = Samples::new(self.outputs, self.settings.samples);
-        // The sums of replicates do not follow from those of spans, nor do sums from which samples are left out.
+        // The sums of replicates do not follow from those of spans, nor do sums from which samples are left
+        // out.
         let is_counted = self.settings.method == SamplingMethod::MonteCarlo
             && u32::try_from(self.settings.samples).is_ok();
         let first = is_counted.then(|| First::new(self.settings.instructions));
@@ -222,8 +223,8 @@ impl<M: Model> Run<'_, M> {
         Propagation { columns, reasons, totals, summaries, histograms, requested }
     }
 
-    /// Evaluates `count` samples from `begin` on, which is the first of a span. Where `first` counts them, there
-    /// are the sums of each span that is complete.
+    /// Evaluates `count` samples from `begin` on, which is the first of a span. Where `first` counts them,
+    /// there are the sums of each span that is complete.
     fn evaluate(
         &self,
         begin: usize,

@@ -76,8 +76,8 @@ impl Order {
         }
     }
 
-    /// Asks for the values at these places, and tells whether all are known. If they are not, it begins a pass
-    /// with [`take`](Self::take).
+    /// Asks for the values at these places, and tells whether all are known. If they are not, it begins a
+    /// pass with [`take`](Self::take).
     pub(super) fn seek(&mut self, wanted: impl Iterator<Item = usize>) -> bool {
         self.places = wanted.collect();
         self.places.sort_unstable();

@@ -21,7 +21,8 @@ impl<const N: usize> Sums<N> {
         Self { count: 0, totals: [0.0; N], rest: Vec::new() }
     }
 
-    /// Adds f(x) of the values that follow, given the number of the sum. It has to be the same f in all calls.
+    /// Adds f(x) of the values that follow, given the number of the sum. It has to be the same f in all
+    /// calls.
     #[inline(always)]
     pub(super) fn add(&mut self, values: &[f64], f: impl Fn(usize, f64) -> f64) {
         self.count += values.len();
@@ -178,8 +179,8 @@ fn power(number: usize, deviation: f64) -> f64 {
     if number == 0 { square } else { square * square }
 }
 
-/// Adds f(x) of a column to the sums of its replicates, without what is NaN. Before the number of the sum, f has
-/// the place of the replicate, or this and a multiple of [`REPLICATES`] below [`ROW`].
+/// Adds f(x) of a column to the sums of its replicates, without what is NaN. Before the number of the sum, f
+/// has the place of the replicate, or this and a multiple of [`REPLICATES`] below [`ROW`].
 ///
 /// As long as none is NaN, the sums of all replicates are made beside each other as the values lie.
 #[inline(always)]
