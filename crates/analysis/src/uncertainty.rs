@@ -302,14 +302,14 @@ impl Uncertainty {
         let mut inputs: Vec<Lanes> = vec![[0.0; LANES]; self.inputs.len()];
         let mut answers: Vec<Lanes> = vec![[0.0; LANES]; outputs.len()];
         let mut reasons = [0; LANES];
-        let evaluated = self.propagation.evaluated();
+        let (evaluated, columns) = (self.propagation.evaluated(), self.propagation.columns());
         for (block, first) in (0..).zip((0..evaluated).step_by(LANES)) {
             let count = LANES.min(evaluated - first);
             if let Some(model) = &model {
                 sampler.evaluate(model, block, &mut inputs, &mut answers, &mut reasons);
             } else {
                 sampler.fill(block, &mut inputs);
-                for (answer, column) in answers.iter_mut().zip(self.propagation.columns()) {
+                for (answer, column) in answers.iter_mut().zip(&columns) {
                     answer[..count].copy_from_slice(&column[first..first + count]);
                 }
                 reasons[..count].copy_from_slice(&self.propagation.reasons()[first..first + count]);
@@ -766,11 +766,28 @@ impl<'a> Sample<'a> {
         Ok(())
     }
 
+    /// How many of these samples of a block have speeds that are not the only ones that agree with their
+    /// crush energy.
+    fn several_speeds(&self, inputs: &[Lanes], lanes: impl Iterator<Item = usize>) -> usize {
+        if let (Goal::Speed, Ok(block)) = (self.goal, &self.block) {
+            let with_errors = self.shared.as_ref().map(|shared| shared.columns(inputs));
+            return block.several_speeds(with_errors.as_deref().unwrap_or(inputs), lanes);
+        }
+        let mut numbers = vec![0.0; inputs.len()];
+        let has_several = |lane: &usize| {
+            for (number, column) in numbers.iter_mut().zip(inputs) {
+                *number = column[*lane];
+            }
+            self.has_several_speeds(&numbers)
+        };
+        lanes.filter(has_several).count()
+    }
+
     /// Whether the speeds of a sample are not the only ones that agree with its crush energy.
     fn has_several_speeds(&self, numbers: &[f64]) -> bool {
         let case = self.case_of(numbers);
         match self.goal {
-            Goal::Speed => at(&case, |problem| Ok(problem.speeds().take(2).count() > 1)).unwrap_or(false),
+            Goal::Speed => at(&case, |problem| Ok(problem.has_several_speeds())).unwrap_or(false),
             Goal::BothSpeeds => {
                 let mut search = self.search;
                 search.several = Some(false);
@@ -864,6 +881,7 @@ impl Model for Sample<'_> {
         self.watched.len()
     }
 
+    #[inline(always)]
     fn tally(&self, inputs: &[Lanes], outputs: &[Lanes], reasons: &[u8], tallies: &mut [usize]) {
         self.watched.tally(inputs, outputs, reasons, tallies);
     }

@@ -629,7 +629,7 @@ fn a_shared_percentage_multiplies_each_of_its_numbers() {
     let result = run(&text, 64);
     let work = place(&result, Output::NormalWork);
     let central = result.outputs[work].central;
-    for (factor, sampled) in first_block(&result)[0].iter().zip(&result.propagation.columns()[work]) {
+    for (factor, sampled) in first_block(&result)[0].iter().zip(result.propagation.columns()[work]) {
         assert!((sampled / (central * factor * factor) - 1.0).abs() < 1e-9);
     }
 }
@@ -735,7 +735,7 @@ fn samples_that_are_not_kept_are_computed_again() {
             let answered = (0..5000).filter(|sample| expected[*sample].0 == 0);
             for sample in answered {
                 let outputs = &expected[sample].1[kept.inputs.len()..];
-                assert!(outputs.iter().zip(columns).all(|(bits, column)| column[sample].to_bits() == *bits));
+                assert!(outputs.iter().zip(&columns).all(|(bits, column)| column[sample].to_bits() == *bits));
             }
         }
     }

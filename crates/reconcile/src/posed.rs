@@ -34,14 +34,28 @@ impl<'a> Posed<'a> {
         let (closed, searched) = if self.problem.has_closed_form() {
             (Some(self.approaches()), None)
         } else {
-            (None, Some(self.roots::<()>().filter_map(Result::ok).map(|root| root.x)))
+            (None, Some(self.searched()))
         };
-        closed
-            .into_iter()
-            .flatten()
-            .chain(searched.into_iter().flatten())
-            .map(move |x| self.line.speed(x))
-            .filter(move |&speed| !is_too_fast(speed) && self.problem.impact(speed).is_ok())
+        self.admissible(closed.into_iter().flatten().chain(searched.into_iter().flatten()))
+    }
+
+    /// Whether there is more than one of these: a search, which is large, is not moved where there is none.
+    fn has_several_speeds(self) -> bool {
+        if self.problem.has_closed_form() {
+            self.admissible(self.approaches().into_iter()).nth(1).is_some()
+        } else {
+            self.admissible(self.searched()).nth(1).is_some()
+        }
+    }
+
+    fn searched(self) -> impl Iterator<Item = f64> + use<'a> {
+        self.roots::<()>().filter_map(Result::ok).map(|root| root.x)
+    }
+
+    /// The speeds at those of the approach speeds that are admissible.
+    fn admissible<I: Iterator<Item = f64>>(self, approaches: I) -> impl Iterator<Item = f64> + use<'a, I> {
+        let speeds = approaches.map(move |x| self.line.speed(x));
+        speeds.filter(move |&speed| !is_too_fast(speed) && self.problem.impact(speed).is_ok())
     }
 }
 
@@ -112,5 +126,11 @@ impl Problem {
     /// [`check`](Self::check) refuses the problem. The first is that of [`solve`](Self::solve).
     pub fn speeds(&self) -> impl Iterator<Item = f64> {
         self.posed().into_iter().flat_map(Posed::speeds)
+    }
+
+    /// Whether [`speeds`](Self::speeds) has more than one, in less time.
+    #[must_use]
+    pub fn has_several_speeds(&self) -> bool {
+        self.posed().is_ok_and(Posed::has_several_speeds)
     }
 }

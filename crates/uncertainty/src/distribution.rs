@@ -4,7 +4,8 @@ use real::elementary::exp;
 
 use crate::error::InvalidDistribution;
 use crate::model::{LANES, Lanes};
-use crate::normal;
+use crate::normal::{self, Tails};
+use crate::points::independent;
 use crate::random::{bits, key, unit};
 
 /// The least share of a normal distribution that its bounds may leave.
@@ -267,42 +268,45 @@ impl Distribution {
         }
     }
 
-    /// Independent shares in (0, 1) become independent values: as [`transform`](Self::transform), but for
-    /// normal and log-normal distributions, of which [`normal::box_muller`] makes the numbers.
+    /// Independent values from a random sequence, from the sample `first` on: its shares as
+    /// [`transform`](Self::transform) turns them into values, but for normal and log-normal distributions, of
+    /// which [`normal::box_muller`] makes the numbers.
     #[inline(always)]
-    pub(crate) fn draw(&self, lanes: &mut Lanes) {
-        if let Transform::LogNormal { median, scale } = self.transform {
-            normal::box_muller(lanes);
-            for lane in lanes {
-                *lane = median * exp(scale * *lane);
+    pub(crate) fn draw(&self, key: u64, first: u64, lanes: &mut Lanes) {
+        match self.transform {
+            Transform::Normal { centre, scale, low, high, .. } => {
+                let mut is_cut = false;
+                draw_normal(key, first, lanes, |z| {
+                    // x = μ + σ·z
+                    let x = centre + scale * z;
+                    is_cut |= (x < low) | (x > high);
+                    x
+                });
+                if is_cut {
+                    self.draw_again(key, first, lanes);
+                }
             }
-            return;
-        }
-        let Transform::Normal { centre, scale, low, high, .. } = self.transform else {
-            return self.transform(lanes);
-        };
-        let shares = *lanes;
-        normal::box_muller(lanes);
-        let mut is_cut = false;
-        for lane in lanes.iter_mut() {
-            // x = μ + σ·z
-            *lane = centre + scale * *lane;
-            is_cut |= (*lane < low) | (*lane > high);
-        }
-        if is_cut {
-            self.draw_again(&shares, lanes);
+            Transform::LogNormal { median, scale } => {
+                draw_normal(key, first, lanes, |z| median * exp(scale * z));
+            }
+            Transform::Uniform { .. } | Transform::Triangular { .. } => {
+                independent(key, first, lanes);
+                self.transform(lanes);
+            }
         }
     }
 
     /// Redraws the values that lie beyond a bound.
     #[cold]
     #[inline(never)]
-    fn draw_again(&self, shares: &Lanes, lanes: &mut Lanes) {
+    fn draw_again(&self, sequence: u64, first: u64, lanes: &mut Lanes) {
         let Some(Truncation { low, high, .. }) = self.truncation else { return };
+        let mut shares = [0.0; LANES];
+        independent(sequence, first, &mut shares);
         for (index, lane) in lanes.iter_mut().enumerate() {
             if *lane < low || *lane > high {
                 // A share that has nothing to do with the two that led out of the bounds.
-                let pair = [shares[index % (LANES / 2)], shares[index % (LANES / 2) + LANES / 2]];
+                let pair = [shares[index % HALF], shares[index % HALF + HALF]];
                 *lane = self.quantile(unit(bits(key(pair[0].to_bits(), &[pair[1].to_bits()]), index as u64)));
             }
         }
@@ -311,24 +315,64 @@ impl Distribution {
     /// Turns shares in (0, 1) into values. A lane gets the same bits as a single call.
     #[inline(always)]
     pub(crate) fn transform<const N: usize>(&self, lanes: &mut [f64; N]) {
+        if self.prepare(lanes) {
+            normal::quantiles(lanes);
+        }
+        self.finish(lanes);
+    }
+
+    /// The same for a column of each input, as many times over as there are columns.
+    #[inline(always)]
+    pub(crate) fn transform_all(inputs: &[Self], columns: &mut [Lanes]) {
+        let mut tails = Tails::new();
+        for (index, input) in (0..columns.len()).zip(inputs.iter().cycle()) {
+            if let Some(column) = columns.get_mut(index)
+                && input.prepare(column)
+            {
+                tails.gather(column, index * LANES);
+            }
+            if tails.are_many() {
+                tails.settle(columns.as_flattened_mut());
+            }
+        }
+        tails.settle(columns.as_flattened_mut());
+        for (column, input) in columns.iter_mut().zip(inputs.iter().cycle()) {
+            input.finish(column);
+        }
+    }
+
+    /// Shares become those of the standard normal distribution, of which [`finish`](Self::finish) expects the
+    /// quantiles; `false` where it expects the shares as they are.
+    #[inline(always)]
+    fn prepare<const N: usize>(&self, lanes: &mut [f64; N]) -> bool {
         match self.transform {
-            Transform::Normal { centre, scale, start, span, mirrored, low, high } => {
-                // x = μ ± σ·Φ⁻¹(Φ(α) + u·(Φ(β) − Φ(α)))
-                for lane in lanes.iter_mut() {
+            Transform::Normal { start, span, mirrored, .. } => {
+                // Φ(α) + u·(Φ(β) − Φ(α))
+                for lane in lanes {
                     let u = if mirrored { 1.0 - *lane } else { *lane };
                     *lane = start + span * u;
                 }
-                normal::quantiles(lanes);
+                true
+            }
+            Transform::LogNormal { .. } => true,
+            Transform::Uniform { .. } | Transform::Triangular { .. } => false,
+        }
+    }
+
+    #[inline(always)]
+    fn finish<const N: usize>(&self, lanes: &mut [f64; N]) {
+        match self.transform {
+            Transform::Normal { centre, scale, low, high, .. } => {
                 for lane in lanes {
+                    // x = μ ± σ·Φ⁻¹(Φ(α) + u·(Φ(β) − Φ(α)))
                     let x = centre + scale * *lane;
                     let x = if x < low { low } else { x };
                     *lane = if x > high { high } else { x };
                 }
             }
             Transform::LogNormal { median, scale } => {
-                // x = m exp(s Φ⁻¹(u))
-                normal::quantiles(lanes);
                 for lane in lanes {
+                    // x = m exp(s Φ⁻¹(u))
                     *lane = median * exp(scale * *lane);
                 }
             }
@@ -349,6 +393,19 @@ impl Distribution {
                 }
             }
         }
+    }
+}
+
+const HALF: usize = LANES / 2;
+
+/// What `value` makes of independent standard normal numbers, in one loop from the random bits on.
+#[inline(always)]
+fn draw_normal(key: u64, first: u64, lanes: &mut Lanes, mut value: impl FnMut(f64) -> f64) {
+    let (firsts, seconds) = lanes.split_at_mut(HALF);
+    for (index, (one, other)) in (first..).zip(firsts.iter_mut().zip(seconds)) {
+        let shares = [index, index + HALF as u64].map(|index| unit(bits(key, index)));
+        let (z1, z2) = normal::normal_pair(shares[0], shares[1]);
+        (*one, *other) = (value(z1), value(z2));
     }
 }
 

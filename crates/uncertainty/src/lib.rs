@@ -72,6 +72,7 @@
 //! [`sensitivity`]. Quantities have no units here, and inputs no names; files, histograms and texts are left
 //! to other crates.
 
+mod columns;
 mod distribution;
 mod error;
 mod first_order;

@@ -44,7 +44,8 @@ pub trait Model: Sync {
     }
 
     /// Adds to its counts those of the samples of a block. There are as many as `reasons`, of which all that
-    /// failed have one; the outputs of these are not to be read.
+    /// failed have one; the outputs of these are not to be read. It is compiled as
+    /// [`evaluate`](Self::evaluate) is.
     fn tally(&self, _inputs: &[Lanes], _outputs: &[Lanes], _reasons: &[u8], _tallies: &mut [usize]) {}
 
     /// Evaluates a block: `inputs` and `outputs` hold a column for each input and output. A sample without an
@@ -117,6 +118,18 @@ fn evaluate_with<M: Model>(model: &M, inputs: &[Lanes], outputs: &mut [Lanes], r
             *reason = if failed { NOT_FINITE } else { *reason };
         }
     }
+}
+
+/// Adds to the counts of the model those of a block.
+#[inline(never)]
+pub(crate) fn tally<M: Model>(
+    instructions: Instructions,
+    model: &M,
+    [inputs, outputs]: [&[Lanes]; 2],
+    reasons: &[u8],
+    tallies: &mut [usize],
+) {
+    dispatch!(instructions.level(), _simd => model.tally(inputs, outputs, reasons, tallies));
 }
 
 /// Counts the reasons of samples that failed.

@@ -85,38 +85,90 @@ const F: [f64; 8] = [
 /// root and division. Each loop is free of branches and so vectorised.
 #[inline(always)]
 pub fn quantiles<const N: usize>(lanes: &mut [f64; N]) {
-    const GROUP: usize = 16;
-    let shares = *lanes;
-    for lane in lanes.iter_mut() {
-        *lane = middle(*lane);
+    let mut tails = Tails::new();
+    tails.gather(lanes, 0);
+    tails.settle(lanes);
+}
+
+/// Shares in the tails, gathered from several columns, so that the vectors of their loop are full.
+pub(crate) struct Tails {
+    shares: [f64; ROOM],
+    /// Where they come from.
+    places: [usize; ROOM],
+    count: usize,
+}
+
+/// Room for those of a column beside as many that wait.
+const ROOM: usize = 2 * LANES;
+
+/// Shares in the tails that are done in one loop.
+const GROUP: usize = 16;
+
+/// A share in a tail, where none is left for a lane.
+const ANY: f64 = 0.05;
+
+impl Tails {
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        Self { shares: [ANY; ROOM], places: [0; ROOM], count: 0 }
     }
 
-    // A bit for each lane in a tail, so that only these are gone through.
-    const { assert!(N <= 64) };
-    let mut in_tail = 0_u64;
-    for (lane, share) in shares.iter().enumerate() {
-        in_tail |= u64::from((share - 0.5).abs() > MIDDLE) << lane;
+    /// Whether there may be no room for those of another column.
+    #[inline(always)]
+    pub(crate) fn are_many(&self) -> bool {
+        self.count > ROOM - LANES
     }
-    // Never more than N: the remainders are only there to say so, since a check of bounds could panic, and
-    // nothing that can is vectorised.
-    let mut tails = [0; N];
-    let mut count = 0;
-    while in_tail != 0 {
-        tails[count % N] = in_tail.trailing_zeros() as usize;
-        in_tail &= in_tail - 1;
-        count += 1;
+
+    /// The shares of a column become quantiles, but for those in a tail, which wait; the column begins at the
+    /// place `first` of what they are [settled](Self::settle) in.
+    #[inline(always)]
+    pub(crate) fn gather<const N: usize>(&mut self, lanes: &mut [f64; N], first: usize) {
+        const { assert!(N <= LANES && LANES <= 64) };
+        // A bit for each lane in a tail, so that only these are gone through.
+        let mut in_tail = 0_u64;
+        for (lane, share) in lanes.iter().enumerate() {
+            in_tail |= u64::from((share - 0.5).abs() > MIDDLE) << lane;
+        }
+        // Never beyond the ends: the remainders are only there to say so, since a check of bounds could
+        // panic, and nothing that can is vectorised.
+        let mut count = self.count;
+        while in_tail != 0 {
+            let lane = in_tail.trailing_zeros() as usize;
+            self.shares[count % ROOM] = lanes[lane % N];
+            self.places[count % ROOM] = first + lane;
+            in_tail &= in_tail - 1;
+            count += 1;
+        }
+        self.count = count;
+        for lane in lanes {
+            *lane = middle(*lane);
+        }
     }
-    for group in tails[..count.min(N)].chunks(GROUP) {
-        let mut values = [0.0; GROUP];
-        for (value, lane) in values.iter_mut().zip(group) {
-            *value = shares[lane % N];
+
+    /// Puts the quantiles of those that wait into their places.
+    #[inline(always)]
+    pub(crate) fn settle(&mut self, values: &mut [f64]) {
+        let count = self.count.min(ROOM);
+        let (groups, _) = self.shares.as_chunks_mut::<GROUP>();
+        for (group, places) in groups.iter_mut().zip(self.places[..count].chunks(GROUP)) {
+            let mut is_far = false;
+            let mut quantiles = [0.0; GROUP];
+            for (quantile, share) in quantiles.iter_mut().zip(group.iter()) {
+                let (z, is_beyond) = tail(*share);
+                *quantile = z;
+                is_far |= is_beyond;
+            }
+            if is_far {
+                far_tails(group, &mut quantiles);
+            }
+            for (quantile, place) in quantiles.iter().zip(places) {
+                if let Some(value) = values.get_mut(*place) {
+                    *value = *quantile;
+                }
+            }
+            *group = [ANY; GROUP];
         }
-        for value in &mut values {
-            *value = tail(*value);
-        }
-        for (value, lane) in values.iter().zip(group) {
-            lanes[lane % N] = *value;
-        }
+        self.count = 0;
     }
 }
 
@@ -134,26 +186,38 @@ fn middle(p: f64) -> f64 {
     q * (numerator / denominator)
 }
 
-/// z for |p − ½| > [`MIDDLE`].
+/// r = √(−ln p) up to which AS 241 uses its second fraction.
+const FAR: f64 = 5.0;
+
+/// r = √(−ln p) of the share p beyond a quantile.
 #[inline(always)]
-fn tail(p: f64) -> f64 {
-    let q = p - 0.5;
-    let share = if q < 0.0 { p } else { 1.0 - p };
-    // r = √(−ln p)
-    let r = (-ln(share)).sqrt();
-    // |z| = C(r − 1.6)/D(r − 1.6), from r = 5 on E(r − 5)/F(r − 5)
-    let far = r > 5.0;
-    let x = if far { r - 5.0 } else { r - 1.6 };
-    let choose = |near: f64, out: f64| if far { out } else { near };
-    let mut numerator = choose(C[7], E[7]);
-    let mut denominator = choose(D[7], F[7]);
-    for power in (0..7).rev() {
-        numerator = numerator * x + choose(C[power], E[power]);
-        denominator = denominator * x + choose(D[power], F[power]);
+fn root_of_tail(p: f64) -> f64 {
+    let share = if p < 0.5 { p } else { 1.0 - p };
+    (-ln(share)).sqrt()
+}
+
+/// z for |p − ½| > [`MIDDLE`], and whether it lies so far out that it is wrong.
+#[inline(always)]
+fn tail(p: f64) -> (f64, bool) {
+    let r = root_of_tail(p);
+    // |z| = C(r − 1.6)/D(r − 1.6)
+    let x = r - 1.6;
+    ((polynomial(&C, x) / polynomial(&D, x)).copysign(p - 0.5), r > FAR)
+}
+
+/// Puts those right that lie far out: one of 3·10¹⁰.
+#[cold]
+#[inline(never)]
+fn far_tails(shares: &[f64; GROUP], quantiles: &mut [f64; GROUP]) {
+    for (quantile, &p) in quantiles.iter_mut().zip(shares) {
+        let r = root_of_tail(p);
+        if r > FAR {
+            // |z| = E(r − 5)/F(r − 5), which is ∞/∞ where no share is left.
+            let x = r - 5.0;
+            let z = if r.is_finite() { polynomial(&E, x) / polynomial(&F, x) } else { f64::INFINITY };
+            *quantile = z.copysign(p - 0.5);
+        }
     }
-    let z = (numerator / denominator).copysign(q);
-    // There the fraction is ∞/∞.
-    if share == 0.0 { f64::INFINITY.copysign(q) } else { z }
 }
 
 /// c₀ + c₁x + … + c₇x⁷
@@ -172,12 +236,17 @@ fn polynomial(coefficients: &[f64; 8], x: f64) -> f64 {
 pub fn box_muller(lanes: &mut Lanes) {
     let (radii, turns) = lanes.split_at_mut(LANES / 2);
     for (first, second) in radii.iter_mut().zip(turns) {
-        // z₁ = √(−2 ln u₁) cos 2πu₂,  z₂ = √(−2 ln u₁) sin 2πu₂
-        let radius = (-2.0 * ln_of_share(*first)).sqrt();
-        let (sin, cos) = sin_cos_of_turn(*second);
-        *first = radius * cos;
-        *second = radius * sin;
+        (*first, *second) = normal_pair(*first, *second);
     }
+}
+
+/// Two independent shares become two independent standard normal numbers.
+#[inline(always)]
+pub(crate) fn normal_pair(first: f64, second: f64) -> (f64, f64) {
+    // z₁ = √(−2 ln u₁) cos 2πu₂,  z₂ = √(−2 ln u₁) sin 2πu₂
+    let radius = (-2.0 * ln_of_share(first)).sqrt();
+    let (sin, cos) = sin_cos_of_turn(second);
+    (radius * cos, radius * sin)
 }
 
 // The functions of `real` are good to the last digit everywhere. A random number needs neither, and these

@@ -107,10 +107,13 @@ impl Points {
         Ok(Self { inputs })
     }
 
-    /// Whether any point is independent of all others.
+    /// The random sequence of each input, where any point is independent of all others.
     #[inline(always)]
-    pub(crate) fn are_independent(&self) -> bool {
-        matches!(self.inputs, Inputs::MonteCarlo(_))
+    pub(crate) fn sequences(&self) -> Option<&[u64]> {
+        match &self.inputs {
+            Inputs::MonteCarlo(keys) => Some(keys),
+            Inputs::LatinHypercube(..) | Inputs::Sobol(_) => None,
+        }
     }
 
     /// The shares of a block of samples, a column for each input. Lanes beyond the last sample hold some
@@ -121,9 +124,7 @@ impl Points {
         match &self.inputs {
             Inputs::MonteCarlo(keys) => {
                 for (&key, column) in keys.iter().zip(columns) {
-                    for (lane, share) in (0..).zip(column) {
-                        *share = unit(bits(key, first + lane));
-                    }
+                    independent(key, first, column);
                 }
             }
             Inputs::LatinHypercube(counts, inputs) => {
@@ -137,6 +138,14 @@ impl Points {
                 }
             }
         }
+    }
+}
+
+/// Shares of a random sequence, from the sample `first` on.
+#[inline(always)]
+pub(crate) fn independent(key: u64, first: u64, shares: &mut Lanes) {
+    for (lane, share) in (0..).zip(shares) {
+        *share = unit(bits(key, first + lane));
     }
 }
 
@@ -230,8 +239,10 @@ impl Strata {
                 strata[lane] = if strata[lane] >= of.counts[lane] { next[lane] } else { strata[lane] };
             }
         }
+        // Read once: in the loop it would be gathered for each lane, as those beyond the last do not read it.
+        let places = self.places;
         for lane in 0..LANES {
-            let place = f64::from((bits(self.places, first + lane as u64) >> (64 - PLACE_BITS)) as u32);
+            let place = f64::from((bits(places, first + lane as u64) >> (64 - PLACE_BITS)) as u32);
             let count = of.counts[lane];
             // u = (π(i) + (k + ½)·2⁻²⁰)/n
             let inside = (f64::from(strata[lane]) + (place + 0.5) / PLACES) / f64::from(count);

@@ -2,20 +2,19 @@
 
 use std::ops::ControlFlow;
 
+use crate::columns::Columns;
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
-use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures};
-use crate::run::{Progress, Span, for_each, in_order};
+use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures, tally};
+use crate::points::SamplingMethod;
+use crate::run::{Progress, Span, in_order};
 use crate::sampler::{Sampler, Settings};
-use crate::summary::{Chunk, Classes, Histogram, Passes, Size, Summary, without_nan};
-
-/// Samples that one thread takes at a time.
-const SPAN: usize = 64 * LANES;
+use crate::summary::{Chunk, Classes, First, Histogram, Passes, SPAN, Size, Summary, without_nan};
 
 /// The result of a propagation.
 #[derive(Clone, Debug)]
 pub struct Propagation {
-    columns: Vec<Vec<f64>>,
+    columns: Columns,
     reasons: Vec<u8>,
     totals: Totals,
     summaries: Vec<Option<Summary>>,
@@ -71,8 +70,8 @@ impl Propagation {
     /// The samples of each output that is [summarised](Model::summarised), NaN where the sample failed: those
     /// that are kept.
     #[must_use]
-    pub fn columns(&self) -> &[Vec<f64>] {
-        &self.columns
+    pub fn columns(&self) -> Vec<&[f64]> {
+        self.columns.iter().collect()
     }
 
     /// Statistics of each output that is [summarised](Model::summarised); `None` where fewer than two samples
@@ -97,7 +96,7 @@ impl Propagation {
 /// Evaluates the model for samples of its inputs.
 ///
 /// Where [`Settings::keep`] leaves no place for all samples, they are drawn and evaluated again in each of
-/// three passes, or four for Latin hypercube and Sobol' points; the results are the same to the bit.
+/// three passes; the results are the same to the bit.
 ///
 /// `progress` receives the number of finished samples and may end the run early; the result then holds the
 /// first samples of the whole run. Where there are several passes, each counts for its share, and only the
@@ -151,19 +150,32 @@ struct Run<'a, M> {
 impl<M: Model> Run<'_, M> {
     fn at_once(&self, progress: &mut Progress<'_>) -> Propagation {
         let mut samples = Samples::new(self.outputs, self.settings.samples);
-        let totals = self.evaluate(0, &mut samples, self.settings.samples, progress);
+        // The sums of replicates do not follow from those of spans, nor do sums from which samples are left
+        // out.
+        let is_counted = self.settings.method == SamplingMethod::MonteCarlo
+            && u32::try_from(self.settings.samples).is_ok();
+        let first = is_counted.then(|| First::new(self.settings.instructions));
+        let (totals, sums) = self.evaluate(0, &mut samples, self.settings.samples, first.as_ref(), progress);
         samples.truncate(totals.samples);
         let is_complete = totals.failures.is_empty();
-        let of = |column: &Vec<f64>| Summary::of(column, is_complete, self.settings);
-        let summaries = for_each(&samples.columns, of);
+        let mut begun = match first {
+            Some(first) if is_complete => first.passes(self.settings, totals.samples, &sums),
+            _ => Vec::new(),
+        }
+        .into_iter();
+        let spans = samples.columns.iter().map(|column| {
+            let passes = begun.next().unwrap_or_else(|| Passes::new(self.settings, Size::AT_ONCE, &[]));
+            Span { samples: 0, work: (column, passes) }
+        });
+        let of = |(column, passes): (&[f64], Passes)| Summary::of(column, is_complete, passes);
+        let summaries = in_order(spans.collect(), of, &mut |_, _| ControlFlow::Continue(()));
         let Samples { columns, reasons } = samples;
         let requested = self.settings.samples;
         Propagation { columns, reasons, totals, summaries, histograms: Vec::new(), requested }
     }
 
     fn in_chunks(&self, progress: &mut Progress<'_>, chunks: &Chunks) -> Propagation {
-        let Settings { samples: requested, method, .. } = *self.settings;
-        let usual = Passes::usual(method);
+        let requested = self.settings.samples;
         let chunk = (chunks.values / self.outputs / SPAN * SPAN).max(SPAN);
         let mut samples = Samples::new(self.outputs, chunk.min(requested));
         let mut all: Vec<_> =
@@ -179,11 +191,11 @@ impl<M: Model> Run<'_, M> {
                 let count = chunk.min(evaluated - begin);
                 let mut tell = |done: usize, _: usize| {
                     let of_all = pass.saturating_mul(evaluated).saturating_add(begin + done);
-                    told = told.max((of_all / usual).min(evaluated));
+                    told = told.max((of_all / Passes::USUAL).min(evaluated));
                     let answer = progress(told, requested);
                     if pass == 0 { answer } else { ControlFlow::Continue(()) }
                 };
-                let done = self.evaluate(begin, &mut samples, count, &mut tell);
+                let (done, _) = self.evaluate(begin, &mut samples, count, None, &mut tell);
                 samples.pass_on(&mut all, &done);
                 let is_ended = done.samples < count;
                 begin += done.samples;
@@ -211,14 +223,16 @@ impl<M: Model> Run<'_, M> {
         Propagation { columns, reasons, totals, summaries, histograms, requested }
     }
 
-    /// Evaluates `count` samples from `begin` on, which is the first of a span.
+    /// Evaluates `count` samples from `begin` on, which is the first of a span. Where `first` counts them,
+    /// there are the sums of each span that is complete.
     fn evaluate(
         &self,
         begin: usize,
         samples: &mut Samples,
         count: usize,
+        first: Option<&First>,
         progress: &mut Progress<'_>,
-    ) -> Totals {
+    ) -> (Totals, Vec<Vec<f64>>) {
         let Samples { columns, reasons } = samples;
         let mut slices: Vec<_> = columns.iter_mut().map(|column| column[..count].chunks_mut(SPAN)).collect();
         let spans = (begin / SPAN..)
@@ -228,37 +242,40 @@ impl<M: Model> Run<'_, M> {
                 Span { samples: reasons.len(), work: Part { index: index as u64, outputs, reasons } }
             })
             .collect();
-        let work = |part: Part<'_>| part.evaluate(self.model, &self.sampler);
+        let work = |part: Part<'_>| part.evaluate(self.model, &self.sampler, first);
         let mut totals = Totals { tallies: vec![0; self.model.tallies()], ..Totals::default() };
-        for part in in_order(spans, work, progress) {
+        let mut all_sums = Vec::new();
+        for (part, sums) in in_order(spans, work, progress) {
             totals.add(part);
+            all_sums.push(sums);
         }
-        totals
+        (totals, all_sums)
     }
 }
 
 /// The samples of all outputs that are summarised.
 struct Samples {
-    columns: Vec<Vec<f64>>,
+    columns: Columns,
     reasons: Vec<u8>,
 }
 
 impl Samples {
     fn new(outputs: usize, samples: usize) -> Self {
-        let columns = (0..outputs).map(|_| vec![0.0; samples]).collect();
-        Self { columns, reasons: vec![SUCCEEDED; samples] }
+        Self { columns: Columns::new(outputs, samples), reasons: vec![SUCCEEDED; samples] }
     }
 
     fn truncate(&mut self, samples: usize) {
-        for column in &mut self.columns {
-            column.truncate(samples);
-        }
+        self.columns.truncate(samples);
         self.reasons.truncate(samples);
     }
 
     fn first(&self, samples: usize) -> Self {
-        let columns = self.columns.iter().map(|column| column[..samples].to_vec()).collect();
-        Self { columns, reasons: self.reasons[..samples].to_vec() }
+        let mut first = Self::new(self.columns.iter().count(), samples);
+        for (own, column) in first.columns.iter_mut().zip(self.columns.iter()) {
+            own.copy_from_slice(&column[..samples]);
+        }
+        first.reasons.copy_from_slice(&self.reasons[..samples]);
+        first
     }
 
     /// To the passes of each output.
@@ -266,7 +283,7 @@ impl Samples {
         let is_complete = done.failures.is_empty();
         let columns = self.columns.iter().zip(all);
         let spans = columns.map(|work| Span { samples: 0, work }).collect();
-        let add = |(column, passes): (&Vec<f64>, &mut Passes)| {
+        let add = |(column, passes): (&[f64], &mut Passes)| {
             let all = &column[..done.samples];
             if is_complete {
                 passes.add(Chunk { all, answered: all });
@@ -307,7 +324,12 @@ impl Totals {
 }
 
 impl Part<'_> {
-    fn evaluate<M: Model>(self, model: &M, sampler: &Sampler<'_>) -> Totals {
+    fn evaluate<M: Model>(
+        self,
+        model: &M,
+        sampler: &Sampler<'_>,
+        first: Option<&First>,
+    ) -> (Totals, Vec<f64>) {
         let Self { index, mut outputs, reasons: codes } = self;
         let mut columns: Vec<Lanes> = vec![[0.0; LANES]; sampler.inputs()];
         let mut answers: Vec<Lanes> = vec![[0.0; LANES]; model.outputs()];
@@ -329,9 +351,11 @@ impl Part<'_> {
             }
             codes.copy_from_slice(&reasons[..codes.len()]);
             count_failures(&mut failures, codes);
-            model.tally(&columns, &answers, codes, &mut tallies);
+            tally(sampler.instructions(), model, [&columns, &answers], codes, &mut tallies);
         }
-        Totals { samples: codes.len(), failures, tallies }
+        let first = first.filter(|_| failures.is_empty());
+        let sums = first.map_or_else(Vec::new, |first| first.add(&outputs));
+        (Totals { samples: codes.len(), failures, tallies }, sums)
     }
 }
 

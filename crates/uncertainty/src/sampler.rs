@@ -58,6 +58,10 @@ impl<'a> Sampler<'a> {
         self.inputs.len()
     }
 
+    pub(crate) fn instructions(&self) -> Instructions {
+        self.instructions
+    }
+
     /// Inputs of the samples `block`·[`crate::LANES`] and following, a column for each input. Lanes beyond
     /// the last sample hold some value or other.
     pub fn fill(&self, block: u64, columns: &mut [Lanes]) {
@@ -91,12 +95,12 @@ pub(crate) fn fill(
 
 #[inline(always)]
 fn fill_with(points: &Points, inputs: &[Distribution], block: u64, columns: &mut [Lanes]) {
-    points.fill(block, columns);
-    for (column, input) in columns.iter_mut().zip(inputs.iter().cycle()) {
-        if points.are_independent() {
-            input.draw(column);
-        } else {
-            input.transform(column);
-        }
+    let Some(keys) = points.sequences() else {
+        points.fill(block, columns);
+        return Distribution::transform_all(inputs, columns);
+    };
+    let first = block * LANES as u64;
+    for ((column, input), &key) in columns.iter_mut().zip(inputs.iter().cycle()).zip(keys) {
+        input.draw(key, first, column);
     }
 }

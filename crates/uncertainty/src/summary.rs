@@ -6,16 +6,18 @@
 //! quantiles are their type 7, as in NumPy. M. G. Kendall and A. Stuart, *The Advanced Theory of Statistics*,
 //! volume 1, sections 10.5 and 14: standard errors of moments; order statistics.
 
+mod first;
 mod order;
 mod passes;
 mod sums;
 
 use crate::limits::REPLICATES;
 use crate::model::LANES;
-use crate::sampler::Settings;
 use order::Order;
 use sums::Moments;
+pub(crate) use sums::SPAN;
 
+pub(crate) use first::First;
 pub(crate) use passes::{Chunk, Passes, Size};
 pub use passes::{Classes, Histogram};
 
@@ -79,7 +81,7 @@ const QUANTILES: usize = 1 + 2 * LEVELS.len();
 impl Summary {
     /// Of a column in which NaN stands for samples that failed; `None` where fewer than two succeeded.
     /// `is_complete` tells that there are none.
-    pub(crate) fn of(column: &[f64], is_complete: bool, settings: &Settings) -> Option<Self> {
+    pub(crate) fn of(column: &[f64], is_complete: bool, mut passes: Passes) -> Option<Self> {
         let succeeded;
         let answered = if is_complete {
             column
@@ -87,13 +89,11 @@ impl Summary {
             succeeded = without_nan(column);
             &succeeded
         };
-        let mut passes = Passes::new(settings, Size::AT_ONCE, &[]);
-        loop {
+        while !passes.are_done() {
             passes.add(Chunk { all: column, answered });
-            if !passes.go_on() {
-                return passes.summary();
-            }
+            passes.go_on();
         }
+        passes.summary()
     }
 
     fn new(moments: &Moments, quantiles: &[f64; QUANTILES], errors: &Errors) -> Self {
@@ -222,18 +222,28 @@ impl Below {
     /// Samples that follow, from the first replicate on. NaN is in none.
     #[inline(always)]
     fn add(&mut self, column: &[f64]) {
-        /// Few enough to stay in the nearest cache.
-        const PART: usize = 32 * LANES;
-        let add = |totals: &mut [u64; REPLICATES], more: [u64; REPLICATES]| {
-            for (total, more) in totals.iter_mut().zip(more) {
-                *total += more;
+        let mut counts = [0; LANES];
+        let mut twice = [[0; LANES]; QUANTILES];
+        let (blocks, rest) = column.as_chunks::<LANES>();
+        // All quantiles of a block before the next one: a sum that was just written is not ready yet.
+        for block in blocks {
+            count(&mut counts, block, |value| u64::from(!value.is_nan()));
+            for (&quantile, twice) in self.quantiles.iter().zip(&mut twice) {
+                count(twice, block, |value| u64::from(value < quantile) + u64::from(value <= quantile));
+            }
+        }
+        count(&mut counts, rest, |value| u64::from(!value.is_nan()));
+        for (&quantile, twice) in self.quantiles.iter().zip(&mut twice) {
+            count(twice, rest, |value| u64::from(value < quantile) + u64::from(value <= quantile));
+        }
+        let add = |totals: &mut [u64; REPLICATES], more: &Counts| {
+            for (replicate, total) in totals.iter_mut().enumerate() {
+                *total += more.iter().skip(replicate).step_by(REPLICATES).sum::<u64>();
             }
         };
-        for part in column.chunks(PART) {
-            add(&mut self.counts, counted(part, |value| u64::from(!value.is_nan())));
-            for (&quantile, twice) in self.quantiles.iter().zip(&mut self.twice) {
-                add(twice, counted(part, |value| u64::from(value < quantile) + u64::from(value <= quantile)));
-            }
+        add(&mut self.counts, &counts);
+        for (totals, more) in self.twice.iter_mut().zip(&twice) {
+            add(totals, more);
         }
     }
 
@@ -264,22 +274,15 @@ impl Below {
     }
 }
 
-/// Σ f(x) of each replicate. The values begin with the first one.
-///
-/// By lanes, of which each replicate has several: the loop over them is vectorised as it stands.
+/// A count for each lane, of which each replicate has several: the loop over them is vectorised as it stands.
+type Counts = [u64; LANES];
+
+/// Adds f(x) of values that begin with the first replicate.
 #[inline(always)]
-fn counted(values: &[f64], f: impl Fn(f64) -> u64) -> [u64; REPLICATES] {
-    let mut sums = [0; LANES];
-    let (blocks, rest) = values.as_chunks::<LANES>();
-    for block in blocks {
-        for (sum, value) in sums.iter_mut().zip(block) {
-            *sum += f(*value);
-        }
-    }
-    for (sum, value) in sums.iter_mut().zip(rest) {
+fn count(sums: &mut Counts, values: &[f64], f: impl Fn(f64) -> u64) {
+    for (sum, value) in sums.iter_mut().zip(values) {
         *sum += f(*value);
     }
-    std::array::from_fn(|replicate| sums.iter().skip(replicate).step_by(REPLICATES).sum())
 }
 
 /// s/√R over the replicates, where all of them have a value.

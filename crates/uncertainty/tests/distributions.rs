@@ -189,7 +189,7 @@ fn samples_follow_their_distribution() {
     let shares: [&dyn Fn(f64) -> f64; 5] = [&uniform, &triangular, &normal, &truncated, &log_normal];
 
     for ((column, share), input) in result.columns().iter().zip(shares).zip(&inputs) {
-        let mut sorted = column.clone();
+        let mut sorted = column.to_vec();
         sorted.sort_unstable_by(f64::total_cmp);
         let count = sorted.len() as f64;
         let distance = |(index, &x): (usize, &f64)| {

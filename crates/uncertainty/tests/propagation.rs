@@ -234,7 +234,7 @@ fn an_early_end_leaves_the_first_samples_of_the_whole_run() {
         // Spans of 4096.
         assert_eq!((part.requested(), part.evaluated()), (50_000, 3 * 4096));
         for (part, whole) in part.columns().iter().zip(whole.columns()) {
-            assert_eq!(*part, whole[..3 * 4096]);
+            assert_eq!(*part, &whole[..3 * 4096]);
         }
         let summary = part.summaries()[1].unwrap();
         assert!(summary.mean.value.abs() < 6.0 * summary.mean.standard_error.unwrap(), "{method:?}");
@@ -256,7 +256,7 @@ fn hash(result: &Propagation) -> u64 {
             .flat_map(|estimate| [estimate.value, estimate.standard_error.unwrap_or(-1.0)])
             .collect::<Vec<_>>()
     });
-    let samples = result.columns().iter().flatten().copied();
+    let samples = result.columns().into_iter().flatten().copied();
     samples
         .chain(statistics)
         .flat_map(|value| value.to_bits().to_le_bytes())

@@ -1,6 +1,8 @@
 //! Which samples a careful reader would doubt: those of which a single case has a warning.
 
-use ::uncertainty::{Distribution, InvalidRequest, LANES, Lanes, Propagation, SUCCEEDED, Sampler, Settings};
+use ::uncertainty::{
+    Distribution, InvalidRequest, LANES, Lanes, Propagation, SUCCEEDED, Sampler, Settings, for_each,
+};
 use inputs::Case;
 use pim_core::VehicleId;
 
@@ -125,32 +127,37 @@ impl Watched {
     }
 
     /// Counts the samples of a block that are marked, each for itself.
+    #[inline(always)]
     pub(super) fn tally(&self, inputs: &[Lanes], outputs: &[Lanes], reasons: &[u8], tallies: &mut [usize]) {
         for (Mark { number, .. }, tally) in self.marks.iter().zip(tallies) {
+            let none = &[0.0; LANES];
             *tally += match *number {
-                Watch::NegativeOutput(place) => count(reasons, &outputs[place], |speed| speed < 0.0),
-                Watch::OutputBeyond(place, limit) => {
-                    count(reasons, &outputs[place], |speed| speed.abs() > limit)
+                Watch::NegativeOutput(place) => {
+                    count(reasons, [&outputs[place], none], |speed, _| speed < 0.0)
                 }
-                Watch::NegativeInput(place) => count(reasons, &inputs[place], |speed| speed < 0.0),
+                Watch::OutputBeyond(place, limit) => {
+                    count(reasons, [&outputs[place], none], |speed, _| speed.abs() > limit)
+                }
+                Watch::NegativeInput(place) => count(reasons, [&inputs[place], none], |speed, _| speed < 0.0),
                 Watch::Restitution { input, closing } => {
-                    let both = inputs[input].iter().zip(&outputs[closing]);
-                    let is_high = |(restitution, closing): (&f64, &f64)| {
-                        *restitution > HIGH_RESTITUTION && *closing > FAST_CLOSING
-                    };
-                    let high =
-                        both.zip(reasons).filter(|(both, reason)| **reason == SUCCEEDED && is_high(*both));
-                    high.count()
+                    count(reasons, [&inputs[input], &outputs[closing]], |restitution, closing| {
+                        (restitution > HIGH_RESTITUTION) & (closing > FAST_CLOSING)
+                    })
                 }
             };
         }
     }
 }
 
-/// The samples with an answer whose number is marked.
-fn count(reasons: &[u8], numbers: &Lanes, is_marked: impl Fn(f64) -> bool) -> usize {
-    let answered = reasons.iter().zip(numbers).filter(|(reason, _)| **reason == SUCCEEDED);
-    answered.filter(|(_, number)| is_marked(**number)).count()
+/// The samples with an answer whose numbers are marked, without a branch, so that the loop is vectorised.
+#[inline(always)]
+fn count(reasons: &[u8], [first, second]: [&Lanes; 2], is_marked: impl Fn(f64, f64) -> bool) -> usize {
+    let numbers = first.iter().zip(second);
+    let marked = reasons
+        .iter()
+        .zip(numbers)
+        .map(|(reason, (first, second))| usize::from((*reason == SUCCEEDED) & is_marked(*first, *second)));
+    marked.sum()
 }
 
 /// Whether doubts are seen by this output.
@@ -175,19 +182,15 @@ pub(super) fn doubtful(
     if sample.is_by_crush {
         let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
         let sampler = Sampler::new(&distributions, settings)?;
-        let mut block: Vec<Lanes> = vec![[0.0; LANES]; inputs.len()];
-        let (mut several, mut searched) = (0, 0);
-        let mut numbers = vec![0.0; inputs.len()];
-        for (number, reasons) in (0..).zip(propagation.reasons().chunks(LANES)).take(SEARCHED / LANES) {
-            sampler.fill(number, &mut block);
-            for lane in (0..reasons.len()).filter(|lane| reasons[*lane] == SUCCEEDED) {
-                for (number, column) in numbers.iter_mut().zip(&block) {
-                    *number = column[lane];
-                }
-                searched += 1;
-                several += usize::from(sample.has_several_speeds(&numbers));
-            }
-        }
+        let blocks: Vec<_> = (0..).zip(propagation.reasons().chunks(LANES)).take(SEARCHED / LANES).collect();
+        let counted = for_each(&blocks, |(number, reasons)| {
+            let mut block: Vec<Lanes> = vec![[0.0; LANES]; inputs.len()];
+            sampler.fill(*number, &mut block);
+            let answered = || (0..reasons.len()).filter(|lane| reasons[*lane] == SUCCEEDED);
+            (sample.several_speeds(&block, answered()), answered().count())
+        });
+        let several = counted.iter().map(|(several, _)| several).sum();
+        let searched = counted.iter().map(|(_, searched)| searched).sum();
         if several > 0 {
             found.push(Doubtful { doubt: Doubt::SeveralSpeeds, samples: several, of: searched });
         }

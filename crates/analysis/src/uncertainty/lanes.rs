@@ -22,7 +22,9 @@ use inputs::{
     StiffnessForm, StiffnessLine, Velocity, YawInertia, along_face, class_yaw_inertia, placed_contact,
     scaled_stiffness,
 };
-use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2, VehicleId};
+use pim_core::{
+    Body, Contact, Law, Motion, Outcome, Participant, Tangential, VaryingLaw, Vector2, VehicleId,
+};
 use reconcile::{Problem, Unknown};
 
 use super::{Reason, value};
@@ -344,22 +346,7 @@ impl Block {
         outputs: &mut [Lanes],
         reasons: &mut [u8; LANES],
     ) -> [bool; LANES] {
-        let lanes = |vehicle: &Vehicle| match &vehicle.body {
-            Collider::Moves(mover) => mover.lanes(self.axes, inputs),
-            Collider::Fixed { heading, contact } => {
-                VehicleLanes::of_fixed(self.axes, heading.as_ref(), contact.as_ref(), inputs)
-            }
-        };
-        let [one, two] = &self.vehicles;
-        let (v1, v2) = (lanes(one), lanes(two));
-        let crush_plane = lateral(self.axes, &self.crush_plane, inputs);
-        let mut crush_energy = [0.0; LANES];
-        one.damage.add_energy(inputs, &v1.mass, &mut crush_energy);
-        two.damage.add_energy(inputs, &v2.mass, &mut crush_energy);
-        if one.face.is_some() | two.face.is_some() {
-            self.refuse_faces(inputs, &mut crush_energy);
-        }
-        let posed = Posed { vehicles: [v1, v2], crush_plane, crush_energy };
+        let posed = self.pose(inputs);
         let mut settled = [false; LANES];
         if let Some(AtOnce { restitution, condition }) = &self.at_once {
             let law = (restitution.lanes(inputs), *condition, condition.number().lanes(inputs));
@@ -369,6 +356,37 @@ impl Block {
             self.in_turn(&posed, inputs, outputs, reasons, &mut settled);
         }
         settled
+    }
+
+    /// The vehicles of a block and what is known of their damage.
+    #[inline(always)]
+    fn pose(&self, inputs: &[Lanes]) -> Posed {
+        let [one, two] = &self.vehicles;
+        // In its place from the beginning: the columns are some kilobytes.
+        let mut posed = Posed {
+            vehicles: [one.lanes(self.axes, inputs), two.lanes(self.axes, inputs)],
+            crush_plane: lateral(self.axes, &self.crush_plane, inputs),
+            crush_energy: [0.0; LANES],
+        };
+        let Posed { vehicles: [v1, v2], crush_energy, .. } = &mut posed;
+        one.damage.add_energy(inputs, &v1.mass, crush_energy);
+        two.damage.add_energy(inputs, &v2.mass, crush_energy);
+        if one.face.is_some() | two.face.is_some() {
+            self.refuse_faces(inputs, crush_energy);
+        }
+        posed
+    }
+
+    /// How many of these samples of a block have more than one speed that gives their crush energy.
+    #[inline(never)]
+    pub(super) fn several_speeds(&self, inputs: &[Lanes], lanes: impl Iterator<Item = usize>) -> usize {
+        let Some(sought) = self.sought else { return 0 };
+        let posed = self.pose(inputs);
+        let has_several = |lane: &usize| {
+            let problem = self.problem(&posed, sought, inputs, *lane);
+            problem.is_ok_and(|problem| problem.has_several_speeds())
+        };
+        lanes.filter(has_several).count()
     }
 
     /// Solves those samples that have an answer by one of the loops that are compiled: what one law needs
@@ -507,36 +525,56 @@ impl Block {
     /// # Errors
     /// Why there is none; `None` where the single case has to tell.
     fn solve(&self, posed: &Posed, inputs: &[Lanes], lane: usize) -> Result<(f64, Outcome), Option<Reason>> {
-        let Posed { vehicles, crush_plane, crush_energy } = posed;
-        let refused = || Some(self.fault(inputs, lane));
+        if let Some(sought) = self.sought {
+            let problem = self.problem(posed, sought, inputs, lane).map_err(Some)?;
+            return problem
+                .speed_and_impact()
+                .map_err(|why| Some(Reason::of(&crate::refused(&problem, why))));
+        }
+        let (contact, law, motions) = self.collision(posed, inputs, lane).map_err(Some)?;
+        // A damage of which the engine refuses something has no energy. Of one whose energy is known an
+        // impact asks nothing.
+        if posed.crush_energy[lane].is_nan() {
+            return Err(None);
+        }
+        let law = law.at(-contact.approach(&motions).velocity.normal);
+        match contact.impact(motions, &law) {
+            Ok(outcome) => Ok((f64::NAN, outcome)),
+            Err(why) => Err(Some(Reason::of_impact(&why))),
+        }
+    }
+
+    /// The equation for the speed of a sample.
+    fn problem(
+        &self,
+        posed: &Posed,
+        Sought { unknown, basis, share }: Sought,
+        inputs: &[Lanes],
+        lane: usize,
+    ) -> Result<Problem, Reason> {
+        let (contact, law, motions) = self.collision(posed, inputs, lane)?;
+        let crush_energy = posed.crush_energy[lane];
+        if crush_energy.is_nan() {
+            return Err(self.fault(inputs, lane));
+        }
+        let tangential_share = share.map_or(0.0, |share| share.at(inputs, lane));
+        Ok(Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share })
+    }
+
+    fn collision(
+        &self,
+        Posed { vehicles: [v1, v2], crush_plane, crush_energy: _ }: &Posed,
+        inputs: &[Lanes],
+        lane: usize,
+    ) -> Result<(Contact, VaryingLaw, [Motion; 2]), Reason> {
         let law = self.law.map(|number| number.at(inputs, lane));
-        let law = law.of_engine(self.axes).map_err(|_| refused())?;
-        let [v1, v2] = vehicles;
+        let law = law.of_engine(self.axes).map_err(|_| self.fault(inputs, lane))?;
         let ((p1, is_1), (p2, is_2)) = (v1.participant(lane), v2.participant(lane));
         let (contact, is_contact) = Contact::new_with_validity([p1, p2], crush_plane[lane]);
-        let (motions, crush_energy) = ([v1.motion(lane), v2.motion(lane)], crush_energy[lane]);
-        if !(is_1 & is_2 & is_contact) {
-            return Err(refused());
-        }
-        // A damage of which the engine refuses something has no energy.
-        let is_refused = crush_energy.is_nan();
-        match self.sought {
-            // Of a damage whose energy is known an impact asks nothing.
-            None if is_refused => Err(None),
-            None => {
-                let law = law.at(-contact.approach(&motions).velocity.normal);
-                match contact.impact(motions, &law) {
-                    Ok(outcome) => Ok((f64::NAN, outcome)),
-                    Err(why) => Err(Some(Reason::of_impact(&why))),
-                }
-            }
-            Some(_) if is_refused => Err(refused()),
-            Some(Sought { unknown, basis, share }) => {
-                let tangential_share = share.map_or(0.0, |share| share.at(inputs, lane));
-                let problem =
-                    Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share };
-                problem.speed_and_impact().map_err(|why| Some(Reason::of(&crate::refused(&problem, why))))
-            }
+        if is_1 & is_2 & is_contact {
+            Ok((contact, law, [v1.motion(lane), v2.motion(lane)]))
+        } else {
+            Err(self.fault(inputs, lane))
         }
     }
 
@@ -786,6 +824,17 @@ impl Vehicle {
             outline.quantities().iter().any(|quantity| quantity.number().is_uncertain())
         };
         Ok(Self { body: Collider::Moves(mover), damage, face: face.filter(is_uncertain), idle })
+    }
+
+    // A closure for it would be compiled for the least of the instructions.
+    #[inline(always)]
+    fn lanes(&self, axes: Axes, inputs: &[Lanes]) -> VehicleLanes {
+        match &self.body {
+            Collider::Moves(mover) => mover.lanes(axes, inputs),
+            Collider::Fixed { heading, contact } => {
+                VehicleLanes::of_fixed(axes, heading.as_ref(), contact.as_ref(), inputs)
+            }
+        }
     }
 }
 

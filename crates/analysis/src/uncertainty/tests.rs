@@ -581,7 +581,8 @@ fn bits_of_the_example_are_pinned_for_every_instruction_set() {
                 let settings = Settings { instructions, ..Settings::new(method, 4096, 1) };
                 let done = &mut |_, _| ControlFlow::Continue(());
                 let result = propagate(&sampled.sample(), &sampled.distributions(), &settings, done).unwrap();
-                let (first, later) = result.columns().split_at(9);
+                let columns = result.columns();
+                let (first, later) = columns.split_at(9);
                 [first, later].map(hash)
             })
             .collect();
@@ -590,7 +591,7 @@ fn bits_of_the_example_are_pinned_for_every_instruction_set() {
 }
 
 /// FNV-1a
-fn hash(columns: &[Vec<f64>]) -> u64 {
-    let bytes = columns.iter().flatten().flat_map(|value| value.to_bits().to_le_bytes());
+fn hash(columns: &[&[f64]]) -> u64 {
+    let bytes = columns.iter().copied().flatten().flat_map(|value| value.to_bits().to_le_bytes());
     bytes.fold(0xCBF2_9CE4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3))
 }

@@ -25,15 +25,20 @@ pub(super) struct Order {
     /// Of each cell, its first window, or [`NONE`].
     slots: Vec<u8>,
     windows: Vec<Window>,
+    /// Values that were taken out for places of before, and the place of the least of them.
+    taken: Vec<(usize, Vec<f64>)>,
     places: Vec<usize>,
     /// Of each wanted place, once it is known.
     values: Vec<Option<f64>>,
 }
 
+/// How many of the first values tell where the cells lie.
+const TOLD_BY: usize = 1 << 12;
+
 /// Values whose cells are found together.
 const AHEAD: usize = 64;
 
-/// No window. There are fewer windows: a summary wants 36 places at most.
+/// No window. There are fewer windows: a summary wants 72 places at most.
 const NONE: u8 = u8::MAX;
 
 impl Order {
@@ -45,6 +50,7 @@ impl Order {
             counts: vec![0; places],
             slots: vec![NONE; places],
             windows: Vec::new(),
+            taken: Vec::new(),
             places: Vec::new(),
             values: Vec::new(),
         }
@@ -57,41 +63,62 @@ impl Order {
         if values.is_empty() {
             return;
         }
-        let cells = *self.cells.get_or_insert_with(|| Cells::of(values, self.size.cells));
-        for values in values.chunks(AHEAD) {
-            for &cell in &cells.of_each(values)[..values.len()] {
-                self.counts[cell] += 1;
-            }
+        let first = &values[..values.len().min(TOLD_BY)];
+        let cells = *self.cells.get_or_insert_with(|| Cells::of(first, self.size.cells));
+        cells.each(values, |cell| self.counts[cell] += 1);
+    }
+
+    /// The same for values that were counted by these cells.
+    pub(super) fn add_counted(&mut self, cells: Cells, counts: &[u32]) {
+        self.cells = Some(cells);
+        for (count, more) in self.counts.iter_mut().zip(counts) {
+            *count += *more as usize;
         }
     }
 
-    /// Asks for the values at these places, and begins a pass with [`take`](Self::take).
-    pub(super) fn seek(&mut self, wanted: impl Iterator<Item = usize>) {
+    /// Asks for the values at these places, and tells whether all are known. If they are not, it begins a
+    /// pass with [`take`](Self::take).
+    pub(super) fn seek(&mut self, wanted: impl Iterator<Item = usize>) -> bool {
         self.places = wanted.collect();
         self.places.sort_unstable();
         self.places.dedup();
         self.values = vec![None; self.places.len()];
+        for (first, taken) in &mut self.taken {
+            let here = within(&self.places, *first, taken.len());
+            find(taken, *first, &self.places[here.clone()], &mut self.values[here]);
+        }
+        let unknown = self.places.iter().zip(&self.values).filter(|(_, value)| value.is_none());
+        let unknown: Vec<usize> = unknown.map(|(place, _)| *place).collect();
         let (most, all) = (self.size.most, Bounds { least: 0, greatest: u64::MAX });
         let counts = self.counts.iter().map(|&count| (count, all));
-        self.windows = windows(&self.places, 0, counts, most);
+        self.windows = windows(&unknown, 0, counts, most);
         self.note_slots();
+        self.windows.is_empty()
     }
 
     /// All values, in any order, once in each pass.
     #[inline(always)]
     pub(super) fn take(&mut self, values: &[f64]) {
-        let Some(cells) = self.cells else { return };
+        let Self { cells: Some(cells), slots, windows, .. } = self else { return };
         for values in values.chunks(AHEAD) {
-            for (cell, &value) in cells.of_each(values).into_iter().zip(values) {
-                let slot = self.slots[cell];
-                if slot == NONE {
-                    continue;
-                }
-                for window in &mut self.windows[usize::from(slot)..] {
-                    if window.cell != cell {
+            let of_each = cells.of_each(values);
+            let mut own = [NONE; AHEAD];
+            for (slot, cell) in own[..values.len()].iter_mut().zip(of_each) {
+                *slot = slots.get(cell).copied().unwrap_or(NONE);
+            }
+            // A bit for each value whose cell has a window, so that only these are gone through.
+            let mut noted = 0_u64;
+            for (place, slot) in own.iter().enumerate() {
+                noted |= u64::from(*slot != NONE) << place;
+            }
+            while noted != 0 {
+                let place = noted.trailing_zeros() as usize;
+                noted &= noted - 1;
+                for window in &mut windows[usize::from(own[place])..] {
+                    if window.cell != of_each[place] {
                         break;
                     }
-                    window.note(value);
+                    window.note(values[place]);
                 }
             }
         }
@@ -102,20 +129,18 @@ impl Order {
     pub(super) fn settle(&mut self) -> bool {
         let mut waiting = Vec::new();
         for window in std::mem::take(&mut self.windows) {
-            let here = self.wanted_in(&window);
+            let here = within(&self.places, window.first, window.count);
             let (places, values) = (&self.places[here.clone()], &mut self.values[here]);
             match window.kind {
                 Kind::Taken(mut taken) => {
-                    select(&mut taken, window.first, places);
-                    for (value, place) in values.iter_mut().zip(places) {
-                        *value = taken.get(place - window.first).copied();
-                    }
+                    find(&mut taken, window.first, places, values);
+                    self.taken.push((window.first, taken));
                 }
                 Kind::Cut { parts, .. } => {
                     let counts = parts.iter().map(|part| (part.count, part.bounds));
                     for finer in windows(places, window.first, counts, self.size.most) {
                         if let Kind::Equal = finer.kind {
-                            let here = self.wanted_in(&finer);
+                            let here = within(&self.places, finer.first, finer.count);
                             self.values[here].fill(Some(value_of(finer.bounds.least)));
                         } else {
                             waiting.push(Window { cell: window.cell, ..finer });
@@ -130,12 +155,6 @@ impl Order {
         self.windows.is_empty()
     }
 
-    /// Which of the wanted places lie in a window.
-    fn wanted_in(&self, Window { first, count, .. }: &Window) -> Range<usize> {
-        let before = |end: usize| self.places.partition_point(|place| *place < end);
-        before(*first)..before(first + count)
-    }
-
     /// At a place that was wanted, once all are known.
     pub(super) fn at(&self, place: usize) -> f64 {
         let index = self.places.partition_point(|wanted| *wanted < place);
@@ -148,6 +167,20 @@ impl Order {
             let slot = &mut self.slots[window.cell];
             *slot = number.min(*slot);
         }
+    }
+}
+
+/// Which of the places lie among so many values, the least of which has the place `first`.
+fn within(places: &[usize], first: usize, count: usize) -> Range<usize> {
+    let before = |end: usize| places.partition_point(|place| *place < end);
+    before(first)..before(first + count)
+}
+
+/// The values at some places among those that were taken out, the least of which has the place `first`.
+fn find(taken: &mut [f64], first: usize, places: &[usize], values: &mut [Option<f64>]) {
+    select(taken, first, places);
+    for (value, place) in values.iter_mut().zip(places) {
+        *value = taken.get(place - first).copied();
     }
 }
 
@@ -264,7 +297,7 @@ fn value_of(key: u64) -> f64 {
 
 /// Equal parts of the range of some values.
 #[derive(Clone, Copy, Debug)]
-struct Cells {
+pub(super) struct Cells {
     least: f64,
     per_unit: f64,
     last: f64,
@@ -272,7 +305,7 @@ struct Cells {
 
 impl Cells {
     #[inline(always)]
-    fn of(values: &[f64], cells: u32) -> Self {
+    pub(super) fn of(values: &[f64], cells: u32) -> Self {
         let mut least = [f64::INFINITY; 8];
         let mut greatest = [f64::NEG_INFINITY; 8];
         let (blocks, rest) = values.as_chunks::<8>();
@@ -297,6 +330,14 @@ impl Cells {
             Self { least, per_unit, last }
         } else {
             Self { least: 0.0, per_unit: 0.0, last }
+        }
+    }
+
+    /// Shows the cell of each value.
+    #[inline(always)]
+    pub(super) fn each(&self, values: &[f64], mut visit: impl FnMut(usize)) {
+        for values in values.chunks(AHEAD) {
+            self.of_each(values)[..values.len()].iter().for_each(|cell| visit(*cell));
         }
     }
 

@@ -4,7 +4,7 @@ use fearless_simd::dispatch;
 
 use super::order::Order;
 pub(crate) use super::order::Size;
-use super::sums::{Moments, Spread, Summed, deal};
+use super::sums::{Moments, Spread, Summed};
 use super::{Below, Errors, PROBABILITIES, Place, QUANTILES, Summary, tail_is_populated};
 use crate::limits::REPLICATES;
 use crate::points::SamplingMethod;
@@ -76,10 +76,16 @@ impl Passes {
         }
     }
 
-    /// How many passes there are, where no cell has to be cut again.
-    pub(crate) fn usual(method: SamplingMethod) -> usize {
-        if method == SamplingMethod::MonteCarlo { 3 } else { 4 }
+    /// The passes after the first, of which this is known; by Monte Carlo, without histograms.
+    pub(super) fn after_the_first(settings: &Settings, order: Order, summed: Summed) -> Self {
+        let stage = Stage::Sums(summed, Vec::new());
+        let mut passes = Self { order, stage, ..Self::new(settings, Size::AT_ONCE, &[]) };
+        passes.go_on();
+        passes
     }
+
+    /// How many passes there are, where no cell has to be cut again.
+    pub(crate) const USUAL: usize = 3;
 
     /// The samples that follow.
     pub(crate) fn add(&mut self, chunk: Chunk<'_>) {
@@ -93,14 +99,14 @@ impl Passes {
                 self.order.count(answered);
                 summed.add(answered);
                 if self.is_replicated {
-                    deal(all, |replicate, own| replicates[replicate].add(own));
+                    Summed::add_dealt(replicates, all);
                 }
             }
             Stage::Powers(spread, replicates) => {
                 self.order.take(answered);
                 spread.add(answered);
                 if self.is_replicated {
-                    deal(all, |replicate, own| replicates[replicate].add(own));
+                    Spread::add_dealt(replicates, all);
                 }
             }
             Stage::Quantiles | Stage::Distances(_) => self.order.take(answered),
@@ -119,10 +125,16 @@ impl Passes {
     /// Ends a pass, and tells whether another one is wanted.
     pub(crate) fn go_on(&mut self) -> bool {
         self.stage = match std::mem::replace(&mut self.stage, Stage::Done) {
-            Stage::Sums(summed, _) if summed.count < 2 => Stage::Done,
+            Stage::Sums(summed, _) if summed.count() < 2 => Stage::Done,
             Stage::Sums(summed, replicates) => {
-                let places = PROBABILITIES.map(|probability| Place::of(probability, summed.count));
-                self.order.seek(places.iter().flat_map(Place::wanted));
+                let places = PROBABILITIES.map(|probability| Place::of(probability, summed.count()));
+                let wanted = places.iter().flat_map(Place::wanted);
+                if self.is_replicated {
+                    let near = PROBABILITIES.map(|probability| near(probability, summed.count()));
+                    self.order.seek(wanted.chain(near.into_iter().flatten()));
+                } else {
+                    self.order.seek(wanted);
+                }
                 self.places = Some(Box::new(places));
                 Stage::Powers(summed.spread(), replicates.iter().map(Summed::spread).collect())
             }
@@ -135,26 +147,21 @@ impl Passes {
             Stage::Quantiles => self.after_quantiles(),
             Stage::Below(below) => match &self.moments {
                 Some((moments, replicates)) if replicates.len() == REPLICATES => {
-                    let ends = below.ends(moments.count);
-                    self.order.seek(ends.iter().flatten().flat_map(Place::wanted));
-                    Stage::Distances(Box::new(ends))
+                    let ends = Box::new(below.ends(moments.count));
+                    if self.order.seek(ends.iter().flatten().flat_map(Place::wanted)) {
+                        self.after_distances(&ends)
+                    } else {
+                        Stage::Distances(ends)
+                    }
                 }
                 _ if self.is_replicated => self.done([None; QUANTILES]),
                 _ => Stage::Done,
             },
-            Stage::Distances(ends) if self.order.settle() => {
-                let distance = |[before, after]: &[Place; 2]| {
-                    0.5 * (after.value(&self.order) - before.value(&self.order))
-                };
-                let found = ends.each_ref().map(distance);
-                let count = self.moments.as_ref().map_or(0, |(moments, _)| moments.count);
-                let populated = PROBABILITIES.map(|probability| tail_is_populated(probability, count));
-                self.done(std::array::from_fn(|place| populated[place].then_some(found[place])))
-            }
+            Stage::Distances(ends) if self.order.settle() => self.after_distances(&ends),
             unsettled @ Stage::Distances(_) => unsettled,
             Stage::Done => Stage::Done,
         };
-        !matches!(self.stage, Stage::Done)
+        !self.are_done()
     }
 
     fn after_quantiles(&mut self) -> Stage {
@@ -179,6 +186,15 @@ impl Passes {
         }
     }
 
+    fn after_distances(&mut self, ends: &[[Place; 2]; QUANTILES]) -> Stage {
+        let distance =
+            |[before, after]: &[Place; 2]| 0.5 * (after.value(&self.order) - before.value(&self.order));
+        let found = ends.each_ref().map(distance);
+        let count = self.moments.as_ref().map_or(0, |(moments, _)| moments.count);
+        let populated = PROBABILITIES.map(|probability| tail_is_populated(probability, count));
+        self.done(std::array::from_fn(|place| populated[place].then_some(found[place])))
+    }
+
     /// With the standard errors of the quantiles, the summary is known.
     fn done(&mut self, errors: [Option<f64>; QUANTILES]) -> Stage {
         if let Some((moments, replicates)) = &self.moments {
@@ -192,6 +208,11 @@ impl Passes {
         Stage::Done
     }
 
+    /// Whether no pass is wanted any more.
+    pub(crate) fn are_done(&self) -> bool {
+        matches!(self.stage, Stage::Done)
+    }
+
     /// `None` where fewer than two samples have an answer, and before the last pass.
     pub(crate) fn summary(&self) -> Option<Summary> {
         self.summary
@@ -200,6 +221,16 @@ impl Passes {
     pub(crate) fn histograms(self) -> Vec<Histogram> {
         self.histograms
     }
+}
+
+/// Places beside a quantile, so far that the ends of its standard error under stratified points lie between
+/// them, and so near that they share its cells or the next ones: what is taken out there need not be sought.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between zero and the count")]
+fn near(probability: f64, count: usize) -> [usize; 4] {
+    let last = (count - 1) as f64;
+    // √(np(1 − p)), that of independent points
+    let deviation = (count as f64 * probability * (1.0 - probability)).sqrt();
+    [-2.0, -1.0, 1.0, 2.0].map(|far: f64| (last * probability + far * deviation).clamp(0.0, last) as usize)
 }
 
 /// How many classes a [`Histogram`] has.
@@ -236,6 +267,7 @@ pub struct Histogram {
     /// Samples below the first and above the last class.
     pub outside: [usize; 2],
     high: f64,
+    classes: Classes,
 }
 
 impl Histogram {
@@ -244,38 +276,95 @@ impl Histogram {
         let width = (high - low) / f64::from(classes.count());
         let is_wide = width.is_finite() && width > 0.0;
         let counts = || vec![0; usize::from(classes.count())];
-        is_wide.then(|| Self { low, width, counts: counts(), outside: [0; 2], high })
+        is_wide.then(|| Self { low, width, counts: counts(), outside: [0; 2], high, classes })
     }
 
     pub(crate) fn is_of(&self, classes: Classes) -> bool {
-        self.counts.len() == usize::from(classes.count())
+        self.classes == classes
     }
 
     /// Of a column in which NaN stands for samples that failed.
     pub(crate) fn of(column: &[f64], summary: &Summary, classes: Classes) -> Option<Self> {
         let [.., widest] = summary.intervals;
         let mut histogram = Self::new([widest.low.value, widest.high.value], classes)?;
-        histogram.add(column);
+        dispatch!(Instructions::best().level(), _simd => histogram.add(column));
         Some(histogram)
     }
 
     #[inline(always)]
     fn add(&mut self, values: &[f64]) {
-        for value in values.iter().filter(|value| !value.is_nan()) {
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "a class between 0 and their number"
-            )]
-            let class = ((value - self.low) / self.width).max(0.0) as usize;
-            if *value < self.low {
-                self.outside[0] += 1;
-            } else if *value > self.high {
-                self.outside[1] += 1;
-            } else {
-                let last = self.counts.len() - 1;
-                self.counts[class.min(last)] += 1;
+        /// Values whose places are found together, by a loop of its own that is vectorised.
+        const AHEAD: usize = 64;
+        // Below the first class, each class, above the last one, and what is not a number. The counts of
+        // neighbouring values stand apart, as a count that was just written is not ready yet.
+        let classes = self.classes.count();
+        let mut counts = [[0_usize; PLACES]; 4];
+        for values in values.chunks(AHEAD) {
+            let mut places = [0_u8; AHEAD];
+            for (place, value) in places.iter_mut().zip(values) {
+                *place = self.place(*value, classes);
             }
+            for (number, place) in places[..values.len()].iter().enumerate() {
+                counts[number % 4][usize::from(*place) % PLACES] += 1;
+            }
+        }
+        let [below, of_classes @ ..] = counts
+            .into_iter()
+            .fold([0; PLACES], |sums, counts| std::array::from_fn(|place| sums[place] + counts[place]));
+        self.outside[0] += below;
+        self.outside[1] += of_classes[usize::from(classes)];
+        for (count, more) in self.counts.iter_mut().zip(of_classes) {
+            *count += more;
+        }
+    }
+
+    /// 0 below the first class, from 1 on the classes, and after them what lies above, and what is not a
+    /// number.
+    #[inline(always)]
+    fn place(&self, value: f64, classes: u8) -> u8 {
+        let class = (value - self.low) / self.width;
+        let last = f64::from(classes - 1);
+        let class = if class < last { class } else { last };
+        let class = if class > 0.0 { class } else { 0.0 };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "one of the classes")]
+        let class = class as u8;
+        let place = if value < self.low { 0 } else { class + 1 };
+        let place = if value > self.high { classes + 1 } else { place };
+        if value.is_nan() { classes + 2 } else { place }
+    }
+}
+
+/// More than the classes and three.
+const PLACES: usize = 64;
+
+#[cfg(test)]
+mod tests {
+    use super::{Classes, Histogram};
+    use crate::random::{bits, unit};
+
+    /// Values at the ends of the classes and right beside them, beyond the ends, and not a number: beside a
+    /// search for the class one by one.
+    #[test]
+    fn every_value_is_in_its_class() {
+        for classes in Classes::ALL {
+            let ends =
+                (0..=classes.count()).map(|end| 1.0 + f64::from(end) * (2.0 / f64::from(classes.count())));
+            let mut values: Vec<f64> = ends.flat_map(|end| [end.next_down(), end, end.next_up()]).collect();
+            values.extend((0..1000).map(|index| 4.0 * unit(bits(1, index))));
+            values.extend([f64::NAN, -1e300, 1e300]);
+            let mut histogram = Histogram::new([1.0, 3.0], classes).unwrap();
+            histogram.add(&values);
+
+            let class =
+                |value: f64| ((value - 1.0) / histogram.width).floor().min(f64::from(classes.count() - 1));
+            for (number, count) in (0_u8..).zip(&histogram.counts) {
+                let is_in =
+                    |value: &&f64| (1.0..=3.0).contains(*value) && class(**value) == f64::from(number);
+                assert_eq!(values.iter().filter(is_in).count(), *count, "class {number}");
+            }
+            let below = values.iter().filter(|value| **value < 1.0).count();
+            let above = values.iter().filter(|value| **value > 3.0).count();
+            assert_eq!(histogram.outside, [below, above]);
         }
     }
 }

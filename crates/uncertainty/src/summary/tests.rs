@@ -1,11 +1,11 @@
-use super::{Chunk, Classes, Estimate, Histogram, Passes, Place, Size, Summary, without_nan};
+use super::{Chunk, Classes, Estimate, First, Histogram, Passes, Place, SPAN, Size, Summary, without_nan};
 use crate::points::SamplingMethod;
 use crate::random::{bits, unit};
 use crate::sampler::Settings;
 
-/// Of no number of samples and no seed, which a summary does not read.
-fn by(method: SamplingMethod) -> Settings {
-    Settings::new(method, 0, 0)
+/// At once, of no number of samples and no seed, which a summary does not read.
+fn by(method: SamplingMethod) -> Passes {
+    Passes::new(&Settings::new(method, 0, 0), Size::AT_ONCE, &[])
 }
 
 /// 0, 1, … 100 in disorder.
@@ -17,7 +17,7 @@ fn hundred() -> Vec<f64> {
 /// 1)/12, n = 101.
 #[test]
 fn the_statistics_of_a_hundred_numbers() {
-    let summary = Summary::of(&hundred(), false, &by(SamplingMethod::MonteCarlo)).unwrap();
+    let summary = Summary::of(&hundred(), false, by(SamplingMethod::MonteCarlo)).unwrap();
     assert_eq!(summary.samples, 101);
     assert_eq!(summary.mean.value, 50.0);
     assert!((summary.sd.value - (101.0_f64 * 102.0 / 12.0).sqrt()).abs() < 1e-13);
@@ -44,17 +44,17 @@ fn failed_samples_are_left_out() {
         column.insert(place, f64::NAN);
     }
     assert_eq!(
-        Summary::of(&column, false, &by(SamplingMethod::MonteCarlo)),
-        Summary::of(&hundred(), false, &by(SamplingMethod::MonteCarlo))
+        Summary::of(&column, false, by(SamplingMethod::MonteCarlo)),
+        Summary::of(&hundred(), false, by(SamplingMethod::MonteCarlo))
     );
-    assert_eq!(Summary::of(&[1.0, f64::NAN], false, &by(SamplingMethod::MonteCarlo)), None);
-    assert_eq!(Summary::of(&[], false, &by(SamplingMethod::Sobol)), None);
+    assert_eq!(Summary::of(&[1.0, f64::NAN], false, by(SamplingMethod::MonteCarlo)), None);
+    assert_eq!(Summary::of(&[], false, by(SamplingMethod::Sobol)), None);
 }
 
 #[test]
 fn a_constant_has_no_uncertainty() {
     for method in [SamplingMethod::MonteCarlo, SamplingMethod::LatinHypercube] {
-        let summary = Summary::of(&vec![3.0; 16_000], true, &by(method)).unwrap();
+        let summary = Summary::of(&vec![3.0; 16_000], true, by(method)).unwrap();
         let certain = |value| Estimate { value, standard_error: Some(0.0) };
         assert_eq!((summary.mean, summary.sd, summary.median), (certain(3.0), certain(0.0), certain(3.0)));
         assert_eq!(summary.intervals[3].high, certain(3.0));
@@ -65,14 +65,14 @@ fn a_constant_has_no_uncertainty() {
 #[test]
 fn replicates_give_the_standard_error() {
     let column: Vec<f64> = (0..16_000).map(|index| f64::from(index % 16)).collect();
-    let summary = Summary::of(&column, false, &by(SamplingMethod::Sobol)).unwrap();
+    let summary = Summary::of(&column, false, by(SamplingMethod::Sobol)).unwrap();
     let expected = (16.0_f64 * 17.0 / 12.0).sqrt() / 4.0;
     assert!((summary.mean.standard_error.unwrap() - expected).abs() < 1e-13);
     assert_eq!(summary.sd.standard_error, Some(0.0));
     // No replicate but one.
     let mut lonely = vec![f64::NAN; 1600];
     lonely.iter_mut().step_by(16).for_each(|value| *value = 1.0);
-    let lonely = Summary::of(&lonely, false, &by(SamplingMethod::Sobol)).unwrap();
+    let lonely = Summary::of(&lonely, false, by(SamplingMethod::Sobol)).unwrap();
     assert_eq!((lonely.mean.standard_error, lonely.median.standard_error), (None, None));
 }
 
@@ -87,7 +87,7 @@ fn replicates_give_the_standard_error() {
 fn numbers_below_a_quantile_give_its_standard_error() {
     let column: Vec<f64> = (0..16_000).map(|index| f64::from(index % 16)).collect();
     for method in [SamplingMethod::LatinHypercube, SamplingMethod::Sobol] {
-        let summary = Summary::of(&column, true, &by(method)).unwrap();
+        let summary = Summary::of(&column, true, by(method)).unwrap();
         let found = [summary.median, summary.intervals[0].low, summary.intervals[2].low];
         let expected = [(7.5, 2.5), (3.75, 1.5), (0.0, 0.0)]
             .map(|(value, error)| Estimate { value, standard_error: Some(error) });
@@ -96,12 +96,12 @@ fn numbers_below_a_quantile_give_its_standard_error() {
     // Replicates alike, 0 … 99 in each: nothing but the one place, which is between n + 1 and n − 1 in
     // sixteen equal values each.
     let column: Vec<f64> = (0..1600).map(|index| f64::from(index / 16)).collect();
-    let summary = Summary::of(&column, true, &by(SamplingMethod::Sobol)).unwrap();
+    let summary = Summary::of(&column, true, by(SamplingMethod::Sobol)).unwrap();
     // Place 1599/2 = 799.5 between 49 and 50; 798.5 is among the 49 and 800.5 among the 50.
     assert_eq!(summary.median, Estimate { value: 49.5, standard_error: Some(0.5) });
     // Five samples beyond are enough, as for Monte Carlo.
     assert!(summary.intervals[3].low.standard_error.is_some());
-    let few = Summary::of(&column[..999], true, &by(SamplingMethod::Sobol)).unwrap();
+    let few = Summary::of(&column[..999], true, by(SamplingMethod::Sobol)).unwrap();
     assert_eq!(
         (few.intervals[3].low.standard_error, few.intervals[2].low.standard_error.is_some()),
         (None, true)
@@ -123,8 +123,8 @@ fn a_summary_is_the_same_however_its_column_is_cut() {
                 };
                 let column: Vec<f64> = (0..count).map(value).collect();
                 for (_, method) in SamplingMethod::WORDS {
-                    let expected = Summary::of(&column, failing == 0.0, &by(method));
-                    let mut passes = Passes::new(&by(method), size, &[Classes::Coarse]);
+                    let expected = Summary::of(&column, failing == 0.0, by(method));
+                    let mut passes = Passes::new(&Settings::new(method, 0, 0), size, &[Classes::Coarse]);
                     loop {
                         for all in column.chunks(2048) {
                             passes.add(Chunk { all, answered: &without_nan(all) });
@@ -145,7 +145,7 @@ fn a_summary_is_the_same_however_its_column_is_cut() {
 
 #[test]
 fn two_values_have_every_place() {
-    let summary = Summary::of(&[2.0, 1.0], true, &by(SamplingMethod::MonteCarlo)).unwrap();
+    let summary = Summary::of(&[2.0, 1.0], true, by(SamplingMethod::MonteCarlo)).unwrap();
     assert_eq!(summary.median.value, 1.5);
     assert_eq!(Place::of(0.995, 2).above, 1);
 }
@@ -154,13 +154,34 @@ fn two_values_have_every_place() {
 #[test]
 fn a_histogram_counts_every_sample() {
     let column = hundred();
-    let summary = Summary::of(&column, true, &by(SamplingMethod::MonteCarlo)).unwrap();
+    let summary = Summary::of(&column, true, by(SamplingMethod::MonteCarlo)).unwrap();
     let histogram = Histogram::of(&column, &summary, Classes::Fine).unwrap();
     assert!((histogram.low - 0.5).abs() < 1e-12 && (histogram.width - 2.475).abs() < 1e-12);
     assert_eq!(histogram.outside, [1, 1]);
     // 1 and 2 lie below 2.975.
     assert_eq!(histogram.counts[0], 2);
     assert_eq!(histogram.counts.iter().sum::<usize>(), 99);
-    let alike = Summary::of(&[3.0; 9], true, &by(SamplingMethod::MonteCarlo)).unwrap();
+    let alike = Summary::of(&[3.0; 9], true, by(SamplingMethod::MonteCarlo)).unwrap();
     assert_eq!(Histogram::of(&[3.0; 9], &alike, Classes::Fine), None);
+}
+
+/// The spans from the last to the first, as threads might do them.
+#[test]
+fn a_first_pass_by_spans_has_the_bits_of_one_over_the_column() {
+    let random = |key: u64| (0..30_000).map(move |index| 1.0 / unit(bits(key, index)));
+    let mut columns: [Vec<f64>; 2] = [random(1).collect(), random(2).collect()];
+    let settings = Settings::new(SamplingMethod::MonteCarlo, 0, 0);
+    let first = First::new(settings.instructions);
+    let spans = columns[0].len().div_ceil(SPAN);
+    let add = |span: usize| {
+        let parts = columns.iter_mut().filter_map(|column| column.chunks_mut(SPAN).nth(span));
+        first.add(&parts.collect::<Vec<_>>())
+    };
+    let mut sums: Vec<Vec<f64>> = (0..spans).rev().map(add).collect();
+    sums.reverse();
+    let begun = first.passes(&settings, columns[0].len(), &sums);
+    assert_eq!(begun.len(), 2);
+    for (column, begun) in columns.iter().zip(begun) {
+        assert_eq!(Summary::of(column, true, begun), Summary::of(column, true, by(settings.method)));
+    }
 }
