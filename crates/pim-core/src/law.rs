@@ -164,8 +164,19 @@ impl<T: Real> Law<T> {
         Ok(Self { moment_restitution, ..self })
     }
 
-    /// The same law with a coefficient of restitution that is known to be one.
-    pub(crate) fn restituting(self, restitution: T) -> Self {
+    /// Like [`with_moment_restitution`](Self::with_moment_restitution), but returns a validity flag in place
+    /// of an error.
+    #[inline(always)]
+    #[must_use]
+    pub fn with_moment_restitution_and_validity(self, moment_restitution: T) -> (Self, bool) {
+        let is_coefficient = (moment_restitution >= -T::ONE) & (moment_restitution <= T::ONE);
+        (Self { moment_restitution, ..self }, is_coefficient)
+    }
+
+    /// The same law with another coefficient of restitution, which the caller knows to be one.
+    #[inline(always)]
+    #[must_use]
+    pub fn restituting(self, restitution: T) -> Self {
         Self { restitution, ..self }
     }
 

@@ -54,14 +54,26 @@ impl<T: Real> RestitutionCurve<T> {
         [next.checked_sub(1).and_then(|i| self.points.get(i)).copied(), self.points.get(next).copied()]
     }
 
+    /// e at a closing speed (m/s) between two neighbouring points.
+    #[inline(always)]
+    #[must_use]
+    pub fn between([(v0, e0), (v1, e1)]: [(T, T); 2], closing_speed: T) -> T {
+        // e = e₀ + (e₁ − e₀) (v − v₀)/(v₁ − v₀)
+        e0 + (e1 - e0) * (closing_speed - v0) / (v1 - v0)
+    }
+
+    /// Whether a curve can have this point (closing speed in m/s, coefficient of restitution).
+    #[inline(always)]
+    #[must_use]
+    pub fn is_point(speed: T, e: T) -> bool {
+        speed.is_finite() & (speed >= T::ZERO) & (e >= T::ZERO) & (e <= T::ONE)
+    }
+
     /// e at a closing speed (m/s).
     #[must_use]
     pub fn at(&self, closing_speed: T) -> T {
         match self.around(closing_speed) {
-            [Some((v0, e0)), Some((v1, e1))] => {
-                // e = e₀ + (e₁ − e₀) (v − v₀)/(v₁ − v₀)
-                e0 + (e1 - e0) * (closing_speed - v0) / (v1 - v0)
-            }
+            [Some(from), Some(to)] => Self::between([from, to], closing_speed),
             [Some((_, e)), None] | [None, Some((_, e))] => e,
             // The constructor sees to it that there is a point.
             [None, None] => T::ZERO,

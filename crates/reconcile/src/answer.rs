@@ -50,7 +50,7 @@ pub struct Reconciliation<T = f64> {
 pub enum SolutionMethod {
     /// W_n is quadratic in the speed, or is so piece by piece.
     ClosedForm,
-    /// Brent's method or, under a fraction of μ_c, Newton's.
+    /// Newton's method or Brent's.
     RootFinder(Iterations),
 }
 
@@ -168,6 +168,7 @@ pub(crate) struct Found<T, S> {
 }
 
 impl<T: Real, S> Found<T, S> {
+    #[inline(always)]
     pub(crate) fn reconciling(
         self,
         problem: &Problem<T>,
@@ -201,6 +202,7 @@ impl<'a, T: Real, S> Search<'a, T, S> {
         Self { problem, wanted, first: None, refused: None }
     }
 
+    #[inline(always)]
     pub(crate) fn consider(&mut self, speed: T, steps: S) {
         if is_too_fast(speed) {
             return;
@@ -227,6 +229,7 @@ impl<'a, T: Real, S> Search<'a, T, S> {
         self.wanted == Wanted::First && self.first.is_some()
     }
 
+    #[inline(always)]
     pub(crate) fn finish(self) -> Result<Found<T, S>, ReconcileError> {
         let problem = self.problem;
         self.first.ok_or_else(|| {

@@ -56,12 +56,7 @@ impl<T: Real> Problem<T> {
     #[must_use]
     pub fn solve_with_validity(&self) -> (T, Outcome<T>, bool) {
         let posed = Posed { problem: self, line: self.line() };
-        let x = posed.slowest_approach();
-        let speed = posed.line.speed(x);
-        let (outcome, possible) =
-            self.contact.impact_with_validity(self.motions_at(speed), &self.law.nominal());
-        let is_answer = self.makes_sense(posed.line.slope) & possible & is_root(x) & !is_too_fast(speed);
-        (speed, outcome, is_answer)
+        posed.answer_at(posed.slowest_approach())
     }
 
     /// Whether W_n is quadratic in the speed, at all speeds or piece by piece.
@@ -73,12 +68,39 @@ impl<T: Real> Problem<T> {
 }
 
 impl<T: Real> Posed<'_, T> {
-    /// The answer under a law that has a closed form.
-    pub(crate) fn closed_form(self, wanted: Wanted) -> Result<Found<T, ()>, ReconcileError> {
+    /// The speed that an approach speed belongs to, the impact at it, and whether that can be the answer.
+    #[inline(always)]
+    pub(crate) fn answer_at(self, x: T) -> (T, Outcome<T>, bool) {
         let Self { problem, line } = self;
-        let approaches = self.approaches();
+        let speed = line.speed(x);
+        let (outcome, possible) =
+            problem.contact.impact_with_validity(problem.motions_at(speed), &problem.law.nominal());
+        let is_answer = problem.makes_sense(line.slope) & possible & is_root(x) & !is_too_fast(speed);
+        (speed, outcome, is_answer)
+    }
+
+    /// The answer under a law that has a closed form.
+    #[inline(always)]
+    pub(crate) fn closed_form(self, wanted: Wanted) -> Result<Found<T, ()>, ReconcileError> {
+        let law = self.problem.law.nominal();
+        match law.friction_limit() {
+            None => self.judged(self.quadratic(&law).roots().into_iter().filter(|x| is_root(*x)), wanted),
+            Some(limit) => self.judged(self.approaches_under(&law, limit).into_iter(), wanted),
+        }
+    }
+
+    /// The answer among some approach speeds.
+    #[inline(always)]
+    fn judged(
+        self,
+        approaches: impl Iterator<Item = T>,
+        wanted: Wanted,
+    ) -> Result<Found<T, ()>, ReconcileError> {
+        let Self { problem, line } = self;
         let mut search = Search::new(problem, wanted);
+        let mut has_root = false;
         for x in approaches {
+            has_root = true;
             search.consider(line.speed(x), ());
             if search.is_done() {
                 break;
@@ -86,7 +108,7 @@ impl<T: Real> Posed<'_, T> {
         }
         // A jam leaves no root at all: say so rather than that none was found.
         let law = problem.law.nominal();
-        if approaches.count == 0
+        if !has_root
             && let Tangential::Ratio(_) = law.tangential()
             && let Err(jam @ ImpactError::Jam { .. }) =
                 problem.contact.impact(problem.motions_at(line.speed(T::ONE)), &law)
@@ -99,14 +121,19 @@ impl<T: Real> Posed<'_, T> {
     /// The approach speeds at which W_n has the value sought, under a law that has a closed form.
     pub(crate) fn approaches(self) -> Approaches<T> {
         let law = self.problem.law.nominal();
-        let Some(limit) = law.friction_limit() else {
-            return Approaches::of(self.quadratic(&law).roots());
-        };
+        match law.friction_limit() {
+            None => Approaches::of(self.quadratic(&law).roots()),
+            Some(limit) => self.approaches_under(&law, limit),
+        }
+    }
+
+    /// The same under a friction limit.
+    fn approaches_under(self, law: &Law<T>, limit: T) -> Approaches<T> {
         let mut approaches = Approaches::none();
         let mut at_borders = Approaches::none();
-        for acting in branches(&law, limit) {
+        for acting in branches(law, limit) {
             for x in self.quadratic(&acting).roots().into_iter().filter(|x| is_root(*x)) {
-                let [acts, is_at_border] = self.acts(&law, &acting, x);
+                let [acts, is_at_border] = self.acts(law, &acting, x);
                 if acts {
                     approaches.insert(x, APART);
                 } else if is_at_border {

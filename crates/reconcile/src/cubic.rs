@@ -17,18 +17,24 @@ use crate::posed::Posed;
 
 /// Steps of Newton's method: the first speed is a few per cent off, and each step doubles the digits. All of
 /// them are made, whenever it converges, so that loops over many samples vectorise.
-const STEPS: usize = 6;
+pub(crate) const STEPS: usize = 6;
 
 /// The last step is at most this share of the speed: the error left is its square.
-const CONVERGED: f64 = 1e-10;
+pub(crate) const CONVERGED: f64 = 1e-10;
 
 impl Posed<'_> {
     /// The only root, if that is known, with what is kept of the steps.
     pub(crate) fn only_root<S: Trail>(self) -> Option<Root<S>> {
-        let (x, way) = self.root_of_cubic();
-        if x.is_nan() || x <= 0.0 {
+        // Without friction there is no cubic; it would be solved in vain.
+        if !matches!(self.problem.law.nominal().tangential(), Tangential::FractionOfCritical(f) if f > 0.0) {
             return None;
         }
+        let (x, way) = self.root_of_cubic();
+        if x.is_nan() || x <= 0.0 { None } else { Some(self.root_at_the_end_of(way, x)) }
+    }
+
+    /// A root with what is kept of the way by which Newton's method found it.
+    pub(crate) fn root_at_the_end_of<S: Trail>(self, way: [f64; STEPS], x: f64) -> Root<S> {
         let (mut steps, mut before) = (S::none(), f64::NAN);
         for tried in way.into_iter().take_while(|tried| core::mem::replace(&mut before, *tried) != *tried) {
             steps.push(|| {
@@ -36,7 +42,7 @@ impl Posed<'_> {
                 Iteration { speed, normal_work: self.problem.normal_work(speed) }
             });
         }
-        Some(Root { x, steps })
+        Root { x, steps }
     }
 }
 

@@ -57,9 +57,10 @@
 //! - The relative velocity at C is affine in the speed. Under an impact law without a limit, W_n is then
 //!   quadratic in it and the answer is a closed form. Under a friction limit it is one of three such
 //!   quadratics, that of sticking or of sliding one way or the other, and a root of one is a speed where that
-//!   law [acts](Reconciliation::acting). Under a fraction of μ_c or a restitution that depends on the closing
-//!   speed, W_n is a ratio of polynomials piece by piece; their extrema isolate the roots, which Brent's
-//!   method ([`brent`]) finds. Both agree to 1e-10 where both apply.
+//!   law [acts](Reconciliation::acting). Under a restitution that depends on the closing speed, signs isolate
+//!   the roots of nearly all collisions, and Newton's method finds them. Under a fraction of μ_c, and where
+//!   signs leave roots open, W_n is a ratio of polynomials piece by piece; their extrema isolate the roots,
+//!   which Brent's method ([`brent`]) finds. All agree to 1e-10 where they apply.
 //! - An admissible speed is one of at most 1000 m/s at which the vehicles approach, push, and lose energy.
 //!   All are found, however many and however near to each other; the answer is the one with the slowest
 //!   approach.
@@ -83,10 +84,12 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod answer;
+mod block;
 mod brent;
 mod closed_form;
 mod cubic;
 mod error;
+mod isolated;
 mod line;
 mod momentum;
 mod nearest;
@@ -96,6 +99,7 @@ mod posed;
 mod problem;
 
 pub use answer::{FASTEST, Iteration, Iterations, Reconciliation, SolutionMethod};
+pub use block::{CurveBlock, Laws, restitutions};
 pub use brent::{MAX_STEPS, RootError, brent};
 pub use closed_form::{AffineImpact, Quadratic};
 pub use crash3::EnergyBasis;

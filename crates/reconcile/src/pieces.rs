@@ -15,9 +15,13 @@
 //! Where the crush takes a share λ of the tangential work, W_n + λ W_t has the denominator squared, and the
 //! degrees of the numerator are 2 and 4, 4 and 8, 6 and 12.
 //!
+//! Where signs isolate the roots of a whole stretch at once, none of this is needed: see
+//! [`isolated`](crate::isolated).
+//!
 //! The extrema of the numerator part each piece so that each part has at most one root (Rolle), unless the
 //! signs of its Bernstein coefficients say that the piece has no more than one (Descartes). Brent's method
-//! finds that root of the numerator, and from there the one of the law's own W_n. A jump of W_n from one
+//! finds that root of the numerator, and from there the one of the law's own W_n, unless a chord about the
+//! first already leads there. A jump of W_n from one
 //! piece to the next is no change of sign within a piece, so it is never taken for a root.
 
 use crash3::EnergyBasis;
@@ -26,6 +30,7 @@ use pim_core::{Law, LawImpulse, Regime, RestitutionCurve, Tangential};
 use crate::answer::{FASTEST, Iteration, Trail};
 use crate::brent::{RootError, brent_between, narrowed};
 use crate::error::ReconcileError;
+use crate::isolated::{Isolated, Meeting, Pushes, Roots, Signs, against, along, full};
 use crate::polynomial::{Points, Polynomial, opposite};
 use crate::posed::Posed;
 
@@ -35,6 +40,10 @@ const BESIDE_A_JAM: f64 = 1e-12;
 
 /// A root of the numerator is known to this share of itself, far above rounding.
 const ABOUT: f64 = 1e-10;
+
+/// Where a chord of length 2 [`ABOUT`] misses the root by no more than this share of what its ends miss, its
+/// zero is the root but for rounding.
+const STRAIGHT: f64 = 1e-5;
 
 /// A root has the energy sought within this share. Rounding of the speed moves W_n by more only nearer than
 /// 1e-9 to a jam; a change of sign by rounding on the wrong side of a jam or a jump leaves far more.
@@ -50,16 +59,45 @@ pub(crate) struct Root<S> {
 
 /// A range of approach speeds x = start + length t in which e is linear in t.
 #[derive(Clone, Copy)]
-struct Stretch {
-    start: f64,
-    length: f64,
-    /// The law at t = 0 and at t = 1.
-    laws: [Law; 2],
+pub(crate) struct Stretch {
+    pub(crate) start: f64,
+    pub(crate) length: f64,
+    /// e at t = 0 and at t = 1.
+    pub(crate) restitution: [f64; 2],
+    /// (s/m) e′ = de/dx
+    pub(crate) rise: f64,
     /// (m/s) the approach speeds that belong to it.
-    range: [f64; 2],
+    pub(crate) range: [f64; 2],
 }
 
 impl Stretch {
+    /// Between two neighbouring points (m/s, e) of a curve.
+    #[inline(always)]
+    pub(crate) fn between([(from, e0), (to, e1)]: [(f64, f64); 2]) -> Self {
+        let length = to - from;
+        Self { start: from, length, restitution: [e0, e1], rise: (e1 - e0) / length, range: [from, to] }
+    }
+
+    /// As far as the approach speeds reach.
+    #[inline(always)]
+    pub(crate) fn within(self, [least, most]: [f64; 2]) -> Self {
+        let [from, to] = self.range;
+        Self { range: [from.max(least), to.min(most)], ..self }
+    }
+
+    #[inline(always)]
+    pub(crate) fn has_length(&self) -> bool {
+        let [from, to] = self.range;
+        from < to
+    }
+
+    /// Whether e = 1 throughout.
+    #[inline(always)]
+    pub(crate) fn is_elastic(&self) -> bool {
+        let [e0, e1] = self.restitution;
+        (e0 == 1.0) & (e1 == 1.0)
+    }
+
     fn parameter(&self, x: f64) -> f64 {
         (x - self.start) / self.length
     }
@@ -67,6 +105,13 @@ impl Stretch {
     fn approach_speed(&self, t: f64) -> f64 {
         let [low, high] = self.range;
         (self.start + self.length * t).max(low).min(high)
+    }
+
+    /// e at an approach speed.
+    #[inline(always)]
+    pub(crate) fn restitution_at(&self, x: f64) -> f64 {
+        // e = e₀ + e′ (x − x₀)
+        self.restitution[0] + self.rise * (x - self.start)
     }
 
     /// The interval of t.
@@ -81,7 +126,7 @@ impl Stretch {
 
     /// 1 + c e(t).
     fn one_plus(&self, c: f64) -> Polynomial {
-        let [e0, e1] = self.laws.map(|law| law.restitution());
+        let [e0, e1] = self.restitution;
         if e0 == e1 {
             Polynomial::new([1.0 + c * e0])
         } else {
@@ -90,16 +135,68 @@ impl Stretch {
     }
 
     /// The polynomial of t of something that is affine in x and affine in e.
-    fn polynomial(&self, value: impl Fn(&Law, f64) -> f64) -> Polynomial {
-        self.corners(value).polynomial(|value| *value)
+    fn polynomial(&self, law: &Law, value: impl Fn(&Law, f64) -> f64) -> Polynomial {
+        self.corners(law, value).polynomial(|value| *value)
     }
 
-    /// Something at both ends of the stretch, under the law of each.
-    fn corners<V>(&self, value: impl Fn(&Law, f64) -> V) -> Corners<V> {
+    /// Something at both ends of the stretch, under the law with the restitution of each.
+    fn corners<V>(&self, law: &Law, value: impl Fn(&Law, f64) -> V) -> Corners<V> {
         let ends = [self.start, self.start + self.length];
-        let [from, to] = &self.laws;
-        let of = |law: &Law| ends.map(|x| value(law, x));
+        let [from, to] = self.restitution;
+        let of = |e: f64| {
+            let law = law.restituting(e);
+            ends.map(|x| value(&law, x))
+        };
         Corners { from: of(from), to: (from != to).then(|| of(to)) }
+    }
+}
+
+/// A stretch in parts, of which the slowest is searched first and halved where it may have several roots.
+struct Parts {
+    stretch: Option<Stretch>,
+    /// (m/s) where the slowest part begins.
+    low: f64,
+    /// (m/s) where each part ends, the fastest first.
+    ends: [f64; HALVINGS + 1],
+    count: usize,
+}
+
+/// A part is no shorter than this power of a half of its stretch: two roots that are nearer to each other
+/// take the polynomials of its pieces.
+const HALVINGS: usize = 5;
+
+impl Parts {
+    fn none() -> Self {
+        Self { stretch: None, low: 0.0, ends: [0.0; HALVINGS + 1], count: 0 }
+    }
+
+    fn begin(&mut self, stretch: Stretch) -> Stretch {
+        let [low, high] = stretch.range;
+        (self.stretch, self.low, self.ends[0], self.count) = (Some(stretch), low, high, 1);
+        stretch
+    }
+
+    fn slowest(&self) -> Option<Stretch> {
+        let high = *self.ends[..self.count].last()?;
+        self.stretch.map(|stretch| Stretch { range: [self.low, high], ..stretch })
+    }
+
+    /// Whether the slowest part is now its slower half.
+    fn halve(&mut self) -> bool {
+        let (Some(high), true) = (self.ends[..self.count].last(), self.count <= HALVINGS) else {
+            return false;
+        };
+        self.ends[self.count] = 0.5 * (self.low + high);
+        self.count += 1;
+        true
+    }
+
+    /// The slowest part is searched.
+    fn finish(&mut self) {
+        if let Some(high) = self.ends[..self.count].last() {
+            self.low = *high;
+            self.count -= 1;
+        }
     }
 }
 
@@ -123,7 +220,7 @@ impl<V> Corners<V> {
 
 /// The law without a limit that holds in a piece.
 #[derive(Clone, Copy)]
-enum Branch {
+pub(crate) enum Branch {
     /// The law itself, which has no limit.
     Own,
     /// Friction suffices for the law's condition on U_t.
@@ -133,7 +230,8 @@ enum Branch {
 }
 
 impl Branch {
-    fn law(self, law: &Law) -> Law {
+    #[inline(always)]
+    pub(crate) fn law(self, law: &Law) -> Law {
         match self {
             Self::Own => *law,
             Self::Full => law.without_limit(),
@@ -162,70 +260,131 @@ struct Bracket {
     branch: Branch,
 }
 
+impl Bracket {
+    /// Where the chord between the ends of a narrow bracket is zero.
+    fn chord(&self) -> Option<f64> {
+        let [(low, at_low), (high, at_high)] = self.ends;
+        let is_narrow = high - low <= 3.0 * ABOUT * low;
+        is_narrow.then(|| low + (high - low) * (at_low / (at_low - at_high)))
+    }
+
+    /// (J) what is missing at an end, at most.
+    fn height(&self) -> f64 {
+        let [(_, at_low), (_, at_high)] = self.ends;
+        at_low.abs().max(at_high.abs())
+    }
+}
+
 impl<'a> Posed<'a> {
     /// The approach speeds at which W_n has the value sought, in ascending order: all up to [`FASTEST`].
     pub(crate) fn roots<S: Trail>(
         self,
     ) -> impl Iterator<Item = Result<Root<S>, ReconcileError>> + use<'a, S> {
-        let only = self.only_root();
-        let searched = only.is_none().then(|| self.roots_by_pieces());
-        only.map(Ok).into_iter().chain(searched.into_iter().flatten())
+        let mut only = self.only_root();
+        let (law, meeting) = (self.problem.law.nominal(), self.meeting());
+        let pushes = self.pushes(&meeting);
+        let mut stretches = only.is_none().then(|| self.stretches());
+        let mut parts = Parts::none();
+        let mut isolated = Roots::none();
+        let mut by_pieces = None;
+        let mut last = f64::NAN;
+        // Adapters of iterators would be a kilobyte that each stretch copies several times.
+        core::iter::from_fn(move || {
+            loop {
+                if let Some(root) = only.take() {
+                    return Some(Ok(root));
+                }
+                if let Some(Isolated { x, way }) = isolated.next() {
+                    return Some(Ok(self.root_at_the_end_of(way, x)));
+                }
+                match by_pieces.as_mut().and_then(Iterator::next) {
+                    // A root on the border of two pieces belongs to both.
+                    Some(Ok(Root { x, .. })) if core::mem::replace(&mut last, x) == x => continue,
+                    Some(root) => return Some(root),
+                    None => by_pieces = None,
+                }
+                let part = match parts.slowest() {
+                    Some(part) => part,
+                    None => parts.begin(stretches.as_mut()?.next()?),
+                };
+                let signs = pushes.as_ref().map_or(Signs::Unsure, |all| meeting.signs(&part, &law, all));
+                match signs {
+                    Signs::Several if parts.halve() => continue,
+                    Signs::Isolated(roots) => isolated = roots,
+                    Signs::Several | Signs::Unsure => by_pieces = Some(self.roots_by_pieces(part)),
+                }
+                parts.finish();
+            }
+        })
     }
 
-    fn roots_by_pieces<S: Trail>(self) -> impl Iterator<Item = Result<Root<S>, ReconcileError>> + use<'a, S> {
-        let mut last = f64::NAN;
-        self.stretches()
-            .flat_map(move |stretch| {
-                self.pieces(stretch)
-                    .filter_map(move |piece| self.part(stretch, piece))
-                    .flat_map(move |part| self.brackets(part))
-            })
+    pub(crate) fn roots_by_pieces<S: Trail>(
+        self,
+        stretch: Stretch,
+    ) -> impl Iterator<Item = Result<Root<S>, ReconcileError>> + use<'a, S> {
+        self.pieces(stretch)
+            .filter_map(move |piece| self.part(stretch, piece))
+            .flat_map(move |part| self.brackets(part))
             .filter_map(move |bracket| self.root(&bracket).transpose())
-            // A root on the border of two pieces belongs to both.
-            .filter(move |root| {
-                root.as_ref().is_err()
-                    || root.as_ref().is_ok_and(|root| core::mem::replace(&mut last, root.x) != root.x)
-            })
+    }
+
+    /// P_n under the laws without a limit of which one acts in every impact; `None` where one of them is not
+    /// affine.
+    pub(crate) fn pushes(self, meeting: &Meeting) -> Option<Pushes> {
+        if self.problem.tangential_share != 0.0 {
+            return None;
+        }
+        let law = self.problem.law.nominal();
+        let under = |branch: Branch| Some((branch, meeting.push(&law, branch)));
+        match law.tangential() {
+            Tangential::FractionOfCritical(f) => match self.branch_of_fraction(f) {
+                Branch::Own => None,
+                branch => Some([under(branch), None, None]),
+            },
+            Tangential::Friction(_) | Tangential::FullOrSliding(_) => {
+                Some([full(&law), against(&law), along(&law)].map(under))
+            }
+            Tangential::Critical
+            | Tangential::Ratio(_)
+            | Tangential::VelocityChange(_)
+            | Tangential::Restitution(_) => Some([under(Branch::Own), None, None]),
+        }
     }
 
     /// The ranges in which e is linear, as far as the vehicles approach and the unknown is no faster than
     /// [`FASTEST`].
-    fn stretches(self) -> impl Iterator<Item = Stretch> + use<'a> {
-        let points = self.problem.law.curve().map_or(&[][..], RestitutionCurve::points);
-        let [least, most] = self.reach();
+    pub(crate) fn stretches(self) -> impl Iterator<Item = Stretch> + use<'a> {
+        let law = &self.problem.law;
+        let points = law.curve().map_or(&[][..], RestitutionCurve::points);
+        let reach = self.reach();
         let size = self.frictionless_approach_speed();
         // Outside of the points e is constant.
-        let constant = move |from: f64, to: f64| {
-            let laws = [self.problem.law.at(from); 2];
-            Stretch { start: 0.0, length: size, laws, range: [from, to] }
+        let constant = move |e: f64, range: [f64; 2]| Stretch {
+            start: 0.0,
+            length: size,
+            restitution: [e; 2],
+            rise: 0.0,
+            range,
         };
-        let before = constant(0.0, points.first().map_or(f64::INFINITY, |&(x, _)| x));
-        let between = points.windows(2).filter_map(move |pair| match *pair {
-            [(from, _), (to, _)] => {
-                let laws = [self.problem.law.at(from), self.problem.law.at(to)];
-                Some(Stretch { start: from, length: to - from, laws, range: [from, to] })
-            }
+        let first = points.first().map_or(f64::INFINITY, |&(x, _)| x);
+        let before = constant(law.nominal().restitution(), [0.0, first]);
+        let between = points.windows(2).filter_map(|pair| match *pair {
+            [from, to] => Some(Stretch::between([from, to])),
             _ => None,
         });
-        let after = points.last().map(|&(x, _)| constant(x, f64::INFINITY));
+        let after = points.last().map(|&(x, e)| constant(e, [x, f64::INFINITY]));
+        // With e = 1 throughout the push does no work.
+        let has_share = self.problem.tangential_share != 0.0;
         core::iter::once(before)
             .chain(between)
             .chain(after)
-            .map(move |stretch| {
-                let [from, to] = stretch.range;
-                Stretch { range: [from.max(least), to.min(most)], ..stretch }
-            })
-            .filter(|stretch| {
-                let [from, to] = stretch.range;
-                // With e = 1 throughout the push does no work.
-                let works = self.problem.tangential_share != 0.0
-                    || !stretch.laws.iter().all(|law| law.restitution() == 1.0);
-                from < to && works
-            })
+            .map(move |stretch| stretch.within(reach))
+            .filter(move |stretch| stretch.has_length() && (has_share || !stretch.is_elastic()))
     }
 
     /// (m/s) the least and the greatest approach speed that a speed of at most [`FASTEST`] makes.
-    fn reach(self) -> [f64; 2] {
+    #[inline(always)]
+    pub(crate) fn reach(self) -> [f64; 2] {
         // x = −(u_n(s=0) + s w_n)
         let (at_rest, reach) = (self.line.at_rest.normal, self.line.slope.normal.abs() * FASTEST);
         [(-at_rest - reach).max(0.0), reach - at_rest]
@@ -250,9 +409,11 @@ impl<'a> Posed<'a> {
             // Friction suffices between P_t = −limit P_n and P_t = limit P_n; beyond, it turns about where
             // the sliding does.
             Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
-                let full = stretch.corners(|law, x| self.impulse_at(&law.without_limit(), x).linear);
+                let full = stretch.corners(&self.problem.law.nominal(), |law, x| {
+                    self.impulse_at(&law.without_limit(), x).linear
+                });
                 let spare = |c_t: f64| roots(full.polynomial(|p| limit * p.normal + c_t * p.tangential));
-                let sliding = stretch.polynomial(|law, x| {
+                let sliding = stretch.polynomial(&self.problem.law.nominal(), |law, x| {
                     let free = self.impulse_at(&law.with_ratio(0.0), x);
                     let k = self.problem.contact.inverse_mass();
                     k.separation(self.line.at(x), free.linear, free.moment).velocity.tangential
@@ -367,7 +528,8 @@ impl<'a> Posed<'a> {
                 let Fraction { push, divisor, slide, moment } = self.fraction_of_critical(stretch, f);
                 let tangential = (share != 0.0).then(|| {
                     let k = self.problem.contact.inverse_mass();
-                    let u_t = stretch.polynomial(|_, x| self.line.at(x).velocity.tangential);
+                    let u_t = stretch
+                        .polynomial(&self.problem.law.nominal(), |_, x| self.line.at(x).velocity.tangential);
                     // u_t + U_t = 2 u_t + k_nt P_n + k_tt P_t + k_tm M
                     let sliding = 2.0 * (u_t * divisor) + k.nt * push + k.tt * slide + k.tm * moment;
                     slide * sliding
@@ -376,7 +538,9 @@ impl<'a> Posed<'a> {
             }
             _ => {
                 let part = |value: &dyn Fn(LawImpulse, f64) -> f64| {
-                    stretch.polynomial(|law, x| value(self.impulse_at(&branch.law(law), x), x))
+                    stretch.polynomial(&self.problem.law.nominal(), |law, x| {
+                        value(self.impulse_at(&branch.law(law), x), x)
+                    })
                 };
                 let tangential = (share != 0.0).then(|| {
                     let sliding = part(&|p, x| self.sliding_at(p, x));
@@ -437,7 +601,8 @@ impl<'a> Posed<'a> {
 
     /// The critical impulse c, up to a factor.
     fn critical(self, stretch: &Stretch) -> Critical {
-        let c = stretch.corners(|law, x| self.impulse_at(&law.without_limit(), x).linear);
+        let c = stretch
+            .corners(&self.problem.law.nominal(), |law, x| self.impulse_at(&law.without_limit(), x).linear);
         Critical { normal: c.polynomial(|c| c.normal), tangential: c.polynomial(|c| c.tangential) }
     }
 
@@ -475,7 +640,7 @@ impl<'a> Posed<'a> {
     /// The root in a bracket; `None` where rounding has made a bracket beside a jump.
     fn root<S: Trail>(self, bracket: &Bracket) -> Result<Option<Root<S>>, ReconcileError> {
         let mut steps = S::none();
-        let observe = |x: f64, residual: f64| {
+        let mut observe = |x: f64, residual: f64| {
             steps.push(|| Iteration {
                 speed: self.line.speed(x),
                 normal_work: self
@@ -485,7 +650,15 @@ impl<'a> Posed<'a> {
             });
         };
         let missing = |x: f64| self.missing(bracket.branch, x);
-        match brent_between(missing, narrowed(missing, bracket.ends), 0.0, observe) {
+        let on_chord = bracket.chord().map(|x| (x, missing(x)));
+        let found = match on_chord.filter(|(_, value)| value.abs() <= bracket.height() * STRAIGHT) {
+            Some((x, value)) => {
+                observe(x, value);
+                Ok(x)
+            }
+            None => brent_between(missing, narrowed(missing, bracket.ends), 0.0, observe),
+        };
+        match found {
             Ok(x) => {
                 let is_root = self.missing(Branch::Own, x).abs() <= self.problem.crush_energy * ENERGY_MATCH;
                 Ok(is_root.then_some(Root { x, steps }))

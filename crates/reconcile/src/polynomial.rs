@@ -182,7 +182,7 @@ const NEWTON_CONVERGED: f64 = 1e-9;
 
 /// A Bernstein coefficient nearer to zero than this share of what it is a sum of may have either sign:
 /// rounding changes it by less than a hundredth of that.
-const SIGN_IS_SURE: f64 = 1e-12;
+pub(crate) const SIGN_IS_SURE: f64 = 1e-12;
 
 /// C(n, k), up to [`DEGREE`]; zero where k > n.
 fn binomial(n: usize, k: usize) -> f64 {

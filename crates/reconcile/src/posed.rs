@@ -113,8 +113,8 @@ impl Problem {
     /// Guarantee: no speed of at most [`FASTEST`](crate::FASTEST) is missed, and none is counted twice, but
     /// where rounding decides whether it exists. W_n less the value sought is a ratio of polynomials of the
     /// approach speed within the pieces in which one regime of the law holds and e is linear. The signs of
-    /// its Bernstein coefficients say that a piece has one root at most, or the extrema of the numerator
-    /// isolate its roots; Brent's method finds each on the law's own W_n.
+    /// its Bernstein coefficients say that a range has one root at most, or the extrema of the numerator
+    /// isolate its roots; Newton's method or Brent's finds each.
     ///
     /// # Errors
     /// [`ReconcileError`].

@@ -4,9 +4,10 @@
 //! so that the answers have the same bits. What a case says of its vehicles and their damage becomes columns,
 //! and there is nothing between these functions that keeps a compiler from vectorising the loop over the
 //! samples: no allocation, no error, no branch. So are the equations of the impact solved where they have one
-//! of the commonest closed forms, or a cubic with one root, at once. Any other law, and a sample that has no
-//! such answer, is solved from these columns one sample after the other, a search by the function that
-//! searches for a single case. That saves what costs a single case most, which is the case itself.
+//! of the commonest closed forms, a cubic with one root, or a curve of restitution whose stretches have one
+//! root at most, at once. Any other law, and a sample that has no such answer, is solved from these columns
+//! one sample after the other, a search by the function that searches for a single case. That saves what
+//! costs a single case most, which is the case itself.
 //!
 //! What a block cannot say is left to the single case: each [`Alone`], and of an impact a sample whose damage
 //! the engine refuses.
@@ -25,7 +26,7 @@ use inputs::{
 use pim_core::{
     Body, Contact, Law, Motion, Outcome, Participant, Tangential, VaryingLaw, Vector2, VehicleId,
 };
-use reconcile::{Problem, Unknown};
+use reconcile::{CurveBlock, Laws, Problem, Unknown, restitutions};
 
 use super::{Reason, value};
 use crate::sensitivity::Output;
@@ -98,11 +99,26 @@ pub(super) struct Block {
 }
 
 /// The law of all samples at once, where it is one of those for which that is worth a compiled loop for each
-/// instruction set: not one that takes a search, which has no steps that all samples share.
-#[derive(Clone, Copy, Debug)]
+/// instruction set.
+#[derive(Debug)]
 struct AtOnce {
-    restitution: Number,
+    restitution: Restituted,
     condition: Condition,
+}
+
+/// What a law that is solved at once restitutes.
+#[derive(Debug)]
+enum Restituted {
+    Constant(Number),
+    Curve(Curve),
+}
+
+/// A restitution that depends on the closing speed, and a moment impulse.
+#[derive(Debug)]
+struct Curve {
+    points: Vec<(Quantity<Number>, Number)>,
+    /// e_m
+    moment: Option<Number>,
 }
 
 /// What a law that is solved at once asks for along the crush plane.
@@ -349,8 +365,16 @@ impl Block {
         let posed = self.pose(inputs);
         let mut settled = [false; LANES];
         if let Some(AtOnce { restitution, condition }) = &self.at_once {
-            let law = (restitution.lanes(inputs), *condition, condition.number().lanes(inputs));
-            settled = self.all_at_once(&law, &posed, inputs, outputs);
+            let numbers = condition.number().lanes(inputs);
+            match restitution {
+                Restituted::Constant(e) => {
+                    let law = (e.lanes(inputs), *condition, numbers);
+                    settled = self.all_at_once(&law, &posed, inputs, outputs);
+                }
+                Restituted::Curve(curve) => {
+                    settled = self.under_curves(curve, (*condition, &numbers), &posed, inputs, outputs);
+                }
+            }
         }
         if !settled.iter().all(|is_settled| *is_settled) {
             self.in_turn(&posed, inputs, outputs, reasons, &mut settled);
@@ -464,27 +488,111 @@ impl Block {
         posed: &Posed,
         outputs: &mut [Lanes],
     ) -> [bool; LANES] {
-        let Posed { vehicles: [v1, v2], crush_plane, crush_energy: _ } = posed;
         // On the stack of this function, so that the compiler knows that no column is part of another.
         let mut values = [[0.0; LANES]; OUTPUTS];
         let mut answered = [false; LANES];
         for lane in 0..LANES {
             let (law, is_law) = Law::new_with_validity(e[lane], condition(numbers[lane]));
-            let ((p1, is_1), (p2, is_2)) = (v1.participant(lane), v2.participant(lane));
-            let (contact, is_contact) = Contact::new_with_validity([p1, p2], crush_plane[lane]);
-            let motions = [v1.motion(lane), v2.motion(lane)];
+            let (contact, motions, is_contact) = posed.contact(lane);
             let (speed, outcome, is_answer) = question.answer(contact, law, motions, lane);
-            answered[lane] = is_law & is_1 & is_2 & is_contact & is_answer;
+            answered[lane] = is_law & is_contact & is_answer;
             for (column, value) in values.iter_mut().zip(answer(self.axes, &self.central, speed, &outcome)) {
                 column[lane] = value;
             }
         }
+        self.write(&values, outputs);
+        answered
+    }
+
+    /// Solves those samples of which the speed under a curve of restitution is found at once.
+    #[inline(always)]
+    fn under_curves(
+        &self,
+        curve: &Curve,
+        (condition, numbers): (Condition, &Lanes),
+        posed: &Posed,
+        inputs: &[Lanes],
+        outputs: &mut [Lanes],
+    ) -> [bool; LANES] {
+        let Some(Sought { unknown, basis, share: None }) = self.sought else { return [false; LANES] };
+        let points: Vec<[Lanes; 2]> =
+            curve.points.iter().map(|(speed, e)| [si(speed, inputs), e.lanes(inputs)]).collect();
+        let (points, asked) = (&points[..], (unknown, basis));
+        match (condition, curve.moment) {
+            (Condition::Restitution(_), None) => {
+                let laws = CurveLaws { condition: Tangential::Restitution, numbers, moment: NoMoment };
+                self.under_curves_of::<1, _>(points, &laws, asked, posed, outputs)
+            }
+            (Condition::Friction(_), None) => {
+                let laws = CurveLaws { condition: Tangential::Friction, numbers, moment: NoMoment };
+                self.under_curves_of::<3, _>(points, &laws, asked, posed, outputs)
+            }
+            (Condition::Friction(_), Some(moment)) => {
+                let moment = moment.lanes(inputs);
+                let laws = CurveLaws { condition: Tangential::Friction, numbers, moment };
+                self.under_curves_of::<3, _>(points, &laws, asked, posed, outputs)
+            }
+            (Condition::FullOrSliding(_), _) => {
+                let laws = CurveLaws { condition: Tangential::FullOrSliding, numbers, moment: NoMoment };
+                self.under_curves_of::<3, _>(points, &laws, asked, posed, outputs)
+            }
+            (Condition::Restitution(_), Some(_)) | (Condition::Fraction(_), _) => [false; LANES],
+        }
+    }
+
+    // As `at_once`.
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn under_curves_of<const BRANCHES: usize, L: CurveLaw>(
+        &self,
+        points: &[[Lanes; 2]],
+        laws: &L,
+        (unknown, basis): (Unknown, EnergyBasis),
+        posed: &Posed,
+        outputs: &mut [Lanes],
+    ) -> [bool; LANES] {
+        let mut block = CurveBlock::<LANES, BRANCHES>::new(basis);
+        for lane in 0..LANES {
+            let (law, _) = laws.with_restitution(0.0, lane);
+            let (contact, motions, _) = posed.contact(lane);
+            block.set(lane, &problem(contact, law, motions, unknown, posed.crush_energy[lane], basis));
+        }
+        let approaches = block.slowest_approaches(points, laws);
+        if !approaches.iter().any(|approach| *approach > 0.0) {
+            return [false; LANES];
+        }
+        let mut closing = [0.0; LANES];
+        for lane in 0..LANES {
+            let (law, _) = laws.with_restitution(0.0, lane);
+            let (contact, motions, _) = posed.contact(lane);
+            let problem = problem(contact, law, motions, unknown, posed.crush_energy[lane], basis);
+            closing[lane] = problem.closing_speed_at(approaches[lane]);
+        }
+        let (e, is_curve) = restitutions(points, &closing);
+        let mut values = [[0.0; LANES]; OUTPUTS];
+        let mut answered = [false; LANES];
+        for lane in 0..LANES {
+            let (law, is_law) = laws.with_restitution(e[lane], lane);
+            let (contact, motions, is_contact) = posed.contact(lane);
+            let problem = problem(contact, law, motions, unknown, posed.crush_energy[lane], basis);
+            let (speed, outcome, is_answer) = problem.answer_at(approaches[lane]);
+            answered[lane] = is_law & is_curve[lane] & is_contact & is_answer;
+            for (column, value) in values.iter_mut().zip(answer(self.axes, &self.central, speed, &outcome)) {
+                column[lane] = value;
+            }
+        }
+        self.write(&values, outputs);
+        answered
+    }
+
+    /// The columns of the outputs that are wanted.
+    #[inline(always)]
+    fn write(&self, values: &[Lanes; OUTPUTS], outputs: &mut [Lanes]) {
         for (output, place) in outputs.iter_mut().zip(&self.places) {
             if let Some(column) = values.get(*place) {
                 *output = *column;
             }
         }
-        answered
     }
 
     /// Solves those samples that are not `settled` one after the other.
@@ -563,19 +671,14 @@ impl Block {
 
     fn collision(
         &self,
-        Posed { vehicles: [v1, v2], crush_plane, crush_energy: _ }: &Posed,
+        posed: &Posed,
         inputs: &[Lanes],
         lane: usize,
     ) -> Result<(Contact, VaryingLaw, [Motion; 2]), Reason> {
         let law = self.law.map(|number| number.at(inputs, lane));
         let law = law.of_engine(self.axes).map_err(|_| self.fault(inputs, lane))?;
-        let ((p1, is_1), (p2, is_2)) = (v1.participant(lane), v2.participant(lane));
-        let (contact, is_contact) = Contact::new_with_validity([p1, p2], crush_plane[lane]);
-        if is_1 & is_2 & is_contact {
-            Ok((contact, law, [v1.motion(lane), v2.motion(lane)]))
-        } else {
-            Err(self.fault(inputs, lane))
-        }
+        let (contact, motions, is_contact) = posed.contact(lane);
+        if is_contact { Ok((contact, law, motions)) } else { Err(self.fault(inputs, lane)) }
     }
 
     /// The reason of a sample of which the engine refuses something while it takes it in, as
@@ -594,35 +697,36 @@ impl Block {
 impl AtOnce {
     fn new(law: &ImpactLaw<Number>) -> Option<Self> {
         let zero = Number::Known(0.0);
-        let (restitution, condition) = match law {
-            ImpactLaw::Brach {
-                restitution: Restitution::Constant(restitution),
-                tangential: BrachTangential::Critical,
-                moment_restitution: None,
-            } => (*restitution, Condition::Restitution(zero)),
-            ImpactLaw::Brach {
-                restitution: Restitution::Constant(restitution),
-                tangential: BrachTangential::Friction(limit),
-                moment_restitution: None,
-            } => (*restitution, Condition::Friction(*limit)),
-            ImpactLaw::Brach {
-                restitution: Restitution::Constant(restitution),
-                tangential: BrachTangential::FractionOfCritical(share),
-                moment_restitution: None,
-            } => (*restitution, Condition::Fraction(*share)),
-            ImpactLaw::Ishikawa {
-                restitution: Restitution::Constant(restitution),
-                tangential_restitution,
-            } => (*restitution, Condition::Restitution(*tangential_restitution)),
-            // A common velocity.
-            ImpactLaw::Woolley { tangential_velocity_change: None } => (zero, Condition::Restitution(zero)),
-            ImpactLaw::KudlichSlibar { restitution: Restitution::Constant(restitution), friction } => {
-                (*restitution, Condition::FullOrSliding(*friction))
+        let (restitution, condition, moment) = match law {
+            ImpactLaw::Brach { restitution, tangential, moment_restitution } => {
+                let condition = match tangential {
+                    BrachTangential::Critical => Condition::Restitution(zero),
+                    BrachTangential::Friction(limit) => Condition::Friction(*limit),
+                    BrachTangential::FractionOfCritical(share) => Condition::Fraction(*share),
+                    BrachTangential::Ratio(_) => return None,
+                };
+                (Some(restitution), condition, *moment_restitution)
             }
-            ImpactLaw::Brach { .. }
-            | ImpactLaw::Ishikawa { .. }
-            | ImpactLaw::Woolley { .. }
-            | ImpactLaw::KudlichSlibar { .. } => return None,
+            ImpactLaw::Ishikawa { restitution, tangential_restitution } => {
+                (Some(restitution), Condition::Restitution(*tangential_restitution), None)
+            }
+            // A common velocity.
+            ImpactLaw::Woolley { tangential_velocity_change: None } => {
+                (None, Condition::Restitution(zero), None)
+            }
+            ImpactLaw::Woolley { tangential_velocity_change: Some(_) } => return None,
+            ImpactLaw::KudlichSlibar { restitution, friction } => {
+                (Some(restitution), Condition::FullOrSliding(*friction), None)
+            }
+        };
+        let restitution = match (restitution, moment) {
+            (Some(Restitution::OfClosingSpeed { speeds, values }), _) => {
+                let points = speeds.iter().copied().zip(values.iter().copied()).collect();
+                Restituted::Curve(Curve { points, moment })
+            }
+            (Some(Restitution::Constant(_)), Some(_)) => return None,
+            (Some(Restitution::Constant(e)), None) => Restituted::Constant(*e),
+            (None, _) => Restituted::Constant(zero),
         };
         Some(Self { restitution, condition })
     }
@@ -634,6 +738,81 @@ struct Posed {
     crush_plane: Lanes,
     /// Of both vehicles; not a number where a sample has none.
     crush_energy: Lanes,
+}
+
+impl Posed {
+    /// The contact of one sample and the motions before it, and whether there is one.
+    #[inline(always)]
+    fn contact(&self, lane: usize) -> (Contact, [Motion; 2], bool) {
+        let [v1, v2] = &self.vehicles;
+        let ((p1, is_1), (p2, is_2)) = (v1.participant(lane), v2.participant(lane));
+        let (contact, is_contact) = Contact::new_with_validity([p1, p2], self.crush_plane[lane]);
+        (contact, [v1.motion(lane), v2.motion(lane)], is_1 & is_2 & is_contact)
+    }
+}
+
+/// A sample under a curve of restitution, with a law that has any restitution.
+#[inline(always)]
+fn problem(
+    contact: Contact,
+    law: Law,
+    motions: [Motion; 2],
+    unknown: Unknown,
+    crush_energy: f64,
+    basis: EnergyBasis,
+) -> Problem {
+    Problem { contact, law: law.into(), motions, unknown, crush_energy, basis, tangential_share: 0.0 }
+}
+
+/// The laws of all samples, but for the curve of restitution.
+struct CurveLaws<'a, F, M> {
+    condition: F,
+    numbers: &'a Lanes,
+    moment: M,
+}
+
+/// A law under a curve of restitution.
+trait CurveLaw: Laws {
+    /// With the restitution of a closing speed, and whether there is such a law.
+    fn with_restitution(&self, e: f64, lane: usize) -> (Law, bool);
+}
+
+impl<F: Fn(f64) -> Tangential, M: Moment> CurveLaw for CurveLaws<'_, F, M> {
+    #[inline(always)]
+    fn with_restitution(&self, e: f64, lane: usize) -> (Law, bool) {
+        let (law, is_law) = Law::new_with_validity(e, (self.condition)(self.numbers[lane]));
+        let (law, has_moment) = law.with_moment_restitution_and_validity(self.moment.at(lane));
+        (law, is_law & has_moment)
+    }
+}
+
+impl<F: Fn(f64) -> Tangential, M: Moment> Laws for CurveLaws<'_, F, M> {
+    #[inline(always)]
+    fn law(&self, lane: usize) -> Law {
+        self.with_restitution(0.0, lane).0
+    }
+}
+
+/// e_m of each sample.
+trait Moment {
+    fn at(&self, lane: usize) -> f64;
+}
+
+/// No moment impulse: a constant, with which all that belongs to one is left out.
+struct NoMoment;
+
+impl Moment for NoMoment {
+    #[inline(always)]
+    fn at(&self, _lane: usize) -> f64 {
+        -1.0
+    }
+}
+
+impl Moment for Lanes {
+    #[inline(always)]
+    fn at(&self, lane: usize) -> f64 {
+        self[lane]
+    }
 }
 
 /// What is asked of the samples that are solved at once.

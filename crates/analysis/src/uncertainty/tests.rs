@@ -66,6 +66,11 @@ impl Sampled {
     }
 }
 
+/// A restitution that falls to where most samples have their speed, and changes there.
+const CURVE: &str = "{ speeds = [\"4 m/s\", { value = \"18 m/s\", sd = \"1 m/s\" }, \"22 m/s\", \"26 m/s\"], \
+                     values = [0.5, { value = 0.3, sd = 0.05 }, 0.25, { value = 0.1, sd = 0.05 }] }";
+const FRICTION: &str = "{ friction = { value = 0.4, sd = 0.1 } }";
+
 /// The paper's example, and the same said in every other way that a block knows.
 fn shapes() -> Vec<(&'static str, String)> {
     let changed = |changes: &[(&str, &str)]| {
@@ -77,6 +82,9 @@ fn shapes() -> Vec<(&'static str, String)> {
     let law = |tangential: &str| changed(&[("\"critical\"", tangential)]);
     let share =
         |text: &str| text.replace("\"dissipated\"", "{ tangential_share = { value = 0.5, sd = 0.3 } }");
+    let curve = |points: &str, tangential: &str| {
+        changed(&[("{ low = 0.2, high = 0.4 }", points), ("\"critical\"", tangential)])
+    };
     let stiffness = "stiffness = { d0 = { value = \"30 lb^0.5\", within = \"20 %\", confidence = 0.95 }, \
                      d1 = { value = \"77.5 lb^0.5/ft\", within = \"10 %\", confidence = 0.95 } }";
     let a_b = "stiffness = { A = { value = \"140 lb/in\", sd = \"10 lb/in\" }, B = { value = \"42 psi\", sd = \"4 psi\" } }";
@@ -163,6 +171,32 @@ fn shapes() -> Vec<(&'static str, String)> {
         (
             "a curve of restitution",
             changed(&[("{ low = 0.2, high = 0.4 }", "{ speeds = \"5 20 m/s\", values = [0.4, 0.2] }")]),
+        ),
+        ("a curve with many points", curve(CURVE, "\"critical\"")),
+        ("a curve, absorbed", curve(CURVE, "\"critical\"").replace("\"dissipated\"", "\"absorbed\"")),
+        // Samples whose restitution is none, and samples whose points do not ascend.
+        (
+            "a wide curve",
+            curve(
+                "{ speeds = [{ value = \"20 m/s\", sd = \"4 m/s\" }, \"25 m/s\"], \
+                 values = [{ value = 0.4, sd = 0.3 }, { value = 0.1, sd = 0.1 }] }",
+                "\"critical\"",
+            ),
+        ),
+        // As some samples have the speed where the curve turns.
+        ("a curve that rises", curve("{ speeds = \"15 22 24 30 m/s\", values = [0.0, 0.7, 0.1, 0.2] }", FRICTION)),
+        ("a curve, friction", curve(CURVE, FRICTION)),
+        (
+            "a curve, friction, a moment",
+            curve(CURVE, &format!("{FRICTION}\nmoment_restitution = {{ value = -0.5, sd = 0.3 }}"))
+                .replace("\"dissipated\"", "\"absorbed\""),
+        ),
+        (
+            "a curve, Kudlich and Slibar",
+            curve(CURVE, "0").replace(
+                "tangential  = 0",
+                "law = \"kudlich-slibar\"\nfriction = { value = 0.4, sd = 0.1 }",
+            ),
         ),
         (
             "a change of velocity",

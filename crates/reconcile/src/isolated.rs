@@ -1,0 +1,390 @@
+//! The approach speeds at which W_n has the value sought, of a stretch of linear e in which signs alone
+//! isolate them.
+//!
+//! Under a law without a limit P_n is affine in the approach speed x and affine in e: P_n = p₀ + p_x x + e
+//! (p_e + p_ex x). A stretch is a line in the plane of x and e. On it the Bernstein coefficients of x, e and
+//! P_n are their values at its ends, and at the other two corners of the rectangle about it. Sums of products
+//! of these are the Bernstein coefficients of
+//!
+//! F = ½ (1−e) x P_n − E on the basis `dissipated`, and F = ½ x P_n − (1+e) E on the basis `absorbed`.
+//!
+//! F has no root in the stretch if they do not change their sign, and one if they do so once (Descartes):
+//! that one is found by Newton's method. Under a friction limit each of the three laws of which one acts has
+//! such an F, and a root counts where its law acts. So are nearly all stretches searched, or halves of them;
+//! what this leaves open is left to the polynomials of the stretch's [pieces](crate::pieces).
+
+use crash3::EnergyBasis;
+use pim_core::{InverseMass, Law, LawImpulse, NormalTangential};
+
+use crate::cubic::{CONVERGED, STEPS};
+use crate::line::ApproachLine;
+use crate::pieces::{Branch, Stretch};
+use crate::polynomial::SIGN_IS_SURE;
+use crate::posed::Posed;
+
+/// A root has the energy sought within this share, which is rounding.
+const ENERGY_MATCH: f64 = 1e-12;
+
+/// A root of a law that does not act there misses the energy sought by more than this share under the law
+/// that does; less may be the rounding of a root at the border of two laws.
+const ELSEWHERE: f64 = 1e-9;
+
+/// Two roots are farther apart than this relative distance; nearer, they may be one at the border of two
+/// laws.
+const APART: f64 = 1e-9;
+
+/// What the search in a stretch needs of a problem.
+#[derive(Clone, Copy)]
+pub(crate) struct Meeting {
+    pub(crate) inverse_mass: InverseMass,
+    pub(crate) line: ApproachLine,
+    /// (J)
+    pub(crate) crush_energy: f64,
+    pub(crate) basis: EnergyBasis,
+    /// (m/s) an approach speed of the size of a root.
+    pub(crate) size: f64,
+}
+
+/// P_n under a law without a limit, over the approach speed x and e.
+#[derive(Clone, Copy)]
+pub(crate) struct Push {
+    /// (N·s) p₀ and p_e.
+    at_rest: [f64; 2],
+    /// (kg) p_x and p_ex.
+    slope: [f64; 2],
+}
+
+impl Push {
+    pub(crate) const NUMBERS: usize = 4;
+
+    #[inline(always)]
+    pub(crate) fn numbers(&self) -> [f64; Self::NUMBERS] {
+        let Self { at_rest: [p_0, p_e], slope: [p_x, p_ex] } = *self;
+        [p_0, p_e, p_x, p_ex]
+    }
+
+    #[inline(always)]
+    pub(crate) fn of([p_0, p_e, p_x, p_ex]: [f64; Self::NUMBERS]) -> Self {
+        Self { at_rest: [p_0, p_e], slope: [p_x, p_ex] }
+    }
+
+    /// (N·s) P_n
+    #[inline(always)]
+    fn at(&self, x: f64, e: f64) -> f64 {
+        let [p_0, p_e] = self.at_rest;
+        let [p_x, p_ex] = self.slope;
+        // P_n = p₀ + p_x x + e (p_e + p_ex x)
+        p_0 + p_x * x + e * (p_e + p_ex * x)
+    }
+
+    /// (N·s) no less than any sum of its parts, up to an approach speed.
+    #[inline(always)]
+    fn size(&self, x: f64) -> f64 {
+        let [p_0, p_e] = self.at_rest.map(f64::abs);
+        let [p_x, p_ex] = self.slope.map(f64::abs);
+        p_0 + p_e + (p_x + p_ex) * x
+    }
+}
+
+/// The only root in a stretch under a law without a limit.
+#[derive(Clone, Copy)]
+pub(crate) struct Isolated {
+    /// (m/s)
+    pub(crate) x: f64,
+    /// The way there.
+    pub(crate) way: [f64; STEPS],
+}
+
+impl Isolated {
+    fn none() -> Self {
+        Self { x: 0.0, way: [0.0; STEPS] }
+    }
+}
+
+/// P_n under each of the laws without a limit of which one acts.
+pub(crate) type Pushes = [Option<(Branch, Push)>; 3];
+
+/// How often the Bernstein coefficients of a polynomial change sign.
+#[derive(Clone, Copy)]
+pub(crate) struct Changes {
+    /// Surely not at all.
+    pub(crate) none: bool,
+    /// Surely once.
+    pub(crate) one: bool,
+    /// Whether rounding decides over none of the signs.
+    is_sure: bool,
+}
+
+/// What a stretch has of roots.
+pub(crate) enum Signs {
+    /// These.
+    Isolated(Roots),
+    /// Perhaps more than one under one law: fewer in each half.
+    Several,
+    /// Rounding may decide which.
+    Unsure,
+}
+
+/// The roots in a stretch, in ascending order.
+pub(crate) struct Roots {
+    found: [Isolated; 3],
+    count: usize,
+    given: usize,
+}
+
+impl Roots {
+    pub(crate) fn none() -> Self {
+        Self { found: [Isolated::none(); 3], count: 0, given: 0 }
+    }
+
+    fn insert(&mut self, root: Isolated) {
+        let place = self.found[..self.count].partition_point(|other| other.x < root.x);
+        self.found[self.count] = root;
+        self.found[place..=self.count].rotate_right(1);
+        self.count += 1;
+    }
+
+    fn are_apart(&self) -> bool {
+        self.found[..self.count].windows(2).all(|pair| pair[1].x - pair[0].x > pair[0].x * APART)
+    }
+}
+
+impl Iterator for Roots {
+    type Item = Isolated;
+
+    fn next(&mut self) -> Option<Isolated> {
+        let next = *self.found[..self.count].get(self.given)?;
+        self.given += 1;
+        Some(next)
+    }
+}
+
+impl Posed<'_> {
+    #[inline(always)]
+    pub(crate) fn meeting(self) -> Meeting {
+        Meeting {
+            inverse_mass: self.problem.contact.inverse_mass(),
+            line: self.line,
+            crush_energy: self.problem.crush_energy,
+            basis: self.problem.basis,
+            size: self.frictionless_approach_speed(),
+        }
+    }
+}
+
+impl Meeting {
+    pub(crate) const NUMBERS: usize = 13;
+
+    #[inline(always)]
+    pub(crate) fn numbers(&self) -> [f64; Self::NUMBERS] {
+        let Self { inverse_mass: k, line, crush_energy, basis: _, size } = self;
+        let ApproachLine { at_rest, slope, relative_yaw_rate } = line;
+        [
+            k.nn,
+            k.nt,
+            k.tt,
+            k.nm,
+            k.tm,
+            k.mm,
+            at_rest.normal,
+            at_rest.tangential,
+            slope.normal,
+            slope.tangential,
+            *relative_yaw_rate,
+            *crush_energy,
+            *size,
+        ]
+    }
+
+    #[inline(always)]
+    pub(crate) fn of(numbers: [f64; Self::NUMBERS], basis: EnergyBasis) -> Self {
+        let [nn, nt, tt, nm, tm, mm, normal, tangential, .., crush_energy, size] = numbers;
+        let [.., slope_normal, slope_tangential, relative_yaw_rate, _, _] = numbers;
+        let at_rest = NormalTangential { normal, tangential };
+        let slope = NormalTangential { normal: slope_normal, tangential: slope_tangential };
+        let line = ApproachLine { at_rest, slope, relative_yaw_rate };
+        Self { inverse_mass: InverseMass { nn, nt, tt, nm, tm, mm }, line, crush_energy, basis, size }
+    }
+
+    #[inline(always)]
+    fn impulse(&self, law: &Law, x: f64) -> LawImpulse {
+        law.impulse(&self.inverse_mass, self.line.at(x))
+    }
+
+    /// (N·s) P_n under the branch of the law at the restitution e.
+    #[inline(always)]
+    fn push_at(&self, law: &Law, branch: Branch, e: f64, x: f64) -> f64 {
+        self.impulse(&branch.law(&law.restituting(e)), x).linear.normal
+    }
+
+    #[inline(always)]
+    pub(crate) fn push(&self, law: &Law, branch: Branch) -> Push {
+        let (p_0, p_1) = (self.push_at(law, branch, 0.0, 0.0), self.push_at(law, branch, 0.0, self.size));
+        let (q_0, q_1) = (self.push_at(law, branch, 1.0, 0.0), self.push_at(law, branch, 1.0, self.size));
+        let (slope, slope_1) = ((p_1 - p_0) / self.size, (q_1 - q_0) / self.size);
+        Push { at_rest: [p_0, q_0 - p_0], slope: [slope, slope_1 - slope] }
+    }
+
+    /// F = ½ w x P_n − s: the factor w at the restitution e.
+    #[inline(always)]
+    fn factor(&self, e: f64) -> f64 {
+        match self.basis {
+            EnergyBasis::Dissipated => 1.0 - e,
+            EnergyBasis::Absorbed => 1.0,
+        }
+    }
+
+    /// (J) F = ½ w x P_n − s: what is sought, s.
+    #[inline(always)]
+    fn sought(&self, e: f64) -> f64 {
+        match self.basis {
+            EnergyBasis::Dissipated => self.crush_energy,
+            EnergyBasis::Absorbed => (1.0 + e) * self.crush_energy,
+        }
+    }
+
+    /// The root in a stretch in which F changes its sign once, and whether it is found.
+    #[inline(always)]
+    pub(crate) fn isolated(&self, stretch: &Stretch, push: &Push) -> (Isolated, bool) {
+        let [low, high] = stretch.range;
+        let mut x = self.size.max(low).min(high);
+        let e = stretch.restitution_at(x);
+        // The root if P_n/x and e were the same at all approach speeds as at this one.
+        let share = self.sought(e) / (0.5 * self.factor(e) * x * push.at(x, e));
+        x = (x * real::Real::sqrt(share)).max(low).min(high);
+        let mut way = [x; STEPS];
+        let mut step = x;
+        for place in &mut way {
+            step = self.newton(stretch, push, x);
+            x -= step;
+            *place = x;
+        }
+        let is_found = (step.abs() <= x * CONVERGED) & (low <= x) & (x <= high);
+        (Isolated { x, way }, is_found)
+    }
+
+    /// (m/s) F/F′, how far the tangent leads from the root.
+    #[inline(always)]
+    fn newton(&self, stretch: &Stretch, push: &Push, x: f64) -> f64 {
+        let (e, rise) = (stretch.restitution_at(x), stretch.rise);
+        let [_, p_e] = push.at_rest;
+        let [p_x, p_ex] = push.slope;
+        let (p, w) = (push.at(x, e), self.factor(e));
+        // w′ = −e′ and s′ = 0, or w′ = 0 and s′ = e′ E
+        let (w_rise, s_rise) = match self.basis {
+            EnergyBasis::Dissipated => (-rise, 0.0),
+            EnergyBasis::Absorbed => (0.0, rise * self.crush_energy),
+        };
+        // P_n′ = p_x + e p_ex + e′ (p_e + p_ex x)
+        let p_rise = p_x + e * p_ex + rise * (p_e + p_ex * x);
+        // F′ = ½ [w (P_n + x P_n′) + w′ x P_n] − s′
+        let slope = 0.5 * (w * (p + x * p_rise) + w_rise * x * p) - s_rise;
+        (0.5 * w * x * p - self.sought(e)) / slope
+    }
+
+    /// How often the Bernstein coefficients of F change sign in a stretch.
+    #[inline(always)]
+    pub(crate) fn changes(&self, stretch: &Stretch, push: &Push) -> Changes {
+        let [x_0, x_1] = stretch.range;
+        let (e_0, e_1) = (stretch.restitution_at(x_0), stretch.restitution_at(x_1));
+        let (p_0, p_2) = (push.at(x_0, e_0), push.at(x_1, e_1));
+        let p_1 = 0.5 * (push.at(x_0, e_1) + push.at(x_1, e_0));
+        let (w_0, w_1) = (self.factor(e_0), self.factor(e_1));
+        // ½ w x
+        let (h_0, h_2) = (0.5 * w_0 * x_0, 0.5 * w_1 * x_1);
+        let h_1 = 0.25 * (w_1 * x_0 + w_0 * x_1);
+        let (s_0, s_1) = (self.sought(e_0), self.sought(e_1));
+        // The product of polynomials with the coefficients h_i and p_j: Σ C(2,i) C(2,j) h_i p_j/C(4,i+j)
+        let a = h_0 * p_0 - s_0;
+        let b = 0.5 * (h_0 * p_1 + h_1 * p_0) - (0.75 * s_0 + 0.25 * s_1);
+        let c = (h_0 * p_2 + 4.0 * h_1 * p_1 + h_2 * p_0) * (1.0 / 6.0) - 0.5 * (s_0 + s_1);
+        let d = 0.5 * (h_1 * p_2 + h_2 * p_1) - (0.25 * s_0 + 0.75 * s_1);
+        let e = h_2 * p_2 - s_1;
+        let least = (0.5 * x_1 * push.size(x_1) + s_0.max(s_1)) * SIGN_IS_SURE;
+        let is_sure =
+            (a.abs() > least) & (b.abs() > least) & (c.abs() > least) & (d.abs() > least) & (e.abs() > least);
+        let [a, b, c, d, e] = [a < 0.0, b < 0.0, c < 0.0, d < 0.0, e < 0.0];
+        let (p, q, r, s) = (a != b, b != c, c != d, d != e);
+        let none = !(p | q | r | s);
+        // Of an odd number of changes one alone if neither two of the first pair nor of the second, nor one
+        // of each.
+        let one = (p ^ q ^ r ^ s) & !(p & q) & !(r & s);
+        Changes { none: is_sure & none, one: is_sure & one, is_sure }
+    }
+
+    /// Of a root under a branch of the law: whether the branch acts there, so that it is one of the law, and
+    /// whether that is sure.
+    #[inline(always)]
+    pub(crate) fn acts(&self, stretch: &Stretch, law: &Law, branch: Branch, x: f64) -> [bool; 2] {
+        let e = stretch.restitution_at(x);
+        let law = law.restituting(e);
+        let own = self.impulse(&law, x).linear;
+        let acts = match branch {
+            Branch::Own => true,
+            Branch::Full | Branch::Ratio(_) => own == self.impulse(&branch.law(&law), x).linear,
+        };
+        let sought = self.sought(e);
+        let missing = (0.5 * self.factor(e) * x * own.normal - sought).abs();
+        let is_sure = if acts { missing <= sought * ENERGY_MATCH } else { missing > sought * ELSEWHERE };
+        [acts, is_sure]
+    }
+
+    /// What a stretch has of roots.
+    pub(crate) fn signs(&self, stretch: &Stretch, law: &Law, pushes: &Pushes) -> Signs {
+        let mut roots = Roots::none();
+        for (branch, push) in pushes.iter().flatten() {
+            let changes = self.changes(stretch, push);
+            if changes.none {
+                continue;
+            }
+            if !changes.one {
+                return if changes.is_sure { Signs::Several } else { Signs::Unsure };
+            }
+            let (root, is_found) = self.isolated(stretch, push);
+            let [acts, is_sure] = self.acts(stretch, law, *branch, root.x);
+            if !(is_found & is_sure) {
+                return Signs::Unsure;
+            }
+            if acts {
+                roots.insert(root);
+            }
+        }
+        if roots.are_apart() { Signs::Isolated(roots) } else { Signs::Unsure }
+    }
+}
+
+/// The slowest of some roots, infinite where there is none, and whether they are apart.
+#[inline(always)]
+pub(crate) fn slowest<const N: usize>(roots: [f64; N]) -> (f64, bool) {
+    let (mut slowest, mut are_apart) = (f64::INFINITY, true);
+    for i in 0..N {
+        slowest = if roots[i] < slowest { roots[i] } else { slowest };
+        for j in 0..i {
+            let lesser = if roots[i] < roots[j] { roots[i] } else { roots[j] };
+            let are_near = (roots[i] - roots[j]).abs() <= lesser * APART;
+            are_apart &= !are_near;
+        }
+    }
+    (slowest, are_apart)
+}
+
+/// Where friction suffices.
+#[inline(always)]
+pub(crate) fn full(_: &Law) -> Branch {
+    Branch::Full
+}
+
+/// Where the surfaces slide one way.
+#[inline(always)]
+pub(crate) fn against(law: &Law) -> Branch {
+    Branch::Ratio(law.friction_limit().map_or(0.0, |limit| -limit))
+}
+
+/// Where they slide the other way.
+#[inline(always)]
+pub(crate) fn along(law: &Law) -> Branch {
+    Branch::Ratio(law.friction_limit().unwrap_or(0.0))
+}
+
+#[cfg(test)]
+mod tests;
