@@ -16,7 +16,8 @@ use crate::pair::{LEAST_DELTA_V, Pair, Vehicle};
 /// are doubted: as large as one of a hundred recorders would have to be taken wrong.
 const DOUBTFUL: f64 = 100.0;
 
-/// Both parts of a ΔV that is large enough to be relied on: its size (m/s) and where the force came from (rad).
+/// Both parts of a ΔV that is large enough to be relied on: its size (m/s) and where the force came from
+/// (rad).
 #[derive(Clone, Copy)]
 struct Record {
     size: f64,

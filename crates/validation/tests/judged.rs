@@ -21,7 +21,7 @@ const MOVED: [(u8, &[f64]); 11] = [
 /// more than 22 % of it, and none may exceed 40 %.
 #[test]
 fn intervals_hold_the_true_speeds_and_are_narrow() {
-    let judgement = judge_speeds(&Data::built_in(), AfterImpact::VelocitiesAndYawRates, 128, 1).unwrap();
+    let judgement = judge_speeds(&Data::built_in(), AfterImpact::VelocitiesAndYawRates, 256, 1).unwrap();
     assert_eq!(judgement.tests.len(), MOVED.len());
     for (judged, (test, speeds)) in judgement.tests.iter().zip(MOVED) {
         assert_eq!((judged.test, judged.speeds.len()), (test, speeds.len()));
