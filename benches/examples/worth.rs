@@ -42,8 +42,9 @@ fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
         let summaries = || runs.iter().map(|(estimated, _)| estimated.outputs[place].posterior);
         let count = seeds as f64;
         let mean = summaries().map(|summary| summary.mean.value).sum::<f64>() / count;
-        let square = summaries().map(|summary| (summary.mean.value - mean).powi(2)).sum::<f64>();
-        let variance = summaries().map(|summary| summary.sd.value.powi(2)).sum::<f64>() / count;
+        let deviations = summaries().map(|summary| summary.mean.value - mean);
+        let square = deviations.map(|deviation| deviation * deviation).sum::<f64>();
+        let variance = summaries().map(|summary| summary.sd.value * summary.sd.value).sum::<f64>() / count;
         // n = σ²/Var(mean)
         let worth = variance / (square / (count - 1.0));
         all.push(worth);
