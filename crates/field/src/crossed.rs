@@ -135,6 +135,7 @@ mod tests {
         let same = ["1", "2"];
         assert_eq!(crash(hit, slap, front, same), [false; 4]);
         assert_eq!(crash(slap, hit, front, same), [true, false, true, false]);
+        assert_eq!(crash(slap, hit, front, ["1", "2.0"]), [true, false, true, false]);
         // From 90° and 75°: the directions alone say too little, and so do the sizes.
         assert_eq!(crash("0,-8.1", "-7.8,-29", front, same), [true, false, true, false]);
         assert_eq!(crash("0,-8.1", "-7.8,-29", ("F", 330.0, ","), same), [false; 4]);

@@ -209,7 +209,8 @@ impl Cells<'_> {
     fn vehicle_number(&self, vehicle: u8) -> Result<Option<u32>, FieldError> {
         match self.text("VEHNO", vehicle) {
             Err(_) | Ok("") => Ok(None),
-            Ok(text) => text.parse().map(Some).map_err(|_| {
+            // Tables whose columns have gaps tend to write 1 as 1.0.
+            Ok(text) => text.strip_suffix(".0").unwrap_or(text).parse().map(Some).map_err(|_| {
                 self.refusal("VEHNO", vehicle, text, "a whole number, or nothing where it is missing")
             }),
         }
