@@ -7,10 +7,10 @@ use std::collections::BTreeMap;
 
 use evidence::{FITTED, Freedom};
 use pim_core::VehicleId;
-use real::elementary::{atan2, ln};
+use real::elementary::ln;
 use real::{Real, principal_angle};
 
-use crate::pair::{LEAST_DELTA_V, Pair, Vehicle};
+use crate::pair::{Pair, Vehicle};
 
 /// (–) likelihood of the records the other way round, by that of the records as they stand, from which they
 /// are doubted: as large as one of a hundred recorders would have to be taken wrong.
@@ -26,10 +26,8 @@ struct Record {
 
 impl Record {
     fn of(vehicle: &Vehicle) -> Option<Self> {
-        let [Some(along), Some(across)] = vehicle.recorder else { return None };
-        let size = Real::sqrt(along * along + across * across);
-        // ΔV points away from where the force came from; across is positive to the right.
-        (size >= LEAST_DELTA_V).then(|| Self { size, from: atan2(-across, -along) })
+        let truth = vehicle.truth()?;
+        Some(Self { size: truth.delta_v, from: truth.direction? })
     }
 }
 

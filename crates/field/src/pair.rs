@@ -80,7 +80,7 @@ const MOST_CARGO: f64 = 1000.0;
 const ANOTHER_EVENT: f64 = 1.0;
 
 /// (m/s) recorders do not trigger reliably below.
-pub(crate) const LEAST_DELTA_V: f64 = 8.0 / 3.6;
+const LEAST_DELTA_V: f64 = 8.0 / 3.6;
 
 /// What a recorder stored, as far as it can be judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
